@@ -1,0 +1,45 @@
+//! One piece of a curve, in its own parameter x in [0, 1].
+
+use crate::generator::{Basis, Weights};
+use crate::numerics::{Point, Vector};
+
+/// A segment: two end points, the derivative that leaves the first and the one that arrives at the second.
+///
+/// Derivatives are with respect to the curve's parameter t; `length` is the segment's share of t.
+#[derive(Clone, Copy, Debug)]
+pub struct Segment<'a> {
+    /// Where it starts.
+    pub start: Point,
+    /// Where it ends.
+    pub end: Point,
+    /// dr/dt leaving the start.
+    pub leaving: Vector,
+    /// dr/dt arriving at the end.
+    pub arriving: Vector,
+    /// Parameter length H.
+    pub length: f64,
+    /// The basis for w = ω·H.
+    pub basis: &'a Basis,
+}
+
+impl Segment<'_> {
+    /// The point at x in [0, 1].
+    pub fn position(&self, x: f64) -> Point {
+        self.start + self.combine(self.basis.weights(x, 0))
+    }
+
+    /// The first derivative at x with respect to t.
+    pub fn velocity(&self, x: f64) -> Vector {
+        self.combine(self.basis.weights(x, 1)) / self.length
+    }
+
+    /// The second derivative at x with respect to t.
+    pub fn acceleration(&self, x: f64) -> Vector {
+        self.combine(self.basis.weights(x, 2)) / (self.length * self.length)
+    }
+
+    fn combine(&self, weights: Weights) -> Vector {
+        (self.end - self.start) * weights.chord
+            + (self.leaving * weights.leaving + self.arriving * weights.arriving) * self.length
+    }
+}

@@ -1,0 +1,156 @@
+//! The one error type of the crate.
+//!
+//! An [`Error`] names the argument at fault, the value that was given and the limit that it broke. It is
+//! returned before anything has changed. Not converging, stopping at a limit of work or being cancelled are
+//! not errors: they are statuses in the answers of the functions that can meet them.
+
+use core::fmt;
+
+/// A `Result` whose error is the crate's [`Error`].
+pub type Result<T> = core::result::Result<T, Error>;
+
+/// What was wrong with a call, with the offending value and the limit.
+///
+/// [`Error::code`] is the stable string of the kind; JavaScript sees it as `ExplineError.code`.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    /// A number is NaN or infinite.
+    NotFinite {
+        /// Name of the argument.
+        argument: &'static str,
+        /// Position in the argument, when it is an array.
+        index: Option<usize>,
+    },
+    /// A number lies outside the range that is documented for it.
+    OutOfRange {
+        /// Name of the argument.
+        argument: &'static str,
+        /// Position in the argument, when it is an array.
+        index: Option<usize>,
+        /// The value that was given.
+        value: f64,
+        /// The smallest value allowed.
+        least: f64,
+        /// The largest value allowed.
+        most: f64,
+    },
+    /// An array has the wrong length.
+    WrongLength {
+        /// Name of the argument.
+        argument: &'static str,
+        /// The length that was given.
+        got: usize,
+        /// The length that was expected.
+        needed: usize,
+    },
+    /// Fewer points than the operation needs.
+    TooFewPoints {
+        /// Name of the argument.
+        argument: &'static str,
+        /// How many there are.
+        got: usize,
+        /// How many are needed.
+        needed: usize,
+    },
+    /// The input is well formed but has no unique answer.
+    Degenerate {
+        /// Name of the argument.
+        argument: &'static str,
+        /// Position in the argument, when it is an array.
+        index: Option<usize>,
+        /// What is missing, in a few words.
+        reason: &'static str,
+    },
+    /// A limit on the size of inputs or outputs would be exceeded.
+    LimitExceeded {
+        /// Name of the argument.
+        argument: &'static str,
+        /// Name of the limit.
+        limit: &'static str,
+        /// The limit.
+        most: f64,
+        /// What the call would need.
+        needed: f64,
+    },
+    /// The allocator refused.
+    OutOfMemory {
+        /// How many bytes were asked for.
+        bytes: usize,
+    },
+    /// Path data that cannot be read.
+    PathSyntax {
+        /// Byte offset of the first character that makes no sense.
+        offset: usize,
+        /// What was expected there.
+        expected: &'static str,
+    },
+}
+
+impl Error {
+    /// The stable code of the kind of error; part of semantic versioning.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::NotFinite { .. } => "E_NOT_FINITE",
+            Self::OutOfRange { .. } => "E_RANGE",
+            Self::WrongLength { .. } => "E_LENGTH",
+            Self::TooFewPoints { .. } => "E_TOO_FEW_POINTS",
+            Self::Degenerate { .. } => "E_DEGENERATE",
+            Self::LimitExceeded { .. } => "E_LIMIT",
+            Self::OutOfMemory { .. } => "E_MEMORY",
+            Self::PathSyntax { .. } => "E_PARSE_SVG",
+        }
+    }
+
+    /// Name of the argument at fault, where the error has one.
+    pub fn argument(&self) -> Option<&'static str> {
+        match self {
+            Self::NotFinite { argument, .. }
+            | Self::OutOfRange { argument, .. }
+            | Self::WrongLength { argument, .. }
+            | Self::TooFewPoints { argument, .. }
+            | Self::Degenerate { argument, .. }
+            | Self::LimitExceeded { argument, .. } => Some(argument),
+            Self::PathSyntax { .. } => Some("d"),
+            Self::OutOfMemory { .. } => None,
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let at = |f: &mut fmt::Formatter<'_>, argument: &str, index: Option<usize>| match index {
+            Some(i) => write!(f, "{argument}[{i}]"),
+            None => write!(f, "{argument}"),
+        };
+        match *self {
+            Self::NotFinite { argument, index } => {
+                at(f, argument, index)?;
+                write!(f, " is not a finite number")
+            }
+            Self::OutOfRange { argument, index, value, least, most } => {
+                at(f, argument, index)?;
+                write!(f, " is {value}; expected a number from {least} to {most}")
+            }
+            Self::WrongLength { argument, got, needed } => {
+                write!(f, "{argument} has length {got}; expected {needed}")
+            }
+            Self::TooFewPoints { argument, got, needed } => {
+                write!(f, "{argument} has {got} points; at least {needed} are needed")
+            }
+            Self::Degenerate { argument, index, reason } => {
+                at(f, argument, index)?;
+                write!(f, " has no unique answer: {reason}")
+            }
+            Self::LimitExceeded { argument, limit, most, needed } => {
+                write!(f, "{argument} needs {needed}; {limit} is {most}")
+            }
+            Self::OutOfMemory { bytes } => write!(f, "no memory for {bytes} bytes"),
+            Self::PathSyntax { offset, expected } => {
+                write!(f, "d makes no sense at byte {offset}; expected {expected}")
+            }
+        }
+    }
+}
+
+impl core::error::Error for Error {}

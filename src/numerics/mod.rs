@@ -1,0 +1,8 @@
+//! Mathematics that has never heard of splines.
+
+pub mod entire;
+
+/// A point of the plane.
+pub type Point = nalgebra::Vector2<f64>;
+/// A displacement or a derivative in the plane.
+pub type Vector = nalgebra::Vector2<f64>;

@@ -1,0 +1,1 @@
+//! SVG path data in and out; no XML.
