@@ -1,0 +1,166 @@
+/**
+ * The document: plain, readonly JSON. It knows no DOM, no engine and no screen.
+ *
+ * A segment's shape depends only on its two points, the two handles that face each other and the angle ω·length, so
+ * the handles are stored the way they are shown: as offsets, one third of the tangent vector times the parameter
+ * length of their segment. Inserting, refining and importing stay exact because ω and length are kept per segment
+ * wherever they are not the ordinary ones.
+ */
+
+export type Mode = "curve" | "fit" | "trace" | "surface";
+
+export const modes: readonly Mode[] = ["curve", "fit", "trace", "surface"];
+
+export type Space = "trigonometric" | "hyperbolic" | "polynomial";
+
+/** How the two handles of a point hang together: equal and opposite, opposite, or free. */
+export type Kind = "symmetric" | "smooth" | "cusp";
+
+export type Family = "hermite" | "interpolating";
+
+export interface Offset {
+  readonly dx: number;
+  readonly dy: number;
+}
+
+export interface ControlPoint {
+  readonly x: number;
+  readonly y: number;
+  readonly kind: Kind;
+  /** The handle on the arriving side, relative to the point. */
+  readonly in: Offset;
+  /** The handle on the leaving side, relative to the point. */
+  readonly out: Offset;
+  /** The level at which refining made this point; absent for the points of level 0. */
+  readonly level?: number;
+}
+
+export interface Contour {
+  readonly family: Family;
+  readonly closed: boolean;
+  readonly points: readonly ControlPoint[];
+  /** How many segments on each side moving one point may change. A Hermite point changes its two neighbours' segments. */
+  readonly support?: number;
+  /** Radians per unit of the parameter, one number per segment; absent: the document's frequency. */
+  readonly omega?: readonly number[];
+  /** Parameter length of every segment; absent: all 1. */
+  readonly lengths?: readonly number[];
+  /** Where it differs from the document's (an imported arc in a hyperbolic document). */
+  readonly space?: Space;
+}
+
+export interface CurveDocument {
+  readonly space: Space;
+  /** Radians per unit of the parameter; "auto" is 2π over the parameter length of a closed contour, 0 for an open one. */
+  readonly omega: number | "auto";
+  readonly level: number;
+  readonly contours: readonly Contour[];
+  /** The sample this came from, for titles and for the error against the shape it set out to be. */
+  readonly sample?: string;
+}
+
+export interface FitDocument {
+  readonly sample?: string;
+  readonly data: readonly (readonly [number, number])[];
+  readonly model: "linear" | "cubic" | "hybrid";
+  readonly smoothing: number;
+  readonly mix: number;
+}
+
+export interface TraceDocument {
+  readonly sample?: string;
+  readonly settings: Readonly<Record<string, number | string | boolean>>;
+}
+
+export interface SurfaceDocument {
+  readonly sample: string;
+  readonly levelU: number;
+  readonly levelV: number;
+  readonly support: readonly [number, number];
+  readonly patches: number;
+  readonly net: readonly { readonly u: number; readonly v: number; readonly x: number; readonly y: number; readonly z: number }[];
+}
+
+/** What the window looks at: the document point in the middle of the stage, and CSS pixels per document unit. */
+export interface View {
+  readonly zoom: number;
+  readonly x: number;
+  readonly y: number;
+}
+
+/** What the page saves, shares and hands to a tester. */
+export interface DemoState {
+  readonly format: "expline-demo";
+  readonly version: 1;
+  readonly mode: Mode;
+  readonly view: View;
+  readonly curve: CurveDocument;
+  readonly fit: FitDocument;
+  readonly trace: TraceDocument;
+  readonly surface: SurfaceDocument;
+}
+
+export const emptyCurve: CurveDocument = { space: "trigonometric", omega: "auto", level: 0, contours: [] };
+export const emptyFit: FitDocument = { data: [], model: "hybrid", smoothing: 40, mix: 50 };
+export const emptyTrace: TraceDocument = { settings: {} };
+export const emptySurface: SurfaceDocument = { sample: "surf-torus", levelU: 0, levelV: 0, support: [1, 1], patches: 0, net: [] };
+
+export const noOffset: Offset = { dx: 0, dy: 0 };
+
+export type Side = "in" | "out";
+
+export interface PointRef {
+  readonly contour: number;
+  readonly index: number;
+}
+
+export interface HandleRef extends PointRef {
+  readonly side: Side;
+}
+
+/** The chosen points, and at most one chosen handle (its point is among the points). */
+export interface Selection {
+  readonly points: readonly PointRef[];
+  readonly handle: HandleRef | null;
+}
+
+export const nothingSelected: Selection = { points: [], handle: null };
+
+export function samePoint(a: PointRef, b: PointRef): boolean {
+  return a.contour === b.contour && a.index === b.index;
+}
+
+export function isSelected(selection: Selection, point: PointRef): boolean {
+  return selection.points.some((chosen) => samePoint(chosen, point));
+}
+
+export function pointAt(curve: CurveDocument, ref: PointRef): ControlPoint | undefined {
+  return curve.contours[ref.contour]?.points[ref.index];
+}
+
+/** How many segments a contour has: one per point when closed, one fewer when open. */
+export function segmentCount(contour: Contour): number {
+  const points = contour.points.length;
+  return contour.closed ? points : Math.max(0, points - 1);
+}
+
+/** The parameter length of a segment. */
+export function lengthOf(contour: Contour, segment: number): number {
+  return contour.lengths?.[segment] ?? 1;
+}
+
+/** The parameter length of the whole contour. */
+export function domainLength(contour: Contour): number {
+  let sum = 0;
+  for (let segment = 0; segment < segmentCount(contour); segment += 1) sum += lengthOf(contour, segment);
+  return sum;
+}
+
+/** The frequency of a segment: its own, or the document's, or the one that keeps a closed trigonometric contour's circles exact. */
+export function omegaOf(curve: CurveDocument, contour: Contour, segment: number): number {
+  const own = contour.omega?.[segment];
+  if (own !== undefined) return own;
+  if (curve.omega !== "auto") return curve.omega;
+  const space = contour.space ?? curve.space;
+  return contour.closed && space === "trigonometric" && contour.points.length > 1 ? (2 * Math.PI) / domainLength(contour) : 0;
+}

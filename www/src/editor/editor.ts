@@ -1,0 +1,134 @@
+import type { Command } from "../document/commands.ts";
+import type {
+  CurveDocument, DemoState, FitDocument, HandleRef, Mode, PointRef, Selection, SurfaceDocument, TraceDocument, View,
+} from "../document/document.ts";
+import type { Readable } from "./signal.ts";
+
+export type ToolId = "select" | "pen" | "draw" | "hand";
+
+export type OverlayId = "handles" | "polygon" | "knots" | "comb" | "subdivision" | "fill" | "bezier" | "grid";
+
+/** How the page shows and behaves; never part of the drawing, never in its history. */
+export interface Settings {
+  readonly overlays: Readonly<Record<OverlayId, boolean>>;
+  /** 0.1 … 10 */
+  readonly combScale: number;
+  /** 0 … 8; 0 is off */
+  readonly subdivisionSteps: number;
+  readonly snap: boolean;
+  /** 1 … 100 document units */
+  readonly gridStep: number;
+  readonly scrollPans: boolean;
+  /** Single-key shortcuts (V, P, C …) can be switched off; those with Ctrl stay. */
+  readonly singleKeys: boolean;
+  /** Click a point, then click where it shall go: moving without dragging. */
+  readonly moveByClicks: boolean;
+  /** Once a pen has been seen, fingers only pan. */
+  readonly penPans: boolean;
+}
+
+/** What a drag is doing, while it lasts. */
+export interface DragReadout {
+  readonly dx: number;
+  readonly dy: number;
+  /** What the pointer snapped to, in words. */
+  readonly snapped: string | null;
+}
+
+/** What the pointer or the keyboard is over, for markers, cursors and the hint line. */
+export type Target =
+  | { readonly kind: "point"; readonly point: PointRef }
+  | { readonly kind: "handle"; readonly handle: HandleRef }
+  | { readonly kind: "curve"; readonly contour: number; readonly t: number; readonly x: number; readonly y: number }
+  | { readonly kind: "empty" };
+
+export type Engine =
+  | { readonly status: "booting"; readonly progress: number | null }
+  | { readonly status: "ready" }
+  | { readonly status: "failed"; readonly reason: "blocked" | "unsupported" | "failed"; readonly detail: string };
+
+export interface EditorState {
+  readonly mode: Mode;
+  readonly tool: ToolId;
+  readonly view: View;
+  readonly curve: CurveDocument;
+  readonly fit: FitDocument;
+  readonly trace: TraceDocument;
+  readonly surface: SurfaceDocument;
+  readonly selection: Selection;
+  readonly hover: Target;
+  readonly settings: Settings;
+  readonly drag: DragReadout | null;
+  /** One line under the stage. */
+  readonly hint: string;
+  /** Held O: only the original is shown. */
+  readonly originalOnly: boolean;
+  readonly engine: Engine;
+  readonly canUndo: boolean;
+  readonly canRedo: boolean;
+  /** Name of the entry that Undo would take back. */
+  readonly undoName: string | null;
+  readonly redoName: string | null;
+}
+
+/** Something to tell the user: panels show toasts and errors, the live region says announcements. */
+export type Notice =
+  | { readonly kind: "toast"; readonly text: string; readonly actionId?: string }
+  | { readonly kind: "error"; readonly id: string; readonly text: string }
+  | { readonly kind: "announce"; readonly text: string };
+
+/** One definition serves toolbar, menu, keys and help. */
+export interface Action {
+  readonly id: string;
+  /** "Delete and heal" */
+  readonly label: string;
+  readonly group: "Edit" | "View" | "Tools" | "Points" | "Curve" | "File" | "Modes" | "Help";
+  /** As in "Mod+Shift+Z", "]", "Shift+Delete"; Mod is Ctrl, or Cmd on macOS. The first one is printed. */
+  readonly keys: readonly string[];
+  /** False keeps the key out of effect and greys the button. */
+  enabled?(state: EditorState): boolean;
+  /** For toggles. */
+  checked?(state: EditorState): boolean;
+  run(editor: Editor): void;
+  /** For keys that act while held (O, Space): called on release. */
+  release?(editor: Editor): void;
+}
+
+export interface ActionRegistry {
+  register(action: Action): void;
+  get(id: string): Action | undefined;
+  all(): readonly Action[];
+  /** Runs it if it is enabled; says whether it did. */
+  run(id: string): boolean;
+}
+
+export interface Editor {
+  readonly state: Readable<EditorState>;
+  /** The last notice; each call of notify is a new value. */
+  readonly notices: Readable<Notice | null>;
+  readonly actions: ActionRegistry;
+
+  /** Applies a command: one entry in the history, or part of the gesture that is open. */
+  dispatch(command: Command): void;
+  /** Opens a gesture (a slider drag, a point drag): everything until `commit` is one entry. */
+  begin(name: string): void;
+  /** Applies the command to the state at `begin`, so that a drag can be re-evaluated from its start. */
+  preview(command: Command): void;
+  commit(): void;
+  /** Back to the state at `begin`; no entry. */
+  bail(): void;
+  readonly inGesture: boolean;
+  undo(): void;
+  redo(): void;
+
+  /** Replaces parts of the state that are outside the history (view, selection, settings, hover, hint …). */
+  patch(change: Partial<Omit<EditorState, "curve" | "canUndo" | "canRedo" | "undoName" | "redoName">>): void;
+  setSettings(change: Partial<Settings>): void;
+  setOverlay(overlay: OverlayId, on: boolean): void;
+  notify(notice: Notice): void;
+
+  /** Plain JSON of everything worth saving. */
+  getState(): DemoState;
+  /** Replaces everything; one undoable entry, or (with `fresh`) a new history. */
+  setState(state: DemoState, options?: { fresh?: boolean }): void;
+}
