@@ -1,0 +1,10 @@
+// npm run build: the package, in pkg/.
+
+import { buildPackage } from "./package.mjs";
+import { setUp } from "./setup.mjs";
+import { door } from "./steps.mjs";
+
+await door(async () => {
+  await setUp();
+  await buildPackage();
+});

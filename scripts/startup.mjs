@@ -1,0 +1,32 @@
+// How long the package takes to start: decode, compile and instantiate, then import and first call, in fresh processes.
+
+import { execFileSync } from "node:child_process";
+import { fileURLToPath } from "node:url";
+
+const ROUNDS = 7;
+
+async function once() {
+  const started = performance.now();
+  const { HermiteCurve } = await import("../pkg/expline.js");
+  const imported = performance.now();
+  HermiteCurve.ellipse({ center: [0, 0], radii: [1, 1], count: 2 }).evaluate(0.5);
+  const called = performance.now();
+  const { wasmBytes } = await import("../build/bindings/wasm-bytes.js");
+  const { initSync } = await import("../build/bindings/expline.js");
+  const ready = performance.now();
+  initSync({ module: wasmBytes() });
+  return { wasm: performance.now() - ready, import: imported - started, first: called - imported };
+}
+
+if (process.argv[2] === "once") {
+  console.log(JSON.stringify(await once()));
+} else {
+  const rounds = Array.from({ length: ROUNDS }, () =>
+    JSON.parse(execFileSync(process.execPath, [fileURLToPath(import.meta.url), "once"], { encoding: "utf8" })),
+  );
+  const median = (key) => rounds.map((r) => r[key]).sort((a, b) => a - b)[ROUNDS >> 1].toFixed(1);
+  console.log(
+    `start-up in Node (median of ${ROUNDS} processes): import ${median("import")} ms, first call with decode, compile and ` +
+      `instantiate ${median("first")} ms, these three alone once more ${median("wasm")} ms`,
+  );
+}

@@ -1,0 +1,42 @@
+// THIRD_PARTY_LICENSES: the licences of every crate that is linked into the wasm, taken from the crates themselves.
+
+import { execFileSync } from "node:child_process";
+import { existsSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+
+import { at, environment, root } from "./steps.mjs";
+
+const TARGET = "wasm32-unknown-unknown";
+
+function cargo(...parameters) {
+  const options = { cwd: root, env: environment(), encoding: "utf8", maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] };
+  return execFileSync("cargo", parameters, options);
+}
+
+/** The packages that the wasm is built from: normal dependencies, no procedural macros and no build scripts. */
+function linkedPackages() {
+  const { packages } = JSON.parse(cargo("metadata", "--locked", "--format-version", "1", "--filter-platform", TARGET));
+  const tree = ["--locked", "-e", "normal,no-proc-macro", "--target", TARGET, "-p", "expline", "--prefix", "none"];
+  const linked = new Set(cargo("tree", ...tree, "--format", "{p}").split("\n").map((line) => line.split(" ").slice(0, 2).join(" ")));
+  const isLinked = (p) => p.name !== "expline" && linked.has(`${p.name} v${p.version}`);
+  return packages.filter(isLinked).sort((a, b) => (a.name < b.name ? -1 : 1));
+}
+
+function licenceTexts(manifest) {
+  const folder = dirname(manifest);
+  const names = readdirSync(folder).filter((n) => /^(licen[cs]e|copying|notice)/i.test(n)).sort();
+  return names.filter((n) => existsSync(join(folder, n))).map((n) => readFileSync(join(folder, n), "utf8").trim());
+}
+
+/** Writes the file; equal texts are printed once, under the names of all the crates that carry them. */
+export function writeThirdPartyLicenses() {
+  const packages = linkedPackages();
+  const texts = new Map();
+  for (const p of packages) {
+    for (const text of licenceTexts(p.manifest_path)) texts.set(text, [...(texts.get(text) ?? []), p.name]);
+  }
+  const list = packages.map((p) => `${p.name} ${p.version}: ${p.license ?? "see its text"}`).join("\n");
+  const parts = [...texts].map(([text, names]) => `${"-".repeat(78)}\n${names.join(", ")}\n${"-".repeat(78)}\n\n${text}\n`);
+  const head = "The wasm of expline links the following crates, besides Rust's own library (MIT OR Apache-2.0).\n";
+  writeFileSync(at("THIRD_PARTY_LICENSES"), `${head}\n${list}\n\n${parts.join("\n")}`);
+}
