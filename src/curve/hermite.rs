@@ -1,18 +1,12 @@
 //! Hermite exponential curves: points on the curve, with the derivatives that arrive and leave.
 
 use super::Segment;
+use super::limits::{
+    LARGEST_COORDINATE, LARGEST_FREQUENCY, LEAST_LENGTH, MOST_POINTS, POLE_MARGIN, too_many,
+};
 use crate::error::{Error, Result};
 use crate::generator::{Basis, Space};
 use crate::numerics::{Point, Vector};
-
-/// The largest coordinate, tangent component or parameter length that is accepted.
-pub const LARGEST_COORDINATE: f64 = 1e9;
-/// Trigonometric segments need ω·length below 2π by at least this much: the basis has a pole there.
-pub const POLE_MARGIN: f64 = 1e-6;
-/// The largest ω·length of a hyperbolic segment.
-pub const LARGEST_FREQUENCY: f64 = 1e4;
-/// The most points that one curve may have.
-pub const MOST_POINTS: usize = 16_777_216;
 
 /// Which side of a control point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,6 +67,9 @@ impl HermiteCurve {
         let count = points.len();
         if count < 2 {
             return Err(Error::TooFewPoints { argument: "points", got: count, needed: 2 });
+        }
+        if count > MOST_POINTS {
+            return Err(too_many("points", "maxPoints", MOST_POINTS, count));
         }
         check_vectors("points", &points)?;
         check_count("tangents", tangents.len(), count)?;
@@ -155,7 +152,7 @@ impl HermiteCurve {
 
     /// Segment i, from point i to the next.
     pub fn segment(&self, i: usize) -> Segment<'_> {
-        let next = if i + 1 == self.points.len() { 0 } else { i + 1 };
+        let next = self.next(i);
         Segment {
             start: self.points[i],
             end: self.points[next],
@@ -163,6 +160,24 @@ impl HermiteCurve {
             arriving: self.tangents_in[next],
             length: self.lengths[i],
             basis: &self.bases[self.basis_of[i] as usize],
+        }
+    }
+
+    /// The index of the point after point i, the first after the last.
+    pub(super) fn next(&self, i: usize) -> usize {
+        if i + 1 == self.points.len() { 0 } else { i + 1 }
+    }
+
+    /// Everything that the curve is made from; [`HermiteCurve::new`] gives it back to the last bit.
+    pub fn to_options(&self) -> HermiteOptions {
+        HermiteOptions {
+            points: self.points.clone(),
+            tangents: self.tangents.clone(),
+            tangents_in: self.tangents_in.clone(),
+            closed: self.closed,
+            space: Some(self.space),
+            omega: self.omega.clone(),
+            lengths: self.lengths.clone(),
         }
     }
 
@@ -195,21 +210,17 @@ impl HermiteCurve {
     pub fn evaluate(&self, t: f64, derivative: usize) -> Result<Vector> {
         let (i, x) = self.locate(t)?;
         let segment = self.segment(i);
-        Ok(match derivative {
-            0 => segment.position(x),
-            1 => segment.velocity(x),
-            2 => segment.acceleration(x),
-            _ => {
-                return Err(Error::OutOfRange {
-                    argument: "derivative",
-                    index: None,
-                    value: derivative as f64,
-                    least: 0.0,
-                    most: 2.0,
-                });
-            }
-        })
+        check_derivative(derivative)?;
+        Ok(segment.derivative(x, derivative))
     }
+}
+
+pub(super) fn check_derivative(derivative: usize) -> Result<()> {
+    if derivative <= 2 {
+        return Ok(());
+    }
+    let value = derivative as f64;
+    Err(Error::OutOfRange { argument: "derivative", index: None, value, least: 0.0, most: 2.0 })
 }
 
 fn check_count(argument: &'static str, got: usize, needed: usize) -> Result<()> {
@@ -241,8 +252,8 @@ fn bases(space: Space, omega: &[f64], lengths: &[f64]) -> Result<(Vec<Basis>, Ve
         if !length.is_finite() {
             return Err(Error::NotFinite { argument: "lengths", index });
         }
-        if !(1e-12..=LARGEST_COORDINATE).contains(&length) {
-            let (least, most) = (1e-12, LARGEST_COORDINATE);
+        if !(LEAST_LENGTH..=LARGEST_COORDINATE).contains(&length) {
+            let (least, most) = (LEAST_LENGTH, LARGEST_COORDINATE);
             return Err(Error::OutOfRange { argument: "lengths", index, value: length, least, most });
         }
         if !w.is_finite() {

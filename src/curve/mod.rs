@@ -1,6 +1,11 @@
 //! Parametric curves.
 
+mod edit;
+mod ellipse;
 mod hermite;
+mod limits;
+mod refine;
+mod sample;
 mod segment;
 
 pub use hermite::{HermiteCurve, HermiteOptions, Side};

@@ -38,6 +38,15 @@ impl Segment<'_> {
         self.combine(self.basis.weights(x, 2)) / (self.length * self.length)
     }
 
+    /// The point (order 0) or a derivative with respect to t (order 1 or 2) at x.
+    pub fn derivative(&self, x: f64, order: usize) -> Vector {
+        match order {
+            0 => self.position(x),
+            1 => self.velocity(x),
+            _ => self.acceleration(x),
+        }
+    }
+
     fn combine(&self, weights: Weights) -> Vector {
         (self.end - self.start) * weights.chord
             + (self.leaving * weights.leaving + self.arriving * weights.arriving) * self.length

@@ -61,6 +61,13 @@ impl Basis {
         self.frequency
     }
 
+    /// κ(w) = S(w)/V(w): the inner generalised Bézier points of a segment lie κ·length·derivative from its ends.
+    ///
+    /// 1/3 for cubics, 1/2 at w = π, infinite at 2π.
+    pub fn kappa(&self) -> f64 {
+        self.remainder / self.versine
+    }
+
     /// The weights at x in [0, 1], or their first or second derivative with respect to x.
     pub fn weights(&self, x: f64, derivative: usize) -> Weights {
         let z = 1.0 - x;
@@ -116,7 +123,6 @@ impl Basis {
 
     fn bend(&self, x: f64) -> f64 {
         let y = x - 0.5;
-        -libm::cos(self.frequency * y) / self.sinc_half
-            + 2.0 * y * sinc(self.frequency * y) / self.gap_half
+        -libm::cos(self.frequency * y) / self.sinc_half + 2.0 * y * sinc(self.frequency * y) / self.gap_half
     }
 }

@@ -1,0 +1,31 @@
+//! The bounds that every curve and every bulk result keeps, checked before anything is allocated.
+
+use crate::error::{Error, Result};
+
+/// The largest coordinate, tangent component or parameter length that is accepted: a double keeps 1e-7 units there.
+pub(crate) const LARGEST_COORDINATE: f64 = 1e9;
+/// The least parameter length of a segment: knots closer than this count as one.
+pub(crate) const LEAST_LENGTH: f64 = 1e-12;
+/// Trigonometric segments need ω·length below 2π by at least this much: the basis has a pole there.
+pub(crate) const POLE_MARGIN: f64 = 1e-6;
+/// The largest ω·length of a hyperbolic segment.
+pub(crate) const LARGEST_FREQUENCY: f64 = 1e4;
+/// The most points that one curve may have.
+pub(crate) const MOST_POINTS: usize = 16_777_216;
+/// The most parameters of one bulk evaluation.
+pub(crate) const MOST_EVALUATIONS: usize = 4_000_000;
+/// The most points that one call may give back.
+pub(crate) const MOST_OUTPUT_POINTS: usize = 4_000_000;
+
+pub(crate) fn too_many(argument: &'static str, limit: &'static str, most: usize, needed: usize) -> Error {
+    Error::LimitExceeded { argument, limit, most: most as f64, needed: needed as f64 }
+}
+
+/// An empty vector with room for `count` values, or an error where the allocator says no.
+pub(crate) fn with_room<T>(count: usize) -> Result<Vec<T>> {
+    let mut values = Vec::new();
+    match values.try_reserve_exact(count) {
+        Ok(()) => Ok(values),
+        Err(_) => Err(Error::OutOfMemory { bytes: count.saturating_mul(size_of::<T>()) }),
+    }
+}

@@ -1,0 +1,113 @@
+//! Circles, ellipses and arcs are exact: measured against their equations, not against another curve.
+
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use expline::HermiteCurve;
+use nalgebra::Vector2;
+
+type Point = Vector2<f64>;
+
+/// The largest |r(t) − c| / radius − 1 over many parameters.
+fn roundness(curve: &HermiteCurve, center: Point, radius: f64) -> f64 {
+    let (start, end) = curve.domain();
+    (0..=4000)
+        .map(|i| start + (end - start) * f64::from(i) / 4000.0)
+        .map(|t| ((curve.evaluate(t, 0).expect("t lies in the domain") - center).norm() / radius - 1.0).abs())
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn a_circle_from_two_points_is_round_to_a_few_roundings() {
+    let circle =
+        HermiteCurve::ellipse(Point::zeros(), Point::new(5.0, 5.0), 0.0, 2).expect("two points suffice");
+    let error = roundness(&circle, Point::zeros(), 5.0);
+    assert!(error <= 2e-15, "radius is off by {error:e} of itself");
+}
+
+#[test]
+fn circles_are_round_for_every_count() {
+    for count in (2..=40).chain([64, 100, 1000, 4096]) {
+        let center = Point::new(3.0, -1.0);
+        let circle = HermiteCurve::ellipse(center, Point::new(2.0, 2.0), 0.3, count).expect("valid circle");
+        let error = roundness(&circle, center, 2.0);
+        assert!(error <= 3e-15, "{count} points: radius is off by {error:e} of itself");
+    }
+}
+
+#[test]
+fn a_turned_ellipse_satisfies_its_equation() {
+    let (center, radii, rotation) = (Point::new(-20.0, 7.0), Point::new(12.0, 0.5), 1.1);
+    for count in [2, 3, 5, 8, 17] {
+        let ellipse = HermiteCurve::ellipse(center, radii, rotation, count).expect("valid ellipse");
+        for i in 0..1000 {
+            let t = count as f64 * f64::from(i) / 1000.0;
+            let d = ellipse.evaluate(t, 0).expect("closed curves take any t") - center;
+            let (u, v) = (
+                (d.x * rotation.cos() + d.y * rotation.sin()) / radii.x,
+                (d.y * rotation.cos() - d.x * rotation.sin()) / radii.y,
+            );
+            // One unit in the last place of the coordinates is 24 times as much across the short axis.
+            assert!((u.hypot(v) - 1.0).abs() < 3e-13, "{count} points, t = {t}: {u}, {v}");
+            let angle = TAU * f64::from(i) / 1000.0;
+            assert!((u - angle.cos()).abs() < 1e-14, "the angle runs evenly");
+        }
+    }
+}
+
+#[test]
+fn quarter_points_of_a_circle_are_exact() {
+    let circle = HermiteCurve::ellipse(Point::zeros(), Point::new(7.0, 7.0), 0.0, 4).expect("valid circle");
+    let expected = [(7.0, 0.0), (0.0, 7.0), (-7.0, 0.0), (0.0, -7.0)];
+    for (point, (x, y)) in circle.points().iter().zip(expected) {
+        assert_eq!((point.x, point.y), (x, y), "no cosine of a right angle is left over");
+    }
+    let turned =
+        HermiteCurve::ellipse(Point::zeros(), Point::new(3.0, 2.0), FRAC_PI_2, 4).expect("valid ellipse");
+    assert_eq!(turned.points()[0], Point::new(0.0, 3.0), "a quarter turn is exact");
+}
+
+#[test]
+fn an_octagon_is_its_own_mirror_image_to_the_last_bit() {
+    let circle = HermiteCurve::ellipse(Point::zeros(), Point::new(1.0, 1.0), 0.0, 24).expect("valid circle");
+    let p = circle.points();
+    for k in 1..24 {
+        assert_eq!((p[k].x, p[k].y), (p[24 - k].x, -p[24 - k].y), "mirror image of point {k}");
+    }
+}
+
+#[test]
+fn arcs_follow_their_ellipse_both_ways() {
+    for (start, sweep) in [(0.0, FRAC_PI_2), (0.3, -2.0), (2.0, PI), (-1.0, 5.0), (0.5, -TAU), (0.0, 1e-9)] {
+        let (center, radii) = (Point::new(1.0, 2.0), Point::new(4.0, 3.0));
+        let arc = HermiteCurve::arc(center, radii, 0.0, start, sweep).expect("valid arc");
+        let (_, end) = arc.domain();
+        assert!(arc.segment_count() <= 2, "one segment for every half turn that is begun");
+        for i in 0..=100 {
+            let t = f64::from(i) / 100.0;
+            let angle = start + sweep * t;
+            let expected = center + Point::new(4.0 * angle.cos(), 3.0 * angle.sin());
+            let error = (arc.evaluate(end * t, 0).expect("in the domain") - expected).norm();
+            assert!(error < 8e-15, "start {start}, sweep {sweep}, at {t}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn impossible_ellipses_are_refused_by_name() {
+    let ellipse =
+        |rx: f64, ry: f64, count| HermiteCurve::ellipse(Point::zeros(), Point::new(rx, ry), 0.0, count);
+    for (result, code, argument) in [
+        (ellipse(1.0, 1.0, 1), "E_TOO_FEW_POINTS", "count"),
+        (ellipse(1.0, 1.0, 0), "E_TOO_FEW_POINTS", "count"),
+        (ellipse(0.0, 1.0, 4), "E_RANGE", "radii"),
+        (ellipse(1.0, -1.0, 4), "E_RANGE", "radii"),
+        (ellipse(f64::NAN, 1.0, 4), "E_NOT_FINITE", "radii"),
+        (ellipse(1e10, 1.0, 4), "E_RANGE", "radii"),
+        (ellipse(1.0, 1.0, usize::MAX), "E_LIMIT", "count"),
+        (HermiteCurve::arc(Point::zeros(), Point::new(1.0, 1.0), 0.0, 0.0, 0.0), "E_DEGENERATE", "sweep"),
+        (HermiteCurve::arc(Point::zeros(), Point::new(1.0, 1.0), 0.0, 0.0, 7.0), "E_RANGE", "sweep"),
+    ] {
+        let error = result.expect_err("it is impossible");
+        assert_eq!((error.code(), error.argument()), (code, Some(argument)), "{error}");
+    }
+}
