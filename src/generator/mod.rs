@@ -1,6 +1,7 @@
 //! The functions that every curve is a combination of.
 
 mod basis;
+mod stretched;
 
 pub use basis::{Basis, Weights};
 
