@@ -1,7 +1,7 @@
 // What a fresh clone needs before anything can be built: the Rust toolchain of rust-toolchain.toml, the npm packages
 // of package-lock.json. Uses Node's own modules only, since it runs before any package is there.
 
-import { existsSync, readFileSync, statSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 
 import { StepError, at, run, step } from "./steps.mjs";
@@ -33,11 +33,6 @@ async function installRust() {
   if (!(await rustIsReady())) await run("rustup", ["target", "add", TARGET]);
 }
 
-function npmIsReady() {
-  const installed = at("node_modules", ".package-lock.json");
-  return existsSync(installed) && statSync(installed).mtimeMs >= statSync(at("package-lock.json")).mtimeMs;
-}
-
 /** Rust with the wasm target, and the npm packages. */
 export async function setUp() {
   const [major = 0, minor = 0] = process.versions.node.split(".").map(Number);
@@ -45,9 +40,7 @@ export async function setUp() {
     throw new StepError(`Node ${process.versions.node} is too old; 20.19 or newer is needed`);
   }
   if (!(await rustIsReady())) await step("rust toolchain", {}, installRust);
-  if (!npmIsReady()) {
-    await step("npm packages", {}, async () => {
-      await run("npm", ["ci", "--ignore-scripts", "--no-audit", "--no-fund"]);
-    });
-  }
+  await step("npm packages", { inputs: ["package-lock.json"], outputs: ["node_modules/.package-lock.json"] }, async () => {
+    await run("npm", ["ci", "--ignore-scripts", "--no-audit", "--no-fund"]);
+  });
 }

@@ -1,0 +1,62 @@
+// Tests written in TypeScript: bundled with esbuild (packages stay outside), run by `node --test`.
+
+import { mkdirSync, readFileSync, rmSync } from "node:fs";
+import { basename } from "node:path";
+
+import { StepError, at, filesUnder, root, run } from "./steps.mjs";
+
+/** Bundles every *.test.ts under `folder` into `out` and gives back the files. */
+async function bundle(folder, out) {
+  const entryPoints = filesUnder([folder]).filter((file) => file.endsWith(".test.ts"));
+  if (entryPoints.length === 0) return [];
+  rmSync(at(out), { recursive: true, force: true });
+  const { build } = await import("esbuild");
+  await build({
+    entryPoints,
+    outdir: at(out),
+    outbase: at(folder),
+    outExtension: { ".js": ".mjs" },
+    absWorkingDir: root,
+    bundle: true,
+    packages: "external",
+    platform: "node",
+    format: "esm",
+    target: "node20",
+    sourcemap: "inline",
+    logLevel: "error",
+  });
+  return filesUnder([out]);
+}
+
+const count = (tap, word) => Number(new RegExp(`^# ${word} (\\d+)$`, "m").exec(tap)?.[1] ?? 0);
+
+/** What the tests themselves reported (`t.diagnostic`), without the runner's own counts. */
+function diagnostics(tap) {
+  const own = /^\s*# (?!Subtest|tests |suites |pass |fail |cancelled |skipped |todo |duration_ms)(.+)$/gm;
+  return [...tap.matchAll(own)].map(([, line]) => line);
+}
+
+/**
+ * Runs the tests under `folder`; `out` decides which `expline` they find (the package of the clone, or the packed one).
+ * They run in the clone's folder, so that they can read its files.
+ */
+export async function testNode(folder, out, { env = {}, limit = 1_800_000 } = {}) {
+  const files = await bundle(folder, out);
+  if (files.length === 0) return { passed: 0, failed: 1, failures: `${folder} has no *.test.ts\n`, notes: [] };
+  mkdirSync(at("build/logs"), { recursive: true });
+  const log = at("build/logs", `${basename(out)}.txt`);
+  const reporters = ["--test-reporter=tap", "--test-reporter-destination=stdout", "--test-reporter=spec", `--test-reporter-destination=${log}`];
+  let tap;
+  let failures = "";
+  try {
+    tap = await run("node", ["--enable-source-maps", "--test", ...reporters, ...files], { env, limit });
+  } catch (error) {
+    if (!(error instanceof StepError)) throw error;
+    tap = error.output;
+    const text = readFileSync(log, "utf8");
+    const start = text.lastIndexOf("failing tests:");
+    failures = start < 0 ? `${error.message}\n${tap.slice(-8000)}` : text.slice(start, start + 12_000);
+  }
+  const failed = count(tap, "fail") + count(tap, "cancelled");
+  return { passed: count(tap, "pass"), failed: failures && failed === 0 ? 1 : failed, failures, notes: diagnostics(tap) };
+}

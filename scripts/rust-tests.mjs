@@ -1,0 +1,125 @@
+// The Rust tests: natively, in wasm under Node and in wasm in Chromium, and a check that none of the three is empty.
+
+import { spawn } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { basename } from "node:path";
+
+import { launch } from "./browser.mjs";
+import { StepError, at, children, endGroup, environment, root, run } from "./steps.mjs";
+
+const TARGET = "wasm32-unknown-unknown";
+const RUNNER = ["test-runner"];
+/** A page that has said nothing for so long has died. */
+const PATIENCE = 300_000;
+
+/** How many tests an output of cargo's or wasm-bindgen's runner speaks of. */
+export function countCargo(output) {
+  let passed = 0;
+  let failed = 0;
+  for (const [, p, f] of output.matchAll(/test result: \w+\. (\d+) passed; (\d+) failed/g)) {
+    passed += Number(p);
+    failed += Number(f);
+  }
+  return { passed, failed };
+}
+
+/** The part of an output that says what failed. */
+export function failuresOf(output) {
+  const start = output.search(/^failures:$|^error(\[|:)|panicked at/m);
+  return (start < 0 ? output : output.slice(start)).slice(0, 12_000);
+}
+
+/** A run that may fail: its counts, and what it said about failures. */
+async function attempt(command, parameters, options) {
+  try {
+    return { ...countCargo(await run(command, parameters, options)), failures: "" };
+  } catch (error) {
+    if (!(error instanceof StepError)) throw error;
+    const { passed, failed } = countCargo(error.output);
+    return { passed, failed: Math.max(failed, 1), failures: `${error.message}\n${failuresOf(error.output)}` };
+  }
+}
+
+/** Unit, promise and documentation tests on this machine. */
+export function testNative() {
+  return attempt("cargo", ["test", "--locked", "--no-fail-fast", "-p", "expline"]);
+}
+
+/** Compiles the promise tests for wasm: name and file of each, without those that say they are for the host only. */
+async function wasmTests() {
+  const parameters = ["test", "--locked", "-p", "expline", "--target", TARGET, "--tests", "--no-run", "--message-format=json"];
+  const tests = [];
+  for (const line of (await run("cargo", parameters)).split("\n")) {
+    if (!line.startsWith("{")) continue;
+    const { executable, target } = JSON.parse(line);
+    if (!executable || !target.kind.includes("test")) continue;
+    const hostOnly = /^#!\[cfg\(not\(target_arch = "wasm32"\)\)\]/m.test(readFileSync(target.src_path, "utf8"));
+    if (!hostOnly) tests.push({ name: basename(target.src_path), file: executable });
+  }
+  return tests.sort((a, b) => (a.name < b.name ? -1 : 1));
+}
+
+/** Runs every file with `runOne` and adds up; a file that ran no test is a failure, since nobody would notice. */
+async function all(runOne) {
+  const sum = { passed: 0, failed: 0, failures: "" };
+  for (const test of await wasmTests()) {
+    const { passed, failed, failures } = await runOne(test);
+    sum.passed += passed;
+    sum.failed += failed;
+    if (failures) sum.failures += `${test.name}: ${failures}\n`;
+    if (passed + failed === 0) {
+      sum.failed += 1;
+      sum.failures += `${test.name} ran no test in wasm: alias wasm_bindgen_test as test, or say that it is for the host only\n`;
+    }
+  }
+  return sum;
+}
+
+/** The promise tests in wasm under Node. */
+export function testWasmInNode() {
+  return all(({ file }) => attempt(at("target/xtask/xtask"), [...RUNNER, file], { limit: PATIENCE }));
+}
+
+/** Starts the runner's server for one test file and gives back its address. */
+function startRunner(file) {
+  const env = environment({ WASM_BINDGEN_USE_BROWSER: "1", NO_HEADLESS: "1", WASM_BINDGEN_TEST_ADDRESS: "127.0.0.1:0" });
+  const child = spawn(at("target/xtask/xtask"), [...RUNNER, file], { cwd: root, env, stdio: ["ignore", "pipe", "pipe"], detached: true });
+  const forget = children.add(child);
+  const stop = () => (forget(), endGroup(child));
+  const address = new Promise((resolve, reject) => {
+    let output = "";
+    const read = (chunk) => {
+      output += chunk;
+      const found = /http:\/\/[\d.]+:\d+/.exec(output);
+      if (found) resolve(found[0]);
+    };
+    child.stdout.setEncoding("utf8").on("data", read);
+    child.stderr.setEncoding("utf8").on("data", read);
+    child.on("close", () => reject(new StepError("the wasm test runner ended before it served its page", output)));
+  });
+  return { address, stop };
+}
+
+/** The promise tests in wasm in headless Chromium, with no driver: the runner's own page, read until it has a result. */
+export async function testWasmInChromium() {
+  const browser = await launch();
+  try {
+    return await all(async ({ file }) => {
+      const { address, stop } = startRunner(file);
+      try {
+        const page = await browser.newPage();
+        await page.goto(await address);
+        const done = () => document.querySelector("#output")?.textContent?.includes("test result: ");
+        await page.waitForFunction(done, undefined, { timeout: PATIENCE });
+        const output = (await page.locator("#output").textContent()) ?? "";
+        await page.close();
+        const { passed, failed } = countCargo(output);
+        return { passed, failed, failures: failed > 0 ? failuresOf(output) : "" };
+      } finally {
+        stop();
+      }
+    });
+  } finally {
+    await browser.close();
+  }
+}

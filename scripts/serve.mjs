@@ -1,0 +1,83 @@
+// A static file server on this machine only, with the headers that the demo is promised to work under.
+
+import { createServer } from "node:http";
+import { readFile } from "node:fs/promises";
+import { extname, join, normalize, sep } from "node:path";
+import { gzipSync } from "node:zlib";
+
+const TYPES = {
+  ".css": "text/css; charset=utf-8",
+  ".html": "text/html; charset=utf-8",
+  ".ico": "image/x-icon",
+  ".js": "text/javascript; charset=utf-8",
+  ".json": "application/json; charset=utf-8",
+  ".mjs": "text/javascript; charset=utf-8",
+  ".png": "image/png",
+  ".svg": "image/svg+xml",
+  ".txt": "text/plain; charset=utf-8",
+  ".wasm": "application/wasm",
+  ".webmanifest": "application/manifest+json",
+};
+
+/** The demo's Content Security Policy; `data:` and `blob:` are for pictures only. */
+export const POLICY =
+  "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' data: blob:; worker-src 'self'";
+
+const FIRST_PORT = 4173;
+const PORTS_TRIED = 50;
+
+function fileOf(folder, url) {
+  const path = decodeURIComponent(new URL(url, "http://localhost").pathname);
+  const file = normalize(join(folder, path.endsWith("/") ? `${path}index.html` : path));
+  return file.startsWith(folder + sep) ? file : undefined;
+}
+
+async function answer(folder, policy, request, response) {
+  if (request.method !== "GET" && request.method !== "HEAD") {
+    response.writeHead(405, { Allow: "GET, HEAD" }).end();
+    return;
+  }
+  let body;
+  let file;
+  try {
+    file = fileOf(folder, request.url);
+    body = await readFile(file);
+  } catch {
+    response.writeHead(404, { "Content-Type": "text/plain; charset=utf-8" }).end("not found\n");
+    return;
+  }
+  const type = TYPES[extname(file)] ?? "application/octet-stream";
+  const headers = { "Content-Type": type, "Cache-Control": "no-cache", "X-Content-Type-Options": "nosniff", Vary: "Accept-Encoding" };
+  if (policy && type.startsWith("text/html")) headers["Content-Security-Policy"] = policy;
+  if (/\bgzip\b/.test(request.headers["accept-encoding"] ?? "") && !/^image\/png/.test(type)) {
+    headers["Content-Encoding"] = "gzip";
+    body = gzipSync(body);
+  }
+  headers["Content-Length"] = body.length;
+  response.writeHead(200, headers).end(request.method === "HEAD" ? undefined : body);
+}
+
+/**
+ * Serves a folder and gives back its address and a way to stop. `port` 0 is any free one; otherwise the first free
+ * one from `port` on.
+ */
+export async function serve(folder, { port = FIRST_PORT, policy = POLICY } = {}) {
+  const server = createServer((request, response) => void answer(folder, policy, request, response));
+  const listen = (candidate) =>
+    new Promise((resolve, reject) => {
+      server.once("error", reject).listen(candidate, "127.0.0.1", () => {
+        server.off("error", reject);
+        resolve(server.address().port);
+      });
+    });
+  let bound;
+  for (let i = 0; bound === undefined; i++) {
+    try {
+      bound = await listen(port === 0 ? 0 : port + i);
+    } catch (error) {
+      if (error.code !== "EADDRINUSE" || i >= PORTS_TRIED) throw error;
+    }
+  }
+  const close = () => new Promise((resolve) => (server.closeAllConnections(), server.close(resolve)));
+  return { url: `http://localhost:${bound}/`, close };
+}

@@ -1,0 +1,118 @@
+// npm test: sets up, builds and runs every check there is; `npm test -- rust demo` runs only those groups.
+//
+// A build that fails ends the run at once. A check that fails is reported, and the others still run. The last line
+// is "N passed, N failed", and the status is 0 only when nothing failed.
+
+import { buildDemo } from "./demo.mjs";
+import { ensureChromium } from "./browser.mjs";
+import { testNode } from "./node-tests.mjs";
+import { buildPackage, buildXtask } from "./package.mjs";
+import { installPacked } from "./packed.mjs";
+import { testNative, testWasmInChromium, testWasmInNode } from "./rust-tests.mjs";
+import { serve } from "./serve.mjs";
+import { setUp } from "./setup.mjs";
+import { StepError, at, door, run, seconds, step } from "./steps.mjs";
+import { checkTree } from "./tree.mjs";
+
+const TARGET = ["--target", "wasm32-unknown-unknown"];
+const GROUPS = ["rust", "wasm", "js", "package", "www", "demo"];
+
+const total = { passed: 0, failed: 0, failedSteps: [] };
+
+/** A check that passes or fails as a whole and counts as one. */
+async function check(name, action) {
+  try {
+    await step(name, {}, action);
+    total.passed += 1;
+  } catch (error) {
+    if (!(error instanceof StepError)) throw error;
+    total.failed += 1;
+    total.failedSteps.push(name);
+    console.log(error.output.split("\n").slice(-60).join("\n"));
+    console.log(`✗ ${error.message}`);
+  }
+}
+
+/** A suite of tests with counts of its own. */
+async function suite(name, action) {
+  let result;
+  await step(name, {}, async () => {
+    result = await action();
+    return `${result.passed} passed, ${result.failed} failed`;
+  });
+  for (const note of result.notes ?? []) console.log(`    ${note}`);
+  total.passed += result.passed;
+  total.failed += result.failed;
+  if (result.failed > 0) {
+    total.failedSteps.push(name);
+    console.log(result.failures);
+  }
+}
+
+const cargo = (...parameters) => () => run("cargo", parameters).then(() => undefined);
+const tsc = (project) => () => run("node", [at("node_modules/typescript/bin/tsc"), "--noEmit", "-p", at(project)]).then(() => undefined);
+
+async function rust() {
+  await check("format", cargo("fmt", "--all", "--check"));
+  await check("clippy, host", cargo("clippy", "--locked", "-p", "expline", "--all-targets", "--", "-D", "warnings"));
+  await check("clippy, wasm", cargo("clippy", "--locked", "-p", "expline", ...TARGET, "--lib", "--tests", "--", "-D", "warnings"));
+  await check("rustdoc", () =>
+    run("cargo", ["doc", "--locked", "-p", "expline", "--no-deps"], { env: { RUSTDOCFLAGS: "-D warnings" } }).then(() => undefined),
+  );
+  await suite("Rust tests, native", testNative);
+}
+
+async function wasm() {
+  await buildXtask();
+  await suite("Rust tests in wasm, Node", testWasmInNode);
+  await suite("Rust tests in wasm, Chromium", testWasmInChromium);
+}
+
+async function js() {
+  await check("types of the tests", tsc("tests/tsconfig.json"));
+  await installPacked();
+  await suite("the packed package in Node", () => testNode("tests/js", "build/consumer/js"));
+}
+
+async function packaged() {
+  await installPacked();
+  await suite("the packed package elsewhere", () => testNode("tests/package", "build/consumer/package"));
+}
+
+async function www() {
+  await check("types of the demo", tsc("www/tsconfig.json"));
+  await suite("the demo's parts", () => testNode("www/tests", "build/tests/www"));
+}
+
+async function demo() {
+  await buildDemo();
+  const { url, close } = await serve(at("www", "dist"), { port: 0 });
+  try {
+    await suite("the demo in Chromium", () => testNode("tests/demo", "build/tests/demo", { env: { DEMO_URL: url } }));
+  } finally {
+    await close();
+  }
+}
+
+await door(async () => {
+  const start = performance.now();
+  const asked = process.argv.slice(2);
+  const unknown = asked.find((name) => !GROUPS.includes(name));
+  if (unknown) throw new StepError(`there is no group ${unknown}; the groups are ${GROUPS.join(", ")}`);
+  const wanted = (name) => asked.length === 0 || asked.includes(name);
+  await setUp();
+  const chromium = await ensureChromium();
+  process.env.CHROMIUM = chromium;
+  if (asked.length === 0) await check("the tree's own rules", checkTree);
+  if (wanted("rust")) await rust();
+  if (wanted("wasm")) await wasm();
+  if (["js", "package", "www", "demo"].some(wanted)) await buildPackage();
+  if (wanted("js")) await js();
+  if (wanted("package")) await packaged();
+  if (wanted("www")) await www();
+  if (wanted("demo")) await demo();
+  console.log(`\n${seconds(start)} in all`);
+  if (total.failedSteps.length > 0) console.log(`✗ failed: ${total.failedSteps.join("; ")}`);
+  console.log(`${total.passed} passed, ${total.failed} failed`);
+  process.exit(total.failed > 0 ? 1 : 0);
+});
