@@ -1,0 +1,153 @@
+//! Curves in and out of the slots, and the ways to make one curve from another.
+//!
+//! A curve crosses as one run of numbers: seven of [`describe`]'s header, then its arrays.
+
+use super::kernel::{Kernel, run};
+use crate::curve::HermiteOptions;
+use crate::numerics::{Point, Vector};
+use crate::{HermiteCurve, Result, Space};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+const SPACES: [Space; 3] = [Space::Trigonometric, Space::Hyperbolic, Space::Polynomial];
+
+/// The space that a number from JavaScript stands for.
+pub(super) fn space_of(code: u32) -> Option<Space> {
+    SPACES.get(code as usize).copied()
+}
+
+/// Numbers in pairs, as points or vectors.
+pub(super) fn pairs(numbers: &[f64]) -> Vec<Vector> {
+    numbers.chunks_exact(2).map(|pair| Vector::new(pair[0], pair[1])).collect()
+}
+
+/// Takes the first `count` numbers off what is left of the input.
+fn take<'a>(rest: &mut &'a [f64], count: usize) -> &'a [f64] {
+    let (head, tail) = rest.split_at(count.min(rest.len()));
+    *rest = tail;
+    head
+}
+
+/// Makes the curve whose arrays lie in the input resident.
+///
+/// Input: points, tangents, tangentsIn (two numbers each), omega, lengths. Leaves the end of the domain in the record
+/// and ω in the output: one number where all segments have the same, else one for each.
+#[wasm_bindgen]
+pub fn load(
+    slot: u32,
+    points: u32,
+    tangents: u32,
+    tangents_in: u32,
+    omega: u32,
+    lengths: u32,
+    space: u32,
+    closed: u32,
+) -> i32 {
+    run(|kernel| {
+        let counts = [points, tangents, tangents_in].map(|count| 2 * count as usize);
+        let (omega, lengths) = (omega as usize, lengths as usize);
+        let mut rest = kernel.given(counts.iter().sum::<usize>() + omega + lengths);
+        let [points, tangents, tangents_in] = counts.map(|count| pairs(take(&mut rest, count)));
+        let omega = take(&mut rest, omega).to_vec();
+        let lengths = take(&mut rest, lengths);
+        let closed = closed != 0;
+        // One length stands for all of them, as in `describe`; a caller's own array was counted by the face.
+        let segments = points.len().saturating_sub(usize::from(!closed));
+        let lengths = if let [length] = *lengths { vec![length; segments] } else { lengths.to_vec() };
+        let options =
+            HermiteOptions { points, tangents, tangents_in, closed, space: space_of(space), omega, lengths };
+        let curve = HermiteCurve::new(options)?;
+        kernel.record[0] = curve.domain().1;
+        kernel.output.clear();
+        push_short(&mut kernel.output, curve.omega(), None);
+        if let Some(place) = kernel.slots.get_mut(slot as usize) {
+            *place = Some(curve);
+        }
+        Ok(kernel.output.len())
+    })
+}
+
+/// Appends numbers: one where all are the same, none where that one is `implied`. Returns how many.
+fn push_short(output: &mut Vec<f64>, numbers: &[f64], implied: Option<f64>) -> f64 {
+    let before = output.len();
+    match numbers.first() {
+        Some(&first) if numbers.iter().all(|&n| n == first) => {
+            if Some(first) != implied {
+                output.push(first);
+            }
+        }
+        _ => output.extend_from_slice(numbers),
+    }
+    (output.len() - before) as f64
+}
+
+/// Appends vectors; adding 0 turns −0 into 0, so that JSON can carry every number.
+fn push_vectors(output: &mut Vec<f64>, vectors: &[Vector]) {
+    for vector in vectors {
+        output.extend_from_slice(&[vector.x + 0.0, vector.y + 0.0]);
+    }
+}
+
+/// Appends a curve to the output.
+///
+/// Header: points, closed, space, arriving tangents, ω's, lengths, end of the domain. Then as many numbers as the header says:
+/// points, tangents, tangentsIn (only where they differ), omega (one or one per segment), lengths (none where all are 1).
+pub(super) fn describe(output: &mut Vec<f64>, curve: &HermiteCurve) {
+    let count = curve.points().len();
+    let start = output.len();
+    let space = SPACES.iter().position(|&s| s == curve.space()).unwrap_or(0);
+    let differ = curve.tangents_in() != curve.tangents();
+    output.reserve(7 + 6 * count);
+    let arriving = if differ { count } else { 0 };
+    let header = [count, usize::from(curve.is_closed()), space, arriving, 0, 0].map(|n| n as f64);
+    output.extend_from_slice(&header);
+    output.push(curve.domain().1);
+    push_vectors(output, curve.points());
+    push_vectors(output, curve.tangents());
+    if differ {
+        push_vectors(output, curve.tangents_in());
+    }
+    output[start + 4] = push_short(output, curve.omega(), None);
+    output[start + 5] = push_short(output, curve.lengths(), Some(1.0));
+}
+
+/// Leaves one curve in the output.
+pub(super) fn give(kernel: &mut Kernel, curve: Result<HermiteCurve>) -> Result<usize> {
+    let curve = curve?;
+    kernel.output.clear();
+    describe(&mut kernel.output, &curve);
+    Ok(kernel.output.len())
+}
+
+/// The same curve with `arity` segments in place of each.
+#[wasm_bindgen]
+pub fn refine(slot: u32, arity: u32) -> i32 {
+    run(|kernel| {
+        let curve = kernel.curve(slot)?.refine(arity as usize);
+        give(kernel, curve)
+    })
+}
+
+/// The same curve with one more point.
+#[wasm_bindgen]
+pub fn insert(slot: u32, t: f64) -> i32 {
+    run(|kernel| {
+        let curve = kernel.curve(slot)?.insert(t);
+        give(kernel, curve)
+    })
+}
+
+/// A whole ellipse.
+#[wasm_bindgen]
+pub fn ellipse(x: f64, y: f64, rx: f64, ry: f64, rotation: f64, count: u32) -> i32 {
+    run(|kernel| {
+        give(kernel, HermiteCurve::ellipse(Point::new(x, y), Vector::new(rx, ry), rotation, count as usize))
+    })
+}
+
+/// An open arc of an ellipse.
+#[wasm_bindgen]
+pub fn arc(x: f64, y: f64, rx: f64, ry: f64, rotation: f64, start: f64, sweep: f64) -> i32 {
+    run(|kernel| {
+        give(kernel, HermiteCurve::arc(Point::new(x, y), Vector::new(rx, ry), rotation, start, sweep))
+    })
+}

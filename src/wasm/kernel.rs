@@ -1,0 +1,183 @@
+//! The state of one instance: slots, buffers, and the small fixed record that scalar results are left in.
+
+use crate::{Error, HermiteCurve, Result};
+use std::cell::RefCell;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// How many curves can be resident at once.
+pub(super) const SLOTS: usize = 16;
+/// What an exported function returns when it failed; the record then holds the error.
+pub(super) const FAILED: i32 = -1;
+/// Length of the record of scalar results.
+const RECORD: usize = 16;
+/// Where in the record the addresses of the buffers are, which move when they grow.
+const OUTPUT_ADDRESS: usize = 14;
+const TEXT_ADDRESS: usize = 15;
+
+/// Everything that an instance remembers between calls.
+pub(super) struct Kernel {
+    /// Scalar results, error fields and buffer addresses; its own address never changes.
+    pub(super) record: [f64; RECORD],
+    /// Numbers written by JavaScript.
+    pub(super) input: Vec<f64>,
+    /// Numbers to be read by JavaScript.
+    pub(super) output: Vec<f64>,
+    /// Text in and out, UTF-8.
+    pub(super) text: Vec<u8>,
+    /// The resident curves.
+    pub(super) slots: [Option<HermiteCurve>; SLOTS],
+}
+
+thread_local! {
+    static KERNEL: RefCell<Kernel> = const {
+        RefCell::new(Kernel {
+            record: [0.0; RECORD],
+            input: Vec::new(),
+            output: Vec::new(),
+            text: Vec::new(),
+            slots: [const { None }; SLOTS],
+        })
+    };
+}
+
+impl Kernel {
+    /// The curve in a slot; the face never asks for an empty one.
+    pub(super) fn curve(&self, slot: u32) -> Result<&HermiteCurve> {
+        resident(&self.slots, slot)
+    }
+
+    /// The curve in a slot, the first `count` numbers that JavaScript wrote, and the output.
+    pub(super) fn parts(&mut self, slot: u32, count: usize) -> Result<(&HermiteCurve, &[f64], &mut [f64])> {
+        let given = &self.input[..count.min(self.input.len())];
+        Ok((resident(&self.slots, slot)?, given, &mut self.output))
+    }
+
+    /// The first `count` numbers that JavaScript wrote.
+    pub(super) fn given(&self, count: usize) -> &[f64] {
+        &self.input[..count.min(self.input.len())]
+    }
+
+    fn fail(&mut self, error: &Error) -> i32 {
+        let number = |n: usize| n as f64;
+        let at = |index: Option<usize>| index.map_or(-1.0, |i| i as f64);
+        let (kind, index, value, least, most, text) = match *error {
+            Error::NotFinite { index, .. } => (1.0, at(index), 0.0, 0.0, 0.0, ""),
+            Error::OutOfRange { index, value, least, most, .. } => (2.0, at(index), value, least, most, ""),
+            Error::WrongLength { got, needed, .. } => (3.0, -1.0, number(got), number(needed), 0.0, ""),
+            Error::TooFewPoints { got, needed, .. } => (4.0, -1.0, number(got), number(needed), 0.0, ""),
+            Error::Degenerate { index, reason, .. } => (5.0, at(index), 0.0, 0.0, 0.0, reason),
+            Error::LimitExceeded { limit, most, needed, .. } => (6.0, -1.0, needed, 0.0, most, limit),
+            Error::OutOfMemory { bytes } => (7.0, -1.0, number(bytes), 0.0, 0.0, ""),
+            Error::PathSyntax { offset, expected } => (8.0, number(offset), 0.0, 0.0, 0.0, expected),
+        };
+        let argument = error.argument().unwrap_or("");
+        let fields = [kind, index, value, least, most];
+        for (place, field) in self.record.iter_mut().zip(fields) {
+            *place = field;
+        }
+        for (place, words) in [(5, argument), (7, text)] {
+            self.record[place] = words.as_ptr() as usize as f64;
+            self.record[place + 1] = number(words.len());
+        }
+        FAILED
+    }
+}
+
+fn resident(slots: &[Option<HermiteCurve>], slot: u32) -> Result<&HermiteCurve> {
+    match slots.get(slot as usize) {
+        Some(Some(curve)) => Ok(curve),
+        _ => Err(Error::Degenerate { argument: "slot", index: None, reason: "no curve is resident" }),
+    }
+}
+
+/// Runs one exported function on the kernel and leaves its error, if any, in the record.
+pub(super) fn run(body: impl FnOnce(&mut Kernel) -> Result<usize>) -> i32 {
+    KERNEL.with(|cell| {
+        let Ok(mut kernel) = cell.try_borrow_mut() else { return FAILED };
+        let kernel = &mut *kernel;
+        match body(kernel) {
+            Ok(count) => {
+                kernel.record[OUTPUT_ADDRESS] = kernel.output.as_ptr() as usize as f64;
+                kernel.record[TEXT_ADDRESS] = kernel.text.as_ptr() as usize as f64;
+                count as i32
+            }
+            Err(error) => kernel.fail(&error),
+        }
+    })
+}
+
+/// Makes a buffer hold at least `count` items, without ever aborting for want of memory.
+pub(super) fn grow<T: Copy>(buffer: &mut Vec<T>, count: usize, blank: T) -> Result<()> {
+    if count > buffer.len() {
+        let more = count - buffer.len();
+        let bytes = count.saturating_mul(size_of::<T>());
+        buffer.try_reserve_exact(more).map_err(|_| Error::OutOfMemory { bytes })?;
+        buffer.resize(count, blank);
+    }
+    Ok(())
+}
+
+/// The address of the record; constant as long as the instance lives.
+#[wasm_bindgen]
+pub fn record_address() -> u32 {
+    KERNEL.with(|cell| cell.as_ptr() as usize as u32 + core::mem::offset_of!(Kernel, record) as u32)
+}
+
+/// Makes room for `count` numbers and returns the address to write them to; 0 when there is no memory.
+///
+/// `count` 0 gives the memory back.
+#[wasm_bindgen]
+pub fn input_address(count: u32) -> u32 {
+    KERNEL.with(|cell| {
+        let Ok(mut kernel) = cell.try_borrow_mut() else { return 0 };
+        if count == 0 {
+            kernel.input = Vec::new();
+        }
+        match grow(&mut kernel.input, count as usize, 0.0) {
+            Ok(()) => kernel.input.as_ptr() as usize as u32,
+            Err(_) => 0,
+        }
+    })
+}
+
+/// Makes room for `count` bytes of text and returns the address to write them to; 0 when there is no memory.
+#[wasm_bindgen]
+pub fn text_address(count: u32) -> u32 {
+    KERNEL.with(|cell| {
+        let Ok(mut kernel) = cell.try_borrow_mut() else { return 0 };
+        match grow(&mut kernel.text, count as usize, 0) {
+            Ok(()) => kernel.text.as_ptr() as usize as u32,
+            Err(_) => 0,
+        }
+    })
+}
+
+/// The version of the crate, so that a face of another version notices: major·10⁶ + minor·10³ + patch.
+#[wasm_bindgen]
+pub fn kernel_version() -> u32 {
+    const fn number(digits: &str) -> u32 {
+        let (digits, mut value, mut i) = (digits.as_bytes(), 0, 0);
+        while i < digits.len() {
+            value = 10 * value + (digits[i] - b'0') as u32;
+            i += 1;
+        }
+        value
+    }
+    const VERSION: u32 = number(env!("CARGO_PKG_VERSION_MAJOR")) * 1_000_000
+        + number(env!("CARGO_PKG_VERSION_MINOR")) * 1000
+        + number(env!("CARGO_PKG_VERSION_PATCH"));
+    VERSION
+}
+
+/// Empties every slot and gives the buffers back.
+#[wasm_bindgen]
+pub fn forget() {
+    KERNEL.with(|cell| {
+        if let Ok(mut kernel) = cell.try_borrow_mut() {
+            kernel.slots = [const { None }; SLOTS];
+            kernel.input = Vec::new();
+            kernel.output = Vec::new();
+            kernel.text = Vec::new();
+        }
+    });
+}
