@@ -1,0 +1,240 @@
+/** Checks of what callers hand in, before anything crosses the boundary. */
+import { ExplineError, overLimit, shown, wrong, wrongLength } from "./error.js";
+
+/** The largest coordinate, tangent component, radius or parameter length, in the user's unit. */
+export const LARGEST = 1e9;
+/** The most points one curve may have. */
+export const MAX_POINTS = 1_000_000;
+/** The most parameters in one call. */
+export const MAX_EVALUATIONS = 4_000_000;
+/** The most points that one call may return. */
+export const MAX_OUTPUT = 4_000_000;
+
+const BOUND = "|x| <= 1e9";
+
+/** Points as they may be given: interleaved, as pairs, or as objects with x and y. */
+export type PointsLike =
+  | Float64Array
+  | readonly number[]
+  | readonly (readonly [number, number])[]
+  | readonly { readonly x: number; readonly y: number }[];
+
+/** Points as kept: two numbers each in an array that nobody else holds. */
+export type Coordinates = Float64Array<ArrayBuffer>;
+
+const typedArray: object = Object.getPrototypeOf(Float64Array.prototype) as object;
+const tagOf = Object.getOwnPropertyDescriptor(typedArray, Symbol.toStringTag)?.get;
+const lengthOf = Object.getOwnPropertyDescriptor(typedArray, "length")?.get;
+
+/** Whether it really is a Float64Array, of whichever realm, and not something that says so. */
+export function isFloat64Array(value: unknown): value is Float64Array {
+  return tagOf?.call(value) === "Float64Array";
+}
+
+/** The true length, whatever a subclass says; refuses an array whose buffer has gone. */
+export function lengthOfFloats(op: string, arg: string, value: Float64Array): number {
+  const length = lengthOf?.call(value) as number;
+  if (length === 0) {
+    const buffer = value.buffer as ArrayBufferLike & { readonly resizable?: boolean; readonly growable?: boolean };
+    let gone = buffer.resizable === true && buffer.byteLength > 0;
+    try {
+      new Uint8Array(buffer);
+    } catch {
+      gone = true;
+    }
+    if (gone) {
+      throw new ExplineError("E_DETACHED", op, `${arg} lies on a buffer that was transferred or resized`, {
+        arg,
+        argument: arg,
+      });
+    }
+  }
+  return length;
+}
+
+/** A finite number. */
+export function finite(op: string, arg: string, value: unknown, index?: number): number {
+  if (typeof value !== "number") throw wrong("E_TYPE", op, arg, value, "number", index);
+  if (!Number.isFinite(value)) throw wrong("E_NOT_FINITE", op, arg, value, "a finite number", index);
+  return value;
+}
+
+/** A finite number within ±1e9. */
+export function coordinate(op: string, arg: string, value: unknown, index?: number): number {
+  if (typeof value !== "number") throw wrong("E_TYPE", op, arg, value, "number", index);
+  if (!(Math.abs(value) <= LARGEST)) {
+    const code = Number.isFinite(value) ? "E_RANGE" : "E_NOT_FINITE";
+    throw wrong(code, op, arg, value, `a finite number with ${BOUND}`, index);
+  }
+  return value + 0;
+}
+
+/** A whole number in a range. */
+export function integer(op: string, arg: string, value: unknown, least: number, most: number): number {
+  const bound = `an integer in [${least}, ${most}]`;
+  if (typeof value !== "number") throw wrong("E_TYPE", op, arg, value, bound);
+  if (!Number.isFinite(value)) throw wrong("E_NOT_FINITE", op, arg, value, bound);
+  if (!Number.isInteger(value) || value < least || value > most) throw wrong("E_RANGE", op, arg, value, bound);
+  return value;
+}
+
+/** A count of things to be returned: a whole number from `least`, with a limit of its own. */
+export function count(op: string, arg: string, value: unknown, least: number, limit: string, max: number): number {
+  const n = integer(op, arg, value, least, Number.MAX_SAFE_INTEGER);
+  if (n > max) throw overLimit(op, arg, limit, max, n);
+  return n;
+}
+
+/** A tolerance: positive and finite. */
+export function tolerance(op: string, value: unknown): number {
+  const given = finite(op, "tolerance", value);
+  if (!(given > 0)) throw wrong("E_RANGE", op, "tolerance", given, "> 0");
+  return given;
+}
+
+/** True or false, or the default where nothing is given. */
+export function flag(op: string, arg: string, value: unknown, byDefault: boolean): boolean {
+  if (value === undefined) return byDefault;
+  if (typeof value !== "boolean") throw wrong("E_TYPE", op, arg, value, "boolean");
+  return value;
+}
+
+/** One of a few words. */
+export function word<W extends string>(op: string, arg: string, value: unknown, words: readonly W[]): W {
+  const found = words.find((w) => w === value);
+  if (found === undefined) {
+    const code = typeof value === "string" ? "E_RANGE" : "E_TYPE";
+    throw wrong(code, op, arg, value, `one of ${words.join(", ")}`);
+  }
+  return found;
+}
+
+/** The own properties of an options object, read once; a name that is not known is an error. */
+export function options<K extends string>(
+  op: string,
+  value: unknown,
+  names: readonly K[],
+): { readonly [name in K]?: unknown } {
+  const own = Object.create(null) as { [name in K]?: unknown };
+  if (value === undefined) return own;
+  if (typeof value !== "object" || value === null || Array.isArray(value) || ArrayBuffer.isView(value)) {
+    throw wrong("E_TYPE", op, "options", value, "an object");
+  }
+  for (const name of Object.keys(value)) {
+    const known = names.find((n) => n === name);
+    if (known === undefined) {
+      const argument = name.slice(0, 40);
+      const what = `option ${shown(name)} is not known; expected ${names.join(", ")}`;
+      throw new ExplineError("E_TYPE", op, what, { arg: argument, argument, bound: names.join(", ") });
+    }
+    own[known] = (value as Record<string, unknown>)[name];
+  }
+  return own;
+}
+
+/** A copy of the numbers of a Float64Array or of an array of numbers; finite or not is not looked at. */
+export function numbers(op: string, arg: string, value: unknown, limit: string, max: number): Coordinates {
+  if (isFloat64Array(value)) {
+    const length = lengthOfFloats(op, arg, value);
+    if (length > max) throw overLimit(op, arg, limit, max, length);
+    return new Float64Array(value);
+  }
+  if (!Array.isArray(value)) throw wrong("E_TYPE", op, arg, value, "Float64Array or an array of numbers");
+  const list = value as readonly unknown[];
+  const length = honestLength(op, arg, list, limit, max, (item) => typeof item === "number");
+  const copy = new Float64Array(length);
+  for (let i = 0; i < length; i += 1) {
+    const item = list[i];
+    if (typeof item !== "number") throw wrong("E_TYPE", op, arg, item, "number", i);
+    copy[i] = item;
+  }
+  return copy;
+}
+
+/** The length of an array; one that is too long for the limit must at least have something at its end. */
+function honestLength(
+  op: string,
+  arg: string,
+  list: readonly unknown[],
+  limit: string,
+  max: number,
+  fits: (item: unknown) => boolean,
+): number {
+  const { length } = list;
+  if (length > max) {
+    if (!fits(list[length - 1])) throw wrong("E_TYPE", op, arg, list[length - 1], "number", length - 1);
+    throw overLimit(op, arg, limit, max, length);
+  }
+  return length;
+}
+
+/** A copy of points or vectors, two numbers each, every one of them finite and within ±1e9. */
+export function points(op: string, arg: string, value: unknown, max: number = MAX_POINTS): Coordinates {
+  const limit = "maxPoints";
+  let copy: Coordinates;
+  if (Array.isArray(value) && value.length > 0 && typeof value[0] === "object" && value[0] !== null) {
+    const list = value as readonly unknown[];
+    const length = honestLength(op, arg, list, limit, max, (item) => typeof item === "object" && item !== null);
+    copy = new Float64Array(2 * length);
+    for (let i = 0; i < length; i += 1) {
+      const [x, y] = pair(op, arg, list[i], i);
+      copy[2 * i] = x;
+      copy[2 * i + 1] = y;
+    }
+  } else {
+    copy = numbers(op, arg, value, limit, 2 * max);
+    if (copy.length % 2 !== 0) throw wrongLength(op, arg, copy.length, "an even number, two for each point");
+  }
+  return within(op, arg, copy);
+}
+
+function pair(op: string, arg: string, item: unknown, i: number): [number, number] {
+  const isPair = Array.isArray(item);
+  if (typeof item !== "object" || item === null || (isPair && item.length !== 2)) {
+    throw wrong("E_TYPE", op, arg, item, "a pair of numbers", i);
+  }
+  const [x, y] = isPair ? (item as unknown[]) : [(item as { x?: unknown }).x, (item as { y?: unknown }).y];
+  if (typeof x !== "number") throw wrong("E_TYPE", op, arg, x, "number", 2 * i);
+  if (typeof y !== "number") throw wrong("E_TYPE", op, arg, y, "number", 2 * i + 1);
+  return [x, y];
+}
+
+/** Refuses the first number that is not a coordinate; turns −0 into 0, so that JSON can carry every number. */
+export function within(op: string, arg: string, array: Coordinates): Coordinates {
+  for (let i = 0; i < array.length; i += 1) {
+    const value = array[i] ?? 0;
+    if (!(Math.abs(value) <= LARGEST)) coordinate(op, arg, value, i);
+    array[i] = value + 0;
+  }
+  return array;
+}
+
+/** Two coordinates. */
+export function twoNumbers(op: string, arg: string, value: unknown): [number, number] {
+  const given = points(op, arg, value, 1);
+  if (given.length !== 2) throw wrongLength(op, arg, given.length, "2");
+  return [given[0] ?? 0, given[1] ?? 0];
+}
+
+/** Refuses a result array that is too small, has gone, or overlaps an input. */
+export function output(op: string, value: unknown, needed: number, input?: Float64Array): Float64Array {
+  if (!isFloat64Array(value)) throw wrong("E_TYPE", op, "out", value, "Float64Array");
+  const length = lengthOfFloats(op, "out", value);
+  if (length < needed) throw wrongLength(op, "out", length, `>= ${needed}`);
+  if (
+    input !== undefined &&
+    value.buffer === input.buffer &&
+    value.byteOffset < input.byteOffset + input.byteLength &&
+    input.byteOffset < value.byteOffset + 8 * needed
+  ) {
+    throw wrong("E_TYPE", op, "out", value, "an array that does not overlap the input");
+  }
+  return value;
+}
+
+/** Text of a limited size. */
+export function text(op: string, arg: string, value: unknown, limit: string, max: number): string {
+  if (typeof value !== "string") throw wrong("E_TYPE", op, arg, value, "string");
+  if (value.length > max) throw overLimit(op, arg, limit, max, value.length);
+  return value;
+}

@@ -1,0 +1,125 @@
+/** What a curve is made of, owned here; the kernel only ever holds a copy of it in one of its slots. */
+import { SLOTS, engine } from "./engine.js";
+import { type Floats, call, copy, peek, result, write } from "./kernel.js";
+
+/** The space that a segment lies in. */
+export type Space = "trigonometric" | "hyperbolic" | "polynomial";
+
+/** The spaces in the kernel's order. */
+export const SPACES: readonly Space[] = ["trigonometric", "hyperbolic", "polynomial"];
+
+/** Points of all resident curves together, above which the kernel forgets the others first. */
+const MOST_RESIDENT = 1_500_000;
+
+/** Every state of every curve has a number of its own. */
+let lastId = 0;
+let clock = 0;
+
+/** The arrays of one curve. An edit gives it a new number, so that the kernel's copy no longer counts. */
+export class CurveData {
+  id = 0;
+  slot = 0;
+  /** Last parameter of the domain. */
+  end = 0;
+  /** Fields that a file had and this version does not know: own properties, kept for the next file. */
+  extra: Readonly<Record<string, unknown>> | undefined;
+
+  constructor(
+    readonly points: Floats,
+    readonly tangents: Floats,
+    /** Empty where arriving and leaving are the same. */
+    public tangentsIn: Floats,
+    /** One, or one per segment; empty until the kernel has said what the default is. */
+    public omega: Floats,
+    /** Empty where all are 1. */
+    readonly lengths: Floats,
+    readonly space: Space,
+    readonly closed: boolean,
+  ) {
+    this.touch();
+  }
+
+  /** To be called after every change of the arrays. */
+  touch(): void {
+    lastId += 1;
+    this.id = lastId;
+  }
+
+  /** How many segments there are. */
+  get segments(): number {
+    return this.points.length / 2 - (this.closed ? 0 : 1);
+  }
+
+  /** The slot that holds this curve in the living instance, loaded now if need be. */
+  resident(op: string): number {
+    const { ids, used } = engine();
+    clock += 1;
+    if (ids[this.slot] !== this.id) this.load(op);
+    used[this.slot] = clock;
+    return this.slot;
+  }
+
+  /** Has the kernel check the curve and keep it. */
+  load(op: string): void {
+    const { points, tangents, tangentsIn, omega, lengths } = this;
+    const count = points.length / 2;
+    const instance = engine();
+    if (instance.points + count > MOST_RESIDENT && instance.points > 0) {
+      call(op, (kernel) => (kernel.forget(), 0));
+      instance.ids.fill(0);
+      instance.points = 0;
+      instance.capacity = 0;
+    }
+    const slot = oldest(instance.used, instance.ids);
+    write(op, points, tangents, tangentsIn, omega, lengths);
+    const space = SPACES.indexOf(this.space);
+    const arrays = [tangents.length / 2, tangentsIn.length / 2, omega.length, lengths.length] as const;
+    const omegas = call(op, (kernel) => kernel.load(slot, count, ...arrays, space, this.closed ? 1 : 0));
+    this.omega = copy(omegas);
+    this.end = result(0);
+    this.slot = slot;
+    instance.ids[slot] = this.id;
+    instance.points += count;
+  }
+
+  /** A copy that can be edited on its own. */
+  clone(): CurveData {
+    const { points, tangents, tangentsIn, omega, lengths, space, closed } = this;
+    const twin = new CurveData(points.slice(), tangents.slice(), tangentsIn.slice(), omega, lengths, space, closed);
+    twin.end = this.end;
+    twin.extra = this.extra;
+    return twin;
+  }
+}
+
+function oldest(used: readonly number[], ids: readonly number[]): number {
+  let best = 0;
+  for (let slot = 0; slot < SLOTS; slot += 1) {
+    if (ids[slot] === 0) return slot;
+    if ((used[slot] ?? 0) < (used[best] ?? 0)) best = slot;
+  }
+  return best;
+}
+
+/** The curves that the kernel has left in its output, one after the other. */
+export function readCurves(count: number): CurveData[] {
+  const numbers = peek(count);
+  const curves: CurveData[] = [];
+  let at = 0;
+  const take = (length: number): Floats => numbers.slice(at, (at += length)) as Floats;
+  while (at < count) {
+    const [points = 0, closed, space = 0, arriving = 0, omega = 0, lengths = 0, end = 0] = take(7);
+    const data = new CurveData(
+      take(2 * points),
+      take(2 * points),
+      take(2 * arriving),
+      take(omega),
+      take(lengths),
+      SPACES[space] ?? "trigonometric",
+      closed === 1,
+    );
+    data.end = end;
+    curves.push(data);
+  }
+  return curves;
+}

@@ -1,0 +1,169 @@
+/** What can go wrong, as one class with stable codes. */
+
+/** The stable code of a failure, the only thing to switch on; adding one is a minor version, never less. */
+export type ErrorCode =
+  /** Wrong JavaScript type, wrong `this`, unknown option. */
+  | "E_TYPE"
+  /** A number is NaN or infinite. */
+  | "E_NOT_FINITE"
+  /** A number is outside its documented range. */
+  | "E_RANGE"
+  /** An array has the wrong length. */
+  | "E_LENGTH"
+  /** Fewer points than the operation needs. */
+  | "E_TOO_FEW_POINTS"
+  /** Well formed, but there is no unique answer. */
+  | "E_DEGENERATE"
+  /** A limit on the size of inputs or outputs; `limit`, `max` and `actual` say which. */
+  | "E_LIMIT"
+  /** The allocator refused. */
+  | "E_MEMORY"
+  /** SVG path data that cannot be read; `index` is the offset of the first character that makes no sense. */
+  | "E_PARSE_SVG"
+  /** JSON text that cannot be read; `index` is the offset. */
+  | "E_PARSE_JSON"
+  /** Readable JSON with the wrong content; `path` says where. */
+  | "E_SCHEMA"
+  /** Made by a newer version, or not available in this environment. */
+  | "E_UNSUPPORTED"
+  /** The buffer of an array was transferred or resized away. */
+  | "E_DETACHED"
+  /** The engine could not be started; `reason` is one of csp, network, mime, compile, version, unsupported. */
+  | "E_INIT"
+  /** The engine stopped: a fault of ours. It is replaced at the next call, and nothing is lost. */
+  | "E_INTERNAL";
+
+/** The fields of an {@link ExplineError} beside its code and message. */
+export interface ErrorDetails {
+  /** The argument at fault, with the position where there is one: `points[17]`. */
+  readonly argument?: string;
+  /** The argument's bare name: `points`. */
+  readonly arg?: string;
+  /** Position in the array (interleaved numbers are counted singly), or offset in the text. */
+  readonly index?: number;
+  /** Place in a JSON value: `$.points[2]`. */
+  readonly path?: string;
+  /** The bad value: a number, or a short piece of text. */
+  readonly value?: unknown;
+  /** What is allowed: `|x| <= 1e9`. */
+  readonly bound?: string;
+  /** Name of the limit: `maxPoints`. */
+  readonly limit?: string;
+  /** The limit's value. */
+  readonly max?: number;
+  /** What the call would have needed. */
+  readonly actual?: number;
+  /** Which kind of failure within the code: `csp`, `duplicate-key`. */
+  readonly reason?: string;
+  /** What could be done before the failure. */
+  readonly partial?: unknown;
+  /** True when the engine's instance died of it and was replaced. */
+  readonly fatal?: boolean;
+  /** The error that caused this one. */
+  readonly cause?: unknown;
+}
+
+/** Every failure of this package: a clear message for people, stable fields for programs. */
+export class ExplineError extends Error {
+  override readonly name = "ExplineError";
+  /** What kind of failure. */
+  readonly code: ErrorCode;
+  /** The operation that failed: `evaluate`, `parsePath`. */
+  readonly op: string;
+  /** True when the engine's instance died of it and was replaced. */
+  readonly fatal: boolean;
+  declare readonly argument?: string;
+  declare readonly arg?: string;
+  declare readonly index?: number;
+  declare readonly path?: string;
+  declare readonly value?: unknown;
+  declare readonly bound?: string;
+  declare readonly limit?: string;
+  declare readonly max?: number;
+  declare readonly actual?: number;
+  declare readonly reason?: string;
+  declare readonly partial?: unknown;
+
+  /** @internal */
+  constructor(code: ErrorCode, op: string, what: string, details: ErrorDetails = {}) {
+    const { cause, fatal = false, ...rest } = details;
+    super(`${op}: ${what} [${code}]`, cause === undefined ? undefined : { cause });
+    this.code = code;
+    this.op = op;
+    this.fatal = fatal;
+    Object.assign(this, rest);
+  }
+}
+
+/** A value in at most 40 characters, never an object's insides. */
+export function shown(value: unknown): string {
+  switch (typeof value) {
+    case "number":
+    case "boolean":
+    case "undefined":
+      return String(value);
+    case "bigint":
+      return "a bigint";
+    case "string":
+      return JSON.stringify(value.length > 36 ? `${value.slice(0, 35)}…` : value);
+    case "object":
+      return value === null ? "null" : Array.isArray(value) ? "an array" : "an object";
+    default:
+      return `a ${typeof value}`;
+  }
+}
+
+/** The details and the name of an argument, or of one place in it. */
+function place(arg: string, index: number | undefined): ErrorDetails & { argument: string } {
+  return index === undefined ? { arg, argument: arg } : { arg, index, argument: `${arg}[${index}]` };
+}
+
+/** `argument is value; expected bound`. */
+export function wrong(
+  code: "E_TYPE" | "E_NOT_FINITE" | "E_RANGE",
+  op: string,
+  arg: string,
+  value: unknown,
+  bound: string,
+  index?: number,
+): ExplineError {
+  const at = place(arg, index);
+  const kept = typeof value === "number" || typeof value === "string" ? { value: cut(value) } : {};
+  const what = `${at.argument} is ${shown(value)}; expected ${bound}`;
+  return new ExplineError(code, op, what, { ...at, ...kept, bound });
+}
+
+function cut(value: number | string): number | string {
+  return typeof value === "string" ? value.slice(0, 40) : value;
+}
+
+/** `argument has 3 numbers; expected 8`. */
+export function wrongLength(op: string, arg: string, actual: number, bound: string): ExplineError {
+  return new ExplineError("E_LENGTH", op, `${arg} has length ${actual}; expected ${bound}`, {
+    ...place(arg, undefined),
+    actual,
+    bound,
+  });
+}
+
+/** A limit would be exceeded. */
+export function overLimit(op: string, arg: string, limit: string, max: number, actual: number): ExplineError {
+  const what = `${arg} needs ${actual}; ${limit} is ${max}`;
+  return new ExplineError("E_LIMIT", op, what, { ...place(arg, undefined), limit, max, actual });
+}
+
+/** No unique answer. */
+export function degenerate(op: string, arg: string, why: string, index?: number, partial?: unknown): ExplineError {
+  const at = place(arg, index);
+  return new ExplineError("E_DEGENERATE", op, `${at.argument} has no unique answer: ${why}`, {
+    ...at,
+    bound: why,
+    ...(partial === undefined ? {} : { partial }),
+  });
+}
+
+/** Fewer points than the operation needs. */
+export function tooFewPoints(op: string, arg: string, actual: number, least: number): ExplineError {
+  const what = `${arg} has ${actual} ${actual === 1 ? "point" : "points"}; expected at least ${least}`;
+  return new ExplineError("E_TOO_FEW_POINTS", op, what, { ...place(arg, undefined), actual, bound: `>= ${least}` });
+}

@@ -1,0 +1,9 @@
+/** The public interface of expline. */
+export { default, initSync, version } from "./engine.js";
+export type { InitOptions } from "./engine.js";
+export { ExplineError } from "./error.js";
+export type { ErrorCode, ErrorDetails } from "./error.js";
+export type { PointsLike } from "./arguments.js";
+export type { Space } from "./curve-data.js";
+export { HermiteCurve } from "./hermite-curve.js";
+export type { EllipseOptions, HermiteCurveOptions } from "./hermite-curve.js";

@@ -1,0 +1,165 @@
+/** Calls into the living instance: numbers in, numbers out, failures as errors. */
+import { type Instance, type Kernel, engine, retire } from "./engine.js";
+import { ExplineError, degenerate, overLimit, tooFewPoints, wrong, wrongLength } from "./error.js";
+
+/** Numbers that nobody else holds. */
+export type Floats = Float64Array<ArrayBuffer>;
+
+/** What the kernel's numbers of failure mean. */
+const enum Failure {
+  NotFinite = 1,
+  OutOfRange,
+  WrongLength,
+  TooFewPoints,
+  Degenerate,
+  LimitExceeded,
+  OutOfMemory,
+  PathSyntax,
+}
+
+/**
+ * Runs one function of the kernel and returns how many numbers it left in the output.
+ *
+ * Whatever else comes out of it than an answer ends the instance. `given` is the array that an error's index points into.
+ */
+export function call(op: string, body: (kernel: Kernel) => number, given?: ArrayLike<number>): number {
+  const instance = engine();
+  let count: number;
+  try {
+    count = body(instance.kernel);
+  } catch (cause) {
+    throw retire(op, cause);
+  }
+  if (count < 0) throw failure(instance, op, given);
+  return count;
+}
+
+/** Number i of the record of scalar results. */
+export function result(i: number): number {
+  const instance = engine();
+  return instance.floats[instance.record + i] ?? 0;
+}
+
+/** The output as it lies in the instance: valid until the next call. */
+export function peek(count: number): Float64Array {
+  const instance = engine();
+  const { floats } = instance;
+  const start = (floats[instance.record + 14] ?? 0) / 8;
+  return floats.subarray(start, start + count);
+}
+
+/** A copy of the output. */
+export function copy(count: number): Floats {
+  const instance = engine();
+  const { floats } = instance;
+  const start = (floats[instance.record + 14] ?? 0) / 8;
+  return floats.slice(start, start + count) as Floats;
+}
+
+/** Text that the kernel left, of so many bytes. */
+export function outputText(bytes: number): string {
+  const instance = engine();
+  return textAt(instance, result(15), bytes);
+}
+
+function textAt(instance: Instance, address: number, bytes: number): string {
+  return new TextDecoder().decode(new Uint8Array(instance.kernel.memory.buffer, address, bytes));
+}
+
+/** Writes arrays one after the other to where the kernel reads numbers. */
+export function write(op: string, ...arrays: Float64Array[]): void {
+  let total = 0;
+  for (const array of arrays) total += array.length;
+  const instance = engine();
+  let place = room(instance, op, total);
+  for (const array of arrays) {
+    instance.floats.set(array, place);
+    place += array.length;
+  }
+}
+
+/** Above this many numbers the input is given back after use. */
+const KEPT = 1 << 17;
+
+function room(instance: Instance, op: string, count: number): number {
+  if (count > instance.capacity) {
+    const capacity = Math.max(count, 1024);
+    let address: number;
+    try {
+      if (instance.capacity > KEPT) instance.kernel.input_address(0);
+      address = instance.kernel.input_address(capacity) >>> 0;
+    } catch (cause) {
+      throw retire(op, cause);
+    }
+    instance.capacity = address === 0 ? 0 : capacity;
+    if (address === 0) throw outOfMemory(op, 8 * capacity);
+    instance.input = address / 8;
+  }
+  return instance.input;
+}
+
+/** Writes text and returns how many bytes it has. */
+export function writeText(op: string, text: string): number {
+  const bytes = new TextEncoder().encode(text);
+  const instance = engine();
+  let address: number;
+  try {
+    address = instance.kernel.text_address(bytes.length) >>> 0;
+  } catch (cause) {
+    throw retire(op, cause);
+  }
+  if (address === 0) throw outOfMemory(op, bytes.length);
+  new Uint8Array(instance.kernel.memory.buffer).set(bytes, address);
+  return bytes.length;
+}
+
+function outOfMemory(op: string, bytes: number): ExplineError {
+  return new ExplineError("E_MEMORY", op, `there is no memory for ${bytes} bytes`, { actual: bytes });
+}
+
+/** The error that the kernel's record describes. */
+function failure(instance: Instance, op: string, given: ArrayLike<number> | undefined): ExplineError {
+  const at = instance.record;
+  const [kind = 0, place = -1, value = 0, least = 0, most = 0, a = 0, aLength = 0, w = 0, wLength = 0] =
+    instance.floats.slice(at, at + 9);
+  const arg = textAt(instance, a, aLength);
+  const words = textAt(instance, w, wLength);
+  const index = place < 0 ? undefined : place;
+  switch (kind as Failure) {
+    case Failure.NotFinite:
+      return wrong("E_NOT_FINITE", op, arg, given?.[place] ?? NaN, "a finite number", index);
+    case Failure.OutOfRange:
+      return wrong("E_RANGE", op, arg, value, range(least, most), index);
+    case Failure.WrongLength:
+      return wrongLength(op, arg, value, String(least));
+    case Failure.TooFewPoints:
+      return tooFewPoints(op, arg, value, least);
+    case Failure.Degenerate:
+      return degenerate(op, arg, words, index);
+    case Failure.LimitExceeded:
+      return overLimit(op, arg, words, most, value);
+    case Failure.OutOfMemory:
+      return outOfMemory(op, value);
+    case Failure.PathSyntax:
+      return new ExplineError("E_PARSE_SVG", op, `${arg} makes no sense at offset ${place}; expected ${words}`, {
+        arg,
+        argument: arg,
+        ...(index === undefined ? {} : { index }),
+        bound: words,
+      });
+    default:
+      return retire(op, undefined);
+  }
+}
+
+function range(least: number, most: number): string {
+  if (least === -most) return `a finite number with |x| <= ${power(most)}`;
+  if (least === -Infinity) return `a number <= ${power(most)}`;
+  if (most === Infinity) return `a number >= ${power(least)}`;
+  return `a number in [${power(least)}, ${power(most)}]`;
+}
+
+/** 1e9 rather than 1000000000. */
+function power(value: number): string {
+  return String(value).replace(/^(\d)0{6,}$/, (digits, first: string) => `${first}e${digits.length - 1}`);
+}
