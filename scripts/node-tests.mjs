@@ -1,9 +1,21 @@
 // Tests written in TypeScript: bundled with esbuild (packages stay outside), run by `node --test`.
 
 import { mkdirSync, readFileSync, rmSync } from "node:fs";
-import { basename } from "node:path";
+import { basename, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
 
 import { StepError, at, filesUnder, root, run } from "./steps.mjs";
+
+/** The scripts know the clone by their own place, so they are imported from there. */
+const scriptsStay = {
+  name: "scripts-stay",
+  setup(build) {
+    build.onResolve({ filter: /\/scripts\/[\w-]+\.mjs$/ }, ({ path, resolveDir }) => ({
+      path: pathToFileURL(resolve(resolveDir, path)).href,
+      external: true,
+    }));
+  },
+};
 
 /** Bundles every *.test.ts under `folder` into `out` and gives back the files. */
 async function bundle(folder, out) {
@@ -19,6 +31,7 @@ async function bundle(folder, out) {
     absWorkingDir: root,
     bundle: true,
     packages: "external",
+    plugins: [scriptsStay],
     platform: "node",
     format: "esm",
     target: "node20",

@@ -53,7 +53,7 @@ const cargo = (...parameters) => () => run("cargo", parameters).then(() => undef
 const tsc = (project) => () => run("node", [at("node_modules/typescript/bin/tsc"), "--noEmit", "-p", at(project)]).then(() => undefined);
 
 async function rust() {
-  await check("format", cargo("fmt", "--all", "--check"));
+  await check("format", cargo("fmt", "--all", "--check", "--", "--color", "never"));
   await check("clippy, host", cargo("clippy", "--locked", "-p", "expline", "--all-targets", "--", "-D", "warnings"));
   await check("clippy, wasm", cargo("clippy", "--locked", "-p", "expline", ...TARGET, "--lib", "--tests", "--", "-D", "warnings"));
   await check("rustdoc", () =>

@@ -1,0 +1,136 @@
+// The packed package through bundlers and without one, run in Chromium under the strict policy of the demo.
+
+import assert from "node:assert/strict";
+import { cpSync, mkdirSync, writeFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { join } from "node:path";
+
+import type { Browser } from "playwright-core";
+
+import { launch } from "../../scripts/browser.mjs";
+import { POLICY, serve } from "../../scripts/serve.mjs";
+
+const consumer = join(process.cwd(), "build", "consumer");
+const pages = join(consumer, "pages");
+const entry = join(consumer, "app.mjs");
+
+/** Puts the radius error of a two-point circle and a path's round trip into the page's title. */
+const APP = `
+import { HermiteCurve, parsePath } from "expline";
+const points = HermiteCurve.ellipse({ center: [0, 0], radii: [5, 5], count: 2 }).sample(64);
+let worst = 0;
+for (let i = 0; i < points.length; i += 2) worst = Math.max(worst, Math.abs(Math.hypot(points[i], points[i + 1]) - 5));
+const { d } = parsePath("M0 0A5 5 0 0 1 10 0L5 8Z")[0].toPathD({ arcs: true, decimals: 3 });
+const result = JSON.stringify({ exact: worst <= 1e-14, arc: /a/i.test(d) });
+if (typeof document === "undefined") postMessage(result);
+else document.title = result;
+`;
+const EXPECTED = JSON.stringify({ exact: true, arc: true });
+
+let browser: Browser;
+
+before(async () => {
+  mkdirSync(pages, { recursive: true });
+  writeFileSync(entry, APP);
+  browser = await launch();
+});
+
+after(() => browser.close());
+
+/** Makes a page around a script and gives back its folder. */
+function page(name: string, html: string): string {
+  const folder = join(pages, name);
+  mkdirSync(folder, { recursive: true });
+  // No charset on purpose: a bundle must not depend on the page's.
+  writeFileSync(join(folder, "index.html"), `<!doctype html><html lang="en"><title>waiting</title>${html}</html>`);
+  return folder;
+}
+
+/** Opens a folder's page and waits for its title; whatever the console or the policy complains about fails the test. */
+async function titleOf(folder: string, policy: string): Promise<string> {
+  const { url, close } = await serve(folder, { port: 0, policy });
+  const tab = await browser.newPage();
+  const complaints: string[] = [];
+  tab.on("pageerror", (error) => complaints.push(error.message));
+  tab.on("console", (message) => void (message.type() === "error" && !/favicon/.test(message.location().url) && complaints.push(message.text())));
+  try {
+    await tab.goto(url);
+    await tab.waitForFunction(() => document.title !== "waiting", undefined, { timeout: 20_000 }).catch(() => undefined);
+    assert.deepEqual(complaints, []);
+    return await tab.title();
+  } finally {
+    await tab.close();
+    await close();
+  }
+}
+
+const MODULE = '<script type="module" src="bundle.js"></script>';
+
+test("esbuild, with its own defaults and minified", async () => {
+  const { build } = await import("esbuild");
+  const folder = page("esbuild", MODULE);
+  await build({ entryPoints: [entry], outfile: join(folder, "bundle.js"), bundle: true, minify: true, format: "esm", logLevel: "error" });
+  assert.equal(await titleOf(folder, POLICY), EXPECTED);
+});
+
+test("esbuild, as a classic script in a page that declares no charset", async () => {
+  const { build } = await import("esbuild");
+  const folder = page("esbuild-classic", '<script defer src="bundle.js"></script>');
+  await build({ entryPoints: [entry], outfile: join(folder, "bundle.js"), bundle: true, format: "iife", logLevel: "error" });
+  assert.equal(await titleOf(folder, POLICY), EXPECTED);
+});
+
+test("Vite", async () => {
+  const { build } = await import("vite");
+  const folder = page("vite", '<script type="module" src="../../app.mjs"></script>');
+  await build({ root: folder, base: "./", logLevel: "error", configFile: false, build: { outDir: "dist", emptyOutDir: true, modulePreload: { polyfill: false } } });
+  assert.equal(await titleOf(join(folder, "dist"), POLICY), EXPECTED);
+});
+
+test("Rollup", async () => {
+  const { rollup } = await import("rollup");
+  const folder = page("rollup", MODULE);
+  const resolve = { name: "resolve", resolveId: (id: string) => (id === "expline" ? join(consumer, "node_modules/expline/pkg/expline.js") : null) };
+  const bundle = await rollup({ input: entry, plugins: [resolve], onwarn: (warning) => assert.fail(warning.message) });
+  await bundle.write({ file: join(folder, "bundle.js"), format: "es" });
+  await bundle.close();
+  assert.equal(await titleOf(folder, POLICY), EXPECTED);
+});
+
+test("webpack, minified for production", async () => {
+  const { default: webpack } = await import("webpack");
+  const folder = page("webpack", '<script defer src="bundle.js"></script>');
+  await new Promise<void>((resolve, reject) => {
+    webpack({ mode: "production", entry, output: { path: folder, filename: "bundle.js" }, performance: { hints: false } }, (error, stats) => {
+      if (error ?? stats?.hasErrors()) reject(error ?? new Error(stats?.toString("errors-only")));
+      else resolve();
+    });
+  });
+  assert.equal(await titleOf(folder, POLICY), EXPECTED);
+});
+
+test("no bundler: an import map and the file of the package", async () => {
+  const map = JSON.stringify({ imports: { expline: "./expline.js" } });
+  const folder = page("import-map", `<script type="importmap">${map}</script><script type="module" src="app.js"></script>`);
+  cpSync(join(consumer, "node_modules/expline/pkg/expline.js"), join(folder, "expline.js"));
+  writeFileSync(join(folder, "app.js"), APP);
+  // An inline import map is an inline script, which the demo's policy refuses.
+  assert.equal(await titleOf(folder, POLICY.replace("script-src 'self'", "script-src 'self' 'unsafe-inline'")), EXPECTED);
+});
+
+test("a module worker", async () => {
+  const folder = page("worker", MODULE);
+  cpSync(join(consumer, "node_modules/expline/pkg/expline.js"), join(folder, "expline.js"));
+  writeFileSync(join(folder, "worker.js"), APP.replace('"expline"', '"./expline.js"'));
+  const start = 'const worker = new Worker("worker.js", { type: "module" }); worker.onmessage = (e) => (document.title = e.data);';
+  writeFileSync(join(folder, "bundle.js"), start);
+  assert.equal(await titleOf(folder, POLICY), EXPECTED);
+});
+
+test("init streams the wasm from an address", async () => {
+  const folder = page("streaming", MODULE);
+  for (const file of ["expline.js", "expline_bg.wasm"]) cpSync(join(consumer, "node_modules/expline/pkg", file), join(folder, file));
+  const app = APP.replace('import { HermiteCurve, parsePath } from "expline";', 'import init, { HermiteCurve, parsePath } from "./expline.js"; await init({ wasmUrl: "expline_bg.wasm" });');
+  writeFileSync(join(folder, "bundle.js"), app);
+  assert.equal(await titleOf(folder, POLICY), EXPECTED);
+});

@@ -1,0 +1,103 @@
+// The packed package in plain Node: no await before the first call, in the main thread and in workers, with types.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { test } from "node:test";
+import { join } from "node:path";
+import { Worker } from "node:worker_threads";
+
+const consumer = join(process.cwd(), "build", "consumer");
+
+/** A circle of radius 5 through two points, and how far from 5 its points are. */
+const CIRCLE = `
+  const curve = HermiteCurve.ellipse({ center: [0, 0], radii: [5, 5], count: 2 });
+  const points = curve.sample(100);
+  let worst = 0;
+  for (let i = 0; i < points.length; i += 2) worst = Math.max(worst, Math.abs(Math.hypot(points[i], points[i + 1]) - 5));
+`;
+
+/** A few ulp of the radius; a cubic circle of four pieces is off by 1.4e-3. */
+const EXACT = 1e-14;
+
+function node(code: string): string {
+  return execFileSync(process.execPath, ["--input-type=module", "-e", code], { cwd: consumer, encoding: "utf8" });
+}
+
+test("a circle is exact right after the import, with no await", () => {
+  const worst = Number(node(`import { HermiteCurve } from "expline"; ${CIRCLE} console.log(worst);`));
+  assert.ok(worst <= EXACT, `off by ${worst}`);
+});
+
+test("the import alone touches neither WebAssembly, nor the network, nor the global object", () => {
+  const said = node(`
+    for (const name of ["Module", "Instance"]) WebAssembly[name] = class { constructor() { throw new Error("used " + name); } };
+    for (const name of ["compile", "instantiate", "instantiateStreaming", "compileStreaming"]) {
+      WebAssembly[name] = () => { throw new Error("used " + name); };
+    }
+    globalThis.fetch = () => { throw new Error("used fetch"); };
+    const before = Object.getOwnPropertyNames(globalThis).length;
+    await import("expline");
+    console.log(Object.getOwnPropertyNames(globalThis).length - before);
+  `);
+  assert.equal(said.trim(), "0");
+});
+
+test("a worker thread needs no await either", async () => {
+  const code = `import { parentPort } from "node:worker_threads"; import { HermiteCurve } from "expline"; ${CIRCLE} parentPort.postMessage(worst);`;
+  const file = join(consumer, "worker.mjs");
+  writeFileSync(file, code);
+  const worker = new Worker(file);
+  const worst = await new Promise<number>((resolve, reject) => worker.once("message", resolve).once("error", reject));
+  await worker.terminate();
+  assert.ok(worst <= EXACT, `off by ${worst}`);
+});
+
+test("init takes the wasm file of the package, and the version is that of its package.json", () => {
+  const said = node(`
+    import { readFileSync } from "node:fs";
+    import { createRequire } from "node:module";
+    import init, { HermiteCurve, version } from "expline";
+    const require = createRequire(import.meta.url);
+    await init({ bytes: readFileSync(require.resolve("expline/expline_bg.wasm")) });
+    ${CIRCLE}
+    console.log(JSON.stringify({ worst, version, manifest: require("expline/package.json").version }));
+  `);
+  const { worst, version, manifest } = JSON.parse(said) as { worst: number; version: string; manifest: string };
+  assert.ok(worst <= EXACT, `off by ${worst}`);
+  assert.equal(version, manifest);
+});
+
+test("the declarations hold for a strict project, with every kind of module resolution", () => {
+  const folder = join(consumer, "typed");
+  mkdirSync(folder, { recursive: true });
+  const code = `
+    import init, { ExplineError, HermiteCurve, initSync, parsePath, version } from "expline";
+    await init();
+    const curve: HermiteCurve = HermiteCurve.ellipse({ center: [0, 0], radii: [2, 1], count: 3 });
+    const point: Float64Array = curve.evaluate(0.5, 1);
+    const { d, maxError }: { d: string; maxError: number } = curve.toPathD({ tolerance: 0.01, arcs: true });
+    const first: HermiteCurve | undefined = parsePath(d)[0];
+    export const all = [point, maxError, first, version, initSync, new Error() instanceof ExplineError];
+    // @ts-expect-error a radius is not a word
+    HermiteCurve.ellipse({ center: [0, 0], radii: ["2", 1], count: 3 });
+  `;
+  writeFileSync(join(folder, "use.ts"), code);
+  const tsc = join(process.cwd(), "node_modules", "typescript", "bin", "tsc");
+  for (const [module, moduleResolution] of [["nodenext", "nodenext"], ["esnext", "bundler"]] as const) {
+    const compilerOptions = {
+      ...{ module, moduleResolution, strict: true, noEmit: true, target: "es2022", lib: ["es2022", "dom", "esnext.disposable"] },
+      ...{ types: [], skipLibCheck: false, exactOptionalPropertyTypes: true },
+    };
+    writeFileSync(join(folder, "tsconfig.json"), JSON.stringify({ compilerOptions, files: ["use.ts"] }));
+    execFileSync(process.execPath, [tsc, "-p", folder], { encoding: "utf8" });
+  }
+});
+
+test("nothing in the tarball names the folder that it was built in", () => {
+  for (const file of ["pkg/expline.js", "pkg/expline_bg.wasm", "THIRD_PARTY_LICENSES"]) {
+    const text = readFileSync(join(consumer, "node_modules", "expline", file), "latin1");
+    assert.ok(!text.includes(process.cwd()), `${file} names ${process.cwd()}`);
+    assert.ok(!/\/(home|root|Users)\//.test(text), `${file} names a home folder`);
+  }
+});
