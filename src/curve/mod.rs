@@ -3,7 +3,7 @@
 mod edit;
 mod ellipse;
 mod hermite;
-mod limits;
+pub(crate) mod limits;
 mod refine;
 mod sample;
 mod segment;

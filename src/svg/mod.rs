@@ -1,1 +1,11 @@
 //! SVG path data in and out; no XML.
+//!
+//! [`parse_path`] turns every subpath into one [`HermiteCurve`](crate::HermiteCurve) without approximating
+//! anything; `to_path_d` goes back, with arcs as `A`, lines as `L` and all else as cubic Béziers within a tolerance.
+
+mod arc;
+mod number;
+mod parse;
+mod subpath;
+
+pub use parse::{MOST_PATH_BYTES, MOST_PATH_POINTS, MOST_SUBPATHS, ParsedPath, Truncation, parse_path};

@@ -1,4 +1,6 @@
 //! What the promises in this folder share: the golden data and the tolerances.
 
+#![allow(dead_code, reason = "every file of promises takes what it needs")]
+
 pub(crate) mod golden;
 pub(crate) mod tolerance;

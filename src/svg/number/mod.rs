@@ -1,0 +1,115 @@
+//! Decimal text and `f64`, correctly rounded both ways, in a few hundred bytes of code.
+//!
+//! The standard library's conversions are exact too, but they carry tables and formatting machinery that
+//! weigh more than all the rest of path reading and writing together.
+
+mod big;
+#[cfg(test)]
+mod tests;
+mod write;
+
+use big::Big;
+pub(super) use write::{scaled, shortest, write, write_shortest};
+
+/// 10⁰ … 10²²: the powers of ten that an `f64` holds exactly.
+const POWERS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18,
+    1e19, 1e20, 1e21, 1e22,
+];
+/// Below this, one more decimal digit still fits in a `u64`.
+const ROOM_FOR_A_DIGIT: u64 = u64::MAX / 10 - 1;
+/// No midpoint between two `f64` has more significant digits than 767: later ones only say "a bit more".
+const MOST_DIGITS: i32 = 800;
+/// The number whose text starts at `at`, and the offset behind it; `None` where no number starts.
+///
+/// ```text
+/// sign? (digits ("." digits?)? | "." digits) (("e" | "E") sign? digits)?
+/// ```
+///
+/// That is the grammar of SVG 1.1; SVG 2 wants a digit behind the point. An `e` without digits behind it is not
+/// part of the number. Zero is never negative; what is too large becomes infinite.
+pub(super) fn read(text: &[u8], at: usize) -> Option<(f64, usize)> {
+    let byte = |i: usize| text.get(i).copied().unwrap_or(0);
+    let negative = byte(at) == b'-';
+    let first = at + usize::from(negative || byte(at) == b'+');
+    let (mut i, mut mantissa, mut exponent, mut seen, mut full) = (first, 0_u64, 0_i32, 0_u32, false);
+    let mut behind_point = 0;
+    loop {
+        let b = byte(i);
+        let digit = b.wrapping_sub(b'0');
+        if digit < 10 {
+            seen += 1;
+            if mantissa <= ROOM_FOR_A_DIGIT {
+                mantissa = mantissa * 10 + u64::from(digit);
+                exponent -= behind_point;
+            } else {
+                full = true;
+                exponent = exponent.saturating_add(1 - behind_point);
+            }
+        } else if b == b'.' && behind_point == 0 {
+            behind_point = 1;
+        } else {
+            break;
+        }
+        i += 1;
+    }
+    if seen == 0 {
+        return None;
+    }
+    let digits = text.get(first..i).unwrap_or(&[]);
+    let (power, end) = read_exponent(text, i);
+    let magnitude =
+        if full { exact_text(digits, power) } else { decimal(mantissa, exponent.saturating_add(power)) };
+    Some((if negative && magnitude != 0.0 { -magnitude } else { magnitude }, end))
+}
+
+fn read_exponent(text: &[u8], at: usize) -> (i32, usize) {
+    let byte = |i: usize| text.get(i).copied().unwrap_or(0);
+    if byte(at) | 0x20 != b'e' {
+        return (0, at);
+    }
+    let sign = byte(at + 1);
+    let first = at + 1 + usize::from(sign == b'-' || sign == b'+');
+    let (mut i, mut value) = (first, 0_i32);
+    while byte(i).is_ascii_digit() {
+        value = (value * 10 + i32::from(byte(i) - b'0')).min(100_000_000);
+        i += 1;
+    }
+    if i == first { (0, at) } else { (if sign == b'-' { -value } else { value }, i) }
+}
+
+/// `mantissa`·10^`exponent`, correctly rounded.
+fn decimal(mantissa: u64, exponent: i32) -> f64 {
+    // Case both factors exact: one rounding, which is the right one.
+    if mantissa <= 1 << 53
+        && let Some(power) = POWERS.get(exponent.unsigned_abs() as usize)
+    {
+        let m = mantissa as f64;
+        return if exponent < 0 { m / power } else { m * power };
+    }
+    let big = Big::from(mantissa);
+    big.times_power_of_ten(exponent, 20, false)
+}
+
+/// More digits than a `u64` holds.
+fn exact_text(digits: &[u8], power: i32) -> f64 {
+    let (mut big, mut exponent, mut kept, mut dropped, mut behind_point) = (Big::new(), power, 0, false, 0);
+    for &b in digits {
+        if b == b'.' {
+            behind_point = 1;
+        } else if kept < MOST_DIGITS {
+            big.multiply_add(10, u32::from(b - b'0'));
+            kept += i32::from(!big.is_zero());
+            exponent -= behind_point;
+        } else {
+            dropped |= b != b'0';
+            exponent = exponent.saturating_add(1 - behind_point);
+        }
+    }
+    big.times_power_of_ten(exponent, kept, dropped)
+}
+
+/// 10^`decimals` for up to 22 decimals.
+pub(super) fn power(decimals: u32) -> f64 {
+    POWERS.get(decimals as usize).copied().unwrap_or(f64::INFINITY)
+}
