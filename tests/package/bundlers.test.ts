@@ -51,11 +51,17 @@ async function titleOf(folder: string, policy: string): Promise<string> {
   const { url, close } = await serve(folder, { port: 0, policy });
   const tab = await browser.newPage();
   const complaints: string[] = [];
-  tab.on("pageerror", (error) => complaints.push(error.message));
-  tab.on("console", (message) => void (message.type() === "error" && !/favicon/.test(message.location().url) && complaints.push(message.text())));
+  const complained = new Promise<void>((resolve) => {
+    const complain = (text: string) => (complaints.push(text), resolve());
+    tab.on("pageerror", (error) => complain(error.message));
+    tab.on("console", (message) => {
+      if (message.type() === "error" && !message.location().url.includes("favicon")) complain(message.text());
+    });
+  });
   try {
     await tab.goto(url);
-    await tab.waitForFunction(() => document.title !== "waiting", undefined, { timeout: 20_000 }).catch(() => undefined);
+    const titled = tab.waitForFunction(() => document.title !== "waiting", undefined, { timeout: 20_000 });
+    await Promise.race([titled.catch(() => undefined), complained]);
     assert.deepEqual(complaints, []);
     return await tab.title();
   } finally {
@@ -88,7 +94,7 @@ test("Vite", async () => {
 });
 
 test("Rollup", async () => {
-  const { rollup } = await import("rollup");
+  const { rollup } = await import("@rollup/wasm-node");
   const folder = page("rollup", MODULE);
   const resolve = { name: "resolve", resolveId: (id: string) => (id === "expline" ? join(consumer, "node_modules/expline/pkg/expline.js") : null) };
   const bundle = await rollup({ input: entry, plugins: [resolve], onwarn: (warning) => assert.fail(warning.message) });

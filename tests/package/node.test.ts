@@ -1,7 +1,7 @@
 // The packed package in plain Node: no await before the first call, in the main thread and in workers, with types.
 
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
 import { join } from "node:path";
@@ -90,7 +90,7 @@ test("the declarations hold for a strict project, with every kind of module reso
       ...{ types: [], skipLibCheck: false, exactOptionalPropertyTypes: true },
     };
     writeFileSync(join(folder, "tsconfig.json"), JSON.stringify({ compilerOptions, files: ["use.ts"] }));
-    execFileSync(process.execPath, [tsc, "-p", folder], { encoding: "utf8" });
+    assert.equal(spawnSync(process.execPath, [tsc, "-p", folder], { encoding: "utf8" }).stdout, "", moduleResolution);
   }
 });
 
