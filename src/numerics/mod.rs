@@ -1,6 +1,8 @@
 //! Mathematics that has never heard of splines.
 
 pub mod entire;
+pub(crate) mod quadrature;
+pub(crate) mod roots;
 
 /// A point of the plane.
 pub type Point = nalgebra::Vector2<f64>;

@@ -1,0 +1,246 @@
+//! One segment as a closed form about its middle: what every measure of a curve is computed from.
+//!
+//! With y = x − 1/2 in [−1/2, 1/2] and w the local frequency, a segment is
+//!
+//! ```text
+//! r(y) = a + b·y + p·y²·c₂(w²y²) + q·y³·c₃(w²y²)
+//! ```
+//!
+//! with Stumpff's functions c₂ and c₃, so that a, b, p, q are the point and its first three derivatives in the middle,
+//! for every w. In the hyperbolic space w² is negative; beyond w = 4 segments there are written with decaying
+//! exponentials, which cannot overflow: r(y) = a + b·y + p·exp(w(y − 1/2)) + q·exp(−w(y + 1/2)).
+
+use super::Segment;
+use crate::generator::Space;
+use crate::numerics::entire::{Stumpff, stumpff};
+use crate::numerics::{Point, Vector};
+
+/// Below this frequency a segment is its cubic limit to the last bit: cos w = 1 to rounding.
+const CUBIC_BELOW: f64 = 1e-8;
+/// Hyperbolic segments above this frequency are written with decaying exponentials.
+const DECAY_ABOVE: f64 = 4.0;
+/// Decaying exponentials are nothing after this many of their widths: exp(−40) = 4e-18.
+const LAYER: f64 = 40.0;
+
+/// A point of a piece and its first three derivatives with respect to y.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Jet {
+    pub(crate) position: Point,
+    pub(crate) first: Vector,
+    pub(crate) second: Vector,
+    pub(crate) third: Vector,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Form {
+    Cubic,
+    Centred,
+    Decaying,
+}
+
+/// A segment in closed form; see the module's text.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Piece {
+    a: Point,
+    b: Vector,
+    p: Vector,
+    q: Vector,
+    /// w² for trigonometric, −w² for hyperbolic, 0 for cubic pieces: r'''' = −rate·r''.
+    rate: f64,
+    w: f64,
+    form: Form,
+}
+
+impl Piece {
+    /// The closed form of a segment.
+    pub(crate) fn new(segment: &Segment<'_>) -> Self {
+        let w = segment.basis.frequency();
+        let chord = segment.end - segment.start;
+        let mean = (segment.end + segment.start) * 0.5;
+        let sum = (segment.leaving + segment.arriving) * segment.length;
+        let difference = (segment.arriving - segment.leaving) * segment.length;
+        if w < CUBIC_BELOW {
+            let q = sum * 6.0 - chord * 12.0;
+            let (b, p) = (chord - q / 24.0, difference);
+            return Self { a: mean - p / 8.0, b, p, q, rate: 0.0, w: 0.0, form: Form::Cubic };
+        }
+        let hyperbolic = segment.basis.space() == Space::Hyperbolic;
+        if hyperbolic && w > DECAY_ABOVE {
+            let tail = libm::exp(-w);
+            let p_plus_q = difference / (w * (1.0 - tail));
+            let p_minus_q = (sum * 0.5 - chord) / (0.5 * w * (1.0 + tail) - (1.0 - tail));
+            let (p, q) = ((p_plus_q + p_minus_q) * 0.5, (p_plus_q - p_minus_q) * 0.5);
+            let (a, b) = (mean - p_plus_q * (0.5 * (1.0 + tail)), chord - p_minus_q * (1.0 - tail));
+            return Self { a, b, p, q, rate: -w * w, w, form: Form::Decaying };
+        }
+        let rate = if hyperbolic { -w * w } else { w * w };
+        let Stumpff { c1, c2, c3, .. } = stumpff(0.25 * rate);
+        let p = difference / c1;
+        let q = (sum * 2.0 - chord * 4.0) / (c2 - c3);
+        let (a, b) = (mean - p * (0.25 * c2), chord - q * (0.25 * c3));
+        Self { a, b, p, q, rate, w, form: Form::Centred }
+    }
+
+    /// w² for trigonometric, −w² for hyperbolic, 0 for cubic pieces.
+    pub(crate) fn rate(&self) -> f64 {
+        self.rate
+    }
+
+    /// Whether the piece is a polynomial of degree 3.
+    #[inline]
+    pub(crate) fn is_cubic(&self) -> bool {
+        self.form == Form::Cubic
+    }
+
+    /// Whether the coefficients p and q are those of decaying exponentials.
+    #[inline]
+    pub(crate) fn is_decaying(&self) -> bool {
+        self.form == Form::Decaying
+    }
+
+    /// Whether the piece is a straight line, run through evenly, between lo and hi: so far inside a long hyperbolic
+    /// segment that nothing is left of what happens at its ends.
+    #[inline]
+    pub(crate) fn is_straight_on(&self, lo: f64, hi: f64) -> bool {
+        self.is_decaying() && self.w * (lo + 0.5).min(0.5 - hi) >= LAYER
+    }
+
+    /// The coefficients a, b, p, q; for a cubic the point and the derivatives in the middle.
+    #[inline]
+    pub(crate) fn coefficients(&self) -> [Vector; 4] {
+        [self.a, self.b, self.p, self.q]
+    }
+
+    /// The point at y in [−1/2, 1/2].
+    #[inline]
+    pub(crate) fn position(&self, y: f64) -> Point {
+        if self.is_cubic() {
+            return self.a + (self.b + (self.p * 0.5 + self.q * (y / 6.0)) * y) * y;
+        }
+        self.jet(y).position
+    }
+
+    /// The point and its first three derivatives at y.
+    #[inline]
+    pub(crate) fn jet(&self, y: f64) -> Jet {
+        let Self { a, b, p, q, .. } = *self;
+        if self.is_cubic() {
+            let second = p + q * y;
+            return Jet {
+                position: a + (b + (p * 0.5 + q * (y / 6.0)) * y) * y,
+                first: b + (p + q * (0.5 * y)) * y,
+                second,
+                third: q,
+            };
+        }
+        self.transcendental_jet(y)
+    }
+
+    #[inline(never)]
+    fn transcendental_jet(&self, y: f64) -> Jet {
+        let Self { a, b, p, q, rate, w, .. } = *self;
+        if self.form == Form::Decaying {
+            let up = p * libm::exp(w * (y - 0.5));
+            let down = q * libm::exp(-w * (y + 0.5));
+            return Jet {
+                position: a + b * y + up + down,
+                first: b + (up - down) * w,
+                second: (up + down) * (w * w),
+                third: (up - down) * (w * w * w),
+            };
+        }
+        let Stumpff { c0, c1, c2, c3 } = stumpff(rate * y * y);
+        Jet {
+            position: a + (b + (p * c2 + q * (c3 * y)) * y) * y,
+            first: b + (p * c1 + q * (c2 * y)) * y,
+            second: p * c0 + q * (c1 * y),
+            third: q * c0 - p * (rate * c1 * y),
+        }
+    }
+
+    /// A bound of |r''| on [lo, hi], sharp to first order in the width.
+    pub(crate) fn bend(&self, lo: f64, hi: f64) -> f64 {
+        if self.form == Form::Decaying {
+            let (up, down) = self.decay_ends(lo, hi);
+            return (up + down) * (self.w * self.w);
+        }
+        let half = 0.5 * (hi - lo);
+        let middle = self.jet(0.5 * (lo + hi));
+        let (even, odd) = self.growth(half);
+        middle.second.norm() * even + middle.third.norm() * (odd * half)
+    }
+
+    /// A bound of |r'''| on [lo, hi].
+    pub(crate) fn jolt(&self, lo: f64, hi: f64) -> f64 {
+        if self.is_cubic() {
+            return self.q.norm();
+        }
+        if self.form == Form::Decaying {
+            let (up, down) = self.decay_ends(lo, hi);
+            return (up + down) * (self.w * self.w * self.w);
+        }
+        let half = 0.5 * (hi - lo);
+        let middle = self.jet(0.5 * (lo + hi));
+        let (even, odd) = self.growth(half);
+        middle.third.norm() * even + middle.second.norm() * (self.rate.abs() * odd * half)
+    }
+
+    /// The largest values on |u| <= half of |cos wu| and |sin wu|/(w|u|), or of cosh and sinh.
+    fn growth(&self, half: f64) -> (f64, f64) {
+        if self.rate >= 0.0 {
+            return (1.0, 1.0);
+        }
+        let x = self.w * half;
+        (libm::cosh(x), libm::sinh(x) / x.max(f64::MIN_POSITIVE))
+    }
+
+    fn decay_ends(&self, lo: f64, hi: f64) -> (f64, f64) {
+        (self.p.norm() * libm::exp(self.w * (hi - 0.5)), self.q.norm() * libm::exp(-self.w * (lo + 0.5)))
+    }
+
+    /// The zeros of one coordinate of r'' in the open interval (−1/2, 1/2): between them that coordinate of r' is
+    /// monotone. At most two, in no order.
+    pub(crate) fn inflections(&self, axis: usize) -> [Option<f64>; 2] {
+        let (p, q, w) = (self.p[axis], self.q[axis], self.w);
+        let inside = |y: f64| if y > -0.5 && y < 0.5 { Some(y) } else { None };
+        if self.is_cubic() {
+            return [inside(-p / q), None];
+        }
+        if self.form == Form::Decaying {
+            let ratio = -q / p;
+            return [if ratio > 0.0 { inside(libm::log(ratio) / (2.0 * w)) } else { None }, None];
+        }
+        if self.rate < 0.0 {
+            return [inside(libm::atanh(-p * w / q) / w), None];
+        }
+        let y = libm::atan2(-p * w, q) / w;
+        let step = core::f64::consts::PI / w;
+        let mut found = [None, None];
+        let mut k = 0;
+        for candidate in [y - step, y, y + step] {
+            if let (Some(y), true) = (inside(candidate), k < 2) {
+                found[k] = Some(y);
+                k += 1;
+            }
+        }
+        found
+    }
+}
+
+/// Calls `f` with intervals that cover the piece and on which its functions are tame: the whole piece, or for a
+/// decaying one intervals that shrink towards the ends like the layers there.
+pub(crate) fn panels(piece: &Piece, mut f: impl FnMut(f64, f64)) {
+    if !piece.is_decaying() {
+        return f(-0.5, 0.5);
+    }
+    let (mut inner, step) = (0.0, 4.0 / piece.w);
+    while inner < 0.5 {
+        if inner * piece.w >= LAYER {
+            return f(inner - 0.5, 0.5 - inner);
+        }
+        let outer = if inner + 1.5 * step < 0.5 { inner + step } else { 0.5 };
+        f(inner - 0.5, outer - 0.5);
+        f(0.5 - outer, 0.5 - inner);
+        inner = outer;
+    }
+}

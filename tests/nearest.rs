@@ -1,0 +1,91 @@
+//! The nearest point is never missed.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod support;
+
+use expline::curve::NearestFinder;
+use expline::numerics::Point;
+use expline::{HermiteCurve, HermiteOptions};
+use support::curves::{Random, random_curve};
+use support::tolerance::NEAREST;
+
+/// Dense sampling of every segment, each local minimum then narrowed by golden-section search: slow and plain.
+fn brute_force(curve: &HermiteCurve, place: Point) -> f64 {
+    let distance = |t: f64| (curve.evaluate(t, 0).expect("t is in the domain") - place).norm();
+    let mut best = f64::INFINITY;
+    for pair in curve.knots().windows(2) {
+        let count = 400;
+        let step = (pair[1] - pair[0]) / count as f64;
+        let at = |k: usize| if k == count { pair[1] } else { pair[0] + step * k as f64 };
+        let mut sampled: Vec<f64> = (0..=count).map(|k| distance(at(k))).collect();
+        sampled.push(f64::INFINITY);
+        for k in 0..=count {
+            best = best.min(sampled[k]);
+            if (k == 0 || sampled[k] <= sampled[k - 1]) && sampled[k] <= sampled[k + 1] {
+                best = best.min(golden(&distance, at(k.saturating_sub(1)), at((k + 1).min(count))));
+            }
+        }
+    }
+    best
+}
+
+fn golden(f: &impl Fn(f64) -> f64, mut lo: f64, mut hi: f64) -> f64 {
+    for _ in 0..60 {
+        let (a, b) = (lo + 0.381_966 * (hi - lo), lo + 0.618_034 * (hi - lo));
+        if f(a) < f(b) { hi = b } else { lo = a }
+    }
+    f(0.5 * (lo + hi))
+}
+
+#[test]
+fn nearest_point_is_never_missed_on_random_curves_of_every_space() {
+    let mut random = Random::new(7);
+    for case in 0..400 {
+        let curve = random_curve(&mut random, case);
+        let size = curve.bounds().extent().max(1e-300);
+        let finder = NearestFinder::new(&curve);
+        for query in 0..6 {
+            let spread = [2.0, 2.0, 3.0, 0.5, 30.0, 1e4][query];
+            let mut place = Point::new(random.symmetric(), random.symmetric()) * (spread * size);
+            if query == 3 {
+                let (_, end) = curve.domain();
+                place = curve.evaluate(end * random.unit(), 0).expect("inside the domain");
+            }
+            let found = finder.nearest(place);
+            let truth = brute_force(&curve, place);
+            let scale = size + place.norm();
+            let excess = (found.distance - truth) / scale;
+            assert!(excess <= NEAREST, "case {case}.{query}: {} instead of {truth}", found.distance);
+            let there = curve.evaluate(found.t, 0).expect("t is in the domain");
+            assert!((there - found.point).norm() <= NEAREST * scale, "case {case}: t and point disagree");
+            let distance = (there - place).norm();
+            assert!((distance - found.distance).abs() <= NEAREST * scale, "case {case}: wrong distance");
+        }
+    }
+}
+
+#[test]
+fn centre_of_a_circle_is_answered_with_the_smallest_parameter() {
+    for count in [2, 3, 4, 7, 16] {
+        let circle =
+            HermiteCurve::ellipse(Point::new(3.0, -2.0), Point::new(5.0, 5.0), 0.3, count).expect("a circle");
+        let found = circle.nearest(Point::new(3.0, -2.0));
+        assert!((found.distance - 5.0).abs() < NEAREST * 10.0, "radius is {}", found.distance);
+        assert!(found.t == 0.0, "{count} points: t = {}", found.t);
+    }
+}
+
+#[test]
+fn curve_that_is_one_point_is_answered_with_that_point() {
+    let p = Point::new(4.0, 5.0);
+    let curve = HermiteCurve::new(HermiteOptions {
+        points: vec![p; 3],
+        tangents: vec![Point::zeros(); 3],
+        ..HermiteOptions::default()
+    })
+    .expect("a degenerate curve");
+    let found = curve.nearest(Point::new(7.0, 9.0));
+    assert!(found.t == 0.0 && found.point == p && found.distance == 5.0, "{found:?}");
+}
