@@ -3,6 +3,7 @@
 pub mod curve;
 pub mod error;
 pub mod generator;
+mod limits;
 pub mod numerics;
 pub mod refine;
 pub mod svg;

@@ -9,12 +9,13 @@ mod ellipse;
 mod flatten;
 mod hermite;
 mod length;
-pub(crate) mod limits;
 mod nearest;
 mod piece;
 mod refine;
 mod sample;
 mod segment;
+
+use crate::limits;
 
 pub use bounds::Bounds;
 pub use cubics::{Cubics, segment_cubics};

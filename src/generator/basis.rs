@@ -122,6 +122,16 @@ impl Basis {
         self.frequency
     }
 
+    /// w², negative in the hyperbolic space: every function r of the basis has r⁗ = −`square`·r″.
+    pub fn square(&self) -> f64 {
+        self.square
+    }
+
+    /// h·cot h for h = w/2, h·coth h in the hyperbolic space; 1 for the cubic.
+    pub fn half_cotangent(&self) -> f64 {
+        0.5 * self.even_second
+    }
+
     /// The weights at x in [0, 1], or their derivative of the given order with respect to x.
     ///
     /// At x = 0 and x = 1 values and first derivatives are the exact zeros and ones of Hermite interpolation.

@@ -1,9 +1,17 @@
-//! The functions that every curve is a combination of.
+//! The functions that every curve is a combination of: cardinal Hermite exponential splines, in three spaces.
+//!
+//! [`Basis`] is one segment's view of them, made for curves; [`HermiteGenerators`] is the pair φ₁, φ₂ on the
+//! whole line, with everything that is known about it. Both rest on the same few constants.
 
 mod basis;
+mod bernstein;
+mod hermite;
+mod riesz;
 mod stretched;
 
 pub use basis::{Basis, Weights};
+pub use hermite::{HermiteGenerators, Pair};
+pub use riesz::{Gram, RieszBounds};
 
 /// The space that a Hermite exponential spline is piecewise in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

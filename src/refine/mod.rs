@@ -1,1 +1,33 @@
 //! One curve, many resolutions.
+//!
+//! The two-scale relation: a curve that is piecewise in a space on a grid is piecewise in the same space on any
+//! finer grid, because the space depends on ω and not on the step. The *vector scheme* turns points and
+//! derivatives into more points and derivatives on the same curve; the *scalar scheme* turns control points
+//! into more control points, which close in on it. Both masks change from level to level: what counts is ω
+//! times the step.
+
+mod scalar;
+mod vector;
+
+pub use scalar::{ScalarMask, control_polygon, subdivide_scalar};
+pub use vector::{HermiteData, MatrixMask, subdivide_hermite};
+
+use crate::error::{Error, Result};
+use crate::limits::{MOST_LEVELS, MOST_OUTPUT_POINTS, too_many};
+
+/// The number of segments after `levels` refinements by `arity`, if all that is within the limits.
+fn check_levels(segments: usize, arity: usize, levels: usize) -> Result<()> {
+    if arity == 0 {
+        let (least, most) = (1.0, MOST_OUTPUT_POINTS as f64);
+        return Err(Error::OutOfRange { argument: "arity", index: None, value: 0.0, least, most });
+    }
+    if levels > MOST_LEVELS {
+        let (value, most) = (levels as f64, MOST_LEVELS as f64);
+        return Err(Error::OutOfRange { argument: "levels", index: None, value, least: 0.0, most });
+    }
+    let needed = (0..levels).fold(segments, |count, _| count.saturating_mul(arity));
+    if levels > 0 && needed > MOST_OUTPUT_POINTS {
+        return Err(too_many("levels", "maxOutputPoints", MOST_OUTPUT_POINTS, needed));
+    }
+    Ok(())
+}

@@ -4,8 +4,8 @@ use super::arc::{Arc, ArcCommand};
 use super::number;
 use super::subpath::Subpath;
 use crate::curve::HermiteCurve;
-use crate::curve::limits::LARGEST_COORDINATE;
 use crate::error::{Error, Result};
+use crate::limits::LARGEST_COORDINATE;
 use crate::numerics::{Point, Vector};
 
 /// The longest path text that is read, in bytes.

@@ -23,3 +23,26 @@ pub(crate) const AREA: f64 = 2e-14;
 
 /// Extremes, relative to the size of the coordinates: a few roundings, as the place of an extreme does not matter.
 pub(crate) const BOUNDS: f64 = 4e-15;
+
+/// Golden values and first derivatives of generators, Bernstein functions and curves, relative to the largest:
+/// [`WEIGHTS`] and the four terms of a curve.
+pub(crate) const VALUES: f64 = 4e-15;
+
+/// Golden second derivatives, relative to the largest: they are six times the data's size.
+pub(crate) const SECOND_DERIVATIVES: f64 = 1e-14;
+
+/// Entries of masks relative to the largest entry: the weights' own accuracy.
+pub(crate) const MASKS: f64 = 2e-15;
+
+/// Points of the vector scheme relative to the data: one combination of four terms a level, no growth.
+pub(crate) const SCHEME_POINTS: f64 = 4e-15;
+
+/// Derivatives of the vector scheme relative to the data, for one segment a unit long: each level doubles (for
+/// arity 2) what a rounding of the points does to their difference quotient.
+pub(crate) const SCHEME_DERIVATIVES: f64 = 1e-13;
+
+/// Gram entries, relative: sums of sixteen products that each know six digits more than they need.
+pub(crate) const GRAM: f64 = 3e-14;
+
+/// Riesz bounds, relative.
+pub(crate) const RIESZ: f64 = 1e-12;

@@ -16,6 +16,8 @@ pub(crate) const MOST_POINTS: usize = 16_777_216;
 pub(crate) const MOST_EVALUATIONS: usize = 4_000_000;
 /// The most points that one call may give back.
 pub(crate) const MOST_OUTPUT_POINTS: usize = 4_000_000;
+/// The most levels of one subdivision: 2 points become 33 million there, more than may be given back.
+pub(crate) const MOST_LEVELS: usize = 24;
 
 pub(crate) fn too_many(argument: &'static str, limit: &'static str, most: usize, needed: usize) -> Error {
     Error::LimitExceeded { argument, limit, most: most as f64, needed: needed as f64 }

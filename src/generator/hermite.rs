@@ -1,0 +1,282 @@
+//! The cardinal Hermite exponential splines φ₁ and φ₂ on the whole line.
+
+use super::{Basis, Space};
+use crate::error::{Error, Result};
+use crate::limits::{LARGEST_FREQUENCY, MOST_EVALUATIONS, MOST_LEVELS, POLE_MARGIN, too_many, with_room};
+use crate::numerics::entire::stumpff;
+use core::f64::consts::TAU;
+
+/// Values of two functions at the same places.
+pub type Pair = (Vec<f64>, Vec<f64>);
+
+/// e^t is finite up to here.
+const LARGEST_EXPONENT: f64 = 700.0;
+
+/// Cubes of places are finite up to here.
+const LARGEST_PLACE: f64 = 1e100;
+
+/// The pair φ₁, φ₂ that interpolates values and first derivatives at the integers.
+///
+/// ```text
+/// φ₁(n) = δₙ   φ₁′(n) = 0        r(t) = Σₙ r(n) φ₁(t − n) + r′(n) φ₂(t − n)
+/// φ₂(n) = 0    φ₂′(n) = δₙ
+/// ```
+///
+/// φ₁ is even, φ₂ odd; both vanish outside [−1, 1] and are once continuously differentiable. Their integer
+/// shifts reproduce the whole space, 1, t, cos ωt, sin ωt in the trigonometric one: an ellipse sampled at
+/// M ≥ 2 points with ω = 2π/M comes back exactly.
+///
+/// # Accuracy
+///
+/// That of [`Basis`]: a few 1e-16 for ω ≤ π and in the hyperbolic space.
+///
+/// # Source
+///
+/// [CRU15, eq. 2–7]; the interpolation conditions as corrected in docs/SOURCES.md.
+///
+/// # Example
+///
+/// ```
+/// use expline::generator::{HermiteGenerators, Space};
+///
+/// let generators = HermiteGenerators::new(core::f64::consts::PI, Space::Trigonometric)?;
+/// // A quarter of the way, half a circle has fallen from 1 to (1 + cos(π/4))/2.
+/// let (first, _) = generators.evaluate(&[0.25], 0)?;
+/// assert!((first[0] - 0.853_553_390_593_273_8).abs() < 1e-15);
+/// # Ok::<(), expline::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HermiteGenerators {
+    basis: Basis,
+}
+
+impl HermiteGenerators {
+    /// The generators for `omega` radians per unit; 0 gives the cubic ones in any space.
+    ///
+    /// # Errors
+    ///
+    /// `omega` not finite, negative, 2π − 1e-6 or more in the trigonometric space, more than 1e4 otherwise.
+    pub fn new(omega: f64, space: Space) -> Result<Self> {
+        if !omega.is_finite() {
+            return Err(Error::NotFinite { argument: "omega", index: None });
+        }
+        let most = if space == Space::Trigonometric { TAU - POLE_MARGIN } else { LARGEST_FREQUENCY };
+        if !(0.0..=most).contains(&omega) {
+            return Err(Error::OutOfRange { argument: "omega", index: None, value: omega, least: 0.0, most });
+        }
+        Ok(Self { basis: Basis::new(space, omega) })
+    }
+
+    /// The basis of one segment of length 1.
+    pub fn basis(&self) -> &Basis {
+        &self.basis
+    }
+
+    /// φ₁ and φ₂ at one place, or their derivative of the given order, 0 to 3; at a knot the limit from the
+    /// right.
+    pub fn at(&self, x: f64, derivative: usize) -> (f64, f64) {
+        if !(-1.0..1.0).contains(&x) {
+            return (0.0, 0.0);
+        }
+        let weights = self.basis.weights(x.abs(), derivative);
+        let first = match derivative {
+            0 if x.abs() > 0.5 => self.basis.weights(1.0 - x.abs(), 0).chord,
+            0 => 1.0 - weights.chord,
+            _ => -weights.chord,
+        };
+        // φ₁ is even and φ₂ odd; a derivative of odd order swaps that.
+        let mirrored = x < 0.0;
+        let odd_order = derivative % 2 == 1;
+        let first = if mirrored && odd_order { -first } else { first };
+        let second = if mirrored && !odd_order { -weights.leaving } else { weights.leaving };
+        (first, second)
+    }
+
+    /// φ₁ and φ₂, or their derivative of order 1 or 2, at every x; at a knot the limit from the right.
+    ///
+    /// # Errors
+    ///
+    /// An x that is not finite, a derivative above 2, more than 4 million places.
+    pub fn evaluate(&self, x: &[f64], derivative: usize) -> Result<Pair> {
+        check_derivative(derivative)?;
+        check_places(x)?;
+        let (mut first, mut second) = (with_room(x.len())?, with_room(x.len())?);
+        for &x in x {
+            let (one, two) = self.at(x, derivative);
+            first.push(one);
+            second.push(two);
+        }
+        Ok((first, second))
+    }
+
+    /// The four Bernstein functions, or their derivative of order 1 or 2, at every x: four values each.
+    ///
+    /// # Errors
+    ///
+    /// An x that is not finite or not in [0, 1], a derivative above 2, more than 4 million places.
+    ///
+    /// # Source
+    ///
+    /// [CRU15, eq. 36]; see [`Basis::bernstein`].
+    pub fn bernstein(&self, x: &[f64], derivative: usize) -> Result<Vec<f64>> {
+        check_derivative(derivative)?;
+        check_places(x)?;
+        for (i, &value) in x.iter().enumerate() {
+            if !(0.0..=1.0).contains(&value) {
+                let (least, most) = (0.0, 1.0);
+                return Err(Error::OutOfRange { argument: "x", index: Some(i), value, least, most });
+            }
+        }
+        let mut values = with_room(4 * x.len())?;
+        for &x in x {
+            values.extend_from_slice(&self.basis.bernstein(x, derivative));
+        }
+        Ok(values)
+    }
+
+    /// The refinement masks H[n], n = −(arity − 1) … arity − 1, that take values and derivatives on the grid of
+    /// step `arity`^−`level` to the next finer grid.
+    ///
+    /// Four numbers each, row by row; H[n] acts on the column (value, derivative) at the grid point that lies n
+    /// fine steps to the left:
+    ///
+    /// ```text
+    /// a′[k] = Σₗ H[k − arity·l] a[l]        H[n] = [ φ₁     step·φ₂ ]
+    ///                                              [ φ₁′/step   φ₂′ ] (n/arity), with ω·step for ω
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// An arity of 0, or one whose masks are more than 4 million numbers; a level above 24.
+    ///
+    /// # Source
+    ///
+    /// [CRU15, eq. 33–35]; the index of (34) as corrected in docs/SOURCES.md.
+    pub fn mask(&self, arity: usize, level: usize) -> Result<Vec<f64>> {
+        check_arity(arity)?;
+        check_level(level)?;
+        let step = libm::pow(arity as f64, -(level as f64));
+        let basis = Basis::new(self.basis.space(), self.basis.frequency() * step);
+        let fine = Self { basis };
+        let mut values = with_room(4 * (2 * arity - 1))?;
+        for n in 1..2 * arity {
+            let x = n as f64 / arity as f64 - 1.0;
+            // The two value weights of a place sum to exactly 1, and are 1/2 in the middle by symmetry.
+            let chord = if 2 * (n % arity) == arity {
+                0.5
+            } else {
+                basis.weights((n % arity) as f64 / arity as f64, 0).chord
+            };
+            let value = if n < arity { chord } else { 1.0 - chord };
+            let (_, reach) = fine.at(x, 0);
+            let (slope, turn) = fine.at(x, 1);
+            values.extend_from_slice(&[value, step * reach, slope / step, turn]);
+        }
+        Ok(values)
+    }
+
+    /// The Green's functions ρ₁ of d⁴/dx⁴ + ω² d²/dx² and ρ₂ = ρ₁′ of d³/dx³ + ω² d/dx, at every x.
+    ///
+    /// # Errors
+    ///
+    /// An x that is not finite or, in the hyperbolic space, so large that the functions overflow.
+    ///
+    /// # Source
+    ///
+    /// [CRU15, eq. 13, 14] as ρ₁ = |x|³c₃/2 and ρ₂ = x|x|c₂/2 (D 4.1).
+    pub fn greens(&self, x: &[f64]) -> Result<Pair> {
+        check_places(x)?;
+        let square = self.basis.square();
+        let most = if square < 0.0 { LARGEST_EXPONENT / self.basis.frequency() } else { LARGEST_PLACE };
+        let (mut first, mut second) = (with_room(x.len())?, with_room(x.len())?);
+        for (i, &x) in x.iter().enumerate() {
+            let size = x.abs();
+            if size > most {
+                let argument = "x";
+                return Err(Error::OutOfRange { argument, index: Some(i), value: x, least: -most, most });
+            }
+            let at = stumpff(square * size * size);
+            first.push(0.5 * size * size * size * at.c3);
+            second.push(0.5 * x * size * at.c2);
+        }
+        Ok((first, second))
+    }
+
+    /// Weights of the exponential B-splines in terms of the generators: γ and μ of B₄ = γφ₁(x − 1) +
+    /// (1 − 2γ)φ₁(x − 2) + γφ₁(x − 3) + (φ₂(x − 1) − φ₂(x − 3))/2, and of B₃ = (φ₁(x − 1) + φ₁(x − 2))/2 +
+    /// μ(φ₂(x − 1) − φ₂(x − 2)).
+    ///
+    /// # Source
+    ///
+    /// [CRU15, eq. 23, 24] in the form γ = κ/2, μ = c₀/c₁ at ω/2 (D 4.3).
+    pub fn b_spline_weights(&self) -> (f64, f64) {
+        (0.5 * self.basis.kappa(), self.basis.half_cotangent())
+    }
+
+    /// The exponential B-spline of order 4 on [0, 4], or a derivative: the smoothest bump of the space. Its
+    /// shifts sum to 1; for ω = 0 it is the cubic B-spline.
+    ///
+    /// # Source
+    ///
+    /// [CRU15, eq. 21, 23].
+    pub fn b_spline4(&self, x: f64, derivative: usize) -> f64 {
+        let (gamma, _) = self.b_spline_weights();
+        let [one, two, three] = [1.0, 2.0, 3.0].map(|n| self.at(x - n, derivative));
+        gamma * (one.0 + three.0) + (1.0 - 2.0 * gamma) * two.0 + 0.5 * (one.1 - three.1)
+    }
+
+    /// The exponential B-spline of order 3 on [0, 3], or a derivative: piecewise in 1, cos ωt, sin ωt. Its
+    /// shifts sum to 1; for ω = 0 it is the quadratic B-spline.
+    ///
+    /// # Source
+    ///
+    /// [CRU15, eq. 22, 24].
+    pub fn b_spline3(&self, x: f64, derivative: usize) -> f64 {
+        let (_, mu) = self.b_spline_weights();
+        let [one, two] = [1.0, 2.0].map(|n| self.at(x - n, derivative));
+        0.5 * (one.0 + two.0) + mu * (one.1 - two.1)
+    }
+}
+
+fn check_derivative(derivative: usize) -> Result<()> {
+    if derivative <= 2 {
+        return Ok(());
+    }
+    let value = derivative as f64;
+    Err(Error::OutOfRange { argument: "derivative", index: None, value, least: 0.0, most: 2.0 })
+}
+
+fn check_places(x: &[f64]) -> Result<()> {
+    if x.len() > MOST_EVALUATIONS {
+        return Err(too_many("x", "maxEvalPoints", MOST_EVALUATIONS, x.len()));
+    }
+    match x.iter().position(|x| !x.is_finite()) {
+        Some(i) => Err(Error::NotFinite { argument: "x", index: Some(i) }),
+        None => Ok(()),
+    }
+}
+
+fn check_level(level: usize) -> Result<()> {
+    if level <= MOST_LEVELS {
+        return Ok(());
+    }
+    let (value, most) = (level as f64, MOST_LEVELS as f64);
+    Err(Error::OutOfRange { argument: "level", index: None, value, least: 0.0, most })
+}
+
+fn check_arity(arity: usize) -> Result<()> {
+    let most = MOST_EVALUATIONS / 8;
+    if arity == 0 {
+        return Err(Error::OutOfRange {
+            argument: "arity",
+            index: None,
+            value: 0.0,
+            least: 1.0,
+            most: most as f64,
+        });
+    }
+    if arity > most {
+        return Err(too_many("arity", "maxOutputPoints", most, arity));
+    }
+    Ok(())
+}
