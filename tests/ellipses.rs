@@ -1,8 +1,10 @@
 //! Circles, ellipses and arcs are exact: measured against their equations, not against another curve.
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use expline::HermiteCurve;
+use expline::{HermiteCurve, HermiteOptions, Space};
 use nalgebra::Vector2;
 
 type Point = Vector2<f64>;
@@ -109,5 +111,114 @@ fn impossible_ellipses_are_refused_by_name() {
     ] {
         let error = result.expect_err("it is impossible");
         assert_eq!((error.code(), error.argument()), (code, Some(argument)), "{error}");
+    }
+}
+
+#[test]
+fn every_segment_of_an_ellipse_is_recognised_as_its_arc() {
+    for count in [2, 3, 4, 7, 16, 64, 1000] {
+        for (radii, rotation) in
+            [((4.0, 3.0), 0.5), ((10.0, 0.1), -1.2), ((2.0, 2.0), 0.0), ((1.0, 5.0), 0.0)]
+        {
+            let (center, radii) = (Point::new(1.0, -6.0), Point::new(radii.0, radii.1));
+            let ellipse = HermiteCurve::ellipse(center, radii, rotation, count).expect("valid ellipse");
+            for (i, segment) in ellipse.segments().enumerate() {
+                let arc = segment.as_ellipse_arc(1e-9).expect("it is an arc");
+                assert!(
+                    (arc.center - center).norm() < 1e-7,
+                    "{count} points, segment {i}: centre {}",
+                    arc.center
+                );
+                assert!(
+                    (arc.sweep - TAU / count as f64).abs() < 1e-12,
+                    "it runs from the first axis to the second"
+                );
+                for k in 0..=8 {
+                    let x = f64::from(k) / 8.0;
+                    let error = (arc.point(arc.start + arc.sweep * x) - segment.position(x)).norm();
+                    assert!(error < 1e-12, "{count} points, segment {i}, x = {x}: {error:e}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn an_ellipse_is_recognised_with_its_axes() {
+    for count in [2, 3, 5, 12, 100, 1000] {
+        for rotation in [0.0, 0.4, FRAC_PI_2, -1.3] {
+            let (center, radii) = (Point::new(30.0, 4.0), Point::new(8.0, 2.0));
+            let ellipse = HermiteCurve::ellipse(center, radii, rotation, count).expect("valid ellipse");
+            for (curve, sense) in [(ellipse.clone(), 1.0), (ellipse.reversed(), -1.0)] {
+                let found = curve.as_ellipse(1e-9).expect("it is an ellipse");
+                assert!((found.center - center).norm() < 1e-9, "{count} points: {}", found.center);
+                assert!((found.radii - radii).norm() < 1e-9, "{count} points: {}", found.radii);
+                assert!((found.rotation - rotation).abs() < 1e-9, "{count} points: {}", found.rotation);
+                assert_eq!(found.sweep, sense * TAU, "once round");
+            }
+        }
+    }
+    let arc = HermiteCurve::arc(Point::zeros(), Point::new(3.0, 2.0), 0.2, 1.0, -4.0).expect("valid arc");
+    let found = arc.as_ellipse(1e-9).expect("it is an arc");
+    assert!((found.start - 1.0).abs() < 1e-12 && (found.sweep + 4.0).abs() < 1e-12, "{found:?}");
+}
+
+#[test]
+fn a_circle_is_recognised_without_rotation() {
+    for rotation in [0.0, 0.7, 2.0] {
+        let circle =
+            HermiteCurve::ellipse(Point::zeros(), Point::new(6.0, 6.0), rotation, 5).expect("valid circle");
+        let found = circle.as_ellipse(1e-9).expect("it is a circle");
+        assert_eq!(found.rotation, 0.0, "a circle has no axes");
+        assert!((found.radii - Point::new(6.0, 6.0)).norm() < 1e-13, "{}", found.radii);
+    }
+}
+
+#[test]
+fn what_is_moved_is_not_an_ellipse_any_more() {
+    let circle = HermiteCurve::ellipse(Point::zeros(), Point::new(5.0, 5.0), 0.0, 8).expect("valid circle");
+    for by in [1e-6, 1e-3, 1.0] {
+        let moved = circle.with_point(0, Point::new(5.0 + by, 0.0)).expect("valid");
+        assert!(moved.as_ellipse(1e-9).is_none(), "moved by {by}");
+        assert!(moved.as_ellipse(2.0 * by).is_some() || by > 0.5, "but within a tolerance of it");
+    }
+    let twice = HermiteCurve::arc(Point::zeros(), Point::new(1.0, 1.0), 0.0, 0.0, 1.0).expect("valid arc");
+    let there_and_back = {
+        let mut options = twice.to_options();
+        options.closed = true;
+        options.lengths.push(options.lengths[0]);
+        options.omega.push(options.omega[0]);
+        options.tangents[1] = -options.tangents[1];
+        options.tangents_in[0] = -options.tangents_in[0];
+        HermiteCurve::new(options).expect("valid")
+    };
+    assert!(there_and_back.as_ellipse(1e-9).is_none(), "it does not go round");
+}
+
+#[test]
+fn straight_segments_are_lines_and_arcs_are_not() {
+    for space in [Space::Trigonometric, Space::Hyperbolic, Space::Polynomial] {
+        let line = |tangent: Point, omega: f64| {
+            HermiteCurve::new(HermiteOptions {
+                points: vec![Point::new(1.0, 1.0), Point::new(4.0, 5.0)],
+                tangents: vec![tangent, tangent],
+                space: Some(space),
+                omega: vec![omega],
+                ..HermiteOptions::default()
+            })
+            .expect("valid segment")
+        };
+        for omega in [0.0, 1.0, 3.0] {
+            for speed in [0.0, 0.5, 1.0, 1.7] {
+                let curve = line(Point::new(3.0, 4.0) * speed, omega);
+                assert!(curve.segment(0).as_line(1e-12), "speed {speed}, omega {omega}");
+            }
+            assert!(!line(Point::new(3.0, 4.001), omega).segment(0).as_line(1e-6), "it bends a little");
+            assert!(!line(Point::new(-3.0, -4.0), omega).segment(0).as_line(0.01), "it runs backwards first");
+        }
+        assert!(
+            line(Point::new(3.0, 4.0), 1.0).segment(0).as_ellipse_arc(1e-9).is_none(),
+            "a line is no arc"
+        );
     }
 }

@@ -90,13 +90,7 @@ impl HermiteCurve {
         };
         check_count("omega", omega.len(), segments)?;
         let (bases, basis_of) = bases(space, &omega, &lengths)?;
-        let mut knots = Vec::with_capacity(segments + 1);
-        let mut t = 0.0;
-        knots.push(t);
-        for length in &lengths {
-            t += length;
-            knots.push(t);
-        }
+        let knots = running_sums(&lengths);
         Ok(Self { points, tangents, tangents_in, omega, lengths, knots, bases, basis_of, space, closed })
     }
 
@@ -241,6 +235,22 @@ fn check_vectors(argument: &'static str, vectors: &[Vector]) -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// 0 and the sums of the first, first two, … lengths, compensated: a thousand equal pieces of a segment end where
+/// the segment did.
+fn running_sums(lengths: &[f64]) -> Vec<f64> {
+    let mut sums = Vec::with_capacity(lengths.len() + 1);
+    let (mut sum, mut lost) = (0.0, 0.0);
+    sums.push(0.0);
+    for &length in lengths {
+        let next = sum + length;
+        // Lengths are positive: the larger of the two numbers kept its digits.
+        lost += if sum >= length { (sum - next) + length } else { (length - next) + sum };
+        sum = next;
+        sums.push(sum + lost);
+    }
+    sums
 }
 
 /// One basis for every run of equal ω·length, so that a uniform curve holds just one.

@@ -129,6 +129,11 @@ impl Parts {
         self.options.tangents_in.push(velocity);
     }
 
+    /// The point at x in segment i, as it is if x is 0.
+    pub(super) fn push_at(&mut self, curve: &HermiteCurve, i: usize, x: f64) {
+        if x == 0.0 { self.push_start(curve, i) } else { self.push_inside(curve, i, x) }
+    }
+
     /// A segment of segment i's ω and of this length.
     pub(super) fn push_length(&mut self, curve: &HermiteCurve, i: usize, length: f64) {
         self.options.omega.push(curve.omega()[i]);
@@ -139,6 +144,19 @@ impl Parts {
     pub(super) fn finish(mut self, curve: &HermiteCurve) -> Result<HermiteCurve> {
         if !curve.is_closed() {
             self.push_start(curve, curve.points().len() - 1);
+        }
+        HermiteCurve::new(self.options)
+    }
+
+    /// Makes an open curve of what is there; its ends have no other side to arrive from or leave to.
+    pub(super) fn finish_open(mut self) -> Result<HermiteCurve> {
+        let HermiteOptions { tangents, tangents_in, closed, .. } = &mut self.options;
+        *closed = false;
+        if let (Some(leaving), Some(arriving)) = (tangents.first(), tangents_in.first_mut()) {
+            *arriving = *leaving;
+        }
+        if let (Some(leaving), Some(arriving)) = (tangents.last_mut(), tangents_in.last()) {
+            *leaving = *arriving;
         }
         HermiteCurve::new(self.options)
     }

@@ -47,7 +47,8 @@ impl Segment<'_> {
         }
     }
 
-    fn combine(&self, weights: Weights) -> Vector {
+    /// Chord and end derivatives with these weights: a value or a derivative with respect to x.
+    pub(super) fn combine(&self, weights: Weights) -> Vector {
         (self.end - self.start) * weights.chord
             + (self.leaving * weights.leaving + self.arriving * weights.arriving) * self.length
     }

@@ -3,6 +3,7 @@
 pub mod entire;
 pub(crate) mod quadrature;
 pub(crate) mod roots;
+pub mod tridiagonal;
 
 /// A point of the plane.
 pub type Point = nalgebra::Vector2<f64>;

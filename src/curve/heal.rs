@@ -1,0 +1,186 @@
+//! Deletion that heals: one segment in place of two, as near to both as the space allows.
+
+use core::f64::consts::{PI, TAU};
+
+use super::Segment;
+use super::deviation::two_way_deviation;
+use super::hermite::HermiteCurve;
+use super::limits::{LARGEST_FREQUENCY, POLE_MARGIN};
+use crate::error::{Error, Result};
+use crate::generator::{Basis, Space};
+use crate::numerics::{Point, Vector};
+
+/// Places on each of the two old segments that the new one is fitted to.
+const PLACES: usize = 24;
+/// Rounds of foot points and least squares; they converge linearly and fast, most stop after three.
+const ROUNDS: usize = 12;
+
+impl HermiteCurve {
+    /// The curve without point i, and how far it is from the old one.
+    ///
+    /// The two segments at the point become one whose parameter length is their sum. The directions of the
+    /// tangents at its ends stay, their lengths are fitted (nothing on the far side of the neighbours changes).
+    /// Two pieces of one segment, and two arcs of one ellipse, become what they were: inserting a point and
+    /// removing it gives the old curve back. Removing an end of an open curve takes its segment away.
+    ///
+    /// # Accuracy
+    ///
+    /// The deviation is the largest distance between old and new segments, measured both ways at 96 places each;
+    /// at an end of an open curve, how far the segment taken away reaches from the one beside it.
+    ///
+    /// # Errors
+    ///
+    /// An index beyond the last point; too few points if fewer than 2 would be left.
+    pub fn remove(&self, i: usize) -> Result<(Self, f64)> {
+        self.check_index(i)?;
+        let left = self.points().len() - 1;
+        if left < 2 {
+            return Err(Error::TooFewPoints { argument: "points", got: left, needed: 2 });
+        }
+        if !self.is_closed() && (i == 0 || i == left) {
+            return self.without_end(i);
+        }
+        let (before, after) = (if i == 0 { left } else { i - 1 }, i);
+        let next = self.next(i);
+        let old = [self.segment(before), self.segment(after)];
+        let healed = Healed::new(&old, self.omega()[before], self.omega()[after], self.space());
+        let mut options = self.to_options();
+        options.tangents[before] = healed.leaving;
+        options.tangents_in[next] = healed.arriving;
+        options.omega[before] = healed.omega;
+        options.lengths[before] = old[0].length + old[1].length;
+        for list in [&mut options.points, &mut options.tangents, &mut options.tangents_in] {
+            list.remove(i);
+        }
+        options.omega.remove(after);
+        options.lengths.remove(after);
+        Ok((Self::new(options)?, healed.deviation))
+    }
+
+    fn without_end(&self, i: usize) -> Result<(Self, f64)> {
+        let mut options = self.to_options();
+        let last = self.segment_count() - 1;
+        let (gone, kept) = if i == 0 { (0, 1) } else { (last, last - 1) };
+        for list in [&mut options.points, &mut options.tangents, &mut options.tangents_in] {
+            list.remove(i);
+        }
+        options.omega.remove(gone);
+        options.lengths.remove(gone);
+        let deviation = super::deviation::deviation(&[self.segment(gone)], &[self.segment(kept)]);
+        Ok((Self::new(options)?, deviation))
+    }
+}
+
+/// The segment that replaces two.
+struct Healed {
+    omega: f64,
+    leaving: Vector,
+    arriving: Vector,
+    deviation: f64,
+}
+
+impl Healed {
+    fn new(old: &[Segment; 2], first_omega: f64, second_omega: f64, space: Space) -> Self {
+        let [first, second] = old;
+        let length = first.length + second.length;
+        let angle = first.basis.frequency() + second.basis.frequency();
+        let most = if space == Space::Trigonometric { TAU - POLE_MARGIN } else { LARGEST_FREQUENCY };
+        let omega = if angle > most {
+            PI / length
+        } else if first_omega == second_omega {
+            first_omega
+        } else {
+            angle / length
+        };
+        // If both are pieces of one segment, their parameters run at speeds that match in the middle.
+        let ratio = second.leaving.norm() / first.arriving.norm();
+        let ratio = if ratio.is_finite() && ratio > 0.0 { ratio } else { 1.0 };
+        let scale = if ratio == 1.0 { 1.0 } else { (first.length + second.length * ratio) / length };
+        let basis = Basis::new(space, omega * length);
+        let mut merged = Segment {
+            start: first.start,
+            end: second.end,
+            leaving: first.leaving * scale,
+            arriving: second.arriving * (scale / ratio),
+            length,
+            basis: &basis,
+        };
+        let mut deviation = two_way_deviation(old, &[merged]);
+        let size = (first.end - first.start).norm() + (second.end - second.start).norm();
+        if deviation > 1e-13 * size {
+            let fitted = fit(old, merged);
+            let fitted_deviation = two_way_deviation(old, &[fitted]);
+            if fitted_deviation < deviation {
+                (merged, deviation) = (fitted, fitted_deviation);
+            }
+        }
+        Self { omega, leaving: merged.leaving, arriving: merged.arriving, deviation }
+    }
+}
+
+/// The segment whose end speeds make it nearest to the old ones, in the sense of least squares across the curve.
+fn fit<'a>(old: &[Segment; 2], mut merged: Segment<'a>) -> Segment<'a> {
+    let leaving = heading(&old[0], 0.0);
+    let arriving = heading(&old[1], 1.0);
+    let (mut out, mut inn) = (merged.leaving.norm(), merged.arriving.norm());
+    let mut places = places(old);
+    for _ in 0..ROUNDS {
+        merged.leaving = leaving * out;
+        merged.arriving = arriving * inn;
+        let (mut aa, mut ab, mut bb, mut ar, mut br) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        for (x, target) in &mut places {
+            *x = merged.foot(*target, merged.foot(*target, *x));
+            let velocity = merged.velocity(*x);
+            let speed = velocity.norm();
+            if speed == 0.0 {
+                continue;
+            }
+            let normal = Vector::new(-velocity.y, velocity.x) / speed;
+            let weights = merged.basis.weights(*x, 0);
+            let a = normal.dot(&leaving) * weights.leaving * merged.length;
+            let b = normal.dot(&arriving) * weights.arriving * merged.length;
+            let rest = normal.dot(&(*target - merged.position(*x)));
+            (aa, ab, bb) = (aa + a * a, ab + a * b, bb + b * b);
+            (ar, br) = (ar + a * rest, br + b * rest);
+        }
+        // A trace of damping: collinear tangents leave a speed undetermined.
+        let damping = 1e-12 * (aa + bb);
+        let determinant = (aa + damping) * (bb + damping) - ab * ab;
+        if determinant <= 0.0 || !determinant.is_finite() {
+            break;
+        }
+        let step_out = ((bb + damping) * ar - ab * br) / determinant;
+        let step_inn = ((aa + damping) * br - ab * ar) / determinant;
+        (out, inn) = ((out + step_out).max(0.0), (inn + step_inn).max(0.0));
+        if step_out.abs() + step_inn.abs() <= 1e-14 * (out + inn) {
+            break;
+        }
+    }
+    Segment { leaving: leaving * out, arriving: arriving * inn, ..merged }
+}
+
+/// Places on the old segments, with the x that they would have if the parameter stayed.
+fn places(old: &[Segment; 2]) -> Vec<(f64, Point)> {
+    let share = old[0].length / (old[0].length + old[1].length);
+    let mut places = Vec::with_capacity(2 * PLACES);
+    for (segment, from, to) in [(&old[0], 0.0, share), (&old[1], share, 1.0)] {
+        for k in 1..=PLACES {
+            let x = k as f64 / (PLACES + 1) as f64;
+            places.push((from + (to - from) * x, segment.position(x)));
+        }
+    }
+    places
+}
+
+/// The direction in which a segment leaves x = 0 or arrives at x = 1, also where its speed is 0 there.
+fn heading(segment: &Segment, x: f64) -> Vector {
+    let towards_inside = if x == 0.0 { 1.0 } else { -1.0 };
+    let chord = segment.end - segment.start;
+    for direction in [segment.velocity(x), segment.acceleration(x) * towards_inside, chord] {
+        let size = direction.norm();
+        if size > 1e-12 * chord.norm() / segment.length.max(1.0) && size > 0.0 {
+            return direction / size;
+        }
+    }
+    Vector::zeros()
+}

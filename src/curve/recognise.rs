@@ -1,0 +1,156 @@
+//! Recognition back: which segments are straight, which are arcs of an ellipse, which curves are ellipses.
+
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use super::Segment;
+use super::hermite::HermiteCurve;
+use crate::generator::Space;
+use crate::numerics::{Point, Vector};
+
+/// A long axis along y has the angle π/2, not −π/2, though its angle is rounded.
+const SEAM: f64 = 1e-12;
+
+/// An arc of an ellipse: centre + the rotated (rx·cos θ, ry·sin θ) for θ from `start` to `start + sweep`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EllipseArc {
+    /// The centre.
+    pub center: Point,
+    /// The half axes, the longer first.
+    pub radii: Vector,
+    /// The angle of the first axis against the x axis, in (−π/2, π/2]; 0 for a circle.
+    pub rotation: f64,
+    /// Where it starts, in radians from the first axis, in (−π, π].
+    pub start: f64,
+    /// How far it runs, in radians; negative from the second axis towards the first.
+    pub sweep: f64,
+}
+
+impl EllipseArc {
+    /// The point at angle θ from the first axis.
+    pub fn point(&self, angle: f64) -> Point {
+        let (sin, cos) = libm::sincos(angle);
+        self.center + turned(Vector::new(self.radii.x * cos, self.radii.y * sin), self.rotation)
+    }
+
+    /// How far `point` is from the ellipse, to first order in the distance.
+    fn distance(&self, point: Point) -> f64 {
+        let local = turned(point - self.center, -self.rotation);
+        let unit = local.component_div(&self.radii);
+        let gradient = unit.component_div(&self.radii).norm();
+        let radius = unit.norm();
+        if gradient == 0.0 { self.radii.y } else { (radius - 1.0).abs() * radius / gradient }
+    }
+}
+
+fn turned(v: Vector, angle: f64) -> Vector {
+    let (sin, cos) = libm::sincos(angle);
+    Vector::new(v.x * cos - v.y * sin, v.x * sin + v.y * cos)
+}
+
+impl Segment<'_> {
+    /// Whether the segment stays within `tolerance` of its chord.
+    ///
+    /// Proved, not sampled: the segment lies in the hull of its generalised Bézier points, and those are measured.
+    pub fn as_line(&self, tolerance: f64) -> bool {
+        let reach = self.basis.kappa() * self.length;
+        let chord = self.end - self.start;
+        let square = chord.norm_squared();
+        let beside = |offset: Vector| {
+            let along = if square > 0.0 { (offset.dot(&chord) / square).clamp(0.0, 1.0) } else { 0.0 };
+            (offset - chord * along).norm()
+        };
+        beside(self.leaving * reach) <= tolerance && beside(chord - self.arriving * reach) <= tolerance
+    }
+
+    /// The arc of an ellipse that the segment is, if it deviates from one by no more than `tolerance`.
+    ///
+    /// Exact arcs are recognised from the coefficients, in closed form: about its middle the segment is
+    ///
+    /// ```text
+    /// r(s) = R + R′·s + R″·(1 − cos ωs)/ω² + R‴·(ωs − sin ωs)/ω³
+    /// ```
+    ///
+    /// and its linear term R′ + R‴/ω² vanishes for arcs only. The deviation that setting it to zero causes is
+    /// |R‴ + ω²R′|·(ωs − sin ωs)/ω³, largest at the ends, where it is measured.
+    ///
+    /// `None` for lines, for the other spaces, and where the ellipse is so large that coordinates on it round to
+    /// more than the tolerance.
+    pub fn as_ellipse_arc(&self, tolerance: f64) -> Option<EllipseArc> {
+        let w = self.basis.frequency();
+        if self.basis.space() != Space::Trigonometric || w == 0.0 {
+            return None;
+        }
+        // In x = s/H, where the frequency is w.
+        let middle = |order| self.combine(self.basis.weights(0.5, order));
+        let (first, second, third) = (middle(1), middle(2), middle(3));
+        let center = self.start + middle(0) + second / (w * w);
+        let (p, q) = (-second / (w * w), first / w);
+        let excess = (third + first * (w * w)).norm();
+        let half = 0.5 * w;
+        let deviation = excess * crate::numerics::entire::stumpff(half * half).c3 / 8.0;
+        let arc = arc_about(center, p, q, w)?;
+        let rounding = 4.0 * f64::EPSILON * (arc.radii.x + center.norm());
+        (deviation <= tolerance && rounding <= tolerance).then_some(arc)
+    }
+}
+
+/// The arc center + p·cos θ + q·sin θ, θ from −w/2 to w/2, by its axes (the singular values of (p, q)).
+fn arc_about(center: Point, p: Vector, q: Vector, w: f64) -> Option<EllipseArc> {
+    let (difference, mixed) = (p.norm_squared() - q.norm_squared(), 2.0 * p.dot(&q));
+    let size = p.norm_squared() + q.norm_squared();
+    let round = difference.abs().max(mixed.abs()) <= 1e-13 * size;
+    let phase = if round { 0.0 } else { 0.5 * libm::atan2(mixed, difference) };
+    let (sin, cos) = libm::sincos(phase);
+    let (major, minor) = (p * cos + q * sin, q * cos - p * sin);
+    let radii = Vector::new(major.norm(), minor.norm());
+    if radii.y.is_nan() || radii.y <= 1e-12 * radii.x {
+        return None;
+    }
+    let sense = if major.perp(&minor) > 0.0 { 1.0 } else { -1.0 };
+    let mut rotation = libm::atan2(major.y, major.x);
+    let mut start = sense * (-0.5 * w - phase);
+    if round {
+        (start, rotation) = (start + rotation, 0.0);
+    } else if rotation > FRAC_PI_2 + SEAM || rotation <= SEAM - FRAC_PI_2 {
+        let half_turn = if rotation > 0.0 { PI } else { -PI };
+        (start, rotation) = (start + half_turn, rotation - half_turn);
+    }
+    let start = if start > PI {
+        start - TAU
+    } else if start <= -PI {
+        start + TAU
+    } else {
+        start
+    };
+    Some(EllipseArc { center, radii, rotation, start, sweep: sense * w })
+}
+
+impl HermiteCurve {
+    /// The one ellipse, or arc of it, that the whole curve is, if it deviates by no more than `tolerance`.
+    ///
+    /// A closed curve must run round exactly once. Cost: O(M).
+    pub fn as_ellipse(&self, tolerance: f64) -> Option<EllipseArc> {
+        // The longest arc knows its ellipse best.
+        let longest = self.segments().max_by(|a, b| a.basis.frequency().total_cmp(&b.basis.frequency()))?;
+        let ellipse = longest.as_ellipse_arc(tolerance)?;
+        let mut sweep = 0.0;
+        for segment in self.segments() {
+            let arc = segment.as_ellipse_arc(tolerance)?;
+            sweep += arc.sweep;
+            let same_sense = arc.sweep.signum() == ellipse.sweep.signum();
+            let close = |x: f64| ellipse.distance(segment.position(x)) <= tolerance;
+            if !same_sense || ![0.0, 0.25, 0.5, 0.75, 1.0].into_iter().all(close) {
+                return None;
+            }
+        }
+        let turns = sweep.abs() / TAU;
+        if self.is_closed() && (turns - 1.0).abs() > 1e-9 || turns > 1.0 + 1e-9 {
+            return None;
+        }
+        let local =
+            turned(self.points()[0] - ellipse.center, -ellipse.rotation).component_div(&ellipse.radii);
+        let start = libm::atan2(local.y, local.x);
+        let sweep = if self.is_closed() { TAU * sweep.signum() } else { sweep };
+        Some(EllipseArc { start, sweep, ..ellipse })
+    }
+}
