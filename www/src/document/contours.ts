@@ -57,13 +57,23 @@ export function openPart(contour: Contour, from: number, to: number): Contour {
   };
 }
 
-/** Takes a point away and leaves the gap: a closed contour opens there, an open one falls into its parts of two points or more. */
-export function openedAt(curve: CurveDocument, contour: Contour, index: number): Contour[] {
+/** Takes points away and leaves the gaps: what remains are the runs of two points or more between them. */
+export function withoutPoints(curve: CurveDocument, contour: Contour, indices: readonly number[]): Contour[] {
+  const first = indices[0];
+  if (first === undefined) return [contour];
   const pinned = withPinnedOmega(curve, contour);
-  if (pinned.closed) return pinned.points.length < 3 ? [] : [openPart(startedAt(pinned, index), 1, pinned.points.length - 1)];
+  const count = pinned.points.length;
+  // A closed contour is counted from one of its gaps, so that no run goes over its end.
+  const shift = pinned.closed ? first : 0;
+  const counted = startedAt(pinned, shift);
+  const gone = new Set(indices.map((index) => (index - shift + count) % count));
   const parts: Contour[] = [];
-  if (index > 1) parts.push(openPart(pinned, 0, index - 1));
-  if (pinned.points.length - index > 2) parts.push(openPart(pinned, index + 1, pinned.points.length - 1));
+  let from = 0;
+  for (let index = 0; index <= count; index += 1) {
+    if (index < count && !gone.has(index)) continue;
+    if (index - from >= 2) parts.push(openPart(counted, from, index - 1));
+    from = index + 1;
+  }
   return parts;
 }
 
@@ -132,17 +142,11 @@ export function loweredContour(contour: Contour, level: number): Contour {
     return { ...lowered, kind: point.kind === "cusp" ? point.kind : kindOf(lowered) };
   });
   const used = contour.closed ? spans : spans.slice(0, -1);
-  const unit = unitLength(used.map((span) => span.length));
   const { omega, lengths, ...rest } = contour;
   return {
     ...rest,
     points,
-    ...(omega === undefined ? {} : { omega: used.map((span) => span.omega * unit) }),
-    ...(used.every((span) => span.length === unit) ? {} : { lengths: used.map((span) => span.length / unit) }),
+    ...(omega === undefined ? {} : { omega: used.map((span) => span.omega) }),
+    ...(lengths === undefined || used.every((span) => span.length === 1) ? {} : { lengths: used.map((span) => span.length) }),
   };
-}
-
-/** The length that most segments have after merging becomes the new unit, so that an even contour stays plain. */
-function unitLength(lengths: readonly number[]): number {
-  return Math.min(...lengths.filter((length) => length > 0), Infinity) === Infinity ? 1 : Math.max(...lengths);
 }
