@@ -1,0 +1,57 @@
+// The side-by-side table. Usage: node bench/run.mjs NATIVE-PROGRAM KURBO-WASM [part of a title]
+
+import { cpus } from "node:os";
+
+import * as expline from "expline";
+
+import { points, tangents } from "./lib/curve.mjs";
+import { evaluationRows } from "./lib/evaluation.mjs";
+import { geometryRows } from "./lib/geometry.mjs";
+import { race } from "./lib/harness.mjs";
+import { pathRows } from "./lib/paths.mjs";
+import { Native, beziers, interpolator, kurboWasm, paperPath } from "./lib/peers.mjs";
+
+const ROUNDS = 15;
+
+/** Nanoseconds as a person reads them. */
+function time(ns) {
+  if (ns < 1000) return `${ns.toPrecision(3)} ns`;
+  if (ns < 1e6) return `${(ns / 1e3).toPrecision(3)} µs`;
+  return `${(ns / 1e6).toPrecision(3)} ms`;
+}
+
+const [, , program, kurboFile, only = ""] = process.argv;
+const native = new Native(program);
+const peers = {
+  expline,
+  native,
+  beziers,
+  kurbo: kurboWasm(kurboFile),
+  path: paperPath(),
+  interpolator: interpolator(),
+  curve: new expline.HermiteCurve({ points, tangents, space: "polynomial" }),
+  exponential: new expline.HermiteCurve({ points, tangents, omega: Math.PI / 2 }),
+};
+
+console.log(`${cpus()[0].model}, ${cpus().length} cores, Node ${process.versions.node}; ${ROUNDS} rounds in turns, least and median\n`);
+const verdicts = [];
+for (const [title, prepare] of [...evaluationRows, ...geometryRows, ...pathRows]) {
+  if (!title.includes(only)) continue;
+  const contest = prepare(peers);
+  const results = await race(contest.contestants, ROUNDS);
+  const ours = results[0].least;
+  console.log(`${title} (per ${contest.unit})`);
+  for (let i = 0; i < results.length; i++) {
+    const { name, measure, note, least, median } = results[i];
+    await measure(1); // the note below speaks of this contestant's own result
+    const ratio = `×${(least / ours).toPrecision(3)}`;
+    console.log(`  ${name.padEnd(30)} ${time(least).padStart(9)} ${time(median).padStart(9)} ${ratio.padStart(8)}   ${note()}`);
+  }
+  for (const [name, wanted] of contest.targets) {
+    const ratio = results.find((r) => r.name === name).least / ours;
+    verdicts.push(`${ratio >= wanted ? "✓" : "✗"} ${title}: ${ratio.toPrecision(3)}× ${name}; wanted ${wanted}×`);
+  }
+  console.log("");
+}
+native.close();
+console.log(verdicts.join("\n"));
