@@ -1,7 +1,8 @@
 import type { Command } from "../document/commands.ts";
 import type {
-  CurveDocument, DemoState, FitDocument, HandleRef, Mode, PointRef, Selection, SurfaceDocument, TraceDocument, View,
+  Contour, CurveDocument, DemoState, FitDocument, HandleRef, Mode, PointRef, Selection, SurfaceDocument, TraceDocument, View,
 } from "../document/document.ts";
+import type { PagePoint, StageBox } from "./camera.ts";
 import type { Readable } from "./signal.ts";
 
 export type ToolId = "select" | "pen" | "draw" | "hand";
@@ -25,6 +26,41 @@ export interface Settings {
   readonly moveByClicks: boolean;
   /** Once a pen has been seen, fingers only pan. */
   readonly penPans: boolean;
+}
+
+export interface Modifiers {
+  readonly shift: boolean;
+  readonly alt: boolean;
+  /** Ctrl, or Cmd on macOS. */
+  readonly mod: boolean;
+}
+
+/** A line that says what a drag snapped to. */
+export interface Guide {
+  readonly from: PagePoint;
+  readonly to: PagePoint;
+}
+
+/** A rectangle in document units, corners in any order. */
+export interface Marquee {
+  readonly from: PagePoint;
+  readonly to: PagePoint;
+}
+
+/** A segment that a click of the pen would make. */
+export interface Rubber {
+  readonly contour: Contour;
+  /** The place that the pointer is at; for the closing preview, the first point. */
+  readonly closing: boolean;
+}
+
+/** What tools draw on top while they work. */
+export interface Sketch {
+  readonly guides: readonly Guide[];
+  readonly marquee: Marquee | null;
+  readonly rubber: Rubber | null;
+  /** The finger that drags, for the loupe. */
+  readonly finger: PagePoint | null;
 }
 
 /** What a drag is doing, while it lasts. */
@@ -59,8 +95,16 @@ export interface EditorState {
   readonly hover: Target;
   readonly settings: Settings;
   readonly drag: DragReadout | null;
-  /** One line under the stage. */
+  readonly sketch: Sketch;
+  readonly modifiers: Modifiers;
+  /** Where the stage is in the window, CSS pixels. */
+  readonly stage: StageBox;
+  /** Says something particular in the hint line until the pointer or the selection moves on; empty: the ordinary hint. */
   readonly hint: string;
+  /** The last thing that moved the selection was the keyboard: the focus ring shows. */
+  readonly keyboard: boolean;
+  /** CSS cursor of the stage. */
+  readonly cursor: string;
   /** Held O: only the original is shown. */
   readonly originalOnly: boolean;
   readonly engine: Engine;
@@ -126,6 +170,8 @@ export interface Editor {
   setSettings(change: Partial<Settings>): void;
   setOverlay(overlay: OverlayId, on: boolean): void;
   notify(notice: Notice): void;
+  /** What the curve was when the open gesture began, for ghosts; the curve itself outside gestures. */
+  readonly origin: CurveDocument;
 
   /** Plain JSON of everything worth saving. */
   getState(): DemoState;

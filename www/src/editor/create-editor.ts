@@ -1,0 +1,201 @@
+import type { Command } from "../document/commands.ts";
+import {
+  emptyCurve, emptyFit, emptySurface, emptyTrace, nothingSelected, pointAt, type CurveDocument, type DemoState, type Selection,
+} from "../document/document.ts";
+import { emptyHistory, record, stepBack, stepForward, type History, type Moment } from "../document/history.ts";
+import { curveOf } from "../kernel/curve-cache.ts";
+import { createActions } from "./actions.ts";
+import type { Editor, EditorState, Notice, Settings, Sketch } from "./editor.ts";
+import { createSignal } from "./signal.ts";
+
+export const nothingSketched: Sketch = { guides: [], marquee: null, rubber: null, finger: null };
+
+export const defaultSettings: Settings = {
+  overlays: { handles: true, polygon: false, knots: false, comb: false, subdivision: false, fill: true, bezier: false, grid: false },
+  combScale: 1,
+  subdivisionSteps: 0,
+  snap: true,
+  gridStep: 10,
+  scrollPans: false,
+  singleKeys: true,
+  moveByClicks: false,
+  penPans: true,
+};
+
+const initialState: EditorState = {
+  mode: "curve",
+  tool: "select",
+  view: { zoom: 1, x: 400, y: 300 },
+  curve: emptyCurve,
+  fit: emptyFit,
+  trace: emptyTrace,
+  surface: emptySurface,
+  selection: nothingSelected,
+  hover: { kind: "empty" },
+  settings: defaultSettings,
+  drag: null,
+  sketch: nothingSketched,
+  modifiers: { shift: false, alt: false, mod: false },
+  stage: { left: 0, top: 0, width: 800, height: 600 },
+  hint: "",
+  keyboard: false,
+  cursor: "default",
+  originalOnly: false,
+  engine: { status: "booting", progress: null },
+  canUndo: false,
+  canRedo: false,
+  undoName: null,
+  redoName: null,
+};
+
+/** The selection without what the document no longer has. */
+function surviving(curve: CurveDocument, selection: Selection): Selection {
+  const points = selection.points.filter((ref) => pointAt(curve, ref) !== undefined);
+  const handle = selection.handle !== null && pointAt(curve, selection.handle) === undefined ? null : selection.handle;
+  return points.length === selection.points.length && handle === selection.handle ? selection : { points, handle };
+}
+
+/** What the engine says against a document, or null. Building a curve is the check, and the cache keeps it for the next frame. */
+function objection(curve: CurveDocument, before: CurveDocument): Error | null {
+  try {
+    for (const contour of curve.contours) {
+      const unchanged = curve.space === before.space && curve.omega === before.omega && before.contours.includes(contour);
+      if (!unchanged) curveOf(curve, contour);
+    }
+    return null;
+  } catch (error) {
+    return error instanceof Error ? error : new Error(String(error));
+  }
+}
+
+/** `now` is the clock for joining runs of small edits, in milliseconds. */
+export function createEditor(now: () => number): Editor {
+  const state = createSignal<EditorState>(initialState);
+  const notices = createSignal<Notice | null>(null);
+  let history: History = emptyHistory;
+  let gesture: { name: string; start: Moment; changed: boolean } | null = null;
+
+  const moment = (): Moment => ({ curve: state.value.curve, selection: state.value.selection });
+
+  function put(curve: CurveDocument, selection: Selection): void {
+    const undo = history.past[history.past.length - 1];
+    const redo = history.future[history.future.length - 1];
+    state.set({
+      ...state.value,
+      curve,
+      selection: surviving(curve, selection),
+      canUndo: undo !== undefined,
+      canRedo: redo !== undefined,
+      undoName: undo?.name ?? null,
+      redoName: redo?.name ?? null,
+    });
+  }
+
+  /** The command's result on a moment, or null when the engine refuses it or nothing changes. */
+  function applied(command: Command, from: Moment): Moment | null {
+    const curve = command.apply(from.curve);
+    if (curve === from.curve) return null;
+    const problem = objection(curve, from.curve);
+    if (problem !== null) {
+      // A step of a drag that goes too far is dropped silently: the drag is held at the last good place.
+      if (gesture === null) notices.set({ kind: "error", id: "number", text: `${command.name} was refused: ${problem.message}` });
+      return null;
+    }
+    const select = command.select ?? from.selection;
+    return { curve, selection: surviving(curve, typeof select === "function" ? select(curve) : select) };
+  }
+
+  const editor: Editor = {
+    state,
+    notices,
+    get actions() {
+      return actions;
+    },
+    get inGesture() {
+      return gesture !== null;
+    },
+    get origin() {
+      return gesture?.start.curve ?? state.value.curve;
+    },
+    dispatch(command) {
+      const before = moment();
+      const after = applied(command, before);
+      if (after === null) return;
+      if (gesture === null) history = record(history, { name: command.name, before, after, run: command.run, time: now() });
+      else gesture.changed = true;
+      put(after.curve, after.selection);
+    },
+    begin(name) {
+      if (gesture !== null) editor.commit();
+      gesture = { name, start: moment(), changed: false };
+    },
+    preview(command) {
+      if (gesture === null) return editor.dispatch(command);
+      const after = applied(command, gesture.start);
+      if (after === null) return;
+      gesture.changed = true;
+      put(after.curve, after.selection);
+    },
+    commit() {
+      if (gesture === null) return;
+      const { name, start, changed } = gesture;
+      gesture = null;
+      if (changed && state.value.curve !== start.curve) {
+        history = record(history, { name, before: start, after: moment(), run: undefined, time: now() });
+      }
+      put(state.value.curve, state.value.selection);
+    },
+    bail() {
+      if (gesture === null) return;
+      const { start } = gesture;
+      gesture = null;
+      put(start.curve, start.selection);
+    },
+    undo() {
+      travel(stepBack);
+    },
+    redo() {
+      travel(stepForward);
+    },
+    patch(change) {
+      state.set({ ...state.value, ...change });
+    },
+    setSettings(change) {
+      editor.patch({ settings: { ...state.value.settings, ...change } });
+    },
+    setOverlay(overlay, on) {
+      editor.setSettings({ overlays: { ...state.value.settings.overlays, [overlay]: on } });
+    },
+    notify(notice) {
+      // A copy, so that saying the same thing twice is heard twice.
+      notices.set({ ...notice });
+    },
+    getState() {
+      const { mode, view, curve, fit, trace, surface } = state.value;
+      return { format: "expline-demo", version: 1, mode, view, curve, fit, trace, surface };
+    },
+    setState(next: DemoState, options = {}) {
+      editor.bail();
+      const { mode, view, fit, trace, surface } = next;
+      const before = moment();
+      const problem = objection(next.curve, emptyCurve);
+      if (problem !== null) throw problem;
+      if (options.fresh === true) history = emptyHistory;
+      else history = record(history, { name: "Open", before, after: { curve: next.curve, selection: nothingSelected }, run: undefined, time: now() });
+      state.set({ ...state.value, mode, view, fit, trace, surface });
+      put(next.curve, nothingSelected);
+    },
+  };
+
+  function travel(step: typeof stepBack): void {
+    // Undo during a drag takes back the drag and nothing else.
+    if (gesture !== null) return editor.bail();
+    const taken = step(history);
+    if (taken === null) return;
+    history = taken.history;
+    put(taken.moment.curve, taken.moment.selection);
+  }
+
+  const actions = createActions(editor);
+  return editor;
+}

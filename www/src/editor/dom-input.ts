@@ -1,0 +1,188 @@
+import { zoomedAt, panned, type ScreenPoint } from "./camera.ts";
+import type { Editor, Modifiers } from "./editor.ts";
+import type { Frame } from "./frame.ts";
+import { actionFor, chordOf, takesText } from "./keymap.ts";
+import type { PointerInput, PointerRecord } from "./pointer-input.ts";
+
+/** The stage's DOM events as plain records. The only file of the editor that listens to elements. */
+
+interface Options {
+  readonly editor: Editor;
+  readonly input: PointerInput;
+  readonly frame: Frame;
+  readonly surface: HTMLElement;
+  readonly until: AbortSignal;
+  /** Right click, or a long press that did not move. */
+  openMenu(at: ScreenPoint): void;
+  /** Esc with nothing left to cancel or deselect. */
+  leaveStage(): void;
+}
+
+const isMac = /Mac|iPhone|iPad/.test(navigator.platform);
+
+function modifiersOf(event: MouseEvent | KeyboardEvent): Modifiers {
+  return { shift: event.shiftKey, alt: event.altKey, mod: isMac ? event.metaKey : event.ctrlKey };
+}
+
+export function listenToStage(options: Options): void {
+  listenToPointers(options);
+  listenToWheel(options);
+  listenToKeys(options);
+}
+
+function recordOf(event: PointerEvent, editor: Editor): PointerRecord {
+  const { left, top } = editor.state.value.stage;
+  return {
+    id: event.pointerId,
+    kind: event.pointerType === "touch" ? "touch" : event.pointerType === "pen" ? "pen" : "mouse",
+    button: event.button,
+    screen: { x: event.clientX - left, y: event.clientY - top },
+    modifiers: modifiersOf(event),
+    time: event.timeStamp,
+  };
+}
+
+const longPressMs = 550;
+
+function listenToPointers({ editor, input, frame, surface, until, openMenu }: Options): void {
+  let press: { timer: ReturnType<typeof setTimeout>; at: ScreenPoint } | null = null;
+  const dropPress = (): void => {
+    if (press !== null) clearTimeout(press.timer);
+    press = null;
+  };
+  const on = <K extends keyof HTMLElementEventMap>(type: K, listener: (event: HTMLElementEventMap[K]) => void): void => {
+    surface.addEventListener(type, listener, { signal: until });
+  };
+  on("pointerdown", (event) => {
+    const record = recordOf(event, editor);
+    // The drag goes on outside the stage and over the panel.
+    surface.setPointerCapture(event.pointerId);
+    surface.focus({ preventScroll: true });
+    event.preventDefault();
+    dropPress();
+    if (record.kind === "touch" && event.isPrimary) {
+      press = { at: record.screen, timer: setTimeout(() => { input.cancel(); openMenu(record.screen); press = null; }, longPressMs) };
+    }
+    input.down(record);
+    frame.request();
+  });
+  on("pointermove", (event) => {
+    const record = recordOf(event, editor);
+    if (press !== null && Math.hypot(record.screen.x - press.at.x, record.screen.y - press.at.y) > 6) dropPress();
+    input.move(record);
+    frame.request();
+  });
+  on("pointerup", (event) => {
+    dropPress();
+    input.up(recordOf(event, editor));
+    frame.request();
+  });
+  on("pointercancel", (event) => {
+    dropPress();
+    input.lost(event.pointerId);
+  });
+  on("pointerleave", () => {
+    if (!input.busy) editor.patch({ hover: { kind: "empty" } });
+  });
+  on("contextmenu", (event) => {
+    event.preventDefault();
+    const { left, top } = editor.state.value.stage;
+    if (event.button === 2) openMenu({ x: event.clientX - left, y: event.clientY - top });
+  });
+  frame.add("input", () => input.flush());
+}
+
+function listenToWheel({ editor, input, surface, until }: Options): void {
+  surface.addEventListener(
+    "wheel",
+    (event) => {
+      event.preventDefault();
+      input.flush();
+      const { view, stage, settings } = editor.state.value;
+      // Lines and pages, as some mice report, in pixels.
+      const unit = event.deltaMode === 1 ? 40 : event.deltaMode === 2 ? stage.height : 1;
+      const [dx, dy] = [event.deltaX * unit, event.deltaY * unit];
+      if (event.shiftKey && !event.ctrlKey) return editor.patch({ view: panned(view, -(dx === 0 ? dy : dx), 0) });
+      if (settings.scrollPans && !event.ctrlKey) return editor.patch({ view: panned(view, -dx, -dy) });
+      // A notch of a wheel is 100 to 120; a trackpad's pinch comes in small steps with Ctrl.
+      const notches = event.ctrlKey && Math.abs(dy) < 50 ? -dy / 10 : -Math.sign(dy) * Math.min(3, Math.max(1, Math.abs(dy) / 120));
+      const at = { x: event.clientX - stage.left, y: event.clientY - stage.top };
+      editor.patch({ view: zoomedAt(view, stage, at, view.zoom * 1.1 ** notches) });
+    },
+    { signal: until, passive: false },
+  );
+}
+
+/** Keys that must not scroll the page or leave the field they are typed in. */
+function listenToKeys({ editor, input, surface, until, leaveStage }: Options): void {
+  const held = new Map<string, string>();
+  const onModifiers = (event: KeyboardEvent): void => input.modifiers(modifiersOf(event));
+
+  const belongsToStage = (): boolean => {
+    const { activeElement } = document;
+    if (activeElement?.closest("dialog, [role=menu]") != null) return false;
+    return !takesText(activeElement);
+  };
+
+  window.addEventListener(
+    "keydown",
+    (event) => {
+      onModifiers(event);
+      if (event.defaultPrevented || event.isComposing || !belongsToStage()) return;
+      const inStage = surface.contains(document.activeElement);
+      if (event.key === "Escape") return escape(inStage);
+      if (event.key === " " && (inStage || document.activeElement === document.body)) {
+        event.preventDefault();
+        return input.space(true);
+      }
+      if (event.key === "Enter" && inStage && input.finish()) return event.preventDefault();
+      // Arrows, Home, Enter and the like move the focus or the caret of whatever has it; only the stage may take them.
+      const isNamed = event.key.length > 1;
+      if (isNamed && !inStage && document.activeElement !== document.body) return;
+      const action = actionFor(editor, chordOf({ key: event.key, ...modifiersOf(event) }));
+      if (action === undefined || action.enabled?.(editor.state.value) === false) return;
+      event.preventDefault();
+      if (action.release !== undefined) {
+        if (event.repeat) return;
+        held.set(event.code, action.id);
+      }
+      input.flush();
+      if (input.busy && !action.id.startsWith("zoom")) {
+        input.cancel();
+        // Undo during a drag takes back the drag, and no more than that.
+        if (action.id === "undo" || action.id === "redo") return;
+      }
+      action.run(editor);
+    },
+    { signal: until },
+  );
+  window.addEventListener(
+    "keyup",
+    (event) => {
+      onModifiers(event);
+      if (event.key === " ") input.space(false);
+      const id = held.get(event.code);
+      held.delete(event.code);
+      if (id !== undefined) editor.actions.get(id)?.release?.(editor);
+    },
+    { signal: until },
+  );
+  window.addEventListener(
+    "blur",
+    () => {
+      // Keys released while another window has the focus are never reported.
+      input.space(false);
+      input.modifiers({ shift: false, alt: false, mod: false });
+      for (const id of held.values()) editor.actions.get(id)?.release?.(editor);
+      held.clear();
+    },
+    { signal: until },
+  );
+
+  function escape(inStage: boolean): void {
+    if (input.cancel()) return;
+    const { selection } = editor.state.value;
+    if (selection.points.length > 0) return editor.actions.get("select-none")?.run(editor);
+    if (inStage) leaveStage();
+  }
+}

@@ -1,0 +1,352 @@
+import {
+  addContours as addContoursCommand, clearCurve as clearCommand, closeContour, duplicateContours, movePoints, placePoint, replaceContour, replaceCurve,
+  resetHandles, reverseContour, setKinds, setOmega as setOmegaCommand, setSpace as setSpaceCommand, startContourAt, turnHandle, type Command,
+} from "../document/commands.ts";
+import { loweredContour, withoutPoints } from "../document/contours.ts";
+import {
+  domainLength, lengthOf, noOffset, nothingSelected, pointAt, segmentCount, type Contour, type CurveDocument, type Kind, type PointRef, type Selection,
+  type Side, type Space,
+} from "../document/document.ts";
+import { lengthOfOffset } from "../document/offset.ts";
+import { healed, inserted, refined, resampled } from "../kernel/contours.ts";
+import { largestMove } from "../kernel/samples.ts";
+import type { Editor } from "./editor.ts";
+
+/** The edits that tools, keys and panels share. Each is one entry in the history unless a gesture is open. */
+
+export const mostLevel = 6;
+export const mostPoints = 256;
+
+function selectionOf(editor: Editor): Selection {
+  return editor.state.value.selection;
+}
+
+/** The contour that controls act on: the chosen point's, else the first. */
+export function activeContour(editor: Editor): number {
+  return selectionOf(editor).points[0]?.contour ?? 0;
+}
+
+function say(editor: Editor, text: string): void {
+  editor.notify({ kind: "toast", text });
+}
+
+/** Refuses in the hint line and aloud, without an entry in the history. */
+export function refuse(editor: Editor, text: string): void {
+  editor.patch({ hint: text });
+  editor.notify({ kind: "announce", text });
+}
+
+/** A distance in document units as the page prints it. */
+export function printed(distance: number): string {
+  if (distance === 0) return "0";
+  return distance < 1e-4 ? distance.toExponential(0) : String(Number(distance.toPrecision(2)));
+}
+
+export function setKind(editor: Editor, kind: Kind): void {
+  if (selectionOf(editor).points.length > 0) editor.dispatch(setKinds(selectionOf(editor), kind));
+}
+
+/** Cusps become smooth, anything else a cusp. */
+export function toggleCusp(editor: Editor, selection: Selection = selectionOf(editor)): void {
+  const first = selection.points[0];
+  const point = first === undefined ? undefined : pointAt(editor.state.value.curve, first);
+  if (point === undefined) return;
+  const kind: Kind = point.kind === "cusp" ? "smooth" : "cusp";
+  editor.dispatch({ ...setKinds(selection, kind), select: selection });
+  editor.notify({ kind: "announce", text: `Point ${(first?.index ?? 0) + 1} is now ${kind === "cusp" ? "a cusp" : "smooth"}` });
+}
+
+export function setPoint(editor: Editor, ref: PointRef, place: { x?: number; y?: number }, run?: string): void {
+  editor.dispatch(placePoint(ref, place, run));
+}
+
+/** Length in document units, angle in degrees counter-clockwise from 3 o'clock, as the inspector prints them. */
+export function setHandlePolar(editor: Editor, ref: PointRef, side: Side, polar: { length?: number; angle?: number }, run?: string): void {
+  const point = pointAt(editor.state.value.curve, ref);
+  if (point === undefined) return;
+  const old = point[side];
+  const length = polar.length ?? lengthOfOffset(old);
+  const angle = polar.angle === undefined ? Math.atan2(old.dy, old.dx) : (-polar.angle * Math.PI) / 180;
+  editor.dispatch(turnHandle(ref, side, { dx: length * Math.cos(angle), dy: length * Math.sin(angle) }, undefined, run));
+}
+
+export function resetSelectedHandles(editor: Editor, selection: Selection = selectionOf(editor)): void {
+  if (selection.points.length > 0) editor.dispatch(resetHandles(selection));
+}
+
+/** Moves what is chosen: the handle, if one is, else the points. A quick run of nudges is one entry. */
+export function nudge(editor: Editor, dx: number, dy: number): void {
+  const { curve, selection } = editor.state.value;
+  const { handle } = selection;
+  if (handle !== null) {
+    const point = pointAt(curve, handle);
+    if (point === undefined) return;
+    const old = point[handle.side];
+    editor.dispatch(turnHandle(handle, handle.side, { dx: old.dx + dx, dy: old.dy + dy }, undefined, "nudge-handle"));
+  } else if (selection.points.length > 0) {
+    const name = selection.points.map((ref) => `${ref.contour}:${ref.index}`).join(",");
+    editor.dispatch(movePoints(selection, dx, dy, `nudge ${name}`));
+  }
+}
+
+/** Inserts a point at parameter `t` without changing the curve, and chooses it. */
+export function insertAt(editor: Editor, contour: number, t: number): void {
+  const { curve } = editor.state.value;
+  const before = curve.contours[contour];
+  if (before === undefined) return;
+  if (before.points.length >= mostPoints) return refuse(editor, `A contour holds at most ${mostPoints} points here.`);
+  const result = inserted(curve, before, t);
+  if (result === null) return refuse(editor, "There is a point already.");
+  editor.dispatch({
+    name: "Insert point",
+    apply: (document) => replaceContour(document, contour, result.contour),
+    select: { points: [{ contour, index: result.index }], handle: null },
+  });
+  say(editor, `Point ${result.index + 1} inserted. The curve has not moved.`);
+}
+
+/** Midway to the next point after the chosen one. */
+export function insertAfterSelected(editor: Editor): void {
+  const ref = selectionOf(editor).points[0];
+  const contour = editor.state.value.curve.contours[ref?.contour ?? -1];
+  if (ref === undefined || contour === undefined) return;
+  const segment = Math.min(ref.index, segmentCount(contour) - 1);
+  let t = lengthOf(contour, segment) / 2;
+  for (let before = 0; before < segment; before += 1) t += lengthOf(contour, before);
+  insertAt(editor, ref.contour, t);
+}
+
+/** Chosen points of each contour, last first, so that taking one away does not renumber those still to go. */
+function chosenByContour(selection: Selection): Map<number, number[]> {
+  const map = new Map<number, number[]>();
+  for (const { contour, index } of selection.points) map.set(contour, [...(map.get(contour) ?? []), index]);
+  for (const list of map.values()) list.sort((a, b) => b - a);
+  return map;
+}
+
+/** Takes the chosen points away and lets their neighbours' handles close the gap with the least change of shape. */
+export function deleteAndHeal(editor: Editor): void {
+  const { curve, selection } = editor.state.value;
+  const chosen = chosenByContour(selection);
+  const contours: Contour[] = [];
+  let [deviation, gone] = [0, 0];
+  let stay: PointRef | null = null;
+  for (const [c, contour] of curve.contours.entries()) {
+    const indices = chosen.get(c) ?? [];
+    if (indices.length > 0 && indices.length === contour.points.length) {
+      // All of it: there is nothing left to heal.
+      gone += indices.length;
+      continue;
+    }
+    let rest = contour;
+    for (const index of indices) {
+      const result = rest.points.length <= 2 ? null : healed(curve, rest, index);
+      if (result === null) return refuse(editor, "A contour needs two points. Select all of it to delete it, or press Shift+Delete to open it.");
+      rest = result.contour;
+      deviation = Math.max(deviation, result.deviation);
+      gone += 1;
+    }
+    contours.push(rest);
+    const lowest = indices[indices.length - 1];
+    if (stay === null && lowest !== undefined) stay = { contour: contours.length - 1, index: Math.min(lowest, rest.points.length - 1) };
+  }
+  if (gone === 0) return;
+  editor.dispatch({
+    name: gone === 1 ? "Delete point" : `Delete ${gone} points`,
+    apply: (document) => ({ ...document, contours }),
+    select: stay === null ? nothingSelected : { points: [stay], handle: null },
+  });
+  say(editor, `${gone === 1 ? "Point deleted" : `${gone} points deleted`}. The curve moved by at most ${printed(deviation)}.`);
+}
+
+/** Takes the chosen points away and leaves the gaps open. */
+export function deleteAndOpen(editor: Editor): void {
+  const { curve, selection } = editor.state.value;
+  const chosen = chosenByContour(selection);
+  if (chosen.size === 0) return;
+  const contours = curve.contours.flatMap((contour, c) => withoutPoints(curve, contour, chosen.get(c) ?? []));
+  editor.dispatch({ name: "Delete and open", apply: (document) => ({ ...document, contours }), select: nothingSelected });
+  say(editor, "Point deleted. The path is open there.");
+}
+
+/** Finer or coarser points of the same curve. Coarser changes it only if something finer was edited; then it says by how much. */
+export function setLevel(editor: Editor, level: number): void {
+  const { curve } = editor.state.value;
+  const target = Math.max(0, Math.min(mostLevel, Math.round(level)));
+  if (target === curve.level || curve.contours.length === 0) return;
+  const next = target > curve.level ? raised(editor, curve, target) : lowered(curve, target);
+  if (next === null) return;
+  const moved = target > curve.level ? 0 : Math.max(0, ...curve.contours.map((contour, i) => largestMove(curve, contour, next.contours[i] ?? contour)));
+  editor.dispatch({ name: `Level ${target}`, apply: () => next, select: nothingSelected, run: "level" });
+  const extent = 1e-6;
+  if (moved > extent) say(editor, `Level ${target} cannot hold the finer edits: the curve moved by up to ${printed(moved)}. Undo brings them back.`);
+}
+
+function raised(editor: Editor, curve: CurveDocument, target: number): CurveDocument | null {
+  let next = curve;
+  for (let level = curve.level + 1; level <= target; level += 1) {
+    if (next.contours.some((contour) => contour.points.length * 2 > 4 * mostPoints)) {
+      refuse(editor, `Level ${level} would have more than ${4 * mostPoints} points.`);
+      return next === curve ? null : next;
+    }
+    const document = next;
+    next = { ...next, level, contours: next.contours.map((contour) => refined(document, contour, level)) };
+  }
+  return next;
+}
+
+function lowered(curve: CurveDocument, target: number): CurveDocument {
+  return { ...curve, level: target, contours: curve.contours.map((contour) => plain(curve, loweredContour(contour, target))) };
+}
+
+/** Lengths that are all alike say nothing where the frequency follows from the whole. */
+function plain(curve: CurveDocument, contour: Contour): Contour {
+  const { lengths, ...rest } = contour;
+  if (lengths === undefined || contour.omega !== undefined || curve.omega !== "auto") return contour;
+  return lengths.every((length) => length === lengths[0]) ? rest : contour;
+}
+
+/** The active contour with another number of points, at equal parameters. */
+export function resample(editor: Editor, count: number, run?: string): void {
+  const { curve } = editor.state.value;
+  const index = activeContour(editor);
+  const contour = curve.contours[index];
+  const points = Math.max(2, Math.min(mostPoints, Math.round(count)));
+  if (contour === undefined || contour.points.length === points || contour.points.length < 2) return;
+  const next = resampled(curve, contour, points);
+  editor.dispatch({
+    name: "Points",
+    apply: (document) => ({ ...replaceContour(document, index, next), level: 0 }),
+    select: nothingSelected,
+    ...(run === undefined ? {} : { run }),
+  });
+  const moved = largestMove(curve, contour, next);
+  if (moved > 1e-6) say(editor, `${points} points: the curve moved by up to ${printed(moved)}.`);
+}
+
+export function setClosed(editor: Editor, closed: boolean): void {
+  const index = activeContour(editor);
+  const contour = editor.state.value.curve.contours[index];
+  if (contour === undefined) return;
+  if (!closed && contour.points.length < 3) return refuse(editor, "Opening drops the last segment; this contour has too few points for that.");
+  if (closed && contour.points.length < 2) return refuse(editor, "A closed contour needs two points.");
+  editor.dispatch(closeContour(index, closed));
+}
+
+export function setSpace(editor: Editor, space: Space): void {
+  editor.dispatch(setSpaceCommand(space));
+}
+
+export function setOmega(editor: Editor, omega: number | "auto", run?: string): void {
+  editor.dispatch(setOmegaCommand(omega, run));
+}
+
+export function clearCurve(editor: Editor): void {
+  if (editor.state.value.curve.contours.length > 0) editor.dispatch(clearCommand());
+}
+
+/** Puts a whole drawing in place of the present one, undoably. */
+export function loadCurve(editor: Editor, name: string, curve: CurveDocument): void {
+  editor.dispatch(replaceCurve(name, curve));
+}
+
+/** Adds contours to the drawing, or puts them in its place. */
+export function addContours(editor: Editor, name: string, contours: readonly Contour[], how: "add" | "replace"): void {
+  const add = addContoursCommand(name, contours);
+  const command: Command = how === "add" ? add : { ...add, apply: (curve) => add.apply(clearCommand().apply(curve)) };
+  editor.dispatch(command);
+}
+
+export function duplicate(editor: Editor): void {
+  const { curve, selection, view } = editor.state.value;
+  const indices = [...chosenByContour(selection).keys()];
+  if (indices.length === 0) return;
+  const copies = duplicateContours(indices, 16 / view.zoom).copies(curve);
+  editor.dispatch(addContoursCommand("Duplicate", copies));
+}
+
+export function reverse(editor: Editor): void {
+  if (editor.state.value.curve.contours.length > 0) editor.dispatch(reverseContour(activeContour(editor)));
+}
+
+export function startHere(editor: Editor): void {
+  const ref = selectionOf(editor).points[0];
+  if (ref !== undefined && ref.index > 0) editor.dispatch(startContourAt(ref));
+}
+
+/** Chooses every point of one kind: what the legend's rows do. */
+export function selectKind(editor: Editor, kind: Kind | "point"): void {
+  const points = editor.state.value.curve.contours.flatMap((contour, c) =>
+    contour.points.flatMap((point, index) => (kind === "point" ? point.kind !== "cusp" : point.kind === kind) ? [{ contour: c, index }] : []),
+  );
+  editor.patch({ selection: { points, handle: null }, hint: "" });
+}
+
+export function selectAll(editor: Editor): void {
+  const points = editor.state.value.curve.contours.flatMap((contour, c) => contour.points.map((_, index) => ({ contour: c, index })));
+  editor.patch({ selection: { points, handle: null }, hint: "" });
+}
+
+export function selectNone(editor: Editor): void {
+  editor.patch({ selection: nothingSelected, hint: "" });
+}
+
+/** Steps from point to point through all contours. `extend` keeps what was chosen. */
+export function stepSelection(editor: Editor, step: 1 | -1, extend: boolean): void {
+  const { curve, selection } = editor.state.value;
+  const all = curve.contours.flatMap((contour, c) => contour.points.map((_, index) => ({ contour: c, index })));
+  const last = selection.points[selection.points.length - 1];
+  const at = last === undefined ? (step === 1 ? -1 : 0) : all.findIndex((ref) => ref.contour === last.contour && ref.index === last.index);
+  const next = all[(at + step + all.length) % all.length];
+  if (next === undefined) return;
+  const kept = extend ? selection.points.filter((ref) => ref.contour !== next.contour || ref.index !== next.index) : [];
+  chooseByKeyboard(editor, { points: [...kept, next], handle: null });
+}
+
+export function selectEnd(editor: Editor, which: "first" | "last"): void {
+  const { curve } = editor.state.value;
+  const contour = which === "first" ? 0 : curve.contours.length - 1;
+  const count = curve.contours[contour]?.points.length ?? 0;
+  if (count > 0) chooseByKeyboard(editor, { points: [{ contour, index: which === "first" ? 0 : count - 1 }], handle: null });
+}
+
+/** The chosen point itself, its arriving handle, its leaving handle, and round again. */
+export function stepPart(editor: Editor, step: 1 | -1): void {
+  const { selection } = editor.state.value;
+  const point = selection.points[selection.points.length - 1];
+  if (point === undefined) return;
+  const parts: readonly (Side | null)[] = [null, "in", "out"];
+  const at = parts.indexOf(selection.handle?.side ?? null);
+  const side = parts[(at + step + parts.length) % parts.length] ?? null;
+  chooseByKeyboard(editor, { points: [point], handle: side === null ? null : { ...point, side } });
+}
+
+function chooseByKeyboard(editor: Editor, selection: Selection): void {
+  editor.patch({ selection, keyboard: true, hint: "" });
+  const ref = selection.handle ?? selection.points[selection.points.length - 1];
+  if (ref !== undefined) editor.notify({ kind: "announce", text: describe(editor.state.value.curve, ref, selection.handle?.side) });
+}
+
+/** "Point 3 of 8, smooth, x 240, y 120": the name of a proxy and what a screen reader hears. */
+export function describe(curve: CurveDocument, ref: PointRef, side?: Side): string {
+  const contour = curve.contours[ref.contour];
+  const point = pointAt(curve, ref);
+  if (contour === undefined || point === undefined) return "";
+  const where = curve.contours.length > 1 ? ` of contour ${ref.contour + 1}` : "";
+  const name = `Point ${ref.index + 1} of ${contour.points.length}${where}`;
+  if (side === undefined) return `${name}, ${point.kind}, x ${short(point.x)}, y ${short(point.y)}`;
+  const offset = point[side] ?? noOffset;
+  const degrees = (Math.atan2(-offset.dy, offset.dx) * 180) / Math.PI;
+  return `${side === "in" ? "Arriving" : "Leaving"} handle of ${name.toLowerCase()}, length ${short(lengthOfOffset(offset))}, angle ${short(degrees)}°`;
+}
+
+function short(value: number): string {
+  return String(Math.round(value * 100) / 100 + 0);
+}
+
+/** The parameter in the middle of a contour's segment. */
+export function middleOf(contour: Contour, segment: number): number {
+  let t = lengthOf(contour, segment) / 2;
+  for (let before = 0; before < segment; before += 1) t += lengthOf(contour, before);
+  return Math.min(t, domainLength(contour));
+}

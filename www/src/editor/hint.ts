@@ -1,0 +1,53 @@
+import { pointAt } from "../document/document.ts";
+import { describe } from "./edits.ts";
+import type { EditorState } from "./editor.ts";
+
+/** The line under the stage: what the next press would do, in terms of what is under the pointer. */
+export function hintFor(state: EditorState): string {
+  if (state.hint !== "") return state.hint;
+  if (state.mode !== "curve") return "";
+  if (state.drag !== null) {
+    const step = `Δx ${fixed(state.drag.dx)}  Δy ${fixed(state.drag.dy)}`;
+    return state.drag.snapped === null ? step : `${step}  ·  on ${state.drag.snapped}`;
+  }
+  switch (state.tool) {
+    case "pen":
+      return penHint(state);
+    case "hand":
+      return "Drag to pan. V goes back to editing.";
+    case "draw":
+      return "Freehand drawing arrives with Fit. The pen (P) places points today.";
+    case "select":
+      return selectHint(state);
+  }
+}
+
+function fixed(value: number): string {
+  return value.toFixed(2);
+}
+
+function penHint(state: EditorState): string {
+  if (state.sketch.rubber?.closing === true) return "Click to close the contour.";
+  if (state.sketch.rubber !== null) return "Click for a corner, drag for a smooth point. Enter finishes, Esc drops the segment.";
+  return "Click to place the first point, or drag to pull its handles.";
+}
+
+function selectHint(state: EditorState): string {
+  const { hover, modifiers, curve } = state;
+  switch (hover.kind) {
+    case "point": {
+      const kind = pointAt(curve, hover.point)?.kind;
+      const name = describe(curve, hover.point);
+      return modifiers.alt ? `${name}: drag pulls out fresh handles` : `${name}: drag to move, double-click for ${kind === "cusp" ? "smooth" : "a cusp"}`;
+    }
+    case "handle": {
+      const name = describe(curve, hover.handle, hover.handle.side);
+      return modifiers.alt ? `${name}: drag breaks it into a cusp` : `${name}: drag to turn, Alt breaks, Shift keeps 15° steps`;
+    }
+    case "curve":
+      return "Double-click to insert a point without changing the curve. Drag to move this segment.";
+    case "empty":
+      if (curve.contours.length === 0) return "";
+      return state.selection.points.length > 0 ? "Drag a point. Alt-drag a handle to make a cusp." : "Drag a point or a handle. Drag across empty space to select.";
+  }
+}

@@ -1,0 +1,169 @@
+import { movePoints } from "../../document/commands.ts";
+import { isSelected, nothingSelected, pointAt, samePoint, type PointRef, type Selection } from "../../document/document.ts";
+import { panned, type ScreenPoint } from "../../editor/camera.ts";
+import { insertAt, resetSelectedHandles, toggleCusp } from "../../editor/edits.ts";
+import type { Editor, Modifiers, Target } from "../../editor/editor.ts";
+import { hitTest, sameTarget } from "../../editor/hit-test.ts";
+import { distanceBetween, dragThreshold, type Drag, type PointerSample, type Tool } from "../../editor/tool.ts";
+import { locate } from "../../kernel/contours.ts";
+import { brush } from "./brushing.ts";
+import { dragHandle } from "./dragging-handle.ts";
+import { dragPoints } from "./dragging-points.ts";
+import { dragSegment } from "./dragging-segment.ts";
+
+/** Select and edit: nothing happens on the press; within the threshold the release is a click, beyond it a drag. */
+
+type State =
+  | { readonly kind: "idle" }
+  | { readonly kind: "pressing"; readonly start: PointerSample; readonly target: Target }
+  | { readonly kind: "dragging"; readonly drag: Drag };
+
+/** The cursor announces the outcome of a press. */
+function cursorFor(target: Target, modifiers: Modifiers): string {
+  switch (target.kind) {
+    case "point":
+      return modifiers.alt ? "crosshair" : "move";
+    case "handle":
+      return modifiers.alt ? "alias" : "grab";
+    case "curve":
+      return "copy";
+    case "empty":
+      return "default";
+  }
+}
+
+export function createSelectTool(editor: Editor): Tool {
+  let state: State = { kind: "idle" };
+  /** What the last click hit: the second click of a double-click means the same thing, whatever appeared since. */
+  let lastClicked: Target = { kind: "empty" };
+
+  function segmentSelection(contour: number, t: number): Selection {
+    const shape = editor.state.value.curve.contours[contour];
+    if (shape === undefined) return nothingSelected;
+    const { segment } = locate(shape, t);
+    return { points: [{ contour, index: segment }, { contour, index: (segment + 1) % shape.points.length }], handle: null };
+  }
+
+  function dragFor(start: PointerSample, target: Target): Drag {
+    switch (target.kind) {
+      case "point":
+        return dragPoints(editor, start, target.point);
+      case "handle":
+        return dragHandle(editor, start, target.handle);
+      case "curve":
+        return dragSegment(editor, start, segmentSelection(target.contour, target.t));
+      case "empty":
+        return start.kind === "touch" ? panWith(start) : brush(editor, start);
+    }
+  }
+
+  function panWith(start: PointerSample): Drag {
+    const before = editor.state.value.view;
+    let last: ScreenPoint = start.screen;
+    return {
+      update(sample) {
+        editor.patch({ view: panned(editor.state.value.view, sample.screen.x - last.x, sample.screen.y - last.y) });
+        last = sample.screen;
+      },
+      finish() {
+        last = start.screen;
+      },
+      cancel() {
+        editor.patch({ view: before });
+      },
+    };
+  }
+
+  function clickPoint(point: PointRef, adds: boolean): void {
+    const { selection } = editor.state.value;
+    if (!adds) return editor.patch({ selection: { points: [point], handle: null } });
+    const points = isSelected(selection, point) ? selection.points.filter((other) => !samePoint(other, point)) : [...selection.points, point];
+    editor.patch({ selection: { points, handle: null } });
+  }
+
+  function click(target: Target, sample: PointerSample): void {
+    switch (target.kind) {
+      case "point":
+        return clickPoint(target.point, sample.modifiers.shift);
+      case "handle": {
+        const { contour, index } = target.handle;
+        return editor.patch({ selection: { points: [{ contour, index }], handle: target.handle } });
+      }
+      case "curve": {
+        const segment = segmentSelection(target.contour, target.t);
+        const { selection } = editor.state.value;
+        const kept = sample.modifiers.shift ? selection.points.filter((ref) => !isSelected(segment, ref)) : [];
+        return editor.patch({ selection: { points: [...kept, ...segment.points], handle: null } });
+      }
+      case "empty":
+        if (editor.state.value.settings.moveByClicks && moveTo(sample)) return;
+        if (!sample.modifiers.shift) editor.patch({ selection: nothingSelected });
+    }
+  }
+
+  /** Move by clicks: the one chosen point goes where the click was. */
+  function moveTo(sample: PointerSample): boolean {
+    const { curve, selection } = editor.state.value;
+    const ref = selection.points[0];
+    const point = ref === undefined || selection.points.length > 1 ? undefined : pointAt(curve, ref);
+    if (point === undefined) return false;
+    editor.dispatch(movePoints(selection, sample.page.x - point.x, sample.page.y - point.y));
+    return true;
+  }
+
+  function doubleClick(target: Target): void {
+    switch (target.kind) {
+      case "point":
+        return toggleCusp(editor, { points: [target.point], handle: null });
+      case "handle": {
+        const { contour, index } = target.handle;
+        return resetSelectedHandles(editor, { points: [{ contour, index }], handle: null });
+      }
+      case "curve":
+        return insertAt(editor, target.contour, target.t);
+      case "empty":
+    }
+  }
+
+  return {
+    hover(sample) {
+      const target = hitTest(editor.state.value, sample.screen, sample.kind);
+      const cursor = cursorFor(target, sample.modifiers);
+      const { hover, cursor: shown } = editor.state.value;
+      if (!sameTarget(target, hover) || cursor !== shown) editor.patch({ hover: target, cursor });
+    },
+    press(sample) {
+      const target = sample.clicks === 2 ? lastClicked : hitTest(editor.state.value, sample.screen, sample.kind);
+      state = { kind: "pressing", start: sample, target };
+    },
+    drag(sample) {
+      if (state.kind === "pressing") {
+        if (distanceBetween(sample.screen, state.start.screen) < dragThreshold[sample.kind]) return;
+        state = { kind: "dragging", drag: dragFor(state.start, state.target) };
+      }
+      if (state.kind === "dragging") state.drag.update(sample);
+    },
+    release(sample) {
+      const ended = state;
+      state = { kind: "idle" };
+      if (ended.kind === "dragging") {
+        ended.drag.update(sample);
+        ended.drag.finish(sample);
+        lastClicked = { kind: "empty" };
+      } else if (ended.kind === "pressing") {
+        if (sample.clicks === 2) doubleClick(ended.target);
+        else click(ended.target, sample);
+        lastClicked = ended.target;
+      }
+    },
+    cancel() {
+      const ended = state;
+      state = { kind: "idle" };
+      if (ended.kind === "dragging") ended.drag.cancel();
+      return ended.kind !== "idle";
+    },
+    finish() {
+      return false;
+    },
+  };
+}
