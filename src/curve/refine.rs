@@ -80,7 +80,7 @@ impl HermiteCurve {
     ///
     /// # Source
     ///
-    /// \[Conti, Romani, Unser, eq. 36–38\]; κ is 1/3 for cubics, where these are the Bézier points.
+    /// [CRU15, eq. 36–38]; κ is 1/3 for cubics, where these are the Bézier points.
     pub fn bezier_points(&self) -> Vec<f64> {
         let mut values = Vec::with_capacity(8 * self.segment_count());
         for segment in self.segments() {

@@ -35,7 +35,7 @@ impl HermiteCurve {
     ///
     /// # Source
     ///
-    /// \[Conti, Romani, Unser, eq. 34 and 40–42\] with the frequency of each level.
+    /// [CRU15, eq. 34 and 40–42] with the frequency of each level.
     pub fn subdivide(&self, levels: usize, arity: usize, scheme: Scheme) -> Result<Vec<f64>> {
         check_range("levels", levels, 0, MOST_LEVELS)?;
         check_range("arity", arity, 1, MOST_OUTPUT_POINTS)?;

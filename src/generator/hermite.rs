@@ -134,10 +134,10 @@ impl HermiteGenerators {
         Ok(values)
     }
 
-    /// The refinement masks H[n], n = −(arity − 1) … arity − 1, that take values and derivatives on the grid of
+    /// The refinement masks `H[n]`, n = −(arity − 1) … arity − 1, that take values and derivatives on the grid of
     /// step `arity`^−`level` to the next finer grid.
     ///
-    /// Four numbers each, row by row; H[n] acts on the column (value, derivative) at the grid point that lies n
+    /// Four numbers each, row by row; `H[n]` acts on the column (value, derivative) at the grid point that lies n
     /// fine steps to the left:
     ///
     /// ```text

@@ -49,7 +49,7 @@ impl HermiteGenerators {
     ///
     /// # Source
     ///
-    /// [CRU15, sec. 5]; by quadrature of the stable weights instead of the closed forms, which lose eps·ω⁻⁸
+    /// [CRU15, sec. 5]; by quadrature of the stable weights instead of the closed forms, which lose eps·ω⁻⁷
     /// (D 6.1).
     pub fn gram(&self) -> Gram {
         let m = moments(self.basis());
@@ -64,8 +64,9 @@ impl HermiteGenerators {
 
     /// The exact Riesz bounds.
     ///
-    /// For ω ≤ 5.8529 (trigonometric) they are sqrt(e + 2d) and 1, both attained by constant sequences. Towards
-    /// the pole at 2π the upper one is that of alternating derivatives, sqrt(e − 2d).
+    /// In the hyperbolic space and for ω ≤ 5.7754 in the trigonometric one they are sqrt(e + 2d) and 1, both attained
+    /// by constant sequences. From 5.8887 to the pole at 2π the upper one is that of alternating derivatives,
+    /// sqrt(e − 2d); between, it is attained at a frequency inside.
     ///
     /// # Accuracy
     ///

@@ -5,7 +5,7 @@
 //! c₁(u) = sin √u / √u          c₃(u) = (√u − sin √u) / √u³
 //! ```
 //!
-//! They are Stumpff's functions [Stumpff], cₙ(u) = Σₖ (−u)ᵏ/(2k+n)!. For u < 0 the same sums are hyperbolic,
+//! They are Stumpff's functions \[Stu59\], cₙ(u) = Σₖ (−u)ᵏ/(2k+n)!. For u < 0 the same sums are hyperbolic,
 //! at u = 0 they are 1, 1, 1/2, 1/6: one formulation for the trigonometric, the hyperbolic and the polynomial
 //! space, in which nothing jumps and nothing is divided by a small number.
 

@@ -7,7 +7,7 @@ use crate::generator::{Basis, Space};
 use crate::limits::with_room;
 use crate::numerics::Point;
 
-/// The four rules of one dyadic step for control points p[2n], p[2n + 1] on either side of point n.
+/// The four rules of one dyadic step for control points `p[2n]`, `p[2n + 1]` on either side of point n.
 ///
 /// ```text
 /// p′[4n]     = (1 + ρ)/2 p[2n] + (1 − ρ)/2 p[2n + 1]      p′[4n + 2] = c₀ p[2n] + c₁ p[2n + 1] + c₂ p[2n + 2]

@@ -124,7 +124,7 @@ impl MatrixMask {
         }
     }
 
-    /// The matrix H[n], row by row, that acts on the column (value, derivative) at the end of the segment that is n
+    /// The matrix `H[n]`, row by row, that acts on the column (value, derivative) at the end of the segment that is n
     /// fine steps to the left of the new place; zero for |n| ≥ arity.
     pub fn matrix(&self, n: isize) -> [f64; 4] {
         if n == 0 {
