@@ -1,6 +1,7 @@
 import { zoomedAt, panned, type ScreenPoint } from "./camera.ts";
 import type { Editor, Modifiers } from "./editor.ts";
 import type { Frame } from "./frame.ts";
+import { hitTest } from "./hit-test.ts";
 import { actionFor, chordOf, takesText } from "./keymap.ts";
 import type { PointerInput, PointerRecord } from "./pointer-input.ts";
 
@@ -12,8 +13,6 @@ interface Options {
   readonly frame: Frame;
   readonly surface: HTMLElement;
   readonly until: AbortSignal;
-  /** Right click, or a long press that did not move. */
-  openMenu(at: ScreenPoint): void;
   /** Esc with nothing left to cancel or deselect. */
   leaveStage(): void;
 }
@@ -42,9 +41,10 @@ function recordOf(event: PointerEvent, editor: Editor): PointerRecord {
   };
 }
 
-const longPressMs = 550;
+/** A little later than systems that ask for the menu themselves. */
+const longPressMs = 650;
 
-function listenToPointers({ editor, input, frame, surface, until, openMenu }: Options): void {
+function listenToPointers({ editor, input, frame, surface, until }: Options): void {
   let press: { timer: ReturnType<typeof setTimeout>; at: ScreenPoint } | null = null;
   const dropPress = (): void => {
     if (press !== null) clearTimeout(press.timer);
@@ -61,7 +61,9 @@ function listenToPointers({ editor, input, frame, surface, until, openMenu }: Op
     event.preventDefault();
     dropPress();
     if (record.kind === "touch" && event.isPrimary) {
-      press = { at: record.screen, timer: setTimeout(() => { input.cancel(); openMenu(record.screen); press = null; }, longPressMs) };
+      const { clientX, clientY } = event;
+      const ask = (): boolean => surface.dispatchEvent(new MouseEvent("contextmenu", { clientX, clientY, bubbles: true, cancelable: true }));
+      press = { at: record.screen, timer: setTimeout(ask, longPressMs) };
     }
     input.down(record);
     frame.request();
@@ -84,10 +86,14 @@ function listenToPointers({ editor, input, frame, surface, until, openMenu }: Op
   on("pointerleave", () => {
     if (!input.busy) editor.patch({ hover: { kind: "empty" } });
   });
+  // Whoever shows the menu reads what it is over from the state; the press itself comes to nothing.
   on("contextmenu", (event) => {
     event.preventDefault();
+    dropPress();
+    input.cancel();
     const { left, top } = editor.state.value.stage;
-    if (event.button === 2) openMenu({ x: event.clientX - left, y: event.clientY - top });
+    const at = { x: event.clientX - left, y: event.clientY - top };
+    editor.patch({ hover: hitTest(editor.state.value, at, "mouse") });
   });
   frame.add("input", () => input.flush());
 }

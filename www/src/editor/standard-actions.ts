@@ -2,7 +2,7 @@ import { modes, type Mode } from "../document/document.ts";
 import { documentBounds } from "../kernel/samples.ts";
 import { fitted, zoomedAt, type ScreenPoint } from "./camera.ts";
 import {
-  clearCurve, deleteAndHeal, deleteAndOpen, duplicate, insertAfterSelected, nudge, resetSelectedHandles, reverse, selectAll, selectEnd, selectNone, setKind,
+  clearCurve, deleteAndHeal, deleteAndOpen, duplicate, insertAfterSelected, insertAt, nudge, resetSelectedHandles, reverse, selectAll, selectEnd, selectNone, setKind,
   setLevel, startHere, stepPart, stepSelection, toggleCusp,
 } from "./edits.ts";
 import type { Action, Editor, EditorState, OverlayId, ToolId } from "./editor.ts";
@@ -15,6 +15,12 @@ const hasCurve = (state: EditorState): boolean => inCurve(state) && state.curve.
 
 function action(id: string, label: string, group: Action["group"], keys: readonly string[], run: Action["run"], more: Partial<Action> = {}): Action {
   return { id, label, group, keys, run, ...more };
+}
+
+/** Where the pointer, or the menu it opened, is on the curve. */
+function insertAtHover(editor: Editor): void {
+  const { hover } = editor.state.value;
+  if (hover.kind === "curve") insertAt(editor, hover.contour, hover.t);
 }
 
 function stageCentre(state: EditorState): ScreenPoint {
@@ -97,6 +103,7 @@ const pointActions: readonly Action[] = [
   action("cusp", "Cusp", "Points", [], (editor) => setKind(editor, "cusp"), { enabled: hasSelection }),
   action("reset-handles", "Automatic handles", "Points", [], (editor) => resetSelectedHandles(editor), { enabled: hasSelection }),
   action("insert", "Insert a point after the selected one", "Points", ["Enter"], insertAfterSelected, { enabled: hasSelection }),
+  action("insert-here", "Insert a point here", "Points", [], insertAtHover, { enabled: (state) => inCurve(state) && state.hover.kind === "curve" }),
   action("delete", "Delete and heal", "Points", ["Delete", "Backspace"], deleteAndHeal, { enabled: hasSelection }),
   action("delete-open", "Delete and open", "Points", ["Shift+Delete", "Shift+Backspace"], deleteAndOpen, { enabled: hasSelection }),
   action("start-here", "Start here", "Curve", [], startHere, { enabled: hasSelection }),

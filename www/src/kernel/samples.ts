@@ -1,4 +1,4 @@
-import type { Contour, CurveDocument } from "../document/document.ts";
+import { lengthOf, segmentCount, type Contour, type CurveDocument } from "../document/document.ts";
 import { curveOf } from "./curve-cache.ts";
 
 /** Points of curves, for drawing, hit-testing and for testers. */
@@ -73,19 +73,29 @@ export function documentBounds(document: CurveDocument): Bounds | null {
   return box;
 }
 
-/** Curve points, unit normals and curvature at `count` parameters inside the segments' spans: what a comb is drawn from. */
+/** Curve points, tangents and curvature, `perSegment` of each for every segment: what a comb is drawn from. */
 export interface Comb {
   readonly points: Float64Array;
   readonly tangents: Float64Array;
   readonly curvature: Float64Array;
 }
 
-export function combOf(document: CurveDocument, contour: Contour, count: number): Comb | null {
+/** Just inside the ends of a segment: on a point two curvatures may meet. */
+const inset = 1e-6;
+
+export function combOf(document: CurveDocument, contour: Contour, perSegment: number): Comb | null {
   const curve = curveOf(document, contour);
   if (curve === null) return null;
-  const [from, to] = curve.domain;
-  // Half-way between the even steps, so that no tooth stands on a point, where two curvatures meet.
-  const t = Float64Array.from({ length: count }, (_, i) => from + ((i + 0.5) / count) * (to - from));
+  const segments = segmentCount(contour);
+  const t = new Float64Array(segments * perSegment);
+  let start = 0;
+  for (let segment = 0; segment < segments; segment += 1) {
+    const length = lengthOf(contour, segment);
+    for (let i = 0; i < perSegment; i += 1) {
+      t[segment * perSegment + i] = start + length * (inset + (1 - 2 * inset) * (i / (perSegment - 1)));
+    }
+    start += length;
+  }
   return { points: curve.evaluate(t), tangents: curve.evaluate(t, 1), curvature: curve.curvature(t) };
 }
 

@@ -1,0 +1,103 @@
+import type { DemoState } from "./document/document.ts";
+import { toPage, toScreen } from "./editor/camera.ts";
+import type { Editor } from "./editor/editor.ts";
+import type { Frame } from "./editor/frame.ts";
+import { engineVersion } from "./kernel/engine.ts";
+import { measureCurve } from "./kernel/measure.ts";
+import { samplePoints, subdivided } from "./kernel/samples.ts";
+
+/** What the page offers to testers: small, read-mostly, in every build. */
+
+type Pair = [number, number];
+
+export interface ExplineDemo {
+  /** Semver of the library. */
+  readonly version: string;
+  /** The engine runs and the first frame is painted. */
+  readonly ready: Promise<void>;
+  /** No pending job, no dirty frame. */
+  idle(): Promise<void>;
+  getState(): DemoState;
+  setState(state: DemoState): Promise<void>;
+  /** Points at uniform parameter in document units: closed i/n of the way round, open i/(n − 1). */
+  sample(count: number, contour?: number): Pair[];
+  /** The first contour's polygon after so many subdivision steps. */
+  subdivision(steps: number): Pair[];
+  mesh(rows?: number, cols?: number): { positions: number[]; rows: number; cols: number };
+  /** CSS pixels in the window. */
+  toScreen(x: number, y: number): { x: number; y: number };
+  toDoc(x: number, y: number): { x: number; y: number };
+  stats(): { frameMs: number[]; lastJobMs: number; wasmBytes: number; bezierError?: number; modelError?: number };
+}
+
+declare global {
+  interface Window {
+    explineDemo: ExplineDemo;
+  }
+  /** Size of the engine's WebAssembly, written in by the build. */
+  const __WASM_BYTES__: number;
+}
+
+function pairs(points: Float64Array): Pair[] {
+  return Array.from({ length: points.length / 2 }, (_, i) => [points[2 * i] ?? 0, points[2 * i + 1] ?? 0]);
+}
+
+export interface ContractOptions {
+  readonly editor: Editor;
+  readonly frame: Frame;
+  readonly ready: Promise<void>;
+  /** Checks a state from outside; throws when it is none. */
+  readState(value: unknown): DemoState;
+}
+
+export function createContract({ editor, frame, ready, readState }: ContractOptions): ExplineDemo {
+  return {
+    version: engineVersion,
+    ready,
+    async idle() {
+      await ready;
+      await frame.idle();
+    },
+    getState() {
+      return structuredClone(editor.getState());
+    },
+    async setState(state) {
+      editor.setState(readState(structuredClone(state)));
+      await frame.idle();
+    },
+    sample(count, contour = 0) {
+      const { curve } = editor.state.value;
+      const shape = curve.contours[contour];
+      return shape === undefined ? [] : pairs(samplePoints(curve, shape, count));
+    },
+    subdivision(steps) {
+      const { curve } = editor.state.value;
+      const shape = curve.contours[0];
+      return shape === undefined ? [] : pairs(subdivided(curve, shape, steps));
+    },
+    mesh(rows = 65, cols = 65) {
+      // Surfaces come with a later release; an empty mesh of the size asked for is the truth today.
+      return { positions: [], rows, cols };
+    },
+    toScreen(x, y) {
+      const { view, stage } = editor.state.value;
+      const at = toScreen(view, stage, { x, y });
+      return { x: at.x + stage.left, y: at.y + stage.top };
+    },
+    toDoc(x, y) {
+      const { view, stage } = editor.state.value;
+      const { x: px, y: py } = toPage(view, stage, { x: x - stage.left, y: y - stage.top });
+      return { x: px, y: py };
+    },
+    stats() {
+      const { bezierError, modelError } = measureCurve(editor.state.value.curve);
+      return {
+        frameMs: [...frame.times],
+        lastJobMs: 0,
+        wasmBytes: __WASM_BYTES__,
+        ...(bezierError === undefined ? {} : { bezierError }),
+        ...(modelError === undefined ? {} : { modelError }),
+      };
+    },
+  };
+}

@@ -1,0 +1,109 @@
+import { modes, type Mode } from "../document/document.ts";
+import { curveSample, landingSample } from "../document/samples.ts";
+import { loadCurve } from "./edits.ts";
+import { defaultSettings } from "./create-editor.ts";
+import type { Editor, OverlayId } from "./editor.ts";
+import { fitView } from "./standard-actions.ts";
+
+/** `#/curve?sample=heart`: the mode, and the sample while it is still the sample. Shared drawings (`#s=…`) are decoded elsewhere. */
+
+export interface Route {
+  readonly mode: Mode;
+  readonly sample: string | null;
+}
+
+/** The route in a hash; null for one that is not a route. The empty hash is the landing page. */
+export function parseRoute(hash: string): Route | null {
+  if (hash === "" || hash === "#" || hash === "#/") return { mode: "curve", sample: null };
+  const match = /^#\/([a-z]+)(?:\?(.*))?$/.exec(hash);
+  const mode = modes.find((name) => name === match?.[1]);
+  if (mode === undefined) return null;
+  return { mode, sample: new URLSearchParams(match?.[2] ?? "").get("sample") };
+}
+
+export function printRoute({ mode, sample }: Route): string {
+  return sample === null ? `#/${mode}` : `#/${mode}?sample=${encodeURIComponent(sample)}`;
+}
+
+/** The document as a sample was opened: while it is this very one, the address names the sample. */
+let opened: { readonly sample: string; readonly curve: object } | null = null;
+
+/** Opens a curve sample: its drawing, its overlays, a view that shows it. False for a name that is none. */
+export function openSample(editor: Editor, id: string): boolean {
+  const sample = curveSample(id);
+  if (sample === undefined) return false;
+  // Known before it is there: whoever hears of the change asks for the route at once.
+  opened = { sample: id, curve: sample.curve };
+  editor.patch({ mode: "curve" });
+  loadCurve(editor, `Open ${sample.title}`, sample.curve);
+  const lessons: Partial<Record<OverlayId, boolean>> = Object.fromEntries(sample.overlays.map((overlay) => [overlay, true]));
+  const own: OverlayId[] = ["bezier", "comb", "polygon"];
+  const reset = Object.fromEntries(own.map((overlay) => [overlay, defaultSettings.overlays[overlay]]));
+  editor.setSettings({ overlays: { ...editor.state.value.settings.overlays, ...reset, ...lessons } });
+  editor.patch({ view: { zoom: 1, x: 400, y: 300 }, tool: "select", hint: sample.note });
+  fitView(editor, 1);
+  return true;
+}
+
+/** The route that the state is at. */
+export function routeOf(editor: Editor): Route {
+  const { mode, curve, fit, trace } = editor.state.value;
+  switch (mode) {
+    case "curve":
+      return { mode, sample: opened !== null && curve === opened.curve ? opened.sample : null };
+    case "fit":
+      return { mode, sample: fit.sample ?? null };
+    case "trace":
+      return { mode, sample: trace.sample ?? null };
+    case "surface":
+      return { mode, sample: null };
+  }
+}
+
+/** Goes where the address says. A sample that is being worked on is not opened over the work. */
+function follow(editor: Editor, route: Route): void {
+  const { curve, fit, trace, surface } = editor.state.value;
+  if (route.sample !== null) {
+    if (route.mode === "curve" && curve.sample !== route.sample && !openSample(editor, route.sample)) {
+      editor.notify({ kind: "toast", text: `There is no sample named ${route.sample}.` });
+    }
+    if (route.mode === "fit") editor.patch({ fit: { ...fit, sample: route.sample } });
+    if (route.mode === "trace") editor.patch({ trace: { ...trace, sample: route.sample } });
+    if (route.mode === "surface") editor.patch({ surface: { ...surface, sample: route.sample } });
+  }
+  editor.patch({ mode: route.mode });
+}
+
+/** Keeps address and state together, both ways. Call once, after the first document is there. */
+export function connectRoutes(editor: Editor, until: AbortSignal): void {
+  const write = (push: boolean): void => {
+    const next = printRoute(routeOf(editor));
+    if (location.hash === next) return;
+    if (push) history.pushState(null, "", next);
+    else history.replaceState(null, "", next);
+  };
+  let following = false;
+  editor.state.subscribe((state, before) => {
+    if (following || (state.mode === before.mode && state.curve === before.curve)) return;
+    // Another mode or another sample is a page to come back to; an edit only stops the address from promising the sample.
+    const { sample } = routeOf(editor);
+    write(state.mode !== before.mode || (sample !== null && sample !== before.curve.sample));
+  }, { until });
+  window.addEventListener("hashchange", () => {
+    const route = parseRoute(location.hash);
+    if (route === null) return;
+    following = true;
+    follow(editor, route);
+    following = false;
+    write(false);
+  }, { signal: until });
+  write(false);
+}
+
+/** The first document for an address: the sample it names, or the landing one. False if it names none that exists. */
+export function openRoute(editor: Editor, route: Route): boolean {
+  const found = route.mode !== "curve" || route.sample === null || curveSample(route.sample) !== undefined;
+  openSample(editor, route.mode === "curve" && found ? route.sample ?? landingSample : landingSample);
+  follow(editor, found ? route : { ...route, sample: null });
+  return found;
+}

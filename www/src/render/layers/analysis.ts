@@ -1,0 +1,104 @@
+import type { Contour } from "../../document/document.ts";
+import { bezierPolygon, boundsOf, combOf, subdivided } from "../../kernel/samples.ts";
+import { drawKnot } from "../markers.ts";
+import { inPage, inScreen, onScreen, pathOfPoints, type Scene } from "../scene.ts";
+
+/** Overlays that explain a curve: its comb, its control polygon, the subdivision polygons, its knots. */
+
+const mostTeeth = 1024;
+
+/** Teeth at right angles to the curve on its convex side, as long as the curvature is great. */
+export function drawComb(scene: Scene): void {
+  const { state, palette } = scene;
+  if (!state.settings.overlays.comb || state.originalOnly) return;
+  const context = inPage(scene);
+  const { zoom } = state.view;
+  context.strokeStyle = palette.handle;
+  for (const contour of state.curve.contours) {
+    const { teeth, envelope } = combPaths(scene, contour);
+    context.globalAlpha = 0.55;
+    context.lineWidth = 1 / zoom;
+    context.stroke(teeth);
+    context.globalAlpha = 1;
+    context.lineWidth = 1.25 / zoom;
+    context.stroke(envelope);
+  }
+}
+
+interface CombPaths {
+  readonly scale: number;
+  readonly teeth: Path2D;
+  readonly envelope: Path2D;
+}
+
+/** An immutable contour's comb only changes with the scale. */
+const combs = new WeakMap<Contour, CombPaths>();
+
+function combPaths({ state }: Scene, contour: Contour): CombPaths {
+  const box = boundsOf(state.curve, contour);
+  const half = box === null ? 0 : Math.max(box.maxX - box.minX, box.maxY - box.minY) / 2;
+  // On a circle a tooth is three tenths of the radius at scale 1, however large the circle.
+  const scale = state.settings.combScale * 0.3 * half * half;
+  const known = combs.get(contour);
+  if (known !== undefined && known.scale === scale) return known;
+  const [teeth, envelope] = [new Path2D(), new Path2D()];
+  const fresh = { scale, teeth, envelope };
+  combs.set(contour, fresh);
+  const segments = Math.max(1, contour.closed ? contour.points.length : contour.points.length - 1);
+  const perSegment = Math.max(4, Math.min(32, Math.floor(mostTeeth / segments)));
+  const comb = combOf(state.curve, contour, perSegment);
+  if (comb === null) return fresh;
+  // Near a cusp the curvature has no bound; a tooth as long as the drawing says enough.
+  const longest = 2 * half;
+  for (let i = 0; i < comb.curvature.length; i += 1) {
+    const [x = 0, y = 0] = comb.points.subarray(2 * i, 2 * i + 2);
+    const [dx = 0, dy = 0] = comb.tangents.subarray(2 * i, 2 * i + 2);
+    const speed = Math.hypot(dx, dy);
+    const raw = (comb.curvature[i] ?? 0) * scale;
+    const first = i % perSegment === 0;
+    if (!(speed > 0) || !Number.isFinite(raw)) continue;
+    const tooth = Math.max(-longest, Math.min(longest, raw));
+    const [tipX, tipY] = [x + (dy / speed) * tooth, y - (dx / speed) * tooth];
+    teeth.moveTo(x, y);
+    teeth.lineTo(tipX, tipY);
+    // Curvature may jump from one segment to the next: the envelope says so by breaking off.
+    if (first) envelope.moveTo(tipX, tipY);
+    else envelope.lineTo(tipX, tipY);
+  }
+  return fresh;
+}
+
+export function drawPolygon(scene: Scene): void {
+  const { state, palette } = scene;
+  if (!state.settings.overlays.polygon || state.originalOnly) return;
+  const context = inPage(scene);
+  const { zoom } = state.view;
+  context.strokeStyle = palette.line;
+  context.lineWidth = 1 / zoom;
+  context.setLineDash([4 / zoom, 4 / zoom]);
+  for (const contour of state.curve.contours) context.stroke(pathOfPoints(bezierPolygon(state.curve, contour), contour.closed));
+  context.setLineDash([]);
+}
+
+/** The polygons of the subdivision scheme, fainter the coarser. */
+export function drawSubdivision(scene: Scene): void {
+  const { state, palette } = scene;
+  const steps = state.settings.subdivisionSteps;
+  if ((!state.settings.overlays.subdivision && steps === 0) || state.originalOnly) return;
+  const context = inPage(scene);
+  context.strokeStyle = palette.point;
+  context.lineWidth = 1 / state.view.zoom;
+  const shown = Math.max(1, steps);
+  for (let step = 0; step <= shown; step += 1) {
+    context.globalAlpha = 0.2 + (0.7 * step) / shown;
+    for (const contour of state.curve.contours) context.stroke(pathOfPoints(subdivided(state.curve, contour, step), contour.closed));
+  }
+  context.globalAlpha = 1;
+}
+
+export function drawKnots(scene: Scene): void {
+  const { state, palette } = scene;
+  if (!state.settings.overlays.knots || state.originalOnly) return;
+  const context = inScreen(scene);
+  for (const contour of state.curve.contours) for (const point of contour.points) drawKnot(context, onScreen(scene, point), palette);
+}

@@ -1,0 +1,23 @@
+import { toPage } from "../../editor/camera.ts";
+import { inScreen, onScreen, type Scene } from "../scene.ts";
+
+/** Dots at the grid's steps; the step doubles until dots are at least 12 px apart. */
+export function drawGrid(scene: Scene): void {
+  const { state, palette } = scene;
+  if (!state.settings.overlays.grid) return;
+  const { view, stage } = state;
+  let step = state.settings.gridStep;
+  while (step * view.zoom < 12) step *= 2;
+  const context = inScreen(scene);
+  const from = toPage(view, stage, { x: 0, y: 0 });
+  const to = toPage(view, stage, { x: stage.width, y: stage.height });
+  context.fillStyle = palette.line;
+  context.globalAlpha = 0.55;
+  for (let x = Math.ceil(from.x / step) * step; x <= to.x; x += step) {
+    for (let y = Math.ceil(from.y / step) * step; y <= to.y; y += step) {
+      const at = onScreen(scene, { x, y });
+      context.fillRect(Math.round(at.x) - 0.5, Math.round(at.y) - 0.5, 1, 1);
+    }
+  }
+  context.globalAlpha = 1;
+}

@@ -1,0 +1,115 @@
+import { cubicsOf } from "../../kernel/paths.ts";
+import { inPage, inScreen, onScreen, pathOfCubics, type Scene } from "../scene.ts";
+
+/** What tools show while they work: guides, marquee, the pen's next segment, where a point would go in, the loupe. */
+
+export function drawSketch(scene: Scene): void {
+  drawInsertion(scene);
+  drawRubber(scene);
+  drawGuides(scene);
+  drawMarquee(scene);
+}
+
+/** The place on the curve where a double-click inserts a point. */
+function drawInsertion(scene: Scene): void {
+  const { state, palette } = scene;
+  if (state.hover.kind !== "curve" || state.drag !== null || state.tool !== "select") return;
+  const context = inScreen(scene);
+  const at = onScreen(scene, state.hover);
+  context.beginPath();
+  context.arc(at.x, at.y, 4, 0, 2 * Math.PI);
+  context.fillStyle = palette.canvas;
+  context.fill();
+  context.strokeStyle = palette.point;
+  context.lineWidth = 1.5;
+  context.stroke();
+}
+
+function drawRubber(scene: Scene): void {
+  const { state, palette } = scene;
+  const { rubber } = state.sketch;
+  if (rubber === null) return;
+  const context = inPage(scene);
+  context.strokeStyle = palette.point;
+  context.lineWidth = 1.5 / state.view.zoom;
+  context.stroke(pathOfCubics(cubicsOf(state.curve, rubber.contour, 0.05 / state.view.zoom), false));
+  const end = rubber.contour.points[1];
+  if (end === undefined) return;
+  const screen = inScreen(scene);
+  const at = onScreen(scene, end);
+  screen.beginPath();
+  screen.arc(at.x, at.y, rubber.closing ? 8 : 3.5, 0, 2 * Math.PI);
+  screen.strokeStyle = palette.point;
+  screen.lineWidth = 1.5;
+  screen.stroke();
+}
+
+function drawGuides(scene: Scene): void {
+  const { state, palette } = scene;
+  if (state.sketch.guides.length === 0) return;
+  const context = inScreen(scene);
+  context.strokeStyle = palette.cusp;
+  context.fillStyle = palette.cusp;
+  context.lineWidth = 1;
+  for (const guide of state.sketch.guides) {
+    const [from, to] = [onScreen(scene, guide.from), onScreen(scene, guide.to)];
+    context.beginPath();
+    context.moveTo(from.x, from.y);
+    context.lineTo(to.x, to.y);
+    context.stroke();
+    // A small cross at the end that the drag was drawn to.
+    context.fillRect(from.x - 3, from.y - 0.5, 6, 1);
+    context.fillRect(from.x - 0.5, from.y - 3, 1, 6);
+  }
+}
+
+function drawMarquee(scene: Scene): void {
+  const { state, palette } = scene;
+  const { marquee } = state.sketch;
+  if (marquee === null) return;
+  const context = inScreen(scene);
+  const [from, to] = [onScreen(scene, marquee.from), onScreen(scene, marquee.to)];
+  const [x, y] = [Math.min(from.x, to.x), Math.min(from.y, to.y)];
+  const [width, height] = [Math.abs(to.x - from.x), Math.abs(to.y - from.y)];
+  context.fillStyle = palette.focus;
+  context.globalAlpha = 0.1;
+  context.fillRect(x, y, width, height);
+  context.globalAlpha = 1;
+  context.strokeStyle = palette.focus;
+  context.lineWidth = 1;
+  context.strokeRect(Math.round(x) + 0.5, Math.round(y) + 0.5, Math.round(width), Math.round(height));
+}
+
+const loupeRadius = 48;
+const loupeZoom = 2;
+
+/** A finger hides what it drags: the loupe shows it above. It copies the finished picture, so it is drawn last. */
+export function drawLoupe(scene: Scene): void {
+  const { state, palette, ratio } = scene;
+  const { finger } = state.sketch;
+  if (finger === null) return;
+  const context = inScreen(scene);
+  const at = onScreen(scene, finger);
+  const above = at.y - 96;
+  // Near the top edge there is no room above: the loupe steps aside.
+  const x = above > loupeRadius ? at.x : at.x + (at.x > state.stage.width / 2 ? -110 : 110);
+  const centre = { x: Math.max(loupeRadius, Math.min(state.stage.width - loupeRadius, x)), y: Math.max(loupeRadius + 4, above) };
+  const half = loupeRadius / loupeZoom;
+  context.save();
+  context.beginPath();
+  context.arc(centre.x, centre.y, loupeRadius, 0, 2 * Math.PI);
+  context.fillStyle = palette.canvas;
+  context.fill();
+  context.clip();
+  context.drawImage(
+    context.canvas,
+    (at.x - half) * ratio, (at.y - half) * ratio, 2 * half * ratio, 2 * half * ratio,
+    centre.x - loupeRadius, centre.y - loupeRadius, 2 * loupeRadius, 2 * loupeRadius,
+  );
+  context.restore();
+  context.beginPath();
+  context.arc(centre.x, centre.y, loupeRadius, 0, 2 * Math.PI);
+  context.strokeStyle = palette.line;
+  context.lineWidth = 1.5;
+  context.stroke();
+}

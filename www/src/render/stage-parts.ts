@@ -1,0 +1,87 @@
+import type { EditorState, Editor } from "../editor/editor.ts";
+import { hintFor } from "../editor/hint.ts";
+import { zoomTo } from "../editor/standard-actions.ts";
+import { measureCurve } from "../kernel/measure.ts";
+
+/** The small DOM parts of the stage: the hint line, the zoom box, and what screen readers hear. */
+
+export function mountHint(editor: Editor, element: HTMLElement, until: AbortSignal): void {
+  editor.state.subscribe(
+    (state) => {
+      const text = hintFor(state);
+      if (element.textContent !== text) element.textContent = text;
+      element.hidden = text === "";
+    },
+    { until, now: true },
+  );
+}
+
+function actionButton(editor: Editor, id: string, testId: string, sign: string): HTMLButtonElement {
+  const action = editor.actions.get(id);
+  const button = document.createElement("button");
+  button.type = "button";
+  button.textContent = sign;
+  button.dataset["testid"] = testId;
+  button.setAttribute("aria-label", action?.label ?? id);
+  button.title = `${action?.label ?? id} (${action?.keys[0] ?? ""})`;
+  button.addEventListener("click", () => editor.actions.run(id));
+  return button;
+}
+
+export function mountZoomBox(editor: Editor, box: HTMLElement, until: AbortSignal): void {
+  const percent = document.createElement("input");
+  percent.type = "text";
+  percent.inputMode = "decimal";
+  percent.dataset["testid"] = "zoom-pct";
+  percent.setAttribute("aria-label", "Zoom in percent");
+  const print = (): void => {
+    percent.value = `${Math.round(editor.state.value.view.zoom * 100)} %`;
+  };
+  percent.addEventListener("change", () => {
+    const typed = Number(percent.value.replace("%", "").replace(",", ".").trim());
+    if (Number.isFinite(typed) && typed > 0) zoomTo(editor, typed / 100);
+    print();
+  });
+  percent.addEventListener("focus", () => percent.select());
+  box.append(
+    actionButton(editor, "zoom-out", "zoom-out", "\u2212"),
+    percent,
+    actionButton(editor, "zoom-in", "zoom-in", "+"),
+    actionButton(editor, "zoom-fit", "zoom-fit", "\u2922"),
+  );
+  editor.state.subscribe((state, before) => {
+    if (state.view.zoom !== before.view.zoom && document.activeElement !== percent) print();
+  }, { until });
+  print();
+}
+
+const settleMs = 700;
+
+/** Announcements at once; the drawing's summary when it has been still for a moment. */
+export function mountLive(editor: Editor, live: HTMLElement, summary: HTMLElement, until: AbortSignal): void {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const summarise = (): void => {
+    summary.textContent = summaryOf(editor.state.value);
+  };
+  editor.notices.subscribe((notice) => {
+    if (notice?.kind === "announce" || notice?.kind === "toast") live.textContent = notice.text;
+  }, { until });
+  editor.state.subscribe((state, before) => {
+    if (state.curve === before.curve && state.mode === before.mode) return;
+    clearTimeout(timer);
+    timer = setTimeout(summarise, settleMs);
+  }, { until });
+  until.addEventListener("abort", () => clearTimeout(timer), { once: true });
+  summarise();
+}
+
+function counted(count: number, one: string, many: string): string {
+  return `${count} ${count === 1 ? one : many}`;
+}
+
+function summaryOf(state: EditorState): string {
+  const { contours, closed, points, cusps } = measureCurve(state.curve);
+  if (contours === 0) return "An empty drawing. Choose the pen, or a sample, to begin.";
+  const kind = contours === 1 ? (closed === 1 ? "Closed curve" : "Open curve") : `${contours} contours, ${closed} closed`;
+  return `${kind}, ${counted(points, "point", "points")}, ${counted(cusps, "cusp", "cusps")}. Brackets step from point to point, arrows move the chosen one.`;
+}

@@ -1,0 +1,85 @@
+import type { Editor } from "../editor/editor.ts";
+import type { Frame } from "../editor/frame.ts";
+import { drawComb, drawKnots, drawPolygon, drawSubdivision } from "./layers/analysis.ts";
+import { drawBefore, drawBezier, drawCurves, drawFill } from "./layers/curves.ts";
+import { drawGrid } from "./layers/grid.ts";
+import { drawHandles, drawPoints } from "./layers/points.ts";
+import { drawLoupe, drawSketch } from "./layers/sketch.ts";
+import { readPalette } from "./palette.ts";
+import type { Scene } from "./scene.ts";
+
+/** The canvas: one picture per dirty frame, none otherwise. */
+
+/** Some systems give a blank canvas, and say nothing, above this many pixels. */
+const mostPixels = 16_777_216;
+const mostRatio = 3;
+
+export interface Stage {
+  /** Asks for a new picture. */
+  repaint(): void;
+}
+
+/** Device pixels per CSS pixel, within what a canvas can hold. */
+export function canvasRatio(width: number, height: number, deviceRatio: number): number {
+  const wanted = Math.min(mostRatio, Math.max(1, deviceRatio));
+  const area = Math.max(1, width * height);
+  return Math.min(wanted, Math.sqrt(mostPixels / area));
+}
+
+export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, canvas: HTMLCanvasElement, until: AbortSignal): Stage {
+  const context = canvas.getContext("2d");
+  let palette = readPalette(document.documentElement);
+  let ratio = 1;
+  let dirty = true;
+
+  function measure(): void {
+    const box = surface.getBoundingClientRect();
+    editor.patch({ stage: { left: box.left, top: box.top, width: box.width, height: box.height } });
+    ratio = canvasRatio(box.width, box.height, window.devicePixelRatio);
+    const [width, height] = [Math.round(box.width * ratio), Math.round(box.height * ratio)];
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    repaint();
+  }
+
+  function repaint(): void {
+    dirty = true;
+    frame.request();
+  }
+
+  function paint(): void {
+    if (!dirty || context === null) return;
+    dirty = false;
+    const scene: Scene = { context, state: editor.state.value, palette, ratio, origin: editor.origin, focused: surface.contains(document.activeElement) };
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.fillStyle = palette.canvas;
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    // A stage of no size (a hidden tab, a folded phone) has nothing to draw on.
+    if (canvas.width === 0 || canvas.height === 0 || scene.state.mode !== "curve") return;
+    for (const layer of layers) layer(scene);
+  }
+
+  const recolour = (): void => {
+    palette = readPalette(document.documentElement);
+    repaint();
+  };
+  editor.state.subscribe(repaint, { until });
+  const observer = new ResizeObserver(measure);
+  observer.observe(surface);
+  until.addEventListener("abort", () => observer.disconnect(), { once: true });
+  for (const type of ["themechange", "resize"]) {
+    window.addEventListener(type, type === "resize" ? measure : recolour, { signal: until });
+  }
+  for (const query of ["(prefers-color-scheme: dark)", "(forced-colors: active)"]) {
+    matchMedia(query).addEventListener("change", recolour, { signal: until });
+  }
+  for (const type of ["focusin", "focusout"]) surface.addEventListener(type, repaint, { signal: until });
+  frame.add("paint", paint);
+  measure();
+  return { repaint };
+}
+
+/** From the paper up. */
+const layers: readonly ((scene: Scene) => void)[] = [
+  drawGrid, drawFill, drawBefore, drawBezier, drawSubdivision, drawPolygon, drawComb, drawCurves, drawKnots, drawHandles, drawPoints, drawSketch, drawLoupe,
+];
