@@ -57,6 +57,8 @@ function listenToPointers({ editor, input, frame, surface, until }: Options): vo
     const record = recordOf(event, editor);
     // The drag goes on outside the stage and over the panel.
     surface.setPointerCapture(event.pointerId);
+    // Put there by the pointer, the focus needs no ring round the whole stage, whatever keys come later.
+    surface.dataset["pointer"] = "";
     surface.focus({ preventScroll: true });
     event.preventDefault();
     dropPress();
@@ -83,6 +85,7 @@ function listenToPointers({ editor, input, frame, surface, until }: Options): vo
     dropPress();
     input.lost(event.pointerId);
   });
+  on("blur", () => delete surface.dataset["pointer"]);
   on("pointerleave", () => {
     if (!input.busy) editor.patch({ hover: { kind: "empty" } });
   });

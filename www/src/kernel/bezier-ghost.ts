@@ -13,7 +13,11 @@ export interface Ghost {
   /** Largest distance from the curve, relative to the radius of an ellipse or to half the extent of another curve. */
   readonly error: number;
   readonly shape: "ellipse" | "handles";
+  /** For an ellipse: the Bézier with its error made `magnified` times as large, as a closed polygon; the true one cannot be told apart by eye. */
+  readonly magnified: Float64Array | null;
 }
+
+export const magnification = 500;
 
 export interface Ellipse {
   readonly center: readonly [number, number];
@@ -56,7 +60,29 @@ function fourArcs(ellipse: Ellipse): Ghost {
     const unit = [cos, sin, cos - kappa * sin, sin + kappa * cos, -sin + kappa * cos, cos + kappa * sin, -sin, cos];
     for (let k = 0; k < 8; k += 2) path.set(onEllipse(ellipse, unit[k] ?? 0, unit[k + 1] ?? 0), quarter * 8 + k);
   }
-  return { path, error: fourArcError(), shape: "ellipse" };
+  return { path, error: fourArcError(), shape: "ellipse", magnified: magnifiedErrors(ellipse) };
+}
+
+const magnifiedCount = 256;
+
+function magnifiedErrors(ellipse: Ellipse): Float64Array {
+  const polygon = new Float64Array(2 * magnifiedCount);
+  const perQuarter = magnifiedCount / 4;
+  for (let i = 0; i < magnifiedCount; i += 1) {
+    const [x, y] = quarterPoint((i % perQuarter) / perQuarter);
+    const radius = Math.hypot(x, y);
+    const factor = (1 + magnification * (radius - 1)) / radius;
+    let [u, v] = [x * factor, y * factor];
+    for (let turn = 0; turn < Math.floor(i / perQuarter); turn += 1) [u, v] = [-v, u];
+    polygon.set(onEllipse(ellipse, u, v), 2 * i);
+  }
+  return polygon;
+}
+
+/** The Bézier of the unit circle's first quarter. */
+function quarterPoint(t: number): [number, number] {
+  const s = 1 - t;
+  return [s * s * s + 3 * s * s * t + 3 * s * t * t * kappa, 3 * s * s * t * kappa + 3 * s * t * t + t * t * t];
 }
 
 function onEllipse({ center, radii, rotation }: Ellipse, u: number, v: number): [number, number] {
@@ -69,10 +95,7 @@ function onEllipse({ center, radii, rotation }: Ellipse, u: number, v: number): 
 function fourArcError(): number {
   let worst = 0;
   for (let i = 0; i <= 1000; i += 1) {
-    const t = i / 1000;
-    const s = 1 - t;
-    const x = s * s * s + 3 * s * s * t + 3 * s * t * t * kappa;
-    const y = 3 * s * s * t * kappa + 3 * s * t * t + t * t * t;
+    const [x, y] = quarterPoint(i / 1000);
     worst = Math.max(worst, Math.abs(Math.hypot(x, y) - 1));
   }
   return worst;
@@ -89,7 +112,7 @@ function sameHandles(document: CurveDocument, contour: Contour): Ghost {
     if (from === undefined || to === undefined) continue;
     path.set([from.x, from.y, from.x + from.out.dx, from.y + from.out.dy, to.x + to.in.dx, to.y + to.in.dy, to.x, to.y], 8 * segment);
   }
-  return { path, error: cubicError(document, contour, path), shape: "handles" };
+  return { path, error: cubicError(document, contour, path), shape: "handles", magnified: null };
 }
 
 const perSegment = 16;

@@ -1,5 +1,5 @@
-import { bezierGhost } from "../../kernel/bezier-ghost.ts";
-import { contourPath, inPage, pathOfCubics, type Scene } from "../scene.ts";
+import { bezierGhost, magnification } from "../../kernel/bezier-ghost.ts";
+import { contourPath, inPage, inScreen, onScreen, pathOfCubics, pathOfPoints, type Scene } from "../scene.ts";
 
 /** The drawing itself, what it was before the drag, and the Bézier to compare with. */
 
@@ -33,19 +33,68 @@ export function drawBefore(scene: Scene): void {
   context.lineCap = "butt";
 }
 
+/**
+ * The Bézier's circle lies within a hair of the exact one, so its error is drawn magnified and labelled as such; the
+ * points and handles that it needs are drawn as they are.
+ */
 export function drawBezier(scene: Scene): void {
   const { state, palette } = scene;
   if (!state.settings.overlays.bezier && !state.originalOnly) return;
-  const context = inPage(scene);
   const { zoom } = state.view;
-  context.strokeStyle = palette.warn;
-  context.lineWidth = 1.5 / zoom;
-  context.setLineDash([6 / zoom, 5 / zoom]);
   for (const contour of state.curve.contours) {
     const ghost = bezierGhost(state.curve, contour);
-    if (ghost !== null) context.stroke(pathOfCubics(ghost.path, contour.closed));
+    if (ghost === null) continue;
+    const context = inPage(scene);
+    context.strokeStyle = palette.warn;
+    context.lineWidth = 1.5 / zoom;
+    context.setLineDash([6 / zoom, 5 / zoom]);
+    context.stroke(pathOfCubics(ghost.path, contour.closed));
+    context.setLineDash([]);
+    if (ghost.magnified !== null) drawMagnified(scene, ghost.magnified, ghost.path);
   }
-  context.setLineDash([]);
+}
+
+function drawMagnified(scene: Scene, polygon: Float64Array, cubics: Float64Array): void {
+  const { state, palette } = scene;
+  const page = inPage(scene);
+  page.lineWidth = 1.5 / state.view.zoom;
+  page.lineCap = "round";
+  page.setLineDash([0.01 / state.view.zoom, 4 / state.view.zoom]);
+  page.stroke(pathOfPoints(polygon, true));
+  page.setLineDash([]);
+  page.lineCap = "butt";
+  const context = inScreen(scene);
+  context.globalAlpha = 0.75;
+  context.lineWidth = 1;
+  context.fillStyle = palette.warn;
+  for (let i = 0; i + 7 < cubics.length; i += 8) {
+    const [from, first, second, to] = [0, 2, 4, 6].map((k) => onScreen(scene, { x: cubics[i + k] ?? 0, y: cubics[i + k + 1] ?? 0 }));
+    if (from === undefined || first === undefined || second === undefined || to === undefined) continue;
+    context.beginPath();
+    context.moveTo(from.x, from.y);
+    context.lineTo(first.x, first.y);
+    context.moveTo(second.x, second.y);
+    context.lineTo(to.x, to.y);
+    context.stroke();
+    for (const end of [first, second]) context.fillRect(end.x - 2, end.y - 2, 4, 4);
+    context.strokeRect(from.x - 3.5, from.y - 3.5, 7, 7);
+  }
+  context.globalAlpha = 1;
+  label(scene, polygon);
+}
+
+/** At the highest of the waves that show the error. */
+function label(scene: Scene, polygon: Float64Array): void {
+  const at = 2 * Math.floor((polygon.length / 2) * 0.8);
+  const centre = onScreen(scene, { x: ((polygon[0] ?? 0) + (polygon[polygon.length / 2] ?? 0)) / 2, y: ((polygon[1] ?? 0) + (polygon[polygon.length / 2 + 1] ?? 0)) / 2 });
+  const place = onScreen(scene, { x: polygon[at] ?? 0, y: polygon[at + 1] ?? 0 });
+  const context = inScreen(scene);
+  context.font = '12px system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
+  context.fillStyle = scene.palette.warn;
+  const right = place.x >= centre.x;
+  context.textAlign = right ? "left" : "right";
+  context.fillText(`4-arc Bézier, error × ${magnification}`, place.x + (right ? 8 : -8), place.y + (place.y >= centre.y ? 16 : -8));
+  context.textAlign = "left";
 }
 
 export function drawCurves(scene: Scene): void {
