@@ -150,3 +150,20 @@ export function loweredContour(contour: Contour, level: number): Contour {
     ...(lengths === undefined || used.every((span) => span.length === 1) ? {} : { lengths: used.map((span) => span.length) }),
   };
 }
+
+/** The segment that holds `t`, and where in it, 0 … 1. */
+export function locate(contour: Contour, t: number): { segment: number; x: number } {
+  const last = segmentCount(contour) - 1;
+  let rest = contour.closed ? wrap(t, domainLength(contour)) : t;
+  for (let segment = 0; segment < last; segment += 1) {
+    const length = lengthOf(contour, segment);
+    if (rest < length) return { segment, x: rest / length };
+    rest -= length;
+  }
+  return { segment: last, x: Math.min(1, rest / lengthOf(contour, last)) };
+}
+
+function wrap(t: number, period: number): number {
+  const rest = t % period;
+  return rest < 0 ? rest + period : rest;
+}

@@ -2,6 +2,7 @@ import { parsePath, type HermiteCurve } from "expline";
 import {
   domainLength, lengthOf, omegaOf, segmentCount, type Contour, type ControlPoint, type CurveDocument, type Space,
 } from "../document/document.ts";
+import { locate } from "../document/contours.ts";
 import { kindOf, scaled } from "../document/offset.ts";
 import { curveOf } from "./curve-cache.ts";
 
@@ -72,23 +73,6 @@ function asEnd(point: ControlPoint, first: boolean): ControlPoint {
 /** Contours of a path's `d`; throws `ExplineError` with the place where it stops making sense. */
 export function contoursOfPath(d: string, space: Space): Contour[] {
   return parsePath(d).map((curve) => contourFrom(curve, space));
-}
-
-/** The segment that holds `t`, and where in it, 0 … 1. */
-export function locate(contour: Contour, t: number): { segment: number; x: number } {
-  const last = segmentCount(contour) - 1;
-  let rest = contour.closed ? wrap(t, domainLength(contour)) : t;
-  for (let segment = 0; segment < last; segment += 1) {
-    const length = lengthOf(contour, segment);
-    if (rest < length) return { segment, x: rest / length };
-    rest -= length;
-  }
-  return { segment: last, x: Math.min(1, rest / lengthOf(contour, last)) };
-}
-
-function wrap(t: number, period: number): number {
-  const rest = t % period;
-  return rest < 0 ? rest + period : rest;
 }
 
 function spliced(list: readonly number[], at: number, remove: number, ...add: number[]): number[] {

@@ -1,11 +1,11 @@
 import { movePoints } from "../../document/commands.ts";
+import { locate } from "../../document/contours.ts";
 import { isSelected, nothingSelected, pointAt, samePoint, type PointRef, type Selection } from "../../document/document.ts";
 import { panned, type ScreenPoint } from "../../editor/camera.ts";
 import { insertAt, resetSelectedHandles, toggleCusp } from "../../editor/edits.ts";
 import type { Editor, Modifiers, Target } from "../../editor/editor.ts";
 import { hitTest, sameTarget } from "../../editor/hit-test.ts";
 import { distanceBetween, dragThreshold, type Drag, type PointerSample, type Tool } from "../../editor/tool.ts";
-import { locate } from "../../kernel/contours.ts";
 import { brush } from "./brushing.ts";
 import { dragHandle } from "./dragging-handle.ts";
 import { dragPoints } from "./dragging-points.ts";

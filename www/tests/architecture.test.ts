@@ -1,0 +1,79 @@
+import assert from "node:assert/strict";
+import { readFileSync, readdirSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+
+/** The drawing of who may import whom, read from the imports themselves. */
+const allowed: Readonly<Record<string, readonly string[]>> = {
+  document: [],
+  kernel: ["document"],
+  editor: ["document", "kernel"],
+  tools: ["document", "editor"],
+  render: ["document", "editor", "kernel"],
+  panels: ["document", "editor", "kernel"],
+  io: ["document", "kernel"],
+};
+
+const source = "www/src";
+
+function filesUnder(folder: string, ending: string): string[] {
+  return readdirSync(folder, { recursive: true, encoding: "utf8" })
+    .filter((name) => name.endsWith(ending))
+    .map((name) => join(folder, name));
+}
+
+function roomOf(file: string): string {
+  const [room, inner] = file.slice(source.length + 1).split("/");
+  return inner === undefined ? "main" : (room ?? "");
+}
+
+function importsOf(file: string): string[] {
+  return [...readFileSync(file, "utf8").matchAll(/(?:from|import)\s+"([^"]+)"/g)].map((match) => match[1] ?? "");
+}
+
+test("rooms import only what the drawing allows", () => {
+  const strays: string[] = [];
+  for (const file of filesUnder(source, ".ts")) {
+    const room = roomOf(file);
+    if (room === "main") continue;
+    const rooms = allowed[room];
+    assert.ok(rooms !== undefined, `${file} is in a room that the drawing does not have`);
+    for (const name of importsOf(file).filter((each) => each.startsWith("."))) {
+      const target = roomOf(join(file, "..", name));
+      if (target !== room && !rooms.includes(target)) strays.push(`${file}: ${room} -> ${target}`);
+    }
+  }
+  assert.deepEqual(strays, []);
+});
+
+test("only the kernel imports the library, and nothing imports a package", () => {
+  const strays: string[] = [];
+  for (const file of filesUnder(source, ".ts")) {
+    for (const name of importsOf(file)) {
+      if (name.startsWith(".") || (name === "expline" && roomOf(file) === "kernel")) continue;
+      strays.push(`${file}: ${name}`);
+    }
+  }
+  assert.deepEqual(strays, []);
+});
+
+test("only tokens.css holds literal colours", () => {
+  const strays = filesUnder(join(source, "styles"), ".css")
+    .filter((file) => !file.endsWith("tokens.css"))
+    .flatMap((file) => (/#[0-9a-f]{3,8}\b|\b(?:rgb|hsl|oklch)a?\(/i.test(readFileSync(file, "utf8")) ? [file] : []));
+  assert.deepEqual(strays, []);
+});
+
+test("files stay short enough to be read at one sitting", () => {
+  const longest = 400;
+  const long = [...filesUnder(source, ".ts"), ...filesUnder(source, ".css")]
+    .map((file) => ({ file, lines: readFileSync(file, "utf8").split("\n").length }))
+    .filter(({ lines }) => lines > longest);
+  assert.deepEqual(long, []);
+});
+
+test("the page has no inline script, style or event handler, so that its Content Security Policy can forbid them", () => {
+  const page = readFileSync("www/index.html", "utf8");
+  assert.doesNotMatch(page, /\sstyle=|<style|\son\w+=/);
+  assert.doesNotMatch(page, /<script(?![^>]*\ssrc=)/);
+});

@@ -1,0 +1,127 @@
+import assert from "node:assert/strict";
+import type { ControlPoint, CurveDocument } from "../src/document/document.ts";
+import { curveSample } from "../src/document/samples.ts";
+import { toScreen } from "../src/editor/camera.ts";
+import { createEditor } from "../src/editor/create-editor.ts";
+import { loadCurve } from "../src/editor/edits.ts";
+import type { Editor, Modifiers } from "../src/editor/editor.ts";
+import type { PointerKind } from "../src/editor/hit-test.ts";
+import { createPointerInput, type PointerInput } from "../src/editor/pointer-input.ts";
+import { registerStandardActions } from "../src/editor/standard-actions.ts";
+import { samplePoints } from "../src/kernel/samples.ts";
+import { createTools } from "../src/tools/tools.ts";
+
+/** The editor without a browser: pointers and keys in, documents out. Places are in document units. */
+export class Hand {
+  readonly editor: Editor;
+  readonly input: PointerInput;
+  held: Modifiers = { shift: false, alt: false, mod: false };
+  kind: PointerKind = "mouse";
+  time = 0;
+  #at = { x: 0, y: 0 };
+
+  constructor(sample?: string) {
+    this.editor = createEditor(() => this.time);
+    registerStandardActions(this.editor);
+    this.input = createPointerInput(this.editor, createTools(this.editor));
+    if (sample === undefined) return;
+    const found = curveSample(sample);
+    assert.ok(found, `no sample named ${sample}`);
+    loadCurve(this.editor, "Open", found.curve);
+    this.editor.setState(this.editor.getState(), { fresh: true });
+    // Tests that drag say where to, to the last digit.
+    this.editor.setSettings({ snap: false });
+  }
+
+  get curve(): CurveDocument {
+    return this.editor.state.value.curve;
+  }
+
+  point(index: number, contour = 0): ControlPoint {
+    const point = this.curve.contours[contour]?.points[index];
+    assert.ok(point, `no point ${contour}:${index}`);
+    return point;
+  }
+
+  get selected(): string[] {
+    return this.editor.state.value.selection.points.map((ref) => `${ref.contour}:${ref.index}`);
+  }
+
+  /** Interleaved points of a contour. */
+  sample(count: number, contour = 0): Float64Array {
+    const shape = this.curve.contours[contour];
+    assert.ok(shape, `no contour ${contour}`);
+    return samplePoints(this.curve, shape, count);
+  }
+
+  #record(button = 0, id = 1): Parameters<PointerInput["down"]>[0] {
+    const { view, stage } = this.editor.state.value;
+    return { id, kind: this.kind, button, screen: toScreen(view, stage, this.#at), modifiers: this.held, time: this.time };
+  }
+
+  /** Time passes; two presses further apart than this are not a double-click. */
+  wait(milliseconds = 1000): this {
+    this.time += milliseconds;
+    return this;
+  }
+
+  moveTo(x: number, y: number): this {
+    this.#at = { x, y };
+    this.input.move(this.#record());
+    this.input.flush();
+    return this;
+  }
+
+  press(): this {
+    this.input.down(this.#record());
+    return this;
+  }
+
+  release(): this {
+    this.input.up(this.#record());
+    return this;
+  }
+
+  keys(held: Partial<Modifiers>): this {
+    this.held = { shift: false, alt: false, mod: false, ...held };
+    this.input.modifiers(this.held);
+    return this;
+  }
+
+  click(x: number, y: number): this {
+    return this.wait().moveTo(x, y).press().release();
+  }
+
+  doubleClick(x: number, y: number): this {
+    this.click(x, y);
+    this.time += 80;
+    return this.press().release();
+  }
+
+  /** From one place by a step, in a few moves, as a hand does. */
+  drag(from: { x: number; y: number }, dx: number, dy: number): this {
+    this.wait().moveTo(from.x, from.y).press();
+    for (const part of [0.2, 0.5, 0.8, 1]) this.moveTo(from.x + dx * part, from.y + dy * part);
+    return this.release();
+  }
+
+  /** The end of a handle. */
+  handle(index: number, side: "in" | "out", contour = 0): { x: number; y: number } {
+    const point = this.point(index, contour);
+    return { x: point.x + point[side].dx, y: point.y + point[side].dy };
+  }
+
+  run(action: string): this {
+    this.wait();
+    this.editor.actions.run(action);
+    return this;
+  }
+}
+
+/** The largest distance between two samplings of one length. */
+export function largestDistance(a: Float64Array, b: Float64Array): number {
+  assert.equal(a.length, b.length);
+  let worst = 0;
+  for (let i = 0; i < a.length; i += 2) worst = Math.max(worst, Math.hypot((a[i] ?? 0) - (b[i] ?? 0), (a[i + 1] ?? 0) - (b[i + 1] ?? 0)));
+  return worst;
+}
