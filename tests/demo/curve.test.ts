@@ -1,0 +1,161 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { boxDiagonal, directedDistance, radiusError, useBrowser, type Demo } from "./page.ts";
+
+const { open } = useBrowser();
+
+function angleBetween(a: { dx: number; dy: number }, b: { dx: number; dy: number }): number {
+  return Math.abs(Math.atan2(a.dx * b.dy - a.dy * b.dx, a.dx * b.dx + a.dy * b.dy)) * (180 / Math.PI);
+}
+
+async function openWithoutSnap(t: Parameters<typeof open>[0], sample: string): Promise<Demo> {
+  const demo = await open(t, `#/curve?sample=${sample}`);
+  await demo.withoutSnap();
+  return demo;
+}
+
+test("V03 two points are an exact circle, and the Bézier's error is measured beside it", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-2");
+  const before = await demo.sample(2000);
+  assert.ok(radiusError(before) <= 1e-9);
+  assert.equal((await demo.points()).length, 2);
+  assert.ok((await demo.metric("m-error")) <= 1e-9);
+  const { bezierError, modelError } = await demo.stats();
+  assert.ok(bezierError !== undefined && bezierError >= 1.5e-4 && bezierError <= 2.9e-4, `Bézier error ${bezierError}`);
+  assert.equal(await demo.metric("m-bezier"), bezierError);
+  t.diagnostic(`two-point circle: error ${modelError}, Bézier ${bezierError}`);
+  const picture = await demo.pixels();
+  await demo.byId("ov-bezier").uncheck();
+  await demo.idle();
+  assert.ok((await demo.changedPixels(picture, await demo.pixels())) > 0);
+  assert.deepEqual(await demo.sample(2000), before);
+});
+
+test("V03 dragging a point of the two-point circle leaves an exact ellipse", async (t) => {
+  const demo = await openWithoutSnap(t, "circle-2");
+  await demo.drag("pt-0-0", 60, -45);
+  assert.ok((await demo.metric("m-error")) <= 1e-9);
+});
+
+test("V05 a symmetric handle takes its partner along; Alt makes a cusp; a double-click smooths it", async (t) => {
+  const demo = await openWithoutSnap(t, "circle-8");
+  const place = await demo.point(2);
+  await demo.click("pt-0-2");
+  await demo.drag("hout-0-2", 30, 20);
+  const turned = await demo.point(2);
+  assert.ok(Math.abs(turned.in.dx + turned.out.dx) <= 0.01 && Math.abs(turned.in.dy + turned.out.dy) <= 0.01);
+  assert.deepEqual([turned.x, turned.y], [place.x, place.y]);
+  await demo.press("Control+z");
+  assert.deepEqual(await demo.point(2), place);
+
+  await demo.page.keyboard.down("Alt");
+  await demo.drag("hout-0-2", 0, 70);
+  await demo.page.keyboard.up("Alt");
+  const cusp = await demo.point(2);
+  assert.ok(Math.abs(cusp.in.dx - place.in.dx) <= 0.01 && Math.abs(cusp.in.dy - place.in.dy) <= 0.01);
+  assert.equal(cusp.kind, "cusp");
+  assert.ok(angleBetween({ dx: -cusp.in.dx, dy: -cusp.in.dy }, cusp.out) > 10);
+  assert.match(await demo.textOf("legend-cusp"), /\b1\b/);
+  assert.match((await demo.byId("pt-0-2").getAttribute("aria-label")) ?? "", /cusp/);
+
+  const at = await demo.centre("pt-0-2");
+  await demo.doubleClick(at.x, at.y);
+  const smooth = await demo.point(2);
+  assert.notEqual(smooth.kind, "cusp");
+  assert.ok(angleBetween({ dx: -smooth.in.dx, dy: -smooth.in.dy }, smooth.out) < 1e-6);
+});
+
+test("V06 Shift holds points to the compass and handles to steps of 15°", async (t) => {
+  const demo = await openWithoutSnap(t, "circle-8");
+  const { x, y } = await demo.point(3);
+  await demo.page.keyboard.down("Shift");
+  await demo.drag("pt-0-3", 80, 22);
+  const level = await demo.point(3);
+  assert.ok(Math.abs(level.y - y) <= 0.01 && Math.abs(level.x - x - 80) <= 0.5);
+  await demo.drag("pt-0-3", 60, 55);
+  const slanted = await demo.point(3);
+  assert.ok(Math.abs(Math.abs(slanted.x - level.x) - Math.abs(slanted.y - level.y)) <= 0.01);
+  await demo.page.keyboard.up("Shift");
+  await demo.click("pt-0-3");
+  await demo.page.keyboard.down("Shift");
+  await demo.drag("hout-0-3", 41, -17);
+  await demo.page.keyboard.up("Shift");
+  const { dx, dy } = (await demo.point(3)).out;
+  const steps = (Math.atan2(dy, dx) * 12) / Math.PI;
+  assert.ok(Math.abs(steps - Math.round(steps)) * 15 <= 0.01);
+});
+
+test("V07 inserting a point does not change the curve", async (t) => {
+  const demo = await openWithoutSnap(t, "circle-8");
+  const before = await demo.sample(2000);
+  const [x, y] = (await demo.sample(800))[37] ?? [0, 0];
+  const at = await demo.toScreen(x, y);
+  await demo.doubleClick(at.x, at.y);
+  assert.equal((await demo.points()).length, 9);
+  const after = await demo.sample(2000);
+  const tolerance = 1e-6 * boxDiagonal(before);
+  // Both are the same circle; polygons of 2000 sides miss it by 2e-4, so the circle itself is the measure between them.
+  assert.ok(radiusError(before) * 160 <= tolerance && radiusError(after) * 160 <= tolerance);
+  assert.ok(directedDistance(after.slice(0, 200), before, true) < 3e-4);
+  // The new point is the chosen one: an arrow moves it and nothing else.
+  const placed = await demo.points();
+  await demo.focusStage();
+  await demo.press("ArrowUp");
+  const nudged = await demo.points();
+  assert.deepEqual(nudged.map((point, i) => point.y - (placed[i]?.y ?? 0) !== 0), placed.map((_, i) => i === 1));
+});
+
+test("V08 Delete heals the gap and says by how much; Shift+Delete opens; two points must stay", async (t) => {
+  const demo = await openWithoutSnap(t, "circle-8");
+  const before = await demo.state();
+  await demo.click("pt-0-4");
+  await demo.press("Delete");
+  assert.equal((await demo.points()).length, 7);
+  assert.equal((await demo.state()).curve.contours[0]?.closed, true);
+  const deviation = radiusError(await demo.sample(2000)) * 160;
+  assert.ok(deviation <= 1e-3 * 320, `healed to ${deviation}`);
+  assert.match(await demo.textOf("toast"), /moved by at most [\d.e-]+/);
+  await demo.press("Control+z");
+  assert.deepEqual((await demo.state()).curve, before.curve);
+
+  await demo.click("pt-0-4");
+  await demo.press("Shift+Delete");
+  const opened = (await demo.state()).curve.contours;
+  assert.equal(opened[0]?.points.length, 7);
+  assert.equal(opened[0]?.closed, false);
+  await demo.press("Control+z");
+
+  for (let left = 8; left > 2; left -= 1) {
+    await demo.click(`pt-0-${left - 1}`);
+    await demo.press("Delete");
+    assert.equal((await demo.points()).length, left - 1);
+  }
+  await demo.click("pt-0-0");
+  await demo.press("Delete");
+  assert.equal((await demo.points()).length, 2);
+  assert.match(await demo.textOf("hint"), /two points/);
+});
+
+test("V11 the marquee chooses, arrows nudge, a drag moves all, and one undo takes back the drag only", async (t) => {
+  const demo = await openWithoutSnap(t, "circle-8");
+  const start = await demo.points();
+  const [a, b] = [await demo.toScreen(585, 290), await demo.toScreen(270, 480)];
+  await demo.dragFrom(a, b.x - a.x, b.y - a.y);
+  await demo.press("ArrowRight", "ArrowRight", "ArrowRight", "Shift+ArrowDown");
+  const nudged = await demo.points();
+  nudged.forEach((point, i) => {
+    const old = start[i];
+    assert.ok(old !== undefined);
+    const moved = i <= 3 ? [3, 10] : [0, 0];
+    assert.ok(Math.abs(point.x - old.x - (moved[0] ?? 0)) < 1e-9 && Math.abs(point.y - old.y - (moved[1] ?? 0)) < 1e-9, `point ${i}`);
+  });
+  await demo.page.waitForTimeout(650);
+  await demo.drag("pt-0-1", 25, -15);
+  const dragged = await demo.points();
+  dragged.forEach((point, i) => {
+    const old = nudged[i];
+    assert.ok(old !== undefined && Math.abs(point.x - old.x - (i <= 3 ? 25 : 0)) < 0.5, `point ${i}`);
+  });
+  await demo.press("Control+z");
+  assert.deepEqual(await demo.points(), nudged);
+});

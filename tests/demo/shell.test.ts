@@ -1,0 +1,237 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { assertSame, useBrowser, type Demo } from "./page.ts";
+
+const { open } = useBrowser();
+
+const modes = ["curve", "fit", "trace", "surface"] as const;
+
+/** Address, tab, panel and state name the same mode. */
+async function assertMode(demo: Demo, mode: (typeof modes)[number]): Promise<void> {
+  await demo.idle();
+  const { page } = demo;
+  assert.equal((await demo.state()).mode, mode);
+  assert.match(new URL(page.url()).hash, new RegExp(`^#/${mode}\\b`));
+  for (const other of modes) assert.equal(await demo.byId(`tab-${other}`).getAttribute("aria-selected"), String(other === mode), other);
+  assert.match((await demo.byId("panel").locator("h1, h2").first().textContent()) ?? "", new RegExp(mode, "i"));
+}
+
+test("V02 tabs, history and arrow keys agree with the address, the panel and the state", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  await demo.withoutSnap();
+  await demo.drag("pt-0-1", 30, 10);
+  const moved = await demo.points();
+  for (const mode of ["fit", "trace", "surface", "curve"] as const) {
+    await demo.byId(`tab-${mode}`).click();
+    await assertMode(demo, mode);
+  }
+  assert.deepEqual(await demo.points(), moved);
+  await demo.page.goBack();
+  await assertMode(demo, "surface");
+  await demo.page.goBack();
+  await assertMode(demo, "trace");
+  await demo.page.goForward();
+  await assertMode(demo, "surface");
+  await demo.byId("tab-surface").focus();
+  await demo.press("ArrowRight");
+  await demo.press("Enter");
+  await assertMode(demo, "curve");
+  await demo.press("ArrowRight");
+  await demo.press("Enter");
+  await assertMode(demo, "fit");
+  await demo.byId("tab-curve").click();
+  await assertMode(demo, "curve");
+  assert.deepEqual(await demo.points(), moved);
+  assert.deepEqual(demo.complaints, []);
+});
+
+test("V02 a route to a later mode's sample opens that mode with that sample", async (t) => {
+  const demo = await open(t, "#/fit?sample=fit-star");
+  await assertMode(demo, "fit");
+  assert.equal((await demo.state()).fit.sample, "fit-star");
+  assert.match(new URL(demo.page.url()).hash, /sample=fit-star/);
+});
+
+test("V12 twelve mixed actions: undone to the first state, redone to the last, and a new one ends what could be redone", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  await demo.withoutSnap();
+  const { page } = demo;
+  const settle = (): Promise<void> => page.waitForTimeout(650);
+  const first = (await demo.state()).curve;
+  await demo.drag("pt-0-1", 20, 15);
+  await demo.click("pt-0-2");
+  await demo.drag("hout-0-2", 18, -9);
+  await demo.focusStage();
+  await demo.press("Enter");
+  await demo.press("Delete");
+  await settle();
+  await demo.slide("level", 1);
+  await settle();
+  await demo.click("pt-0-4");
+  await demo.byId("pt-x").fill("333.25");
+  await demo.press("Enter");
+  await settle();
+  await demo.byId("closed").click();
+  await demo.idle();
+  await demo.click("pt-0-6");
+  await demo.press("ArrowUp", "ArrowUp");
+  await settle();
+  await demo.byId("btn-import").click();
+  await demo.byId("import-text").fill("M10 10h80v40a20 20 0 0 1-20 20z");
+  await demo.byId("import-apply").click();
+  await demo.idle();
+  await page.keyboard.press("Escape");
+  await demo.click("pt-0-3");
+  await demo.press("c");
+  await settle();
+  await demo.byId("space").selectOption("polynomial");
+  await settle();
+  await demo.byId("btn-clear").click();
+  await demo.idle();
+  const last = (await demo.state()).curve;
+  assert.equal(last.contours.length, 0);
+  for (let i = 0; i < 12; i += 1) await demo.byId("btn-undo").click();
+  await demo.idle();
+  assertSame((await demo.state()).curve, first);
+  assert.equal(await demo.byId("btn-undo").isDisabled(), true);
+  for (let i = 0; i < 12; i += 1) await demo.byId("btn-redo").click();
+  await demo.idle();
+  assertSame((await demo.state()).curve, last);
+  for (let i = 0; i < 3; i += 1) await demo.byId("btn-undo").click();
+  await demo.idle();
+  assert.equal(await demo.byId("btn-redo").isDisabled(), false);
+  await demo.click("pt-0-0");
+  await demo.press("ArrowRight");
+  assert.equal(await demo.byId("btn-redo").isDisabled(), true);
+  assert.deepEqual(demo.complaints, []);
+});
+
+test("V13 the view zooms at the pointer, pans with space, fits, clamps, and is no part of the history", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  const { page } = demo;
+  const stay = await demo.toDoc(500, 300);
+  const near = async (): Promise<void> => {
+    const now = await demo.toDoc(500, 300);
+    const { zoom } = (await demo.state()).view;
+    assert.ok(Math.hypot(now.x - stay.x, now.y - stay.y) * zoom <= 0.5);
+  };
+  await page.mouse.move(500, 300);
+  let { zoom } = (await demo.state()).view;
+  for (let i = 0; i < 3; i += 1) await page.mouse.wheel(0, -120);
+  await demo.idle();
+  assert.ok((await demo.state()).view.zoom > zoom * 1.3);
+  await near();
+  ({ zoom } = (await demo.state()).view);
+  await page.keyboard.down("Control");
+  await page.mouse.wheel(0, -120);
+  await page.keyboard.up("Control");
+  await demo.idle();
+  assert.ok((await demo.state()).view.zoom > zoom);
+  await near();
+
+  const from = await demo.toScreen(400, 300);
+  await demo.focusStage();
+  await page.keyboard.down("Space");
+  await demo.dragFrom({ x: 500, y: 300 }, 100, 50);
+  await page.keyboard.up("Space");
+  const to = await demo.toScreen(400, 300);
+  assert.ok(Math.abs(to.x - from.x - 100) <= 1 && Math.abs(to.y - from.y - 50) <= 1);
+
+  await demo.press("0");
+  assert.equal((await demo.state()).view.zoom, 1);
+  await demo.press("f");
+  const box = await demo.byId("stage").boundingBox();
+  assert.ok(box !== null);
+  for (const [x, y] of await demo.sample(200)) {
+    const at = await demo.toScreen(x, y);
+    assert.ok(at.x - box.x >= 16 && at.y - box.y >= 16 && box.x + box.width - at.x >= 16 && box.y + box.height - at.y >= 16);
+  }
+  for (let i = 0; i < 100; i += 1) await page.mouse.wheel(0, -120);
+  await demo.idle();
+  assert.equal((await demo.state()).view.zoom, 64);
+  for (let i = 0; i < 200; i += 1) await page.mouse.wheel(0, 120);
+  await demo.idle();
+  assert.equal((await demo.state()).view.zoom, 0.05);
+  assert.equal(await demo.byId("btn-undo").isDisabled(), true);
+});
+
+test("V14 touch: a finger beside a point moves it, two fingers zoom and edit nothing, a two-finger tap undoes", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8", { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const cdp = await demo.page.context().newCDPSession(demo.page);
+  const touch = async (type: "touchStart" | "touchMove" | "touchEnd", ...points: { x: number; y: number }[]): Promise<void> => {
+    await cdp.send("Input.dispatchTouchEvent", { type, touchPoints: points.map((point, id) => ({ ...point, id })) });
+    await demo.page.waitForTimeout(16);
+  };
+  const before = await demo.points();
+  const at = await demo.centre("pt-0-0");
+  const start = { x: at.x - 13, y: at.y + 13 };
+  await touch("touchStart", start);
+  for (let i = 1; i <= 6; i += 1) await touch("touchMove", { x: start.x - 8 * i, y: start.y - 5 * i });
+  await touch("touchEnd");
+  await demo.idle();
+  const moved = await demo.points();
+  const { zoom } = (await demo.state()).view;
+  // Snapping may draw the point by 6 px at most.
+  assert.ok(Math.abs((moved[0]?.x ?? 0) - (before[0]?.x ?? 0) + 48 / zoom) <= 7 / zoom);
+  assert.deepEqual(moved.slice(1), before.slice(1));
+
+  const [a, b] = [{ x: 180, y: 400 }, { x: 220, y: 400 }];
+  await touch("touchStart", a, b);
+  for (let i = 1; i <= 8; i += 1) await touch("touchMove", { x: a.x - 6 * i, y: a.y }, { x: b.x + 6 * i, y: b.y });
+  await touch("touchEnd");
+  await demo.idle();
+  assert.ok((await demo.state()).view.zoom >= 1.5 * zoom);
+  assert.deepEqual(await demo.points(), moved);
+
+  await touch("touchStart", a, b);
+  await touch("touchEnd");
+  await demo.idle();
+  assert.deepEqual(await demo.points(), before);
+});
+
+test("V26 keyboard only: choose, nudge, cusp, insert, delete, undo, leave; help opens, holds the focus and gives it back", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  const { page } = demo;
+  const inStage = (): Promise<boolean> => page.evaluate(() => document.querySelector('[data-testid="stage"]')?.contains(document.activeElement) === true);
+  for (let i = 0; i < 40 && !(await inStage()); i += 1) await page.keyboard.press("Tab");
+  assert.equal(await inStage(), true, "Tab reaches the stage");
+
+  const before = await demo.points();
+  const at = await demo.toScreen(before[1]?.x ?? 0, before[1]?.y ?? 0);
+  const clip = { x: at.x - 14, y: at.y - 14, width: 28, height: 28 };
+  const plain = await page.screenshot({ clip });
+  await demo.press("]", "]");
+  const ringed = await page.screenshot({ clip });
+  assert.notDeepEqual(ringed, plain);
+  assert.match(await demo.textOf("live"), /Point 2 of 8/);
+  await demo.press("ArrowUp", "ArrowUp", "ArrowUp", "ArrowUp", "ArrowUp");
+  assert.ok(Math.abs((await demo.point(1)).y - (before[1]?.y ?? 0) + 5) < 1e-9);
+  await demo.press("c");
+  assert.equal((await demo.point(1)).kind, "cusp");
+  assert.match(await demo.textOf("live"), /cusp/);
+  await demo.press("Enter");
+  assert.equal((await demo.points()).length, 9);
+  await demo.press("Delete");
+  assert.equal((await demo.points()).length, 8);
+  await demo.press("Control+z", "Control+z");
+  assert.equal((await demo.points()).length, 8);
+  assert.equal((await demo.point(1)).kind, "cusp");
+  assert.equal(await inStage(), true);
+  await page.keyboard.press("Tab");
+  assert.equal(await page.evaluate(() => document.querySelector('[data-testid="panel"]')?.contains(document.activeElement)), true, "Tab leads to the panel");
+
+  await page.keyboard.press("Shift+Tab");
+  assert.equal(await inStage(), true);
+  await page.keyboard.press("?");
+  const dialog = page.locator("dialog[open]");
+  await dialog.waitFor();
+  for (let i = 0; i < 30; i += 1) {
+    await page.keyboard.press("Tab");
+    // Outside the dialog the focus may only be on nothing: the browser's own frame.
+    assert.equal(await page.evaluate(() => document.activeElement === document.body || document.activeElement?.closest("dialog[open]") !== null), true);
+  }
+  await page.keyboard.press("Escape");
+  await dialog.waitFor({ state: "detached" }).catch(() => dialog.waitFor({ state: "hidden" }));
+  assert.equal(await inStage(), true, "the focus is back");
+  assert.deepEqual(demo.complaints, []);
+});
