@@ -13,6 +13,7 @@ const [, , input, output] = process.argv;
 const PANICS = /core(\[[0-9a-f]+\])?::(panicking|slice::index::slice_\w+_fail|result::unwrap_failed|option::(expect|unwrap)_failed|cell::panic_)|alloc(\[[0-9a-f]+\])?::(raw_vec::handle_error|raw_vec::capacity_overflow|alloc::handle_alloc_error)|rust_begin_unwind|rust_panic|std(\[[0-9a-f]+\])?::panicking|__rustc(\[[0-9a-f]+\])?::(rust_begin_unwind|__rust_alloc_error_handler)|rust_oom/;
 const MESSAGES = /(\/|src\/)[\w./@+-]+?\.rs|index out of bounds: the len is | but the index is /g;
 
+binaryen.setDebugInfo(true); // names stay until wasm-opt, for those who look into what is large
 const wasm = binaryen.readBinary(readFileSync(input));
 let count = 0;
 for (let i = wasm.getNumFunctions() - 1; i >= 0; i--) {
