@@ -52,6 +52,8 @@ pub struct HermiteCurve {
     basis_of: Vec<u32>,
     space: Space,
     closed: bool,
+    /// Whether all lengths are one.
+    even: bool,
 }
 
 impl HermiteCurve {
@@ -91,7 +93,20 @@ impl HermiteCurve {
         check_count("omega", omega.len(), segments)?;
         let (bases, basis_of) = bases(space, &omega, &lengths)?;
         let knots = running_sums(&lengths);
-        Ok(Self { points, tangents, tangents_in, omega, lengths, knots, bases, basis_of, space, closed })
+        let even = lengths.iter().all(|length| *length == lengths[0]);
+        Ok(Self {
+            points,
+            tangents,
+            tangents_in,
+            omega,
+            lengths,
+            knots,
+            bases,
+            basis_of,
+            space,
+            closed,
+            even,
+        })
     }
 
     /// The points.
@@ -155,6 +170,11 @@ impl HermiteCurve {
             length: self.lengths[i],
             basis: &self.bases[self.basis_of[i] as usize],
         }
+    }
+
+    /// Whether all segments have one parameter length.
+    pub(super) fn is_even(&self) -> bool {
+        self.even
     }
 
     /// The index of the point after point i, the first after the last.

@@ -1,7 +1,8 @@
 //! Many points at once, into the caller's slice.
 
 use super::hermite::{HermiteCurve, check_derivative};
-use super::limits::{MOST_EVALUATIONS, too_many};
+use super::limits::{MOST_EVALUATIONS, MOST_OUTPUT_POINTS, too_many, with_room};
+use super::sampler::Sampler;
 use crate::error::{Error, Result};
 
 impl HermiteCurve {
@@ -42,17 +43,23 @@ impl HermiteCurve {
         Ok(())
     }
 
-    /// Points first, first + 1, … of the uniform sampling of the curve by `count` points, as many as `out` has
-    /// room for, x and y in turn.
+    /// `count` points that lie uniformly in the parameter, x and y in turn; see [`Sampler::points`].
     ///
-    /// Point i lies at i/count of the parameter range of a closed curve, at i/(count − 1) of an open one.
-    pub fn sample_range(&self, count: usize, first: usize, out: &mut [f64]) {
-        let (_, end) = self.domain();
-        let steps = if self.is_closed() { count } else { count.saturating_sub(1) }.max(1) as f64;
-        for (i, out) in (first..count).zip(out.chunks_exact_mut(2)) {
-            let t = (i as f64 * end / steps).min(end);
-            let Ok((k, x)) = self.locate(t) else { continue };
-            out.copy_from_slice(self.segment(k).position(x).as_slice());
+    /// # Errors
+    ///
+    /// More than 4 million points.
+    pub fn sample(&self, count: usize) -> Result<Vec<f64>> {
+        if count > MOST_OUTPUT_POINTS {
+            return Err(too_many("count", "maxOutputPoints", MOST_OUTPUT_POINTS, count));
         }
+        let mut points = with_room(2 * count)?;
+        points.resize(2 * count, 0.0);
+        self.sample_range(count, 0, &mut points);
+        Ok(points)
+    }
+
+    /// A part of a uniform sampling; see [`Sampler::points`], which is quicker when there are several.
+    pub fn sample_range(&self, count: usize, first: usize, out: &mut [f64]) {
+        Sampler::default().points(self, count, first, out);
     }
 }
