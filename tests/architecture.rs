@@ -157,10 +157,10 @@ fn shape_violations(source: &Source) -> Vec<String> {
         for word in words.filter(|word| word.ends_with("Manager") || word.ends_with("Helper")) {
             found.push(format!("{}: {word} says nothing about what it does", source.path));
         }
-        if let Some(name) = line.trim_start().trim_start_matches("pub ").strip_prefix("mod ") {
-            if FORBIDDEN_WORDS.contains(&identifier(name)) {
-                found.push(format!("{}: mod {name} says nothing about what is inside", source.path));
-            }
+        if let Some(name) = line.trim_start().trim_start_matches("pub ").strip_prefix("mod ")
+            && FORBIDDEN_WORDS.contains(&identifier(name))
+        {
+            found.push(format!("{}: mod {name} says nothing about what is inside", source.path));
         }
     }
     found
@@ -184,10 +184,10 @@ fn citations(text: &str) -> Vec<String> {
     }
     for (i, _) in text.match_indices("(D ") {
         let rest = &text[i + 1..];
-        if let Some(end) = rest.find(')') {
-            if rest[2..end].chars().all(|c| c.is_ascii_digit() || c == '.') {
-                found.push(format!("({})", &rest[..end]));
-            }
+        if let Some(end) = rest.find(')')
+            && rest[2..end].chars().all(|c| c.is_ascii_digit() || c == '.')
+        {
+            found.push(format!("({})", &rest[..end]));
         }
     }
     found
