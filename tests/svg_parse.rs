@@ -1,5 +1,11 @@
 //! Path data is read exactly, and what cannot be read is said with its place.
 
+#![allow(
+    clippy::panic,
+    clippy::print_stdout,
+    reason = "tests stop with what they found and print the worst seen"
+)]
+
 mod support;
 
 use core::f64::consts::PI;

@@ -1,11 +1,15 @@
 //! SVG path data in and out; no XML.
 //!
 //! [`parse_path`] turns every subpath into one [`HermiteCurve`](crate::HermiteCurve) without approximating
-//! anything; `to_path_d` goes back, with arcs as `A`, lines as `L` and all else as cubic Béziers within a tolerance.
+//! anything; [`to_path_d`] goes back, with arcs as `A`, lines as `L` and all else as cubic Béziers within a tolerance.
 
 mod arc;
+mod arc_text;
 mod number;
 mod parse;
+mod print;
 mod subpath;
+mod text;
 
 pub use parse::{MOST_PATH_BYTES, MOST_PATH_POINTS, MOST_SUBPATHS, ParsedPath, Truncation, parse_path};
+pub use print::{PrintOptions, Printed, to_path_d};

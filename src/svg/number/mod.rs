@@ -9,7 +9,7 @@ mod tests;
 mod write;
 
 use big::Big;
-pub(super) use write::{scaled, shortest, write, write_shortest};
+pub(super) use write::{scaled, shortest, write};
 
 /// 10⁰ … 10²²: the powers of ten that an `f64` holds exactly.
 const POWERS: [f64; 23] = [
@@ -79,7 +79,7 @@ fn read_exponent(text: &[u8], at: usize) -> (i32, usize) {
 }
 
 /// `mantissa`·10^`exponent`, correctly rounded.
-fn decimal(mantissa: u64, exponent: i32) -> f64 {
+pub(super) fn decimal(mantissa: u64, exponent: i32) -> f64 {
     // Case both factors exact: one rounding, which is the right one.
     if mantissa <= 1 << 53
         && let Some(power) = POWERS.get(exponent.unsigned_abs() as usize)

@@ -53,8 +53,14 @@ pub(in crate::svg) fn shortest(value: f64) -> (u64, u32) {
     }
 }
 
-/// Appends n·10^−`decimals`: no trailing zeros, no zero before the point, never `-0`.
+/// Appends n·10^−`decimals`: no trailing zeros, no zero before the point, never `-0`; from 23 decimals on as an
+/// integer with an exponent.
 pub(in crate::svg) fn write(out: &mut Vec<u8>, negative: bool, n: u64, decimals: u32) {
+    if decimals > 22 {
+        write(out, negative, n, 0);
+        out.extend(b"e-");
+        return write(out, false, u64::from(decimals), 0);
+    }
     let mut reversed = [0_u8; 32];
     let mut slots = reversed.iter_mut();
     let mut len = 0;
@@ -98,15 +104,4 @@ pub(in crate::svg) fn write(out: &mut Vec<u8>, negative: bool, n: u64, decimals:
         out.push(b'-');
     }
     out.extend(reversed.iter().take(len).rev());
-}
-
-/// Appends the shortest text that is read back as `value` to the last bit, with an exponent where it is tiny.
-pub(in crate::svg) fn write_shortest(out: &mut Vec<u8>, value: f64) {
-    let (n, decimals) = shortest(value);
-    if decimals <= 22 {
-        return write(out, value < 0.0, n, decimals);
-    }
-    write(out, value < 0.0, n, 0);
-    out.extend(b"e-");
-    write(out, false, u64::from(decimals), 0);
 }

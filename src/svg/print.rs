@@ -1,0 +1,427 @@
+//! Curves → SVG path data.
+
+use super::arc_text::{self, Span};
+use super::number;
+use super::text::{Grid, Placed, Text};
+use crate::curve::{EllipseArc, HermiteCurve, Segment, segment_cubics};
+use crate::error::{Error, Result};
+use crate::numerics::{Point, Vector};
+
+/// From this many decimals on, coordinates are written so that every bit comes back.
+const EXACT_DECIMALS: u32 = 17;
+/// Tolerances are raised to this part of the extent.
+const LEAST_TOLERANCE: f64 = 1e-9;
+/// How much of the tolerance the rounding of points may use where the number of decimals is free.
+const ROUNDING_SHARE: f64 = 0.15;
+/// A point moves by at most this part of the grid's unit: half a diagonal.
+const HALF_DIAGONAL: f64 = core::f64::consts::FRAC_1_SQRT_2;
+/// Segments this straight, relative to the extent, are lines: rounding alone bends them more.
+const STRAIGHT: f64 = 1e-13;
+/// Segments this close to an ellipse, relative to the extent, are arcs of it.
+const ELLIPTIC: f64 = 1e-8;
+
+/// Once around, and a little for rounding.
+const FULL_TURN: f64 = core::f64::consts::TAU + 1e-6;
+/// Longer arcs are written in two: their ends are so close that rounding them would turn the ellipse.
+const LARGEST_SWEEP: f64 = 5.65;
+
+/// How [`to_path_d`] writes.
+#[derive(Clone, Copy, Debug)]
+pub struct PrintOptions {
+    /// The largest distance between the curve and what the text draws; below 1e-9 of the extent it is raised to that.
+    pub tolerance: f64,
+    /// Digits behind the point, up to 17; `None` for as many as the tolerance needs. With 17 every coordinate is read
+    /// back to the last bit.
+    pub decimals: Option<u32>,
+    /// Whether arcs of ellipses become `A`; else they become cubics.
+    pub arcs: bool,
+    /// Whether relative commands are used where they are shorter.
+    pub relative: bool,
+}
+
+impl Default for PrintOptions {
+    /// Tolerance 0.02, as many decimals as it needs, arcs as arcs, absolute commands.
+    fn default() -> Self {
+        Self { tolerance: 0.02, decimals: None, arcs: true, relative: false }
+    }
+}
+
+/// What [`to_path_d`] wrote.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Printed {
+    /// The path data.
+    pub d: String,
+    /// A bound of the distance between the curve and what the text draws, both ways: approximation and rounding
+    /// together, measured on the numbers that were written.
+    pub deviation: f64,
+}
+
+/// The curve as SVG path data.
+///
+/// Straight segments become `L`, `H` or `V`, arcs of ellipses `A` (neighbours on the same ellipse share one),
+/// parabolas `Q`, all else `C` and `S`: exactly for cubics, within the tolerance otherwise. Closed curves end in `Z`,
+/// without the closing line that it implies.
+///
+/// # Domain
+///
+/// Any curve. Numbers have the form `-?[0-9]*\.?[0-9]+(e-[0-9]+)?`, and an exponent only where 17 decimals are
+/// asked for and 22 would not do.
+///
+/// # Accuracy
+///
+/// The deviation is at most the tolerance where `decimals` is `None`. With few decimals it can be more, and
+/// says so. Points are rounded each for itself, in relative commands as well, so errors do not add up. With 17
+/// decimals, lines, cubics and quadratics that were read by [`parse_path`](super::parse_path) come back bit for bit.
+///
+/// # Errors
+///
+/// `tolerance` that is not finite or not positive; more than 17 decimals.
+///
+/// # Cost
+///
+/// O(segments + pieces).
+///
+/// # Example
+///
+/// ```
+/// use expline::svg::{PrintOptions, to_path_d};
+/// use expline::HermiteCurve;
+/// let circle = HermiteCurve::ellipse([50.0, 50.0].into(), [40.0, 40.0].into(), 0.0, 2)?;
+/// let printed = to_path_d(&circle, &PrintOptions::default())?;
+/// assert_eq!(printed.d, "M90 50A40 40 0 0 1 10 50 40 40 0 0 1 90 50Z");
+/// assert!(printed.deviation < 1e-13);
+/// # Ok::<(), expline::Error>(())
+/// ```
+pub fn to_path_d(curve: &HermiteCurve, options: &PrintOptions) -> Result<Printed> {
+    let mut printer = Printer::new(curve, options)?;
+    printer.draw_all();
+    Ok(printer.finish())
+}
+
+struct Printer<'a> {
+    curve: &'a HermiteCurve,
+    text: Text,
+    grid: Grid,
+    arcs: bool,
+    tolerance: f64,
+    /// What is left of the tolerance for approximations.
+    share: f64,
+    straight: f64,
+    elliptic: f64,
+    deviation: f64,
+    /// The last control point written, for `S`.
+    control: Option<Placed>,
+    pieces: Vec<[Point; 4]>,
+}
+
+impl<'a> Printer<'a> {
+    fn new(curve: &'a HermiteCurve, options: &PrintOptions) -> Result<Self> {
+        let PrintOptions { tolerance, decimals, arcs, relative } = *options;
+        if !tolerance.is_finite() {
+            return Err(Error::NotFinite { argument: "tolerance", index: None });
+        }
+        let out_of_range = |argument, value, least, most| {
+            Err(Error::OutOfRange { argument, index: None, value, least, most })
+        };
+        if tolerance <= 0.0 {
+            return out_of_range("tolerance", tolerance, f64::MIN_POSITIVE, f64::MAX);
+        }
+        if let Some(asked) = decimals
+            && asked > EXACT_DECIMALS
+        {
+            return out_of_range("decimals", f64::from(asked), 0.0, f64::from(EXACT_DECIMALS));
+        }
+        let (extent, largest) = size(curve);
+        let tolerance = tolerance.max(LEAST_TOLERANCE * extent).max(f64::MIN_POSITIVE);
+        let grid = match decimals {
+            Some(EXACT_DECIMALS..) => Grid::EXACT,
+            Some(decimals) => Grid::new(decimals, largest),
+            None => grid_for(tolerance, largest),
+        };
+        let start = grid.place(curve.points()[0]);
+        // A mirrored control point can be off by three half diagonals, at a weight of 4/9 of the curve.
+        let rounding = (1.0 + 8.0 / 9.0) * HALF_DIAGONAL * grid.unit();
+        let share = (tolerance - rounding).max(0.5 * tolerance);
+        Ok(Self {
+            curve,
+            text: Text::new(grid, relative, start),
+            grid,
+            arcs,
+            tolerance,
+            share,
+            straight: STRAIGHT * extent.max(largest),
+            elliptic: ELLIPTIC * extent,
+            deviation: 0.0,
+            control: None,
+            pieces: Vec::new(),
+        })
+    }
+
+    fn draw_all(&mut self) {
+        let count = self.curve.segment_count();
+        let mut i = 0;
+        while i < count {
+            let segment = self.curve.segment(i);
+            let end = self.curve.is_closed() && i + 1 == count;
+            if self.is_line(&segment) {
+                self.line(&segment, end);
+            } else if let Some((ellipse, run)) = self.arc_run(i) {
+                self.arcs(&ellipse, run);
+                i = run.last;
+            } else {
+                self.bezier(&segment);
+            }
+            i += 1;
+        }
+    }
+
+    fn finish(mut self) -> Printed {
+        if self.curve.is_closed() {
+            self.text.close();
+        }
+        Printed { d: self.text.into_string(), deviation: self.deviation }
+    }
+
+    fn measured(&mut self, deviation: f64) {
+        self.deviation = self.deviation.max(deviation);
+    }
+
+    fn is_line(&self, segment: &Segment<'_>) -> bool {
+        if self.grid == Grid::EXACT {
+            // Only what a reader of `L` gets back as it was.
+            let chord = segment.end - segment.start;
+            return segment.leaving * segment.length == chord && segment.arriving * segment.length == chord;
+        }
+        segment.as_line(self.straight)
+    }
+
+    /// A straight segment; the last one of a closed curve is what `Z` draws.
+    fn line(&mut self, segment: &Segment<'_>, last: bool) {
+        let end = self.grid.place(segment.end);
+        self.measured(displacement(self.text.current(), segment.start).max(displacement(end, segment.end)));
+        if !last {
+            self.text.line(end);
+        }
+        self.control = None;
+    }
+
+    /// Any other segment, as cubic Béziers.
+    fn bezier(&mut self, segment: &Segment<'_>) {
+        if segment.basis.frequency() == 0.0 {
+            let (leaving, arriving) = (segment.leaving * segment.length, segment.arriving * segment.length);
+            return self.cubic(segment.start, leaving, arriving, segment.end, 0.0);
+        }
+        let mut pieces = core::mem::take(&mut self.pieces);
+        pieces.clear();
+        let proved = segment_cubics(segment, self.share, &mut pieces);
+        for &[start, first, second, end] in &pieces {
+            self.cubic(start, (first - start) * 3.0, (end - second) * 3.0, end, proved);
+        }
+        self.pieces = pieces;
+    }
+
+    /// One cubic, by its end derivatives, which is known to be `near` from the curve.
+    fn cubic(&mut self, start: Point, leaving: Vector, arriving: Vector, end: Point, near: f64) {
+        let from = self.text.current();
+        let to = self.grid.place(end);
+        let ends = displacement(from, start).max(displacement(to, end));
+        if self.quadratic(start, leaving, arriving, end, near) {
+            return;
+        }
+        let (first, second) = (self.handle(start, leaving, from), self.handle(end, -arriving, to));
+        let truth = [start + leaving / 3.0, end - arriving / 3.0];
+        let moved = |first: Placed| {
+            let extra = |placed: Placed, p: Point| (displacement(placed, p) - ends).max(0.0);
+            let (one, two) = (extra(first, truth[0]), extra(second, truth[1]));
+            // The Bernstein weights of the handles reach 4/9 each, 3/4 together.
+            near + ends + (4.0 / 9.0 * (one + two)).min(0.75 * one.max(two))
+        };
+        let mirrored = match self.control {
+            Some(control) => self.grid.mirrored(control, from),
+            None => from,
+        };
+        let (plain, short) = (moved(first), moved(mirrored));
+        if [first, second, to] == [from; 3] {
+            // Smaller than the grid.
+            return self.measured(plain);
+        }
+        if self.mirrors(leaving, mirrored, first)
+            || self.grid != Grid::EXACT && short <= self.tolerable(plain)
+        {
+            self.measured(short);
+            self.text.bezier(b'S', &[second, to]);
+        } else {
+            self.measured(plain);
+            self.text.bezier(b'C', &[first, second, to]);
+        }
+        self.control = Some(second);
+    }
+
+    /// Whether a reader of `S` gets just what it would get from `C`.
+    fn mirrors(&self, leaving: Vector, mirrored: Placed, first: Placed) -> bool {
+        match self.control {
+            // Readers of this crate go on with the derivative itself, not with the mirrored point.
+            Some(control) if self.grid == Grid::EXACT => {
+                let from = self.text.current().point();
+                let arrived = (from - control.point()) * 3.0;
+                arrived == leaving || arrived == (first.point() - from) * 3.0
+            }
+            _ => mirrored == first,
+        }
+    }
+
+    /// The deviation up to which a shorter form may be used.
+    fn tolerable(&self, plain: f64) -> f64 {
+        plain.max(self.tolerance.min(plain + 2.0 * self.grid.unit()))
+    }
+
+    /// Writes `Q` where the cubic is a parabola.
+    fn quadratic(&mut self, start: Point, leaving: Vector, arriving: Vector, end: Point, near: f64) -> bool {
+        let (one, two) = (start + leaving * 0.5, end - arriving * 0.5);
+        let gap = (one - two).norm();
+        if near > 0.0 || gap > self.straight {
+            return false;
+        }
+        let (from, to) = (self.text.current(), self.grid.place(end));
+        let control = if self.grid == Grid::EXACT {
+            let both = |k: usize| returning_both(start[k], leaving[k], end[k], arriving[k]);
+            let (Some(x), Some(y)) = (both(0), both(1)) else { return false };
+            self.grid.place(Point::new(x, y))
+        } else {
+            self.grid.place(one)
+        };
+        let ends = displacement(from, start).max(displacement(to, end));
+        self.measured(ends + 0.5 * (displacement(control, one) - ends).max(0.0) + 0.5 * gap);
+        self.text.bezier(b'Q', &[control, to]);
+        self.control = None;
+        true
+    }
+
+    /// The control point that a cubic with derivative `d` at the end `p` has next to it.
+    ///
+    /// Where every bit counts it is the one from which a reader gets `d` back, if there is one.
+    fn handle(&self, p: Point, d: Vector, end: Placed) -> Placed {
+        if self.grid != Grid::EXACT {
+            return self.grid.place(p + d / 3.0);
+        }
+        let q = end.point();
+        self.grid.place(Point::new(returning(q.x, d.x), returning(q.y, d.y)))
+    }
+
+    /// The longest run of segments from `i` on that lie on one ellipse, at most once around.
+    fn arc_run(&self, i: usize) -> Option<(EllipseArc, Span)> {
+        if !self.arcs {
+            return None;
+        }
+        let ellipse = self.curve.segment(i).as_ellipse_arc(self.elliptic)?;
+        let (mut last, mut sweep) = (i, ellipse.sweep.abs());
+        while last + 1 < self.curve.segment_count() {
+            let Some(next) = self.curve.segment(last + 1).as_ellipse_arc(self.elliptic) else { break };
+            sweep += next.sweep.abs();
+            if sweep > FULL_TURN || !self.same_ellipse(&ellipse, &next) {
+                break;
+            }
+            last += 1;
+        }
+        Some((ellipse, Span { first: i, from: 0.0, last, to: 1.0 }))
+    }
+
+    fn same_ellipse(&self, a: &EllipseArc, b: &EllipseArc) -> bool {
+        let near = 4.0 * self.elliptic;
+        let turn = libm::sin(a.rotation - b.rotation) * (a.radii.x - a.radii.y);
+        (a.sweep > 0.0) == (b.sweep > 0.0)
+            && (a.center - b.center).amax() <= near
+            && (a.radii - b.radii).amax() <= near
+            && turn.abs() <= near
+    }
+
+    /// Writes a run of segments on one ellipse: as one arc, as two or four where one would be ill-conditioned, and as
+    /// cubics where the ellipse is too large to be written.
+    fn arcs(&mut self, ellipse: &EllipseArc, run: Span) {
+        let halves = run.halves(self.curve);
+        let quarters = [halves[0].halves(self.curve), halves[1].halves(self.curve)];
+        let whole = run.sweep(self.curve) <= LARGEST_SWEEP && self.arcs_of(ellipse, &[run]);
+        if whole || self.arcs_of(ellipse, &halves) || self.arcs_of(ellipse, quarters.as_flattened()) {
+            self.control = None;
+            return;
+        }
+        for i in run.first..=run.last {
+            self.bezier(&self.curve.segment(i));
+        }
+    }
+
+    /// Writes one arc for each span, or nothing at all where one of them cannot be written well.
+    fn arcs_of(&mut self, ellipse: &EllipseArc, spans: &[Span]) -> bool {
+        let (mut from, mut planned) = (self.text.current(), Vec::with_capacity(4));
+        for span in spans {
+            let Some(arc) = arc_text::plan(self.curve, ellipse, *span, from, self.grid, self.tolerance)
+            else {
+                return false;
+            };
+            from = arc.to;
+            planned.push(arc);
+        }
+        for arc in planned {
+            self.measured(arc.deviation);
+            self.text.arc(arc.text, arc.to);
+        }
+        true
+    }
+}
+
+fn displacement(placed: Placed, p: Point) -> f64 {
+    (placed.point() - p).norm()
+}
+
+/// Fewest decimals for which rounding uses no more than its share of the tolerance.
+fn grid_for(tolerance: f64, largest: f64) -> Grid {
+    let mut decimals = 0;
+    while decimals < EXACT_DECIMALS && HALF_DIAGONAL > ROUNDING_SHARE * tolerance * number::power(decimals) {
+        decimals += 1;
+    }
+    let grid = Grid::new(decimals, largest);
+    if grid.decimals() == Some(decimals) { grid } else { Grid::EXACT }
+}
+
+/// Extent and largest coordinate of the points and their generalised Bézier points, in whose hull the curve lies.
+fn size(curve: &HermiteCurve) -> (f64, f64) {
+    let first = curve.points()[0];
+    let (mut low, mut high) = (first, first);
+    for segment in curve.segments() {
+        let reach = segment.length * segment.basis.kappa().max(1.0 / 3.0);
+        for p in
+            [segment.start, segment.start + segment.leaving * reach, segment.end - segment.arriving * reach]
+        {
+            (low, high) = (low.inf(&p), high.sup(&p));
+        }
+        (low, high) = (low.inf(&segment.end), high.sup(&segment.end));
+    }
+    ((high - low).norm(), low.amax().max(high.amax()))
+}
+
+/// The coordinate c near p + d/3 for which 3·(c − p) is d again, to the last bit, if there is one.
+fn returning(p: f64, d: f64) -> f64 {
+    let third = d / 3.0;
+    for step in [0, 1, -1, 2, -2] {
+        let near = p + neighbour(third, step);
+        for nudge in [0, 1, -1] {
+            let c = neighbour(near, nudge);
+            if (c - p) * 3.0 == d {
+                return c;
+            }
+        }
+    }
+    p + third
+}
+
+/// The coordinate c for which 2·(c − p) is `leaving` and 2·(q − c) `arriving`, to the last bit.
+fn returning_both(p: f64, leaving: f64, q: f64, arriving: f64) -> Option<f64> {
+    let near = [p + 0.5 * leaving, q - 0.5 * arriving];
+    let around = near.into_iter().flat_map(|c| [0, 1, -1, 2, -2].map(|nudge| neighbour(c, nudge)));
+    around.into_iter().find(|c| (c - p) * 2.0 == leaving && (q - c) * 2.0 == arriving)
+}
+
+/// The double `steps` places further from 0.
+fn neighbour(value: f64, steps: i64) -> f64 {
+    if value == 0.0 { value } else { f64::from_bits(value.to_bits().wrapping_add_signed(steps)) }
+}

@@ -1,0 +1,247 @@
+//! The text of a path while it is written: coordinates on a decimal grid, letters and separators.
+
+use super::number;
+use crate::numerics::Point;
+
+/// Grid indices up to this can be mirrored and subtracted in 64 bits.
+const LARGEST_INDEX: f64 = 1.5e18;
+
+/// Which decimal numbers coordinates may be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Grid {
+    /// `None`: any `f64`, in the shortest text that brings it back.
+    decimals: Option<u32>,
+}
+
+/// A coordinate as it is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Coordinate {
+    /// What is read back.
+    pub(super) value: f64,
+    /// value·10^decimals; 0 where there is no grid.
+    index: i64,
+}
+
+/// A point as it is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Placed {
+    x: Coordinate,
+    y: Coordinate,
+}
+
+impl Placed {
+    pub(super) fn point(self) -> Point {
+        Point::new(self.x.value, self.y.value)
+    }
+}
+
+impl Grid {
+    pub(super) const EXACT: Self = Self { decimals: None };
+
+    /// `decimals` behind the point, or fewer where coordinates up to `largest` have no more to say: beyond
+    /// 18 significant digits there are no bits left.
+    pub(super) fn new(decimals: u32, largest: f64) -> Self {
+        let mut decimals = decimals;
+        while decimals > 0 && number::power(decimals) * largest > LARGEST_INDEX {
+            decimals -= 1;
+        }
+        Self { decimals: Some(decimals) }
+    }
+
+    pub(super) fn decimals(self) -> Option<u32> {
+        self.decimals
+    }
+
+    /// The distance between neighbouring numbers; 0 where there is no grid.
+    pub(super) fn unit(self) -> f64 {
+        self.decimals.map_or(0.0, |decimals| 1.0 / number::power(decimals))
+    }
+
+    fn coordinate(self, value: f64) -> Coordinate {
+        let Some(decimals) = self.decimals else { return Coordinate { value, index: 0 } };
+        let magnitude = number::scaled(value, decimals).min(LARGEST_INDEX as u64) as i64;
+        self.at(if value < 0.0 { -magnitude } else { magnitude }, decimals)
+    }
+
+    fn at(self, index: i64, decimals: u32) -> Coordinate {
+        let magnitude = number::decimal(index.unsigned_abs(), -(decimals as i32));
+        Coordinate { value: if index < 0 { -magnitude } else { magnitude }, index }
+    }
+
+    /// The nearest point that can be written.
+    pub(super) fn place(self, p: Point) -> Placed {
+        Placed { x: self.coordinate(p.x), y: self.coordinate(p.y) }
+    }
+
+    /// What a reader makes of `control` mirrored at `center`.
+    pub(super) fn mirrored(self, control: Placed, center: Placed) -> Placed {
+        let mirror = |a: Coordinate, c: Coordinate| match self.decimals {
+            Some(decimals) => self.at(2 * c.index - a.index, decimals),
+            None => Coordinate { value: 2.0 * c.value - a.value, index: 0 },
+        };
+        Placed { x: mirror(control.x, center.x), y: mirror(control.y, center.y) }
+    }
+}
+
+/// A number that is no coordinate: a radius, an angle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Plain {
+    negative: bool,
+    digits: u64,
+    decimals: u32,
+}
+
+impl Plain {
+    /// `value` to `decimals`, rounded to the nearest.
+    pub(super) fn nearest(value: f64, decimals: u32) -> Self {
+        Self { negative: value < 0.0, digits: number::scaled(value, decimals), decimals }
+    }
+
+    /// The shortest text that brings `value` back.
+    pub(super) fn shortest(value: f64) -> Self {
+        let (digits, decimals) = number::shortest(value);
+        Self { negative: value < 0.0, digits, decimals }
+    }
+
+    /// One unit of the last decimal less.
+    pub(super) fn less(self) -> Self {
+        Self { digits: self.digits.saturating_sub(1), ..self }
+    }
+
+    /// What is read back.
+    pub(super) fn value(self) -> f64 {
+        let magnitude = number::decimal(self.digits, -(self.decimals as i32));
+        if self.negative { -magnitude } else { magnitude }
+    }
+}
+
+/// The parameters of an `A` command before its end point.
+pub(super) type ArcText = (Plain, Plain, Plain, bool, bool);
+
+/// What came last, on which separators depend.
+#[derive(Clone, Copy, Debug)]
+struct Before {
+    /// The command that numbers alone repeat.
+    implied: u8,
+    /// A number: another one needs something between.
+    number: bool,
+    /// That number has a point or an exponent: one that begins with a point may follow at once.
+    pointed: bool,
+}
+
+/// Path data with as few characters as its grammar allows.
+#[derive(Debug)]
+pub(super) struct Text {
+    out: Vec<u8>,
+    before: Before,
+    grid: Grid,
+    /// Whether relative commands are written where they are shorter.
+    relative: bool,
+    /// Where the pen is.
+    current: Placed,
+}
+
+impl Text {
+    pub(super) fn new(grid: Grid, relative: bool, start: Placed) -> Self {
+        // Differences of arbitrary doubles need not lead back to them.
+        let relative = relative && grid.decimals.is_some();
+        let before = Before { implied: b'L', number: false, pointed: false };
+        let mut text = Self { out: vec![b'M'], before, grid, relative, current: start };
+        text.pair(start, None);
+        text
+    }
+
+    pub(super) fn current(&self) -> Placed {
+        self.current
+    }
+
+    pub(super) fn close(&mut self) {
+        self.out.push(b'Z');
+    }
+
+    pub(super) fn into_string(self) -> String {
+        // All of it is ASCII.
+        String::from_utf8(self.out).unwrap_or_default()
+    }
+
+    /// A line, as `H` or `V` where it is level or upright; nothing where it has no length.
+    pub(super) fn line(&mut self, end: Placed) {
+        let (across, down) = (end.x != self.current.x, end.y != self.current.y);
+        let from = self.current;
+        match (across, down) {
+            (false, false) => {}
+            (true, true) => self.command(b'L', |text, base| text.pair(end, base)),
+            (true, false) => self.command(b'H', |text, base| text.coordinate(end.x, base.map(|_| from.x))),
+            (false, true) => self.command(b'V', |text, base| text.coordinate(end.y, base.map(|_| from.y))),
+        }
+        self.current = end;
+    }
+
+    /// `C`, `S`, `Q`: points only.
+    pub(super) fn bezier(&mut self, letter: u8, points: &[Placed]) {
+        self.command(letter, |text, base| points.iter().for_each(|&p| text.pair(p, base)));
+        self.current = points.last().copied().unwrap_or(self.current);
+    }
+
+    pub(super) fn arc(&mut self, (rx, ry, rotation, large, positive): ArcText, end: Placed) {
+        self.command(b'A', |text, base| {
+            [rx, ry, rotation].into_iter().for_each(|number| text.plain(number));
+            text.out.extend([b' ', b'0' + u8::from(large), b' ', b'0' + u8::from(positive)]);
+            text.before.pointed = false;
+            text.pair(end, base);
+        });
+        self.current = end;
+    }
+
+    /// Writes a command, and keeps the shorter of its absolute and relative forms.
+    fn command(&mut self, letter: u8, write: impl Fn(&mut Self, Option<Placed>)) {
+        let (start, before) = (self.out.len(), self.before);
+        self.letter(letter);
+        write(self, None);
+        if !self.relative {
+            return;
+        }
+        let (middle, absolute) = (self.out.len(), self.before);
+        self.before = before;
+        self.letter(letter | 0x20);
+        write(self, Some(self.current));
+        if self.out.len() - middle < middle - start {
+            self.out.drain(start..middle);
+        } else {
+            self.out.truncate(middle);
+            self.before = absolute;
+        }
+    }
+
+    fn letter(&mut self, letter: u8) {
+        if letter != self.before.implied {
+            self.out.push(letter);
+            self.before = Before { implied: letter, number: false, pointed: false };
+        }
+    }
+
+    fn pair(&mut self, p: Placed, base: Option<Placed>) {
+        self.coordinate(p.x, base.map(|base| base.x));
+        self.coordinate(p.y, base.map(|base| base.y));
+    }
+
+    fn coordinate(&mut self, c: Coordinate, base: Option<Coordinate>) {
+        let Some(decimals) = self.grid.decimals else { return self.plain(Plain::shortest(c.value)) };
+        let index = c.index - base.map_or(0, |base| base.index);
+        self.plain(Plain { negative: index < 0, digits: index.unsigned_abs(), decimals });
+    }
+
+    fn plain(&mut self, number: Plain) {
+        let Plain { negative, digits, decimals } = number;
+        let negative = negative && digits != 0;
+        // Below 1, that is: no digit stands before the point.
+        let bare = digits != 0 && decimals <= 22 && digits < 10_u64.saturating_pow(decimals);
+        if self.before.number && !negative && !(bare && self.before.pointed) {
+            self.out.push(b' ');
+        }
+        let start = self.out.len();
+        number::write(&mut self.out, negative, digits, decimals);
+        let pointed = self.out.iter().skip(start).any(|&b| b == b'.' || b == b'e');
+        (self.before.number, self.before.pointed) = (true, pointed);
+    }
+}

@@ -1,0 +1,395 @@
+//! Curves become path data that draws them: within the tolerance, measured honestly, in few characters.
+
+#![allow(
+    clippy::panic,
+    clippy::print_stdout,
+    reason = "tests stop with what they found and print the worst seen"
+)]
+
+mod support;
+
+use core::f64::consts::{PI, TAU};
+
+use expline::curve::HermiteOptions;
+use expline::svg::{PrintOptions, Printed, parse_path, to_path_d};
+use expline::{Error, HermiteCurve, Space};
+use nalgebra::Vector2;
+use support::drawing::{self, Piece, Stretch, drawing};
+use support::tolerance;
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+type Point = Vector2<f64>;
+
+fn options() -> PrintOptions {
+    PrintOptions::default()
+}
+
+fn print(curve: &HermiteCurve, options: &PrintOptions) -> Printed {
+    to_path_d(curve, options).expect("the options are valid")
+}
+
+fn read(d: &str) -> HermiteCurve {
+    let mut parsed = parse_path(d).unwrap_or_else(|error| panic!("{d:?}: {error}"));
+    assert_eq!((parsed.truncation, parsed.curves.len()), (None, 1), "{d:?} is one curve");
+    parsed.curves.remove(0)
+}
+
+fn reprinted(d: &str, options: &PrintOptions) -> String {
+    print(&read(d), options).d
+}
+
+/// The distance between the curve and what a viewer draws, both ways.
+fn distance(curve: &HermiteCurve, d: &str) -> f64 {
+    let segments: Vec<_> = curve.segments().collect();
+    let truth: Vec<Stretch<'_>> =
+        segments.iter().map(|segment| Box::new(|x| segment.position(x)) as Stretch<'_>).collect();
+    drawing::distance(&truth, &drawing::stretches(&drawing(d)[0].0), tolerance::DRAWN * extent(curve))
+}
+
+/// Splitmix64.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ z >> 31
+    }
+
+    /// Evenly in [-1, 1).
+    fn signed(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    fn vector(&mut self, size: f64) -> Point {
+        Point::new(self.signed(), self.signed()) * size
+    }
+
+    fn below(&mut self, n: usize) -> usize {
+        (self.next() % n as u64) as usize
+    }
+}
+
+fn random_curve(random: &mut Random) -> HermiteCurve {
+    let space = [Space::Trigonometric, Space::Hyperbolic, Space::Polynomial][random.below(3)];
+    let count = 2 + random.below(6);
+    let closed = random.below(2) == 0;
+    let size = 10.0_f64.powi(random.below(7) as i32 - 3);
+    let offset = random.vector(size * 3.0);
+    let segments = if closed { count } else { count - 1 };
+    let vectors =
+        |random: &mut Random, size: f64| (0..count).map(|_| random.vector(size)).collect::<Vec<_>>();
+    let points = vectors(random, size).into_iter().map(|p| p + offset).collect();
+    let tangents = vectors(random, 2.0 * size);
+    let tangents_in = if random.below(2) == 0 { Vec::new() } else { vectors(random, 2.0 * size) };
+    let omega = (0..segments).map(|_| [0.0, 0.5, 1.7, 3.0, 4.5][random.below(5)]).collect();
+    let lengths = (0..segments).map(|_| [1.0, 0.5, 1.25][random.below(3)]).collect();
+    HermiteCurve::new(HermiteOptions {
+        points,
+        tangents,
+        tangents_in,
+        closed,
+        space: Some(space),
+        omega,
+        lengths,
+    })
+    .expect("a valid curve")
+}
+
+fn extent(curve: &HermiteCurve) -> f64 {
+    let bounds = curve.bounds();
+    (bounds.max_x - bounds.min_x).hypot(bounds.max_y - bounds.min_y)
+}
+
+/// What a measured distance may be.
+fn within(printed: &Printed, extent: f64) -> f64 {
+    printed.deviation * (1.0 + drawing::PRECISION) + 2.0 * tolerance::DRAWN * extent
+}
+
+#[test]
+fn any_curve_is_drawn_within_its_deviation_and_that_within_the_tolerance() {
+    let mut random = Random(5);
+    let (mut worst_share, mut tightest) = (0.0_f64, 0.0_f64);
+    for round in 0..40 {
+        let curve = random_curve(&mut random);
+        let extent = extent(&curve);
+        let tolerance = extent * [1e-1, 1e-2, 1e-3, 1e-4][round % 4];
+        for (arcs, relative) in [(true, false), (true, true), (false, false)] {
+            let options = PrintOptions { tolerance, decimals: None, arcs, relative };
+            let printed = print(&curve, &options);
+            assert!(printed.deviation <= tolerance, "round {round}: {} > {tolerance}", printed.deviation);
+            let measured = distance(&curve, &printed.d);
+            assert!(
+                measured <= within(&printed, extent),
+                "round {round}: {measured} > {} in {}",
+                printed.deviation,
+                printed.d
+            );
+            worst_share = worst_share.max(printed.deviation / tolerance);
+            tightest = tightest.max(measured / printed.deviation);
+        }
+    }
+    println!(
+        "deviation up to {worst_share:.3} of the tolerance; measured up to {tightest:.3} of the deviation"
+    );
+}
+
+#[test]
+fn few_decimals_give_an_honest_larger_deviation() {
+    let mut random = Random(6);
+    for round in 0..12 {
+        let curve = random_curve(&mut random);
+        for decimals in 0..6 {
+            for relative in [false, true] {
+                let unit = 10.0_f64.powi(-(decimals as i32));
+                let options =
+                    PrintOptions { tolerance: 1e-3, decimals: Some(decimals), arcs: true, relative };
+                let printed = print(&curve, &options);
+                if drawing(&printed.d).is_empty() {
+                    // The curve is smaller than the last decimal.
+                    assert!(extent(&curve) <= unit, "{printed:?}");
+                    continue;
+                }
+                let truth = distance(&curve, &printed.d);
+                assert!(
+                    truth <= within(&printed, extent(&curve)),
+                    "round {round}, {decimals}: {truth} > {}",
+                    printed.deviation
+                );
+                assert!(
+                    printed.deviation <= 1e-3 + 4.0 * unit,
+                    "round {round}, {decimals}: {}",
+                    printed.deviation
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn numbers_are_plain_and_short() {
+    let mut random = Random(7);
+    for _ in 0..200 {
+        let curve = random_curve(&mut random);
+        for decimals in [None, Some(0), Some(3), Some(9), Some(16), Some(17)] {
+            let d = print(&curve, &PrintOptions { decimals, relative: random.below(2) == 0, ..options() }).d;
+            assert!(d.bytes().all(|b| b.is_ascii_digit() || b"MLHVCSQAZlhvcsqa -.e".contains(&b)), "{d}");
+            let digits = |b: Option<&u8>| b.is_some_and(|b| b.is_ascii_digit() || *b == b'.');
+            for (i, b) in d.bytes().enumerate().filter(|&(_, b)| b == b'0') {
+                let (before, after) = (d.as_bytes().get(i.wrapping_sub(1)), d.as_bytes().get(i + 1));
+                let leads = b == b'0' && !digits(before) && digits(after);
+                assert!(!leads && before != Some(&b'-'), "a needless zero at {i} of {d}");
+            }
+            assert!(!d.contains("e+") && !d.contains("  "), "{d}");
+            // Curves smaller than the last decimal are points.
+            assert!(parse_path(&d).is_ok_and(|parsed| parsed.truncation.is_none()), "{d}");
+        }
+    }
+}
+
+#[test]
+fn circles_and_ellipses_are_two_arcs() {
+    for count in [2, 3, 4, 5, 8, 12] {
+        let circle =
+            HermiteCurve::ellipse(Point::new(50.0, 60.0), Point::new(40.0, 40.0), 0.0, count).expect("valid");
+        let printed = print(&circle, &options());
+        assert!(printed.d.chars().all(|c| "MAZ .-0123456789".contains(c)), "{}", printed.d);
+        assert_eq!(drawing(&printed.d)[0].0.len(), 3, "two arcs and Z for {count}: {}", printed.d);
+        assert!(printed.deviation <= 0.02 && distance(&circle, &printed.d) <= 0.02, "{count}: {printed:?}");
+        let ellipse =
+            HermiteCurve::ellipse(Point::new(1.0, 2.0), Point::new(30.0, 7.0), 0.4, count).expect("valid");
+        let printed = print(&ellipse, &options());
+        assert_eq!(drawing(&printed.d)[0].0.len(), 3, "two arcs and Z for {count}: {}", printed.d);
+        assert!(printed.deviation <= 0.02 && distance(&ellipse, &printed.d) <= 0.02, "{count}: {printed:?}");
+    }
+}
+
+#[test]
+fn awkward_circles_are_still_arcs() {
+    let mut random = Random(8);
+    let mut worst = 0.0_f64;
+    for _ in 0..300 {
+        let radii = Point::new(3.0 + 40.0 * random.signed().abs(), 3.0 + 40.0 * random.signed().abs());
+        let radii = if random.below(2) == 0 { Point::repeat(radii.x) } else { radii };
+        let curve =
+            HermiteCurve::ellipse(random.vector(100.0), radii, 3.0 * random.signed(), 2 + random.below(5))
+                .expect("valid");
+        for (decimals, tolerance) in
+            [(None, 0.02), (None, 1e-5), (Some(1), 0.02), (Some(4), 0.02), (Some(17), 0.02)]
+        {
+            let printed = print(&curve, &PrintOptions { tolerance, decimals, ..options() });
+            let (pieces, _) = &drawing(&printed.d)[0];
+            assert!(
+                pieces.len() <= 5 && !pieces.iter().any(|p| matches!(p, Piece::Cubic(_))),
+                "{}",
+                printed.d
+            );
+            let unit = decimals.map_or(0.0, |decimals| 10.0_f64.powi(-(decimals as i32)));
+            assert!(printed.deviation <= tolerance.max(3.0 * unit), "{}: {}", printed.deviation, printed.d);
+            if decimals == Some(4) {
+                worst = worst.max(printed.deviation);
+            }
+        }
+    }
+    println!("ellipses with 4 decimals: worst deviation {worst:.1e}");
+}
+
+#[test]
+fn arcs_of_every_sweep_are_one_arc_or_two() {
+    for k in 1..72 {
+        let sweep = TAU * f64::from(k) / 72.0;
+        for start in [0.0, 0.3, 2.0] {
+            for (radii, rotation) in [(Point::new(20.0, 20.0), 0.0), (Point::new(31.0, 12.0), 0.7)] {
+                let curve =
+                    HermiteCurve::arc(Point::new(7.1, 3.3), radii, rotation, start, sweep).expect("valid");
+                let printed = print(&curve, &PrintOptions { tolerance: 1e-3, ..options() });
+                let (pieces, _) = &drawing(&printed.d)[0];
+                assert!(pieces.iter().all(|piece| matches!(piece, Piece::Arc(..))), "{}", printed.d);
+                let most = if sweep < 0.97 * PI || (sweep > 1.03 * PI && sweep < 5.6) { 1 } else { 2 };
+                assert!(pieces.len() <= most, "{sweep}: {}", printed.d);
+                assert!(printed.deviation <= 1e-3, "{sweep}: {printed:?}");
+                let measured = distance(&curve, &printed.d);
+                assert!(measured <= within(&printed, 60.0), "{sweep}: {measured} > {}", printed.deviation);
+            }
+        }
+    }
+}
+
+#[test]
+fn what_was_read_is_written_back_as_it_was() {
+    for d in [
+        "M10 10H90V50A20 20 0 0 1 70 70H40Q10 70 10 40Z",
+        "M0 0 10 5 3 8Z",
+        "M0 0C1 5 4 5 5 0S9-5 10 0",
+        "M0 0Q3 3 6 0",
+        "M1 1A5 3 20 1 0 4 4",
+        "M.5.25-.5-.25",
+    ] {
+        assert_eq!(reprinted(d, &options()), d);
+    }
+}
+
+#[test]
+fn seventeen_decimals_bring_every_bit_back() {
+    let exact = PrintOptions { decimals: Some(17), ..options() };
+    let mut random = Random(9);
+    let mut number = |size: f64| random.signed() * size;
+    for round in 0..300 {
+        let size = 10.0_f64.powi(round % 9 - 4);
+        let mut d = format!("M{} {}", number(size), number(size));
+        for k in 0..6 {
+            let mut list =
+                |count: usize| (0..count).map(|_| format!(" {}", number(size))).collect::<String>();
+            d += &match (round + k) % 6 {
+                0 => format!("L{}", list(2)),
+                1 => format!("c{}", list(6)),
+                2 => format!("S{}", list(4)),
+                3 => format!("q{}", list(4)),
+                4 => format!("t{}", list(2)),
+                _ => format!("C{}", list(6)),
+            };
+        }
+        d += if round % 2 == 0 { "" } else { "Z" };
+        let curve = read(&d);
+        let printed = print(&curve, &exact);
+        let again = read(&printed.d);
+        assert_eq!(curve.points(), again.points(), "points of {d}");
+        assert_eq!(curve.tangents(), again.tangents(), "tangents of {d}\n{}", printed.d);
+        assert_eq!(curve.tangents_in(), again.tangents_in(), "arriving tangents of {d}\n{}", printed.d);
+        assert_eq!(print(&again, &exact).d, printed.d);
+        assert!(printed.deviation <= 1e-15 * size * 10.0, "{}", printed.deviation);
+    }
+}
+
+#[test]
+fn printing_what_was_printed_changes_nothing() {
+    let mut random = Random(10);
+    for _ in 0..200 {
+        let curve = random_curve(&mut random);
+        let exact = PrintOptions { decimals: Some(17), arcs: false, ..options() };
+        let once = print(&curve, &exact).d;
+        assert_eq!(print(&read(&once), &exact).d, once);
+    }
+}
+
+#[test]
+fn relative_commands_are_used_where_they_are_shorter() {
+    let d = "M100 100L101 102L103 101L104 104";
+    let relative = reprinted(d, &PrintOptions { relative: true, ..options() });
+    assert_eq!(relative, "M100 100l1 2 2-1 1 3");
+    let mut random = Random(11);
+    for _ in 0..100 {
+        let curve = random_curve(&mut random);
+        let absolute = print(&curve, &options());
+        let relative = print(&curve, &PrintOptions { relative: true, ..options() });
+        assert!(relative.d.len() <= absolute.d.len(), "{} and {}", relative.d, absolute.d);
+        assert!((relative.deviation - absolute.deviation).abs() <= 1e-12 * (1.0 + absolute.deviation));
+    }
+}
+
+#[test]
+fn rounding_does_not_add_up_along_the_path() {
+    let d = (0..3000).fold(String::from("M0 0"), |d, _| d + "l.33333 .33333");
+    let printed = print(&read(&d), &PrintOptions { decimals: Some(2), relative: true, ..options() });
+    let (pieces, _) = drawing(&printed.d).remove(0);
+    let end = pieces.last().map(|piece| piece.at(1.0)).expect("it has pieces");
+    assert!((end - Point::repeat(999.99)).norm() <= 0.0071, "ends at {end}");
+    assert!(printed.deviation <= 0.0072, "{}", printed.deviation);
+}
+
+#[test]
+fn options_out_of_range_are_refused() {
+    let line = read("M0 0L1 1");
+    let with =
+        |tolerance, decimals| to_path_d(&line, &PrintOptions { tolerance, decimals, ..options() }).err();
+    assert!(matches!(with(0.0, None), Some(Error::OutOfRange { argument: "tolerance", .. })));
+    assert!(matches!(with(-1.0, None), Some(Error::OutOfRange { argument: "tolerance", .. })));
+    assert!(matches!(with(f64::NAN, None), Some(Error::NotFinite { argument: "tolerance", .. })));
+    assert!(matches!(with(f64::INFINITY, None), Some(Error::NotFinite { argument: "tolerance", .. })));
+    assert!(matches!(with(1.0, Some(18)), Some(Error::OutOfRange { argument: "decimals", .. })));
+    assert!(matches!(
+        with(1.0, Some(400)),
+        Some(Error::OutOfRange { argument: "decimals", value: 400.0, .. })
+    ));
+    assert_eq!(with(1e-300, None), None);
+}
+
+#[test]
+fn extreme_sizes_are_drawn_to_their_size() {
+    for size in [1e-12, 1e-6, 1e6, 1e8] {
+        let circle =
+            HermiteCurve::ellipse(Point::zeros(), Point::new(size, 0.7 * size), 0.3, 3).expect("valid");
+        for decimals in [None, Some(17)] {
+            let printed = print(&circle, &PrintOptions { tolerance: 1e-4 * size, decimals, ..options() });
+            assert!(printed.deviation <= 1e-4 * size, "{size}: {printed:?}");
+            read(&printed.d);
+        }
+        let coarse = print(&circle, &PrintOptions { decimals: Some(0), ..options() });
+        assert!(coarse.deviation <= size.mul_add(2.0, 3.0), "{coarse:?}");
+    }
+}
+
+#[test]
+fn mirrored_handles_are_written_once() {
+    let wave = (1..40).fold(String::from("M0 0C3 4 7 4 10 0"), |d, k| {
+        d + &format!("S{} {} {} 0", 10 * k + 7, if k % 2 == 0 { 4 } else { -4 }, 10 * k + 10)
+    });
+    let printed = reprinted(&wave, &options());
+    assert_eq!(printed.matches('C').count(), 1);
+    assert_eq!(printed.matches('S').count(), 1, "and the letter once for all: {printed}");
+}
+
+#[test]
+fn the_deviation_is_tight_enough_to_be_shown() {
+    let circle =
+        HermiteCurve::ellipse(Point::new(39.53, 77.7), Point::new(61.7, 61.7), 0.0, 3).expect("valid");
+    for (curve, tolerance, decimals) in [(&circle, 0.02, 1), (&circle, 0.02, 3)] {
+        let printed = print(curve, &PrintOptions { tolerance, decimals: Some(decimals), ..options() });
+        let measured = distance(curve, &printed.d);
+        println!("{:.3e} reported, {measured:.3e} measured: {}", printed.deviation, printed.d);
+        assert!(measured >= 0.8 * printed.deviation, "{measured} of {}", printed.deviation);
+    }
+}
