@@ -223,3 +223,21 @@ test("a document that the engine refuses is not taken, and the old one stays", (
   assert.equal(hand.curve, before);
   assert.equal(hand.editor.notices.value?.kind, "error");
 });
+
+test("going down a level that finer edits were made on shows the change first, and makes it when asked again", () => {
+  const hand = new Hand("circle-8");
+  hand.run("level-up");
+  hand.drag(hand.point(1), 6, 4);
+  const finer = hand.curve;
+  hand.run("level-down");
+  assert.equal(hand.curve, finer);
+  assert.equal(hand.editor.state.value.sketch.proposal?.level, 0);
+  const notice = hand.editor.notices.value;
+  assert.ok(notice?.kind === "toast" && notice.actionId === "apply-level");
+  hand.run("apply-level");
+  assert.equal(hand.curve.level, 0);
+  assert.equal(hand.curve.contours[0]?.points.length, 8);
+  assert.equal(hand.editor.state.value.sketch.proposal, null);
+  hand.run("undo");
+  assert.equal(hand.curve, finer);
+});

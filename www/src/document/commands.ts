@@ -20,8 +20,9 @@ export interface Command {
 export function withPoints(
   curve: CurveDocument, selection: Selection, change: (point: ControlPoint, ref: PointRef, contour: Contour) => ControlPoint,
 ): CurveDocument {
+  const touched = new Set(selection.points.map((ref) => ref.contour));
   const contours = curve.contours.map((contour, index) => {
-    if (!selection.points.some((ref) => ref.contour === index)) return contour;
+    if (!touched.has(index)) return contour;
     const points = contour.points.map((point, i) => {
       const ref = { contour: index, index: i };
       return isSelected(selection, ref) ? change(point, ref, contour) : point;

@@ -130,8 +130,21 @@ export function samePoint(a: PointRef, b: PointRef): boolean {
   return a.contour === b.contour && a.index === b.index;
 }
 
+/** Selections are immutable, and large ones are asked about once for every point: each keeps its set. */
+const sets = new WeakMap<Selection, ReadonlySet<number>>();
+
+/** Contours and points number fewer than two million each, so that a pair of them fits a number exactly. */
+function keyOf({ contour, index }: PointRef): number {
+  return contour * 2 ** 21 + index;
+}
+
 export function isSelected(selection: Selection, point: PointRef): boolean {
-  return selection.points.some((chosen) => samePoint(chosen, point));
+  let set = sets.get(selection);
+  if (set === undefined) {
+    set = new Set(selection.points.map(keyOf));
+    sets.set(selection, set);
+  }
+  return set.has(keyOf(point));
 }
 
 export function pointAt(curve: CurveDocument, ref: PointRef): ControlPoint | undefined {

@@ -8,7 +8,7 @@ import { createActions } from "./actions.ts";
 import type { Editor, EditorState, Notice, Settings, Sketch } from "./editor.ts";
 import { createSignal } from "./signal.ts";
 
-export const nothingSketched: Sketch = { guides: [], marquee: null, rubber: null, finger: null };
+export const nothingSketched: Sketch = { guides: [], marquee: null, rubber: null, finger: null, proposal: null };
 
 export const defaultSettings: Settings = {
   overlays: { handles: true, polygon: false, knots: false, comb: false, subdivision: false, fill: true, bezier: false, grid: false },
@@ -58,10 +58,8 @@ function surviving(curve: CurveDocument, selection: Selection): Selection {
 /** What the engine says against a document, or null. Building a curve is the check, and the cache keeps it for the next frame. */
 function objection(curve: CurveDocument, before: CurveDocument): Error | null {
   try {
-    for (const contour of curve.contours) {
-      const unchanged = curve.space === before.space && curve.omega === before.omega && before.contours.includes(contour);
-      if (!unchanged) curveOf(curve, contour);
-    }
+    const known = curve.space === before.space && curve.omega === before.omega ? new Set(before.contours) : new Set();
+    for (const contour of curve.contours) if (!known.has(contour)) curveOf(curve, contour);
     return null;
   } catch (error) {
     return error instanceof Error ? error : new Error(String(error));
@@ -80,9 +78,12 @@ export function createEditor(now: () => number): Editor {
   function put(curve: CurveDocument, selection: Selection): void {
     const undo = history.past[history.past.length - 1];
     const redo = history.future[history.future.length - 1];
+    const { sketch } = state.value;
     state.set({
       ...state.value,
       curve,
+      // A proposal is about the drawing as it was.
+      sketch: sketch.proposal === null || curve === state.value.curve ? sketch : { ...sketch, proposal: null },
       selection: surviving(curve, selection),
       canUndo: undo !== undefined,
       canRedo: redo !== undefined,

@@ -61,6 +61,8 @@ export interface Sketch {
   readonly rubber: Rubber | null;
   /** The finger that drags, for the loupe. */
   readonly finger: PagePoint | null;
+  /** What the drawing would become if the user agrees (going down a level that finer edits were made on). */
+  readonly proposal: CurveDocument | null;
 }
 
 /** What a drag is doing, while it lasts. */

@@ -169,18 +169,33 @@ export function deleteAndOpen(editor: Editor): void {
   say(editor, "Point deleted. The path is open there.");
 }
 
-/** Finer or coarser points of the same curve. Coarser changes it only if something finer was edited; then it says by how much. */
+/**
+ * Finer or coarser points of the same curve. Going down changes it only if something finer was edited: then the change
+ * is shown and measured first, and asking once more makes it.
+ */
 export function setLevel(editor: Editor, level: number): void {
-  const { curve } = editor.state.value;
+  const { curve, sketch } = editor.state.value;
   const target = Math.max(0, Math.min(mostLevel, Math.round(level)));
   if (target === curve.level || curve.contours.length === 0) return;
   const next = target > curve.level ? raised(editor, curve, target) : lowered(curve, target);
   if (next === null) return;
   const moved = target > curve.level ? 0 : Math.max(0, ...curve.contours.map((contour, i) => largestMove(curve, contour, next.contours[i] ?? contour)));
+  if (moved > unnoticed && sketch.proposal?.level !== target) {
+    editor.patch({ sketch: { ...sketch, proposal: next } });
+    editor.notify({ kind: "toast", text: `Level ${target} would move the curve by up to ${printed(moved)}, as shown.`, actionId: "apply-level" });
+    return;
+  }
   editor.dispatch({ name: `Level ${target}`, apply: () => next, select: nothingSelected, run: "level" });
-  const extent = 1e-6;
-  if (moved > extent) say(editor, `Level ${target} cannot hold the finer edits: the curve moved by up to ${printed(moved)}. Undo brings them back.`);
 }
+
+/** Makes the change of level that is being shown. */
+export function applyProposal(editor: Editor): void {
+  const { proposal } = editor.state.value.sketch;
+  if (proposal !== null) setLevel(editor, proposal.level);
+}
+
+/** Moves below this, in document units, are rounding and nobody's edit. */
+const unnoticed = 1e-6;
 
 function raised(editor: Editor, curve: CurveDocument, target: number): CurveDocument | null {
   let next = curve;

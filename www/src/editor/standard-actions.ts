@@ -2,7 +2,7 @@ import { modes, type Mode } from "../document/document.ts";
 import { documentBounds } from "../kernel/samples.ts";
 import { fitted, zoomedAt, type ScreenPoint } from "./camera.ts";
 import {
-  clearCurve, deleteAndHeal, deleteAndOpen, duplicate, insertAfterSelected, insertAt, nudge, resetSelectedHandles, reverse, selectAll, selectEnd, selectNone, setKind,
+  applyProposal, clearCurve, deleteAndHeal, deleteAndOpen, duplicate, insertAfterSelected, insertAt, nudge, resetSelectedHandles, reverse, selectAll, selectEnd, selectNone, setKind,
   setLevel, startHere, stepPart, stepSelection, toggleCusp,
 } from "./edits.ts";
 import type { Action, Editor, EditorState, OverlayId, ToolId } from "./editor.ts";
@@ -109,6 +109,7 @@ const pointActions: readonly Action[] = [
   action("start-here", "Start here", "Curve", [], startHere, { enabled: hasSelection }),
   action("reverse", "Reverse", "Curve", [], reverse, { enabled: hasCurve }),
   action("level-up", "Level up", "Curve", ["}"], (editor) => setLevel(editor, editor.state.value.curve.level + 1), { enabled: hasCurve }),
+  action("apply-level", "Change the level", "Curve", [], applyProposal, { enabled: (state) => state.sketch.proposal !== null }),
   action("level-down", "Level down", "Curve", ["{"], (editor) => setLevel(editor, editor.state.value.curve.level - 1), { enabled: hasCurve }),
 ];
 

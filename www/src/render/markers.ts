@@ -26,6 +26,14 @@ function diamond(context: CanvasRenderingContext2D, at: ScreenPoint, radius: num
   context.closePath();
 }
 
+/** One of very many points: without halo and half as large, so that the curve can still be seen. */
+export function drawSmallPoint(context: CanvasRenderingContext2D, at: ScreenPoint, kind: Kind, palette: Palette): void {
+  context.fillStyle = kind === "cusp" ? palette.cusp : palette.point;
+  if (kind === "cusp") diamond(context, at, 3.5);
+  else disc(context, at, 2.5);
+  context.fill();
+}
+
 /** A control point: a disc, or a diamond where it is a cusp. */
 export function drawPoint(context: CanvasRenderingContext2D, at: ScreenPoint, kind: Kind, marker: MarkerState, palette: Palette): void {
   const shape = kind === "cusp" ? diamond : disc;

@@ -53,9 +53,35 @@ export function pathOfCubics(cubics: Float64Array, closed: boolean): Path2D {
 }
 
 /** The contour's path, within a twentieth of a pixel at this zoom; the tolerance moves in powers of two, so that zooming seldom makes a new path. */
-export function contourPath({ state }: Scene, document: CurveDocument, contour: Contour): Path2D {
-  const tolerance = 0.05 / 2 ** Math.ceil(Math.log2(state.view.zoom));
-  return pathOfCubics(cubicsOf(document, contour, tolerance), contour.closed);
+export function contourPath(scene: Scene, document: CurveDocument, contour: Contour): Path2D {
+  return pathOfCubics(cubicsOf(document, contour, toleranceOf(scene)), contour.closed);
+}
+
+function toleranceOf({ state }: Scene): number {
+  return 0.05 / 2 ** Math.ceil(Math.log2(state.view.zoom));
+}
+
+interface Whole {
+  readonly tolerance: number;
+  readonly all: Path2D;
+  readonly closed: Path2D;
+}
+
+const wholes = new WeakMap<CurveDocument, Whole>();
+
+/** Every contour in one path, and the closed ones in another: a drawing of thousands is stroked and filled at once, and panning makes nothing new. */
+export function documentPaths(scene: Scene, document: CurveDocument): Whole {
+  const tolerance = toleranceOf(scene);
+  const known = wholes.get(document);
+  if (known !== undefined && known.tolerance === tolerance) return known;
+  const fresh: Whole = { tolerance, all: new Path2D(), closed: new Path2D() };
+  for (const contour of document.contours) {
+    const path = contourPath(scene, document, contour);
+    fresh.all.addPath(path);
+    if (contour.closed) fresh.closed.addPath(path);
+  }
+  wholes.set(document, fresh);
+  return fresh;
 }
 
 /** A polygon of interleaved points. */

@@ -1,5 +1,5 @@
 import { bezierGhost, magnification } from "../../kernel/bezier-ghost.ts";
-import { contourPath, inPage, inScreen, onScreen, pathOfCubics, pathOfPoints, type Scene } from "../scene.ts";
+import { contourPath, documentPaths, inPage, inScreen, onScreen, pathOfCubics, pathOfPoints, type Scene } from "../scene.ts";
 
 /** The drawing itself, what it was before the drag, and the Bézier to compare with. */
 
@@ -7,12 +7,10 @@ export function drawFill(scene: Scene): void {
   const { state, palette } = scene;
   if (!state.settings.overlays.fill || state.originalOnly) return;
   const context = inPage(scene);
-  const whole = new Path2D();
-  for (const contour of state.curve.contours) if (contour.closed) whole.addPath(contourPath(scene, state.curve, contour));
   context.fillStyle = palette.point;
   context.globalAlpha = 0.08;
   // Holes of imported logos are holes, whichever way their contours run.
-  context.fill(whole, "evenodd");
+  context.fill(documentPaths(scene, state.curve).closed, "evenodd");
   context.globalAlpha = 1;
 }
 
@@ -26,9 +24,8 @@ export function drawBefore(scene: Scene): void {
   context.lineWidth = 1.5 / zoom;
   context.lineCap = "round";
   context.setLineDash([0.01 / zoom, 4 / zoom]);
-  for (const contour of origin.contours) {
-    if (!state.curve.contours.includes(contour)) context.stroke(contourPath(scene, origin, contour));
-  }
+  const kept = new Set(state.curve.contours);
+  for (const contour of origin.contours) if (!kept.has(contour)) context.stroke(contourPath(scene, origin, contour));
   context.setLineDash([]);
   context.lineCap = "butt";
 }
@@ -104,5 +101,5 @@ export function drawCurves(scene: Scene): void {
   context.strokeStyle = palette.curve;
   context.lineWidth = 2 / state.view.zoom;
   context.lineJoin = "round";
-  for (const contour of state.curve.contours) context.stroke(contourPath(scene, state.curve, contour));
+  context.stroke(documentPaths(scene, state.curve).all);
 }

@@ -1,6 +1,6 @@
 import { isSelected, samePoint, type HandleRef, type PointRef } from "../../document/document.ts";
 import { hasSide, shownHandles } from "../../editor/hit-test.ts";
-import { drawHandleEnd, drawPoint, drawStart, type MarkerState } from "../markers.ts";
+import { drawHandleEnd, drawPoint, drawSmallPoint, drawStart, type MarkerState } from "../markers.ts";
 import { inScreen, onScreen, type Scene } from "../scene.ts";
 
 /** Control points, the handles of the chosen ones, and where each contour begins. */
@@ -51,15 +51,18 @@ function handleState(scene: Scene, handle: HandleRef): MarkerState {
   };
 }
 
+const mostLargePoints = 300;
+
 export function drawPoints(scene: Scene): void {
   const { state, palette } = scene;
   if (state.originalOnly) return;
   const context = inScreen(scene);
   const { hover, selection, stage } = state;
   const margin = 24;
+  const crowded = state.curve.contours.reduce((sum, contour) => sum + contour.points.length, 0) > mostLargePoints;
   state.curve.contours.forEach((contour, c) => {
     const first = contour.points[0];
-    if (first !== undefined && contour.points.length > 1) {
+    if (first !== undefined && contour.points.length > 1 && !crowded) {
       const direction = hasSide(state.curve, { contour: c, index: 0 }, "out") ? first.out : { dx: 0, dy: 0 };
       const second = contour.points[1] ?? first;
       const along = direction.dx === 0 && direction.dy === 0 ? { dx: second.x - first.x, dy: second.y - first.y } : direction;
@@ -69,11 +72,13 @@ export function drawPoints(scene: Scene): void {
       const at = onScreen(scene, point);
       if (at.x < -margin || at.y < -margin || at.x > stage.width + margin || at.y > stage.height + margin) return;
       const ref = { contour: c, index };
-      drawPoint(context, at, point.kind, {
+      const marker = {
         hovered: hover.kind === "point" && samePoint(hover.point, ref),
         selected: isSelected(selection, ref),
         focused: isFocused(scene, ref, null),
-      }, palette);
+      };
+      if (crowded && !marker.hovered && !marker.selected) drawSmallPoint(context, at, point.kind, palette);
+      else drawPoint(context, at, point.kind, marker, palette);
     });
   });
 }

@@ -1,13 +1,26 @@
 import { cubicsOf } from "../../kernel/paths.ts";
-import { inPage, inScreen, onScreen, pathOfCubics, type Scene } from "../scene.ts";
+import { contourPath, inPage, inScreen, onScreen, pathOfCubics, type Scene } from "../scene.ts";
 
 /** What tools show while they work: guides, marquee, the pen's next segment, where a point would go in, the loupe. */
 
 export function drawSketch(scene: Scene): void {
+  drawProposal(scene);
   drawInsertion(scene);
   drawRubber(scene);
   drawGuides(scene);
   drawMarquee(scene);
+}
+
+function drawProposal(scene: Scene): void {
+  const { state, palette } = scene;
+  const { proposal } = state.sketch;
+  if (proposal === null) return;
+  const context = inPage(scene);
+  context.strokeStyle = palette.warn;
+  context.lineWidth = 2 / state.view.zoom;
+  context.setLineDash([8 / state.view.zoom, 5 / state.view.zoom]);
+  for (const contour of proposal.contours) context.stroke(contourPath(scene, proposal, contour));
+  context.setLineDash([]);
 }
 
 /** The place on the curve where a double-click inserts a point. */
