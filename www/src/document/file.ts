@@ -1,0 +1,195 @@
+/**
+ * The file format: what the page saves, shares, keeps over a reload and takes back. Reading checks every field and copies
+ * only what it knows, so that nothing else in a file can reach the page; writing is the plain JSON of the state.
+ */
+import {
+  emptyFit, emptySurface, emptyTrace, modes, segmentCount,
+  type Contour, type ControlPoint, type CurveDocument, type DemoState, type FitDocument, type Offset, type SurfaceDocument,
+  type TraceDocument, type View,
+} from "./document.ts";
+import { asArray, asBoolean, asNumber, asObject, asSampleId, asWhole, field, oneOf, optional, type Found } from "./file/check.ts";
+import { FileError } from "./file/error.ts";
+import { checkJson } from "./file/scan.ts";
+
+export { FileError, type FileErrorCode } from "./file/error.ts";
+
+export const fileVersion = 1;
+
+const limits = { maxBytes: 64 * 1024 * 1024, maxDepth: 64, maxPoints: 100_000, maxContours: 100_000 };
+
+const spaces = ["trigonometric", "hyperbolic", "polynomial"] as const;
+const kinds = ["symmetric", "smooth", "cusp"] as const;
+const families = ["hermite", "interpolating"] as const;
+const models = ["linear", "cubic", "hybrid"] as const;
+
+export interface ReadFile {
+  readonly state: DemoState;
+  /** `W_UNKNOWN_FIELD` with the paths of fields that this version does not know and drops. */
+  readonly warnings: readonly { readonly code: "W_UNKNOWN_FIELD"; readonly path: string }[];
+}
+
+/** @throws FileError, and leaves nothing half read. */
+export function parseState(source: string): ReadFile {
+  if (source.length > limits.maxBytes) throw new FileError("E_LIMIT", "$", "is larger than 64 MiB", { limit: "maxBytes" });
+  const text = source.replace(/^\uFEFF/u, "");
+  checkJson(text, limits.maxDepth);
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    throw new FileError("E_PARSE_JSON", "$", "is not JSON");
+  }
+  return { state: readState(value), warnings: unknownFields(value) };
+}
+
+export function writeState(state: DemoState): string {
+  return JSON.stringify(state);
+}
+
+/** A checked copy of a state that came from outside. */
+export function readState(value: unknown): DemoState {
+  const root: Found = { value, path: "$" };
+  const version = asWhole(field(root, "version"), 1, Number.MAX_SAFE_INTEGER);
+  if (version > fileVersion) {
+    throw new FileError("E_UNSUPPORTED", "$.version", `is ${version}; this page reads up to ${fileVersion}`, { version });
+  }
+  return {
+    format: oneOf(field(root, "format"), ["expline-demo"]),
+    version: fileVersion,
+    mode: optional(root, "mode", (found) => oneOf(found, modes)) ?? "curve",
+    view: optional(root, "view", readView) ?? { zoom: 1, x: 400, y: 300 },
+    curve: readCurve(field(root, "curve")),
+    fit: optional(root, "fit", readFit) ?? emptyFit,
+    trace: optional(root, "trace", readTrace) ?? emptyTrace,
+    surface: optional(root, "surface", readSurface) ?? emptySurface,
+  };
+}
+
+const known: readonly string[] = ["format", "version", "mode", "view", "curve", "fit", "trace", "surface"];
+
+function unknownFields(value: unknown): ReadFile["warnings"] {
+  return Object.keys(asObject({ value, path: "$" }))
+    .filter((key) => !known.includes(key))
+    .slice(0, 20)
+    .map((key) => ({ code: "W_UNKNOWN_FIELD", path: `$.${key.slice(0, 40)}` }));
+}
+
+/** Leaves absent what is absent: an optional field is never written as undefined. */
+function defined<T extends object>(parts: T): { [K in keyof T]?: Exclude<T[K], undefined> } {
+  return Object.fromEntries(Object.entries(parts).filter(([, value]) => value !== undefined)) as { [K in keyof T]?: Exclude<T[K], undefined> };
+}
+
+function readView(found: Found): View {
+  return {
+    zoom: asNumber(field(found, "zoom"), 0.05, 64),
+    x: asNumber(field(found, "x")),
+    y: asNumber(field(found, "y")),
+  };
+}
+
+function readCurve(found: Found): CurveDocument {
+  const left = { points: limits.maxPoints };
+  return {
+    space: oneOf(field(found, "space"), spaces),
+    omega: readOmega(field(found, "omega")),
+    level: optional(found, "level", (level) => asWhole(level, 0, 24)) ?? 0,
+    contours: asArray(field(found, "contours"), (contour) => readContour(contour, left), limits.maxContours, "maxContours"),
+    ...defined({ sample: optional(found, "sample", asSampleId) }),
+  };
+}
+
+function readOmega(found: Found): number | "auto" {
+  return found.value === "auto" ? "auto" : asNumber(found, 0, 1e4);
+}
+
+function readContour(found: Found, left: { points: number }): Contour {
+  const points = asArray(field(found, "points"), readPoint, left.points, "maxPoints");
+  left.points -= points.length;
+  const space = optional(found, "space", (each) => oneOf(each, spaces));
+  const contour: Contour = {
+    family: optional(found, "family", (each) => oneOf(each, families)) ?? "hermite",
+    closed: asBoolean(field(found, "closed")),
+    points,
+    ...defined({
+      space,
+      support: optional(found, "support", (each) => asWhole(each, 1, 64)),
+      omega: optional(found, "omega", (each) => asArray(each, (value) => asNumber(value, 0, 1e4), limits.maxPoints, "maxPoints")),
+      lengths: optional(found, "lengths", (each) => asArray(each, (value) => asNumber(value, 1e-9, 1e9), limits.maxPoints, "maxPoints")),
+    }),
+  };
+  if (points.length === 0) throw new FileError("E_SCHEMA", `${found.path}.points`, "is empty");
+  for (const name of ["omega", "lengths"] as const) {
+    const values = contour[name];
+    if (values !== undefined && values.length !== segmentCount(contour)) {
+      throw new FileError("E_SCHEMA", `${found.path}.${name}`, `has not one number for each of ${segmentCount(contour)} segments`);
+    }
+  }
+  return contour;
+}
+
+function readOffset(found: Found): Offset {
+  return { dx: asNumber(field(found, "dx")), dy: asNumber(field(found, "dy")) };
+}
+
+function readPoint(found: Found): ControlPoint {
+  return {
+    x: asNumber(field(found, "x")),
+    y: asNumber(field(found, "y")),
+    kind: oneOf(field(found, "kind"), kinds),
+    in: readOffset(field(found, "in")),
+    out: readOffset(field(found, "out")),
+    ...defined({ level: optional(found, "level", (level) => asWhole(level, 0, 24)) }),
+  };
+}
+
+function readPair(found: Found): readonly [number, number] {
+  const [x, y, ...rest] = asArray(found, (value) => asNumber(value), 2, "pair");
+  if (x === undefined || y === undefined || rest.length > 0) throw new FileError("E_SCHEMA", found.path, "is not a pair of numbers");
+  return [x, y];
+}
+
+function readFit(found: Found): FitDocument {
+  return {
+    data: asArray(field(found, "data"), readPair, limits.maxPoints, "maxPoints"),
+    model: oneOf(field(found, "model"), models),
+    smoothing: asNumber(field(found, "smoothing"), 0, 100),
+    mix: asNumber(field(found, "mix"), 0, 100),
+    ...defined({ sample: optional(found, "sample", asSampleId) }),
+  };
+}
+
+function readTrace(found: Found): TraceDocument {
+  const settings = field(found, "settings");
+  const entries = Object.entries(asObject(settings)).slice(0, 100).map(([name, value]) => {
+    if (!/^[a-z][a-zA-Z]{0,40}$/u.test(name)) throw new FileError("E_SCHEMA", settings.path, "has a name that is no setting");
+    const path = `${settings.path}.${name}`;
+    if (typeof value === "number") return [name, asNumber({ value, path })] as const;
+    if (typeof value === "boolean" || (typeof value === "string" && value.length <= 100)) return [name, value] as const;
+    throw new FileError("E_SCHEMA", path, "is not a number, a word or a switch");
+  });
+  return { settings: Object.fromEntries(entries), ...defined({ sample: optional(found, "sample", asSampleId) }) };
+}
+
+function readSurface(found: Found): SurfaceDocument {
+  const whole = (name: string, most: number) => (part: Found) => asWhole(field(part, name), 0, most);
+  const support = readPair(field(found, "support"));
+  return {
+    sample: asSampleId(field(found, "sample")),
+    levelU: whole("levelU", 24)(found),
+    levelV: whole("levelV", 24)(found),
+    support,
+    patches: whole("patches", limits.maxPoints)(found),
+    net: asArray(
+      field(found, "net"),
+      (point) => ({
+        u: whole("u", limits.maxPoints)(point),
+        v: whole("v", limits.maxPoints)(point),
+        x: asNumber(field(point, "x")),
+        y: asNumber(field(point, "y")),
+        z: asNumber(field(point, "z")),
+      }),
+      limits.maxPoints,
+      "maxPoints",
+    ),
+  };
+}
