@@ -1,0 +1,115 @@
+/** What was pasted, dropped or typed: recognised by its first characters, read into contours or a whole state. */
+import type { Contour, Space } from "../document/document.ts";
+import { FileError, parseState } from "../document/file.ts";
+import type { Imported } from "../document/imported.ts";
+import { Problem } from "../document/problem.ts";
+import { importPath, importPoints } from "../kernel/import.ts";
+import { readSvg, type SvgFile } from "./svg-file.ts";
+import { SvgFileError, type SvgWarningCode } from "./svg/limits.ts";
+
+export type ImportKind = "svg" | "path" | "points" | "json";
+
+const mostPoints = 100_000;
+
+/** What a text seems to be, or null when it is nothing that can be drawn. */
+export function kindOfText(text: string): ImportKind | null {
+  const start = text.replace(/^[\uFEFF\s]+/u, "").slice(0, 200);
+  if (start.startsWith("<")) return "svg";
+  if (start.startsWith("{") || start.startsWith("[")) return "json";
+  if (/^[a-z]/iu.test(start)) return /^[mM]/u.test(start) || /^[a-zA-Z]\s*[-+.\d]/u.test(start) ? "path" : null;
+  return /^[-+.\d]/u.test(start) ? "points" : null;
+}
+
+/** @throws Problem; a JSON `null` or list is refused as the file it fails to be, not as unknown text. */
+export function readImport(text: string, space: Space): Imported {
+  const kind = text.trim() === "null" ? "json" : kindOfText(text);
+  switch (kind) {
+    case "json":
+      return readJson(text);
+    case "svg":
+      return readDrawing(text, space);
+    case "path":
+      return { kind, notes: [], ...importPath(text.trim(), space) };
+    case "points":
+      return readPoints(text, space);
+    case null:
+      throw new Problem("paste-unknown");
+  }
+}
+
+function readJson(text: string): Imported {
+  try {
+    const { state, warnings } = parseState(text);
+    const notes = warnings.length === 0 ? [] : [`Left out: ${warnings.map((warning) => warning.path).join(", ")} (unknown here).`];
+    return { kind: "json", state, notes };
+  } catch (error) {
+    if (!(error instanceof FileError)) throw error;
+    if (error.code === "E_UNSUPPORTED") throw new Problem("json-version", { version: error.detail.version ?? 0 });
+    const what = error.message.replace(/ \[E_[A-Z_]+\]$/u, "").replace(/^\$\.?/u, "").trim();
+    throw new Problem(error.code === "E_LIMIT" ? "json-big" : "json-broken", { field: what, code: error.code });
+  }
+}
+
+function readDrawing(text: string, space: Space): Imported {
+  const file = readFile(text);
+  if (file.shapes.length === 0) throw new Problem("svg-nopath");
+  const contours: Contour[] = [];
+  let broken: Problem | null = null;
+  let points = 0;
+  for (const shape of file.shapes) {
+    const part = importPath(shape.d, space, shape.transform);
+    broken ??= part.broken;
+    for (const contour of part.contours) points += contour.points.length;
+    if (points > mostPoints) throw new Problem("svg-big", { field: "points", most: mostPoints });
+    contours.push(...part.contours);
+  }
+  return { kind: "svg", contours, notes: notesOf(file), broken };
+}
+
+function readFile(text: string): SvgFile {
+  try {
+    return readSvg(text);
+  } catch (error) {
+    if (!(error instanceof SvgFileError)) throw error;
+    if (error.code === "E_LIMIT") throw new Problem("svg-big", { field: error.detail.limit ?? "size", most: error.detail.max ?? 0, code: error.code });
+    if (error.code === "E_RANGE") throw new Problem("svg-range", { code: error.code });
+    if (error.detail.reason === "doctype") throw new Problem("svg-entities", { code: error.code });
+    const { line, column } = error.detail;
+    throw new Problem("svg-broken", { code: error.code, ...(line === undefined ? {} : { line, column: column ?? 1 }) });
+  }
+}
+
+const notesByCode: Readonly<Record<SvgWarningCode, string>> = {
+  W_CYCLE: "a reference to itself was left out",
+  W_BAD_TRANSFORM: "a transform that could not be read was ignored",
+  W_BAD_VIEWBOX: "the viewBox could not be used",
+  W_BAD_LENGTH: "a shape without a proper size was left out",
+  W_UNIT: "a length in a unit that needs a page was ignored",
+  W_ODD_POINTS: "a lone last coordinate was dropped",
+  W_NO_TARGET: "a reference to something outside the file was left out",
+};
+
+function notesOf(file: SvgFile): string[] {
+  const codes = new Set(file.warnings.map((warning) => warning.code));
+  return [...codes].map((code) => `${notesByCode[code]} (${code})`);
+}
+
+/** Rows of two numbers, with a comma, semicolon, tab or blanks between them; a first row of words is a heading. */
+function readPoints(text: string, space: Space): Imported {
+  const rows = text.split(/\r?\n/u);
+  const points: [number, number][] = [];
+  rows.forEach((row, i) => {
+    if (row.trim() === "") return;
+    const [x, y, ...rest] = row.trim().split(/\s*[,;\t]\s*|\s+/u).map(Number);
+    if (x === undefined || y === undefined || rest.length > 0 || !(Math.abs(x) <= 1e9 && Math.abs(y) <= 1e9)) throw new Problem("points-rows", { line: i + 1 });
+    const last = points.at(-1);
+    if (last === undefined || last[0] !== x || last[1] !== y) points.push([x, y]);
+    if (points.length > mostPoints) throw new Problem("svg-big", { field: "points", most: mostPoints });
+  });
+  const [first, last] = [points[0], points.at(-1)];
+  // A last row that repeats the first closes the curve.
+  const closed = points.length > 3 && first !== undefined && last !== undefined && first[0] === last[0] && first[1] === last[1];
+  if (closed) points.pop();
+  if (points.length < 2) throw new Problem("points-few", { count: points.length });
+  return { kind: "points", contours: [importPoints(points, closed, space)], notes: [], broken: null };
+}

@@ -1,0 +1,20 @@
+import type { PngOptions } from "./png.ts";
+import type { SvgOptions } from "./svg-write.ts";
+import type { DemoState, Space } from "../document/document.ts";
+import type { Imported } from "../document/imported.ts";
+import { createAutosave, keptDrawings, localStore } from "./autosave.ts";
+import { copyText, download } from "./download.ts";
+import { listenForIncoming, readIncoming } from "./incoming.ts";
+import { isShareLink } from "./link.ts";
+import { pngSize } from "./png-size.ts";
+
+/** Everything the panels are handed of this room. What a visit may never need is loaded when it is first asked for. */
+export const pageIo = {
+  copyText, createAutosave, download, isShareLink, keptDrawings, listenForIncoming, localStore, pngSize, readIncoming,
+  readImport: async (text: string, space: Space): Promise<Imported> => (await import("./import.ts")).readImport(text, space),
+  shareHash: async (state: DemoState): Promise<string> => (await import("./share.ts")).shareHash(state),
+  readShareHash: async (hash: string): Promise<DemoState> => (await import("./share.ts")).readShareHash(hash),
+  gzippedSize: async (text: string): Promise<number> => (await import("./compress.ts")).gzippedSize(text),
+  writeSvg: async (options: SvgOptions): Promise<string> => (await import("./svg-write.ts")).writeSvg(options),
+  writePng: async (options: PngOptions): Promise<Blob | null> => (await import("./png.ts")).writePng(options),
+};

@@ -1,0 +1,85 @@
+import { overLimit, SvgFileError, type SvgLimits } from "./limits.ts";
+
+/**
+ * One linear look at the markup before the browser's parser gets it: size, nesting, elements and attributes are
+ * counted without building anything, and a document type is blanked out so that nothing in it is ever expanded.
+ */
+export function checkMarkup(source: string, limits: SvgLimits): string {
+  if (source.length > limits.maxBytes) throw overLimit("maxBytes", limits.maxBytes, source.length);
+  const text = source.replace(/^\uFEFF/u, "").trimStart();
+  const count = { nodes: 0, depth: 0 };
+  let cleaned = text;
+  let at = text.indexOf("<");
+  while (at !== -1) {
+    const end = skipDeclaration(text, at);
+    if (end === null) {
+      at = text.indexOf("<", readTag(text, at, count, limits));
+      continue;
+    }
+    if (text.startsWith("<!DOCTYPE", at) || text.startsWith("<!doctype", at)) {
+      refuseEntities(text.slice(at, end));
+      // Blanked, not cut: the parser's line numbers stay those of the file.
+      cleaned = cleaned.slice(0, at) + text.slice(at, end).replace(/[^\n]/gu, " ") + cleaned.slice(end);
+    }
+    at = text.indexOf("<", end);
+  }
+  return cleaned.trimStart();
+}
+
+/** Where a comment, CDATA section, processing instruction or document type that starts here ends; null for a tag. */
+function skipDeclaration(text: string, at: number): number | null {
+  if (text.startsWith("<!--", at)) return after(text, "-->", at + 4);
+  if (text.startsWith("<![CDATA[", at)) return after(text, "]]>", at + 9);
+  if (text.startsWith("<?", at)) return after(text, "?>", at + 2);
+  if (text.startsWith("<!", at)) return afterDoctype(text, at + 2);
+  return null;
+}
+
+function after(text: string, mark: string, from: number): number {
+  const found = text.indexOf(mark, from);
+  return found === -1 ? text.length : found + mark.length;
+}
+
+/** Past the `>` of a document type, which may hold quotes and one bracketed subset. */
+function afterDoctype(text: string, from: number): number {
+  let bracketed = false;
+  for (let i = from; i < text.length; i += 1) {
+    const char = text[i];
+    if (char === '"' || char === "'") i = after(text, char, i + 1) - 1;
+    else if (char === "[") bracketed = true;
+    else if (char === "]") bracketed = false;
+    else if (char === ">" && !bracketed) return i + 1;
+  }
+  return text.length;
+}
+
+function refuseEntities(doctype: string): void {
+  if (/<!ENTITY/iu.test(doctype)) {
+    throw new SvgFileError("E_PARSE_SVG", "svg: a document type that declares entities is refused", { reason: "doctype" });
+  }
+}
+
+/** Past the tag that starts here; counts it. */
+function readTag(text: string, at: number, count: { nodes: number; depth: number }, limits: SvgLimits): number {
+  const closing = text[at + 1] === "/";
+  let attributes = 0;
+  let i = at + 1;
+  for (; i < text.length && text[i] !== ">"; i += 1) {
+    const char = text[i];
+    if (char === '"' || char === "'") i = after(text, char, i + 1) - 1;
+    else if (char === "=") attributes += 1;
+    else if (char === "<") break; // broken markup: let the parser say where
+    if (attributes > limits.maxAttributes) throw overLimit("maxAttributes", limits.maxAttributes, attributes);
+  }
+  if (closing) {
+    count.depth -= 1;
+    return i;
+  }
+  count.nodes += 1;
+  if (count.nodes > limits.maxNodes) throw overLimit("maxNodes", limits.maxNodes, count.nodes);
+  if (text[i - 1] !== "/") {
+    count.depth += 1;
+    if (count.depth > limits.maxDepth) throw overLimit("maxDepth", limits.maxDepth, count.depth);
+  }
+  return i;
+}
