@@ -1,11 +1,14 @@
 import { createContract } from "./contract.ts";
+import { readState } from "./document/file.ts";
 import { createEditor } from "./editor/create-editor.ts";
 import { listenToStage } from "./editor/dom-input.ts";
 import { createFrame } from "./editor/frame.ts";
 import { createPointerInput } from "./editor/pointer-input.ts";
 import { connectRoutes, openRoute, parseRoute } from "./editor/route.ts";
 import { registerStandardActions } from "./editor/standard-actions.ts";
+import { pageIo } from "./io/page-io.ts";
 import { startEngine } from "./kernel/engine.ts";
+import { mountPanels } from "./panels/mount.ts";
 import { createProxies } from "./render/proxies.ts";
 import { createStage } from "./render/stage.ts";
 import { mountHint, mountLive, mountZoomBox } from "./render/stage-parts.ts";
@@ -13,11 +16,14 @@ import { createTools } from "./tools/tools.ts";
 
 /** Puts the page together: the editor, the stage, the panels, and the first document. */
 
-function part(name: string): HTMLElement {
-  const element = document.querySelector<HTMLElement>(`[data-part="${name}"]`);
-  if (element === null) throw new Error(`index.html has no part named ${name}`);
+function find(kind: "part" | "region", name: string): HTMLElement {
+  const element = document.querySelector<HTMLElement>(`[data-${kind}="${name}"]`);
+  if (element === null) throw new Error(`index.html has no ${kind} named ${name}`);
   return element;
 }
+
+const part = (name: string): HTMLElement => find("part", name);
+const region = (name: string): HTMLElement => find("region", name);
 
 const until = new AbortController().signal;
 const editor = createEditor(() => performance.now());
@@ -34,6 +40,9 @@ mountHint(editor, part("hint"), until);
 mountZoomBox(editor, part("zoom"), until);
 mountLive(editor, part("live"), part("summary"), until);
 
+const regions = { header: region("header"), rail: region("rail"), panel: region("panel"), status: region("status"), stage: region("stage") };
+const panels = mountPanels({ editor, regions, io: pageIo, frame, until });
+
 async function boot(): Promise<void> {
   const failure = await startEngine();
   if (failure !== null) {
@@ -44,7 +53,8 @@ async function boot(): Promise<void> {
   openRoute(editor, parseRoute(location.hash) ?? { mode: "curve", sample: null });
   editor.setState(editor.getState(), { fresh: true });
   connectRoutes(editor, until);
+  await panels.openSession();
   await frame.idle();
 }
 
-window.explineDemo = createContract({ editor, frame, ready: boot(), readState: (value) => value as never });
+window.explineDemo = createContract({ editor, frame, ready: boot(), readState });

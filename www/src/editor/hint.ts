@@ -4,8 +4,8 @@ import type { EditorState } from "./editor.ts";
 
 /** The line under the stage: what the next press would do, in terms of what is under the pointer. */
 export function hintFor(state: EditorState): string {
-  if (state.hint !== "") return state.hint;
   if (state.mode !== "curve") return "";
+  if (state.hint !== "") return state.hint;
   if (state.drag !== null) {
     const step = `Δx ${fixed(state.drag.dx)}  Δy ${fixed(state.drag.dy)}`;
     return state.drag.snapped === null ? step : `${step}  ·  on ${state.drag.snapped}`;

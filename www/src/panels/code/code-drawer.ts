@@ -1,0 +1,70 @@
+import { h, setAttribute, setText } from "../dom.ts";
+import { icon } from "../icons.ts";
+import { errorText } from "../errors.ts";
+import { inNextFrame, type Shell } from "../shell.ts";
+import { snippetFor, snippetNames, type SnippetId } from "./snippets.ts";
+
+const options = { segments: "arcs", tolerance: 0.02, decimals: 3, relative: false } as const;
+
+export interface CodeDrawer {
+  toggle(): void;
+  readonly isOpen: () => boolean;
+}
+
+/** Under the stage: the program that makes what is on it, changing as it changes. */
+export function mountCodeDrawer(shell: Shell, changed: (open: boolean) => void): CodeDrawer {
+  const { editor, io, toasts, regions, until } = shell;
+  let active: SnippetId = "vanilla";
+  const code = h("code", {});
+  const listing = h("pre", { class: "code-listing", testid: "code-listing", tabindex: "0", role: "tabpanel", "aria-label": "Program" }, code);
+  const tabs = snippetNames.map(([id, name]) => h("button", { class: "code-tab", type: "button", role: "tab", testid: `code-${id}`, click: () => choose(id) }, name));
+  const copy = h("button", { class: "button", type: "button", testid: "code-copy", title: "Copy the program" }, icon("copy"), h("span", {}, "Copy"));
+  const close = h("button", { class: "icon-button", type: "button", "aria-label": "Close the code", title: "Close", click: () => set(false) }, icon("close"));
+  const list = h("div", { class: "code-tabs", role: "tablist", "aria-label": "Framework" }, ...tabs);
+  const drawer = h("section", { class: "drawer", testid: "code-drawer", "aria-label": "Code", hidden: true }, h("div", { class: "drawer-head" }, list, h("span", { class: "space" }), copy, close), listing);
+  regions.stage.append(drawer);
+
+  const refresh = (): void => {
+    if (!drawer.hidden) setText(code, snippetFor(active, editor.state.value.curve, options));
+  };
+  const choose = (id: SnippetId): void => {
+    active = id;
+    tabs.forEach((tab, i) => {
+      const chosen = snippetNames[i]?.[0] === id;
+      setAttribute(tab, "aria-selected", String(chosen));
+      setAttribute(tab, "tabindex", chosen ? "0" : "-1");
+    });
+    listing.scrollTop = 0;
+    refresh();
+  };
+  const set = (open: boolean): void => {
+    drawer.hidden = !open;
+    changed(open);
+    refresh();
+    if (open) tabs.find((tab) => tab.getAttribute("aria-selected") === "true")?.focus();
+  };
+  list.addEventListener("keydown", (event) => {
+    const at = tabs.findIndex((tab) => tab === document.activeElement);
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (at === -1 || step === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const next = (at + step + tabs.length) % tabs.length;
+    tabs[next]?.focus();
+    choose(snippetNames[next]?.[0] ?? "vanilla");
+  });
+  drawer.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape") return;
+    event.stopPropagation();
+    set(false);
+  });
+  copy.addEventListener("click", () => {
+    void io.copyText(code.textContent ?? "").then((done) => (done ? toasts.say("Copied the program.") : toasts.error("clipboard", errorText("clipboard"))));
+  });
+  const soon = inNextFrame(shell.frame, refresh);
+  editor.state.subscribe((state, before) => {
+    if (!drawer.hidden && state.curve !== before.curve) soon.request();
+  }, { until });
+  choose(active);
+  return { toggle: () => set(drawer.hidden), isOpen: () => !drawer.hidden };
+}

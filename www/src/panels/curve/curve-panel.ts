@@ -1,0 +1,123 @@
+import { omegaOf, type Contour, type CurveDocument, type Space } from "../../document/document.ts";
+import type { EditorState } from "../../editor/editor.ts";
+import { activeContour, resample, setClosed, setLevel, setOmega, setSpace } from "../../editor/edits.ts";
+import { h, setAttribute, setText } from "../dom.ts";
+import { choiceField, numberField, selectField, sliderField, toggleField } from "../fields.ts";
+import { icon } from "../icons.ts";
+import type { Shell } from "../shell.ts";
+
+const spaces: readonly (readonly [Space, string])[] = [
+  ["trigonometric", "Trigonometric"],
+  ["hyperbolic", "Hyperbolic"],
+  ["polynomial", "Polynomial"],
+];
+
+/** What each space draws exactly: the reason to choose it. */
+const exactIn: Readonly<Record<Space, string>> = {
+  trigonometric: "Exact: ellipses, sine waves, cycloids",
+  hyperbolic: "Exact: hyperbolas, catenaries",
+  polynomial: "Exact: parabolas, any cubic Bézier",
+};
+
+export interface Section {
+  readonly element: HTMLElement;
+  update(state: EditorState): void;
+}
+
+function firstContour(state: EditorState, shell: Shell): Contour | undefined {
+  return state.curve.contours[activeContour(shell.editor)];
+}
+
+/** The one frequency of the drawing, or NaN where it follows from the curve or differs between segments. */
+function frequencyOf(curve: CurveDocument): number {
+  return curve.omega === "auto" ? NaN : curve.omega;
+}
+
+/** Family, space, frequency, number of points, level, closed: what the curve is made of. */
+export function curveSection(shell: Shell): Section & { readonly level: HTMLElement } {
+  const { editor } = shell;
+  const family = choiceField({
+    label: "Family",
+    testid: "family",
+    about: "How control points make a curve. Interpolating curves come next.",
+    options: [
+      { value: "hermite", label: "Hermite", about: "Points with tangents: each segment depends on its two ends." },
+      { value: "interpolating", label: "Interpolating", about: "Points on the curve without tangents: comes with the next release.", disabled: true },
+    ],
+    write: () => undefined,
+  });
+  const space = selectField({ label: "Space", testid: "space", about: "The functions that segments are made of, and so the shapes that are exact.", options: spaces, write: (value) => setSpace(editor, value), reset: () => setSpace(editor, "trigonometric") });
+  const exact = h("p", { class: "field-note" });
+  const omega = numberField({
+    label: "Frequency",
+    testid: "omega",
+    about: "Radians per segment, 0.01 to 3.10, or Auto, which keeps circles exact.",
+    least: 0.01,
+    most: 3.1,
+    step: 0.01,
+    word: "Auto",
+    unit: "rad",
+    format: (value) => String(Number(value.toFixed(4))),
+    write: (value) => setOmega(editor, value ?? "auto", "omega"),
+    reset: () => setOmega(editor, "auto"),
+  });
+  const auto = h("button", { class: "small-button", type: "button", testid: "omega-auto", title: "Let the frequency follow from the number of points, so that circles stay exact.", click: () => setOmega(editor, "auto") }, "Auto");
+  omega.element.querySelector(".number-box")?.after(auto);
+  const omegaNote = h("p", { class: "field-note num" });
+  const points = numberField({ label: "Points", testid: "points", about: "Number of points of this contour; changing it resamples at equal parameters.", least: 2, most: 256, step: 1, format: String, write: (value) => value !== null && resample(editor, value, "points") });
+  points.element.querySelector(".number-box")?.after(stepper(shell));
+  const level = sliderField({
+    label: "Level",
+    testid: "level",
+    about: "Doubles the points and leaves the curve where it is, to edit finer.",
+    least: 0,
+    most: 6,
+    step: 1,
+    direction: "finer",
+    print: String,
+    write: (value) => setLevel(editor, value),
+    reset: () => setLevel(editor, 0),
+    gesture: { begin: () => editor.begin("Level"), commit: () => editor.commit() },
+  });
+  const closed = toggleField({ label: "Closed", testid: "closed", about: "Whether the last point joins the first.", write: (on) => setClosed(editor, on) });
+  const element = h("section", { class: "section", "aria-label": "Curve" }, family.element, space.element, exact, omega.element, omegaNote, points.element, level.element, closed.element);
+  return {
+    element,
+    level: level.element,
+    update(state) {
+      const contour = firstContour(state, shell);
+      family.show("hermite");
+      space.show(state.curve.space);
+      setText(exact, exactIn[state.curve.space]);
+      setAttribute(auto, "aria-pressed", String(state.curve.omega === "auto"));
+      auto.disabled = state.curve.space === "polynomial";
+      omega.show(state.curve.space === "polynomial" ? null : frequencyOf(state.curve));
+      setText(omegaNote, frequencyNote(state.curve, contour));
+      points.show(contour?.points.length ?? null);
+      level.show(contour === undefined ? null : state.curve.level);
+      closed.show(contour?.closed ?? null);
+    },
+  };
+}
+
+function frequencyNote(curve: CurveDocument, contour: Contour | undefined): string {
+  if (curve.space === "polynomial" || contour === undefined || contour.points.length < 2) return "";
+  if (contour.omega !== undefined) return "This contour has one for each segment";
+  if (curve.omega !== "auto") return "";
+  const value = omegaOf(curve, contour, 0);
+  return value === 0 ? "Auto: 0 on an open contour" : `Auto: 2π/${Math.round((2 * Math.PI) / value)} = ${value.toFixed(4)}`;
+}
+
+/** − and + beside the number of points. */
+function stepper(shell: Shell): HTMLElement {
+  const step = (by: number) => () => {
+    const contour = firstContour(shell.editor.state.value, shell);
+    if (contour !== undefined) resample(shell.editor, contour.points.length + by, "points");
+  };
+  return h(
+    "span",
+    { class: "stepper" },
+    h("button", { class: "icon-button", type: "button", "aria-label": "One point fewer", title: "One point fewer", click: step(-1) }, icon("minus")),
+    h("button", { class: "icon-button", type: "button", "aria-label": "One point more", title: "One point more", click: step(1) }, icon("plus")),
+  );
+}

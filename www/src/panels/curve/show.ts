@@ -1,0 +1,97 @@
+import { selectKind } from "../../editor/edits.ts";
+import type { EditorState, OverlayId } from "../../editor/editor.ts";
+import { measureCurve } from "../../kernel/measure.ts";
+import { h, setAttribute, setText } from "../dom.ts";
+import { sliderField, toggleField } from "../fields.ts";
+import { glyph } from "../icons.ts";
+import type { Shell } from "../shell.ts";
+import type { Section } from "./curve-panel.ts";
+
+const overlays: readonly (readonly [OverlayId, string, string, string])[] = [
+  ["handles", "ov-handles", "Handles", "Tangent handles of the selected points and their neighbours."],
+  ["polygon", "ov-polygon", "Polygon", "The control polygon of the generalised Bézier points."],
+  ["knots", "ov-knots", "Knots", "A tick where two segments meet."],
+  ["comb", "ov-comb", "Comb", "Curvature as teeth along the curve (K)."],
+  ["subdivision", "ov-subdiv", "Subdivision", "The polygons of the subdivision scheme, step by step."],
+  ["fill", "ov-fill", "Fill", "A light wash inside closed contours."],
+  ["bezier", "ov-bezier", "Compare with Bézier", "The best Bézier of the same points, dashed behind the curve."],
+  ["grid", "ov-grid", "Grid", "A grid to draw on (G)."],
+];
+
+/** What is drawn beside the curve. None of it changes the curve. */
+export function showSection(shell: Shell): Section {
+  const { editor } = shell;
+  const toggles = overlays.map(([id, testid, label, about]) => ({ id, field: toggleField({ label, testid, about, write: (on) => editor.setOverlay(id, on) }) }));
+  const snap = toggleField({ label: "Snap", testid: "snap", about: "Dragging snaps to points and alignments; Ctrl switches it off while held.", write: (on) => editor.setSettings({ snap: on }) });
+  const comb = sliderField({
+    label: "Comb scale",
+    testid: "comb-scale",
+    about: "How long the comb's teeth are, 0.1 to 10 times.",
+    least: -1,
+    most: 1,
+    step: 0.05,
+    print: (position) => `×${Number((10 ** position).toPrecision(2))}`,
+    write: (position) => editor.setSettings({ combScale: Number((10 ** position).toPrecision(3)) }),
+    reset: () => editor.setSettings({ combScale: 1 }),
+  });
+  const subdivision = sliderField({
+    label: "Steps",
+    testid: "subdiv",
+    about: "Subdivision steps drawn: each polygon from the mask up to this one.",
+    least: 0,
+    most: 8,
+    step: 1,
+    print: (position) => (position === 0 ? "off" : String(position)),
+    write: (position) => {
+      editor.setSettings({ subdivisionSteps: position });
+      if (position > 0 && !editor.state.value.settings.overlays.subdivision) editor.setOverlay("subdivision", true);
+    },
+    reset: () => editor.setSettings({ subdivisionSteps: 0 }),
+  });
+  const element = h(
+    "section",
+    { class: "section", "aria-label": "Show" },
+    h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Show")),
+    h("div", { class: "toggles" }, ...toggles.map(({ field }) => field.element), snap.element),
+    comb.element,
+    subdivision.element,
+  );
+  return {
+    element,
+    update({ settings }) {
+      for (const { id, field } of toggles) field.show(settings.overlays[id]);
+      snap.show(settings.snap);
+      comb.show(Math.log10(settings.combScale));
+      comb.element.hidden = !settings.overlays.comb;
+      subdivision.show(settings.subdivisionSteps);
+    },
+  };
+}
+
+/** The marks and how many there are; a press selects them all. */
+export function legendSection(shell: Shell): Section {
+  const { editor } = shell;
+  const rows = ([["point", "Points", "Select every point"], ["cusp", "Cusps", "Select every cusp"]] as const).map(([name, label, about]) => {
+    const number = h("b", { class: "num" });
+    const row = h("button", { class: "legend-row", type: "button", testid: `legend-${name}`, title: about, click: () => selectKind(editor, name) }, glyph(name), h("span", {}, label), number);
+    return { name, row, number };
+  });
+  const element = h(
+    "section",
+    { class: "section", "aria-label": "Legend" },
+    h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Legend")),
+    h("div", { class: "legend" }, ...rows.map(({ row }) => row)),
+  );
+  return {
+    element,
+    update(state: EditorState) {
+      const measures = measureCurve(state.curve);
+      for (const { name, row, number } of rows) {
+        const value = name === "point" ? measures.points : measures.cusps;
+        setText(number, String(value));
+        setAttribute(row, "data-value", String(value));
+        row.disabled = value === 0;
+      }
+    },
+  };
+}

@@ -1,0 +1,27 @@
+import { curveSamples } from "../../document/samples.ts";
+import { openSample } from "../../editor/route.ts";
+import { openDialog } from "../dialog.ts";
+import { h } from "../dom.ts";
+import type { Shell } from "../shell.ts";
+import { thumbnail } from "../thumbnail.ts";
+
+/** The gallery: every sample as it will look, with a sentence on what it is for. */
+export function openSamples(shell: Shell): void {
+  const present = shell.editor.state.value.curve.sample;
+  const cards = curveSamples.map((sample) =>
+    h(
+      "button",
+      { class: "sample", type: "button", testid: `sample-${sample.id}`, "aria-current": sample.id === present ? "true" : null, click: () => { dialog.close(); choose(shell, sample.id); } },
+      thumbnail(sample.curve),
+      h("span", { class: "sample-title" }, sample.title),
+      h("span", { class: "sample-note quiet" }, sample.note),
+    ),
+  );
+  const dialog = openDialog({ title: "Samples", testid: "samples-dialog", wide: true }, h("div", { class: "samples" }, ...cards));
+}
+
+/** In Curve, in view, as one step of the history. */
+export function choose({ editor }: Shell, id: string): void {
+  if (editor.state.value.mode !== "curve") editor.actions.run("mode-curve");
+  openSample(editor, id);
+}

@@ -1,0 +1,220 @@
+/**
+ * The controls of the panels: native inputs with a visible label, one sentence of explanation, a reset on the label's
+ * double click, and errors said beside the field while the old value stays.
+ */
+import { freshId, h, setAttribute, setText, type Child } from "./dom.ts";
+import { formatCoordinate, parseTyped } from "./format.ts";
+import { errorText } from "./errors.ts";
+
+export interface Field<T> {
+  readonly element: HTMLElement;
+  /** Shows a value; null shows the control as not available. */
+  show(value: T | null): void;
+}
+
+interface Common {
+  readonly label: string;
+  readonly testid: string;
+  /** One sentence, as the tooltip. */
+  readonly about: string;
+  readonly reset?: () => void;
+}
+
+function labelFor(id: string, options: Common): HTMLLabelElement {
+  const label = h("label", { class: "field-label", for: id, title: options.about }, options.label);
+  if (options.reset !== undefined) label.addEventListener("dblclick", options.reset);
+  return label;
+}
+
+export interface NumberOptions extends Common {
+  readonly least: number;
+  readonly most: number;
+  readonly step: number;
+  /** Printed after the number, inside the field. */
+  readonly unit?: string;
+  readonly format?: (value: number) => string;
+  /** Words that stand for a value, as "Auto"; given to `write` as null. */
+  readonly word?: string;
+  write(value: number | null): void;
+}
+
+/** A number that is typed, or stepped with the arrow keys. `show(NaN)` shows the word, or several values at once. */
+export function numberField(options: NumberOptions): Field<number> & { readonly input: HTMLInputElement } {
+  const id = freshId(options.testid);
+  const format = options.format ?? formatCoordinate;
+  const input = h("input", { id, class: "number", testid: options.testid, type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", title: options.about });
+  const message = h("p", { class: "field-error", role: "alert" });
+  let shown: number | null = null;
+  let printed = "";
+
+  const print = (): void => {
+    if (shown === null) printed = "";
+    else printed = Number.isNaN(shown) ? (options.word ?? "") : format(shown);
+    input.value = printed;
+  };
+  const refuse = (): void => {
+    setText(message, errorText("number", { least: options.least, most: options.most, kept: printed }));
+    setAttribute(message, "data-testid", "error");
+    setAttribute(message, "data-error", "number");
+    setAttribute(input, "aria-invalid", "true");
+    print();
+  };
+  const accept = (): void => {
+    setText(message, "");
+    setAttribute(message, "data-testid", null);
+    setAttribute(message, "data-error", null);
+    setAttribute(input, "aria-invalid", null);
+  };
+  const commit = (): void => {
+    const text = input.value;
+    if (text === printed) return;
+    const isWord = options.word !== undefined && text.trim().toLowerCase() === options.word.toLowerCase();
+    const value = isWord ? null : parseTyped(text, options.least, options.most);
+    if (value === null && !isWord) return refuse();
+    accept();
+    options.write(value);
+    print();
+  };
+  input.addEventListener("change", commit);
+  // A value that arrives in one piece (dictation, a password manager, a script) has no keystroke to wait for.
+  input.addEventListener("input", (event) => {
+    if (!(event instanceof InputEvent)) commit();
+  });
+  input.addEventListener("focus", () => input.select());
+  input.addEventListener("keydown", (event) => {
+    if (event.key === "Escape" && input.value !== printed) {
+      print();
+      event.stopPropagation();
+    }
+    if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return;
+    const from = parseTyped(input.value, options.least, options.most) ?? shown;
+    if (from === null || Number.isNaN(from)) return;
+    event.preventDefault();
+    const step = options.step * (event.shiftKey ? 10 : 1) * (event.key === "ArrowUp" ? 1 : -1);
+    accept();
+    options.write(Math.min(options.most, Math.max(options.least, Number((from + step).toPrecision(12)))));
+    print();
+  });
+
+  const unit = options.unit === undefined ? null : h("span", { class: options.unit.length > 1 ? "unit unit-wide" : "unit", "aria-hidden": "true" }, options.unit);
+  const element = h("div", { class: "field field-number" }, labelFor(id, options), h("span", { class: "number-box" }, input, unit), message);
+  return {
+    element,
+    input,
+    show(value) {
+      setAttribute(input, "disabled", value === null ? "" : null);
+      if (Object.is(value, shown) && document.activeElement === input) return;
+      shown = value;
+      if (document.activeElement !== input || input.value === printed) print();
+    },
+  };
+}
+
+/** Gesture of a slider: everything between press and release is one step of the history. */
+export interface SliderGesture {
+  begin(): void;
+  commit(): void;
+}
+
+export interface SliderOptions extends Common {
+  readonly least: number;
+  readonly most: number;
+  readonly step: number | "any";
+  /** The word at the right end: what more of it means. */
+  readonly direction?: string;
+  readonly print: (position: number) => string;
+  readonly gesture?: SliderGesture;
+  write(position: number): void;
+}
+
+export function sliderField(options: SliderOptions): Field<number> & { readonly input: HTMLInputElement } {
+  const id = freshId(options.testid);
+  const input = h("input", { id, class: "slider", testid: options.testid, type: "range", min: options.least, max: options.most, step: options.step, title: options.about });
+  const output = h("output", { class: "slider-value num", for: id });
+  const show = (value: number | null): void => {
+    setAttribute(input, "disabled", value === null ? "" : null);
+    if (value === null) return;
+    if (Number(input.value) !== value) input.value = String(value);
+    setText(output, options.print(value));
+    setAttribute(input, "aria-valuetext", options.print(value));
+  };
+  input.addEventListener("pointerdown", () => {
+    options.gesture?.begin();
+    window.addEventListener("pointerup", () => options.gesture?.commit(), { once: true });
+  });
+  input.addEventListener("input", () => {
+    options.write(Number(input.value));
+    setText(output, options.print(Number(input.value)));
+  });
+  const direction = options.direction === undefined ? null : h("span", { class: "direction", "aria-hidden": "true" }, `→ ${options.direction}`);
+  const element = h("div", { class: "field field-slider" }, labelFor(id, options), h("span", { class: "slider-box" }, input, direction), output);
+  return { element, input, show };
+}
+
+export interface ToggleOptions extends Common {
+  readonly children?: readonly Child[];
+  write(on: boolean): void;
+}
+
+export function toggleField(options: ToggleOptions): Field<boolean> {
+  const id = freshId(options.testid);
+  const input = h("input", { id, class: "check", testid: options.testid, type: "checkbox", title: options.about });
+  input.addEventListener("change", () => options.write(input.checked));
+  const element = h("div", { class: "field-check" }, input, labelFor(id, options), ...(options.children ?? []));
+  return {
+    element,
+    show(value) {
+      setAttribute(input, "disabled", value === null ? "" : null);
+      input.checked = value === true;
+    },
+  };
+}
+
+export interface ChoiceOption<T extends string> {
+  readonly value: T;
+  readonly label: string;
+  readonly about: string;
+  readonly mark?: Node;
+  readonly disabled?: boolean;
+}
+
+/** One of a few, as a row of radio buttons. */
+export function choiceField<T extends string>(options: Common & { readonly options: readonly ChoiceOption<T>[]; write(value: T): void }): Field<T> {
+  const name = freshId(options.testid);
+  const inputs = options.options.map((option) => {
+    const input = h("input", { type: "radio", name, value: option.value, title: option.about, "aria-label": option.label });
+    input.addEventListener("change", () => options.write(option.value));
+    return { input, option };
+  });
+  const element = h(
+    "fieldset",
+    { class: "field field-choice", testid: options.testid },
+    h("legend", { class: "field-label", title: options.about }, options.label),
+    h("div", { class: "choices" }, ...inputs.map(({ input, option }) => h("label", { class: "choice" }, input, option.mark ?? null, h("span", {}, option.label)))),
+  );
+  return {
+    element,
+    show(value) {
+      for (const { input, option } of inputs) {
+        input.checked = option.value === value;
+        setAttribute(input, "disabled", value === null || option.disabled === true ? "" : null);
+      }
+    },
+  };
+}
+
+export function selectField<T extends string>(options: Common & { readonly options: readonly (readonly [T, string])[]; write(value: T): void }): Field<T> {
+  const id = freshId(options.testid);
+  const input = h("select", { id, class: "select", testid: options.testid, title: options.about }, ...options.options.map(([value, label]) => h("option", { value }, label)));
+  input.addEventListener("change", () => {
+    const chosen = options.options.find(([value]) => value === input.value);
+    if (chosen !== undefined) options.write(chosen[0]);
+  });
+  return {
+    element: h("div", { class: "field" }, labelFor(id, options), input),
+    show(value) {
+      setAttribute(input, "disabled", value === null ? "" : null);
+      if (value !== null) input.value = value;
+    },
+  };
+}

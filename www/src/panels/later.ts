@@ -1,0 +1,75 @@
+import type { Mode } from "../document/document.ts";
+import { h, setAttribute, setText } from "./dom.ts";
+import type { Shell } from "./shell.ts";
+
+interface Coming {
+  readonly title: string;
+  /** What the mode will do. */
+  readonly will: string;
+  readonly parts: readonly string[];
+  /** What helps today. */
+  readonly today: string;
+  readonly actions: readonly (readonly [label: string, action: string])[];
+}
+
+const coming: Readonly<Record<Exclude<Mode, "curve">, Coming>> = {
+  fit: {
+    title: "Fit",
+    will: "Draw a line or bring points, and one Smoothing slider makes knots vanish while you watch.",
+    parts: ["Linear, cubic and hybrid models that keep corners", "Knots by kind, with the error and the size they buy", "A chart of knots against error"],
+    today: "Points as x,y rows become a smooth curve through all of them in Curve, ready to edit and export.",
+    actions: [["Paste points", "import"], ["Back to Curve", "mode-curve"]],
+  },
+  trace: {
+    title: "Trace",
+    will: "Drop a picture and get contours with their corners kept and exact arcs where there are arcs.",
+    parts: ["Sub-pixel contours from brightness or edges", "Cusps where the picture has corners", "Progress, cancel, and the measured error"],
+    today: "An SVG logo, exported from any tracer or editor, opens in Curve exactly: arcs stay arcs.",
+    actions: [["Import an SVG", "import"], ["Back to Curve", "mode-curve"]],
+  },
+  surface: {
+    title: "Surface",
+    will: "Spheres, tori and free shapes from one net of control points, refined where you need it.",
+    parts: ["Exact quadrics", "Points dragged along a plane, an axis or the normal", "OBJ export"],
+    today: "The profile of a surface is a curve: draw it in Curve and keep its JSON for later.",
+    actions: [["Back to Curve", "mode-curve"], ["Samples", "samples"]],
+  },
+};
+
+export type LaterMode = keyof typeof coming;
+
+export interface LaterPanel {
+  readonly element: HTMLElement;
+}
+
+/** The panel of a mode that is not there yet: what will come, what is possible today, and the way back. */
+export function laterPanel(mode: LaterMode): LaterPanel {
+  const { will, parts } = coming[mode];
+  return {
+    element: h("section", { class: "section later" },
+      h("p", { class: "badge" }, "Comes with a later release"),
+      h("p", {}, will),
+      h("ul", { class: "later-parts quiet" }, ...parts.map((part) => h("li", {}, part)))),
+  };
+}
+
+/** The empty stage of each mode: one primary thing to do, and where to start. */
+export function mountEmptyStates(shell: Shell): void {
+  const { editor, regions, until } = shell;
+  const modes = Object.keys(coming) as LaterMode[];
+  const cards = modes.map((mode) => {
+    const { title, today, actions } = coming[mode];
+    const buttons = actions.map(([label, action], i) => h("button", { class: i === 0 ? "button primary" : "button", type: "button", click: () => editor.actions.run(action) }, h("span", {}, label)));
+    const note = h("p", { class: "quiet", "data-part": "sample" });
+    return { mode, note, element: h("div", { class: "empty", testid: `empty-${mode}`, hidden: true }, h("h2", {}, `${title} is on its way`), h("p", {}, today), note, h("div", { class: "empty-actions" }, ...buttons)) };
+  });
+  for (const { element } of cards) regions.stage.append(element);
+  editor.state.subscribe((state) => {
+    setAttribute(regions.stage, "data-mode", state.mode);
+    for (const { mode, element, note } of cards) {
+      element.hidden = state.mode !== mode;
+      const sample = mode === "fit" ? state.fit.sample : mode === "trace" ? state.trace.sample : undefined;
+      setText(note, sample === undefined ? "" : `The sample ${sample} opens here then; this link will work.`);
+    }
+  }, { now: true, until });
+}

@@ -1,0 +1,52 @@
+import type { Editor } from "../editor/editor.ts";
+import type { Frame } from "../editor/frame.ts";
+import { mountBoot } from "./boot.ts";
+import { mountContextMenu } from "./context-menu.ts";
+import { receiveFiles, receiveText, registerFileActions } from "./files.ts";
+import { mountHeader } from "./header.ts";
+import { mountEmptyStates } from "./later.ts";
+import type { PageIo } from "./page-io.ts";
+import { mountPanel } from "./panel.ts";
+import { mountRail } from "./rail.ts";
+import { openSession } from "./session.ts";
+import type { Regions, Shell } from "./shell.ts";
+import { mountStatusBar } from "./status-bar.ts";
+import { mountTheme } from "./theme.ts";
+import { mountToasts } from "./toasts.ts";
+
+export interface PanelsOptions {
+  readonly editor: Editor;
+  readonly regions: Regions;
+  readonly io: PageIo;
+  readonly frame: Frame;
+  /** Ends every listener of the panels. */
+  readonly until?: AbortSignal;
+}
+
+export interface Panels {
+  /** Opens what the page was called with beside a route: a shared link, or the last session. Call once the engine runs. */
+  openSession(): Promise<void>;
+}
+
+/** Everything around the stage. */
+export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions): Panels {
+  const signal = until ?? new AbortController().signal;
+  const shell: Shell = { editor, regions, io, until: signal, toasts: mountToasts(regions.stage, editor), frame };
+  // Routes rewrite the address; what it was when the page was opened is what counts.
+  const address = window.location.hash;
+  const theme = mountTheme(signal);
+  registerFileActions(shell);
+  mountHeader(shell, theme);
+  mountRail(shell);
+  const { metrics } = mountStatusBar(shell);
+  mountPanel(shell, metrics);
+  mountEmptyStates(shell);
+  mountBoot(shell);
+  mountContextMenu(shell);
+  io.listenForIncoming({
+    files: (files) => void receiveFiles(shell, files),
+    text: (text) => void receiveText(shell, text),
+    dragging: (over) => regions.stage.toggleAttribute("data-drop", over),
+  }, signal);
+  return { openSession: () => openSession(shell, address) };
+}

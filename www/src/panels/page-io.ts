@@ -1,0 +1,36 @@
+import type { DemoState, Space } from "../document/document.ts";
+import type { Box, Imported } from "../document/imported.ts";
+
+/**
+ * What the panels ask of the room that talks to files, links and the clipboard. They are handed it, so that panels know
+ * nothing of how a file is read and can be shown without any of it.
+ */
+export interface PageIo {
+  readImport(text: string, space: Space): Promise<Imported>;
+  readIncoming(file: File): Promise<{ readonly name: string; readonly text: string }>;
+  listenForIncoming(handlers: IncomingHandlers, until: AbortSignal): void;
+  isShareLink(hash: string): boolean;
+  shareHash(state: DemoState): Promise<string>;
+  readShareHash(hash: string): Promise<DemoState>;
+  gzippedSize(text: string): Promise<number>;
+  writeSvg(options: { title: string; d: string; box: Box | null }): Promise<string>;
+  pngSize(box: Box | null, scale: number): { width: number; height: number } | null;
+  writePng(options: { d: string; box: Box | null; scale: number; paper: string | null; ink: string; fill: string }): Promise<Blob | null>;
+  download(name: string, content: Blob): void;
+  copyText(text: string): Promise<boolean>;
+  createAutosave(options: {
+    storage: Storage | null;
+    read(): DemoState;
+    busy(): boolean;
+    failing(failed: boolean): void;
+    until: AbortSignal;
+  }): { touch(): void; flush(): void; forget(): void };
+  keptDrawings(storage: Storage | null): { readonly state: DemoState; readonly session: string; readonly time: number }[];
+  localStore(): Storage | null;
+}
+
+export interface IncomingHandlers {
+  files(files: readonly File[]): void;
+  text(text: string): void;
+  dragging(over: boolean): void;
+}

@@ -1,0 +1,53 @@
+import { clearCurve } from "../editor/edits.ts";
+import type { EditorState } from "../editor/editor.ts";
+import { curveSample } from "../document/samples.ts";
+import { mountCodeDrawer } from "./code/code-drawer.ts";
+import { curveSection } from "./curve/curve-panel.ts";
+import { inspectorSection } from "./curve/inspector.ts";
+import { pointsTableSection } from "./curve/points-table.ts";
+import { legendSection, showSection } from "./curve/show.ts";
+import { h, setAttribute, setText } from "./dom.ts";
+import { icon } from "./icons.ts";
+import { laterPanel, type LaterMode } from "./later.ts";
+import { mountSheet } from "./sheet.ts";
+import { inNextFrame, type Shell } from "./shell.ts";
+
+const titles = { curve: "Curve", fit: "Fit", trace: "Trace", surface: "Surface" } as const;
+
+/** The properties of the mode, at the side of the stage; on a phone, a sheet. */
+export function mountPanel(shell: Shell, metrics: HTMLElement): void {
+  const { editor, regions, until } = shell;
+  const curve = curveSection(shell);
+  const sections = [curve, inspectorSection(shell), showSection(shell), legendSection(shell), pointsTableSection(shell)];
+  const curvePart = h("div", {}, ...sections.map((section) => section.element));
+  const later = (["fit", "trace", "surface"] as const).map((mode: LaterMode) => ({ mode, ...laterPanel(mode) }));
+  const title = h("h2", { class: "panel-title" });
+  const sample = h("span", { class: "section-note" });
+  const clear = h("button", { class: "small-button", type: "button", testid: "btn-clear", title: "Take everything off the stage; undo brings it back.", click: () => clearCurve(editor) }, "Clear");
+  const codeButton = h("button", { class: "code-toggle", type: "button", testid: "btn-code", "aria-expanded": "false", title: "The program that makes this drawing", click: () => editor.actions.run("code") }, icon("chevron"), h("span", {}, "Show code"));
+  const scroll = h("div", { class: "panel-scroll" }, h("div", { class: "panel-head" }, title, sample, clear), curvePart, ...later.map(({ element }) => element));
+  regions.panel.append(scroll, h("div", { class: "panel-foot" }, codeButton));
+  const sheet = mountSheet(regions.panel, [metrics, curve.level], until);
+  regions.panel.prepend(sheet.head);
+
+  const drawer = mountCodeDrawer(shell, (open) => setAttribute(codeButton, "aria-expanded", String(open)));
+  editor.actions.register({ id: "code", label: "Show code", group: "File", keys: [], checked: () => drawer.isOpen(), run: () => drawer.toggle() });
+
+  const update = (state: EditorState): void => {
+    setText(title, titles[state.mode]);
+    setText(sample, state.mode === "curve" ? (curveSample(state.curve.sample ?? "")?.title ?? "") : "");
+    clear.hidden = state.mode !== "curve";
+    clear.disabled = state.curve.contours.length === 0;
+    curvePart.hidden = state.mode !== "curve";
+    codeButton.hidden = state.mode !== "curve";
+    for (const { mode, element } of later) element.hidden = state.mode !== mode;
+    if (state.mode === "curve" && state.engine.status === "ready") for (const section of sections) section.update(state);
+  };
+  // Once a frame: a drag changes the state more often than anyone can read.
+  const soon = inNextFrame(shell.frame, () => update(editor.state.value));
+  editor.state.subscribe((state, before) => {
+    const same = state.curve === before.curve && state.selection === before.selection && state.settings === before.settings && state.mode === before.mode && state.engine === before.engine;
+    if (!same) soon.request();
+  }, { until });
+  update(editor.state.value);
+}

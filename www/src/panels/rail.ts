@@ -1,0 +1,26 @@
+import type { ToolId } from "../editor/editor.ts";
+import { h, setAttribute } from "./dom.ts";
+import { icon } from "./icons.ts";
+import { withKey, type Shell } from "./shell.ts";
+
+const tools: readonly (readonly [ToolId, string])[] = [
+  ["select", "Select and edit"],
+  ["pen", "Pen"],
+  ["draw", "Draw"],
+  ["hand", "Pan"],
+];
+
+/** The tools, beside the stage or, on a phone, over its corner. */
+export function mountRail({ editor, regions, until }: Shell): void {
+  const buttons = tools.map(([id, label]) => {
+    const title = withKey(editor, label, `tool-${id}`);
+    return h("button", { class: "tool", type: "button", testid: `tool-${id}`, "aria-label": label, title, click: () => editor.actions.run(`tool-${id}`) }, icon(id));
+  });
+  regions.rail.append(h("div", { class: "tools", role: "toolbar", "aria-label": "Tools", "aria-orientation": "vertical" }, ...buttons));
+  editor.state.subscribe((state) => {
+    buttons.forEach((button, i) => {
+      setAttribute(button, "aria-pressed", String(tools[i]?.[0] === state.tool));
+      button.disabled = state.mode !== "curve";
+    });
+  }, { now: true, until });
+}

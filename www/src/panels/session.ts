@@ -1,0 +1,53 @@
+import { errorText } from "./errors.ts";
+import { h } from "./dom.ts";
+import { icon } from "./icons.ts";
+import { openState, report } from "./load.ts";
+import type { Shell } from "./shell.ts";
+
+/**
+ * What the page opens with beside a route: a shared link, or the last session of this browser. Resolves when it is on
+ * the stage, so that "ready" means ready.
+ */
+export async function openSession(shell: Shell, address: string): Promise<void> {
+  window.addEventListener("hashchange", () => void openLink(shell, window.location.hash), { signal: shell.until });
+  if (isPlainAddress(address)) restore(shell);
+  else await openLink(shell, address);
+  startKeeping(shell);
+}
+
+function isPlainAddress(hash: string): boolean {
+  return hash === "" || hash === "#" || hash === "#/" || hash === "#/curve";
+}
+
+async function openLink(shell: Shell, hash: string): Promise<void> {
+  if (!shell.io.isShareLink(hash)) return;
+  try {
+    openState(shell, await shell.io.readShareHash(hash), true);
+  } catch (error) {
+    report(shell, error);
+  }
+}
+
+function restore(shell: Shell): void {
+  const { editor, io, toasts } = shell;
+  const last = io.keptDrawings(io.localStore())[0];
+  if (last === undefined) return;
+  const fresh = editor.getState();
+  if (!openState(shell, last.state, true)) return;
+  toasts.say("Restored your last session.", { label: "Start fresh", run: () => openState(shell, fresh, true) });
+}
+
+function startKeeping(shell: Shell): void {
+  const { editor, io, regions, until } = shell;
+  const warning = h("button", { class: "metric not-kept", type: "button", testid: "error", "data-error": "storage", title: errorText("storage"), click: () => editor.actions.run("save-json") }, icon("warn"), "Not kept: download JSON");
+  const keeping = io.createAutosave({
+    storage: io.localStore(),
+    read: () => editor.getState(),
+    busy: () => editor.inGesture,
+    failing: (failed) => (failed ? regions.status.append(warning) : warning.remove()),
+    until,
+  });
+  editor.state.subscribe((state, before) => {
+    if (state.curve !== before.curve && (state.canUndo || state.canRedo)) keeping.touch();
+  }, { until });
+}

@@ -1,0 +1,138 @@
+import type { EditorState } from "../editor/editor.ts";
+import { measureCurve } from "../kernel/measure.ts";
+import { h, setAttribute } from "./dom.ts";
+import { formatBytes, formatCount, formatMeasure, formatRatio } from "./format.ts";
+import { inNextFrame, type Shell } from "./shell.ts";
+
+interface Metric {
+  readonly testid: string;
+  readonly about: string;
+  /** Null hides the metric. */
+  read(state: EditorState): { readonly value: number; readonly strong: string; readonly rest?: string; readonly lead?: string } | null;
+  /** Too dear to be computed for every frame of a drag. */
+  readonly slow?: boolean;
+}
+
+const count = (testid: string, about: string, one: string, read: (state: EditorState) => number, many = `${one}s`): Metric => ({
+  testid,
+  about,
+  read(state) {
+    const value = read(state);
+    return { value, strong: String(value), rest: formatCount(value, one, many).replace(/^\d+ /u, "") };
+  },
+});
+
+const present: readonly Metric[] = [
+  count("m-points", "Control points", "point", ({ curve }) => measureCurve(curve).points),
+  count("m-contours", "Contours", "contour", ({ curve }) => measureCurve(curve).contours),
+  count("m-cusps", "Cusps: points whose two handles go their own ways", "cusp", ({ curve }) => measureCurve(curve).cusps),
+];
+
+const truth: readonly Metric[] = [
+  {
+    testid: "m-error",
+    about: "Largest distance from the ellipse that this curve is, relative to its radius, over 512 samples",
+    read({ curve }) {
+      const value = measureCurve(curve).modelError;
+      return value === undefined ? null : { value, lead: "ellipse error", strong: formatRatio(value) };
+    },
+  },
+  {
+    testid: "m-bezier",
+    about: "The same error of the Bézier curve drawn behind it",
+    read({ curve, settings }) {
+      const value = settings.overlays.bezier ? measureCurve(curve).bezierError : undefined;
+      return value === undefined ? null : { value, lead: "Bézier", strong: formatRatio(value) };
+    },
+  },
+  {
+    testid: "m-length",
+    about: "Length of all contours, to 1e-9 of the size of the drawing",
+    read({ curve }) {
+      return curve.contours.length === 0 ? null : { value: measureCurve(curve).length, lead: "length", strong: formatMeasure(measureCurve(curve).length) };
+    },
+    slow: true,
+  },
+  {
+    testid: "m-area",
+    about: "Signed area of the closed contours",
+    read({ curve }) {
+      const measures = measureCurve(curve);
+      return measures.closed === 0 ? null : { value: measures.area, lead: "area", strong: formatMeasure(measures.area) };
+    },
+    slow: true,
+  },
+];
+
+const cost: readonly Metric[] = [
+  {
+    testid: "m-bytes",
+    about: "Size of the path text at a tolerance of 0.02 and three decimals",
+    read({ curve }) {
+      return { value: measureCurve(curve).bytes, lead: "d", strong: formatBytes(measureCurve(curve).bytes) };
+    },
+    slow: true,
+  },
+];
+
+const slowEveryMs = 120;
+
+/** What is there, what is true about it, what it costs. Every number can be copied by a press and carries itself in `data-value`. */
+export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement } {
+  const { editor, regions, io, toasts, until } = shell;
+  const make = (metric: Metric): { metric: Metric; element: HTMLButtonElement } => {
+    const element = h("button", { class: "metric", type: "button", testid: metric.testid, title: `${metric.about}. Press to copy.` });
+    element.addEventListener("click", () => {
+      const value = element.dataset["value"] ?? "";
+      void io.copyText(value).then((done) => toasts.say(done ? `Copied ${value}` : `The number is ${value}`));
+    });
+    return { metric, element };
+  };
+  const groups = [present, truth, cost].map((metrics) => metrics.map(make));
+  const frame = make({ testid: "m-ms", about: "Time to compute and draw the last frame", read: () => frameTime(shell.frame.times) });
+  groups[2]?.push(frame);
+  const element = h(
+    "div",
+    { class: "metrics" },
+    ...groups.map((group, i) => h("div", { class: `metric-group${i === 1 ? " truth" : ""}`, role: "group", "aria-label": ["Drawing", "Accuracy", "Cost"][i] ?? "" }, ...group.map((entry) => entry.element))),
+  );
+  regions.status.append(element);
+
+  const all = groups.flat();
+  let lastSlow = 0;
+  let pending: ReturnType<typeof setTimeout> | null = null;
+  const update = (): void => {
+    const state = editor.state.value;
+    element.hidden = state.mode !== "curve";
+    const slowToo = performance.now() - lastSlow >= slowEveryMs;
+    // The very first frame has no time of its own yet.
+    if (shell.frame.times.length === 0) setTimeout(soon.request);
+    if (slowToo) lastSlow = performance.now();
+    else pending ??= setTimeout(() => { pending = null; soon.request(); }, slowEveryMs);
+    for (const { metric, element: shown } of all) if (metric.slow !== true || slowToo) show(shown, metric.read(state));
+  };
+  const soon = inNextFrame(shell.frame, () => editor.state.value.engine.status === "ready" && update());
+  editor.state.subscribe((state, before) => {
+    if (state.curve !== before.curve || state.settings !== before.settings || state.mode !== before.mode || state.engine !== before.engine) soon.request();
+  }, { until });
+  soon.request();
+  return { metrics: element };
+}
+
+function frameTime(times: readonly number[]): ReturnType<Metric["read"]> {
+  const value = times.at(-1);
+  return value === undefined ? null : { value, strong: value < 0.1 ? "<0.1" : value.toFixed(1), rest: "ms" };
+}
+
+function show(element: HTMLElement, reading: ReturnType<Metric["read"]>): void {
+  element.hidden = reading === null;
+  if (reading === null) {
+    setAttribute(element, "data-value", null);
+    return;
+  }
+  setAttribute(element, "data-value", String(reading.value));
+  const text = [reading.lead, reading.strong, reading.rest].filter((part) => part !== undefined).join(" ");
+  if (element.textContent === text) return;
+  const spaced = (part: string | undefined, after: string): string => (part === undefined ? "" : after === "" ? ` ${part}` : `${part} `);
+  element.replaceChildren(spaced(reading.lead, " "), h("b", {}, reading.strong), spaced(reading.rest, ""));
+}

@@ -1,0 +1,64 @@
+import type { Editor, Notice } from "../editor/editor.ts";
+import { h } from "./dom.ts";
+import { icon } from "./icons.ts";
+
+const shownForMs = 5000;
+const mostShown = 3;
+
+export interface Toasts {
+  /** With an action: a button that does it and takes the toast away. */
+  say(text: string, action?: { readonly label: string; run(): void }): void;
+  error(id: string, text: string): void;
+}
+
+/** Messages over the foot of the stage: news go by themselves, errors stay until they are closed or the next success. */
+export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
+  const news = h("div", { class: "toasts", role: "status", "aria-live": "polite" });
+  const errors = h("div", { class: "toasts toasts-errors" });
+  const stack = h("div", { class: "toast-stack" }, errors, news);
+  stage.append(stack);
+
+  const add = (list: HTMLElement, toast: HTMLElement): void => {
+    // What is said while a dialog is open is said in it: the page behind is out of sight and out of reach.
+    const host = [...document.querySelectorAll("dialog[open]")].at(-1) ?? stage;
+    if (stack.parentElement !== host) host.append(stack);
+    list.append(toast);
+    while (list.children.length > mostShown) list.firstElementChild?.remove();
+  };
+  const closeButton = (toast: () => HTMLElement): HTMLButtonElement =>
+    h("button", { class: "icon-button", type: "button", "aria-label": "Dismiss", click: () => toast().remove() }, icon("close"));
+
+  const say: Toasts["say"] = (text, action) => {
+    news.querySelectorAll("[data-testid=toast]").forEach((old) => old.removeAttribute("data-testid"));
+    const toast: HTMLElement = h("div", { class: "toast", testid: "toast" }, h("p", {}, text));
+    if (action !== undefined) {
+      toast.append(
+        h("button", { class: "toast-action", type: "button", click: () => { toast.remove(); action.run(); } }, action.label),
+        closeButton(() => toast),
+      );
+    }
+    errors.replaceChildren();
+    add(news, toast);
+    leaveLater(toast, action === undefined ? shownForMs : 3 * shownForMs);
+  };
+  const error: Toasts["error"] = (id, text) => {
+    errors.replaceChildren();
+    const toast: HTMLElement = h("div", { class: "toast toast-error", testid: "error", "data-error": id, role: "alert" }, icon("warn"), h("p", {}, text));
+    toast.append(closeButton(() => toast));
+    add(errors, toast);
+  };
+  editor.notices.subscribe((notice: Notice | null) => {
+    if (notice?.kind === "toast") say(notice.text);
+    if (notice?.kind === "error") error(notice.id, notice.text);
+  });
+  return { say, error };
+}
+
+/** A toast under the pointer or with the focus inside waits until it is left alone. */
+function leaveLater(toast: HTMLElement, ms: number): void {
+  setTimeout(() => {
+    if (!toast.isConnected) return;
+    if (toast.matches(":hover, :focus-within")) leaveLater(toast, 1000);
+    else toast.remove();
+  }, ms);
+}
