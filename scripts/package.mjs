@@ -55,35 +55,43 @@ async function buildBindings() {
   });
 }
 
-/** The literal was chosen to the byte; the bundler sees a short stand-in for it. */
-function keepLiteralOut(literal) {
-  const setup = (build) =>
-    build.onLoad({ filter: /wasm-bytes\.js$/ }, ({ path }) => ({
-      contents: readFileSync(path, "utf8").replace(literal, () => PLACEHOLDER),
-    }));
-  return { name: "keep-literal-out", setup };
+/** The face as one minified module, with `contents` in place of the module that holds the wasm. */
+async function bundleFace(contents) {
+  const { build } = await import("esbuild");
+  const setup = (bundler) => bundler.onLoad({ filter: /wasm-bytes\.js$/ }, () => ({ contents, resolveDir: at("ts") }));
+  const { outputFiles } = await build({
+    entryPoints: [at("ts/index.ts")],
+    write: false,
+    plugins: [{ name: "wasm-bytes", setup }],
+    bundle: true,
+    format: "esm",
+    target: "es2022",
+    minify: true,
+    legalComments: "none",
+    logLevel: "error",
+  });
+  return outputFiles[0].text;
 }
+
+/** What the slim entry has where the other has the wasm. */
+const NOTHING_INSIDE = `
+  import { ExplineError } from "./error.ts";
+  export function wasmBytes() {
+    throw new ExplineError("E_NOT_READY", "engine", "expline/slim has no engine inside; await init({ wasmUrl }) first");
+  }
+`;
 
 async function buildFace() {
   const inputs = ["ts", BINDINGS, "tsconfig.base.json", "package.json", "package-lock.json", "Cargo.lock", "scripts"];
-  const outputs = ["pkg/expline.js", "pkg/types/index.d.ts", "pkg/expline_bg.wasm", "THIRD_PARTY_LICENSES"];
+  const outputs = ["pkg/expline.js", "pkg/slim.js", "pkg/types/index.d.ts", "pkg/expline_bg.wasm", "THIRD_PARTY_LICENSES"];
   await step("face", { inputs, outputs }, async () => {
     rmSync(at("pkg"), { recursive: true, force: true });
     await run("node", [at("node_modules/typescript/bin/tsc"), "-p", at("ts/tsconfig.json")]);
     const literal = JSON.parse(readFileSync(at(BINDINGS, "literal.json"), "utf8"));
-    const { build } = await import("esbuild");
-    const { outputFiles } = await build({
-      entryPoints: [at("ts/index.ts")],
-      write: false,
-      plugins: [keepLiteralOut(literal)],
-      bundle: true,
-      format: "esm",
-      target: "es2022",
-      minify: true,
-      legalComments: "none",
-      logLevel: "error",
-    });
-    writeFileSync(at("pkg/expline.js"), outputFiles[0].text.replace(PLACEHOLDER, () => literal));
+    // The literal was chosen to the byte, so the bundler sees a short stand-in for it.
+    const holder = readFileSync(at(BINDINGS, "wasm-bytes.js"), "utf8").replace(literal, () => PLACEHOLDER);
+    writeFileSync(at("pkg/expline.js"), (await bundleFace(holder)).replace(PLACEHOLDER, () => literal));
+    writeFileSync(at("pkg/slim.js"), await bundleFace(NOTHING_INSIDE));
     cpSync(at(BINDINGS, "expline_bg.wasm"), at("pkg/expline_bg.wasm"));
     writeThirdPartyLicenses();
   });

@@ -18,9 +18,7 @@ function measure(bytes) {
 export async function checkSizes() {
   const whole = readFileSync(at("pkg/expline.js"));
   const wasm = readFileSync(at("pkg/expline_bg.wasm"));
-  const literal = JSON.parse(readFileSync(at("build/bindings/literal.json"), "utf8"));
-  const face = Buffer.from(whole.toString("utf8").replace(literal, '""'));
-  const rows = { "expline.js (all of it)": measure(whole), "  the face alone": measure(face), "expline_bg.wasm": measure(wasm) };
+  const rows = { "expline.js (all of it)": measure(whole), "slim.js (the face alone)": measure(readFileSync(at("pkg/slim.js"))), "expline_bg.wasm": measure(wasm) };
   for (const [name, { raw, gzip, brotli }] of Object.entries(rows)) {
     console.log(`  ${name.padEnd(24)} raw ${kB(raw)}   gzip ${kB(gzip)}   brotli ${kB(brotli)}`);
   }

@@ -30,6 +30,8 @@ export type ErrorCode =
   | "E_DETACHED"
   /** The engine could not be started; `reason` is one of csp, network, mime, compile, version, unsupported. */
   | "E_INIT"
+  /** `expline/slim` was used before `init`. */
+  | "E_NOT_READY"
   /** The engine stopped: a fault of ours. It is replaced at the next call, and nothing is lost. */
   | "E_INTERNAL";
 

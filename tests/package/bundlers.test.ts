@@ -133,6 +133,16 @@ test("a module worker", async () => {
   assert.equal(await titleOf(folder, POLICY), EXPECTED);
 });
 
+test("the slim entry, whose wasm Vite puts beside the page", async () => {
+  const { build } = await import("vite");
+  const folder = page("slim", '<script type="module" src="app.js"></script>');
+  const load = 'import wasmUrl from "expline/expline_bg.wasm?url"; import init, { HermiteCurve, parsePath } from "expline/slim"; await init({ wasmUrl });';
+  writeFileSync(join(folder, "app.js"), APP.replace('import { HermiteCurve, parsePath } from "expline";', load));
+  const options = { outDir: "dist", emptyOutDir: true, modulePreload: { polyfill: false }, assetsInlineLimit: 0, target: "es2022" };
+  await build({ root: folder, base: "./", logLevel: "error", configFile: false, build: options });
+  assert.equal(await titleOf(join(folder, "dist"), POLICY), EXPECTED);
+});
+
 test("init streams the wasm from an address", async () => {
   const folder = page("streaming", MODULE);
   for (const file of ["expline.js", "expline_bg.wasm"]) cpSync(join(consumer, "node_modules/expline/pkg", file), join(folder, file));

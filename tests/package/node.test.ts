@@ -68,6 +68,22 @@ test("init takes the wasm file of the package, and the version is that of its pa
   assert.equal(version, manifest);
 });
 
+test("the slim entry asks for its wasm in so many words, and works with it", () => {
+  const said = node(`
+    import { readFileSync } from "node:fs";
+    import { createRequire } from "node:module";
+    import init, { HermiteCurve } from "expline/slim";
+    let code = "";
+    try { HermiteCurve.ellipse({ center: [0, 0], radii: [5, 5], count: 2 }); } catch (error) { code = error.code; }
+    await init({ bytes: readFileSync(createRequire(import.meta.url).resolve("expline/expline_bg.wasm")) });
+    ${CIRCLE}
+    console.log(JSON.stringify({ code, worst }));
+  `);
+  const { code, worst } = JSON.parse(said) as { code: string; worst: number };
+  assert.equal(code, "E_NOT_READY");
+  assert.ok(worst <= EXACT, `off by ${worst}`);
+});
+
 test("the declarations hold for a strict project, with every kind of module resolution", () => {
   const folder = join(consumer, "typed");
   mkdirSync(folder, { recursive: true });
