@@ -38,10 +38,12 @@ export function smallestLiteral(bytes) {
 /** What stands for the literal while the face is bundled and minified. */
 export const PLACEHOLDER = '"@wasm@"';
 
-/** A module that exports `wasmBytes()`, its declarations, and the literal in it. */
+/** A module that exports `wasmBytes()`, its declarations, and the literal in it. No address: the bytes are there. */
 export function inlineModule(bytes) {
   const { text, shift } = smallestLiteral(bytes);
   const code = `const text = ${PLACEHOLDER};
+
+export const wasmAddress = undefined;
 
 export function wasmBytes() {
   const bytes = new Uint8Array(text.length);
@@ -49,6 +51,10 @@ export function wasmBytes() {
   return bytes;
 }
 `;
-  const declarations = "/** The wasm that is inlined in the package. */\nexport declare function wasmBytes(): Uint8Array<ArrayBuffer>;\n";
+  const declarations = `/** The wasm that is inlined in the package; E_NOT_READY in the slim one. */
+export declare function wasmBytes(): Uint8Array<ArrayBuffer>;
+/** Where the wasm lies beside the slim package; undefined where it is inside. */
+export declare const wasmAddress: (() => URL) | undefined;
+`;
   return { code: code.replace(PLACEHOLDER, () => text), declarations, text };
 }

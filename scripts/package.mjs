@@ -76,8 +76,9 @@ async function bundleFace(contents) {
 /** What the slim entry has where the other has the wasm. */
 const NOTHING_INSIDE = `
   import { ExplineError } from "./error.ts";
+  export const wasmAddress = () => new URL("expline_bg.wasm", import.meta.url);
   export function wasmBytes() {
-    throw new ExplineError("E_NOT_READY", "engine", "expline/slim has no engine inside; await init({ wasmUrl }) first");
+    throw new ExplineError("E_NOT_READY", "engine", "expline/slim has no engine inside; await init() first");
   }
 `;
 

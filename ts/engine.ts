@@ -1,7 +1,7 @@
 /** The wasm module and its one living instance: started at the first call, replaced when it dies. */
 import type { InitOutput } from "../build/bindings/expline.js";
 import { version } from "../build/bindings/version.js";
-import { wasmBytes } from "../build/bindings/wasm-bytes.js";
+import { wasmAddress, wasmBytes } from "../build/bindings/wasm-bytes.js";
 import { options as checkOptions } from "./arguments.js";
 import { ExplineError, shown, wrong } from "./error.js";
 
@@ -143,6 +143,7 @@ async function start(given: unknown): Promise<void> {
   let next: WebAssembly.Module;
   if (ready !== undefined) next = asModule(ready);
   else if (wasmUrl !== undefined) next = await fetched(wasmUrl);
+  else if (bytes === undefined && wasmAddress !== undefined) next = await fetched(wasmAddress());
   else next = await compiled(bytes === undefined ? wasmBytes() : asBytes(bytes));
   adopt(next);
 }

@@ -133,15 +133,19 @@ test("a module worker", async () => {
   assert.equal(await titleOf(folder, POLICY), EXPECTED);
 });
 
-test("the slim entry, whose wasm Vite puts beside the page", async () => {
-  const { build } = await import("vite");
-  const folder = page("slim", '<script type="module" src="app.js"></script>');
-  const load = 'import wasmUrl from "expline/expline_bg.wasm?url"; import init, { HermiteCurve, parsePath } from "expline/slim"; await init({ wasmUrl });';
-  writeFileSync(join(folder, "app.js"), APP.replace('import { HermiteCurve, parsePath } from "expline";', load));
-  const options = { outDir: "dist", emptyOutDir: true, modulePreload: { polyfill: false }, assetsInlineLimit: 0, target: "es2022" };
-  await build({ root: folder, base: "./", logLevel: "error", configFile: false, build: options });
-  assert.equal(await titleOf(join(folder, "dist"), POLICY), EXPECTED);
-});
+for (const [how, load] of [
+  ["found by itself", 'import init, { HermiteCurve, parsePath } from "expline/slim"; await init();'],
+  ["named by the page", 'import wasmUrl from "expline/expline_bg.wasm?url"; import init, { HermiteCurve, parsePath } from "expline/slim"; await init({ wasmUrl });'],
+]) {
+  test(`the slim entry, with Vite, its wasm ${how}`, async () => {
+    const { build } = await import("vite");
+    const folder = page(`slim ${how}`.replaceAll(" ", "-"), '<script type="module" src="app.js"></script>');
+    writeFileSync(join(folder, "app.js"), APP.replace('import { HermiteCurve, parsePath } from "expline";', String(load)));
+    const options = { outDir: "dist", emptyOutDir: true, modulePreload: { polyfill: false }, assetsInlineLimit: 0, target: "es2022" };
+    await build({ root: folder, base: "./", logLevel: "error", configFile: false, build: options });
+    assert.equal(await titleOf(join(folder, "dist"), POLICY), EXPECTED);
+  });
+}
 
 test("init streams the wasm from an address", async () => {
   const folder = page("streaming", MODULE);
