@@ -3,6 +3,7 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use expline::curve::{Scheme, Side};
+use expline::refine::{HermiteData, subdivide_hermite, subdivide_scalar};
 use expline::{HermiteCurve, HermiteOptions, Space};
 use nalgebra::Vector2;
 
@@ -337,12 +338,40 @@ fn the_hermite_polygon_lies_on_the_curve_at_every_level() {
 }
 
 #[test]
+fn polygons_are_those_of_the_schemes_step_by_step() {
+    for curve in all_mixed().into_iter().chain([circle(5)]) {
+        let data = HermiteData {
+            space: curve.space(),
+            closed: curve.is_closed(),
+            points: curve.points().to_vec(),
+            leaving: curve.tangents().to_vec(),
+            arriving: curve.tangents_in().to_vec(),
+            omega: curve.omega().to_vec(),
+            lengths: curve.lengths().to_vec(),
+        };
+        let check = |scheme, levels, arity, expected: Vec<Point>| {
+            let polygon = vectors(&curve.subdivide(levels, arity, scheme).expect("within limits"));
+            assert_eq!(polygon.len(), expected.len(), "{scheme:?}, {levels} levels of arity {arity}");
+            let apart = polygon.iter().zip(&expected).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
+            assert!(apart < SAME, "{scheme:?}, {levels} levels of arity {arity}: {apart:e}");
+        };
+        for levels in 0..6 {
+            let arity = 2 + levels % 2;
+            let fine = subdivide_hermite(&data, arity, levels).expect("within limits");
+            check(Scheme::Hermite, levels, arity, fine.points);
+            check(Scheme::Scalar, levels, 2, subdivide_scalar(&data, levels).expect("within limits"));
+        }
+    }
+}
+
+#[test]
 fn the_scalar_polygon_converges_to_the_curve_with_the_square_of_the_step() {
     let curve = mixed(true, Space::Trigonometric);
     let distance = |levels: usize| {
         let polygon = vectors(&curve.subdivide(levels, 2, Scheme::Scalar).expect("within limits"));
         let pieces = 1 << levels;
-        polygon
+        // After node k and before node k + 1.
+        polygon[1..]
             .chunks_exact(2)
             .enumerate()
             .map(|(k, pair)| {

@@ -71,7 +71,7 @@ impl HermiteCurve {
     }
 }
 
-/// The segment that replaces two.
+/// The segment that replaces two (D 7.2).
 struct Healed {
     omega: f64,
     leaving: Vector,
@@ -118,7 +118,7 @@ impl Healed {
     }
 }
 
-/// The segment whose end speeds make it nearest to the old ones, in the sense of least squares across the curve.
+/// The segment whose end speeds make it nearest to the old ones, by least squares across the curve (D 7.3).
 fn fit<'a>(old: &[Segment; 2], mut merged: Segment<'a>) -> Segment<'a> {
     let leaving = heading(&old[0], 0.0);
     let arriving = heading(&old[1], 1.0);

@@ -208,16 +208,29 @@ impl HermiteCurve {
             return Err(Error::NotFinite { argument: "t", index: None });
         }
         let (_, end) = self.domain();
-        let t = if self.closed {
+        if !self.closed && !(0.0..=end).contains(&t) {
+            return Err(Error::OutOfRange { argument: "t", index: None, value: t, least: 0.0, most: end });
+        }
+        Ok(self.place(t, 0))
+    }
+
+    /// [`HermiteCurve::locate`] for a t that is allowed, quick if it lies in segment `guess`.
+    pub(super) fn place(&self, t: f64, guess: usize) -> (usize, f64) {
+        let (_, end) = self.domain();
+        let t = if self.closed && !(0.0..end).contains(&t) {
             let wrapped = t - end * libm::floor(t / end);
             if wrapped >= end || wrapped < 0.0 { 0.0 } else { wrapped }
-        } else if (0.0..=end).contains(&t) {
-            t
         } else {
-            return Err(Error::OutOfRange { argument: "t", index: None, value: t, least: 0.0, most: end });
+            t
         };
-        let i = self.knots.partition_point(|&knot| knot <= t).saturating_sub(1).min(self.segment_count() - 1);
-        Ok((i, ((t - self.knots[i]) / self.lengths[i]).clamp(0.0, 1.0)))
+        let i = match self.knots.get(guess..guess + 2) {
+            Some([first, last]) if (*first..*last).contains(&t) => guess,
+            _ => {
+                let after = self.knots.partition_point(|&knot| knot <= t);
+                after.saturating_sub(1).min(self.segment_count() - 1)
+            }
+        };
+        (i, ((t - self.knots[i]) / self.lengths[i]).clamp(0.0, 1.0))
     }
 
     /// The point at t, or the first or second derivative; at a knot the limit from the right.

@@ -70,7 +70,7 @@ impl Segment<'_> {
     /// r(s) = R + R′·s + R″·(1 − cos ωs)/ω² + R‴·(ωs − sin ωs)/ω³
     /// ```
     ///
-    /// and its linear term R′ + R‴/ω² vanishes for arcs only. The deviation that setting it to zero causes is
+    /// and its linear term R′ + R‴/ω² vanishes for arcs only (D 7.4). The deviation that setting it to zero causes is
     /// |R‴ + ω²R′|·(ωs − sin ωs)/ω³, largest at the ends, where it is measured.
     ///
     /// `None` for lines, for the other spaces, and where the ellipse is so large that coordinates on it round to
@@ -94,7 +94,7 @@ impl Segment<'_> {
     }
 }
 
-/// The arc center + p·cos θ + q·sin θ, θ from −w/2 to w/2, by its axes (the singular values of (p, q)).
+/// The arc center + p·cos θ + q·sin θ, θ from −w/2 to w/2, by its axes (D 7.5).
 fn arc_about(center: Point, p: Vector, q: Vector, w: f64) -> Option<EllipseArc> {
     let (difference, mixed) = (p.norm_squared() - q.norm_squared(), 2.0 * p.dot(&q));
     let size = p.norm_squared() + q.norm_squared();

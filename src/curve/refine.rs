@@ -1,7 +1,7 @@
 //! More points, same curve: every segment is cut without changing its ω, so that nothing is approximated.
 //!
 //! The space of a segment depends on ω alone, not on its length. A piece of a segment therefore lies in the very
-//! same space, and its end points and end derivatives determine it: cutting is evaluation.
+//! same space, and its end points and end derivatives determine it: cutting is evaluation (D 5.1).
 
 use super::hermite::{HermiteCurve, HermiteOptions};
 use super::limits::{LEAST_LENGTH, MOST_OUTPUT_POINTS, MOST_POINTS, too_many, with_room};

@@ -21,15 +21,18 @@ impl HermiteCurve {
             return Err(Error::WrongLength { argument: "out", got: out.len(), needed: 2 * t.len() });
         }
         self.check_parameters(t)?;
+        let mut i = 0;
         for (&t, out) in t.iter().zip(out.chunks_exact_mut(2)) {
-            let (i, x) = self.locate(t)?;
+            let x;
+            (i, x) = self.place(t, i);
             let value = self.segment(i).derivative(x, derivative);
             out.copy_from_slice(value.as_slice());
         }
         Ok(())
     }
 
-    fn check_parameters(&self, parameters: &[f64]) -> Result<()> {
+    /// Checks parameters that are about to be evaluated: all finite, and within the domain of an open curve.
+    pub(crate) fn check_parameters(&self, parameters: &[f64]) -> Result<()> {
         let (least, most) = self.domain();
         for (i, &value) in parameters.iter().enumerate() {
             let (argument, index) = ("t", Some(i));

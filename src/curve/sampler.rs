@@ -7,7 +7,7 @@
 //! ```
 //!
 //! with Stumpff's c₂ and c₃. The factors of the derivatives depend on ω and on the step between samples alone: one
-//! table serves every block of every segment with this ω. A block costs four derivatives at its middle, and then
+//! table serves every block of every segment with this ω (D 7.1). A block costs four derivatives at its middle, and then
 //! two points at a time cost three multiplications and four additions per coordinate.
 
 use core::f64::consts::{FRAC_PI_2, PI};
@@ -60,8 +60,9 @@ struct Kind {
     step: f64,
 }
 
-impl Default for Sampler {
-    fn default() -> Self {
+impl Sampler {
+    /// A sampler that remembers nothing yet.
+    pub const fn new() -> Self {
         let blank = [0.0; PLACES];
         Self {
             kind: Kind { space: Space::Polynomial, w: f64::NAN, length: f64::NAN, step: f64::NAN },
@@ -75,8 +76,14 @@ impl Default for Sampler {
             third: blank,
             place: f64::NAN,
             weights: [Weights { chord: 0.0, leaving: 0.0, arriving: 0.0 }; 4],
-            shift: Shift::default(),
+            shift: Shift::NONE,
         }
+    }
+}
+
+impl Default for Sampler {
+    fn default() -> Self {
+        Self::new()
     }
 }
 
@@ -192,7 +199,7 @@ impl Sampler {
         self.square = if space == Space::Hyperbolic { -omega * omega } else { omega * omega };
         (self.kind, self.omega) = (kind, omega);
         self.place = f64::NAN;
-        self.shift = Shift::default();
+        self.shift = Shift::NONE;
     }
 
     /// Makes sure that the tables hold at least `places` places.
@@ -273,13 +280,9 @@ struct Shift {
     third: f64,
 }
 
-impl Default for Shift {
-    fn default() -> Self {
-        Self { t: 0.0, zeroth: 1.0, first: 0.0, second: 0.0, third: 0.0 }
-    }
-}
-
 impl Shift {
+    const NONE: Self = Self { t: 0.0, zeroth: 1.0, first: 0.0, second: 0.0, third: 0.0 };
+
     fn new(t: f64, square: f64) -> Self {
         let c = stumpff(square * t * t);
         Self { t, zeroth: c.c0, first: t * c.c1, second: t * t * c.c2, third: t * t * t * c.c3 }
@@ -287,7 +290,7 @@ impl Shift {
 }
 
 impl Jet {
-    /// The same at another place, exactly: Taylor's formula in the space.
+    /// The same at another place, exactly: (D 2.3).
     fn shifted(&self, by: &Shift, square: f64) -> Self {
         Self {
             value: (self.value + self.second * by.second) + (self.first * by.t + self.third * by.third),

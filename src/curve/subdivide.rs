@@ -45,19 +45,19 @@ impl HermiteCurve {
             return Err(Error::LimitExceeded { argument: "levels", limit: "maxOutputPoints", most, needed });
         }
         let mut polygon = with_room(2 * needed as usize)?;
-        let last = self.points()[self.points().len() - 1];
-        let first = self.points()[0];
-        if scheme == Scheme::Scalar && !self.is_closed() {
-            polygon.extend_from_slice(first.as_slice());
-        }
         for i in 0..self.segment_count() {
             match scheme {
                 Scheme::Hermite => self.push_points(i, pieces, &mut polygon),
                 Scheme::Scalar => self.push_inner(i, pieces, &mut polygon),
             }
         }
+        let (last, end) = (self.segment_count() - 1, self.points().len() - 1);
         if !self.is_closed() {
-            polygon.extend_from_slice(last.as_slice());
+            let (point, arriving) = (self.points()[end], self.tangents_in()[end]);
+            if scheme == Scheme::Scalar {
+                polygon.extend_from_slice((point - arriving * self.reach(last, pieces)).as_slice());
+            }
+            polygon.extend_from_slice(point.as_slice());
         }
         Ok(polygon)
     }
@@ -77,19 +77,30 @@ impl HermiteCurve {
         }
     }
 
+    /// Before and after every node of segment i, its start included: P − κ·H·D and P + κ·H·D.
     fn push_inner(&self, i: usize, pieces: usize, polygon: &mut Vec<f64>) {
         let segment = self.segment(i);
-        let share = 1.0 / pieces as f64;
-        let kappa = Basis::new(segment.basis.space(), segment.basis.frequency() * share).kappa();
-        let reach = kappa * segment.length * share;
-        let mut leaving = segment.start + segment.leaving * reach;
-        for k in 1..=pieces {
-            let x = if k == pieces { 1.0 } else { k as f64 * share };
+        let reach = self.reach(i, pieces);
+        let before = match i.checked_sub(1) {
+            Some(before) => self.reach(before, pieces),
+            None if self.is_closed() => self.reach(self.segment_count() - 1, pieces),
+            None => 0.0,
+        };
+        polygon.extend_from_slice((segment.start - self.tangents_in()[i] * before).as_slice());
+        polygon.extend_from_slice((segment.start + segment.leaving * reach).as_slice());
+        for k in 1..pieces {
+            let x = k as f64 / pieces as f64;
             let (point, step) = (segment.position(x), segment.velocity(x) * reach);
-            polygon.extend_from_slice(leaving.as_slice());
             polygon.extend_from_slice((point - step).as_slice());
-            leaving = point + step;
+            polygon.extend_from_slice((point + step).as_slice());
         }
+    }
+
+    /// κ·H of a piece of segment i.
+    fn reach(&self, i: usize, pieces: usize) -> f64 {
+        let segment = self.segment(i);
+        let share = 1.0 / pieces as f64;
+        Basis::new(segment.basis.space(), segment.basis.frequency() * share).kappa() * segment.length * share
     }
 }
 

@@ -46,7 +46,7 @@ impl HermiteCurve {
         Self::new(options)
     }
 
-    /// Row i says: the second derivative that arrives at point i is the one that leaves it, or 0 at open ends.
+    /// (D 7.6) Row i says: the second derivative that arrives at point i is the one that leaves it, or 0 at open ends.
     fn continuity(&self) -> Vec<Row> {
         let mut rows = vec![Row::default(); self.points().len()];
         for (i, segment) in self.segments().enumerate() {
