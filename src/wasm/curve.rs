@@ -2,7 +2,7 @@
 //!
 //! A curve crosses as one run of numbers: seven of [`describe`]'s header, then its arrays.
 
-use super::kernel::{Kernel, run};
+use super::kernel::{Kernel, Resident, run};
 use crate::curve::HermiteOptions;
 use crate::numerics::{Point, Vector};
 use crate::{HermiteCurve, Result, Space};
@@ -42,7 +42,7 @@ pub fn load(
     space: u32,
     closed: u32,
 ) -> i32 {
-    run(|kernel| {
+    run(&mut |kernel| {
         let counts = [points, tangents, tangents_in].map(|count| 2 * count as usize);
         let (omega, lengths) = (omega as usize, lengths as usize);
         let mut rest = kernel.given(counts.iter().sum::<usize>() + omega + lengths);
@@ -56,11 +56,11 @@ pub fn load(
         let options =
             HermiteOptions { points, tangents, tangents_in, closed, space: space_of(space), omega, lengths };
         let curve = HermiteCurve::new(options)?;
-        kernel.record[0] = curve.domain().1;
+        kernel.record([curve.domain().1]);
         kernel.output.clear();
         push_short(&mut kernel.output, curve.omega(), None);
         if let Some(place) = kernel.slots.get_mut(slot as usize) {
-            *place = Some(curve);
+            *place = Some(Resident { curve, finder: None });
         }
         Ok(kernel.output.len())
     })
@@ -110,44 +110,98 @@ pub(super) fn describe(output: &mut Vec<f64>, curve: &HermiteCurve) {
     output[start + 5] = push_short(output, curve.lengths(), Some(1.0));
 }
 
-/// Leaves one curve in the output.
-pub(super) fn give(kernel: &mut Kernel, curve: Result<HermiteCurve>) -> Result<usize> {
-    let curve = curve?;
+/// Leaves curves in the output, one after the other.
+pub(super) fn give(kernel: &mut Kernel, curves: &[HermiteCurve]) -> Result<usize> {
     kernel.output.clear();
-    describe(&mut kernel.output, &curve);
+    for curve in curves {
+        describe(&mut kernel.output, curve);
+    }
     Ok(kernel.output.len())
+}
+
+/// Leaves the curve that is made from the one in a slot in the output.
+fn derive(slot: u32, make: &dyn Fn(&HermiteCurve) -> Result<HermiteCurve>) -> i32 {
+    run(&mut |kernel| {
+        let curve = make(kernel.curve(slot)?)?;
+        give(kernel, &[curve])
+    })
 }
 
 /// The same curve with `arity` segments in place of each.
 #[wasm_bindgen]
 pub fn refine(slot: u32, arity: u32) -> i32 {
-    run(|kernel| {
-        let curve = kernel.curve(slot)?.refine(arity as usize);
-        give(kernel, curve)
-    })
+    derive(slot, &|curve| curve.refine(arity as usize))
 }
 
 /// The same curve with one more point.
 #[wasm_bindgen]
 pub fn insert(slot: u32, t: f64) -> i32 {
-    run(|kernel| {
-        let curve = kernel.curve(slot)?.insert(t);
-        give(kernel, curve)
+    derive(slot, &|curve| curve.insert(t))
+}
+
+/// The curve without point i; the deviation is left in the record.
+#[wasm_bindgen]
+pub fn remove(slot: u32, i: u32) -> i32 {
+    run(&mut |kernel| {
+        let (curve, deviation) = kernel.curve(slot)?.remove(i as usize)?;
+        kernel.record([deviation]);
+        give(kernel, &[curve])
     })
+}
+
+/// The two parts of an open curve, or the closed curve opened at t.
+#[wasm_bindgen]
+pub fn split(slot: u32, t: f64) -> i32 {
+    run(&mut |kernel| {
+        let parts = kernel.curve(slot)?.split(t)?;
+        give(kernel, &parts)
+    })
+}
+
+/// The part of the curve from t0 to t1.
+#[wasm_bindgen]
+pub fn trim(slot: u32, t0: f64, t1: f64) -> i32 {
+    derive(slot, &|curve| curve.trim(t0, t1))
+}
+
+/// The same curve run backwards.
+#[wasm_bindgen]
+pub fn reverse(slot: u32) -> i32 {
+    derive(slot, &|curve| Ok(curve.reversed()))
+}
+
+/// The image under the affine map of an SVG matrix.
+#[wasm_bindgen]
+pub fn transform(slot: u32, a: f64, b: f64, c: f64, d: f64, e: f64, f: f64) -> i32 {
+    derive(slot, &|curve| curve.transformed([a, b, c, d, e, f]))
 }
 
 /// A whole ellipse.
 #[wasm_bindgen]
 pub fn ellipse(x: f64, y: f64, rx: f64, ry: f64, rotation: f64, count: u32) -> i32 {
-    run(|kernel| {
-        give(kernel, HermiteCurve::ellipse(Point::new(x, y), Vector::new(rx, ry), rotation, count as usize))
+    run(&mut |kernel| {
+        let curve = HermiteCurve::ellipse(Point::new(x, y), Vector::new(rx, ry), rotation, count as usize)?;
+        give(kernel, &[curve])
     })
 }
 
 /// An open arc of an ellipse.
 #[wasm_bindgen]
 pub fn arc(x: f64, y: f64, rx: f64, ry: f64, rotation: f64, start: f64, sweep: f64) -> i32 {
-    run(|kernel| {
-        give(kernel, HermiteCurve::arc(Point::new(x, y), Vector::new(rx, ry), rotation, start, sweep))
+    run(&mut |kernel| {
+        let curve = HermiteCurve::arc(Point::new(x, y), Vector::new(rx, ry), rotation, start, sweep)?;
+        give(kernel, &[curve])
+    })
+}
+
+/// The smooth curve through the `count` points in the input; a negative `omega` stands for the default.
+#[wasm_bindgen]
+pub fn through(count: u32, closed: u32, omega: f64, space: u32) -> i32 {
+    run(&mut |kernel| {
+        let points = pairs(kernel.given(2 * count as usize));
+        let omega = (omega >= 0.0).then_some(omega);
+        let space = space_of(space).unwrap_or(Space::Trigonometric);
+        let curve = HermiteCurve::through(points, closed != 0, omega, space)?;
+        give(kernel, &[curve])
     })
 }

@@ -1,5 +1,6 @@
 //! The state of one instance: slots, buffers, and the small fixed record that scalar results are left in.
 
+use crate::curve::{NearestFinder, Sampler};
 use crate::{Error, HermiteCurve, Result};
 use std::cell::RefCell;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -14,6 +15,15 @@ const RECORD: usize = 16;
 const OUTPUT_ADDRESS: usize = 14;
 const TEXT_ADDRESS: usize = 15;
 
+const NOT_RESIDENT: Error =
+    Error::Degenerate { argument: "slot", index: None, reason: "no curve is resident" };
+
+/// A resident curve, and what was prepared for questions about it.
+pub(super) struct Resident {
+    pub(super) curve: HermiteCurve,
+    pub(super) finder: Option<NearestFinder>,
+}
+
 /// Everything that an instance remembers between calls.
 pub(super) struct Kernel {
     /// Scalar results, error fields and buffer addresses; its own address never changes.
@@ -24,8 +34,10 @@ pub(super) struct Kernel {
     pub(super) output: Vec<f64>,
     /// Text in and out, UTF-8.
     pub(super) text: Vec<u8>,
+    /// The tables of bulk sampling.
+    pub(super) sampler: Option<Box<Sampler>>,
     /// The resident curves.
-    pub(super) slots: [Option<HermiteCurve>; SLOTS],
+    pub(super) slots: [Option<Resident>; SLOTS],
 }
 
 thread_local! {
@@ -35,6 +47,7 @@ thread_local! {
             input: Vec::new(),
             output: Vec::new(),
             text: Vec::new(),
+            sampler: None,
             slots: [const { None }; SLOTS],
         })
     };
@@ -46,6 +59,16 @@ impl Kernel {
         resident(&self.slots, slot)
     }
 
+    /// The curve in a slot, prepared for questions after its nearest point.
+    pub(super) fn finder(&mut self, slot: u32) -> Result<&NearestFinder> {
+        match self.slots.get_mut(slot as usize) {
+            Some(Some(Resident { curve, finder })) => {
+                Ok(finder.get_or_insert_with(|| NearestFinder::new(curve)))
+            }
+            _ => Err(NOT_RESIDENT),
+        }
+    }
+
     /// The curve in a slot, the first `count` numbers that JavaScript wrote, and the output.
     pub(super) fn parts(&mut self, slot: u32, count: usize) -> Result<(&HermiteCurve, &[f64], &mut [f64])> {
         let given = &self.input[..count.min(self.input.len())];
@@ -55,6 +78,19 @@ impl Kernel {
     /// The first `count` numbers that JavaScript wrote.
     pub(super) fn given(&self, count: usize) -> &[f64] {
         &self.input[..count.min(self.input.len())]
+    }
+
+    /// Leaves scalar results in the record.
+    pub(super) fn record<const N: usize>(&mut self, results: [f64; N]) {
+        for (place, result) in self.record.iter_mut().zip(results) {
+            *place = result;
+        }
+    }
+
+    /// Hands a whole array over as the output.
+    pub(super) fn give(&mut self, numbers: Vec<f64>) -> usize {
+        self.output = numbers;
+        self.output.len()
     }
 
     fn fail(&mut self, error: &Error) -> i32 {
@@ -71,10 +107,7 @@ impl Kernel {
             Error::PathSyntax { offset, expected } => (8.0, number(offset), 0.0, 0.0, 0.0, expected),
         };
         let argument = error.argument().unwrap_or("");
-        let fields = [kind, index, value, least, most];
-        for (place, field) in self.record.iter_mut().zip(fields) {
-            *place = field;
-        }
+        self.record([kind, index, value, least, most]);
         for (place, words) in [(5, argument), (7, text)] {
             self.record[place] = words.as_ptr() as usize as f64;
             self.record[place + 1] = number(words.len());
@@ -83,15 +116,18 @@ impl Kernel {
     }
 }
 
-fn resident(slots: &[Option<HermiteCurve>], slot: u32) -> Result<&HermiteCurve> {
+fn resident(slots: &[Option<Resident>], slot: u32) -> Result<&HermiteCurve> {
     match slots.get(slot as usize) {
-        Some(Some(curve)) => Ok(curve),
-        _ => Err(Error::Degenerate { argument: "slot", index: None, reason: "no curve is resident" }),
+        Some(Some(resident)) => Ok(&resident.curve),
+        _ => Err(NOT_RESIDENT),
     }
 }
 
 /// Runs one exported function on the kernel and leaves its error, if any, in the record.
-pub(super) fn run(body: impl FnOnce(&mut Kernel) -> Result<usize>) -> i32 {
+///
+/// One copy of this serves all of them: the wrapping is as large as many a body.
+#[inline(never)]
+pub(super) fn run(body: &mut dyn FnMut(&mut Kernel) -> Result<usize>) -> i32 {
     KERNEL.with(|cell| {
         let Ok(mut kernel) = cell.try_borrow_mut() else { return FAILED };
         let kernel = &mut *kernel;

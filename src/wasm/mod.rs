@@ -11,5 +11,8 @@
 #![allow(unreachable_pub, reason = "exported functions are public to JavaScript, not to Rust")]
 
 mod curve;
+mod generators;
 mod kernel;
+mod measure;
 mod sample;
+mod svg;

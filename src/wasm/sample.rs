@@ -1,15 +1,15 @@
 //! Points and derivatives of a resident curve, one, many, or uniformly spread.
 
 use super::kernel::{grow, run};
+use crate::curve::Scheme;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// One point or derivative, left in the record.
 #[wasm_bindgen]
 pub fn evaluate_one(slot: u32, t: f64, derivative: u32) -> i32 {
-    run(|kernel| {
+    run(&mut |kernel| {
         let value = kernel.curve(slot)?.evaluate(t, derivative as usize)?;
-        kernel.record[0] = value.x;
-        kernel.record[1] = value.y;
+        kernel.record([value.x, value.y]);
         Ok(2)
     })
 }
@@ -17,7 +17,7 @@ pub fn evaluate_one(slot: u32, t: f64, derivative: u32) -> i32 {
 /// Points or derivatives at the `count` parameters in the input.
 #[wasm_bindgen]
 pub fn evaluate_many(slot: u32, count: u32, derivative: u32) -> i32 {
-    run(|kernel| {
+    run(&mut |kernel| {
         let count = count as usize;
         grow(&mut kernel.output, 2 * count, 0.0)?;
         let (curve, given, output) = kernel.parts(slot, count)?;
@@ -26,14 +26,23 @@ pub fn evaluate_many(slot: u32, count: u32, derivative: u32) -> i32 {
     })
 }
 
-/// Points `first`, … , `first + length − 1` of the uniform sampling by `count`.
+/// Points `first`, … , `first + length − 1` of the uniform sampling by `count`, each followed by its derivative where
+/// `tangents` is not 0.
 #[wasm_bindgen]
-pub fn sample(slot: u32, count: u32, first: u32, length: u32) -> i32 {
-    run(|kernel| {
-        let numbers = 2 * length as usize;
+pub fn sample(slot: u32, count: u32, first: u32, length: u32, tangents: u32) -> i32 {
+    run(&mut |kernel| {
+        let (count, first, length) = (count as usize, first as usize, length as usize);
+        let numbers = if tangents == 0 { 2 * length } else { 4 * length };
         grow(&mut kernel.output, numbers, 0.0)?;
+        let mut sampler = kernel.sampler.take().unwrap_or_default();
         let (curve, _, output) = kernel.parts(slot, 0)?;
-        curve.sample_range(count as usize, first as usize, &mut output[..numbers]);
+        let output = &mut output[..numbers];
+        if tangents == 0 {
+            sampler.points(curve, count, first, output);
+        } else {
+            sampler.points_and_tangents(curve, count, first, output);
+        }
+        kernel.sampler = Some(sampler);
         Ok(numbers)
     })
 }
@@ -41,8 +50,18 @@ pub fn sample(slot: u32, count: u32, first: u32, length: u32) -> i32 {
 /// Four generalised Bézier points for every segment.
 #[wasm_bindgen]
 pub fn bezier_points(slot: u32) -> i32 {
-    run(|kernel| {
-        kernel.output = kernel.curve(slot)?.bezier_points();
-        Ok(kernel.output.len())
+    run(&mut |kernel| {
+        let points = kernel.curve(slot)?.bezier_points();
+        Ok(kernel.give(points))
+    })
+}
+
+/// The polygon of a subdivision scheme, the scalar one where `scalar` is not 0.
+#[wasm_bindgen]
+pub fn subdivide(slot: u32, levels: u32, arity: u32, scalar: u32) -> i32 {
+    run(&mut |kernel| {
+        let scheme = if scalar == 0 { Scheme::Hermite } else { Scheme::Scalar };
+        let polygon = kernel.curve(slot)?.subdivide(levels as usize, arity as usize, scheme)?;
+        Ok(kernel.give(polygon))
     })
 }
