@@ -82,13 +82,9 @@ export class CurveData {
     instance.points += count;
   }
 
-  /** A copy that can be edited on its own. */
-  clone(): CurveData {
-    const { points, tangents, tangentsIn, omega, lengths, space, closed } = this;
-    const twin = new CurveData(points.slice(), tangents.slice(), tangentsIn.slice(), omega, lengths, space, closed);
-    twin.end = this.end;
-    twin.extra = this.extra;
-    return twin;
+  /** Gives the arriving tangents an array of their own. */
+  separate(): void {
+    if (this.tangentsIn.length === 0) this.tangentsIn = this.tangents.slice();
   }
 }
 

@@ -93,7 +93,8 @@ export class ExplineError extends Error {
     this.code = code;
     this.op = op;
     this.fatal = fatal;
-    Object.assign(this, rest);
+    // Defined, not assigned: a setter that a page has put on Object.prototype must not see them.
+    for (const [name, value] of Object.entries(rest)) Object.defineProperty(this, name, { value, enumerable: true });
   }
 }
 

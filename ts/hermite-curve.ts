@@ -1,24 +1,24 @@
 /** Hermite exponential curves: points on the curve, with the derivatives that arrive and leave. */
 import {
-  MAX_EVALUATIONS,
   MAX_OUTPUT,
+  MAX_POINTS,
   type PointsLike,
   coordinate,
   count as checkCount,
   finite,
   flag,
   integer,
-  isFloat64Array,
   numbers,
   options as checkOptions,
-  output,
   points as checkPoints,
   twoNumbers,
   word,
 } from "./arguments.js";
 import { CurveData, SPACES, type Space, readCurves } from "./curve-data.js";
+import { PlaneCurve, dataOf } from "./curve.js";
 import { wrong, wrongLength } from "./error.js";
-import { type Floats, call, copy, peek, result, write } from "./kernel.js";
+import { type HermiteCurveJSON, toJSON } from "./json.js";
+import { type Floats, call, copy, result, write } from "./kernel.js";
 
 /** What a {@link HermiteCurve} is made from. */
 export interface HermiteCurveOptions {
@@ -53,43 +53,23 @@ export interface EllipseOptions {
 
 const CURVE = "HermiteCurve";
 
-/** Makes a curve of arrays that the kernel or a file has vouched for. */
-export let curveOf: (data: CurveData) => HermiteCurve;
-
-/** The arrays of a curve, and the proof that it is one. */
-export let dataOf: (curve: HermiteCurve, op: string) => CurveData;
-
 /** A curve through its points, with the derivatives there: exact for ellipses, cubics and lines alike. */
-export class HermiteCurve {
-  readonly #data: CurveData;
-
-  static {
-    curveOf = (data) => new HermiteCurve(data as unknown as HermiteCurveOptions);
-    dataOf = (curve, op) => {
-      if (typeof curve !== "object" || curve === null || !(#data in curve)) {
-        throw wrong("E_TYPE", op, "this", curve, "a HermiteCurve");
-      }
-      return curve.#data;
-    };
-  }
-
+export class HermiteCurve extends PlaneCurve {
   /**
    * A curve from points and tangents. The arrays are copied.
    *
    * @throws {ExplineError} for whatever is wrong with the options; nothing is made then.
    */
   constructor(options: HermiteCurveOptions) {
-    this.#data = options instanceof CurveData ? options : given(options);
+    super(options instanceof CurveData ? options : checked(options));
   }
 
-  /** An ellipse from `count` points, exact for every count from 2 up: `new HermiteCurve` with nothing to compute. */
+  /** An ellipse from `count` points, exact for every count from 2 up. */
   static ellipse(options: EllipseOptions & { count: number }): HermiteCurve {
     const op = `${CURVE}.ellipse`;
     const { center, radii, rotation, count } = checkOptions(op, options, ["center", "radii", "rotation", "count"]);
-    const [x, y] = twoNumbers(op, "center", center);
-    const [rx, ry] = twoNumbers(op, "radii", radii);
-    const angle = rotation === undefined ? 0 : finite(op, "rotation", rotation);
-    const n = checkCount(op, "count", count, 0, "maxPoints", 1_000_000);
+    const [x, y, rx, ry, angle] = frame(op, center, radii, rotation);
+    const n = checkCount(op, "count", count, 0, "maxPoints", MAX_POINTS);
     return derived(call(op, (kernel) => kernel.ellipse(x, y, rx, ry, angle, n)));
   }
 
@@ -98,27 +78,30 @@ export class HermiteCurve {
     const op = `${CURVE}.arc`;
     const names = ["center", "radii", "rotation", "start", "sweep"] as const;
     const { center, radii, rotation, start, sweep } = checkOptions(op, options, names);
-    const [x, y] = twoNumbers(op, "center", center);
-    const [rx, ry] = twoNumbers(op, "radii", radii);
-    const angle = rotation === undefined ? 0 : finite(op, "rotation", rotation);
+    const [x, y, rx, ry, angle] = frame(op, center, radii, rotation);
     const from = finite(op, "start", start);
     const over = finite(op, "sweep", sweep);
     return derived(call(op, (kernel) => kernel.arc(x, y, rx, ry, angle, from, over)));
   }
 
-  /** Whether the last point is joined to the first. */
-  get closed(): boolean {
-    return dataOf(this, "closed").closed;
-  }
-
-  /** First and last parameter. */
-  get domain(): readonly [number, number] {
-    return [0, dataOf(this, "domain").end];
-  }
-
-  /** 2: curves of the plane. */
-  get dimension(): 2 {
-    return 2;
+  /**
+   * The smooth curve through points: twice continuously differentiable wherever such a curve exists.
+   *
+   * `closed` defaults to true, `space` to "trigonometric", `omega` to that of the constructor: points that lie evenly on an
+   * ellipse then give the ellipse.
+   */
+  static through(
+    points: PointsLike,
+    options?: { closed?: boolean | undefined; omega?: number | undefined; space?: Space | undefined },
+  ): HermiteCurve {
+    const op = `${CURVE}.through`;
+    const own = checkOptions(op, options, ["closed", "omega", "space"]);
+    const given = checkPoints(op, "points", points);
+    const closed = flag(op, "closed", own.closed, true) ? 1 : 0;
+    const omega = own.omega === undefined ? -1 : frequency(op, own.omega);
+    const space = SPACES.indexOf(own.space === undefined ? "trigonometric" : word(op, "space", own.space, SPACES));
+    write(op, given);
+    return derived(call(op, (kernel) => kernel.through(given.length / 2, closed, omega, space)));
   }
 
   /** The space. */
@@ -143,27 +126,24 @@ export class HermiteCurve {
 
   set points(value: PointsLike) {
     const data = dataOf(this, "points");
-    replace(data, "points", data.points, value);
+    data.points.set(asMany(data, "points", value));
+    data.touch();
   }
 
-  /** dr/dt leaving each point: a copy. */
+  /** dr/dt leaving each point: a copy. Setting them leaves those that arrive as they are. */
   get tangents(): Float64Array {
     return dataOf(this, "tangents").tangents.slice();
   }
 
   set tangents(value: PointsLike) {
     const data = dataOf(this, "tangents");
-    const arriving = data.tangentsIn;
-    if (arriving.length === 0) data.tangentsIn = data.tangents.slice();
-    try {
-      replace(data, "tangents", data.tangents, value);
-    } catch (error) {
-      data.tangentsIn = arriving;
-      throw error;
-    }
+    const next = asMany(data, "tangents", value);
+    data.separate();
+    data.tangents.set(next);
+    data.touch();
   }
 
-  /** dr/dt arriving at each point: a copy. */
+  /** dr/dt arriving at each point: a copy. Setting them leaves those that leave as they are. */
   get tangentsIn(): Float64Array {
     const { tangents, tangentsIn } = dataOf(this, "tangentsIn");
     return (tangentsIn.length === 0 ? tangents : tangentsIn).slice();
@@ -171,16 +151,16 @@ export class HermiteCurve {
 
   set tangentsIn(value: PointsLike) {
     const data = dataOf(this, "tangentsIn");
-    const next = data.tangents.slice();
-    replace(data, "tangentsIn", next, value);
-    data.tangentsIn = next;
+    data.tangentsIn = asMany(data, "tangentsIn", value);
+    data.touch();
   }
 
-  /** Moves point i. */
+  /** Moves point i; its tangents stay. */
   setPoint(i: number, x: number, y: number): void {
-    const data = dataOf(this, "setPoint");
-    const at = 2 * integer("setPoint", "i", i, 0, data.points.length / 2 - 1);
-    const place = [coordinate("setPoint", "x", x), coordinate("setPoint", "y", y)];
+    const op = "setPoint";
+    const data = dataOf(this, op);
+    const at = 2 * integer(op, "i", i, 0, data.points.length / 2 - 1);
+    const place = [coordinate(op, "x", x), coordinate(op, "y", y)];
     data.points.set(place, at);
     data.touch();
   }
@@ -192,58 +172,10 @@ export class HermiteCurve {
     const at = 2 * integer(op, "i", i, 0, data.points.length / 2 - 1);
     const tangent = [coordinate(op, "dx", dx), coordinate(op, "dy", dy)];
     const which = word(op, "side", side, ["in", "out", "both"]);
-    if (which !== "both" && data.tangentsIn.length === 0) data.tangentsIn = data.tangents.slice();
+    if (which !== "both") data.separate();
     if (which !== "in") data.tangents.set(tangent, at);
     if (which !== "out" && data.tangentsIn.length > 0) data.tangentsIn.set(tangent, at);
     data.touch();
-  }
-
-  /**
-   * Points, or derivatives with respect to the parameter (0, 1 or 2), at one or many parameters: x and y in turn.
-   *
-   * At a point of the curve derivatives are those of the segment that starts there. A closed curve takes any t.
-   *
-   * @param out where the numbers go, if not into a new array; it may be longer than needed.
-   */
-  evaluate(t: number | Float64Array | readonly number[], derivative = 0, out?: Float64Array): Float64Array {
-    const op = "evaluate";
-    const data = dataOf(this, op);
-    const order = derivative === 0 ? 0 : integer(op, "derivative", derivative, 0, 2);
-    if (typeof t === "number") {
-      const slot = data.resident(op);
-      const to = out === undefined ? new Float64Array(2) : output(op, out, 2);
-      call(op, (kernel) => kernel.evaluate_one(slot, t, order), [t]);
-      to[0] = result(0);
-      to[1] = result(1);
-      return to;
-    }
-    const given = numbers(op, "t", t, "maxEvalPoints", MAX_EVALUATIONS);
-    const to = out === undefined ? undefined : output(op, out, 2 * given.length, isFloat64Array(t) ? t : undefined);
-    const slot = data.resident(op);
-    write(op, given);
-    const count = call(op, (kernel) => kernel.evaluate_many(slot, given.length, order), given);
-    if (to === undefined) return copy(count);
-    to.set(peek(count));
-    return to;
-  }
-
-  /**
-   * `count` points spread uniformly over the parameter: at i/count of the domain of a closed curve, at i/(count − 1)
-   * of an open one; x and y in turn.
-   */
-  sample(count: number, options?: { out?: Float64Array | undefined }): Float64Array {
-    const op = "sample";
-    const data = dataOf(this, op);
-    const { out } = checkOptions(op, options, ["out"]);
-    const n = checkCount(op, "count", count, 1, "maxOutputPoints", MAX_OUTPUT);
-    const slot = data.resident(op);
-    const to = out === undefined ? new Float64Array(2 * n) : output(op, out, 2 * n);
-    for (let first = 0; first < n; first += BLOCK) {
-      const length = Math.min(BLOCK, n - first);
-      call(op, (kernel) => kernel.sample(slot, n, first, length));
-      to.set(peek(2 * length), 2 * first);
-    }
-    return to;
   }
 
   /** The same curve with `arity` segments in place of each; the parameter stays. */
@@ -264,16 +196,90 @@ export class HermiteCurve {
     return derived(call(op, (kernel) => kernel.insert(slot, at)));
   }
 
-  /** Four generalised Bézier points per segment, eight numbers each; each segment lies in the hull of its four. */
+  /** The curve without point i, its neighbours' tangents adapted to change the shape least; `maxError` is by how much it changed. */
+  remove(i: number): { curve: HermiteCurve; maxError: number } {
+    const op = "remove";
+    const data = dataOf(this, op);
+    const at = integer(op, "i", i, 0, data.points.length / 2 - 1);
+    const slot = data.resident(op);
+    const count = call(op, (kernel) => kernel.remove(slot, at));
+    return { maxError: result(0), curve: derived(count) };
+  }
+
+  /** The two parts of an open curve, cut at t; a closed curve gives one, opened at t. */
+  split(t: number): HermiteCurve[] {
+    const op = "split";
+    const data = dataOf(this, op);
+    const at = finite(op, "t", t);
+    const slot = data.resident(op);
+    return readCurves(call(op, (kernel) => kernel.split(slot, at))).map(curveOf);
+  }
+
+  /** The part from parameter t0 to t1, open; on a closed curve it may run across the start. */
+  trim(t0: number, t1: number): HermiteCurve {
+    const op = "trim";
+    const data = dataOf(this, op);
+    const from = finite(op, "t0", t0);
+    const to = finite(op, "t1", t1);
+    const slot = data.resident(op);
+    return derived(call(op, (kernel) => kernel.trim(slot, from, to)));
+  }
+
+  /** The same curve run backwards. */
+  reverse(): HermiteCurve {
+    const op = "reverse";
+    const slot = dataOf(this, op).resident(op);
+    return derived(call(op, (kernel) => kernel.reverse(slot)));
+  }
+
+  /** The image under x′ = a·x + c·y + e, y′ = b·x + d·y + f, the order of SVG's `matrix(a b c d e f)`; exact. */
+  transform(matrix: readonly [number, number, number, number, number, number] | Float64Array): HermiteCurve {
+    const op = "transform";
+    const data = dataOf(this, op);
+    const given = numbers(op, "matrix", matrix, "maxPoints", MAX_POINTS);
+    if (given.length !== 6) throw wrongLength(op, "matrix", given.length, "6");
+    given.forEach((number, i) => finite(op, "matrix", number, i));
+    const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = given;
+    const slot = data.resident(op);
+    return derived(call(op, (kernel) => kernel.transform(slot, a, b, c, d, e, f)));
+  }
+
+  /**
+   * The polygon after `levels` steps of a subdivision scheme, x and y in turn.
+   *
+   * `arity` defaults to 2; `scheme` "hermite" (the default) has its points on the curve, "scalar" near it. At most 24 levels.
+   */
+  subdivide(
+    levels: number,
+    options?: { arity?: number | undefined; scheme?: "hermite" | "scalar" | undefined },
+  ): Float64Array {
+    const op = "subdivide";
+    const data = dataOf(this, op);
+    const { arity, scheme } = checkOptions(op, options, ["arity", "scheme"]);
+    const steps = integer(op, "levels", levels, 0, 24);
+    const m = arity === undefined ? 2 : integer(op, "arity", arity, 1, MAX_OUTPUT);
+    const scalar = scheme !== undefined && word(op, "scheme", scheme, ["hermite", "scalar"]) === "scalar" ? 1 : 0;
+    const slot = data.resident(op);
+    return copy(call(op, (kernel) => kernel.subdivide(slot, steps, m, scalar)));
+  }
+
+  /** Four generalised Bézier points per segment, eight numbers each; a segment lies in the hull of its four. */
   bezierPoints(): Float64Array {
     const op = "bezierPoints";
     const slot = dataOf(this, op).resident(op);
     return copy(call(op, (kernel) => kernel.bezier_points(slot)));
   }
+
+  /** The curve as plain data, for files and other threads; `fromJSON` is the inverse to the last bit. */
+  toJSON(): HermiteCurveJSON {
+    return toJSON(dataOf(this, "toJSON"));
+  }
 }
 
-/** Points in one block of a bulk call: 64 kB, which stay in the cache between the kernel and the copy. */
-const BLOCK = 4096;
+/** Makes a curve of arrays that the kernel or a check has vouched for. @internal */
+export function curveOf(data: CurveData): HermiteCurve {
+  return new HermiteCurve(data as unknown as HermiteCurveOptions);
+}
 
 /** The curve that the kernel left in its output. */
 function derived(count: number): HermiteCurve {
@@ -281,19 +287,24 @@ function derived(count: number): HermiteCurve {
   return curveOf(data as CurveData);
 }
 
+function frame(op: string, center: unknown, radii: unknown, rotation: unknown): [number, number, number, number, number] {
+  const angle = rotation === undefined ? 0 : finite(op, "rotation", rotation);
+  return [...twoNumbers(op, "center", center), ...twoNumbers(op, "radii", radii), angle];
+}
+
 /** The arrays of a curve that a caller describes, checked. */
-function given(options: unknown): CurveData {
+function checked(options: unknown): CurveData {
   const names = ["points", "tangents", "tangentsIn", "closed", "space", "omega", "lengths"] as const;
   const own = checkOptions(CURVE, options, names);
   const points = checkPoints(CURVE, "points", own.points);
   const closed = flag(CURVE, "closed", own.closed, true);
   const segments = points.length / 2 - (closed ? 0 : 1);
+  const vectors = (arg: "tangents" | "tangentsIn"): Floats =>
+    sameLength(arg, checkPoints(CURVE, arg, own[arg]), points.length);
   const data = new CurveData(
     points,
-    sameLength("tangents", checkPoints(CURVE, "tangents", own.tangents), points.length),
-    own.tangentsIn === undefined
-      ? new Float64Array()
-      : sameLength("tangentsIn", checkPoints(CURVE, "tangentsIn", own.tangentsIn), points.length),
+    vectors("tangents"),
+    own.tangentsIn === undefined ? new Float64Array() : vectors("tangentsIn"),
     own.omega === undefined ? new Float64Array() : frequencies(own.omega),
     own.lengths === undefined ? new Float64Array() : sameLength("lengths", finites("lengths", own.lengths), segments),
     own.space === undefined ? "trigonometric" : word(CURVE, "space", own.space, SPACES),
@@ -308,12 +319,23 @@ function sameLength(arg: string, array: Floats, length: number): Floats {
   return array;
 }
 
+function asMany(data: CurveData, arg: string, value: unknown): Floats {
+  return sameLength(arg, checkPoints(CURVE, arg, value), data.points.length);
+}
+
+/** A frequency that is at least not negative; how large it may be is for the kernel to say. */
+function frequency(op: string, value: unknown): number {
+  const omega = finite(op, "omega", value);
+  if (omega < 0) throw wrong("E_RANGE", op, "omega", omega, ">= 0");
+  return omega;
+}
+
 function frequencies(value: unknown): Floats {
   return typeof value === "number" ? Float64Array.of(finite(CURVE, "omega", value)) : finites("omega", value);
 }
 
 function finites(arg: string, value: unknown): Floats {
-  const array = numbers(CURVE, arg, value, "maxPoints", 1_000_000);
+  const array = numbers(CURVE, arg, value, "maxPoints", MAX_POINTS);
   array.forEach((number, i) => finite(CURVE, arg, number, i));
   return array;
 }
@@ -322,11 +344,4 @@ function finites(arg: string, value: unknown): Floats {
 function each(data: CurveData, name: "omega" | "lengths"): Float64Array {
   const short = data[name];
   return short.length > 1 ? short.slice() : new Float64Array(data.segments).fill(short[0] ?? 1);
-}
-
-/** Overwrites an array of the curve with another one of the same length. */
-function replace(data: CurveData, arg: string, array: Floats, value: unknown): void {
-  const next = sameLength(arg, checkPoints(CURVE, arg, value), array.length);
-  array.set(next);
-  data.touch();
 }

@@ -56,14 +56,14 @@ export function copy(count: number): Floats {
   return floats.slice(start, start + count) as Floats;
 }
 
-/** Text that the kernel left, of so many bytes. */
-export function outputText(bytes: number): string {
-  const instance = engine();
-  return textAt(instance, result(15), bytes);
+/** Text in the kernel's memory. */
+export function textAt(address: number, bytes: number): string {
+  return new TextDecoder().decode(new Uint8Array(engine().kernel.memory.buffer, address, bytes));
 }
 
-function textAt(instance: Instance, address: number, bytes: number): string {
-  return new TextDecoder().decode(new Uint8Array(instance.kernel.memory.buffer, address, bytes));
+/** Text that the kernel left, of so many bytes. */
+export function outputText(bytes: number): string {
+  return textAt(result(15), bytes);
 }
 
 /** Writes arrays one after the other to where the kernel reads numbers. */
@@ -122,8 +122,8 @@ function failure(instance: Instance, op: string, given: ArrayLike<number> | unde
   const at = instance.record;
   const [kind = 0, place = -1, value = 0, least = 0, most = 0, a = 0, aLength = 0, w = 0, wLength = 0] =
     instance.floats.slice(at, at + 9);
-  const arg = textAt(instance, a, aLength);
-  const words = textAt(instance, w, wLength);
+  const arg = textAt(a, aLength);
+  const words = textAt(w, wLength);
   const index = place < 0 ? undefined : place;
   switch (kind as Failure) {
     case Failure.NotFinite:

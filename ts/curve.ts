@@ -1,0 +1,333 @@
+/** What can be asked of a curve of the plane: points, lengths, areas, distances, and its outline as an SVG path. */
+import {
+  MAX_EVALUATIONS,
+  MAX_OUTPUT,
+  type PointsLike,
+  coordinate,
+  count as checkCount,
+  finite,
+  flag,
+  integer,
+  isFloat64Array,
+  numbers,
+  options as checkOptions,
+  output,
+  points as checkPoints,
+  tolerance as checkTolerance,
+} from "./arguments.js";
+import type { CurveData } from "./curve-data.js";
+import { ExplineError, degenerate, wrong } from "./error.js";
+import type { Kernel } from "./engine.js";
+import { call, copy, outputText, peek, result, write } from "./kernel.js";
+
+/** A rectangle along the axes, in the user's unit. */
+export interface Bounds {
+  minX: number;
+  minY: number;
+  maxX: number;
+  maxY: number;
+}
+
+/** A place on a curve and how far it is from the place that was asked about. */
+export interface Nearest {
+  /** The parameter. */
+  t: number;
+  x: number;
+  y: number;
+  distance: number;
+}
+
+/** An ellipse, or the arc of one that runs from angle `start` over `sweep`, in radians from the first axis. */
+export interface Ellipse {
+  center: [number, number];
+  radii: [number, number];
+  rotation: number;
+  start: number;
+  sweep: number;
+}
+
+/** How a path is written. */
+export interface PathOptions {
+  /** Largest distance between the path and the curve, in the user's unit. Default 0.02. */
+  tolerance?: number | undefined;
+  /** Digits after the point, 0 to 17. Default: as few as the tolerance allows; 17 keeps every coordinate to the last bit. */
+  decimals?: number | undefined;
+  /** Whether pieces of ellipses are written as arcs, `A`. Default true. */
+  arcs?: boolean | undefined;
+  /** Whether relative commands are used where they are shorter. Default false. */
+  relative?: boolean | undefined;
+}
+
+/** Everything that every curve can do. */
+export interface Curve {
+  readonly closed: boolean;
+  readonly domain: readonly [number, number];
+  readonly dimension: 2 | 3;
+  evaluate(t: number | Float64Array, derivative?: number): Float64Array;
+  sample(count: number): Float64Array;
+  flatten(tolerance: number): Float64Array;
+  toCubics(tolerance: number): { path: Float64Array; maxError: number };
+  toPathD(options?: PathOptions): { d: string; maxError: number };
+  length(tolerance?: number): number;
+  area(): number;
+  bounds(): Bounds;
+  nearest(x: number, y: number): Nearest;
+  curvature(t: number | Float64Array): Float64Array;
+  toJSON(): object;
+}
+
+/** Points in one block of a bulk call: 64 kB, which stay in the cache between the kernel and the copy. */
+const BLOCK = 4096;
+/** Stands for "the kernel's default" where a tolerance is expected. */
+const BY_DEFAULT = 0;
+
+/** The arrays of a curve, and the proof that it is one. @internal */
+export let dataOf: (curve: PlaneCurve, op: string) => CurveData;
+
+/** A curve of the plane. */
+export abstract class PlaneCurve implements Curve {
+  readonly #data: CurveData;
+
+  static {
+    dataOf = (curve, op) => {
+      if (typeof curve !== "object" || curve === null || !(#data in curve)) {
+        throw wrong("E_TYPE", op, "this", curve, "a curve of this package");
+      }
+      return curve.#data;
+    };
+  }
+
+  /** @internal */
+  constructor(data: CurveData) {
+    this.#data = data;
+  }
+
+  /** Whether the last point is joined to the first. */
+  get closed(): boolean {
+    return dataOf(this, "closed").closed;
+  }
+
+  /** First and last parameter. */
+  get domain(): readonly [number, number] {
+    return [0, dataOf(this, "domain").end];
+  }
+
+  /** 2: a curve of the plane. */
+  get dimension(): 2 {
+    return 2;
+  }
+
+  /**
+   * Points, or derivatives with respect to the parameter (0, 1 or 2), at one or many parameters: x and y in turn.
+   *
+   * At a point of the curve derivatives are those of the segment that starts there. A closed curve takes any t.
+   *
+   * @param out - where the numbers go, if not into a new array; it may be longer than needed.
+   */
+  evaluate(t: number | Float64Array | readonly number[], derivative = 0, out?: Float64Array): Float64Array {
+    const op = "evaluate";
+    const data = dataOf(this, op);
+    const order = derivative === 0 ? 0 : integer(op, "derivative", derivative, 0, 2);
+    if (typeof t === "number") {
+      const slot = data.resident(op);
+      const to = out === undefined ? new Float64Array(2) : output(op, out, 2);
+      call(op, (kernel) => kernel.evaluate_one(slot, t, order), [t]);
+      to[0] = result(0);
+      to[1] = result(1);
+      return to;
+    }
+    const given = numbers(op, "t", t, "maxEvalPoints", MAX_EVALUATIONS);
+    const to = out === undefined ? undefined : output(op, out, 2 * given.length, isFloat64Array(t) ? t : undefined);
+    const slot = data.resident(op);
+    write(op, given);
+    const count = call(op, (kernel) => kernel.evaluate_many(slot, given.length, order), given);
+    return into(to, count);
+  }
+
+  /**
+   * `count` points spread uniformly over the parameter: at i/count of the domain of a closed curve, at i/(count − 1)
+   * of an open one; x and y in turn. With `tangents` each point is followed by its derivative: x, y, dx/dt, dy/dt.
+   *
+   * `out` is where the numbers go, if not into a new array; it may be longer than needed.
+   */
+  sample(
+    count: number,
+    options?: { out?: Float64Array | undefined; tangents?: boolean | undefined },
+  ): Float64Array {
+    const op = "sample";
+    const data = dataOf(this, op);
+    const { out, tangents } = checkOptions(op, options, ["out", "tangents"]);
+    const n = checkCount(op, "count", count, 1, "maxOutputPoints", MAX_OUTPUT);
+    const both = flag(op, "tangents", tangents, false) ? 1 : 0;
+    const each = 2 + 2 * both;
+    const to = out === undefined ? undefined : output(op, out, each * n);
+    const slot = data.resident(op);
+    const all = to ?? new Float64Array(each * n);
+    for (let first = 0; first < n; first += BLOCK) {
+      const length = Math.min(BLOCK, n - first);
+      call(op, (kernel) => kernel.sample(slot, n, first, length, both));
+      all.set(peek(each * length), each * first);
+    }
+    return all;
+  }
+
+  /** `count` points at equal distances along the curve, x and y in turn; a closed one does not repeat its start. */
+  sampleByLength(count: number, options?: { tolerance?: number | undefined }): Float64Array {
+    const op = "sampleByLength";
+    const data = dataOf(this, op);
+    const { tolerance } = checkOptions(op, options, ["tolerance"]);
+    const within = tolerance === undefined ? BY_DEFAULT : checkTolerance(op, tolerance);
+    const n = checkCount(op, "count", count, 1, "maxOutputPoints", MAX_OUTPUT);
+    const slot = data.resident(op);
+    return copy(call(op, (kernel) => kernel.sample_by_length(slot, n, within)));
+  }
+
+  /** The length of the curve, to an absolute tolerance; default 1e-9 of its size. */
+  length(tolerance?: number): number {
+    const within = orDefault("length", tolerance);
+    return measure(this, "length", (slot, kernel) => kernel.length(slot, within));
+  }
+
+  /** The parameter up to which the curve has the given length. */
+  parameterAtLength(length: number, tolerance?: number): number {
+    const op = "parameterAtLength";
+    const along = finite(op, "length", length);
+    const within = orDefault(op, tolerance);
+    return measure(this, op, (slot, kernel) => kernel.parameter_at_length(slot, along, within));
+  }
+
+  /** The signed area of a closed curve, positive where it turns from the x axis towards the y axis. */
+  area(): number {
+    return measure(this, "area", (slot, kernel) => kernel.area(slot));
+  }
+
+  /** The centre of gravity of the area of a closed curve. */
+  centroid(): { x: number; y: number } {
+    const x = measure(this, "centroid", (slot, kernel) => kernel.centroid(slot));
+    return { x, y: result(1) };
+  }
+
+  /** The smallest rectangle around the curve itself, not around its handles. */
+  bounds(): Bounds {
+    const minX = measure(this, "bounds", (slot, kernel) => kernel.bounds(slot));
+    return { minX, minY: result(1), maxX: result(2), maxY: result(3) };
+  }
+
+  /** The point of the curve that is nearest to (x, y); of several the one that the curve reaches first. */
+  nearest(x: number, y: number): Nearest {
+    const op = "nearest";
+    const toX = coordinate(op, "x", x);
+    const toY = coordinate(op, "y", y);
+    const t = measure(this, op, (slot, kernel) => kernel.nearest(slot, toX, toY));
+    return { t, x: result(1), y: result(2), distance: result(3) };
+  }
+
+  /** The nearest point to each of many places: t, x, y and distance in turn. */
+  nearestAll(places: PointsLike): Float64Array {
+    const op = "nearestAll";
+    const data = dataOf(this, op);
+    const given = checkPoints(op, "points", places, MAX_EVALUATIONS / 2);
+    const slot = data.resident(op);
+    write(op, given);
+    return copy(call(op, (kernel) => kernel.nearest_many(slot, given.length / 2)));
+  }
+
+  /**
+   * The signed curvature at one or many parameters, in 1 per unit; positive where the curve turns from the x axis towards the y axis.
+   *
+   * @throws {ExplineError} E_DEGENERATE where the speed is zero; `partial` then holds the values, with 0 at such places.
+   */
+  curvature(t: number | Float64Array | readonly number[]): Float64Array {
+    const op = "curvature";
+    const data = dataOf(this, op);
+    const given = numbers(op, "t", typeof t === "number" ? [t] : t, "maxEvalPoints", MAX_EVALUATIONS);
+    const slot = data.resident(op);
+    write(op, given);
+    const values = copy(call(op, (kernel) => kernel.curvature(slot, given.length), given));
+    const still = result(0);
+    if (still >= 0) throw degenerate(op, "t", "the speed is zero there", still, values);
+    return values;
+  }
+
+  /** A polyline that is nowhere farther from the curve than `tolerance`: x and y in turn; a closed one does not repeat its start. */
+  flatten(tolerance: number): Float64Array {
+    const op = "flatten";
+    const data = dataOf(this, op);
+    const within = checkTolerance(op, tolerance);
+    const slot = data.resident(op);
+    return copy(call(op, (kernel) => kernel.flatten(slot, within)));
+  }
+
+  /** Cubic Béziers within `tolerance`, eight numbers each, as few as it takes; `maxError` is a proved bound of the distance. */
+  toCubics(tolerance: number): { path: Float64Array; maxError: number } {
+    const op = "toCubics";
+    const data = dataOf(this, op);
+    const within = checkTolerance(op, tolerance);
+    const slot = data.resident(op);
+    const path = copy(call(op, (kernel) => kernel.to_cubics(slot, within)));
+    return { path, maxError: result(0) };
+  }
+
+  /** The curve as SVG path data: lines and, by default, arcs as they are, all else as cubics; `maxError` is the distance that results. */
+  toPathD(options?: PathOptions): { d: string; maxError: number } {
+    const op = "toPathD";
+    const data = dataOf(this, op);
+    const { tolerance, decimals, arcs, relative } = checkOptions(op, options, ["tolerance", "decimals", "arcs", "relative"]);
+    const within = tolerance === undefined ? BY_DEFAULT : checkTolerance(op, tolerance);
+    const digits = decimals === undefined ? -1 : integer(op, "decimals", decimals, 0, 17);
+    const flags = (flag(op, "arcs", arcs, true) ? 1 : 0) + (flag(op, "relative", relative, false) ? 2 : 0);
+    const slot = data.resident(op);
+    const d = outputText(call(op, (kernel) => kernel.to_path(slot, within, digits, flags)));
+    return { d, maxError: result(0) };
+  }
+
+  /**
+   * The curve as a `Path2D`, in browsers.
+   *
+   * @throws {ExplineError} E_UNSUPPORTED where there is no `Path2D`.
+   */
+  toPath2D(options?: PathOptions): Path2D {
+    const { d } = this.toPathD(options);
+    if (typeof Path2D !== "function") {
+      throw new ExplineError("E_UNSUPPORTED", "toPath2D", "there is no Path2D in this environment");
+    }
+    return new Path2D(d);
+  }
+
+  /** The ellipse, or the arc of one, that the whole curve follows within `tolerance` (default 1e-9 of its size), if it does. */
+  asEllipse(tolerance?: number): Ellipse | undefined {
+    const op = "asEllipse";
+    const within = orDefault(op, tolerance);
+    const data = dataOf(this, op);
+    const slot = data.resident(op);
+    if (call(op, (kernel) => kernel.as_ellipse(slot, within)) === 0) return undefined;
+    return {
+      center: [result(0), result(1)],
+      radii: [result(2), result(3)],
+      rotation: result(4),
+      start: result(5),
+      sweep: result(6),
+    };
+  }
+
+  /** The curve as plain data, for files and other threads; `fromJSON` is the inverse to the last bit. */
+  abstract toJSON(): object;
+}
+
+/** One number that the kernel leaves in its record, where more may follow. */
+function measure(curve: PlaneCurve, op: string, body: (slot: number, kernel: Kernel) => number): number {
+  const slot = dataOf(curve, op).resident(op);
+  call(op, (kernel) => body(slot, kernel));
+  return result(0);
+}
+
+function orDefault(op: string, tolerance: number | undefined): number {
+  return tolerance === undefined ? BY_DEFAULT : checkTolerance(op, tolerance);
+}
+
+/** The output in the caller's array, or a copy of it. */
+function into(to: Float64Array | undefined, count: number): Float64Array {
+  if (to === undefined) return copy(count);
+  to.set(peek(count));
+  return to;
+}

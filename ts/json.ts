@@ -1,0 +1,214 @@
+/** Curves as plain data, and back, from data that need not be friendly. */
+import { MAX_POINTS, options as checkOptions } from "./arguments.js";
+import { CurveData, SPACES, type Space } from "./curve-data.js";
+import { ExplineError, type ErrorCode, type ErrorDetails, overLimit, shown, wrong } from "./error.js";
+import { type HermiteCurve, curveOf } from "./hermite-curve.js";
+import { scan } from "./json-text.js";
+import type { Floats } from "./kernel.js";
+
+/** A {@link HermiteCurve} as plain data. Fields that a newer version wrote are kept. */
+export interface HermiteCurveJSON {
+  type: "HermiteCurve";
+  version: 1;
+  closed: boolean;
+  space: Space;
+  /** Two numbers for each point. */
+  points: number[];
+  tangents: number[];
+  /** Only where they differ from `tangents`. */
+  tangentsIn?: number[];
+  /** One for all segments, or one for each. */
+  omega: number | number[];
+  /** Only where they are not all 1; one for all segments, or one for each. */
+  lengths?: number | number[];
+  [unknown: string]: unknown;
+}
+
+/** Something in the data that was not understood, but kept. */
+export interface JSONWarning {
+  code: "W_UNKNOWN_FIELD";
+  /** `$.name`. */
+  path: string;
+}
+
+const OP = "fromJSON";
+/** The longest JSON text, in characters. */
+const MAX_TEXT = 64 << 20;
+/** The most brackets inside one another. */
+const MAX_DEPTH = 64;
+const VERSION = 1;
+const FIELDS = ["type", "version", "closed", "space", "points", "tangents", "tangentsIn", "omega", "lengths"];
+
+/** A curve's arrays as plain data. @internal */
+export function toJSON(data: CurveData): HermiteCurveJSON {
+  const short = (array: Floats): number | number[] => (array.length === 1 ? (array[0] ?? 0) : Array.from(array));
+  return {
+    type: "HermiteCurve",
+    version: VERSION,
+    closed: data.closed,
+    space: data.space,
+    points: Array.from(data.points),
+    tangents: Array.from(data.tangents),
+    ...(data.tangentsIn.length === 0 ? {} : { tangentsIn: Array.from(data.tangentsIn) }),
+    omega: short(data.omega),
+    ...(data.lengths.length === 0 ? {} : { lengths: short(data.lengths) }),
+    ...data.extra,
+  };
+}
+
+/**
+ * The curve that `toJSON` described, to the last bit: from its object, or from JSON text.
+ *
+ * Only own properties count. Fields that are not known are kept for the next `toJSON`; `onWarning` hears of them.
+ *
+ * @throws {ExplineError} E_PARSE_JSON for text that is not JSON, E_SCHEMA with `path` for other content, E_UNSUPPORTED for a newer
+ *   version, E_LIMIT, and the codes of the constructor with `path`.
+ */
+export function fromJSON(
+  value: unknown,
+  options?: { onWarning?: ((warning: JSONWarning) => void) | undefined },
+): HermiteCurve {
+  const { onWarning } = checkOptions(OP, options, ["onWarning"]);
+  if (onWarning !== undefined && typeof onWarning !== "function") {
+    throw wrong("E_TYPE", OP, "onWarning", onWarning, "a function");
+  }
+  const object = record(typeof value === "string" ? parsed(value) : value, "$");
+  const extra: [string, unknown][] = [];
+  for (const name of Object.keys(object)) {
+    if (!FIELDS.includes(name)) extra.push([name, plain(object[name], `$${step(name)}`, [object])]);
+  }
+  const data = read((name) => (Object.hasOwn(object, name) ? object[name] : undefined));
+  if (extra.length > 0) data.extra = Object.fromEntries(extra);
+  const curve = curveOf(data);
+  for (const [name] of extra) {
+    (onWarning as ((warning: JSONWarning) => void) | undefined)?.({ code: "W_UNKNOWN_FIELD", path: `$${step(name)}` });
+  }
+  return curve;
+}
+
+function parsed(text: string): unknown {
+  if (text.length > MAX_TEXT) throw overLimit(OP, "json", "maxBytes", MAX_TEXT, text.length);
+  const clean = text.startsWith("\ufeff") ? text.slice(1) : text;
+  scan(OP, clean, MAX_DEPTH);
+  try {
+    return JSON.parse(clean) as unknown;
+  } catch (cause) {
+    const [, digits] = /position (\d+)/.exec(String(cause)) ?? [];
+    const index = digits === undefined ? undefined : Number(digits) + text.length - clean.length;
+    const where = index === undefined ? "" : ` at offset ${index}`;
+    const details: ErrorDetails = { arg: "json", argument: "json", cause };
+    throw new ExplineError("E_PARSE_JSON", OP, `json makes no sense${where}`, {
+      ...details,
+      ...(index === undefined ? {} : { index }),
+    });
+  }
+}
+
+function schema(path: string, what: string, code: ErrorCode = "E_SCHEMA", details: ErrorDetails = {}): ExplineError {
+  return new ExplineError(code, OP, `${path} ${what}`, { arg: "json", argument: path, path, ...details });
+}
+
+function expected(path: string, value: unknown, bound: string): ExplineError {
+  return value === undefined
+    ? schema(path, `is missing; expected ${bound}`, "E_SCHEMA", { bound })
+    : schema(path, `is ${shown(value)}; expected ${bound}`, "E_SCHEMA", { bound });
+}
+
+function step(name: string): string {
+  return /^[A-Za-z_$][\w$]*$/.test(name) ? `.${name}` : `[${JSON.stringify(name.slice(0, 40))}]`;
+}
+
+function record(value: unknown, path: string): Record<string, unknown> {
+  if (typeof value !== "object" || value === null || Array.isArray(value)) throw expected(path, value, "an object");
+  return value as Record<string, unknown>;
+}
+
+/** The curve's arrays, checked by the same rules as a constructor's. */
+function read(own: (name: string) => unknown): CurveData {
+  const version = own("version");
+  if (typeof version !== "number" || !Number.isInteger(version) || version < 1) {
+    throw expected("$.version", version, "1");
+  }
+  if (version > VERSION) throw schema("$.version", `is ${version}; this version reads 1`, "E_UNSUPPORTED");
+  const type = own("type");
+  if (type !== "HermiteCurve") throw expected("$.type", type, '"HermiteCurve"');
+  const closed = own("closed");
+  if (typeof closed !== "boolean") throw expected("$.closed", closed, "true or false");
+  const space = SPACES.find((known) => known === own("space"));
+  if (space === undefined) throw expected("$.space", own("space"), `one of ${SPACES.join(", ")}`);
+  const points = floats("$.points", own("points"), 2 * MAX_POINTS);
+  const vectors = (name: string): Floats => sized(`$.${name}`, floats(`$.${name}`, own(name), points.length), points.length);
+  const segments = Math.max(points.length / 2 - (closed ? 0 : 1), 0);
+  if (points.length % 2 !== 0) throw schema("$.points", `has ${points.length} numbers; expected two for each point`);
+  const data = new CurveData(
+    points,
+    vectors("tangents"),
+    own("tangentsIn") === undefined ? new Float64Array() : vectors("tangentsIn"),
+    each("$.omega", own("omega"), segments),
+    own("lengths") === undefined ? new Float64Array() : each("$.lengths", own("lengths"), segments),
+    space,
+    closed,
+  );
+  try {
+    data.load(OP);
+  } catch (error) {
+    throw error instanceof ExplineError && error.argument !== undefined ? located(error) : error;
+  }
+  return data;
+}
+
+/** The same failure, said of a place in the JSON. */
+function located(error: ExplineError): ExplineError {
+  const { code, argument, arg, index, value, bound, limit, max, actual, fatal, cause } = error;
+  const what = error.message.replace(`${OP}: `, "").replace(` [${code}]`, "");
+  const all = { argument, arg, index, value, bound, limit, max, actual, fatal, cause, path: `$.${argument ?? ""}` };
+  const known = Object.fromEntries(Object.entries(all).filter(([, field]) => field !== undefined));
+  return new ExplineError(code, OP, `$.${what}`, known);
+}
+
+function sized(path: string, array: Floats, length: number): Floats {
+  if (array.length !== length) throw schema(path, `has ${array.length} numbers; expected ${length}`);
+  return array;
+}
+
+/** One number for all segments, or one for each. */
+function each(path: string, value: unknown, segments: number): Floats {
+  if (typeof value === "number") return floats(path, [value], 1);
+  return sized(path, floats(path, value, segments), segments);
+}
+
+function floats(path: string, value: unknown, most: number): Floats {
+  if (!Array.isArray(value)) throw expected(path, value, "an array of numbers");
+  const list = value as readonly unknown[];
+  if (list.length > 2 * MAX_POINTS) {
+    const details = { limit: "maxPoints", max: MAX_POINTS, actual: Math.ceil(list.length / 2) };
+    throw schema(path, `has ${list.length} numbers; maxPoints is ${MAX_POINTS}`, "E_LIMIT", details);
+  }
+  if (list.length > most) throw schema(path, `has ${list.length} numbers; expected ${most}`);
+  return Float64Array.from(list, (number, i) => {
+    if (typeof number !== "number") throw expected(`${path}[${i}]`, number, "a number");
+    if (!Number.isFinite(number)) throw schema(`${path}[${i}]`, `is ${number}; expected a finite number`, "E_NOT_FINITE");
+    return number + 0;
+  });
+}
+
+/** A copy that is nothing but JSON: own properties, finite numbers, whole characters, no circle. */
+function plain(value: unknown, path: string, around: readonly unknown[]): unknown {
+  if (typeof value === "string") return value.replace(/\p{Surrogate}/gu, "\ufffd");
+  if (value === null || typeof value === "boolean") return value;
+  if (typeof value === "number") {
+    if (!Number.isFinite(value)) throw schema(path, `is ${value}; expected a finite number`, "E_NOT_FINITE");
+    return value + 0;
+  }
+  if (typeof value !== "object") throw expected(path, value, "something that JSON can carry");
+  if (around.includes(value)) throw schema(path, "contains itself");
+  if (around.length >= MAX_DEPTH) {
+    throw schema(path, `is too deep; maxDepth is ${MAX_DEPTH}`, "E_LIMIT", { limit: "maxDepth", max: MAX_DEPTH });
+  }
+  const inside = [...around, value];
+  if (Array.isArray(value)) return Array.from(value as unknown[], (item, i) => plain(item, `${path}[${i}]`, inside));
+  const entries = Object.keys(value).map((name): [string, unknown] => {
+    return [name, plain((value as Record<string, unknown>)[name], `${path}${step(name)}`, inside)];
+  });
+  return Object.fromEntries(entries);
+}
