@@ -36,7 +36,7 @@ export function ellipseOf(document: CurveDocument, contour: Contour): Ellipse | 
   if (curve === null || box === null || !contour.closed) return null;
   const known = ellipses.get(curve);
   if (known !== undefined) return known;
-  const found = curve.asEllipse(1e-3 * Math.max(box.maxX - box.minX, box.maxY - box.minY, 1e-9));
+  const found = curve.asEllipse(1e-3 * Math.max(box.maxX - box.minX, box.maxY - box.minY, 1e-9)) ?? null;
   ellipses.set(curve, found);
   return found;
 }

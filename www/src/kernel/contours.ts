@@ -119,8 +119,10 @@ export function healed(document: CurveDocument, contour: Contour, index: number)
   const read = contourFrom(result.curve, space);
   const untouched = contour.points.filter((_, i) => i !== index);
   const count = untouched.length;
-  const before = contour.closed ? (index + count - 1) % count : index - 1;
-  const after = contour.closed ? index % count : index;
+  // An end of an open contour leaves no gap: its segment goes with it and nothing is joined.
+  const isEnd = !contour.closed && (index === 0 || index === count);
+  const before = isEnd ? -1 : (index + count - 1) % count;
+  const after = isEnd ? -1 : index % count;
   const points = untouched.map((point, i) => {
     const fresh = read.points[i];
     if (fresh === undefined) return point;
@@ -129,16 +131,11 @@ export function healed(document: CurveDocument, contour: Contour, index: number)
     if (i === after) joined = { ...joined, in: fresh.in };
     return joined === point ? point : { ...joined, kind: point.kind === "cusp" ? "cusp" as const : kindOf(joined) };
   });
-  const { omega: _omega, lengths: _lengths, ...rest } = contour;
-  return {
-    deviation: result.maxError,
-    contour: {
-      ...rest,
-      points,
-      ...(contour.omega === undefined ? {} : { omega: read.omega ?? [] }),
-      ...(read.lengths === undefined ? {} : { lengths: read.lengths }),
-    },
-  };
+  const { omega: own, lengths: _lengths, ...rest } = contour;
+  const plain: Contour = { ...rest, points, ...(read.lengths === undefined ? {} : { lengths: read.lengths }) };
+  // The healed segment may have a frequency of its own; then all of them are written down.
+  const follows = (read.omega ?? []).every((omega, segment) => Math.abs(omega - omegaOf(document, plain, segment)) <= 1e-12 * Math.abs(omega));
+  return { deviation: result.maxError, contour: own === undefined && follows ? plain : { ...plain, omega: read.omega ?? [] } };
 }
 
 function isOrdinary(document: CurveDocument, contour: Contour): boolean {
