@@ -5,7 +5,7 @@ import {
 import { emptyHistory, record, stepBack, stepForward, type History, type Moment } from "../document/history.ts";
 import { curveOf } from "../kernel/curve-cache.ts";
 import { createActions } from "./actions.ts";
-import type { Editor, EditorState, Notice, Settings, Sketch } from "./editor.ts";
+import type { Editor, EditorPatch, EditorState, Notice, Settings, Sketch } from "./editor.ts";
 import { createSignal } from "./signal.ts";
 
 export const nothingSketched: Sketch = { guides: [], marquee: null, rubber: null, finger: null, proposal: null };
@@ -75,12 +75,13 @@ export function createEditor(now: () => number): Editor {
 
   const moment = (): Moment => ({ curve: state.value.curve, selection: state.value.selection });
 
-  function put(curve: CurveDocument, selection: Selection): void {
+  function put(curve: CurveDocument, selection: Selection, also: EditorPatch = {}): void {
     const undo = history.past[history.past.length - 1];
     const redo = history.future[history.future.length - 1];
-    const { sketch } = state.value;
+    const sketch = also.sketch ?? state.value.sketch;
     state.set({
       ...state.value,
+      ...also,
       curve,
       // A proposal is about the drawing as it was.
       sketch: sketch.proposal === null || curve === state.value.curve ? sketch : { ...sketch, proposal: null },
@@ -130,12 +131,15 @@ export function createEditor(now: () => number): Editor {
       if (gesture !== null) editor.commit();
       gesture = { name, start: moment(), changed: false };
     },
-    preview(command) {
-      if (gesture === null) return editor.dispatch(command);
+    preview(command, also = {}) {
+      if (gesture === null) {
+        editor.patch(also);
+        return editor.dispatch(command);
+      }
       const after = applied(command, gesture.start);
-      if (after === null) return;
+      if (after === null) return editor.patch(also);
       gesture.changed = true;
-      put(after.curve, after.selection);
+      put(after.curve, after.selection, also);
     },
     commit() {
       if (gesture === null) return;

@@ -122,6 +122,9 @@ function listenToWheel({ editor, input, surface, until }: Options): void {
   );
 }
 
+/** Keys that work whatever widget has the focus: the stage takes them only for itself. */
+const widgetKeys: ReadonlySet<string> = new Set(["Enter", "Tab", "ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "Home", "End", "PageUp", "PageDown"]);
+
 /** Keys that must not scroll the page or leave the field they are typed in. */
 function listenToKeys({ editor, input, surface, until, leaveStage }: Options): void {
   const held = new Map<string, string>();
@@ -145,9 +148,7 @@ function listenToKeys({ editor, input, surface, until, leaveStage }: Options): v
         return input.space(true);
       }
       if (event.key === "Enter" && inStage && input.finish()) return event.preventDefault();
-      // Arrows, Home, Enter and the like move the focus or the caret of whatever has it; only the stage may take them.
-      const isNamed = event.key.length > 1;
-      if (isNamed && !inStage && document.activeElement !== document.body) return;
+      if (widgetKeys.has(event.key) && !inStage && document.activeElement !== document.body) return;
       const action = actionFor(editor, chordOf({ key: event.key, ...modifiersOf(event) }));
       if (action === undefined || action.enabled?.(editor.state.value) === false) return;
       event.preventDefault();

@@ -148,6 +148,9 @@ export interface ActionRegistry {
   run(id: string): boolean;
 }
 
+/** What may be set without the history knowing. */
+export type EditorPatch = Partial<Omit<EditorState, "curve" | "canUndo" | "canRedo" | "undoName" | "redoName">>;
+
 export interface Editor {
   readonly state: Readable<EditorState>;
   /** The last notice; each call of notify is a new value. */
@@ -158,8 +161,8 @@ export interface Editor {
   dispatch(command: Command): void;
   /** Opens a gesture (a slider drag, a point drag): everything until `commit` is one entry. */
   begin(name: string): void;
-  /** Applies the command to the state at `begin`, so that a drag can be re-evaluated from its start. */
-  preview(command: Command): void;
+  /** Applies the command to the state at `begin`, so that a drag can be re-evaluated from its start; `also` is set in the same step. */
+  preview(command: Command, also?: EditorPatch): void;
   commit(): void;
   /** Back to the state at `begin`; no entry. */
   bail(): void;
@@ -168,7 +171,7 @@ export interface Editor {
   redo(): void;
 
   /** Replaces parts of the state that are outside the history (view, selection, settings, hover, hint …). */
-  patch(change: Partial<Omit<EditorState, "curve" | "canUndo" | "canRedo" | "undoName" | "redoName">>): void;
+  patch(change: EditorPatch): void;
   setSettings(change: Partial<Settings>): void;
   setOverlay(overlay: OverlayId, on: boolean): void;
   notify(notice: Notice): void;

@@ -151,7 +151,7 @@ export function createPointerInput(editor: Editor, tools: Readonly<Record<ToolId
         fingers.set(record.id, { start: record.screen, screen: record.screen, time: record.time });
         if (anotherFinger(record)) return;
       }
-      if (activity.kind !== "none" || record.button === 2) return;
+      if (activity.kind !== "none" || record.button === 2 || editor.state.value.mode !== "curve") return;
       editor.patch({ keyboard: false, modifiers: record.modifiers, ...(editor.state.value.hint === "" ? {} : { hint: "" }) });
       if (pansWith(record)) {
         activity = { kind: "pan", id: record.id, last: record.screen, since: record.time };

@@ -38,8 +38,7 @@ export function dragHandle(editor: Editor, start: PointerSample, handle: HandleR
         snapped = found.to;
       }
       const kind: Kind = breaks ? "cusp" : origin.kind;
-      editor.preview({ ...turnHandle(handle, side, offset, kind), select: selection });
-      editor.patch({
+      editor.preview({ ...turnHandle(handle, side, offset, kind), select: selection }, {
         drag: { dx: offset.dx - old.dx, dy: offset.dy - old.dy, snapped },
         cursor: breaks ? "alias" : "grabbing",
         sketch: { ...nothingSketched, guides, finger: sample.kind === "touch" ? sample.page : null },

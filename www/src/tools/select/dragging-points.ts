@@ -1,7 +1,7 @@
 import { movePoints, turnHandle } from "../../document/commands.ts";
 import { isSelected, pointAt, type PointRef, type Selection } from "../../document/document.ts";
 import { nothingSketched } from "../../editor/create-editor.ts";
-import type { Editor } from "../../editor/editor.ts";
+import type { DragReadout, Editor, EditorPatch, Guide } from "../../editor/editor.ts";
 import { constrained, snapHandle, snapPlace, turnedBySteps } from "../../editor/snapping.ts";
 import type { Drag, PointerSample } from "../../editor/tool.ts";
 
@@ -26,8 +26,7 @@ export function dragPoints(editor: Editor, start: PointerSample, pressed: PointR
       guides = found.guides;
       snapped = found.to;
     }
-    editor.preview({ ...movePoints(selection, step.dx, step.dy), select: selection });
-    show(sample, guides, { ...step, snapped }, "move");
+    editor.preview({ ...movePoints(selection, step.dx, step.dy), select: selection }, shown(sample, guides, { ...step, snapped }, "move"));
   }
 
   function pull(sample: PointerSample): void {
@@ -45,12 +44,11 @@ export function dragPoints(editor: Editor, start: PointerSample, pressed: PointR
       snapped = found.to;
     }
     const select: Selection = { points: [pressed], handle: null };
-    editor.preview({ ...turnHandle(pressed, "out", offset, "symmetric"), select });
-    show(sample, guides, { ...offset, snapped }, "crosshair");
+    editor.preview({ ...turnHandle(pressed, "out", offset, "symmetric"), select }, shown(sample, guides, { ...offset, snapped }, "crosshair"));
   }
 
-  function show(sample: PointerSample, guides: typeof nothingSketched.guides, drag: { dx: number; dy: number; snapped: string | null }, cursor: string): void {
-    editor.patch({ drag, cursor, sketch: { ...nothingSketched, guides, finger: sample.kind === "touch" ? sample.page : null } });
+  function shown(sample: PointerSample, guides: readonly Guide[], drag: DragReadout, cursor: string): EditorPatch {
+    return { drag, cursor, sketch: { ...nothingSketched, guides, finger: sample.kind === "touch" ? sample.page : null } };
   }
 
   return {

@@ -13,8 +13,7 @@ export function dragSegment(editor: Editor, start: PointerSample, selection: Sel
     update(sample) {
       let step = { dx: sample.page.x - start.page.x, dy: sample.page.y - start.page.y };
       if (sample.modifiers.shift) step = constrained(step.dx, step.dy);
-      editor.preview({ ...movePoints(selection, step.dx, step.dy), name: "Move segment", select: selection });
-      editor.patch({ drag: { ...step, snapped: null }, cursor: "move", sketch: { ...nothingSketched, finger: sample.kind === "touch" ? sample.page : null } });
+      editor.preview({ ...movePoints(selection, step.dx, step.dy), name: "Move segment", select: selection }, { drag: { ...step, snapped: null }, cursor: "move", sketch: { ...nothingSketched, finger: sample.kind === "touch" ? sample.page : null } });
     },
     finish() {
       editor.commit();
