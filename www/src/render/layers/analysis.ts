@@ -1,5 +1,5 @@
 import type { Contour } from "../../document/document.ts";
-import { bezierPolygon, boundsOf, combOf, subdivided } from "../../kernel/samples.ts";
+import { bezierPolygon, combOf, documentBounds, subdivided } from "../../kernel/samples.ts";
 import { drawKnot } from "../markers.ts";
 import { inPage, inScreen, onScreen, pathOfPoints, type Scene } from "../scene.ts";
 
@@ -14,8 +14,9 @@ export function drawComb(scene: Scene): void {
   const context = inPage(scene);
   const { zoom } = state.view;
   context.strokeStyle = palette.handle;
+  const half = halfExtent(scene);
   for (const contour of state.curve.contours) {
-    const { teeth, envelope } = combPaths(scene, contour);
+    const { teeth, envelope } = combPaths(scene, contour, half);
     context.globalAlpha = 0.55;
     context.lineWidth = 1 / zoom;
     context.stroke(teeth);
@@ -34,9 +35,13 @@ interface CombPaths {
 /** An immutable contour's comb only changes with the scale. */
 const combs = new WeakMap<Contour, CombPaths>();
 
-function combPaths({ state }: Scene, contour: Contour): CombPaths {
-  const box = boundsOf(state.curve, contour);
-  const half = box === null ? 0 : Math.max(box.maxX - box.minX, box.maxY - box.minY) / 2;
+/** Half the larger side of the drawing: all contours' combs have one scale. */
+function halfExtent({ state }: Scene): number {
+  const box = documentBounds(state.curve);
+  return box === null ? 0 : Math.max(box.maxX - box.minX, box.maxY - box.minY) / 2;
+}
+
+function combPaths({ state }: Scene, contour: Contour, half: number): CombPaths {
   // On a circle a tooth is three tenths of the radius at scale 1, however large the circle.
   const scale = state.settings.combScale * 0.3 * half * half;
   const known = combs.get(contour);

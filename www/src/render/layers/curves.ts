@@ -88,10 +88,11 @@ function label(scene: Scene, polygon: Float64Array): void {
   const context = inScreen(scene);
   context.font = '12px system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
   context.fillStyle = scene.palette.warn;
-  const right = place.x >= centre.x;
-  context.textAlign = right ? "left" : "right";
-  context.fillText(`4-arc Bézier, error × ${magnification}`, place.x + (right ? 8 : -8), place.y + (place.y >= centre.y ? 16 : -8));
-  context.textAlign = "left";
+  const text = `4-arc Bézier, error × ${magnification}`;
+  const wide = context.measureText(text).width;
+  const beside = place.x >= centre.x ? place.x + 8 : place.x - 8 - wide;
+  const left = Math.max(8, Math.min(scene.state.stage.width - wide - 8, beside));
+  context.fillText(text, left, place.y + (place.y >= centre.y ? 16 : -8));
 }
 
 export function drawCurves(scene: Scene): void {
