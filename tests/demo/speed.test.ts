@@ -33,7 +33,6 @@ test("V28 dragging in 64 points with the comb on keeps within the frame budget",
       Reflect.set(window, "frameClock", times);
       requestAnimationFrame(note);
     });
-    const before = (await demo.stats()).frameMs.length;
     let to = at;
     for (let i = 0; i < 120; i += 1) {
       to = { x: at.x + 60 * Math.sin(i / 12), y: at.y + 40 * Math.sin(i / 9) };
@@ -41,14 +40,13 @@ test("V28 dragging in 64 points with the comb on keeps within the frame budget",
     }
     await page.mouse.up();
     await demo.idle();
-    const frames = (await demo.stats()).frameMs.slice(-Math.max(20, 120));
+    const frames = (await demo.stats()).frameMs.slice(-120);
     const clock = await page.evaluate(() => Reflect.get(window, "frameClock") as number[]);
     const intervals = clock.slice(1).map((time, i) => time - (clock[i] ?? time));
     attempts.push({ frame: percentile(frames, 0.95), interval: percentile(intervals, 0.95) });
     const point = await demo.point(5);
     const place = await demo.toScreen(point.x, point.y);
     assert.ok(Math.hypot(place.x - to.x, place.y - to.y) <= 0.5);
-    assert.ok(before >= 0);
   }
   const best = attempts.reduce((a, b) => (b.frame < a.frame ? b : a));
   t.diagnostic(`net-64 with comb: frame p95 ${best.frame.toFixed(2)} ms of 12, interval p95 ${best.interval.toFixed(1)} ms of 40`);

@@ -88,6 +88,23 @@ test("double-clicking a cusp makes it smooth again", () => {
   assert.ok(Math.abs(cross) < 1e-9 * Math.hypot(point.in.dx, point.in.dy) * Math.hypot(point.out.dx, point.out.dy));
 });
 
+test("a drag and a press at its first place soon after are not a double-click", () => {
+  const hand = new Hand("circle-8");
+  const before = hand.point(2);
+  hand.click(before.x, before.y).drag(hand.handle(2, "out"), 30, 20);
+  hand.editor.undo();
+  const grip = hand.handle(2, "out");
+  hand.moveTo(grip.x, grip.y).press().moveTo(grip.x, grip.y + 40).release();
+  assert.equal(hand.point(2).out.dy, before.out.dy + 40);
+});
+
+test("a press right on a point means the point, however short its handles", () => {
+  const hand = new Hand("net-64");
+  const { x, y } = hand.point(5);
+  hand.click(x, y).drag({ x, y }, 20, 10);
+  assert.deepEqual([hand.point(5).x, hand.point(5).y], [x + 20, y + 10]);
+});
+
 test("Shift holds points to the compass and handles to steps of 15°", () => {
   const hand = new Hand("circle-8");
   const { x, y } = hand.point(3);

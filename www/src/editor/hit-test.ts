@@ -76,8 +76,10 @@ export function hitTest(state: EditorState, at: ScreenPoint, kind: PointerKind):
   const chosen = nearestHandle(state, handles.filter((handle) => isSelected(state.selection, handle)), at, reach);
   const point = nearestPoint(state, at, reach);
   const curve = nearestCurve(state, at, curveReachOf[kind]);
-  // A finger covers several markers: the nearest wins, whatever its kind.
-  const preferred = kind === "touch" && point !== null && chosen !== null && point.distance < chosen.distance ? null : chosen;
+  // A finger covers several markers: the nearest wins, whatever its kind. A mouse right on a point means the point,
+  // however short its handles are.
+  const means = point !== null && chosen !== null && point.distance < chosen.distance && (kind === "touch" || point.distance <= 5);
+  const preferred = means ? null : chosen;
   // Right on the curve, a handle that merely passes near must not take the press.
   const handle = preferred ?? (point === null ? nearestHandle(state, handles, at, reach) : null);
   if (handle !== null && !(curve !== null && point === null && curve.distance < 3 && handle.distance > 5)) {

@@ -113,6 +113,8 @@ export function createPointerInput(editor: Editor, tools: Readonly<Record<ToolId
       case "tool":
         if (record.id !== activity.id) return;
         activity.screen = record.screen;
+        // A press that became a drag is not the first half of a double-click.
+        if (lastPress !== null && distanceBetween(record.screen, lastPress.screen) > doublePx) lastPress = null;
         activity.tool.drag(sample(record, activity.clicks));
         return;
       case "pan":
