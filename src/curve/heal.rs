@@ -105,10 +105,16 @@ impl Healed {
             length,
             basis: &basis,
         };
-        let mut deviation = two_way_deviation(old, &[merged]);
         let size = (first.end - first.start).norm() + (second.end - second.start).norm();
+        let share = first.length / (first.length + second.length * ratio);
+        // Where the parameters agree there is nothing to look for; it also bounds the distance from above.
+        let mut deviation = places(old, share)
+            .into_iter()
+            .map(|(x, target)| (merged.position(x) - target).norm())
+            .fold(0.0, f64::max);
         if deviation > 1e-13 * size {
-            let fitted = fit(old, merged);
+            deviation = two_way_deviation(old, &[merged]);
+            let fitted = fit(old, merged, share);
             let fitted_deviation = two_way_deviation(old, &[fitted]);
             if fitted_deviation < deviation {
                 (merged, deviation) = (fitted, fitted_deviation);
@@ -119,11 +125,11 @@ impl Healed {
 }
 
 /// The segment whose end speeds make it nearest to the old ones, by least squares across the curve (D 7.3).
-fn fit<'a>(old: &[Segment; 2], mut merged: Segment<'a>) -> Segment<'a> {
+fn fit<'a>(old: &[Segment; 2], mut merged: Segment<'a>, share: f64) -> Segment<'a> {
     let leaving = heading(&old[0], 0.0);
     let arriving = heading(&old[1], 1.0);
     let (mut out, mut inn) = (merged.leaving.norm(), merged.arriving.norm());
-    let mut places = places(old);
+    let mut places = places(old, share);
     for _ in 0..ROUNDS {
         merged.leaving = leaving * out;
         merged.arriving = arriving * inn;
@@ -159,9 +165,8 @@ fn fit<'a>(old: &[Segment; 2], mut merged: Segment<'a>) -> Segment<'a> {
     Segment { leaving: leaving * out, arriving: arriving * inn, ..merged }
 }
 
-/// Places on the old segments, with the x that they would have if the parameter stayed.
-fn places(old: &[Segment; 2]) -> Vec<(f64, Point)> {
-    let share = old[0].length / (old[0].length + old[1].length);
+/// Places on the old segments, with the x that they would have if the first one were this share of the whole.
+fn places(old: &[Segment; 2], share: f64) -> Vec<(f64, Point)> {
     let mut places = Vec::with_capacity(2 * PLACES);
     for (segment, from, to) in [(&old[0], 0.0, share), (&old[1], share, 1.0)] {
         for k in 1..=PLACES {

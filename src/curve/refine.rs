@@ -43,6 +43,7 @@ impl HermiteCurve {
 
     /// The same curve with one more point, at parameter t.
     ///
+    /// The domain stays what it was to the last bit; the new point is within a rounding of t.
     /// At a point that is there already (within 1e-12 in the parameter) the curve comes back unchanged.
     ///
     /// # Errors
@@ -51,8 +52,14 @@ impl HermiteCurve {
     pub fn insert(&self, t: f64) -> Result<Self> {
         let (at, x) = self.locate(t)?;
         let length = self.lengths()[at];
-        let first = x * length;
-        if first < LEAST_LENGTH || length - first < LEAST_LENGTH {
+        // The longer piece is rounded; what is left of the length is then exact, and so is their sum.
+        let (first, last) = if x < 0.5 {
+            let last = length * (1.0 - x);
+            (length - last, last)
+        } else {
+            (length * x, length - length * x)
+        };
+        if first < LEAST_LENGTH || last < LEAST_LENGTH {
             return Ok(self.clone());
         }
         let count = self.points().len() + 1;
@@ -64,8 +71,8 @@ impl HermiteCurve {
             parts.push_start(self, i);
             if i == at {
                 parts.push_length(self, i, first);
-                parts.push_inside(self, i, x);
-                parts.push_length(self, i, length - first);
+                parts.push_inside(self, i, first / length);
+                parts.push_length(self, i, last);
             } else {
                 parts.push_length(self, i, self.lengths()[i]);
             }
