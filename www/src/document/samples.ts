@@ -25,7 +25,8 @@ type Pair = readonly [number, number];
 const center: Pair = [400, 300];
 
 function knot(x: number, y: number, kind: Kind, arriving: Pair, leaving: Pair): ControlPoint {
-  return { x, y, kind, in: { dx: arriving[0], dy: arriving[1] }, out: { dx: leaving[0], dy: leaving[1] } };
+  // + 0: a formula's −0 would not survive being written down.
+  return { x: x + 0, y: y + 0, kind, in: { dx: arriving[0] + 0, dy: arriving[1] + 0 }, out: { dx: leaving[0] + 0, dy: leaving[1] + 0 } };
 }
 
 /** A point whose two handles are opposite: `tangent` is dr/dt, and handles are drawn at a third of it. */

@@ -51,11 +51,11 @@ function distanceBetween(curve: HermiteCurve, text: string, count: number): numb
 }
 
 function farthest(points: Float64Array, from: readonly HermiteCurve[]): number {
-  const nearest = from.map((curve) => curve.nearestAll(points).distance);
+  const nearest = from.map((curve) => curve.nearestAll(points));
   let worst = 0;
   for (let i = 0; i < points.length / 2; i += 1) {
     let best = Infinity;
-    for (const distances of nearest) best = Math.min(best, distances[i] ?? Infinity);
+    for (const found of nearest) best = Math.min(best, found[4 * i + 3] ?? Infinity);
     worst = Math.max(worst, best);
   }
   return worst;

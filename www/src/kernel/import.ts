@@ -12,11 +12,14 @@ export interface ImportedPath {
   readonly broken: Problem | null;
 }
 
+/** As in SVG's `matrix(a b c d e f)`. */
+export type Matrix = readonly [number, number, number, number, number, number];
+
 /** The subpaths of a `d`, moved by an SVG matrix. @throws Problem when there is nothing to read at all. */
-export function importPath(d: string, space: Space, matrix: readonly number[] | null = null): ImportedPath {
+export function importPath(d: string, space: Space, matrix: Matrix | null = null): ImportedPath {
   let broken: Problem | null = null;
   try {
-    const curves = parsePath(d, { onWarning: (warning) => { broken = stops(d, warning.offset); } });
+    const curves = parsePath(d, { onWarning: (warning) => { broken = stops(d, warning.index); } });
     const moved = matrix === null ? curves : curves.map((curve) => curve.transform(matrix));
     return { contours: moved.map((curve) => contourFrom(curve, space)), broken };
   } catch (error) {

@@ -132,8 +132,10 @@ function closeMenu(menu: HTMLElement, toggle: HTMLElement): void {
 /** Between phone and desktop the panel is a drawer; this opens it. */
 function panelToggle({ regions }: Shell): HTMLButtonElement {
   const { panel } = regions;
-  panel.dataset["open"] = "true";
-  const toggle = h("button", { class: "icon-button panel-toggle", type: "button", testid: "btn-panel", "aria-label": "Panel", "aria-expanded": "true", title: "Show or hide the panel" }, icon("panel"));
+  // Beside the stage it is always there; as a drawer it would hide what the visitor came to see.
+  const starts = window.matchMedia("(width >= 64em)").matches;
+  panel.dataset["open"] = String(starts);
+  const toggle = h("button", { class: "icon-button panel-toggle", type: "button", testid: "btn-panel", "aria-label": "Panel", "aria-expanded": String(starts), title: "Show or hide the panel" }, icon("panel"));
   toggle.addEventListener("click", () => {
     const open = panel.dataset["open"] !== "true";
     panel.dataset["open"] = String(open);

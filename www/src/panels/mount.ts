@@ -1,6 +1,7 @@
 import type { Editor } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
 import { mountBoot } from "./boot.ts";
+import { mountEmptyCurve } from "./empty-curve.ts";
 import { mountContextMenu } from "./context-menu.ts";
 import { receiveFiles, receiveText, registerFileActions } from "./files.ts";
 import { mountHeader } from "./header.ts";
@@ -41,6 +42,7 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
   const { metrics } = mountStatusBar(shell);
   mountPanel(shell, metrics);
   mountEmptyStates(shell);
+  mountEmptyCurve(shell);
   mountBoot(shell);
   mountContextMenu(shell);
   io.listenForIncoming({

@@ -23,7 +23,7 @@ export function mountPanel(shell: Shell, metrics: HTMLElement): void {
   const later = (["fit", "trace", "surface"] as const).map((mode: LaterMode) => ({ mode, ...laterPanel(mode) }));
   const title = h("h2", { class: "panel-title" });
   const sample = h("span", { class: "section-note" });
-  const clear = h("button", { class: "small-button", type: "button", testid: "btn-clear", title: "Take everything off the stage; undo brings it back.", click: () => clearCurve(editor) }, "Clear");
+  const clear = h("button", { class: "small-button", type: "button", testid: "btn-clear", title: "Take everything off the stage; undo brings it back.", click: () => { clearCurve(editor); editor.patch({ hint: "" }); } }, "Clear");
   const codeButton = h("button", { class: "code-toggle", type: "button", testid: "btn-code", "aria-expanded": "false", title: "The program that makes this drawing", click: () => editor.actions.run("code") }, icon("chevron"), h("span", {}, "Show code"));
   const scroll = h("div", { class: "panel-scroll" }, h("div", { class: "panel-head" }, title, sample, clear), curvePart, ...later.map(({ element }) => element));
   regions.panel.append(scroll, h("div", { class: "panel-foot" }, codeButton));

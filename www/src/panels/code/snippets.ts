@@ -11,6 +11,9 @@ export const snippetNames: readonly (readonly [SnippetId, string])[] = [
   ["worker", "Worker"],
 ];
 
+const quoted = (name: string): string => `"${name}"`;
+const library = quoted("expline");
+
 export interface PrintOptions {
   readonly segments: "arcs" | "cubics" | "polyline";
   readonly tolerance: number;
@@ -96,7 +99,7 @@ export function snippetFor(id: SnippetId, curve: CurveDocument, options: PrintOp
 }
 
 function vanilla(data: string, print: string): string {
-  return `import { HermiteCurve } from "expline";   // npm i expline; no await, no bundler setup
+  return `import { HermiteCurve } from ${library};   // npm i expline; no await, no bundler setup
 
 ${data}
 
@@ -112,8 +115,8 @@ document.querySelector("path")?.setAttribute("d", d);
 }
 
 function react(data: string, print: string): string {
-  return `import { useMemo, useState } from "react";
-import { HermiteCurve } from "expline";
+  return `import { useMemo, useState } from ${quoted("react")};
+import { HermiteCurve } from ${library};
 
 ${data}
 
@@ -134,8 +137,8 @@ export function Drawing() {
 
 function vue(data: string, print: string): string {
   return `<script setup lang="ts">
-import { shallowRef, triggerRef, computed } from "vue";
-import { HermiteCurve } from "expline";
+import { shallowRef, triggerRef, computed } from ${quoted("vue")};
+import { HermiteCurve } from ${library};
 
 ${data}
 
@@ -158,7 +161,7 @@ function move(event: PointerEvent) {
 
 function svelte(data: string, print: string): string {
   return `<script lang="ts">
-  import { HermiteCurve } from "expline";
+  import { HermiteCurve } from ${library};
 
   ${indent(data, "  ")}
 
@@ -179,7 +182,7 @@ function svelte(data: string, print: string): string {
 
 function worker(data: string, print: string): string {
   return `// worker.ts: the same import works in a worker, in Node and on a server
-import { HermiteCurve } from "expline";
+import { HermiteCurve } from ${library};
 
 ${data}
 
