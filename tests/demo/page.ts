@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { after, before, type TestContext } from "node:test";
-import type { Browser, BrowserContextOptions, Page } from "playwright-core";
+import type { Browser, BrowserContext, BrowserContextOptions, Page } from "playwright-core";
 import { launch } from "../../scripts/browser.mjs";
 import type { ExplineDemo } from "../../www/src/contract.ts";
 
@@ -16,7 +16,12 @@ export type Pair = [number, number];
 type State = ReturnType<ExplineDemo["getState"]>;
 
 /** One browser for a test file. Call at its top level. */
-export function useBrowser(): { open(t: TestContext, hash?: string, options?: BrowserContextOptions): Promise<Demo> } {
+export function useBrowser(): {
+  /** A fresh window on the page, ready. */
+  open(t: TestContext, hash?: string, options?: BrowserContextOptions): Promise<Demo>;
+  /** A fresh browser context with nothing in it yet. */
+  context(t: TestContext, options?: BrowserContextOptions): Promise<BrowserContext>;
+} {
   let browser: Browser | undefined;
   before(async () => {
     browser = await launch();
@@ -24,12 +29,16 @@ export function useBrowser(): { open(t: TestContext, hash?: string, options?: Br
   after(async () => {
     await browser?.close();
   });
+  async function context(t: TestContext, options: BrowserContextOptions = {}): Promise<BrowserContext> {
+    assert.ok(browser !== undefined, "the browser is started before the tests");
+    const fresh = await browser.newContext({ viewport: { width: 1280, height: 800 }, deviceScaleFactor: 1, ...options });
+    t.after(() => fresh.close());
+    return fresh;
+  }
   return {
+    context,
     async open(t, hash = "", options = {}) {
-      assert.ok(browser !== undefined, "the browser is started before the tests");
-      const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, deviceScaleFactor: 1, ...options });
-      t.after(() => context.close());
-      const demo = new Demo(await context.newPage());
+      const demo = new Demo(await (await context(t, options)).newPage());
       await demo.load(hash);
       return demo;
     },

@@ -26,8 +26,8 @@ interface Reading {
   readonly shapes: SvgShape[];
   readonly warnings: SvgWarning[];
   readonly warn: Warn;
-  /** Targets of the `use` elements that are being expanded: meeting one again is a cycle. */
-  readonly expanding: Set<Element>;
+  /** The groups that are being walked, by nesting or by `use`: a `use` of one of them is a cycle. */
+  readonly entered: Set<Element>;
   expanded: number;
   commands: number;
 }
@@ -48,7 +48,7 @@ export function readSvg(source: string, limits: SvgLimits = svgLimits): SvgFile 
     warn: (code, element) => {
       if (warnings.length < 100) warnings.push({ code, element: element.localName });
     },
-    expanding: new Set(),
+    entered: new Set(),
     expanded: 0,
     commands: 0,
   };
@@ -74,7 +74,9 @@ function walk(element: Element, outer: Matrix, depth: number, reading: Reading):
 
 function walkChildren(element: Element, outer: Matrix, depth: number, reading: Reading): void {
   const matrix = element.localName === "svg" ? multiply(outer, viewport(element, depth === 1, reading.warn)) : outer;
+  reading.entered.add(element);
   for (const child of element.children) walk(child, matrix, depth + 1, reading);
+  reading.entered.delete(element);
 }
 
 function isHidden(element: Element): boolean {
@@ -110,8 +112,10 @@ function expand(use: Element, outer: Matrix, depth: number, reading: Reading): v
     reading.warn("W_NO_TARGET", use);
     return;
   }
-  if (reading.expanding.has(target) || target.contains(use)) {
+  reading.entered.add(use);
+  if (reading.entered.has(target)) {
     reading.warn("W_CYCLE", use);
+    reading.entered.delete(use);
     return;
   }
   reading.expanded += 1;
@@ -120,14 +124,10 @@ function expand(use: Element, outer: Matrix, depth: number, reading: Reading): v
   const x = lengthOf(use, "x", 0, reading.warn) ?? 0;
   const y = lengthOf(use, "y", 0, reading.warn) ?? 0;
   const matrix = multiply(outer, translate(x, y));
-  reading.expanding.add(target);
-  if (target.localName === "symbol") walkSymbol(target, matrix, depth, reading);
+  // A symbol is a group that only a use draws.
+  if (target.localName === "symbol") walkChildren(target, matrix, depth + 1, reading);
   else walk(target, matrix, depth + 1, reading);
-  reading.expanding.delete(target);
-}
-
-function walkSymbol(symbol: Element, outer: Matrix, depth: number, reading: Reading): void {
-  for (const child of symbol.children) walk(child, outer, depth + 1, reading);
+  reading.entered.delete(use);
 }
 
 /** From the units inside an `svg` element to those around it: its place, size and viewBox. */

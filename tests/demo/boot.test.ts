@@ -1,0 +1,96 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { gzipSync } from "node:zlib";
+import { useBrowser, Demo, type Pair } from "./page.ts";
+
+const { open, context } = useBrowser();
+
+test("V01 the page boots quickly, quietly, from its own origin and within its budget", async (t) => {
+  const page = await (await context(t)).newPage();
+  const demo = new Demo(page);
+  const url = process.env["DEMO_URL"] ?? "";
+  const sizes = { text: 0, wasm: 0 };
+  const strangers: string[] = [];
+  const bodies: Promise<void>[] = [];
+  page.on("response", (response) => {
+    if (new URL(response.url()).origin !== new URL(url).origin) strangers.push(response.url());
+    bodies.push(response.body().then((body) => {
+      const kind = /\.wasm$/.test(response.url()) ? "wasm" : "text";
+      if (/\.(?:html|css|js|wasm)$|\/$/.test(new URL(response.url()).pathname)) sizes[kind] += gzipSync(body).length;
+    }));
+  });
+  await page.goto(url);
+  const took = await page.evaluate(async () => {
+    await window.explineDemo.ready;
+    return performance.now();
+  });
+  await demo.idle();
+  await page.waitForLoadState("networkidle");
+  await Promise.all(bodies);
+  t.diagnostic(`ready ${took.toFixed(0)} ms after navigation; ${sizes.text} B html+css+js, ${sizes.wasm} B wasm, gzipped`);
+  assert.ok(took < 3000, `ready after ${took} ms`);
+  assert.deepEqual(demo.complaints, []);
+  assert.deepEqual(strangers, []);
+  assert.ok(sizes.text <= 80_000, `html+css+js: ${sizes.text} B`);
+  assert.ok(sizes.wasm <= 250_000, `wasm: ${sizes.wasm} B`);
+  assert.equal(await page.getByRole("tab").count(), 4);
+  assert.equal((await demo.state()).mode, "curve");
+  assert.match(await page.evaluate(() => window.explineDemo.version), /^\d+\.\d+\.\d+/);
+  const pixels = await demo.pixels();
+  const paper = pixels[0];
+  const drawn = [...pixels].filter((pixel) => pixel !== paper).length;
+  assert.ok(drawn >= 500, `${drawn} pixels that are not paper`);
+});
+
+test("DM-030 without WebAssembly the page says so, and its shell and help still work", async (t) => {
+  const page = await (await context(t)).newPage();
+  await page.addInitScript(() => Reflect.deleteProperty(globalThis, "WebAssembly"));
+  await page.goto(process.env["DEMO_URL"] ?? "");
+  const message = page.locator('[data-testid="boot-error"]');
+  await message.waitFor();
+  assert.match((await message.textContent()) ?? "", /unsupported/);
+  await page.locator('[data-testid="btn-help"]').click();
+  await page.locator('[data-testid="help-dialog"]').waitFor();
+});
+
+test("a Content Security Policy without WebAssembly is named, with the line that is missing", async (t) => {
+  const page = await (await context(t)).newPage();
+  await page.route("**/*", async (route) => {
+    const response = await route.fetch();
+    const headers = response.headers();
+    const policy = headers["content-security-policy"]?.replace(" 'wasm-unsafe-eval'", "") ?? "default-src 'self'";
+    await route.fulfill({ response, headers: { ...headers, "content-security-policy": policy } });
+  });
+  await page.goto(process.env["DEMO_URL"] ?? "");
+  const message = page.locator('[data-testid="boot-error"]');
+  await message.waitFor();
+  assert.match((await message.textContent()) ?? "", /Content Security Policy.*'wasm-unsafe-eval'.*script-src/s);
+});
+
+test("an idle page asks for no frames", async (t) => {
+  const demo = await open(t);
+  await demo.page.waitForTimeout(500);
+  const frames = await demo.page.evaluate(async () => {
+    const original = window.requestAnimationFrame;
+    let count = 0;
+    window.requestAnimationFrame = (callback) => {
+      count += 1;
+      return original.call(window, callback);
+    };
+    await new Promise((resolve) => setTimeout(resolve, 2000));
+    return count;
+  });
+  assert.ok(frames <= 5, `${frames} frames in two seconds`);
+});
+
+test("the empty stage offers the pen and samples, and a sample fills it", async (t) => {
+  const demo = await open(t);
+  await demo.byId("btn-clear").click();
+  await demo.byId("empty-curve").waitFor();
+  await demo.byId("empty-curve").getByRole("button", { name: "Heart" }).click();
+  await demo.idle();
+  assert.equal((await demo.points()).length, 6);
+  assert.equal(await demo.byId("empty-curve").count(), 0);
+  const at: Pair = [400, 226];
+  assert.deepEqual([(await demo.point(0)).x, (await demo.point(0)).y], at);
+});

@@ -1,0 +1,233 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { assertSame, boxDiagonal, directedDistance, useBrowser, type Demo, type Pair } from "./page.ts";
+import { evaluatePath } from "./path-oracle.ts";
+
+const { open } = useBrowser();
+
+async function importText(demo: Demo, text: string): Promise<void> {
+  if ((await demo.byId("import-dialog").count()) === 0) await demo.byId("btn-import").click();
+  await demo.byId("import-text").fill(text);
+  await demo.byId("import-apply").click();
+}
+
+async function imported(demo: Demo, text: string): Promise<void> {
+  await importText(demo, text);
+  await demo.byId("import-dialog").waitFor({ state: "detached" });
+  await demo.idle();
+}
+
+async function refused(demo: Demo, text: string): Promise<{ id: string; text: string }> {
+  await importText(demo, text);
+  const error = demo.byId("error");
+  await error.waitFor();
+  return { id: (await error.getAttribute("data-error")) ?? "", text: (await error.textContent()) ?? "" };
+}
+
+const twoContours = "M10 10h80v40a20 20 0 0 1-20 20H40q-30 0-30-30zM120 20c20-20 60-20 80 0s20 60 0 80t-80-20z";
+
+test("V15 a path of every kind of command comes in as it is drawn", async (t) => {
+  const demo = await open(t);
+  await imported(demo, twoContours);
+  const { contours } = (await demo.state()).curve;
+  assert.equal(contours.length, 2);
+  assert.ok(contours.every((contour) => contour.closed));
+  const expected = evaluatePath(twoContours);
+  for (const [i, subpath] of expected.entries()) {
+    const curve = await demo.sample(4000, i);
+    const away = Math.max(directedDistance(curve, subpath.points, true), directedDistance(subpath.points, curve, true));
+    t.diagnostic(`contour ${i}: ${away.toExponential(1)} from the standard's own evaluation`);
+    assert.ok(away <= 0.3, `contour ${i} is ${away} away`);
+  }
+  // The straight sides: y = 10 from 10 to 90, x = 90 from 10 to 50.
+  const first = await demo.sample(4000, 0);
+  const onTop = first.filter(([x, y]) => y < 15 && x > 15 && x < 85);
+  assert.ok(onTop.length > 100 && onTop.every(([, y]) => Math.abs(y - 10) <= 0.01));
+  const onRight = first.filter(([x, y]) => x > 85 && y > 15 && y < 49);
+  assert.ok(onRight.length > 50 && onRight.every(([x]) => Math.abs(x - 90) <= 0.01));
+});
+
+test("V15 an ellipse under nested transforms is still exactly an ellipse", async (t) => {
+  const demo = await open(t);
+  const [cx, cy, rx, ry] = [30, 10, 25, 12];
+  await imported(demo, `<svg xmlns="http://www.w3.org/2000/svg"><g transform="translate(50,20) rotate(30) scale(2)"><ellipse cx="${cx}" cy="${cy}" rx="${rx}" ry="${ry}"/></g></svg>`);
+  assert.equal((await demo.state()).curve.contours.length, 1);
+  const angle = Math.PI / 6;
+  const worst = Math.max(...(await demo.sample(2000)).map(([x, y]) => {
+    const [u, v] = [(x - 50) / 2, (y - 20) / 2];
+    const [a, b] = [u * Math.cos(angle) + v * Math.sin(angle) - cx, -u * Math.sin(angle) + v * Math.cos(angle) - cy];
+    return Math.abs((a / rx) ** 2 + (b / ry) ** 2 - 1);
+  }));
+  t.diagnostic(`conic residual ${worst.toExponential(1)}`);
+  assert.ok(worst <= 1e-6, `residual ${worst}`);
+});
+
+test("V15 a path that breaks off names the character and changes nothing", async (t) => {
+  const demo = await open(t);
+  const before = await demo.state();
+  const error = await refused(demo, "M10 10 L foo");
+  assert.equal(error.id, "d-broken");
+  assert.match(error.text, /character 10: “foo”/);
+  assertSame(await demo.state(), before);
+  assert.equal(await demo.byId("import-partial").isVisible(), false);
+});
+
+test("a path that breaks off after something drawable offers what was read", async (t) => {
+  const demo = await open(t);
+  const error = await refused(demo, "M0 0L100 0L100 80 L foo");
+  assert.equal(error.id, "d-broken");
+  await demo.byId("import-partial").click();
+  await demo.idle();
+  assert.deepEqual((await demo.points()).map(({ x, y }) => [x, y]), [[0, 0], [100, 0], [100, 80]]);
+});
+
+test("importing is one step of the history", async (t) => {
+  const demo = await open(t);
+  const before = (await demo.state()).curve;
+  await imported(demo, twoContours);
+  await demo.press("Control+z");
+  assertSame((await demo.state()).curve, before);
+});
+
+const shapes: readonly (readonly [name: string, markup: string, d: string])[] = [
+  ["rect", '<rect x="10" y="20" width="100" height="60"/>', "M10 20h100v60h-100z"],
+  ["rect with round corners", '<rect x="10" y="20" width="100" height="60" rx="20"/>', "M30 20h60a20 20 0 0 1 20 20v20a20 20 0 0 1-20 20h-60a20 20 0 0 1-20-20v-20a20 20 0 0 1 20-20z"],
+  ["rect with corners larger than it", '<rect width="100" height="60" rx="90" ry="50"/>', "M50 0a50 30 0 0 1 50 30a50 30 0 0 1-50 30a50 30 0 0 1-50-30a50 30 0 0 1 50-30z"],
+  ["circle", '<circle cx="50" cy="40" r="30"/>', "M80 40a30 30 0 0 1-60 0a30 30 0 0 1 60 0z"],
+  ["line", '<line x1="1" y1="2" x2="30" y2="40"/>', "M1 2L30 40"],
+  ["polyline", '<polyline points="0,0 50,10 20 60"/>', "M0 0L50 10L20 60"],
+  ["polygon", '<polygon points="0,0 50,10 20 60"/>', "M0 0L50 10L20 60z"],
+  ["use of a shape in defs", '<defs><path id="p" d="M0 0h10v10z"/></defs><use href="#p" x="5" y="7"/>', "M5 7h10v10z"],
+  ["viewBox", '<svg x="10" y="20" width="200" height="100" viewBox="5 5 100 50"><path d="M5 5h100v50z"/></svg>', "M10 20h200v100z"],
+  ["viewBox that keeps its proportions", '<svg width="200" height="200" viewBox="0 0 100 50"><path d="M0 0h100v50z"/></svg>', "M0 50h200v100z"],
+  ["matrix, skew and scale", '<g transform="matrix(1 0 0 1 5 6)"><path transform="skewX(45),scale(2 1)" d="M0 0h10v10z"/></g>', "M5 6h20l10 10z"],
+  ["rotation about a point", '<path transform="rotate(90 10 10)" d="M10 10h20"/>', "M10 10v20"],
+];
+
+for (const [name, markup, d] of shapes) {
+  test(`an SVG's ${name} is drawn where it stands`, async (t) => {
+    const demo = await open(t);
+    await imported(demo, `<?xml version="1.0"?><!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "x.dtd"><svg xmlns="http://www.w3.org/2000/svg">${markup}</svg>`);
+    const [expected] = evaluatePath(d);
+    assert.ok(expected !== undefined);
+    assert.equal((await demo.state()).curve.contours.length, 1);
+    const curve = await demo.sample(1500);
+    const away = Math.max(directedDistance(curve, expected.points, expected.closed), directedDistance(expected.points, curve, expected.closed));
+    // A chord of 1/400 of a quarter circle of radius 50 is 1e-4 from its arc; the curve itself is exact.
+    assert.ok(away <= 2e-4 * boxDiagonal(expected.points), `${away} away`);
+  });
+}
+
+test("points as rows become a smooth curve through all of them", async (t) => {
+  const demo = await open(t);
+  await imported(demo, "0,0\n100,20\n180,120\n60;150");
+  const points = await demo.points();
+  assert.deepEqual(points.map(({ x, y }) => [x, y]), [[0, 0], [100, 20], [180, 120], [60, 150]]);
+  assert.ok(points.slice(1, 3).every(({ kind }) => kind !== "cusp"));
+  assert.equal((await refused(demo, "0,0\n100,north")).id, "points-rows");
+});
+
+async function drop(demo: Demo, name: string, type: string, content: string | number[]): Promise<void> {
+  await demo.page.evaluate(([fileName, fileType, bytes]) => {
+    const data = new DataTransfer();
+    data.items.add(new File([typeof bytes === "string" ? bytes : Uint8Array.from(bytes)], fileName, { type: fileType }));
+    document.querySelector("canvas")?.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+  }, [name, type, content] as const);
+}
+
+const square = '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0h40v40h-40z"/></svg>';
+
+test("V23 an SVG file comes in by the field, by drop on the stage and by paste", async (t) => {
+  const demo = await open(t);
+  await demo.byId("btn-import").click();
+  await demo.byId("import-file").setInputFiles({ name: "logo.svg", mimeType: "image/svg+xml", buffer: Buffer.from(square) });
+  await demo.byId("import-dialog").waitFor({ state: "detached" });
+  assert.deepEqual((await demo.points()).map(({ x, y }) => [x, y]), [[0, 0], [40, 0], [40, 40], [0, 40]]);
+
+  await drop(demo, "logo.svg", "image/svg+xml", square);
+  await demo.page.waitForFunction(() => window.explineDemo.getState().curve.contours.length === 2);
+
+  await demo.page.evaluate((text) => {
+    const data = new DataTransfer();
+    data.setData("text/plain", text);
+    document.querySelector("canvas")?.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true }));
+  }, square);
+  await demo.page.waitForFunction(() => window.explineDemo.getState().curve.contours.length === 3);
+});
+
+test("V23 a JSON file restores the drawing that it was made of", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  const saved = await demo.state();
+  await demo.byId("btn-clear").click();
+  await demo.byId("btn-import").click();
+  await demo.byId("import-file").setInputFiles({ name: "heart.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(saved)) });
+  await demo.byId("import-dialog").waitFor({ state: "detached" });
+  await demo.idle();
+  assertSame(await demo.state(), saved);
+});
+
+test("V23 what cannot be read is refused by name, and the drawing stays", async (t) => {
+  const demo = await open(t);
+  const before = (await demo.state()).curve;
+  const png = [0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0, 0, 0];
+  for (const [name, type, content, id] of [
+    ["photo.png", "image/png", png, "image-later"],
+    ["paper.pdf", "application/pdf", "%PDF-1.7", "file-type"],
+    ["renamed.svg", "image/svg+xml", png, "file-type"],
+    ["error-page.svg", "image/svg+xml", "<!doctype html><html><body>404</body></html>", "svg-broken"],
+    ["empty.svg", "image/svg+xml", '<svg xmlns="http://www.w3.org/2000/svg"><text>hi</text></svg>', "svg-nopath"],
+    ["newer.json", "application/json", '{"format":"expline-demo","version":9}', "json-version"],
+    ["other.json", "application/json", '{"version":1}', "json-broken"],
+  ] as const) {
+    await drop(demo, name, type, content as string | number[]);
+    const error = demo.page.locator(`[data-testid="error"][data-error="${id}"]`);
+    await error.waitFor();
+    if (id === "image-later") assert.match((await error.textContent()) ?? "", /photo\.png/);
+    assertSame((await demo.state()).curve, before);
+  }
+});
+
+test("V23 pasting into a field changes that field only", async (t) => {
+  const demo = await open(t);
+  await demo.click("pt-0-0");
+  const before = (await demo.state()).curve.contours.length;
+  const field = demo.byId("pt-x");
+  await field.focus();
+  await demo.page.evaluate((text) => {
+    const data = new DataTransfer();
+    data.setData("text/plain", text);
+    document.activeElement?.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true }));
+  }, "M0 0L10 10");
+  await demo.idle();
+  assert.equal((await demo.state()).curve.contours.length, before);
+});
+
+test("DM-027 DM-028 a field takes a decimal comma and refuses what is no number, keeping its value", async (t) => {
+  const demo = await open(t);
+  const omega = demo.byId("omega");
+  await omega.fill("1,5");
+  await omega.press("Enter");
+  await demo.idle();
+  assert.equal((await demo.state()).curve.omega, 1.5);
+  for (const text of ["1e999", "abc", "", "0x10", "7"]) {
+    await omega.fill(text);
+    await omega.press("Enter");
+    await demo.idle();
+    assert.equal((await demo.state()).curve.omega, 1.5, text);
+    assert.equal(await demo.page.locator('[data-error="number"]').count(), 1, text);
+    assert.equal(await omega.inputValue(), "1.5", text);
+  }
+});
+
+test("an imported logo keeps its corners and can be edited at once", async (t) => {
+  const demo = await open(t);
+  await imported(demo, square);
+  await demo.withoutSnap();
+  const at: Pair = [40, 40];
+  const screen = await demo.toScreen(...at);
+  await demo.dragFrom(screen, 20, 10);
+  const zoom = (await demo.state()).view.zoom;
+  const moved = await demo.point(2);
+  assert.ok(Math.abs(moved.x - (40 + 20 / zoom)) < 0.5 / zoom && Math.abs(moved.y - (40 + 10 / zoom)) < 0.5 / zoom);
+  assert.equal(moved.kind, "cusp");
+});

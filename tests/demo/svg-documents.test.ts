@@ -1,0 +1,170 @@
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { build } from "esbuild";
+import type { Browser, Page } from "playwright-core";
+import { launch } from "../../scripts/browser.mjs";
+
+/** SVG documents under hostile input, read by the page's own reader in a page that has nothing else in it. */
+
+interface Outcome {
+  readonly code?: string;
+  readonly detail?: { readonly reason?: string; readonly limit?: string; readonly line?: number };
+  readonly shapes: readonly { readonly d: string; readonly transform: readonly number[] }[];
+  readonly warnings: readonly string[];
+  readonly ran: number;
+  readonly ms: number;
+}
+
+let browser: Browser | undefined;
+let page: Page | undefined;
+const requests: string[] = [];
+
+before(async () => {
+  const bundle = await build({
+    stdin: { contents: 'export { readSvg } from "./www/src/io/svg-file.ts"; export { escapeXml, writeSvg } from "./www/src/io/svg-write.ts";', resolveDir: process.cwd(), loader: "ts" },
+    bundle: true, format: "iife", globalName: "reader", write: false,
+  });
+  browser = await launch();
+  page = await browser.newPage();
+  page.on("request", (request) => requests.push(request.url()));
+  await page.addScriptTag({ content: bundle.outputFiles[0]?.text ?? "" });
+});
+
+after(() => browser?.close());
+
+function read(svg: string): Promise<Outcome> {
+  assert.ok(page !== undefined);
+  return page.evaluate((text) => {
+    const host = globalThis as unknown as { reader: { readSvg(text: string): { shapes: Outcome["shapes"]; warnings: { code: string }[] } }; ran?: number };
+    host.ran = 0;
+    const start = performance.now();
+    try {
+      const { shapes, warnings } = host.reader.readSvg(text);
+      return { shapes, warnings: warnings.map(({ code }) => code), ran: host.ran, ms: performance.now() - start };
+    } catch (error) {
+      const { code, detail } = error as { code: string; detail: Outcome["detail"] };
+      return { code, ...(detail === undefined ? {} : { detail }), shapes: [], warnings: [], ran: host.ran, ms: performance.now() - start };
+    }
+  }, svg);
+}
+
+const ns = "xmlns='http://www.w3.org/2000/svg'";
+const path = "<path d='M0 0L1 1'/>";
+
+function nested(depth: number, tag: string, inner = path): string {
+  return `<svg ${ns}>${`<g ${tag}>`.repeat(depth)}${inner}${"</g>".repeat(depth)}</svg>`;
+}
+
+function useTree(levels: number, fan: number): string {
+  let defs = `<path id='l0' d='M0 0L1 1'/>`;
+  for (let level = 1; level <= levels; level += 1) defs += `<g id='l${level}'>${`<use href='#l${level - 1}'/>`.repeat(fan)}</g>`;
+  return `<svg ${ns}><defs>${defs}</defs><use href='#l${levels}'/></svg>`;
+}
+
+function useChain(length: number): string {
+  let defs = `<path id='c0' d='M0 0L1 1'/>`;
+  for (let i = 1; i <= length; i += 1) defs += `<use id='c${i}' href='#c${i - 1}'/>`;
+  return `<svg ${ns}><defs>${defs}</defs><use href='#c${length}'/></svg>`;
+}
+
+const laughs = `<!DOCTYPE svg [<!ENTITY a 'ha'><!ENTITY b '&a;&a;&a;'>]><svg ${ns}><text>&b;</text>${path}</svg>`;
+
+const refused: readonly (readonly [id: string, what: string, svg: () => string, code: string, why: string])[] = [
+  ["SV-025", "entities that multiply", () => laughs, "E_PARSE_SVG", "doctype"],
+  ["SV-028", "100 000 nested groups", () => nested(100_000, ""), "E_LIMIT", "maxDepth"],
+  ["SV-029", "a million siblings", () => `<svg ${ns}>${"<g/>".repeat(1_000_000)}</svg>`, "E_LIMIT", "maxNodes"],
+  ["SV-031", "a tree of uses that would draw 10 000 million times", () => useTree(10, 10), "E_LIMIT", "maxUseExpansion"],
+  ["SV-031b", "a chain of 50 000 uses", () => useChain(50_000), "E_LIMIT", "maxDepth"],
+  ["SV-038", "a thousand nested scalings", () => nested(1000, "transform='scale(10)'"), "E_LIMIT", "maxDepth"],
+  ["SV-039", "sixty nested scalings by a million", () => nested(60, "transform='scale(1000000)'"), "E_RANGE", ""],
+  ["SV-046", "a page of HTML", () => "<!doctype html><html><body>404</body></html>", "E_PARSE_SVG", "root"],
+  ["SV-046b", "broken markup", () => `<svg ${ns}>\n<path d='M0 0'></svg>`, "E_PARSE_SVG", "markup"],
+  ["SV-046c", "text that is no markup", () => "hello", "E_PARSE_SVG", "markup"],
+  ["SV-051", "a hundred megabytes", () => `<svg ${ns}>${" ".repeat(20 * 1024 * 1024)}</svg>`, "E_LIMIT", "maxBytes"],
+  ["SV-052", "an element with 100 000 attributes", () => `<svg ${ns}><path ${Array.from({ length: 100_000 }, (_, i) => `a${i}='1'`).join(" ")}/></svg>`, "E_LIMIT", "maxAttributes"],
+  ["SV-018b", "a path of a million commands", () => `<svg ${ns}><path d='M0 0${"l1 1".repeat(1_000_000)}'/></svg>`, "E_LIMIT", "maxCommands"],
+];
+
+for (const [id, what, make, code, why] of refused) {
+  test(`${id} ${what}: ${code} ${why}`, async (t) => {
+    const outcome = await read(make());
+    t.diagnostic(`${outcome.ms.toFixed(0)} ms`);
+    assert.equal(outcome.code, code);
+    if (why !== "") assert.ok(outcome.detail?.reason === why || outcome.detail?.limit === why, JSON.stringify(outcome.detail));
+  });
+}
+
+const accepted: readonly (readonly [id: string, what: string, svg: string, shapes: number, warning: string | null])[] = [
+  ["SV-027", "a plain document type", `<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd"><svg ${ns}>${path}</svg>`, 1, null],
+  ["SV-030", "a use of its own ancestor", `<svg ${ns}><g id='a'><use href='#a'/></g></svg>`, 0, "W_CYCLE"],
+  ["SV-030b", "two that use each other", `<svg ${ns}><g id='a'><use href='#b'/>${path}</g><g id='b'><use href='#a'/></g></svg>`, 2, "W_CYCLE"],
+  ["SV-030c", "a ring of uses", `<svg ${ns}><use id='u' href='#v'/><use id='v' href='#u'/>${path}</svg>`, 1, "W_CYCLE"],
+  ["SV-032", "scripts, handlers and foreign objects", `<svg ${ns} onload='globalThis.ran=1'><script>globalThis.ran=1</script><a href='javascript:globalThis.ran=1'>${path}</a><foreignObject><body onload='globalThis.ran=1'/></foreignObject><image href='http://example.invalid/x.png' onerror='globalThis.ran=1'/></svg>`, 1, null],
+  ["SV-033", "a style that tries to break out", `<svg ${ns}><style>&lt;/style&gt;&lt;img src onerror=globalThis.ran=1&gt;</style>${path}</svg>`, 1, null],
+  ["SV-034", "outside references", `<svg ${ns}><use href='http://example.invalid/a.svg#b'/><use href='//example.invalid#c'/>${path}</svg>`, 1, "W_NO_TARGET"],
+  ["SV-036", "a transform that is none", `<svg ${ns}><path transform='matrix(1 0 NaN)' d='M0 0L1 1'/></svg>`, 1, "W_BAD_TRANSFORM"],
+  ["SV-036b", "an empty transform", `<svg ${ns}><path transform='' d='M0 0L1 1'/></svg>`, 1, null],
+  ["SV-040", "a viewBox of no size", `<svg ${ns} viewBox='0 0 0 0'>${path}</svg>`, 1, "W_BAD_VIEWBOX"],
+  ["SV-042", "sizes in percent and auto", `<svg ${ns} width='50%' height='auto'>${path}</svg>`, 1, "W_UNIT"],
+  ["SV-044", "a byte order mark and an XML declaration", `\uFEFF<?xml version='1.0' encoding='UTF-8'?><svg ${ns}>${path}</svg>`, 1, null],
+  ["SV-045", "no namespace at all", `<svg>${path}</svg>`, 1, null],
+  ["SV-049", "shapes without a size", `<svg ${ns}><rect width='-1' height='2'/><circle r='NaN'/><ellipse rx='0' ry='1'/></svg>`, 0, "W_BAD_LENGTH"],
+  ["SV-050", "a polygon with a lone last number", `<svg ${ns}><polygon points='0,0 1,0 1'/></svg>`, 1, "W_ODD_POINTS"],
+  ["SV-053", "what is not displayed", `<svg ${ns}><g display='none'>${path}</g><path style='display: none' d='M0 0L1 1'/>${path}</svg>`, 1, null],
+  ["SV-055", "shapes in defs, clips, masks, markers, patterns and symbols", `<svg ${ns}><defs>${path}</defs><clipPath>${path}</clipPath><mask>${path}</mask><marker>${path}</marker><pattern>${path}</pattern><symbol>${path}</symbol>${path}</svg>`, 1, null],
+];
+
+for (const [id, what, svg, shapes, warning] of accepted) {
+  test(`${id} ${what}: ${shapes} shapes${warning === null ? "" : `, ${warning}`}`, async () => {
+    const outcome = await read(svg);
+    assert.equal(outcome.code, undefined);
+    assert.equal(outcome.shapes.length, shapes);
+    if (warning === null) assert.deepEqual(outcome.warnings, []);
+    else assert.ok(outcome.warnings.includes(warning), outcome.warnings.join());
+    assert.equal(outcome.ran, 0, "nothing in the file was run");
+    assert.ok(outcome.shapes.every((shape) => shape.transform.every(Number.isFinite)));
+  });
+}
+
+test("SV-049 every shape without a size is warned of", async () => {
+  const outcome = await read(`<svg ${ns}><rect width='-1' height='2'/><circle r='NaN'/><ellipse rx='0' ry='1'/></svg>`);
+  assert.ok(outcome.warnings.length >= 3);
+});
+
+test("SV-050 the polygon keeps its whole pairs", async () => {
+  const outcome = await read(`<svg ${ns}><polygon points='0,0 1,0 1'/></svg>`);
+  assert.equal(outcome.shapes[0]?.d, "M0 0L1 0Z");
+});
+
+test("SV-027 SV-032 SV-034 nothing was ever fetched", () => {
+  assert.deepEqual(requests.filter((url) => url !== "about:blank"), []);
+});
+
+const names: readonly (readonly [id: string, name: string])[] = [
+  ["SX-001", '"><script>alert(1)</script>'],
+  ["SX-002", "]]> --> & <!--"],
+  ["SX-003", "a\u0000b\uFFFE\uD800"],
+];
+
+for (const [id, name] of names) {
+  test(`${id} a title of ${JSON.stringify(name)} leaves the file well formed and comes back`, async () => {
+    assert.ok(page !== undefined);
+    const back = await page.evaluate((title) => {
+      const { reader } = globalThis as unknown as { reader: { writeSvg(o: { title: string; d: string; box: null }): string } };
+      const text = reader.writeSvg({ title, d: "M0 0L1 1", box: null });
+      const parsed = new DOMParser().parseFromString(text, "image/svg+xml");
+      return { text, title: parsed.querySelector("title")?.textContent, broken: parsed.querySelector("parsererror") !== null, scripts: parsed.querySelectorAll("script").length };
+    }, name);
+    assert.equal(back.broken, false);
+    assert.equal(back.scripts, 0);
+    assert.doesNotMatch(back.text, /<script/);
+    assert.equal(back.title, id === "SX-003" ? "a\uFFFDb\uFFFD\uFFFD" : name);
+  });
+}
+
+test("SX-013 an empty drawing is a well-formed file without a path", async () => {
+  assert.ok(page !== undefined);
+  const text = await page.evaluate(() => (globalThis as unknown as { reader: { writeSvg(o: { title: string; d: string; box: null }): string } }).reader.writeSvg({ title: "", d: "", box: null }));
+  assert.doesNotMatch(text, /<path/);
+  assert.match(text, /<svg [^>]*viewBox="[-\d. ]+"[^>]*>/);
+});
