@@ -17,6 +17,9 @@ interface Command {
   readonly values: number[];
 }
 
+/** What a smooth command after this one reflects. */
+type Control = { readonly kind: "C" | "Q"; readonly at: Pair } | null;
+
 /** The commands of a `d`, one per set of numbers. */
 export function commandsOf(d: string): Command[] {
   const commands: Command[] = [];
@@ -44,7 +47,7 @@ export function evaluatePath(d: string): Subpath[] {
   const subpaths: { closed: boolean; points: Pair[] }[] = [];
   let at: Pair = [0, 0];
   let start: Pair = [0, 0];
-  let lastControl: { kind: "C" | "Q"; at: Pair } | null = null;
+  let lastControl: Control = null;
   const line = (): Pair[] => {
     const last = subpaths.at(-1);
     if (last === undefined || last.closed) {
@@ -62,7 +65,7 @@ export function evaluatePath(d: string): Subpath[] {
     const relative = letter === letter.toLowerCase();
     const [ox, oy] = relative ? from : [0, 0];
     const pair = (i: number): Pair => [ox + (values[i] ?? 0), oy + (values[i + 1] ?? 0)];
-    let control: typeof lastControl = null;
+    let control: Control = null;
     switch (letter.toUpperCase()) {
       case "M":
         at = start = pair(0);
@@ -92,7 +95,7 @@ export function evaluatePath(d: string): Subpath[] {
       case "C":
       case "S": {
         const smooth = letter.toUpperCase() === "S";
-        const first = smooth ? reflected(from, lastControl, "C") : pair(0);
+        const first: Pair = smooth ? reflected(from, lastControl, "C") : pair(0);
         const second = pair(smooth ? 0 : 2);
         at = pair(smooth ? 2 : 4);
         control = { kind: "C", at: second };
@@ -102,7 +105,7 @@ export function evaluatePath(d: string): Subpath[] {
       case "Q":
       case "T": {
         const smooth = letter.toUpperCase() === "T";
-        const middle = smooth ? reflected(from, lastControl, "Q") : pair(0);
+        const middle: Pair = smooth ? reflected(from, lastControl, "Q") : pair(0);
         at = pair(smooth ? 0 : 2);
         control = { kind: "Q", at: middle };
         draw((t) => bezier([from, middle, at], t));

@@ -80,7 +80,7 @@ test("JS-011 a setter that the page has put on Object.prototype is never run", (
 test("JS-021 minus zero is zero, once, so that a file comes back as it was written", () => {
   const { state } = parseState(file({ curve: curve("-0, -0.0") }));
   const point = state.curve.contours[0]?.points[1];
-  assert.ok(Object.is(point?.x, 0) && Object.is(point.y, 0));
+  assert.ok(Object.is(point?.x, 0) && Object.is(point?.y, 0));
   assert.deepEqual(parseState(writeState(state)).state, state);
 });
 

@@ -1,4 +1,4 @@
-import { parsePath, type HermiteCurve } from "expline";
+import { parsePath, type HermiteCurve } from "expline/slim";
 import {
   domainLength, lengthOf, omegaOf, segmentCount, type Contour, type ControlPoint, type CurveDocument, type Space,
 } from "../document/document.ts";

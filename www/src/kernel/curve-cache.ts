@@ -1,4 +1,4 @@
-import { HermiteCurve } from "expline";
+import { HermiteCurve } from "expline/slim";
 import { lengthOf, omegaOf, segmentCount, type Contour, type CurveDocument, type Offset, type Space } from "../document/document.ts";
 
 /**

@@ -1,4 +1,5 @@
-import init, { ExplineError, version } from "expline";
+import init, { ExplineError, version } from "expline/slim";
+import wasmUrl from "expline/expline_bg.wasm?url";
 
 /** Starting the engine, and its failures in words that the page can act on. */
 
@@ -10,7 +11,7 @@ export type EngineFailure = { readonly reason: "blocked" | "unsupported" | "fail
 export async function startEngine(): Promise<EngineFailure | null> {
   if (typeof WebAssembly === "undefined") return { reason: "unsupported", detail: "This browser has no WebAssembly." };
   try {
-    await init();
+    await init({ wasmUrl });
     return null;
   } catch (error) {
     return { reason: isBlocked(error) ? "blocked" : "failed", detail: error instanceof Error ? error.message : String(error) };

@@ -1,4 +1,4 @@
-import { parsePath, type HermiteCurve } from "expline";
+import { parsePath, type HermiteCurve } from "expline/slim";
 import type { CurveDocument } from "../document/document.ts";
 import { curveOf } from "./curve-cache.ts";
 

@@ -1,4 +1,4 @@
-import { HermiteCurve, parsePath } from "expline";
+import { HermiteCurve, parsePath } from "expline/slim";
 import type { Contour, Space } from "../document/document.ts";
 import { Problem } from "../document/problem.ts";
 import { contourFrom } from "./contours.ts";

@@ -1,0 +1,5 @@
+/** The address of the engine beside the page, as the bundler names it. */
+declare module "expline/expline_bg.wasm?url" {
+  const url: string;
+  export default url;
+}
