@@ -13,6 +13,8 @@ use core::f64::consts::PI;
 use expline::svg::{ParsedPath, Truncation, parse_path};
 use expline::{Error, HermiteCurve};
 use nalgebra::Vector2;
+use support::curves::Random;
+use support::drawing::{self, Piece, drawing};
 use support::tolerance;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -186,74 +188,128 @@ fn a_loop_of_one_segment_is_halved_where_it_was() {
     }
 }
 
-/// SVG's centre parametrisation (SVG 2, B.2.4), as it stands there: centre, radii, angle of the start, sweep.
-fn center_form(
-    from: Point,
-    to: Point,
-    radii: Point,
-    degrees: f64,
-    large: bool,
-    positive: bool,
-) -> (Point, Point, f64, f64) {
-    let (sin, cos) = (degrees * PI / 180.0).sin_cos();
-    let half = (from - to) / 2.0;
-    let x = cos * half.x + sin * half.y;
-    let y = -sin * half.x + cos * half.y;
-    let (mut rx, mut ry) = (radii.x.abs(), radii.y.abs());
-    let lambda = x * x / (rx * rx) + y * y / (ry * ry);
-    if lambda > 1.0 {
-        rx *= lambda.sqrt();
-        ry *= lambda.sqrt();
-    }
-    let rest = rx * rx * ry * ry - rx * rx * y * y - ry * ry * x * x;
-    let root = (rest.max(0.0) / (rx * rx * y * y + ry * ry * x * x)).sqrt();
-    let root = if large == positive { -root } else { root };
-    let (cx, cy) = (root * rx * y / ry, -root * ry * x / rx);
-    let middle = (from + to) / 2.0;
-    let center = Point::new(cos * cx - sin * cy + middle.x, sin * cx + cos * cy + middle.y);
-    let start = ((y - cy) / ry).atan2((x - cx) / rx);
-    let end = ((-y - cy) / ry).atan2((-x - cx) / rx);
-    let mut sweep = end - start;
-    if positive && sweep < 0.0 {
-        sweep += 2.0 * PI;
-    }
-    if !positive && sweep > 0.0 {
-        sweep -= 2.0 * PI;
-    }
-    (center, Point::new(rx, ry), start, sweep)
-}
-
 #[test]
 fn arcs_follow_the_centre_parametrisation_of_the_specification() {
     let mut worst = 0.0_f64;
-    for (rx, ry) in [(5.0, 5.0), (6.0, 4.0), (20.0, 3.0), (300.0, 250.0), (1.0, 2.0)] {
+    for radii in [[5.0, 5.0], [6.0, 4.0], [20.0, 3.0], [300.0, 250.0], [1.0, 2.0]].map(Point::from) {
         for degrees in [0.0, 30.0, 90.0, -117.0, 405.0] {
             for end in [Point::new(4.0, 3.0), Point::new(-2.0, 0.5), Point::new(0.01, -0.02)] {
                 for flags in 0..4 {
                     let (large, positive) = (flags & 1 == 1, flags & 2 == 2);
-                    let from = Point::new(0.5, 0.25);
-                    let to = from + end;
-                    let (f1, f2) = (u8::from(large), u8::from(positive));
-                    let d = format!("M{} {}A{rx} {ry} {degrees} {f1}{f2}{} {}", from.x, from.y, to.x, to.y);
-                    let (center, radii, start, sweep) =
-                        center_form(from, to, Point::new(rx, ry), degrees, large, positive);
+                    let (from, to) = (Point::new(0.5, 0.25), Point::new(0.5, 0.25) + end);
+                    let flags = format!("{}{}", u8::from(large), u8::from(positive));
+                    let d = format!("M.5.25A{} {} {degrees} {flags}{} {}", radii.x, radii.y, to.x, to.y);
+                    let Some(truth @ Piece::Arc(_, grown, _, _, sweep)) =
+                        drawing::arc(from, to, radii, degrees, large, positive)
+                    else {
+                        panic!("{d} is an arc");
+                    };
                     let curve = only(&d);
                     assert_eq!(curve.segment_count(), if sweep.abs() > PI + 1e-6 { 2 } else { 1 }, "{d}");
-                    let (sin, cos) = (degrees * PI / 180.0).sin_cos();
                     for k in 0..=24 {
-                        let part = f64::from(k) / 24.0;
-                        let angle = start + sweep * part;
-                        let (x, y) = (radii.x * angle.cos(), radii.y * angle.sin());
-                        let expected = center + Point::new(cos * x - sin * y, sin * x + cos * y);
-                        let error = (at(&curve, part * curve.domain().1) - expected).norm() / radii.amax();
+                        let x = f64::from(k) / 24.0;
+                        let error = (at(&curve, x * curve.domain().1) - truth.at(x)).norm() / grown.amax();
                         worst = worst.max(error);
-                        assert!(error <= tolerance::ARC, "{d} at {part}: {error:e}");
+                        assert!(error <= tolerance::ARC, "{d} at {x}: {error:e}");
                     }
                 }
             }
         }
     }
     println!("arcs: worst distance to the centre parametrisation {worst:.1e} of the radius");
+}
+
+#[test]
+fn random_paths_are_drawn_as_a_plain_reader_draws_them() {
+    let mut random = Random::new(12);
+    let mut worst = 0.0_f64;
+    for round in 0..600 {
+        let d = random_path(&mut random);
+        let parsed = read(&d);
+        let mut drawn = drawing(&d);
+        drawn
+            .retain(|(pieces, _)| pieces.iter().any(|piece| !matches!(piece, Piece::Line([a, b]) if a == b)));
+        assert_eq!(parsed.curves.len(), drawn.len(), "round {round}: {d}");
+        for (curve, (pieces, closed)) in parsed.curves.iter().zip(&drawn) {
+            assert_eq!(curve.is_closed(), *closed, "round {round}: {d}");
+            let extent = curve.points().iter().map(|p| p.amax()).fold(1.0, f64::max);
+            let mut segments = curve.segments();
+            let closing = tolerance::DRAWN * extent;
+            let drawn = |piece: &&Piece| match **piece {
+                Piece::Line([a, b]) => (a - b).norm() > closing,
+                Piece::Quadratic([a, b, c]) => a != b || b != c,
+                Piece::Cubic([a, b, c, d]) => a != b || b != c || c != d,
+                Piece::Arc(..) => true,
+            };
+            for piece in pieces.iter().filter(drawn) {
+                let turns = matches!(piece, Piece::Arc(.., sweep) if sweep.abs() > PI + 1e-6);
+                let parts = if turns { 2 } else { 1 };
+                for part in 0..parts {
+                    let segment =
+                        segments.next().unwrap_or_else(|| panic!("round {round}: {d} has too few segments"));
+                    for k in 0..=8 {
+                        let x = f64::from(k) / 8.0;
+                        let truth = piece.at((f64::from(part) + x) / f64::from(parts));
+                        let error = (segment.position(x) - truth).norm() / extent;
+                        worst = worst.max(error);
+                        assert!(
+                            error <= tolerance::DRAWN,
+                            "round {round}: {d}: {error:e} at {x} of {piece:?}"
+                        );
+                    }
+                }
+            }
+            assert!(segments.next().is_none(), "round {round}: {d} has too many segments");
+        }
+    }
+    println!("random paths: worst distance to the plain reader {worst:.1e} of the size");
+}
+
+/// Valid path data with every command, spelled in many ways.
+fn random_path(random: &mut Random) -> String {
+    let mut d = String::new();
+    let size = 10.0_f64.powi(random.below(5) as i32 - 1);
+    for k in 0..3 + random.below(20) {
+        let letter = if k == 0 { 'M' } else { char::from(b"MLHVCSQTAZLCQA"[random.below(14)]) };
+        let count = match letter {
+            'Z' => 0,
+            'H' | 'V' => 1,
+            'M' | 'L' | 'T' => 2,
+            'S' | 'Q' => 4,
+            'C' => 6,
+            _ => 7,
+        };
+        d.push(if random.below(2) == 0 { letter } else { letter.to_ascii_lowercase() });
+        for group in 0..if count == 0 { 0 } else { 1 + random.below(2) } {
+            for i in 0..count {
+                let digits = random.below(5);
+                let value = size * random.symmetric();
+                let text = match (letter, i) {
+                    ('A', 0 | 1) => format!("{:.2}", value.abs() + 0.01),
+                    ('A', 2) => format!("{:.1}", 360.0 * random.symmetric()),
+                    ('A', 3 | 4) => random.below(2).to_string(),
+                    _ if random.below(4) == 0 => format!("{value:.digits$e}"),
+                    _ => format!("{value:.digits$}"),
+                };
+                let text = if random.below(2) == 0 {
+                    text.replacen(
+                        "0.",
+                        ".",
+                        usize::from(text.starts_with(['0', '-']) && !text.contains("00.")),
+                    )
+                } else {
+                    text
+                };
+                let packed = letter == 'A' && (i == 4 || i == 5) && random.below(2) == 0;
+                let first = i == 0 && group == 0;
+                let separator = [" ", ",", " , ", "\n"][random.below(4)];
+                let bare = text.starts_with('-') && random.below(2) == 0;
+                d += if first || packed || bare { "" } else { separator };
+                d += &text;
+            }
+        }
+    }
+    d
 }
 
 #[test]

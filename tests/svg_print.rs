@@ -14,6 +14,7 @@ use expline::curve::HermiteOptions;
 use expline::svg::{PrintOptions, Printed, parse_path, to_path_d};
 use expline::{Error, HermiteCurve, Space};
 use nalgebra::Vector2;
+use support::curves::Random;
 use support::drawing::{self, Piece, Stretch, drawing};
 use support::tolerance;
 #[cfg(target_arch = "wasm32")]
@@ -45,32 +46,6 @@ fn distance(curve: &HermiteCurve, d: &str) -> f64 {
     let truth: Vec<Stretch<'_>> =
         segments.iter().map(|segment| Box::new(|x| segment.position(x)) as Stretch<'_>).collect();
     drawing::distance(&truth, &drawing::stretches(&drawing(d)[0].0), tolerance::DRAWN * extent(curve))
-}
-
-/// Splitmix64.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ z >> 31
-    }
-
-    /// Evenly in [-1, 1).
-    fn signed(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    fn vector(&mut self, size: f64) -> Point {
-        Point::new(self.signed(), self.signed()) * size
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        (self.next() % n as u64) as usize
-    }
 }
 
 fn random_curve(random: &mut Random) -> HermiteCurve {
@@ -111,7 +86,7 @@ fn within(printed: &Printed, extent: f64) -> f64 {
 
 #[test]
 fn any_curve_is_drawn_within_its_deviation_and_that_within_the_tolerance() {
-    let mut random = Random(5);
+    let mut random = Random::new(5);
     let (mut worst_share, mut tightest) = (0.0_f64, 0.0_f64);
     for round in 0..40 {
         let curve = random_curve(&mut random);
@@ -138,8 +113,26 @@ fn any_curve_is_drawn_within_its_deviation_and_that_within_the_tolerance() {
 }
 
 #[test]
+fn degenerate_and_extreme_curves_keep_to_the_tolerance_and_can_be_read_again() {
+    let mut random = Random::new(14);
+    for case in 0..400 {
+        let curve = support::curves::random_curve(&mut random, case);
+        let tolerance = extent(&curve) * [1e-2, 1e-5][case % 2];
+        for (arcs, decimals) in [(true, None), (false, None), (true, Some(17))] {
+            if tolerance == 0.0 {
+                continue;
+            }
+            let printed = print(&curve, &PrintOptions { tolerance, decimals, arcs, relative: true });
+            assert!(printed.deviation <= tolerance, "case {case}: {} > {tolerance}", printed.deviation);
+            let back = parse_path(&printed.d).unwrap_or_else(|error| panic!("case {case}: {error}"));
+            assert_eq!((back.truncation, back.subpaths), (None, 1), "case {case}: {}", printed.d);
+        }
+    }
+}
+
+#[test]
 fn few_decimals_give_an_honest_larger_deviation() {
-    let mut random = Random(6);
+    let mut random = Random::new(6);
     for round in 0..12 {
         let curve = random_curve(&mut random);
         for decimals in 0..6 {
@@ -171,7 +164,7 @@ fn few_decimals_give_an_honest_larger_deviation() {
 
 #[test]
 fn numbers_are_plain_and_short() {
-    let mut random = Random(7);
+    let mut random = Random::new(7);
     for _ in 0..200 {
         let curve = random_curve(&mut random);
         for decimals in [None, Some(0), Some(3), Some(9), Some(16), Some(17)] {
@@ -209,13 +202,13 @@ fn circles_and_ellipses_are_two_arcs() {
 
 #[test]
 fn awkward_circles_are_still_arcs() {
-    let mut random = Random(8);
+    let mut random = Random::new(8);
     let mut worst = 0.0_f64;
     for _ in 0..300 {
-        let radii = Point::new(3.0 + 40.0 * random.signed().abs(), 3.0 + 40.0 * random.signed().abs());
+        let radii = Point::new(3.0 + 40.0 * random.symmetric().abs(), 3.0 + 40.0 * random.symmetric().abs());
         let radii = if random.below(2) == 0 { Point::repeat(radii.x) } else { radii };
         let curve =
-            HermiteCurve::ellipse(random.vector(100.0), radii, 3.0 * random.signed(), 2 + random.below(5))
+            HermiteCurve::ellipse(random.vector(100.0), radii, 3.0 * random.symmetric(), 2 + random.below(5))
                 .expect("valid");
         for (decimals, tolerance) in
             [(None, 0.02), (None, 1e-5), (Some(1), 0.02), (Some(4), 0.02), (Some(17), 0.02)]
@@ -275,8 +268,8 @@ fn what_was_read_is_written_back_as_it_was() {
 #[test]
 fn seventeen_decimals_bring_every_bit_back() {
     let exact = PrintOptions { decimals: Some(17), ..options() };
-    let mut random = Random(9);
-    let mut number = |size: f64| random.signed() * size;
+    let mut random = Random::new(9);
+    let mut number = |size: f64| random.symmetric() * size;
     for round in 0..300 {
         let size = 10.0_f64.powi(round % 9 - 4);
         let mut d = format!("M{} {}", number(size), number(size));
@@ -305,13 +298,15 @@ fn seventeen_decimals_bring_every_bit_back() {
 }
 
 #[test]
-fn printing_what_was_printed_changes_nothing() {
-    let mut random = Random(10);
-    for _ in 0..200 {
-        let curve = random_curve(&mut random);
+fn what_was_printed_with_all_digits_is_read_and_printed_for_ever_after() {
+    let mut random = Random::new(10);
+    for _ in 0..300 {
         let exact = PrintOptions { decimals: Some(17), arcs: false, ..options() };
-        let once = print(&curve, &exact).d;
-        assert_eq!(print(&read(&once), &exact).d, once);
+        let once = read(&print(&random_curve(&mut random), &exact).d);
+        let again = read(&print(&once, &exact).d);
+        assert_eq!(once.points(), again.points());
+        assert_eq!(once.tangents(), again.tangents());
+        assert_eq!(once.tangents_in(), again.tangents_in());
     }
 }
 
@@ -320,7 +315,7 @@ fn relative_commands_are_used_where_they_are_shorter() {
     let d = "M100 100L101 102L103 101L104 104";
     let relative = reprinted(d, &PrintOptions { relative: true, ..options() });
     assert_eq!(relative, "M100 100l1 2 2-1 1 3");
-    let mut random = Random(11);
+    let mut random = Random::new(11);
     for _ in 0..100 {
         let curve = random_curve(&mut random);
         let absolute = print(&curve, &options());

@@ -245,37 +245,34 @@ impl<'a> Reader<'a> {
     }
 
     fn line(&mut self, end: Point) -> Step<()> {
-        let chord = end - self.current;
+        let start = self.current;
+        self.draw_bezier(end - start, start, end, 1.0)?;
         self.previous = Previous::Other;
-        self.draw(end, chord, chord, 0.0)
+        Ok(())
     }
 
     /// `C`, `S`, `Q` and `T`.
     fn bezier(&mut self, command: u8) -> Step<()> {
         let start = self.current;
-        match command {
-            b'c' | b's' => {
-                let leaving = match (command, self.previous) {
-                    (b'c', _) => (self.point()? - start) * 3.0,
-                    (_, Previous::Cubic(arriving)) => arriving,
-                    _ => Vector::zeros(),
-                };
-                let control = self.point()?;
-                let end = self.point()?;
-                let arriving = (end - control) * 3.0;
-                self.draw(end, leaving, arriving, 0.0)?;
-                self.previous = Previous::Cubic(arriving);
-            }
-            _ => {
-                let control = match (command, self.previous) {
-                    (b'q', _) => self.point()?,
-                    (_, Previous::Quadratic(control)) => self.checked(start * 2.0 - control)?,
-                    _ => start,
-                };
-                let end = self.point()?;
-                self.draw(end, (control - start) * 2.0, (end - control) * 2.0, 0.0)?;
-                self.previous = Previous::Quadratic(control);
-            }
+        if matches!(command, b'c' | b's') {
+            let leaving = match (command, self.previous) {
+                (b'c', _) => (self.point()? - start) * 3.0,
+                (_, Previous::Cubic(arriving)) => arriving,
+                _ => Vector::zeros(),
+            };
+            let control = self.point()?;
+            let end = self.point()?;
+            self.draw_bezier(leaving, control, end, 3.0)?;
+            self.previous = Previous::Cubic((end - control) * 3.0);
+        } else {
+            let control = match (command, self.previous) {
+                (b'q', _) => self.point()?,
+                (_, Previous::Quadratic(control)) => self.checked(start * 2.0 - control)?,
+                _ => start,
+            };
+            let end = self.point()?;
+            self.draw_bezier((control - start) * 2.0, control, end, 2.0)?;
+            self.previous = Previous::Quadratic(control);
         }
         Ok(())
     }
@@ -301,26 +298,41 @@ impl<'a> Reader<'a> {
         let mut done = Ok(());
         arc.segments(|middle, leaving, arriving, w| {
             if done.is_ok() {
-                done = self.draw(middle.unwrap_or(end), leaving, arriving, w);
+                done = self.draw_arc(middle.unwrap_or(end), leaving, arriving, w);
             }
         });
         done
     }
 
-    /// Adds a segment from the current point on, unless it has no extent.
-    fn draw(&mut self, end: Point, leaving: Vector, arriving: Vector, w: f64) -> Step<()> {
+    /// Adds a line, parabola or cubic from the current point on, unless it has no extent.
+    fn draw_bezier(&mut self, leaving: Vector, control: Point, end: Point, degree: f64) -> Step<()> {
+        let start = self.current;
+        let arriving = (end - control) * degree;
+        self.begin_segment(end, leaving, arriving)?;
+        if end != start || leaving != Vector::zeros() || arriving != Vector::zeros() {
+            self.subpath.push_bezier(start, leaving, control, end, degree);
+        }
+        Ok(())
+    }
+
+    fn draw_arc(&mut self, end: Point, leaving: Vector, arriving: Vector, w: f64) -> Step<()> {
+        let start = self.current;
+        self.begin_segment(end, leaving, arriving)?;
+        self.subpath.push(start, end, leaving, arriving, w);
+        Ok(())
+    }
+
+    /// Checks a segment and moves the pen to its end.
+    fn begin_segment(&mut self, end: Point, leaving: Vector, arriving: Vector) -> Step<()> {
         self.checked(end)?;
         self.checked(leaving)?;
         self.checked(arriving)?;
         if !self.open {
             self.open_subpath(self.start)?;
         }
-        if end != self.current || leaving != Vector::zeros() || arriving != Vector::zeros() {
-            self.points += 1;
-            if self.points > MOST_PATH_POINTS {
-                return Err(Stop::Failed(limit("maxPoints", MOST_PATH_POINTS, self.points)));
-            }
-            self.subpath.push(self.current, end, leaving, arriving, w);
+        self.points += 1;
+        if self.points > MOST_PATH_POINTS {
+            return Err(Stop::Failed(limit("maxPoints", MOST_PATH_POINTS, self.points)));
         }
         self.current = end;
         Ok(())

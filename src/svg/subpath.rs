@@ -16,10 +16,13 @@ pub(super) struct Subpath {
     leaving: Vec<Vector>,
     arriving: Vec<Vector>,
     omega: Vec<f64>,
+    /// Of the last segment: the arriving derivative is (end − control)·degree; degree 0 for arcs.
+    control: Point,
+    degree: f64,
 }
 
 impl Subpath {
-    /// Adds a segment of parameter length 1 from the last point (`start`) to `end`.
+    /// Adds an arc of parameter length 1 from the last point (`start`) to `end`.
     pub(super) fn push(&mut self, start: Point, end: Point, leaving: Vector, arriving: Vector, omega: f64) {
         if self.points.is_empty() {
             self.points.push(start);
@@ -28,6 +31,20 @@ impl Subpath {
         self.leaving.push(leaving);
         self.arriving.push(arriving);
         self.omega.push(omega);
+        self.degree = 0.0;
+    }
+
+    /// Adds a line (degree 1), parabola (2) or cubic (3) whose last control point but the end is `control`.
+    pub(super) fn push_bezier(
+        &mut self,
+        start: Point,
+        leaving: Vector,
+        control: Point,
+        end: Point,
+        degree: f64,
+    ) {
+        self.push(start, end, leaving, (end - control) * degree, 0.0);
+        (self.control, self.degree) = (control, degree);
     }
 
     /// The curve of all segments, if there are any; empty afterwards.
@@ -38,7 +55,7 @@ impl Subpath {
         if closed {
             self.close();
         }
-        let Self { points, mut leaving, mut arriving, omega } = core::mem::take(self);
+        let Self { points, mut leaving, mut arriving, omega, .. } = core::mem::take(self);
         // Arriving tangents are collected by segment; a curve wants them by point.
         if closed {
             arriving.rotate_right(1);
@@ -67,7 +84,17 @@ impl Subpath {
         let rounding = CLOSING_ULPS * f64::EPSILON * largest * self.omega.len() as f64;
         let gap = first - last;
         if gap.amax() > rounding {
-            self.push(last, first, gap, gap, 0.0);
+            self.push_bezier(last, gap, last, first, 1.0);
+        } else if self.degree > 0.0
+            && let Some(arriving) = self.arriving.last_mut()
+        {
+            // The end moves by a rounding, its control point stays: so what is written from this is read as this.
+            *arriving = (first - self.control) * self.degree;
+            if self.degree == 1.0
+                && let Some(leaving) = self.leaving.last_mut()
+            {
+                *leaving = *arriving;
+            }
         }
         self.points.pop();
         if self.points.len() == 1 {
@@ -82,12 +109,14 @@ impl Subpath {
         else {
             return;
         };
-        // A single segment that ends where it starts is a cubic: an arc that does so is left out, or has two.
+        // A single segment that ends where it starts is a cubic: an arc that does so is left out, or has two. The
+        // halves are computed by their control points, so that what is written from them is read as they are.
         let middle = p + (d0 - d1) * 0.125;
-        let tangent = (d0 + d1) * -0.125;
+        let (first, second, last) = (p + d0 / 6.0, middle + (d0 + d1) / 24.0, p - d1 / 6.0);
+        let tangent = (middle - second) * 3.0;
         self.points.push(middle);
-        self.leaving = vec![d0 * 0.5, tangent];
-        self.arriving = vec![tangent, d1 * 0.5];
+        self.leaving = vec![(first - p) * 3.0, tangent];
+        self.arriving = vec![tangent, (p - last) * 3.0];
         self.omega = vec![0.0; 2];
     }
 }

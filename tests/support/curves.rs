@@ -29,8 +29,14 @@ impl Random {
         2.0 * self.unit() - 1.0
     }
 
-    fn vector(&mut self, size: f64) -> Vector {
+    /// Uniform in the square of half side `size`.
+    pub(crate) fn vector(&mut self, size: f64) -> Vector {
         Vector::new(self.symmetric() * size, self.symmetric() * size)
+    }
+
+    /// A natural number below `n`.
+    pub(crate) fn below(&mut self, n: usize) -> usize {
+        (self.bits() % n as u64) as usize
     }
 }
 

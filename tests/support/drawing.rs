@@ -45,6 +45,10 @@ fn turned(v: Point, angle: f64) -> Point {
     Point::new(v.x * cos - v.y * sin, v.x * sin + v.y * cos)
 }
 
+/// A chord this close to the diameter, by its square, is the diameter: text of a few digits cannot mean anything else,
+/// and the rounding of its sums would move the centre by the root of itself.
+const HALF_TURN: f64 = 1e-12;
+
 /// SVG 2, B.2.4 and B.2.5; `None` where the arc is left out or a line.
 pub(crate) fn arc(
     from: Point,
@@ -64,7 +68,7 @@ pub(crate) fn arc(
     let mut root = 0.0;
     if lambda > 1.0 {
         radii *= lambda.sqrt();
-    } else {
+    } else if lambda < 1.0 - HALF_TURN {
         root = ((1.0 - lambda) / lambda).sqrt();
     }
     let side = if large == positive { -root } else { root };
@@ -162,7 +166,7 @@ pub(crate) fn drawing(d: &str) -> Vec<(Vec<Piece>, bool)> {
                 letter = if letter == 'm' { 'l' } else { 'L' };
             }
             'Z' => {
-                if let Some(path) = paths.last_mut() {
+                if let Some(path) = paths.last_mut().filter(|_| !fresh) {
                     path.1 = true;
                 }
                 pieces.push(Piece::Line([current, start]));

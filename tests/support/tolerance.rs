@@ -47,7 +47,6 @@ pub(crate) const GRAM: f64 = 3e-14;
 /// Riesz bounds, relative.
 pub(crate) const RIESZ: f64 = 1e-12;
 
-/// Measured distances against the deviation that was reported, relative to the extent. The oracle finds centres of
-/// arcs through a square root of differences, which costs half the digits' worth of a half turn's short side: 2e-11
-/// was seen where the crate is good to 1e-14.
-pub(crate) const DRAWN: f64 = 1e-12;
+/// Measured distances against the deviation that was reported, relative to the extent: some tens of roundings each in
+/// the reading, the oracle's centres of arcs, the evaluation and the search.
+pub(crate) const DRAWN: f64 = 1e-13;
