@@ -6,7 +6,7 @@
 
 use super::Space;
 use super::stretched::Stretched;
-use crate::numerics::entire::{SERIES_LIMIT, Stumpff, series, stumpff};
+use crate::numerics::entire::{SERIES_LIMIT, Stumpff, stumpff};
 
 /// Weights of one place on a segment; see [`Basis::weights`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -216,52 +216,6 @@ impl Basis {
             }
         };
         Weights { chord: -2.0 * odd, leaving: odd + even, arriving: odd - even }
-    }
-
-    /// Tables for sampling a segment at many places: any function r of the space has, exactly,
-    ///
-    /// ```text
-    /// r(x + τ) = r(x) + τ·r′(x) + second(τ)·r″(x) + third(τ)·r‴(x)
-    /// r′(x + τ) = r′(x) + first(τ)·r″(x) + second(τ)·r‴(x)
-    /// ```
-    ///
-    /// Entry j of the tables belongs to τ = `start` + j·`step`. A uniform sampling then costs three
-    /// multiplications and additions per coordinate, whatever the space, and one table serves all segments of
-    /// the same frequency.
-    ///
-    /// # Domain
-    ///
-    /// Three tables of one length (the shortest counts). For stability keep |w·τ| below about 2 in the
-    /// hyperbolic space.
-    ///
-    /// # Source
-    ///
-    /// (D 2.3), Taylor's formula in the space.
-    pub fn increments(
-        &self,
-        start: f64,
-        step: f64,
-        first: &mut [f64],
-        second: &mut [f64],
-        third: &mut [f64],
-    ) {
-        let count = first.len().min(second.len()).min(third.len());
-        let (first, second, third) = (&mut first[..count], &mut second[..count], &mut third[..count]);
-        let last = start + step * count as f64;
-        let widest = if start.abs() > last.abs() { start } else { last };
-        let in_reach = (self.square * widest * widest).abs() <= SERIES_LIMIT;
-        for (j, ((first, second), third)) in first.iter_mut().zip(second).zip(third).enumerate() {
-            let t = start + step * j as f64;
-            let u = self.square * t * t;
-            let (c1, c2, c3) = if in_reach {
-                let (c2, c3) = series(u);
-                (1.0 - u * c3, c2, c3)
-            } else {
-                let c = stumpff(u);
-                (c.c1, c.c2, c.c3)
-            };
-            (*first, *second, *third) = (t * c1, t * t * c2, t * t * t * c3);
-        }
     }
 
     /// κ = c₃(w²)/c₂(w²): the inner Bézier points lie κ·H·D from the ends. 1/3 for the cubic.

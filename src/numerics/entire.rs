@@ -95,9 +95,14 @@ fn beyond_series(u: f64) -> Stumpff {
     let t = libm::sqrt(u.abs());
     if u > 0.0 {
         let (sine, cosine) = libm::sincos(t);
-        let half = libm::sin(0.5 * t);
-        // 1 − cos loses digits where cos is near 1, around 2π; the square of the half angle's sine does not.
-        Stumpff { c0: cosine, c1: sine / t, c2: 2.0 * half * half / u, c3: (t - sine) / (u * t) }
+        let versine = if cosine < 0.5 {
+            1.0 - cosine
+        } else {
+            // Around 2π the difference loses digits; the square of the half angle's sine does not.
+            let half = libm::sin(0.5 * t);
+            2.0 * half * half
+        };
+        Stumpff { c0: cosine, c1: sine / t, c2: versine / u, c3: (t - sine) / (u * t) }
     } else {
         let half = libm::sinh(0.5 * t);
         let (sine, cosine) = (libm::sinh(t), 1.0 + 2.0 * half * half);
