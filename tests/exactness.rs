@@ -5,6 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 mod support;
 
 use expline::generator::{Basis, Space};
+use expline::numerics::angle::sin_cos;
 use expline::numerics::entire::stumpff;
 use serde::Deserialize;
 use support::{assert_all_close, generators, golden, space, tolerance};
@@ -106,6 +107,16 @@ fn ends_are_interpolated_to_the_last_bit() {
     }
 }
 
+/// The largest weight of this order on the segment, at least 1.
+fn largest(basis: &Basis, derivative: usize) -> f64 {
+    if derivative == 4 {
+        return basis.square().abs() * largest(basis, 2);
+    }
+    (0..=16)
+        .map(|k| basis.weights(f64::from(k) / 16.0, derivative))
+        .fold(1.0, |most: f64, w| most.max(w.chord.abs()).max(w.leaving.abs()))
+}
+
 #[test]
 fn nothing_jumps_where_one_formula_takes_over_from_another() {
     // The switches: w·x = π/2 inside a segment, w = π in the constants, x = 1/2 between the two halves.
@@ -118,13 +129,9 @@ fn nothing_jumps_where_one_formula_takes_over_from_another() {
             for derivative in 0..4 {
                 let (before, after) =
                     (basis.weights(x.next_down(), derivative), basis.weights(x.next_up(), derivative));
-                let bound = basis.weights(0.0, derivative + 1).leaving.abs().max(1.0) * 4e-16
-                    + basis
-                        .weights(0.0, derivative)
-                        .leaving
-                        .abs()
-                        .max(basis.weights(x, derivative).leaving.abs())
-                        * 4e-15;
+                // A step of two ulps in x, and what every weight may be off anywhere.
+                let bound = 4e-16 * largest(&basis, derivative + 1)
+                    + tolerance::WEIGHTS * largest(&basis, derivative);
                 for (before, after) in [
                     (before.chord, after.chord),
                     (before.leaving, after.leaving),
@@ -416,4 +423,23 @@ fn bernstein_form_and_hermite_form_are_the_same_segment() {
             assert_all_close("value", &[sum], &[expected], tolerance::VALUES);
         }
     }
+}
+
+#[test]
+fn sine_and_cosine_are_right_to_the_last_place_next_to_every_multiple_of_a_quarter_turn_too() {
+    let mut angles = vec![0.0, 1e-300, 0.5, 1.0, 2.0, 3.0, 1e3, 12_345.678, 1e6, 1e9, -0.7, -1e5];
+    for k in -40..=40 {
+        let quarter = f64::from(k) * core::f64::consts::FRAC_PI_2;
+        angles.extend([quarter.next_down(), quarter, quarter.next_up(), quarter + 1e-7, quarter + 0.4]);
+    }
+    for angle in angles {
+        // The package libm is the oracle: it follows another algorithm, with a reduction to any size.
+        let (sine, cosine) = sin_cos(angle);
+        for (got, expected) in [(sine, libm::sin(angle)), (cosine, libm::cos(angle))] {
+            let deviation = (got - expected).abs();
+            assert!(deviation <= 2.3e-16 * expected.abs(), "{angle}: {got} for {expected}");
+        }
+    }
+    assert_eq!(sin_cos(f64::NAN), (0.0, 1.0), "no angle at all");
+    assert_eq!(sin_cos(1e300), (0.0, 1.0), "an angle that is no direction any more");
 }

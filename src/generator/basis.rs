@@ -1,8 +1,8 @@
 //! One segment's basis: how the two end points and the two end derivatives are weighted along it.
 //!
 //! Formulas (D 2.1) to (D 2.9). Everything is a combination of Stumpff's functions at the distance from the
-//! nearer end, or from the middle for higher derivatives, with constants that stay of the size of the cubic's
-//! for every frequency; long hyperbolic segments go through decaying exponentials ([`super::stretched`]).
+//! nearer end, with constants that stay of the size of the cubic's for every frequency; long hyperbolic segments
+//! go through decaying exponentials ([`super::stretched`]).
 
 use super::Space;
 use super::stretched::Stretched;
@@ -61,10 +61,6 @@ pub struct Basis {
     arriving_second: f64,
     /// arriving″(0) − leaving″(0) = 2c₀/c₁; 2 for the cubic.
     even_second: f64,
-    /// 1/c₁; 1 for the cubic.
-    even: f64,
-    /// 2/J; 6 for the cubic.
-    odd: f64,
 }
 
 impl Basis {
@@ -90,8 +86,6 @@ impl Basis {
             chord_third: 2.0 * c0 * odd,
             arriving_second: 0.5 * (c2 + c0 * c3) * odd * even,
             even_second: 2.0 * c0 * even,
-            even,
-            odd,
         }
     }
 
@@ -107,8 +101,6 @@ impl Basis {
             chord_third: 4.0 * half * half * half / gap,
             arriving_second: half * (1.0 - spread) / gap,
             even_second: 2.0 * half / tanh,
-            even: 0.0,
-            odd: 0.0,
         }
     }
 
@@ -132,90 +124,46 @@ impl Basis {
         0.5 * self.even_second
     }
 
-    /// The weights at x in [0, 1], or their derivative of the given order with respect to x.
+    /// The weights at x in [0, 1], or their derivative of order 1, 2 or 3 with respect to x.
     ///
     /// At x = 0 and x = 1 values and first derivatives are the exact zeros and ones of Hermite interpolation.
     pub fn weights(&self, x: f64, derivative: usize) -> Weights {
-        match derivative {
-            0 => self.values(x),
-            1 => self.slopes(x),
-            2 | 3 => self.bends(x, derivative),
-            // Every function of the space has r⁗ = −w² r″.
-            _ => {
-                let lower = self.weights(x, derivative - 2);
-                Weights {
-                    chord: -self.square * lower.chord,
-                    leaving: -self.square * lower.leaving,
-                    arriving: -self.square * lower.arriving,
-                }
-            }
-        }
-    }
-
-    /// (D 2.5) from the nearer end; the other half is its mirror image.
-    #[inline]
-    fn values(&self, x: f64) -> Weights {
         let mirrored = x > 0.5;
-        let r = if mirrored { 1.0 - x } else { x };
-        let u = self.square * r * r;
-        let near = if -u > SERIES_LIMIT {
-            Stretched::new(self.frequency).values(r)
+        let near = self.near(if mirrored { 1.0 - x } else { x }, derivative);
+        if !mirrored {
+            return near;
+        }
+        // Read backwards, chord becomes 1 − chord, leaving −arriving; every derivative changes the sign.
+        let Weights { chord, leaving, arriving } = near;
+        if derivative % 2 == 1 {
+            Weights { chord, leaving: arriving, arriving: leaving }
         } else {
-            let c = stumpff(u);
-            let (first, second, third) = (r * c.c1, r * r * c.c2, r * r * r * c.c3);
-            let arriving = self.chord_second * third - self.arriving_second * second;
-            Weights {
-                chord: self.chord_second * second - self.chord_third * third,
-                leaving: (first - self.even_second * second) + arriving,
-                arriving,
-            }
-        };
-        if mirrored {
-            Weights { chord: 1.0 - near.chord, leaving: -near.arriving, arriving: -near.leaving }
-        } else {
-            near
+            let whole = if derivative == 0 { 1.0 } else { 0.0 };
+            Weights { chord: whole - chord, leaving: -arriving, arriving: -leaving }
         }
     }
 
-    /// (D 2.6) from the nearer end.
-    #[inline]
-    fn slopes(&self, x: f64) -> Weights {
-        let mirrored = x > 0.5;
-        let r = if mirrored { 1.0 - x } else { x };
+    /// The weights at distance r ≤ 1/2 from the start: (D 2.5), whose derivatives (D 2.6) are the same combinations
+    /// of functions one index lower.
+    fn near(&self, r: f64, derivative: usize) -> Weights {
         let u = self.square * r * r;
-        let near = if -u > SERIES_LIMIT {
-            Stretched::new(self.frequency).slopes(r)
-        } else {
-            let c = stumpff(u);
-            let (first, second) = (r * c.c1, r * r * c.c2);
-            let arriving = self.chord_second * second - self.arriving_second * first;
-            Weights {
-                chord: self.chord_second * first - self.chord_third * second,
-                leaving: (c.c0 - self.even_second * first) + arriving,
-                arriving,
-            }
-        };
-        if mirrored {
-            Weights { chord: near.chord, leaving: near.arriving, arriving: near.leaving }
-        } else {
-            near
+        if -u > SERIES_LIMIT {
+            return Stretched::new(self.frequency).weights(r, derivative);
         }
-    }
-
-    /// (D 2.7): second and third derivatives from the middle, where their symmetry is.
-    #[inline]
-    fn bends(&self, x: f64, derivative: usize) -> Weights {
-        let (even, odd) = if self.square < -4.0 * SERIES_LIMIT {
-            Stretched::new(self.frequency).bends(x, derivative)
-        } else {
-            let y = x - 0.5;
-            let c = stumpff(self.square * y * y);
-            match derivative {
-                2 => (-self.even * c.c0, self.odd * y * c.c1),
-                _ => (self.even * self.square * y * c.c1, self.odd * c.c0),
-            }
+        let c = stumpff(u);
+        let (first, second) = (r * c.c1, r * r * c.c2);
+        let [lead, middle, last] = match derivative {
+            0 => [first, second, r * r * r * c.c3],
+            1 => [c.c0, first, second],
+            2 => [-self.square * first, c.c0, first],
+            _ => [-self.square * c.c0, -self.square * first, c.c0],
         };
-        Weights { chord: -2.0 * odd, leaving: odd + even, arriving: odd - even }
+        let arriving = self.chord_second * last - self.arriving_second * middle;
+        Weights {
+            chord: self.chord_second * middle - self.chord_third * last,
+            leaving: (lead - self.even_second * middle) + arriving,
+            arriving,
+        }
     }
 
     /// κ = c₃(w²)/c₂(w²): the inner Bézier points lie κ·H·D from the ends. 1/3 for the cubic.

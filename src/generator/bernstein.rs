@@ -44,16 +44,23 @@ impl Basis {
 }
 
 /// The same where sinh w may overflow: numerator and denominator times 2e^{−w} (D 3.3).
+#[cold]
 fn stretched_last(w: f64, x: f64, z: f64, derivative: usize) -> f64 {
-    let t = w * x;
+    let (t, tail) = (w * x, libm::exp(-w));
     // z and not 1 − x: a rounding of 1e-16 there is one of 1e-12 in the exponent.
-    let scale = libm::exp(-w * z) / -(libm::expm1(-2.0 * w) + 2.0 * w * libm::exp(-w));
-    let fall = -libm::expm1(-t);
-    match derivative {
-        0 if t * t <= SERIES_LIMIT => scale * 2.0 * libm::exp(-t) * t * t * t * stumpff(-t * t).c3,
-        0 => -scale * (libm::expm1(-2.0 * t) + 2.0 * t * libm::exp(-t)),
-        1 => scale * w * fall * fall,
-        2 => scale * w * w * -libm::expm1(-2.0 * t),
-        _ => scale * w * w * w * (1.0 + libm::exp(-2.0 * t)),
+    let scale = libm::exp(-w * z) / ((1.0 - tail * tail) - 2.0 * w * tail);
+    let fall = libm::exp(-t);
+    // Numerators t³c₃, t²c₂, tc₁ and c₀ at −t², times 2e^{−t}.
+    let at = if t * t <= SERIES_LIMIT {
+        let c = stumpff(-t * t);
+        [t * t * t * c.c3, t * t * c.c2, t * c.c1, c.c0].map(|c| 2.0 * fall * c)
+    } else {
+        let square = fall * fall;
+        [1.0 - square - 2.0 * t * fall, 1.0 + square - 2.0 * fall, 1.0 - square, 1.0 + square]
+    };
+    let mut value = scale * at[derivative.min(3)];
+    for _ in 0..derivative.min(3) {
+        value *= w;
     }
+    value
 }

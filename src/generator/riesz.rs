@@ -28,6 +28,10 @@ pub struct RieszBounds {
     pub upper: f64,
 }
 
+/// Panels at the ends of a hyperbolic segment are this long, in units of 1/w, and there are so many of them.
+const REACH: f64 = 4.0;
+const LAYERS: usize = 10;
+
 /// Squares and products of the three parts of the weights, integrated over the segment.
 struct Moments {
     /// ∫(chord − 1/2)².
@@ -101,7 +105,7 @@ impl Gram {
         let (first, second) = (self.b + 2.0 * self.a * cosine, self.e + 2.0 * self.d * cosine);
         let product = 4.0 * self.c * self.c * (1.0 - cosine * cosine);
         let half = 0.5 * (first - second);
-        let most = 0.5 * (first + second) + libm::sqrt(half * half + product);
+        let most = 0.5 * (first + second) + (half * half + product).sqrt();
         ((first * second - product) / most, most)
     }
 
@@ -115,15 +119,20 @@ impl Gram {
         let second = slope * slope - 4.0 * leading;
         let first = slope * offset + 2.0 * leading * (b + e);
         let zeroth = offset * offset - 4.0 * leading * (b * e - 4.0 * c * c);
-        let root = libm::sqrt((first * first - second * zeroth).max(0.0));
+        let root = (first * first - second * zeroth).max(0.0).sqrt();
         let larger = if first > 0.0 { -first - root } else { root - first };
         [larger / second, zeroth / larger].map(|lambda| -(slope * lambda + offset) / (2.0 * leading))
     }
 }
 
 fn moments(basis: &Basis) -> Moments {
+    // Panels from the start to the middle on which sixteen points are enough: a hyperbolic segment of large w bends
+    // within a few 1/w of its ends and is straight, to e⁻⁴⁰, between.
+    let width = if basis.square() < 0.0 { REACH / basis.frequency() } else { 0.5 };
     let mut sums = [0.0; 4];
-    for (from, to) in panels(basis) {
+    let mut from = 0.0_f64;
+    for k in 0..=LAYERS {
+        let to = if k == LAYERS { 0.5 } else { (from + width).min(0.5) };
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         nodes(&SIXTEEN, |node, weight| {
             let w = basis.weights(middle + half * node, 0);
@@ -135,18 +144,11 @@ fn moments(basis: &Basis) -> Moments {
                 *sum += 2.0 * half * weight * product;
             }
         });
+        if to >= 0.5 {
+            break;
+        }
+        from = to;
     }
     let [chord, even, odd, mixed] = sums;
     Moments { chord, even, odd, mixed }
-}
-
-/// Intervals from the start to the middle of the segment on which sixteen points are enough: a hyperbolic segment
-/// of large w bends within a few 1/w of its ends and is straight, to e⁻⁴⁰, between.
-fn panels(basis: &Basis) -> impl Iterator<Item = (f64, f64)> {
-    const REACH: f64 = 4.0;
-    const LAYERS: usize = 10;
-    let width = if basis.square() < 0.0 { REACH / basis.frequency() } else { 0.5 };
-    (0..=LAYERS)
-        .map(move |k| (k as f64 * width, if k == LAYERS { 0.5 } else { ((k + 1) as f64 * width).min(0.5) }))
-        .take_while(|&(from, _)| from < 0.5)
 }

@@ -35,33 +35,30 @@ impl Stretched {
         (scale * (1.0 + far), scale * (1.0 - far), near, far)
     }
 
-    /// The weights at distance r ≤ 1/2 from the start, for w·r > π/2 (D 2.9).
-    pub(super) fn values(&self, r: f64) -> Weights {
-        let t = 2.0 * self.half * r;
+    /// The weights at distance r ≤ 1/2 from the start, or a derivative to order 3, for w·r > π/2 (D 2.9).
+    pub(super) fn weights(&self, r: f64, derivative: usize) -> Weights {
+        let Self { half, tanh, gap, spread, decay } = *self;
+        let t = 2.0 * half * r;
         let (cosh, sinh, near, far) = self.decayed(r);
-        let spread_cosh =
-            self.half * 2.0 * near * far * (1.0 + near * near) / (1.0 - self.decay * self.decay);
-        let even = (1.0 - cosh) / (2.0 * self.half * self.tanh);
-        let arriving =
-            -(self.tanh * t - (1.0 - self.spread) + (cosh - spread_cosh)) / (4.0 * self.half * self.gap);
-        Weights { chord: (t - self.tanh + sinh) / (2.0 * self.gap), leaving: even + arriving, arriving }
-    }
-
-    /// Their first derivatives with respect to r.
-    pub(super) fn slopes(&self, r: f64) -> Weights {
-        let (cosh, sinh, near, far) = self.decayed(r);
-        let spread_sinh =
-            self.half * 2.0 * near * far * (1.0 - near * near) / (1.0 - self.decay * self.decay);
-        let arriving = -(self.tanh - sinh - spread_sinh) / (2.0 * self.gap);
-        Weights { chord: self.half * (1.0 - cosh) / self.gap, leaving: sinh / self.tanh + arriving, arriving }
-    }
-
-    /// Even and odd part of the second or third derivative of the leaving weight at x.
-    pub(super) fn bends(&self, x: f64, derivative: usize) -> (f64, f64) {
-        let (cosh, sinh, ..) = self.decayed(if x > 0.5 { 1.0 - x } else { x });
-        let sinh = if x < 0.5 { -sinh } else { sinh };
-        let (even, odd) = (self.half / self.tanh, self.half * self.half / self.gap);
-        let w = 2.0 * self.half;
-        if derivative == 2 { (-even * cosh, odd * sinh) } else { (-even * w * sinh, odd * w * cosh) }
+        // ρ·e^t/2 and ρ·e^−t/2.
+        let rising = 2.0 * half * near * far / (1.0 - decay * decay);
+        let falling = rising * near * near;
+        // Even part times two, chord times 2(h − T) and arriving times −4h(h − T), and how they go on in t.
+        let (even, chord, arriving) = match derivative {
+            0 => (
+                (1.0 - cosh) / (2.0 * half * tanh),
+                t - tanh + sinh,
+                tanh * t - (1.0 - spread) + (cosh - (rising + falling)),
+            ),
+            1 => (sinh / tanh, 1.0 - cosh, tanh - sinh - (rising - falling)),
+            2 => (-2.0 * half * cosh / tanh, sinh, cosh - (rising + falling)),
+            _ => (4.0 * half * half * sinh / tanh, -cosh, -sinh - (rising - falling)),
+        };
+        let mut scale = 1.0;
+        for _ in 0..derivative.min(3) {
+            scale *= 2.0 * half;
+        }
+        let arriving = -arriving * scale / (4.0 * half * gap);
+        Weights { chord: chord * scale / (2.0 * gap), leaving: even + arriving, arriving }
     }
 }

@@ -9,6 +9,7 @@
 //! at u = 0 they are 1, 1, 1/2, 1/6: one formulation for the trigonometric, the hyperbolic and the polynomial
 //! space, in which nothing jumps and nothing is divided by a small number.
 
+use super::angle::sin_cos;
 use core::f64::consts::FRAC_PI_2;
 
 /// The series are used for |u| up to (π/2)²: ten terms leave 2e-17 there, and nothing cancels.
@@ -81,7 +82,7 @@ pub fn series(u: f64) -> (f64, f64) {
 ///
 /// A few 1e-16, relative for c₂ and c₃, and relative to 1 for c₀ and c₁ between 0 and (2π)². Below
 /// u = −500 000 the hyperbolic functions overflow to infinity.
-#[inline]
+#[inline(never)]
 pub fn stumpff(u: f64) -> Stumpff {
     if u.abs() <= SERIES_LIMIT {
         let (c2, c3) = series(u);
@@ -91,21 +92,22 @@ pub fn stumpff(u: f64) -> Stumpff {
 }
 
 #[cold]
+#[inline(never)]
 fn beyond_series(u: f64) -> Stumpff {
-    let t = libm::sqrt(u.abs());
+    let t = u.abs().sqrt();
     if u > 0.0 {
-        let (sine, cosine) = libm::sincos(t);
+        let (sine, cosine) = sin_cos(t);
         let versine = if cosine < 0.5 {
             1.0 - cosine
         } else {
             // Around 2π the difference loses digits; the square of the half angle's sine does not.
-            let half = libm::sin(0.5 * t);
+            let half = sin_cos(0.5 * t).0;
             2.0 * half * half
         };
         Stumpff { c0: cosine, c1: sine / t, c2: versine / u, c3: (t - sine) / (u * t) }
     } else {
-        let half = libm::sinh(0.5 * t);
-        let (sine, cosine) = (libm::sinh(t), 1.0 + 2.0 * half * half);
-        Stumpff { c0: cosine, c1: sine / t, c2: 2.0 * half * half / -u, c3: (sine - t) / (-u * t) }
+        let (up, down) = (0.5 * libm::exp(t), 0.5 * libm::exp(-t));
+        let sine = up - down;
+        Stumpff { c0: up + down, c1: sine / t, c2: (up + down - 1.0) / -u, c3: (sine - t) / (-u * t) }
     }
 }

@@ -1,5 +1,6 @@
 //! Mathematics that has never heard of splines.
 
+pub mod angle;
 pub mod entire;
 pub(crate) mod quadrature;
 pub(crate) mod roots;
