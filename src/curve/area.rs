@@ -99,7 +99,7 @@ impl Moments {
         let [a, b, p, q] = piece.coefficients();
         let a = a - origin;
         if piece.is_decaying() {
-            let w = libm::sqrt(-piece.rate());
+            let w = (-piece.rate()).sqrt();
             let tail = libm::exp(-w);
             let (rise, share) = (1.0 - tail, (1.0 - tail) / w);
             let lever = 0.5 * (1.0 + tail) - 2.0 * share;

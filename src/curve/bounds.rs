@@ -89,7 +89,7 @@ pub(crate) fn stationary(piece: &Piece, axis: usize, mut found: impl FnMut(f64))
         let (b, p, q) = (b[axis], p[axis], q[axis]);
         let discriminant = p * p - 2.0 * q * b;
         if discriminant > 0.0 {
-            let s = -(p + libm::copysign(libm::sqrt(discriminant), p));
+            let s = -(p + discriminant.sqrt().copysign(p));
             for y in [s / q, 2.0 * b / s] {
                 if y > -0.5 && y < 0.5 {
                     found(y);

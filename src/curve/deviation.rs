@@ -40,7 +40,7 @@ fn distance(target: Point, to: &[Segment], lattice: &[Vec<Point>]) -> f64 {
             x = segment.foot(target, x);
         }
         let foot = (segment.position(x) - target).norm();
-        nearest = nearest.min(foot).min(libm::sqrt(least));
+        nearest = nearest.min(foot).min(least.sqrt());
     }
     nearest
 }

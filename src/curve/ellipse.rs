@@ -9,6 +9,7 @@ use super::hermite::{HermiteCurve, HermiteOptions};
 use super::limits::{LARGEST_COORDINATE, MOST_POINTS, too_many};
 use crate::error::{Error, Result};
 use crate::generator::Space;
+use crate::numerics::angle::sin_cos;
 use crate::numerics::{Point, Vector};
 
 impl HermiteCurve {
@@ -129,7 +130,7 @@ pub(super) fn turn(k: usize, n: usize) -> (f64, f64) {
         (FRAC_1_SQRT_2, FRAC_1_SQRT_2)
     } else {
         let angle = FRAC_PI_2 * (part as f64 / n as f64);
-        (libm::cos(angle), libm::sin(angle))
+        cos_sin(angle)
     };
     quarter_turns(quarter, if mirrored { (sin, cos) } else { (cos, sin) })
 }
@@ -140,7 +141,12 @@ pub(super) fn direction(angle: f64) -> (f64, f64) {
     if quarters.abs() < 1e6 && (angle - quarters * FRAC_PI_2).abs() <= f64::EPSILON * angle.abs() {
         return quarter_turns((quarters as i64).rem_euclid(4) as u64, (1.0, 0.0));
     }
-    (libm::cos(angle), libm::sin(angle))
+    cos_sin(angle)
+}
+
+fn cos_sin(angle: f64) -> (f64, f64) {
+    let (sin, cos) = sin_cos(angle);
+    (cos, sin)
 }
 
 fn quarter_turns(quarters: u64, (cos, sin): (f64, f64)) -> (f64, f64) {

@@ -30,7 +30,7 @@ impl HermiteCurve {
         let (mut total, mut deviation) = (1_usize, 0.0_f64);
         for segment in self.segments() {
             let bend = Piece::new(&segment).bend(-0.5, 0.5);
-            let count = libm::ceil(libm::sqrt(bend / (8.0 * tolerance))).max(1.0);
+            let count = (bend / (8.0 * tolerance)).sqrt().ceil().max(1.0);
             deviation = deviation.max(bend / (8.0 * count * count));
             counts.push(count as usize);
             total = total.saturating_add(count as usize);

@@ -43,7 +43,7 @@ impl Grid {
             return (s as u64).saturating_mul(self.steps as u64).div_ceil(segments) as usize;
         }
         let knot = curve.knots()[s];
-        let mut i = libm::ceil(knot * self.steps / self.end) as usize;
+        let mut i = (knot * self.steps / self.end).ceil() as usize;
         while i > 0 && self.t(i - 1) >= knot {
             i -= 1;
         }

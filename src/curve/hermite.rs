@@ -218,7 +218,7 @@ impl HermiteCurve {
     pub(super) fn place(&self, t: f64, guess: usize) -> (usize, f64) {
         let (_, end) = self.domain();
         let t = if self.closed && !(0.0..end).contains(&t) {
-            let wrapped = t - end * libm::floor(t / end);
+            let wrapped = t - end * (t / end).floor();
             if wrapped >= end || wrapped < 0.0 { 0.0 } else { wrapped }
         } else {
             t

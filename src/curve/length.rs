@@ -5,6 +5,7 @@ use super::limits::{MOST_OUTPUT_POINTS, too_many, with_room};
 use super::piece::{Jet, Piece, panels};
 use crate::error::{Error, Result};
 use crate::numerics::Vector;
+use crate::numerics::entire::stumpff;
 use crate::numerics::quadrature::{EIGHT, FOUR, Rule, SIX, SIXTEEN, TWELVE, TWENTY_FOUR};
 use crate::numerics::roots::bracketed_root;
 
@@ -207,12 +208,12 @@ fn rule_for(jet: &Jet, rate: f64, half: f64, tolerance: f64, speck: f64) -> Opti
     let (b, p, q) = (jet.first, jet.second, jet.third);
     let axis = half_axis(b, p, q, rate, half).min(8.0);
     let reach = axis * half;
-    let growth = if rate == 0.0 { 1.0 } else { libm::cosh((libm::sqrt(rate.abs()) * reach).min(700.0)) };
+    let growth = if rate == 0.0 { 1.0 } else { stumpff(-(rate.abs() * reach * reach).min(490_000.0)).c0 };
     let largest = taxi(b) + growth * reach * (taxi(p) + 0.5 * reach * taxi(q));
     if 2.0 * half * largest <= speck {
         return Some(&EIGHT);
     }
-    let rho = axis + libm::sqrt((axis * axis - 1.0).max(0.0));
+    let rho = axis + (axis * axis - 1.0).max(0.0).sqrt();
     let square = rho * rho;
     let needed = (64.0 / 15.0) * largest * half * square / ((square - 1.0) * tolerance);
     let fourth = square * square;
@@ -260,7 +261,7 @@ fn half_axis(b: Vector, p: Vector, q: Vector, rate: f64, half: f64) -> f64 {
     if rate == 0.0 {
         return focal(s, lead).min(focal(b_over, s));
     }
-    let w = libm::sqrt(rate.abs());
+    let w = rate.abs().sqrt();
     focal_of(preimage(s, lead, rate, w * half)).min(focal_of(preimage(b_over, s, rate, w * half)))
 }
 
@@ -270,7 +271,7 @@ fn focal(numerator: Vector, denominator: Vector) -> f64 {
     let scale = denominator.norm_squared();
     let ends = (numerator - denominator).norm_squared();
     let other = (numerator + denominator).norm_squared();
-    let sum = 0.5 * (libm::sqrt(ends / scale) + libm::sqrt(other / scale));
+    let sum = 0.5 * ((ends / scale).sqrt() + (other / scale).sqrt());
     // 0/0 happens where everything is zero: no speed, no singularity that matters.
     if sum >= 1.0 { sum } else { far_or_touching(sum) }
 }
@@ -307,7 +308,7 @@ fn product(u: Vector, v: Vector) -> Vector {
 /// A complex square root.
 #[inline]
 fn square_root(z: Vector) -> Vector {
-    let size = libm::sqrt(0.5 * (z.norm() + z.x.abs()));
+    let size = (0.5 * (z.norm() + z.x.abs())).sqrt();
     let other = if size > 0.0 { 0.5 * z.y / size } else { 0.0 };
     if z.x >= 0.0 { Vector::new(size, other) } else { Vector::new(other, size) }
 }

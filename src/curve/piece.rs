@@ -191,7 +191,8 @@ impl Piece {
             return (1.0, 1.0);
         }
         let x = self.w * half;
-        (libm::cosh(x), libm::sinh(x) / x.max(f64::MIN_POSITIVE))
+        let Stumpff { c0, c1, .. } = stumpff(-x * x);
+        (c0, c1)
     }
 
     fn decay_ends(&self, lo: f64, hi: f64) -> (f64, f64) {
@@ -211,7 +212,7 @@ impl Piece {
             return [if ratio > 0.0 { inside(libm::log(ratio) / (2.0 * w)) } else { None }, None];
         }
         if self.rate < 0.0 {
-            return [inside(libm::atanh(-p * w / q) / w), None];
+            return [inside(libm::log((q - p * w) / (q + p * w)) / (2.0 * w)), None];
         }
         let y = libm::atan2(-p * w, q) / w;
         let step = core::f64::consts::PI / w;

@@ -5,6 +5,7 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use super::Segment;
 use super::hermite::HermiteCurve;
 use crate::generator::Space;
+use crate::numerics::angle::sin_cos;
 use crate::numerics::{Point, Vector};
 
 /// A long axis along y has the angle π/2, not −π/2, though its angle is rounded.
@@ -28,7 +29,7 @@ pub struct EllipseArc {
 impl EllipseArc {
     /// The point at angle θ from the first axis.
     pub fn point(&self, angle: f64) -> Point {
-        let (sin, cos) = libm::sincos(angle);
+        let (sin, cos) = sin_cos(angle);
         self.center + turned(Vector::new(self.radii.x * cos, self.radii.y * sin), self.rotation)
     }
 
@@ -43,7 +44,7 @@ impl EllipseArc {
 }
 
 fn turned(v: Vector, angle: f64) -> Vector {
-    let (sin, cos) = libm::sincos(angle);
+    let (sin, cos) = sin_cos(angle);
     Vector::new(v.x * cos - v.y * sin, v.x * sin + v.y * cos)
 }
 
@@ -100,7 +101,7 @@ fn arc_about(center: Point, p: Vector, q: Vector, w: f64) -> Option<EllipseArc> 
     let size = p.norm_squared() + q.norm_squared();
     let round = difference.abs().max(mixed.abs()) <= 1e-13 * size;
     let phase = if round { 0.0 } else { 0.5 * libm::atan2(mixed, difference) };
-    let (sin, cos) = libm::sincos(phase);
+    let (sin, cos) = sin_cos(phase);
     let (major, minor) = (p * cos + q * sin, q * cos - p * sin);
     let radii = Vector::new(major.norm(), minor.norm());
     if radii.y.is_nan() || radii.y <= 1e-12 * radii.x {

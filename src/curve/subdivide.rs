@@ -64,7 +64,7 @@ impl HermiteCurve {
 
     /// Pieces a segment, and points in all (as a number that cannot overflow).
     fn output(&self, levels: usize, arity: usize, scheme: Scheme) -> (usize, f64) {
-        let pieces = libm::pow(arity as f64, levels as f64);
+        let pieces = (0..levels).fold(1.0, |pieces, _| pieces * arity as f64);
         let (each, ends) = if scheme == Scheme::Scalar { (2.0, 2.0) } else { (1.0, 1.0) };
         let ends = if self.is_closed() { 0.0 } else { ends };
         (pieces as usize, each * pieces * self.segment_count() as f64 + ends)

@@ -12,6 +12,7 @@ use super::arc::{Arc, ArcCommand, cos_sin_degrees};
 use super::text::{ArcText, Grid, Placed, Plain};
 use crate::curve::{EllipseArc, HermiteCurve};
 use crate::limits::LARGEST_COORDINATE;
+use crate::numerics::angle::sin_cos;
 use crate::numerics::{Point, Vector};
 
 /// Places per piece at which the deviation is measured.
@@ -133,7 +134,7 @@ impl Shape {
             radii = radii.yx();
             rotation -= if rotation > 0.0 { 0.5 * PI } else { -0.5 * PI };
         }
-        let quarter = libm::sin(0.25 * sweep);
+        let quarter = sin_cos(0.25 * sweep).0;
         Self {
             radii,
             degrees: rotation * (180.0 / PI),
@@ -226,7 +227,7 @@ fn measure(curve: &HermiteCurve, span: Span, arc: &Arc) -> f64 {
         let (mut apart, mut bent) = (0.0_f64, 0.0_f64);
         for k in 0..=SAMPLES {
             let part = f64::from(k) / f64::from(SAMPLES);
-            let (sin, cos) = libm::sincos(angle + turn * part);
+            let (sin, cos) = sin_cos(angle + turn * part);
             let drawn = arc.u * cos + arc.v * sin;
             let x = from + (to - from) * part;
             apart = apart.max((segment.position(x) - arc.center - drawn).norm());

@@ -5,6 +5,7 @@ use super::number;
 use super::text::{Grid, Placed, Text};
 use crate::curve::{EllipseArc, HermiteCurve, Segment, segment_cubics};
 use crate::error::{Error, Result};
+use crate::numerics::angle::sin_cos;
 use crate::numerics::{Point, Vector};
 
 /// From this many decimals on, coordinates are written so that every bit comes back.
@@ -328,7 +329,7 @@ impl<'a> Printer<'a> {
 
     fn same_ellipse(&self, a: &EllipseArc, b: &EllipseArc) -> bool {
         let near = 4.0 * self.elliptic;
-        let turn = libm::sin(a.rotation - b.rotation) * (a.radii.x - a.radii.y);
+        let turn = sin_cos(a.rotation - b.rotation).0 * (a.radii.x - a.radii.y);
         (a.sweep > 0.0) == (b.sweep > 0.0)
             && (a.center - b.center).amax() <= near
             && (a.radii - b.radii).amax() <= near
