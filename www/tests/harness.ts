@@ -1,4 +1,6 @@
 import assert from "node:assert/strict";
+import { before } from "node:test";
+import init from "expline/slim";
 import type { ControlPoint, CurveDocument } from "../src/document/document.ts";
 import { curveSample } from "../src/document/samples.ts";
 import { toScreen } from "../src/editor/camera.ts";
@@ -10,6 +12,9 @@ import { createPointerInput, type PointerInput } from "../src/editor/pointer-inp
 import { registerStandardActions } from "../src/editor/standard-actions.ts";
 import { samplePoints } from "../src/kernel/samples.ts";
 import { createTools } from "../src/tools/tools.ts";
+
+// In Node the engine finds itself; the page tells it where the bundler has put it.
+before(() => init());
 
 /** The editor without a browser: pointers and keys in, documents out. Places are in document units. */
 export class Hand {
