@@ -76,8 +76,8 @@ export interface Curve {
   toJSON(): object;
 }
 
-/** Points in one block of a bulk call: 64 kB, which stay in the cache between the kernel and the copy. */
-const BLOCK = 4096;
+/** Points in one block of a bulk call: 32 kB, which stay in the nearest cache between the kernel and the copy. */
+const BLOCK = 2048;
 /** Stands for "the kernel's default" where a tolerance is expected. */
 const BY_DEFAULT = 0;
 
