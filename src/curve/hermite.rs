@@ -295,6 +295,10 @@ fn bases(space: Space, omega: &[f64], lengths: &[f64]) -> Result<(Vec<Basis>, Ve
         if !length.is_finite() {
             return Err(Error::NotFinite { argument: "lengths", index });
         }
+        if (0.0..LEAST_LENGTH).contains(&length) {
+            let reason = "knots closer than 1e-12";
+            return Err(Error::Degenerate { argument: "lengths", index, reason });
+        }
         if !(LEAST_LENGTH..=LARGEST_COORDINATE).contains(&length) {
             let (least, most) = (LEAST_LENGTH, LARGEST_COORDINATE);
             return Err(Error::OutOfRange { argument: "lengths", index, value: length, least, most });
