@@ -141,16 +141,23 @@ export function replaceCurve(name: string, curve: CurveDocument): Command {
   return { name, apply: () => curve, select: nothingSelected };
 }
 
-/** Adds contours and chooses all their points. */
-export function addContours(name: string, contours: readonly Contour[]): Command {
+/** More than this would hide what was added under the marks of its being chosen. */
+const mostChosen = 64;
+
+/** Adds contours; `choose` chooses their points, so that they can be moved at once. */
+export function addContours(name: string, contours: readonly Contour[], choose: boolean): Command {
+  const points = contours.reduce((sum, contour) => sum + contour.points.length, 0);
   return {
     name,
     apply: (curve) => ({ ...curve, contours: [...curve.contours, ...contours] }),
-    select: (after) => ({
-      points: contours.flatMap((contour, k) => contour.points.map((_, index) => ({ contour: after.contours.length - contours.length + k, index }))),
-      handle: null,
-    }),
+    select: (after) => (choose && points <= mostChosen ? lastContours(after, contours.length) : nothingSelected),
   };
+}
+
+function lastContours(curve: CurveDocument, count: number): Selection {
+  const first = curve.contours.length - count;
+  const points = curve.contours.slice(first).flatMap((contour, k) => contour.points.map((_, index) => ({ contour: first + k, index })));
+  return { points, handle: null };
 }
 
 /** Copies of the chosen contours' points, moved a little so that they can be seen. */

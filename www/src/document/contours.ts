@@ -89,6 +89,21 @@ export function withClosed(curve: CurveDocument, contour: Contour, closed: boole
 }
 
 /**
+ * An open contour that ends where it began, as many drawings write their outlines, is closed: one point in place of
+ * two, with the handles of both. The curve does not move.
+ */
+export function joined(contour: Contour): Contour {
+  const first = contour.points[0];
+  const last = contour.points.at(-1);
+  if (contour.closed || contour.points.length < 3 || first === undefined || last === undefined) return contour;
+  // Relative commands come back to the start with a rounding or two on the way.
+  const rounding = 1e-12 * Math.max(...contour.points.map((point) => Math.max(Math.abs(point.x), Math.abs(point.y))));
+  if (Math.hypot(first.x - last.x, first.y - last.y) > rounding) return contour;
+  const seam = { in: last.in, out: first.out };
+  return { ...contour, closed: true, points: [{ ...first, ...seam, kind: kindOf(seam) }, ...contour.points.slice(1, -1)] };
+}
+
+/**
  * Handles that need no drawing: along the chord of the two neighbours, as long as makes equally spaced points of an
  * ellipse give that ellipse (ω / (2 sin ω) of the chord; half of it in the cubic limit).
  */
@@ -136,18 +151,23 @@ export function loweredContour(contour: Contour, level: number): Contour {
   const points = kept.map(({ point }, k) => {
     const leaving = spans[k];
     const arriving = spans[(k + spans.length - 1) % spans.length];
-    const out = leaving === undefined || leaving.length === 0 ? point.out : scaled(point.out, leaving.length / leaving.first);
-    const into = arriving === undefined || arriving.length === 0 ? point.in : scaled(point.in, arriving.length / arriving.last);
+    const growth = {
+      out: leaving === undefined || leaving.length === 0 ? null : leaving.length / leaving.first,
+      in: arriving === undefined || arriving.length === 0 ? null : arriving.length / arriving.last,
+    };
+    // The free side of an open end grows with the side that has a segment.
+    const out = scaled(point.out, growth.out ?? growth.in ?? 1);
+    const into = scaled(point.in, growth.in ?? growth.out ?? 1);
     const lowered = { ...point, in: into, out };
     return { ...lowered, kind: point.kind === "cusp" ? point.kind : kindOf(lowered) };
   });
   const used = contour.closed ? spans : spans.slice(0, -1);
-  const { omega, lengths, ...rest } = contour;
+  const { omega, lengths: _lengths, ...rest } = contour;
   return {
     ...rest,
     points,
     ...(omega === undefined ? {} : { omega: used.map((span) => span.omega) }),
-    ...(lengths === undefined || used.every((span) => span.length === 1) ? {} : { lengths: used.map((span) => span.length) }),
+    ...(used.every((span) => span.length === 1) ? {} : { lengths: used.map((span) => span.length) }),
   };
 }
 

@@ -265,9 +265,9 @@ export function loadCurve(editor: Editor, name: string, curve: CurveDocument): v
   editor.dispatch(replaceCurve(name, curve));
 }
 
-/** Adds contours to the drawing, or puts them in its place. */
+/** Adds contours to the drawing, or puts them in its place. What was pasted is chosen, ready to be moved; an import is looked at first. */
 export function addContours(editor: Editor, name: string, contours: readonly Contour[], how: "add" | "replace"): void {
-  const add = addContoursCommand(name, contours);
+  const add = addContoursCommand(name, contours, name === "Paste");
   const command: Command = how === "add" ? add : { ...add, apply: (curve) => add.apply(clearCommand().apply(curve)) };
   editor.dispatch(command);
 }
@@ -277,7 +277,7 @@ export function duplicate(editor: Editor): void {
   const indices = [...chosenByContour(selection).keys()];
   if (indices.length === 0) return;
   const copies = duplicateContours(indices, 16 / view.zoom).copies(curve);
-  editor.dispatch(addContoursCommand("Duplicate", copies));
+  editor.dispatch(addContoursCommand("Duplicate", copies, true));
 }
 
 export function reverse(editor: Editor): void {

@@ -1,6 +1,6 @@
 import { modes, type Mode } from "../document/document.ts";
 import { documentBounds } from "../kernel/samples.ts";
-import { fitted, zoomedAt, type ScreenPoint } from "./camera.ts";
+import { fitted, mostZoom, zoomedAt, type ScreenPoint } from "./camera.ts";
 import {
   applyProposal, clearCurve, deleteAndHeal, deleteAndOpen, duplicate, insertAfterSelected, insertAt, nudge, resetSelectedHandles, reverse, selectAll, selectEnd, selectNone, setKind,
   setLevel, startHere, stepPart, stepSelection, toggleCusp,
@@ -38,7 +38,7 @@ export function zoomTo(editor: Editor, zoom: number): void {
 }
 
 /** The whole drawing in view; `most` keeps small drawings from filling the stage. */
-export function fitView(editor: Editor, most = 16): void {
+export function fitView(editor: Editor, most = mostZoom): void {
   const { curve, stage } = editor.state.value;
   const box = documentBounds(curve);
   if (box === null) return editor.patch({ view: { zoom: 1, x: 400, y: 300 } });

@@ -1,4 +1,5 @@
 import { HermiteCurve, parsePath } from "expline/slim";
+import { joined } from "../document/contours.ts";
 import type { Contour, Space } from "../document/document.ts";
 import { Problem } from "../document/problem.ts";
 import { contourFrom } from "./contours.ts";
@@ -21,7 +22,7 @@ export function importPath(d: string, space: Space, matrix: Matrix | null = null
   try {
     const curves = parsePath(d, { onWarning: (warning) => { broken = stops(d, warning.index); } });
     const moved = matrix === null ? curves : curves.map((curve) => curve.transform(matrix));
-    return { contours: moved.map((curve) => contourFrom(curve, space)), broken };
+    return { contours: moved.map((curve) => joined(contourFrom(curve, space))), broken };
   } catch (error) {
     throw asProblem(error, d);
   }
