@@ -23,6 +23,27 @@ pub(crate) fn too_many(argument: &'static str, limit: &'static str, most: usize,
     Error::LimitExceeded { argument, limit, most: most as f64, needed: needed as f64 }
 }
 
+/// Checks that a number is finite and within its range.
+pub(crate) fn check(
+    argument: &'static str,
+    index: Option<usize>,
+    value: f64,
+    least: f64,
+    most: f64,
+) -> Result<()> {
+    if (least..=most).contains(&value) { Ok(()) } else { Err(unfit(argument, index, value, least, most)) }
+}
+
+#[cold]
+#[inline(never)]
+fn unfit(argument: &'static str, index: Option<usize>, value: f64, least: f64, most: f64) -> Error {
+    if value.is_finite() {
+        Error::OutOfRange { argument, index, value, least, most }
+    } else {
+        Error::NotFinite { argument, index }
+    }
+}
+
 /// An empty vector with room for `count` values, or an error where the allocator says no.
 pub(crate) fn with_room<T>(count: usize) -> Result<Vec<T>> {
     let mut values = Vec::new();
@@ -30,4 +51,11 @@ pub(crate) fn with_room<T>(count: usize) -> Result<Vec<T>> {
         Ok(()) => Ok(values),
         Err(_) => Err(Error::OutOfMemory { bytes: count.saturating_mul(size_of::<T>()) }),
     }
+}
+
+/// A vector of equal values, or an error where the allocator says no.
+pub(crate) fn filled(value: f64, count: usize) -> Result<Vec<f64>> {
+    let mut values = with_room(count)?;
+    values.resize(count, value);
+    Ok(values)
 }

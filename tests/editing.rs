@@ -401,7 +401,8 @@ fn subdivision_is_bounded_before_it_starts() {
     assert_eq!(code(24, 4_000_000), "E_LIMIT", "overflows every integer");
     assert_eq!(code(1, 0), "E_RANGE", "arity 0");
     assert_eq!(square.refine(0).expect_err("arity 0").code(), "E_RANGE");
-    assert_eq!(square.refine(usize::MAX).expect_err("too much").code(), "E_LIMIT");
+    assert_eq!(square.refine(1_000_001).expect_err("too much").code(), "E_LIMIT");
+    assert_eq!(square.refine(usize::MAX).expect_err("no such arity").code(), "E_RANGE", "no overflow");
     let points = square.subdivide(0, 2, Scheme::Hermite).expect("a copy");
     assert_eq!(vectors(&points), square.points(), "level 0 is the points");
 }

@@ -1,9 +1,9 @@
 //! Cutting curves apart, exactly: a part of a segment lies in the segment's own space.
 
-use super::hermite::HermiteCurve;
-use super::limits::{LEAST_LENGTH, MOST_POINTS, too_many};
+use super::hermite::{HermiteCurve, HermiteOptions};
 use super::refine::Parts;
 use crate::error::{Error, Result};
+use crate::limits::{LEAST_LENGTH, MOST_POINTS, too_many};
 
 impl HermiteCurve {
     /// The curve cut open at t.
@@ -70,22 +70,20 @@ impl HermiteCurve {
         if count > MOST_POINTS {
             return Err(too_many("points", "maxPoints", MOST_POINTS, count));
         }
-        let mut parts = Parts::with_room(self, count)?;
+        let mut parts = Parts::new(self, count)?;
         for lap in from.0..=last {
-            let i = lap % segments.max(1);
+            let i = if lap >= segments { lap - segments } else { lap };
             let start = if lap == from.0 { from.1 } else { 0.0 };
             let end = if lap == last { to.1 } else { 1.0 };
-            if start >= end {
-                continue;
+            if start < end {
+                parts.push(i, start, self.lengths()[i] * (end - start));
             }
-            parts.push_at(self, i, start);
-            parts.push_length(self, i, self.lengths()[i] * (end - start));
         }
-        if to.1 > 0.0 {
-            parts.push_at(self, to.0, to.1);
-        } else {
-            parts.push_start(self, to.0 % self.points().len());
-        }
-        parts.finish_open()
+        parts.push_point(to.0, to.1);
+        // The ends have no other side to arrive from or leave to.
+        let HermiteOptions { tangents, tangents_in, closed, .. } = &mut parts.data;
+        let end = tangents.len() - 1;
+        (*closed, tangents_in[0], tangents[end]) = (false, tangents[0], tangents_in[end]);
+        Self::new(parts.data)
     }
 }

@@ -4,45 +4,43 @@ use super::Segment;
 use crate::numerics::Point;
 
 /// Places on every segment from which the distance is measured, and among which a foot point is looked for.
-const PLACES: usize = 96;
+const PLACES: usize = 97;
 
 /// The larger of the two directed distances.
 pub(super) fn two_way_deviation(first: &[Segment], second: &[Segment]) -> f64 {
-    deviation(first, second).max(deviation(second, first))
+    deviation_of(first, second).max(deviation_of(second, first))
 }
 
 /// The largest distance of a place on `from` to the nearest place on `to`.
-pub(super) fn deviation(from: &[Segment], to: &[Segment]) -> f64 {
-    let lattice: Vec<Vec<Point>> = to.iter().map(places).collect();
-    from.iter().flat_map(places).map(|target| distance(target, to, &lattice)).fold(0.0, f64::max)
-}
-
-fn places(segment: &Segment) -> Vec<Point> {
-    (0..=PLACES).map(|k| segment.position(place(k))).collect()
-}
-
-fn place(k: usize) -> f64 {
-    k as f64 / PLACES as f64
-}
-
-fn distance(target: Point, to: &[Segment], lattice: &[Vec<Point>]) -> f64 {
-    let mut nearest = f64::INFINITY;
-    for (segment, points) in to.iter().zip(lattice) {
-        let squares = points.iter().map(|point| (point - target).norm_squared());
+#[inline(never)]
+pub(super) fn deviation_of(from: &[Segment], to: &[Segment]) -> f64 {
+    let mut largest = 0.0_f64;
+    let lattice = places(to);
+    for target in places(from) {
         let (mut best, mut least) = (0, f64::INFINITY);
-        for (k, square) in squares.enumerate() {
+        for (k, point) in lattice.iter().enumerate() {
+            let square = (point - target).norm_squared();
             if square < least {
                 (best, least) = (k, square);
             }
         }
-        let mut x = place(best);
+        let (segment, mut x) = (&to[best / PLACES], place(best));
         for _ in 0..4 {
             x = segment.foot(target, x);
         }
         let foot = (segment.position(x) - target).norm();
-        nearest = nearest.min(foot).min(least.sqrt());
+        largest = largest.max(foot.min(libm::sqrt(least)));
     }
-    nearest
+    largest
+}
+
+/// `PLACES` on every segment, its ends among them.
+fn places(segments: &[Segment]) -> Vec<Point> {
+    (0..PLACES * segments.len()).map(|k| segments[k / PLACES].position(place(k))).collect()
+}
+
+fn place(k: usize) -> f64 {
+    (k % PLACES) as f64 / (PLACES - 1) as f64
 }
 
 impl Segment<'_> {

@@ -2,6 +2,7 @@
 
 use super::hermite::{HermiteCurve, HermiteOptions, Side};
 use crate::error::{Error, Result};
+use crate::limits::check;
 use crate::numerics::{Point, Vector};
 
 impl HermiteCurve {
@@ -12,9 +13,7 @@ impl HermiteCurve {
     /// An index beyond the last point; a coordinate that is not finite or beyond ±1e9.
     pub fn with_point(&self, i: usize, point: Point) -> Result<Self> {
         self.check_index(i)?;
-        let mut options = self.to_options();
-        options.points[i] = point;
-        Self::new(options)
+        self.changed(&mut |data| data.points[i] = point)
     }
 
     /// The curve with another derivative at point i, on one side or on both.
@@ -24,34 +23,35 @@ impl HermiteCurve {
     /// An index beyond the last point; a component that is not finite or beyond ±1e9.
     pub fn with_tangent(&self, i: usize, tangent: Vector, side: Side) -> Result<Self> {
         self.check_index(i)?;
-        let mut options = self.to_options();
-        if side != Side::In {
-            options.tangents[i] = tangent;
-        }
-        if side != Side::Out {
-            options.tangents_in[i] = tangent;
-        }
-        Self::new(options)
+        self.changed(&mut |data| {
+            if side != Side::In {
+                data.tangents[i] = tangent;
+            }
+            if side != Side::Out {
+                data.tangents_in[i] = tangent;
+            }
+        })
     }
 
     /// The curve run through backwards: `reversed.evaluate(t)` is `self.evaluate(end − t)`.
     ///
     /// A closed curve still starts at point 0. Twice reversed it is the old curve to the last bit.
     pub fn reversed(&self) -> Self {
-        let mut options = self.to_options();
         let from = usize::from(self.is_closed());
-        let HermiteOptions { points, tangents, tangents_in, omega, lengths, .. } = &mut options;
-        core::mem::swap(tangents, tangents_in);
-        for tangent in tangents.iter_mut().chain(tangents_in.iter_mut()) {
-            *tangent = -*tangent;
-        }
-        points[from..].reverse();
-        tangents[from..].reverse();
-        tangents_in[from..].reverse();
-        omega.reverse();
-        lengths.reverse();
+        let reversed = self.changed(&mut |data| {
+            core::mem::swap(&mut data.tangents, &mut data.tangents_in);
+            for list in [&mut data.points, &mut data.tangents, &mut data.tangents_in] {
+                list[from..].reverse();
+            }
+            for list in [&mut data.tangents, &mut data.tangents_in] {
+                list.iter_mut().for_each(|tangent| *tangent = -*tangent);
+            }
+            for list in [&mut data.omega, &mut data.lengths] {
+                list.reverse();
+            }
+        });
         // The same numbers in another order pass the same checks.
-        Self::new(options).unwrap_or_else(|_| self.clone())
+        reversed.unwrap_or_else(|_| self.clone())
     }
 
     /// The image under (x, y) ↦ (a·x + c·y + e, b·x + d·y + f), with the matrix in SVG's order a b c d e f.
@@ -66,23 +66,26 @@ impl HermiteCurve {
             return Err(Error::NotFinite { argument: "matrix", index: Some(i) });
         }
         let [a, b, c, d, e, f] = matrix;
-        let linear = |v: &Vector| Vector::new(a * v.x + c * v.y, b * v.x + d * v.y);
-        let mut options = self.to_options();
-        for point in &mut options.points {
-            *point = linear(point) + Vector::new(e, f);
-        }
-        for tangent in options.tangents.iter_mut().chain(&mut options.tangents_in) {
-            *tangent = linear(tangent);
-        }
-        Self::new(options)
+        self.changed(&mut |data| {
+            let HermiteOptions { points, tangents, tangents_in, .. } = data;
+            for (list, shift) in
+                [(points, Vector::new(e, f)), (tangents, Vector::zeros()), (tangents_in, Vector::zeros())]
+            {
+                for v in list {
+                    *v = Vector::new(a * v.x + c * v.y, b * v.x + d * v.y) + shift;
+                }
+            }
+        })
+    }
+
+    /// The curve that is made from this one's data after `change`.
+    pub(super) fn changed(&self, change: &mut dyn FnMut(&mut HermiteOptions)) -> Result<Self> {
+        let mut data = self.to_options();
+        change(&mut data);
+        Self::new(data)
     }
 
     pub(super) fn check_index(&self, i: usize) -> Result<()> {
-        let most = (self.points().len() - 1) as f64;
-        if i as f64 > most {
-            let value = i as f64;
-            return Err(Error::OutOfRange { argument: "i", index: None, value, least: 0.0, most });
-        }
-        Ok(())
+        check("i", None, i as f64, 0.0, (self.points().len() - 1) as f64)
     }
 }

@@ -6,9 +6,8 @@
 use core::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI, TAU};
 
 use super::hermite::{HermiteCurve, HermiteOptions};
-use super::limits::{LARGEST_COORDINATE, MOST_POINTS, too_many};
 use crate::error::{Error, Result};
-use crate::generator::Space;
+use crate::limits::{LARGEST_COORDINATE, MOST_POINTS, check, too_many, with_room};
 use crate::numerics::angle::sin_cos;
 use crate::numerics::{Point, Vector};
 
@@ -33,16 +32,7 @@ impl HermiteCurve {
         if count > MOST_POINTS {
             return Err(too_many("count", "maxPoints", MOST_POINTS, count));
         }
-        let omega = TAU / count as f64;
-        let (points, tangents) = (0..count).map(|k| frame.place(turn(k, count), omega)).unzip();
-        Self::new(HermiteOptions {
-            points,
-            tangents,
-            closed: true,
-            space: Some(Space::Trigonometric),
-            omega: vec![omega],
-            ..HermiteOptions::default()
-        })
+        frame.curve(TAU / count as f64, count, &mut |k| turn(k, count), true)
     }
 
     /// An open arc of an ellipse from angle `start` over `sweep`, both in radians from the first axis.
@@ -55,22 +45,14 @@ impl HermiteCurve {
     /// As for [`HermiteCurve::ellipse`]; a sweep of 0 is degenerate, one beyond ±2π out of range.
     pub fn arc(center: Point, radii: Vector, rotation: f64, start: f64, sweep: f64) -> Result<Self> {
         let frame = Frame::new(center, radii, rotation)?;
-        check_within("start", start, LARGEST_COORDINATE)?;
-        check_within("sweep", sweep, TAU)?;
+        check("start", None, start, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
+        check("sweep", None, sweep, -TAU, TAU)?;
         if sweep == 0.0 {
             return Err(Error::Degenerate { argument: "sweep", index: None, reason: "an arc of no extent" });
         }
         let segments = if sweep.abs() > PI { 2 } else { 1 };
-        let step = sweep / f64::from(segments);
-        let angles = (0..=segments).map(|k| direction(start + step * f64::from(k)));
-        let (points, tangents) = angles.map(|unit| frame.place(unit, step)).unzip();
-        Self::new(HermiteOptions {
-            points,
-            tangents,
-            space: Some(Space::Trigonometric),
-            omega: vec![step.abs()],
-            ..HermiteOptions::default()
-        })
+        let step = sweep / segments as f64;
+        frame.curve(step, segments + 1, &mut |k| direction(start + step * k as f64), false)
     }
 }
 
@@ -83,40 +65,38 @@ struct Frame {
 
 impl Frame {
     fn new(center: Point, radii: Vector, rotation: f64) -> Result<Self> {
-        check_within("center", center.x, LARGEST_COORDINATE)?;
-        check_within("center", center.y, LARGEST_COORDINATE)?;
-        for (index, &radius) in radii.iter().enumerate() {
-            check_within("radii", radius, LARGEST_COORDINATE)?;
-            if radius <= 0.0 {
-                let (index, least) = (Some(index), f64::MIN_POSITIVE);
-                let most = LARGEST_COORDINATE;
-                return Err(Error::OutOfRange { argument: "radii", index, value: radius, least, most });
-            }
+        let most = LARGEST_COORDINATE;
+        for (argument, value, least) in [
+            ("center", center.x, -most),
+            ("center", center.y, -most),
+            ("radii", radii.x, f64::MIN_POSITIVE),
+            ("radii", radii.y, f64::MIN_POSITIVE),
+            ("rotation", rotation, -most),
+        ] {
+            check(argument, None, value, least, most)?;
         }
-        check_within("rotation", rotation, LARGEST_COORDINATE)?;
         let (cos, sin) = direction(rotation);
-        Ok(Self {
-            center,
-            first: Vector::new(radii.x * cos, radii.x * sin),
-            second: Vector::new(-radii.y * sin, radii.y * cos),
-        })
+        let (first, second) = (Vector::new(cos, sin) * radii.x, Vector::new(-sin, cos) * radii.y);
+        Ok(Self { center, first, second })
     }
 
-    /// The point in the direction (cos, sin) and its derivative when the angle moves at `speed`.
-    fn place(&self, (cos, sin): (f64, f64), speed: f64) -> (Point, Vector) {
-        let offset = self.first * cos + self.second * sin;
-        (self.center + offset, (self.second * cos - self.first * sin) * speed)
+    /// The curve through the points in the directions (cos, sin) that `unit` gives, `step` radians apart.
+    fn curve(
+        &self,
+        step: f64,
+        count: usize,
+        unit: &mut dyn FnMut(usize) -> (f64, f64),
+        closed: bool,
+    ) -> Result<HermiteCurve> {
+        let (mut points, mut tangents) = (with_room(count)?, with_room(count)?);
+        for k in 0..count {
+            let (cos, sin) = unit(k);
+            points.push(self.center + (self.first * cos + self.second * sin));
+            tangents.push((self.second * cos - self.first * sin) * step);
+        }
+        let omega = vec![step.abs()];
+        HermiteCurve::new(HermiteOptions { points, tangents, closed, omega, ..HermiteOptions::default() })
     }
-}
-
-fn check_within(argument: &'static str, value: f64, most: f64) -> Result<()> {
-    if !value.is_finite() {
-        return Err(Error::NotFinite { argument, index: None });
-    }
-    if value.abs() > most {
-        return Err(Error::OutOfRange { argument, index: None, value, least: -most, most });
-    }
-    Ok(())
 }
 
 /// (cos, sin) of k/n of a turn: reduced in whole numbers, so that symmetric points are mirror images to the last

@@ -3,12 +3,13 @@
 use core::f64::consts::{PI, TAU};
 
 use super::Segment;
-use super::deviation::two_way_deviation;
+use super::deviation::{deviation_of, two_way_deviation};
 use super::hermite::HermiteCurve;
-use super::limits::{LARGEST_FREQUENCY, POLE_MARGIN};
 use crate::error::{Error, Result};
 use crate::generator::{Basis, Space};
+use crate::limits::{LARGEST_FREQUENCY, POLE_MARGIN};
 use crate::numerics::{Point, Vector};
+use nalgebra::Matrix2;
 
 /// Places on each of the two old segments that the new one is fitted to.
 const PLACES: usize = 24;
@@ -37,37 +38,32 @@ impl HermiteCurve {
         if left < 2 {
             return Err(Error::TooFewPoints { argument: "points", got: left, needed: 2 });
         }
-        if !self.is_closed() && (i == 0 || i == left) {
-            return self.without_end(i);
-        }
-        let (before, after) = (if i == 0 { left } else { i - 1 }, i);
-        let next = self.next(i);
-        let old = [self.segment(before), self.segment(after)];
-        let healed = Healed::new(&old, self.omega()[before], self.omega()[after], self.space());
-        let mut options = self.to_options();
-        options.tangents[before] = healed.leaving;
-        options.tangents_in[next] = healed.arriving;
-        options.omega[before] = healed.omega;
-        options.lengths[before] = old[0].length + old[1].length;
-        for list in [&mut options.points, &mut options.tangents, &mut options.tangents_in] {
-            list.remove(i);
-        }
-        options.omega.remove(after);
-        options.lengths.remove(after);
-        Ok((Self::new(options)?, healed.deviation))
-    }
-
-    fn without_end(&self, i: usize) -> Result<(Self, f64)> {
-        let mut options = self.to_options();
-        let last = self.segment_count() - 1;
-        let (gone, kept) = if i == 0 { (0, 1) } else { (last, last - 1) };
-        for list in [&mut options.points, &mut options.tangents, &mut options.tangents_in] {
-            list.remove(i);
-        }
-        options.omega.remove(gone);
-        options.lengths.remove(gone);
-        let deviation = super::deviation::deviation(&[self.segment(gone)], &[self.segment(kept)]);
-        Ok((Self::new(options)?, deviation))
+        let segments = self.segment_count();
+        let (before, after) = (if i == 0 { segments - 1 } else { i - 1 }, i);
+        let mut deviation = 0.0;
+        let curve = self.changed(&mut |data| {
+            let at = if !self.is_closed() && (i == 0 || i == left) {
+                let (gone, kept) = if i == 0 { (0, 1) } else { (before, before - 1) };
+                deviation = deviation_of(&[self.segment(gone)], &[self.segment(kept)]);
+                gone
+            } else {
+                let old = [self.segment(before), self.segment(after)];
+                let healed = Healed::new(&old, self.omega()[before], self.omega()[after]);
+                data.tangents[before] = healed.leaving;
+                data.tangents_in[self.next(i)] = healed.arriving;
+                data.omega[before] = healed.omega;
+                data.lengths[before] = old[0].length + old[1].length;
+                deviation = healed.deviation;
+                after
+            };
+            for list in [&mut data.points, &mut data.tangents, &mut data.tangents_in] {
+                list.remove(i);
+            }
+            for list in [&mut data.omega, &mut data.lengths] {
+                list.remove(at);
+            }
+        })?;
+        Ok((curve, deviation))
     }
 }
 
@@ -80,8 +76,9 @@ struct Healed {
 }
 
 impl Healed {
-    fn new(old: &[Segment; 2], first_omega: f64, second_omega: f64, space: Space) -> Self {
+    fn new(old: &[Segment; 2], first_omega: f64, second_omega: f64) -> Self {
         let [first, second] = old;
+        let space = first.basis.space();
         let length = first.length + second.length;
         let angle = first.basis.frequency() + second.basis.frequency();
         let most = if space == Space::Trigonometric { TAU - POLE_MARGIN } else { LARGEST_FREQUENCY };
@@ -133,7 +130,7 @@ fn fit<'a>(old: &[Segment; 2], mut merged: Segment<'a>, share: f64) -> Segment<'
     for _ in 0..ROUNDS {
         merged.leaving = leaving * out;
         merged.arriving = arriving * inn;
-        let (mut aa, mut ab, mut bb, mut ar, mut br) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        let (mut normal_matrix, mut right) = (Matrix2::zeros(), Vector::zeros());
         for (x, target) in &mut places {
             *x = merged.foot(*target, merged.foot(*target, *x));
             let velocity = merged.velocity(*x);
@@ -141,24 +138,22 @@ fn fit<'a>(old: &[Segment; 2], mut merged: Segment<'a>, share: f64) -> Segment<'
             if speed == 0.0 {
                 continue;
             }
-            let normal = Vector::new(-velocity.y, velocity.x) / speed;
+            let across = Vector::new(-velocity.y, velocity.x) / speed;
             let weights = merged.basis.weights(*x, 0);
-            let a = normal.dot(&leaving) * weights.leaving * merged.length;
-            let b = normal.dot(&arriving) * weights.arriving * merged.length;
-            let rest = normal.dot(&(*target - merged.position(*x)));
-            (aa, ab, bb) = (aa + a * a, ab + a * b, bb + b * b);
-            (ar, br) = (ar + a * rest, br + b * rest);
+            let row = Vector::new(
+                across.dot(&leaving) * weights.leaving * merged.length,
+                across.dot(&arriving) * weights.arriving * merged.length,
+            );
+            normal_matrix += row * row.transpose();
+            right += row * across.dot(&(*target - merged.position(*x)));
         }
         // A trace of damping: collinear tangents leave a speed undetermined.
-        let damping = 1e-12 * (aa + bb);
-        let determinant = (aa + damping) * (bb + damping) - ab * ab;
-        if determinant <= 0.0 || !determinant.is_finite() {
-            break;
-        }
-        let step_out = ((bb + damping) * ar - ab * br) / determinant;
-        let step_inn = ((aa + damping) * br - ab * ar) / determinant;
-        (out, inn) = ((out + step_out).max(0.0), (inn + step_inn).max(0.0));
-        if step_out.abs() + step_inn.abs() <= 1e-14 * (out + inn) {
+        let damping = 1e-12 * normal_matrix.trace();
+        let damped = normal_matrix + Matrix2::from_diagonal_element(damping);
+        let Some(inverse) = damped.try_inverse() else { break };
+        let step = inverse * right;
+        (out, inn) = ((out + step.x).max(0.0), (inn + step.y).max(0.0));
+        if step.norm() <= 1e-14 * (out + inn) {
             break;
         }
     }

@@ -6,6 +6,7 @@ use super::Segment;
 use super::hermite::HermiteCurve;
 use crate::generator::Space;
 use crate::numerics::angle::sin_cos;
+use crate::numerics::entire::stumpff;
 use crate::numerics::{Point, Vector};
 
 /// A long axis along y has the angle π/2, not −π/2, though its angle is rounded.
@@ -31,15 +32,6 @@ impl EllipseArc {
     pub fn point(&self, angle: f64) -> Point {
         let (sin, cos) = sin_cos(angle);
         self.center + turned(Vector::new(self.radii.x * cos, self.radii.y * sin), self.rotation)
-    }
-
-    /// How far `point` is from the ellipse, to first order in the distance.
-    fn distance(&self, point: Point) -> f64 {
-        let local = turned(point - self.center, -self.rotation);
-        let unit = local.component_div(&self.radii);
-        let gradient = unit.component_div(&self.radii).norm();
-        let radius = unit.norm();
-        if gradient == 0.0 { self.radii.y } else { (radius - 1.0).abs() * radius / gradient }
     }
 }
 
@@ -81,17 +73,31 @@ impl Segment<'_> {
         if self.basis.space() != Space::Trigonometric || w == 0.0 {
             return None;
         }
-        // In x = s/H, where the frequency is w.
-        let middle = |order| self.combine(self.basis.weights(0.5, order));
-        let (first, second, third) = (middle(1), middle(2), middle(3));
-        let center = self.start + middle(0) + second / (w * w);
-        let (p, q) = (-second / (w * w), first / w);
-        let excess = (third + first * (w * w)).norm();
-        let half = 0.5 * w;
-        let deviation = excess * crate::numerics::entire::stumpff(half * half).c3 / 8.0;
+        let Middle { center, p, q, deviation } = Middle::new(self, w);
         let arc = arc_about(center, p, q, w)?;
         let rounding = 4.0 * f64::EPSILON * (arc.radii.x + center.norm());
         (deviation <= tolerance && rounding <= tolerance).then_some(arc)
+    }
+}
+
+/// The arc center + p·cos ωs + q·sin ωs about a segment's middle, s = 0, and how far the segment is from it.
+struct Middle {
+    center: Point,
+    p: Vector,
+    q: Vector,
+    deviation: f64,
+}
+
+impl Middle {
+    fn new(segment: &Segment, w: f64) -> Self {
+        // In x = s/H, where the frequency is w.
+        let middle = |order| segment.combine(&segment.basis.weights(0.5, order));
+        let (first, second, third) = (middle(1), middle(2), middle(3));
+        let square = w * w;
+        let excess = (third + first * square).norm();
+        let deviation = excess * stumpff(0.25 * square).c3 / 8.0;
+        let p = -second / square;
+        Self { center: segment.start + middle(0) - p, p, q: first / w, deviation }
     }
 }
 
@@ -127,20 +133,27 @@ fn arc_about(center: Point, p: Vector, q: Vector, w: f64) -> Option<EllipseArc> 
 }
 
 impl HermiteCurve {
-    /// The one ellipse, or arc of it, that the whole curve is, if it deviates by no more than `tolerance`.
+    /// The one ellipse, or arc of it, that the whole curve is, if it deviates by no more than `tolerance`, measured
+    /// along the longer axis.
     ///
     /// A closed curve must run round exactly once. Cost: O(M).
     pub fn as_ellipse(&self, tolerance: f64) -> Option<EllipseArc> {
         // The longest arc knows its ellipse best.
         let longest = self.segments().max_by(|a, b| a.basis.frequency().total_cmp(&b.basis.frequency()))?;
         let ellipse = longest.as_ellipse_arc(tolerance)?;
+        let Middle { center, p, q, .. } = Middle::new(&longest, longest.basis.frequency());
+        // (cos, sin) of a point in terms of p and q, on the unit circle for points of the ellipse.
+        let unit =
+            |point: Point| Vector::new((point - center).perp(&q), p.perp(&(point - center))) / p.perp(&q);
         let mut sweep = 0.0;
         for segment in self.segments() {
             let arc = segment.as_ellipse_arc(tolerance)?;
             sweep += arc.sweep;
-            let same_sense = arc.sweep.signum() == ellipse.sweep.signum();
-            let close = |x: f64| ellipse.distance(segment.position(x)) <= tolerance;
-            if !same_sense || ![0.0, 0.25, 0.5, 0.75, 1.0].into_iter().all(close) {
+            let mut within = arc.sweep * ellipse.sweep > 0.0;
+            for x in [0.0, 0.25, 0.5, 0.75, 1.0] {
+                within &= (unit(segment.position(x)).norm() - 1.0).abs() * ellipse.radii.x <= tolerance;
+            }
+            if !within {
                 return None;
             }
         }
@@ -148,10 +161,9 @@ impl HermiteCurve {
         if self.is_closed() && (turns - 1.0).abs() > 1e-9 || turns > 1.0 + 1e-9 {
             return None;
         }
-        let local =
-            turned(self.points()[0] - ellipse.center, -ellipse.rotation).component_div(&ellipse.radii);
-        let start = libm::atan2(local.y, local.x);
-        let sweep = if self.is_closed() { TAU * sweep.signum() } else { sweep };
-        Some(EllipseArc { start, sweep, ..ellipse })
+        // Where point 0 lies, in the ellipse's own frame.
+        let local = turned(self.points()[0] - center, -ellipse.rotation).component_div(&ellipse.radii);
+        let sweep = if self.is_closed() { TAU.copysign(sweep) } else { sweep };
+        Some(EllipseArc { start: libm::atan2(local.y, local.x), sweep, ..ellipse })
     }
 }

@@ -4,8 +4,8 @@
 //! same space, and its end points and end derivatives determine it: cutting is evaluation (D 5.1).
 
 use super::hermite::{HermiteCurve, HermiteOptions};
-use super::limits::{LEAST_LENGTH, MOST_OUTPUT_POINTS, MOST_POINTS, too_many, with_room};
-use crate::error::{Error, Result};
+use crate::error::Result;
+use crate::limits::{LEAST_LENGTH, MOST_OUTPUT_POINTS, MOST_POINTS, check, too_many, with_room};
 
 impl HermiteCurve {
     /// The same curve with `arity` segments in place of each.
@@ -20,25 +20,19 @@ impl HermiteCurve {
     ///
     /// An arity of 0; more than 4 million points; pieces shorter than 1e-12 in the parameter.
     pub fn refine(&self, arity: usize) -> Result<Self> {
-        if arity == 0 {
-            let (least, most) = (1.0, MOST_OUTPUT_POINTS as f64);
-            return Err(Error::OutOfRange { argument: "arity", index: None, value: 0.0, least, most });
-        }
+        check("arity", None, arity as f64, 1.0, MOST_OUTPUT_POINTS as f64)?;
         let count = self.segment_count().saturating_mul(arity).saturating_add(usize::from(!self.is_closed()));
         if count > MOST_OUTPUT_POINTS.max(self.points().len()) {
             return Err(too_many("arity", "maxOutputPoints", MOST_OUTPUT_POINTS, count));
         }
-        let mut parts = Parts::with_room(self, count)?;
+        let mut parts = Parts::new(self, count)?;
         for i in 0..self.segment_count() {
-            parts.push_start(self, i);
             let length = self.lengths()[i] / arity as f64;
-            for k in 1..arity {
-                parts.push_length(self, i, length);
-                parts.push_inside(self, i, k as f64 / arity as f64);
+            for k in 0..arity {
+                parts.push(i, k as f64 / arity as f64, length);
             }
-            parts.push_length(self, i, length);
         }
-        parts.finish(self)
+        parts.finish()
     }
 
     /// The same curve with one more point, at parameter t.
@@ -66,18 +60,16 @@ impl HermiteCurve {
         if count > MOST_POINTS {
             return Err(too_many("points", "maxPoints", MOST_POINTS, count));
         }
-        let mut parts = Parts::with_room(self, count)?;
+        let mut parts = Parts::new(self, count)?;
         for i in 0..self.segment_count() {
-            parts.push_start(self, i);
             if i == at {
-                parts.push_length(self, i, first);
-                parts.push_inside(self, i, first / length);
-                parts.push_length(self, i, last);
+                parts.push(i, 0.0, first);
+                parts.push(i, first / length, last);
             } else {
-                parts.push_length(self, i, self.lengths()[i]);
+                parts.push(i, 0.0, self.lengths()[i]);
             }
         }
-        parts.finish(self)
+        parts.finish()
     }
 
     /// Four generalised Bézier points for every segment, eight numbers each: the two ends and, on the end
@@ -101,14 +93,16 @@ impl HermiteCurve {
     }
 }
 
-/// A curve that is being put together point by point, segment by segment.
-pub(super) struct Parts {
-    options: HermiteOptions,
+/// A curve that is being put together from parts of the segments of another.
+pub(super) struct Parts<'a> {
+    curve: &'a HermiteCurve,
+    pub(super) data: HermiteOptions,
 }
 
-impl Parts {
-    pub(super) fn with_room(curve: &HermiteCurve, count: usize) -> Result<Self> {
-        let options = HermiteOptions {
+impl<'a> Parts<'a> {
+    /// Room for `count` points.
+    pub(super) fn new(curve: &'a HermiteCurve, count: usize) -> Result<Self> {
+        let data = HermiteOptions {
             points: with_room(count)?,
             tangents: with_room(count)?,
             tangents_in: with_room(count)?,
@@ -117,54 +111,37 @@ impl Parts {
             omega: with_room(count)?,
             lengths: with_room(count)?,
         };
-        Ok(Self { options })
+        Ok(Self { curve, data })
     }
 
-    /// Point i as it is.
-    pub(super) fn push_start(&mut self, curve: &HermiteCurve, i: usize) {
-        self.options.points.push(curve.points()[i]);
-        self.options.tangents.push(curve.tangents()[i]);
-        self.options.tangents_in.push(curve.tangents_in()[i]);
+    /// The point at x of segment i: the one that is there at x = 0, a smooth one elsewhere.
+    #[inline(never)]
+    pub(super) fn push_point(&mut self, i: usize, x: f64) {
+        let (point, leaving, arriving) = if x == 0.0 {
+            let i = if i == self.curve.points().len() { 0 } else { i };
+            (self.curve.points()[i], self.curve.tangents()[i], self.curve.tangents_in()[i])
+        } else {
+            let segment = self.curve.segment(i);
+            let velocity = segment.velocity(x);
+            (segment.position(x), velocity, velocity)
+        };
+        self.data.points.push(point);
+        self.data.tangents.push(leaving);
+        self.data.tangents_in.push(arriving);
     }
 
-    /// A smooth point inside segment i.
-    pub(super) fn push_inside(&mut self, curve: &HermiteCurve, i: usize, x: f64) {
-        let segment = curve.segment(i);
-        let velocity = segment.velocity(x);
-        self.options.points.push(segment.position(x));
-        self.options.tangents.push(velocity);
-        self.options.tangents_in.push(velocity);
+    /// The part of segment i that starts at x and has this length.
+    pub(super) fn push(&mut self, i: usize, x: f64, length: f64) {
+        self.push_point(i, x);
+        self.data.omega.push(self.curve.omega()[i]);
+        self.data.lengths.push(length);
     }
 
-    /// The point at x in segment i, as it is if x is 0.
-    pub(super) fn push_at(&mut self, curve: &HermiteCurve, i: usize, x: f64) {
-        if x == 0.0 { self.push_start(curve, i) } else { self.push_inside(curve, i, x) }
-    }
-
-    /// A segment of segment i's ω and of this length.
-    pub(super) fn push_length(&mut self, curve: &HermiteCurve, i: usize, length: f64) {
-        self.options.omega.push(curve.omega()[i]);
-        self.options.lengths.push(length);
-    }
-
-    /// Adds the last point of an open curve and makes the curve.
-    pub(super) fn finish(mut self, curve: &HermiteCurve) -> Result<HermiteCurve> {
-        if !curve.is_closed() {
-            self.push_start(curve, curve.points().len() - 1);
+    /// The curve, with the last point of an open one.
+    fn finish(mut self) -> Result<HermiteCurve> {
+        if !self.data.closed {
+            self.push_point(self.curve.segment_count(), 0.0);
         }
-        HermiteCurve::new(self.options)
-    }
-
-    /// Makes an open curve of what is there; its ends have no other side to arrive from or leave to.
-    pub(super) fn finish_open(mut self) -> Result<HermiteCurve> {
-        let HermiteOptions { tangents, tangents_in, closed, .. } = &mut self.options;
-        *closed = false;
-        if let (Some(leaving), Some(arriving)) = (tangents.first(), tangents_in.first_mut()) {
-            *arriving = *leaving;
-        }
-        if let (Some(leaving), Some(arriving)) = (tangents.last_mut(), tangents_in.last()) {
-            *leaving = *arriving;
-        }
-        HermiteCurve::new(self.options)
+        HermiteCurve::new(self.data)
     }
 }

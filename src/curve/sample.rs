@@ -1,9 +1,9 @@
 //! Many points at once, into the caller's slice.
 
 use super::hermite::{HermiteCurve, check_derivative};
-use super::limits::{MOST_EVALUATIONS, MOST_OUTPUT_POINTS, too_many, with_room};
 use super::sampler::Sampler;
 use crate::error::{Error, Result};
+use crate::limits::{MOST_EVALUATIONS, MOST_OUTPUT_POINTS, too_many, with_room};
 
 impl HermiteCurve {
     /// Points (order 0) or derivatives at every parameter, x and y in turn, into `out`.

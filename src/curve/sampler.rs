@@ -16,13 +16,11 @@ use super::Segment;
 use super::grid::Grid;
 use super::hermite::HermiteCurve;
 use crate::generator::{Space, Weights};
-use crate::numerics::entire::{series, stumpff};
+use crate::numerics::entire::stumpff;
 use crate::numerics::{Point, Vector};
 
 /// Pairs of points in the largest block: 256 points are 4 kB, and the tables another 4 kB.
 const PAIRS: usize = 128;
-/// The odd point of a block lies one place beyond its pairs.
-const PLACES: usize = PAIRS + 1;
 /// Fewer samples than this on a segment are evaluated one by one.
 const FEWEST: usize = 4;
 
@@ -41,10 +39,7 @@ pub struct Sampler {
     /// How many places of the tables are filled in.
     built: usize,
     /// τ = step·(k + ½), τc₁, τ²c₂ and τ³c₃.
-    tau: [f64; PLACES],
-    first: [f64; PLACES],
-    second: [f64; PLACES],
-    third: [f64; PLACES],
+    tables: [[f64; PAIRS]; 4],
     /// The weights of value and derivatives at x = `place`.
     place: f64,
     weights: [Weights; 4],
@@ -63,20 +58,16 @@ struct Kind {
 impl Sampler {
     /// A sampler that remembers nothing yet.
     pub const fn new() -> Self {
-        let blank = [0.0; PLACES];
         Self {
             kind: Kind { space: Space::Polynomial, w: f64::NAN, length: f64::NAN, step: f64::NAN },
             omega: f64::NAN,
             square: f64::NAN,
             pairs: 0,
             built: 0,
-            tau: blank,
-            first: blank,
-            second: blank,
-            third: blank,
+            tables: [[0.0; PAIRS]; 4],
             place: f64::NAN,
             weights: [Weights { chord: 0.0, leaving: 0.0, arriving: 0.0 }; 4],
-            shift: Shift::NONE,
+            shift: Shift { t: 0.0, zeroth: 1.0, first: 0.0, second: 0.0, third: 0.0 },
         }
     }
 }
@@ -87,13 +78,8 @@ impl Default for Sampler {
     }
 }
 
-/// Value and derivatives with respect to t at the middle of a block.
-struct Jet {
-    value: Vector,
-    first: Vector,
-    second: Vector,
-    third: Vector,
-}
+/// Value and three derivatives with respect to t at the middle of a block.
+struct Jet([Vector; 4]);
 
 impl Sampler {
     /// Samples `first`, `first + 1`, … of the uniform sampling of `curve` by `count` points, as many as `out` has
@@ -110,75 +96,60 @@ impl Sampler {
     ///
     /// About a nanosecond a point where a segment holds many of them.
     pub fn points(&mut self, curve: &HermiteCurve, count: usize, first: usize, out: &mut [f64]) {
-        self.run::<2>(curve, count, first, out);
+        self.run(curve, count, first, out, 2);
     }
 
     /// The same with the derivative after each point: x, y, dx/dt, dy/dt.
     pub fn points_and_tangents(&mut self, curve: &HermiteCurve, count: usize, first: usize, out: &mut [f64]) {
-        self.run::<4>(curve, count, first, out);
+        self.run(curve, count, first, out, 4);
     }
 
-    /// Walks the segments that the range touches; `N` numbers are written for every sample.
-    fn run<const N: usize>(&mut self, curve: &HermiteCurve, count: usize, first: usize, out: &mut [f64]) {
+    /// Walks the segments that the range touches, a block at a time; `stride` numbers are written for every sample.
+    #[inline(never)]
+    fn run(&mut self, curve: &HermiteCurve, count: usize, first: usize, out: &mut [f64], stride: usize) {
         let grid = Grid::new(curve, count);
-        let (samples, _) = out.as_chunks_mut::<N>();
-        let end = count.min(first.saturating_add(samples.len()));
-        let mut i = first;
-        if i >= end {
+        let end = count.min(first.saturating_add(out.len() / stride));
+        if first >= end {
             return;
         }
+        let (mut i, mut rest) = (first, out);
         let mut s = grid.segment_of(curve, i);
         let mut start = grid.first_sample(curve, s);
         while i < end {
             let stop = if s + 1 == curve.segment_count() { count } else { grid.first_sample(curve, s + 1) };
-            if stop > i {
-                let to = stop.min(end);
-                if let Some(samples) = samples.get_mut(i - first..to - first) {
-                    self.segment(curve, &grid, s, (start, stop), i, samples);
-                    pin(curve, &grid, s, i, to == count, samples);
+            let segment = curve.segment(s);
+            self.suit(&segment, grid.step);
+            let block = if stop - start < FEWEST || self.pairs == 0 { 1 } else { 2 * self.pairs };
+            while i < stop.min(end) {
+                let skipped = if i == start { 0 } else { (i - start) % block };
+                let begin = i - skipped;
+                let size = block.min(stop - begin) & !1;
+                // A sample on its own, the odd one at the end of a segment among them.
+                if skipped >= size {
+                    let (now, later) = rest.split_at_mut(stride);
+                    let last = i + 1 == count && i > 0 && !curve.is_closed();
+                    write(now, &segment, if last { 1.0 } else { grid.local(curve, s, 2 * i) });
+                    (i, rest) = (i + 1, later);
+                    continue;
                 }
-                i = to;
+                let jet = self.jet(&segment, grid.local(curve, s, 2 * begin + size - 1));
+                let number = (size - skipped).min(end - i);
+                let (now, later) = rest.split_at_mut(number * stride);
+                if number == size {
+                    self.fill(&jet, now, stride);
+                } else {
+                    self.fill_part(&jet, size, skipped, now, stride);
+                }
+                if i == start && grid.is_at_knot(curve, s, i) {
+                    put(&mut now[..stride], segment.start, segment.leaving);
+                }
+                let last = i + number == count && !curve.is_closed();
+                if last {
+                    put(&mut now[(number - 1) * stride..], segment.end, segment.arriving);
+                }
+                (i, rest) = (i + number, later);
             }
-            start = stop;
-            s += 1;
-        }
-    }
-
-    /// Samples `from`, … of segment s, which holds the samples from `start` up to `stop`.
-    fn segment<const N: usize>(
-        &mut self,
-        curve: &HermiteCurve,
-        grid: &Grid,
-        s: usize,
-        (start, stop): (usize, usize),
-        from: usize,
-        samples: &mut [[f64; N]],
-    ) {
-        let segment = curve.segment(s);
-        self.suit(&segment, grid.step);
-        let block = 2 * self.pairs;
-        if block == 0 || stop - start < FEWEST {
-            for (i, sample) in (from..).zip(samples) {
-                write(sample, &segment, grid.local(curve, s, 2 * i));
-            }
-            return;
-        }
-        let (mut at, mut rest) = (from, samples);
-        while !rest.is_empty() {
-            let skipped = if at == start { 0 } else { (at - start) % block };
-            let begin = at - skipped;
-            let size = block.min(stop - begin);
-            self.tables(size / 2 + 1);
-            let x = grid.local(curve, s, 2 * begin + 2 * (size / 2) - 1);
-            let jet = self.jet(&segment, x);
-            let (now, later) = rest.split_at_mut(rest.len().min(size - skipped));
-            if now.len() == size {
-                self.fill(&jet, now);
-            } else {
-                self.fill_part(&jet, size, skipped, now);
-            }
-            at = begin + size;
-            rest = later;
+            (s, start) = (s + 1, stop);
         }
     }
 
@@ -199,74 +170,75 @@ impl Sampler {
         self.square = if space == Space::Hyperbolic { -omega * omega } else { omega * omega };
         (self.kind, self.omega) = (kind, omega);
         self.place = f64::NAN;
-        self.shift = Shift::NONE;
+        self.shift = Shift::new(0.0, 0.0);
     }
 
     /// Makes sure that the tables hold at least `places` places.
-    fn tables(&mut self, places: usize) {
-        if self.built >= places {
-            return;
-        }
-        let (step, square, built) = (self.kind.step, self.square, self.built);
-        let tables = self.tau.iter_mut().zip(&mut self.first).zip(&mut self.second).zip(&mut self.third);
-        for (k, (((tau, first), second), third)) in tables.enumerate().take(places).skip(built) {
-            let t = step * (k as f64 + 0.5);
-            let u = square * t * t;
-            let (c2, c3) = series(u);
-            (*tau, *first, *second, *third) = (t, t * (1.0 - u * c3), t * t * c2, t * t * t * c3);
+    #[inline(never)]
+    fn build(&mut self, places: usize) {
+        for k in self.built..places.min(PAIRS) {
+            let shift = Shift::new(self.kind.step * (k as f64 + 0.5), self.square);
+            self.tables[0][k] = shift.t;
+            self.tables[1][k] = shift.first;
+            self.tables[2][k] = shift.second;
+            self.tables[3][k] = shift.third;
         }
         self.built = places;
     }
 
     /// Value and derivatives at x, by way of the segment's middle, where they are the same combinations of the
     /// data for all segments of one kind.
+    #[inline(never)]
     fn jet(&mut self, segment: &Segment, x: f64) -> Jet {
         // The middle of a stiff segment knows nothing of its ends.
         let stiff = self.kind.space == Space::Hyperbolic && self.kind.w > PI;
         let place = if stiff { x } else { 0.5 };
         if self.place != place {
             self.place = place;
-            self.weights = [0, 1, 2, 3].map(|order| segment.basis.weights(place, order));
+            for (order, weights) in self.weights.iter_mut().enumerate() {
+                *weights = segment.basis.weights(place, order);
+            }
         }
-        let [value, first, second, third] = self.weights.map(|weights| segment.combine(weights));
-        let inverse = 1.0 / segment.length;
-        let (first, second, third) =
-            (first * inverse, second * (inverse * inverse), third * (inverse * inverse * inverse));
-        let jet = Jet { value: segment.start + value, first, second, third };
-        if stiff {
-            return jet;
+        let mut scale = 1.0;
+        let mut jet = [Vector::zeros(); 4];
+        for (derivative, weights) in jet.iter_mut().zip(&self.weights) {
+            *derivative = segment.combine(weights) * scale;
+            scale /= segment.length;
         }
+        jet[0] += segment.start;
         let t = (x - 0.5) * segment.length;
+        if stiff || t == 0.0 {
+            return Jet(jet);
+        }
         if self.shift.t != t {
             self.shift = Shift::new(t, self.square);
         }
-        jet.shifted(&self.shift, self.square)
+        Jet(jet).shifted(&self.shift, self.square)
     }
 
-    /// One block: pairs of samples from its middle outwards, and the odd one at its end.
-    fn fill<const N: usize>(&self, jet: &Jet, samples: &mut [[f64; N]]) {
-        let pairs = samples.len() / 2;
-        let (left, right) = samples.split_at_mut(pairs);
-        if let (Some(odd), true) = (right.get_mut(pairs), pairs < PLACES) {
-            let at = pairs..pairs + 1;
-            let tables = [&self.tau, &self.first, &self.second, &self.third].map(|table| &table[at.clone()]);
-            jet.fill(tables, &mut [*odd], core::slice::from_mut(odd));
+    /// One block of an even number of samples, pairs of them from its middle outwards.
+    fn fill(&mut self, jet: &Jet, samples: &mut [f64], stride: usize) {
+        let pairs = samples.len() / (2 * stride);
+        if self.built < pairs {
+            self.build(pairs);
         }
-        let tables =
-            [&self.tau, &self.first, &self.second, &self.third].map(|table| &table[..pairs.min(PLACES)]);
-        jet.fill(tables, left, right);
+        let tables = self.tables.each_ref().map(|table| &table[..pairs.min(PAIRS)]);
+        let (left, right) = samples.split_at_mut(pairs * stride);
+        if stride == 2 {
+            jet.fill::<2>(tables, left, right);
+        } else {
+            jet.fill::<4>(tables, left, right);
+        }
     }
 
     /// Samples of a block of `size` from `skipped` on, where a range of samples begins or ends within a block.
     #[cold]
-    fn fill_part<const N: usize>(&self, jet: &Jet, size: usize, skipped: usize, samples: &mut [[f64; N]]) {
-        let mut block = [[0.0; N]; 2 * PAIRS];
-        if let Some(block) = block.get_mut(..size) {
-            self.fill(jet, block);
-            for (sample, value) in samples.iter_mut().zip(block.iter().skip(skipped)) {
-                *sample = *value;
-            }
-        }
+    #[inline(never)]
+    fn fill_part(&mut self, jet: &Jet, size: usize, skipped: usize, samples: &mut [f64], stride: usize) {
+        let mut block = [0.0; 8 * PAIRS];
+        self.fill(jet, &mut block[..size * stride], stride);
+        let skipped = skipped * stride;
+        samples.copy_from_slice(&block[skipped..skipped + samples.len()]);
     }
 }
 
@@ -281,8 +253,7 @@ struct Shift {
 }
 
 impl Shift {
-    const NONE: Self = Self { t: 0.0, zeroth: 1.0, first: 0.0, second: 0.0, third: 0.0 };
-
+    #[inline(never)]
     fn new(t: f64, square: f64) -> Self {
         let c = stumpff(square * t * t);
         Self { t, zeroth: c.c0, first: t * c.c1, second: t * t * c.c2, third: t * t * t * c.c3 }
@@ -292,12 +263,13 @@ impl Shift {
 impl Jet {
     /// The same at another place, exactly: (D 2.3).
     fn shifted(&self, by: &Shift, square: f64) -> Self {
-        Self {
-            value: (self.value + self.second * by.second) + (self.first * by.t + self.third * by.third),
-            first: self.first + self.second * by.first + self.third * by.second,
-            second: self.second * by.zeroth + self.third * by.first,
-            third: self.third * by.zeroth - self.second * (square * by.first),
-        }
+        let [value, first, second, third] = self.0;
+        Self([
+            (value + second * by.second) + (first * by.t + third * by.third),
+            first + second * by.first + third * by.second,
+            second * by.zeroth + third * by.first,
+            third * by.zeroth - second * (square * by.first),
+        ])
     }
 
     /// The samples at middle ± τ for every place of the tables, from the middle outwards.
@@ -308,12 +280,12 @@ impl Jet {
     fn fill<const N: usize>(
         &self,
         [tau, first, second, third]: [&[f64]; 4],
-        left: &mut [[f64; N]],
-        right: &mut [[f64; N]],
+        left: &mut [f64],
+        right: &mut [f64],
     ) {
-        let [value, slope, bend, twist] =
-            [self.value, self.first, self.second, self.third].map(|v| [v.x, v.y]);
+        let [value, slope, bend, twist] = self.0.map(|v| [v.x, v.y]);
         let tables = tau.iter().zip(first).zip(second).zip(third);
+        let (left, right) = (left.as_chunks_mut::<N>().0, right.as_chunks_mut::<N>().0);
         for ((((tau, first), second), third), (left, right)) in tables.zip(left.iter_mut().rev().zip(right)) {
             for k in 0..2 {
                 let even = value[k] + bend[k] * second;
@@ -331,37 +303,17 @@ impl Jet {
     }
 }
 
-/// Puts samples that fall on a point there to the last bit.
-fn pin<const N: usize>(
-    curve: &HermiteCurve,
-    grid: &Grid,
-    s: usize,
-    from: usize,
-    is_last: bool,
-    samples: &mut [[f64; N]],
-) {
-    if grid.is_at_knot(curve, s, from)
-        && let Some(sample) = samples.first_mut()
-    {
-        put(sample, curve.points()[s], curve.tangents()[s]);
-    }
-    if is_last
-        && !curve.is_closed()
-        && from + samples.len() > 1
-        && let Some(sample) = samples.last_mut()
-    {
-        put(sample, curve.points()[s + 1], curve.tangents_in()[s + 1]);
-    }
-}
-
-fn put<const N: usize>(sample: &mut [f64; N], position: Point, velocity: Vector) {
-    (sample[0], sample[1]) = (position.x, position.y);
-    if N == 4 {
-        (sample[2], sample[3]) = (velocity.x, velocity.y);
-    }
-}
-
-fn write<const N: usize>(sample: &mut [f64; N], segment: &Segment, x: f64) {
-    let velocity = if N == 4 { segment.velocity(x) } else { Vector::zeros() };
+/// One sample on its own.
+#[inline(never)]
+fn write(sample: &mut [f64], segment: &Segment, x: f64) {
+    let velocity = if sample.len() == 4 { segment.velocity(x) } else { Vector::zeros() };
     put(sample, segment.position(x), velocity);
+}
+
+/// Writes a point, and its derivative if there is room for it.
+fn put(sample: &mut [f64], point: Point, derivative: Vector) {
+    sample[..2].copy_from_slice(point.as_slice());
+    if let Some(second) = sample.get_mut(2..4) {
+        second.copy_from_slice(derivative.as_slice());
+    }
 }

@@ -24,31 +24,36 @@ pub struct Segment<'a> {
 
 impl Segment<'_> {
     /// The point at x in [0, 1].
+    #[inline]
     pub fn position(&self, x: f64) -> Point {
-        self.start + self.combine(self.basis.weights(x, 0))
+        self.derivative(x, 0)
     }
 
     /// The first derivative at x with respect to t.
+    #[inline]
     pub fn velocity(&self, x: f64) -> Vector {
-        self.combine(self.basis.weights(x, 1)) / self.length
+        self.derivative(x, 1)
     }
 
     /// The second derivative at x with respect to t.
+    #[inline]
     pub fn acceleration(&self, x: f64) -> Vector {
-        self.combine(self.basis.weights(x, 2)) / (self.length * self.length)
+        self.derivative(x, 2)
     }
 
-    /// The point (order 0) or a derivative with respect to t (order 1 or 2) at x.
+    /// The point (order 0) or a derivative with respect to t (order 1, 2, …) at x.
+    #[inline(never)]
     pub fn derivative(&self, x: f64, order: usize) -> Vector {
-        match order {
-            0 => self.position(x),
-            1 => self.velocity(x),
-            _ => self.acceleration(x),
+        let value = self.combine(&self.basis.weights(x, order));
+        if order == 0 {
+            return self.start + value;
         }
+        let divisor = (1..order).fold(self.length, |product, _| product * self.length);
+        value / divisor
     }
 
     /// Chord and end derivatives with these weights: a value or a derivative with respect to x.
-    pub(super) fn combine(&self, weights: Weights) -> Vector {
+    pub(super) fn combine(&self, weights: &Weights) -> Vector {
         (self.end - self.start) * weights.chord
             + (self.leaving * weights.leaving + self.arriving * weights.arriving) * self.length
     }

@@ -1,12 +1,11 @@
 //! Subdivision: the polygons that converge to the curve.
 
+use super::Segment;
 use super::hermite::HermiteCurve;
-use super::limits::{MOST_OUTPUT_POINTS, with_room};
 use crate::error::{Error, Result};
 use crate::generator::Basis;
-
-/// The most levels of one subdivision.
-const MOST_LEVELS: usize = 24;
+use crate::limits::{MOST_LEVELS, MOST_OUTPUT_POINTS, check, with_room};
+use crate::numerics::{Point, Vector};
 
 /// Which subdivision scheme.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,77 +36,54 @@ impl HermiteCurve {
     ///
     /// [CRU15, eq. 34 and 40–42] with the frequency of each level.
     pub fn subdivide(&self, levels: usize, arity: usize, scheme: Scheme) -> Result<Vec<f64>> {
-        check_range("levels", levels, 0, MOST_LEVELS)?;
-        check_range("arity", arity, 1, MOST_OUTPUT_POINTS)?;
-        let (pieces, needed) = self.output(levels, arity, scheme);
-        if needed > MOST_OUTPUT_POINTS as f64 {
-            let most = MOST_OUTPUT_POINTS as f64;
+        check("levels", None, levels as f64, 0.0, MOST_LEVELS as f64)?;
+        check("arity", None, arity as f64, 1.0, MOST_OUTPUT_POINTS as f64)?;
+        let pieces = (0..levels).fold(1.0, |pieces, _| pieces * arity as f64);
+        let scalar = scheme == Scheme::Scalar;
+        let nodes = pieces * self.segment_count() as f64 + if self.is_closed() { 0.0 } else { 1.0 };
+        let (needed, most) = (if scalar { 2.0 * nodes } else { nodes }, MOST_OUTPUT_POINTS as f64);
+        if needed > most {
             return Err(Error::LimitExceeded { argument: "levels", limit: "maxOutputPoints", most, needed });
         }
         let mut polygon = with_room(2 * needed as usize)?;
+        // κ·H of a piece, on the arriving and on the leaving side.
+        let reach = |segment: &Segment| {
+            let kappa = Basis::new(segment.basis.space(), segment.basis.frequency() / pieces).kappa();
+            kappa * segment.length / pieces
+        };
+        let last = self.segment_count() - 1;
+        let mut before = if self.is_closed() { reach(&self.segment(last)) } else { 0.0 };
         for i in 0..self.segment_count() {
-            match scheme {
-                Scheme::Hermite => self.push_points(i, pieces, &mut polygon),
-                Scheme::Scalar => self.push_inner(i, pieces, &mut polygon),
+            let segment = self.segment(i);
+            let after = reach(&segment);
+            push(
+                &mut polygon,
+                scalar,
+                segment.start,
+                self.tangents_in()[i] * before,
+                segment.leaving * after,
+            );
+            for k in 1..pieces as usize {
+                let x = k as f64 / pieces;
+                let step = segment.velocity(x) * after;
+                push(&mut polygon, scalar, segment.position(x), step, step);
             }
+            before = after;
         }
-        let (last, end) = (self.segment_count() - 1, self.points().len() - 1);
         if !self.is_closed() {
-            let (point, arriving) = (self.points()[end], self.tangents_in()[end]);
-            if scheme == Scheme::Scalar {
-                polygon.extend_from_slice((point - arriving * self.reach(last, pieces)).as_slice());
-            }
-            polygon.extend_from_slice(point.as_slice());
+            let segment = self.segment(last);
+            push(&mut polygon, scalar, segment.end, segment.arriving * before, Vector::zeros());
         }
         Ok(polygon)
     }
-
-    /// Pieces a segment, and points in all (as a number that cannot overflow).
-    fn output(&self, levels: usize, arity: usize, scheme: Scheme) -> (usize, f64) {
-        let pieces = (0..levels).fold(1.0, |pieces, _| pieces * arity as f64);
-        let (each, ends) = if scheme == Scheme::Scalar { (2.0, 2.0) } else { (1.0, 1.0) };
-        let ends = if self.is_closed() { 0.0 } else { ends };
-        (pieces as usize, each * pieces * self.segment_count() as f64 + ends)
-    }
-
-    fn push_points(&self, i: usize, pieces: usize, polygon: &mut Vec<f64>) {
-        let segment = self.segment(i);
-        for k in 0..pieces {
-            polygon.extend_from_slice(segment.position(k as f64 / pieces as f64).as_slice());
-        }
-    }
-
-    /// Before and after every node of segment i, its start included: P − κ·H·D and P + κ·H·D.
-    fn push_inner(&self, i: usize, pieces: usize, polygon: &mut Vec<f64>) {
-        let segment = self.segment(i);
-        let reach = self.reach(i, pieces);
-        let before = match i.checked_sub(1) {
-            Some(before) => self.reach(before, pieces),
-            None if self.is_closed() => self.reach(self.segment_count() - 1, pieces),
-            None => 0.0,
-        };
-        polygon.extend_from_slice((segment.start - self.tangents_in()[i] * before).as_slice());
-        polygon.extend_from_slice((segment.start + segment.leaving * reach).as_slice());
-        for k in 1..pieces {
-            let x = k as f64 / pieces as f64;
-            let (point, step) = (segment.position(x), segment.velocity(x) * reach);
-            polygon.extend_from_slice((point - step).as_slice());
-            polygon.extend_from_slice((point + step).as_slice());
-        }
-    }
-
-    /// κ·H of a piece of segment i.
-    fn reach(&self, i: usize, pieces: usize) -> f64 {
-        let segment = self.segment(i);
-        let share = 1.0 / pieces as f64;
-        Basis::new(segment.basis.space(), segment.basis.frequency() * share).kappa() * segment.length * share
-    }
 }
 
-fn check_range(argument: &'static str, value: usize, least: usize, most: usize) -> Result<()> {
-    if (least..=most).contains(&value) {
-        return Ok(());
+/// A point, or the control points before and after it.
+#[inline(never)]
+fn push(polygon: &mut Vec<f64>, scalar: bool, point: Point, arriving: Vector, leaving: Vector) {
+    let first = if scalar { point - arriving } else { point };
+    polygon.extend_from_slice(first.as_slice());
+    if scalar {
+        polygon.extend_from_slice((point + leaving).as_slice());
     }
-    let (value, least, most) = (value as f64, least as f64, most as f64);
-    Err(Error::OutOfRange { argument, index: None, value, least, most })
 }

@@ -15,7 +15,7 @@ impl HermiteCurve {
     /// [`HermiteCurve::new`] when `None`: a closed trigonometric curve then has ω = 2π/M and reproduces every
     /// ellipse that the points lie on evenly.
     ///
-    /// Where no unique such curve exists (which takes a trigonometric ω ≥ π), tangents are central differences
+    /// Where no unique such curve exists, or hardly (which takes a trigonometric ω near π or above), tangents are central differences
     /// (Catmull–Rom) and only the first derivative is continuous; two points of a closed curve with ω = π give
     /// the circle on their diameter, from the first point towards the second axis.
     ///
@@ -40,27 +40,31 @@ impl HermiteCurve {
             Some(tangents) => tangents,
             None => curve.differences(),
         };
-        let mut options = curve.to_options();
-        options.tangents_in = tangents.clone();
-        options.tangents = tangents;
-        Self::new(options)
+        curve.changed(&mut |data| {
+            data.tangents.clone_from(&tangents);
+            data.tangents_in.clone_from(&tangents);
+        })
     }
 
     /// (D 7.6) Row i says: the second derivative that arrives at point i is the one that leaves it, or 0 at open ends.
     fn continuity(&self) -> Vec<Row> {
         let mut rows = vec![Row::default(); self.points().len()];
         for (i, segment) in self.segments().enumerate() {
-            let next = self.next(i);
             let chord = (segment.end - segment.start) / segment.length;
-            let (leaves, arrives) = (segment.basis.weights(0.0, 2), segment.basis.weights(1.0, 2));
-            let row = &mut rows[i];
-            row.center -= leaves.leaving / segment.length;
-            row.after -= leaves.arriving / segment.length;
-            row.right += chord * (leaves.chord / segment.length);
-            let row = &mut rows[next];
-            row.before += arrives.leaving / segment.length;
-            row.center += arrives.arriving / segment.length;
-            row.right -= chord * (arrives.chord / segment.length);
+            for (place, x, sign) in [(i, 0.0, -1.0), (self.next(i), 1.0, 1.0)] {
+                let weights = segment.basis.weights(x, 2);
+                let scale = sign / segment.length;
+                let (leaving, arriving) = (weights.leaving * scale, weights.arriving * scale);
+                let row = &mut rows[place];
+                row.right -= chord * (weights.chord * scale);
+                if sign < 0.0 {
+                    row.center += leaving;
+                    row.after += arriving;
+                } else {
+                    row.before += leaving;
+                    row.center += arriving;
+                }
+            }
         }
         rows
     }
@@ -73,14 +77,14 @@ impl HermiteCurve {
             let tangent = Vector::new(-radius.y, radius.x) * PI;
             return vec![tangent, -tangent];
         }
-        let neighbours = |i: usize| match (self.is_closed(), i) {
-            (true, _) => ((i + n - 1) % n, (i + 1) % n),
-            (false, _) => (i.saturating_sub(1), (i + 1).min(n - 1)),
-        };
-        let difference = |(before, after): (usize, usize)| {
-            let steps = if self.is_closed() || after - before == 2 { 2.0 } else { 1.0 };
-            (points[after] - points[before]) / steps
-        };
-        (0..n).map(|i| difference(neighbours(i))).collect()
+        let mut tangents = Vec::with_capacity(n);
+        for i in 0..n {
+            let (first, last) = (i == 0 && !self.is_closed(), i + 1 == n && !self.is_closed());
+            let before = if first { 0 } else { (i + n - 1) % n };
+            let after = if last { i } else { (i + 1) % n };
+            let steps = if first || last { 1.0 } else { 2.0 };
+            tangents.push((points[after] - points[before]) / steps);
+        }
+        tangents
     }
 }

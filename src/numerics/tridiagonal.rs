@@ -15,65 +15,39 @@ pub struct Row {
     pub right: Vector,
 }
 
-/// Solves the system by elimination without pivoting, in place of which the answer is checked.
+/// Solves the system by elimination without pivoting.
 ///
-/// `None` where a pivot is lost (below 1e-9 of its row) or a residual exceeds 1e-10 of the system's size: it has
-/// no unique solution, or none that elimination finds. Systems with a dominant diagonal always succeed. O(n), any
-/// n from 1 up.
+/// `None` where a pivot is below a thousandth of its row: the system has no unique solution, or none that this
+/// elimination finds with digits to spare. A diagonal that dominates always suffices. O(n), any n from 2 up.
 pub fn solve(rows: &[Row]) -> Option<Vec<Vector>> {
-    let n = rows.len();
-    let last = rows.last()?;
-    if n == 1 {
-        let pivot = regular(last.before + last.center + last.after, last)?;
-        return accept(rows, vec![last.right / pivot]);
-    }
-    // Forward: xᵢ = y − u·xᵢ₊₁ − v·xₙ₋₁.
-    let mut kept = Vec::with_capacity(n);
+    let (last, others) = rows.split_last()?;
+    // Forward: xᵢ = y − u·xᵢ₊₁ − v·xₙ₋₁, for the row before the first with xₙ₋₁ itself.
+    let mut kept = Vec::with_capacity(rows.len());
     let (mut y, mut u, mut v) = (Vector::zeros(), 0.0, -1.0);
-    for row in &rows[..n - 1] {
+    for row in others {
         let pivot = regular(row.center - row.before * u, row)?;
         y = (row.right - y * row.before) / pivot;
         v = -row.before * v / pivot;
         u = row.after / pivot;
         kept.push((y, u, v));
     }
+    let before_last = (y, -u - v);
     // Backward: xᵢ = p + q·xₙ₋₁, from the last but one down to the first.
     let (mut p, mut q) = (Vector::zeros(), 1.0);
-    let mut before_last = (p, q);
-    for (i, (y, u, v)) in kept.iter().enumerate().rev() {
-        p = y - p * *u;
-        q = -u * q - v;
-        if i + 2 == n {
-            before_last = (p, q);
-        }
+    for (y, u, v) in kept.iter_mut().rev() {
+        (p, q) = (*y - p * *u, -*u * q - *v);
+        (*y, *v) = (p, q);
     }
     let pivot = regular(last.center + last.before * before_last.1 + last.after * q, last)?;
     let end = (last.right - before_last.0 * last.before - p * last.after) / pivot;
-    let mut x = vec![end; n];
-    let mut next = end;
-    for (x, (y, u, v)) in x.iter_mut().zip(&kept).rev() {
-        next = y - next * *u - end * *v;
-        *x = next;
-    }
-    accept(rows, x)
+    let mut x: Vec<Vector> = kept.iter().map(|(p, _, q)| p + end * *q).collect();
+    x.push(end);
+    Some(x)
 }
 
 fn regular(pivot: f64, row: &Row) -> Option<f64> {
     let size = row.before.abs() + row.center.abs() + row.after.abs();
-    (pivot.abs() > 1e-9 * size).then_some(pivot)
-}
-
-fn accept(rows: &[Row], x: Vec<Vector>) -> Option<Vec<Vector>> {
-    let n = x.len();
-    let size = |v: &Vector| v.x.abs().max(v.y.abs());
-    let largest = x.iter().map(size).fold(0.0, f64::max);
-    let fits = rows.iter().enumerate().all(|(i, row)| {
-        let (before, after) = (x[(i + n - 1) % n], x[(i + 1) % n]);
-        let residual = before * row.before + x[i] * row.center + after * row.after - row.right;
-        let scale = (row.before.abs() + row.center.abs() + row.after.abs()) * largest;
-        size(&residual) <= 1e-10 * (scale + size(&row.right))
-    });
-    fits.then_some(x)
+    (pivot.abs() > 1e-3 * size).then_some(pivot)
 }
 
 #[cfg(test)]
@@ -82,7 +56,7 @@ mod tests {
 
     #[test]
     fn a_cyclic_system_of_any_size_is_solved() {
-        for n in 1..9_usize {
+        for n in 2..9_usize {
             let x: Vec<Vector> = (0..n).map(|i| Vector::new(1.0 + i as f64, (i * i) as f64 - 3.0)).collect();
             let rows: Vec<Row> = (0..n)
                 .map(|i| {
