@@ -8,7 +8,7 @@ import { thumbnail } from "./thumbnail.ts";
 const offered = ["circle-2", "heart", "glyph"];
 
 function isEmpty(state: EditorState): boolean {
-  return state.mode === "curve" && state.engine.status === "ready" && state.curve.contours.length === 0 && state.sketch.rubber === null;
+  return state.mode === "curve" && state.engine.status === "ready" && state.curve.contours.length === 0 && state.tool !== "pen";
 }
 
 /** An empty drawing: the pen, or three samples to start from. Presses beside the buttons go through to the stage. */
