@@ -258,3 +258,14 @@ test("going down a level that finer edits were made on shows the change first, a
   hand.run("undo");
   assert.equal(hand.curve, finer);
 });
+
+test("the pen goes on from either end of an open contour", () => {
+  const hand = new Hand("sine");
+  const [first, count] = [hand.point(0), hand.curve.contours[0]?.points.length ?? 0];
+  hand.editor.patch({ tool: "pen" });
+  hand.click(first.x, first.y).click(first.x - 60, first.y - 80);
+  const contour = hand.curve.contours[0];
+  assert.equal(hand.curve.contours.length, 1);
+  assert.equal(contour?.points.length, count + 1);
+  assert.deepEqual([hand.point(count - 1).x, hand.point(count).x], [first.x, first.x - 60]);
+});

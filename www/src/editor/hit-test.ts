@@ -49,8 +49,10 @@ export function pointsWithHandles(curve: CurveDocument, selection: Selection, mo
 /** The handles on the stage: those that show, have a segment, and have not been drawn into their point. */
 export function shownHandles(state: EditorState): HandleRef[] {
   if (!state.settings.overlays.handles || state.mode !== "curve") return [];
+  // The pen is about to give the free end its segment: its handle shows what that will leave along.
+  const shows = (ref: PointRef, side: Side): boolean => hasSide(state.curve, ref, side) || state.tool === "pen";
   return pointsWithHandles(state.curve, state.selection).flatMap((ref) =>
-    sides.filter((side) => hasSide(state.curve, ref, side) && !isRetracted(state.curve, ref, side)).map((side) => ({ ...ref, side })),
+    sides.filter((side) => shows(ref, side) && !isRetracted(state.curve, ref, side)).map((side) => ({ ...ref, side })),
   );
 }
 

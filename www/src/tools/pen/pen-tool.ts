@@ -1,4 +1,4 @@
-import { replaceContour, type Command } from "../../document/commands.ts";
+import { replaceContour, reverseContour, type Command } from "../../document/commands.ts";
 import { noOffset, nothingSelected, type Contour, type ControlPoint, type CurveDocument, type Offset, type PointRef } from "../../document/document.ts";
 import { opposite } from "../../document/offset.ts";
 import { toScreen, type PagePoint } from "../../editor/camera.ts";
@@ -26,7 +26,7 @@ function withOut(point: ControlPoint, out: Offset): ControlPoint {
 export function createPenTool(editor: Editor): Tool {
   /** The contour that the pen is drawing; it is always the last point that goes on. */
   let drawing: number | null = null;
-  let press: { start: PointerSample; ref: PointRef; place: PagePoint; closing: boolean } | null = null;
+  let press: { start: PointerSample; ref: PointRef; closing: boolean } | null = null;
 
   function current(): Contour | undefined {
     const contour = drawing === null ? undefined : editor.state.value.curve.contours[drawing];
@@ -36,10 +36,36 @@ export function createPenTool(editor: Editor): Tool {
 
   function closes(sample: PointerSample): boolean {
     const contour = current();
-    const first = contour?.points[0];
-    if (contour === undefined || first === undefined || contour.points.length < 2) return false;
+    return contour !== undefined && contour.points.length >= 2 && isAt(contour.points[0], sample);
+  }
+
+  function isAt(point: ControlPoint | undefined, sample: PointerSample): boolean {
     const { view, stage } = editor.state.value;
-    return distanceBetween(toScreen(view, stage, first), sample.screen) <= closeReach * (sample.kind === "touch" ? 2 : 1);
+    return point !== undefined && distanceBetween(toScreen(view, stage, point), sample.screen) <= closeReach * (sample.kind === "touch" ? 2 : 1);
+  }
+
+  /** The open contour with an end under the pointer: the pen goes on from there. */
+  function endAt(sample: PointerSample): { contour: number; first: boolean } | null {
+    for (const [contour, { closed: isClosed, points }] of editor.state.value.curve.contours.entries()) {
+      if (isClosed) continue;
+      if (isAt(points.at(-1), sample)) return { contour, first: false };
+      if (isAt(points[0], sample)) return { contour, first: true };
+    }
+    return null;
+  }
+
+  function goOn(sample: PointerSample, end: { contour: number; first: boolean }): void {
+    const at = end.contour;
+    editor.begin("Continue path");
+    const last = (editor.state.value.curve.contours[at]?.points.length ?? 1) - 1;
+    const ref = { contour: at, index: last };
+    const select = { points: [ref], handle: null };
+    // A contour goes on at its end: taken up at its beginning, it is turned round first.
+    if (end.first) editor.preview({ ...reverseContour(at), select });
+    else editor.patch({ selection: select });
+    drawing = at;
+    press = { start: sample, ref, closing: false };
+    editor.patch({ sketch: nothingSketched });
   }
 
   function placed(sample: PointerSample): PagePoint {
@@ -125,18 +151,20 @@ export function createPenTool(editor: Editor): Tool {
       if (contour === undefined) drawing = null;
       if (sample.clicks === 2 && contour !== undefined) return void stop();
       if (contour !== undefined && contour.points.length >= mostPoints) return refuse(editor, `A contour holds at most ${mostPoints} points here.`);
+      const end = contour === undefined ? endAt(sample) : null;
+      if (end !== null) return goOn(sample, end);
       const closing = closes(sample);
       const place = placed(sample);
       editor.begin(closing ? "Close path" : contour === undefined ? "Start path" : "Add point");
       if (closing && contour !== undefined && drawing !== null) {
         const at = drawing;
-        press = { start: sample, ref: { contour: at, index: 0 }, place: contour.points[0] ?? place, closing };
+        press = { start: sample, ref: { contour: at, index: 0 }, closing };
         editor.preview({ name: "Close path", apply: (document) => replaceContour(document, at, closed(contour, document)), select: { points: [press.ref], handle: null } });
         return;
       }
       const { command, ref } = addPoint(place);
       drawing = ref.contour;
-      press = { start: sample, ref, place, closing };
+      press = { start: sample, ref, closing };
       editor.preview(command);
       editor.patch({ sketch: nothingSketched });
     },
