@@ -150,18 +150,20 @@ function listenToKeys({ editor, input, surface, until, leaveStage }: Options): v
       if (event.key === "Enter" && inStage && input.finish()) return event.preventDefault();
       if (widgetKeys.has(event.key) && !inStage && document.activeElement !== document.body) return;
       const action = actionFor(editor, chordOf({ key: event.key, ...modifiersOf(event) }));
-      if (action === undefined || action.enabled?.(editor.state.value) === false) return;
+      if (action === undefined) return;
+      if (input.busy && (action.id === "undo" || action.id === "redo")) {
+        // Undo during a drag takes back the drag, and no more than that, even when there is nothing else to undo.
+        event.preventDefault();
+        return void input.cancel();
+      }
+      if (action.enabled?.(editor.state.value) === false) return;
       event.preventDefault();
       if (action.release !== undefined) {
         if (event.repeat) return;
         held.set(event.code, action.id);
       }
       input.flush();
-      if (input.busy && !action.id.startsWith("zoom")) {
-        input.cancel();
-        // Undo during a drag takes back the drag, and no more than that.
-        if (action.id === "undo" || action.id === "redo") return;
-      }
+      if (input.busy && !action.id.startsWith("zoom")) input.cancel();
       action.run(editor);
     },
     { signal: until },

@@ -36,7 +36,7 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
     const box = surface.getBoundingClientRect();
     editor.patch({ stage: { left: box.left, top: box.top, width: box.width, height: box.height } });
     ratio = canvasRatio(box.width, box.height, window.devicePixelRatio);
-    const [width, height] = [Math.round(box.width * ratio), Math.round(box.height * ratio)];
+    const [width, height] = [Math.floor(box.width * ratio), Math.floor(box.height * ratio)];
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
     repaint();

@@ -1,0 +1,104 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { useBrowser } from "./page.ts";
+
+const { open } = useBrowser();
+
+/** What a careless hand, a small window or a strange screen does to the page. */
+
+test("DM-010 undo during a drag cancels the drag, and the rest of the drag does nothing", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  const before = (await demo.state()).curve;
+  const { x, y } = await demo.centre("pt-0-1");
+  const { mouse } = demo.page;
+  await mouse.move(x, y);
+  await mouse.down();
+  await mouse.move(x + 50, y + 30, { steps: 4 });
+  await demo.press("Control+z");
+  await mouse.move(x + 80, y + 60, { steps: 4 });
+  await mouse.up();
+  await demo.idle();
+  assert.deepEqual((await demo.state()).curve, before);
+  assert.deepEqual(demo.complaints, []);
+});
+
+test("DM-011 deleting the point that is being dragged deletes it, and the drag ends", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  await demo.click("pt-0-1");
+  const { x, y } = await demo.centre("pt-0-1");
+  const { mouse } = demo.page;
+  await mouse.move(x, y);
+  await mouse.down();
+  await mouse.move(x + 50, y + 30, { steps: 4 });
+  await demo.press("Delete");
+  await mouse.move(x + 80, y + 60, { steps: 4 });
+  await mouse.up();
+  await demo.idle();
+  assert.equal((await demo.points()).length, 7);
+  assert.deepEqual(demo.complaints, []);
+});
+
+test("DM-012 a hundred thousand pointer moves between two frames are one move", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  await demo.withoutSnap();
+  const { x, y } = await demo.centre("pt-0-1");
+  const before = await demo.point(1);
+  await demo.page.mouse.move(x, y);
+  await demo.page.mouse.down();
+  const frames = await demo.page.evaluate(async ([px, py]) => {
+    const surface = document.querySelector('[data-testid="stage"]');
+    const start = window.explineDemo.stats().frameMs.length;
+    for (let i = 1; i <= 100_000; i += 1) {
+      surface?.dispatchEvent(new PointerEvent("pointermove", { pointerId: 1, pointerType: "mouse", clientX: px + i / 2500, clientY: py, bubbles: true }));
+    }
+    await window.explineDemo.idle();
+    return window.explineDemo.stats().frameMs.length - start;
+  }, [x, y] as const);
+  await demo.page.mouse.move(x + 40, y);
+  await demo.page.mouse.up();
+  await demo.idle();
+  assert.ok(frames <= 3, `${frames} frames`);
+  assert.ok(Math.abs((await demo.point(1)).x - before.x - 40) <= 0.5);
+});
+
+test("DM-015 a stage of no size draws nothing and comes back", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  const picture = await demo.pixels();
+  await demo.page.evaluate(() => {
+    const surface = document.querySelector<HTMLElement>('[data-testid="stage"]');
+    if (surface !== null) surface.style.width = "0";
+  });
+  await demo.page.waitForTimeout(100);
+  await demo.press("f");
+  await demo.press("0");
+  const { view } = await demo.state();
+  assert.ok([view.zoom, view.x, view.y].every(Number.isFinite));
+  await demo.page.evaluate(() => {
+    const surface = document.querySelector<HTMLElement>('[data-testid="stage"]');
+    if (surface !== null) surface.style.width = "";
+  });
+  await demo.page.waitForTimeout(100);
+  await demo.idle();
+  assert.equal((await demo.pixels()).length, picture.length);
+  assert.deepEqual(demo.complaints, []);
+});
+
+test("DM-016 zooming out and in far beyond the limits leaves a view of numbers", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  await demo.page.mouse.move(640, 420);
+  for (let i = 0; i < 200; i += 1) await demo.page.mouse.wheel(0, 120);
+  for (let i = 0; i < 200; i += 1) await demo.page.mouse.wheel(0, -120);
+  await demo.idle();
+  const { view } = await demo.state();
+  assert.ok([view.zoom, view.x, view.y].every(Number.isFinite));
+  assert.deepEqual(demo.complaints, []);
+});
+
+test("DM-017 a screen of very many pixels gets a canvas that browsers can hold", async (t) => {
+  const demo = await open(t, "", { viewport: { width: 3840, height: 2160 }, deviceScaleFactor: 3 });
+  const pixels = await demo.page.evaluate(() => {
+    const canvas = document.querySelector("canvas");
+    return (canvas?.width ?? 0) * (canvas?.height ?? 0);
+  });
+  assert.ok(pixels > 1e6 && pixels <= 16_777_216, `${pixels} pixels`);
+});
