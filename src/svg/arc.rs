@@ -9,7 +9,7 @@ use crate::numerics::{Point, Vector};
 use core::f64::consts::{FRAC_PI_2, PI};
 
 /// A sweep that is larger than π by rounding alone still makes one segment.
-const HALF_TURN: f64 = PI + 1e-6;
+pub(super) const HALF_TURN: f64 = PI + 1e-6;
 
 /// The parameters of an `A` command.
 #[derive(Clone, Copy, Debug)]
@@ -44,6 +44,7 @@ impl Arc {
     /// The chord must not be 0 and neither may a radius. `slack` is the relative uncertainty of the chord from
     /// rounding: a chord that equals the diameter within it makes an exact half turn, whose centre would else move
     /// by the square root of the rounding error.
+    #[inline(never)]
     pub(super) fn new(start: Point, chord: Vector, command: &ArcCommand, slack: f64) -> Self {
         let radii = command.radii.abs();
         let (cos, sin) = if radii.x == radii.y { (1.0, 0.0) } else { cos_sin_degrees(command.rotation) };
@@ -81,21 +82,8 @@ impl Arc {
     }
 
     /// dr/dθ there.
-    fn tangent(&self, e: Vector) -> Vector {
+    pub(super) fn tangent(&self, e: Vector) -> Vector {
         self.v * e.x - self.u * e.y
-    }
-
-    /// Calls `segment(end, leaving, arriving, w)` for the one or two trigonometric segments of parameter length 1
-    /// that are the arc; the end of the last one is `None`, because the caller knows it exactly.
-    pub(super) fn segments(&self, mut segment: impl FnMut(Option<Point>, Vector, Vector, f64)) {
-        if self.sweep.abs() <= HALF_TURN {
-            let w = self.sweep;
-            return segment(None, self.tangent(self.first) * w, self.tangent(self.last) * w, w.abs());
-        }
-        let w = 0.5 * self.sweep;
-        let middle = self.tangent(self.middle) * w;
-        segment(Some(self.point(self.middle)), self.tangent(self.first) * w, middle, w.abs());
-        segment(None, middle, self.tangent(self.last) * w, w.abs());
     }
 }
 

@@ -1,11 +1,11 @@
 //! SVG path data → curves.
 
-use super::arc::{Arc, ArcCommand};
+use super::arc::{Arc, ArcCommand, HALF_TURN};
 use super::number;
 use super::subpath::Subpath;
 use crate::curve::HermiteCurve;
 use crate::error::{Error, Result};
-use crate::limits::LARGEST_COORDINATE;
+use crate::limits::{LARGEST_COORDINATE, too_many};
 use crate::numerics::{Point, Vector};
 
 /// The longest path text that is read, in bytes.
@@ -81,284 +81,272 @@ pub struct Truncation {
 /// ```
 pub fn parse_path(d: &str) -> Result<ParsedPath> {
     if d.len() > MOST_PATH_BYTES {
-        return Err(limit("maxPathBytes", MOST_PATH_BYTES, d.len()));
+        return Err(too_many("d", "maxPathBytes", MOST_PATH_BYTES, d.len()));
     }
-    let mut reader = Reader::new(d.as_bytes());
-    let stopped = reader.read_all();
-    match stopped {
-        Err(Stop::Failed(error)) => return Err(error),
-        Err(Stop::Syntax(truncation)) => reader.path.truncation = Some(truncation),
-        Ok(()) => {}
+    let mut reader = Reader {
+        text: d.as_bytes(),
+        at: 0,
+        group: 0,
+        numbers: [0.0; 7],
+        offset: Vector::zeros(),
+        current: Point::zeros(),
+        start: Point::zeros(),
+        open: false,
+        subpath: Subpath::default(),
+        points: 0,
+        failure: None,
+        path: ParsedPath::default(),
+    };
+    // Reading stops by itself at the end and where text makes no sense; what stands is kept, unless it failed.
+    reader.read();
+    reader.finish(false);
+    let Reader { failure, path, .. } = reader;
+    if let Some(error) = failure {
+        return Err(error);
     }
-    reader.finish(false)?;
-    match reader.path.truncation {
-        Some(Truncation { found, expected, .. }) if reader.path.subpaths == 0 => {
-            Err(Error::PathSyntax { offset: found, expected })
+    match path.truncation {
+        Some(Truncation { found: offset, expected, .. }) if path.subpaths == 0 => {
+            Err(Error::PathSyntax { offset, expected })
         }
-        _ => Ok(reader.path),
+        _ => Ok(path),
     }
 }
 
-fn limit(limit: &'static str, most: usize, needed: usize) -> Error {
-    Error::LimitExceeded { argument: "d", limit, most: most as f64, needed: needed as f64 }
-}
-
-/// Why reading stopped: text that makes no sense, or an error of the whole call.
-enum Stop {
-    Syntax(Truncation),
-    Failed(Error),
-}
-
-type Step<T> = core::result::Result<T, Stop>;
-
-/// What `S` or `T` goes on from: the derivative that arrived, or the control point to reflect.
-#[derive(Clone, Copy)]
-enum Previous {
-    Other,
-    Cubic(Vector),
-    Quadratic(Point),
-}
+/// `Some` to go on, `None` to stop; why is in the reader.
+type Step = Option<()>;
 
 struct Reader<'a> {
     text: &'a [u8],
     at: usize,
-    /// Where the numbers of the command being read start.
+    /// Where the command being read starts, or its current group of numbers.
     group: usize,
-    relative: bool,
+    /// That group, in absolute coordinates.
+    numbers: [f64; 7],
+    /// The last two of them as they were written.
+    offset: Vector,
     current: Point,
     start: Point,
-    previous: Previous,
     /// Whether a subpath is open: a drawing command after `Z` opens a new one where the last one started.
     open: bool,
     subpath: Subpath,
     points: usize,
+    failure: Option<Error>,
     path: ParsedPath,
 }
 
-impl<'a> Reader<'a> {
-    fn new(text: &'a [u8]) -> Self {
-        Self {
-            text,
-            at: 0,
-            group: 0,
-            relative: false,
-            current: Point::zeros(),
-            start: Point::zeros(),
-            previous: Previous::Other,
-            open: false,
-            subpath: Subpath::default(),
-            points: 0,
-            path: ParsedPath::default(),
-        }
-    }
-
-    fn read_all(&mut self) -> Step<()> {
+impl Reader<'_> {
+    fn read(&mut self) -> Step {
         loop {
             self.skip_space();
-            let Some(letter) = self.byte() else { return Ok(()) };
-            self.group = self.at;
-            let command = letter | 0x20;
-            let known =
-                matches!(command, b'a' | b'c' | b'h' | b'l' | b'm' | b'q' | b's' | b't' | b'v' | b'z');
-            if !(letter.is_ascii_alphabetic() && known) {
-                return self.expected(if self.path.subpaths == 0 {
-                    "a moveto (M or m)"
-                } else {
-                    "a command"
-                });
+            let letter = self.byte();
+            if self.at == self.text.len() {
+                return Some(());
             }
+            self.group = self.at;
+            let mut command = letter | 0x20;
+            let count = match command {
+                b'z' => 0,
+                b'h' | b'v' => 1,
+                b'l' | b'm' | b't' => 2,
+                b'q' | b's' => 4,
+                b'c' => 6,
+                b'a' => 7,
+                _ => usize::MAX,
+            };
             if self.path.subpaths == 0 && command != b'm' {
                 return self.expected("a moveto (M or m)");
             }
-            self.relative = letter & 0x20 != 0;
+            if count == usize::MAX {
+                return self.expected("a command");
+            }
+            let relative = letter == command;
             self.at += 1;
-            self.command(command)?;
-        }
-    }
-
-    /// The command once, and again for as long as numbers follow.
-    fn command(&mut self, command: u8) -> Step<()> {
-        self.skip_space();
-        if command == b'z' {
-            return self.close();
-        }
-        self.group = self.at;
-        let mut command = command;
-        loop {
-            match command {
-                b'm' => self.moveto()?,
-                b'a' => self.arc()?,
-                b'h' | b'v' => self.axis_line(command == b'h')?,
-                b'l' => {
-                    let end = self.point()?;
-                    self.line(end)?;
-                }
-                _ => self.bezier(command)?,
-            }
-            if command == b'm' {
-                command = b'l';
-            }
             self.skip_space();
-            let comma = self.skip_comma();
-            self.group = self.at;
-            match self.byte() {
-                Some(b'0'..=b'9' | b'+' | b'-' | b'.') => {}
-                _ if comma => return self.expected("a number"),
-                _ => return Ok(()),
+            if count == 0 {
+                self.close()?;
+                continue;
+            }
+            // The command once, and again for as long as numbers follow.
+            loop {
+                self.group = self.at;
+                self.read_group(command, count, relative)?;
+                self.draw(command, relative)?;
+                if command == b'm' {
+                    command = b'l';
+                }
+                self.skip_space();
+                let comma = self.skip_comma();
+                self.group = self.at;
+                if !matches!(self.byte(), b'0'..=b'9' | b'+' | b'-' | b'.') {
+                    if comma {
+                        return self.expected("a number");
+                    }
+                    break;
+                }
             }
         }
     }
 
-    fn moveto(&mut self) -> Step<()> {
-        let to = self.point()?;
-        self.finish(false).map_err(Stop::Failed)?;
-        self.open_subpath(to)
-    }
-
-    fn open_subpath(&mut self, at: Point) -> Step<()> {
-        self.path.subpaths += 1;
-        if self.path.subpaths > MOST_SUBPATHS {
-            return Err(Stop::Failed(limit("maxSubpaths", MOST_SUBPATHS, self.path.subpaths)));
-        }
-        self.open = true;
-        self.previous = Previous::Other;
-        (self.start, self.current) = (at, at);
-        Ok(())
-    }
-
-    fn close(&mut self) -> Step<()> {
-        if self.open {
-            self.finish(true).map_err(Stop::Failed)?;
-        }
-        self.current = self.start;
-        self.previous = Previous::Other;
-        Ok(())
-    }
-
-    fn axis_line(&mut self, horizontal: bool) -> Step<()> {
-        let value = self.number()?;
-        let mut end = self.current;
-        let coordinate = if horizontal { &mut end.x } else { &mut end.y };
-        *coordinate = if self.relative { *coordinate + value } else { value };
-        let end = self.checked(end)?;
-        self.line(end)
-    }
-
-    fn line(&mut self, end: Point) -> Step<()> {
-        let start = self.current;
-        self.draw_bezier(end - start, start, end, 1.0)?;
-        self.previous = Previous::Other;
-        Ok(())
-    }
-
-    /// `C`, `S`, `Q` and `T`.
-    fn bezier(&mut self, command: u8) -> Step<()> {
-        let start = self.current;
-        if matches!(command, b'c' | b's') {
-            let leaving = match (command, self.previous) {
-                (b'c', _) => (self.point()? - start) * 3.0,
-                (_, Previous::Cubic(arriving)) => arriving,
-                _ => Vector::zeros(),
+    /// Reads the numbers of one command, and makes them absolute.
+    fn read_group(&mut self, command: u8, count: usize, relative: bool) -> Step {
+        let base = if relative { self.current } else { Point::zeros() };
+        for k in 0..count {
+            if k > 0 {
+                self.skip_space();
+                self.skip_comma();
+            }
+            if command == b'a' && (k == 3 || k == 4) {
+                let flag = self.byte();
+                if flag != b'0' && flag != b'1' {
+                    return self.expected("a flag (0 or 1)");
+                }
+                self.at += 1;
+                self.numbers[k] = f64::from(flag - b'0');
+                continue;
+            }
+            let Some((number, end)) = number::read(self.text, self.at) else {
+                return self.expected("a number");
             };
-            let control = self.point()?;
-            let end = self.point()?;
-            self.draw_bezier(leaving, control, end, 3.0)?;
-            self.previous = Previous::Cubic((end - control) * 3.0);
-        } else {
-            let control = match (command, self.previous) {
-                (b'q', _) => self.point()?,
-                (_, Previous::Quadratic(control)) => self.checked(start * 2.0 - control)?,
-                _ => start,
+            let value = match command {
+                b'a' if k < 5 => number,
+                b'v' => number + base.y,
+                b'a' => number + base[k - 5],
+                _ => number + base[k % 2],
             };
-            let end = self.point()?;
-            self.draw_bezier((control - start) * 2.0, control, end, 2.0)?;
-            self.previous = Previous::Quadratic(control);
+            self.within(value)?;
+            self.at = end;
+            self.numbers[k] = value;
+            self.offset = Vector::new(self.offset.y, number);
         }
-        Ok(())
+        Some(())
     }
 
-    fn arc(&mut self) -> Step<()> {
-        let radii = Vector::new(self.number()?, self.number()?);
-        let command =
-            ArcCommand { radii, rotation: self.number()?, large: self.flag()?, positive: self.flag()? };
-        let offset = Vector::new(self.number()?, self.number()?);
-        let start = self.current;
-        let (end, chord) = if self.relative { (start + offset, offset) } else { (offset, offset - start) };
-        let end = self.checked(end)?;
-        if radii.x == 0.0 || radii.y == 0.0 {
-            return self.line(end);
+    fn draw(&mut self, command: u8, relative: bool) -> Step {
+        let [a, b, c, d, e, f, g] = self.numbers;
+        let (start, one, two, three) = (self.current, Point::new(a, b), Point::new(c, d), Point::new(e, f));
+        let (control, degree) = self.subpath.last_control();
+        match command {
+            b'm' => {
+                self.finish(false)?;
+                self.open_subpath(one)
+            }
+            b'l' => self.bezier(one - start, start, one, 1.0),
+            b'h' => self.bezier(Vector::new(a - start.x, 0.0), start, Point::new(a, start.y), 1.0),
+            b'v' => self.bezier(Vector::new(0.0, a - start.y), start, Point::new(start.x, a), 1.0),
+            b'c' => self.bezier((one - start) * 3.0, two, three, 3.0),
+            b's' => {
+                let leaving = if degree == 3.0 { (start - control) * 3.0 } else { Vector::zeros() };
+                self.bezier(leaving, one, two, 3.0)
+            }
+            b'q' => self.bezier((one - start) * 2.0, one, two, 2.0),
+            b't' => {
+                let control = if degree == 2.0 { start * 2.0 - control } else { start };
+                self.within(control.x)?;
+                self.within(control.y)?;
+                self.bezier((control - start) * 2.0, control, one, 2.0)
+            }
+            _ => {
+                // Relative chords are as exact as their text; absolute ones carry the rounding of both ends.
+                let end = Point::new(f, g);
+                let (chord, size) =
+                    if relative { (self.offset, 0.0) } else { (end - start, start.amax().max(end.amax())) };
+                let command = ArcCommand { radii: one, rotation: c, large: d != 0.0, positive: e != 0.0 };
+                self.arc(end, chord, size, &command)
+            }
         }
-        self.previous = Previous::Other;
+    }
+
+    /// A line (degree 1), parabola (2) or cubic (3) whose last control point but the end is `control`.
+    fn bezier(&mut self, leaving: Vector, control: Point, end: Point, degree: f64) -> Step {
+        self.segment(end, leaving, (end - control) * degree, 0.0)?;
+        self.subpath.set_control(control, degree);
+        Some(())
+    }
+
+    fn arc(&mut self, end: Point, chord: Vector, size: f64, command: &ArcCommand) -> Step {
+        let start = self.current;
+        if command.radii.x == 0.0 || command.radii.y == 0.0 {
+            return self.bezier(end - start, start, end, 1.0);
+        }
+        self.subpath.set_control(start, 0.0);
         if end == start {
-            return Ok(());
+            return Some(());
         }
-        // Relative chords are as exact as their text; absolute ones carry the rounding of both ends.
-        let size = if self.relative { 0.0 } else { start.amax().max(end.amax()) / chord.norm() };
-        let arc = Arc::new(start, chord, &command, 4.0 * f64::EPSILON * (1.0 + size));
-        let mut done = Ok(());
-        arc.segments(|middle, leaving, arriving, w| {
-            if done.is_ok() {
-                done = self.draw_arc(middle.unwrap_or(end), leaving, arriving, w);
+        let arc = Arc::new(start, chord, command, 4.0 * f64::EPSILON * (1.0 + size / chord.norm()));
+        let (mut w, mut from) = (arc.sweep, arc.first);
+        if w.abs() > HALF_TURN {
+            (w, from) = (0.5 * w, arc.middle);
+            self.segment(arc.point(from), arc.tangent(arc.first) * w, arc.tangent(from) * w, w.abs())?;
+        }
+        self.segment(end, arc.tangent(from) * w, arc.tangent(arc.last) * w, w.abs())
+    }
+
+    /// Adds a segment from the current point on, unless it has no extent.
+    fn segment(&mut self, end: Point, leaving: Vector, arriving: Vector, w: f64) -> Step {
+        let mut extent = 0.0;
+        for v in [end - self.current, leaving, arriving] {
+            extent += v.x.abs() + v.y.abs();
+        }
+        // Points are in range, so this is a quick test of the derivatives; what fails it is looked at closely.
+        if extent.is_nan() || extent > LARGEST_COORDINATE {
+            for v in [end, leaving, arriving] {
+                self.within(v.x)?;
+                self.within(v.y)?;
             }
-        });
-        done
-    }
-
-    /// Adds a line, parabola or cubic from the current point on, unless it has no extent.
-    fn draw_bezier(&mut self, leaving: Vector, control: Point, end: Point, degree: f64) -> Step<()> {
-        let start = self.current;
-        let arriving = (end - control) * degree;
-        self.begin_segment(end, leaving, arriving)?;
-        if end != start || leaving != Vector::zeros() || arriving != Vector::zeros() {
-            self.subpath.push_bezier(start, leaving, control, end, degree);
         }
-        Ok(())
-    }
-
-    fn draw_arc(&mut self, end: Point, leaving: Vector, arriving: Vector, w: f64) -> Step<()> {
-        let start = self.current;
-        self.begin_segment(end, leaving, arriving)?;
-        self.subpath.push(start, end, leaving, arriving, w);
-        Ok(())
-    }
-
-    /// Checks a segment and moves the pen to its end.
-    fn begin_segment(&mut self, end: Point, leaving: Vector, arriving: Vector) -> Step<()> {
-        self.checked(end)?;
-        self.checked(leaving)?;
-        self.checked(arriving)?;
         if !self.open {
             self.open_subpath(self.start)?;
         }
-        self.points += 1;
-        if self.points > MOST_PATH_POINTS {
-            return Err(Stop::Failed(limit("maxPoints", MOST_PATH_POINTS, self.points)));
+        if extent > 0.0 {
+            self.points += 1;
+            if self.points > MOST_PATH_POINTS {
+                return self.failed(too_many("d", "maxPoints", MOST_PATH_POINTS, self.points));
+            }
+            self.subpath.push(self.current, end, leaving, arriving, w);
         }
         self.current = end;
-        Ok(())
+        Some(())
+    }
+
+    fn open_subpath(&mut self, at: Point) -> Step {
+        self.path.subpaths += 1;
+        if self.path.subpaths > MOST_SUBPATHS {
+            return self.failed(too_many("d", "maxSubpaths", MOST_SUBPATHS, self.path.subpaths));
+        }
+        self.open = true;
+        (self.start, self.current) = (at, at);
+        Some(())
+    }
+
+    fn close(&mut self) -> Step {
+        self.current = self.start;
+        if self.open { self.finish(true) } else { Some(()) }
     }
 
     /// Makes a curve of the open subpath, if it drew something.
-    fn finish(&mut self, closed: bool) -> Result<()> {
+    fn finish(&mut self, closed: bool) -> Step {
         self.open = false;
-        if let Some(curve) = self.subpath.take(closed)? {
-            self.path.curves.push(curve);
+        match self.subpath.take(closed) {
+            Ok(Some(curve)) => self.path.curves.push(curve),
+            Ok(None) => {}
+            Err(error) => return self.failed(error),
         }
-        Ok(())
+        Some(())
     }
 
-    fn byte(&self) -> Option<u8> {
-        self.text.get(self.at).copied()
+    /// The next byte, 0 at the end.
+    fn byte(&self) -> u8 {
+        self.text.get(self.at).copied().unwrap_or(0)
     }
 
     fn skip_space(&mut self) {
-        while let Some(b' ' | b'\n' | b'\t' | b'\r' | b'\x0c') = self.byte() {
+        while let b' ' | b'\n' | b'\t' | b'\r' | b'\x0c' = self.byte() {
             self.at += 1;
         }
     }
 
     fn skip_comma(&mut self) -> bool {
-        let comma = self.byte() == Some(b',');
+        let comma = self.byte() == b',';
         if comma {
             self.at += 1;
             self.skip_space();
@@ -366,50 +354,26 @@ impl<'a> Reader<'a> {
         comma
     }
 
-    /// Space and at most one comma, unless a group of numbers just starts.
-    fn skip_separator(&mut self) {
-        if self.at != self.group {
-            self.skip_space();
-            self.skip_comma();
+    fn within(&mut self, value: f64) -> Step {
+        // NaN fails as well.
+        if value.abs() <= LARGEST_COORDINATE {
+            return Some(());
         }
-    }
-
-    fn number(&mut self) -> Step<f64> {
-        self.skip_separator();
-        let Some((value, end)) = number::read(self.text, self.at) else { return self.expected("a number") };
-        if value.abs() > LARGEST_COORDINATE {
-            return self.out_of_range(value);
-        }
-        self.at = end;
-        Ok(value)
-    }
-
-    fn flag(&mut self) -> Step<bool> {
-        self.skip_separator();
-        let Some(digit @ (b'0' | b'1')) = self.byte() else { return self.expected("a flag (0 or 1)") };
-        self.at += 1;
-        Ok(digit == b'1')
-    }
-
-    fn point(&mut self) -> Step<Point> {
-        let point = Point::new(self.number()?, self.number()?);
-        if self.relative { self.checked(self.current + point) } else { Ok(point) }
-    }
-
-    fn checked(&self, v: Vector) -> Step<Vector> {
-        // Written so that NaN fails as well.
-        if v.x.abs() <= LARGEST_COORDINATE && v.y.abs() <= LARGEST_COORDINATE {
-            return Ok(v);
-        }
-        self.out_of_range(if v.x.abs() <= LARGEST_COORDINATE { v.y } else { v.x })
-    }
-
-    fn out_of_range<T>(&self, value: f64) -> Step<T> {
         let (least, most) = (-LARGEST_COORDINATE, LARGEST_COORDINATE);
-        Err(Stop::Failed(Error::OutOfRange { argument: "d", index: Some(self.group), value, least, most }))
+        self.failed(Error::OutOfRange { argument: "d", index: Some(self.group), value, least, most })
     }
 
-    fn expected<T>(&self, expected: &'static str) -> Step<T> {
-        Err(Stop::Syntax(Truncation { offset: self.group, found: self.at, expected }))
+    #[cold]
+    #[inline(never)]
+    fn failed(&mut self, error: Error) -> Step {
+        self.failure.get_or_insert(error);
+        None
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn expected(&mut self, expected: &'static str) -> Step {
+        self.path.truncation = Some(Truncation { offset: self.group, found: self.at, expected });
+        None
     }
 }

@@ -207,6 +207,7 @@ impl<'a> Printer<'a> {
     }
 
     /// Any other segment, as cubic Béziers.
+    #[inline(never)]
     fn bezier(&mut self, segment: &Segment<'_>) {
         if segment.basis.frequency() == 0.0 {
             let (leaving, arriving) = (segment.leaving * segment.length, segment.arriving * segment.length);
@@ -222,6 +223,7 @@ impl<'a> Printer<'a> {
     }
 
     /// One cubic, by its end derivatives, which is known to be `near` from the curve.
+    #[inline(never)]
     fn cubic(&mut self, start: Point, leaving: Vector, arriving: Vector, end: Point, near: f64) {
         let from = self.text.current();
         let to = self.grid.place(end);
@@ -231,17 +233,13 @@ impl<'a> Printer<'a> {
         }
         let (first, second) = (self.handle(start, leaving, from), self.handle(end, -arriving, to));
         let truth = [start + leaving / 3.0, end - arriving / 3.0];
-        let moved = |first: Placed| {
-            let extra = |placed: Placed, p: Point| (displacement(placed, p) - ends).max(0.0);
-            let (one, two) = (extra(first, truth[0]), extra(second, truth[1]));
-            // The Bernstein weights of the handles reach 4/9 each, 3/4 together.
-            near + ends + (4.0 / 9.0 * (one + two)).min(0.75 * one.max(two))
-        };
         let mirrored = match self.control {
             Some(control) => self.grid.mirrored(control, from),
             None => from,
         };
-        let (plain, short) = (moved(first), moved(mirrored));
+        let (one, two) = (displacement(first, truth[0]), displacement(second, truth[1]));
+        let plain = near + moved(ends, one, two);
+        let short = near + moved(ends, displacement(mirrored, truth[0]), two);
         if [first, second, to] == [from; 3] {
             // Smaller than the grid.
             return self.measured(plain);
@@ -285,9 +283,12 @@ impl<'a> Printer<'a> {
         }
         let (from, to) = (self.text.current(), self.grid.place(end));
         let control = if self.grid == Grid::EXACT {
-            let both = |k: usize| returning_both(start[k], leaving[k], end[k], arriving[k]);
-            let (Some(x), Some(y)) = (both(0), both(1)) else { return false };
-            self.grid.place(Point::new(x, y))
+            let mut control = Point::zeros();
+            for k in 0..2 {
+                let Some(c) = returning_both(start[k], leaving[k], end[k], arriving[k]) else { return false };
+                control[k] = c;
+            }
+            self.grid.place(control)
         } else {
             self.grid.place(one)
         };
@@ -336,40 +337,44 @@ impl<'a> Printer<'a> {
             && turn.abs() <= near
     }
 
-    /// Writes a run of segments on one ellipse: as one arc, as two or four where one would be ill-conditioned, and as
-    /// cubics where the ellipse is too large to be written.
+    /// Writes a run of segments on one ellipse: as one arc, as two where one would be ill-conditioned, and as cubics
+    /// where two are not good enough.
     fn arcs(&mut self, ellipse: &EllipseArc, run: Span) {
-        let halves = run.halves(self.curve);
-        let quarters = [halves[0].halves(self.curve), halves[1].halves(self.curve)];
         let whole = run.sweep(self.curve) <= LARGEST_SWEEP && self.arcs_of(ellipse, &[run]);
-        if whole || self.arcs_of(ellipse, &halves) || self.arcs_of(ellipse, quarters.as_flattened()) {
-            self.control = None;
+        if !whole && !self.arcs_of(ellipse, &run.halves(self.curve)) {
+            for i in run.first..=run.last {
+                self.bezier(&self.curve.segment(i));
+            }
             return;
         }
-        for i in run.first..=run.last {
-            self.bezier(&self.curve.segment(i));
-        }
+        self.control = None;
     }
 
     /// Writes one arc for each span, or nothing at all where one of them cannot be written well.
     fn arcs_of(&mut self, ellipse: &EllipseArc, spans: &[Span]) -> bool {
-        let (mut from, mut planned) = (self.text.current(), Vec::with_capacity(4));
-        for span in spans {
-            let Some(arc) = arc_text::plan(self.curve, ellipse, *span, from, self.grid, self.tolerance)
-            else {
-                return false;
-            };
+        let (mut from, mut planned) = (self.text.current(), [None; 2]);
+        for (slot, &span) in planned.iter_mut().zip(spans) {
+            let arc = arc_text::plan(self.curve, ellipse, span, from, self.grid, self.tolerance);
+            let Some(arc) = arc else { return false };
             from = arc.to;
-            planned.push(arc);
+            *slot = Some(arc);
         }
-        for arc in planned {
+        for arc in planned.iter().flatten() {
             self.measured(arc.deviation);
-            self.text.arc(arc.text, arc.to);
+            self.text.arc(&arc.text, arc.to);
         }
         true
     }
 }
 
+/// How far a cubic moves at most when its ends do by `ends` and its handles by `one` and `two`: the Bernstein weights of
+/// the handles reach 4/9 each, 3/4 together.
+fn moved(ends: f64, one: f64, two: f64) -> f64 {
+    let (one, two) = ((one - ends).max(0.0), (two - ends).max(0.0));
+    ends + (4.0 / 9.0 * (one + two)).min(0.75 * one.max(two))
+}
+
+#[inline(never)]
 fn displacement(placed: Placed, p: Point) -> f64 {
     (placed.point() - p).norm()
 }
@@ -401,6 +406,7 @@ fn size(curve: &HermiteCurve) -> (f64, f64) {
 }
 
 /// The coordinate c near p + d/3 for which 3·(c − p) is d again, to the last bit, if there is one.
+#[inline(never)]
 fn returning(p: f64, d: f64) -> f64 {
     let third = d / 3.0;
     for step in [0, 1, -1, 2, -2] {
@@ -416,10 +422,17 @@ fn returning(p: f64, d: f64) -> f64 {
 }
 
 /// The coordinate c for which 2·(c − p) is `leaving` and 2·(q − c) `arriving`, to the last bit.
+#[inline(never)]
 fn returning_both(p: f64, leaving: f64, q: f64, arriving: f64) -> Option<f64> {
-    let near = [p + 0.5 * leaving, q - 0.5 * arriving];
-    let around = near.into_iter().flat_map(|c| [0, 1, -1, 2, -2].map(|nudge| neighbour(c, nudge)));
-    around.into_iter().find(|c| (c - p) * 2.0 == leaving && (q - c) * 2.0 == arriving)
+    for near in [p + 0.5 * leaving, q - 0.5 * arriving] {
+        for nudge in [0, 1, -1, 2, -2] {
+            let c = neighbour(near, nudge);
+            if (c - p) * 2.0 == leaving && (q - c) * 2.0 == arriving {
+                return Some(c);
+            }
+        }
+    }
+    None
 }
 
 /// The double `steps` places further from 0.

@@ -14,57 +14,52 @@ const CLOSING_ULPS: f64 = 4.0;
 pub(super) struct Subpath {
     points: Vec<Point>,
     leaving: Vec<Vector>,
+    /// By point, like the others: the first is known when the last segment is.
     arriving: Vec<Vector>,
     omega: Vec<f64>,
-    /// Of the last segment: the arriving derivative is (end − control)·degree; degree 0 for arcs.
+    curved: bool,
     control: Point,
     degree: f64,
 }
 
 impl Subpath {
-    /// Adds an arc of parameter length 1 from the last point (`start`) to `end`.
+    /// Adds a segment of parameter length 1 from the last point (`start`) to `end`.
     pub(super) fn push(&mut self, start: Point, end: Point, leaving: Vector, arriving: Vector, omega: f64) {
         if self.points.is_empty() {
             self.points.push(start);
+            self.arriving.push(leaving);
         }
         self.points.push(end);
         self.leaving.push(leaving);
         self.arriving.push(arriving);
         self.omega.push(omega);
-        self.degree = 0.0;
+        self.curved |= omega != 0.0;
     }
 
-    /// Adds a line (degree 1), parabola (2) or cubic (3) whose last control point but the end is `control`.
-    pub(super) fn push_bezier(
-        &mut self,
-        start: Point,
-        leaving: Vector,
-        control: Point,
-        end: Point,
-        degree: f64,
-    ) {
-        self.push(start, end, leaving, (end - control) * degree, 0.0);
+    /// The last command drew with this control point next to its end: the derivative that arrived is
+    /// (end − control)·degree. Degree 0 where it was no Bézier curve.
+    pub(super) fn set_control(&mut self, control: Point, degree: f64) {
         (self.control, self.degree) = (control, degree);
+    }
+
+    /// What [`Subpath::set_control`] was given last in this subpath.
+    pub(super) fn last_control(&self) -> (Point, f64) {
+        (self.control, self.degree)
     }
 
     /// The curve of all segments, if there are any; empty afterwards.
     pub(super) fn take(&mut self, closed: bool) -> Result<Option<HermiteCurve>> {
-        if self.points.is_empty() {
-            return Ok(None);
-        }
         if closed {
             self.close();
         }
-        let Self { points, mut leaving, mut arriving, omega, .. } = core::mem::take(self);
-        // Arriving tangents are collected by segment; a curve wants them by point.
-        if closed {
-            arriving.rotate_right(1);
-        } else {
-            let (first, last) = (leaving.first().copied(), arriving.last().copied());
-            arriving.insert(0, first.unwrap_or_default());
-            leaving.push(last.unwrap_or_default());
+        let Self { points, mut leaving, arriving, omega, curved, .. } = core::mem::take(self);
+        if points.is_empty() {
+            return Ok(None);
         }
-        let omega = if omega.iter().all(|&w| w == 0.0) { vec![0.0] } else { omega };
+        if let (false, Some(&last)) = (closed, arriving.last()) {
+            leaving.push(last);
+        }
+        let omega = if curved { omega } else { vec![0.0] };
         HermiteCurve::new(HermiteOptions {
             points,
             tangents: leaving,
@@ -80,23 +75,27 @@ impl Subpath {
     /// Leads back to the first point: by the last segment where it ends there, else by a line.
     fn close(&mut self) {
         let (Some(&first), Some(&last)) = (self.points.first(), self.points.last()) else { return };
-        let largest = self.points.iter().fold(0.0_f64, |most, p| most.max(p.amax()));
-        let rounding = CLOSING_ULPS * f64::EPSILON * largest * self.omega.len() as f64;
+        let mut largest = 0.0_f64;
+        for p in &self.points {
+            largest = largest.max(p.amax());
+        }
         let gap = first - last;
-        if gap.amax() > rounding {
-            self.push_bezier(last, gap, last, first, 1.0);
-        } else if self.degree > 0.0
-            && let Some(arriving) = self.arriving.last_mut()
-        {
+        if gap.amax() > CLOSING_ULPS * f64::EPSILON * largest * self.omega.len() as f64 {
+            self.push(last, first, gap, gap, 0.0);
+        } else if self.degree > 0.0 {
             // The end moves by a rounding, its control point stays: so what is written from this is read as this.
-            *arriving = (first - self.control) * self.degree;
-            if self.degree == 1.0
-                && let Some(leaving) = self.leaving.last_mut()
-            {
-                *leaving = *arriving;
+            let arriving = (first - self.control) * self.degree;
+            if let (Some(slot), Some(leaving)) = (self.arriving.last_mut(), self.leaving.last_mut()) {
+                *slot = arriving;
+                if self.degree == 1.0 {
+                    *leaving = arriving;
+                }
             }
         }
         self.points.pop();
+        if let (Some(last), Some(slot)) = (self.arriving.pop(), self.arriving.first_mut()) {
+            *slot = last;
+        }
         if self.points.len() == 1 {
             self.halve();
         }
@@ -104,11 +103,7 @@ impl Subpath {
 
     /// A loop of one segment becomes two: a curve has two points or more.
     fn halve(&mut self) {
-        let (Some(&p), Some(&d0), Some(&d1)) =
-            (self.points.first(), self.leaving.first(), self.arriving.first())
-        else {
-            return;
-        };
+        let (p, d0, d1) = (self.points[0], self.leaving[0], self.arriving[0]);
         // A single segment that ends where it starts is a cubic: an arc that does so is left out, or has two. The
         // halves are computed by their control points, so that what is written from them is read as they are.
         let middle = p + (d0 - d1) * 0.125;
@@ -116,7 +111,8 @@ impl Subpath {
         let tangent = (middle - second) * 3.0;
         self.points.push(middle);
         self.leaving = vec![(first - p) * 3.0, tangent];
-        self.arriving = vec![tangent, (p - last) * 3.0];
+        self.arriving = vec![(p - last) * 3.0, tangent];
         self.omega = vec![0.0; 2];
+        self.curved = false;
     }
 }

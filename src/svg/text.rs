@@ -69,6 +69,7 @@ impl Grid {
     }
 
     /// The nearest point that can be written.
+    #[inline(never)]
     pub(super) fn place(self, p: Point) -> Placed {
         Placed { x: self.coordinate(p.x), y: self.coordinate(p.y) }
     }
@@ -116,7 +117,13 @@ impl Plain {
 }
 
 /// The parameters of an `A` command before its end point.
-pub(super) type ArcText = (Plain, Plain, Plain, bool, bool);
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ArcText {
+    /// Both radii and the rotation.
+    pub(super) numbers: [Plain; 3],
+    pub(super) large: bool,
+    pub(super) positive: bool,
+}
 
 /// What came last, on which separators depend.
 #[derive(Clone, Copy, Debug)]
@@ -147,7 +154,7 @@ impl Text {
         let relative = relative && grid.decimals.is_some();
         let before = Before { implied: b'L', number: false, pointed: false };
         let mut text = Self { out: vec![b'M'], before, grid, relative, current: start };
-        text.pair(start, None);
+        text.form(b'L', None, &[(start.x, start.x), (start.y, start.y)]);
         text
     }
 
@@ -166,45 +173,42 @@ impl Text {
 
     /// A line, as `H` or `V` where it is level or upright; nothing where it has no length.
     pub(super) fn line(&mut self, end: Placed) {
-        let (across, down) = (end.x != self.current.x, end.y != self.current.y);
-        let from = self.current;
-        match (across, down) {
+        let (from, both) = (self.current, [(end.x, self.current.x), (end.y, self.current.y)]);
+        match (end.x != from.x, end.y != from.y) {
             (false, false) => {}
-            (true, true) => self.command(b'L', |text, base| text.pair(end, base)),
-            (true, false) => self.command(b'H', |text, base| text.coordinate(end.x, base.map(|_| from.x))),
-            (false, true) => self.command(b'V', |text, base| text.coordinate(end.y, base.map(|_| from.y))),
+            (true, true) => self.command(b'L', None, &both),
+            (true, false) => self.command(b'H', None, &both[..1]),
+            (false, true) => self.command(b'V', None, &both[1..]),
         }
         self.current = end;
     }
 
-    /// `C`, `S`, `Q`: points only.
+    /// `C`, `S`, `Q`: up to three points.
     pub(super) fn bezier(&mut self, letter: u8, points: &[Placed]) {
-        self.command(letter, |text, base| points.iter().for_each(|&p| text.pair(p, base)));
+        let mut numbers = [(Coordinate::default(), Coordinate::default()); 6];
+        for (pair, p) in numbers.chunks_exact_mut(2).zip(points) {
+            pair.copy_from_slice(&[(p.x, self.current.x), (p.y, self.current.y)]);
+        }
+        self.command(letter, None, &numbers[..2 * points.len()]);
         self.current = points.last().copied().unwrap_or(self.current);
     }
 
-    pub(super) fn arc(&mut self, (rx, ry, rotation, large, positive): ArcText, end: Placed) {
-        self.command(b'A', |text, base| {
-            [rx, ry, rotation].into_iter().for_each(|number| text.plain(number));
-            text.out.extend([b' ', b'0' + u8::from(large), b' ', b'0' + u8::from(positive)]);
-            text.before.pointed = false;
-            text.pair(end, base);
-        });
+    pub(super) fn arc(&mut self, arc: &ArcText, end: Placed) {
+        self.command(b'A', Some(arc), &[(end.x, self.current.x), (end.y, self.current.y)]);
         self.current = end;
     }
 
-    /// Writes a command, and keeps the shorter of its absolute and relative forms.
-    fn command(&mut self, letter: u8, write: impl Fn(&mut Self, Option<Placed>)) {
+    /// Writes a command with its coordinates, each with what a relative one counts from, and keeps the shorter of
+    /// its absolute and relative forms.
+    fn command(&mut self, letter: u8, arc: Option<&ArcText>, numbers: &[(Coordinate, Coordinate)]) {
         let (start, before) = (self.out.len(), self.before);
-        self.letter(letter);
-        write(self, None);
+        self.form(letter, arc, numbers);
         if !self.relative {
             return;
         }
         let (middle, absolute) = (self.out.len(), self.before);
         self.before = before;
-        self.letter(letter | 0x20);
-        write(self, Some(self.current));
+        self.form(letter | 0x20, arc, numbers);
         if self.out.len() - middle < middle - start {
             self.out.drain(start..middle);
         } else {
@@ -213,24 +217,33 @@ impl Text {
         }
     }
 
-    fn letter(&mut self, letter: u8) {
+    fn form(&mut self, letter: u8, arc: Option<&ArcText>, numbers: &[(Coordinate, Coordinate)]) {
         if letter != self.before.implied {
             self.out.push(letter);
             self.before = Before { implied: letter, number: false, pointed: false };
         }
+        if let Some(arc) = arc {
+            for number in arc.numbers {
+                self.plain(number);
+            }
+            for flag in [arc.large, arc.positive] {
+                self.plain(Plain { negative: false, digits: u64::from(flag), decimals: 0 });
+            }
+        }
+        let relative = letter & 0x20 != 0;
+        for &(c, base) in numbers {
+            let number = match self.grid.decimals {
+                Some(decimals) => {
+                    let index = if relative { c.index - base.index } else { c.index };
+                    Plain { negative: index < 0, digits: index.unsigned_abs(), decimals }
+                }
+                None => Plain::shortest(c.value),
+            };
+            self.plain(number);
+        }
     }
 
-    fn pair(&mut self, p: Placed, base: Option<Placed>) {
-        self.coordinate(p.x, base.map(|base| base.x));
-        self.coordinate(p.y, base.map(|base| base.y));
-    }
-
-    fn coordinate(&mut self, c: Coordinate, base: Option<Coordinate>) {
-        let Some(decimals) = self.grid.decimals else { return self.plain(Plain::shortest(c.value)) };
-        let index = c.index - base.map_or(0, |base| base.index);
-        self.plain(Plain { negative: index < 0, digits: index.unsigned_abs(), decimals });
-    }
-
+    #[inline(never)]
     fn plain(&mut self, number: Plain) {
         let Plain { negative, digits, decimals } = number;
         let negative = negative && digits != 0;
@@ -241,7 +254,10 @@ impl Text {
         }
         let start = self.out.len();
         number::write(&mut self.out, negative, digits, decimals);
-        let pointed = self.out.iter().skip(start).any(|&b| b == b'.' || b == b'e');
-        (self.before.number, self.before.pointed) = (true, pointed);
+        self.before.number = true;
+        self.before.pointed = false;
+        for &b in self.out.iter().skip(start) {
+            self.before.pointed |= b == b'.' || b == b'e';
+        }
     }
 }

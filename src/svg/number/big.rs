@@ -87,6 +87,19 @@ impl Big {
         }
     }
 
+    /// self·2^two, rounded to the nearest integer, halves up; clamped to 64 bits.
+    pub(super) fn shifted(&self, two: i32) -> u64 {
+        if self.bits() + two > 64 {
+            return u64::MAX;
+        }
+        if two >= 0 {
+            return self.window(0) << (two & 63);
+        }
+        let below = (-two - 1) as usize;
+        let window = self.window(below);
+        (window >> 1 | self.window(below + 64) << 63).saturating_add(window & 1)
+    }
+
     /// 64 bits from bit `at` on.
     pub(super) fn window(&self, at: usize) -> u64 {
         let (limb, bit) = (at / 32, at % 32);

@@ -3,34 +3,29 @@
 use super::big::Big;
 use super::{decimal, power};
 
-/// |`value`|·10^`decimals`, rounded to the nearest integer, halves up; values from 2⁶³ on are clamped.
+/// |`value`|·10^`decimals`, rounded to the nearest integer, halves up; clamped to 64 bits.
 pub(in crate::svg) fn scaled(value: f64, decimals: u32) -> u64 {
     let value = value.abs();
-    // Case far from a half: the product's error is below 2⁻¹³, so the nearest integer is the right one.
+    // Case far from a half: the product's error is below 2⁻⁸, so the nearest integer is the right one.
     let product = value * power(decimals);
-    if product < 1e12 {
+    if product < 7e13 {
         let nearest = product.round_ties_even();
-        if (product - nearest).abs() < 0.499 {
+        if (product - nearest).abs() < 0.49 {
             return nearest as u64;
         }
     }
+    exactly_scaled(value, decimals)
+}
+
+#[inline(never)]
+fn exactly_scaled(value: f64, decimals: u32) -> u64 {
     let bits = value.to_bits();
     let (exponent, fraction) = ((bits >> 52) as i32, bits & ((1 << 52) - 1));
-    let mantissa = if exponent == 0 { fraction } else { fraction | 1 << 52 };
-    let two = exponent.max(1) - 1075;
-    if decimals > 22 {
-        let mut big = Big::from(mantissa);
-        (0..decimals).for_each(|_| big.multiply_add(10, 0));
-        return if two < 0 { (big.window((-two - 1) as usize) + 1) >> 1 } else { u64::MAX };
+    let mut big = Big::from(if exponent == 0 { fraction } else { fraction | 1 << 52 });
+    for _ in 0..decimals {
+        big.multiply_add(10, 0);
     }
-    let whole = (0..decimals).fold(u128::from(mantissa), |product, _| product * 10);
-    let result = match two {
-        11.. => u128::MAX,
-        0..11 => whole << two,
-        -126..0 => ((whole >> (-two - 1)) + 1) >> 1,
-        _ => 0,
-    };
-    u64::try_from(result).unwrap_or(u64::MAX)
+    big.shifted(exponent.max(1) - 1075)
 }
 
 /// Fewest decimals that bring `value` back to the last bit: (n, p) with |value| = n·10⁻ᵖ after reading.
