@@ -39,6 +39,9 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
     const [width, height] = [Math.floor(box.width * ratio), Math.floor(box.height * ratio)];
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
+    // Whole device pixels seldom fill a stage exactly; the picture must not be stretched to it.
+    canvas.style.width = `${width / ratio}px`;
+    canvas.style.height = `${height / ratio}px`;
     repaint();
   }
 
