@@ -1,4 +1,5 @@
 import { pointAt } from "../document/document.ts";
+import { measureCurve } from "../kernel/measure.ts";
 import { describe } from "./edits.ts";
 import type { EditorState } from "./editor.ts";
 
@@ -8,7 +9,8 @@ export function hintFor(state: EditorState): string {
   if (state.hint !== "") return state.hint;
   if (state.drag !== null) {
     const step = `Δx ${fixed(state.drag.dx)}  Δy ${fixed(state.drag.dy)}`;
-    return state.drag.snapped === null ? step : `${step}  ·  on ${state.drag.snapped}`;
+    const parts = [step, state.drag.snapped === null ? "" : `snapped ${state.drag.snapped}`, ellipseNote(state)];
+    return parts.filter((part) => part !== "").join("  ·  ");
   }
   switch (state.tool) {
     case "pen":
@@ -20,6 +22,13 @@ export function hintFor(state: EditorState): string {
     case "select":
       return selectHint(state);
   }
+}
+
+/** The drag of a point of an ellipse leaves an ellipse, to the last digit; nobody believes it before they see it. */
+function ellipseNote({ curve }: EditorState): string {
+  if (curve.contours.length > 1) return "";
+  const { modelError } = measureCurve(curve);
+  return modelError !== undefined && modelError < 1e-9 ? "still an exact ellipse" : "";
 }
 
 function fixed(value: number): string {

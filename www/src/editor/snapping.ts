@@ -28,17 +28,17 @@ export function snapPlace(curve: CurveDocument, moving: Selection, at: PagePoint
   const reach = reachPx / zoom;
   const candidates = others(curve, moving);
   const onto = closest(candidates, ({ place }) => Math.hypot(place.x - at.x, place.y - at.y), reach);
-  if (onto !== null) return { value: onto.place, guides: [], to: onto.name };
+  if (onto !== null) return { value: onto.place, guides: [], to: `on ${onto.name}` };
   const column = closest(candidates, ({ place }) => Math.abs(place.x - at.x), reach);
   const row = closest(candidates, ({ place }) => Math.abs(place.y - at.y), reach);
   if (column !== null || row !== null) {
     const value = { x: column?.place.x ?? at.x, y: row?.place.y ?? at.y };
     const guides = [column, row].flatMap((found) => (found === null ? [] : [{ from: found.place, to: value }]));
-    const names = [column === null ? "" : `below ${column.name}`, row === null ? "" : `level with ${row.name}`].filter((text) => text !== "");
+    const names = [column === null ? "" : `in a column with ${column.name}`, row === null ? "" : `level with ${row.name}`].filter((text) => text !== "");
     return { value, guides, to: names.join(", ") };
   }
   if (grid === null) return { value: at, guides: [], to: null };
-  return { value: { x: Math.round(at.x / grid) * grid, y: Math.round(at.y / grid) * grid }, guides: [], to: "the grid" };
+  return { value: { x: Math.round(at.x / grid) * grid, y: Math.round(at.y / grid) * grid }, guides: [], to: "on the grid" };
 }
 
 function closest<T>(list: readonly T[], distance: (item: T) => number, reach: number): T | null {
@@ -58,15 +58,15 @@ function closest<T>(list: readonly T[], distance: (item: T) => number, reach: nu
 export function snapHandle(point: ControlPoint, offset: Offset, partner: Offset | null, zoom: number): Snapped<Offset> {
   const reach = reachPx / zoom;
   const size = lengthOfOffset(offset);
-  if (size <= reach) return { value: { dx: 0, dy: 0 }, guides: [], to: "the point itself" };
+  if (size <= reach) return { value: { dx: 0, dy: 0 }, guides: [], to: "into the point" };
   if (partner !== null && lengthOfOffset(partner) > reach) {
     const straight = against(offset, partner);
     if (Math.hypot(straight.dx - offset.dx, straight.dy - offset.dy) <= reach) {
-      return { value: straight, guides: [line(point, partner, straight)], to: "the other handle's line" };
+      return { value: straight, guides: [line(point, partner, straight)], to: "straight with the other handle" };
     }
   }
-  if (Math.abs(offset.dy) <= reach) return axis(point, { dx: offset.dx, dy: 0 }, "the horizontal");
-  if (Math.abs(offset.dx) <= reach) return axis(point, { dx: 0, dy: offset.dy }, "the vertical");
+  if (Math.abs(offset.dy) <= reach) return axis(point, { dx: offset.dx, dy: 0 }, "horizontal");
+  if (Math.abs(offset.dx) <= reach) return axis(point, { dx: 0, dy: offset.dy }, "vertical");
   return { value: offset, guides: [], to: null };
 }
 

@@ -22,6 +22,19 @@ export function bezierPolygon(document: CurveDocument, contour: Contour): Float6
   return curveOf(document, contour)?.bezierPoints() ?? nothing;
 }
 
+/** One segment as a polygon of `count` sides; with the curve's own points at its ends. */
+export function segmentPolygon(document: CurveDocument, contour: Contour, segment: number, count: number): Float64Array {
+  const curve = curveOf(document, contour);
+  if (curve === null) return nothing;
+  let start = 0;
+  for (let before = 0; before < segment; before += 1) start += lengthOf(contour, before);
+  const length = lengthOf(contour, segment);
+  const [, end] = curve.domain;
+  // The last parameter of an open contour is its end, whatever the sum of the lengths was rounded to.
+  const t = Float64Array.from({ length: count + 1 }, (_, i) => Math.min(end, start + (length * i) / count));
+  return curve.evaluate(t);
+}
+
 export interface Nearest {
   readonly t: number;
   readonly x: number;

@@ -1,7 +1,7 @@
 import type { Editor } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
 import { drawComb, drawKnots, drawPolygon, drawSubdivision } from "./layers/analysis.ts";
-import { drawBefore, drawBezier, drawCurves, drawFill } from "./layers/curves.ts";
+import { drawBefore, drawBezier, drawCurves, drawFill, drawSpans } from "./layers/curves.ts";
 import { drawGrid } from "./layers/grid.ts";
 import { drawHandles, drawPoints } from "./layers/points.ts";
 import { drawLoupe, drawSketch } from "./layers/sketch.ts";
@@ -84,5 +84,5 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
 
 /** From the paper up. */
 const layers: readonly ((scene: Scene) => void)[] = [
-  drawGrid, drawFill, drawBefore, drawBezier, drawSubdivision, drawPolygon, drawComb, drawCurves, drawKnots, drawHandles, drawPoints, drawSketch, drawLoupe,
+  drawGrid, drawFill, drawBefore, drawBezier, drawSubdivision, drawPolygon, drawComb, drawSpans, drawCurves, drawKnots, drawHandles, drawPoints, drawSketch, drawLoupe,
 ];

@@ -1,4 +1,7 @@
+import { locate } from "../../document/contours.ts";
+import { pointAt, segmentCount } from "../../document/document.ts";
 import { bezierGhost, magnification } from "../../kernel/bezier-ghost.ts";
+import { segmentPolygon } from "../../kernel/samples.ts";
 import { contourPath, documentPaths, inPage, inScreen, onScreen, pathOfCubics, pathOfPoints, type Scene } from "../scene.ts";
 
 /** The drawing itself, what it was before the drag, and the Bézier to compare with. */
@@ -93,6 +96,54 @@ function label(scene: Scene, polygon: Float64Array): void {
   const beside = place.x >= centre.x ? place.x + 8 : place.x - 8 - wide;
   const left = Math.max(8, Math.min(scene.state.stage.width - wide - 8, beside));
   context.fillText(text, left, place.y + (place.y >= centre.y ? 16 : -8));
+}
+
+const sidesPerSegment = 48;
+const mostSpans = 24;
+
+/** What a press would move, and what a drag is changing: the rest of the curve stays where it is. */
+function spansToShow({ state }: Scene): { contour: number; segment: number }[] {
+  const { curve, drag, hover, selection } = state;
+  const spans = new Map<string, { contour: number; segment: number }>();
+  const add = (contour: number, segment: number): void => {
+    const shape = curve.contours[contour];
+    if (shape === undefined) return;
+    const segments = segmentCount(shape);
+    const index = shape.closed ? (segment + segments) % segments : segment;
+    if (index >= 0 && index < segments) spans.set(`${contour}:${index}`, { contour, segment: index });
+  };
+  if (drag !== null) {
+    for (const ref of selection.points.slice(0, mostSpans / 2)) {
+      if (selection.handle?.side !== "out") add(ref.contour, ref.index - 1);
+      if (selection.handle?.side !== "in") add(ref.contour, ref.index);
+    }
+    // A linked handle shapes both sides.
+    if (selection.handle !== null && pointAt(curve, selection.handle)?.kind !== "cusp") {
+      add(selection.handle.contour, selection.handle.index - 1);
+      add(selection.handle.contour, selection.handle.index);
+    }
+  } else if (hover.kind === "curve" && state.tool === "select") {
+    const shape = curve.contours[hover.contour];
+    if (shape !== undefined) add(hover.contour, locate(shape, hover.t).segment);
+  }
+  return [...spans.values()];
+}
+
+export function drawSpans(scene: Scene): void {
+  const { state, palette } = scene;
+  if (state.originalOnly) return;
+  const spans = spansToShow(scene);
+  if (spans.length === 0) return;
+  const context = inPage(scene);
+  context.strokeStyle = palette.point;
+  context.lineWidth = 7 / state.view.zoom;
+  context.lineJoin = "round";
+  context.globalAlpha = 0.22;
+  for (const { contour, segment } of spans) {
+    const shape = state.curve.contours[contour];
+    if (shape !== undefined) context.stroke(pathOfPoints(segmentPolygon(state.curve, shape, segment, sidesPerSegment), false));
+  }
+  context.globalAlpha = 1;
 }
 
 export function drawCurves(scene: Scene): void {
