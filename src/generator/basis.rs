@@ -65,6 +65,7 @@ pub struct Basis {
 
 impl Basis {
     /// The basis for local frequency `frequency` = ω·length, in radians per segment; its sign does not matter.
+    #[inline(never)]
     pub fn new(space: Space, frequency: f64) -> Self {
         let w = frequency.abs();
         let (frequency, square) = match space {
@@ -127,6 +128,7 @@ impl Basis {
     /// The weights at x in [0, 1], or their derivative of order 1, 2 or 3 with respect to x.
     ///
     /// At x = 0 and x = 1 values and first derivatives are the exact zeros and ones of Hermite interpolation.
+    #[inline(never)]
     pub fn weights(&self, x: f64, derivative: usize) -> Weights {
         let mirrored = x > 0.5;
         let near = self.near(if mirrored { 1.0 - x } else { x }, derivative);
@@ -164,6 +166,21 @@ impl Basis {
             leaving: (lead - self.even_second * middle) + arriving,
             arriving,
         }
+    }
+
+    /// The refinement of a segment of parameter length `length` at x: two matrices, row by row, that act on the column
+    /// (value, derivative) at the start and at the end and sum to the column at x.
+    ///
+    /// # Source
+    ///
+    /// [CRU15, eq. 33, 35]; (D 5.1). In the middle the value weights are exactly 1/2, by symmetry.
+    pub fn taps(&self, length: f64, x: f64) -> [[f64; 4]; 2] {
+        let (value, slope) = (self.weights(x, 0), self.weights(x, 1));
+        let chord = if x == 0.5 { 0.5 } else { value.chord };
+        [
+            [1.0 - chord, length * value.leaving, -slope.chord / length, slope.leaving],
+            [chord, length * value.arriving, slope.chord / length, slope.arriving],
+        ]
     }
 
     /// κ = c₃(w²)/c₂(w²): the inner Bézier points lie κ·H·D from the ends. 1/3 for the cubic.

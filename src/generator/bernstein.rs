@@ -16,6 +16,7 @@ impl Basis {
     /// # Source
     ///
     /// [CRU15, eq. 36] in the form (D 3.1).
+    #[inline(never)]
     pub fn bernstein(&self, x: f64, derivative: usize) -> [f64; 4] {
         let weights = self.weights(x, derivative);
         let kappa = self.kappa();
@@ -27,6 +28,7 @@ impl Basis {
     }
 
     /// b₃(x) = x³c₃(w²x²)/c₃(w²) for z = 1 − x: all of it vanishes at 0 but the third derivative.
+    #[inline(never)]
     fn last_bernstein(&self, x: f64, z: f64, derivative: usize) -> f64 {
         let square = self.square();
         if square < -4.0 * SERIES_LIMIT {

@@ -1,14 +1,18 @@
 //! The cardinal Hermite exponential splines φ₁ and φ₂ on the whole line.
 
 use super::{Basis, Space};
-use crate::error::{Error, Result};
-use crate::limits::{LARGEST_FREQUENCY, MOST_EVALUATIONS, MOST_LEVELS, POLE_MARGIN, too_many, with_room};
+use crate::error::Result;
+use crate::limits::{
+    LARGEST_FREQUENCY, MOST_EVALUATIONS, MOST_LEVELS, POLE_MARGIN, check, filled, too_many, with_room,
+};
 use crate::numerics::entire::stumpff;
 use core::f64::consts::TAU;
 
 /// Values of two functions at the same places.
 pub type Pair = (Vec<f64>, Vec<f64>);
 
+/// The masks of this arity are 4 million numbers.
+const LARGEST_ARITY: usize = 500_000;
 /// e^t is finite up to here.
 const LARGEST_EXPONENT: f64 = 700.0;
 
@@ -59,13 +63,8 @@ impl HermiteGenerators {
     ///
     /// `omega` not finite, negative, 2π − 1e-6 or more in the trigonometric space, more than 1e4 otherwise.
     pub fn new(omega: f64, space: Space) -> Result<Self> {
-        if !omega.is_finite() {
-            return Err(Error::NotFinite { argument: "omega", index: None });
-        }
         let most = if space == Space::Trigonometric { TAU - POLE_MARGIN } else { LARGEST_FREQUENCY };
-        if !(0.0..=most).contains(&omega) {
-            return Err(Error::OutOfRange { argument: "omega", index: None, value: omega, least: 0.0, most });
-        }
+        check("omega", None, omega, 0.0, most)?;
         Ok(Self { basis: Basis::new(space, omega) })
     }
 
@@ -101,7 +100,7 @@ impl HermiteGenerators {
     /// An x that is not finite, a derivative above 2, more than 4 million places.
     pub fn evaluate(&self, x: &[f64], derivative: usize) -> Result<Pair> {
         check_derivative(derivative)?;
-        check_places(x, f64::NEG_INFINITY, f64::INFINITY)?;
+        check_places(x, -f64::MAX, f64::MAX)?;
         pairs(x, &|x| self.at(x, derivative))
     }
 
@@ -137,34 +136,31 @@ impl HermiteGenerators {
     ///
     /// # Errors
     ///
-    /// An arity of 0, or one whose masks are more than 4 million numbers; a level above 24.
+    /// An arity of 0 or above 500 000, whose masks are 4 million numbers; a level above 24.
     ///
     /// # Source
     ///
     /// [CRU15, eq. 33–35]; the index of (34) as corrected in docs/SOURCES.md.
     pub fn mask(&self, arity: usize, level: usize) -> Result<Vec<f64>> {
-        check_arity(arity)?;
-        check_level(level)?;
+        check("arity", None, arity as f64, 1.0, LARGEST_ARITY as f64)?;
+        check("level", None, level as f64, 0.0, MOST_LEVELS as f64)?;
         let mut pieces = 1.0;
         for _ in 0..level {
             pieces *= arity as f64;
         }
         let step = 1.0 / pieces;
         let basis = Basis::new(self.basis.space(), self.basis.frequency() * step);
-        let fine = Self { basis };
-        let mut values = with_room(4 * (2 * arity - 1))?;
-        for n in 1..2 * arity {
-            let x = n as f64 / arity as f64 - 1.0;
-            // The two value weights of a place sum to exactly 1, and are 1/2 in the middle by symmetry.
-            let chord = if 2 * (n % arity) == arity {
-                0.5
-            } else {
-                basis.weights((n % arity) as f64 / arity as f64, 0).chord
-            };
-            let value = if n < arity { chord } else { 1.0 - chord };
-            let (_, reach) = fine.at(x, 0);
-            let (slope, turn) = fine.at(x, 1);
-            values.extend_from_slice(&[value, step * reach, slope / step, turn]);
+        let mut values = filled(0.0, 4 * (2 * arity - 1))?;
+        let mut put = |n: usize, tap: [f64; 4]| {
+            if let Some(entries) = values.get_mut(4 * n..4 * n + 4) {
+                entries.copy_from_slice(&tap);
+            }
+        };
+        put(arity - 1, [1.0, 0.0, 0.0, 1.0]);
+        for k in 1..arity {
+            let [right, left] = basis.taps(step, k as f64 / arity as f64);
+            put(k - 1, left);
+            put(arity - 1 + k, right);
         }
         Ok(values)
     }
@@ -227,11 +223,7 @@ impl HermiteGenerators {
 }
 
 fn check_derivative(derivative: usize) -> Result<()> {
-    if derivative <= 2 {
-        return Ok(());
-    }
-    let value = derivative as f64;
-    Err(Error::OutOfRange { argument: "derivative", index: None, value, least: 0.0, most: 2.0 })
+    check("derivative", None, derivative as f64, 0.0, 2.0)
 }
 
 fn check_places(x: &[f64], least: f64, most: f64) -> Result<()> {
@@ -239,13 +231,7 @@ fn check_places(x: &[f64], least: f64, most: f64) -> Result<()> {
         return Err(too_many("x", "maxEvalPoints", MOST_EVALUATIONS, x.len()));
     }
     for (i, &value) in x.iter().enumerate() {
-        let (argument, index) = ("x", Some(i));
-        if !value.is_finite() {
-            return Err(Error::NotFinite { argument, index });
-        }
-        if value < least || value > most {
-            return Err(Error::OutOfRange { argument, index, value, least, most });
-        }
+        check("x", Some(i), value, least, most)?;
     }
     Ok(())
 }
@@ -259,29 +245,4 @@ fn pairs(x: &[f64], f: &dyn Fn(f64) -> (f64, f64)) -> Result<Pair> {
         second.push(two);
     }
     Ok((first, second))
-}
-
-fn check_level(level: usize) -> Result<()> {
-    if level <= MOST_LEVELS {
-        return Ok(());
-    }
-    let (value, most) = (level as f64, MOST_LEVELS as f64);
-    Err(Error::OutOfRange { argument: "level", index: None, value, least: 0.0, most })
-}
-
-fn check_arity(arity: usize) -> Result<()> {
-    let most = MOST_EVALUATIONS / 8;
-    if arity == 0 {
-        return Err(Error::OutOfRange {
-            argument: "arity",
-            index: None,
-            value: 0.0,
-            least: 1.0,
-            most: most as f64,
-        });
-    }
-    if arity > most {
-        return Err(too_many("arity", "maxOutputPoints", most, arity));
-    }
-    Ok(())
 }

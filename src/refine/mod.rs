@@ -12,19 +12,13 @@ mod vector;
 pub use scalar::{ScalarMask, control_polygon, subdivide_scalar};
 pub use vector::{HermiteData, MatrixMask, subdivide_hermite};
 
-use crate::error::{Error, Result};
-use crate::limits::{MOST_LEVELS, MOST_OUTPUT_POINTS, too_many};
+use crate::error::Result;
+use crate::limits::{MOST_LEVELS, MOST_OUTPUT_POINTS, check, too_many};
 
 /// The number of segments after `levels` refinements by `arity`, if all that is within the limits.
 fn check_levels(segments: usize, arity: usize, levels: usize) -> Result<()> {
-    if arity == 0 {
-        let (least, most) = (1.0, MOST_OUTPUT_POINTS as f64);
-        return Err(Error::OutOfRange { argument: "arity", index: None, value: 0.0, least, most });
-    }
-    if levels > MOST_LEVELS {
-        let (value, most) = (levels as f64, MOST_LEVELS as f64);
-        return Err(Error::OutOfRange { argument: "levels", index: None, value, least: 0.0, most });
-    }
+    check("arity", None, arity as f64, 1.0, f64::MAX)?;
+    check("levels", None, levels as f64, 0.0, MOST_LEVELS as f64)?;
     let needed = (0..levels).fold(segments, |count, _| count.saturating_mul(arity));
     if levels > 0 && needed > MOST_OUTPUT_POINTS {
         return Err(too_many("levels", "maxOutputPoints", MOST_OUTPUT_POINTS, needed));

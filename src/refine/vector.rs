@@ -2,7 +2,7 @@
 
 use super::check_levels;
 use crate::error::{Error, Result};
-use crate::generator::{Basis, Space, Weights};
+use crate::generator::{Basis, Space};
 use crate::limits::with_room;
 use crate::numerics::{Point, Vector};
 
@@ -91,7 +91,8 @@ pub struct MatrixMask {
     omega: f64,
     length: f64,
     arity: usize,
-    taps: Vec<(Weights, Weights)>,
+    /// For every place the matrices that act on the start and on the end.
+    taps: Vec<[[f64; 4]; 2]>,
 }
 
 impl MatrixMask {
@@ -114,13 +115,7 @@ impl MatrixMask {
         let basis = Basis::new(self.space, self.omega * self.length);
         self.taps.clear();
         for k in 1..self.arity {
-            let x = k as f64 / self.arity as f64;
-            let mut value = basis.weights(x, 0);
-            if 2 * k == self.arity {
-                // The middle is half way by symmetry, to the last bit.
-                value.chord = 0.5;
-            }
-            self.taps.push((value, basis.weights(x, 1)));
+            self.taps.push(basis.taps(self.length, k as f64 / self.arity as f64));
         }
     }
 
@@ -131,15 +126,8 @@ impl MatrixMask {
             return [1.0, 0.0, 0.0, 1.0];
         }
         let place = if n > 0 { n.unsigned_abs() } else { self.arity.wrapping_sub(n.unsigned_abs()) };
-        let Some((value, slope)) = place.checked_sub(1).and_then(|k| self.taps.get(k)) else {
-            return [0.0; 4];
-        };
-        let h = self.length;
-        if n > 0 {
-            [1.0 - value.chord, h * value.leaving, -slope.chord / h, slope.leaving]
-        } else {
-            [value.chord, h * value.arriving, slope.chord / h, slope.arriving]
-        }
+        let taps = place.checked_sub(1).and_then(|k| self.taps.get(k));
+        taps.map_or([0.0; 4], |[start, end]| if n > 0 { *start } else { *end })
     }
 
     /// The new points and derivatives inside a segment from its ends.
@@ -150,11 +138,10 @@ impl MatrixMask {
         end: Point,
         arriving: Vector,
     ) -> impl Iterator<Item = (Point, Vector)> {
-        let (chord, h) = (end - start, self.length);
-        self.taps.iter().map(move |(value, slope)| {
-            let point =
-                start + chord * value.chord + (leaving * value.leaving + arriving * value.arriving) * h;
-            let derivative = chord * (slope.chord / h) + leaving * slope.leaving + arriving * slope.arriving;
+        let chord = end - start;
+        self.taps.iter().map(move |[from_start, from_end]| {
+            let point = start + chord * from_end[0] + leaving * from_start[1] + arriving * from_end[1];
+            let derivative = chord * from_end[2] + leaving * from_start[3] + arriving * from_end[3];
             (point, derivative)
         })
     }
