@@ -11,5 +11,7 @@ mod print;
 mod subpath;
 mod text;
 
+#[cfg(all(target_arch = "wasm32", feature = "wasm"))]
+pub(crate) use parse::parse_bytes;
 pub use parse::{MOST_PATH_BYTES, MOST_PATH_POINTS, MOST_SUBPATHS, ParsedPath, Truncation, parse_path};
 pub use print::{PrintOptions, Printed, to_path_d};

@@ -80,11 +80,16 @@ pub struct Truncation {
 /// # Ok::<(), expline::Error>(())
 /// ```
 pub fn parse_path(d: &str) -> Result<ParsedPath> {
+    parse_bytes(d.as_bytes())
+}
+
+/// The same for bytes that may be any text: whatever is not ASCII makes no sense in path data.
+pub(crate) fn parse_bytes(d: &[u8]) -> Result<ParsedPath> {
     if d.len() > MOST_PATH_BYTES {
         return Err(too_many("d", "maxPathBytes", MOST_PATH_BYTES, d.len()));
     }
     let mut reader = Reader {
-        text: d.as_bytes(),
+        text: d,
         at: 0,
         group: 0,
         numbers: [0.0; 7],

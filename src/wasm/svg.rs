@@ -13,7 +13,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 pub fn parse_path(bytes: u32) -> i32 {
     run(&mut |kernel| {
         let text = kernel.text.get(..bytes as usize).unwrap_or_default();
-        let parsed = svg::parse_path(core::str::from_utf8(text).unwrap_or_default())?;
+        let parsed = svg::parse_bytes(text)?;
         kernel.record([-1.0]);
         if let Some(stop) = parsed.truncation {
             let words = stop.expected;
