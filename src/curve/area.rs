@@ -1,9 +1,9 @@
 //! What a closed curve encloses.
 
 use super::HermiteCurve;
-use super::curvature::cross;
 use super::piece::{Piece, panels};
 use crate::error::{Error, Result};
+use crate::numerics::plane::cross;
 use crate::numerics::quadrature::{SIXTEEN, TWENTY_FOUR, nodes};
 use crate::numerics::{Point, Vector};
 

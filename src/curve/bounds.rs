@@ -30,10 +30,11 @@ impl Bounds {
     }
 
     fn include(&mut self, p: Vector) {
-        self.min_x = self.min_x.min(p.x);
-        self.max_x = self.max_x.max(p.x);
-        self.min_y = self.min_y.min(p.y);
-        self.max_y = self.max_y.max(p.y);
+        // Comparisons instead of `min`: nothing here is not a number, and one instruction is enough.
+        self.min_x = if p.x < self.min_x { p.x } else { self.min_x };
+        self.max_x = if p.x > self.max_x { p.x } else { self.max_x };
+        self.min_y = if p.y < self.min_y { p.y } else { self.min_y };
+        self.max_y = if p.y > self.max_y { p.y } else { self.max_y };
     }
 
     fn holds(&self, axis: usize, value: f64) -> bool {
@@ -66,6 +67,19 @@ impl HermiteCurve {
         }
         for segment in self.segments() {
             include_segment(&mut bounds, &segment);
+        }
+        bounds
+    }
+
+    /// A box around the generalised Bézier points, which hold the curve in their hull.
+    pub(crate) fn hull(&self) -> Bounds {
+        let mut bounds = Bounds::empty();
+        for segment in self.segments() {
+            let reach = segment.length * segment.basis.kappa();
+            bounds.include(segment.start);
+            bounds.include(segment.start + segment.leaving * reach);
+            bounds.include(segment.end - segment.arriving * reach);
+            bounds.include(segment.end);
         }
         bounds
     }

@@ -1,6 +1,5 @@
 //! Cubic Bézier curves near a curve.
 
-use super::flatten::LEAST_TOLERANCE;
 use super::length::check_tolerance;
 use super::limits::{MOST_OUTPUT_POINTS, too_many};
 use super::piece::Piece;
@@ -36,7 +35,7 @@ impl HermiteCurve {
     /// `tolerance` not finite or not positive; more than 4 000 000 points.
     pub fn to_cubics(&self, tolerance: f64) -> Result<Cubics> {
         check_tolerance(tolerance)?;
-        let tolerance = tolerance.max(LEAST_TOLERANCE * self.bounds().extent()).max(f64::MIN_POSITIVE);
+        let tolerance = self.least_tolerance(tolerance);
         let mut cubics = Cubics::default();
         let mut pieces = Vec::new();
         for segment in self.segments() {
@@ -72,8 +71,7 @@ pub fn segment_cubics(segment: &Segment<'_>, tolerance: f64, out: &mut Vec<[Poin
         open -= 1;
         let (lo, hi) = stack[open];
         let width = hi - lo;
-        // Cubic Hermite interpolation: |error| ≤ width⁴/384·max|r⁗|, and r⁗ = −rate·r″.
-        let bound = width * width * width * width / 384.0 * piece.rate().abs() * piece.bend(lo, hi);
+        let bound = piece.cubic_gap(lo, hi);
         if bound > tolerance && open + 2 <= stack.len() {
             let middle = 0.5 * (lo + hi);
             stack[open] = (middle, hi);

@@ -3,7 +3,7 @@
 use super::HermiteCurve;
 use super::piece::{Jet, Piece};
 use crate::error::Result;
-use crate::numerics::Vector;
+use crate::numerics::plane::{cross, norm};
 
 /// Speeds below this share of the largest a segment could have are roundings of zero.
 const ZERO_SPEED: f64 = 1e-15;
@@ -29,8 +29,8 @@ impl HermiteCurve {
     pub fn curvature(&self, t: f64) -> Result<Option<f64>> {
         let (i, x) = self.locate(t)?;
         let segment = self.segment(i);
-        let scale = (segment.end - segment.start).norm()
-            + (segment.leaving.norm() + segment.arriving.norm()) * segment.length;
+        let scale = norm(segment.end - segment.start)
+            + (norm(segment.leaving) + norm(segment.arriving)) * segment.length;
         let mut jet = Piece::new(&segment).jet(x - 0.5);
         if x == 0.0 {
             jet.first = segment.leaving * segment.length;
@@ -42,17 +42,11 @@ impl HermiteCurve {
 }
 
 fn curvature_of(jet: &Jet, least_speed: f64) -> Option<f64> {
-    let speed = jet.first.norm();
+    let speed = norm(jet.first);
     if speed <= least_speed {
         return None;
     }
     let direction = jet.first / speed;
     let bend = cross(direction, jet.second / speed) / speed;
     if bend.is_finite() { Some(bend) } else { None }
-}
-
-/// x₁y₂ − y₁x₂.
-#[inline]
-pub(crate) fn cross(u: Vector, v: Vector) -> f64 {
-    u.x * v.y - u.y * v.x
 }

@@ -207,6 +207,7 @@ impl HermiteCurve {
     }
 
     /// Segment i, from point i to the next.
+    #[inline]
     pub fn segment(&self, i: usize) -> Segment<'_> {
         let (data, next) = (&self.data, self.next(i));
         Segment {
@@ -235,6 +236,7 @@ impl HermiteCurve {
     }
 
     /// All segments in order.
+    #[inline]
     pub fn segments(&self) -> impl ExactSizeIterator<Item = Segment<'_>> {
         (0..self.segment_count()).map(|i| self.segment(i))
     }

@@ -2,6 +2,7 @@
 
 mod area;
 mod bounds;
+mod chords;
 mod cubics;
 mod curvature;
 mod cut;
@@ -19,7 +20,9 @@ mod recognise;
 mod refine;
 mod sample;
 mod sampler;
+mod search;
 mod segment;
+mod speed;
 mod subdivide;
 mod through;
 

@@ -1,14 +1,26 @@
-//! The nearest point of a curve.
+//! The nearest point of a curve: never missed, and fast for many questions.
+//!
+//! Every segment is cut into arcs that stay near their chords, by a bound; boxes around them form a tree. A question
+//! visits what could hold a nearer point than the best so far. On an arc Halley's method finds a stationary point, and
+//! Taylor's formula with a bound of the fourth derivative proves that nothing on the arc is nearer; where the proof does
+//! not succeed, the arc is halved ([`super::search`]).
 
 use super::HermiteCurve;
 use super::piece::Piece;
+use super::search::{Question, Stiffness, search};
 use crate::numerics::Point;
-use crate::numerics::roots::bracketed_root;
+use crate::numerics::plane::{norm, square};
 
+/// Children of a node of the tree.
+const FAN: usize = 16;
+/// Arcs of a group, which shares a box.
+const ARCS: usize = 4;
+/// Groups are halved until their arcs are this near their chords, relative to the size of the curve…
+const FLATNESS: f64 = 0.02;
+/// …but a segment is not cut into more than 2⁵ groups.
+const MOST_HALVINGS: u32 = 5;
 /// Distances that differ by less than this share of the curve's size count as equal.
 const TIE: f64 = 1e-13;
-/// The most intervals that are open at once.
-const STACK: usize = 64;
 
 /// The point of a curve that is nearest to a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,98 +34,286 @@ pub struct Nearest {
 }
 
 /// A curve prepared for many questions after its nearest point.
+///
+/// # Example
+///
+/// ```
+/// use expline::{HermiteCurve, numerics::Point};
+/// use expline::curve::NearestFinder;
+///
+/// let circle = HermiteCurve::ellipse(Point::zeros(), Point::new(2.0, 2.0), 0.0, 4)?;
+/// let found = NearestFinder::new(&circle).nearest(Point::new(3.0, 4.0));
+/// assert!((found.distance - 3.0).abs() < 1e-15);
+/// # Ok::<(), expline::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct NearestFinder {
     pieces: Vec<Piece>,
     knots: Vec<f64>,
+    groups: Vec<Group>,
+    /// From the boxes of the groups up to a level of one node.
+    levels: Vec<Vec<Boxes>>,
+    center: Point,
     slack: f64,
 }
 
+/// Four arcs that follow each other on one piece, and their chords.
+#[derive(Clone, Copy, Debug)]
+struct Group {
+    from: [[f64; ARCS]; 2],
+    chord: [[f64; ARCS]; 2],
+    /// 1/|chord|², 0 for a chord that is a point.
+    inverse: [f64; ARCS],
+    /// No point of the arc is farther from the chord, nor of the chord from the arc.
+    thickness: [f64; ARCS],
+    stiffness: Stiffness,
+    piece: usize,
+    start: f64,
+    width: f64,
+}
+
+/// Upright boxes, as many as a node has children; unused ones are infinitely far away.
+#[derive(Clone, Copy, Debug)]
+struct Boxes {
+    low: [[f64; FAN]; 2],
+    high: [[f64; FAN]; 2],
+}
+
+impl Boxes {
+    const NONE: Self = Self { low: [[f64::INFINITY; FAN]; 2], high: [[f64::NEG_INFINITY; FAN]; 2] };
+
+    fn include(&mut self, k: usize, low: Point, high: Point) {
+        for axis in 0..2 {
+            self.low[axis][k] = self.low[axis][k].min(low[axis]);
+            self.high[axis][k] = self.high[axis][k].max(high[axis]);
+        }
+    }
+
+    /// The corners of the box around all.
+    fn around(&self) -> (Point, Point) {
+        let least = |values: &[f64; FAN]| values.iter().fold(f64::INFINITY, |a, &b| a.min(b));
+        let most = |values: &[f64; FAN]| values.iter().fold(f64::NEG_INFINITY, |a, &b| a.max(b));
+        (
+            Point::new(least(&self.low[0]), least(&self.low[1])),
+            Point::new(most(&self.high[0]), most(&self.high[1])),
+        )
+    }
+
+    /// The squares of the distances to all.
+    #[inline]
+    fn distances(&self, place: Point) -> [f64; FAN] {
+        let mut squares = [0.0; FAN];
+        for (k, square) in squares.iter_mut().enumerate() {
+            let gap = |axis: usize| {
+                let (below, above) = (self.low[axis][k] - place[axis], place[axis] - self.high[axis][k]);
+                let outside = if below > above { below } else { above };
+                if outside > 0.0 { outside } else { 0.0 }
+            };
+            let (x, y) = (gap(0), gap(1));
+            *square = x * x + y * y;
+        }
+        squares
+    }
+}
+
 impl HermiteCurve {
-    /// The point of the curve that is nearest to `place`; of several equally near the one with the smallest t.
+    /// The point of the curve that is nearest to `place`.
+    ///
+    /// Of several equally near ones (to 1e-13 of the curve's size) the one with the smallest t. For many questions to
+    /// one curve prepare a [`NearestFinder`].
+    ///
+    /// # Accuracy
+    ///
+    /// The distance is at most 1e-13 of the curve's size larger than the least one, and never a local minimum only
+    /// (`tests/nearest.rs`, against dense sampling). `place` must be finite; any other gives the start of the curve.
     pub fn nearest(&self, place: Point) -> Nearest {
         NearestFinder::new(self).nearest(place)
     }
 }
 
 impl NearestFinder {
-    /// Prepares a curve; O(segments).
+    /// Prepares a curve. O(segments), about 0.1 µs for each.
     pub fn new(curve: &HermiteCurve) -> Self {
-        Self {
-            pieces: curve.segments().map(|segment| Piece::new(&segment)).collect(),
-            knots: curve.knots().to_vec(),
-            slack: TIE * curve.bounds().extent(),
+        let bounds = curve.bounds();
+        let extent = bounds.extent();
+        let mut groups = Vec::with_capacity(curve.segment_count());
+        let mut pieces = Vec::with_capacity(curve.segment_count());
+        for segment in curve.segments() {
+            let piece = Piece::new(&segment);
+            add_groups(&mut groups, &piece, pieces.len(), FLATNESS * extent);
+            pieces.push(piece);
+        }
+        let mut level = vec![Boxes::NONE; groups.len().div_ceil(FAN)];
+        for (i, group) in groups.iter().enumerate() {
+            let (low, high) = group.corners();
+            level[i / FAN].include(i % FAN, low, high);
+        }
+        let mut levels = Vec::new();
+        while level.len() > 1 {
+            let mut above = vec![Boxes::NONE; level.len().div_ceil(FAN)];
+            for (i, boxes) in level.iter().enumerate() {
+                let (low, high) = boxes.around();
+                above[i / FAN].include(i % FAN, low, high);
+            }
+            levels.push(level);
+            level = above;
+        }
+        levels.push(level);
+        let center = Point::new(0.5 * (bounds.min_x + bounds.max_x), 0.5 * (bounds.min_y + bounds.max_y));
+        Self { pieces, knots: curve.knots().to_vec(), groups, levels, center, slack: TIE * extent }
+    }
+
+    /// The point of the curve that is nearest to `place`; see [`HermiteCurve::nearest`].
+    ///
+    /// # Cost
+    ///
+    /// O(log segments) for places near the curve, about 0.3 µs for 16 cubic segments.
+    pub fn nearest(&self, place: Point) -> Nearest {
+        let far = place - self.center;
+        let slack = self.slack + 4.0 * f64::EPSILON * (far.x.abs() + far.y.abs());
+        let mut question = Question::new(place, slack);
+        self.visit(&mut question, self.levels.len() - 1, 0);
+        let (piece, y) = question.found();
+        let Some(on) = self.pieces.get(piece) else {
+            return Nearest { t: 0.0, point: place, distance: f64::INFINITY };
+        };
+        let (from, to) = (self.knots[piece], self.knots[piece + 1]);
+        let point = on.position(y);
+        Nearest { t: (from + (y + 0.5) * (to - from)).min(to), point, distance: norm(point - place) }
+    }
+
+    fn visit(&self, question: &mut Question, level: usize, node: usize) {
+        let Some(boxes) = self.levels[level].get(node) else { return };
+        let distances = boxes.distances(question.place);
+        let mut first = 0;
+        for (k, &distance) in distances.iter().enumerate() {
+            if distance < distances[first] {
+                first = k;
+            }
+        }
+        self.descend(question, level, FAN * node + first);
+        for (k, &distance) in distances.iter().enumerate() {
+            if distance < question.reach_squared && k != first {
+                self.descend(question, level, FAN * node + k);
+            }
         }
     }
 
-    /// The point of the curve that is nearest to `place`; of several equally near the one with the smallest t.
-    pub fn nearest(&self, place: Point) -> Nearest {
-        let mut best = Nearest { t: 0.0, point: place, distance: f64::INFINITY };
-        for (i, piece) in self.pieces.iter().enumerate() {
-            let mut found = (best.distance, f64::NAN);
-            search(piece, place, self.slack, &mut found);
-            if !found.1.is_nan() {
-                let y = found.1;
-                let t = self.knots[i] + (y + 0.5) * (self.knots[i + 1] - self.knots[i]);
-                best = Nearest { t, point: piece.position(y), distance: found.0 };
-            }
+    fn descend(&self, question: &mut Question, level: usize, child: usize) {
+        if level > 0 {
+            self.visit(question, level - 1, child);
+        } else if let Some(group) = self.groups.get(child) {
+            group.ask(&self.pieces[group.piece], question);
         }
-        best
     }
 }
 
-/// Improves `best` (distance, y) by any nearer place on the piece.
-fn search(piece: &Piece, place: Point, slack: f64, best: &mut (f64, f64)) {
-    let mut stack = [(0.0, 0.0); STACK];
-    stack[0] = (-0.5, 0.5);
+/// Cuts the piece into groups whose arcs are within `flatness` of their chords where that takes not too many.
+fn add_groups(groups: &mut Vec<Group>, piece: &Piece, index: usize, flatness: f64) {
+    let mut stack = [(0.0, 0.0, 0); MOST_HALVINGS as usize + 1];
+    stack[0] = (-0.5, 0.5, 0);
     let mut open = 1;
     while open > 0 {
         open -= 1;
-        let (lo, hi) = stack[open];
-        let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-        for y in [lo, middle, hi] {
-            try_place(piece, place, slack, y, best);
-        }
-        let jet = piece.jet(middle);
-        let e = jet.position - place;
-        let (bend, jolt) = (piece.bend(lo, hi), piece.jolt(lo, hi));
-        let speed = jet.first.norm() + bend * half;
-        // f = |r − place|²: f(u) ≥ f₀ − |f₀′||u| + least(f″)u²/2 on the interval.
-        let far = e.norm() + speed * half;
-        let drift = half * (3.0 * speed * bend + far * jolt);
-        let second = jet.first.norm_squared() + e.dot(&jet.second) - drift;
-        let first = e.dot(&jet.first).abs();
-        let lower = e.norm_squared() - 2.0 * first * half + second.min(0.0) * half * half;
-        let reach = (best.0 - slack).max(0.0);
-        if lower >= reach * reach {
-            continue;
-        }
-        if second > 0.0 {
-            let slope = |y: f64| {
-                let jet = piece.jet(y);
-                let e = jet.position - place;
-                (e.dot(&jet.first), jet.first.norm_squared() + e.dot(&jet.second))
-            };
-            if slope(lo).0 < 0.0 && slope(hi).0 > 0.0 {
-                let y = bracketed_root(lo, hi, true, middle, slope);
-                try_place(piece, place, slack, y, best);
-            }
-            continue;
-        }
-        if open + 2 <= STACK && half > 1e-9 {
-            stack[open] = (middle, hi);
-            stack[open + 1] = (lo, middle);
+        let (lo, hi, depth) = stack[open];
+        let width = hi - lo;
+        let bend = piece.bend(lo, hi);
+        let step = width / ARCS as f64;
+        let thickness = 0.125 * step * step * bend;
+        if thickness > flatness && depth < MOST_HALVINGS {
+            let middle = 0.5 * (lo + hi);
+            stack[open] = (middle, hi, depth + 1);
+            stack[open + 1] = (lo, middle, depth + 1);
             open += 2;
+            continue;
         }
+        groups.push(Group::new(piece, index, lo, width, thickness, bend));
     }
 }
 
-fn try_place(piece: &Piece, place: Point, slack: f64, y: f64, best: &mut (f64, f64)) {
-    let distance = (piece.position(y) - place).norm();
-    if distance < best.0 - slack || (best.1.is_nan() && distance < best.0 && best.0.is_infinite()) {
-        *best = (distance, y);
-    } else if distance < best.0 {
-        // Nearer by a rounding only: keep the smaller parameter, but not a worse distance.
-        best.0 = best.0.min(distance);
+impl Group {
+    fn new(piece: &Piece, index: usize, start: f64, width: f64, thickness: f64, bend: f64) -> Self {
+        let step = width / ARCS as f64;
+        let mut group = Self {
+            from: [[0.0; ARCS]; 2],
+            chord: [[0.0; ARCS]; 2],
+            inverse: [0.0; ARCS],
+            thickness: [thickness; ARCS],
+            stiffness: Stiffness::new(piece, start, start + width, bend),
+            piece: index,
+            start,
+            width: step,
+        };
+        let mut from = piece.position(start);
+        for k in 0..ARCS {
+            let end = start + step * (k + 1) as f64;
+            let to = piece.position(end);
+            let chord = to - from;
+            if piece.is_cubic() {
+                // r″ is linear, so its largest values are at the ends.
+                let bend = norm(piece.jet(end).second).max(norm(piece.jet(end - step).second));
+                group.thickness[k] = 0.125 * step * step * bend;
+            }
+            for axis in 0..2 {
+                group.from[axis][k] = from[axis];
+                group.chord[axis][k] = chord[axis];
+            }
+            let inverse = 1.0 / square(chord);
+            group.inverse[k] = if inverse.is_finite() { inverse } else { 0.0 };
+            from = to;
+        }
+        group
+    }
+
+    fn corners(&self) -> (Point, Point) {
+        let (mut low, mut high) = (Point::repeat(f64::INFINITY), Point::repeat(f64::NEG_INFINITY));
+        for k in 0..ARCS {
+            for axis in 0..2 {
+                let (a, b) = (self.from[axis][k], self.from[axis][k] + self.chord[axis][k]);
+                low[axis] = low[axis].min(a.min(b) - self.thickness[k]);
+                high[axis] = high[axis].max(a.max(b) + self.thickness[k]);
+            }
+        }
+        (low, high)
+    }
+
+    /// Asks the arcs that may hold a nearer point, the one with the nearest chord first.
+    fn ask(&self, piece: &Piece, question: &mut Question) {
+        let (mut along, mut squares) = ([0.0; ARCS], [0.0; ARCS]);
+        let place = question.place;
+        for k in 0..ARCS {
+            let (x, y) = (place.x - self.from[0][k], place.y - self.from[1][k]);
+            let share = (x * self.chord[0][k] + y * self.chord[1][k]) * self.inverse[k];
+            let share = if share > 0.0 { share } else { 0.0 };
+            let share = if share < 1.0 { share } else { 1.0 };
+            let (x, y) = (x - share * self.chord[0][k], y - share * self.chord[1][k]);
+            along[k] = share;
+            squares[k] = x * x + y * y;
+        }
+        let mut first = 0;
+        for k in 1..ARCS {
+            if squares[k] < squares[first] {
+                first = k;
+            }
+        }
+        self.ask_arc(piece, question, first, squares[first], along[first]);
+        for k in 0..ARCS {
+            if k != first {
+                self.ask_arc(piece, question, k, squares[k], along[k]);
+            }
+        }
+    }
+
+    #[inline]
+    fn ask_arc(&self, piece: &Piece, question: &mut Question, k: usize, square: f64, along: f64) {
+        let within = question.reach + self.thickness[k];
+        if square >= within * within {
+            return;
+        }
+        let lo = self.start + self.width * k as f64;
+        let (hi, guess) = (lo + self.width, lo + self.width * along);
+        if !question.ask_arc(piece, self.piece, &self.stiffness, lo, hi, guess) {
+            search(piece, self.piece, question, lo, hi);
+        }
     }
 }

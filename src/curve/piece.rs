@@ -13,6 +13,7 @@
 use super::Segment;
 use crate::generator::Space;
 use crate::numerics::entire::{Stumpff, stumpff};
+use crate::numerics::plane::norm;
 use crate::numerics::{Point, Vector};
 
 /// Below this frequency a segment is its cubic limit to the last bit: cos w = 1 to rounding.
@@ -51,19 +52,36 @@ pub(crate) struct Piece {
     form: Form,
 }
 
+/// The point in the middle and the three derivatives there, of a segment that is a cubic.
+#[inline]
+pub(crate) fn cubic_middle(segment: &Segment<'_>) -> Option<[Vector; 4]> {
+    if segment.basis.frequency() >= CUBIC_BELOW {
+        return None;
+    }
+    let chord = segment.end - segment.start;
+    let sum = (segment.leaving + segment.arriving) * segment.length;
+    let p = (segment.arriving - segment.leaving) * segment.length;
+    let q = sum * 6.0 - chord * 12.0;
+    let mean = (segment.start + segment.end) * 0.5;
+    Some([mean - p * 0.125, chord - q * (1.0 / 24.0), p, q])
+}
+
 impl Piece {
+    /// The cubic with middle 0 and those derivatives there.
+    pub(crate) fn cubic(b: Vector, p: Vector, q: Vector) -> Self {
+        Self { a: Point::zeros(), b, p, q, rate: 0.0, w: 0.0, form: Form::Cubic }
+    }
+
     /// The closed form of a segment.
     pub(crate) fn new(segment: &Segment<'_>) -> Self {
+        if let Some([a, b, p, q]) = cubic_middle(segment) {
+            return Self { a, ..Self::cubic(b, p, q) };
+        }
         let w = segment.basis.frequency();
         let chord = segment.end - segment.start;
         let mean = (segment.end + segment.start) * 0.5;
         let sum = (segment.leaving + segment.arriving) * segment.length;
         let difference = (segment.arriving - segment.leaving) * segment.length;
-        if w < CUBIC_BELOW {
-            let q = sum * 6.0 - chord * 12.0;
-            let (b, p) = (chord - q / 24.0, difference);
-            return Self { a: mean - p / 8.0, b, p, q, rate: 0.0, w: 0.0, form: Form::Cubic };
-        }
         let hyperbolic = segment.basis.space() == Space::Hyperbolic;
         if hyperbolic && w > DECAY_ABOVE {
             let tail = libm::exp(-w);
@@ -167,13 +185,22 @@ impl Piece {
         let half = 0.5 * (hi - lo);
         let middle = self.jet(0.5 * (lo + hi));
         let (even, odd) = self.growth(half);
-        middle.second.norm() * even + middle.third.norm() * (odd * half)
+        norm(middle.second) * even + norm(middle.third) * (odd * half)
+    }
+
+    /// A bound of the distance, at equal parameters, from the cubic with the same ends and end derivatives: h⁴/384·max|r⁗|.
+    pub(crate) fn cubic_gap(&self, lo: f64, hi: f64) -> f64 {
+        if self.is_cubic() {
+            return 0.0;
+        }
+        let h = (hi - lo) * (hi - lo);
+        h * h * (1.0 / 384.0) * self.rate.abs() * self.bend(lo, hi)
     }
 
     /// A bound of |r'''| on [lo, hi].
     pub(crate) fn jolt(&self, lo: f64, hi: f64) -> f64 {
         if self.is_cubic() {
-            return self.q.norm();
+            return norm(self.q);
         }
         if self.form == Form::Decaying {
             let (up, down) = self.decay_ends(lo, hi);
@@ -182,7 +209,7 @@ impl Piece {
         let half = 0.5 * (hi - lo);
         let middle = self.jet(0.5 * (lo + hi));
         let (even, odd) = self.growth(half);
-        middle.third.norm() * even + middle.second.norm() * (self.rate.abs() * odd * half)
+        norm(middle.third) * even + norm(middle.second) * (self.rate.abs() * odd * half)
     }
 
     /// The largest values on |u| <= half of |cos wu| and |sin wu|/(w|u|), or of cosh and sinh.
@@ -196,7 +223,7 @@ impl Piece {
     }
 
     fn decay_ends(&self, lo: f64, hi: f64) -> (f64, f64) {
-        (self.p.norm() * libm::exp(self.w * (hi - 0.5)), self.q.norm() * libm::exp(-self.w * (lo + 0.5)))
+        (norm(self.p) * libm::exp(self.w * (hi - 0.5)), norm(self.q) * libm::exp(-self.w * (lo + 0.5)))
     }
 
     /// The zeros of one coordinate of r'' in the open interval (−1/2, 1/2): between them that coordinate of r' is

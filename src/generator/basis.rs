@@ -111,6 +111,7 @@ impl Basis {
     }
 
     /// The local frequency w = ω·length, in radians per segment, never negative; 0 in the polynomial space.
+    #[inline]
     pub fn frequency(&self) -> f64 {
         self.frequency
     }

@@ -2,6 +2,7 @@
 
 pub mod angle;
 pub mod entire;
+pub(crate) mod plane;
 pub(crate) mod quadrature;
 pub(crate) mod roots;
 pub mod tridiagonal;

@@ -1,0 +1,356 @@
+//! Integrals of the speed, by Gauss–Legendre sums whose error is proved.
+//!
+//! ```text
+//! |∫ − sum of n nodes| ≤ (64/15)·M·ρ⁻²ⁿ/(1 − ρ⁻²)
+//! ```
+//!
+//! where ρ is the sum of the half-axes of an ellipse around the interval in which the speed is analytic, and M its
+//! largest modulus there [Trefethen, theorem 19.3]. The speed √((x′ + iy′)(x′ − iy′)) is singular only where a factor
+//! vanishes: at the two roots of a quadratic, for every segment of every space. So the largest ellipse is known.
+
+use super::piece::{Jet, Piece, cubic_middle, panels};
+use super::segment::Segment;
+use crate::numerics::Vector;
+use crate::numerics::entire::stumpff;
+use crate::numerics::plane::{norm, square, taxi};
+use crate::numerics::quadrature::{EIGHT, Rule, SIXTEEN, THIRTY_TWO, TWELVE, TWENTY, TWENTY_FOUR};
+
+/// The rules, by the index that [`rule_index`] gives.
+const RULES: [&Rule; 6] = [&EIGHT, &TWELVE, &SIXTEEN, &TWENTY, &TWENTY_FOUR, &THIRTY_TWO];
+/// Lengths are computed to this share of a segment's largest at best: rounding makes more digits meaningless.
+const ROUNDING: f64 = 1e-15;
+/// Halvings of an interval after which what is left counts as nothing.
+const MOST_HALVINGS: usize = 60;
+/// How many cubics choose their rules together, as vector code.
+const BLOCK: usize = 8;
+/// Ellipses are not taken larger than this half-axis: fewer than eight nodes are never used.
+const LARGEST_AXIS: f64 = 8.0;
+
+/// Adds up the lengths of segments; cubics are taken in blocks.
+pub(super) struct LengthSum {
+    tolerance: f64,
+    total: f64,
+    count: usize,
+    /// Twice the speed's polynomial in s = 2y: r′ = v₀ + v₁s + v₂s², x and y of each.
+    velocity: [[f64; BLOCK]; 6],
+    /// The same, scaled to about 1.
+    scaled: [[f32; BLOCK]; 6],
+    /// A bound of |v₀|, |v₁|, |v₂| each.
+    sizes: [[f64; BLOCK]; 3],
+}
+
+impl LengthSum {
+    /// An empty sum; every segment's length will be within `tolerance`.
+    pub(super) fn new(tolerance: f64) -> Self {
+        let zeros = [0.0; BLOCK];
+        Self {
+            tolerance,
+            total: 0.0,
+            count: 0,
+            velocity: [zeros; 6],
+            scaled: [[0.0; BLOCK]; 6],
+            sizes: [zeros; 3],
+        }
+    }
+
+    /// Adds a segment.
+    #[inline]
+    pub(super) fn add(&mut self, segment: &Segment<'_>) {
+        let Some([_, b, p, q]) = cubic_middle(segment) else {
+            self.total += piece_length(&Piece::new(segment), -0.5, 0.5, self.tolerance);
+            return;
+        };
+        let k = self.count % BLOCK;
+        let (p, q) = (p * 0.5, q * 0.125);
+        let sizes = [taxi(b), taxi(p), taxi(q)];
+        let scale = 1.0 / (sizes[0] + sizes[1] + sizes[2]);
+        for (i, value) in [b.x, b.y, p.x, p.y, q.x, q.y].into_iter().enumerate() {
+            self.velocity[i][k] = value;
+            self.scaled[i][k] = (value * scale) as f32;
+        }
+        for (i, size) in sizes.into_iter().enumerate() {
+            self.sizes[i][k] = size;
+        }
+        self.count = k + 1;
+        if self.count == BLOCK {
+            self.flush();
+        }
+    }
+
+    pub(super) fn finish(mut self) -> f64 {
+        self.flush();
+        self.total
+    }
+
+    fn flush(&mut self) {
+        let mut axes = [0.0; BLOCK];
+        let v = &self.scaled;
+        for (k, axis) in axes.iter_mut().enumerate() {
+            *axis = single_half_axis([v[0][k], v[1][k]], [v[2][k], v[3][k]], [v[4][k], v[5][k]]);
+        }
+        let mut index = [0.0; BLOCK];
+        for (k, index) in index.iter_mut().enumerate() {
+            let axis = f64::from(axes[k]);
+            let largest = self.sizes[0][k] + axis * (self.sizes[1][k] + axis * self.sizes[2][k]);
+            *index = rule_index(axis, largest, 0.5, self.tolerance.max(ROUNDING * largest));
+        }
+        for pair in 0..self.count.div_ceil(2).min(BLOCK / 2) {
+            let (one, two) = (index[2 * pair], index[2 * pair + 1]);
+            let lengths = RULES.get(one.max(two) as usize).map(|rule| self.pair_speeds(pair, rule));
+            for side in 0..2 {
+                let k = 2 * pair + side;
+                if k < self.count {
+                    self.total += lengths.map_or_else(|| self.cubic_length(k), |lengths| 0.5 * lengths[side]);
+                }
+            }
+        }
+        self.count = 0;
+    }
+
+    #[cold]
+    fn cubic_length(&self, k: usize) -> f64 {
+        let at = |i: usize| Vector::new(self.velocity[2 * i][k], self.velocity[2 * i + 1][k]);
+        interval_length(&Piece::cubic(at(0), at(1) * 2.0, at(2) * 8.0), -0.5, 0.5, self.tolerance)
+    }
+
+    /// Σ wᵢ|r′(xᵢ/2)| of two cubics side by side.
+    #[inline]
+    fn pair_speeds(&self, pair: usize, rule: &Rule) -> [f64; 2] {
+        let lanes = |i: usize| [self.velocity[i][2 * pair], self.velocity[i][2 * pair + 1]];
+        let (bx, by, px, py, qx, qy) = (lanes(0), lanes(1), lanes(2), lanes(3), lanes(4), lanes(5));
+        let mut total = [0.0; 2];
+        for &(x, weight) in rule {
+            for k in 0..2 {
+                let (even_x, odd_x) = (bx[k] + x * x * qx[k], x * px[k]);
+                let (even_y, odd_y) = (by[k] + x * x * qy[k], x * py[k]);
+                let (ahead_x, ahead_y) = (even_x + odd_x, even_y + odd_y);
+                let (behind_x, behind_y) = (even_x - odd_x, even_y - odd_y);
+                total[k] += weight
+                    * ((ahead_x * ahead_x + ahead_y * ahead_y).sqrt()
+                        + (behind_x * behind_x + behind_y * behind_y).sqrt());
+            }
+        }
+        total
+    }
+}
+
+/// The length of a piece between two parameters, within `tolerance`.
+pub(super) fn piece_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f64 {
+    if !piece.is_decaying() {
+        return interval_length(piece, lo, hi, tolerance);
+    }
+    let mut total = 0.0;
+    panels(piece, |from, to| {
+        let (from, to) = (from.max(lo), to.min(hi));
+        if from < to {
+            total += interval_length(piece, from, to, tolerance / 24.0);
+        }
+    });
+    total
+}
+
+fn interval_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f64 {
+    let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+    let jet = piece.jet(middle);
+    let tolerance = tolerance.max(ROUNDING * half * taxi(jet.first));
+    let index =
+        if piece.is_straight_on(lo, hi) { 0.0 } else { rule_for(&jet, piece.rate(), half, tolerance, 0.0) };
+    match RULES.get(index as usize) {
+        Some(rule) => half * speeds(piece, &jet, half, middle, rule),
+        None => halved_length(piece, lo, hi, tolerance),
+    }
+}
+
+/// The same where no rule is good enough: the interval is halved, towards cusps again and again.
+#[cold]
+fn halved_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f64 {
+    let tolerance = tolerance.max(ROUNDING * (hi - lo) * fastest(piece, lo, hi)).max(f64::MIN_POSITIVE);
+    let mut total = 0.0;
+    let mut stack = [(0.0, 0.0); MOST_HALVINGS];
+    stack[0] = (lo, hi);
+    let mut open = 1;
+    // Half of the tolerance is shared by width, half is kept for the intervals that close in on cusps.
+    let (density, speck) = (0.5 * tolerance / (hi - lo).max(f64::MIN_POSITIVE), tolerance / 16.0);
+    while open > 0 {
+        open -= 1;
+        let (lo, hi) = stack[open];
+        let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+        let jet = piece.jet(middle);
+        let index = rule_for(&jet, piece.rate(), half, density * (hi - lo), speck);
+        match RULES.get(index as usize) {
+            None if open + 2 <= MOST_HALVINGS && middle > lo && middle < hi => {
+                stack[open] = (middle, hi);
+                stack[open + 1] = (lo, middle);
+                open += 2;
+            }
+            rule => total += half * speeds(piece, &jet, half, middle, rule.unwrap_or(&RULES[0])),
+        }
+    }
+    total
+}
+
+/// A bound of the speed, not sharp.
+fn fastest(piece: &Piece, lo: f64, hi: f64) -> f64 {
+    taxi(piece.jet(lo).first).max(taxi(piece.jet(hi).first)) + (hi - lo) * piece.bend(lo, hi)
+}
+
+/// Σ wᵢ|r′(middle + half·xᵢ)|.
+fn speeds(piece: &Piece, jet: &Jet, half: f64, middle: f64, rule: &Rule) -> f64 {
+    if piece.is_cubic() {
+        return cubic_speeds(jet.first, jet.second, jet.third, half, rule);
+    }
+    let mut sum = 0.0;
+    for &(x, weight) in rule {
+        let step = half * x;
+        sum += weight * (norm(piece.jet(middle + step).first) + norm(piece.jet(middle - step).first));
+    }
+    sum
+}
+
+/// The same for a cubic with the derivatives b, p, q in the middle.
+#[inline]
+fn cubic_speeds(b: Vector, p: Vector, q: Vector, half: f64, rule: &Rule) -> f64 {
+    let (second, third) = (p * half, q * (0.5 * half * half));
+    let mut sum = [0.0; 2];
+    for &(x, weight) in rule {
+        let even = b + third * (x * x);
+        let odd = second * x;
+        let (along, across) = ([even.x + odd.x, even.x - odd.x], [even.y + odd.y, even.y - odd.y]);
+        for side in 0..2 {
+            sum[side] += weight * (along[side] * along[side] + across[side] * across[side]).sqrt();
+        }
+    }
+    sum[0] + sum[1]
+}
+
+/// The index of the smallest rule whose error on [−half, half] about the jet is at most `tolerance`; beyond the last
+/// where the interval must be halved.
+fn rule_for(jet: &Jet, rate: f64, half: f64, tolerance: f64, speck: f64) -> f64 {
+    let (b, p, q) = (jet.first, jet.second, jet.third);
+    let axis = half_axis(b, p, q, rate, half);
+    // What is not a number has no singularity.
+    let axis = if axis < LARGEST_AXIS { axis.max(1.0) } else { LARGEST_AXIS };
+    let reach = axis * half;
+    let growth = if rate == 0.0 { 1.0 } else { stumpff(-(rate.abs() * reach * reach).min(490_000.0)).c0 };
+    let largest = taxi(b) + growth * reach * (taxi(p) + 0.5 * reach * taxi(q));
+    if 2.0 * half * largest <= speck { 0.0 } else { rule_index(axis, largest, half, tolerance) }
+}
+
+/// The index from the ellipse's larger half-axis in units of `half` and the largest modulus of the speed in it.
+///
+/// A rule with n nodes is good where ρ²ⁿ is at least `needed`. All comparisons, no branch.
+#[inline]
+fn rule_index(axis: f64, largest: f64, half: f64, tolerance: f64) -> f64 {
+    let rho = axis + (axis * axis - 1.0).max(0.0).sqrt();
+    let second = rho * rho;
+    // The bound, multiplied out: nothing is divided.
+    let needed = (64.0 / 15.0) * largest * half * second;
+    let allowed = (second - 1.0) * tolerance;
+    let fourth = second * second;
+    let eighth = fourth * fourth;
+    let sixteenth = eighth * eighth;
+    let twice = sixteenth * sixteenth;
+    let short = |power: f64| if power * allowed < needed { 1.0 } else { 0.0 };
+    short(sixteenth)
+        + short(sixteenth * eighth)
+        + short(twice)
+        + short(twice * eighth)
+        + short(twice * sixteenth)
+        + short(twice * twice)
+}
+
+/// The larger half-axis, in units of `half`, of the largest ellipse with foci ±half in which the speed is analytic.
+///
+/// With z = x + iy and τ = tan(wu/2)/(w/2), z′ = b + p·sin(wu)/w + q·(1 − cos wu)/w² is zero where
+/// (q/2 + w²b/4)τ² + pτ + b = 0; the conjugate's zeros lie in the mirror.
+fn half_axis(b: Vector, p: Vector, q: Vector, rate: f64, half: f64) -> f64 {
+    if rate == 0.0 {
+        return cubic_half_axis(b, p, q, half);
+    }
+    let [lead, s, constant] = root_parts(b, p, q * 0.5 + b * (0.25 * rate), half);
+    let reach = rate.abs().sqrt() * half;
+    axis_of(preimage(s, lead, rate, reach)).min(axis_of(preimage(constant, s, rate, reach)))
+}
+
+#[inline]
+fn cubic_half_axis(b: Vector, p: Vector, q: Vector, half: f64) -> f64 {
+    let [lead, s, constant] = root_parts(b, p, q * 0.5, half);
+    axis_through(s, lead).min(axis_through(constant, s))
+}
+
+/// A lower bound of the half-axis for b + p·s + q·s² on [−1, 1], in single precision: half the digits, a quarter of the
+/// time.
+///
+/// Roundings of 6e-8 of the discriminant move a root by at most 8e-4 of its distance, and the half-axis by no more.
+#[inline]
+fn single_half_axis(b: [f32; 2], p: [f32; 2], q: [f32; 2]) -> f32 {
+    let z_x = p[0] * p[0] - p[1] * p[1] - 4.0 * (q[0] * b[0] - q[1] * b[1]);
+    let z_y = 2.0 * p[0] * p[1] - 4.0 * (q[0] * b[1] + q[1] * b[0]);
+    let large = (0.5 * ((z_x * z_x + z_y * z_y).sqrt() + z_x.abs())).sqrt();
+    let small = 0.5 * z_y / large.max(f32::MIN_POSITIVE);
+    let (root_x, root_y) = if z_x >= 0.0 { (large, small) } else { (small, large) };
+    let side = if root_x * p[0] + root_y * p[1] < 0.0 { 0.5 } else { -0.5 };
+    // −(p ± root)/2 on the side that does not cancel: the roots are s/q and b/s.
+    let s = if side > 0.0 {
+        [0.5 * (root_x - p[0]), 0.5 * (root_y - p[1])]
+    } else {
+        [-0.5 * (root_x + p[0]), -0.5 * (root_y + p[1])]
+    };
+    let axis = |n: [f32; 2], d: [f32; 2]| {
+        let scale = 0.25 / (d[0] * d[0] + d[1] * d[1]);
+        let (ahead_x, ahead_y) = (n[0] - d[0], n[1] - d[1]);
+        let (behind_x, behind_y) = (n[0] + d[0], n[1] + d[1]);
+        ((ahead_x * ahead_x + ahead_y * ahead_y) * scale).sqrt()
+            + ((behind_x * behind_x + behind_y * behind_y) * scale).sqrt()
+    };
+    let (one, two) = (axis(s, q), axis(b, s));
+    // Not a number where both vanish: there is no singularity then.
+    let least = if one < two || two.is_nan() { one } else { two } * 0.998;
+    let least = if least > 1.0 { least } else { 1.0 };
+    if least < LARGEST_AXIS as f32 { least } else { LARGEST_AXIS as f32 }
+}
+
+/// The roots of lead·τ² + p·τ + b, in units of `half`, are second/first and third/second of what is returned.
+#[inline]
+fn root_parts(b: Vector, p: Vector, lead: Vector, half: f64) -> [Vector; 3] {
+    let (lead, constant) = (lead * half, b / half);
+    let z = product(p, p) - product(lead, constant) * 4.0;
+    // A complex square root, on the side of p.
+    let large = (0.5 * (norm(z) + z.x.abs())).sqrt();
+    let small = 0.5 * z.y / large.max(f64::MIN_POSITIVE);
+    let root = if z.x >= 0.0 { Vector::new(large, small) } else { Vector::new(small, large) };
+    let side = if root.x * p.x + root.y * p.y < 0.0 { -1.0 } else { 1.0 };
+    [lead, (p + root * side) * -0.5, constant]
+}
+
+/// (|z − 1| + |z + 1|)/2 for z = numerator/denominator: the half-axis of the ellipse through z. Not a number where
+/// both vanish, which `min` passes over: there is no singularity then.
+#[inline]
+fn axis_through(numerator: Vector, denominator: Vector) -> f64 {
+    let scale = 1.0 / square(denominator);
+    let (ahead, behind) = (square(numerator - denominator), square(numerator + denominator));
+    0.5 * ((ahead * scale).sqrt() + (behind * scale).sqrt())
+}
+
+fn axis_of(z: Vector) -> f64 {
+    axis_through(z, Vector::new(1.0, 0.0))
+}
+
+/// u in units of `half` with tan(wu/2)/(w/2) = half·numerator/denominator; `reach` is w·half.
+fn preimage(numerator: Vector, denominator: Vector, rate: f64, reach: f64) -> Vector {
+    // tan v = ζ: v = (1/2i)·log((1 + iζ)/(1 − iζ)); tanh v = ζ: v = (1/2)·log((1 + ζ)/(1 − ζ)).
+    let zeta = numerator * (0.5 * reach);
+    let turned = if rate > 0.0 { Vector::new(-zeta.y, zeta.x) } else { zeta };
+    let (above, below) = (denominator + turned, denominator - turned);
+    let quotient = product(above, Vector::new(below.x, -below.y));
+    // Beyond 34 the logarithm is of a rounding: the singularity is at least that far away.
+    let size = 0.5 * libm::log(square(above) / square(below));
+    let log = Vector::new(size.clamp(-34.0, 34.0), libm::atan2(quotient.y, quotient.x)) / reach;
+    if rate > 0.0 { Vector::new(log.y, -log.x) } else { log }
+}
+
+/// The product of two complex numbers.
+#[inline]
+fn product(u: Vector, v: Vector) -> Vector {
+    Vector::new(u.x * v.x - u.y * v.y, u.x * v.y + u.y * v.x)
+}

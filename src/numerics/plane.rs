@@ -1,0 +1,35 @@
+//! Products and lengths of vectors of the plane.
+//!
+//! `f64::sqrt` is one correctly rounded instruction on every target, so lengths are the same bits everywhere.
+
+use super::Vector;
+
+/// x₁x₂ + y₁y₂.
+#[inline]
+pub(crate) fn dot(u: Vector, v: Vector) -> f64 {
+    u.x * v.x + u.y * v.y
+}
+
+/// x₁y₂ − y₁x₂.
+#[inline]
+pub(crate) fn cross(u: Vector, v: Vector) -> f64 {
+    u.x * v.y - u.y * v.x
+}
+
+/// The square of the length.
+#[inline]
+pub(crate) fn square(v: Vector) -> f64 {
+    v.x * v.x + v.y * v.y
+}
+
+/// The length.
+#[inline]
+pub(crate) fn norm(v: Vector) -> f64 {
+    square(v).sqrt()
+}
+
+/// |x| + |y|: at least the length, and at most √2 of it.
+#[inline]
+pub(crate) fn taxi(v: Vector) -> f64 {
+    v.x.abs() + v.y.abs()
+}
