@@ -16,7 +16,7 @@ export interface Measures {
   readonly area: number;
   /** Characters of the path text at the export dialog's defaults. */
   readonly bytes: number;
-  /** Where a contour is an ellipse: its largest distance from that ellipse, relative to the radius. */
+  /** Where one of the first contours is an ellipse: its largest distance from that ellipse, relative to the radius. */
   readonly modelError: number | undefined;
   /** The Bézier's error on the first contour (see `bezierGhost`). */
   readonly bezierError: number | undefined;
@@ -61,10 +61,13 @@ function firstGhost(document: CurveDocument): ReturnType<typeof bezierGhost> {
   return first === undefined ? null : bezierGhost(document, first);
 }
 
-/** The worst over all contours that are ellipses; undefined when none is. */
+/** So many contours are looked at for ellipses: enough for a drawing of circles, and bounded while one of thousands is dragged. */
+const mostMeasured = 16;
+
+/** The worst over the contours that are ellipses; undefined when none is. */
 function ellipseError(document: CurveDocument): number | undefined {
   let worst: number | undefined;
-  for (const contour of document.contours) {
+  for (const contour of document.contours.slice(0, mostMeasured)) {
     const ellipse = ellipseOf(document, contour);
     if (ellipse === null) continue;
     const { center, radii, rotation } = ellipse;

@@ -40,19 +40,24 @@ export function drawBefore(scene: Scene): void {
 export function drawBezier(scene: Scene): void {
   const { state, palette } = scene;
   if (!state.settings.overlays.bezier && !state.originalOnly) return;
+  const compared = state.curve.contours.slice(0, mostCompared).flatMap((contour) => bezierGhost(state.curve, contour) ?? []);
+  const context = inPage(scene);
   const { zoom } = state.view;
-  for (const contour of state.curve.contours) {
-    const ghost = bezierGhost(state.curve, contour);
-    if (ghost === null) continue;
-    const context = inPage(scene);
-    context.strokeStyle = palette.warn;
-    context.lineWidth = 1.5 / zoom;
-    context.setLineDash([6 / zoom, 5 / zoom]);
-    context.stroke(pathOfCubics(ghost.path, contour.closed));
-    context.setLineDash([]);
+  context.strokeStyle = palette.warn;
+  context.lineWidth = 1.5 / zoom;
+  context.setLineDash([6 / zoom, 5 / zoom]);
+  for (const ghost of compared) context.stroke(pathOfCubics(ghost.path, false));
+  context.setLineDash([]);
+  for (const ghost of compared.slice(0, mostMagnified)) {
     if (ghost.magnified !== null) drawMagnified(scene, ghost.magnified, ghost.path);
   }
+  const [first] = compared;
+  if (first !== undefined && first.magnified === null && first.error > 1e-4) labelHandles(scene, first.path);
 }
+
+/** A comparison is for looking at closely: of very many contours the first serve. */
+const mostCompared = 64;
+const mostMagnified = 4;
 
 function drawMagnified(scene: Scene, polygon: Float64Array, cubics: Float64Array): void {
   const { state, palette } = scene;
@@ -83,13 +88,27 @@ function drawMagnified(scene: Scene, polygon: Float64Array, cubics: Float64Array
   label(scene, polygon);
 }
 
+/** Half-way along the first cubic. */
+function labelHandles(scene: Scene, cubics: Float64Array): void {
+  const [x0 = 0, y0 = 0, x1 = 0, y1 = 0, x2 = 0, y2 = 0, x3 = 0, y3 = 0] = cubics.subarray(0, 8);
+  const place = onScreen(scene, { x: (x0 + 3 * x1 + 3 * x2 + x3) / 8, y: (y0 + 3 * y1 + 3 * y2 + y3) / 8 });
+  const context = inScreen(scene);
+  context.font = labelFont;
+  context.fillStyle = scene.palette.warn;
+  const text = "Bézier with these handles";
+  const left = Math.max(8, Math.min(scene.state.stage.width - context.measureText(text).width - 8, place.x + 10));
+  context.fillText(text, left, place.y - 8);
+}
+
+const labelFont = '12px system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
+
 /** At the highest of the waves that show the error. */
 function label(scene: Scene, polygon: Float64Array): void {
   const at = 2 * Math.floor((polygon.length / 2) * 0.8);
   const centre = onScreen(scene, { x: ((polygon[0] ?? 0) + (polygon[polygon.length / 2] ?? 0)) / 2, y: ((polygon[1] ?? 0) + (polygon[polygon.length / 2 + 1] ?? 0)) / 2 });
   const place = onScreen(scene, { x: polygon[at] ?? 0, y: polygon[at + 1] ?? 0 });
   const context = inScreen(scene);
-  context.font = '12px system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
+  context.font = labelFont;
   context.fillStyle = scene.palette.warn;
   const text = `4-arc Bézier, error × ${magnification}`;
   const wide = context.measureText(text).width;

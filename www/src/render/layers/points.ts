@@ -1,6 +1,6 @@
 import { isSelected, samePoint, type HandleRef, type PointRef } from "../../document/document.ts";
 import { hasSide, shownHandles } from "../../editor/hit-test.ts";
-import { drawHandleEnd, drawPoint, drawSmallPoint, drawStart, type MarkerState } from "../markers.ts";
+import { addSmallPoint, drawHandleEnd, drawPoint, drawSmallPoints, drawStart, type MarkerState } from "../markers.ts";
 import { inScreen, onScreen, type Scene } from "../scene.ts";
 
 /** Control points, the handles of the chosen ones, and where each contour begins. */
@@ -60,6 +60,9 @@ export function drawPoints(scene: Scene): void {
   const { hover, selection, stage } = state;
   const margin = 24;
   const crowded = state.curve.contours.reduce((sum, contour) => sum + contour.points.length, 0) > mostLargePoints;
+  // When a great many are chosen, large marks would hide the drawing.
+  const few = selection.points.length <= mostLargePoints;
+  const small = { discs: new Path2D(), diamonds: new Path2D() };
   state.curve.contours.forEach((contour, c) => {
     const first = contour.points[0];
     if (first !== undefined && contour.points.length > 1 && !crowded) {
@@ -77,8 +80,8 @@ export function drawPoints(scene: Scene): void {
         selected: isSelected(selection, ref),
         focused: isFocused(scene, ref, null),
       };
-      if (crowded && !marker.hovered && !marker.selected) drawSmallPoint(context, at, point.kind, palette);
+      if (crowded && !marker.hovered && !(marker.selected && few)) addSmallPoint(small, at, point.kind, marker.selected);
       else drawPoint(context, at, point.kind, marker, palette);
     });
-  });
+  });  if (crowded) drawSmallPoints(context, small, palette);
 }
