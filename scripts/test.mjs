@@ -11,6 +11,7 @@ import { installPacked } from "./packed.mjs";
 import { testNative, testWasmInChromium, testWasmInNode } from "./rust-tests.mjs";
 import { serve } from "./serve.mjs";
 import { setUp } from "./setup.mjs";
+import { checkSize } from "./sizes.mjs";
 import { StepError, at, door, run, seconds, step } from "./steps.mjs";
 import { checkTree } from "./tree.mjs";
 
@@ -107,6 +108,7 @@ await door(async () => {
   if (wanted("rust")) await rust();
   if (wanted("wasm")) await wasm();
   if (["js", "package", "www", "demo"].some(wanted)) await buildPackage();
+  if (asked.length === 0) await check("size of the package", async () => checkSize());
   if (wanted("js")) await js();
   if (wanted("package")) await packaged();
   if (wanted("www")) await www();

@@ -12,6 +12,7 @@
 
 mod curve;
 mod generators;
+mod heap;
 mod kernel;
 mod measure;
 mod sample;
