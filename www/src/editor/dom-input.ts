@@ -193,7 +193,8 @@ function listenToKeys({ editor, input, surface, until, leaveStage }: Options): v
 
   function escape(inStage: boolean): void {
     if (input.cancel()) return;
-    const { selection } = editor.state.value;
+    const { selection, sketch } = editor.state.value;
+    if (sketch.proposal !== null) return editor.patch({ sketch: { ...sketch, proposal: null } });
     if (selection.points.length > 0) return editor.actions.get("select-none")?.run(editor);
     if (inStage) leaveStage();
   }

@@ -176,6 +176,7 @@ export function deleteAndOpen(editor: Editor): void {
 export function setLevel(editor: Editor, level: number): void {
   const { curve, sketch } = editor.state.value;
   const target = Math.max(0, Math.min(mostLevel, Math.round(level)));
+  if (target === curve.level && sketch.proposal !== null) return editor.patch({ sketch: { ...sketch, proposal: null } });
   if (target === curve.level || curve.contours.length === 0) return;
   const next = target > curve.level ? raised(editor, curve, target) : lowered(curve, target);
   if (next === null) return;

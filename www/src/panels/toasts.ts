@@ -48,7 +48,10 @@ export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
     add(errors, toast);
   };
   editor.notices.subscribe((notice: Notice | null) => {
-    if (notice?.kind === "toast") say(notice.text);
+    if (notice?.kind === "toast") {
+      const action = notice.actionId === undefined ? undefined : editor.actions.get(notice.actionId);
+      say(notice.text, action === undefined ? undefined : { label: action.label, run: () => void editor.actions.run(action.id) });
+    }
     if (notice?.kind === "error") error(notice.id, notice.text);
   });
   return { say, error };

@@ -94,7 +94,7 @@ export function curveSection(shell: Shell): Section & { readonly level: HTMLElem
       omega.show(state.curve.space === "polynomial" ? null : frequencyOf(state.curve));
       setText(omegaNote, frequencyNote(state.curve, contour));
       points.show(contour?.points.length ?? null);
-      level.show(contour === undefined ? null : state.curve.level);
+      level.show(contour === undefined ? null : state.sketch.proposal?.level ?? state.curve.level);
       closed.show(contour?.closed ?? null);
     },
   };
