@@ -47,7 +47,11 @@ function startKeeping(shell: Shell): void {
     failing: (failed) => (failed ? regions.status.append(warning) : warning.remove()),
     until,
   });
-  editor.state.subscribe((state, before) => {
-    if (state.curve !== before.curve && (state.canUndo || state.canRedo)) keeping.touch();
+  // A drag changes the curve first and the history when it ends; only what the history knows is worth keeping.
+  let seen = editor.state.value.curve;
+  editor.state.subscribe((state) => {
+    if (state.curve === seen || !(state.canUndo || state.canRedo)) return;
+    seen = state.curve;
+    keeping.touch();
   }, { until });
 }
