@@ -2,7 +2,7 @@
 //!
 //! A curve crosses as one run of numbers: seven of [`describe`]'s header, then its arrays.
 
-use super::kernel::{Kernel, Resident, run};
+use super::kernel::{Kernel, Resident, run, times};
 use crate::curve::HermiteOptions;
 use crate::numerics::{Point, Vector};
 use crate::{HermiteCurve, Result, Space};
@@ -43,9 +43,9 @@ pub fn load(
     closed: u32,
 ) -> i32 {
     run(&mut |kernel| {
-        let counts = [points, tangents, tangents_in].map(|count| 2 * count as usize);
+        let counts = [points, tangents, tangents_in].map(|count| times(count, 2));
         let (omega, lengths) = (omega as usize, lengths as usize);
-        let mut rest = kernel.given(counts.iter().sum::<usize>() + omega + lengths);
+        let mut rest = kernel.given(usize::MAX);
         let [points, tangents, tangents_in] = counts.map(|count| pairs(take(&mut rest, count)));
         let omega = take(&mut rest, omega).to_vec();
         let lengths = take(&mut rest, lengths);
@@ -198,7 +198,7 @@ pub fn arc(x: f64, y: f64, rx: f64, ry: f64, rotation: f64, start: f64, sweep: f
 #[wasm_bindgen]
 pub fn through(count: u32, closed: u32, omega: f64, space: u32) -> i32 {
     run(&mut |kernel| {
-        let points = pairs(kernel.given(2 * count as usize));
+        let points = pairs(kernel.given(times(count, 2)));
         let omega = (omega >= 0.0).then_some(omega);
         let space = space_of(space).unwrap_or(Space::Trigonometric);
         let curve = HermiteCurve::through(points, closed != 0, omega, space)?;

@@ -59,11 +59,16 @@ impl Kernel {
         resident(&self.slots, slot)
     }
 
-    /// The curve in a slot, prepared for questions after its nearest point.
-    pub(super) fn finder(&mut self, slot: u32) -> Result<&NearestFinder> {
+    /// The curve in a slot, prepared for questions after its nearest point, with `count` given numbers and the output.
+    pub(super) fn finder(
+        &mut self,
+        slot: u32,
+        count: usize,
+    ) -> Result<(&NearestFinder, &[f64], &mut Vec<f64>)> {
+        let given = &self.input[..count.min(self.input.len())];
         match self.slots.get_mut(slot as usize) {
             Some(Some(Resident { curve, finder })) => {
-                Ok(finder.get_or_insert_with(|| NearestFinder::new(curve)))
+                Ok((finder.get_or_insert_with(|| NearestFinder::new(curve)), given, &mut self.output))
             }
             _ => Err(NOT_RESIDENT),
         }
@@ -140,6 +145,11 @@ pub(super) fn run(body: &mut dyn FnMut(&mut Kernel) -> Result<usize>) -> i32 {
             Err(error) => kernel.fail(&error),
         }
     })
+}
+
+/// How many numbers so many things of `each` numbers are; more than there can be where that overflows.
+pub(super) fn times(count: u32, each: usize) -> usize {
+    (count as usize).saturating_mul(each)
 }
 
 /// Makes a buffer hold at least `count` items, without ever aborting for want of memory.

@@ -2,7 +2,7 @@
 //!
 //! A tolerance of 0 stands for the default, a share of the curve's size.
 
-use super::kernel::{Kernel, grow, run};
+use super::kernel::{grow, run, times};
 use crate::numerics::Point;
 use crate::{HermiteCurve, Result};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -65,7 +65,7 @@ pub fn bounds(slot: u32) -> i32 {
 #[wasm_bindgen]
 pub fn nearest(slot: u32, x: f64, y: f64) -> i32 {
     run(&mut |kernel| {
-        let found = kernel.finder(slot)?.nearest(Point::new(x, y));
+        let found = kernel.finder(slot, 0)?.0.nearest(Point::new(x, y));
         kernel.record([found.t, found.point.x, found.point.y, found.distance]);
         Ok(4)
     })
@@ -75,24 +75,14 @@ pub fn nearest(slot: u32, x: f64, y: f64) -> i32 {
 #[wasm_bindgen]
 pub fn nearest_many(slot: u32, count: u32) -> i32 {
     run(&mut |kernel| {
-        let count = count as usize;
-        grow(&mut kernel.output, 4 * count, 0.0)?;
-        let output = core::mem::take(&mut kernel.output);
-        let given = core::mem::take(&mut kernel.input);
-        let answered = answer(kernel, slot, &given, output);
-        kernel.input = given;
-        kernel.output = answered?;
-        Ok(4 * count)
+        let (finder, given, output) = kernel.finder(slot, times(count, 2))?;
+        grow(output, 2 * given.len(), 0.0)?;
+        for (place, numbers) in given.chunks_exact(2).zip(output.chunks_exact_mut(4)) {
+            let found = finder.nearest(Point::new(place[0], place[1]));
+            numbers.copy_from_slice(&[found.t, found.point.x, found.point.y, found.distance]);
+        }
+        Ok(2 * given.len())
     })
-}
-
-fn answer(kernel: &mut Kernel, slot: u32, given: &[f64], mut output: Vec<f64>) -> Result<Vec<f64>> {
-    let finder = kernel.finder(slot)?;
-    for (place, numbers) in given.chunks_exact(2).zip(output.chunks_exact_mut(4)) {
-        let found = finder.nearest(Point::new(place[0], place[1]));
-        numbers.copy_from_slice(&[found.t, found.point.x, found.point.y, found.distance]);
-    }
-    Ok(output)
 }
 
 /// The curvature at the `count` parameters in the input, 0 where the speed is zero; the record then holds the place of
@@ -101,6 +91,7 @@ fn answer(kernel: &mut Kernel, slot: u32, given: &[f64], mut output: Vec<f64>) -
 pub fn curvature(slot: u32, count: u32) -> i32 {
     run(&mut |kernel| {
         let count = count as usize;
+        kernel.curve(slot)?;
         grow(&mut kernel.output, count, 0.0)?;
         let (curve, given, output) = kernel.parts(slot, count)?;
         curve.check_parameters(given)?;

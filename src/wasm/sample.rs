@@ -1,6 +1,6 @@
 //! Points and derivatives of a resident curve, one, many, or uniformly spread.
 
-use super::kernel::{grow, run};
+use super::kernel::{grow, run, times};
 use crate::curve::Scheme;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -18,11 +18,12 @@ pub fn evaluate_one(slot: u32, t: f64, derivative: u32) -> i32 {
 #[wasm_bindgen]
 pub fn evaluate_many(slot: u32, count: u32, derivative: u32) -> i32 {
     run(&mut |kernel| {
-        let count = count as usize;
-        grow(&mut kernel.output, 2 * count, 0.0)?;
-        let (curve, given, output) = kernel.parts(slot, count)?;
-        curve.evaluate_into(given, derivative as usize, &mut output[..2 * count])?;
-        Ok(2 * count)
+        let numbers = times(count, 2);
+        kernel.curve(slot)?;
+        grow(&mut kernel.output, numbers, 0.0)?;
+        let (curve, given, output) = kernel.parts(slot, count as usize)?;
+        curve.evaluate_into(given, derivative as usize, &mut output[..numbers])?;
+        Ok(numbers)
     })
 }
 
@@ -31,8 +32,9 @@ pub fn evaluate_many(slot: u32, count: u32, derivative: u32) -> i32 {
 #[wasm_bindgen]
 pub fn sample(slot: u32, count: u32, first: u32, length: u32, tangents: u32) -> i32 {
     run(&mut |kernel| {
-        let (count, first, length) = (count as usize, first as usize, length as usize);
-        let numbers = if tangents == 0 { 2 * length } else { 4 * length };
+        let (count, first) = (count as usize, first as usize);
+        let numbers = times(length, if tangents == 0 { 2 } else { 4 });
+        kernel.curve(slot)?;
         grow(&mut kernel.output, numbers, 0.0)?;
         let mut sampler = kernel.sampler.take().unwrap_or_default();
         let (curve, _, output) = kernel.parts(slot, 0)?;
