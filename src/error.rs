@@ -6,8 +6,9 @@
 
 use core::fmt;
 
-/// A `Result` whose error is the crate's [`Error`].
-pub type Result<T> = core::result::Result<T, Error>;
+/// A `Result` whose error is the crate's [`Error`], in a box: results stay small, and the way of an answer through
+/// many functions stays cheap.
+pub type Result<T> = core::result::Result<T, Box<Error>>;
 
 /// What was wrong with a call, with the offending value and the limit.
 ///
@@ -85,6 +86,93 @@ pub enum Error {
         /// What was expected there.
         expected: &'static str,
     },
+}
+
+/// Errors ready to be returned. They are made out of line: the code that checks stays short.
+#[allow(clippy::unnecessary_box_returns, reason = "an error is returned in a box")]
+impl Error {
+    /// A number that is not finite.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn not_finite(argument: &'static str, index: Option<usize>) -> Box<Self> {
+        Box::new(Self::NotFinite { argument, index })
+    }
+
+    /// A number that is not finite or, if it is, not in its range.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn unfit(
+        argument: &'static str,
+        index: Option<usize>,
+        value: f64,
+        least: f64,
+        most: f64,
+    ) -> Box<Self> {
+        if value.is_finite() {
+            Self::out_of_range(argument, index, value, least, most)
+        } else {
+            Self::not_finite(argument, index)
+        }
+    }
+
+    /// A number that is not in its range, infinite or not.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn out_of_range(
+        argument: &'static str,
+        index: Option<usize>,
+        value: f64,
+        least: f64,
+        most: f64,
+    ) -> Box<Self> {
+        Box::new(Self::OutOfRange { argument, index, value, least, most })
+    }
+
+    /// An array of the wrong length.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn wrong_length(argument: &'static str, got: usize, needed: usize) -> Box<Self> {
+        Box::new(Self::WrongLength { argument, got, needed })
+    }
+
+    /// Too few points.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn too_few(argument: &'static str, got: usize, needed: usize) -> Box<Self> {
+        Box::new(Self::TooFewPoints { argument, got, needed })
+    }
+
+    /// An input without a unique answer.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn degenerate(
+        argument: &'static str,
+        index: Option<usize>,
+        reason: &'static str,
+    ) -> Box<Self> {
+        Box::new(Self::Degenerate { argument, index, reason })
+    }
+
+    /// More than a limit allows.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn limit(argument: &'static str, limit: &'static str, most: usize, needed: f64) -> Box<Self> {
+        Box::new(Self::LimitExceeded { argument, limit, most: most as f64, needed })
+    }
+
+    /// Memory that is not there.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn memory(bytes: usize) -> Box<Self> {
+        Box::new(Self::OutOfMemory { bytes })
+    }
+
+    /// Path data that cannot be read.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn path_syntax(offset: usize, expected: &'static str) -> Box<Self> {
+        Box::new(Self::PathSyntax { offset, expected })
+    }
 }
 
 impl Error {

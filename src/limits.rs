@@ -19,8 +19,13 @@ pub(crate) const MOST_OUTPUT_POINTS: usize = 4_000_000;
 /// The most levels of one subdivision: 2 points become 33 million there, more than may be given back.
 pub(crate) const MOST_LEVELS: usize = 24;
 
-pub(crate) fn too_many(argument: &'static str, limit: &'static str, most: usize, needed: usize) -> Error {
-    Error::LimitExceeded { argument, limit, most: most as f64, needed: needed as f64 }
+pub(crate) fn too_many(
+    argument: &'static str,
+    limit: &'static str,
+    most: usize,
+    needed: usize,
+) -> Box<Error> {
+    Error::limit(argument, limit, most, needed as f64)
 }
 
 /// Checks that a number is finite and within its range.
@@ -31,16 +36,10 @@ pub(crate) fn check(
     least: f64,
     most: f64,
 ) -> Result<()> {
-    if (least..=most).contains(&value) { Ok(()) } else { Err(unfit(argument, index, value, least, most)) }
-}
-
-#[cold]
-#[inline(never)]
-fn unfit(argument: &'static str, index: Option<usize>, value: f64, least: f64, most: f64) -> Error {
-    if value.is_finite() {
-        Error::OutOfRange { argument, index, value, least, most }
+    if (least..=most).contains(&value) {
+        Ok(())
     } else {
-        Error::NotFinite { argument, index }
+        Err(Error::unfit(argument, index, value, least, most))
     }
 }
 
@@ -49,7 +48,7 @@ pub(crate) fn with_room<T>(count: usize) -> Result<Vec<T>> {
     let mut values = Vec::new();
     match values.try_reserve_exact(count) {
         Ok(()) => Ok(values),
-        Err(_) => Err(Error::OutOfMemory { bytes: count.saturating_mul(size_of::<T>()) }),
+        Err(_) => Err(Error::memory(count.saturating_mul(size_of::<T>()))),
     }
 }
 

@@ -10,6 +10,7 @@ use expline::numerics::{Point, Vector};
 use expline::{Error, HermiteCurve, HermiteOptions, Space};
 use support::curves::{Random, random_curve};
 use support::tolerance::{AREA, BOUNDS, LENGTH};
+use support::unboxed;
 
 fn circle(radius: f64, count: usize) -> HermiteCurve {
     HermiteCurve::ellipse(Point::new(1.0, 2.0), Point::new(radius, radius), 0.2, count).expect("a circle")
@@ -184,13 +185,19 @@ fn bad_arguments_are_refused_with_their_names() {
             circle.to_cubics(tolerance).map(drop),
             circle.sample_by_length(4, tolerance).map(drop),
         ] {
-            assert!(matches!(error, Err(Error::OutOfRange { argument: "tolerance", .. })), "{error:?}");
+            assert!(
+                matches!(unboxed(error), Err(Error::OutOfRange { argument: "tolerance", .. })),
+                "not positive"
+            );
         }
     }
-    assert!(matches!(circle.length(f64::NAN), Err(Error::NotFinite { argument: "tolerance", .. })), "NaN");
+    assert!(
+        matches!(unboxed(circle.length(f64::NAN)), Err(Error::NotFinite { argument: "tolerance", .. })),
+        "NaN"
+    );
     assert!(
         matches!(
-            circle.parameter_at_length(TAU + 1e-9, 1e-9),
+            unboxed(circle.parameter_at_length(TAU + 1e-9, 1e-9)),
             Err(Error::OutOfRange { argument: "length", .. })
         ),
         "beyond the end"
@@ -201,6 +208,6 @@ fn bad_arguments_are_refused_with_their_names() {
         ..HermiteOptions::default()
     })
     .expect("a line");
-    assert!(matches!(line.area(), Err(Error::Degenerate { .. })), "an open curve has no area");
-    assert!(matches!(line.centroid(), Err(Error::Degenerate { .. })), "nor a centre");
+    assert!(matches!(unboxed(line.area()), Err(Error::Degenerate { .. })), "an open curve has no area");
+    assert!(matches!(unboxed(line.centroid()), Err(Error::Degenerate { .. })), "nor a centre");
 }

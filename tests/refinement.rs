@@ -291,7 +291,7 @@ fn limits_of_levels_and_arity_are_checked_before_anything_is_allocated() {
     let short = HermiteData { omega: vec![1.0], ..data.clone() };
     assert_eq!(
         subdivide_hermite(&short, 2, 1),
-        Err(Error::WrongLength { argument: "omega", got: 1, needed: 5 }),
+        Err(Box::new(Error::WrongLength { argument: "omega", got: 1, needed: 5 })),
         "one frequency for five segments"
     );
     let scalar = subdivide_scalar(&data, 24).map(|_| ()).map_err(|error| error.code());

@@ -15,7 +15,7 @@ use expline::{Error, HermiteCurve};
 use nalgebra::Vector2;
 use support::curves::Random;
 use support::drawing::{self, Piece, drawing};
-use support::tolerance;
+use support::{tolerance, unboxed};
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -394,7 +394,7 @@ fn text_of_which_nothing_makes_sense_is_an_error_with_its_place() {
         ("M,1 1", 1, "a number"),
         ("\u{feff}M0 0", 0, "a moveto (M or m)"),
     ] {
-        assert_eq!(parse_path(d).err(), Some(Error::PathSyntax { offset, expected }), "{d:?}");
+        assert_eq!(unboxed(parse_path(d)).err(), Some(Error::PathSyntax { offset, expected }), "{d:?}");
     }
 }
 
@@ -411,7 +411,7 @@ fn numbers_beyond_the_range_are_refused_by_name_and_place() {
         ("M0 0C1e9 0 0 0 0 0", 5),
         ("M0 0A1e-300 1 0 0 1 10 10", 5),
     ] {
-        match parse_path(d) {
+        match unboxed(parse_path(d)) {
             Err(Error::OutOfRange { argument: "d", index: Some(index), most: 1e9, .. }) => {
                 assert_eq!(index, place, "{d:?}");
             }
@@ -422,7 +422,7 @@ fn numbers_beyond_the_range_are_refused_by_name_and_place() {
 
 #[test]
 fn limits_are_checked_before_the_work() {
-    let limit = |d: &str| match parse_path(d) {
+    let limit = |d: &str| match unboxed(parse_path(d)) {
         Err(Error::LimitExceeded { argument: "d", limit, .. }) => limit,
         other => panic!("{:?} …", other.map(|parsed| parsed.subpaths)),
     };

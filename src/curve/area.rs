@@ -71,7 +71,7 @@ impl HermiteCurve {
         }
         if twice.abs() <= 1e-14 * size {
             let reason = "the curve encloses no area";
-            return Err(Error::Degenerate { argument: "curve", index: None, reason });
+            return Err(Error::degenerate("curve", None, reason));
         }
         Ok(origin + moment / (1.5 * twice))
     }
@@ -80,7 +80,7 @@ impl HermiteCurve {
         if self.is_closed() {
             return Ok(());
         }
-        Err(Error::Degenerate { argument: "curve", index: None, reason: "an open curve encloses no area" })
+        Err(Error::degenerate("curve", None, "an open curve encloses no area"))
     }
 }
 

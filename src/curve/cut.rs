@@ -44,7 +44,7 @@ impl HermiteCurve {
             return self.part(from, to, from.0 > to.0 || (from.0 == to.0 && from.1 >= to.1));
         }
         if empty {
-            return Err(Error::Degenerate { argument: "t1", index: None, reason: "it must lie beyond t0" });
+            return Err(Error::degenerate("t1", None, "it must lie beyond t0"));
         }
         self.part(from, to, false)
     }

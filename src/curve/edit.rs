@@ -63,7 +63,7 @@ impl HermiteCurve {
     /// An entry that is not finite; an image that leaves ±1e9.
     pub fn transformed(&self, matrix: [f64; 6]) -> Result<Self> {
         if let Some(i) = matrix.iter().position(|entry| !entry.is_finite()) {
-            return Err(Error::NotFinite { argument: "matrix", index: Some(i) });
+            return Err(Error::not_finite("matrix", Some(i)));
         }
         let [a, b, c, d, e, f] = matrix;
         self.changed(&mut |data| {

@@ -27,7 +27,7 @@ impl HermiteCurve {
     pub fn ellipse(center: Point, radii: Vector, rotation: f64, count: usize) -> Result<Self> {
         let frame = Frame::new(center, radii, rotation)?;
         if count < 2 {
-            return Err(Error::TooFewPoints { argument: "count", got: count, needed: 2 });
+            return Err(Error::too_few("count", count, 2));
         }
         if count > MOST_POINTS {
             return Err(too_many("count", "maxPoints", MOST_POINTS, count));
@@ -48,7 +48,7 @@ impl HermiteCurve {
         check("start", None, start, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
         check("sweep", None, sweep, -TAU, TAU)?;
         if sweep == 0.0 {
-            return Err(Error::Degenerate { argument: "sweep", index: None, reason: "an arc of no extent" });
+            return Err(Error::degenerate("sweep", None, "an arc of no extent"));
         }
         let segments = if sweep.abs() > PI { 2 } else { 1 };
         let step = sweep / segments as f64;

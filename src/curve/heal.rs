@@ -36,7 +36,7 @@ impl HermiteCurve {
         self.check_index(i)?;
         let left = self.points().len() - 1;
         if left < 2 {
-            return Err(Error::TooFewPoints { argument: "points", got: left, needed: 2 });
+            return Err(Error::too_few("points", left, 2));
         }
         let segments = self.segment_count();
         let (before, after) = (if i == 0 { segments - 1 } else { i - 1 }, i);

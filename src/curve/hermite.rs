@@ -77,7 +77,7 @@ impl HermiteCurve {
         let data = &mut self.data;
         let count = data.points.len();
         if count < 2 {
-            return Err(Error::TooFewPoints { argument: "points", got: count, needed: 2 });
+            return Err(Error::too_few("points", count, 2));
         }
         if count > MOST_POINTS {
             return Err(too_many("points", "maxPoints", MOST_POINTS, count));
@@ -101,7 +101,7 @@ impl HermiteCurve {
             ("omega", data.omega.len(), segments),
         ] {
             if got != needed {
-                return Err(Error::WrongLength { argument, got, needed });
+                return Err(Error::wrong_length(argument, got, needed));
             }
         }
         Ok(())
@@ -122,7 +122,7 @@ impl HermiteCurve {
         for (i, (&w, &length)) in data.omega.iter().zip(&data.lengths).enumerate() {
             if (0.0..LEAST_LENGTH).contains(&length) {
                 let (index, reason) = (Some(i), "knots closer than 1e-12");
-                return Err(Error::Degenerate { argument: "lengths", index, reason });
+                return Err(Error::degenerate("lengths", index, reason));
             }
             check("lengths", Some(i), length, LEAST_LENGTH, most)?;
             let fastest =

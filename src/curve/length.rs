@@ -50,7 +50,7 @@ impl HermiteCurve {
     pub fn parameter_at_length(&self, length: f64, tolerance: f64) -> Result<f64> {
         check_tolerance(tolerance)?;
         if !length.is_finite() {
-            return Err(Error::NotFinite { argument: "length", index: None });
+            return Err(Error::not_finite("length", None));
         }
         let share = tolerance / self.segment_count() as f64;
         let mut before = 0.0;
@@ -66,7 +66,7 @@ impl HermiteCurve {
         if length > before && length <= before + tolerance.min(ROUNDING * before) {
             return Ok(self.domain().1);
         }
-        Err(Error::OutOfRange { argument: "length", index: None, value: length, least: 0.0, most: before })
+        Err(Error::unfit("length", None, length, 0.0, before))
     }
 
     /// The parameters of `count` points that are equally far apart along the curve.
@@ -109,11 +109,11 @@ impl HermiteCurve {
 /// An error where a tolerance is not a positive number.
 pub(crate) fn check_tolerance(tolerance: f64) -> Result<()> {
     if !tolerance.is_finite() {
-        return Err(Error::NotFinite { argument: "tolerance", index: None });
+        return Err(Error::not_finite("tolerance", None));
     }
     if tolerance <= 0.0 {
         let (value, least, most) = (tolerance, f64::MIN_POSITIVE, f64::MAX);
-        return Err(Error::OutOfRange { argument: "tolerance", index: None, value, least, most });
+        return Err(Error::unfit("tolerance", None, value, least, most));
     }
     Ok(())
 }

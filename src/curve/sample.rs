@@ -18,7 +18,7 @@ impl HermiteCurve {
             return Err(too_many("t", "maxEvalPoints", MOST_EVALUATIONS, t.len()));
         }
         if out.len() != 2 * t.len() {
-            return Err(Error::WrongLength { argument: "out", got: out.len(), needed: 2 * t.len() });
+            return Err(Error::wrong_length("out", out.len(), 2 * t.len()));
         }
         self.check_parameters(t)?;
         let mut i = 0;
@@ -37,10 +37,10 @@ impl HermiteCurve {
         for (i, &value) in parameters.iter().enumerate() {
             let (argument, index) = ("t", Some(i));
             if !value.is_finite() {
-                return Err(Error::NotFinite { argument, index });
+                return Err(Error::not_finite(argument, index));
             }
             if !self.is_closed() && !(least..=most).contains(&value) {
-                return Err(Error::OutOfRange { argument, index, value, least, most });
+                return Err(Error::unfit(argument, index, value, least, most));
             }
         }
         Ok(())

@@ -43,7 +43,7 @@ impl HermiteCurve {
         let nodes = pieces * self.segment_count() as f64 + if self.is_closed() { 0.0 } else { 1.0 };
         let (needed, most) = (if scalar { 2.0 * nodes } else { nodes }, MOST_OUTPUT_POINTS as f64);
         if needed > most {
-            return Err(Error::LimitExceeded { argument: "levels", limit: "maxOutputPoints", most, needed });
+            return Err(Error::limit("levels", "maxOutputPoints", MOST_OUTPUT_POINTS, needed));
         }
         let mut polygon = with_room(2 * needed as usize)?;
         // κ·H of a piece, on the arriving and on the leaving side.

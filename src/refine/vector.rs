@@ -33,7 +33,7 @@ impl HermiteData {
     pub(super) fn check(&self) -> Result<()> {
         let count = self.points.len();
         if count < 2 {
-            return Err(Error::TooFewPoints { argument: "points", got: count, needed: 2 });
+            return Err(Error::too_few("points", count, 2));
         }
         let segments = if self.closed { count } else { count - 1 };
         for (argument, got, needed) in [
@@ -43,7 +43,7 @@ impl HermiteData {
             ("lengths", self.lengths.len(), segments),
         ] {
             if got != needed {
-                return Err(Error::WrongLength { argument, got, needed });
+                return Err(Error::wrong_length(argument, got, needed));
             }
         }
         Ok(())

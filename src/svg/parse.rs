@@ -77,7 +77,7 @@ pub struct Truncation {
 /// let circle = expline::svg::parse_path("M10 0A5 5 0 0 1 20 0A5 5 0 0 1 10 0Z")?.curves;
 /// assert_eq!(circle[0].points().len(), 2);
 /// assert!((circle[0].evaluate(0.5, 0)?.y + 5.0).abs() < 1e-14);
-/// # Ok::<(), expline::Error>(())
+/// # Ok::<(), Box<expline::Error>>(())
 /// ```
 pub fn parse_path(d: &str) -> Result<ParsedPath> {
     parse_bytes(d.as_bytes())
@@ -111,7 +111,7 @@ pub(crate) fn parse_bytes(d: &[u8]) -> Result<ParsedPath> {
     }
     match path.truncation {
         Some(Truncation { found: offset, expected, .. }) if path.subpaths == 0 => {
-            Err(Error::PathSyntax { offset, expected })
+            Err(Error::path_syntax(offset, expected))
         }
         _ => Ok(path),
     }
@@ -135,7 +135,7 @@ struct Reader<'a> {
     open: bool,
     subpath: Subpath,
     points: usize,
-    failure: Option<Error>,
+    failure: Option<Box<Error>>,
     path: ParsedPath,
 }
 
@@ -365,12 +365,12 @@ impl Reader<'_> {
             return Some(());
         }
         let (least, most) = (-LARGEST_COORDINATE, LARGEST_COORDINATE);
-        self.failed(Error::OutOfRange { argument: "d", index: Some(self.group), value, least, most })
+        self.failed(Error::out_of_range("d", Some(self.group), value, least, most))
     }
 
     #[cold]
     #[inline(never)]
-    fn failed(&mut self, error: Error) -> Step {
+    fn failed(&mut self, error: Box<Error>) -> Step {
         self.failure.get_or_insert(error);
         None
     }

@@ -91,7 +91,7 @@ pub struct Printed {
 /// let printed = to_path_d(&circle, &PrintOptions::default())?;
 /// assert_eq!(printed.d, "M90 50A40 40 0 0 1 10 50 40 40 0 0 1 90 50Z");
 /// assert!(printed.deviation < 1e-13);
-/// # Ok::<(), expline::Error>(())
+/// # Ok::<(), Box<expline::Error>>(())
 /// ```
 pub fn to_path_d(curve: &HermiteCurve, options: &PrintOptions) -> Result<Printed> {
     let mut printer = Printer::new(curve, options)?;
@@ -119,11 +119,10 @@ impl<'a> Printer<'a> {
     fn new(curve: &'a HermiteCurve, options: &PrintOptions) -> Result<Self> {
         let PrintOptions { tolerance, decimals, arcs, relative } = *options;
         if !tolerance.is_finite() {
-            return Err(Error::NotFinite { argument: "tolerance", index: None });
+            return Err(Error::not_finite("tolerance", None));
         }
-        let out_of_range = |argument, value, least, most| {
-            Err(Error::OutOfRange { argument, index: None, value, least, most })
-        };
+        let out_of_range =
+            |argument, value, least, most| Err(Error::out_of_range(argument, None, value, least, most));
         if tolerance <= 0.0 {
             return out_of_range("tolerance", tolerance, f64::MIN_POSITIVE, f64::MAX);
         }

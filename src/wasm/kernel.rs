@@ -70,7 +70,7 @@ impl Kernel {
             Some(Some(Resident { curve, finder })) => {
                 Ok((finder.get_or_insert_with(|| NearestFinder::new(curve)), given, &mut self.output))
             }
-            _ => Err(NOT_RESIDENT),
+            _ => Err(Box::new(NOT_RESIDENT)),
         }
     }
 
@@ -124,7 +124,7 @@ impl Kernel {
 fn resident(slots: &[Option<Resident>], slot: u32) -> Result<&HermiteCurve> {
     match slots.get(slot as usize) {
         Some(Some(resident)) => Ok(&resident.curve),
-        _ => Err(NOT_RESIDENT),
+        _ => Err(Box::new(NOT_RESIDENT)),
     }
 }
 

@@ -37,3 +37,8 @@ pub(crate) fn assert_all_close(what: &str, got: &[f64], expected: &[f64], tolera
         assert!(deviation <= tolerance, "{what}[{i}]: {got} for {expected}, off by {deviation:e} of {scale}");
     }
 }
+
+/// A result whose error can be matched.
+pub(crate) fn unboxed<T>(result: expline::Result<T>) -> Result<T, expline::Error> {
+    result.map_err(|error| *error)
+}
