@@ -38,6 +38,42 @@ test("DM-011 deleting the point that is being dragged deletes it, and the drag e
   assert.deepEqual(demo.complaints, []);
 });
 
+test("a drag goes on over the panel and outside the window", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  await demo.withoutSnap();
+  const before = await demo.point(0);
+  const from = await demo.centre("pt-0-0");
+  const { mouse } = demo.page;
+  await mouse.move(from.x, from.y);
+  await mouse.down();
+  await mouse.move(1200, 400, { steps: 5 });
+  await mouse.move(1400, 900, { steps: 5 });
+  await mouse.up();
+  await demo.idle();
+  const after = await demo.point(0);
+  assert.ok(Math.abs(after.x - before.x - (1400 - from.x)) <= 0.5 && Math.abs(after.y - before.y - (900 - from.y)) <= 0.5);
+});
+
+test("events made by a script, with no pointer to capture, drag as a hand does", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  await demo.withoutSnap();
+  const before = await demo.point(1);
+  const { x, y } = await demo.centre("pt-0-1");
+  await demo.page.evaluate(([px, py]) => {
+    const surface = document.querySelector('[data-testid="stage"]');
+    const send = (type: string, dx: number): void => {
+      surface?.dispatchEvent(new PointerEvent(type, { pointerId: 77, pointerType: "mouse", clientX: px + dx, clientY: py, button: 0, bubbles: true, cancelable: true }));
+    };
+    send("pointerdown", 0);
+    send("pointermove", 20);
+    send("pointermove", 40);
+    send("pointerup", 40);
+  }, [x, y] as const);
+  await demo.idle();
+  assert.ok(Math.abs((await demo.point(1)).x - before.x - 40) <= 0.5);
+  assert.deepEqual(demo.complaints, []);
+});
+
 test("DM-012 a hundred thousand pointer moves between two frames are one move", async (t) => {
   const demo = await open(t, "#/curve?sample=circle-8");
   await demo.withoutSnap();

@@ -56,7 +56,7 @@ function listenToPointers({ editor, input, frame, surface, until }: Options): vo
   on("pointerdown", (event) => {
     const record = recordOf(event, editor);
     // The drag goes on outside the stage and over the panel.
-    surface.setPointerCapture(event.pointerId);
+    capture(surface, event.pointerId);
     // Put there by the pointer, the focus needs no ring round the whole stage, whatever keys come later.
     surface.dataset["pointer"] = "";
     surface.focus({ preventScroll: true });
@@ -101,6 +101,15 @@ function listenToPointers({ editor, input, frame, surface, until }: Options): vo
   frame.add("input", () => input.flush());
 }
 
+function capture(surface: HTMLElement, pointer: number): void {
+  try {
+    surface.setPointerCapture(pointer);
+  } catch (error) {
+    // The pointer may be gone already, or never have been one (events made by a script); then there is nothing to hold.
+    if (!(error instanceof DOMException && error.name === "NotFoundError")) throw error;
+  }
+}
+
 function listenToWheel({ editor, input, surface, until }: Options): void {
   surface.addEventListener(
     "wheel",
@@ -142,6 +151,8 @@ function listenToKeys({ editor, input, surface, until, leaveStage }: Options): v
       onModifiers(event);
       if (event.defaultPrevented || event.isComposing || !belongsToStage()) return;
       const inStage = surface.contains(document.activeElement);
+      // Alone, Alt opens the menu bar of some browsers, in the middle of a drag that it is meant to change.
+      if (event.key === "Alt" && inStage) return event.preventDefault();
       if (event.key === "Escape") return escape(inStage);
       if (event.key === " " && (inStage || document.activeElement === document.body)) {
         event.preventDefault();
@@ -172,6 +183,7 @@ function listenToKeys({ editor, input, surface, until, leaveStage }: Options): v
     "keyup",
     (event) => {
       onModifiers(event);
+      if (event.key === "Alt" && surface.contains(document.activeElement)) event.preventDefault();
       if (event.key === " ") input.space(false);
       const id = held.get(event.code);
       held.delete(event.code);

@@ -50,11 +50,11 @@ function combPaths({ state }: Scene, contour: Contour, half: number): CombPaths 
   const fresh = { scale, teeth, envelope };
   combs.set(contour, fresh);
   const segments = Math.max(1, contour.closed ? contour.points.length : contour.points.length - 1);
-  const perSegment = Math.max(4, Math.min(32, Math.floor(mostTeeth / segments)));
+  const perSegment = Math.max(4, Math.min(48, Math.floor(mostTeeth / segments)));
   const comb = combOf(state.curve, contour, perSegment);
   if (comb === null) return fresh;
-  // Near a cusp the curvature has no bound; a tooth as long as the drawing says enough.
-  const longest = 2 * half;
+  // Near a cusp the curvature has no bound; a tooth of a good third of the drawing says enough.
+  const longest = 0.75 * half;
   for (let i = 0; i < comb.curvature.length; i += 1) {
     const [x = 0, y = 0] = comb.points.subarray(2 * i, 2 * i + 2);
     const [dx = 0, dy = 0] = comb.tangents.subarray(2 * i, 2 * i + 2);

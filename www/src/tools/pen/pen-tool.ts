@@ -191,7 +191,7 @@ export function createPenTool(editor: Editor): Tool {
       if (closing) {
         drawing = null;
         editor.patch({ sketch: nothingSketched });
-      } else rubber(sample);
+      } else if (sample.kind !== "touch") rubber(sample);
     },
     cancel() {
       if (press !== null) {
