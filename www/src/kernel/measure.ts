@@ -1,7 +1,6 @@
 import type { CurveDocument } from "../document/document.ts";
 import { bezierGhost, ellipseOf } from "./bezier-ghost.ts";
 import { curveOf } from "./curve-cache.ts";
-import { documentPathD } from "./paths.ts";
 import { samplePoints } from "./samples.ts";
 
 /** The numbers of the status bar. Each is computed when asked for, once per document. */
@@ -47,13 +46,32 @@ function lazily(document: CurveDocument): Measures {
     closed: contours.filter((contour) => contour.closed).length,
     get cusps() { return sum((i) => contours[i]?.points.filter((point) => point.kind === "cusp").length ?? 0); },
     get segments() { return sum((i) => { const c = contours[i]; return c === undefined ? 0 : c.closed ? c.points.length : Math.max(0, c.points.length - 1); }); },
-    get length() { return keep("length", () => contours.reduce((total, contour) => total + (curveOf(document, contour)?.length() ?? 0), 0)); },
-    get area() { return keep("area", () => contours.reduce((total, contour) => total + (contour.closed ? curveOf(document, contour)?.area() ?? 0 : 0), 0)); },
-    get bytes() { return keep("bytes", () => documentPathD(document, { tolerance: 0.02, decimals: 3 }).d.length); },
+    get length() { return keep("length", () => sumOver(document, "length", (curve) => curve.length())); },
+    get area() { return keep("area", () => sumOver(document, "area", (curve) => (curve.closed ? curve.area() : 0))); },
+    get bytes() { return keep("bytes", () => sumOver(document, "bytes", (curve) => curve.toPathD({ tolerance: 0.02, decimals: 3 }).d.length)); },
     get modelError() { return keep("model", () => ellipseError(document)); },
     get bezierError() { return keep("bezier", () => firstGhost(document)?.error); },
     get bezierShape() { return keep("shape", () => firstGhost(document)?.shape); },
   };
+}
+
+type Curve = NonNullable<ReturnType<typeof curveOf>>;
+
+/** What was measured of a curve; while one contour of many is dragged, the others keep theirs. */
+const measured = new WeakMap<Curve, Map<string, number>>();
+
+function sumOver(document: CurveDocument, name: string, measure: (curve: Curve) => number): number {
+  let total = 0;
+  for (const contour of document.contours) {
+    const curve = curveOf(document, contour);
+    if (curve === null) continue;
+    const known = measured.get(curve) ?? new Map<string, number>();
+    measured.set(curve, known);
+    const value = known.get(name) ?? measure(curve);
+    known.set(name, value);
+    total += value;
+  }
+  return total;
 }
 
 function firstGhost(document: CurveDocument): ReturnType<typeof bezierGhost> {
