@@ -3,6 +3,7 @@
 mod area;
 mod bounds;
 mod chords;
+mod cubic_fit;
 mod cubics;
 mod curvature;
 mod cut;
