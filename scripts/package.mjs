@@ -25,13 +25,19 @@ export async function buildXtask() {
   });
 }
 
-/** Small functions stay functions unless they say `#[inline]`: a tenth less to download, and hot loops say so. */
-const FLAGS = ["-C", "target-feature=+simd128", "-C", "llvm-args=-inline-threshold=0"];
+/**
+ * The flags of .cargo/config.toml, and: small functions stay functions unless they say `#[inline]`. That is a tenth less
+ * to download; hot loops say so.
+ */
+function flags() {
+  const [, list = ""] = /^rustflags = \[([^\]]*)\]/m.exec(readFileSync(at(".cargo/config.toml"), "utf8")) ?? [];
+  return [...JSON.parse(`[${list.replace(/,\s*$/, "")}]`), "-C", "llvm-args=-inline-threshold=0"];
+}
 
 async function buildWasm() {
   const inputs = [...RUST, "scripts/package.mjs"];
   await step("wasm", { inputs, outputs: [RAW] }, async () => {
-    const env = { CARGO_ENCODED_RUSTFLAGS: FLAGS.join("\x1f") };
+    const env = { CARGO_ENCODED_RUSTFLAGS: flags().join("\x1f") };
     await run("cargo", ["build", "--locked", "-p", "expline", "--lib", "--release", "--target", "wasm32-unknown-unknown"], { env });
   });
 }

@@ -63,8 +63,6 @@ function evaluation(count, peers, targets) {
 
 function tangentsRow({ curve, kurbo, native, beziers, path }) {
   const out = new Float64Array(4 * MANY);
-  const positions = out.subarray(0, 2 * MANY);
-  const slopes = out.subarray(2 * MANY);
   const both = tangentEvaluator(MANY);
   const each = MANY / SEGMENTS;
   const curves = path.curves;
@@ -84,7 +82,7 @@ function tangentsRow({ curve, kurbo, native, beziers, path }) {
   return {
     unit: "point",
     contestants: [
-      row("expline, wasm", () => (curve.sample(MANY, { out: positions }), curve.sample(MANY, { out: slopes, derivative: 1 })), () => deviation(positions)),
+      row("expline, wasm", () => curve.sample(MANY, { out, tangents: true }), () => deviation(out, 4)),
       row("hand-written JS, table", () => both(out), () => deviation(out, 4)),
       { name: "kurbo, native", measure: native.measure("kurbo:tangents"), units: MANY, note: () => "" },
       row("kurbo, wasm", () => kurbo.evaluate_with_tangents(MANY), () => deviation(kurbo.numbers(4 * MANY), 4)),

@@ -1,0 +1,37 @@
+// Every snippet of the README runs as pasted: a line `console.log(…); // → text` prints that text.
+
+import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import { spawnSync } from "node:child_process";
+import { test } from "node:test";
+import { join } from "node:path";
+
+import { transform } from "esbuild";
+
+const consumer = join(process.cwd(), "build", "consumer");
+const text = readFileSync(join(process.cwd(), "README.md"), "utf8");
+
+function snippets(language: string): string[] {
+  return [...text.matchAll(new RegExp(`^\`\`\`${language}\\n([\\s\\S]*?)^\`\`\`$`, "gm"))].map(([, code]) => code ?? "");
+}
+
+for (const [i, code] of snippets("js").entries()) {
+  test(`snippet ${i + 1} of the README prints what it says`, () => {
+    const file = join(consumer, `snippet-${i}.mjs`);
+    writeFileSync(file, code);
+    const { stdout, stderr, status } = spawnSync(process.execPath, [file], { encoding: "utf8" });
+    assert.equal(status, 0, stderr);
+    const expected = [...code.matchAll(/^console\.log\(.*\); \/\/ → (.*)$/gm)].map(([, line]) => line);
+    assert.equal((code.match(/console\.log/g) ?? []).length, expected.length, "every console.log says what it prints");
+    assert.deepEqual(stdout.trimEnd().split("\n").filter(Boolean), expected);
+  });
+}
+
+test("the React snippet is sound JSX, and imports what there is", async () => {
+  const [code = ""] = snippets("jsx");
+  const { warnings } = await transform(code, { loader: "jsx" });
+  assert.deepEqual(warnings, []);
+  const names = /import \{ ([^}]+) \} from "expline"/.exec(code)?.[1]?.split(", ") ?? [];
+  const library = (await import("expline")) as Record<string, unknown>;
+  assert.ok(names.length > 0 && names.every((name) => name in library), "an import that is not there");
+});
