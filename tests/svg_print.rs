@@ -16,7 +16,7 @@ use expline::{Error, HermiteCurve, Space};
 use nalgebra::Vector2;
 use support::curves::Random;
 use support::drawing::{self, Piece, Stretch, drawing};
-use support::tolerance;
+use support::{tolerance, unboxed};
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -338,8 +338,9 @@ fn rounding_does_not_add_up_along_the_path() {
 #[test]
 fn options_out_of_range_are_refused() {
     let line = read("M0 0L1 1");
-    let with =
-        |tolerance, decimals| to_path_d(&line, &PrintOptions { tolerance, decimals, ..options() }).err();
+    let with = |tolerance, decimals| {
+        unboxed(to_path_d(&line, &PrintOptions { tolerance, decimals, ..options() })).err()
+    };
     assert!(matches!(with(0.0, None), Some(Error::OutOfRange { argument: "tolerance", .. })));
     assert!(matches!(with(-1.0, None), Some(Error::OutOfRange { argument: "tolerance", .. })));
     assert!(matches!(with(f64::NAN, None), Some(Error::NotFinite { argument: "tolerance", .. })));
