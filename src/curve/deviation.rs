@@ -1,4 +1,4 @@
-//! How far apart a few segments are, by foot points: for small edits, not for whole drawings.
+//! How far apart one or two segments are, by foot points: for small edits, not for whole drawings.
 
 use super::Segment;
 use crate::numerics::Point;
@@ -15,10 +15,10 @@ pub(super) fn two_way_deviation(first: &[Segment], second: &[Segment]) -> f64 {
 #[inline(never)]
 pub(super) fn deviation_of(from: &[Segment], to: &[Segment]) -> f64 {
     let mut largest = 0.0_f64;
-    let lattice = places(to);
-    for target in places(from) {
+    let (lattice, targets) = (places(to), places(from));
+    for target in &targets[..from.len() * PLACES] {
         let (mut best, mut least) = (0, f64::INFINITY);
-        for (k, point) in lattice.iter().enumerate() {
+        for (k, point) in lattice[..to.len() * PLACES].iter().enumerate() {
             let square = (point - target).norm_squared();
             if square < least {
                 (best, least) = (k, square);
@@ -26,17 +26,25 @@ pub(super) fn deviation_of(from: &[Segment], to: &[Segment]) -> f64 {
         }
         let (segment, mut x) = (&to[best / PLACES], place(best));
         for _ in 0..4 {
-            x = segment.foot(target, x);
+            x = segment.foot(*target, x);
         }
         let foot = (segment.position(x) - target).norm();
-        largest = largest.max(foot.min(libm::sqrt(least)));
+        largest = largest.max(foot.min(least.sqrt()));
     }
     largest
 }
 
-/// `PLACES` on every segment, its ends among them.
-fn places(segments: &[Segment]) -> Vec<Point> {
-    (0..PLACES * segments.len()).map(|k| segments[k / PLACES].position(place(k))).collect()
+/// `PLACES` on each of one or two segments, its ends among them.
+#[inline(never)]
+fn places(segments: &[Segment]) -> [Point; 2 * PLACES] {
+    let mut places = [Point::zeros(); 2 * PLACES];
+    for (k, point) in places.iter_mut().enumerate() {
+        let segment = if k < PLACES { segments.first() } else { segments.get(1) };
+        if let Some(segment) = segment {
+            *point = segment.position(place(k));
+        }
+    }
+    places
 }
 
 fn place(k: usize) -> f64 {
@@ -45,6 +53,7 @@ fn place(k: usize) -> f64 {
 
 impl Segment<'_> {
     /// One step of Newton's method from x towards the foot of the perpendicular from `target`.
+    #[inline(never)]
     pub(super) fn foot(&self, target: Point, x: f64) -> f64 {
         let offset = self.position(x) - target;
         let (velocity, acceleration) = (self.velocity(x), self.acceleration(x));

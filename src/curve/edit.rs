@@ -41,13 +41,13 @@ impl HermiteCurve {
         let reversed = self.changed(&mut |data| {
             core::mem::swap(&mut data.tangents, &mut data.tangents_in);
             for list in [&mut data.points, &mut data.tangents, &mut data.tangents_in] {
-                list[from..].reverse();
+                reverse(&mut list[from..]);
             }
             for list in [&mut data.tangents, &mut data.tangents_in] {
                 list.iter_mut().for_each(|tangent| *tangent = -*tangent);
             }
             for list in [&mut data.omega, &mut data.lengths] {
-                list.reverse();
+                reverse(list);
             }
         });
         // The same numbers in another order pass the same checks.
@@ -87,5 +87,14 @@ impl HermiteCurve {
 
     pub(super) fn check_index(&self, i: usize) -> Result<()> {
         check("i", None, i as f64, 0.0, (self.points().len() - 1) as f64)
+    }
+}
+
+/// Without the vector code of the standard library: this is done once in a while.
+#[inline(never)]
+fn reverse<T>(list: &mut [T]) {
+    let count = list.len();
+    for i in 0..count / 2 {
+        list.swap(i, count - 1 - i);
     }
 }

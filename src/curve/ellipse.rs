@@ -117,7 +117,7 @@ pub(super) fn turn(k: usize, n: usize) -> (f64, f64) {
 
 /// (cos, sin) of an angle, exact where it is the double nearest to a multiple of a quarter turn.
 pub(super) fn direction(angle: f64) -> (f64, f64) {
-    let quarters = libm::round(angle / FRAC_PI_2);
+    let quarters = (angle / FRAC_PI_2).round_ties_even();
     if quarters.abs() < 1e6 && (angle - quarters * FRAC_PI_2).abs() <= f64::EPSILON * angle.abs() {
         return quarter_turns((quarters as i64).rem_euclid(4) as u64, (1.0, 0.0));
     }

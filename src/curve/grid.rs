@@ -38,6 +38,7 @@ impl Grid {
     }
 
     /// The first sample at or beyond the start of segment s.
+    #[inline(never)]
     pub(super) fn first_sample(&self, curve: &HermiteCurve, s: usize) -> usize {
         if let Some(segments) = self.even {
             return (s as u64).saturating_mul(self.steps as u64).div_ceil(segments) as usize;
@@ -54,6 +55,7 @@ impl Grid {
     }
 
     /// Where in segment s sample half/2 is, from 0 to 1; odd `half` are halfway between two samples.
+    #[inline(never)]
     pub(super) fn local(&self, curve: &HermiteCurve, s: usize, half: usize) -> f64 {
         match self.even {
             Some(segments) => {

@@ -105,10 +105,10 @@ impl Healed {
         let size = (first.end - first.start).norm() + (second.end - second.start).norm();
         let share = first.length / (first.length + second.length * ratio);
         // Where the parameters agree there is nothing to look for; it also bounds the distance from above.
-        let mut deviation = places(old, share)
-            .into_iter()
-            .map(|(x, target)| (merged.position(x) - target).norm())
-            .fold(0.0, f64::max);
+        let mut deviation = 0.0_f64;
+        for (x, target) in places(old, share) {
+            deviation = deviation.max((merged.position(x) - target).norm());
+        }
         if deviation > 1e-13 * size {
             deviation = two_way_deviation(old, &[merged]);
             let fitted = fit(old, merged, share);
@@ -161,18 +161,22 @@ fn fit<'a>(old: &[Segment; 2], mut merged: Segment<'a>, share: f64) -> Segment<'
 }
 
 /// Places on the old segments, with the x that they would have if the first one were this share of the whole.
-fn places(old: &[Segment; 2], share: f64) -> Vec<(f64, Point)> {
-    let mut places = Vec::with_capacity(2 * PLACES);
-    for (segment, from, to) in [(&old[0], 0.0, share), (&old[1], share, 1.0)] {
-        for k in 1..=PLACES {
-            let x = k as f64 / (PLACES + 1) as f64;
-            places.push((from + (to - from) * x, segment.position(x)));
-        }
+#[inline(never)]
+fn places(old: &[Segment; 2], share: f64) -> [(f64, Point); 2 * PLACES] {
+    let mut places = [(0.0, Point::zeros()); 2 * PLACES];
+    for (k, place) in places.iter_mut().enumerate() {
+        let x = (k % PLACES + 1) as f64 / (PLACES + 1) as f64;
+        *place = if k < PLACES {
+            (share * x, old[0].position(x))
+        } else {
+            (share + (1.0 - share) * x, old[1].position(x))
+        };
     }
     places
 }
 
 /// The direction in which a segment leaves x = 0 or arrives at x = 1, also where its speed is 0 there.
+#[inline(never)]
 fn heading(segment: &Segment, x: f64) -> Vector {
     let towards_inside = if x == 0.0 { 1.0 } else { -1.0 };
     let chord = segment.end - segment.start;

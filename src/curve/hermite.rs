@@ -45,6 +45,12 @@ pub struct HermiteOptions {
 /// A curve through its points, with the derivatives there, exact for ellipses, cubics and lines alike.
 #[derive(Clone, Debug)]
 pub struct HermiteCurve {
+    // Behind a pointer: curves are handed around a lot, and are a dozen words.
+    inner: Box<Inner>,
+}
+
+#[derive(Clone, Debug)]
+struct Inner {
     /// Complete: every list has its full length.
     data: HermiteOptions,
     space: Space,
@@ -65,13 +71,147 @@ impl HermiteCurve {
     pub fn new(options: HermiteOptions) -> Result<Self> {
         let (knots, bases, basis_of) = (Vec::new(), Vec::new(), Vec::new());
         let space = options.space.unwrap_or(Space::Trigonometric);
-        let mut curve = Self { data: options, space, knots, bases, basis_of, even: true };
-        curve.complete()?;
-        curve.check()?;
-        curve.prepare()?;
+        let inner = Inner { data: options, space, knots, bases, basis_of, even: true };
+        let mut curve = Self { inner: Box::new(inner) };
+        curve.inner.complete()?;
+        curve.inner.check()?;
+        curve.inner.prepare()?;
         Ok(curve)
     }
 
+    /// The points.
+    pub fn points(&self) -> &[Point] {
+        &self.inner.data.points
+    }
+
+    /// dr/dt leaving each point.
+    pub fn tangents(&self) -> &[Vector] {
+        &self.inner.data.tangents
+    }
+
+    /// dr/dt arriving at each point.
+    pub fn tangents_in(&self) -> &[Vector] {
+        &self.inner.data.tangents_in
+    }
+
+    /// ω of every segment, in radians per unit of t.
+    pub fn omega(&self) -> &[f64] {
+        &self.inner.data.omega
+    }
+
+    /// Parameter length of every segment.
+    pub fn lengths(&self) -> &[f64] {
+        &self.inner.data.lengths
+    }
+
+    /// The parameters at the points, one more than there are segments.
+    pub fn knots(&self) -> &[f64] {
+        &self.inner.knots
+    }
+
+    /// The space.
+    pub fn space(&self) -> Space {
+        self.inner.space
+    }
+
+    /// Whether the last point is joined to the first.
+    pub fn is_closed(&self) -> bool {
+        self.inner.data.closed
+    }
+
+    /// How many segments there are.
+    pub fn segment_count(&self) -> usize {
+        self.inner.data.lengths.len()
+    }
+
+    /// First and last parameter.
+    pub fn domain(&self) -> (f64, f64) {
+        (0.0, self.inner.knots[self.inner.knots.len() - 1])
+    }
+
+    /// Segment i, from point i to the next.
+    #[inline(never)]
+    pub fn segment(&self, i: usize) -> Segment<'_> {
+        let (data, next) = (&self.inner.data, self.next(i));
+        Segment {
+            start: data.points[i],
+            end: data.points[next],
+            leaving: data.tangents[i],
+            arriving: data.tangents_in[next],
+            length: data.lengths[i],
+            basis: &self.inner.bases[self.inner.basis_of[i] as usize],
+        }
+    }
+
+    /// Whether all segments have one parameter length.
+    pub(super) fn is_even(&self) -> bool {
+        self.inner.even
+    }
+
+    /// The index of the point after point i, the first after the last.
+    pub(super) fn next(&self, i: usize) -> usize {
+        if i + 1 == self.inner.data.points.len() { 0 } else { i + 1 }
+    }
+
+    /// The curve with other tangents, the same on both sides of every point.
+    pub(super) fn with_tangents(mut self, tangent: &dyn Fn(usize) -> Vector) -> Result<Self> {
+        let data = &mut self.inner.data;
+        for (i, (leaving, arriving)) in data.tangents.iter_mut().zip(&mut data.tangents_in).enumerate() {
+            *leaving = tangent(i);
+            *arriving = *leaving;
+        }
+        self.inner.check()?;
+        Ok(self)
+    }
+
+    /// Everything that the curve is made from; [`HermiteCurve::new`] gives it back to the last bit.
+    pub fn to_options(&self) -> HermiteOptions {
+        HermiteOptions { space: Some(self.inner.space), ..self.inner.data.clone() }
+    }
+
+    /// All segments in order.
+    pub fn segments(&self) -> impl ExactSizeIterator<Item = Segment<'_>> {
+        (0..self.segment_count()).map(|i| self.segment(i))
+    }
+
+    /// The segment that t lies in and the local x in [0, 1].
+    ///
+    /// A closed curve takes any finite t; an open one refuses t outside its domain.
+    pub fn locate(&self, t: f64) -> Result<(usize, f64)> {
+        let (start, end) = if self.inner.data.closed { (f64::MIN, f64::MAX) } else { self.domain() };
+        check("t", None, t, start, end)?;
+        Ok(self.place(t, 0))
+    }
+
+    /// [`HermiteCurve::locate`] for a t that is allowed, quick if it lies in segment `guess`.
+    pub(super) fn place(&self, t: f64, guess: usize) -> (usize, f64) {
+        let (_, end) = self.domain();
+        let t = if self.inner.data.closed && !(0.0..end).contains(&t) {
+            let wrapped = t - end * (t / end).floor();
+            if wrapped >= end || wrapped < 0.0 { 0.0 } else { wrapped }
+        } else {
+            t
+        };
+        let i = match self.inner.knots.get(guess..guess + 2) {
+            Some([first, last]) if (*first..*last).contains(&t) => guess,
+            _ => {
+                let after = self.inner.knots.partition_point(|&knot| knot <= t);
+                after.saturating_sub(1).min(self.segment_count() - 1)
+            }
+        };
+        (i, ((t - self.inner.knots[i]) / self.inner.data.lengths[i]).clamp(0.0, 1.0))
+    }
+
+    /// The point at t, or the first or second derivative; at a knot the limit from the right.
+    pub fn evaluate(&self, t: f64, derivative: usize) -> Result<Vector> {
+        let (i, x) = self.locate(t)?;
+        let segment = self.segment(i);
+        check_derivative(derivative)?;
+        Ok(segment.derivative(x, derivative))
+    }
+}
+
+impl Inner {
     /// Fills in what may be left out, and checks that all fits together.
     fn complete(&mut self) -> Result<()> {
         let data = &mut self.data;
@@ -110,21 +250,15 @@ impl HermiteCurve {
     /// Checks every number.
     fn check(&self) -> Result<()> {
         let data = &self.data;
-        let most = LARGEST_COORDINATE;
-        for (argument, vectors) in
-            [("points", &data.points), ("tangents", &data.tangents), ("tangentsIn", &data.tangents_in)]
-        {
-            for (i, v) in vectors.iter().enumerate() {
-                check(argument, Some(2 * i), v.x, -most, most)?;
-                check(argument, Some(2 * i + 1), v.y, -most, most)?;
-            }
-        }
+        check_vectors("points", &data.points)?;
+        check_vectors("tangents", &data.tangents)?;
+        check_vectors("tangentsIn", &data.tangents_in)?;
         for (i, (&w, &length)) in data.omega.iter().zip(&data.lengths).enumerate() {
             if (0.0..LEAST_LENGTH).contains(&length) {
                 let (index, reason) = (Some(i), "knots closer than 1e-12");
                 return Err(Error::degenerate("lengths", index, reason));
             }
-            check("lengths", Some(i), length, LEAST_LENGTH, most)?;
+            check("lengths", Some(i), length, LEAST_LENGTH, LARGEST_COORDINATE)?;
             let fastest =
                 if self.space == Space::Trigonometric { TAU - POLE_MARGIN } else { LARGEST_FREQUENCY };
             check("omega", Some(i), w, 0.0, fastest / length)?;
@@ -155,127 +289,16 @@ impl HermiteCurve {
         }
         Ok(())
     }
+}
 
-    /// The points.
-    pub fn points(&self) -> &[Point] {
-        &self.data.points
-    }
-
-    /// dr/dt leaving each point.
-    pub fn tangents(&self) -> &[Vector] {
-        &self.data.tangents
-    }
-
-    /// dr/dt arriving at each point.
-    pub fn tangents_in(&self) -> &[Vector] {
-        &self.data.tangents_in
-    }
-
-    /// ω of every segment, in radians per unit of t.
-    pub fn omega(&self) -> &[f64] {
-        &self.data.omega
-    }
-
-    /// Parameter length of every segment.
-    pub fn lengths(&self) -> &[f64] {
-        &self.data.lengths
-    }
-
-    /// The parameters at the points, one more than there are segments.
-    pub fn knots(&self) -> &[f64] {
-        &self.knots
-    }
-
-    /// The space.
-    pub fn space(&self) -> Space {
-        self.space
-    }
-
-    /// Whether the last point is joined to the first.
-    pub fn is_closed(&self) -> bool {
-        self.data.closed
-    }
-
-    /// How many segments there are.
-    pub fn segment_count(&self) -> usize {
-        self.data.lengths.len()
-    }
-
-    /// First and last parameter.
-    pub fn domain(&self) -> (f64, f64) {
-        (0.0, self.knots[self.knots.len() - 1])
-    }
-
-    /// Segment i, from point i to the next.
-    #[inline]
-    pub fn segment(&self, i: usize) -> Segment<'_> {
-        let (data, next) = (&self.data, self.next(i));
-        Segment {
-            start: data.points[i],
-            end: data.points[next],
-            leaving: data.tangents[i],
-            arriving: data.tangents_in[next],
-            length: data.lengths[i],
-            basis: &self.bases[self.basis_of[i] as usize],
+#[inline(never)]
+fn check_vectors(argument: &'static str, vectors: &[Vector]) -> Result<()> {
+    for (i, v) in vectors.iter().enumerate() {
+        for (k, &value) in v.iter().enumerate() {
+            check(argument, Some(2 * i + k), value, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
         }
     }
-
-    /// Whether all segments have one parameter length.
-    pub(super) fn is_even(&self) -> bool {
-        self.even
-    }
-
-    /// The index of the point after point i, the first after the last.
-    pub(super) fn next(&self, i: usize) -> usize {
-        if i + 1 == self.data.points.len() { 0 } else { i + 1 }
-    }
-
-    /// Everything that the curve is made from; [`HermiteCurve::new`] gives it back to the last bit.
-    pub fn to_options(&self) -> HermiteOptions {
-        HermiteOptions { space: Some(self.space), ..self.data.clone() }
-    }
-
-    /// All segments in order.
-    #[inline]
-    pub fn segments(&self) -> impl ExactSizeIterator<Item = Segment<'_>> {
-        (0..self.segment_count()).map(|i| self.segment(i))
-    }
-
-    /// The segment that t lies in and the local x in [0, 1].
-    ///
-    /// A closed curve takes any finite t; an open one refuses t outside its domain.
-    pub fn locate(&self, t: f64) -> Result<(usize, f64)> {
-        let (start, end) = if self.data.closed { (f64::MIN, f64::MAX) } else { self.domain() };
-        check("t", None, t, start, end)?;
-        Ok(self.place(t, 0))
-    }
-
-    /// [`HermiteCurve::locate`] for a t that is allowed, quick if it lies in segment `guess`.
-    pub(super) fn place(&self, t: f64, guess: usize) -> (usize, f64) {
-        let (_, end) = self.domain();
-        let t = if self.data.closed && !(0.0..end).contains(&t) {
-            let wrapped = t - end * (t / end).floor();
-            if wrapped >= end || wrapped < 0.0 { 0.0 } else { wrapped }
-        } else {
-            t
-        };
-        let i = match self.knots.get(guess..guess + 2) {
-            Some([first, last]) if (*first..*last).contains(&t) => guess,
-            _ => {
-                let after = self.knots.partition_point(|&knot| knot <= t);
-                after.saturating_sub(1).min(self.segment_count() - 1)
-            }
-        };
-        (i, ((t - self.knots[i]) / self.data.lengths[i]).clamp(0.0, 1.0))
-    }
-
-    /// The point at t, or the first or second derivative; at a knot the limit from the right.
-    pub fn evaluate(&self, t: f64, derivative: usize) -> Result<Vector> {
-        let (i, x) = self.locate(t)?;
-        let segment = self.segment(i);
-        check_derivative(derivative)?;
-        Ok(segment.derivative(x, derivative))
-    }
+    Ok(())
 }
 
 pub(super) fn check_derivative(derivative: usize) -> Result<()> {

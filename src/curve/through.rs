@@ -31,19 +31,17 @@ impl HermiteCurve {
     ///
     /// O(M).
     pub fn through(points: Vec<Point>, closed: bool, omega: Option<f64>, space: Space) -> Result<Self> {
-        let tangents = vec![Vector::zeros(); points.len()];
+        // Any tangents will do until the right ones are known.
+        let tangents = points.clone();
         let omega = omega.into_iter().collect();
         let options =
             HermiteOptions { points, tangents, closed, space: Some(space), omega, ..Default::default() };
         let curve = Self::new(options)?;
-        let tangents = match tridiagonal::solve(&curve.continuity()) {
-            Some(tangents) => tangents,
-            None => curve.differences(),
-        };
-        curve.changed(&mut |data| {
-            data.tangents.clone_from(&tangents);
-            data.tangents_in.clone_from(&tangents);
-        })
+        let mut rows = curve.continuity();
+        if tridiagonal::solve(&mut rows).is_none() {
+            curve.differences(&mut rows);
+        }
+        curve.with_tangents(&|i| rows[i].right)
     }
 
     /// (D 7.6) Row i says: the second derivative that arrives at point i is the one that leaves it, or 0 at open ends.
@@ -69,22 +67,21 @@ impl HermiteCurve {
         rows
     }
 
-    fn differences(&self) -> Vec<Vector> {
+    /// Leaves central differences in the rows' right-hand sides.
+    fn differences(&self, rows: &mut [Row]) {
         let points = self.points();
         let n = points.len();
-        if n == 2 && self.is_closed() {
-            let radius = (points[0] - points[1]) * 0.5;
-            let tangent = Vector::new(-radius.y, radius.x) * PI;
-            return vec![tangent, -tangent];
-        }
-        let mut tangents = Vec::with_capacity(n);
-        for i in 0..n {
+        for (i, row) in rows.iter_mut().enumerate() {
             let (first, last) = (i == 0 && !self.is_closed(), i + 1 == n && !self.is_closed());
             let before = if first { 0 } else { (i + n - 1) % n };
             let after = if last { i } else { (i + 1) % n };
             let steps = if first || last { 1.0 } else { 2.0 };
-            tangents.push((points[after] - points[before]) / steps);
+            row.right = (points[after] - points[before]) / steps;
         }
-        tangents
+        if n == 2 && self.is_closed() {
+            let radius = (points[0] - points[1]) * 0.5;
+            rows[0].right = Vector::new(-radius.y, radius.x) * PI;
+            rows[1].right = -rows[0].right;
+        }
     }
 }

@@ -18,6 +18,8 @@ pub(super) struct Stretched {
 }
 
 impl Stretched {
+    #[cold]
+    #[inline(never)]
     pub(super) fn new(frequency: f64) -> Self {
         let half = 0.5 * frequency;
         let decay = libm::exp(-frequency);
@@ -36,6 +38,8 @@ impl Stretched {
     }
 
     /// The weights at distance r ≤ 1/2 from the start, or a derivative to order 3, for w·r > π/2 (D 2.9).
+    #[cold]
+    #[inline(never)]
     pub(super) fn weights(&self, r: f64, derivative: usize) -> Weights {
         let Self { half, tanh, gap, spread, decay } = *self;
         let t = 2.0 * half * r;

@@ -15,34 +15,34 @@ pub struct Row {
     pub right: Vector,
 }
 
-/// Solves the system by elimination without pivoting.
+/// Solves the system by elimination without pivoting, in place: the solution is left in the right-hand sides.
 ///
 /// `None` where a pivot is below a thousandth of its row: the system has no unique solution, or none that this
 /// elimination finds with digits to spare. A diagonal that dominates always suffices. O(n), any n from 2 up.
-pub fn solve(rows: &[Row]) -> Option<Vec<Vector>> {
-    let (last, others) = rows.split_last()?;
-    // Forward: xᵢ = y − u·xᵢ₊₁ − v·xₙ₋₁, for the row before the first with xₙ₋₁ itself.
-    let mut kept = Vec::with_capacity(rows.len());
+pub fn solve(rows: &mut [Row]) -> Option<()> {
+    let (last, others) = rows.split_last_mut()?;
+    // Forward: xᵢ = right − after·xᵢ₊₁ − before·xₙ₋₁, for the row before the first with xₙ₋₁ itself.
     let (mut y, mut u, mut v) = (Vector::zeros(), 0.0, -1.0);
-    for row in others {
+    for row in others.iter_mut() {
         let pivot = regular(row.center - row.before * u, row)?;
         y = (row.right - y * row.before) / pivot;
         v = -row.before * v / pivot;
         u = row.after / pivot;
-        kept.push((y, u, v));
+        (row.right, row.after, row.before) = (y, u, v);
     }
     let before_last = (y, -u - v);
-    // Backward: xᵢ = p + q·xₙ₋₁, from the last but one down to the first.
+    // Backward: xᵢ = right + before·xₙ₋₁, from the last but one down to the first.
     let (mut p, mut q) = (Vector::zeros(), 1.0);
-    for (y, u, v) in kept.iter_mut().rev() {
-        (p, q) = (*y - p * *u, -*u * q - *v);
-        (*y, *v) = (p, q);
+    for row in others.iter_mut().rev() {
+        (p, q) = (row.right - p * row.after, -row.after * q - row.before);
+        (row.right, row.before) = (p, q);
     }
     let pivot = regular(last.center + last.before * before_last.1 + last.after * q, last)?;
-    let end = (last.right - before_last.0 * last.before - p * last.after) / pivot;
-    let mut x: Vec<Vector> = kept.iter().map(|(p, _, q)| p + end * *q).collect();
-    x.push(end);
-    Some(x)
+    last.right = (last.right - before_last.0 * last.before - p * last.after) / pivot;
+    for row in others {
+        row.right += last.right * row.before;
+    }
+    Some(())
 }
 
 fn regular(pivot: f64, row: &Row) -> Option<f64> {
@@ -58,16 +58,16 @@ mod tests {
     fn a_cyclic_system_of_any_size_is_solved() {
         for n in 2..9_usize {
             let x: Vec<Vector> = (0..n).map(|i| Vector::new(1.0 + i as f64, (i * i) as f64 - 3.0)).collect();
-            let rows: Vec<Row> = (0..n)
+            let mut rows: Vec<Row> = (0..n)
                 .map(|i| {
                     let (before, center, after) = (1.0, 5.0 + i as f64, -2.0);
                     let right = x[(i + n - 1) % n] * before + x[i] * center + x[(i + 1) % n] * after;
                     Row { before, center, after, right }
                 })
                 .collect();
-            let solution = solve(&rows).expect("the diagonal dominates");
-            for (found, expected) in solution.iter().zip(&x) {
-                assert!((found - expected).norm() < 1e-13, "size {n}");
+            solve(&mut rows).expect("the diagonal dominates");
+            for (found, expected) in rows.iter().zip(&x) {
+                assert!((found.right - expected).norm() < 1e-13, "size {n}");
             }
         }
     }
@@ -75,7 +75,7 @@ mod tests {
     #[test]
     fn a_singular_system_has_no_answer() {
         let row = Row { before: 1.0, center: 2.0, after: 1.0, right: Vector::new(1.0, 0.0) };
-        assert!(solve(&[row; 4]).is_none(), "(1, −1, 1, −1) solves the homogeneous system");
-        assert!(solve(&[]).is_none(), "nothing is asked");
+        assert!(solve(&mut [row; 4]).is_none(), "(1, −1, 1, −1) solves the homogeneous system");
+        assert!(solve(&mut []).is_none(), "nothing is asked");
     }
 }
