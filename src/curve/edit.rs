@@ -67,14 +67,9 @@ impl HermiteCurve {
         }
         let [a, b, c, d, e, f] = matrix;
         self.changed(&mut |data| {
-            let HermiteOptions { points, tangents, tangents_in, .. } = data;
-            for (list, shift) in
-                [(points, Vector::new(e, f)), (tangents, Vector::zeros()), (tangents_in, Vector::zeros())]
-            {
-                for v in list {
-                    *v = Vector::new(a * v.x + c * v.y, b * v.x + d * v.y) + shift;
-                }
-            }
+            map(&mut data.points, [a, b, c, d], Vector::new(e, f));
+            map(&mut data.tangents, [a, b, c, d], Vector::zeros());
+            map(&mut data.tangents_in, [a, b, c, d], Vector::zeros());
         })
     }
 
@@ -96,5 +91,13 @@ fn reverse<T>(list: &mut [T]) {
     let count = list.len();
     for i in 0..count / 2 {
         list.swap(i, count - 1 - i);
+    }
+}
+
+/// v ↦ (a·x + c·y, b·x + d·y) + shift, for all.
+#[inline(never)]
+fn map(list: &mut [Vector], [a, b, c, d]: [f64; 4], shift: Vector) {
+    for v in list {
+        *v = Vector::new(a * v.x + c * v.y, b * v.x + d * v.y) + shift;
     }
 }

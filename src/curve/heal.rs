@@ -106,8 +106,8 @@ impl Healed {
         let share = first.length / (first.length + second.length * ratio);
         // Where the parameters agree there is nothing to look for; it also bounds the distance from above.
         let mut deviation = 0.0_f64;
-        for (x, target) in places(old, share) {
-            deviation = deviation.max((merged.position(x) - target).norm());
+        for [x, target_x, target_y] in places(old, share) {
+            deviation = deviation.max((merged.position(x) - Point::new(target_x, target_y)).norm());
         }
         if deviation > 1e-13 * size {
             deviation = two_way_deviation(old, &[merged]);
@@ -131,8 +131,9 @@ fn fit<'a>(old: &[Segment; 2], mut merged: Segment<'a>, share: f64) -> Segment<'
         merged.leaving = leaving * out;
         merged.arriving = arriving * inn;
         let (mut normal_matrix, mut right) = (Matrix2::zeros(), Vector::zeros());
-        for (x, target) in &mut places {
-            *x = merged.foot(*target, merged.foot(*target, *x));
+        for [x, target_x, target_y] in &mut places {
+            let target = Point::new(*target_x, *target_y);
+            *x = merged.foot(target, merged.foot(target, *x));
             let velocity = merged.velocity(*x);
             let speed = velocity.norm();
             if speed == 0.0 {
@@ -145,7 +146,7 @@ fn fit<'a>(old: &[Segment; 2], mut merged: Segment<'a>, share: f64) -> Segment<'
                 across.dot(&arriving) * weights.arriving * merged.length,
             );
             normal_matrix += row * row.transpose();
-            right += row * across.dot(&(*target - merged.position(*x)));
+            right += row * across.dot(&(target - merged.position(*x)));
         }
         // A trace of damping: collinear tangents leave a speed undetermined.
         let damping = 1e-12 * normal_matrix.trace();
@@ -160,17 +161,15 @@ fn fit<'a>(old: &[Segment; 2], mut merged: Segment<'a>, share: f64) -> Segment<'
     Segment { leaving: leaving * out, arriving: arriving * inn, ..merged }
 }
 
-/// Places on the old segments, with the x that they would have if the first one were this share of the whole.
+/// Places on the old segments, x and y, after the x in the merged segment that they would have if the first one were this share of the whole.
 #[inline(never)]
-fn places(old: &[Segment; 2], share: f64) -> [(f64, Point); 2 * PLACES] {
-    let mut places = [(0.0, Point::zeros()); 2 * PLACES];
+fn places(old: &[Segment; 2], share: f64) -> [[f64; 3]; 2 * PLACES] {
+    let mut places = [[0.0; 3]; 2 * PLACES];
     for (k, place) in places.iter_mut().enumerate() {
         let x = (k % PLACES + 1) as f64 / (PLACES + 1) as f64;
-        *place = if k < PLACES {
-            (share * x, old[0].position(x))
-        } else {
-            (share + (1.0 - share) * x, old[1].position(x))
-        };
+        let (segment, from, to) = if k < PLACES { (&old[0], 0.0, share) } else { (&old[1], share, 1.0) };
+        let point = segment.position(x);
+        *place = [from + (to - from) * x, point.x, point.y];
     }
     places
 }

@@ -6,6 +6,7 @@
 use super::hermite::{HermiteCurve, HermiteOptions};
 use crate::error::Result;
 use crate::limits::{LEAST_LENGTH, MOST_OUTPUT_POINTS, MOST_POINTS, check, too_many, with_room};
+use crate::numerics::Point;
 
 impl HermiteCurve {
     /// The same curve with `arity` segments in place of each.
@@ -86,11 +87,17 @@ impl HermiteCurve {
             let reach = segment.basis.kappa() * segment.length;
             let (first, last) = (segment.start, segment.end);
             for p in [first, first + segment.leaving * reach, last - segment.arriving * reach, last] {
-                values.extend_from_slice(&[p.x, p.y]);
+                append(&mut values, p);
             }
         }
         values
     }
+}
+
+/// Adds a point to a list of numbers.
+#[inline(never)]
+pub(super) fn append(values: &mut Vec<f64>, point: Point) {
+    values.extend_from_slice(point.as_slice());
 }
 
 /// A curve that is being put together from parts of the segments of another.
@@ -102,15 +109,14 @@ pub(super) struct Parts<'a> {
 impl<'a> Parts<'a> {
     /// Room for `count` points.
     pub(super) fn new(curve: &'a HermiteCurve, count: usize) -> Result<Self> {
-        let data = HermiteOptions {
-            points: with_room(count)?,
-            tangents: with_room(count)?,
-            tangents_in: with_room(count)?,
-            closed: curve.is_closed(),
-            space: Some(curve.space()),
-            omega: with_room(count)?,
-            lengths: with_room(count)?,
-        };
+        let (closed, space) = (curve.is_closed(), Some(curve.space()));
+        let mut data = HermiteOptions { closed, space, ..HermiteOptions::default() };
+        for list in [&mut data.points, &mut data.tangents, &mut data.tangents_in] {
+            *list = with_room(count)?;
+        }
+        for list in [&mut data.omega, &mut data.lengths] {
+            *list = with_room(count)?;
+        }
         Ok(Self { curve, data })
     }
 

@@ -2,6 +2,7 @@
 
 use super::Segment;
 use super::hermite::HermiteCurve;
+use super::refine::append;
 use crate::error::{Error, Result};
 use crate::generator::Basis;
 use crate::limits::{MOST_LEVELS, MOST_OUTPUT_POINTS, check, with_room};
@@ -46,16 +47,11 @@ impl HermiteCurve {
             return Err(Error::limit("levels", "maxOutputPoints", MOST_OUTPUT_POINTS, needed));
         }
         let mut polygon = with_room(2 * needed as usize)?;
-        // κ·H of a piece, on the arriving and on the leaving side.
-        let reach = |segment: &Segment| {
-            let kappa = Basis::new(segment.basis.space(), segment.basis.frequency() / pieces).kappa();
-            kappa * segment.length / pieces
-        };
         let last = self.segment_count() - 1;
-        let mut before = if self.is_closed() { reach(&self.segment(last)) } else { 0.0 };
+        let mut before = if self.is_closed() { reach(&self.segment(last), pieces) } else { 0.0 };
         for i in 0..self.segment_count() {
             let segment = self.segment(i);
-            let after = reach(&segment);
+            let after = reach(&segment, pieces);
             push(
                 &mut polygon,
                 scalar,
@@ -81,9 +77,15 @@ impl HermiteCurve {
 /// A point, or the control points before and after it.
 #[inline(never)]
 fn push(polygon: &mut Vec<f64>, scalar: bool, point: Point, arriving: Vector, leaving: Vector) {
-    let first = if scalar { point - arriving } else { point };
-    polygon.extend_from_slice(first.as_slice());
+    append(polygon, if scalar { point - arriving } else { point });
     if scalar {
-        polygon.extend_from_slice((point + leaving).as_slice());
+        append(polygon, point + leaving);
     }
+}
+
+/// κ·H of a piece of the segment.
+#[inline(never)]
+fn reach(segment: &Segment, pieces: f64) -> f64 {
+    let kappa = Basis::new(segment.basis.space(), segment.basis.frequency() / pieces).kappa();
+    kappa * segment.length / pieces
 }
