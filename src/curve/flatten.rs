@@ -76,7 +76,7 @@ pub(crate) fn chord_count(total: f64) -> usize {
 }
 
 /// The error of too many points.
-pub(crate) fn beyond(needed: usize) -> Error {
+pub(crate) fn beyond(needed: usize) -> Box<Error> {
     too_many("tolerance", "maxOutputPoints", MOST_OUTPUT_POINTS, needed)
 }
 
