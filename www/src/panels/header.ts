@@ -84,7 +84,7 @@ function historyButton(shell: Shell, which: "undo" | "redo"): HTMLButtonElement 
   editor.state.subscribe((state) => {
     const can = which === "undo" ? state.canUndo : state.canRedo;
     const name = which === "undo" ? state.undoName : state.redoName;
-    element.disabled = !can;
+    element.disabled = editor.actions.get(which)?.enabled?.(state) === false;
     setAttribute(element, "title", withKey(editor, can && name !== null ? `${label}: ${name}` : label, which));
   }, { now: true, until: shell.until });
   return element;

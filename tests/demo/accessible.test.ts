@@ -1,0 +1,245 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import { useBrowser, type Demo } from "./page.ts";
+
+const { open } = useBrowser();
+
+const sizes = [
+  { name: "desktop", viewport: { width: 1280, height: 800 } },
+  { name: "320 × 568", viewport: { width: 320, height: 568 } },
+] as const;
+
+interface Finding {
+  readonly what: string;
+  readonly why: string;
+}
+
+/** Interactive elements that are shown and have no name, or a box below 24 × 24; canvases and pictures without a text. */
+function namesAndTargets(page: Page): Promise<Finding[]> {
+  return page.evaluate(() => {
+    const findings: { what: string; why: string }[] = [];
+    const describe = (element: Element): string => `${element.localName}[${element.getAttribute("data-testid") ?? element.getAttribute("class") ?? ""}] ${element.textContent?.slice(0, 30) ?? ""}`;
+    const nameOf = (element: Element): string => {
+      const labels = "labels" in element && element.labels instanceof NodeList ? [...element.labels].map((label) => label.textContent ?? "").join(" ") : "";
+      const by = (element.getAttribute("aria-labelledby") ?? "").split(" ").map((id) => document.getElementById(id)?.textContent ?? "").join(" ");
+      const text = element instanceof HTMLInputElement || element instanceof HTMLSelectElement || element instanceof HTMLTextAreaElement ? "" : (element.textContent ?? "");
+      return [element.getAttribute("aria-label"), by, labels, text].join(" ").trim();
+    };
+    for (const element of document.querySelectorAll("a[href], button, input, select, textarea, summary, [role=button], [role=tab], [role=slider], [tabindex='0']")) {
+      if (!element.checkVisibility({ visibilityProperty: true, opacityProperty: false })) continue;
+      const box = element.getBoundingClientRect();
+      if (nameOf(element) === "") findings.push({ what: describe(element), why: "has no name" });
+      const inline = element.localName === "a" && element.closest("p") !== null;
+      if (!inline && (box.width < 23.99 || box.height < 23.99)) findings.push({ what: describe(element), why: `is ${box.width.toFixed(1)} × ${box.height.toFixed(1)}` });
+    }
+    for (const element of document.querySelectorAll("canvas, img, svg")) {
+      const host = element.closest("[aria-hidden=true], [role=application], [aria-label]");
+      const own = element.getAttribute("aria-label") ?? element.getAttribute("alt");
+      if (host === null && own === null) findings.push({ what: describe(element), why: "has no text alternative" });
+    }
+    return findings;
+  });
+}
+
+/** Text below 4.5 : 1 (3 : 1 when large), and outlines of controls below 3 : 1, against what is painted behind them. */
+function lowContrast(page: Page): Promise<Finding[]> {
+  return page.evaluate(() => {
+    type Colour = readonly [number, number, number, number];
+    const probe = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
+    const parse = (text: string): Colour => {
+      if (probe === null) return [0, 0, 0, 0];
+      probe.clearRect(0, 0, 1, 1);
+      probe.fillStyle = text;
+      probe.fillRect(0, 0, 1, 1);
+      const [r = 0, g = 0, b = 0, a = 0] = probe.getImageData(0, 0, 1, 1).data;
+      return [r, g, b, a / 255];
+    };
+    const over = (top: Colour, under: Colour): Colour => {
+      const mix = (i: 0 | 1 | 2): number => top[i] * top[3] + under[i] * (1 - top[3]);
+      return [mix(0), mix(1), mix(2), 1];
+    };
+    const behind = (element: Element | null): Colour => {
+      if (element === null) return [255, 255, 255, 1];
+      const own = parse(getComputedStyle(element).backgroundColor);
+      return own[3] >= 1 ? own : over(own, behind(element.parentElement));
+    };
+    const luminance = (colour: Colour): number => {
+      const linear = (value: number): number => (value / 255 <= 0.04045 ? value / 255 / 12.92 : ((value / 255 + 0.055) / 1.055) ** 2.4);
+      return 0.2126 * linear(colour[0]) + 0.7152 * linear(colour[1]) + 0.0722 * linear(colour[2]);
+    };
+    const ratio = (a: Colour, b: Colour): number => {
+      const [x, y] = [luminance(a), luminance(b)];
+      return (Math.max(x, y) + 0.05) / (Math.min(x, y) + 0.05);
+    };
+    const findings: { what: string; why: string }[] = [];
+    const seen = (element: Element): boolean => element.checkVisibility({ visibilityProperty: true, opacityProperty: true }) && element.closest(":disabled, .visually-hidden, fieldset:disabled") === null;
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
+      const element = node.parentElement;
+      if (element === null || (node.textContent ?? "").trim() === "" || !seen(element) || element.closest("label:has(:disabled), option, script, style") !== null) continue;
+      const style = getComputedStyle(element);
+      const paper = behind(element);
+      const large = parseFloat(style.fontSize) >= 24 || (parseFloat(style.fontSize) >= 18.66 && Number(style.fontWeight) >= 700);
+      const found = ratio(over(parse(style.color), paper), paper);
+      if (found < (large ? 3 : 4.5)) findings.push({ what: (node.textContent ?? "").trim().slice(0, 40), why: `text ${found.toFixed(2)} : 1` });
+    }
+    for (const element of document.querySelectorAll("input:not([type=range], [type=checkbox], [type=radio], [type=file]), select, textarea, .button")) {
+      if (!seen(element)) continue;
+      const style = getComputedStyle(element);
+      if (parseFloat(style.borderTopWidth) === 0) continue;
+      const paper = behind(element.parentElement);
+      const outline = ratio(over(parse(style.borderTopColor), paper), paper);
+      const fill = ratio(behind(element), paper);
+      if (Math.max(outline, fill) < 3) findings.push({ what: element.getAttribute("data-testid") ?? element.localName, why: `outline ${outline.toFixed(2)} : 1` });
+    }
+    return findings;
+  });
+}
+
+function assertNone(findings: readonly Finding[], where = ""): void {
+  assert.equal(findings.map(({ what, why }) => `${where} ${what}: ${why}`).join("\n"), "");
+}
+
+async function overflow(page: Page): Promise<number> {
+  return page.evaluate(() => Math.max(document.documentElement.scrollWidth, document.body.scrollWidth) - window.innerWidth);
+}
+
+/** Everything that the panel can show at once. */
+async function unfold(demo: Demo): Promise<void> {
+  const up = demo.byId("sheet-up");
+  if (await up.isVisible()) for (let i = 0; i < 2; i += 1) if (await up.isEnabled()) await up.click();
+  await demo.page.evaluate(() => document.querySelectorAll("details").forEach((each) => { each.open = true; }));
+  await demo.page.waitForTimeout(300);
+}
+
+for (const { name, viewport } of sizes) {
+  for (const colorScheme of ["light", "dark"] as const) {
+    test(`V27 ${name}, ${colorScheme}: names, targets, contrast and no sideways scrolling`, async (t) => {
+      const demo = await open(t, "#/curve?sample=heart", { viewport, colorScheme });
+      await demo.page.evaluate(() => { document.querySelector<HTMLElement>('[data-testid="stage"]')?.focus(); });
+      await demo.press("]");
+      assertNone(await namesAndTargets(demo.page));
+      assertNone(await lowContrast(demo.page));
+      assert.ok((await overflow(demo.page)) <= 0);
+      await unfold(demo);
+      assertNone(await namesAndTargets(demo.page));
+      assertNone(await lowContrast(demo.page));
+      assert.ok((await overflow(demo.page)) <= 0);
+    });
+
+    test(`V27 ${name}, ${colorScheme}: the dialogs, the drawer and the later modes too`, async (t) => {
+      const demo = await open(t, "#/curve?sample=heart", { viewport, colorScheme });
+      const { page } = demo;
+      for (const [id, dialog] of [["btn-samples", "samples-dialog"], ["btn-import", "import-dialog"], ["btn-export", "export-dialog"], ["btn-help", "help-dialog"]] as const) {
+        if (!(await demo.byId(id).isVisible())) await demo.byId("btn-menu").click();
+        await demo.byId(id).click();
+        await demo.byId(dialog).waitFor();
+        await page.waitForTimeout(400);
+        assertNone(await namesAndTargets(page), dialog);
+        assertNone(await lowContrast(page), dialog);
+        assert.ok((await overflow(page)) <= 0, dialog);
+        assert.equal(await page.evaluate(() => document.activeElement?.closest("dialog") !== null), true, `${dialog} has the focus`);
+        await page.keyboard.press("Escape");
+        await demo.byId(dialog).waitFor({ state: "detached" });
+      }
+      for (const mode of ["fit", "trace", "surface"]) {
+        await demo.byId(`tab-${mode}`).click();
+        await demo.byId(`empty-${mode}`).waitFor();
+        assertNone(await namesAndTargets(page), mode);
+        assertNone(await lowContrast(page), mode);
+        assert.ok((await overflow(page)) <= 0, mode);
+      }
+    });
+  }
+}
+
+for (const viewport of [{ width: 1280, height: 800 }, { width: 320, height: 568 }]) {
+  test(`V27 text at 200 % at ${viewport.width} px scrolls nothing sideways and loses no control`, async (t) => {
+    const demo = await open(t, "", { viewport });
+    await demo.page.evaluate(() => { document.documentElement.style.fontSize = "200%"; });
+    await demo.page.waitForTimeout(300);
+    assert.ok((await overflow(demo.page)) <= 0, `${await overflow(demo.page)} px too wide`);
+    const outside = await demo.page.evaluate(() =>
+      [...document.querySelectorAll("header button, [role=tab], nav button")]
+        .filter((element) => element.checkVisibility({ visibilityProperty: true }))
+        .map((element) => ({ id: element.getAttribute("data-testid"), box: element.getBoundingClientRect() }))
+        .filter(({ box }) => box.left < -1 || box.right > window.innerWidth + 1 || box.top < -1 || box.bottom > window.innerHeight + 1)
+        .map(({ id }) => id));
+    assert.deepEqual(outside, []);
+  });
+}
+
+test("V27 at 320 px every control can be reached by scrolling the sheet", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart", { viewport: { width: 320, height: 568 } });
+  await unfold(demo);
+  await demo.page.evaluate(() => { document.querySelector<HTMLElement>('[data-testid="stage"]')?.focus(); });
+  await demo.press("]");
+  const ids = ["family", "space", "omega", "points", "level", "closed", "pt-x", "pt-y", "pt-kind", "in-len", "in-ang", "out-len", "out-ang", "nudge-left", "nudge-up", "nudge-down", "nudge-right",
+    "ov-handles", "ov-polygon", "ov-knots", "ov-comb", "ov-subdiv", "ov-fill", "ov-bezier", "ov-grid", "snap", "subdiv", "legend-point", "legend-cusp", "points-table", "btn-code", "btn-clear"];
+  for (const id of ids) {
+    const reached = await demo.page.evaluate((testid) => {
+      const element = document.querySelector(`[data-testid="${testid}"]`);
+      element?.scrollIntoView({ block: "center" });
+      const box = element?.getBoundingClientRect();
+      if (element == null || box === undefined) return "missing";
+      const at = document.elementFromPoint(box.left + Math.min(box.width / 2, 20), box.top + Math.min(box.height / 2, 20));
+      return at !== null && (element.contains(at) || at.contains(element) || at.closest(".panel") !== null) ? "" : `covered by ${at?.className ?? "nothing"}`;
+    }, id);
+    assert.equal(reached, "", id);
+  }
+});
+
+test("forced colours and reduced motion: the page is drawn in the system's colours and nothing moves", async (t) => {
+  const demo = await open(t, "", { forcedColors: "active", reducedMotion: "reduce" });
+  const colours = await demo.page.evaluate(() => {
+    const style = getComputedStyle(document.documentElement);
+    const probe = document.createElement("span");
+    probe.style.color = "CanvasText";
+    document.body.append(probe);
+    return { curve: style.getPropertyValue("--curve"), text: getComputedStyle(probe).color };
+  });
+  assert.equal(colours.curve.trim(), colours.text);
+  const longest = await demo.page.evaluate(() => Math.max(0, ...[...document.querySelectorAll("*")].flatMap((element) => getComputedStyle(element).transitionDuration.split(",").map(parseFloat))));
+  assert.equal(longest, 0);
+});
+
+test("the theme goes from the system's to light to dark and back, and stays for the next visit", async (t) => {
+  const demo = await open(t, "", { colorScheme: "dark" });
+  const ink = (): Promise<string> => demo.page.evaluate(() => getComputedStyle(document.documentElement).getPropertyValue("--ink").trim());
+  const theme = demo.byId("btn-theme");
+  const [system, ...next] = [await ink(), ...(await Promise.all([]))];
+  assert.deepEqual(next, []);
+  await theme.click();
+  const light = await ink();
+  await theme.click();
+  assert.equal(await ink(), system, "dark is what this system has");
+  assert.notEqual(light, system);
+  await theme.click();
+  await theme.click();
+  await demo.page.reload();
+  await demo.page.evaluate(() => window.explineDemo.ready);
+  assert.equal(await ink(), light);
+  assert.match((await theme.getAttribute("aria-label")) ?? "", /light/);
+});
+
+test("the points table is the model without the picture: read, edited and selected from", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  await demo.page.getByText("Points table").click();
+  const rows = demo.byId("points-table").locator("tbody tr");
+  await rows.nth(5).waitFor();
+  assert.equal(await rows.count(), 6);
+  const x = rows.nth(1).getByLabel("X of point 2");
+  assert.equal(await x.inputValue(), "476.00");
+  await x.fill("480.5");
+  await x.press("Enter");
+  await demo.idle();
+  assert.equal((await demo.point(1)).x, 480.5);
+  await rows.nth(2).getByLabel("Kind of point 3").selectOption("cusp");
+  await demo.idle();
+  assert.equal((await demo.point(2)).kind, "cusp");
+  assert.equal(await demo.metric("legend-cusp"), 3);
+  await demo.byId("legend-cusp").click();
+  await demo.idle();
+  assert.equal(await rows.locator("xpath=self::*[@aria-selected='true']").count(), 3);
+});
