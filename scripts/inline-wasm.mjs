@@ -1,37 +1,49 @@
 // The wasm as text inside JavaScript, so that the package starts with no await and no second request.
 //
 // One character per byte: byte b becomes the code point (b + shift) mod 256. In UTF-8 that compresses to a few per
-// cent more than the wasm itself, where base64 costs a third. The shift is the one for which the text is
-// smallest after gzip, the quote the one that needs the fewest escapes.
+// cent more than the wasm itself, where base64 costs a third. Shift and quote are those for which the
+// text is smallest after gzip.
 
 import { gzipSync } from "node:zlib";
 
 const QUOTES = ['"', "'", "`"];
+/** So many shifts, those of the shortest texts, are tried with gzip; the best is always among the first few. */
+const TRIED = 8;
 
-function literal(bytes, shift, quote) {
-  let text = quote;
-  for (let i = 0; i < bytes.length; i++) {
-    const code = (bytes[i] + shift) & 255;
-    const character = String.fromCharCode(code);
-    if (code === 0) text += "\\x00"; // legal in a literal, but makes tools take the file for a binary one
-    else if (code === 13) text += "\\r";
-    else if (code === 10 && quote !== "`") text += "\\n";
-    else if (character === "\\" || character === quote) text += `\\${character}`;
-    else if (character === "$" && quote === "`") text += "\\$";
-    else text += character;
-  }
-  return text + quote;
+/** How a byte is written after the shift, inside the given quotes. */
+function written(byte, shift, quote) {
+  const code = (byte + shift) & 255;
+  const character = String.fromCharCode(code);
+  if (code === 0) return "\\x00"; // legal in a literal, but makes tools take the file for a binary one
+  if (code === 13) return "\\r";
+  if (code === 10 && quote !== "`") return "\\n";
+  if (character === "\\" || character === quote || (character === "$" && quote === "`")) return `\\${character}`;
+  return character;
 }
+
+const alphabet = (shift, quote) => Array.from({ length: 256 }, (_, byte) => written(byte, shift, quote));
 
 /** The smallest literal of the bytes, and the shift that it was made with. */
 export function smallestLiteral(bytes) {
-  let best = { text: "", shift: 0, size: Number.POSITIVE_INFINITY };
+  const counts = new Float64Array(256);
+  for (const byte of bytes) counts[byte] += 1;
+  const candidates = [];
   for (let shift = 0; shift < 256; shift++) {
-    const [text] = QUOTES.map((quote) => literal(bytes, shift, quote)).sort((a, b) => a.length - b.length);
+    for (const quote of QUOTES) {
+      const letters = alphabet(shift, quote);
+      const length = letters.reduce((sum, letter, byte) => sum + counts[byte] * Buffer.byteLength(letter), 0);
+      candidates.push({ shift, quote, letters, length });
+    }
+  }
+  candidates.sort((a, b) => a.length - b.length);
+  let best = { text: "", shift: 0, size: Number.POSITIVE_INFINITY };
+  for (const { shift, quote, letters } of candidates.slice(0, TRIED)) {
+    const text = quote + Array.from(bytes, (byte) => letters[byte]).join("") + quote;
     if (/<\/script|<!--/i.test(text)) continue; // a page may carry the module inside a script element
-    const size = gzipSync(text, { level: 6 }).length;
+    const size = gzipSync(text, { level: 9 }).length;
     if (size < best.size) best = { text, shift, size };
   }
+  if (best.text === "") throw new Error("every literal would end a script element");
   return best;
 }
 

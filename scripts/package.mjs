@@ -53,7 +53,7 @@ async function buildBindings() {
     await run("node", [at("scripts/snip.mjs"), at(BOUND, "expline_bg.wasm"), at(BOUND, "snipped.wasm")]);
     await run("node", [
       at("node_modules/binaryen/bin/wasm-opt"),
-      ...["-O3", "--converge", ...FEATURES, "--strip-debug", "--strip-producers", "--strip-target-features"],
+      ...["-O3", ...FEATURES, "--strip-debug", "--strip-producers", "--strip-target-features"],
       ...[at(BOUND, "snipped.wasm"), "-o", at(BINDINGS, "expline_bg.wasm")],
     ]);
     const { code, declarations, text } = inlineModule(readFileSync(at(BINDINGS, "expline_bg.wasm")));
