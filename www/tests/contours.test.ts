@@ -3,6 +3,8 @@ import { test } from "node:test";
 import { joined, locate, loweredContour, reversedContour, startedAt, withClosed, withoutPoints } from "../src/document/contours.ts";
 import { segmentCount, type Contour, type CurveDocument } from "../src/document/document.ts";
 import { curveSample } from "../src/document/samples.ts";
+import { movePoints } from "../src/document/commands.ts";
+import { cubicsOf } from "../src/kernel/paths.ts";
 import { contoursOfPath, inserted, refined, resampled } from "../src/kernel/contours.ts";
 import { samplePoints } from "../src/kernel/samples.ts";
 import { largestDistance } from "./harness.ts";
@@ -104,4 +106,19 @@ test("a parameter is found in its segment, and round the end of a closed contour
   const found = locate(finer, 0.5);
   assert.equal(found.segment, 1);
   assert.ok(Math.abs(found.x - 0.13 / 0.63) < 1e-15);
+});
+
+test("a contour moved as a whole is drawn where its curve is, however often it was moved", () => {
+  const { curve, contour } = sample("heart");
+  const selection = { points: contour.points.map((_, index) => ({ contour: 0, index })), handle: null };
+  let document = curve;
+  cubicsOf(document, contour, 0.05);
+  for (let i = 0; i < 50; i += 1) document = movePoints(selection, 0.1, -3.7).apply(document);
+  const moved = document.contours[0];
+  assert.ok(moved !== undefined);
+  const [drawn, exact] = [cubicsOf(document, moved, 0.05), samplePoints(document, { ...moved }, 2)];
+  assert.ok(Math.abs((drawn[0] ?? 0) - (exact[0] ?? 1)) < rounding && Math.abs((drawn[1] ?? 0) - (exact[1] ?? 1)) < rounding);
+  // Another frequency is another curve: what is known of the old one no longer holds.
+  const other = { ...document, omega: 0.2 };
+  assert.ok(largestDistance(cubicsOf(other, moved, 0.05).slice(0, 8), drawn.slice(0, 8)) > 0.1);
 });

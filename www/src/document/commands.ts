@@ -1,4 +1,4 @@
-import { automaticHandles, reversedContour, startedAt, withClosed } from "./contours.ts";
+import { automaticHandles, reversedContour, startedAt, translated, withClosed } from "./contours.ts";
 import {
   isSelected, nothingSelected, type Contour, type ControlPoint, type CurveDocument, type Kind, type Offset, type PointRef, type Selection, type Side,
   type Space,
@@ -43,9 +43,23 @@ export function replaceContour(curve: CurveDocument, index: number, ...by: reado
 export function movePoints(selection: Selection, dx: number, dy: number, run?: string): Command {
   return {
     name: selection.points.length === 1 ? "Move point" : "Move points",
-    apply: (curve) => withPoints(curve, selection, (point) => ({ ...point, x: point.x + dx, y: point.y + dy })),
+    apply: (curve) => moved(curve, selection, dx, dy),
     ...(run === undefined ? {} : { run }),
   };
+}
+
+/** Contours of which every point is chosen move as a whole. */
+function moved(curve: CurveDocument, selection: Selection, dx: number, dy: number): CurveDocument {
+  const chosen = new Map<number, number>();
+  for (const { contour } of selection.points) chosen.set(contour, (chosen.get(contour) ?? 0) + 1);
+  const step = (point: ControlPoint): ControlPoint => ({ ...point, x: point.x + dx, y: point.y + dy });
+  const contours = curve.contours.map((contour, c) => {
+    const count = chosen.get(c) ?? 0;
+    if (count === 0) return contour;
+    if (count === contour.points.length) return translated(contour, dx, dy);
+    return { ...contour, points: contour.points.map((point, index) => (isSelected(selection, { contour: c, index }) ? step(point) : point)) };
+  });
+  return { ...curve, contours };
 }
 
 export function placePoint(ref: PointRef, place: { x?: number; y?: number }, run?: string): Command {

@@ -13,6 +13,28 @@ export function withPinnedOmega(curve: CurveDocument, contour: Contour): Contour
   return { ...contour, omega };
 }
 
+export interface Translation {
+  readonly from: Contour;
+  readonly dx: number;
+  readonly dy: number;
+}
+
+/** How contours that were moved as a whole came about: what is known of the old one need not be computed anew. */
+const translations = new WeakMap<Contour, Translation>();
+
+/** The contour with every point moved by one step. */
+export function translated(from: Contour, dx: number, dy: number): Contour {
+  const moved = { ...from, points: from.points.map((point) => ({ ...point, x: point.x + dx, y: point.y + dy })) };
+  // Moves of moves count from the first: a chain would keep every place that the contour has ever been.
+  const before = translations.get(from);
+  translations.set(moved, before === undefined ? { from, dx, dy } : { from: before.from, dx: before.dx + dx, dy: before.dy + dy });
+  return moved;
+}
+
+export function translationOf(contour: Contour): Translation | undefined {
+  return translations.get(contour);
+}
+
 function turned(point: ControlPoint): ControlPoint {
   return { ...point, in: point.out, out: point.in };
 }

@@ -1,8 +1,9 @@
 import type { Command } from "../document/commands.ts";
 import {
-  emptyCurve, emptyFit, emptySurface, emptyTrace, nothingSelected, pointAt, type CurveDocument, type DemoState, type Selection,
+  emptyCurve, emptyFit, emptySurface, emptyTrace, nothingSelected, pointAt, type Contour, type CurveDocument, type DemoState, type Selection,
 } from "../document/document.ts";
 import { emptyHistory, record, stepBack, stepForward, type History, type Moment } from "../document/history.ts";
+import { translationOf } from "../document/contours.ts";
 import { curveOf } from "../kernel/curve-cache.ts";
 import { createActions } from "./actions.ts";
 import type { Editor, EditorPatch, EditorState, Notice, Settings, Sketch } from "./editor.ts";
@@ -55,11 +56,24 @@ function surviving(curve: CurveDocument, selection: Selection): Selection {
   return points.length === selection.points.length && handle === selection.handle ? selection : { points, handle };
 }
 
+/** Whether all points are places that the engine knows. */
+function isOnPaper(contour: Contour): boolean {
+  return contour.points.every(({ x, y }) => Math.abs(x) <= farthest && Math.abs(y) <= farthest);
+}
+
+/** Well inside the engine's own limit of 1e9, so that handles fit, too. */
+const farthest = 1e8;
+
 /** What the engine says against a document, or null. Building a curve is the check, and the cache keeps it for the next frame. */
 function objection(curve: CurveDocument, before: CurveDocument): Error | null {
   try {
     const known = curve.space === before.space && curve.omega === before.omega ? new Set(before.contours) : new Set();
-    for (const contour of curve.contours) if (!known.has(contour)) curveOf(curve, contour);
+    for (const contour of curve.contours) {
+      if (known.has(contour)) continue;
+      const moved = translationOf(contour);
+      // What was good stays good where else it stands; its curve is made when something asks for it.
+      if (moved === undefined || !known.has(moved.from) || !isOnPaper(contour)) curveOf(curve, contour);
+    }
     return null;
   } catch (error) {
     return error instanceof Error ? error : new Error(String(error));

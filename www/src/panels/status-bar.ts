@@ -76,6 +76,7 @@ const cost: readonly Metric[] = [
 ];
 
 const slowEveryMs = 120;
+const mostMeasuredLive = 200;
 
 /** What is there, what is true about it, what it costs. Every number can be copied by a press and carries itself in `data-value`. */
 export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement } {
@@ -104,7 +105,9 @@ export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement } 
   const update = (): void => {
     const state = editor.state.value;
     element.hidden = state.mode !== "curve";
-    const slowToo = performance.now() - lastSlow >= slowEveryMs;
+    // Of a very large drawing they wait for the end of the drag.
+    const waits = state.drag !== null && state.curve.contours.length > mostMeasuredLive;
+    const slowToo = !waits && performance.now() - lastSlow >= slowEveryMs;
     // The very first frame has no time of its own yet.
     if (shell.frame.times.length === 0) setTimeout(soon.request);
     if (slowToo) lastSlow = performance.now();
