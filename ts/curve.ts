@@ -131,7 +131,7 @@ export abstract class PlaneCurve implements Curve {
     if (typeof t === "number") {
       const slot = data.resident(op);
       const to = out === undefined ? new Float64Array(2) : output(op, out, 2);
-      call(op, (kernel) => kernel.evaluate_one(slot, t, order), [t]);
+      call(op, (kernel) => kernel.evaluate_one(slot, t, order), t);
       to[0] = result(0);
       to[1] = result(1);
       return to;

@@ -37,8 +37,8 @@ export interface HermiteCurveOptions {
    * else 0: cubics. ω·length must be below 2π − 1e-6 in the trigonometric space, at most 1e4 in the hyperbolic one.
    */
   omega?: number | Float64Array | readonly number[] | undefined;
-  /** Parameter length of every segment. Default 1 each. */
-  lengths?: Float64Array | readonly number[] | undefined;
+  /** Parameter length, one for all segments or one per segment. Default 1. */
+  lengths?: number | Float64Array | readonly number[] | undefined;
 }
 
 /** An ellipse: where, how large, how turned. */
@@ -61,7 +61,7 @@ export class HermiteCurve extends PlaneCurve {
    * @throws {ExplineError} for whatever is wrong with the options; nothing is made then.
    */
   constructor(options: HermiteCurveOptions) {
-    super(options instanceof CurveData ? options : checked(options));
+    super(options instanceof CurveData ? options : checked(CURVE, options));
   }
 
   /** An ellipse from `count` points, exact for every count from 2 up. */
@@ -292,35 +292,35 @@ function frame(op: string, center: unknown, radii: unknown, rotation: unknown): 
   return [...twoNumbers(op, "center", center), ...twoNumbers(op, "radii", radii), angle];
 }
 
-/** The arrays of a curve that a caller describes, checked. */
-function checked(options: unknown): CurveData {
+/** The arrays of a curve that a caller or a file describes, checked. @internal */
+export function checked(op: string, options: unknown): CurveData {
   const names = ["points", "tangents", "tangentsIn", "closed", "space", "omega", "lengths"] as const;
-  const own = checkOptions(CURVE, options, names);
-  const points = checkPoints(CURVE, "points", own.points);
-  const closed = flag(CURVE, "closed", own.closed, true);
+  const own = checkOptions(op, options, names);
+  const points = checkPoints(op, "points", own.points);
+  const closed = flag(op, "closed", own.closed, true);
   const segments = points.length / 2 - (closed ? 0 : 1);
-  const vectors = (arg: "tangents" | "tangentsIn"): Floats =>
-    sameLength(arg, checkPoints(CURVE, arg, own[arg]), points.length);
   const data = new CurveData(
     points,
-    vectors("tangents"),
-    own.tangentsIn === undefined ? new Float64Array() : vectors("tangentsIn"),
-    own.omega === undefined ? new Float64Array() : frequencies(own.omega),
-    own.lengths === undefined ? new Float64Array() : sameLength("lengths", finites("lengths", own.lengths), segments),
-    own.space === undefined ? "trigonometric" : word(CURVE, "space", own.space, SPACES),
+    sameLength(op, "tangents", checkPoints(op, "tangents", own.tangents), points.length),
+    own.tangentsIn === undefined
+      ? new Float64Array()
+      : sameLength(op, "tangentsIn", checkPoints(op, "tangentsIn", own.tangentsIn), points.length),
+    perSegment(op, "omega", own.omega, segments),
+    perSegment(op, "lengths", own.lengths, segments),
+    own.space === undefined ? "trigonometric" : word(op, "space", own.space, SPACES),
     closed,
   );
-  data.load(CURVE);
+  data.load(op);
   return data;
 }
 
-function sameLength(arg: string, array: Floats, length: number): Floats {
-  if (array.length !== length) throw wrongLength(CURVE, arg, array.length, String(length));
+function sameLength(op: string, arg: string, array: Floats, length: number): Floats {
+  if (array.length !== length) throw wrongLength(op, arg, array.length, String(length));
   return array;
 }
 
 function asMany(data: CurveData, arg: string, value: unknown): Floats {
-  return sameLength(arg, checkPoints(CURVE, arg, value), data.points.length);
+  return sameLength(CURVE, arg, checkPoints(CURVE, arg, value), data.points.length);
 }
 
 /** A frequency that is at least not negative; how large it may be is for the kernel to say. */
@@ -330,13 +330,13 @@ function frequency(op: string, value: unknown): number {
   return omega;
 }
 
-function frequencies(value: unknown): Floats {
-  return typeof value === "number" ? Float64Array.of(finite(CURVE, "omega", value)) : finites("omega", value);
-}
-
-function finites(arg: string, value: unknown): Floats {
-  const array = numbers(CURVE, arg, value, "maxPoints", MAX_POINTS);
-  array.forEach((number, i) => finite(CURVE, arg, number, i));
+/** One number for all segments, or one for each, or nothing; finite, and the rest is for the kernel to say. */
+function perSegment(op: string, arg: string, value: unknown, segments: number): Floats {
+  if (value === undefined) return new Float64Array();
+  if (typeof value === "number") return Float64Array.of(finite(op, arg, value));
+  // Fewer than two points have no segments: what is wrong with them is said by the kernel.
+  const array = sameLength(op, arg, numbers(op, arg, value, "maxPoints", MAX_POINTS), Math.max(segments, 0));
+  array.forEach((number, i) => finite(op, arg, number, i));
   return array;
 }
 

@@ -1,8 +1,8 @@
 /** Curves as plain data, and back, from data that need not be friendly. */
-import { MAX_POINTS, options as checkOptions } from "./arguments.js";
-import { CurveData, SPACES, type Space } from "./curve-data.js";
+import { options as checkOptions } from "./arguments.js";
+import type { CurveData, Space } from "./curve-data.js";
 import { ExplineError, type ErrorCode, type ErrorDetails, overLimit, shown, wrong } from "./error.js";
-import { type HermiteCurve, curveOf } from "./hermite-curve.js";
+import { type HermiteCurve, checked, curveOf } from "./hermite-curve.js";
 import { scan } from "./json-text.js";
 import type { Floats } from "./kernel.js";
 
@@ -37,6 +37,7 @@ const MAX_TEXT = 64 << 20;
 /** The most brackets inside one another. */
 const MAX_DEPTH = 64;
 const VERSION = 1;
+const REQUIRED = [["closed"], ["space"], ["points"], ["tangents"], ["omega"]];
 const FIELDS = ["type", "version", "closed", "space", "points", "tangents", "tangentsIn", "omega", "lengths"];
 
 /** A curve's arrays as plain data. @internal */
@@ -130,66 +131,27 @@ function read(own: (name: string) => unknown): CurveData {
     throw expected("$.version", version, "1");
   }
   if (version > VERSION) throw schema("$.version", `is ${version}; this version reads 1`, "E_UNSUPPORTED");
-  const type = own("type");
-  if (type !== "HermiteCurve") throw expected("$.type", type, '"HermiteCurve"');
-  const closed = own("closed");
-  if (typeof closed !== "boolean") throw expected("$.closed", closed, "true or false");
-  const space = SPACES.find((known) => known === own("space"));
-  if (space === undefined) throw expected("$.space", own("space"), `one of ${SPACES.join(", ")}`);
-  const points = floats("$.points", own("points"), 2 * MAX_POINTS);
-  const vectors = (name: string): Floats => sized(`$.${name}`, floats(`$.${name}`, own(name), points.length), points.length);
-  const segments = Math.max(points.length / 2 - (closed ? 0 : 1), 0);
-  if (points.length % 2 !== 0) throw schema("$.points", `has ${points.length} numbers; expected two for each point`);
-  const data = new CurveData(
-    points,
-    vectors("tangents"),
-    own("tangentsIn") === undefined ? new Float64Array() : vectors("tangentsIn"),
-    each("$.omega", own("omega"), segments),
-    own("lengths") === undefined ? new Float64Array() : each("$.lengths", own("lengths"), segments),
-    space,
-    closed,
-  );
+  for (const [name, known] of [["type", "HermiteCurve"], ...REQUIRED]) {
+    const value = own(name ?? "");
+    if (value === undefined || (known !== undefined && value !== known)) {
+      throw expected(`$.${name}`, value, known === undefined ? "a value" : `"${known}"`);
+    }
+  }
   try {
-    data.load(OP);
+    const options: Record<string, unknown> = Object.create(null) as Record<string, unknown>;
+    for (const name of FIELDS.slice(2)) options[name] = own(name);
+    return checked(OP, options);
   } catch (error) {
     throw error instanceof ExplineError && error.argument !== undefined ? located(error) : error;
   }
-  return data;
 }
 
 /** The same failure, said of a place in the JSON. */
 function located(error: ExplineError): ExplineError {
-  const { code, argument, arg, index, value, bound, limit, max, actual, fatal, cause } = error;
-  const what = error.message.replace(`${OP}: `, "").replace(` [${code}]`, "");
-  const all = { argument, arg, index, value, bound, limit, max, actual, fatal, cause, path: `$.${argument ?? ""}` };
-  const known = Object.fromEntries(Object.entries(all).filter(([, field]) => field !== undefined));
-  return new ExplineError(code, OP, `$.${what}`, known);
-}
-
-function sized(path: string, array: Floats, length: number): Floats {
-  if (array.length !== length) throw schema(path, `has ${array.length} numbers; expected ${length}`);
-  return array;
-}
-
-/** One number for all segments, or one for each. */
-function each(path: string, value: unknown, segments: number): Floats {
-  if (typeof value === "number") return floats(path, [value], 1);
-  return sized(path, floats(path, value, segments), segments);
-}
-
-function floats(path: string, value: unknown, most: number): Floats {
-  if (!Array.isArray(value)) throw expected(path, value, "an array of numbers");
-  const list = value as readonly unknown[];
-  if (list.length > 2 * MAX_POINTS) {
-    const details = { limit: "maxPoints", max: MAX_POINTS, actual: Math.ceil(list.length / 2) };
-    throw schema(path, `has ${list.length} numbers; maxPoints is ${MAX_POINTS}`, "E_LIMIT", details);
-  }
-  if (list.length > most) throw schema(path, `has ${list.length} numbers; expected ${most}`);
-  return Float64Array.from(list, (number, i) => {
-    if (typeof number !== "number") throw expected(`${path}[${i}]`, number, "a number");
-    if (!Number.isFinite(number)) throw schema(`${path}[${i}]`, `is ${number}; expected a finite number`, "E_NOT_FINITE");
-    return number + 0;
-  });
+  const { name, message, stack, code: kind, op, ...fields } = error;
+  const code = kind === "E_TYPE" || kind === "E_LENGTH" ? "E_SCHEMA" : kind;
+  const what = message.slice(op.length + 2, -kind.length - 3);
+  return new ExplineError(code, OP, `$.${what}`, { ...fields, path: `$.${error.argument}`, cause: error });
 }
 
 /** A copy that is nothing but JSON: own properties, finite numbers, whole characters, no circle. */

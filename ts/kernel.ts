@@ -2,6 +2,9 @@
 import { type Instance, type Kernel, engine, retire } from "./engine.js";
 import { ExplineError, degenerate, overLimit, tooFewPoints, wrong, wrongLength } from "./error.js";
 
+/** What a caller handed in, for messages. */
+type Given = number | ArrayLike<number>;
+
 /** Numbers that nobody else holds. */
 export type Floats = Float64Array<ArrayBuffer>;
 
@@ -20,9 +23,9 @@ const enum Failure {
 /**
  * Runs one function of the kernel and returns how many numbers it left in the output.
  *
- * Whatever else comes out of it than an answer ends the instance. `given` is the array that an error's index points into.
+ * Whatever else comes out of it than an answer ends the instance. `given` is the number, or the array that an error's index points into.
  */
-export function call(op: string, body: (kernel: Kernel) => number, given?: ArrayLike<number>): number {
+export function call(op: string, body: (kernel: Kernel) => number, given?: Given): number {
   const instance = engine();
   let count: number;
   try {
@@ -118,7 +121,7 @@ function outOfMemory(op: string, bytes: number): ExplineError {
 }
 
 /** The error that the kernel's record describes. */
-function failure(instance: Instance, op: string, given: ArrayLike<number> | undefined): ExplineError {
+function failure(instance: Instance, op: string, given: Given | undefined): ExplineError {
   const at = instance.record;
   const [kind = 0, place = -1, value = 0, least = 0, most = 0, a = 0, aLength = 0, w = 0, wLength = 0] =
     instance.floats.slice(at, at + 9);
@@ -127,7 +130,7 @@ function failure(instance: Instance, op: string, given: ArrayLike<number> | unde
   const index = place < 0 ? undefined : place;
   switch (kind as Failure) {
     case Failure.NotFinite:
-      return wrong("E_NOT_FINITE", op, arg, given?.[place] ?? NaN, "a finite number", index);
+      return wrong("E_NOT_FINITE", op, arg, typeof given === "object" ? given[place] : given, "a finite number", index);
     case Failure.OutOfRange:
       return wrong("E_RANGE", op, arg, value, range(least, most), index);
     case Failure.WrongLength:
