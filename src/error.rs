@@ -242,3 +242,10 @@ impl fmt::Display for Error {
 }
 
 impl core::error::Error for Error {}
+
+/// So that `?` works in functions that return an [`Error`] without a box.
+impl From<Box<Self>> for Error {
+    fn from(error: Box<Self>) -> Self {
+        *error
+    }
+}

@@ -49,7 +49,7 @@ const LARGEST_PLACE: f64 = 1e100;
 /// // A quarter of the way, half a circle has fallen from 1 to (1 + cos(π/4))/2.
 /// let (first, _) = generators.evaluate(&[0.25], 0)?;
 /// assert!((first[0] - 0.853_553_390_593_273_8).abs() < 1e-15);
-/// # Ok::<(), Box<expline::Error>>(())
+/// # Ok::<(), expline::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HermiteGenerators {

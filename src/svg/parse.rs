@@ -77,7 +77,7 @@ pub struct Truncation {
 /// let circle = expline::svg::parse_path("M10 0A5 5 0 0 1 20 0A5 5 0 0 1 10 0Z")?.curves;
 /// assert_eq!(circle[0].points().len(), 2);
 /// assert!((circle[0].evaluate(0.5, 0)?.y + 5.0).abs() < 1e-14);
-/// # Ok::<(), Box<expline::Error>>(())
+/// # Ok::<(), expline::Error>(())
 /// ```
 pub fn parse_path(d: &str) -> Result<ParsedPath> {
     parse_bytes(d.as_bytes())

@@ -91,7 +91,7 @@ pub struct Printed {
 /// let printed = to_path_d(&circle, &PrintOptions::default())?;
 /// assert_eq!(printed.d, "M90 50A40 40 0 0 1 10 50 40 40 0 0 1 90 50Z");
 /// assert!(printed.deviation < 1e-13);
-/// # Ok::<(), Box<expline::Error>>(())
+/// # Ok::<(), expline::Error>(())
 /// ```
 pub fn to_path_d(curve: &HermiteCurve, options: &PrintOptions) -> Result<Printed> {
     let mut printer = Printer::new(curve, options)?;
