@@ -1,13 +1,14 @@
 /** The wasm module and its one living instance: started at the first call, replaced when it dies. */
 import type { InitOutput } from "../build/bindings/expline.js";
-import { version } from "../build/bindings/version.js";
+import { version as builtVersion } from "../build/bindings/version.js";
 import { wasmAddress, wasmBytes } from "../build/bindings/wasm-bytes.js";
 import { options as checkOptions } from "./arguments.js";
 import { ExplineError, shown, wrong } from "./error.js";
 
-export { version };
+/** The version of the package. */
+export const version: string = builtVersion;
 
-/** The functions of the wasm that the package calls. */
+/** The functions of the wasm that the package calls. @internal */
 export type Kernel = InitOutput;
 
 /** Where the engine comes from, if not from the package itself. */
@@ -20,10 +21,10 @@ export interface InitOptions {
   module?: WebAssembly.Module;
 }
 
-/** How many curves an instance keeps at once. */
+/** How many curves an instance keeps at once. @internal */
 export const SLOTS = 16;
 
-/** One instance, with what is known about its memory and about which curves it holds. */
+/** One instance, with what is known about its memory and about which curves it holds. @internal */
 export class Instance {
   readonly kernel: Kernel;
   /** Place of the record of scalar results, in numbers. */
@@ -56,12 +57,12 @@ let module: WebAssembly.Module | undefined;
 let current: Instance | undefined;
 let starting: Promise<void> | undefined;
 
-/** The living instance; compiles and starts one where there is none. */
+/** The living instance; compiles and starts one where there is none. @internal */
 export function engine(): Instance {
   return current ?? (current = instantiate((module ??= compile(wasmBytes()))));
 }
 
-/** Takes the instance out of service after anything but a clear answer came out of it. */
+/** Takes the instance out of service after anything but a clear answer came out of it. @internal */
 export function retire(op: string, cause: unknown): ExplineError {
   current = undefined;
   const what = "the engine stopped and is replaced at the next call; no curve is lost";

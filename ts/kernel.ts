@@ -24,6 +24,7 @@ const enum Failure {
  * Runs one function of the kernel and returns how many numbers it left in the output.
  *
  * Whatever else comes out of it than an answer ends the instance. `given` is the number, or the array that an error's index points into.
+ * @internal
  */
 export function call(op: string, body: (kernel: Kernel) => number, given?: Given): number {
   const instance = engine();
