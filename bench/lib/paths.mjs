@@ -29,7 +29,7 @@ function parse({ expline, kurbo, native }) {
   };
 }
 
-function print({ expline }) {
+function print({ expline, native }) {
   let result;
   const bytes = () => `${result.length} bytes`;
   const [parsed] = expline.parsePath(pathText);
@@ -39,6 +39,8 @@ function print({ expline }) {
     unit: "call",
     contestants: [
       row("expline, wasm, 3 decimals", () => (result = parsed.toPathD({ decimals: DECIMALS }).d), bytes),
+      { name: "expline, native", measure: native.measure("expline:print"), units: 1, note: () => `${native.answer("expline:print")} bytes` },
+      { name: "kurbo, native, all digits", measure: native.measure("kurbo:print"), units: 1, note: () => `${native.answer("kurbo:print")} bytes` },
       row("svgpath, 3 decimals", () => (result = ofSvgpath.toString()), bytes),
       row("paper, 3 decimals", () => (result = ofPaper.getPathData(null, DECIMALS)), bytes),
     ],

@@ -108,16 +108,11 @@ impl Curve {
             }
         });
     }
-
-    /// The path as SVG text.
-    pub fn print(&self) -> String {
-        self.path.to_svg()
-    }
 }
 
-/// How many elements a path text has.
-pub fn parse(d: &str) -> Option<usize> {
-    BezPath::from_svg(d).ok().map(|path| path.elements().len())
+/// A path text as kurbo holds it.
+pub fn parse(d: &str) -> Option<BezPath> {
+    BezPath::from_svg(d).ok()
 }
 
 /// The perimeter's control box, so that nothing of the curve is optimised away.
@@ -130,7 +125,6 @@ struct State {
     input: Vec<f64>,
     text: Vec<u8>,
     out: Vec<f64>,
-    printed: String,
     curve: Curve,
 }
 
@@ -220,14 +214,5 @@ pub extern "C" fn flatten(tolerance: f64) -> usize {
 /// See [`parse`]; 0 for an error.
 #[unsafe(no_mangle)]
 pub extern "C" fn parse_text() -> usize {
-    with(|s| std::str::from_utf8(&s.text).ok().and_then(parse).unwrap_or(0))
-}
-
-/// See [`Curve::print`]; gives back how many bytes.
-#[unsafe(no_mangle)]
-pub extern "C" fn print() -> usize {
-    with(|s| {
-        s.printed = s.curve.print();
-        s.printed.len()
-    })
+    with(|s| std::str::from_utf8(&s.text).ok().and_then(parse).map_or(0, |path| path.elements().len()))
 }

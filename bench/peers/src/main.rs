@@ -9,6 +9,7 @@ use std::time::Instant;
 
 use expline::curve::NearestFinder;
 use expline::numerics::{Point, Vector};
+use expline::svg::{PrintOptions, to_path_d};
 use expline::{HermiteCurve, HermiteOptions, Space};
 use expline_peers::Curve;
 
@@ -24,6 +25,8 @@ struct Bench {
     exact: Option<HermiteCurve>,
     queries: Vec<f64>,
     text: String,
+    parsed: Option<HermiteCurve>,
+    kurbo_text: kurbo::BezPath,
     out: Vec<f64>,
 }
 
@@ -59,6 +62,10 @@ impl Bench {
             "cubics" => (curve.to_cubics(CUBIC_TOLERANCE)?.path.len() / 8) as f64,
             "by-length" => curve.sample_by_length(1000, LENGTH_TOLERANCE)?.len() as f64,
             "parse" => expline::svg::parse_path(&self.text)?.curves.len() as f64,
+            "print" => {
+                let options = PrintOptions { decimals: Some(3), ..PrintOptions::default() };
+                to_path_d(self.parsed.as_ref().ok_or("no path yet")?, &options)?.d.len() as f64
+            }
             _ => return Err(format!("expline has no {name}").into()),
         };
         self.out = out;
@@ -93,8 +100,10 @@ impl Bench {
                 curve.flatten(TOLERANCE, &mut self.out);
                 (self.out.len() / 2) as f64
             }
-            "parse" => expline_peers::parse(&self.text).ok_or("kurbo cannot read this")? as f64,
-            "print" => curve.print().len() as f64,
+            "parse" => {
+                expline_peers::parse(&self.text).ok_or("kurbo cannot read this")?.elements().len() as f64
+            }
+            "print" => self.kurbo_text.to_svg().len() as f64,
             _ => return Err(format!("kurbo has no {name}").into()),
         })
     }
@@ -117,7 +126,11 @@ impl Bench {
             "cubics" => self.kurbo = Curve::new(&numbers()?),
             "hermite" => self.exact = Some(hermite(&numbers()?)?),
             "queries" => self.queries = numbers()?,
-            "text" => self.text = rest.to_owned(),
+            "text" => {
+                self.text = rest.to_owned();
+                self.kurbo_text = expline_peers::parse(rest).ok_or("kurbo cannot read this")?;
+                self.parsed = expline::svg::parse_path(rest)?.curves.into_iter().next();
+            }
             "run" => {
                 let (name, times) = rest.split_once(' ').ok_or("how many times?")?;
                 let (nanoseconds, answer) = self.run(name, times.parse()?)?;
