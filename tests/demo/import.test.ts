@@ -220,6 +220,14 @@ test("DM-027 DM-028 a field takes a decimal comma and refuses what is no number,
   }
 });
 
+test("a joint that a file's few decimals have bent by a fraction of a degree is smooth, and not moved", async (t) => {
+  const demo = await open(t);
+  await imported(demo, "M0 0C10 0 30 5 40 10C50 15.02 70 10 80 10L80 40");
+  const points = await demo.points();
+  assert.deepEqual(points.map(({ kind }) => kind).slice(1, 3), ["smooth", "cusp"]);
+  assert.deepEqual([points[1]?.out.dx.toFixed(9), points[1]?.out.dy.toFixed(9)], ["10.000000000", "5.020000000"]);
+});
+
 test("an imported logo keeps its corners and can be edited at once", async (t) => {
   const demo = await open(t);
   await imported(demo, square);

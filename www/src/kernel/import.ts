@@ -22,10 +22,25 @@ export function importPath(d: string, space: Space, matrix: Matrix | null = null
   try {
     const curves = parsePath(d, { onWarning: (warning) => { broken = stops(d, warning.index); } });
     const moved = matrix === null ? curves : curves.map((curve) => curve.transform(matrix));
-    return { contours: moved.map((curve) => joined(contourFrom(curve, space))), broken };
+    return { contours: moved.map((curve) => withSmoothJoints(joined(contourFrom(curve, space)))), broken };
   } catch (error) {
     throw asProblem(error, d);
   }
+}
+
+/** Files are written with few decimals: what was drawn smooth comes in with a kink of a fraction of a degree. */
+const kinkDegrees = 2;
+
+/** Joints that were meant smooth are called smooth, so that their handles turn together. Nothing is moved. */
+function withSmoothJoints(contour: Contour): Contour {
+  const least = Math.cos((kinkDegrees * Math.PI) / 180);
+  const points = contour.points.map((point) => {
+    const { in: before, out: after } = point;
+    const product = Math.hypot(before.dx, before.dy) * Math.hypot(after.dx, after.dy);
+    const straight = product > 0 && -(before.dx * after.dx + before.dy * after.dy) >= least * product;
+    return point.kind === "cusp" && straight ? { ...point, kind: "smooth" as const } : point;
+  });
+  return { ...contour, points };
 }
 
 function stops(d: string, offset: number): Problem {

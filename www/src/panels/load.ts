@@ -23,6 +23,10 @@ export function place(shell: Shell, imported: Imported, how: Placement): void {
   }
   if (editor.state.value.mode !== "curve") editor.actions.run("mode-curve");
   addContours(editor, "Import", imported.contours, how);
+  // What belongs to a sample's lesson would only clutter a drawing of one's own.
+  editor.setOverlay("bezier", false);
+  editor.setOverlay("comb", false);
+  editor.patch({ hint: "" });
   editor.actions.run("zoom-fit");
   toasts.say([summary(imported.contours), ...imported.notes.map((note) => `Note: ${note}.`)].join(" "));
 }

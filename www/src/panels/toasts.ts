@@ -3,7 +3,7 @@ import { h } from "./dom.ts";
 import { icon } from "./icons.ts";
 
 const shownForMs = 5000;
-const mostShown = 3;
+const mostShown = 2;
 
 export interface Toasts {
   /** With an action: a button that does it and takes the toast away. */
