@@ -13,6 +13,8 @@ pub(super) struct Grid {
     steps: f64,
     /// Number of segments, if all have one length.
     even: Option<u64>,
+    /// Samples on each of them, if they divide evenly; else 0.
+    each: usize,
 }
 
 impl Grid {
@@ -20,7 +22,10 @@ impl Grid {
         let (_, end) = curve.domain();
         let steps = if curve.is_closed() { count } else { count.saturating_sub(1) }.max(1) as f64;
         let even = curve.is_even().then_some(curve.segment_count() as u64);
-        Self { step: end / steps, end, steps, even }
+        let segments = curve.segment_count() as u64;
+        let each =
+            if (steps as u64).is_multiple_of(segments) { (steps as u64 / segments) as usize } else { 0 };
+        Self { step: end / steps, end, steps, even, each }
     }
 
     /// The segment of sample i; at a knot the one that starts there.
@@ -41,7 +46,10 @@ impl Grid {
     #[inline(never)]
     pub(super) fn first_sample(&self, curve: &HermiteCurve, s: usize) -> usize {
         if let Some(segments) = self.even {
-            return (s as u64).saturating_mul(self.steps as u64).div_ceil(segments) as usize;
+            return match self.each {
+                0 => (s as u64).saturating_mul(self.steps as u64).div_ceil(segments) as usize,
+                each => s * each,
+            };
         }
         let knot = curve.knots()[s];
         let mut i = (knot * self.steps / self.end).ceil() as usize;
@@ -54,16 +62,18 @@ impl Grid {
         i
     }
 
-    /// Where in segment s sample half/2 is, from 0 to 1; odd `half` are halfway between two samples.
-    #[inline(never)]
-    pub(super) fn local(&self, curve: &HermiteCurve, s: usize, half: usize) -> f64 {
+    /// Where in segment s sample half/2 is, in shares of [`Grid::unit`]; odd `half` are halfway between two samples.
+    #[inline]
+    pub(super) fn place(&self, curve: &HermiteCurve, s: usize, half: usize) -> f64 {
         match self.even {
-            Some(segments) => {
-                let places = half as f64 * segments as f64 - 2.0 * s as f64 * self.steps;
-                places / (2.0 * self.steps)
-            }
-            None => (0.5 * half as f64 * self.end / self.steps - curve.knots()[s]) / curve.lengths()[s],
+            Some(segments) => half as f64 * segments as f64 - 2.0 * s as f64 * self.steps,
+            None => 0.5 * half as f64 * self.end / self.steps - curve.knots()[s],
         }
+    }
+
+    /// The whole of segment s in the unit of [`Grid::place`].
+    pub(super) fn unit(&self, curve: &HermiteCurve, s: usize) -> f64 {
+        if self.even.is_some() { 2.0 * self.steps } else { curve.lengths()[s] }
     }
 
     /// Whether sample i is the start of segment s.

@@ -15,7 +15,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use super::Segment;
 use super::grid::Grid;
 use super::hermite::HermiteCurve;
-use crate::generator::{Space, Weights};
+use crate::generator::Space;
 use crate::numerics::entire::stumpff;
 use crate::numerics::{Point, Vector};
 
@@ -40,11 +40,15 @@ pub struct Sampler {
     built: usize,
     /// τ = step·(k + ½), τc₁, τ²c₂ and τ³c₃.
     tables: [[f64; PAIRS]; 4],
-    /// The weights of value and derivatives at x = `place`.
+    /// Weights of value and derivatives with respect to t: at the segment's middle, or at `place` in a stiff one …
+    middle: Rows,
+    /// … and where a block has its middle, which is at `place`.
+    weights: Rows,
     place: f64,
-    weights: [Weights; 4],
-    shift: Shift,
 }
+
+/// For value and three derivatives, the weights of the chord and of the derivatives at the ends.
+type Rows = [[f64; 3]; 4];
 
 /// What segments have in common that are sampled alike: space, ω·length, length, and the step in t.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,9 +69,9 @@ impl Sampler {
             pairs: 0,
             built: 0,
             tables: [[0.0; PAIRS]; 4],
+            middle: [[0.0; 3]; 4],
+            weights: [[0.0; 3]; 4],
             place: f64::NAN,
-            weights: [Weights { chord: 0.0, leaving: 0.0, arriving: 0.0 }; 4],
-            shift: Shift { t: 0.0, zeroth: 1.0, first: 0.0, second: 0.0, third: 0.0 },
         }
     }
 }
@@ -128,11 +132,19 @@ impl Sampler {
                 if skipped >= size {
                     let (now, later) = rest.split_at_mut(stride);
                     let last = i + 1 == count && i > 0 && !curve.is_closed();
-                    write(now, &segment, if last { 1.0 } else { grid.local(curve, s, 2 * i) });
+                    write(
+                        now,
+                        &segment,
+                        if last { 1.0 } else { grid.place(curve, s, 2 * i) / grid.unit(curve, s) },
+                    );
                     (i, rest) = (i + 1, later);
                     continue;
                 }
-                let jet = self.jet(&segment, grid.local(curve, s, 2 * begin + size - 1));
+                let place = grid.place(curve, s, 2 * begin + size - 1);
+                if self.place != place {
+                    self.weigh(&segment, place, grid.unit(curve, s));
+                }
+                let jet = self.jet(&segment);
                 let number = (size - skipped).min(end - i);
                 let (now, later) = rest.split_at_mut(number * stride);
                 if number == size {
@@ -170,7 +182,41 @@ impl Sampler {
         self.square = if space == Space::Hyperbolic { -omega * omega } else { omega * omega };
         (self.kind, self.omega) = (kind, omega);
         self.place = f64::NAN;
-        self.shift = Shift::new(0.0, 0.0);
+        self.weigh_at(segment, 0.5);
+    }
+
+    /// Weights at x, as derivatives with respect to t.
+    #[inline(never)]
+    fn weigh_at(&mut self, segment: &Segment, x: f64) {
+        let mut scale = 1.0;
+        for (order, row) in self.middle.iter_mut().enumerate() {
+            let weights = segment.basis.weights(x, order);
+            let ends = scale * segment.length;
+            *row = [weights.chord * scale, weights.leaving * ends, weights.arriving * ends];
+            scale /= segment.length;
+        }
+    }
+
+    /// Weights at x = place/unit, by way of the segment's middle, for all segments of one kind.
+    #[inline(never)]
+    fn weigh(&mut self, segment: &Segment, place: f64, unit: f64) {
+        let x = place / unit;
+        self.place = place;
+        // The middle of a stiff segment knows nothing of its ends.
+        if self.kind.space == Space::Hyperbolic && self.kind.w > PI {
+            self.weigh_at(segment, x);
+            self.weights = self.middle;
+            return;
+        }
+        // (D 2.3), weight by weight.
+        let by = Shift::new((x - 0.5) * segment.length, self.square);
+        for k in 0..3 {
+            let [value, first, second, third] = self.middle.map(|row| row[k]);
+            self.weights[0][k] = (value + second * by.second) + (first * by.t + third * by.third);
+            self.weights[1][k] = first + second * by.first + third * by.second;
+            self.weights[2][k] = second * by.zeroth + third * by.first;
+            self.weights[3][k] = third * by.zeroth - second * (self.square * by.first);
+        }
     }
 
     /// Makes sure that the tables hold at least `places` places.
@@ -186,34 +232,15 @@ impl Sampler {
         self.built = places;
     }
 
-    /// Value and derivatives at x, by way of the segment's middle, where they are the same combinations of the
-    /// data for all segments of one kind.
-    #[inline(never)]
-    fn jet(&mut self, segment: &Segment, x: f64) -> Jet {
-        // The middle of a stiff segment knows nothing of its ends.
-        let stiff = self.kind.space == Space::Hyperbolic && self.kind.w > PI;
-        let place = if stiff { x } else { 0.5 };
-        if self.place != place {
-            self.place = place;
-            for (order, weights) in self.weights.iter_mut().enumerate() {
-                *weights = segment.basis.weights(place, order);
-            }
-        }
-        let mut scale = 1.0;
-        let mut jet = [Vector::zeros(); 4];
-        for (derivative, weights) in jet.iter_mut().zip(&self.weights) {
-            *derivative = segment.combine(weights) * scale;
-            scale /= segment.length;
-        }
+    /// Value and derivatives at the middle of a block.
+    #[inline(always)]
+    fn jet(&self, segment: &Segment) -> Jet {
+        let chord = segment.end - segment.start;
+        let mut jet = self.weights.map(|[along, leaving, arriving]| {
+            chord * along + (segment.leaving * leaving + segment.arriving * arriving)
+        });
         jet[0] += segment.start;
-        let t = (x - 0.5) * segment.length;
-        if stiff || t == 0.0 {
-            return Jet(jet);
-        }
-        if self.shift.t != t {
-            self.shift = Shift::new(t, self.square);
-        }
-        Jet(jet).shifted(&self.shift, self.square)
+        Jet(jet)
     }
 
     /// One block of an even number of samples, pairs of them from its middle outwards.
@@ -261,17 +288,6 @@ impl Shift {
 }
 
 impl Jet {
-    /// The same at another place, exactly: (D 2.3).
-    fn shifted(&self, by: &Shift, square: f64) -> Self {
-        let [value, first, second, third] = self.0;
-        Self([
-            (value + second * by.second) + (first * by.t + third * by.third),
-            first + second * by.first + third * by.second,
-            second * by.zeroth + third * by.first,
-            third * by.zeroth - second * (square * by.first),
-        ])
-    }
-
     /// The samples at middle ± τ for every place of the tables, from the middle outwards.
     ///
     /// Compilers make vector code of this loop, two places at a time; it is on its own so that they can see that
