@@ -2,14 +2,23 @@
 
 use super::{Basis, Space};
 use crate::error::Result;
-use crate::limits::{
-    LARGEST_FREQUENCY, MOST_EVALUATIONS, MOST_LEVELS, POLE_MARGIN, check, filled, too_many, with_room,
-};
+use crate::limits::{LARGEST_FREQUENCY, MOST_EVALUATIONS, MOST_LEVELS, POLE_MARGIN, check, filled, too_many};
 use crate::numerics::entire::stumpff;
 use core::f64::consts::TAU;
 
 /// Values of two functions at the same places.
 pub type Pair = (Vec<f64>, Vec<f64>);
+
+/// What a table of the generators holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Table {
+    /// φ₁, then φ₂.
+    Pair,
+    /// b₀ … b₃ for every place.
+    Bernstein,
+    /// ρ₁, then ρ₂.
+    Greens,
+}
 
 /// The masks of this arity are 4 million numbers.
 const LARGEST_ARITY: usize = 500_000;
@@ -99,9 +108,9 @@ impl HermiteGenerators {
     ///
     /// An x that is not finite, a derivative above 2, more than 4 million places.
     pub fn evaluate(&self, x: &[f64], derivative: usize) -> Result<Pair> {
-        check_derivative(derivative)?;
-        check_places(x, -f64::MAX, f64::MAX)?;
-        pairs(x, &|x| self.at(x, derivative))
+        let mut first = self.tabulate(Table::Pair, x, derivative)?;
+        let second = first.split_off(x.len());
+        Ok((first, second))
     }
 
     /// The four Bernstein functions, or their derivative of order 1 or 2, at every x: four values each.
@@ -114,13 +123,7 @@ impl HermiteGenerators {
     ///
     /// [CRU15, eq. 36]; see [`Basis::bernstein`].
     pub fn bernstein(&self, x: &[f64], derivative: usize) -> Result<Vec<f64>> {
-        check_derivative(derivative)?;
-        check_places(x, 0.0, 1.0)?;
-        let mut values = with_room(4 * x.len())?;
-        for &x in x {
-            values.extend_from_slice(&self.basis.bernstein(x, derivative));
-        }
-        Ok(values)
+        self.tabulate(Table::Bernstein, x, derivative)
     }
 
     /// The refinement masks `H[n]`, n = −(arity − 1) … arity − 1, that take values and derivatives on the grid of
@@ -151,16 +154,16 @@ impl HermiteGenerators {
         let step = 1.0 / pieces;
         let basis = Basis::new(self.basis.space(), self.basis.frequency() * step);
         let mut values = filled(0.0, 4 * (2 * arity - 1))?;
-        let mut put = |n: usize, tap: [f64; 4]| {
-            if let Some(entries) = values.get_mut(4 * n..4 * n + 4) {
-                entries.copy_from_slice(&tap);
-            }
-        };
-        put(arity - 1, [1.0, 0.0, 0.0, 1.0]);
-        for k in 1..arity {
-            let [right, left] = basis.taps(step, k as f64 / arity as f64);
-            put(k - 1, left);
-            put(arity - 1 + k, right);
+        // n = 0 in the middle; places to its right see it as the start of their segment, those to its left as the end.
+        let (before, after) = values.split_at_mut(4 * (arity - 1));
+        let (middle, after) = after.split_at_mut(4);
+        (middle[0], middle[3]) = (1.0, 1.0);
+        let mut k = 0.0;
+        for (before, after) in before.chunks_exact_mut(4).zip(after.chunks_exact_mut(4)) {
+            k += 1.0;
+            let [start, end] = basis.taps(step, k / arity as f64);
+            before.copy_from_slice(&end);
+            after.copy_from_slice(&start);
         }
         Ok(values)
     }
@@ -175,15 +178,50 @@ impl HermiteGenerators {
     ///
     /// [CRU15, eq. 13, 14] as ρ₁ = |x|³c₃/2 and ρ₂ = x|x|c₂/2 (D 4.1).
     pub fn greens(&self, x: &[f64]) -> Result<Pair> {
-        let (square, omega) = (self.basis.square(), self.basis.frequency());
-        let most = if square < 0.0 { LARGEST_EXPONENT } else { LARGEST_ANGLE } / omega;
-        let most = most.min(LARGEST_PLACE);
-        check_places(x, -most, most)?;
-        pairs(x, &|x| {
-            let size = x.abs();
-            let at = stumpff(square * size * size);
-            (0.5 * size * size * size * at.c3, 0.5 * x * size * at.c2)
-        })
+        let mut first = self.tabulate(Table::Greens, x, 0)?;
+        let second = first.split_off(x.len());
+        Ok((first, second))
+    }
+
+    /// What [`Self::evaluate`], [`Self::bernstein`] and [`Self::greens`] give, two arrays one after the other.
+    pub(crate) fn tabulate(&self, table: Table, x: &[f64], derivative: usize) -> Result<Vec<f64>> {
+        check("derivative", None, derivative as f64, 0.0, 2.0)?;
+        let count = x.len();
+        if count > MOST_EVALUATIONS {
+            return Err(too_many("x", "maxEvalPoints", MOST_EVALUATIONS, count));
+        }
+        let square = self.basis.square();
+        let (least, most, columns) = match table {
+            Table::Pair => (-f64::MAX, f64::MAX, 2),
+            Table::Bernstein => (0.0, 1.0, 4),
+            Table::Greens => {
+                let angle = if square < 0.0 { LARGEST_EXPONENT } else { LARGEST_ANGLE };
+                let most = (angle / self.basis.frequency()).min(LARGEST_PLACE);
+                (-most, most, 2)
+            }
+        };
+        let mut values = filled(0.0, columns * count)?;
+        for (i, &x) in x.iter().enumerate() {
+            check("x", Some(i), x, least, most)?;
+            if let (Table::Bernstein, Some(four)) = (table, values.get_mut(4 * i..4 * i + 4)) {
+                four.copy_from_slice(&self.basis.bernstein(x, derivative));
+                continue;
+            }
+            let (first, second) = match table {
+                Table::Greens => {
+                    let at = stumpff(square * x * x);
+                    (0.5 * x.abs() * x * x * at.c3, 0.5 * x * x.abs() * at.c2)
+                }
+                _ => self.at(x, derivative),
+            };
+            if let Some(value) = values.get_mut(i) {
+                *value = first;
+            }
+            if let Some(value) = values.get_mut(count + i) {
+                *value = second;
+            }
+        }
+        Ok(values)
     }
 
     /// Weights of the exponential B-splines in terms of the generators: γ and μ of B₄ = γφ₁(x − 1) +
@@ -220,29 +258,4 @@ impl HermiteGenerators {
         let [one, two] = [1.0, 2.0].map(|n| self.at(x - n, derivative));
         0.5 * (one.0 + two.0) + mu * (one.1 - two.1)
     }
-}
-
-fn check_derivative(derivative: usize) -> Result<()> {
-    check("derivative", None, derivative as f64, 0.0, 2.0)
-}
-
-fn check_places(x: &[f64], least: f64, most: f64) -> Result<()> {
-    if x.len() > MOST_EVALUATIONS {
-        return Err(too_many("x", "maxEvalPoints", MOST_EVALUATIONS, x.len()));
-    }
-    for (i, &value) in x.iter().enumerate() {
-        check("x", Some(i), value, least, most)?;
-    }
-    Ok(())
-}
-
-/// Two functions at every place. Not generic: the closure costs a call and saves a copy of the loop.
-fn pairs(x: &[f64], f: &dyn Fn(f64) -> (f64, f64)) -> Result<Pair> {
-    let (mut first, mut second) = (with_room(x.len())?, with_room(x.len())?);
-    for &x in x {
-        let (one, two) = f(x);
-        first.push(one);
-        second.push(two);
-    }
-    Ok((first, second))
 }

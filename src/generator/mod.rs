@@ -10,6 +10,8 @@ mod riesz;
 mod stretched;
 
 pub use basis::{Basis, Weights};
+#[cfg(all(target_arch = "wasm32", feature = "wasm"))]
+pub(crate) use hermite::Table;
 pub use hermite::{HermiteGenerators, Pair};
 pub use riesz::{Gram, RieszBounds};
 

@@ -2,7 +2,7 @@
 
 use super::curve::space_of;
 use super::kernel::{Kernel, run};
-use crate::generator::HermiteGenerators;
+use crate::generator::{HermiteGenerators, Table};
 use crate::{Result, Space};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -13,10 +13,12 @@ fn with(omega: f64, space: u32, body: &dyn Fn(HermiteGenerators, &mut Kernel) ->
     })
 }
 
-/// Two arrays of the same length, one after the other.
-fn give_both(kernel: &mut Kernel, (mut first, second): (Vec<f64>, Vec<f64>)) -> Result<usize> {
-    first.extend_from_slice(&second);
-    Ok(kernel.give(first))
+/// One table for the `count` places in the input.
+fn tabulate(omega: f64, space: u32, table: Table, count: u32, derivative: u32) -> i32 {
+    with(omega, space, &|generators, kernel| {
+        let values = generators.tabulate(table, kernel.given(count as usize), derivative as usize)?;
+        Ok(kernel.give(values))
+    })
 }
 
 /// Nothing but the check of the frequency.
@@ -28,28 +30,19 @@ pub fn generators(omega: f64, space: u32) -> i32 {
 /// φ₁ at the `count` places in the input, then φ₂.
 #[wasm_bindgen]
 pub fn generators_evaluate(omega: f64, space: u32, count: u32, derivative: u32) -> i32 {
-    with(omega, space, &|generators, kernel| {
-        let both = generators.evaluate(kernel.given(count as usize), derivative as usize)?;
-        give_both(kernel, both)
-    })
+    tabulate(omega, space, Table::Pair, count, derivative)
 }
 
 /// The four Bernstein functions at the `count` places in the input.
 #[wasm_bindgen]
 pub fn generators_bernstein(omega: f64, space: u32, count: u32, derivative: u32) -> i32 {
-    with(omega, space, &|generators, kernel| {
-        let values = generators.bernstein(kernel.given(count as usize), derivative as usize)?;
-        Ok(kernel.give(values))
-    })
+    tabulate(omega, space, Table::Bernstein, count, derivative)
 }
 
 /// ρ₁ at the `count` places in the input, then ρ₂.
 #[wasm_bindgen]
 pub fn generators_greens(omega: f64, space: u32, count: u32) -> i32 {
-    with(omega, space, &|generators, kernel| {
-        let both = generators.greens(kernel.given(count as usize))?;
-        give_both(kernel, both)
-    })
+    tabulate(omega, space, Table::Greens, count, 0)
 }
 
 /// The refinement masks of a level.
