@@ -1,7 +1,6 @@
 //! Arc length, and the parameter at a length.
 
 use super::HermiteCurve;
-use super::limits::{MOST_OUTPUT_POINTS, too_many, with_room};
 use super::piece::Piece;
 use super::speed::{LengthSum, piece_length};
 use crate::error::{Error, Result};
@@ -67,42 +66,6 @@ impl HermiteCurve {
             return Ok(self.domain().1);
         }
         Err(Error::unfit("length", None, length, 0.0, before))
-    }
-
-    /// The parameters of `count` points that are equally far apart along the curve.
-    ///
-    /// An open curve gets both ends; a closed one starts at t = 0 and the last point is one step before it.
-    ///
-    /// # Accuracy
-    ///
-    /// Every point is within `tolerance` of its place along the curve.
-    ///
-    /// # Errors
-    ///
-    /// `tolerance` not finite or not positive; more than 4 000 000 points.
-    pub fn sample_by_length(&self, count: usize, tolerance: f64) -> Result<Vec<f64>> {
-        check_tolerance(tolerance)?;
-        if count > MOST_OUTPUT_POINTS {
-            return Err(too_many("count", "maxOutputPoints", MOST_OUTPUT_POINTS, count));
-        }
-        let share = tolerance / self.segment_count() as f64;
-        let mut lengths = with_room(self.segment_count())?;
-        lengths.extend(self.segments().map(|segment| piece_length(&Piece::new(&segment), -0.5, 0.5, share)));
-        let total: f64 = lengths.iter().sum();
-        let steps = if self.is_closed() { count } else { count.saturating_sub(1) };
-        let mut parameters = with_room(count)?;
-        let (mut i, mut before) = (0, 0.0);
-        for k in 0..count {
-            let target = if k == 0 { 0.0 } else { total * (k as f64 / steps as f64) };
-            while i + 1 < lengths.len() && target > before + lengths[i] {
-                before += lengths[i];
-                i += 1;
-            }
-            let segment = self.segment(i);
-            let y = parameter_on_piece(&Piece::new(&segment), target - before, lengths[i], share);
-            parameters.push((self.knots()[i] + (y + 0.5) * segment.length).min(self.knots()[i + 1]));
-        }
-        Ok(parameters)
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod area;
 mod bounds;
+mod by_length;
 mod chords;
 mod cubic_fit;
 mod cubics;
