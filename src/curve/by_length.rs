@@ -1,24 +1,27 @@
 //! Points that are equally far apart along a curve.
 //!
-//! On each segment the inverse of the length is tabulated: cells on which the quintic with the exact parameter, first
-//! and second derivative at both ends is as near as is asked for,
+//! On each segment the inverse of the length is tabulated: cells on which the polynomial of degree 7 with the exact
+//! parameter and three derivatives at both ends is as near as is asked for,
 //!
 //! ```text
-//! dy/ds = 1/v,   d²y/ds² = −v′/v³,   v = |r′|,   v′ = r′·r″/v
+//! dy/ds = 1/v,   d²y/ds² = −v′/v³,   d³y/ds³ = 3v′²/v⁵ − v″/v⁴
+//! v = |r′|,   v′ = r′·r″/v,   v″ = (|r″|² + r′·r‴ − v′²)/v
 //! ```
 //!
-//! so that a point costs five multiplications and no iteration.
+//! so that a point costs seven multiplications and no iteration.
 
 use super::HermiteCurve;
 use super::length::check_tolerance;
 use super::limits::{MOST_OUTPUT_POINTS, too_many, with_room};
 use super::piece::{Jet, Piece};
-use super::speed::piece_length;
+use super::speed::{axis_rule, interval_axis, length_by_rule, piece_length};
 use crate::error::Result;
-use crate::numerics::plane::{dot, norm};
+use crate::numerics::plane::{dot, norm, square};
 
-/// Halvings of a segment after which a cell is taken as it is.
-const MOST_HALVINGS: usize = 48;
+/// The most intervals that wait to be looked at.
+const STACK: usize = 192;
+/// Cells of less than this share of a segment are taken as they are.
+const LEAST_WIDTH: f64 = 1e-14;
 
 impl HermiteCurve {
     /// The parameters of `count` points that are equally far apart along the curve.
@@ -28,7 +31,7 @@ impl HermiteCurve {
     /// # Accuracy
     ///
     /// Every point is within `tolerance` of its place along the curve (checked in the middle of every cell, with a
-    /// factor 8 to spare; the error of a quintic is largest there).
+    /// factor 8 to spare; the error of the polynomials is largest there).
     ///
     /// # Errors
     ///
@@ -63,15 +66,21 @@ impl HermiteCurve {
             let (from, to) = (self.knots()[i], self.knots()[i + 1]);
             let scale = cells.last().map_or(0.0, |cell: &Cell| cell.end) / lengths[i];
             let scale = if scale.is_finite() { scale } else { 0.0 };
-            let mut cell = 0;
-            for k in parameters.len()..until {
-                let place = (k as f64 * step - before) * scale;
-                while cell + 1 < cells.len() && place > cells[cell].end {
-                    cell += 1;
+            let Some((final_cell, inner)) = cells.split_last() else { continue };
+            let place = |k: usize| (k as f64 * step - before) * scale;
+            let parameter = |cell: &Cell, k: usize| {
+                let t = from + (cell.parameter(place(k)) + 0.5) * segment.length;
+                if t < to { t } else { to }
+            };
+            let mut k = parameters.len();
+            for cell in inner {
+                let first = k;
+                while k < until && place(k) <= cell.end {
+                    k += 1;
                 }
-                let y = cells[cell].parameter(place);
-                parameters.push((from + (y + 0.5) * segment.length).min(to));
+                parameters.extend((first..k).map(|k| parameter(cell, k)));
             }
+            parameters.extend((k..until).map(|k| parameter(final_cell, k)));
             before = end;
         }
         Ok(parameters)
@@ -86,20 +95,32 @@ struct Cell {
     end: f64,
     /// 1/(end − start), 0 for a cell without length.
     inverse: f64,
-    coefficients: [f64; 6],
+    coefficients: [f64; 8],
     hi: f64,
 }
 
 impl Cell {
-    /// The quintic through both ends; the chord where the derivatives are of no use.
+    /// The polynomial through both ends; the chord where the derivatives are of no use.
     fn new(lo: &Node, hi: &Node, length: f64) -> Self {
-        let (rise, h) = (hi.y - lo.y, length);
-        let (d0, d1, e0, e1) = (lo.first * h, hi.first * h, 0.5 * lo.second * h * h, 0.5 * hi.second * h * h);
-        let (u, v, w) = (rise - d0 - e0, d1 - d0 - 2.0 * e0, e1 - e0);
-        let mut coefficients =
-            [lo.y, d0, e0, 10.0 * u - 4.0 * v + w, -15.0 * u + 7.0 * v - 2.0 * w, 6.0 * u - 3.0 * v + w];
+        let h = length;
+        let [d0, e0, f0] = [lo.slopes[0] * h, 0.5 * lo.slopes[1] * h * h, lo.slopes[2] * h * h * h / 6.0];
+        let [d1, e1, f1] = [hi.slopes[0] * h, 0.5 * hi.slopes[1] * h * h, hi.slopes[2] * h * h * h / 6.0];
+        // What is left of the value and the derivatives at 1 after the first four terms.
+        let u = hi.y - lo.y - d0 - e0 - f0;
+        let v = d1 - d0 - 2.0 * e0 - 3.0 * f0;
+        let (w, x) = (e1 - e0 - 3.0 * f0, f1 - f0);
+        let mut coefficients = [
+            lo.y,
+            d0,
+            e0,
+            f0,
+            35.0 * u - 15.0 * v + 5.0 * w - x,
+            -84.0 * u + 39.0 * v - 14.0 * w + 3.0 * x,
+            70.0 * u - 34.0 * v + 13.0 * w - 3.0 * x,
+            -20.0 * u + 10.0 * v - 4.0 * w + x,
+        ];
         if !coefficients.iter().all(|c| c.is_finite()) {
-            coefficients = [lo.y, rise, 0.0, 0.0, 0.0, 0.0];
+            coefficients = [lo.y, hi.y - lo.y, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
         }
         let inverse = 1.0 / length;
         let inverse = if inverse.is_finite() { inverse } else { 0.0 };
@@ -109,26 +130,33 @@ impl Cell {
     /// The parameter at a length from the start of the piece.
     #[inline]
     fn parameter(&self, place: f64) -> f64 {
-        let s = ((place - self.start) * self.inverse).clamp(0.0, 1.0);
-        let [a, b, c, d, e, f] = self.coefficients;
-        (a + s * (b + s * (c + s * (d + s * (e + s * f))))).clamp(a, self.hi)
+        let s = (place - self.start) * self.inverse;
+        let s = if s > 0.0 { s } else { 0.0 };
+        let s = if s < 1.0 { s } else { 1.0 };
+        let [a, b, c, d, e, f, g, h] = self.coefficients;
+        let square = s * s;
+        let (low, high) = ((a + s * b) + square * (c + s * d), (e + s * f) + square * (g + s * h));
+        let y = low + square * square * high;
+        let y = if y > a { y } else { a };
+        if y < self.hi { y } else { self.hi }
     }
 }
 
-/// A parameter, and its first two derivatives by the length.
+/// A parameter, and its first three derivatives by the length.
 #[derive(Clone, Copy)]
 struct Node {
     y: f64,
-    first: f64,
-    second: f64,
+    slopes: [f64; 3],
 }
 
 impl Node {
     fn new(piece: &Piece, y: f64) -> Self {
-        let Jet { first, second, .. } = piece.jet(y);
-        let speed = norm(first);
-        let slope = 1.0 / speed;
-        Self { y, first: slope, second: -dot(first, second) * slope * slope * slope * slope }
+        let Jet { first, second, third, .. } = piece.jet(y);
+        let slope = 1.0 / norm(first);
+        let one = dot(first, second) * slope;
+        let two = (square(second) + dot(first, third) - one * one) * slope;
+        let square = slope * slope;
+        Self { y, slopes: [slope, -one * slope * square, (3.0 * one * one * slope - two) * square * square] }
     }
 }
 
@@ -136,31 +164,50 @@ impl Node {
 fn tabulate(piece: &Piece, tolerance: f64, share: f64, cells: &mut Vec<Cell>) {
     cells.clear();
     let mut total = 0.0;
-    let mut stack = [(-0.5, 0.5); MOST_HALVINGS];
+    let mut stack = [(-0.5, 0.5, 1.0); STACK];
     let mut open = 0;
-    // Quarters are nearly always needed and nearly always enough.
-    for k in (0..4).rev() {
-        stack[open] = (0.25 * f64::from(k) - 0.5, 0.25 * f64::from(k) - 0.25);
-        open += 1;
-    }
+    push_parts(&mut stack, &mut open, -0.5, 0.5, 4, interval_axis(piece, -0.5, 0.5));
+    let mut from = Node::new(piece, -0.5);
     while open > 0 {
         open -= 1;
-        let (lo, hi) = stack[open];
-        let (from, to) = (Node::new(piece, lo), Node::new(piece, hi));
-        let length = piece_length(piece, lo, hi, 0.25 * share);
+        let (lo, hi, axis) = stack[open];
+        let rule = axis_rule(piece, lo, hi, axis, 0.25 * share);
+        let length_to = |y: f64| match rule {
+            Some(rule) => length_by_rule(piece, lo, y, rule),
+            None => piece_length(piece, lo, y, 0.25 * share),
+        };
+        let to = Node::new(piece, hi);
+        let length = length_to(hi);
         let mut cell = Cell::new(&from, &to, length);
-        let middle = cell.parameter(0.5 * length);
-        let off = (piece_length(piece, lo, middle, 0.25 * share) - 0.5 * length).abs();
-        let half = 0.5 * (lo + hi);
-        if off > tolerance && length > tolerance && open + 2 <= MOST_HALVINGS && half > lo && half < hi {
-            stack[open] = (half, hi);
-            stack[open + 1] = (lo, half);
-            open += 2;
+        let off = (length_to(cell.parameter(0.5 * length)) - 0.5 * length).abs();
+        if off > tolerance && length > tolerance && hi - lo > LEAST_WIDTH && open + 2 < STACK {
+            // The error is of the eighth order.
+            let parts = (1.1 * (off / tolerance).sqrt().sqrt().sqrt()).ceil().clamp(2.0, 6.0) as usize;
+            push_parts(&mut stack, &mut open, lo, hi, parts, axis);
             continue;
         }
         cell.start = total;
         total += length;
         cell.end = total;
         cells.push(cell);
+        from = to;
+    }
+}
+
+/// An interval to be looked at, and the half-axis of an ellipse around it in which the speed is analytic.
+type Part = (f64, f64, f64);
+
+/// Pushes the parts of an interval, the first one on top.
+fn push_parts(stack: &mut [Part; STACK], open: &mut usize, lo: f64, hi: f64, parts: usize, axis: f64) {
+    let parts = parts.min(STACK - *open);
+    // A part's foci are nearer to each other by the factor, and no farther from a singularity than that allows.
+    let axis = 1.0 + parts as f64 * (axis - 1.0);
+    let step = (hi - lo) / parts as f64;
+    let mut end = hi;
+    for k in (0..parts).rev() {
+        let start = if k == 0 { lo } else { lo + step * k as f64 };
+        stack[*open] = (start, end, axis);
+        *open += 1;
+        end = start;
     }
 }

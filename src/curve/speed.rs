@@ -134,6 +134,37 @@ impl LengthSum {
     }
 }
 
+/// The larger half-axis of the ellipse around an interval in which the speed is analytic, in units of half its width.
+pub(super) fn interval_axis(piece: &Piece, lo: f64, hi: f64) -> f64 {
+    let jet = piece.jet(0.5 * (lo + hi));
+    half_axis(jet.first, jet.second, jet.third, piece.rate(), 0.5 * (hi - lo)).clamp(1.0, 1e3)
+}
+
+/// The rule that is good enough for an interval around which the speed is analytic so far; none where there is none.
+pub(super) fn axis_rule(piece: &Piece, lo: f64, hi: f64, axis: f64, tolerance: f64) -> Option<&'static Rule> {
+    if piece.is_decaying() {
+        return None;
+    }
+    let (jet, half) = (piece.jet(0.5 * (lo + hi)), 0.5 * (hi - lo));
+    let axis = axis.min(LARGEST_AXIS);
+    let largest = largest_speed(&jet, piece.rate(), axis * half);
+    RULES
+        .get(rule_index(axis, largest, half, tolerance.max(ROUNDING * half * taxi(jet.first))) as usize)
+        .copied()
+}
+
+/// A bound of the speed within `reach` of the jet, complex parameters included.
+fn largest_speed(jet: &Jet, rate: f64, reach: f64) -> f64 {
+    let growth = if rate == 0.0 { 1.0 } else { stumpff(-(rate.abs() * reach * reach).min(490_000.0)).c0 };
+    taxi(jet.first) + growth * reach * (taxi(jet.second) + 0.5 * reach * taxi(jet.third))
+}
+
+/// The length of an interval by a rule that is known to do.
+pub(super) fn length_by_rule(piece: &Piece, lo: f64, hi: f64, rule: &Rule) -> f64 {
+    let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+    half * speeds(piece, &piece.jet(middle), half, middle, rule)
+}
+
 /// The length of a piece between two parameters, within `tolerance`.
 pub(super) fn piece_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f64 {
     if !piece.is_decaying() {
@@ -230,9 +261,7 @@ fn rule_for(jet: &Jet, rate: f64, half: f64, tolerance: f64, speck: f64) -> f64 
     let axis = half_axis(b, p, q, rate, half);
     // What is not a number has no singularity.
     let axis = if axis < LARGEST_AXIS { axis.max(1.0) } else { LARGEST_AXIS };
-    let reach = axis * half;
-    let growth = if rate == 0.0 { 1.0 } else { stumpff(-(rate.abs() * reach * reach).min(490_000.0)).c0 };
-    let largest = taxi(b) + growth * reach * (taxi(p) + 0.5 * reach * taxi(q));
+    let largest = largest_speed(jet, rate, axis * half);
     if 2.0 * half * largest <= speck { 0.0 } else { rule_index(axis, largest, half, tolerance) }
 }
 
