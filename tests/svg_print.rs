@@ -379,6 +379,14 @@ fn mirrored_handles_are_written_once() {
 }
 
 #[test]
+fn lines_too_short_to_be_written_do_not_change_what_is_mirrored() {
+    let curve = read("M0 0C0 5 5 10 10 10L10.0001 10C10 10 20 10 20 0");
+    let printed = print(&curve, &PrintOptions { decimals: Some(2), ..options() });
+    let measured = distance(&curve, &printed.d);
+    assert!(measured <= within(&printed, 20.0), "{measured}: {printed:?}");
+}
+
+#[test]
 fn the_deviation_is_tight_enough_to_be_shown() {
     let circle =
         HermiteCurve::ellipse(Point::new(39.53, 77.7), Point::new(61.7, 61.7), 0.0, 3).expect("valid");

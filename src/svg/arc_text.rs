@@ -15,6 +15,8 @@ use crate::limits::LARGEST_COORDINATE;
 use crate::numerics::angle::sin_cos;
 use crate::numerics::{Point, Vector};
 
+/// Chords this close to the diameter may be taken for it.
+const HALF_TURN_SLACK: f64 = 1e-13;
 /// Digits are added to radii and rotation up to this many.
 const MOST_EXTRA_DIGITS: u32 = 7;
 
@@ -103,8 +105,11 @@ pub(super) fn plan(
             break;
         }
         let Some((text, command)) = shape.command(chord, grid, attempt / 2, attempt % 2 == 1) else { break };
-        let drawn = measure(curve, span, &Arc::new(from.point(), chord, &command, 0.0));
-        let deviation = rounded.max(drawn);
+        let mut deviation = 1.02 * rounded;
+        // A chord that is the diameter but for rounding is a half turn to some viewers, to others it moves the centre.
+        for slack in [0.0, HALF_TURN_SLACK] {
+            deviation = deviation.max(measure(curve, span, &Arc::new(from.point(), chord, &command, slack)));
+        }
         if best.is_none_or(|best| deviation < best.deviation) {
             best = Some(Planned { text, to, deviation });
         }

@@ -199,10 +199,11 @@ impl<'a> Printer<'a> {
     fn line(&mut self, segment: &Segment<'_>, last: bool) {
         let end = self.grid.place(segment.end);
         self.measured(displacement(self.text.current(), segment.start).max(displacement(end, segment.end)));
-        if !last {
+        // Where nothing is written, a reader goes on mirroring the control point before.
+        if !last && end != self.text.current() {
             self.text.line(end);
+            self.control = None;
         }
-        self.control = None;
     }
 
     /// Any other segment, as cubic Béziers.
