@@ -77,14 +77,14 @@ function speedOf(piece: Piece): number {
   return steps.length * Math.max(...steps);
 }
 
-/** The distance from a point to a piece, or `enough` where it is less: no valley is missed, because none is deeper than the speed lets it be. */
-function surelyToPiece([px, py]: Point, piece: Piece, enough: number): number {
+/** The distance from a point to a piece, or `enough` where it is less and `most` where it is more: no valley is missed, because none is deeper than the speed lets it be. */
+function surelyToPiece([px, py]: Point, piece: Piece, enough: number, most: number): number {
   const speed = speedOf(piece);
   const apart = (x: number): number => {
     const [qx, qy] = at(piece, x);
     return Math.hypot(qx - px, qy - py);
   };
-  let best = Infinity;
+  let best = most;
   const open: [number, number, number, number][] = [[0, 1, apart(0), apart(1)]];
   for (let interval = open.pop(); interval; interval = open.pop()) {
     const [low, high, nearLow, nearHigh] = interval;
@@ -119,8 +119,9 @@ function nearestOn(contour: Contour, p: Point, guess: number, enough: number, fi
   }
   if (best && best.distance > enough) {
     for (const piece of pieces) {
-      const distance = surelyToPiece(p, piece, enough);
+      const distance = surelyToPiece(p, piece, enough, best.distance);
       if (distance < best.distance) best = { distance, piece };
+      if (distance <= enough) break;
     }
   }
   assert.ok(best, "a contour has pieces");
