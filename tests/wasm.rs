@@ -44,7 +44,7 @@ fn write(numbers: &[f64]) {
 fn load_circle(slot: f64) -> f64 {
     let pi = core::f64::consts::PI;
     write(&[5.0, 0.0, -5.0, 0.0, 0.0, 5.0 * pi, 0.0, -5.0 * pi]);
-    call("load", &[slot, 2.0, 2.0, 0.0, 0.0, 0.0, 0.0, 1.0])
+    call("load", &[slot, 2.0, 0.0, 0.0, 0.0, 0.0, 1.0])
 }
 
 #[test]
@@ -59,7 +59,7 @@ fn a_loaded_curve_answers_and_tells_its_frequency() {
 #[test]
 fn a_refusal_says_what_was_wrong_where() {
     write(&[0.0, 0.0, 1.0, f64::NAN, 0.0, 0.0, 0.0, 0.0]);
-    assert_eq!(call("load", &[0.0, 2.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0]), -1.0, "failed");
+    assert_eq!(call("load", &[0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0]), -1.0, "failed");
     assert_eq!((record(0), record(1)), (1.0, 3.0), "not finite, at 3");
     assert_eq!(text(record(5), record(6)), "points", "the argument's name");
 }
@@ -68,7 +68,7 @@ fn a_refusal_says_what_was_wrong_where() {
 fn a_failed_load_leaves_the_slot_as_it_was() {
     load_circle(1.0);
     write(&[0.0, 0.0, 1e300, 0.0, 0.0, 0.0, 0.0, 0.0]);
-    assert_eq!(call("load", &[1.0, 2.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0]), -1.0, "failed");
+    assert_eq!(call("load", &[1.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0]), -1.0, "failed");
     assert_eq!(call("evaluate_one", &[1.0, 0.0, 0.0]), 2.0, "the circle is still there");
     assert_eq!((record(0), record(1)), (5.0, 0.0), "and starts where it started");
 }
@@ -89,7 +89,7 @@ fn slots_without_a_curve_and_numbers_that_wrap_are_refused_not_followed() {
 #[test]
 fn claims_of_more_numbers_than_were_written_are_an_error() {
     write(&[0.0; 4]);
-    assert_eq!(call("load", &[0.0, 4e9, 4e9, 0.0, 0.0, 0.0, 0.0, 1.0]), -1.0, "more points than there are");
+    assert_eq!(call("load", &[0.0, 4e9, 0.0, 0.0, 0.0, 0.0, 1.0]), -1.0, "more points than there are");
     assert!(call("nearest_many", &[0.0, 4e9]) <= 4e9, "no more answers than places");
     assert!(call("through", &[4e9, 1.0, -1.0, 0.0]) >= -1.0, "no more points than there are");
     assert!(call("parse_path", &[4e9]) <= 0.0, "no text, no curves");

@@ -73,7 +73,7 @@ export class CurveData {
     const slot = oldest(instance.used, instance.ids);
     write(op, points, tangents, tangentsIn, omega, lengths);
     const space = SPACES.indexOf(this.space);
-    const arrays = [tangents.length / 2, tangentsIn.length / 2, omega.length, lengths.length] as const;
+    const arrays = [tangentsIn.length / 2, omega.length, lengths.length] as const;
     const omegas = call(op, (kernel) => kernel.load(slot, count, ...arrays, space, this.closed ? 1 : 0));
     this.omega = copy(omegas);
     this.end = result(0);

@@ -29,21 +29,12 @@ fn take<'a>(rest: &mut &'a [f64], count: usize) -> &'a [f64] {
 
 /// Makes the curve whose arrays lie in the input resident.
 ///
-/// Input: points, tangents, tangentsIn (two numbers each), omega, lengths. Leaves the end of the domain in the record
+/// Input: points, as many tangents, tangentsIn (as many or none; two numbers each), omega, lengths. Leaves the end of the domain in the record
 /// and ω in the output: one number where all segments have the same, else one for each.
 #[wasm_bindgen]
-pub fn load(
-    slot: u32,
-    points: u32,
-    tangents: u32,
-    tangents_in: u32,
-    omega: u32,
-    lengths: u32,
-    space: u32,
-    closed: u32,
-) -> i32 {
+pub fn load(slot: u32, points: u32, arriving: u32, omega: u32, lengths: u32, space: u32, closed: u32) -> i32 {
     run(&mut |kernel| {
-        let counts = [points, tangents, tangents_in].map(|count| times(count, 2));
+        let counts = [points, points, arriving].map(|count| times(count, 2));
         let (omega, lengths) = (omega as usize, lengths as usize);
         let mut rest = kernel.given(usize::MAX);
         let [points, tangents, tangents_in] = counts.map(|count| pairs(take(&mut rest, count)));
