@@ -133,7 +133,9 @@ pub fn to_cubics(slot: u32, tolerance: f64) -> i32 {
 pub fn sample_by_length(slot: u32, count: u32, tolerance: f64) -> i32 {
     run(&mut |kernel| {
         let curve = kernel.curve(slot)?;
-        let points = curve.sample_by_length(count as usize, tolerance_of(curve, tolerance, FINE))?;
+        let parameters = curve.sample_by_length(count as usize, tolerance_of(curve, tolerance, FINE))?;
+        let mut points = vec![0.0; 2 * parameters.len()];
+        curve.evaluate_into(&parameters, 0, &mut points)?;
         Ok(kernel.give(points))
     })
 }
