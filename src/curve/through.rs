@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 
 use super::hermite::{HermiteCurve, HermiteOptions};
 use crate::error::Result;
-use crate::generator::Space;
+use crate::generator::{Space, Weights};
 use crate::numerics::tridiagonal::{self, Row};
 use crate::numerics::{Point, Vector};
 
@@ -49,20 +49,8 @@ impl HermiteCurve {
         let mut rows = vec![Row::default(); self.points().len()];
         for (i, segment) in self.segments().enumerate() {
             let chord = (segment.end - segment.start) / segment.length;
-            for (place, x, sign) in [(i, 0.0, -1.0), (self.next(i), 1.0, 1.0)] {
-                let weights = segment.basis.weights(x, 2);
-                let scale = sign / segment.length;
-                let (leaving, arriving) = (weights.leaving * scale, weights.arriving * scale);
-                let row = &mut rows[place];
-                row.right -= chord * (weights.chord * scale);
-                if sign < 0.0 {
-                    row.center += leaving;
-                    row.after += arriving;
-                } else {
-                    row.before += leaving;
-                    row.center += arriving;
-                }
-            }
+            add(&mut rows[i], &segment.basis.weights(0.0, 2), -1.0 / segment.length, chord);
+            add(&mut rows[self.next(i)], &segment.basis.weights(1.0, 2), 1.0 / segment.length, chord);
         }
         rows
     }
@@ -83,5 +71,19 @@ impl HermiteCurve {
             rows[0].right = Vector::new(-radius.y, radius.x) * PI;
             rows[1].right = -rows[0].right;
         }
+    }
+}
+
+/// Adds a segment's second derivative to the row of its start (negative scale) or of its end.
+#[inline(never)]
+fn add(row: &mut Row, weights: &Weights, scale: f64, chord: Vector) {
+    let (leaving, arriving) = (weights.leaving * scale, weights.arriving * scale);
+    row.right -= chord * (weights.chord * scale);
+    if scale < 0.0 {
+        row.center += leaving;
+        row.after += arriving;
+    } else {
+        row.before += leaving;
+        row.center += arriving;
     }
 }
