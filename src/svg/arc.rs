@@ -2,7 +2,7 @@
 //!
 //! Everything happens in the frame in which the ellipse is the unit circle. There the half chord h has length
 //! s = sin(sweep/2), the centre lies at ±cos(sweep/2) across it, and the directions to the ends are h − c and
-//! −h − c: tangents need no angle, and a flat arc of a huge circle keeps all its digits.
+//! −h − c: tangents need no angle, and a flat arc of a huge circle keeps all its digits (D 8.1).
 
 use crate::numerics::angle::sin_cos;
 use crate::numerics::{Point, Vector};
@@ -43,7 +43,7 @@ impl Arc {
     ///
     /// The chord must not be 0 and neither may a radius. `slack` is the relative uncertainty of the chord from
     /// rounding: a chord that equals the diameter within it makes an exact half turn, whose centre would else move
-    /// by the square root of the rounding error.
+    /// by the square root of the rounding error (D 8.2).
     #[inline(never)]
     pub(super) fn new(start: Point, chord: Vector, command: &ArcCommand, slack: f64) -> Self {
         let radii = command.radii.abs();

@@ -163,7 +163,7 @@ impl Shape {
             (chord.x * cos + chord.y * sin) / self.radii.x,
             (chord.y * cos - chord.x * sin) / self.radii.y,
         ) * 0.5;
-        // Chord 2s and height h on a circle of radius k: k² = s² + (k − h)².
+        // Chord 2s and height h on a circle of radius k: k² = s² + (k − h)² (D 8.3).
         let k = 0.5 * (half.norm_squared() / self.height + self.height);
         let radii = self.radii * k;
         if radii.amax().is_nan() || radii.amax() > LARGEST_COORDINATE {

@@ -69,7 +69,7 @@ pub struct Truncation {
 ///
 /// # Source
 ///
-/// `SVG 2, chapter 9 "Paths"` and its implementation notes on elliptical arcs (B.2).
+/// \[SVG18, chapter 9 and B.2\].
 ///
 /// # Example
 ///
