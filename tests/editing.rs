@@ -265,8 +265,8 @@ fn trimming_takes_the_part_that_was_asked_for() {
         assert!((last - curve.evaluate(to, 0).expect("closed")).norm() < SAME, "{from} to {to}: end");
     }
     let open = mixed(false, Space::Trigonometric);
-    assert_eq!(open.trim(2.0, 1.0).expect_err("backwards").code(), "E_DEGENERATE");
-    assert_eq!(open.trim(-1.0, 1.0).expect_err("outside").code(), "E_RANGE");
+    assert_eq!(open.trim(2.0, 1.0).expect_err("backwards").code(), "E_DEGENERATE", "an end before the start");
+    assert_eq!(open.trim(-1.0, 1.0).expect_err("outside").code(), "E_RANGE", "a start before the curve");
 }
 
 #[test]
@@ -302,8 +302,16 @@ fn an_affine_image_is_the_image_of_every_point() {
         }
     }
     let curve = circle(4);
-    assert_eq!(curve.transformed([f64::NAN; 6]).expect_err("not finite").argument(), Some("matrix"));
-    assert_eq!(curve.transformed([1e10, 0.0, 0.0, 1.0, 0.0, 0.0]).expect_err("too far").code(), "E_RANGE");
+    assert_eq!(
+        curve.transformed([f64::NAN; 6]).expect_err("not finite").argument(),
+        Some("matrix"),
+        "the argument at fault"
+    );
+    assert_eq!(
+        curve.transformed([1e10, 0.0, 0.0, 1.0, 0.0, 0.0]).expect_err("too far").code(),
+        "E_RANGE",
+        "points beyond the bound"
+    );
 }
 
 #[test]
@@ -316,9 +324,13 @@ fn setting_a_point_or_one_side_of_a_tangent_changes_nothing_else() {
     assert_eq!(side(Side::Out).tangents_in(), curve.tangents_in(), "leaving alone");
     assert_eq!(side(Side::In).tangents(), curve.tangents(), "arriving alone");
     assert_eq!(side(Side::Both).tangents()[1], side(Side::Both).tangents_in()[1], "both");
-    assert_eq!(curve.with_point(4, Point::zeros()).expect_err("no such point").code(), "E_RANGE");
+    assert_eq!(
+        curve.with_point(4, Point::zeros()).expect_err("no such point").code(),
+        "E_RANGE",
+        "four points, counted from 0"
+    );
     let nan = curve.with_tangent(0, Point::new(0.0, f64::NAN), Side::In).expect_err("not finite");
-    assert_eq!(nan.argument(), Some("tangentsIn"));
+    assert_eq!(nan.argument(), Some("tangentsIn"), "the argument at fault");
 }
 
 #[test]
@@ -327,7 +339,11 @@ fn the_hermite_polygon_lies_on_the_curve_at_every_level() {
         for (levels, arity) in [(0, 2), (1, 2), (5, 2), (3, 3), (2, 10)] {
             let polygon = vectors(&curve.subdivide(levels, arity, Scheme::Hermite).expect("within limits"));
             let pieces = arity.pow(levels as u32);
-            assert_eq!(polygon.len(), pieces * curve.segment_count() + usize::from(!curve.is_closed()));
+            assert_eq!(
+                polygon.len(),
+                pieces * curve.segment_count() + usize::from(!curve.is_closed()),
+                "a point for each piece, one more where it is open"
+            );
             for (k, point) in polygon.iter().enumerate() {
                 let (i, part) = (k / pieces, (k % pieces) as f64 / pieces as f64);
                 let t = curve.knots()[i] + if part > 0.0 { curve.lengths()[i] * part } else { 0.0 };
@@ -400,8 +416,12 @@ fn subdivision_is_bounded_before_it_starts() {
     assert_eq!(code(53, 2), "E_RANGE", "beyond 24 levels");
     assert_eq!(code(24, 4_000_000), "E_LIMIT", "overflows every integer");
     assert_eq!(code(1, 0), "E_RANGE", "arity 0");
-    assert_eq!(square.refine(0).expect_err("arity 0").code(), "E_RANGE");
-    assert_eq!(square.refine(1_000_001).expect_err("too much").code(), "E_LIMIT");
+    assert_eq!(square.refine(0).expect_err("arity 0").code(), "E_RANGE", "no segments");
+    assert_eq!(
+        square.refine(1_000_001).expect_err("too much").code(),
+        "E_LIMIT",
+        "four million points and four"
+    );
     assert_eq!(square.refine(usize::MAX).expect_err("no such arity").code(), "E_RANGE", "no overflow");
     let points = square.subdivide(0, 2, Scheme::Hermite).expect("a copy");
     assert_eq!(vectors(&points), square.points(), "level 0 is the points");

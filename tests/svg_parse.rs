@@ -126,7 +126,7 @@ fn empty_paths_and_lone_movetos_are_no_curves() {
 #[test]
 fn lines_run_straight_at_constant_speed() {
     let curve = only("M1 2L5 10H-3V4");
-    assert_eq!(curve.segment_count(), 3);
+    assert_eq!(curve.segment_count(), 3, "three lines, three segments");
     for i in 0..3 {
         let (from, to) = (curve.points()[i], curve.points()[i + 1]);
         for k in 0..=16 {
@@ -159,27 +159,27 @@ fn cubics_and_quadratics_follow_their_bernstein_form() {
 #[test]
 fn unequal_handles_make_corners_and_reflected_ones_do_not() {
     let corner = only("M0 0C1 1 2 1 3 0C4 5 5-1 6 0");
-    assert_ne!(corner.tangents()[1], corner.tangents_in()[1]);
+    assert_ne!(corner.tangents()[1], corner.tangents_in()[1], "a corner stays one");
     let smooth = only("M.1.3C1.7 1.1 2.2 1.9 3.3.7S5.1-1.3 6.7 0");
-    assert_eq!(smooth.tangents()[1], smooth.tangents_in()[1]);
+    assert_eq!(smooth.tangents()[1], smooth.tangents_in()[1], "a smooth join stays one");
 }
 
 #[test]
 fn a_closed_subpath_ends_where_it_starts() {
     let triangle = only("M0 0L1 0L1 1Z");
-    assert!(triangle.is_closed());
-    assert_eq!(triangle.points().len(), 3);
+    assert!(triangle.is_closed(), "Z closes");
+    assert_eq!(triangle.points().len(), 3, "the way back to the start is no further point");
     let merged = only("M.1.1l.1 0l.1.2l-.2-.2z");
     assert_eq!(merged.points().len(), 3, "a gap of one rounding is no closing line");
-    assert!(!only("M0 0L1 0L1 1L0 0").is_closed());
+    assert!(!only("M0 0L1 0L1 1L0 0").is_closed(), "without Z the curve is open");
     let two = only("M0 0L1 1Z");
-    assert_eq!((two.points().len(), two.segment_count()), (2, 2));
+    assert_eq!((two.points().len(), two.segment_count()), (2, 2), "a closed curve of two points");
 }
 
 #[test]
 fn a_loop_of_one_segment_is_halved_where_it_was() {
     let curve = only("M0 0C6 3 0 9 0 0Z");
-    assert_eq!((curve.points().len(), curve.is_closed()), (2, true));
+    assert_eq!((curve.points().len(), curve.is_closed()), (2, true), "two points, closed");
     for k in 0..=20 {
         let x = f64::from(k) / 20.0;
         let z = 1.0 - x;
@@ -338,7 +338,7 @@ fn radii_that_are_too_small_grow_until_they_reach() {
 #[test]
 fn flat_arcs_of_huge_circles_keep_their_digits() {
     let curve = only("M0 0A1e8 1e8 0 0 1 10 10");
-    assert!(curve.segment_count() <= 64);
+    assert!(curve.segment_count() <= 64, "an arc of a hundred million takes few segments");
     // The sagitta of a chord of 10√2 on a radius of 1e8: chord²/(8·radius).
     let sagitta = 200.0 / 8e8;
     let middle = at(&curve, 0.5);
@@ -426,15 +426,19 @@ fn limits_are_checked_before_the_work() {
         Err(Error::LimitExceeded { argument: "d", limit, .. }) => limit,
         other => panic!("{:?} …", other.map(|parsed| parsed.subpaths)),
     };
-    assert_eq!(limit(&format!("M0 0{}", "L1 1".repeat(10_000_000))), "maxPathBytes");
-    assert_eq!(limit(&"M1 1".repeat(1_000_000)), "maxSubpaths");
-    assert_eq!(limit(&format!("M0 0h{}", "1 2 ".repeat(1_100_000))), "maxPoints");
+    assert_eq!(limit(&format!("M0 0{}", "L1 1".repeat(10_000_000))), "maxPathBytes", "forty megabytes");
+    assert_eq!(limit(&"M1 1".repeat(1_000_000)), "maxSubpaths", "a million subpaths");
+    assert_eq!(
+        limit(&format!("M0 0h{}", "1 2 ".repeat(1_100_000))),
+        "maxPoints",
+        "two million points and more"
+    );
 }
 
 #[test]
 fn a_million_segments_are_one_curve() {
     let curve = only(&format!("M0 0{}", "L1 2L3 5".repeat(500_000)));
-    assert_eq!(curve.segment_count(), 1_000_000);
+    assert_eq!(curve.segment_count(), 1_000_000, "a million lines");
 }
 
 #[test]

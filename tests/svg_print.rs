@@ -261,7 +261,7 @@ fn what_was_read_is_written_back_as_it_was() {
         "M1 1A5 3 20 1 0 4 4",
         "M.5.25-.5-.25",
     ] {
-        assert_eq!(reprinted(d, &options()), d);
+        assert_eq!(reprinted(d, &options()), d, "the text comes back as it was");
     }
 }
 
@@ -292,7 +292,7 @@ fn seventeen_decimals_bring_every_bit_back() {
         assert_eq!(curve.points(), again.points(), "points of {d}");
         assert_eq!(curve.tangents(), again.tangents(), "tangents of {d}\n{}", printed.d);
         assert_eq!(curve.tangents_in(), again.tangents_in(), "arriving tangents of {d}\n{}", printed.d);
-        assert_eq!(print(&again, &exact).d, printed.d);
+        assert_eq!(print(&again, &exact).d, printed.d, "the second print is the first");
         assert!(printed.deviation <= 1e-15 * size * 10.0, "{}", printed.deviation);
     }
 }
@@ -304,9 +304,9 @@ fn what_was_printed_with_all_digits_is_read_and_printed_for_ever_after() {
         let exact = PrintOptions { decimals: Some(17), arcs: false, ..options() };
         let once = read(&print(&random_curve(&mut random), &exact).d);
         let again = read(&print(&once, &exact).d);
-        assert_eq!(once.points(), again.points());
-        assert_eq!(once.tangents(), again.tangents());
-        assert_eq!(once.tangents_in(), again.tangents_in());
+        assert_eq!(once.points(), again.points(), "points to the last bit");
+        assert_eq!(once.tangents(), again.tangents(), "tangents to the last bit");
+        assert_eq!(once.tangents_in(), again.tangents_in(), "arriving tangents to the last bit");
     }
 }
 
@@ -314,14 +314,17 @@ fn what_was_printed_with_all_digits_is_read_and_printed_for_ever_after() {
 fn relative_commands_are_used_where_they_are_shorter() {
     let d = "M100 100L101 102L103 101L104 104";
     let relative = reprinted(d, &PrintOptions { relative: true, ..options() });
-    assert_eq!(relative, "M100 100l1 2 2-1 1 3");
+    assert_eq!(relative, "M100 100l1 2 2-1 1 3", "commands relative to the point before");
     let mut random = Random::new(11);
     for _ in 0..100 {
         let curve = random_curve(&mut random);
         let absolute = print(&curve, &options());
         let relative = print(&curve, &PrintOptions { relative: true, ..options() });
         assert!(relative.d.len() <= absolute.d.len(), "{} and {}", relative.d, absolute.d);
-        assert!((relative.deviation - absolute.deviation).abs() <= 1e-12 * (1.0 + absolute.deviation));
+        assert!(
+            (relative.deviation - absolute.deviation).abs() <= 1e-12 * (1.0 + absolute.deviation),
+            "the same error either way"
+        );
     }
 }
 
@@ -341,16 +344,30 @@ fn options_out_of_range_are_refused() {
     let with = |tolerance, decimals| {
         unboxed(to_path_d(&line, &PrintOptions { tolerance, decimals, ..options() })).err()
     };
-    assert!(matches!(with(0.0, None), Some(Error::OutOfRange { argument: "tolerance", .. })));
-    assert!(matches!(with(-1.0, None), Some(Error::OutOfRange { argument: "tolerance", .. })));
-    assert!(matches!(with(f64::NAN, None), Some(Error::NotFinite { argument: "tolerance", .. })));
-    assert!(matches!(with(f64::INFINITY, None), Some(Error::NotFinite { argument: "tolerance", .. })));
-    assert!(matches!(with(1.0, Some(18)), Some(Error::OutOfRange { argument: "decimals", .. })));
-    assert!(matches!(
-        with(1.0, Some(400)),
-        Some(Error::OutOfRange { argument: "decimals", value: 400.0, .. })
-    ));
-    assert_eq!(with(1e-300, None), None);
+    assert!(
+        matches!(with(0.0, None), Some(Error::OutOfRange { argument: "tolerance", .. })),
+        "zero is no tolerance"
+    );
+    assert!(
+        matches!(with(-1.0, None), Some(Error::OutOfRange { argument: "tolerance", .. })),
+        "a negative tolerance"
+    );
+    assert!(
+        matches!(with(f64::NAN, None), Some(Error::NotFinite { argument: "tolerance", .. })),
+        "NaN is no tolerance"
+    );
+    assert!(
+        matches!(with(f64::INFINITY, None), Some(Error::NotFinite { argument: "tolerance", .. })),
+        "infinity is no tolerance"
+    );
+    assert!(
+        matches!(with(1.0, Some(18)), Some(Error::OutOfRange { argument: "decimals", .. })),
+        "18 decimals"
+    );
+    let many = with(1.0, Some(400));
+    let refused = matches!(many, Some(Error::OutOfRange { argument: "decimals", value: 400.0, .. }));
+    assert!(refused, "400 decimals");
+    assert_eq!(with(1e-300, None), None, "the least tolerance is raised");
 }
 
 #[test]
@@ -374,7 +391,7 @@ fn mirrored_handles_are_written_once() {
         d + &format!("S{} {} {} 0", 10 * k + 7, if k % 2 == 0 { 4 } else { -4 }, 10 * k + 10)
     });
     let printed = reprinted(&wave, &options());
-    assert_eq!(printed.matches('C').count(), 1);
+    assert_eq!(printed.matches('C').count(), 1, "one cubic");
     assert_eq!(printed.matches('S').count(), 1, "and the letter once for all: {printed}");
 }
 
