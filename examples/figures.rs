@@ -10,7 +10,7 @@ use expline::{HermiteCurve, Result};
 const MAGNIFICATION: f64 = 500.0;
 
 /// A circle from two points with its handles, beside the best known circle of four cubic Béziers.
-pub fn circle() -> Result<String> {
+pub(crate) fn circle() -> Result<String> {
     let (center, radius) = (Point::new(160.0, 120.0), 80.0);
     let curve = HermiteCurve::ellipse(center, Vector::new(radius, radius), 0.0, 2)?;
     let options = PrintOptions { tolerance: 1e-3, decimals: Some(3), arcs: true, relative: false };
