@@ -139,19 +139,21 @@ fn largest(bounds: &[f32]) -> f32 {
 #[inline]
 fn write(piece: &Piece, places: &[f64], out: &mut Vec<f64>) {
     let inner = places.get(1..places.len() - 1).unwrap_or_default();
+    let written = out.len();
+    out.resize(written + 2 * inner.len(), 0.0);
+    let pairs = out[written..].chunks_exact_mut(2).zip(inner);
     if piece.is_cubic() {
         let [a, b, p, q] = piece.coefficients();
         let (p, q) = (p * 0.5, q * (1.0 / 6.0));
-        out.extend(
-            inner.iter().flat_map(|&y| {
-                [a.x + y * (b.x + y * (p.x + y * q.x)), a.y + y * (b.y + y * (p.y + y * q.y))]
-            }),
-        );
+        for (pair, &y) in pairs {
+            pair[0] = a.x + y * (b.x + y * (p.x + y * q.x));
+            pair[1] = a.y + y * (b.y + y * (p.y + y * q.y));
+        }
         return;
     }
-    for &y in inner {
+    for (pair, &y) in pairs {
         let p = piece.position(y);
-        out.extend([p.x, p.y]);
+        (pair[0], pair[1]) = (p.x, p.y);
     }
 }
 

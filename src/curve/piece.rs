@@ -130,7 +130,7 @@ impl Piece {
     }
 
     /// The point at y in [−1/2, 1/2].
-    #[inline]
+    #[inline(never)]
     pub(crate) fn position(&self, y: f64) -> Point {
         if self.is_cubic() {
             return self.a + (self.b + (self.p * 0.5 + self.q * (y / 6.0)) * y) * y;
@@ -139,8 +139,14 @@ impl Piece {
     }
 
     /// The point and its first three derivatives at y.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn jet(&self, y: f64) -> Jet {
+        self.inline_jet(y)
+    }
+
+    /// The same where a call would cost more than the work, at the price of code.
+    #[inline(always)]
+    pub(crate) fn inline_jet(&self, y: f64) -> Jet {
         let Self { a, b, p, q, .. } = *self;
         if self.is_cubic() {
             let second = p + q * y;

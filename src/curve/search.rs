@@ -126,7 +126,7 @@ impl Question {
         guess: f64,
     ) -> bool {
         let mut y = guess;
-        let mut at = Slopes::new(&piece.jet(y), self.place);
+        let mut at = Slopes::new(&piece.inline_jet(y), self.place);
         for _ in 0..MOST_STEPS {
             // Halley's step: a place with three derivatives is worth the third order.
             let next = y - at.first * at.second / (at.second * at.second - 0.5 * at.first * at.third);
