@@ -66,21 +66,18 @@ impl HermiteCurve {
             let (from, to) = (self.knots()[i], self.knots()[i + 1]);
             let scale = cells.last().map_or(0.0, |cell: &Cell| cell.end) / lengths[i];
             let scale = if scale.is_finite() { scale } else { 0.0 };
-            let Some((final_cell, inner)) = cells.split_last() else { continue };
             let place = |k: usize| (k as f64 * step - before) * scale;
             let parameter = |cell: &Cell, k: usize| {
                 let t = from + (cell.parameter(place(k)) + 0.5) * segment.length;
                 if t < to { t } else { to }
             };
-            let mut k = parameters.len();
-            for cell in inner {
-                let first = k;
-                while k < until && place(k) <= cell.end {
-                    k += 1;
+            let mut cell = 0;
+            for k in parameters.len()..until {
+                while cell + 1 < cells.len() && place(k) > cells[cell].end {
+                    cell += 1;
                 }
-                parameters.extend((first..k).map(|k| parameter(cell, k)));
+                parameters.push(parameter(&cells[cell], k));
             }
-            parameters.extend((k..until).map(|k| parameter(final_cell, k)));
             before = end;
         }
         Ok(parameters)
@@ -101,6 +98,7 @@ struct Cell {
 
 impl Cell {
     /// The polynomial through both ends; the chord where the derivatives are of no use.
+    #[inline(never)]
     fn new(lo: &Node, hi: &Node, length: f64) -> Self {
         let h = length;
         let [d0, e0, f0] = [lo.slopes[0] * h, 0.5 * lo.slopes[1] * h * h, lo.slopes[2] * h * h * h / 6.0];
@@ -128,7 +126,7 @@ impl Cell {
     }
 
     /// The parameter at a length from the start of the piece.
-    #[inline]
+    #[inline(never)]
     fn parameter(&self, place: f64) -> f64 {
         let s = (place - self.start) * self.inverse;
         let s = if s > 0.0 { s } else { 0.0 };
@@ -150,6 +148,7 @@ struct Node {
 }
 
 impl Node {
+    #[inline(never)]
     fn new(piece: &Piece, y: f64) -> Self {
         let Jet { first, second, third, .. } = piece.jet(y);
         let slope = 1.0 / norm(first);

@@ -144,7 +144,7 @@ impl Density {
     }
 
     /// Sums densities that are given at the edges, each times `share`.
-    #[inline]
+    #[inline(never)]
     fn sum(&mut self, roots: &[f32], share: f64) {
         let mut from = f64::from(roots[0]);
         for (k, &to) in roots[1..=self.cells].iter().enumerate() {
@@ -178,7 +178,7 @@ fn cubic_roots(piece: &Piece, tolerance: f64) -> ([f32; CELLS + 1], f64, bool) {
 }
 
 /// Fills in the places that divide the chords evenly, of which there are `before` before each edge.
-#[inline]
+#[inline(never)]
 pub(crate) fn spread(edges: &[f64], before: &[f64], tilts: &[f64], places: &mut [f64]) {
     let cells = tilts.len();
     let (edges, before) = (&edges[..=cells], &before[..=cells]);

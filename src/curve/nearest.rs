@@ -91,11 +91,9 @@ impl Boxes {
 
     /// The corners of the box around all.
     fn around(&self) -> (Point, Point) {
-        let least = |values: &[f64; FAN]| values.iter().fold(f64::INFINITY, |a, &b| a.min(b));
-        let most = |values: &[f64; FAN]| values.iter().fold(f64::NEG_INFINITY, |a, &b| a.max(b));
         (
             Point::new(least(&self.low[0]), least(&self.low[1])),
-            Point::new(most(&self.high[0]), most(&self.high[1])),
+            -Point::new(least(&self.high[0].map(|v| -v)), least(&self.high[1].map(|v| -v))),
         )
     }
 
@@ -114,6 +112,12 @@ impl Boxes {
         }
         squares
     }
+}
+
+/// The least of the values; a loop of its own, which is not unrolled.
+#[inline(never)]
+fn least(values: &[f64]) -> f64 {
+    values.iter().fold(f64::INFINITY, |a, &b| if b < a { b } else { a })
 }
 
 impl HermiteCurve {
