@@ -178,7 +178,8 @@ fn mend(piece: &Piece, places: &[f64], tolerance: f64, out: &mut Vec<f64>) -> Re
         if attempt == ATTEMPTS {
             break;
         }
-        let count = chord_count(total);
+        // Evenly is never quite even: a little more makes the next attempt the last.
+        let count = chord_count(1.02 * total);
         if out.len() / 2 + count > MOST_OUTPUT_POINTS {
             return Err(beyond(out.len() / 2 + count));
         }

@@ -14,7 +14,7 @@ use crate::numerics::plane::{cross, norm};
 /// Tolerances below this share of the extent are raised to it.
 pub(crate) const LEAST_TOLERANCE: f64 = 1e-9;
 /// Where the density is looked at on a segment.
-const CELLS: usize = 7;
+const CELLS: usize = 11;
 /// A long hyperbolic segment bends within so many widths of its layers at both ends.
 const LAYERS: [f64; 12] = [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 9.0, 13.0, 18.0, 25.0, 40.0];
 /// Cells of such a segment, and their edges.
@@ -95,7 +95,7 @@ struct Density {
 }
 
 /// What smooth densities may be off, and what those of a piece with an inflection.
-const MARGINS: [f64; 2] = [1.005, 1.04];
+const MARGINS: [f64; 2] = [1.01, 1.05];
 
 /// The edges of a cubic's cells.
 const EDGES: [f64; CELLS + 1] = {
