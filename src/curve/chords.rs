@@ -115,7 +115,14 @@ impl Chords {
                 self.worst = if worst > self.worst { worst } else { self.worst };
                 write(&span.piece, places, out);
             } else {
-                let worst = mend(&span.piece, places, self.tolerance, out)?;
+                let unit = taxi_size(&span.piece).powi(2);
+                let short = bounds.iter().filter(|&&bound| f64::from(bound) * unit > most).count();
+                let few = span.piece.is_cubic() && 8 * short <= span.count + 8;
+                let worst = if few {
+                    halve_some(&span.piece, places, bounds, unit, self.tolerance, out)?
+                } else {
+                    mend(&span.piece, places, self.tolerance, out)?
+                };
                 self.worst = self.worst.max(worst * worst);
             }
         }
@@ -155,6 +162,29 @@ fn write(piece: &Piece, places: &[f64], out: &mut Vec<f64>) {
         let p = piece.position(y);
         (pair[0], pair[1]) = (p.x, p.y);
     }
+}
+
+/// Writes the points of a piece and halves the few chords that are not good; returns the largest bound.
+#[cold]
+fn halve_some(
+    piece: &Piece,
+    places: &[f64],
+    bounds: &[f32],
+    unit: f64,
+    tolerance: f64,
+    out: &mut Vec<f64>,
+) -> Result<f64> {
+    let mut worst: f64 = 0.0;
+    for (k, (pair, &bound)) in places.windows(2).zip(bounds).enumerate() {
+        if k > 0 {
+            let p = piece.position(pair[0]);
+            out.extend([p.x, p.y]);
+        }
+        let known = (f64::from(bound) * unit).sqrt();
+        let bound = if known <= tolerance { known } else { halve(piece, pair[0], pair[1], tolerance, out)? };
+        worst = worst.max(bound);
+    }
+    Ok(worst)
 }
 
 /// Spreads the points of a piece by the errors that were found, which are a better density than the one before; if all
