@@ -62,3 +62,8 @@ mod wasm;
 pub use curve::{HermiteCurve, HermiteOptions};
 pub use error::{Error, Result};
 pub use generator::Space;
+
+/// The README's Rust example, compiled and run with the documentation's.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
