@@ -1,6 +1,6 @@
 // Rows about points: many, few, with tangents, evenly by length.
 
-import { SEGMENTS, coordinate } from "./curve.mjs";
+import { SEGMENTS, coordinate, evenPlaces } from "./curve.mjs";
 import { evaluator, hornerEvaluator, tangentEvaluator } from "./handwritten.mjs";
 import { here } from "./harness.mjs";
 
@@ -93,17 +93,15 @@ function tangentsRow({ curve, kurbo, native, beziers, path }) {
   };
 }
 
-/** How uneven the distances along the curve are between points that should be evenly spread. */
-function unevenness(at) {
-  let total = 0;
-  const steps = [];
+/** The largest distance from the places where points evenly spread by arc length truly are. */
+function misplaced(at) {
+  const truth = evenPlaces(BY_LENGTH);
+  let worst = 0;
   for (let i = 0; i < BY_LENGTH; i++) {
-    const [a, b] = [at(i), at((i + 1) % BY_LENGTH)];
-    steps.push(Math.hypot(a[0] - b[0], a[1] - b[1]));
-    total += steps[i];
+    const [x, y] = at(i);
+    worst = Math.max(worst, Math.hypot(x - truth[2 * i], y - truth[2 * i + 1]));
   }
-  const mean = total / BY_LENGTH;
-  return `uneven ${(Math.max(...steps.map((s) => Math.abs(s - mean))) / mean).toExponential(1)}`;
+  return `off ${worst.toExponential(1)}`;
 }
 
 function byLength({ curve, native, path, interpolator }) {
@@ -114,13 +112,13 @@ function byLength({ curve, native, path, interpolator }) {
   return {
     unit: "point",
     contestants: [
-      row("expline, wasm", () => (even = curve.sampleByLength(BY_LENGTH)), () => unevenness((i) => [even[2 * i], even[2 * i + 1]])),
+      row("expline, wasm", () => (even = curve.sampleByLength(BY_LENGTH)), () => misplaced((i) => [even[2 * i], even[2 * i + 1]])),
       { name: "expline, native", measure: native.measure("expline:by-length"), units: BY_LENGTH, note: () => "" },
-      row("curve-interpolator", () => (pairs = interpolator.getPoints(BY_LENGTH)), () => unevenness((i) => pairs[i])),
+      row("curve-interpolator", () => (pairs = interpolator.getPoints(BY_LENGTH)), () => misplaced((i) => pairs[i])),
       row("paper", () => {
         const length = path.length;
         placed = Array.from({ length: BY_LENGTH }, (_, i) => path.getPointAt((i * length) / BY_LENGTH));
-      }, () => unevenness((i) => [placed[i].x, placed[i].y])),
+      }, () => misplaced((i) => [placed[i].x, placed[i].y])),
     ],
     targets: [["curve-interpolator", 8]],
   };

@@ -1,6 +1,6 @@
 // Rows about the whole curve: bounds, length, nearest point, polyline, cubics.
 
-import { SEGMENTS, coordinate, queries, slope, trueDistances } from "./curve.mjs";
+import { SEGMENTS, coordinate, lengthBetween, queries, trueDistances } from "./curve.mjs";
 import { here } from "./harness.mjs";
 import { paper } from "./peers.mjs";
 
@@ -42,25 +42,10 @@ function bounds({ curve, kurbo, native, beziers, path }) {
   };
 }
 
-/** The length by Gauss–Legendre of five points on 200 pieces of every segment. */
-function trueLength() {
-  const nodes = [-0.906179845938664, -0.5384693101056831, 0, 0.5384693101056831, 0.906179845938664];
-  const weights = [0.23692688505618908, 0.47862867049936647, 128 / 225, 0.47862867049936647, 0.23692688505618908];
-  const half = 0.5 / 200;
-  let total = 0;
-  for (let middle = half; middle < SEGMENTS; middle += 2 * half) {
-    for (let k = 0; k < 5; k++) {
-      const t = middle + half * nodes[k];
-      total += half * weights[k] * Math.hypot(slope(t, 0), slope(t, 1));
-    }
-  }
-  return total;
-}
-
 function length({ curve, kurbo, native, beziers, path, interpolator }) {
   let value;
   const row = (name, action, note) => ({ name, measure: here(() => (value = action())), units: 1, note: note ?? (() => off(value, truth)) });
-  const truth = trueLength();
+  const truth = lengthBetween(0, SEGMENTS);
   const nativeRow = (name) => ({ measure: native.measure(name), units: 1, note: () => off(native.answer(name), truth) });
   return {
     unit: "call",
