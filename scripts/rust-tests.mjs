@@ -45,24 +45,26 @@ export function testNative() {
   return attempt("cargo", ["test", "--locked", "--no-fail-fast", "-p", "expline"]);
 }
 
-/** Compiles the promise tests for wasm: name and file of each, without those that say they are for the host only. */
-async function wasmTests() {
+/** Compiles the promise tests for wasm: name and file of each, without those that say they are for another host. */
+async function wasmTests(inBrowser) {
   const parameters = ["test", "--locked", "-p", "expline", "--target", TARGET, "--tests", "--no-run", "--message-format=json"];
   const tests = [];
   for (const line of (await run("cargo", parameters)).split("\n")) {
     if (!line.startsWith("{")) continue;
     const { executable, target } = JSON.parse(line);
     if (!executable || !target.kind.includes("test")) continue;
-    const hostOnly = /^#!\[cfg\(not\(target_arch = "wasm32"\)\)\]/m.test(readFileSync(target.src_path, "utf8"));
-    if (!hostOnly) tests.push({ name: basename(target.src_path), file: executable });
+    const source = readFileSync(target.src_path, "utf8");
+    const hostOnly = /^#!\[cfg\(not\(target_arch = "wasm32"\)\)\]/m.test(source);
+    const browserOnly = /^wasm_bindgen_test_configure!\(run_in_browser\)/m.test(source);
+    if (!hostOnly && (inBrowser || !browserOnly)) tests.push({ name: basename(target.src_path), file: executable });
   }
   return tests.sort((a, b) => (a.name < b.name ? -1 : 1));
 }
 
 /** Runs every file with `runOne` and adds up; a file that ran no test is a failure, since nobody would notice. */
-async function all(runOne) {
+async function all(inBrowser, runOne) {
   const sum = { passed: 0, failed: 0, failures: "" };
-  for (const test of await wasmTests()) {
+  for (const test of await wasmTests(inBrowser)) {
     const { passed, failed, failures } = await runOne(test);
     sum.passed += passed;
     sum.failed += failed;
@@ -77,7 +79,7 @@ async function all(runOne) {
 
 /** The promise tests in wasm under Node. */
 export function testWasmInNode() {
-  return all(({ file }) => attempt(at("target/xtask/xtask"), [...RUNNER, file], { limit: PATIENCE }));
+  return all(false, ({ file }) => attempt(at("target/xtask/xtask"), [...RUNNER, file], { limit: PATIENCE }));
 }
 
 /** Starts the runner's server for one test file and gives back its address; undefined when there is nothing to run. */
@@ -126,7 +128,7 @@ async function testInPage(browser, file) {
 export async function testWasmInChromium() {
   const browser = await launch();
   try {
-    return await all((test) => testInPage(browser, test.file));
+    return await all(true, (test) => testInPage(browser, test.file));
   } finally {
     await browser.close();
   }
