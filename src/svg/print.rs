@@ -409,27 +409,28 @@ fn size(curve: &HermiteCurve) -> (f64, f64) {
 #[inline(never)]
 fn returning(p: f64, d: f64) -> f64 {
     let third = d / 3.0;
-    for step in [0, 1, -1, 2, -2] {
-        let near = p + neighbour(third, step);
-        for nudge in [0, 1, -1] {
-            let c = neighbour(near, nudge);
-            if (c - p) * 3.0 == d {
-                return c;
-            }
-        }
-    }
-    p + third
+    let mut found = None;
+    around(third, 5, &mut |near| {
+        found = around(p + near, 3, &mut |c| (c - p) * 3.0 == d);
+        found.is_some()
+    });
+    found.unwrap_or(p + third)
 }
 
 /// The coordinate c for which 2·(c − p) is `leaving` and 2·(q − c) `arriving`, to the last bit.
 #[inline(never)]
 fn returning_both(p: f64, leaving: f64, q: f64, arriving: f64) -> Option<f64> {
-    for near in [p + 0.5 * leaving, q - 0.5 * arriving] {
-        for nudge in [0, 1, -1, 2, -2] {
-            let c = neighbour(near, nudge);
-            if (c - p) * 2.0 == leaving && (q - c) * 2.0 == arriving {
-                return Some(c);
-            }
+    let good = &mut |c: f64| (c - p) * 2.0 == leaving && (q - c) * 2.0 == arriving;
+    around(p + 0.5 * leaving, 5, good).or_else(|| around(q - 0.5 * arriving, 5, good))
+}
+
+/// The first good one of `count` doubles: `near` itself, then by turns the next further from 0 and the next towards it.
+#[inline(never)]
+fn around(near: f64, count: i64, good: &mut dyn FnMut(f64) -> bool) -> Option<f64> {
+    for k in 0..count {
+        let c = neighbour(near, if k % 2 == 0 { -k / 2 } else { (k + 1) / 2 });
+        if good(c) {
+            return Some(c);
         }
     }
     None

@@ -18,6 +18,8 @@ pub(super) struct Subpath {
     arriving: Vec<Vector>,
     omega: Vec<f64>,
     curved: bool,
+    /// The largest coordinate of the points.
+    largest: f64,
     control: Point,
     degree: f64,
 }
@@ -27,9 +29,11 @@ impl Subpath {
     pub(super) fn push(&mut self, start: Point, end: Point, leaving: Vector, arriving: Vector, omega: f64) {
         if self.points.is_empty() {
             self.points.push(start);
+            self.largest = start.amax();
             self.arriving.push(leaving);
         }
         self.points.push(end);
+        self.largest = self.largest.max(end.amax());
         self.leaving.push(leaving);
         self.arriving.push(arriving);
         self.omega.push(omega);
@@ -52,14 +56,17 @@ impl Subpath {
         if closed {
             self.close();
         }
-        let Self { points, mut leaving, arriving, omega, curved, .. } = core::mem::take(self);
+        let Self { points, mut leaving, arriving, mut omega, curved, .. } = core::mem::take(self);
         if points.is_empty() {
             return Ok(None);
         }
         if let (false, Some(&last)) = (closed, arriving.last()) {
             leaving.push(last);
         }
-        let omega = if curved { omega } else { vec![0.0] };
+        if !curved {
+            // All are 0: one stands for them.
+            omega.truncate(1);
+        }
         HermiteCurve::new(HermiteOptions {
             points,
             tangents: leaving,
@@ -75,12 +82,8 @@ impl Subpath {
     /// Leads back to the first point: by the last segment where it ends there, else by a line.
     fn close(&mut self) {
         let (Some(&first), Some(&last)) = (self.points.first(), self.points.last()) else { return };
-        let mut largest = 0.0_f64;
-        for p in &self.points {
-            largest = largest.max(p.amax());
-        }
         let gap = first - last;
-        if gap.amax() > CLOSING_ULPS * f64::EPSILON * largest * self.omega.len() as f64 {
+        if gap.amax() > CLOSING_ULPS * f64::EPSILON * self.largest * self.omega.len() as f64 {
             self.push(last, first, gap, gap, 0.0);
         } else if self.degree > 0.0 {
             // The end moves by a rounding, its control point stays: so what is written from this is read as this.
@@ -109,10 +112,8 @@ impl Subpath {
         let middle = p + (d0 - d1) * 0.125;
         let (first, second, last) = (p + d0 / 6.0, middle + (d0 + d1) / 24.0, p - d1 / 6.0);
         let tangent = (middle - second) * 3.0;
-        self.points.push(middle);
-        self.leaving = vec![(first - p) * 3.0, tangent];
-        self.arriving = vec![(p - last) * 3.0, tangent];
-        self.omega = vec![0.0; 2];
-        self.curved = false;
+        (self.leaving[0], self.arriving[0]) = ((first - p) * 3.0, (p - last) * 3.0);
+        (self.omega[0], self.curved) = (0.0, false);
+        self.push(p, middle, tangent, tangent, 0.0);
     }
 }
