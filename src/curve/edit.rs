@@ -44,7 +44,7 @@ impl HermiteCurve {
                 reverse(&mut list[from..]);
             }
             for list in [&mut data.tangents, &mut data.tangents_in] {
-                list.iter_mut().for_each(|tangent| *tangent = -*tangent);
+                negate(list);
             }
             for list in [&mut data.omega, &mut data.lengths] {
                 reverse(list);
@@ -91,6 +91,13 @@ fn reverse<T>(list: &mut [T]) {
     let count = list.len();
     for i in 0..count / 2 {
         list.swap(i, count - 1 - i);
+    }
+}
+
+#[inline(never)]
+fn negate(list: &mut [Vector]) {
+    for v in list {
+        *v = -*v;
     }
 }
 

@@ -220,9 +220,13 @@ pub fn kernel_version() -> u32 {
 pub fn forget() {
     KERNEL.with(|cell| {
         if let Ok(mut kernel) = cell.try_borrow_mut() {
-            kernel.slots = [const { None }; SLOTS];
-            kernel.input = Vec::new();
-            kernel.output = Vec::new();
+            for place in &mut kernel.slots {
+                *place = None;
+            }
+            let kernel = &mut *kernel;
+            for buffer in [&mut kernel.input, &mut kernel.output] {
+                *buffer = Vec::new();
+            }
             kernel.text = Vec::new();
         }
     });
