@@ -57,7 +57,7 @@ impl HermiteCurve {
         let (mut twice, mut moment, mut size) = (0.0, Vector::zeros(), 0.0);
         for segment in self.segments() {
             let piece = Piece::new(&segment);
-            panels(&piece, |lo, hi| {
+            panels(&piece, &mut |lo, hi| {
                 let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
                 nodes(&TWENTY_FOUR, |x, weight| {
                     let jet = piece.jet(middle + half * x);

@@ -91,13 +91,14 @@ fn include_segment(bounds: &mut Bounds, segment: &Segment<'_>) {
     for axis in 0..2 {
         if !(bounds.holds(axis, first[axis]) && bounds.holds(axis, second[axis])) {
             let piece = Piece::new(segment);
-            stationary(&piece, axis, |y| bounds.include(piece.position(y)));
+            stationary(&piece, axis, &mut |y| bounds.include(piece.position(y)));
         }
     }
 }
 
 /// Calls `found` with every y in (−1/2, 1/2) where one coordinate of the piece turns.
-pub(crate) fn stationary(piece: &Piece, axis: usize, mut found: impl FnMut(f64)) {
+#[inline(never)]
+pub(crate) fn stationary(piece: &Piece, axis: usize, found: &mut dyn FnMut(f64)) {
     if piece.is_cubic() {
         let [_, b, p, q] = piece.coefficients();
         let (b, p, q) = (b[axis], p[axis], q[axis]);
@@ -119,7 +120,7 @@ pub(crate) fn stationary(piece: &Piece, axis: usize, mut found: impl FnMut(f64))
     for hi in [one.min(two), one.max(two), 0.5] {
         let at_hi = piece.jet(hi).first[axis];
         if hi > lo && at_lo * at_hi < 0.0 {
-            found(bracketed_root(lo, hi, at_lo < 0.0, 0.5 * (lo + hi), |y| {
+            found(bracketed_root(lo, hi, at_lo < 0.0, 0.5 * (lo + hi), &mut |y| {
                 let jet = piece.jet(y);
                 (jet.first[axis], jet.second[axis])
             }));

@@ -143,7 +143,7 @@ fn largest(bounds: &[f32]) -> f32 {
 }
 
 /// Appends the points between the ends.
-#[inline]
+#[inline(never)]
 fn write(piece: &Piece, places: &[f64], out: &mut Vec<f64>) {
     let inner = places.get(1..places.len() - 1).unwrap_or_default();
     let written = out.len();
@@ -241,7 +241,7 @@ pub(super) struct Turning {
 }
 
 impl Turning {
-    #[inline]
+    #[inline(never)]
     pub(super) fn new(piece: &Piece) -> Self {
         let [_, b, p, q] = piece.coefficients();
         let size = taxi_size(piece);
@@ -302,7 +302,7 @@ impl Turning {
 }
 
 /// What a cubic's derivatives are scaled by.
-#[inline]
+#[inline(never)]
 fn taxi_size(piece: &Piece) -> f64 {
     let [_, b, p, q] = piece.coefficients();
     let size = taxi(b) + taxi(p) + taxi(q);

@@ -213,9 +213,8 @@ fn tail(piece: &Piece, cubic: &Cubic, sigma: &[f64; DEGREE + 1], middle: f64, de
     let third = norm((p3 - p0 + (p1 - p2) * 3.0) * 0.125);
     let mut least = f64::INFINITY;
     for rho in [3.0_f64, 4.0, 6.0, 9.0, 16.0, 32.0] {
-        let growths = |rho: f64| sigma.iter().rev().fold(0.0, |sum, c| sum * rho + c.abs());
         // |Tₖ| is at most (ρᵏ + ρ⁻ᵏ)/2 on the ellipse.
-        let reach = 0.5 * (growths(rho) + growths(1.0 / rho));
+        let reach = 0.5 * (growths(sigma, rho) + growths(sigma, 1.0 / rho));
         // The functions of the space on a disc of complex numbers are largest where they are hyperbolic.
         let growth = stumpff(-(piece.rate().abs() * reach * reach).min(490_000.0)).c0;
         let arc = reach
@@ -227,7 +226,14 @@ fn tail(piece: &Piece, cubic: &Cubic, sigma: &[f64; DEGREE + 1], middle: f64, de
     least
 }
 
+/// Σ|cₖ|ρᵏ.
+#[inline(never)]
+fn growths(sigma: &[f64], rho: f64) -> f64 {
+    sigma.iter().rev().fold(0.0, |sum, c| sum * rho + c.abs())
+}
+
 /// cos(πj/6).
+#[inline(never)]
 fn cosine(j: usize) -> f64 {
     match j % 12 {
         j @ 0..=3 => COSINES[j],

@@ -55,7 +55,7 @@ impl HermiteCurve {
         let mut before = 0.0;
         for (i, segment) in self.segments().enumerate() {
             let piece = Piece::new(&segment);
-            let whole = piece_length(&Piece::new(&segment), -0.5, 0.5, share);
+            let whole = piece_length(&piece, -0.5, 0.5, share);
             if length >= 0.0 && length <= before + whole {
                 let y = parameter_on_piece(&piece, length - before, whole, share);
                 return Ok((self.knots()[i] + (y + 0.5) * segment.length).min(self.knots()[i + 1]));
@@ -90,7 +90,7 @@ fn parameter_on_piece(piece: &Piece, length: f64, whole: f64, tolerance: f64) ->
         return 0.5;
     }
     let guess = length / whole - 0.5;
-    bracketed_root(-0.5, 0.5, true, guess, |y| {
+    bracketed_root(-0.5, 0.5, true, guess, &mut |y| {
         let gap = piece_length(piece, -0.5, y, tolerance) - length;
         (if gap.abs() <= 0.5 * tolerance { 0.0 } else { gap }, norm(piece.jet(y).first))
     })

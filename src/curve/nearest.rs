@@ -82,10 +82,12 @@ struct Boxes {
 impl Boxes {
     const NONE: Self = Self { low: [[f64::INFINITY; FAN]; 2], high: [[f64::NEG_INFINITY; FAN]; 2] };
 
+    #[inline(never)]
     fn include(&mut self, k: usize, low: Point, high: Point) {
+        // Every child is included once.
         for axis in 0..2 {
-            self.low[axis][k] = self.low[axis][k].min(low[axis]);
-            self.high[axis][k] = self.high[axis][k].max(high[axis]);
+            self.low[axis][k] = low[axis];
+            self.high[axis][k] = high[axis];
         }
     }
 
@@ -236,6 +238,7 @@ fn add_groups(groups: &mut Vec<Group>, piece: &Piece, index: usize, flatness: f6
 }
 
 impl Group {
+    #[inline(never)]
     fn new(piece: &Piece, index: usize, start: f64, width: f64, thickness: f64, bend: f64) -> Self {
         let step = width / ARCS as f64;
         let mut group = Self {
@@ -269,19 +272,28 @@ impl Group {
         group
     }
 
+    /// The corners of the box around the arcs.
     fn corners(&self) -> (Point, Point) {
-        let (mut low, mut high) = (Point::repeat(f64::INFINITY), Point::repeat(f64::NEG_INFINITY));
-        for k in 0..ARCS {
-            for axis in 0..2 {
-                let (a, b) = (self.from[axis][k], self.from[axis][k] + self.chord[axis][k]);
-                low[axis] = low[axis].min(a.min(b) - self.thickness[k]);
-                high[axis] = high[axis].max(a.max(b) + self.thickness[k]);
+        let (x, y) = (self.span(0), self.span(1));
+        (Point::new(x.0, y.0), Point::new(x.1, y.1))
+    }
+
+    /// The least and the largest coordinate. Comparisons instead of `min`: nothing here is not a number.
+    #[inline(never)]
+    fn span(&self, axis: usize) -> (f64, f64) {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for ((&from, chord), &thickness) in self.from[axis].iter().zip(&self.chord[axis]).zip(&self.thickness)
+        {
+            for end in [from, from + chord] {
+                low = if end - thickness < low { end - thickness } else { low };
+                high = if end + thickness > high { end + thickness } else { high };
             }
         }
         (low, high)
     }
 
     /// Asks the arcs that may hold a nearer point, the one with the nearest chord first.
+    #[inline(never)]
     fn ask(&self, piece: &Piece, question: &mut Question) {
         let (mut along, mut squares) = ([0.0; ARCS], [0.0; ARCS]);
         let place = question.place;

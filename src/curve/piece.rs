@@ -263,7 +263,8 @@ impl Piece {
 
 /// Calls `f` with intervals that cover the piece and on which its functions are tame: the whole piece, or for a
 /// decaying one intervals that shrink towards the ends like the layers there.
-pub(crate) fn panels(piece: &Piece, mut f: impl FnMut(f64, f64)) {
+#[inline(never)]
+pub(crate) fn panels(piece: &Piece, f: &mut dyn FnMut(f64, f64)) {
     if !piece.is_decaying() {
         return f(-0.5, 0.5);
     }

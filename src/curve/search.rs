@@ -32,6 +32,7 @@ pub(super) struct Stiffness {
 }
 
 impl Stiffness {
+    #[inline(never)]
     pub(super) fn new(piece: &Piece, lo: f64, hi: f64, bend: f64) -> Self {
         let fastest = norm(piece.jet(0.5 * (lo + hi)).first) + 0.5 * (hi - lo) * bend;
         Self {
@@ -102,7 +103,7 @@ impl Question {
     /// Takes a point of the curve into account.
     ///
     /// The answer is the first point, by parameter, of those within the slack of the least distance.
-    #[inline]
+    #[inline(never)]
     fn offer(&mut self, distance: f64, piece: usize, y: f64) {
         if distance + self.slack < self.reach {
             self.reach = distance + self.slack;
@@ -193,16 +194,20 @@ pub(super) fn search(piece: &Piece, index: usize, question: &mut Question, lo: f
 /// The minimum of a convex φ.
 fn solve(piece: &Piece, index: usize, question: &mut Question, lo: f64, hi: f64) {
     let place = question.place;
-    let slope = |y: f64| {
-        let at = Slopes::new(&piece.jet(y), place);
-        (at.first, at.second)
-    };
+    let mut slope = |y: f64| slopes(piece, place, y);
     let y = if slope(lo).0 >= 0.0 {
         lo
     } else if slope(hi).0 <= 0.0 {
         hi
     } else {
-        bracketed_root(lo, hi, true, 0.5 * (lo + hi), slope)
+        bracketed_root(lo, hi, true, 0.5 * (lo + hi), &mut slope)
     };
     question.offer(norm(piece.position(y) - place), index, y);
+}
+
+/// φ′ and φ″ at y.
+#[inline(never)]
+fn slopes(piece: &Piece, place: Point, y: f64) -> (f64, f64) {
+    let at = Slopes::new(&piece.jet(y), place);
+    (at.first, at.second)
 }

@@ -170,8 +170,15 @@ pub(super) fn piece_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f
     if !piece.is_decaying() {
         return interval_length(piece, lo, hi, tolerance);
     }
+    decaying_length(piece, lo, hi, tolerance)
+}
+
+/// The same where the piece has layers at its ends, panel by panel.
+#[cold]
+#[inline(never)]
+fn decaying_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f64 {
     let mut total = 0.0;
-    panels(piece, |from, to| {
+    panels(piece, &mut |from, to| {
         let (from, to) = (from.max(lo), to.min(hi));
         if from < to {
             total += interval_length(piece, from, to, tolerance / 24.0);

@@ -3,13 +3,15 @@
 /// The root of a function that changes sign once on [lo, hi]; `rising` says that it goes from − to +.
 ///
 /// `f` gives the value and the derivative. Newton steps are taken while they stay inside the bracket and at least
-/// halve the last step but one, bisection otherwise, so that 120 evaluations are never exceeded.
+/// halve the last step but one, bisection otherwise, so that 120 evaluations are never exceeded. One copy serves all
+/// callers: a call through a pointer is little beside an evaluation.
+#[inline(never)]
 pub(crate) fn bracketed_root(
     mut lo: f64,
     mut hi: f64,
     rising: bool,
     mut x: f64,
-    mut f: impl FnMut(f64) -> (f64, f64),
+    f: &mut dyn FnMut(f64) -> (f64, f64),
 ) -> f64 {
     let mut last = hi - lo;
     let mut before = last;
