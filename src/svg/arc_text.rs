@@ -171,13 +171,7 @@ impl Shape {
         }
         let mut numbers = [rotation; 3];
         for (number, &radius) in numbers.iter_mut().zip(radii.iter()) {
-            *number = match grid.decimals() {
-                Some(decimals) => Plain::nearest(radius, fitting(decimals + extra, radius)),
-                None => Plain::shortest(if down { radius * (1.0 - 8.0 * f64::EPSILON) } else { radius }),
-            };
-            if down && number.value() >= radius * (1.0 - 4.0 * f64::EPSILON) {
-                *number = number.less();
-            }
+            *number = radius_text(radius, grid, extra, down);
         }
         let [rx, ry, _] = numbers;
         let radii = Vector::new(rx.value(), ry.value());
@@ -195,6 +189,16 @@ impl Shape {
         }
         digits
     }
+}
+
+/// A radius with `extra` digits more than the grid has, rounded down if so wanted.
+#[inline(never)]
+fn radius_text(radius: f64, grid: Grid, extra: u32, down: bool) -> Plain {
+    let number = match grid.decimals() {
+        Some(decimals) => Plain::nearest(radius, fitting(decimals + extra, radius)),
+        None => Plain::shortest(if down { radius * (1.0 - 8.0 * f64::EPSILON) } else { radius }),
+    };
+    if down && number.value() >= radius * (1.0 - 4.0 * f64::EPSILON) { number.less() } else { number }
 }
 
 /// As many of `decimals` as make 17 significant digits of numbers up to `largest`.
