@@ -99,6 +99,16 @@ impl Middle {
         let p = -second / square;
         Self { center: segment.start + middle(0) - p, p, q: first / w, deviation }
     }
+
+    /// How far the point at x of a segment is from the ellipse, where that is the unit circle.
+    #[inline(never)]
+    fn apart(&self, segment: &Segment, x: f64) -> f64 {
+        let Self { p, q, .. } = self;
+        let from_center = segment.position(x) - self.center;
+        // Its (cos, sin) in terms of p and q.
+        let unit = Vector::new(from_center.perp(q), p.perp(&from_center)) / p.perp(q);
+        (unit.norm() - 1.0).abs()
+    }
 }
 
 /// The arc center + p·cos θ + q·sin θ, θ from −w/2 to w/2, by its axes (D 7.5).
@@ -139,19 +149,22 @@ impl HermiteCurve {
     /// A closed curve must run round exactly once. Cost: O(M).
     pub fn as_ellipse(&self, tolerance: f64) -> Option<EllipseArc> {
         // The longest arc knows its ellipse best.
-        let longest = self.segments().max_by(|a, b| a.basis.frequency().total_cmp(&b.basis.frequency()))?;
+        let (mut longest, mut most) = (0, 0.0);
+        for (i, segment) in self.segments().enumerate() {
+            if segment.basis.frequency() >= most {
+                (longest, most) = (i, segment.basis.frequency());
+            }
+        }
+        let longest = self.segment(longest);
         let ellipse = longest.as_ellipse_arc(tolerance)?;
-        let Middle { center, p, q, .. } = Middle::new(&longest, longest.basis.frequency());
-        // (cos, sin) of a point in terms of p and q, on the unit circle for points of the ellipse.
-        let unit =
-            |point: Point| Vector::new((point - center).perp(&q), p.perp(&(point - center))) / p.perp(&q);
+        let middle = Middle::new(&longest, most);
         let mut sweep = 0.0;
         for segment in self.segments() {
             let arc = segment.as_ellipse_arc(tolerance)?;
             sweep += arc.sweep;
             let mut within = arc.sweep * ellipse.sweep > 0.0;
             for x in [0.0, 0.25, 0.5, 0.75, 1.0] {
-                within &= (unit(segment.position(x)).norm() - 1.0).abs() * ellipse.radii.x <= tolerance;
+                within &= middle.apart(&segment, x) * ellipse.radii.x <= tolerance;
             }
             if !within {
                 return None;
@@ -162,7 +175,7 @@ impl HermiteCurve {
             return None;
         }
         // Where point 0 lies, in the ellipse's own frame.
-        let local = turned(self.points()[0] - center, -ellipse.rotation).component_div(&ellipse.radii);
+        let local = turned(self.points()[0] - middle.center, -ellipse.rotation).component_div(&ellipse.radii);
         let sweep = if self.is_closed() { TAU.copysign(sweep) } else { sweep };
         Some(EllipseArc { start: libm::atan2(local.y, local.x), sweep, ..ellipse })
     }
