@@ -6,7 +6,7 @@
 use super::hermite::{HermiteCurve, HermiteOptions};
 use crate::error::Result;
 use crate::limits::{LEAST_LENGTH, MOST_OUTPUT_POINTS, MOST_POINTS, check, too_many, with_room};
-use crate::numerics::Point;
+use crate::numerics::{Point, Vector};
 
 impl HermiteCurve {
     /// The same curve with `arity` segments in place of each.
@@ -101,6 +101,12 @@ pub(super) fn append(values: &mut Vec<f64>, point: Point) {
     values.extend_from_slice(point.as_slice());
 }
 
+/// Out of line: three lists grow at every point.
+#[inline(never)]
+fn add(list: &mut Vec<Vector>, vector: Vector) {
+    list.push(vector);
+}
+
 /// A curve that is being put together from parts of the segments of another.
 pub(super) struct Parts<'a> {
     curve: &'a HermiteCurve,
@@ -132,9 +138,9 @@ impl<'a> Parts<'a> {
             let velocity = segment.velocity(x);
             (segment.position(x), velocity, velocity)
         };
-        self.data.points.push(point);
-        self.data.tangents.push(leaving);
-        self.data.tangents_in.push(arriving);
+        add(&mut self.data.points, point);
+        add(&mut self.data.tangents, leaving);
+        add(&mut self.data.tangents_in, arriving);
     }
 
     /// The part of segment i that starts at x and has this length.
