@@ -129,7 +129,7 @@ function instantiate(from: WebAssembly.Module): Instance {
  * Calls while one is under way share it; once an engine is there, further calls change nothing. A failure is not kept:
  * the next call tries again.
  *
- * @throws {ExplineError} E_INIT with `reason` csp, network, mime, compile, version or unsupported.
+ * @throws {ExplineError} E_INIT with `reason` csp, network, mime, compile, version, memory or unsupported.
  */
 export default function init(options?: InitOptions): Promise<void> {
   if (module !== undefined && current !== undefined) return Promise.resolve();
