@@ -202,6 +202,7 @@ fn radius_text(radius: f64, grid: Grid, extra: u32, down: bool) -> Plain {
 }
 
 /// As many of `decimals` as make 17 significant digits of numbers up to `largest`.
+#[inline(never)]
 fn fitting(decimals: u32, largest: f64) -> u32 {
     let (mut digits, mut rest) = (17, largest);
     while rest >= 1.0 && digits > 0 {

@@ -94,6 +94,13 @@ pub struct Printed {
 /// # Ok::<(), expline::Error>(())
 /// ```
 pub fn to_path_d(curve: &HermiteCurve, options: &PrintOptions) -> Result<Printed> {
+    let (text, deviation) = print_bytes(curve, options)?;
+    // All of it is ASCII.
+    Ok(Printed { d: String::from_utf8(text).unwrap_or_default(), deviation })
+}
+
+/// The same as bytes, which need no check, and the deviation.
+pub(crate) fn print_bytes(curve: &HermiteCurve, options: &PrintOptions) -> Result<(Vec<u8>, f64)> {
     let mut printer = Printer::new(curve, options)?;
     printer.draw_all();
     Ok(printer.finish())
@@ -175,11 +182,11 @@ impl<'a> Printer<'a> {
         }
     }
 
-    fn finish(mut self) -> Printed {
+    fn finish(mut self) -> (Vec<u8>, f64) {
         if self.curve.is_closed() {
             self.text.close();
         }
-        Printed { d: self.text.into_string(), deviation: self.deviation }
+        (self.text.into_bytes(), self.deviation)
     }
 
     fn measured(&mut self, deviation: f64) {
@@ -381,8 +388,10 @@ fn displacement(placed: Placed, p: Point) -> f64 {
 
 /// Fewest decimals for which rounding uses no more than its share of the tolerance.
 fn grid_for(tolerance: f64, largest: f64) -> Grid {
+    // Not known to the compiler, which would unroll the loop.
+    let most = core::hint::black_box(EXACT_DECIMALS);
     let mut decimals = 0;
-    while decimals < EXACT_DECIMALS && HALF_DIAGONAL > ROUNDING_SHARE * tolerance * number::power(decimals) {
+    while decimals < most && HALF_DIAGONAL > ROUNDING_SHARE * tolerance * number::power(decimals) {
         decimals += 1;
     }
     let grid = Grid::new(decimals, largest);

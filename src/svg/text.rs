@@ -166,9 +166,8 @@ impl Text {
         self.out.push(b'Z');
     }
 
-    pub(super) fn into_string(self) -> String {
-        // All of it is ASCII.
-        String::from_utf8(self.out).unwrap_or_default()
+    pub(super) fn into_bytes(self) -> Vec<u8> {
+        self.out
     }
 
     /// A line, as `H` or `V` where it is level or upright; nothing where it has no length.
