@@ -3,6 +3,7 @@
 use super::HermiteCurve;
 use super::piece::{Piece, panels};
 use crate::error::{Error, Result};
+use crate::numerics::entire::{Stumpff, stumpff};
 use crate::numerics::plane::cross;
 use crate::numerics::quadrature::{SIXTEEN, TWENTY_FOUR, nodes};
 use crate::numerics::{Point, Vector};
@@ -121,11 +122,16 @@ fn moments(rate: f64) -> [f64; 3] {
     }
     let mut sums = [0.0; 3];
     for (x, weight) in SIXTEEN {
-        let square = 0.25 * x * x;
-        let c = crate::numerics::entire::stumpff(rate * square);
-        sums[0] += weight * square * c.c2;
-        sums[1] += weight * square * (c.c1 - c.c2);
-        sums[2] += weight * square * square * (c.c2 * c.c2 - c.c1 * c.c3);
+        add_moments(rate, 0.25 * x * x, weight, &mut sums);
     }
     sums
+}
+
+/// Adds the integrands where y² is `square`. Not inlined: the sum's loop is unrolled.
+#[inline(never)]
+fn add_moments(rate: f64, square: f64, weight: f64, sums: &mut [f64; 3]) {
+    let Stumpff { c1, c2, c3, .. } = stumpff(rate * square);
+    sums[0] += weight * square * c2;
+    sums[1] += weight * square * (c1 - c2);
+    sums[2] += weight * square * square * (c2 * c2 - c1 * c3);
 }

@@ -131,6 +131,7 @@ fn direction(first: Vector, second: Vector, chord: f64) -> Option<(Vector, f64)>
 }
 
 /// A Newton step from y towards the foot of a point on the arc.
+#[inline(never)]
 fn step_to_foot(piece: &Piece, point: Point, y: f64, lo: f64, hi: f64) -> f64 {
     let Jet { position, first, second, .. } = piece.jet(y);
     let e = point - position;

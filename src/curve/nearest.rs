@@ -198,7 +198,9 @@ impl NearestFinder {
             }
         }
         self.descend(question, level, FAN * node + first);
-        for (k, &distance) in distances.iter().enumerate() {
+        // No more than there are, which also keeps the loop from being unrolled.
+        let all = if level > 0 { self.levels[level - 1].len() } else { self.groups.len() };
+        for (k, &distance) in distances.iter().enumerate().take(all.saturating_sub(FAN * node)) {
             if distance < question.reach_squared && k != first {
                 self.descend(question, level, FAN * node + k);
             }
