@@ -5,8 +5,8 @@ import { brotliCompressSync, gzipSync } from "node:zlib";
 
 import { StepError, at, run } from "./steps.mjs";
 
-/** Face and wasm together, gzipped. */
-const LIMIT = 90_000;
+/** Face and wasm together in bytes, gzipped: what may not be exceeded today. The aim is 40,000; docs/DESIGN.md says what was tried. */
+const LIMIT = 80_000;
 
 const kB = (bytes) => `${(bytes / 1000).toFixed(1).padStart(6)} kB`;
 
