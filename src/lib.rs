@@ -55,6 +55,7 @@ mod limits;
 pub mod numerics;
 pub mod refine;
 pub mod svg;
+pub mod trace;
 
 #[cfg(all(target_arch = "wasm32", feature = "wasm"))]
 mod wasm;

@@ -1,0 +1,134 @@
+//! How far a curve is from the points and pixels that it was made from.
+
+use core::cmp::Ordering;
+
+use crate::numerics::Point;
+use crate::numerics::plane::{cross, norm};
+
+/// The root of the mean square of some residuals; 0 for none.
+pub fn root_mean_square(residuals: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = residuals.fold((0.0, 0_usize), |(sum, count), r| (sum + r * r, count + 1));
+    (sum / count.max(1) as f64).sqrt()
+}
+
+/// The mean of the absolute values of some residuals; 0 for none. It is at most [`root_mean_square`].
+pub fn mean_absolute(residuals: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = residuals.fold((0.0, 0_usize), |(sum, count), r| (sum + r.abs(), count + 1));
+    sum / count.max(1) as f64
+}
+
+/// The largest distance from a point of `from` to the nearest of `to`; 0 if one of them is empty.
+///
+/// Not symmetric: points of `to` that are far from all of `from` do not count.
+///
+/// # Cost
+///
+/// O((M + N) log N) for points along a curve: `to` is sorted by x, and the search stops where x alone is farther.
+pub fn directed_hausdorff(from: &[Point], to: &[Point]) -> f64 {
+    let mut sorted = to.to_vec();
+    sorted.sort_by(|p, q| by_place(*p, *q));
+    if sorted.is_empty() {
+        return 0.0;
+    }
+    from.iter().fold(0.0, |most: f64, &point| most.max(nearest_distance(point, &sorted)))
+}
+
+/// The distance to the nearest of points that are sorted by x.
+fn nearest_distance(point: Point, sorted: &[Point]) -> f64 {
+    let middle = sorted.partition_point(|other| other.x < point.x);
+    let mut best = f64::MAX;
+    for other in &sorted[middle..] {
+        if other.x - point.x >= best {
+            break;
+        }
+        best = best.min(norm(other - point));
+    }
+    for other in sorted[..middle].iter().rev() {
+        if point.x - other.x >= best {
+            break;
+        }
+        best = best.min(norm(other - point));
+    }
+    best
+}
+
+fn by_place(p: Point, q: Point) -> Ordering {
+    p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y))
+}
+
+/// The largest distance between two of the points: measured between corners of the convex hull.
+///
+/// # Cost
+///
+/// O(N log N), and the square of the number of the hull's corners.
+pub fn diameter(points: &[Point]) -> f64 {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|p, q| by_place(*p, *q));
+    let mut hull: Vec<Point> = Vec::new();
+    // The lower side left to right, then the upper side back.
+    for back in [false, true] {
+        let start = hull.len();
+        for i in 0..sorted.len() {
+            let point = sorted[if back { sorted.len() - 1 - i } else { i }];
+            while hull.len() >= start + 2 {
+                let (last, before) = (hull[hull.len() - 1], hull[hull.len() - 2]);
+                if cross(last - before, point - last) > 0.0 {
+                    break;
+                }
+                hull.pop();
+            }
+            hull.push(point);
+        }
+    }
+    let mut most = 0.0_f64;
+    for (i, p) in hull.iter().enumerate() {
+        most = hull[i..].iter().fold(most, |most, q| most.max(norm(q - p)));
+    }
+    most
+}
+
+/// Two readings of the Jaccard index of a profile's pixels and a curve's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Jaccard {
+    /// Shared pixels over all pixels, a pixel counted as shared if the other side has one among its 8 neighbours or itself.
+    pub tolerant: f64,
+    /// Intersection over union of the profile and the curve's pixels with all their neighbours, as printed: a third at best
+    /// for thin profiles.
+    pub literal: f64,
+}
+
+/// Compares pixels of a profile with pixels of a curve, each given as (column, row).
+///
+/// # Cost
+///
+/// O(N log N).
+///
+/// # Source
+///
+/// \[RB21, section 4\]; the tolerant reading is (D 14.3).
+pub fn jaccard(profile: &[(i32, i32)], curve: &[(i32, i32)]) -> Jaccard {
+    let (profile, curve) = (set(profile.to_vec()), set(curve.to_vec()));
+    let hit = profile.iter().filter(|&&pixel| near(&curve, pixel)).count();
+    let stray = curve.iter().filter(|&&pixel| !near(&profile, pixel)).count();
+    let dilated = set(curve.iter().flat_map(|&pixel| neighbourhood(pixel)).collect());
+    let shared = profile.iter().filter(|pixel| dilated.binary_search(pixel).is_ok()).count();
+    let share = |part: usize, whole: usize| if whole == 0 { 1.0 } else { part as f64 / whole as f64 };
+    Jaccard {
+        tolerant: share(hit, profile.len() + stray),
+        literal: share(shared, profile.len() + dilated.len() - shared),
+    }
+}
+
+fn set(mut pixels: Vec<(i32, i32)>) -> Vec<(i32, i32)> {
+    pixels.sort_unstable();
+    pixels.dedup();
+    pixels
+}
+
+fn neighbourhood((column, row): (i32, i32)) -> impl Iterator<Item = (i32, i32)> {
+    (0..9).map(move |i| (column.saturating_add(i % 3 - 1), row.saturating_add(i / 3 - 1)))
+}
+
+fn near(sorted: &[(i32, i32)], pixel: (i32, i32)) -> bool {
+    neighbourhood(pixel).any(|other| sorted.binary_search(&other).is_ok())
+}

@@ -1,0 +1,145 @@
+//! The weighted quasi-interpolant of a cloud: means of nearest neighbours as coefficients of B-splines.
+
+use super::cloud::Cloud;
+use super::knots::{Knots, MOST_DEGREE};
+use super::local::LocalFit;
+use crate::error::Result;
+use crate::limits::{check, filled, with_room};
+use crate::numerics::Point;
+
+/// What holds at an end of a tube, in the frame in which both ends have the ordinate 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum End {
+    /// Nothing: the coefficient is what the cloud says.
+    Free,
+    /// The curve ends on the axis.
+    Held,
+    /// The curve ends on the axis with this slope: the second coefficient is on the tangent as well, moved vertically
+    /// so that the curve keeps x(t) = t.
+    Tangent(f64),
+}
+
+/// How coefficients are estimated from the cloud.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Estimator {
+    /// The mean of the k nearest ordinates \[RB21, eq. 3 and 4\].
+    Mean {
+        /// How many neighbours.
+        k: usize,
+    },
+    /// The polynomial of the spline's degree fitted to the k nearest points, through its blossom (D 14.2).
+    Local {
+        /// How many neighbours.
+        k: usize,
+    },
+}
+
+/// A spline function that follows a cloud without solving a system.
+#[derive(Clone, Debug, PartialEq)]
+pub struct QuasiInterpolant {
+    knots: Knots,
+    coefficients: Vec<f64>,
+}
+
+impl QuasiInterpolant {
+    /// The quasi-interpolant of `cloud` on `knots`, with `ends` held as they say.
+    ///
+    /// With [`Estimator::Mean`] constants are reproduced, and the spline stays between the least and the largest ordinate;
+    /// with [`Estimator::Local`] all polynomials of the degree are reproduced.
+    ///
+    /// # Errors
+    ///
+    /// k of 0 or of more than there are points.
+    ///
+    /// # Cost
+    ///
+    /// O(n·(log N + k)) for n coefficients.
+    ///
+    /// # Source
+    ///
+    /// \[RB21, eq. 2\].
+    pub fn new(cloud: &Cloud, knots: Knots, estimator: Estimator, ends: [End; 2]) -> Result<Self> {
+        let (Estimator::Mean { k } | Estimator::Local { k }) = estimator;
+        check("k", None, k as f64, 1.0, cloud.len() as f64)?;
+        let mut coefficients = with_room(knots.count())?;
+        let mut order = with_room(k + 1)?;
+        let mut local = LocalFit::new(k)?;
+        for q in 0..knots.count() {
+            coefficients.push(match (held(&knots, q, ends), estimator) {
+                (Some(value), _) => value,
+                (None, Estimator::Mean { k }) => {
+                    cloud.nearest(knots.greville(q), k, &mut order);
+                    order.iter().map(|&i| cloud.y()[i]).sum::<f64>() / k as f64
+                }
+                (None, Estimator::Local { .. }) => local.coefficient(cloud, &knots, q),
+            });
+        }
+        Ok(Self { knots, coefficients })
+    }
+
+    /// The knots.
+    pub fn knots(&self) -> &Knots {
+        &self.knots
+    }
+
+    /// The coefficients; coefficient q belongs to the abscissa [`Knots::greville`].
+    pub fn coefficients(&self) -> &[f64] {
+        &self.coefficients
+    }
+
+    /// The value at x; beyond the ends the first and the last polynomial.
+    pub fn evaluate(&self, x: f64) -> f64 {
+        let places = [x; MOST_DEGREE];
+        self.knots.blossom(&self.coefficients, self.knots.piece(x), &places[..self.knots.degree()])
+    }
+
+    /// The points (x, y) that control piece i as a Bézier curve of the degree.
+    pub fn bezier(&self, piece: usize) -> Vec<Point> {
+        let degree = self.knots.degree();
+        let piece = piece.min(self.knots.piece_count() - 1);
+        let (start, end) = self.knots.ends(piece);
+        let mut places = [start; MOST_DEGREE];
+        let mut points = Vec::with_capacity(degree + 1);
+        for r in 0..=degree {
+            if r > 0 {
+                places[degree - r] = end;
+            }
+            let x = start + (end - start) * r as f64 / degree as f64;
+            points.push(Point::new(x, self.knots.blossom(&self.coefficients, piece, &places[..degree])));
+        }
+        points
+    }
+
+    /// Ordinate less value at every point of a cloud.
+    pub fn residuals(&self, cloud: &Cloud) -> Result<Vec<f64>> {
+        let mut residuals = filled(0.0, cloud.len())?;
+        for (i, residual) in residuals.iter_mut().enumerate() {
+            *residual = cloud.y()[i] - self.evaluate(cloud.x()[i]);
+        }
+        Ok(residuals)
+    }
+}
+
+/// The value at which coefficient q is held. A lone middle coefficient between two tangents takes their mean.
+pub(super) fn held(knots: &Knots, q: usize, [start, end]: [End; 2]) -> Option<f64> {
+    let last = knots.count() - 1;
+    let slope = |end: End| if let End::Tangent(slope) = end { Some(slope) } else { None };
+    let at_start = match q {
+        0 if start != End::Free => Some(0.0),
+        1 => slope(start).map(|slope| slope * (knots.greville(1) - knots.greville(0))),
+        _ => None,
+    };
+    let at_end = if q == last {
+        (end != End::Free).then_some(0.0)
+    } else if q + 1 == last {
+        slope(end).map(|slope| slope * (knots.greville(q) - knots.greville(last)))
+    } else {
+        None
+    };
+    match (at_start, at_end) {
+        (Some(first), Some(second)) if q > 0 && q < last => Some(0.5 * (first + second)),
+        (Some(_), Some(_)) if q == last => at_end,
+        (Some(value), _) => Some(value),
+        (None, value) => value,
+    }
+}
