@@ -6,6 +6,8 @@
 
 import { gzipSync } from "node:zlib";
 
+import binaryen from "binaryen";
+
 const QUOTES = ['"', "'", "`"];
 /** So many shifts, those of the shortest texts, are tried with gzip; the best is always among the first few. */
 const TRIED = 8;
@@ -47,21 +49,47 @@ export function smallestLiteral(bytes) {
   return best;
 }
 
+/**
+ * Reads the text's UTF-8 where JavaScript has put it and writes its bytes over it: every code point is below 256, so one
+ * or two bytes become one, and what is written never overtakes what is read.
+ */
+const DECODER = `
+(module
+  (memory (import "" "memory") 0)
+  (func (export "decode") (param $end i32) (param $shift i32) (result i32)
+    (local $from i32) (local $to i32) (local $code i32)
+    (loop $next
+      (local.set $code (i32.load8_u (local.get $from)))
+      (if (i32.ge_u (local.get $code) (i32.const 128))
+        (then
+          (local.set $from (i32.add (local.get $from) (i32.const 1)))
+          (local.set $code
+            (i32.or (i32.shl (local.get $code) (i32.const 6)) (i32.and (i32.load8_u (local.get $from)) (i32.const 63))))))
+      (i32.store8 (local.get $to) (i32.sub (local.get $code) (local.get $shift)))
+      (local.set $to (i32.add (local.get $to) (i32.const 1)))
+      (local.set $from (i32.add (local.get $from) (i32.const 1)))
+      (br_if $next (i32.lt_u (local.get $from) (local.get $end))))
+    (local.get $to)))
+`;
+
+/** The decoder's bytes, one character each. */
+function decoder() {
+  const module = binaryen.parseText(DECODER);
+  module.optimize();
+  return JSON.stringify(String.fromCharCode(...module.emitBinary()));
+}
+
 /** What stands for the literal while the face is bundled and minified. */
 export const PLACEHOLDER = '"@wasm@"';
 
 /** A module that exports `wasmBytes()`, its declarations, and the literal in it. No address: the bytes are there. */
 export function inlineModule(bytes) {
   const { text, shift } = smallestLiteral(bytes);
-  const code = `const text = ${PLACEHOLDER};
+  const code = `import { decoded } from "./decode.ts";
 
 export const wasmAddress = undefined;
 
-export function wasmBytes() {
-  const bytes = new Uint8Array(text.length);
-  for (let i = 0; i < bytes.length; i++) bytes[i] = text.charCodeAt(i) - ${shift};
-  return bytes;
-}
+export const wasmBytes = () => decoded(${PLACEHOLDER}, ${shift}, ${decoder()});
 `;
   const declarations = `/** The wasm that is inlined in the package; E_NOT_READY in the slim one. */
 export declare function wasmBytes(): Uint8Array<ArrayBuffer>;

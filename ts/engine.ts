@@ -59,7 +59,7 @@ let starting: Promise<void> | undefined;
 
 /** The living instance; compiles and starts one where there is none. @internal */
 export function engine(): Instance {
-  return current ?? (current = instantiate((module ??= compile(wasmBytes()))));
+  return current ?? (current = instantiate((module ??= compile(inlined()))));
 }
 
 /** Takes the instance out of service after anything but a clear answer came out of it. @internal */
@@ -86,6 +86,17 @@ function compileError(cause: unknown): ExplineError {
     return initError("csp", "the page's content security policy lacks 'wasm-unsafe-eval'", cause);
   }
   return initError("compile", "these bytes are not a module that can be compiled here", cause);
+}
+
+/** The bytes that are inside the package. */
+function inlined(): BufferSource {
+  wasm();
+  try {
+    return wasmBytes();
+  } catch (cause) {
+    // Where the page forbids wasm, the decoder is the first to notice.
+    throw cause instanceof ExplineError ? cause : compileError(cause);
+  }
 }
 
 function compile(bytes: BufferSource): WebAssembly.Module {
@@ -145,7 +156,7 @@ async function start(given: unknown): Promise<void> {
   if (ready !== undefined) next = asModule(ready);
   else if (wasmUrl !== undefined) next = await fetched(wasmUrl);
   else if (bytes === undefined && wasmAddress !== undefined) next = await fetched(wasmAddress());
-  else next = await compiled(bytes === undefined ? wasmBytes() : asBytes(bytes));
+  else next = await compiled(bytes === undefined ? inlined() : asBytes(bytes));
   adopt(next);
 }
 
