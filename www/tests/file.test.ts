@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { emptyFit, emptySurface, emptyTrace, type DemoState } from "../src/document/document.ts";
+import { emptyFit, emptyTrace, stateVersion, type DemoState } from "../src/document/document.ts";
+import { emptySurface } from "../src/document/surface.ts";
 import { FileError, parseState, readState, writeState, type FileErrorCode } from "../src/document/file.ts";
 import { curveSamples } from "../src/document/samples.ts";
 
@@ -9,7 +10,7 @@ import { curveSamples } from "../src/document/samples.ts";
 function stateOf(sample = 0): DemoState {
   const curve = curveSamples[sample]?.curve;
   assert.ok(curve !== undefined, "the sample exists");
-  return { format: "expline-demo", version: 1, mode: "curve", view: { zoom: 1, x: 400, y: 300 }, curve, fit: emptyFit, trace: emptyTrace, surface: emptySurface };
+  return { format: "expline-demo", version: stateVersion, mode: "curve", view: { zoom: 1, x: 400, y: 300 }, curve, fit: emptyFit, trace: emptyTrace, surface: emptySurface };
 }
 
 /** A small whole file with something put in its place. */
@@ -28,7 +29,7 @@ const refused: readonly (readonly [id: string, what: string, text: string, code:
   ["JS-003", "null", "null", "E_SCHEMA", "$"],
   ["JS-004", "a list", "[]", "E_SCHEMA", "$"],
   ["JS-005", "no version", '{"format":"expline-demo","curve":{}}', "E_SCHEMA", "$.version"],
-  ["JS-006", "a newer version", file({ version: "2" }), "E_UNSUPPORTED", "$.version"],
+  ["JS-006", "a newer version", file({ version: "3" }), "E_UNSUPPORTED", "$.version"],
   ["JS-007", "a version that is text", file({ version: '"1"' }), "E_SCHEMA", "$.version"],
   ["JS-012", "a million levels of nesting", "[".repeat(1_000_000), "E_LIMIT", "$"],
   ["JS-014", "1e400 as a coordinate", file({ curve: curve("1e400, 0") }), "E_NOT_FINITE", "$.curve.contours[0].points[1].x"],
@@ -115,4 +116,40 @@ test("a damaged file never half opens: any byte changed gives a whole state or a
       assert.ok(error instanceof FileError, String(error));
     }
   }
+});
+
+test("a file of version 1 opens as it was written, and is written again as the present version", () => {
+  const { state } = parseState(file({ version: "1", surface: '{"sample":"surf-sphere","levelU":0,"levelV":0,"support":[1,1],"patches":0,"net":[]}' }));
+  assert.equal(state.version, stateVersion);
+  assert.deepEqual(state.surface, { ...emptySurface, sample: "surf-sphere" });
+  assert.deepEqual(parseState(writeState(state)).state, state);
+});
+
+const finer = '"family":"interpolating","roots":[{"re":0,"im":0},{"re":0,"im":1},{"re":0,"im":-1}],"grid":{"step":0.5,"offset":-1.25,"count":4},"order":3';
+
+test("an interpolating contour keeps its roots, its order and its grid", () => {
+  const [contour] = parseState(file({ curve: curve("1, 2", `,${finer}`) })).state.curve.contours;
+  assert.deepEqual(contour?.grid, { step: 0.5, offset: -1.25, count: 4 });
+  assert.deepEqual(contour?.roots?.[2], { re: 0, im: -1 });
+  assert.equal(contour?.order, 3);
+});
+
+for (const [what, fields, path] of [
+  ["a grid without the roots of its splines", '"family":"interpolating","grid":{"step":0.5,"offset":0,"count":4}', "roots"],
+  ["roots on a Hermite contour", '"roots":[{"re":0,"im":0},{"re":0,"im":0},{"re":0,"im":0}]', "roots"],
+  ["a frequency for each segment of an interpolating contour", '"family":"interpolating","omega":[1]', "omega"],
+  ["an order that there is not", '"family":"interpolating","order":6', "order"],
+] as const) {
+  test(`${what} is refused`, () => {
+    assert.throws(() => parseState(file({ curve: curve("1, 2", `,${fields}`) })), (error: unknown) => error instanceof FileError && error.path === `$.curve.contours[0].${path}`);
+  });
+}
+
+test("a surface's net is a whole rectangle, or the file is refused", () => {
+  const direction = { roots: [{ re: 0, im: 0 }, { re: 0, im: 1 }, { re: 0, im: -1 }], count: 2, closed: true };
+  const at = (u: number, v: number): object => ({ u, v, x: u, y: v, z: 0.5 });
+  const surface = { sample: "surf-torus", levelU: 0, levelV: 0, support: [2, 2], patches: 4, u: direction, v: direction, net: [at(0, 0), at(0, 1), at(1, 0), at(1, 1)] };
+  const { state } = parseState(file({ surface: JSON.stringify(surface) }));
+  assert.deepEqual(state.surface, surface);
+  assert.throws(() => parseState(file({ surface: JSON.stringify({ ...surface, net: [at(0, 0), at(1, 0), at(0, 1)] }) })), FileError);
 });

@@ -7,6 +7,8 @@
  * wherever they are not the ordinary ones.
  */
 
+import type { Root, SurfaceDocument } from "./surface.ts";
+
 export type Mode = "curve" | "fit" | "trace" | "surface";
 
 export const modes: readonly Mode[] = ["curve", "fit", "trace", "surface"];
@@ -47,6 +49,24 @@ export interface Contour {
   readonly lengths?: readonly number[];
   /** Where it differs from the document's (an imported arc in a hyperbolic document). */
   readonly space?: Space;
+  /** Interpolating: how many roots its generator has; absent: 3. One more is one more continuous derivative. */
+  readonly order?: Order;
+  /** Interpolating: the roots themselves, where they do not follow from space, frequency and order. */
+  readonly roots?: readonly Root[];
+  /** Interpolating, above level 0: where its points stand, which are then near the curve and not on it. */
+  readonly grid?: Grid;
+}
+
+export type Order = 3 | 4 | 5;
+
+/** The grid of a refined interpolating contour. */
+export interface Grid {
+  /** Parameter from one point to the next. */
+  readonly step: number;
+  /** Parameter of the first point. */
+  readonly offset: number;
+  /** Number of points at level 0. */
+  readonly count: number;
 }
 
 export interface CurveDocument {
@@ -72,15 +92,6 @@ export interface TraceDocument {
   readonly settings: Readonly<Record<string, number | string | boolean>>;
 }
 
-export interface SurfaceDocument {
-  readonly sample: string;
-  readonly levelU: number;
-  readonly levelV: number;
-  readonly support: readonly [number, number];
-  readonly patches: number;
-  readonly net: readonly { readonly u: number; readonly v: number; readonly x: number; readonly y: number; readonly z: number }[];
-}
-
 /** What the window looks at: the document point in the middle of the stage, and CSS pixels per document unit. */
 export interface View {
   readonly zoom: number;
@@ -88,10 +99,13 @@ export interface View {
   readonly y: number;
 }
 
+/** The version of the file format. 2 added interpolating contours and surfaces; files of version 1 still open. */
+export const stateVersion = 2;
+
 /** What the page saves, shares and hands to a tester. */
 export interface DemoState {
   readonly format: "expline-demo";
-  readonly version: 1;
+  readonly version: typeof stateVersion;
   readonly mode: Mode;
   readonly view: View;
   readonly curve: CurveDocument;
@@ -103,7 +117,6 @@ export interface DemoState {
 export const emptyCurve: CurveDocument = { space: "trigonometric", omega: "auto", level: 0, contours: [] };
 export const emptyFit: FitDocument = { data: [], model: "hybrid", smoothing: 40, mix: 50 };
 export const emptyTrace: TraceDocument = { settings: {} };
-export const emptySurface: SurfaceDocument = { sample: "surf-torus", levelU: 0, levelV: 0, support: [1, 1], patches: 0, net: [] };
 
 export const noOffset: Offset = { dx: 0, dy: 0 };
 

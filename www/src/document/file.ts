@@ -3,17 +3,19 @@
  * only what it knows, so that nothing else in a file can reach the page; writing is the plain JSON of the state.
  */
 import {
-  emptyFit, emptySurface, emptyTrace, modes, segmentCount,
-  type Contour, type ControlPoint, type CurveDocument, type DemoState, type FitDocument, type Offset, type SurfaceDocument,
+  emptyFit, emptyTrace, modes, segmentCount, stateVersion,
+  type Contour, type ControlPoint, type CurveDocument, type DemoState, type FitDocument, type Grid, type Offset, type Order,
   type TraceDocument, type View,
 } from "./document.ts";
+import { readRoots, readSurface } from "./file/surface.ts";
+import { emptySurface } from "./surface.ts";
 import { asArray, asBoolean, asNumber, asObject, asSampleId, asWhole, field, oneOf, optional, type Found } from "./file/check.ts";
 import { FileError } from "./file/error.ts";
 import { checkJson } from "./file/scan.ts";
 
 export { FileError, type FileErrorCode } from "./file/error.ts";
 
-export const fileVersion = 1;
+export const fileVersion = stateVersion;
 
 const limits = { maxBytes: 64 * 1024 * 1024, maxDepth: 64, maxPoints: 100_000, maxContours: 100_000 };
 
@@ -115,8 +117,12 @@ function readContour(found: Found, left: { points: number }): Contour {
       support: optional(found, "support", (each) => asWhole(each, 1, 64)),
       omega: optional(found, "omega", (each) => asArray(each, (value) => asNumber(value, 0, 1e4), limits.maxPoints, "maxPoints")),
       lengths: optional(found, "lengths", (each) => asArray(each, (value) => asNumber(value, 1e-9, 1e9), limits.maxPoints, "maxPoints")),
+      order: optional(found, "order", readOrder),
+      roots: optional(found, "roots", readRoots),
+      grid: optional(found, "grid", readGrid),
     }),
   };
+  checkFamily(contour, found.path);
   if (points.length === 0) throw new FileError("E_SCHEMA", `${found.path}.points`, "is empty");
   for (const name of ["omega", "lengths"] as const) {
     const values = contour[name];
@@ -125,6 +131,28 @@ function readContour(found: Found, left: { points: number }): Contour {
     }
   }
   return contour;
+}
+
+function readOrder(found: Found): Order {
+  const order = asWhole(found, 3, 5);
+  return order === 3 ? 3 : order === 4 ? 4 : 5;
+}
+
+function readGrid(found: Found): Grid {
+  return {
+    step: asNumber(field(found, "step"), 1e-9, 1),
+    offset: asNumber(field(found, "offset"), -1e6, 1e6),
+    count: asWhole(field(found, "count"), 2, limits.maxPoints),
+  };
+}
+
+/** Roots and grid are an interpolating contour's; a segment's own frequency or length is a Hermite one's. */
+function checkFamily(contour: Contour, path: string): void {
+  const strange = contour.family === "hermite" ? (["order", "roots", "grid"] as const) : (["omega", "lengths"] as const);
+  for (const name of strange) {
+    if (contour[name] !== undefined) throw new FileError("E_SCHEMA", `${path}.${name}`, `is nothing that a contour of the family ${contour.family} has`);
+  }
+  if (contour.grid !== undefined && contour.roots === undefined) throw new FileError("E_SCHEMA", `${path}.roots`, "is missing");
 }
 
 function readOffset(found: Found): Offset {
@@ -168,28 +196,4 @@ function readTrace(found: Found): TraceDocument {
     throw new FileError("E_SCHEMA", path, "is not a number, a word or a switch");
   });
   return { settings: Object.fromEntries(entries), ...defined({ sample: optional(found, "sample", asSampleId) }) };
-}
-
-function readSurface(found: Found): SurfaceDocument {
-  const whole = (name: string, most: number) => (part: Found) => asWhole(field(part, name), 0, most);
-  const support = readPair(field(found, "support"));
-  return {
-    sample: asSampleId(field(found, "sample")),
-    levelU: whole("levelU", 24)(found),
-    levelV: whole("levelV", 24)(found),
-    support,
-    patches: whole("patches", limits.maxPoints)(found),
-    net: asArray(
-      field(found, "net"),
-      (point) => ({
-        u: whole("u", limits.maxPoints)(point),
-        v: whole("v", limits.maxPoints)(point),
-        x: asNumber(field(point, "x")),
-        y: asNumber(field(point, "y")),
-        z: asNumber(field(point, "z")),
-      }),
-      limits.maxPoints,
-      "maxPoints",
-    ),
-  };
 }

@@ -7,28 +7,31 @@ export interface Moment {
   readonly selection: Selection;
 }
 
-export interface Entry {
+export interface Entry<M> {
   readonly name: string;
-  readonly before: Moment;
-  readonly after: Moment;
+  readonly before: M;
+  readonly after: M;
   readonly run: string | undefined;
   /** Milliseconds on the caller's clock, for joining runs. */
   readonly time: number;
 }
 
-export interface History {
-  readonly past: readonly Entry[];
-  readonly future: readonly Entry[];
+/** Each mode has one of its own; `M` is what an entry brings back. */
+export interface History<M> {
+  readonly past: readonly Entry<M>[];
+  readonly future: readonly Entry<M>[];
 }
 
-export const emptyHistory: History = { past: [], future: [] };
+export function emptyHistory<M>(): History<M> {
+  return { past: [], future: [] };
+}
 
 /** Unlimited as far as anyone goes, bounded for memory. */
 const mostEntries = 200;
 const runGapMs = 600;
 
 /** Adds an entry, joined to the last one when both belong to one quick run. A new change ends what could be redone. */
-export function record(history: History, entry: Entry): History {
+export function record<M>(history: History<M>, entry: Entry<M>): History<M> {
   const last = history.past[history.past.length - 1];
   if (last !== undefined && entry.run !== undefined && last.run === entry.run && entry.time - last.time < runGapMs && history.future.length === 0) {
     return { past: [...history.past.slice(0, -1), { ...entry, before: last.before }], future: [] };
@@ -36,13 +39,13 @@ export function record(history: History, entry: Entry): History {
   return { past: [...history.past, entry].slice(-mostEntries), future: [] };
 }
 
-export function stepBack(history: History): { history: History; moment: Moment } | null {
+export function stepBack<M>(history: History<M>): { history: History<M>; moment: M } | null {
   const entry = history.past[history.past.length - 1];
   if (entry === undefined) return null;
   return { history: { past: history.past.slice(0, -1), future: [...history.future, entry] }, moment: entry.before };
 }
 
-export function stepForward(history: History): { history: History; moment: Moment } | null {
+export function stepForward<M>(history: History<M>): { history: History<M>; moment: M } | null {
   const entry = history.future[history.future.length - 1];
   if (entry === undefined) return null;
   return { history: { past: [...history.past, entry], future: history.future.slice(0, -1) }, moment: entry.after };

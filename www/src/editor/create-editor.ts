@@ -1,13 +1,15 @@
 import type { Command } from "../document/commands.ts";
 import {
-  emptyCurve, emptyFit, emptySurface, emptyTrace, nothingSelected, pointAt, type Contour, type CurveDocument, type DemoState, type Selection,
+  emptyCurve, emptyFit, emptyTrace, nothingSelected, pointAt, stateVersion, type Contour, type CurveDocument, type DemoState, type Mode, type Selection,
 } from "../document/document.ts";
+import { emptySurface, noNetPoints, type SurfaceMoment } from "../document/surface.ts";
 import { emptyHistory, record, stepBack, stepForward, type History, type Moment } from "../document/history.ts";
 import { translationOf } from "../document/contours.ts";
 import { curveOf } from "../kernel/curve-cache.ts";
 import { createActions } from "./actions.ts";
 import type { Editor, EditorPatch, EditorState, Notice, Settings, Sketch } from "./editor.ts";
 import { createSignal } from "./signal.ts";
+import { createTimeline, type Timeline } from "./timeline.ts";
 
 export const nothingSketched: Sketch = { guides: [], marquee: null, rubber: null, finger: null, proposal: null };
 
@@ -31,6 +33,7 @@ const initialState: EditorState = {
   fit: emptyFit,
   trace: emptyTrace,
   surface: emptySurface,
+  chosen: noNetPoints,
   selection: nothingSelected,
   hover: { kind: "empty" },
   settings: defaultSettings,
@@ -84,14 +87,12 @@ function objection(curve: CurveDocument, before: CurveDocument): Error | null {
 export function createEditor(now: () => number): Editor {
   const state = createSignal<EditorState>(initialState);
   const notices = createSignal<Notice | null>(null);
-  let history: History = emptyHistory;
+  let history: History<Moment> = emptyHistory();
   let gesture: { name: string; start: Moment; changed: boolean } | null = null;
 
   const moment = (): Moment => ({ curve: state.value.curve, selection: state.value.selection });
 
   function put(curve: CurveDocument, selection: Selection, also: EditorPatch = {}): void {
-    const undo = history.past[history.past.length - 1];
-    const redo = history.future[history.future.length - 1];
     const sketch = also.sketch ?? state.value.sketch;
     state.set({
       ...state.value,
@@ -100,12 +101,31 @@ export function createEditor(now: () => number): Editor {
       // A proposal is about the drawing as it was.
       sketch: sketch.proposal === null || curve === state.value.curve ? sketch : { ...sketch, proposal: null },
       selection: surviving(curve, selection),
-      canUndo: undo !== undefined,
-      canRedo: redo !== undefined,
-      undoName: undo?.name ?? null,
-      redoName: redo?.name ?? null,
+      ...travels(also.mode ?? state.value.mode),
     });
   }
+
+  /** What undo and redo would do in a mode: each mode has its own history. */
+  function travels(mode: Mode): Pick<EditorState, "canUndo" | "canRedo" | "undoName" | "redoName"> {
+    const timeline = timelineOf(mode);
+    const undoName = timeline === null ? (history.past.at(-1)?.name ?? null) : timeline.past;
+    const redoName = timeline === null ? (history.future.at(-1)?.name ?? null) : timeline.future;
+    return { canUndo: undoName !== null, canRedo: redoName !== null, undoName, redoName };
+  }
+
+  function timelineOf(mode: Mode): Timeline<SurfaceMoment> | null {
+    return mode === "surface" ? surfaceEdits : null;
+  }
+
+  const refresh = (): void => state.set({ ...state.value, ...travels(state.value.mode) });
+
+  const surfaceEdits = createTimeline<SurfaceMoment>({
+    read: () => ({ surface: state.value.surface, chosen: state.value.chosen }),
+    write: (moment) => state.set({ ...state.value, ...moment }),
+    same: (a, b) => a.surface === b.surface,
+    changed: refresh,
+    now,
+  });
 
   /** The command's result on a moment, or null when the engine refuses it or nothing changes. */
   function applied(command: Command, from: Moment): Moment | null {
@@ -127,8 +147,9 @@ export function createEditor(now: () => number): Editor {
     get actions() {
       return actions;
     },
+    surfaceEdits,
     get inGesture() {
-      return gesture !== null;
+      return gesture !== null || surfaceEdits.inGesture;
     },
     get origin() {
       return gesture?.start.curve ?? state.value.curve;
@@ -171,13 +192,18 @@ export function createEditor(now: () => number): Editor {
       put(start.curve, start.selection);
     },
     undo() {
-      travel(stepBack);
+      const timeline = timelineOf(state.value.mode);
+      if (timeline === null) travel(stepBack);
+      else timeline.undo();
     },
     redo() {
-      travel(stepForward);
+      const timeline = timelineOf(state.value.mode);
+      if (timeline === null) travel(stepForward);
+      else timeline.redo();
     },
     patch(change) {
-      state.set({ ...state.value, ...change });
+      const moves = change.mode !== undefined && change.mode !== state.value.mode ? travels(change.mode) : {};
+      state.set({ ...state.value, ...change, ...moves });
     },
     setSettings(change) {
       editor.patch({ settings: { ...state.value.settings, ...change } });
@@ -191,7 +217,7 @@ export function createEditor(now: () => number): Editor {
     },
     getState() {
       const { mode, view, curve, fit, trace, surface } = state.value;
-      return { format: "expline-demo", version: 1, mode, view, curve, fit, trace, surface };
+      return { format: "expline-demo", version: stateVersion, mode, view, curve, fit, trace, surface };
     },
     setState(next: DemoState, options = {}) {
       editor.bail();
@@ -199,10 +225,17 @@ export function createEditor(now: () => number): Editor {
       const before = moment();
       const problem = objection(next.curve, emptyCurve);
       if (problem !== null) throw problem;
-      if (options.fresh === true) history = emptyHistory;
-      else history = record(history, { name: "Open", before, after: { curve: next.curve, selection: nothingSelected }, run: undefined, time: now() });
-      state.set({ ...state.value, mode, view, fit, trace, surface });
-      put(next.curve, nothingSelected);
+      surfaceEdits.bail();
+      if (options.fresh === true) {
+        history = emptyHistory();
+        state.set({ ...state.value, surface, chosen: noNetPoints });
+        surfaceEdits.forget();
+      } else {
+        history = record(history, { name: "Open", before, after: { curve: next.curve, selection: nothingSelected }, run: undefined, time: now() });
+        surfaceEdits.dispatch("Open", () => ({ surface, chosen: noNetPoints }));
+      }
+      state.set({ ...state.value, mode, view, fit, trace });
+      put(next.curve, nothingSelected, { mode });
     },
   };
 

@@ -1,9 +1,11 @@
 import type { Command } from "../document/commands.ts";
 import type {
-  Contour, CurveDocument, DemoState, FitDocument, HandleRef, Mode, PointRef, Selection, SurfaceDocument, TraceDocument, View,
+  Contour, CurveDocument, DemoState, FitDocument, HandleRef, Mode, PointRef, Selection, TraceDocument, View,
 } from "../document/document.ts";
+import type { NetRef, SurfaceDocument, SurfaceMoment } from "../document/surface.ts";
 import type { PagePoint, StageBox } from "./camera.ts";
 import type { Readable } from "./signal.ts";
+import type { Timeline } from "./timeline.ts";
 
 export type ToolId = "select" | "pen" | "draw" | "hand";
 
@@ -93,6 +95,8 @@ export interface EditorState {
   readonly fit: FitDocument;
   readonly trace: TraceDocument;
   readonly surface: SurfaceDocument;
+  /** The chosen points of the surface's net. */
+  readonly chosen: readonly NetRef[];
   readonly selection: Selection;
   readonly hover: Target;
   readonly settings: Settings;
@@ -149,7 +153,7 @@ export interface ActionRegistry {
 }
 
 /** What may be set without the history knowing. */
-export type EditorPatch = Partial<Omit<EditorState, "curve" | "canUndo" | "canRedo" | "undoName" | "redoName">>;
+export type EditorPatch = Partial<Omit<EditorState, "curve" | "surface" | "canUndo" | "canRedo" | "undoName" | "redoName">>;
 
 export interface Editor {
   readonly state: Readable<EditorState>;
@@ -167,8 +171,11 @@ export interface Editor {
   /** Back to the state at `begin`; no entry. */
   bail(): void;
   readonly inGesture: boolean;
+  /** Undo and redo of the mode that is shown: each has a history of its own. */
   undo(): void;
   redo(): void;
+  /** Changes of the surface. */
+  readonly surfaceEdits: Timeline<SurfaceMoment>;
 
   /** Replaces parts of the state that are outside the history (view, selection, settings, hover, hint …). */
   patch(change: EditorPatch): void;

@@ -1,5 +1,6 @@
 import { modes, type Mode } from "../document/document.ts";
 import { curveSample, landingSample } from "../document/samples.ts";
+import { emptySurface, noNetPoints } from "../document/surface.ts";
 import { loadCurve } from "./edits.ts";
 import { defaultSettings } from "./create-editor.ts";
 import type { Editor, OverlayId } from "./editor.ts";
@@ -69,9 +70,14 @@ function follow(editor: Editor, route: Route): void {
     }
     if (route.mode === "fit") editor.patch({ fit: { ...fit, sample: route.sample } });
     if (route.mode === "trace") editor.patch({ trace: { ...trace, sample: route.sample } });
-    if (route.mode === "surface") editor.patch({ surface: { ...surface, sample: route.sample } });
+    if (route.mode === "surface" && route.sample !== surface.sample) nameSurface(editor, route.sample);
   }
   editor.patch({ mode: route.mode });
+}
+
+/** An empty net is the sample that it names, still to be opened. */
+function nameSurface(editor: Editor, sample: string): void {
+  editor.surfaceEdits.dispatch("Open sample", () => ({ surface: { ...emptySurface, sample }, chosen: noNetPoints }));
 }
 
 /** Keeps address and state together, both ways. Call once, after the first document is there. */

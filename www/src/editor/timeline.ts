@@ -1,0 +1,108 @@
+import { emptyHistory, record, stepBack, stepForward, type History } from "../document/history.ts";
+
+/** Undo and redo of a mode that is not Curve: one entry per gesture, values and selection together. */
+export interface Timeline<M> {
+  /** Applies a change: one entry, joined to the last when both belong to one quick run; part of the gesture if one is open. */
+  dispatch(name: string, change: (now: M) => M, run?: string): void;
+  /** Opens a gesture: everything until `commit` is one entry. */
+  begin(name: string): void;
+  /** Applies the change to the state at `begin`, so that a drag is always evaluated from its start. */
+  preview(change: (start: M) => M): void;
+  commit(): void;
+  /** Back to the state at `begin`; no entry. */
+  bail(): void;
+  readonly inGesture: boolean;
+  /** What was there when the open gesture began. */
+  readonly origin: M;
+  undo(): void;
+  redo(): void;
+  /** A new document: nothing before it can be brought back. */
+  forget(): void;
+  readonly past: string | null;
+  readonly future: string | null;
+}
+
+export interface TimelineOptions<M> {
+  read(): M;
+  write(moment: M): void;
+  /** Whether two moments hold the same drawing, whatever is selected. */
+  same(a: M, b: M): boolean;
+  /** What can be undone has changed. */
+  changed(): void;
+  /** Milliseconds, for joining runs. */
+  now(): number;
+}
+
+export function createTimeline<M>({ read, write, same, changed, now }: TimelineOptions<M>): Timeline<M> {
+  let history: History<M> = emptyHistory();
+  let gesture: { readonly name: string; readonly start: M } | null = null;
+
+  function travel(step: typeof stepBack<M>): void {
+    // Undo during a drag takes back the drag and nothing else.
+    if (gesture !== null) return timeline.bail();
+    const taken = step(history);
+    if (taken === null) return;
+    history = taken.history;
+    write(taken.moment);
+    changed();
+  }
+
+  function put(name: string, before: M, after: M, run: string | undefined): void {
+    history = record(history, { name, before, after, run, time: now() });
+    changed();
+  }
+
+  const timeline: Timeline<M> = {
+    get inGesture() {
+      return gesture !== null;
+    },
+    get origin() {
+      return gesture?.start ?? read();
+    },
+    get past() {
+      return history.past.at(-1)?.name ?? null;
+    },
+    get future() {
+      return history.future.at(-1)?.name ?? null;
+    },
+    dispatch(name, change, run) {
+      const before = read();
+      const after = change(before);
+      if (same(before, after)) return;
+      write(after);
+      if (gesture === null) put(name, before, after, run);
+    },
+    begin(name) {
+      if (gesture !== null) timeline.commit();
+      gesture = { name, start: read() };
+    },
+    preview(change) {
+      if (gesture === null) return timeline.dispatch("Change", change);
+      write(change(gesture.start));
+    },
+    commit() {
+      if (gesture === null) return;
+      const { name, start } = gesture;
+      gesture = null;
+      if (!same(start, read())) put(name, start, read(), undefined);
+    },
+    bail() {
+      if (gesture === null) return;
+      const { start } = gesture;
+      gesture = null;
+      write(start);
+    },
+    undo() {
+      travel(stepBack);
+    },
+    redo() {
+      travel(stepForward);
+    },
+    forget() {
+      gesture = null;
+      history = emptyHistory();
+      changed();
+    },
+  };
+  return timeline;
+}
