@@ -50,6 +50,7 @@
 
 pub mod curve;
 pub mod error;
+pub mod fit;
 pub mod generator;
 mod limits;
 pub mod numerics;

@@ -1,6 +1,7 @@
 //! Mathematics that has never heard of splines.
 
 pub mod angle;
+pub mod banded;
 pub mod entire;
 pub(crate) mod plane;
 pub(crate) mod quadrature;
