@@ -16,6 +16,12 @@ pub(crate) const MOST_POINTS: usize = 16_777_216;
 pub(crate) const MOST_EVALUATIONS: usize = 4_000_000;
 /// The most points that one call may give back.
 pub(crate) const MOST_OUTPUT_POINTS: usize = 4_000_000;
+/// The most roots of one exponential spline: the interpolator's cancellation doubles with each.
+pub(crate) const MOST_ROOTS: usize = 16;
+/// The largest growth per unit of a root: a factor of e⁵ from point to point.
+pub(crate) const LARGEST_ROOT_RE: f64 = 5.0;
+/// The largest frequency of a root; interpolators want less than π.
+pub(crate) const LARGEST_ROOT_IM: f64 = 10.0;
 /// The most levels of one subdivision: 2 points become 33 million there, more than may be given back.
 pub(crate) const MOST_LEVELS: usize = 24;
 

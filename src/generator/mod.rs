@@ -2,18 +2,27 @@
 //!
 //! [`Basis`] is one segment's view of them, made for curves; [`HermiteGenerators`] is the pair φ₁, φ₂ on the
 //! whole line, with everything that is known about it. Both rest on the same few constants.
+//!
+//! For any list of [`Roots`] there is an [`ExponentialBSpline`] and, mostly, an [`Interpolator`] made of it.
 
 mod basis;
 mod bernstein;
+mod exponential_b_spline;
 mod hermite;
+mod interpolator;
+mod pieces;
 mod riesz;
+mod roots;
 mod stretched;
 
 pub use basis::{Basis, Weights};
+pub use exponential_b_spline::ExponentialBSpline;
 #[cfg(all(target_arch = "wasm32", feature = "wasm"))]
 pub(crate) use hermite::Table;
 pub use hermite::{HermiteGenerators, Pair};
+pub use interpolator::Interpolator;
 pub use riesz::{Gram, RieszBounds};
+pub use roots::{Root, Roots};
 
 /// The space that a Hermite exponential spline is piecewise in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

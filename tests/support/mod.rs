@@ -7,7 +7,7 @@ pub(crate) mod drawing;
 pub(crate) mod golden;
 pub(crate) mod tolerance;
 
-use expline::generator::{HermiteGenerators, Space};
+use expline::generator::{HermiteGenerators, Root, Roots, Space};
 
 /// The space of a golden file's case.
 pub(crate) fn space(name: &str) -> Space {
@@ -41,4 +41,10 @@ pub(crate) fn assert_all_close(what: &str, got: &[f64], expected: &[f64], tolera
 /// A result whose error can be matched.
 pub(crate) fn unboxed<T>(result: expline::Result<T>) -> Result<T, expline::Error> {
     result.map_err(|error| *error)
+}
+
+/// The roots of a golden file's case.
+pub(crate) fn roots(list: &[Vec<f64>]) -> Roots {
+    let list: Vec<Root> = list.iter().map(|r| Root { re: r[0], im: r[1] }).collect();
+    Roots::new(&list, "roots").expect("the golden roots are within the limits")
 }

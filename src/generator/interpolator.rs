@@ -1,0 +1,319 @@
+//! Interpolators of compact support: combinations of half-integer shifts of an exponential B-spline.
+
+use core::f64::consts::PI;
+
+use nalgebra::{Complex, DMatrix};
+
+use super::exponential_b_spline::{ExponentialBSpline, tabulate};
+use super::pieces::{Pieces, recentre};
+use super::riesz::RieszBounds;
+use super::roots::Roots;
+use crate::error::{Error, Result};
+use crate::limits::with_room;
+use crate::numerics::angle::sin_cos;
+use crate::numerics::entire::stumpff;
+
+/// Above this condition the linear system counts as singular.
+const WORST_CONDITION: f64 = 1e12;
+/// The identity Σλₙe^{−αn/2}·β̂(α) = 1 holds to this, or there is no interpolator.
+const IDENTITY: f64 = 1e-6;
+/// Below this the shifts do not form a Riesz basis.
+const LEAST_RIESZ: f64 = 1e-7;
+/// Places per half unit at which the Lebesgue function is looked at.
+const LOOKS: usize = 40;
+
+/// The interpolator φ of a list of roots: φ(k) = δₖ, φ = λ₀β + Σₙ λₙ(β(· − n/2) + β(· + n/2)), n ≤ n₀ − 2.
+///
+/// It is even, has n₀ − 2 continuous derivatives and vanishes for |x| ≥ n₀ − 1. Its integer shifts reproduce what the roots
+/// stand for.
+///
+/// # Domain
+///
+/// Lists of 3 roots and more that are closed under conjugation and negation, with |im| < π. There it exists, as far as anyone
+/// knows; the conjecture that it always does is false (docs/SOURCES.md).
+///
+/// # Accuracy
+///
+/// 1e-14·(1 + Σ|λₙ|), λ itself 4e-14 (`tests/interpolators.rs`). Roots that crowd near ±iπ make λ large: see
+/// [`Self::condition`] and [`Self::lebesgue`].
+///
+/// # Source
+///
+/// [SFBGU17, Definition 3, eq. 24–27].
+///
+/// # Example
+///
+/// ```
+/// use expline::generator::Interpolator;
+///
+/// let generator = Interpolator::for_ellipse(5)?;
+/// assert_eq!(generator.support(), 2);
+/// // A circle through five points: cos(2π/5·t) halfway between two of them.
+/// let places = [-1.5, -0.5, 0.5, 1.5];
+/// let value: f64 = places.iter().map(|x| generator.at(*x, 0) * (core::f64::consts::TAU / 5.0 * (0.5 - x)).cos()).sum();
+/// assert!((value - (core::f64::consts::PI / 5.0).cos()).abs() < 1e-15);
+/// # Ok::<(), expline::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Interpolator {
+    spline: ExponentialBSpline,
+    lambda: Vec<f64>,
+    halves: Pieces,
+    condition: f64,
+    identity: f64,
+}
+
+impl Interpolator {
+    /// The interpolator of these roots.
+    ///
+    /// # Errors
+    ///
+    /// Fewer than 3 roots; a root without its opposite; |im| ≥ π; a system whose condition exceeds 1e12.
+    pub fn new(roots: &Roots) -> Result<Self> {
+        if let Some(i) = roots.too_fast() {
+            let im = roots.as_slice()[i].im;
+            return Err(Error::out_of_range("roots", Some(i), im, -PI, PI));
+        }
+        Self::beyond_pi(roots)
+    }
+
+    /// The interpolator of roots with |im| up to 10, where it exists.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::new`], without the bound on |im|; shifts that are no Riesz basis.
+    pub fn beyond_pi(roots: &Roots) -> Result<Self> {
+        let order = roots.order();
+        if order < 3 {
+            return Err(Error::too_few("roots", order, 3));
+        }
+        if let Some(i) = roots.without_opposite() {
+            return Err(Error::degenerate("roots", Some(i), "its opposite is missing"));
+        }
+        let spline = ExponentialBSpline::new(roots)?;
+        let (lambda, condition) = solve(&spline)?;
+        let mut interpolator =
+            Self { halves: halves(&spline, &lambda)?, spline, lambda, condition, identity: 0.0 };
+        interpolator.identity = interpolator.deviation_of_identity();
+        // Written so that NaN fails.
+        let sound = interpolator.identity <= IDENTITY && condition <= WORST_CONDITION;
+        if !sound || (roots.too_fast().is_some() && interpolator.halves.riesz_bounds().lower < LEAST_RIESZ) {
+            return Err(nonexistent());
+        }
+        Ok(interpolator)
+    }
+
+    /// Roots (0, ±2πi/count): ellipses through `count` ≥ 3 points are exact.
+    pub fn for_ellipse(count: usize) -> Result<Self> {
+        Self::new(&Roots::ellipse(count)?)
+    }
+
+    /// λ₀ … λ_{n₀−2}.
+    pub fn lambda(&self) -> &[f64] {
+        &self.lambda
+    }
+
+    /// n₀ − 1: φ vanishes for |x| ≥ this.
+    pub fn support(&self) -> usize {
+        self.order() - 1
+    }
+
+    /// The number of roots, n₀.
+    pub fn order(&self) -> usize {
+        self.spline.order()
+    }
+
+    /// The roots.
+    pub fn roots(&self) -> &Roots {
+        self.spline.roots()
+    }
+
+    /// The B-spline that φ is a combination of.
+    pub fn b_spline(&self) -> &ExponentialBSpline {
+        &self.spline
+    }
+
+    /// The polynomial on [k/2, (k + 1)/2], k = −2(n₀ − 1) … 2(n₀ − 1) − 1, in ascending powers of the distance from the middle
+    /// of that interval; empty elsewhere. All have one length.
+    pub fn half_piece(&self, k: isize) -> &[f64] {
+        let first = 2 * self.support() as isize;
+        usize::try_from(k + first).map_or(&[], |k| self.halves.piece(k))
+    }
+
+    /// φ at x, or a derivative. Orders to n₀ − 2 are continuous; beyond, the limit from the right.
+    pub fn at(&self, x: f64, derivative: usize) -> f64 {
+        self.halves.at(x + self.support() as f64, derivative)
+    }
+
+    /// φ, or a derivative of an order to n₀ − 1, at every x.
+    ///
+    /// # Errors
+    ///
+    /// An x that is not finite, a derivative above n₀ − 1, more than 4 million places.
+    pub fn evaluate(&self, x: &[f64], derivative: usize) -> Result<Vec<f64>> {
+        tabulate(x, derivative, self.order() - 1, &|x| self.at(x, derivative))
+    }
+
+    /// The largest lower and the smallest upper Riesz bound of the integer shifts, exactly; the bounds of
+    /// [SFBGU17, eq. A.6, A.7] enclose them.
+    pub fn riesz_bounds(&self) -> Result<RieszBounds> {
+        Ok(self.halves.riesz_bounds())
+    }
+
+    /// The condition of the linear system for λ in the maximum norm, its rows scaled to 1. Above 1e6 digits are lost.
+    pub fn condition(&self) -> f64 {
+        self.condition
+    }
+
+    /// How far Σₙλₙe^{−αn/2}·β̂(α) is from 1, at the worst root α: a check on all of the computation
+    /// (D 9.5).
+    pub fn identity(&self) -> f64 {
+        self.identity
+    }
+
+    /// The Lebesgue constant max Σₖ|φ(t − k)|: how much an error in the points can grow on the curve.
+    pub fn lebesgue(&self) -> f64 {
+        let sum = |t: f64| {
+            let reach = self.support() as isize;
+            (1 - reach..=reach).map(|k| self.at(t - k as f64, 0).abs()).sum::<f64>()
+        };
+        let step = 0.5 / LOOKS as f64;
+        let (mut best, mut most) = (0.0, 1.0);
+        for i in 1..=LOOKS {
+            let value = sum(step * i as f64);
+            if value > most {
+                (best, most) = (step * i as f64, value);
+            }
+        }
+        // Thirds of the bracket until it is too small to matter.
+        let (mut lo, mut hi) = (best - step, best + step);
+        for _ in 0..LOOKS {
+            let (a, b) = (lo + (hi - lo) / 3.0, hi - (hi - lo) / 3.0);
+            let (at_a, at_b) = (sum(a), sum(b));
+            most = most.max(at_a).max(at_b);
+            if at_a > at_b {
+                hi = b;
+            } else {
+                lo = a;
+            }
+        }
+        most
+    }
+
+    fn deviation_of_identity(&self) -> f64 {
+        let roots = self.roots();
+        let mut worst: f64 = 0.0;
+        for root in roots.upper() {
+            let mut sum = Complex::new(self.lambda[0], 0.0);
+            for (n, lambda) in self.lambda.iter().enumerate().skip(1) {
+                // e^{−αn/2} + e^{αn/2} = 2 cosh(αn/2).
+                let (x, y) = (0.5 * n as f64 * root.re, 0.5 * n as f64 * root.im);
+                let (up, down) = (libm::exp(x), libm::exp(-x));
+                let (sine, cosine) = sin_cos(y);
+                sum += Complex::new((up + down) * cosine, (up - down) * sine) * *lambda;
+            }
+            // β is β⁺ shifted to the left by n₀/2, which multiplies its transform by e^{α·n₀/2}.
+            let (x, y) = (0.5 * roots.order() as f64 * root.re, 0.5 * roots.order() as f64 * root.im);
+            let (sine, cosine) = sin_cos(y);
+            let shift = Complex::new(cosine, sine) * libm::exp(x);
+            let off = sum * roots.transform(Complex::new(root.re, root.im)) * shift - Complex::new(1.0, 0.0);
+            let size = (off.re * off.re + off.im * off.im).sqrt();
+            if size > worst || size.is_nan() {
+                worst = size;
+            }
+        }
+        worst
+    }
+}
+
+fn nonexistent() -> Box<Error> {
+    Error::degenerate("roots", None, "there is no interpolator for these roots")
+}
+
+/// λ and the condition of its system.
+///
+/// Row k says φ(k) = δₖ: A[k][l] = β(k − l/2) + β(k + l/2), without the second term for l = 0 [SFBGU17, eq. 26, 27]. Three
+/// roots are 0 and a pair, for which there is a closed form (D 9.4).
+fn solve(spline: &ExponentialBSpline) -> Result<(Vec<f64>, f64)> {
+    let size = spline.order() - 1;
+    let sample = |j: isize| spline.at(0.5 * j as f64, 0);
+    let mut matrix = DMatrix::zeros(size, size);
+    let mut first = 0.0;
+    for k in 0..size {
+        let mut total: f64 = 0.0;
+        for l in 0..size {
+            let (row, column) = (2 * k as isize, l as isize);
+            let entry = sample(row) * f64::from(u8::from(l == 0))
+                + if l > 0 { sample(row - column) + sample(row + column) } else { 0.0 };
+            matrix[(k, l)] = entry;
+            total += entry.abs();
+        }
+        for l in 0..size {
+            matrix[(k, l)] /= total;
+        }
+        if k == 0 {
+            first = 1.0 / total;
+        }
+    }
+    let Some(inverse) = matrix.lu().try_inverse() else {
+        return Err(nonexistent());
+    };
+    // The rows of the matrix sum to 1.
+    let mut condition: f64 = 0.0;
+    let mut lambda = with_room(size)?;
+    for k in 0..size {
+        let total: f64 = (0..size).map(|l| inverse[(k, l)].abs()).sum();
+        condition = if total <= condition { condition } else { total };
+        lambda.push(inverse[(k, 0)] * first);
+    }
+    if let [zero, one] = &mut lambda[..] {
+        let square = pair_square(spline.roots());
+        let (quarter, half) = (stumpff(square / 16.0), stumpff(square / 4.0));
+        *zero = 2.0 / (quarter.c1 * quarter.c1 * half.c0);
+        *one = -0.5 / (half.c1 * stumpff(square).c1);
+    }
+    Ok((lambda, condition))
+}
+
+/// ω² of the pair ±iω, or −k² of ±k, in a symmetric list of three.
+fn pair_square(roots: &Roots) -> f64 {
+    roots.upper().fold(0.0, |sum, r| sum + r.im * r.im - 0.5 * r.re * r.re)
+}
+
+/// φ on every half interval: the halves of the B-spline's pieces, weighted by λ, about the middles of the halves (D 9.3).
+fn halves(spline: &ExponentialBSpline, lambda: &[f64]) -> Result<Pieces> {
+    let (order, pieces) = (spline.order(), spline.pieces());
+    let stride = pieces.stride;
+    let mut parts = with_room(2 * order * stride)?;
+    for k in 0..order {
+        for by in [-0.25, 0.25] {
+            parts.extend_from_slice(pieces.piece(k));
+            let begin = parts.len() - stride;
+            recentre(&mut parts[begin..], by);
+        }
+    }
+    let half = 2 * (order - 1);
+    let mut right = with_room(half * stride)?;
+    let reach = order as isize - 2;
+    for k in 0..half as isize {
+        let begin = right.len();
+        right.resize(begin + stride, 0.0);
+        for n in -reach..=reach {
+            // β(x − n/2) for x in half interval k: half interval k − n of β, which is k − n + n₀ from its left end.
+            let Ok(part) = usize::try_from(k - n + order as isize) else { continue };
+            let Some(part) = parts.get(part * stride..(part + 1) * stride) else { continue };
+            let weight = lambda[n.unsigned_abs()];
+            for (sum, c) in right[begin..].iter_mut().zip(part) {
+                *sum += weight * c;
+            }
+        }
+    }
+    let mut coefficients: Vec<f64> = with_room(2 * half * stride)?;
+    for piece in right.chunks_exact(stride).rev() {
+        let begin = coefficients.len();
+        coefficients.extend_from_slice(piece);
+        Pieces::mirror(&mut coefficients[begin..]);
+    }
+    coefficients.extend_from_slice(&right);
+    Ok(Pieces { coefficients, stride, per_unit: 2 })
+}
