@@ -144,6 +144,7 @@ export function createEditor(now: () => number): Editor {
   const editor: Editor = {
     state,
     notices,
+    modes: new Map(),
     get actions() {
       return actions;
     },

@@ -116,16 +116,19 @@ function listenToWheel({ editor, input, surface, until }: Options): void {
     (event) => {
       event.preventDefault();
       input.flush();
-      const { view, stage, settings } = editor.state.value;
+      const { view, stage, settings, mode } = editor.state.value;
+      const own = editor.modes.get(mode)?.view;
       // Lines and pages, as some mice report, in pixels.
       const unit = event.deltaMode === 1 ? 40 : event.deltaMode === 2 ? stage.height : 1;
       const [dx, dy] = [event.deltaX * unit, event.deltaY * unit];
-      if (event.shiftKey && !event.ctrlKey) return editor.patch({ view: panned(view, -(dx === 0 ? dy : dx), 0) });
-      if (settings.scrollPans && !event.ctrlKey) return editor.patch({ view: panned(view, -dx, -dy) });
+      const pan = (x: number, y: number): void => (own === undefined ? editor.patch({ view: panned(view, x, y) }) : own.pan(x, y));
+      if (event.shiftKey && !event.ctrlKey) return pan(-(dx === 0 ? dy : dx), 0);
+      if (settings.scrollPans && !event.ctrlKey) return pan(-dx, -dy);
       // A notch of a wheel is 100 to 120; a trackpad's pinch comes in small steps with Ctrl.
       const notches = event.ctrlKey && Math.abs(dy) < 50 ? -dy / 10 : -Math.sign(dy) * Math.min(3, Math.max(1, Math.abs(dy) / 120));
       const at = { x: event.clientX - stage.left, y: event.clientY - stage.top };
-      editor.patch({ view: zoomedAt(view, stage, at, view.zoom * 1.1 ** notches) });
+      if (own === undefined) editor.patch({ view: zoomedAt(view, stage, at, view.zoom * 1.1 ** notches) });
+      else own.zoom(1.1 ** notches, at);
     },
     { signal: until, passive: false },
   );
@@ -160,7 +163,10 @@ function listenToKeys({ editor, input, surface, until, leaveStage }: Options): v
       }
       if (event.key === "Enter" && inStage && input.finish()) return event.preventDefault();
       if (widgetKeys.has(event.key) && !inStage && document.activeElement !== document.body) return;
-      const action = actionFor(editor, chordOf({ key: event.key, ...modifiersOf(event) }));
+      const press = { key: event.key, ...modifiersOf(event) };
+      // A digit with Shift is printed as a sign that differs from keyboard to keyboard.
+      const digit = event.shiftKey && /^Digit\d$/u.test(event.code) ? { ...press, key: event.code.slice(-1) } : press;
+      const action = actionFor(editor, chordOf(digit)) ?? actionFor(editor, chordOf(press));
       if (action === undefined) return;
       if (input.busy && (action.id === "undo" || action.id === "redo")) {
         // Undo during a drag takes back the drag, and no more than that, even when there is nothing else to undo.
@@ -174,7 +180,7 @@ function listenToKeys({ editor, input, surface, until, leaveStage }: Options): v
         held.set(event.code, action.id);
       }
       input.flush();
-      if (input.busy && !action.id.startsWith("zoom")) input.cancel();
+      if (input.busy && action.live !== true) input.cancel();
       action.run(editor);
     },
     { signal: until },

@@ -4,6 +4,7 @@ import type {
 } from "../document/document.ts";
 import type { NetRef, SurfaceDocument, SurfaceMoment } from "../document/surface.ts";
 import type { PagePoint, StageBox } from "./camera.ts";
+import type { ModeParts } from "./mode.ts";
 import type { Readable } from "./signal.ts";
 import type { Timeline } from "./timeline.ts";
 
@@ -137,6 +138,8 @@ export interface Action {
   readonly keys: readonly string[];
   /** False keeps the key out of effect and greys the button. */
   enabled?(state: EditorState): boolean;
+  /** Works in the middle of a drag and leaves it going. */
+  readonly live?: boolean;
   /** For toggles. */
   checked?(state: EditorState): boolean;
   run(editor: Editor): void;
@@ -160,6 +163,8 @@ export interface Editor {
   /** The last notice; each call of notify is a new value. */
   readonly notices: Readable<Notice | null>;
   readonly actions: ActionRegistry;
+  /** What modes bring of their own, once they are there. */
+  readonly modes: Map<Mode, ModeParts>;
 
   /** Applies a command: one entry in the history, or part of the gesture that is open. */
   dispatch(command: Command): void;

@@ -19,7 +19,9 @@ export function chordOf({ key, shift, alt, mod }: KeyPress): string {
 
 /** The action for a chord, or undefined. Single keys are silent when the user switched them off. */
 export function actionFor(editor: Editor, chord: string): Action | undefined {
-  const found = editor.actions.all().find((action) => action.keys.includes(chord));
+  const all = editor.actions.all().filter((action) => action.keys.includes(chord));
+  // One key may mean something else in another mode: what can be done now is meant.
+  const found = all.find((action) => action.enabled?.(editor.state.value) !== false) ?? all[0];
   if (found === undefined) return undefined;
   const isSingle = !chord.startsWith("Mod+") && chord.replace("Shift+", "").length === 1;
   return isSingle && !editor.state.value.settings.singleKeys ? undefined : found;

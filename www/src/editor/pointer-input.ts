@@ -1,6 +1,7 @@
 import { panned, type ScreenPoint } from "./camera.ts";
 import type { Editor, Modifiers, ToolId } from "./editor.ts";
 import type { PointerKind } from "./hit-test.ts";
+import type { ModeParts } from "./mode.ts";
 import { createPinch, type Pinch } from "./pinch.ts";
 import { distanceBetween, sampleAt, type PointerSample, type Tool } from "./tool.ts";
 
@@ -65,7 +66,9 @@ export function createPointerInput(editor: Editor, tools: Readonly<Record<ToolId
   let spaceHeld = false;
   let penSeen = false;
 
-  const tool = (): Tool => tools[editor.state.value.tool];
+  const own = (): ModeParts | undefined => editor.modes.get(editor.state.value.mode);
+  const tool = (): Tool => own()?.tool ?? tools[editor.state.value.tool];
+  const works = (): boolean => editor.state.value.mode === "curve" || own() !== undefined;
   const sample = (record: PointerRecord, clicks = 1): PointerSample => sampleAt(editor.state.value, record.screen, record.kind, record.modifiers, clicks);
 
   function clicksOf(record: PointerRecord): number {
@@ -78,7 +81,8 @@ export function createPointerInput(editor: Editor, tools: Readonly<Record<ToolId
     const [first, second] = [...fingers.entries()];
     if (first === undefined || second === undefined) return;
     const { view, stage } = editor.state.value;
-    const pinch = createPinch(view, stage, first[1].screen, second[1].screen);
+    const [a, b] = [first[1].screen, second[1].screen];
+    const pinch = own()?.view?.pinch(a, b) ?? createPinch(view, stage, a, b);
     activity = { kind: "pinch", ids: [first[0], second[0]], pinch, since: time, most: fingers.size };
   }
 
@@ -96,7 +100,10 @@ export function createPointerInput(editor: Editor, tools: Readonly<Record<ToolId
   }
 
   function pansWith(record: PointerRecord): boolean {
-    if (record.button === 1 || spaceHeld || editor.state.value.tool === "hand") return true;
+    if (record.button === 1 || spaceHeld) return true;
+    // Only a mode with a view of its own has the right button free for it.
+    if (own()?.view !== undefined) return record.button === 2;
+    if (editor.state.value.tool === "hand") return true;
     return record.kind === "touch" && penSeen && editor.state.value.settings.penPans;
   }
 
@@ -119,7 +126,7 @@ export function createPointerInput(editor: Editor, tools: Readonly<Record<ToolId
         return;
       case "pan":
         if (record.id !== activity.id) return;
-        editor.patch({ view: panned(editor.state.value.view, record.screen.x - activity.last.x, record.screen.y - activity.last.y) });
+        pan(record.screen.x - activity.last.x, record.screen.y - activity.last.y);
         activity.last = record.screen;
         return;
       case "pinch":
@@ -127,10 +134,16 @@ export function createPointerInput(editor: Editor, tools: Readonly<Record<ToolId
     }
   }
 
+  function pan(dx: number, dy: number): void {
+    const view = own()?.view;
+    if (view === undefined) editor.patch({ view: panned(editor.state.value.view, dx, dy) });
+    else view.pan(dx, dy);
+  }
+
   function pinchNow(): void {
     if (activity.kind !== "pinch") return;
     const [a, b] = activity.ids.map((id) => fingers.get(id)?.screen);
-    if (a !== undefined && b !== undefined) editor.patch({ view: activity.pinch.update(a, b) });
+    if (a !== undefined && b !== undefined) editor.patch(activity.pinch.update(a, b));
   }
 
   function endPinch(record: PointerRecord): void {
@@ -153,7 +166,7 @@ export function createPointerInput(editor: Editor, tools: Readonly<Record<ToolId
         fingers.set(record.id, { start: record.screen, screen: record.screen, time: record.time });
         if (anotherFinger(record)) return;
       }
-      if (activity.kind !== "none" || record.button === 2 || editor.state.value.mode !== "curve") return;
+      if (activity.kind !== "none" || !works() || (record.button === 2 && own()?.view === undefined)) return;
       editor.patch({ keyboard: false, modifiers: record.modifiers, ...(editor.state.value.hint === "" ? {} : { hint: "" }) });
       if (pansWith(record)) {
         activity = { kind: "pan", id: record.id, last: record.screen, since: record.time };

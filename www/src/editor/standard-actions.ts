@@ -28,18 +28,24 @@ function stageCentre(state: EditorState): ScreenPoint {
 }
 
 export function zoomBy(editor: Editor, factor: number, at?: ScreenPoint): void {
-  const { view, stage } = editor.state.value;
+  const { view, stage, mode } = editor.state.value;
+  const own = editor.modes.get(mode)?.view;
+  if (own !== undefined) return own.zoom(factor, at ?? null);
   editor.patch({ view: zoomedAt(view, stage, at ?? stageCentre(editor.state.value), view.zoom * factor) });
 }
 
 export function zoomTo(editor: Editor, zoom: number): void {
-  const { view, stage } = editor.state.value;
+  const { view, stage, mode } = editor.state.value;
+  const own = editor.modes.get(mode)?.view;
+  if (own !== undefined) return own.zoomTo(zoom);
   editor.patch({ view: zoomedAt(view, stage, stageCentre(editor.state.value), zoom) });
 }
 
 /** The whole drawing in view; `most` keeps small drawings from filling the stage. */
 export function fitView(editor: Editor, most = mostZoom): void {
-  const { curve, stage } = editor.state.value;
+  const { curve, stage, mode } = editor.state.value;
+  const own = editor.modes.get(mode)?.view;
+  if (own !== undefined) return own.fit();
   const box = documentBounds(curve);
   if (box === null) return editor.patch({ view: { zoom: 1, x: 400, y: 300 } });
   // Handles reach beyond the curve; a tenth of the stage leaves them room.
@@ -114,10 +120,10 @@ const pointActions: readonly Action[] = [
 ];
 
 const viewing: readonly Action[] = [
-  action("zoom-in", "Zoom in", "View", ["+", "="], (editor) => zoomBy(editor, 1.25)),
-  action("zoom-out", "Zoom out", "View", ["-"], (editor) => zoomBy(editor, 0.8)),
-  action("zoom-100", "Zoom to 100 %", "View", ["0"], (editor) => zoomTo(editor, 1)),
-  action("zoom-fit", "Fit the drawing", "View", ["F"], (editor) => fitView(editor)),
+  action("zoom-in", "Zoom in", "View", ["+", "="], (editor) => zoomBy(editor, 1.25), { live: true }),
+  action("zoom-out", "Zoom out", "View", ["-"], (editor) => zoomBy(editor, 0.8), { live: true }),
+  action("zoom-100", "Zoom to 100 %", "View", ["0"], (editor) => zoomTo(editor, 1), { live: true }),
+  action("zoom-fit", "Fit the drawing", "View", ["F"], (editor) => fitView(editor), { live: true }),
   action("original-only", "Original only (hold)", "View", ["O"], (editor) => editor.patch({ originalOnly: true }), {
     release: (editor) => editor.patch({ originalOnly: false }),
   }),

@@ -53,8 +53,8 @@ export function laterPanel(mode: LaterMode): LaterPanel {
   };
 }
 
-/** The empty stage of each mode: one primary thing to do, and where to start. */
-export function mountEmptyStates(shell: Shell): void {
+/** The empty stage of each mode: one primary thing to do, and where to start. A mode that is there takes its own away. */
+export function mountEmptyStates(shell: Shell): { drop(mode: LaterMode): void } {
   const { editor, regions, until } = shell;
   const modes = Object.keys(coming) as LaterMode[];
   const cards = modes.map((mode) => {
@@ -63,13 +63,20 @@ export function mountEmptyStates(shell: Shell): void {
     const note = h("p", { class: "quiet", "data-part": "sample" });
     return { mode, note, element: h("div", { class: "empty", testid: `empty-${mode}`, hidden: true }, h("h2", {}, `${title} is on its way`), h("p", {}, today), note, h("div", { class: "empty-actions" }, ...buttons)) };
   });
+  const gone = new Set<LaterMode>();
   for (const { element } of cards) regions.stage.append(element);
   editor.state.subscribe((state) => {
     setAttribute(regions.stage, "data-mode", state.mode);
     for (const { mode, element, note } of cards) {
-      element.hidden = state.mode !== mode;
+      element.hidden = state.mode !== mode || gone.has(mode);
       const sample = mode === "fit" ? state.fit.sample : mode === "trace" ? state.trace.sample : undefined;
       setText(note, sample === undefined ? "" : `The sample ${sample} opens here then; this link will work.`);
     }
   }, { now: true, until });
+  return {
+    drop(mode) {
+      gone.add(mode);
+      cards.find((card) => card.mode === mode)?.element.remove();
+    },
+  };
 }

@@ -5,13 +5,13 @@ import { mountEmptyCurve } from "./empty-curve.ts";
 import { mountContextMenu } from "./context-menu.ts";
 import { receiveFiles, receiveText, registerFileActions } from "./files.ts";
 import { mountHeader } from "./header.ts";
-import { mountEmptyStates } from "./later.ts";
+import { mountEmptyStates, type LaterMode } from "./later.ts";
 import type { PageIo } from "./page-io.ts";
-import { mountPanel } from "./panel.ts";
+import { mountPanel, type ModePanel } from "./panel.ts";
 import { mountRail } from "./rail.ts";
 import { openSession } from "./session.ts";
 import type { Regions, Shell } from "./shell.ts";
-import { mountStatusBar } from "./status-bar.ts";
+import { mountStatusBar, type ModeMetrics } from "./status-bar.ts";
 import { mountTheme } from "./theme.ts";
 import { mountToasts } from "./toasts.ts";
 
@@ -27,6 +27,9 @@ export interface PanelsOptions {
 export interface Panels {
   /** Opens what the page was called with beside a route: a shared link, or the last session. Call once the engine runs. */
   openSession(): Promise<void>;
+  /** Puts a mode that was loaded in the place of its announcement. */
+  addMode(mode: LaterMode, parts: { readonly panel: ModePanel; readonly metrics: ModeMetrics }): void;
+  readonly shell: Shell;
 }
 
 /** Everything around the stage. */
@@ -39,9 +42,9 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
   registerFileActions(shell);
   mountHeader(shell, theme);
   mountRail(shell);
-  const { metrics } = mountStatusBar(shell);
-  mountPanel(shell, metrics);
-  mountEmptyStates(shell);
+  const statusBar = mountStatusBar(shell);
+  const host = mountPanel(shell, statusBar.metrics);
+  const empty = mountEmptyStates(shell);
   mountEmptyCurve(shell);
   mountBoot(shell);
   mountContextMenu(shell);
@@ -50,5 +53,13 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
     text: (text) => void receiveText(shell, text),
     dragging: (over) => regions.stage.toggleAttribute("data-drop", over),
   }, signal);
-  return { openSession: () => openSession(shell, address) };
+  return {
+    shell,
+    openSession: () => openSession(shell, address),
+    addMode(mode, parts) {
+      empty.drop(mode);
+      host.put(mode, parts.panel);
+      statusBar.put(mode, parts.metrics);
+    },
+  };
 }

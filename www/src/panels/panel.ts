@@ -1,3 +1,4 @@
+import type { Mode } from "../document/document.ts";
 import { clearCurve } from "../editor/edits.ts";
 import type { EditorState } from "../editor/editor.ts";
 import { curveSample } from "../document/samples.ts";
@@ -14,13 +15,29 @@ import { inNextFrame, type Shell } from "./shell.ts";
 
 const titles = { curve: "Curve", fit: "Fit", trace: "Trace", surface: "Surface" } as const;
 
+/** The panel of a mode that is loaded when it is first opened. */
+export interface ModePanel {
+  readonly element: HTMLElement;
+  /** What a phone shows of it with the sheet down. */
+  readonly peek?: HTMLElement;
+  /** Beside the mode's name. */
+  note(state: EditorState): string;
+  update(state: EditorState): void;
+}
+
+export interface PanelHost {
+  /** Puts a mode's panel where its announcement was. */
+  put(mode: LaterMode, panel: ModePanel): void;
+}
+
 /** The properties of the mode, at the side of the stage; on a phone, a sheet. */
-export function mountPanel(shell: Shell, metrics: HTMLElement): void {
+export function mountPanel(shell: Shell, metrics: HTMLElement): PanelHost {
   const { editor, regions, until } = shell;
   const curve = curveSection(shell);
   const sections = [curve, inspectorSection(shell), showSection(shell), legendSection(shell), pointsTableSection(shell)];
   const curvePart = h("div", {}, ...sections.map((section) => section.element));
   const later = (["fit", "trace", "surface"] as const).map((mode: LaterMode) => ({ mode, ...laterPanel(mode) }));
+  const built = new Map<Mode, ModePanel>();
   const title = h("h2", { class: "panel-title" });
   const sample = h("span", { class: "section-note" });
   const clear = h("button", { class: "small-button", type: "button", testid: "btn-clear", title: "Take everything off the stage; undo brings it back.", click: () => { clearCurve(editor); editor.patch({ hint: "" }); } }, "Clear");
@@ -35,19 +52,34 @@ export function mountPanel(shell: Shell, metrics: HTMLElement): void {
 
   const update = (state: EditorState): void => {
     setText(title, titles[state.mode]);
-    setText(sample, state.mode === "curve" ? (curveSample(state.curve.sample ?? "")?.title ?? "") : "");
+    const own = built.get(state.mode);
+    setText(sample, state.mode === "curve" ? (curveSample(state.curve.sample ?? "")?.title ?? "") : (own?.note(state) ?? ""));
     clear.hidden = state.mode !== "curve";
     clear.disabled = state.curve.contours.length === 0;
     curvePart.hidden = state.mode !== "curve";
+    curve.level.hidden = state.mode !== "curve";
     codeButton.hidden = state.mode !== "curve";
-    for (const { mode, element } of later) element.hidden = state.mode !== mode;
+    for (const { mode, element } of later) element.hidden = state.mode !== mode || built.has(mode);
+    for (const [mode, panel] of built) {
+      panel.element.hidden = state.mode !== mode;
+      if (panel.peek !== undefined) panel.peek.hidden = state.mode !== mode;
+    }
+    own?.update(state);
     if (state.mode === "curve" && state.engine.status === "ready") for (const section of sections) section.update(state);
   };
   // Once a frame: a drag changes the state more often than anyone can read.
   const soon = inNextFrame(shell.frame, () => update(editor.state.value));
   editor.state.subscribe((state, before) => {
-    const same = state.curve === before.curve && state.selection === before.selection && state.settings === before.settings && state.mode === before.mode && state.engine === before.engine;
+    const same = built.get(state.mode) === undefined && state.curve === before.curve && state.selection === before.selection && state.settings === before.settings && state.mode === before.mode && state.engine === before.engine;
     if (!same) soon.request();
   }, { until });
   update(editor.state.value);
+  return {
+    put(mode, panel) {
+      built.set(mode, panel);
+      scroll.append(panel.element);
+      if (panel.peek !== undefined) sheet.add(panel.peek);
+      update(editor.state.value);
+    },
+  };
 }

@@ -10,7 +10,7 @@ const dragThresholdPx = 24;
  * On a phone the panel is a sheet over the foot of the stage. It rests at three heights, by a drag on its bar or by two
  * buttons; the main number and the main slider stay in sight at the lowest.
  */
-export function mountSheet(panel: HTMLElement, peekParts: readonly HTMLElement[], until: AbortSignal): { readonly head: HTMLElement } {
+export function mountSheet(panel: HTMLElement, peekParts: readonly HTMLElement[], until: AbortSignal): { readonly head: HTMLElement; add(part: HTMLElement): void } {
   const up = h("button", { class: "icon-button", type: "button", testid: "sheet-up", "aria-label": "Raise the panel" }, icon("up"));
   const down = h("button", { class: "icon-button", type: "button", testid: "sheet-down", "aria-label": "Lower the panel" }, icon("down"));
   const bar = h("div", { class: "sheet-bar" }, h("span", { class: "sheet-grip", "aria-hidden": "true" }), up, down);
@@ -44,18 +44,20 @@ export function mountSheet(panel: HTMLElement, peekParts: readonly HTMLElement[]
   bar.addEventListener("pointercancel", () => { fromY = null; });
 
   // The same elements, in the sheet's head on a phone and in their own places otherwise.
-  const homes = peekParts.map((part) => {
-    const mark = document.createComment("");
-    part.before(mark);
-    return { part, mark };
-  });
+  const homes: { readonly part: HTMLElement; readonly mark: Comment }[] = [];
   const phone = window.matchMedia("(width < 37.5em)");
   const arrange = (): void => {
-    if (phone.matches) peek.append(...peekParts);
+    if (phone.matches) peek.append(...homes.map(({ part }) => part));
     else for (const { part, mark } of homes) mark.after(part);
+  };
+  const add = (part: HTMLElement): void => {
+    const mark = document.createComment("");
+    part.before(mark);
+    homes.push({ part, mark });
+    arrange();
   };
   phone.addEventListener("change", arrange, { signal: until });
   show("peek");
-  arrange();
-  return { head };
+  for (const part of peekParts) add(part);
+  return { head, add };
 }

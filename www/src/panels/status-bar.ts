@@ -1,10 +1,11 @@
+import type { Mode } from "../document/document.ts";
 import type { EditorState } from "../editor/editor.ts";
 import { measureCurve } from "../kernel/measure.ts";
 import { h, setAttribute } from "./dom.ts";
 import { formatBytes, formatCount, formatMeasure, formatRatio } from "./format.ts";
 import { inNextFrame, type Shell } from "./shell.ts";
 
-interface Metric {
+export interface Metric {
   readonly testid: string;
   readonly about: string;
   /** Null hides the metric. */
@@ -75,11 +76,14 @@ const cost: readonly Metric[] = [
   },
 ];
 
+/** The numbers of a mode that is loaded later: what is there, what is true about it, what it costs. */
+export type ModeMetrics = readonly [present: readonly Metric[], truth: readonly Metric[], cost: readonly Metric[]];
+
 const slowEveryMs = 120;
 const mostMeasuredLive = 200;
 
 /** What is there, what is true about it, what it costs. Every number can be copied by a press and carries itself in `data-value`. */
-export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement } {
+export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement; put(mode: Mode, metrics: ModeMetrics): void } {
   const { editor, regions, io, toasts, until } = shell;
   const make = (metric: Metric): { metric: Metric; element: HTMLButtonElement } => {
     const element = h("button", { class: "metric", type: "button", testid: metric.testid, title: `${metric.about}. Press to copy.` });
@@ -89,22 +93,29 @@ export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement } 
     });
     return { metric, element };
   };
-  const groups = [present, truth, cost].map((metrics) => metrics.map(make));
-  const frame = make({ testid: "m-ms", about: "Time to compute and draw the last frame", read: () => frameTime(shell.frame.times) });
-  groups[2]?.push(frame);
-  const element = h(
-    "div",
-    { class: "metrics" },
-    ...groups.map((group, i) => h("div", { class: `metric-group${i === 1 ? " truth" : ""}`, role: "group", "aria-label": ["Drawing", "Accuracy", "Cost"][i] ?? "" }, ...group.map((entry) => entry.element))),
-  );
+  const frame = { testid: "m-ms", about: "Time to compute and draw the last frame", read: () => frameTime(shell.frame.times) };
+  const element = h("div", { class: "metrics" });
   regions.status.append(element);
 
-  const all = groups.flat();
+  const modes = new Map<Mode, ModeMetrics>([["curve", [present, truth, cost]]]);
+  let shownMode: Mode | null = null;
+  let all: ReturnType<typeof make>[] = [];
+  const build = (mode: Mode): void => {
+    shownMode = mode;
+    const [first, second, third] = modes.get(mode) ?? [[], [], []];
+    const groups = [first, second, [...third, frame]].map((metrics) => metrics.map(make));
+    all = groups.flat();
+    element.replaceChildren(
+      ...groups.map((group, i) => h("div", { class: `metric-group${i === 1 ? " truth" : ""}`, role: "group", "aria-label": ["Drawing", "Accuracy", "Cost"][i] ?? "" }, ...group.map((entry) => entry.element))),
+    );
+  };
   let lastSlow = 0;
   let pending: ReturnType<typeof setTimeout> | null = null;
   const update = (): void => {
     const state = editor.state.value;
-    element.hidden = state.mode !== "curve";
+    element.hidden = !modes.has(state.mode);
+    if (element.hidden) return;
+    if (shownMode !== state.mode) build(state.mode);
     // Of a very large drawing they wait for the end of the drag.
     const waits = state.drag !== null && state.curve.contours.length > mostMeasuredLive;
     const slowToo = !waits && performance.now() - lastSlow >= slowEveryMs;
@@ -116,10 +127,18 @@ export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement } 
   };
   const soon = inNextFrame(shell.frame, () => editor.state.value.engine.status === "ready" && update());
   editor.state.subscribe((state, before) => {
-    if (state.curve !== before.curve || state.settings !== before.settings || state.mode !== before.mode || state.engine !== before.engine) soon.request();
+    if (state.curve !== before.curve || state.surface !== before.surface || state.settings !== before.settings || state.mode !== before.mode || state.engine !== before.engine) soon.request();
   }, { until });
+  build("curve");
   soon.request();
-  return { metrics: element };
+  return {
+    metrics: element,
+    put(mode, metrics) {
+      modes.set(mode, metrics);
+      shownMode = null;
+      soon.request();
+    },
+  };
 }
 
 function frameTime(times: readonly number[]): ReturnType<Metric["read"]> {

@@ -34,8 +34,10 @@ export function mountZoomBox(editor: Editor, box: HTMLElement, until: AbortSigna
   percent.inputMode = "decimal";
   percent.dataset["testid"] = "zoom-pct";
   percent.setAttribute("aria-label", "Zoom in percent");
+  const zoomNow = (): number => editor.modes.get(editor.state.value.mode)?.view?.zoomNow ?? editor.state.value.view.zoom;
   const print = (): void => {
-    percent.value = `${Math.round(editor.state.value.view.zoom * 100)} %`;
+    const text = `${Math.round(zoomNow() * 100)} %`;
+    if (percent.value !== text) percent.value = text;
   };
   percent.addEventListener("change", () => {
     const typed = Number(percent.value.replace("%", "").replace(",", ".").trim());
@@ -49,9 +51,7 @@ export function mountZoomBox(editor: Editor, box: HTMLElement, until: AbortSigna
     actionButton(editor, "zoom-in", "zoom-in", "+"),
     actionButton(editor, "zoom-fit", "zoom-fit", "\u2922"),
   );
-  editor.state.subscribe((state, before) => {
-    if (state.view.zoom !== before.view.zoom && document.activeElement !== percent) print();
-  }, { until });
+  editor.state.subscribe(() => document.activeElement !== percent && print(), { until });
   print();
 }
 

@@ -1,3 +1,4 @@
+import type { Mode } from "../document/document.ts";
 import type { Editor } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
 import { drawComb, drawKnots, drawPolygon, drawSubdivision } from "./layers/analysis.ts";
@@ -17,6 +18,14 @@ const mostRatio = 3;
 export interface Stage {
   /** Asks for a new picture. */
   repaint(): void;
+  /** What modes other than Curve draw, once they are there. */
+  readonly painters: Map<Mode, Painter>;
+}
+
+export interface Painter {
+  /** True: the paper is drawn by something beneath the canvas, which is wiped clear. */
+  readonly clear?: boolean;
+  paint(scene: Scene): void;
 }
 
 /** Device pixels per CSS pixel, within what a canvas can hold. */
@@ -31,6 +40,7 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
   let palette = readPalette(document.documentElement);
   let ratio = 1;
   let dirty = true;
+  const painters = new Map<Mode, Painter>([["curve", { paint: (scene) => { for (const layer of layers) layer(scene); } }]]);
 
   function measure(): void {
     const box = surface.getBoundingClientRect();
@@ -54,12 +64,14 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
     if (!dirty || context === null) return;
     dirty = false;
     const scene: Scene = { context, state: editor.state.value, palette, ratio, origin: editor.origin, focused: surface.contains(document.activeElement) };
+    const painter = painters.get(scene.state.mode);
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.fillStyle = palette.canvas;
-    context.fillRect(0, 0, canvas.width, canvas.height);
+    if (painter?.clear === true) context.clearRect(0, 0, canvas.width, canvas.height);
+    else context.fillRect(0, 0, canvas.width, canvas.height);
     // A stage of no size (a hidden tab, a folded phone) has nothing to draw on.
-    if (canvas.width === 0 || canvas.height === 0 || scene.state.mode !== "curve") return;
-    for (const layer of layers) layer(scene);
+    if (canvas.width === 0 || canvas.height === 0) return;
+    painter?.paint(scene);
   }
 
   const recolour = (): void => {
@@ -79,7 +91,7 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
   for (const type of ["focusin", "focusout"]) surface.addEventListener(type, repaint, { signal: until });
   frame.add("paint", paint);
   measure();
-  return { repaint };
+  return { repaint, painters };
 }
 
 /** From the paper up. */

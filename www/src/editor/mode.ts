@@ -1,0 +1,23 @@
+import type { ScreenPoint } from "./camera.ts";
+import type { Pinch } from "./pinch.ts";
+import type { Tool } from "./tool.ts";
+
+/** How a mode that is not drawn on the plane is looked at. */
+export interface ModeView {
+  /** Moves with the hand, by CSS pixels. */
+  pan(dx: number, dy: number): void;
+  /** Closer by a factor; what is at `at` stays there as well as it can. */
+  zoom(factor: number, at: ScreenPoint | null): void;
+  zoomTo(zoom: number): void;
+  fit(): void;
+  /** 1 is the size at which everything fits. */
+  readonly zoomNow: number;
+  pinch(a: ScreenPoint, b: ScreenPoint): Pinch;
+}
+
+/** What a mode brings of its own; what it does not bring is the plane's. */
+export interface ModeParts {
+  /** Works the pointer in place of the rail's tools. */
+  readonly tool: Tool;
+  readonly view?: ModeView;
+}

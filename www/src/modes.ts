@@ -1,0 +1,31 @@
+import type { Mode } from "./document/document.ts";
+import type { Editor } from "./editor/editor.ts";
+
+/** Modes that are loaded when they are first opened: the page of somebody who never does is not the heavier for it. */
+export interface ModeLoader {
+  /** Resolves when every mode that was asked for is there. */
+  settled(): Promise<void>;
+}
+
+export function loadModes(editor: Editor, loaders: Partial<Record<Mode, () => Promise<void>>>, until: AbortSignal): ModeLoader {
+  const asked = new Map<Mode, Promise<void>>();
+  const ask = (mode: Mode): void => {
+    const load = loaders[mode];
+    if (load === undefined || asked.has(mode) || editor.state.value.engine.status !== "ready") return;
+    asked.set(mode, load().catch((error: unknown) => {
+      // The next visit tries again: a connection may have been lost for a moment.
+      asked.delete(mode);
+      const text = error instanceof Error ? error.message : String(error);
+      editor.notify({ kind: "error", id: "engine", text: `This mode could not be loaded: ${text}` });
+    }));
+  };
+  editor.state.subscribe(({ mode, engine }, before) => {
+    if (mode !== before.mode || engine !== before.engine) ask(mode);
+  }, { until });
+  ask(editor.state.value.mode);
+  return {
+    async settled() {
+      await Promise.all(asked.values());
+    },
+  };
+}
