@@ -20,7 +20,7 @@ mod host {
 
     use expline::curve::NearestFinder;
     use expline::numerics::Point;
-    use expline::{HermiteCurve, HermiteOptions, Space};
+    use expline::{Curve, HermiteCurve, HermiteOptions, Space};
     use kurbo::{BezPath, CubicBez, ParamCurveArclen, ParamCurveArea, ParamCurveExtrema, ParamCurveNearest};
 
     type Row = fn(&HermiteCurve, &[CubicBez]);

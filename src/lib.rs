@@ -61,7 +61,7 @@ pub mod trace;
 #[cfg(all(target_arch = "wasm32", feature = "wasm"))]
 mod wasm;
 
-pub use curve::{HermiteCurve, HermiteOptions};
+pub use curve::{Curve, HermiteCurve, HermiteOptions};
 pub use error::{Error, Result};
 pub use generator::Space;
 

@@ -24,12 +24,15 @@ const DRAWING: [(&str, &[&str]); 11] = [
 ];
 
 /// Names that the crate's root gives again, and the rooms that they come from.
-const ROOT_NAMES: [(&str, &str); 5] = [
+const ROOT_NAMES: [(&str, &str); 8] = [
     ("Error", "error"),
     ("Result", "error"),
     ("Space", "generator"),
     ("HermiteCurve", "curve"),
     ("HermiteOptions", "curve"),
+    ("Curve", "curve"),
+    ("InterpolatingCurve", "curve"),
+    ("BSplineCurve", "curve"),
 ];
 
 /// Packages that know JavaScript: named in the wasm room only.

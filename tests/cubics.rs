@@ -5,7 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod support;
 
-use expline::HermiteCurve;
+use expline::{Curve, HermiteCurve};
 use expline::curve::{Cubics, NearestFinder};
 use expline::numerics::Point;
 use support::curves::{Random, random_curve};

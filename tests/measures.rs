@@ -7,7 +7,7 @@ mod support;
 
 use core::f64::consts::{PI, TAU};
 use expline::numerics::{Point, Vector};
-use expline::{Error, HermiteCurve, HermiteOptions, Space};
+use expline::{Curve, Error, HermiteCurve, HermiteOptions, Space};
 use support::curves::{Random, random_curve};
 use support::tolerance::{AREA, BOUNDS, LENGTH};
 use support::unboxed;

@@ -7,7 +7,7 @@ mod support;
 
 use expline::curve::NearestFinder;
 use expline::numerics::Point;
-use expline::{HermiteCurve, HermiteOptions};
+use expline::{Curve, HermiteCurve, HermiteOptions};
 use support::curves::{Random, random_curve};
 use support::tolerance::NEAREST;
 

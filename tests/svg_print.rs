@@ -12,7 +12,7 @@ use core::f64::consts::{PI, TAU};
 
 use expline::curve::HermiteOptions;
 use expline::svg::{PrintOptions, Printed, parse_path, to_path_d};
-use expline::{Error, HermiteCurve, Space};
+use expline::{Curve, Error, HermiteCurve, Space};
 use nalgebra::Vector2;
 use support::curves::Random;
 use support::drawing::{self, Piece, Stretch, drawing};

@@ -3,7 +3,7 @@
 
 use core::f64::consts::TAU;
 
-use expline::HermiteCurve;
+use expline::{Curve, HermiteCurve};
 use expline::numerics::{Point, Vector};
 use expline::svg::{PrintOptions, parse_path, to_path_d};
 use wasm_bindgen_test::{wasm_bindgen_test as test, wasm_bindgen_test_configure};

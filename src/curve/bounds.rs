@@ -1,9 +1,15 @@
 //! The smallest upright box around a curve.
 
 use super::piece::Piece;
-use super::{HermiteCurve, Segment};
-use crate::numerics::Vector;
+use super::pieces::Pieces;
+use super::spatial::SpacePiece;
+use crate::numerics::plane::taxi;
 use crate::numerics::roots::bracketed_root;
+
+/// Intervals below this share of a piece are not halved any more.
+const LEAST_HALF: f64 = 1e-9;
+/// The most intervals that are open at once.
+const STACK: usize = 40;
 
 /// An upright box.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,91 +22,91 @@ pub struct Bounds {
     pub max_x: f64,
     /// Largest y.
     pub max_y: f64,
+    /// Smallest z; 0 for a curve of the plane.
+    pub min_z: f64,
+    /// Largest z; 0 for a curve of the plane.
+    pub max_z: f64,
 }
 
 impl Bounds {
-    /// The larger of width and height.
+    /// The largest of width, height and depth.
     pub fn extent(&self) -> f64 {
-        (self.max_x - self.min_x).max(self.max_y - self.min_y)
+        (self.max_x - self.min_x).max(self.max_y - self.min_y).max(self.max_z - self.min_z)
     }
+}
 
-    fn empty() -> Self {
-        let far = f64::INFINITY;
-        Self { min_x: far, min_y: far, max_x: -far, max_y: -far }
-    }
+/// A box that grows.
+struct Grown {
+    low: [f64; 3],
+    high: [f64; 3],
+}
 
-    fn include(&mut self, p: Vector) {
+impl Grown {
+    const EMPTY: Self = Self { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] };
+
+    fn include(&mut self, coordinates: &[f64]) {
         // Comparisons instead of `min`: nothing here is not a number, and one instruction is enough.
-        self.min_x = if p.x < self.min_x { p.x } else { self.min_x };
-        self.max_x = if p.x > self.max_x { p.x } else { self.max_x };
-        self.min_y = if p.y < self.min_y { p.y } else { self.min_y };
-        self.max_y = if p.y > self.max_y { p.y } else { self.max_y };
+        for (axis, &value) in coordinates.iter().enumerate() {
+            self.low[axis] = if value < self.low[axis] { value } else { self.low[axis] };
+            self.high[axis] = if value > self.high[axis] { value } else { self.high[axis] };
+        }
     }
 
     fn holds(&self, axis: usize, value: f64) -> bool {
-        if axis == 0 {
-            value >= self.min_x && value <= self.max_x
-        } else {
-            value >= self.min_y && value <= self.max_y
-        }
+        value >= self.low[axis] && value <= self.high[axis]
+    }
+
+    fn bounds(&self, dimension: usize) -> Bounds {
+        let ([min_x, min_y, z], [max_x, max_y, top]) = (self.low, self.high);
+        let [min_z, max_z] = if dimension == 3 { [z, top] } else { [0.0; 2] };
+        Bounds { min_x, min_y, max_x, max_y, min_z, max_z }
     }
 }
 
-impl HermiteCurve {
-    /// The smallest upright box that holds the curve: the exact extrema, not those of a control polygon.
-    ///
-    /// The generalised Bézier points of a segment hold it in their hull, so a segment whose hull lies in the box of
-    /// what was already seen is passed over. Of the others every zero of each coordinate's derivative is found: between
-    /// the zeros of the second derivative, which are known in closed form, the first is monotone.
-    ///
-    /// # Accuracy
-    ///
-    /// A few roundings of the largest coordinate; extrema are insensitive to errors of their parameter.
-    ///
-    /// # Cost
-    ///
-    /// O(segments), no allocation.
-    pub fn bounds(&self) -> Bounds {
-        let mut bounds = Bounds::empty();
-        for &p in self.points() {
-            bounds.include(p);
+pub(crate) fn bounds(curve: &dyn Pieces) -> Bounds {
+    let mut grown = Grown::EMPTY;
+    let last = curve.piece_count();
+    if curve.dimension() == 3 {
+        for i in 0..last {
+            SpacePiece::new(curve, i).extremes(&mut |point| grown.include(&point));
         }
-        for segment in self.segments() {
-            include_segment(&mut bounds, &segment);
-        }
-        bounds
+        return grown.bounds(3);
     }
-
-    /// A box around the generalised Bézier points, which hold the curve in their hull.
-    pub(crate) fn hull(&self) -> Bounds {
-        let mut bounds = Bounds::empty();
-        for segment in self.segments() {
-            let reach = segment.length * segment.basis.kappa();
-            bounds.include(segment.start);
-            bounds.include(segment.start + segment.leaving * reach);
-            bounds.include(segment.end - segment.arriving * reach);
-            bounds.include(segment.end);
-        }
-        bounds
+    for i in 0..=last {
+        grown.include(curve.start(i).as_slice());
     }
+    for i in 0..last {
+        let [first, second] = curve.handles(i);
+        for axis in 0..2 {
+            if !(grown.holds(axis, first[axis]) && grown.holds(axis, second[axis])) {
+                let piece = curve.piece(i);
+                stationary(&piece, axis, &mut |y| grown.include(piece.position(y).as_slice()));
+            }
+        }
+    }
+    grown.bounds(2)
 }
 
-fn include_segment(bounds: &mut Bounds, segment: &Segment<'_>) {
-    let reach = segment.length * segment.basis.kappa();
-    let (first, second) = (segment.start + segment.leaving * reach, segment.end - segment.arriving * reach);
-    for axis in 0..2 {
-        if !(bounds.holds(axis, first[axis]) && bounds.holds(axis, second[axis])) {
-            let piece = Piece::new(segment);
-            stationary(&piece, axis, &mut |y| bounds.include(piece.position(y)));
+/// A box that holds the curve, quicker than the smallest one.
+pub(crate) fn hull(curve: &dyn Pieces) -> Bounds {
+    if curve.dimension() == 3 {
+        return bounds(curve);
+    }
+    let mut grown = Grown::EMPTY;
+    for i in 0..curve.piece_count() {
+        let [first, second] = curve.handles(i);
+        for point in [curve.start(i), first, second, curve.start(i + 1)] {
+            grown.include(point.as_slice());
         }
     }
+    grown.bounds(2)
 }
 
 /// Calls `found` with every y in (−1/2, 1/2) where one coordinate of the piece turns.
 #[inline(never)]
 pub(crate) fn stationary(piece: &Piece, axis: usize, found: &mut dyn FnMut(f64)) {
+    let [a, b, p, q] = piece.coefficients();
     if piece.is_cubic() {
-        let [_, b, p, q] = piece.coefficients();
         let (b, p, q) = (b[axis], p[axis], q[axis]);
         let discriminant = p * p - 2.0 * q * b;
         if discriminant > 0.0 {
@@ -113,18 +119,54 @@ pub(crate) fn stationary(piece: &Piece, axis: usize, found: &mut dyn FnMut(f64))
         }
         return;
     }
-    let [one, two] = piece.inflections(axis);
-    let (one, two) = (one.unwrap_or(0.5), two.unwrap_or(0.5));
-    let mut lo = -0.5;
-    let mut at_lo = piece.jet(lo).first[axis];
-    for hi in [one.min(two), one.max(two), 0.5] {
-        let at_hi = piece.jet(hi).first[axis];
-        if hi > lo && at_lo * at_hi < 0.0 {
-            found(bracketed_root(lo, hi, at_lo < 0.0, 0.5 * (lo + hi), &mut |y| {
-                let jet = piece.jet(y);
-                (jet.first[axis], jet.second[axis])
-            }));
+    let slopes = |y: f64| {
+        let jet = piece.jet(y);
+        [jet.first[axis], jet.second[axis], jet.third[axis]]
+    };
+    let fourth = |lo: f64, hi: f64| piece.fourth(piece.bend(lo, hi));
+    turns(&slopes, &fourth, taxi(a) + taxi(b) + taxi(p) + taxi(q), found);
+}
+
+/// Calls `found` where a function of the size `size` on [−1/2, 1/2] turns, by its first three derivatives and a bound of
+/// the fourth.
+///
+/// An interval is passed over where Taylor's formula proves that the first derivative has no zero, solved where it
+/// proves it monotone, and else halved. Where the function stays within a rounding any point will do.
+#[inline(never)]
+pub(super) fn turns(
+    slopes: &dyn Fn(f64) -> [f64; 3],
+    fourth: &dyn Fn(f64, f64) -> f64,
+    size: f64,
+    found: &mut dyn FnMut(f64),
+) {
+    let mut stack = [(0.0, 0.0); STACK];
+    stack[0] = (-0.5, 0.5);
+    let mut open = 1;
+    while open > 0 {
+        open -= 1;
+        let (lo, hi) = stack[open];
+        let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+        let ([first, second, third], rest) = (slopes(middle), fourth(lo, hi));
+        let bend = half * (third.abs() + 0.5 * half * rest);
+        let sway = half * (second.abs() + 0.5 * half * (third.abs() + half * rest / 3.0));
+        if first.abs() > sway {
+            continue;
         }
-        (lo, at_lo) = (hi, at_hi);
+        if half * (first.abs() + sway) <= f64::EPSILON * size || half < LEAST_HALF || open + 2 > STACK {
+            found(middle);
+        } else if second.abs() > bend {
+            let rising = second > 0.0;
+            let (at_lo, at_hi) = (slopes(lo)[0], slopes(hi)[0]);
+            if (at_lo < 0.0) == rising && (at_hi > 0.0) == rising {
+                found(bracketed_root(lo, hi, rising, middle, &mut |y| {
+                    let [first, second, _] = slopes(y);
+                    (first, second)
+                }));
+            }
+        } else {
+            stack[open] = (middle, hi);
+            stack[open + 1] = (lo, middle);
+            open += 2;
+        }
     }
 }

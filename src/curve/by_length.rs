@@ -10,10 +10,10 @@
 //!
 //! so that a point costs seven multiplications and no iteration.
 
-use super::HermiteCurve;
-use super::length::check_tolerance;
+use super::length::{check_tolerance, place_on};
 use super::limits::{MOST_OUTPUT_POINTS, too_many, with_room};
 use super::piece::{Jet, Piece};
+use super::pieces::{AnyPiece, Pieces};
 use super::speed::{axis_rule, interval_axis, length_by_rule, piece_length};
 use crate::error::Result;
 use crate::numerics::plane::{dot, norm, square};
@@ -23,65 +23,78 @@ const STACK: usize = 192;
 /// Cells of less than this share of a segment are taken as they are.
 const LEAST_WIDTH: f64 = 1e-14;
 
-impl HermiteCurve {
-    /// The parameters of `count` points that are equally far apart along the curve.
-    ///
-    /// An open curve gets both ends; a closed one starts at t = 0 and the last point is one step before it.
-    ///
-    /// # Accuracy
-    ///
-    /// Every point is within `tolerance` of its place along the curve (checked in the middle of every cell, with a
-    /// factor 8 to spare; the error of the polynomials is largest there).
-    ///
-    /// # Errors
-    ///
-    /// `tolerance` not finite or not positive; more than 4 000 000 points.
-    ///
-    /// # Cost
-    ///
-    /// About 2 µs for each segment and 20 ns for each point.
-    pub fn sample_by_length(&self, count: usize, tolerance: f64) -> Result<Vec<f64>> {
-        check_tolerance(tolerance)?;
-        if count > MOST_OUTPUT_POINTS {
-            return Err(too_many("count", "maxOutputPoints", MOST_OUTPUT_POINTS, count));
-        }
-        let share = 0.125 * tolerance / self.segment_count() as f64;
-        let mut lengths = with_room(self.segment_count())?;
-        lengths.extend(self.segments().map(|s| piece_length(&Piece::new(&s), -0.5, 0.5, share)));
-        let total: f64 = lengths.iter().sum();
-        let steps = if self.is_closed() { count } else { count.saturating_sub(1) };
-        let step = total / steps.max(1) as f64;
-        let mut parameters = with_room(count)?;
-        let (mut cells, mut before) = (Vec::new(), 0.0);
-        let last = self.segment_count() - 1;
-        for (i, segment) in self.segments().enumerate() {
-            // The points whose place is on this segment; the last one takes what roundings leave.
-            let end = before + lengths[i];
-            let until = if i == last { count } else { ((end / step) as usize).saturating_add(1).min(count) };
-            if parameters.len() >= until {
-                before = end;
-                continue;
+/// Parameters, as [`super::Curve::sample_by_length`] says.
+pub(crate) fn sample_by_length(curve: &dyn Pieces, count: usize, tolerance: f64) -> Result<Vec<f64>> {
+    let mut parameters = Vec::new();
+    along(curve, count, tolerance, 1, &mut parameters, &mut |_, _, t, out| out.push(t))?;
+    Ok(parameters)
+}
+
+/// The points there: the table knows on which piece they are, so that nothing is looked for.
+pub(crate) fn points_by_length(curve: &dyn Pieces, count: usize, tolerance: f64) -> Result<Vec<f64>> {
+    let mut points = Vec::new();
+    along(curve, count, tolerance, curve.dimension(), &mut points, &mut |piece, y, _, out| match piece {
+        AnyPiece::Plane(piece) => out.extend_from_slice(piece.position(y).as_slice()),
+        AnyPiece::Space(piece) => out.extend_from_slice(&piece.position(y)),
+    })?;
+    Ok(points)
+}
+
+/// What is written for a point: of its piece, its place there, its parameter.
+type Write<'a> = &'a mut dyn FnMut(&AnyPiece, f64, f64, &mut Vec<f64>);
+
+fn along(
+    curve: &dyn Pieces,
+    count: usize,
+    tolerance: f64,
+    each: usize,
+    out: &mut Vec<f64>,
+    write: Write<'_>,
+) -> Result<()> {
+    check_tolerance(tolerance)?;
+    if count > MOST_OUTPUT_POINTS {
+        return Err(too_many("count", "maxOutputPoints", MOST_OUTPUT_POINTS, count));
+    }
+    let pieces = curve.piece_count();
+    let share = 0.125 * tolerance / pieces as f64;
+    let mut lengths = with_room(pieces)?;
+    lengths.extend((0..pieces).map(|i| AnyPiece::new(curve, i).length(-0.5, 0.5, share)));
+    let total: f64 = lengths.iter().sum();
+    let steps = if curve.closed() { count } else { count.saturating_sub(1) };
+    let step = total / steps.max(1) as f64;
+    *out = with_room(each * count)?;
+    let (mut cells, mut before, mut done) = (Vec::new(), 0.0, 0);
+    for (i, &whole) in lengths.iter().enumerate() {
+        // The points whose place is on this piece; the last one takes what roundings leave.
+        let end = before + whole;
+        let last = i + 1 == pieces;
+        let until = if last { count } else { ((end / step) as usize).saturating_add(1).min(count) };
+        if done < until {
+            let piece = AnyPiece::new(curve, i);
+            if let AnyPiece::Plane(piece) = &piece {
+                tabulate(piece, 0.125 * tolerance, share, &mut cells);
             }
-            tabulate(&Piece::new(&segment), 0.125 * tolerance, share, &mut cells);
-            let (from, to) = (self.knots()[i], self.knots()[i + 1]);
-            let scale = cells.last().map_or(0.0, |cell: &Cell| cell.end) / lengths[i];
+            let (from, to) = (curve.knot(i), curve.knot(i + 1));
+            let scale = cells.last().map_or(1.0, |cell: &Cell| cell.end / whole);
             let scale = if scale.is_finite() { scale } else { 0.0 };
-            let place = |k: usize| (k as f64 * step - before) * scale;
-            let parameter = |cell: &Cell, k: usize| {
-                let t = from + (cell.parameter(place(k)) + 0.5) * segment.length;
-                if t < to { t } else { to }
-            };
             let mut cell = 0;
-            for k in parameters.len()..until {
-                while cell + 1 < cells.len() && place(k) > cells[cell].end {
+            for k in done..until {
+                let place = (k as f64 * step - before) * scale;
+                while cell + 1 < cells.len() && place > cells[cell].end {
                     cell += 1;
                 }
-                parameters.push(parameter(&cells[cell], k));
+                let y = match cells.get(cell) {
+                    Some(cell) => cell.parameter(place),
+                    None => place_on(&piece, place, whole, share),
+                };
+                let t = from + (y + 0.5) * (to - from);
+                write(&piece, y, if t < to { t } else { to }, out);
             }
-            before = end;
+            done = until;
         }
-        Ok(parameters)
+        before = end;
     }
+    Ok(())
 }
 
 /// A stretch of a piece, and its parameter as a polynomial of the length along it.

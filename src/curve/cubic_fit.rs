@@ -12,7 +12,6 @@
 //! do, with degree 16.
 
 use super::piece::{Jet, Piece};
-use crate::numerics::entire::stumpff;
 use crate::numerics::plane::{cross, dot, norm, square};
 use crate::numerics::{Point, Vector};
 
@@ -216,10 +215,7 @@ fn tail(piece: &Piece, cubic: &Cubic, sigma: &[f64; DEGREE + 1], middle: f64, de
     for rho in [3.0_f64, 4.0, 6.0, 9.0, 16.0, 32.0] {
         // |Tₖ| is at most (ρᵏ + ρ⁻ᵏ)/2 on the ellipse.
         let reach = 0.5 * (growths(sigma, rho) + growths(sigma, 1.0 / rho));
-        // The functions of the space on a disc of complex numbers are largest where they are hyperbolic.
-        let growth = stumpff(-(piece.rate().abs() * reach * reach).min(490_000.0)).c0;
-        let arc = reach
-            * (norm(jet.first) + growth * reach * (0.5 * norm(jet.second) + reach * norm(jet.third) / 6.0));
+        let [arc, _] = piece.within(&jet, middle, reach);
         let x = 0.5 * (rho + 1.0 / rho);
         let largest = arc + constant + x * (linear + x * (second + x * third));
         least = least.min(2.0 * largest / (rho.powi(degree) * (rho - 1.0)));

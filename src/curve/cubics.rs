@@ -1,13 +1,14 @@
 //! Cubic Bézier curves near a curve.
 
 use super::cubic_fit::{Cubic, estimate, fit, hermite_cubic, prove};
-use super::flatten::spread;
+use super::flatten::{least_tolerance, spread};
 use super::length::check_tolerance;
 use super::limits::{MOST_OUTPUT_POINTS, too_many};
 use super::piece::Piece;
-use super::{HermiteCurve, Segment};
+use super::pieces::Pieces;
+use super::{Segment, spatial};
 use crate::error::Result;
-use crate::numerics::Point;
+use crate::numerics::{Point, Vector};
 use crate::numerics::entire::stumpff;
 use crate::numerics::plane::{dot, norm, square};
 
@@ -18,78 +19,71 @@ const MOST_BALANCED: usize = 256;
 /// How often the ends of the pieces are moved to make their errors even.
 const ROUNDS: usize = 3;
 
-/// Cubic Bézier curves near a curve; see [`HermiteCurve::to_cubics`].
+/// Cubic Bézier curves near a curve; see [`Curve::to_cubics`](super::Curve::to_cubics).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cubics {
-    /// Eight numbers for each cubic: start, two handles, end. Each starts where the one before ends.
+    /// Eight numbers for each cubic, twelve in space: start, two handles, end. Each starts where the one before ends.
     pub path: Vec<f64>,
     /// The proved bound of the distance between the path and the curve, both ways.
     pub deviation: f64,
-    /// For every segment of the curve, how many cubics precede it.
+    /// For every segment or piece of the curve, how many cubics precede it.
     pub first: Vec<u32>,
 }
 
-impl HermiteCurve {
-    /// Cubic Bézier curves within `tolerance` of the curve, as few as can be; control points stay ends of pieces.
-    ///
-    /// Cubic segments and straight lines are converted exactly. An arc gets the cubics that share the ends and tangents
-    /// and cross it twice each, error of the sixth order; the ends between them are moved until their errors are even.
-    ///
-    /// # Accuracy
-    ///
-    /// `deviation` is a proved bound of the distance both ways, everywhere: see the module `cubic_fit`. A quarter of a
-    /// circle is off by 1.96e-4 of the radius and proved to be within 2.0e-4. A tolerance below 1e-9 of the extent
-    /// is raised to that; the deviation says so.
-    ///
-    /// # Errors
-    ///
-    /// `tolerance` not finite or not positive; more than 4 000 000 points.
-    ///
-    /// # Cost
-    ///
-    /// 20 ns for a cubic segment, about 10 µs for each cubic of another one.
-    pub fn to_cubics(&self, tolerance: f64) -> Result<Cubics> {
-        check_tolerance(tolerance)?;
-        let tolerance = self.least_tolerance(tolerance);
-        let mut cubics = Cubics::default();
-        let mut pieces = Vec::new();
-        for segment in self.segments() {
-            cubics.first.push((cubics.path.len() / 8) as u32);
-            pieces.clear();
-            cubics.deviation = cubics.deviation.max(segment_cubics(&segment, tolerance, &mut pieces));
-            let needed = cubics.path.len() / 2 + 4 * pieces.len();
-            if needed > 4 * MOST_OUTPUT_POINTS {
-                return Err(too_many("tolerance", "maxOutputPoints", MOST_OUTPUT_POINTS, needed));
-            }
-            cubics.path.extend(pieces.iter().flatten().flat_map(|p| [p.x, p.y]));
-        }
-        Ok(cubics)
+pub(crate) fn to_cubics(curve: &dyn Pieces, tolerance: f64) -> Result<Cubics> {
+    check_tolerance(tolerance)?;
+    let tolerance = least_tolerance(curve, tolerance);
+    if curve.dimension() != 2 {
+        return spatial::to_cubics(curve, tolerance, 4 * MOST_OUTPUT_POINTS);
     }
+    let mut cubics = Cubics::default();
+    let mut pieces = Vec::new();
+    for i in 0..curve.piece_count() {
+        cubics.first.push((cubics.path.len() / 8) as u32);
+        pieces.clear();
+        let ends = [curve.start(i), curve.start(i + 1)];
+        let deviation = piece_cubics(&curve.piece(i), ends, curve.tangents(i), tolerance, &mut pieces);
+        cubics.deviation = cubics.deviation.max(deviation);
+        let needed = cubics.path.len() / 2 + 4 * pieces.len();
+        if needed > 4 * MOST_OUTPUT_POINTS {
+            return Err(too_many("tolerance", "maxOutputPoints", MOST_OUTPUT_POINTS, needed));
+        }
+        cubics.path.extend(pieces.iter().flatten().flat_map(|p| [p.x, p.y]));
+    }
+    Ok(cubics)
 }
 
 /// Appends the cubic Bézier curves of one segment and returns the proved bound of their distance from it.
 pub fn segment_cubics(segment: &Segment<'_>, tolerance: f64, out: &mut Vec<[Point; 4]>) -> f64 {
-    let piece = Piece::new(segment);
+    let tangents = [segment.leaving * segment.length, segment.arriving * segment.length];
+    piece_cubics(&Piece::new(segment), [segment.start, segment.end], tangents, tolerance, out)
+}
+
+/// The same for any piece, whose ends and end derivatives are known to the last bit.
+fn piece_cubics(
+    piece: &Piece,
+    [start, end]: [Point; 2],
+    [leaving, arriving]: [Vector; 2],
+    tolerance: f64,
+    out: &mut Vec<[Point; 4]>,
+) -> f64 {
     if piece.is_cubic() {
-        let reach = segment.length / 3.0;
-        let (first, second) =
-            (segment.start + segment.leaving * reach, segment.end - segment.arriving * reach);
-        out.push([segment.start, first, second, segment.end]);
+        out.push([start, start + leaving / 3.0, end - arriving / 3.0, end]);
         return 0.0;
     }
     let begin = out.len();
-    let deviation = match balanced(&piece, tolerance, out) {
+    let deviation = match balanced(piece, tolerance, out) {
         Some(deviation) => deviation,
         None => {
             out.truncate(begin);
-            halved(&piece, tolerance, out)
+            halved(piece, tolerance, out)
         }
     };
     if let Some(cubic) = out.get_mut(begin) {
-        cubic[0] = segment.start;
+        cubic[0] = start;
     }
     if let Some(cubic) = out.last_mut() {
-        cubic[3] = segment.end;
+        cubic[3] = end;
     }
     deviation
 }
@@ -113,7 +107,8 @@ fn best(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> (Cubic, f64) {
     }
 }
 
-/// The chord as a cubic, and its distance from the arc: the arc lies in the hull of its generalised Bézier points.
+/// The chord as a cubic, and its distance from the arc: the arc lies in the hull of its generalised Bézier points, a
+/// polynomial near that of its plain cubic.
 fn straight(piece: &Piece, plain: &Cubic, lo: f64, hi: f64) -> (Cubic, f64) {
     let [start, first, second, end] = *plain;
     let chord = end - start;
@@ -125,7 +120,7 @@ fn straight(piece: &Piece, plain: &Cubic, lo: f64, hi: f64) -> (Cubic, f64) {
         norm(handle - chord * share)
     };
     let (one, two) = ((first - start) * stretch, chord + (second - end) * stretch);
-    let bound = off(one).max(off(two));
+    let bound = off(one).max(off(two)) + if piece.is_polynomial() { piece.cubic_gap(lo, hi) } else { 0.0 };
     let bound = if bound.is_nan() { f64::INFINITY } else { bound };
     ([start, start + third, end - third, end], bound)
 }

@@ -3,11 +3,13 @@
 //! A chord of parameter width h is κ·ds²/8 away from a short arc, so points that are evenly spread over
 //! ∫√(|r′ × r″|/|r′|) dy make equal errors: as few as can be. Then every chord is proved, whatever was assumed before.
 
-use super::HermiteCurve;
+use super::bounds::{bounds, hull};
 use super::chords::{Chords, Turning};
 use super::length::check_tolerance;
 use super::limits::{MOST_OUTPUT_POINTS, too_many};
 use super::piece::Piece;
+use super::pieces::Pieces;
+use super::spatial;
 use crate::error::{Error, Result};
 use crate::numerics::plane::{cross, norm};
 
@@ -20,55 +22,38 @@ const LAYERS: [f64; 12] = [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 9.0, 13.0, 18.0, 2
 /// Cells of such a segment, and their edges.
 const MOST_CELLS: usize = 2 * LAYERS.len() + 1;
 
-impl HermiteCurve {
-    /// A polyline within `tolerance` of the curve, and the bound of its distance that was proved.
-    ///
-    /// The points are on the curve, every control point is one of them, and they are interleaved x, y. A closed curve's
-    /// first point is not repeated at the end: the last edge of the polyline closes it.
-    ///
-    /// # Accuracy
-    ///
-    /// Both ways: no point of the curve is farther than the bound from the polyline, and no point of the polyline
-    /// farther from the curve. A tolerance below 1e-9 of the extent is raised to that; the bound says so.
-    ///
-    /// # Errors
-    ///
-    /// `tolerance` not finite or not positive; more than 4 000 000 points.
-    ///
-    /// # Cost
-    ///
-    /// About 30 ns for each point of a cubic.
-    pub fn flatten(&self, tolerance: f64) -> Result<(Vec<f64>, f64)> {
-        check_tolerance(tolerance)?;
-        let tolerance = self.least_tolerance(tolerance);
-        let mut out = Vec::new();
-        let mut chords = Chords::new(tolerance, self.segment_count())?;
-        for segment in self.segments() {
-            let piece = Piece::new(&segment);
-            let density = Density::new(&piece, tolerance);
-            if density.total > MOST_OUTPUT_POINTS as f64 {
-                return Err(beyond(density.total as usize));
-            }
-            let count = chord_count(density.total * density.margin);
-            chords.cut(piece, segment.start, count, |places| density.spread(places))?;
-        }
-        let deviation = chords.finish(&mut out)?;
-        if !self.is_closed()
-            && let Some(last) = self.points().last()
-        {
-            out.extend([last.x, last.y]);
-        }
-        Ok((out, deviation))
+pub(crate) fn flatten(curve: &dyn Pieces, tolerance: f64) -> Result<(Vec<f64>, f64)> {
+    check_tolerance(tolerance)?;
+    let tolerance = least_tolerance(curve, tolerance);
+    if curve.dimension() != 2 {
+        return spatial::flatten(curve, tolerance, MOST_OUTPUT_POINTS);
     }
+    let mut out = Vec::new();
+    let pieces = curve.piece_count();
+    let mut chords = Chords::new(tolerance, pieces)?;
+    for i in 0..pieces {
+        let piece = curve.piece(i);
+        let density = Density::new(&piece, tolerance);
+        if density.total > MOST_OUTPUT_POINTS as f64 {
+            return Err(beyond(density.total as usize));
+        }
+        let count = chord_count(density.total * density.margin);
+        chords.cut(piece, curve.start(i), count, |places| density.spread(places))?;
+    }
+    let deviation = chords.finish(&mut out)?;
+    if !curve.closed() {
+        out.extend(curve.start(pieces).as_slice());
+    }
+    Ok((out, deviation))
+}
 
-    /// The tolerance, raised to 1e-9 of the extent where it is below that.
-    pub(crate) fn least_tolerance(&self, tolerance: f64) -> f64 {
-        // The hull is quicker than the exact box, and ordinary tolerances are far above its share.
-        if tolerance >= LEAST_TOLERANCE * self.hull().extent() {
-            return tolerance;
-        }
-        tolerance.max(LEAST_TOLERANCE * self.bounds().extent()).max(f64::MIN_POSITIVE)
+/// The tolerance, raised to 1e-9 of the extent where it is below that.
+pub(super) fn least_tolerance(curve: &dyn Pieces, tolerance: f64) -> f64 {
+    // The hull is quicker than the exact box, and ordinary tolerances are far above its share.
+    if tolerance >= LEAST_TOLERANCE * hull(curve).extent() {
+        return tolerance;
     }
+    tolerance.max(LEAST_TOLERANCE * bounds(curve).extent()).max(f64::MIN_POSITIVE)
 }
 
 pub(crate) fn chord_count(total: f64) -> usize {

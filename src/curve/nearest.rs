@@ -5,9 +5,10 @@
 //! Taylor's formula with a bound of the fourth derivative proves that nothing on the arc is nearer; where the proof does
 //! not succeed, the arc is halved ([`super::search`]).
 
-use super::HermiteCurve;
+use super::bounds;
 use super::piece::Piece;
-use super::search::{Question, Stiffness, search};
+use super::pieces::Pieces;
+use super::search::{Question, Stiffness, View, search};
 use crate::numerics::Point;
 use crate::numerics::plane::{norm, square};
 
@@ -122,30 +123,17 @@ fn least(values: &[f64]) -> f64 {
     values.iter().fold(f64::INFINITY, |a, &b| if b < a { b } else { a })
 }
 
-impl HermiteCurve {
-    /// The point of the curve that is nearest to `place`.
-    ///
-    /// Of several equally near ones (to 1e-13 of the curve's size) the one with the smallest t. For many questions to
-    /// one curve prepare a [`NearestFinder`].
-    ///
-    /// # Accuracy
-    ///
-    /// The distance is at most 1e-13 of the curve's size larger than the least one, and never a local minimum only
-    /// (`tests/nearest.rs`, against dense sampling). `place` must be finite; any other gives the start of the curve.
-    pub fn nearest(&self, place: Point) -> Nearest {
-        NearestFinder::new(self).nearest(place)
-    }
-}
-
 impl NearestFinder {
     /// Prepares a curve. O(segments), about 0.15 µs for each.
-    pub fn new(curve: &HermiteCurve) -> Self {
-        let bounds = curve.bounds();
+    pub fn new(curve: &dyn Pieces) -> Self {
+        let bounds = bounds::bounds(curve);
         let extent = bounds.extent();
-        let mut groups = Vec::with_capacity(curve.segment_count());
-        let mut pieces = Vec::with_capacity(curve.segment_count());
-        for segment in curve.segments() {
-            let piece = Piece::new(&segment);
+        let count = curve.piece_count();
+        let mut groups = Vec::with_capacity(count);
+        let (mut pieces, mut knots) = (Vec::with_capacity(count), vec![curve.knot(0)]);
+        for i in 0..count {
+            let piece = curve.piece(i);
+            knots.push(curve.knot(i + 1));
             add_groups(&mut groups, &piece, pieces.len(), FLATNESS * extent);
             pieces.push(piece);
         }
@@ -166,10 +154,10 @@ impl NearestFinder {
         }
         levels.push(level);
         let center = Point::new(0.5 * (bounds.min_x + bounds.max_x), 0.5 * (bounds.min_y + bounds.max_y));
-        Self { pieces, knots: curve.knots().to_vec(), groups, levels, center, slack: TIE * extent }
+        Self { pieces, knots, groups, levels, center, slack: TIE * extent }
     }
 
-    /// The point of the curve that is nearest to `place`; see [`HermiteCurve::nearest`].
+    /// The point of the curve that is nearest to `place`; see [`Curve::nearest`](super::Curve::nearest).
     ///
     /// # Cost
     ///
@@ -331,7 +319,7 @@ impl Group {
         let lo = self.start + self.width * k as f64;
         let (hi, guess) = (lo + self.width, lo + self.width * along);
         if !question.ask_arc(piece, self.piece, &self.stiffness, lo, hi, guess) {
-            search(piece, self.piece, question, lo, hi);
+            search(&View { piece, place: question.place }, self.piece, question, lo, hi);
         }
     }
 }

@@ -9,11 +9,14 @@
 //! with Stumpff's functions c₂ and c₃, so that a, b, p, q are the point and its first three derivatives in the middle,
 //! for every w. In the hyperbolic space w² is negative; beyond w = 4 segments there are written with decaying
 //! exponentials, which cannot overflow: r(y) = a + b·y + p·exp(w(y − 1/2)) + q·exp(−w(y + 1/2)).
+//!
+//! Pieces of spline curves for other roots are polynomials of any degree, Taylor sums of entire functions; a, b, p, q are
+//! the same there, and what bounds the rest is the fourth derivative.
 
 use super::Segment;
 use crate::generator::Space;
 use crate::numerics::entire::{Stumpff, stumpff};
-use crate::numerics::plane::norm;
+use crate::numerics::plane::{norm, taxi};
 use crate::numerics::{Point, Vector};
 
 /// Below this frequency a segment is its cubic limit to the last bit: cos w = 1 to rounding.
@@ -37,11 +40,12 @@ enum Form {
     Cubic,
     Centred,
     Decaying,
+    Polynomial,
 }
 
 /// A segment in closed form; see the module's text.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Piece {
+#[derive(Clone, Debug)]
+pub struct Piece {
     a: Point,
     b: Vector,
     p: Vector,
@@ -50,6 +54,10 @@ pub(crate) struct Piece {
     rate: f64,
     w: f64,
     form: Form,
+    /// Of a polynomial all coefficients, ascending; else nothing.
+    powers: Vec<Vector>,
+    /// Of a polynomial a bound of |r⁗| on the whole piece.
+    fourth: f64,
 }
 
 /// The point in the middle and the three derivatives there, of a segment that is a cubic.
@@ -69,7 +77,24 @@ pub(crate) fn cubic_middle(segment: &Segment<'_>) -> Option<[Vector; 4]> {
 impl Piece {
     /// The cubic with middle 0 and those derivatives there.
     pub(crate) fn cubic(b: Vector, p: Vector, q: Vector) -> Self {
-        Self { a: Point::zeros(), b, p, q, rate: 0.0, w: 0.0, form: Form::Cubic }
+        let (a, powers) = (Point::zeros(), Vec::new());
+        Self { a, b, p, q, rate: 0.0, w: 0.0, form: Form::Cubic, powers, fourth: 0.0 }
+    }
+
+    /// The polynomial with these coefficients of ascending powers of y, x and y in turn.
+    pub(crate) fn polynomial(coefficients: &[f64]) -> Self {
+        let mut powers: Vec<Vector> = Vec::with_capacity(coefficients.len() / 2);
+        for pair in coefficients.chunks_exact(2) {
+            powers.push(Vector::new(pair[0], pair[1]));
+        }
+        let power = |k: usize| powers.get(k).copied().unwrap_or_default();
+        let mut piece = Self { a: power(0), ..Self::cubic(power(1), power(2) * 2.0, power(3) * 6.0) };
+        if powers.len() > 4 {
+            piece.powers = powers;
+            piece.form = Form::Polynomial;
+            piece.fourth = piece.fourth_within(0.5);
+        }
+        piece
     }
 
     /// The closed form of a segment.
@@ -89,14 +114,15 @@ impl Piece {
             let p_minus_q = (sum * 0.5 - chord) / (0.5 * w * (1.0 + tail) - (1.0 - tail));
             let (p, q) = ((p_plus_q + p_minus_q) * 0.5, (p_plus_q - p_minus_q) * 0.5);
             let (a, b) = (mean - p_plus_q * (0.5 * (1.0 + tail)), chord - p_minus_q * (1.0 - tail));
-            return Self { a, b, p, q, rate: -w * w, w, form: Form::Decaying };
+            let piece = Self { a, ..Self::cubic(b, p, q) };
+            return Self { rate: -w * w, w, form: Form::Decaying, ..piece };
         }
         let rate = if hyperbolic { -w * w } else { w * w };
         let Stumpff { c1, c2, c3, .. } = stumpff(0.25 * rate);
         let p = difference / c1;
         let q = (sum * 2.0 - chord * 4.0) / (c2 - c3);
         let (a, b) = (mean - p * (0.25 * c2), chord - q * (0.25 * c3));
-        Self { a, b, p, q, rate, w, form: Form::Centred }
+        Self { a, rate, w, form: Form::Centred, ..Self::cubic(b, p, q) }
     }
 
     /// w² for trigonometric, −w² for hyperbolic, 0 for cubic pieces.
@@ -114,6 +140,12 @@ impl Piece {
     #[inline]
     pub(crate) fn is_decaying(&self) -> bool {
         self.form == Form::Decaying
+    }
+
+    /// Whether it is a polynomial of degree 4 or more.
+    #[inline]
+    pub(crate) fn is_polynomial(&self) -> bool {
+        self.form == Form::Polynomial
     }
 
     /// Whether the piece is a straight line, run through evenly, between lo and hi: so far inside a long hyperbolic
@@ -134,6 +166,9 @@ impl Piece {
     pub(crate) fn position(&self, y: f64) -> Point {
         if self.is_cubic() {
             return self.a + (self.b + (self.p * 0.5 + self.q * (y / 6.0)) * y) * y;
+        }
+        if self.is_polynomial() {
+            return self.powers.iter().rev().fold(Point::zeros(), |sum, c| sum * y + c);
         }
         self.jet(y).position
     }
@@ -162,6 +197,9 @@ impl Piece {
 
     #[inline(never)]
     fn transcendental_jet(&self, y: f64) -> Jet {
+        if self.is_polynomial() {
+            return polynomial_jet(&self.powers, y);
+        }
         let Self { a, b, p, q, rate, w, .. } = *self;
         if self.form == Form::Decaying {
             let up = p * libm::exp(w * (y - 0.5));
@@ -191,7 +229,39 @@ impl Piece {
         let half = 0.5 * (hi - lo);
         let middle = self.jet(0.5 * (lo + hi));
         let (even, odd) = self.growth(half);
-        norm(middle.second) * even + norm(middle.third) * (odd * half)
+        norm(middle.second) * even + (norm(middle.third) * odd + 0.5 * half * self.fourth) * half
+    }
+
+    /// A bound of |r⁗| where |r″| is at most `bend`.
+    #[inline]
+    pub(crate) fn fourth(&self, bend: f64) -> f64 {
+        self.rate.abs() * bend + self.fourth
+    }
+
+    /// A bound of |r⁗| of a polynomial for all complex y of at most this modulus.
+    fn fourth_within(&self, radius: f64) -> f64 {
+        let mut sum = 0.0;
+        for (k, c) in self.powers.iter().enumerate().skip(4).rev() {
+            let k = k as f64;
+            sum = sum * radius + k * (k - 1.0) * (k - 2.0) * (k - 3.0) * taxi(*c);
+        }
+        sum
+    }
+
+    /// Bounds for complex parameters within `reach` of the one that the jet is at: of the way from there, and of |r′|.
+    ///
+    /// The functions of the spaces are largest where they are hyperbolic, polynomials where all terms add up.
+    pub(crate) fn within(&self, jet: &Jet, at: f64, reach: f64) -> [f64; 2] {
+        let growth = if self.rate == 0.0 {
+            1.0
+        } else {
+            stumpff(-(self.rate.abs() * reach * reach).min(490_000.0)).c0
+        };
+        let fourth = if self.is_polynomial() { self.fourth_within(at.abs() + reach) } else { 0.0 };
+        let (first, second, third) = (norm(jet.first), growth * norm(jet.second), growth * norm(jet.third));
+        let way = first + reach * (second / 2.0 + reach * (third / 6.0 + reach * fourth / 24.0));
+        let speed = first + reach * (second + reach * (third / 2.0 + reach * fourth / 6.0));
+        [reach * way, speed]
     }
 
     /// A bound of the distance, at equal parameters, from the cubic with the same ends and end derivatives: h⁴/384·max|r⁗|.
@@ -200,7 +270,7 @@ impl Piece {
             return 0.0;
         }
         let h = (hi - lo) * (hi - lo);
-        h * h * (1.0 / 384.0) * self.rate.abs() * self.bend(lo, hi)
+        h * h * (1.0 / 384.0) * self.fourth(self.bend(lo, hi))
     }
 
     /// A bound of |r'''| on [lo, hi].
@@ -215,7 +285,7 @@ impl Piece {
         let half = 0.5 * (hi - lo);
         let middle = self.jet(0.5 * (lo + hi));
         let (even, odd) = self.growth(half);
-        norm(middle.third) * even + norm(middle.second) * (self.rate.abs() * odd * half)
+        norm(middle.third) * even + (norm(middle.second) * self.rate.abs() * odd + self.fourth) * half
     }
 
     /// The largest values on |u| <= half of |cos wu| and |sin wu|/(w|u|), or of cosh and sinh.
@@ -232,33 +302,31 @@ impl Piece {
         (norm(self.p) * libm::exp(self.w * (hi - 0.5)), norm(self.q) * libm::exp(-self.w * (lo + 0.5)))
     }
 
-    /// The zeros of one coordinate of r'' in the open interval (−1/2, 1/2): between them that coordinate of r' is
-    /// monotone. At most two, in no order.
-    pub(crate) fn inflections(&self, axis: usize) -> [Option<f64>; 2] {
-        let (p, q, w) = (self.p[axis], self.q[axis], self.w);
-        let inside = |y: f64| if y > -0.5 && y < 0.5 { Some(y) } else { None };
-        if self.is_cubic() {
-            return [inside(-p / q), None];
+    /// The corners of a box that holds the piece: Taylor's sums.
+    pub(crate) fn corners(&self) -> [Point; 2] {
+        let cubic = [self.b * 0.5, self.p * 0.125, self.q * (1.0 / 48.0)];
+        let mut size = cubic.iter().fold(Vector::zeros(), |sum, v| sum + v.abs());
+        let mut share = 1.0 / 16.0;
+        for c in self.powers.iter().skip(4) {
+            size += c.abs() * share;
+            share *= 0.5;
         }
-        if self.form == Form::Decaying {
-            let ratio = -q / p;
-            return [if ratio > 0.0 { inside(libm::log(ratio) / (2.0 * w)) } else { None }, None];
-        }
-        if self.rate < 0.0 {
-            return [inside(libm::log((q - p * w) / (q + p * w)) / (2.0 * w)), None];
-        }
-        let y = libm::atan2(-p * w, q) / w;
-        let step = core::f64::consts::PI / w;
-        let mut found = [None, None];
-        let mut k = 0;
-        for candidate in [y - step, y, y + step] {
-            if let (Some(y), true) = (inside(candidate), k < 2) {
-                found[k] = Some(y);
-                k += 1;
-            }
-        }
-        found
+        [self.a - size, self.a + size]
     }
+}
+
+/// A polynomial and its first three derivatives, by Horner's rule.
+#[inline(never)]
+fn polynomial_jet(powers: &[Vector], y: f64) -> Jet {
+    let zero = Vector::zeros();
+    let (mut value, mut first, mut second, mut third) = (zero, zero, zero, zero);
+    for c in powers.iter().rev() {
+        third = third * y + second;
+        second = second * y + first;
+        first = first * y + value;
+        value = value * y + c;
+    }
+    Jet { position: value, first, second: second * 2.0, third: third * 6.0 }
 }
 
 /// Calls `f` with intervals that cover the piece and on which its functions are tame: the whole piece, or for a

@@ -25,10 +25,36 @@ const LEAST_HALF: f64 = 1e-9;
 /// What bounds φ⁗ from below on an arc: −φ⁗ ≤ constant + slope·|e|.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stiffness {
-    constant: f64,
-    slope: f64,
+    pub(super) constant: f64,
+    pub(super) slope: f64,
     /// A bound of the arc's length.
-    reach: f64,
+    pub(super) reach: f64,
+}
+
+/// An arc as seen from a place.
+pub(super) trait Near {
+    /// φ and its derivatives at y.
+    fn slopes(&self, y: f64) -> Slopes;
+
+    /// What bounds φ⁗ between lo and hi.
+    fn stiffness(&self, lo: f64, hi: f64) -> Stiffness;
+}
+
+/// A piece of a plane curve as seen from a place.
+pub(super) struct View<'a> {
+    pub(super) piece: &'a Piece,
+    pub(super) place: Point,
+}
+
+impl Near for View<'_> {
+    #[inline(never)]
+    fn slopes(&self, y: f64) -> Slopes {
+        Slopes::new(&self.piece.jet(y), self.place)
+    }
+
+    fn stiffness(&self, lo: f64, hi: f64) -> Stiffness {
+        Stiffness::new(self.piece, lo, hi, self.piece.bend(lo, hi))
+    }
 }
 
 impl Stiffness {
@@ -37,7 +63,7 @@ impl Stiffness {
         let fastest = norm(piece.jet(0.5 * (lo + hi)).first) + 0.5 * (hi - lo) * bend;
         Self {
             constant: 4.0 * fastest * piece.jolt(lo, hi),
-            slope: piece.rate().abs() * bend,
+            slope: piece.fourth(bend),
             reach: fastest * (hi - lo),
         }
     }
@@ -49,12 +75,12 @@ impl Stiffness {
     }
 }
 
-/// φ and its first three derivatives.
-struct Slopes {
-    square: f64,
-    first: f64,
-    second: f64,
-    third: f64,
+/// |e|² and the first three derivatives of φ.
+pub(super) struct Slopes {
+    pub(super) square: f64,
+    pub(super) first: f64,
+    pub(super) second: f64,
+    pub(super) third: f64,
 }
 
 impl Slopes {
@@ -160,21 +186,21 @@ impl Question {
 /// Asks an arc by halving: an interval is dropped where Taylor's formula proves it farther than the best so far, and
 /// solved where φ is convex on it.
 #[cold]
-pub(super) fn search(piece: &Piece, index: usize, question: &mut Question, lo: f64, hi: f64) {
+pub(super) fn search(arc: &dyn Near, index: usize, question: &mut Question, lo: f64, hi: f64) {
     let mut stack = [(0.0, 0.0); STACK];
     stack[0] = (lo, hi);
     let mut open = 1;
-    let place = question.place;
-    question.offer(norm(piece.position(lo) - place), index, lo);
-    question.offer(norm(piece.position(hi) - place), index, hi);
+    for end in [lo, hi] {
+        question.offer(arc.slopes(end).square.sqrt(), index, end);
+    }
     while open > 0 {
         open -= 1;
         let (lo, hi) = stack[open];
         let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-        let at = Slopes::new(&piece.jet(middle), place);
+        let at = arc.slopes(middle);
         let distance = at.square.sqrt();
         question.offer(distance, index, middle);
-        let quartic = Stiffness::new(piece, lo, hi, piece.bend(lo, hi)).quartic(distance);
+        let quartic = arc.stiffness(lo, hi).quartic(distance);
         let room = at.room(half, quartic).min(at.room(-half, quartic)).min(0.0);
         let least = at.square - 2.0 * at.first.abs() * half + room * half * half;
         let wanted = (question.reach - 2.0 * question.slack).max(0.0);
@@ -182,7 +208,7 @@ pub(super) fn search(piece: &Piece, index: usize, question: &mut Question, lo: f
             continue;
         }
         if at.second > half * (at.third.abs() + 0.5 * half * quartic) {
-            solve(piece, index, question, lo, hi);
+            solve(arc, index, question, lo, hi);
         } else if half > LEAST_HALF && open + 2 <= STACK {
             stack[open] = (middle, hi);
             stack[open + 1] = (lo, middle);
@@ -192,9 +218,11 @@ pub(super) fn search(piece: &Piece, index: usize, question: &mut Question, lo: f
 }
 
 /// The minimum of a convex φ.
-fn solve(piece: &Piece, index: usize, question: &mut Question, lo: f64, hi: f64) {
-    let place = question.place;
-    let mut slope = |y: f64| slopes(piece, place, y);
+fn solve(arc: &dyn Near, index: usize, question: &mut Question, lo: f64, hi: f64) {
+    let mut slope = |y: f64| {
+        let at = arc.slopes(y);
+        (at.first, at.second)
+    };
     let y = if slope(lo).0 >= 0.0 {
         lo
     } else if slope(hi).0 <= 0.0 {
@@ -202,12 +230,5 @@ fn solve(piece: &Piece, index: usize, question: &mut Question, lo: f64, hi: f64)
     } else {
         bracketed_root(lo, hi, true, 0.5 * (lo + hi), &mut slope)
     };
-    question.offer(norm(piece.position(y) - place), index, y);
-}
-
-/// φ′ and φ″ at y.
-#[inline(never)]
-fn slopes(piece: &Piece, place: Point, y: f64) -> (f64, f64) {
-    let at = Slopes::new(&piece.jet(y), place);
-    (at.first, at.second)
+    question.offer(arc.slopes(y).square.sqrt(), index, y);
 }

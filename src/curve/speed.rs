@@ -8,17 +8,15 @@
 //! largest modulus there [Trefethen, theorem 19.3]. The speed √((x′ + iy′)(x′ − iy′)) is singular only where a factor
 //! vanishes: at the two roots of a quadratic, for every segment of every space. So the largest ellipse is known.
 
-use super::piece::{Jet, Piece, cubic_middle, panels};
-use super::segment::Segment;
+use super::piece::{Jet, Piece, panels};
 use crate::numerics::Vector;
-use crate::numerics::entire::stumpff;
 use crate::numerics::plane::{norm, square, taxi};
 use crate::numerics::quadrature::{EIGHT, Rule, SIXTEEN, THIRTY_TWO, TWELVE, TWENTY, TWENTY_FOUR};
 
 /// The rules, by the index that [`rule_index`] gives.
-const RULES: [&Rule; 6] = [&EIGHT, &TWELVE, &SIXTEEN, &TWENTY, &TWENTY_FOUR, &THIRTY_TWO];
+pub(super) const RULES: [&Rule; 6] = [&EIGHT, &TWELVE, &SIXTEEN, &TWENTY, &TWENTY_FOUR, &THIRTY_TWO];
 /// Lengths are computed to this share of a segment's largest at best: rounding makes more digits meaningless.
-const ROUNDING: f64 = 1e-15;
+pub(super) const ROUNDING: f64 = 1e-15;
 /// Halvings of an interval after which what is left counts as nothing.
 const MOST_HALVINGS: usize = 60;
 /// How many cubics choose their rules together, as vector code.
@@ -26,7 +24,10 @@ const BLOCK: usize = 8;
 /// Ellipses are not taken larger than this half-axis: fewer than eight nodes are never used.
 const LARGEST_AXIS: f64 = 8.0;
 
-/// Adds up the lengths of segments; cubics are taken in blocks.
+/// Discs around a polynomial's interval on which its speed may be analytic, in half widths.
+const DISCS: [f64; 8] = [LARGEST_AXIS, 5.5, 4.0, 3.0, 2.4, 1.9, 1.5, 1.25];
+
+/// Adds up the lengths of pieces; cubics are taken in blocks.
 pub(super) struct LengthSum {
     tolerance: f64,
     total: f64,
@@ -40,7 +41,7 @@ pub(super) struct LengthSum {
 }
 
 impl LengthSum {
-    /// An empty sum; every segment's length will be within `tolerance`.
+    /// An empty sum; every piece's length will be within `tolerance`.
     pub(super) fn new(tolerance: f64) -> Self {
         let zeros = [0.0; BLOCK];
         Self {
@@ -53,13 +54,14 @@ impl LengthSum {
         }
     }
 
-    /// Adds a segment.
+    /// Adds a piece.
     #[inline]
-    pub(super) fn add(&mut self, segment: &Segment<'_>) {
-        let Some([_, b, p, q]) = cubic_middle(segment) else {
-            self.total += piece_length(&Piece::new(segment), -0.5, 0.5, self.tolerance);
+    pub(super) fn add(&mut self, piece: &Piece) {
+        if !piece.is_cubic() {
+            self.total += piece_length(piece, -0.5, 0.5, self.tolerance);
             return;
-        };
+        }
+        let [_, b, p, q] = piece.coefficients();
         let k = self.count % BLOCK;
         let (p, q) = (p * 0.5, q * 0.125);
         let sizes = [taxi(b), taxi(p), taxi(q)];
@@ -136,8 +138,8 @@ impl LengthSum {
 
 /// The larger half-axis of the ellipse around an interval in which the speed is analytic, in units of half its width.
 pub(super) fn interval_axis(piece: &Piece, lo: f64, hi: f64) -> f64 {
-    let jet = piece.jet(0.5 * (lo + hi));
-    half_axis(jet.first, jet.second, jet.third, piece.rate(), 0.5 * (hi - lo)).clamp(1.0, 1e3)
+    let middle = 0.5 * (lo + hi);
+    half_axis(piece, &piece.jet(middle), middle, 0.5 * (hi - lo)).clamp(1.0, 1e3)
 }
 
 /// The rule that is good enough for an interval around which the speed is analytic so far; none where there is none.
@@ -145,18 +147,13 @@ pub(super) fn axis_rule(piece: &Piece, lo: f64, hi: f64, axis: f64, tolerance: f
     if piece.is_decaying() {
         return None;
     }
-    let (jet, half) = (piece.jet(0.5 * (lo + hi)), 0.5 * (hi - lo));
+    let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+    let jet = piece.jet(middle);
     let axis = axis.min(LARGEST_AXIS);
-    let largest = largest_speed(&jet, piece.rate(), axis * half);
+    let [_, largest] = piece.within(&jet, middle, axis * half);
     RULES
         .get(rule_index(axis, largest, half, tolerance.max(ROUNDING * half * taxi(jet.first))) as usize)
         .copied()
-}
-
-/// A bound of the speed within `reach` of the jet, complex parameters included.
-fn largest_speed(jet: &Jet, rate: f64, reach: f64) -> f64 {
-    let growth = if rate == 0.0 { 1.0 } else { stumpff(-(rate.abs() * reach * reach).min(490_000.0)).c0 };
-    taxi(jet.first) + growth * reach * (taxi(jet.second) + 0.5 * reach * taxi(jet.third))
 }
 
 /// The length of an interval by a rule that is known to do.
@@ -192,7 +189,7 @@ fn interval_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f64 {
     let jet = piece.jet(middle);
     let tolerance = tolerance.max(ROUNDING * half * taxi(jet.first));
     let index =
-        if piece.is_straight_on(lo, hi) { 0.0 } else { rule_for(&jet, piece.rate(), half, tolerance, 0.0) };
+        if piece.is_straight_on(lo, hi) { 0.0 } else { rule_for(piece, &jet, lo, hi, tolerance, 0.0) };
     match RULES.get(index as usize) {
         Some(rule) => half * speeds(piece, &jet, half, middle, rule),
         None => halved_length(piece, lo, hi, tolerance),
@@ -214,7 +211,7 @@ fn halved_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f64 {
         let (lo, hi) = stack[open];
         let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
         let jet = piece.jet(middle);
-        let index = rule_for(&jet, piece.rate(), half, density * (hi - lo), speck);
+        let index = rule_for(piece, &jet, lo, hi, density * (hi - lo), speck);
         match RULES.get(index as usize) {
             None if open + 2 <= MOST_HALVINGS && middle > lo && middle < hi => {
                 stack[open] = (middle, hi);
@@ -261,14 +258,14 @@ fn cubic_speeds(b: Vector, p: Vector, q: Vector, half: f64, rule: &Rule) -> f64 
     sum[0] + sum[1]
 }
 
-/// The index of the smallest rule whose error on [−half, half] about the jet is at most `tolerance`; beyond the last
+/// The index of the smallest rule whose error on [lo, hi], with the jet in the middle, is at most `tolerance`; beyond the last
 /// where the interval must be halved.
-fn rule_for(jet: &Jet, rate: f64, half: f64, tolerance: f64, speck: f64) -> f64 {
-    let (b, p, q) = (jet.first, jet.second, jet.third);
-    let axis = half_axis(b, p, q, rate, half);
+fn rule_for(piece: &Piece, jet: &Jet, lo: f64, hi: f64, tolerance: f64, speck: f64) -> f64 {
+    let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+    let axis = half_axis(piece, jet, middle, half);
     // What is not a number has no singularity.
     let axis = if axis < LARGEST_AXIS { axis.max(1.0) } else { LARGEST_AXIS };
-    let largest = largest_speed(jet, rate, axis * half);
+    let [_, largest] = piece.within(jet, middle, axis * half);
     if 2.0 * half * largest <= speck { 0.0 } else { rule_index(axis, largest, half, tolerance) }
 }
 
@@ -276,7 +273,7 @@ fn rule_for(jet: &Jet, rate: f64, half: f64, tolerance: f64, speck: f64) -> f64 
 ///
 /// A rule with n nodes is good where ρ²ⁿ is at least `needed`. All comparisons, no branch.
 #[inline]
-fn rule_index(axis: f64, largest: f64, half: f64, tolerance: f64) -> f64 {
+pub(super) fn rule_index(axis: f64, largest: f64, half: f64, tolerance: f64) -> f64 {
     let rho = axis + (axis * axis - 1.0).max(0.0).sqrt();
     let second = rho * rho;
     // The bound, multiplied out: nothing is divided.
@@ -298,8 +295,17 @@ fn rule_index(axis: f64, largest: f64, half: f64, tolerance: f64) -> f64 {
 /// The larger half-axis, in units of `half`, of the largest ellipse with foci ±half in which the speed is analytic.
 ///
 /// With z = x + iy and τ = tan(wu/2)/(w/2), z′ = b + p·sin(wu)/w + q·(1 − cos wu)/w² is zero where
-/// (q/2 + w²b/4)τ² + pτ + b = 0; the conjugate's zeros lie in the mirror.
-fn half_axis(b: Vector, p: Vector, q: Vector, rate: f64, half: f64) -> f64 {
+/// (q/2 + w²b/4)τ² + pτ + b = 0; the conjugate's zeros lie in the mirror. A polynomial's velocity has no zero on a disc
+/// where it stays nearer to b than b is to 0.
+fn half_axis(piece: &Piece, jet: &Jet, middle: f64, half: f64) -> f64 {
+    let (b, p, q, rate) = (jet.first, jet.second, jet.third, piece.rate());
+    if piece.is_polynomial() {
+        let still = |axis: &f64| {
+            let [_, speed] = piece.within(jet, middle, axis * half);
+            speed < 2.0 * norm(b)
+        };
+        return DISCS.into_iter().find(still).unwrap_or(1.0);
+    }
     if rate == 0.0 {
         return cubic_half_axis(b, p, q, half);
     }

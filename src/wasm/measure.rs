@@ -4,7 +4,7 @@
 
 use super::kernel::{grow, run, times};
 use crate::numerics::Point;
-use crate::{HermiteCurve, Result};
+use crate::{Curve, HermiteCurve, Result};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The default tolerance of lengths and of recognition, as a share of the size.
@@ -38,7 +38,7 @@ pub fn parameter_at_length(slot: u32, length: f64, tolerance: f64) -> i32 {
 /// The signed area.
 #[wasm_bindgen]
 pub fn area(slot: u32) -> i32 {
-    measure(slot, &HermiteCurve::area)
+    measure(slot, &Curve::area)
 }
 
 /// The centre of gravity.
@@ -133,9 +133,7 @@ pub fn to_cubics(slot: u32, tolerance: f64) -> i32 {
 pub fn sample_by_length(slot: u32, count: u32, tolerance: f64) -> i32 {
     run(&mut |kernel| {
         let curve = kernel.curve(slot)?;
-        let parameters = curve.sample_by_length(count as usize, tolerance_of(curve, tolerance, FINE))?;
-        let mut points = vec![0.0; 2 * parameters.len()];
-        curve.evaluate_into(&parameters, 0, &mut points)?;
+        let points = curve.points_by_length(count as usize, tolerance_of(curve, tolerance, FINE))?;
         Ok(kernel.give(points))
     })
 }

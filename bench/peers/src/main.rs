@@ -10,7 +10,7 @@ use std::time::Instant;
 use expline::curve::NearestFinder;
 use expline::numerics::{Point, Vector};
 use expline::svg::{PrintOptions, to_path_d};
-use expline::{HermiteCurve, HermiteOptions, Space};
+use expline::{Curve as _, HermiteCurve, HermiteOptions, Space};
 use expline_peers::Curve;
 
 const SAMPLES: usize = 1_000_000;

@@ -1,0 +1,160 @@
+//! A curve as the measures see it: one smooth piece after another.
+
+use super::HermiteCurve;
+use super::piece::Piece;
+use super::spatial::SpacePiece;
+use crate::error::Result;
+use crate::limits::check;
+use crate::numerics::{Point, Vector};
+
+/// The pieces that a curve consists of; every kind of curve gives them in its own way.
+///
+/// Derivatives here are by a piece's own x, from 0 to 1.
+pub trait Pieces {
+    /// 2 or 3.
+    fn dimension(&self) -> usize;
+
+    /// Whether the end is joined to the start.
+    fn closed(&self) -> bool;
+
+    /// How many pieces there are.
+    fn piece_count(&self) -> usize;
+
+    /// The parameter where piece i starts; that of the end for i = `piece_count`.
+    fn knot(&self, i: usize) -> f64;
+
+    /// The coefficients of ascending powers of y = x − 1/2 on piece i, all coordinates of each in turn. Not for kinds
+    /// whose pieces have another closed form.
+    fn coefficients(&self, i: usize, out: &mut Vec<f64>);
+
+    /// Points or derivatives by t at all parameters, all coordinates in turn, with every check.
+    fn values(&self, t: &[f64], derivative: usize, out: &mut [f64]) -> Result<()>;
+
+    /// The piece that t lies on, and the x there.
+    fn find(&self, t: f64) -> Result<(usize, f64)> {
+        find_even(&|i| self.knot(i), self.piece_count(), self.closed(), t)
+    }
+
+    /// Piece i of a plane curve.
+    fn piece(&self, i: usize) -> Piece {
+        Piece::polynomial(&list(&|out| self.coefficients(i, out)))
+    }
+
+    /// The point of a plane curve where piece i starts, or the end.
+    fn start(&self, i: usize) -> Point {
+        let last = self.piece_count();
+        match i {
+            _ if i < last => self.piece(i).position(-0.5),
+            _ if self.closed() => self.piece(0).position(-0.5),
+            _ => self.piece(last - 1).position(0.5),
+        }
+    }
+
+    /// The derivatives at both ends of piece i of a plane curve.
+    fn tangents(&self, i: usize) -> [Vector; 2] {
+        let piece = self.piece(i);
+        [piece.jet(-0.5).first, piece.jet(0.5).first]
+    }
+
+    /// Two points that with the ends of piece i of a plane curve make a box that holds it.
+    fn handles(&self, i: usize) -> [Point; 2] {
+        self.piece(i).corners()
+    }
+}
+
+fn list(fill: &dyn Fn(&mut Vec<f64>)) -> Vec<f64> {
+    let mut numbers = Vec::new();
+    fill(&mut numbers);
+    numbers
+}
+
+/// The piece and the place on it, where all pieces are equally long.
+fn find_even(knot: &dyn Fn(usize) -> f64, count: usize, closed: bool, t: f64) -> Result<(usize, f64)> {
+    let (start, end) = (knot(0), knot(count));
+    let (least, most) = if closed { (f64::MIN, f64::MAX) } else { (start, end) };
+    check("t", None, t, least, most)?;
+    let share = (t - start) / (end - start);
+    let share = if closed { share - share.floor() } else { share };
+    let i = ((share * count as f64) as usize).min(count - 1);
+    let (from, to) = (knot(i), knot(i + 1));
+    let t = start + share * (end - start);
+    Ok((i, ((t - from) / (to - from)).clamp(0.0, 1.0)))
+}
+
+impl Pieces for HermiteCurve {
+    fn dimension(&self) -> usize {
+        2
+    }
+
+    fn closed(&self) -> bool {
+        self.is_closed()
+    }
+
+    fn piece_count(&self) -> usize {
+        self.segment_count()
+    }
+
+    fn knot(&self, i: usize) -> f64 {
+        self.knots()[i]
+    }
+
+    fn coefficients(&self, _: usize, _: &mut Vec<f64>) {}
+
+    fn values(&self, t: &[f64], derivative: usize, out: &mut [f64]) -> Result<()> {
+        self.evaluate_into(t, derivative, out)
+    }
+
+    fn find(&self, t: f64) -> Result<(usize, f64)> {
+        self.locate(t)
+    }
+
+    fn piece(&self, i: usize) -> Piece {
+        Piece::new(&self.segment(i))
+    }
+
+    fn start(&self, i: usize) -> Point {
+        self.points()[if i < self.points().len() { i } else { 0 }]
+    }
+
+    fn tangents(&self, i: usize) -> [Vector; 2] {
+        let segment = self.segment(i);
+        [segment.leaving * segment.length, segment.arriving * segment.length]
+    }
+
+    fn handles(&self, i: usize) -> [Point; 2] {
+        let segment = self.segment(i);
+        let reach = segment.length * segment.basis.kappa();
+        [segment.start + segment.leaving * reach, segment.end - segment.arriving * reach]
+    }
+}
+
+/// A piece of a curve of either dimension, for measures that look at speeds only.
+pub(super) enum AnyPiece {
+    Plane(Piece),
+    Space(SpacePiece),
+}
+
+impl AnyPiece {
+    pub(super) fn new(curve: &dyn Pieces, i: usize) -> Self {
+        if curve.dimension() == 2 { Self::Plane(curve.piece(i)) } else { Self::Space(SpacePiece::new(curve, i)) }
+    }
+
+    /// The speed at y.
+    pub(super) fn speed(&self, y: f64) -> f64 {
+        match self {
+            Self::Plane(piece) => crate::numerics::plane::norm(piece.jet(y).first),
+            Self::Space(piece) => piece.speed(y),
+        }
+    }
+
+    /// The length from lo to hi, within a tolerance.
+    pub(super) fn length(&self, lo: f64, hi: f64, tolerance: f64) -> f64 {
+        match self {
+            Self::Plane(piece) => super::speed::piece_length(piece, lo, hi, tolerance),
+            Self::Space(piece) => piece.length(lo, hi, tolerance),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
