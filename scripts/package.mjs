@@ -1,4 +1,7 @@
-// The package: Rust → wasm → bindings → one ES module with the wasm inside, and its declarations.
+// The package: Rust → two wasm modules → bindings → ES modules with the wasm inside, and their declarations.
+//
+// Curves and fitting are a wasm and an ES module each. `expline.js` only names what both offer, so that a bundler leaves
+// the one for fitting out where nothing of it is used.
 
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 
@@ -9,9 +12,20 @@ import { writeThirdPartyLicenses } from "./third-party.mjs";
 
 const RUST = ["src", "Cargo.toml", "Cargo.lock", "rust-toolchain.toml", ".cargo/config.toml"];
 const XTASK = ["xtask", "Cargo.lock", "rust-toolchain.toml"];
-const RAW = "target/wasm32-unknown-unknown/release/expline.wasm";
 const BOUND = "build/bound";
 const BINDINGS = "build/bindings";
+
+/**
+ * The wasm modules: feature of the crate, target folder, name of the bindings, name of the module with the bytes, and flags for
+ * the compiler. Of the core, small functions stay functions unless they say `#[inline]`: that is a tenth less to
+ * download, and hot loops say so. A solver is hot loops all over.
+ */
+const MODULES = [
+  { title: "wasm", feature: "wasm", target: "target", name: "expline", bytes: "wasm-bytes", flags: ["-C", "llvm-args=-inline-threshold=0"] },
+];
+
+/** What cargo leaves for a module. */
+const raw = ({ target }) => `${target}/wasm32-unknown-unknown/release/expline.wasm`;
 
 /** What every browser since 2023 and Node 20 can run. */
 const FEATURES = ["simd", "bulk-memory", "nontrapping-float-to-int", "sign-ext", "mutable-globals", "reference-types", "multivalue"].map(
@@ -25,53 +39,59 @@ export async function buildXtask() {
   });
 }
 
-/**
- * The flags of .cargo/config.toml, and: small functions stay functions unless they say `#[inline]`. That is a tenth less
- * to download; hot loops say so.
- */
-function flags() {
+/** The flags of .cargo/config.toml, and the module's own. */
+function flags(own) {
   const [, list = ""] = /^rustflags = \[([^\]]*)\]/m.exec(readFileSync(at(".cargo/config.toml"), "utf8")) ?? [];
-  return [...JSON.parse(`[${list.replace(/,\s*$/, "")}]`), "-C", "llvm-args=-inline-threshold=0"];
+  return [...JSON.parse(`[${list.replace(/,\s*$/, "")}]`), ...own];
 }
 
-async function buildWasm() {
+async function buildWasm(module) {
   const inputs = [...RUST, "scripts/package.mjs"];
-  await step("wasm", { inputs, outputs: [RAW] }, async () => {
-    const env = { CARGO_ENCODED_RUSTFLAGS: flags().join("\x1f") };
-    await run("cargo", ["build", "--locked", "-p", "expline", "--lib", "--release", "--target", "wasm32-unknown-unknown"], { env });
+  await step(module.title, { inputs, outputs: [raw(module)] }, async () => {
+    const env = { CARGO_ENCODED_RUSTFLAGS: flags(module.flags).join("\x1f"), CARGO_TARGET_DIR: at(module.target) };
+    const features = ["--no-default-features", "--features", module.feature];
+    await run("cargo", ["build", "--locked", "-p", "expline", "--lib", "--release", "--target", "wasm32-unknown-unknown", ...features], { env });
   });
 }
 
-async function buildBindings() {
-  const inputs = [RAW, "target/xtask/xtask", "package.json", "scripts/snip.mjs", "scripts/inline-wasm.mjs", "scripts/package.mjs"];
-  const outputs = ["expline.js", "expline.d.ts", "expline_bg.wasm", "wasm-bytes.js", "version.js"].map((f) => `${BINDINGS}/${f}`);
-  await step("bindings", { inputs, outputs }, async () => {
-    const flags = ["--target", "web", "--omit-default-module-path", "--remove-producers-section", "--out-dir", at(BOUND)];
-    await run(at("target/xtask/xtask"), ["bindgen", at(RAW), ...flags]);
+async function buildBindings(module) {
+  const { title, name, bytes } = module;
+  const inputs = [raw(module), "target/xtask/xtask", "package.json", "scripts/snip.mjs", "scripts/inline-wasm.mjs", "scripts/package.mjs"];
+  const outputs = [`${name}.d.ts`, `${name}_bg.wasm`, `${bytes}.js`, "version.js"].map((f) => `${BINDINGS}/${f}`);
+  await step(title.replace("wasm", "bindings"), { inputs, outputs }, async () => {
+    const flags = ["--target", "web", "--omit-default-module-path", "--remove-producers-section", "--out-name", name, "--out-dir", at(BOUND)];
+    await run(at("target/xtask/xtask"), ["bindgen", at(raw(module)), ...flags]);
     mkdirSync(at(BINDINGS), { recursive: true });
-    for (const file of ["expline.js", "expline.d.ts"]) cpSync(at(BOUND, file), at(BINDINGS, file));
-    await run("node", [at("scripts/snip.mjs"), at(BOUND, "expline_bg.wasm"), at(BOUND, "snipped.wasm")]);
+    for (const file of [`${name}.js`, `${name}.d.ts`]) cpSync(at(BOUND, file), at(BINDINGS, file));
+    await run("node", [at("scripts/snip.mjs"), at(BOUND, `${name}_bg.wasm`), at(BOUND, `${name}_snipped.wasm`)]);
     await run("node", [
       at("node_modules/binaryen/bin/wasm-opt"),
       ...["-O3", ...FEATURES, "--strip-debug", "--strip-producers", "--strip-target-features"],
-      ...[at(BOUND, "snipped.wasm"), "-o", at(BINDINGS, "expline_bg.wasm")],
+      ...[at(BOUND, `${name}_snipped.wasm`), "-o", at(BINDINGS, `${name}_bg.wasm`)],
     ]);
-    const { code, declarations, text } = inlineModule(readFileSync(at(BINDINGS, "expline_bg.wasm")));
-    writeFileSync(at(BINDINGS, "literal.json"), JSON.stringify(text));
-    writeFileSync(at(BINDINGS, "wasm-bytes.js"), code);
-    writeFileSync(at(BINDINGS, "wasm-bytes.d.ts"), declarations);
+    const { code, declarations, text } = inlineModule(readFileSync(at(BINDINGS, `${name}_bg.wasm`)));
+    writeFileSync(at(BINDINGS, `${bytes}.json`), JSON.stringify(text));
+    writeFileSync(at(BINDINGS, `${bytes}.js`), code);
+    writeFileSync(at(BINDINGS, `${bytes}.d.ts`), declarations);
     const { version } = JSON.parse(readFileSync(at("package.json"), "utf8"));
     writeFileSync(at(BINDINGS, "version.js"), `export const version = ${JSON.stringify(version)};\n`);
     writeFileSync(at(BINDINGS, "version.d.ts"), "/** The version of the package. */\nexport declare const version: string;\n");
   });
 }
 
-/** The face as one minified module, with `contents` in place of the module that holds the wasm. */
-async function bundleFace(contents) {
+/**
+ * One ES module of the face, minified, with `contents` in place of the module that holds the wasm.
+ *
+ * What fitting needs of the core it imports from the core's ES module, through `ts/core.ts`.
+ */
+async function bundleFace(entry, contents, core) {
   const { build } = await import("esbuild");
-  const setup = (bundler) => bundler.onLoad({ filter: /wasm-bytes\.js$/ }, () => ({ contents, resolveDir: at("ts") }));
+  const setup = (bundler) => {
+    bundler.onLoad({ filter: /-bytes\.js$/ }, () => ({ contents, resolveDir: at("ts") }));
+    bundler.onResolve({ filter: /\/core\.js$/ }, () => ({ path: core, external: true }));
+  };
   const { outputFiles } = await build({
-    entryPoints: [at("ts/index.ts")],
+    entryPoints: [at(entry)],
     write: false,
     plugins: [{ name: "wasm-bytes", setup }],
     bundle: true,
@@ -85,26 +105,45 @@ async function bundleFace(contents) {
 }
 
 /** What the slim entry has where the other has the wasm. */
-const NOTHING_INSIDE = `
-  import { ExplineError } from "./error.ts";
-  export const wasmAddress = () => new URL("expline_bg.wasm", import.meta.url);
+const nothingInside = (file, start) => `
+  import { ExplineError } from "${file === "expline" ? "./error.js" : "./core.js"}";
+  export const wasmAddress = () => new URL("${file}_bg.wasm", import.meta.url);
   export function wasmBytes() {
-    throw new ExplineError("E_NOT_READY", "engine", "expline/slim has no engine inside; await init() first");
+    throw new ExplineError("E_NOT_READY", "engine", "expline/slim has no engine inside; await ${start}() first");
   }
 `;
 
+const FACES = [
+  { entry: "ts/core.ts", name: "core", file: "expline", start: "init", bytes: "wasm-bytes" },
+];
+
+/** The names of `ts/index.ts`, from the ES modules of one of the two editions. */
+async function entry(prefix) {
+  const { build } = await import("esbuild");
+  const setup = (bundler) =>
+    bundler.onResolve({ filter: /^\.\/(core|fit)\.js$/ }, ({ path }) => ({ path: path.replace("./", `./${prefix}`), external: true }));
+  const options = { entryPoints: [at("ts/index.ts")], write: false, bundle: true, format: "esm", minify: true, logLevel: "error" };
+  const { outputFiles } = await build({ ...options, plugins: [{ name: "editions", setup }] });
+  return outputFiles[0].text;
+}
+
 async function buildFace() {
   const inputs = ["ts", BINDINGS, "tsconfig.base.json", "package.json", "package-lock.json", "Cargo.lock", "scripts"];
-  const outputs = ["pkg/expline.js", "pkg/slim.js", "pkg/types/index.d.ts", "pkg/expline_bg.wasm", "THIRD_PARTY_LICENSES"];
+  const files = [...FACES.flatMap(({ name, file }) => [`${name}.js`, `slim-${name}.js`, `${file}_bg.wasm`]), "expline.js", "slim.js", "types/index.d.ts"];
+  const outputs = [...files.map((file) => `pkg/${file}`), "THIRD_PARTY_LICENSES"];
   await step("face", { inputs, outputs }, async () => {
     rmSync(at("pkg"), { recursive: true, force: true });
     await run("node", [at("node_modules/typescript/bin/tsc"), "-p", at("ts/tsconfig.json")]);
-    const literal = JSON.parse(readFileSync(at(BINDINGS, "literal.json"), "utf8"));
-    // The literal was chosen to the byte, so the bundler sees a short stand-in for it.
-    const holder = readFileSync(at(BINDINGS, "wasm-bytes.js"), "utf8").replace(literal, () => PLACEHOLDER);
-    writeFileSync(at("pkg/expline.js"), (await bundleFace(holder)).replace(PLACEHOLDER, () => literal));
-    writeFileSync(at("pkg/slim.js"), await bundleFace(NOTHING_INSIDE));
-    cpSync(at(BINDINGS, "expline_bg.wasm"), at("pkg/expline_bg.wasm"));
+    for (const { entry, name, file, start, bytes } of FACES) {
+      const literal = JSON.parse(readFileSync(at(BINDINGS, `${bytes}.json`), "utf8"));
+      // The literal was chosen to the byte, so the bundler sees a short stand-in for it.
+      const holder = readFileSync(at(BINDINGS, `${bytes}.js`), "utf8").replace(literal, () => PLACEHOLDER);
+      const full = await bundleFace(entry, holder, "./core.js");
+      writeFileSync(at(`pkg/${name}.js`), full.replace(PLACEHOLDER, () => literal));
+      writeFileSync(at(`pkg/slim-${name}.js`), await bundleFace(entry, nothingInside(file, start), "./slim-core.js"));
+      cpSync(at(BINDINGS, `${file}_bg.wasm`), at(`pkg/${file}_bg.wasm`));
+    }
+    for (const [out, prefix] of [["expline", ""], ["slim", "slim-"]]) writeFileSync(at(`pkg/${out}.js`), await entry(prefix));
     writeThirdPartyLicenses();
   });
 }
@@ -112,8 +151,10 @@ async function buildFace() {
 /** Everything that the package is made of, and its measured size and start-up time. */
 export async function buildPackage() {
   await buildXtask();
-  await buildWasm();
-  await buildBindings();
+  for (const module of MODULES) {
+    await buildWasm(module);
+    await buildBindings(module);
+  }
   await buildFace();
   await printSizes();
 }

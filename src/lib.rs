@@ -58,7 +58,7 @@ pub mod refine;
 pub mod svg;
 pub mod trace;
 
-#[cfg(all(target_arch = "wasm32", feature = "wasm"))]
+#[cfg(all(target_arch = "wasm32", feature = "binding"))]
 mod wasm;
 
 pub use curve::{Curve, HermiteCurve, HermiteOptions};

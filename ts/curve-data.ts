@@ -99,7 +99,12 @@ function oldest(used: readonly number[], ids: readonly number[]): number {
 
 /** The curves that the kernel has left in its output, one after the other. */
 export function readCurves(count: number): CurveData[] {
-  const numbers = peek(count);
+  return curvesIn(peek(count));
+}
+
+/** Curves as an engine describes them, one after the other. */
+export function curvesIn(numbers: Float64Array): CurveData[] {
+  const count = numbers.length;
   const curves: CurveData[] = [];
   let at = 0;
   const take = (length: number): Floats => numbers.slice(at, (at += length)) as Floats;

@@ -1,4 +1,4 @@
-/** The wasm module and its one living instance: started at the first call, replaced when it dies. */
+/** The wasm modules and the one living instance of each: started at the first call, replaced when it dies. */
 import type { InitOutput } from "../build/bindings/expline.js";
 import { version as builtVersion } from "../build/bindings/version.js";
 import { wasmAddress, wasmBytes } from "../build/bindings/wasm-bytes.js";
@@ -8,10 +8,13 @@ import { ExplineError, shown, wrong } from "./error.js";
 /** The version of the package. */
 export const version: string = builtVersion;
 
-/** The functions of the wasm that the package calls. @internal */
+/** The functions of the core's wasm that the package calls. @internal */
 export type Kernel = InitOutput;
 
-/** Where the engine comes from, if not from the package itself. */
+/** The functions that every wasm of the package has. @internal */
+export type AnyKernel = Pick<Kernel, "memory" | "record_address" | "input_address" | "text_address" | "kernel_version">;
+
+/** Where an engine comes from, if not from the package itself. */
 export interface InitOptions {
   /** Where the .wasm file is. */
   wasmUrl?: string | URL;
@@ -25,8 +28,8 @@ export interface InitOptions {
 export const SLOTS = 16;
 
 /** One instance, with what is known about its memory and about which curves it holds. @internal */
-export class Instance {
-  readonly kernel: Kernel;
+export class Instance<K extends AnyKernel = Kernel> {
+  readonly kernel: K;
   /** Place of the record of scalar results, in numbers. */
   readonly record: number;
   /** Which curve lies in each slot; 0 for none. */
@@ -40,7 +43,7 @@ export class Instance {
   capacity = 0;
   #floats: Float64Array;
 
-  constructor(kernel: Kernel) {
+  constructor(kernel: K) {
     this.kernel = kernel;
     this.record = kernel.record_address() / 8;
     this.#floats = new Float64Array(kernel.memory.buffer);
@@ -53,58 +56,77 @@ export class Instance {
   }
 }
 
-let module: WebAssembly.Module | undefined;
-let current: Instance | undefined;
-let starting: Promise<void> | undefined;
+/** One wasm of the package: where it comes from, compiled and living. @internal */
+export interface Engine<K extends AnyKernel = Kernel> {
+  /** Name of the function that starts it. */
+  readonly op: string;
+  /** A function that its wasm has and the others have not. */
+  readonly mark: keyof K & string;
+  /** The bytes inside the package. */
+  readonly bytes: () => Uint8Array<ArrayBuffer>;
+  /** Where the file lies beside the slim package. */
+  readonly address: (() => URL) | undefined;
+  module?: WebAssembly.Module | undefined;
+  current?: Instance<K> | undefined;
+  starting?: Promise<void> | undefined;
+}
+
+/** The engine of curves. @internal */
+export const core: Engine = { op: "init", mark: "load", bytes: wasmBytes, address: wasmAddress };
 
 /** The living instance; compiles and starts one where there is none. @internal */
+export function instanceOf<K extends AnyKernel>(engine: Engine<K>): Instance<K> {
+  return engine.current ?? (engine.current = instantiate(engine, (engine.module ??= compile(engine.op, inlined(engine)))));
+}
+
+/** The living instance of the core. @internal */
 export function engine(): Instance {
-  return current ?? (current = instantiate((module ??= compile(inlined()))));
+  return core.current ?? instanceOf(core);
 }
 
 /** Takes the instance out of service after anything but a clear answer came out of it. @internal */
-export function retire(op: string, cause: unknown): ExplineError {
-  current = undefined;
+export function retire(engine: { current?: unknown }, op: string, cause: unknown): ExplineError {
+  engine.current = undefined;
   const what = "the engine stopped and is replaced at the next call; no curve is lost";
   return new ExplineError("E_INTERNAL", op, what, { fatal: true, cause });
 }
 
-function initError(reason: string, what: string, cause?: unknown): ExplineError {
-  return new ExplineError("E_INIT", "init", what, { reason, cause });
+function initError(op: string, reason: string, what: string, cause?: unknown): ExplineError {
+  return new ExplineError("E_INIT", op, what, { reason, cause });
 }
 
 /** WebAssembly itself, or a clear word that it is missing. */
-function wasm(): typeof WebAssembly {
-  if (typeof WebAssembly !== "object") throw initError("unsupported", "WebAssembly is missing here");
+function wasm(op: string): typeof WebAssembly {
+  if (typeof WebAssembly !== "object") throw initError(op, "unsupported", "WebAssembly is missing here");
   return WebAssembly;
 }
 
 /** What a failed compilation means. */
-function compileError(cause: unknown): ExplineError {
+function compileError(op: string, cause: unknown): ExplineError {
   const text = String(cause);
   if (/unsafe-eval|security policy|embedder/i.test(text)) {
-    return initError("csp", "the page's content security policy lacks 'wasm-unsafe-eval'", cause);
+    return initError(op, "csp", "the page's content security policy lacks 'wasm-unsafe-eval'", cause);
   }
-  return initError("compile", "these bytes are not a module that can be compiled here", cause);
+  return initError(op, "compile", "these bytes are not a module that can be compiled here", cause);
 }
 
 /** The bytes that are inside the package. */
-function inlined(): BufferSource {
-  wasm();
+function inlined({ op, bytes }: Pick<Engine, "op" | "bytes">): BufferSource {
+  wasm(op);
   try {
-    return wasmBytes();
+    return bytes();
   } catch (cause) {
     // Where the page forbids wasm, the decoder is the first to notice.
-    throw cause instanceof ExplineError ? cause : compileError(cause);
+    throw cause instanceof ExplineError ? cause : compileError(op, cause);
   }
 }
 
-function compile(bytes: BufferSource): WebAssembly.Module {
-  const { Module } = wasm();
+function compile(op: string, bytes: BufferSource): WebAssembly.Module {
+  const { Module } = wasm(op);
   try {
     return new Module(bytes);
   } catch (cause) {
-    throw compileError(cause);
+    throw compileError(op, cause);
   }
 }
 
@@ -114,21 +136,21 @@ function versionNumber(): number {
   return 1e6 * major + 1e3 * minor + patch;
 }
 
-function instantiate(from: WebAssembly.Module): Instance {
-  const { Instance: Start, Module } = wasm();
-  let kernel: Kernel;
+function instantiate<K extends AnyKernel>({ op, mark }: Engine<K>, from: WebAssembly.Module): Instance<K> {
+  const { Instance: Start, Module } = wasm(op);
+  let kernel: K;
   try {
     const imports: Record<string, Record<string, () => void>> = {};
     for (const { module: room, name } of Module.imports(from)) (imports[room] ??= {})[name] = () => undefined;
-    kernel = new Start(from, imports).exports as unknown as Kernel;
+    kernel = new Start(from, imports).exports as unknown as K;
   } catch (cause) {
     throw cause instanceof RangeError
-      ? initError("memory", "there is no memory for the engine", cause)
-      : compileError(cause);
+      ? initError(op, "memory", "there is no memory for the engine", cause)
+      : compileError(op, cause);
   }
-  const found = typeof kernel.kernel_version === "function" ? kernel.kernel_version() : undefined;
+  const found = mark in kernel && typeof kernel.kernel_version === "function" ? kernel.kernel_version() : undefined;
   if (found !== versionNumber()) {
-    throw initError("version", `the module is not that of expline ${version}`);
+    throw initError(op, "version", `the module is not that of expline ${version}`);
   }
   return new Instance(kernel);
 }
@@ -143,64 +165,75 @@ function instantiate(from: WebAssembly.Module): Instance {
  * @throws {ExplineError} E_INIT with `reason` csp, network, mime, compile, version, memory or unsupported.
  */
 export default function init(options?: InitOptions): Promise<void> {
-  if (module !== undefined && current !== undefined) return Promise.resolve();
-  starting ??= start(options).finally(() => {
-    starting = undefined;
-  });
-  return starting;
+  return begin(core, options);
 }
 
-async function start(given: unknown): Promise<void> {
-  const { wasmUrl, bytes, module: ready } = checkOptions("init", given, ["wasmUrl", "bytes", "module"]);
+/** What `init` does, for any engine. @internal */
+export function begin<K extends AnyKernel>(engine: Engine<K>, options: unknown): Promise<void> {
+  if (engine.module !== undefined && engine.current !== undefined) return Promise.resolve();
+  engine.starting ??= start(engine, options).finally(() => {
+    engine.starting = undefined;
+  });
+  return engine.starting;
+}
+
+async function start<K extends AnyKernel>(engine: Engine<K>, given: unknown): Promise<void> {
+  const { op, address } = engine;
+  const { wasmUrl, bytes, module: ready } = checkOptions(op, given, ["wasmUrl", "bytes", "module"]);
   let next: WebAssembly.Module;
-  if (ready !== undefined) next = asModule(ready);
-  else if (wasmUrl !== undefined) next = await fetched(wasmUrl);
-  else if (bytes === undefined && wasmAddress !== undefined) next = await fetched(wasmAddress());
-  else next = await compiled(bytes === undefined ? inlined() : asBytes(bytes));
-  adopt(next);
+  if (ready !== undefined) next = asModule(op, ready);
+  else if (wasmUrl !== undefined) next = await fetched(op, wasmUrl);
+  else if (bytes === undefined && address !== undefined) next = await fetched(op, address());
+  else next = await compiled(op, bytes === undefined ? inlined(engine) : asBytes(op, bytes));
+  adopt(engine, next);
 }
 
 /** Starts the engine from bytes or from a module, without waiting; changes nothing where one runs already. */
 export function initSync(options: { bytes: BufferSource } | { module: WebAssembly.Module }): void {
-  const { bytes, module: ready } = checkOptions("initSync", options, ["bytes", "module"]);
-  if (current !== undefined) return;
-  if (ready === undefined && bytes === undefined) throw wrong("E_TYPE", "initSync", "bytes", bytes, "BufferSource");
-  adopt(ready === undefined ? compile(asBytes(bytes)) : asModule(ready));
+  beginSync(core, "initSync", options);
 }
 
-function adopt(next: WebAssembly.Module): void {
-  if (current !== undefined) return;
-  current = instantiate(next);
-  module = next;
+/** What `initSync` does, for any engine. @internal */
+export function beginSync<K extends AnyKernel>(engine: Engine<K>, op: string, options: unknown): void {
+  const { bytes, module: ready } = checkOptions(op, options, ["bytes", "module"]);
+  if (engine.current !== undefined) return;
+  if (ready === undefined && bytes === undefined) throw wrong("E_TYPE", op, "bytes", bytes, "BufferSource");
+  adopt(engine, ready === undefined ? compile(op, asBytes(op, bytes)) : asModule(op, ready));
 }
 
-function asModule(value: unknown): WebAssembly.Module {
-  if (!(value instanceof wasm().Module)) throw wrong("E_TYPE", "init", "module", value, "WebAssembly.Module");
+function adopt<K extends AnyKernel>(engine: Engine<K>, next: WebAssembly.Module): void {
+  if (engine.current !== undefined) return;
+  engine.current = instantiate(engine, next);
+  engine.module = next;
+}
+
+function asModule(op: string, value: unknown): WebAssembly.Module {
+  if (!(value instanceof wasm(op).Module)) throw wrong("E_TYPE", op, "module", value, "WebAssembly.Module");
   return value;
 }
 
-function asBytes(value: unknown): BufferSource {
+function asBytes(op: string, value: unknown): BufferSource {
   if (value instanceof ArrayBuffer || ArrayBuffer.isView(value)) return value as BufferSource;
-  throw wrong("E_TYPE", "init", "bytes", value, "BufferSource");
+  throw wrong("E_TYPE", op, "bytes", value, "BufferSource");
 }
 
-async function compiled(bytes: BufferSource): Promise<WebAssembly.Module> {
-  const { compile: begin } = wasm();
+async function compiled(op: string, bytes: BufferSource): Promise<WebAssembly.Module> {
+  const { compile: begin } = wasm(op);
   try {
     return await begin.call(WebAssembly, bytes);
   } catch (cause) {
-    throw compileError(cause);
+    throw compileError(op, cause);
   }
 }
 
-async function fetched(url: unknown): Promise<WebAssembly.Module> {
-  if (typeof url !== "string" && !(url instanceof URL)) throw wrong("E_TYPE", "init", "wasmUrl", url, "string or URL");
-  const bytes = await read(String(url));
+async function fetched(op: string, url: unknown): Promise<WebAssembly.Module> {
+  if (typeof url !== "string" && !(url instanceof URL)) throw wrong("E_TYPE", op, "wasmUrl", url, "string or URL");
+  const bytes = await read(op, String(url));
   const magic = new Uint8Array(bytes, 0, Math.min(4, bytes.byteLength));
   if (String.fromCharCode(...magic) !== "\0asm") {
-    throw initError("mime", `what ${shown(String(url))} answers is not WebAssembly`);
+    throw initError(op, "mime", `what ${shown(String(url))} answers is not WebAssembly`);
   }
-  return compiled(bytes);
+  return compiled(op, bytes);
 }
 
 /** The part of Node that reads files; it is asked for only when a file: address is given. */
@@ -208,7 +241,7 @@ interface Files {
   readFile(path: URL): Promise<Uint8Array<ArrayBuffer>>;
 }
 
-async function read(url: string): Promise<ArrayBuffer> {
+async function read(op: string, url: string): Promise<ArrayBuffer> {
   try {
     if (url.startsWith("file:")) {
       const host = globalThis as { process?: { getBuiltinModule?: (name: string) => Files | undefined } };
@@ -219,6 +252,6 @@ async function read(url: string): Promise<ArrayBuffer> {
     if (!answer.ok) throw new Error(`HTTP status ${answer.status}`);
     return await answer.arrayBuffer();
   } catch (cause) {
-    throw initError("network", `${shown(url)} could not be read`, cause);
+    throw initError(op, "network", `${shown(url)} could not be read`, cause);
   }
 }

@@ -1,15 +1,19 @@
-/** The public interface of expline. */
-export { default, initSync, version } from "./engine.js";
-export type { InitOptions } from "./engine.js";
-export { ExplineError } from "./error.js";
-export type { ErrorCode, ErrorDetails } from "./error.js";
-export type { PointsLike } from "./arguments.js";
-export type { Space } from "./curve-data.js";
-export type { Bounds, Curve, Ellipse, Nearest, PathOptions } from "./curve.js";
-export { HermiteCurve } from "./hermite-curve.js";
-export type { EllipseOptions, HermiteCurveOptions } from "./hermite-curve.js";
-export { HermiteGenerators } from "./hermite-generators.js";
-export { fromJSON } from "./json.js";
-export type { HermiteCurveJSON, JSONWarning } from "./json.js";
-export { parsePath } from "./svg.js";
-export type { PathWarning } from "./svg.js";
+/** The public interface of expline: curves are one ES module, fitting another, which a bundler drops when nothing of it is used. */
+export { default, ExplineError, HermiteCurve, HermiteGenerators, fromJSON, initSync, parsePath, version } from "./core.js";
+export type {
+  Bounds,
+  Curve,
+  Ellipse,
+  EllipseOptions,
+  ErrorCode,
+  ErrorDetails,
+  HermiteCurveJSON,
+  HermiteCurveOptions,
+  InitOptions,
+  JSONWarning,
+  Nearest,
+  PathOptions,
+  PathWarning,
+  PointsLike,
+  Space,
+} from "./core.js";

@@ -1,5 +1,5 @@
-/** Calls into the living instance: numbers in, numbers out, failures as errors. */
-import { type Instance, type Kernel, engine, retire } from "./engine.js";
+/** Calls into a living instance: numbers in, numbers out, failures as errors. */
+import { type AnyKernel, type Engine, type Instance, type Kernel, core, engine, instanceOf, retire } from "./engine.js";
 import { ExplineError, degenerate, overLimit, tooFewPoints, wrong, wrongLength } from "./error.js";
 
 /** What a caller handed in, for messages. */
@@ -21,48 +21,63 @@ const enum Failure {
 }
 
 /**
- * Runs one function of the kernel and returns how many numbers it left in the output.
+ * Runs one function of an engine and returns how many numbers it left in the output.
  *
  * Whatever else comes out of it than an answer ends the instance. `given` is the number, or the array that an error's index points into.
  * @internal
  */
-export function call(op: string, body: (kernel: Kernel) => number, given?: Given): number {
-  const instance = engine();
+export function callOf<K extends AnyKernel>(from: Engine<K>, op: string, body: (kernel: K) => number, given?: Given): number {
+  const instance = instanceOf(from);
   let count: number;
   try {
     count = body(instance.kernel);
   } catch (cause) {
-    throw retire(op, cause);
+    throw retire(from, op, cause);
   }
-  if (count < 0) throw failure(instance, op, given);
+  if (count < 0) throw failure(from, instance, op, given);
   return count;
+}
+
+/** The same with the engine of curves. @internal */
+export function call(op: string, body: (kernel: Kernel) => number, given?: Given): number {
+  return callOf(core, op, body, given);
 }
 
 /** Number i of the record of scalar results. */
 export function result(i: number): number {
-  const instance = engine();
-  return instance.floats[instance.record + i] ?? 0;
+  return resultOf(engine(), i);
 }
 
-/** The output as it lies in the instance: valid until the next call. */
-export function peek(count: number): Float64Array {
-  const instance = engine();
-  const { floats } = instance;
-  const start = (floats[instance.record + 14] ?? 0) / 8;
+/** The same in any instance. @internal */
+export function resultOf({ floats, record }: Instance<AnyKernel>, i: number): number {
+  return floats[record + i] ?? 0;
+}
+
+/** The output as it lies in an instance: valid until the next call. @internal */
+export function peekOf({ floats, record }: Instance<AnyKernel>, count: number): Float64Array {
+  const start = (floats[record + 14] ?? 0) / 8;
   return floats.subarray(start, start + count);
+}
+
+/** The same in the core. */
+export function peek(count: number): Float64Array {
+  return peekOf(engine(), count);
 }
 
 /** A copy of the output. */
 export function copy(count: number): Floats {
-  const instance = engine();
-  const { floats } = instance;
-  const start = (floats[instance.record + 14] ?? 0) / 8;
+  const { floats, record } = engine();
+  const start = (floats[record + 14] ?? 0) / 8;
   return floats.slice(start, start + count) as Floats;
 }
 
-/** Text in the kernel's memory. */
+/** Text in the core's memory. */
 export function textAt(address: number, bytes: number): string {
-  return new TextDecoder().decode(new Uint8Array(engine().kernel.memory.buffer, address, bytes));
+  return textIn(engine(), address, bytes);
+}
+
+function textIn({ kernel }: Instance<AnyKernel>, address: number, bytes: number): string {
+  return new TextDecoder().decode(new Uint8Array(kernel.memory.buffer, address, bytes));
 }
 
 /** Text that the kernel left, of so many bytes. */
@@ -72,10 +87,15 @@ export function outputText(bytes: number): string {
 
 /** Writes arrays one after the other to where the kernel reads numbers. */
 export function write(op: string, ...arrays: Float64Array[]): void {
+  writeTo(core, op, ...arrays);
+}
+
+/** The same for any engine. @internal */
+export function writeTo<K extends AnyKernel>(to: Engine<K>, op: string, ...arrays: Float64Array[]): void {
   let total = 0;
   for (const array of arrays) total += array.length;
-  const instance = engine();
-  let place = room(instance, op, total);
+  const instance = instanceOf(to);
+  let place = room(to, instance, op, total);
   for (const array of arrays) {
     instance.floats.set(array, place);
     place += array.length;
@@ -85,7 +105,7 @@ export function write(op: string, ...arrays: Float64Array[]): void {
 /** Above this many numbers the input is given back after use. */
 const KEPT = 1 << 17;
 
-function room(instance: Instance, op: string, count: number): number {
+function room<K extends AnyKernel>(to: Engine<K>, instance: Instance<K>, op: string, count: number): number {
   if (count > instance.capacity) {
     const capacity = Math.max(count, 1024);
     let address: number;
@@ -93,7 +113,7 @@ function room(instance: Instance, op: string, count: number): number {
       if (instance.capacity > KEPT) instance.kernel.input_address(0);
       address = instance.kernel.input_address(capacity) >>> 0;
     } catch (cause) {
-      throw retire(op, cause);
+      throw retire(to, op, cause);
     }
     instance.capacity = address === 0 ? 0 : capacity;
     if (address === 0) throw outOfMemory(op, 8 * capacity);
@@ -110,7 +130,7 @@ export function writeText(op: string, text: string): number {
   try {
     address = instance.kernel.text_address(bytes.length) >>> 0;
   } catch (cause) {
-    throw retire(op, cause);
+    throw retire(core, op, cause);
   }
   if (address === 0) throw outOfMemory(op, bytes.length);
   new Uint8Array(instance.kernel.memory.buffer).set(bytes, address);
@@ -122,12 +142,12 @@ function outOfMemory(op: string, bytes: number): ExplineError {
 }
 
 /** The error that the kernel's record describes. */
-function failure(instance: Instance, op: string, given: Given | undefined): ExplineError {
+function failure<K extends AnyKernel>(from: Engine<K>, instance: Instance<K>, op: string, given: Given | undefined): ExplineError {
   const at = instance.record;
   const [kind = 0, place = -1, value = 0, least = 0, most = 0, a = 0, aLength = 0, w = 0, wLength = 0] =
     instance.floats.slice(at, at + 9);
-  const arg = textAt(a, aLength);
-  const words = textAt(w, wLength);
+  const arg = textIn(instance, a, aLength);
+  const words = textIn(instance, w, wLength);
   const index = place < 0 ? undefined : place;
   switch (kind as Failure) {
     case Failure.NotFinite:
@@ -152,7 +172,7 @@ function failure(instance: Instance, op: string, given: Given | undefined): Expl
         bound: words,
       });
     default:
-      return retire(op, undefined);
+      return retire(from, op, undefined);
   }
 }
 

@@ -1,14 +1,13 @@
 //! Curves in and out of the slots, and the ways to make one curve from another.
 //!
-//! A curve crosses as one run of numbers: seven of [`describe`]'s header, then its arrays.
+//! A curve crosses as one run of numbers: seven of [`describe`](super::describe::describe)'s header, then its arrays.
 
-use super::kernel::{Kernel, Resident, run, times};
+use super::describe::{SPACES, give, push_short};
+use super::kernel::{Resident, run, times};
 use crate::curve::HermiteOptions;
 use crate::numerics::{Point, Vector};
 use crate::{HermiteCurve, Result, Space};
 use wasm_bindgen::prelude::wasm_bindgen;
-
-const SPACES: [Space; 3] = [Space::Trigonometric, Space::Hyperbolic, Space::Polynomial];
 
 /// The space that a number from JavaScript stands for.
 pub(super) fn space_of(code: u32) -> Option<Space> {
@@ -55,59 +54,6 @@ pub fn load(slot: u32, points: u32, arriving: u32, omega: u32, lengths: u32, spa
         }
         Ok(kernel.output.len())
     })
-}
-
-/// Appends numbers: one where all are the same, none where that one is `implied`. Returns how many.
-fn push_short(output: &mut Vec<f64>, numbers: &[f64], implied: Option<f64>) -> f64 {
-    let before = output.len();
-    match numbers.first() {
-        Some(&first) if numbers.iter().all(|&n| n == first) => {
-            if Some(first) != implied {
-                output.push(first);
-            }
-        }
-        _ => output.extend_from_slice(numbers),
-    }
-    (output.len() - before) as f64
-}
-
-/// Appends vectors; adding 0 turns −0 into 0, so that JSON can carry every number.
-fn push_vectors(output: &mut Vec<f64>, vectors: &[Vector]) {
-    for vector in vectors {
-        output.extend_from_slice(&[vector.x + 0.0, vector.y + 0.0]);
-    }
-}
-
-/// Appends a curve to the output.
-///
-/// Header: points, closed, space, arriving tangents, ω's, lengths, end of the domain. Then as many numbers as the header says:
-/// points, tangents, tangentsIn (only where they differ), omega (one or one per segment), lengths (none where all are 1).
-pub(super) fn describe(output: &mut Vec<f64>, curve: &HermiteCurve) {
-    let count = curve.points().len();
-    let start = output.len();
-    let space = SPACES.iter().position(|&s| s == curve.space()).unwrap_or(0);
-    let differ = curve.tangents_in() != curve.tangents();
-    output.reserve(7 + 6 * count);
-    let arriving = if differ { count } else { 0 };
-    let header = [count, usize::from(curve.is_closed()), space, arriving, 0, 0].map(|n| n as f64);
-    output.extend_from_slice(&header);
-    output.push(curve.domain().1);
-    push_vectors(output, curve.points());
-    push_vectors(output, curve.tangents());
-    if differ {
-        push_vectors(output, curve.tangents_in());
-    }
-    output[start + 4] = push_short(output, curve.omega(), None);
-    output[start + 5] = push_short(output, curve.lengths(), Some(1.0));
-}
-
-/// Leaves curves in the output, one after the other.
-pub(super) fn give(kernel: &mut Kernel, curves: &[HermiteCurve]) -> Result<usize> {
-    kernel.output.clear();
-    for curve in curves {
-        describe(&mut kernel.output, curve);
-    }
-    Ok(kernel.output.len())
 }
 
 /// Leaves the curve that is made from the one in a slot in the output.

@@ -1,11 +1,15 @@
 //! The state of one instance: slots, buffers, and the small fixed record that scalar results are left in.
 
+#[cfg(feature = "wasm")]
+use crate::HermiteCurve;
+#[cfg(feature = "wasm")]
 use crate::curve::{NearestFinder, Sampler};
-use crate::{Error, HermiteCurve, Result};
+use crate::{Error, Result};
 use std::cell::RefCell;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// How many curves can be resident at once.
+#[cfg(feature = "wasm")]
 pub(super) const SLOTS: usize = 16;
 /// What an exported function returns when it failed; the record then holds the error.
 pub(super) const FAILED: i32 = -1;
@@ -15,10 +19,12 @@ const RECORD: usize = 16;
 const OUTPUT_ADDRESS: usize = 14;
 const TEXT_ADDRESS: usize = 15;
 
+#[cfg(feature = "wasm")]
 const NOT_RESIDENT: Error =
     Error::Degenerate { argument: "slot", index: None, reason: "no curve is resident" };
 
 /// A resident curve, and what was prepared for questions about it.
+#[cfg(feature = "wasm")]
 pub(super) struct Resident {
     pub(super) curve: HermiteCurve,
     pub(super) finder: Option<NearestFinder>,
@@ -35,8 +41,10 @@ pub(super) struct Kernel {
     /// Text in and out, UTF-8.
     pub(super) text: Vec<u8>,
     /// The tables of bulk sampling.
+    #[cfg(feature = "wasm")]
     pub(super) sampler: Option<Box<Sampler>>,
     /// The resident curves.
+    #[cfg(feature = "wasm")]
     pub(super) slots: [Option<Resident>; SLOTS],
 }
 
@@ -47,12 +55,15 @@ thread_local! {
             input: Vec::new(),
             output: Vec::new(),
             text: Vec::new(),
+            #[cfg(feature = "wasm")]
             sampler: None,
+            #[cfg(feature = "wasm")]
             slots: [const { None }; SLOTS],
         })
     };
 }
 
+#[cfg(feature = "wasm")]
 impl Kernel {
     /// The curve in a slot; the face never asks for an empty one.
     pub(super) fn curve(&self, slot: u32) -> Result<&HermiteCurve> {
@@ -79,7 +90,9 @@ impl Kernel {
         let given = &self.input[..count.min(self.input.len())];
         Ok((resident(&self.slots, slot)?, given, &mut self.output))
     }
+}
 
+impl Kernel {
     /// The first `count` numbers that JavaScript wrote.
     pub(super) fn given(&self, count: usize) -> &[f64] {
         &self.input[..count.min(self.input.len())]
@@ -121,6 +134,7 @@ impl Kernel {
     }
 }
 
+#[cfg(feature = "wasm")]
 fn resident(slots: &[Option<Resident>], slot: u32) -> Result<&HermiteCurve> {
     match slots.get(slot as usize) {
         Some(Some(resident)) => Ok(&resident.curve),
@@ -220,10 +234,11 @@ pub fn kernel_version() -> u32 {
 pub fn forget() {
     KERNEL.with(|cell| {
         if let Ok(mut kernel) = cell.try_borrow_mut() {
+            let kernel = &mut *kernel;
+            #[cfg(feature = "wasm")]
             for place in &mut kernel.slots {
                 *place = None;
             }
-            let kernel = &mut *kernel;
             for buffer in [&mut kernel.input, &mut kernel.output] {
                 *buffer = Vec::new();
             }

@@ -7,13 +7,22 @@
 //! Every exported function returns the count of numbers (or bytes) that it left in the output buffer, or
 //! [`kernel::FAILED`], with the error's fields in the result record. Nothing here computes, and nothing here
 //! formats: messages are made in the face.
+//!
+//! The package has two modules, each with an instance and a memory of its own: feature `wasm` exports curves and
+//! surfaces, feature `wasm-fit` fitting. [`kernel`] and [`describe`] are in both.
 
 #![allow(unreachable_pub, reason = "exported functions are public to JavaScript, not to Rust")]
 
+#[cfg(feature = "wasm")]
 mod curve;
+mod describe;
+#[cfg(feature = "wasm")]
 mod generators;
 mod heap;
 mod kernel;
+#[cfg(feature = "wasm")]
 mod measure;
+#[cfg(feature = "wasm")]
 mod sample;
+#[cfg(feature = "wasm")]
 mod svg;

@@ -1,6 +1,6 @@
 //! Path data in and out.
 
-use super::curve::give;
+use super::describe::give;
 use super::kernel::run;
 use crate::svg::{self, PrintOptions};
 use wasm_bindgen::prelude::wasm_bindgen;

@@ -1,7 +1,7 @@
 // The packed package through bundlers and without one, run in Chromium under the strict policy of the demo.
 
 import assert from "node:assert/strict";
-import { cpSync, mkdirSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, readdirSync, writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { join } from "node:path";
 
@@ -44,6 +44,12 @@ function page(name: string, html: string): string {
   // No charset on purpose: a bundle must not depend on the page's.
   writeFileSync(join(folder, "index.html"), `<!doctype html><html lang="en"><title>waiting</title>${html}</html>`);
   return folder;
+}
+
+/** The ES modules and wasm files of the package, beside a page. */
+function copyPackage(folder: string): void {
+  const from = join(consumer, "node_modules/expline/pkg");
+  for (const file of readdirSync(from)) if (/\.(js|wasm)$/.test(file)) cpSync(join(from, file), join(folder, file));
 }
 
 /** Opens a folder's page and waits for its title; whatever the console or the policy complains about fails the test. */
@@ -118,7 +124,7 @@ test("webpack, minified for production", async () => {
 test("no bundler: an import map and the file of the package", async () => {
   const map = JSON.stringify({ imports: { expline: "./expline.js" } });
   const folder = page("import-map", `<script type="importmap">${map}</script><script type="module" src="app.js"></script>`);
-  cpSync(join(consumer, "node_modules/expline/pkg/expline.js"), join(folder, "expline.js"));
+  copyPackage(folder);
   writeFileSync(join(folder, "app.js"), APP);
   // An inline import map is an inline script, which the demo's policy refuses.
   assert.equal(await titleOf(folder, POLICY.replace("script-src 'self'", "script-src 'self' 'unsafe-inline'")), EXPECTED);
@@ -126,7 +132,7 @@ test("no bundler: an import map and the file of the package", async () => {
 
 test("a module worker", async () => {
   const folder = page("worker", MODULE);
-  cpSync(join(consumer, "node_modules/expline/pkg/expline.js"), join(folder, "expline.js"));
+  copyPackage(folder);
   writeFileSync(join(folder, "worker.js"), APP.replace('"expline"', '"./expline.js"'));
   const start = 'const worker = new Worker("worker.js", { type: "module" }); worker.onmessage = (e) => (document.title = e.data);';
   writeFileSync(join(folder, "bundle.js"), start);
@@ -149,7 +155,7 @@ for (const [how, load] of [
 
 test("init streams the wasm from an address", async () => {
   const folder = page("streaming", MODULE);
-  for (const file of ["expline.js", "expline_bg.wasm"]) cpSync(join(consumer, "node_modules/expline/pkg", file), join(folder, file));
+  copyPackage(folder);
   const app = APP.replace('import { HermiteCurve, parsePath } from "expline";', 'import init, { HermiteCurve, parsePath } from "./expline.js"; await init({ wasmUrl: "expline_bg.wasm" });');
   writeFileSync(join(folder, "bundle.js"), app);
   assert.equal(await titleOf(folder, POLICY), EXPECTED);

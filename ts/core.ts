@@ -1,0 +1,32 @@
+/** The ES module of curves: the public names, and what the module for fitting needs of it. */
+export { default, initSync, version } from "./engine.js";
+export type { InitOptions } from "./engine.js";
+export { ExplineError } from "./error.js";
+export type { ErrorCode, ErrorDetails } from "./error.js";
+export type { PointsLike } from "./arguments.js";
+export type { Space } from "./curve-data.js";
+export type { Bounds, Curve, Ellipse, Nearest, PathOptions } from "./curve.js";
+export { HermiteCurve } from "./hermite-curve.js";
+export type { EllipseOptions, HermiteCurveOptions } from "./hermite-curve.js";
+export { HermiteGenerators } from "./hermite-generators.js";
+export { fromJSON } from "./json.js";
+export type { HermiteCurveJSON, JSONWarning } from "./json.js";
+export { parsePath } from "./svg.js";
+export type { PathWarning } from "./svg.js";
+
+/** @internal */
+export { begin, beginSync } from "./engine.js";
+/** @internal */
+export type { AnyKernel, Engine } from "./engine.js";
+/** @internal */
+export { count, finite, flag, integer, numbers, options, points, word } from "./arguments.js";
+/** @internal */
+export { curvesIn } from "./curve-data.js";
+/** @internal */
+export { overLimit, tooFewPoints, wrong, wrongLength } from "./error.js";
+/** @internal */
+export { curveOf } from "./hermite-curve.js";
+/** @internal */
+export { callOf, peekOf, resultOf, writeTo } from "./kernel.js";
+/** @internal */
+export { decoded } from "./decode.js";
