@@ -55,6 +55,7 @@ pub mod generator;
 mod limits;
 pub mod numerics;
 pub mod refine;
+pub mod surface;
 pub mod svg;
 pub mod trace;
 
@@ -64,6 +65,7 @@ mod wasm;
 pub use curve::{Curve, HermiteCurve, HermiteOptions};
 pub use error::{Error, Result};
 pub use generator::Space;
+pub use surface::TensorSurface;
 
 /// The README's Rust example, compiled and run with the documentation's.
 #[cfg(doctest)]

@@ -24,7 +24,7 @@ const DRAWING: [(&str, &[&str]); 11] = [
 ];
 
 /// Names that the crate's root gives again, and the rooms that they come from.
-const ROOT_NAMES: [(&str, &str); 8] = [
+const ROOT_NAMES: [(&str, &str); 9] = [
     ("Error", "error"),
     ("Result", "error"),
     ("Space", "generator"),
@@ -33,6 +33,7 @@ const ROOT_NAMES: [(&str, &str); 8] = [
     ("Curve", "curve"),
     ("InterpolatingCurve", "curve"),
     ("BSplineCurve", "curve"),
+    ("TensorSurface", "surface"),
 ];
 
 /// Packages that know JavaScript: named in the wasm room only.

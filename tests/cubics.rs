@@ -5,9 +5,9 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod support;
 
-use expline::{Curve, HermiteCurve};
 use expline::curve::{Cubics, NearestFinder};
 use expline::numerics::Point;
+use expline::{Curve, HermiteCurve};
 use support::curves::{Random, random_curve};
 
 fn cubic_at(c: &[f64], s: f64) -> Point {

@@ -8,9 +8,9 @@ use super::piece::Piece;
 use super::pieces::Pieces;
 use super::{Segment, spatial};
 use crate::error::Result;
-use crate::numerics::{Point, Vector};
 use crate::numerics::entire::stumpff;
 use crate::numerics::plane::{dot, norm, square};
+use crate::numerics::{Point, Vector};
 
 /// Halvings of a segment after which a piece is taken as it is.
 const MOST_HALVINGS: usize = 40;

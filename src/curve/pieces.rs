@@ -136,7 +136,11 @@ pub(super) enum AnyPiece {
 
 impl AnyPiece {
     pub(super) fn new(curve: &dyn Pieces, i: usize) -> Self {
-        if curve.dimension() == 2 { Self::Plane(curve.piece(i)) } else { Self::Space(SpacePiece::new(curve, i)) }
+        if curve.dimension() == 2 {
+            Self::Plane(curve.piece(i))
+        } else {
+            Self::Space(SpacePiece::new(curve, i))
+        }
     }
 
     /// The speed at y.

@@ -12,3 +12,5 @@ pub mod tridiagonal;
 pub type Point = nalgebra::Vector2<f64>;
 /// A displacement or a derivative in the plane.
 pub type Vector = nalgebra::Vector2<f64>;
+/// A point of space, a displacement or a derivative there.
+pub type Vector3 = nalgebra::Vector3<f64>;

@@ -61,3 +61,29 @@ pub(crate) const LAMBDA: f64 = 1e-13;
 /// Interpolators and their derivatives, relative to the largest and to 1 + 2Σ|λ|, which is what cancels in them: the
 /// B-spline's own accuracy. The worst seen is 4.9e-15, for the roots 0, 0, ±5.
 pub(crate) const INTERPOLATORS: f64 = 1e-14;
+
+/// Points and derivatives of surfaces, relative to ten times the largest number of the net: sums of some fifty products, each
+/// of two weights that know their last digits but one; the largest weights are 1.3.
+pub(crate) const SURFACES: f64 = 2e-13;
+
+/// Points of exact surfaces off them, relative to their size: sixteen products of weights of 1.3 at most. The worst seen is
+/// 3e-15, on the smallest sphere, whose weights are the largest.
+pub(crate) const EXACT: f64 = 1e-14;
+
+/// What is on both sides of a seam, relative to the size: the last place of a parameter, times a derivative.
+pub(crate) const SEAM: f64 = 4e-14;
+
+/// Normals of exact surfaces: two derivatives' roundings over their length.
+pub(crate) const NORMALS: f64 = 1e-13;
+
+/// Normals within 1e-8 of a pole: there the limit stands for the product, which is off by as much.
+pub(crate) const NORMALS_AT_POLES: f64 = 1e-7;
+
+/// Curvatures, relative: second derivatives over the square of first ones, which are small beside poles.
+pub(crate) const CURVATURES: f64 = 1e-11;
+
+/// Curvatures at poles, relative: extrapolated from places where first derivatives are a fortieth of the size.
+pub(crate) const CURVATURES_AT_POLES: f64 = 1e-10;
+
+/// Refined surfaces, relative to their size.
+pub(crate) const REFINED: f64 = 1e-12;

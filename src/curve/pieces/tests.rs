@@ -73,7 +73,8 @@ impl Curve for Expanded {
 fn family(space: Space, omega: f64) -> (HermiteCurve, Expanded, Expanded) {
     let at = |k: usize| k as f64 * 1.3;
     let points = (0..7).map(|k| Point::new(30.0 * libm::cos(at(k)), 20.0 * libm::sin(0.9 * at(k)))).collect();
-    let tangents = (0..7).map(|k| Vector::new(17.0 * libm::sin(3.0 * at(k)), -25.0 * libm::cos(at(k)))).collect();
+    let tangents =
+        (0..7).map(|k| Vector::new(17.0 * libm::sin(3.0 * at(k)), -25.0 * libm::cos(at(k)))).collect();
     let options = HermiteOptions {
         points,
         tangents,

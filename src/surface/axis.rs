@@ -1,0 +1,187 @@
+//! One direction of a net: which points weigh on a parameter, and how much.
+
+use crate::error::{Error, Result};
+use crate::generator::{ExponentialBSpline, Interpolator, Roots};
+use crate::limits::{MOST_POINTS, check, filled, too_many};
+
+/// The finest level: a unit of the parameter then has 4096 points.
+pub(super) const MOST_LEVELS: u32 = 12;
+
+/// How a net runs in one of its two directions.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Direction {
+    /// The roots of the generator, per unit of the parameter.
+    pub roots: Roots,
+    /// How many points there are.
+    pub count: usize,
+    /// Whether the last point is followed by the first.
+    pub closed: bool,
+    /// 0 for points on the surface, one for each unit; k for B-spline control points on the grid 2⁻ᵏ.
+    pub level: u32,
+}
+
+/// A place in one direction: an interval of the grid, the half of it, and how far from the middle of the half.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub(super) interval: usize,
+    half: usize,
+    x: f64,
+}
+
+/// A direction with its generator as polynomials, ready to be evaluated.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Axis {
+    pub(super) direction: Direction,
+    /// Grid steps in one unit of the parameter.
+    pub(super) scale: f64,
+    /// Grid intervals that the domain has.
+    pub(super) intervals: usize,
+    /// How many points weigh on an interval.
+    pub(super) width: usize,
+    /// Point of the grid that is the first to weigh on interval 0.
+    pub(super) start: i64,
+    /// Pieces of an interval: an interpolator has a knot in the middle of each.
+    halves: usize,
+    /// Coefficients of a piece.
+    length: usize,
+    /// `halves` × `width` × `length` coefficients, ascending powers of the distance from the piece's middle.
+    pieces: Vec<f64>,
+}
+
+/// How many points an open direction has beyond the number of its intervals.
+fn surplus(roots: &Roots, level: u32) -> usize {
+    let order = roots.order();
+    if level == 0 { (2 * order).saturating_sub(3) } else { order - 1 }
+}
+
+impl Axis {
+    /// Prepares a direction; `argument` is what errors about its count name.
+    pub(super) fn new(direction: Direction, argument: &'static str) -> Result<Self> {
+        let Direction { ref roots, count, closed, level } = direction;
+        check("level", None, f64::from(level), 0.0, f64::from(MOST_LEVELS))?;
+        if count > MOST_POINTS {
+            return Err(too_many(argument, "maxSurfacePoints", MOST_POINTS, count));
+        }
+        let generator = if level == 0 { interpolating(roots)? } else { b_spline(roots, level)? };
+        let surplus = surplus(roots, level);
+        let least = if closed { 3 } else { surplus + 1 };
+        if count < least {
+            return Err(Error::too_few(argument, count, least));
+        }
+        let intervals = if closed { count } else { count - surplus };
+        let order = roots.order() as i64;
+        let start = if level == 0 { 2 - order } else { 1 - (order + 1) / 2 };
+        let (halves, width, length, pieces) = generator;
+        let scale = f64::from(1_u32 << level);
+        Ok(Self { direction, scale, intervals, width, start, halves, length, pieces })
+    }
+
+    /// The last parameter of the domain, which begins at 0.
+    pub(super) fn end(&self) -> f64 {
+        self.intervals as f64 / self.scale
+    }
+
+    /// The parameter of the point in row `i`.
+    pub(super) fn parameter(&self, i: usize) -> f64 {
+        let offset =
+            if self.direction.level == 0 { 0.0 } else { 0.5 * (self.direction.roots.order() % 2) as f64 };
+        let first = if self.direction.closed { 0 } else { self.start };
+        ((i as i64 + first) as f64 + offset) / self.scale
+    }
+
+    /// Checks a parameter; closed directions are periodic and take any.
+    pub(super) fn check(&self, argument: &'static str, index: Option<usize>, t: f64) -> Result<()> {
+        match (self.direction.closed, t.is_finite()) {
+            (true, true) => Ok(()),
+            (true, false) => Err(Error::not_finite(argument, index)),
+            (false, _) => check(argument, index, t, 0.0, self.end()),
+        }
+    }
+
+    /// The place of a parameter that was checked, or of one that is off the domain by a rounding.
+    pub(super) fn nearest_place(&self, t: f64) -> Place {
+        let end = self.end();
+        self.place_within(if self.direction.closed { t.rem_euclid(end) } else { t.clamp(0.0, end) })
+    }
+
+    /// The place of a parameter of the domain; at a knot the piece to the right of it.
+    pub(super) fn place_within(&self, t: f64) -> Place {
+        let x = t * self.scale;
+        // A closed direction's `rem_euclid` may round up to the end: it then counts as the end of the last interval.
+        let interval = (x as usize).min(self.intervals - 1);
+        let rest = x - interval as f64;
+        if self.halves == 1 {
+            return Place { interval, half: 0, x: rest - 0.5 };
+        }
+        let half = usize::from(rest >= 0.5);
+        Place { interval, half, x: rest - if half == 0 { 0.25 } else { 0.75 } }
+    }
+
+    /// Weights of the `width` points that count at a place, or of a derivative there.
+    pub(super) fn weights(&self, place: Place, derivative: usize, out: &mut [f64]) {
+        let first = place.half * self.width * self.length;
+        let pieces = self.pieces[first..].chunks_exact(self.length);
+        let scale = (0..derivative).fold(1.0, |s, _| s * self.scale);
+        for (weight, piece) in out.iter_mut().zip(pieces).take(self.width) {
+            *weight = scale * horner(piece, derivative, place.x);
+        }
+    }
+
+    /// The net's row that is the w-th to weigh on an interval; `at` counts intervals and w together.
+    pub(super) fn row(&self, at: usize) -> usize {
+        if self.direction.closed {
+            (at as i64 + self.start).rem_euclid(self.direction.count as i64) as usize
+        } else {
+            at
+        }
+    }
+
+    /// Rows of the net in the order in which intervals meet them; interval i is weighed on by places i … i + width − 1.
+    pub(super) fn run(&self) -> usize {
+        self.intervals + self.width - 1
+    }
+}
+
+/// A derivative of Σ cₙxⁿ.
+fn horner(coefficients: &[f64], derivative: usize, x: f64) -> f64 {
+    let mut value = 0.0;
+    for (n, c) in coefficients.iter().enumerate().skip(derivative).rev() {
+        let falling = (0..derivative).fold(1.0, |f, i| f * (n - i) as f64);
+        value = value * x + c * falling;
+    }
+    value
+}
+
+/// Two pieces an interval, 2(n₀ − 1) points on each.
+fn interpolating(roots: &Roots) -> Result<(usize, usize, usize, Vec<f64>)> {
+    let interpolator = Interpolator::new(roots)?;
+    let order = roots.order() as i64;
+    let width = 2 * (roots.order() - 1);
+    let length = interpolator.half_piece(0).len();
+    let mut pieces = filled(0.0, 2 * width * length)?;
+    let mut rest = pieces.chunks_exact_mut(length);
+    for half in 0..2 {
+        for w in 0..width as i64 {
+            if let Some(piece) = rest.next() {
+                piece.copy_from_slice(interpolator.half_piece((2 * (order - 2 - w) + half) as isize));
+            }
+        }
+    }
+    Ok((2, width, length, pieces))
+}
+
+/// One piece an interval, n₀ points on it; divided by what they sum to where constants are reproduced, so that control points
+/// move with the surface.
+fn b_spline(roots: &Roots, level: u32) -> Result<(usize, usize, usize, Vec<f64>)> {
+    let fine = roots.scaled(f64::from(1_u32 << level));
+    let (spline, integral) = (ExponentialBSpline::new(&fine)?, fine.integral());
+    let width = roots.order();
+    let length = spline.piece(0).len();
+    let mut pieces = filled(0.0, width * length)?;
+    for (w, piece) in pieces.chunks_exact_mut(length).enumerate() {
+        for (coefficient, of_spline) in piece.iter_mut().zip(spline.piece(width - 1 - w)) {
+            *coefficient = of_spline / integral;
+        }
+    }
+    Ok((1, width, length, pieces))
+}

@@ -1,0 +1,315 @@
+//! Positions, normals and curvatures on a grid of parameters, row by row from tables.
+//!
+//! The weights of a row and of a column are worked out once each. A row of the mesh first combines the rows of the net
+//! into one row of points and derivatives in u, and every vertex then combines `width` of those: 36 multiplications for
+//! generators of three roots.
+
+use core::ops::Range;
+
+use super::axis::Axis;
+use super::layer::{Layer, Scratch};
+use super::normal::Jet;
+use super::tensor::TensorSurface;
+use crate::error::{Error, Result};
+use crate::limits::{MOST_OUTPUT_POINTS, check, filled, too_many, with_room};
+use crate::numerics::Vector3;
+
+/// A vertex whose ∂ᵤσ × ∂ᵥσ is below this part of the size squared asks [`TensorSurface::normal_at`].
+const DOUBTFUL: f64 = 1e-9;
+
+/// A grid of parameters: `rows` of them in u, `cols` in v.
+///
+/// Row i lies at i/rows of a closed direction, at i/(rows − 1) of an open one; columns alike.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Grid {
+    /// How many parameters in u.
+    pub rows: usize,
+    /// How many parameters in v.
+    pub cols: usize,
+}
+
+/// Part of a grid: ranges of rows and columns that may run beyond the last one of a closed direction, round to the first.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Region {
+    /// Rows.
+    pub rows: Range<usize>,
+    /// Columns.
+    pub cols: Range<usize>,
+}
+
+impl Grid {
+    fn check(self) -> Result<()> {
+        check("rows", None, self.rows as f64, 2.0, MOST_OUTPUT_POINTS as f64)?;
+        check("cols", None, self.cols as f64, 2.0, MOST_OUTPUT_POINTS as f64)?;
+        let needed = self.rows.saturating_mul(self.cols);
+        if needed > MOST_OUTPUT_POINTS {
+            return Err(too_many("rows", "maxOutputPoints", MOST_OUTPUT_POINTS, needed));
+        }
+        Ok(())
+    }
+}
+
+/// The parameter of row i of `count`.
+fn parameter(axis: &Axis, i: usize, count: usize) -> f64 {
+    let steps = if axis.direction.closed { count } else { count - 1 };
+    axis.end() * (i as f64 / steps as f64)
+}
+
+/// Where each of a range of rows lies, and its weights for value and two derivatives.
+struct Table {
+    intervals: Vec<usize>,
+    weights: Vec<f64>,
+}
+
+impl Table {
+    fn new(axis: &Axis, range: &Range<usize>, count: usize) -> Result<Self> {
+        let width = axis.width;
+        let mut intervals = with_room(range.len())?;
+        let mut weights = filled(0.0, range.len().saturating_mul(3 * width))?;
+        for (i, weights) in range.clone().zip(weights.chunks_exact_mut(3 * width)) {
+            let place = axis.nearest_place(parameter(axis, i % count, count));
+            intervals.push(place.interval);
+            for (derivative, weights) in weights.chunks_exact_mut(width).enumerate() {
+                axis.weights(place, derivative, weights);
+            }
+        }
+        Ok(Self { intervals, weights })
+    }
+
+    /// Interval and weights of number i of the range.
+    #[inline(always)]
+    fn at(&self, i: usize, width: usize) -> (usize, &[f64]) {
+        (self.intervals[i], &self.weights[3 * width * i..3 * width * (i + 1)])
+    }
+}
+
+/// A layer with its tables, and the row that is being combined.
+struct Combined<'a> {
+    layer: &'a Layer,
+    rows: Table,
+    columns: Table,
+    /// For every place that columns meet, the position in the layer's window, or one beyond it.
+    places: Vec<usize>,
+    /// Point and ∂ᵤ, and ∂ᵤᵤ where curvatures are wanted, at every place that columns meet.
+    row: Vec<f64>,
+    stride: usize,
+    /// Whether any row of the layer's window weighs on the row.
+    active: bool,
+}
+
+impl<'a> Combined<'a> {
+    fn new(layer: &'a Layer, grid: Grid, region: &Region, stride: usize) -> Result<Self> {
+        let Layer { v, columns, .. } = layer;
+        let mut places = with_room(v.run())?;
+        places.extend((0..v.run()).map(|at| columns.position(v, v.row(at)).unwrap_or(columns.count)));
+        Ok(Self {
+            layer,
+            rows: Table::new(&layer.u, &region.rows, grid.rows)?,
+            columns: Table::new(&layer.v, &region.cols, grid.cols)?,
+            places,
+            row: filled(0.0, v.run().saturating_mul(stride))?,
+            stride,
+            active: false,
+        })
+    }
+
+    /// Combines the net's rows for row i of the region.
+    fn prepare(&mut self, i: usize) {
+        let Layer { u, rows, columns, net, .. } = self.layer;
+        let (interval, weights) = self.rows.at(i, u.width);
+        self.row.fill(0.0);
+        self.active = false;
+        for a in 0..u.width {
+            let Some(position) = rows.position(u, u.row(interval + a)) else { continue };
+            self.active = true;
+            let points = &net[3 * columns.count * position..3 * columns.count * (position + 1)];
+            for (&j, sums) in self.places.iter().zip(self.row.chunks_exact_mut(self.stride)) {
+                let Some(point) = points.get(3 * j..3 * j + 3) else { continue };
+                for (derivative, sums) in sums.chunks_exact_mut(3).enumerate() {
+                    let weight = weights[derivative * u.width + a];
+                    for (sum, number) in sums.iter_mut().zip(point) {
+                        *sum += weight * number;
+                    }
+                }
+            }
+        }
+    }
+
+    /// The part of the row that weighs on column c of the region, with the weights of value and derivatives.
+    #[inline(always)]
+    fn column(&self, c: usize) -> (&[f64], [&[f64]; 3]) {
+        let width = self.layer.v.width;
+        let (interval, weights) = self.columns.at(c, width);
+        let (value, rest) = weights.split_at(width);
+        let (first, second) = rest.split_at(width);
+        (&self.row[self.stride * interval..self.stride * (interval + width)], [value, first, second])
+    }
+
+    /// Adds position, ∂ᵤ and ∂ᵥ at column c.
+    #[inline(always)]
+    fn add_tangents(&self, c: usize, sums: &mut [f64; 9]) {
+        let (points, [value, first, _]) = self.column(c);
+        for ((point, w0), w1) in points.chunks_exact(6).zip(value).zip(first) {
+            for k in 0..6 {
+                sums[k] += w0 * point[k];
+            }
+            for k in 0..3 {
+                sums[6 + k] += w1 * point[k];
+            }
+        }
+    }
+
+    /// Adds ∂ᵤ, ∂ᵥ, ∂ᵤᵤ, ∂ᵤᵥ and ∂ᵥᵥ at column c.
+    fn add_jet(&self, c: usize, jet: &mut Jet) {
+        let (points, [value, first, second]) = self.column(c);
+        for (((point, &w0), &w1), &w2) in points.chunks_exact(9).zip(value).zip(first).zip(second) {
+            let [p, by_u, by_uu] = [0, 3, 6].map(|k| Vector3::new(point[k], point[k + 1], point[k + 2]));
+            jet.u += by_u * w0;
+            jet.v += p * w1;
+            jet.uu += by_uu * w0;
+            jet.uv += by_u * w1;
+            jet.vv += p * w2;
+        }
+    }
+}
+
+impl TensorSurface {
+    /// The triangles of a mesh, three vertex numbers each; vertex (i, j) has number i·cols + j.
+    ///
+    /// They depend on the grid and on which directions are closed, and not on the net: at a pole some have no area. Seen from
+    /// where the normals point they run counterclockwise.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfRange` and `LimitExceeded` for `rows` and `cols`: at least 2, at most 4 million vertices.
+    pub fn indices(&self, grid: Grid) -> Result<Vec<u32>> {
+        grid.check()?;
+        let [u, v] = self.directions().map(|direction| direction.closed);
+        let Grid { rows, cols } = grid;
+        let (bands, across) = (if u { rows } else { rows - 1 }, if v { cols } else { cols - 1 });
+        let mut indices = with_room(6 * bands * across)?;
+        for i in 0..bands {
+            let next = if i + 1 == rows { 0 } else { i + 1 };
+            for j in 0..across {
+                let right = if j + 1 == cols { 0 } else { j + 1 };
+                let [a, b, c, d] = [i * cols + j, next * cols + j, next * cols + right, i * cols + right];
+                indices.extend([a, b, c, a, c, d].map(|vertex| vertex as u32));
+            }
+        }
+        Ok(indices)
+    }
+
+    /// The whole grid as a region.
+    pub fn whole(grid: Grid) -> Region {
+        Region { rows: 0..grid.rows, cols: 0..grid.cols }
+    }
+
+    /// The combined layers of a mesh, after its checks.
+    fn combined(&self, grid: Grid, region: &Region, stride: usize) -> Result<Vec<Combined<'_>>> {
+        grid.check()?;
+        check("rows", None, region.rows.len() as f64, 0.0, grid.rows as f64)?;
+        check("cols", None, region.cols.len() as f64, 0.0, grid.cols as f64)?;
+        self.layers.iter().map(|layer| Combined::new(layer, grid, region, stride)).collect()
+    }
+
+    /// The parameters of vertex (i, j).
+    fn vertex(&self, grid: Grid, i: usize, j: usize) -> (f64, f64) {
+        let base = self.base();
+        (parameter(&base.u, i % grid.rows, grid.rows), parameter(&base.v, j % grid.cols, grid.cols))
+    }
+
+    /// Positions and unit normals of the vertices of a region of a grid, three numbers each, row by row. Returns how many
+    /// vertices have no normal: theirs is 0.
+    ///
+    /// A vertex has the same bits in every region.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfRange` and `LimitExceeded` for `rows` and `cols`, as [`TensorSurface::indices`]; `WrongLength` where an array has
+    /// not three numbers for each vertex of the region.
+    ///
+    /// # Cost
+    ///
+    /// 36 multiplications and a root a vertex for generators of three roots; a few microseconds at a pole.
+    pub fn mesh_into(
+        &self,
+        grid: Grid,
+        region: &Region,
+        positions: &mut [f64],
+        normals: &mut [f64],
+    ) -> Result<usize> {
+        let mut layers = self.combined(grid, region, 6)?;
+        let needed = 3 * region.rows.len() * region.cols.len();
+        for (argument, array) in [("positions", &*positions), ("normals", &*normals)] {
+            if array.len() != needed {
+                return Err(Error::wrong_length(argument, array.len(), needed));
+            }
+        }
+        if needed == 0 {
+            return Ok(0);
+        }
+        let size = self.size();
+        let doubtful = (DOUBTFUL * size * size) * (DOUBTFUL * size * size);
+        let (mut scratch, mut without) = (Scratch::default(), 0);
+        let across = 3 * region.cols.len();
+        let rows = positions.chunks_exact_mut(across).zip(normals.chunks_exact_mut(across));
+        for (i, (positions, normals)) in rows.enumerate() {
+            for layer in &mut layers {
+                layer.prepare(i);
+            }
+            let vertices = positions.chunks_exact_mut(3).zip(normals.chunks_exact_mut(3));
+            for (j, (position, normal)) in vertices.enumerate() {
+                let mut sums = [0.0; 9];
+                for layer in layers.iter().filter(|layer| layer.active) {
+                    layer.add_tangents(j, &mut sums);
+                }
+                let [x, y, z, a, b, c, d, e, f] = sums;
+                position.copy_from_slice(&[x, y, z]);
+                let cross = [b * f - c * e, c * d - a * f, a * e - b * d];
+                let square = cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2];
+                if square > doubtful {
+                    let scale = 1.0 / libm::sqrt(square);
+                    normal.copy_from_slice(&[cross[0] * scale, cross[1] * scale, cross[2] * scale]);
+                } else {
+                    let (u, v) = self.vertex(grid, region.rows.start + i, region.cols.start + j);
+                    let limit = self.normal_at(u, v, size, &mut scratch);
+                    without += usize::from(limit == Vector3::zeros());
+                    normal.copy_from_slice(limit.as_slice());
+                }
+            }
+        }
+        Ok(without)
+    }
+
+    /// Gaussian and mean curvature of the vertices of a region of a grid, two numbers each, row by row; see
+    /// [`TensorSurface::curvature`].
+    ///
+    /// # Errors
+    ///
+    /// Those of [`TensorSurface::mesh_into`].
+    pub fn mesh_curvatures_into(&self, grid: Grid, region: &Region, out: &mut [f64]) -> Result<()> {
+        let mut layers = self.combined(grid, region, 9)?;
+        let needed = 2 * region.rows.len() * region.cols.len();
+        if out.len() != needed {
+            return Err(Error::wrong_length("out", out.len(), needed));
+        }
+        let (size, mut scratch) = (self.size(), Scratch::default());
+        for (i, row) in out.chunks_exact_mut((2 * region.cols.len()).max(1)).enumerate() {
+            for layer in &mut layers {
+                layer.prepare(i);
+            }
+            for (j, pair) in row.chunks_exact_mut(2).enumerate() {
+                let mut jet = Jet::default();
+                for layer in layers.iter().filter(|layer| layer.active) {
+                    layer.add_jet(j, &mut jet);
+                }
+                let curvature = jet.curvature(size).unwrap_or_else(|| {
+                    let (u, v) = self.vertex(grid, region.rows.start + i, region.cols.start + j);
+                    self.curvature_at(u, v, size, &mut scratch)
+                });
+                pair.copy_from_slice(&[curvature.gaussian, curvature.mean]);
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,179 @@
+//! Detail where it is wanted: patches of finer control points over a net that stays as it is.
+
+use super::axis::{Axis, Direction, MOST_LEVELS};
+use super::layer::{Layer, Window};
+use super::refine::{check_levels, doubled, grown};
+use super::tensor::TensorSurface;
+use crate::error::{Error, Result};
+use crate::limits::{LARGEST_COORDINATE, check, filled};
+use crate::numerics::Vector3;
+
+impl TensorSurface {
+    /// The same surface with room for detail around (u, v): a patch of finer control points, `levels` doublings beyond the
+    /// base's, of all that lie within `reach` of (u, v) in each direction. The rest of the net stays as it is.
+    ///
+    /// A patch is a layer of displacements on a finer grid, all 0 at first: the surface is unchanged to the last bit, and a
+    /// point of the net that is moved later takes the detail along. [FB88]
+    ///
+    /// # Errors
+    ///
+    /// Those of [`TensorSurface::refine`]; `OutOfRange` for `u`, `v` and `reach` (0 to 1e6); `Degenerate` for `reach` where
+    /// no control point is within it.
+    pub fn refine_at(&self, u: f64, v: f64, levels: u32, reach: f64) -> Result<Self> {
+        self.check_places(&[u], &[v])?;
+        check("reach", None, reach, 0.0, 1e6)?;
+        check("levels", None, f64::from(levels), 1.0, f64::from(MOST_LEVELS))?;
+        let base = self.base();
+        check_levels(base, [levels, levels])?;
+        let [mut fine_u, mut fine_v] = [base.u.clone(), base.v.clone()];
+        for _ in 0..levels {
+            (fine_u, fine_v) = (doubled(&fine_u)?, doubled(&fine_v)?);
+        }
+        let (Some(rows), Some(columns)) = (around(&fine_u, u, reach), around(&fine_v, v, reach)) else {
+            return Err(Error::degenerate("reach", None, "no control point is within it"));
+        };
+        self.with_patch(fine_u, fine_v, rows, columns)
+    }
+
+    fn with_patch(&self, u: Axis, v: Axis, rows: Window, columns: Window) -> Result<Self> {
+        let net = filled(0.0, 3 * rows.count * columns.count)?;
+        let mut layers = self.layers.clone();
+        layers.push(Layer { u, v, rows, columns, net });
+        Ok(Self { layers })
+    }
+
+    /// How many patches there are.
+    pub fn patch_count(&self) -> usize {
+        self.layers.len() - 1
+    }
+
+    /// Level, first row and count of patch `k` in u and in v.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfRange` for `patch`.
+    pub fn patch_window(&self, patch: usize) -> Result<[(u32, usize, usize); 2]> {
+        let Layer { u, v, rows, columns, .. } = self.patch(patch)?;
+        Ok([(u.direction.level, rows.first, rows.count), (v.direction.level, columns.first, columns.count)])
+    }
+
+    /// The displacements of patch `k`, three numbers a point, v fastest.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfRange` for `patch`.
+    pub fn displacements(&self, patch: usize) -> Result<&[f64]> {
+        Ok(&self.patch(patch)?.net)
+    }
+
+    /// The control points of a patch, three numbers each, v fastest: where the refined net of the surface has them.
+    ///
+    /// Overlapping patches of the same level share them; a patch that is finer in either direction counts not.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfRange` for `patch`.
+    pub fn patch_points(&self, patch: usize) -> Result<Vec<f64>> {
+        let layer = self.patch(patch)?;
+        let mut shown = Layer { net: filled(0.0, layer.net.len())?, ..layer.clone() };
+        let coarser = |other: &&Layer| (0..2).all(|d| other.levels()[d] <= layer.levels()[d]);
+        for other in self.layers.iter().filter(coarser) {
+            shown.absorb(other)?;
+        }
+        Ok(shown.net)
+    }
+
+    /// Moves control point (i, j) of a patch, counted within it.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfRange` for `patch`, `i` and `j`; `NotFinite` and `OutOfRange` for `x`, `y` and `z`.
+    pub fn set_patch_point(&mut self, patch: usize, i: usize, j: usize, point: Vector3) -> Result<()> {
+        let Layer { rows, columns, .. } = self.patch(patch)?;
+        let (rows, columns) = (rows.count, columns.count);
+        check("i", None, i as f64, 0.0, (rows - 1) as f64)?;
+        check("j", None, j as f64, 0.0, (columns - 1) as f64)?;
+        for (argument, &number) in ["x", "y", "z"].into_iter().zip(point.iter()) {
+            check(argument, None, number, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
+        }
+        let shown = self.patch_points(patch)?;
+        let at = 3 * (i * columns + j);
+        for (k, number) in self.layers[patch + 1].point_mut(i, j).iter_mut().enumerate() {
+            *number += point[k] - shown[at + k];
+        }
+        Ok(())
+    }
+
+    /// Adds a patch with its displacements, as [`TensorSurface::patch_window`] and [`TensorSurface::displacements`] tell them.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfRange` for `level`, `first` and `count`; `WrongLength`, `NotFinite` and `OutOfRange` for `displacements`.
+    pub fn add_patch(
+        &self,
+        u: (u32, usize, usize),
+        v: (u32, usize, usize),
+        displacements: &[f64],
+    ) -> Result<Self> {
+        let axis = |base: &Axis, (level, first, count): (u32, usize, usize)| {
+            let least = base.direction.level;
+            check("level", None, f64::from(level), f64::from(least.max(1)), f64::from(MOST_LEVELS))?;
+            let points = grown(base, level - least);
+            check("first", None, first as f64, 0.0, points as f64)?;
+            check("count", None, count as f64, 1.0, points as f64)?;
+            let mut fine = base.clone();
+            for _ in least..level {
+                fine = doubled(&fine)?;
+            }
+            let most = fine.direction.count;
+            check("first", None, first as f64, 0.0, (most - 1) as f64)?;
+            check(
+                "count",
+                None,
+                count as f64,
+                1.0,
+                (if fine.direction.closed { most } else { most - first }) as f64,
+            )?;
+            Ok::<_, Box<Error>>((fine, Window { first, count }))
+        };
+        let ((u, rows), (v, columns)) = (axis(&self.base().u, u)?, axis(&self.base().v, v)?);
+        if displacements.len() != 3 * rows.count * columns.count {
+            return Err(Error::wrong_length(
+                "displacements",
+                displacements.len(),
+                3 * rows.count * columns.count,
+            ));
+        }
+        for (i, &number) in displacements.iter().enumerate() {
+            check("displacements", Some(i), number, -2.0 * LARGEST_COORDINATE, 2.0 * LARGEST_COORDINATE)?;
+        }
+        let mut surface = self.with_patch(u, v, rows, columns)?;
+        if let Some(layer) = surface.layers.last_mut() {
+            layer.net.copy_from_slice(displacements);
+        }
+        Ok(surface)
+    }
+
+    pub(super) fn patch(&self, patch: usize) -> Result<&Layer> {
+        self.layers.get(patch.saturating_add(1)).ok_or_else(|| {
+            Error::out_of_range("patch", None, patch as f64, 0.0, self.patch_count() as f64 - 1.0)
+        })
+    }
+}
+
+/// The rows of an axis within `reach` of a parameter.
+fn around(axis: &Axis, t: f64, reach: f64) -> Option<Window> {
+    let Direction { count, closed, .. } = axis.direction;
+    let first = axis.parameter(0);
+    let from = libm::ceil((t - reach - first) * axis.scale);
+    let to = libm::floor((t + reach - first) * axis.scale);
+    if closed {
+        if to - from + 1.0 >= count as f64 {
+            return Some(Window { first: 0, count });
+        }
+        let start = from.rem_euclid(count as f64) as usize % count;
+        return (to >= from).then(|| Window { first: start, count: (to - from) as usize + 1 });
+    }
+    let (from, to) = (from.max(0.0), to.min((count - 1) as f64));
+    (to >= from).then(|| Window { first: from as usize, count: (to - from) as usize + 1 })
+}

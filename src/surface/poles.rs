@@ -1,0 +1,175 @@
+//! Editing, with poles that stay smooth.
+//!
+//! At a pole a row of the net is one point, many times. The rows beyond it are not free: the tangents that arrive there
+//! from all sides lie in one plane only if row −r differs from row r by a first harmonic, a·cos 2πk/M + b·sin 2πk/M (D 11.2).
+
+use core::f64::consts::TAU;
+
+use super::axis::Axis;
+use super::tensor::TensorSurface;
+use crate::error::Result;
+use crate::limits::{LARGEST_COORDINATE, check};
+use crate::numerics::Vector3;
+
+/// A pole counts as smooth where the net keeps to the rule within this part of its size.
+const KEPT: f64 = 1e-9;
+
+/// One end of an open direction that closes to a point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pole {
+    /// Whether u is the open direction.
+    open_u: bool,
+    /// Points round the pole.
+    around: usize,
+    /// The row that is one point.
+    row: usize,
+    /// Rows beyond it.
+    beyond: usize,
+    /// Whether the rows beyond have larger numbers.
+    last: bool,
+}
+
+impl Pole {
+    /// Row r inside the surface, or −r beyond the pole.
+    fn inside(self, r: usize) -> usize {
+        if self.last { self.row - r } else { self.row + r }
+    }
+
+    fn outside(self, r: usize) -> usize {
+        if self.last { self.row + r } else { self.row - r }
+    }
+
+    /// Place in the net of point k of a row.
+    fn place(self, row: usize, k: usize) -> (usize, usize) {
+        if self.open_u { (row, k) } else { (k, row) }
+    }
+}
+
+impl TensorSurface {
+    /// Moves net point (i, j).
+    ///
+    /// A smooth pole stays smooth: its points move together, and the rows beyond it follow the rows inside. That holds
+    /// as long as the points beyond are left to themselves; after one of them was moved, all are the caller's.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfRange` for `i` and `j`; `NotFinite` and `OutOfRange` for `x`, `y` and `z`.
+    pub fn set_point(&mut self, i: usize, j: usize, point: Vector3) -> Result<()> {
+        let base = self.base();
+        check("i", None, i as f64, 0.0, (base.u.direction.count - 1) as f64)?;
+        check("j", None, j as f64, 0.0, (base.v.direction.count - 1) as f64)?;
+        for (argument, &number) in ["x", "y", "z"].into_iter().zip(point.iter()) {
+            check(argument, None, number, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
+        }
+        let poles = self.smooth_poles();
+        self.set(i, j, point);
+        for pole in poles {
+            if pole.place(pole.row, if pole.open_u { j } else { i }) == (i, j) {
+                for k in 0..pole.around {
+                    let (i, j) = pole.place(pole.row, k);
+                    self.set(i, j, point);
+                }
+            }
+            for r in 1..=pole.beyond {
+                if pole.place(pole.inside(r), if pole.open_u { j } else { i }) == (i, j) {
+                    self.mirror(pole, r);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The other points of the net that move with (i, j).
+    pub(super) fn companions(&self, i: usize, j: usize) -> Vec<(usize, usize)> {
+        let mut found = Vec::new();
+        for pole in self.smooth_poles() {
+            let row = if pole.open_u { i } else { j };
+            let moved = if row == pole.row {
+                Some(pole.row)
+            } else {
+                (1..=pole.beyond).find(|&r| pole.inside(r) == row).map(|r| pole.outside(r))
+            };
+            if let Some(row) = moved {
+                found.extend((0..pole.around).map(|k| pole.place(row, k)));
+            }
+        }
+        found
+    }
+
+    /// Whether other points of the net move with (i, j).
+    pub fn moves_others(&self, i: usize, j: usize) -> bool {
+        !self.companions(i, j).is_empty()
+    }
+
+    fn get(&self, i: usize, j: usize) -> Vector3 {
+        Vector3::from_column_slice(self.base().point(i, j))
+    }
+
+    fn set(&mut self, i: usize, j: usize, point: Vector3) {
+        self.layers[0].point_mut(i, j).copy_from_slice(point.as_slice());
+    }
+
+    /// What row −r of a smooth pole is: row r less twice its first harmonic.
+    fn mirrored(&self, pole: Pole, r: usize) -> Vec<Vector3> {
+        let row: Vec<Vector3> = (0..pole.around)
+            .map(|k| {
+                let (i, j) = pole.place(pole.inside(r), k);
+                self.get(i, j)
+            })
+            .collect();
+        let angle = |k: usize| TAU * k as f64 / pole.around as f64;
+        let (mut a, mut b) = (Vector3::zeros(), Vector3::zeros());
+        for (k, point) in row.iter().enumerate() {
+            a += point * libm::cos(angle(k));
+            b += point * libm::sin(angle(k));
+        }
+        let scale = 4.0 / pole.around as f64;
+        let less = |k: usize| (a * libm::cos(angle(k)) + b * libm::sin(angle(k))) * scale;
+        row.iter().enumerate().map(|(k, point)| point - less(k)).collect()
+    }
+
+    pub(super) fn mirror(&mut self, pole: Pole, r: usize) {
+        for (k, point) in self.mirrored(pole, r).into_iter().enumerate() {
+            let (i, j) = pole.place(pole.outside(r), k);
+            self.set(i, j, point);
+        }
+    }
+
+    /// The poles at which the net keeps to the rule.
+    fn smooth_poles(&self) -> Vec<Pole> {
+        let base = self.base();
+        let mut found = Vec::new();
+        for (open_u, open, round) in [(true, &base.u, &base.v), (false, &base.v, &base.u)] {
+            found
+                .extend(ends(open_u, open, round).into_iter().flatten().filter(|&pole| self.is_smooth(pole)));
+        }
+        found
+    }
+
+    fn is_smooth(&self, pole: Pole) -> bool {
+        let near = KEPT * self.size();
+        let point = |row: usize, k: usize| {
+            let (i, j) = pole.place(row, k);
+            self.get(i, j)
+        };
+        let first = point(pole.row, 0);
+        (1..pole.around).all(|k| (point(pole.row, k) - first).norm() <= near)
+            && (1..=pole.beyond).all(|r| {
+                let mirrored = self.mirrored(pole, r);
+                mirrored.iter().enumerate().all(|(k, p)| (p - point(pole.outside(r), k)).norm() <= near)
+            })
+    }
+}
+
+/// The two places where a pole can be: where an open direction of points on the surface meets a closed one.
+pub(super) fn ends(open_u: bool, open: &Axis, round: &Axis) -> [Option<Pole>; 2] {
+    let (along, across) = (&open.direction, &round.direction);
+    let beyond = along.roots.order().saturating_sub(2);
+    let fits = !along.closed && across.closed && along.level == 0 && across.level == 0;
+    // Both rows of a pair are in the net, and the other pole's are not the same.
+    if !fits || open.intervals < beyond {
+        return [None, None];
+    }
+    let pole = |row, last| Some(Pole { open_u, around: across.count, row, beyond, last });
+    [pole(beyond, false), pole(along.count - 1 - beyond, true)]
+}

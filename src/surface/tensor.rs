@@ -1,0 +1,162 @@
+//! `TensorSurface`: what it is made of, points and derivatives.
+
+use super::axis::{Axis, Direction};
+use super::layer::{Layer, Scratch, Window};
+use crate::error::{Error, Result};
+use crate::limits::{LARGEST_COORDINATE, MOST_EVALUATIONS, MOST_POINTS, check, too_many};
+use crate::numerics::Vector3;
+
+/// The highest derivative that may be asked for in one direction.
+const MOST_DERIVATIVES: usize = 8;
+
+/// A surface through (or, refined, near) a net of points: σ(u, v) = Σ σ\[k, l\] φᵤ(u − k) φᵥ(v − l).
+///
+/// ```text
+/// grid units: a closed direction of `count` points lives on [0, count] and is periodic,
+/// an open one on [0, count − (2·n₀ − 3)]; its row n₀ − 2 sits at 0
+/// ```
+///
+/// Directions of level k > 0 are in B-spline form on the grid 2⁻ᵏ, in the same units: see [`TensorSurface::refine`].
+///
+/// # Source
+///
+/// [SFBGU17, eq. 31].
+#[derive(Clone, Debug, PartialEq)]
+pub struct TensorSurface {
+    /// The base, and then the detail that [`TensorSurface::refine_at`] has made room for.
+    pub(super) layers: Vec<Layer>,
+}
+
+impl TensorSurface {
+    /// The surface of a net of 3-D points, three numbers each, v fastest.
+    ///
+    /// # Domain
+    ///
+    /// Closed directions have 3 points or more, open ones 2·n₀ − 2 (n₀ in B-spline form); coordinates are at most 1e9.
+    ///
+    /// # Errors
+    ///
+    /// `TooFewPoints` and `LimitExceeded` for `rows` and `cols`; `WrongLength`, `NotFinite`, `OutOfRange` for `net`; for
+    /// roots those of [`crate::generator::Interpolator::new`].
+    pub fn new(net: Vec<f64>, u: Direction, v: Direction) -> Result<Self> {
+        let points = u.count.saturating_mul(v.count);
+        if points > MOST_POINTS {
+            return Err(too_many("rows", "maxSurfacePoints", MOST_POINTS, points));
+        }
+        let u = Axis::new(u, "rows")?;
+        let v = if u.direction == v { u.clone() } else { Axis::new(v, "cols")? };
+        if net.len() != 3 * points {
+            return Err(Error::wrong_length("net", net.len(), 3 * points));
+        }
+        for (i, &number) in net.iter().enumerate() {
+            check("net", Some(i), number, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
+        }
+        Ok(Self::from_axes(net, u, v))
+    }
+
+    /// The surface of a net that is known to fit its axes.
+    pub(super) fn from_axes(net: Vec<f64>, u: Axis, v: Axis) -> Self {
+        let (rows, columns) = (Window::whole(&u), Window::whole(&v));
+        Self { layers: vec![Layer { u, v, rows, columns, net }] }
+    }
+
+    pub(super) fn base(&self) -> &Layer {
+        &self.layers[0]
+    }
+
+    /// The net, three numbers a point, v fastest.
+    pub fn net(&self) -> &[f64] {
+        &self.base().net
+    }
+
+    /// How the net runs in u and in v.
+    pub fn directions(&self) -> [&Direction; 2] {
+        [&self.base().u.direction, &self.base().v.direction]
+    }
+
+    /// The last parameters in u and in v; both begin at 0.
+    pub fn domain(&self) -> [f64; 2] {
+        [self.base().u.end(), self.base().v.end()]
+    }
+
+    /// The parameters of net point (i, j).
+    pub fn parameters(&self, i: usize, j: usize) -> [f64; 2] {
+        [self.base().u.parameter(i), self.base().v.parameter(j)]
+    }
+
+    /// The point at (u, v), or a derivative.
+    ///
+    /// # Domain
+    ///
+    /// Closed directions take any parameter, open ones those of their domain. Derivatives to order n₀ − 2 are continuous;
+    /// beyond, the value at a knot is that to the right of it.
+    ///
+    /// # Accuracy
+    ///
+    /// 2e-13 of ten times the largest number of the net (`tests/surface.rs`).
+    ///
+    /// # Errors
+    ///
+    /// `NotFinite` and `OutOfRange` for `u`, `v`, `du`, `dv` (at most 8).
+    pub fn evaluate(&self, u: f64, v: f64, du: usize, dv: usize) -> Result<Vector3> {
+        let mut out = [0.0; 3];
+        self.evaluate_into(&[u], &[v], du, dv, &mut out)?;
+        Ok(Vector3::from(out))
+    }
+
+    /// Points, or derivatives, at pairs of parameters, three numbers each.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`TensorSurface::evaluate`]; `WrongLength` where `v` or `out` does not fit `u`; `LimitExceeded` beyond
+    /// 4 million pairs.
+    pub fn evaluate_into(&self, u: &[f64], v: &[f64], du: usize, dv: usize, out: &mut [f64]) -> Result<()> {
+        check("du", None, du as f64, 0.0, MOST_DERIVATIVES as f64)?;
+        check("dv", None, dv as f64, 0.0, MOST_DERIVATIVES as f64)?;
+        self.check_places(u, v)?;
+        if out.len() != 3 * u.len() {
+            return Err(Error::wrong_length("out", out.len(), 3 * u.len()));
+        }
+        let mut scratch = Scratch::default();
+        for ((&u, &v), point) in u.iter().zip(v).zip(out.chunks_exact_mut(3)) {
+            point.copy_from_slice(&self.value(u, v, (du, dv), &mut scratch));
+        }
+        Ok(())
+    }
+
+    /// Checks pairs of parameters.
+    pub(super) fn check_places(&self, u: &[f64], v: &[f64]) -> Result<()> {
+        if v.len() != u.len() {
+            return Err(Error::wrong_length("v", v.len(), u.len()));
+        }
+        if u.len() > MOST_EVALUATIONS {
+            return Err(too_many("u", "maxEvaluations", MOST_EVALUATIONS, u.len()));
+        }
+        for (i, (&u, &v)) in u.iter().zip(v).enumerate() {
+            self.base().u.check("u", Some(i), u)?;
+            self.base().v.check("v", Some(i), v)?;
+        }
+        Ok(())
+    }
+
+    /// The value, or a derivative, at parameters that were checked.
+    pub(super) fn value(&self, u: f64, v: f64, order: (usize, usize), scratch: &mut Scratch) -> [f64; 3] {
+        let mut sum = [0.0; 3];
+        for layer in &self.layers {
+            let places = (layer.u.nearest_place(u), layer.v.nearest_place(v));
+            layer.add(places, order, scratch, &mut sum);
+        }
+        sum
+    }
+
+    /// Half the diagonal of the net's box: the size that rounding is judged by.
+    pub(super) fn size(&self) -> f64 {
+        let mut square = 0.0;
+        for k in 0..3 {
+            let numbers = self.net().iter().skip(k).step_by(3);
+            let (least, most) = numbers.fold((f64::MAX, f64::MIN), |(a, b), &x| (a.min(x), b.max(x)));
+            square += (0.5 * (most - least)) * (0.5 * (most - least));
+        }
+        libm::sqrt(square)
+    }
+}

@@ -1,0 +1,176 @@
+//! Finer nets of the same surface, everywhere or where they are wanted.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod support;
+
+use expline::generator::Roots;
+use expline::numerics::Vector3;
+use expline::surface::{Direction, Grid};
+use expline::{Error, TensorSurface};
+use support::curves::Random;
+use support::tolerance::REFINED;
+use support::unboxed;
+
+/// Surfaces of every kind: shapes, random nets of three, four and five roots, closed and open.
+fn surfaces() -> Vec<TensorSurface> {
+    let mut random = Random::new(21);
+    let mut list = vec![
+        TensorSurface::sphere(1.0, [3, 2]).expect("in the ranges"),
+        TensorSurface::torus(1.0, 0.4, [5, 3]).expect("in the ranges"),
+        TensorSurface::roman_surface(1.4, [5, 5]).expect("in the ranges"),
+        TensorSurface::hyperbolic_paraboloid([1.0, 1.0, 1.0], [3, 4]).expect("in the ranges"),
+        TensorSurface::character().expect("a shape of ours"),
+    ];
+    let roots = [Roots::ellipse(7), Roots::polynomials(3), Roots::harmonics(7, 2), Roots::hyperbola(0.4)];
+    for (k, roots) in roots.into_iter().enumerate() {
+        let roots = roots.expect("a root list by intent");
+        let direction = |count, closed| Direction { roots: roots.clone(), count, closed, level: 0 };
+        let net = (0..3 * 7 * 9).map(|_| random.symmetric()).collect();
+        let made = TensorSurface::new(net, direction(7, true), direction(9, k % 2 == 0));
+        list.push(made.expect("the net fits"));
+    }
+    list
+}
+
+/// The largest distance between two surfaces of one domain.
+fn distance(a: &TensorSurface, b: &TensorSurface) -> f64 {
+    let [end_u, end_v] = a.domain();
+    assert_eq!(a.domain(), b.domain(), "the parameter stays");
+    let mut most: f64 = 0.0;
+    for i in 0..=37 {
+        for j in 0..=37 {
+            let (u, v) = (end_u * f64::from(i) / 37.0, end_v * f64::from(j) / 37.0);
+            let [p, q] = [a, b].map(|surface| surface.evaluate(u, v, 0, 0).expect("in the domain"));
+            most = most.max((p - q).norm());
+        }
+    }
+    most
+}
+
+#[test]
+fn refining_leaves_the_surface_as_it_is() {
+    for (k, surface) in surfaces().into_iter().enumerate() {
+        for (u, v) in [(1, 0), (0, 1), (1, 1), (2, 3), (4, 1)] {
+            let finer = surface.refine(u, v).expect("within the limits");
+            let deviation = distance(&surface, &finer);
+            assert!(deviation <= REFINED, "surface {k}, levels {u}, {v}: {deviation:e}");
+            let stepwise = surface.refine(u, 0).and_then(|s| s.refine(0, v)).expect("within the limits");
+            assert!(distance(&surface, &stepwise) <= REFINED, "one direction after the other");
+        }
+    }
+}
+
+#[test]
+fn refined_nets_come_nearer_by_four_with_every_level() {
+    for (k, surface) in surfaces().into_iter().enumerate() {
+        let away = |levels: u32| {
+            let finer = surface.refine(levels, levels).expect("within the limits");
+            let [rows, cols] = finer.directions().map(|direction| direction.count);
+            let [end_u, end_v] = finer.domain();
+            let mut most: f64 = 0.0;
+            for i in 0..rows {
+                for j in 0..cols {
+                    let [u, v] = finer.parameters(i, j);
+                    if (0.0..=end_u).contains(&u) && (0.0..=end_v).contains(&v) {
+                        let point = Vector3::from_column_slice(&finer.net()[3 * (i * cols + j)..][..3]);
+                        most = most.max((finer.evaluate(u, v, 0, 0).expect("in the domain") - point).norm());
+                    }
+                }
+            }
+            most
+        };
+        let ratio = away(4) / away(5);
+        assert!((3.5..4.6).contains(&ratio), "surface {k}: {ratio}");
+    }
+}
+
+#[test]
+fn a_patch_leaves_the_surface_as_it_is_and_the_net_too() {
+    for surface in surfaces() {
+        let [end_u, end_v] = surface.domain();
+        let patched = surface.refine_at(0.3 * end_u, 0.6 * end_v, 2, 1.0).expect("within the limits");
+        assert_eq!(distance(&surface, &patched), 0.0, "not a bit changes");
+        assert_eq!(surface.net(), patched.net(), "no new points elsewhere");
+        let shown = patched.patch_points(0).expect("there is one");
+        let [(_, _, rows), (_, _, cols)] = patched.patch_window(0).expect("there is one");
+        assert_eq!(shown.len(), 3 * rows * cols, "a point for each");
+        assert!((6..=9).contains(&rows) && (6..=9).contains(&cols), "those within 1 unit: {rows} × {cols}");
+        // The shown points are those of the refined net.
+        let finer = surface.refine(2, 2).expect("within the limits");
+        let count = finer.directions()[1].count;
+        let [(_, first_u, _), (_, first_v, _)] = patched.patch_window(0).expect("there is one");
+        let [all_u, all_v] = finer.directions().map(|direction| direction.count);
+        let at = 3 * ((first_u + 1) % all_u * count + (first_v + 2) % all_v);
+        assert_eq!(shown[3 * (cols + 2)..][..3], finer.net()[at..at + 3], "the refined net's point");
+    }
+}
+
+#[test]
+fn a_patch_point_changes_its_surroundings_only_and_a_coarse_point_takes_it_along() {
+    let surface = TensorSurface::torus(1.0, 0.4, [8, 6]).expect("in the ranges");
+    let mut patched = surface.refine_at(7.9, 3.0, 2, 1.0).expect("within the limits");
+    let shown = patched.patch_points(0).expect("there is one");
+    let [_, (_, _, cols)] = patched.patch_window(0).expect("there is one");
+    let target = Vector3::new(0.7, 0.1, 0.3);
+    patched.set_patch_point(0, 4, 4, target).expect("in the patch");
+    let after = patched.patch_points(0).expect("there is one");
+    for (i, (a, b)) in shown.iter().zip(&after).enumerate() {
+        let moved = i / 3 == 4 * cols + 4;
+        assert!(
+            if moved { (b - target[i % 3]).abs() < 1e-15 } else { a == b },
+            "only the one that was moved"
+        );
+    }
+    let mut changed = 0;
+    for i in 0..160 {
+        for j in 0..120 {
+            let (u, v) = (0.05 * f64::from(i), 0.05 * f64::from(j));
+            let [p, q] = [&surface, &patched].map(|s| s.evaluate(u, v, 0, 0).expect("closed"));
+            changed += usize::from(p != q);
+        }
+    }
+    // Three fine steps of a quarter each way: 15 × 15 of the places.
+    assert!((150..=225).contains(&changed), "{changed} places changed");
+    let detail =
+        patched.evaluate(7.9, 3.0, 0, 0).expect("closed") - surface.evaluate(7.9, 3.0, 0, 0).expect("closed");
+    let mut moved = [surface.clone(), patched.clone()];
+    for s in &mut moved {
+        s.set_point(0, 3, Vector3::new(0.2, 0.3, 0.1)).expect("in the net");
+    }
+    let [p, q] = [0, 1].map(|k| moved[k].evaluate(7.9, 3.0, 0, 0).expect("closed"));
+    assert!((q - p - detail).norm() < 1e-14, "the detail came along");
+    // Its mesh, its refinement and its copy from plain numbers have the detail too.
+    let grid = Grid { rows: 40, cols: 30 };
+    let (mut positions, mut normals) = (vec![0.0; 3600], vec![0.0; 3600]);
+    patched
+        .mesh_into(grid, &TensorSurface::whole(grid), &mut positions, &mut normals)
+        .expect("within the limits");
+    let at = patched.evaluate(8.0 * 39.0 / 40.0, 3.0, 0, 0).expect("closed");
+    assert!(
+        (at - Vector3::from_column_slice(&positions[3 * (39 * 30 + 15)..][..3])).norm() < 1e-14,
+        "the mesh"
+    );
+    for (u, v) in [(1, 0), (1, 1), (2, 2), (3, 0), (3, 3)] {
+        let finer = patched.refine(u, v).expect("within the limits");
+        assert!(distance(&patched, &finer) <= REFINED, "refined by {u}, {v}");
+    }
+    let [u, v] = patched.patch_window(0).expect("there is one");
+    let copy = surface.add_patch(u, v, patched.displacements(0).expect("there is one")).expect("it fits");
+    assert_eq!(copy, patched, "from plain numbers");
+}
+
+#[test]
+fn refinements_beyond_the_limits_are_refused() {
+    let roots = Roots::polynomials(2).expect("a root list by intent");
+    let direction = Direction { roots, count: 1000, closed: false, level: 0 };
+    let surface =
+        TensorSurface::new(vec![0.5; 3_000_000], direction.clone(), direction).expect("the net fits");
+    let refused = unboxed(surface.refine(6, 6)).map(|_| ());
+    assert!(matches!(refused, Err(Error::LimitExceeded { argument: "levels", .. })), "{refused:?}");
+    let refused = unboxed(surface.refine(13, 0)).map(|_| ());
+    assert!(matches!(refused, Err(Error::OutOfRange { argument: "levels", .. })), "{refused:?}");
+    let refused = unboxed(surface.refine_at(3.0, 3.0, 1, 1e-9)).map(|_| ());
+    assert!(matches!(refused, Err(Error::Degenerate { argument: "reach", .. })), "{refused:?}");
+}

@@ -1,0 +1,221 @@
+//! Normals, curvatures and meshes: right at poles, the same bits in every part.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod support;
+
+use expline::generator::Roots;
+use expline::numerics::Vector3;
+use expline::surface::{Direction, Grid, Region};
+use expline::{Error, TensorSurface};
+use support::curves::Random;
+use support::tolerance::{CURVATURES, CURVATURES_AT_POLES, NORMALS, NORMALS_AT_POLES};
+use support::unboxed;
+
+fn sphere() -> TensorSurface {
+    TensorSurface::sphere(2.0, [8, 4]).expect("in the ranges")
+}
+
+fn torus() -> TensorSurface {
+    TensorSurface::torus(3.0, 1.0, [8, 6]).expect("in the ranges")
+}
+
+fn character() -> TensorSurface {
+    TensorSurface::character().expect("a shape of ours")
+}
+
+/// A net of random points.
+fn random_surface(rows: usize, cols: usize, closed: bool) -> TensorSurface {
+    let mut random = Random::new(9);
+    let net = (0..3 * rows * cols).map(|_| random.symmetric()).collect();
+    let roots = Roots::ellipse(rows).expect("a root list by intent");
+    let direction = |count| Direction { roots: roots.clone(), count, closed, level: 0 };
+    TensorSurface::new(net, direction(rows), direction(cols)).expect("the net fits")
+}
+
+fn mesh(surface: &TensorSurface, grid: Grid, region: &Region) -> (Vec<f64>, Vec<f64>, usize) {
+    let count = 3 * region.rows.len() * region.cols.len();
+    let (mut positions, mut normals) = (vec![0.0; count], vec![0.0; count]);
+    let without = surface.mesh_into(grid, region, &mut positions, &mut normals).expect("within the limits");
+    (positions, normals, without)
+}
+
+#[test]
+fn normals_of_a_sphere_point_outwards_up_to_the_poles_and_at_them() {
+    let surface = sphere();
+    for i in 0..=64 {
+        for v in [0.0, 1e-300, 1e-12, 1e-9, 1e-8, 3e-8, 1e-6, 0.1, 1.0, 2.0, 3.3, 3.9999, 4.0 - 1e-10, 4.0] {
+            let u = f64::from(i) * 0.125;
+            let normal = surface.normal(u, v).expect("in the domain").expect("there is one");
+            let outwards = surface.evaluate(u, v, 0, 0).expect("in the domain") / 2.0;
+            let near_pole = !(1e-4..4.0 - 1e-4).contains(&v);
+            let tolerance = if near_pole { NORMALS_AT_POLES } else { NORMALS };
+            assert!((normal - outwards).norm() <= tolerance, "at {u}, {v}: {normal} for {outwards}");
+            assert!((normal.norm() - 1.0).abs() < 1e-15, "a unit vector");
+        }
+    }
+}
+
+#[test]
+fn normals_of_a_torus_are_those_of_its_tube() {
+    let surface = torus();
+    for i in 0..100 {
+        let (u, v) = (0.08 * f64::from(i), 0.61 * f64::from(i));
+        let point = surface.evaluate(u, v, 0, 0).expect("closed");
+        let axis = Vector3::new(point.x, point.y, 0.0).normalize() * 3.0;
+        let normal = surface.normal(u, v).expect("closed").expect("there is one");
+        assert!((normal - (point - axis)).norm() <= NORMALS, "at {u}, {v}");
+    }
+}
+
+#[test]
+fn a_surface_without_a_tangent_plane_has_no_normal() {
+    let roots = Roots::polynomials(2).expect("a root list by intent");
+    let direction = |closed| Direction { roots: roots.clone(), count: 4, closed, level: 0 };
+    let point = TensorSurface::new(vec![1.0; 48], direction(true), direction(true)).expect("the net fits");
+    assert_eq!(point.normal(0.5, 0.5), Ok(None), "all points equal");
+    let line: Vec<f64> = (0..16).flat_map(|i| [f64::from(i), 2.0 * f64::from(i), 0.5]).collect();
+    let line = TensorSurface::new(line, direction(false), direction(false)).expect("the net fits");
+    let grid = Grid { rows: 8, cols: 8 };
+    let (positions, normals, without) = mesh(&line, grid, &TensorSurface::whole(grid));
+    assert!(positions.iter().chain(&normals).all(|x| x.is_finite()), "finite");
+    assert_eq!(without, 64, "every vertex is counted");
+    assert!(normals.iter().all(|x| *x == 0.0), "and has no normal");
+}
+
+#[test]
+fn curvatures_of_sphere_and_torus_are_the_closed_forms() {
+    let surface = sphere();
+    for i in 0..=40 {
+        for k in 0..=40 {
+            let (u, v) = (0.2 * f64::from(i), 0.1 * f64::from(k));
+            let got = surface.curvature(u, v).expect("in the domain");
+            let tolerance = if k % 40 == 0 { CURVATURES_AT_POLES } else { CURVATURES };
+            // Against the outward normal: 1/r², −1/r.
+            assert!((got.gaussian - 0.25).abs() <= tolerance * 0.25, "K at {u}, {v}: {}", got.gaussian);
+            assert!((got.mean + 0.5).abs() <= tolerance * 0.5, "H at {u}, {v}: {}", got.mean);
+        }
+    }
+    let surface = torus();
+    for k in 0..60 {
+        let v = 0.1 * f64::from(k);
+        let cos = (core::f64::consts::TAU * v / 6.0).cos();
+        let got = surface.curvature(1.3, v).expect("closed");
+        let (gaussian, mean) = (cos / (3.0 + cos), -(3.0 + 2.0 * cos) / (2.0 * (3.0 + cos)));
+        assert!((got.gaussian - gaussian).abs() <= CURVATURES, "K at {v}");
+        assert!((got.mean - mean).abs() <= CURVATURES, "H at {v}");
+    }
+}
+
+#[test]
+fn a_mesh_has_the_surfaces_points_normals_and_curvatures() {
+    for surface in [sphere(), torus(), character(), random_surface(5, 7, true)] {
+        let grid = Grid { rows: 24, cols: 17 };
+        let (positions, normals, without) = mesh(&surface, grid, &TensorSurface::whole(grid));
+        let mut curvatures = vec![0.0; 2 * 24 * 17];
+        surface
+            .mesh_curvatures_into(grid, &TensorSurface::whole(grid), &mut curvatures)
+            .expect("within the limits");
+        assert_eq!(without, 0, "every vertex has a normal");
+        let [end_u, end_v] = surface.domain();
+        let [closed_u, closed_v] = surface.directions().map(|direction| direction.closed);
+        for i in 0..24 {
+            for j in 0..17 {
+                let u = end_u * i as f64 / (if closed_u { 24.0 } else { 23.0 });
+                let v = end_v * j as f64 / (if closed_v { 17.0 } else { 16.0 });
+                let at = 3 * (17 * i + j);
+                let point = surface.evaluate(u, v, 0, 0).expect("in the domain");
+                let normal = surface.normal(u, v).expect("in the domain").expect("there is one");
+                assert!(
+                    (point - Vector3::from_column_slice(&positions[at..at + 3])).norm() < 1e-13,
+                    "{i}, {j}"
+                );
+                assert!(
+                    (normal - Vector3::from_column_slice(&normals[at..at + 3])).norm() < 1e-9,
+                    "{i}, {j}"
+                );
+                let curvature = surface.curvature(u, v).expect("in the domain");
+                let scale = 1.0 + curvature.gaussian.abs() + curvature.mean.abs();
+                let [gaussian, mean] = [curvatures[2 * (17 * i + j)], curvatures[2 * (17 * i + j) + 1]];
+                assert!((gaussian - curvature.gaussian).abs() < 1e-8 * scale * scale, "K at {i}, {j}");
+                assert!((mean - curvature.mean).abs() < 1e-8 * scale, "H at {i}, {j}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_part_of_a_mesh_is_that_part_of_the_whole_to_the_bit() {
+    let grid = Grid { rows: 60, cols: 44 };
+    for before in
+        [sphere(), torus(), character(), random_surface(16, 16, true), random_surface(16, 16, false)]
+    {
+        let [rows, cols] = before.directions().map(|direction| direction.count);
+        let mut random = Random::new(rows as u64);
+        for _ in 0..12 {
+            let (i, j) = (random.below(rows), random.below(cols));
+            let (mut positions, mut normals, _) = mesh(&before, grid, &TensorSurface::whole(grid));
+            let mut surface = before.clone();
+            let point = Vector3::new(random.symmetric(), random.symmetric(), random.symmetric());
+            surface.set_point(i, j, point).expect("in the net");
+            let region = before.touched(grid, i, j).expect("in the net");
+            let (part, part_normals, _) = mesh(&surface, grid, &region);
+            for (a, row) in region.rows.clone().enumerate() {
+                for (b, col) in region.cols.clone().enumerate() {
+                    let from = 3 * (a * region.cols.len() + b);
+                    let to = 3 * ((row % 60) * 44 + col % 44);
+                    positions[to..to + 3].copy_from_slice(&part[from..from + 3]);
+                    normals[to..to + 3].copy_from_slice(&part_normals[from..from + 3]);
+                }
+            }
+            let (whole, whole_normals, _) = mesh(&surface, grid, &TensorSurface::whole(grid));
+            assert_eq!(positions, whole, "positions after net point {i}, {j} moved");
+            assert_eq!(normals, whole_normals, "normals after net point {i}, {j} moved");
+        }
+    }
+}
+
+#[test]
+fn triangles_close_the_surface_and_face_where_normals_point() {
+    let grid = Grid { rows: 20, cols: 15 };
+    for (surface, triangles) in
+        [(torus(), 2 * 20 * 15), (sphere(), 2 * 20 * 14), (random_surface(5, 6, false), 2 * 19 * 14)]
+    {
+        let indices = surface.indices(grid).expect("within the limits");
+        assert_eq!(indices.len(), 3 * triangles, "triangles");
+        let mut edges = std::collections::BTreeMap::new();
+        for t in indices.chunks_exact(3) {
+            for (a, b) in [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])] {
+                *edges.entry((a, b)).or_insert(0) += 1;
+            }
+        }
+        assert!(edges.values().all(|n| *n == 1), "no edge is run through twice in one direction");
+        let open = edges.keys().filter(|(a, b)| !edges.contains_key(&(*b, *a))).count();
+        let closed = surface.directions().map(|direction| direction.closed);
+        let rim = if closed[0] { 0 } else { 2 * 14 }
+            + if closed[1] { 0 } else { 2 * if closed[0] { 20 } else { 19 } };
+        assert_eq!(open, rim, "edges of the rim");
+    }
+    let surface = torus();
+    let indices = surface.indices(grid).expect("within the limits");
+    let (positions, normals, _) = mesh(&surface, grid, &TensorSurface::whole(grid));
+    for t in indices.chunks_exact(3) {
+        let at = |list: &[f64], vertex: u32| Vector3::from_column_slice(&list[3 * vertex as usize..][..3]);
+        let [a, b, c] = [t[0], t[1], t[2]].map(|vertex| at(&positions, vertex));
+        assert!((b - a).cross(&(c - a)).dot(&at(&normals, t[0])) > 0.0, "counterclockwise from outside");
+    }
+}
+
+#[test]
+fn meshes_beyond_the_limits_are_refused_before_memory_is_asked_for() {
+    let surface = torus();
+    let grid = Grid { rows: 100_000, cols: 100_000 };
+    let refused = unboxed(surface.indices(grid));
+    assert!(matches!(refused, Err(Error::LimitExceeded { argument: "rows", .. })), "{refused:?}");
+    let refused = unboxed(surface.mesh_into(grid, &TensorSurface::whole(grid), &mut [], &mut []));
+    assert!(matches!(refused, Err(Error::LimitExceeded { argument: "rows", .. })), "{refused:?}");
+    let one = Grid { rows: 1, cols: 5 };
+    let refused = unboxed(surface.indices(one));
+    assert!(matches!(refused, Err(Error::OutOfRange { argument: "rows", .. })), "{refused:?}");
+}
