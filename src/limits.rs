@@ -22,6 +22,8 @@ pub(crate) const MOST_ROOTS: usize = 16;
 pub(crate) const LARGEST_ROOT_RE: f64 = 5.0;
 /// The largest frequency of a root; interpolators want less than π.
 pub(crate) const LARGEST_ROOT_IM: f64 = 10.0;
+/// The largest factor between two grids of an exponential spline.
+pub(crate) const LARGEST_FACTOR: usize = 1024;
 /// The most levels of one subdivision: 2 points become 33 million there, more than may be given back.
 pub(crate) const MOST_LEVELS: usize = 24;
 

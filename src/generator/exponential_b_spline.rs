@@ -2,10 +2,9 @@
 
 use super::pieces::Pieces;
 use super::riesz::RieszBounds;
-use super::roots::{Root, Roots};
+use super::roots::Roots;
 use crate::error::Result;
 use crate::limits::{MOST_EVALUATIONS, check, too_many, with_room};
-use crate::numerics::angle::sin_cos;
 
 /// Taylor sums end where what is left is below this share of the largest term.
 const NEGLIGIBLE: f64 = 1e-19;
@@ -121,8 +120,7 @@ fn propagate(roots: &Roots) -> Result<Pieces> {
     let terms = terms(order, roots.largest());
     let (left, right) = (order.div_ceil(2), order / 2);
     let mut whole: Vec<f64> = with_room(order * terms)?;
-    let upper: Vec<Root> = roots.upper().collect();
-    whole.extend(from_the_left(&upper, order, left, terms));
+    whole.extend(from_the_left(roots, left, terms));
     if roots.is_symmetric() {
         if left != right {
             // The middle piece is even.
@@ -136,8 +134,7 @@ fn propagate(roots: &Roots) -> Result<Pieces> {
     } else {
         // β⁺(n₀ − t) is e^{Σα} times the causal B-spline of the opposite roots.
         let sum: f64 = roots.as_slice().iter().map(|r| r.re).sum();
-        let opposite: Vec<Root> = upper.iter().map(|r| Root { re: -r.re, im: r.im }).collect();
-        let mirrored = from_the_left(&opposite, order, right, terms);
+        let mirrored = from_the_left(&roots.opposite(), right, terms);
         for piece in mirrored.chunks_exact(terms).rev() {
             let begin = whole.len();
             whole.extend(piece.iter().map(|c| c * libm::exp(sum)));
@@ -180,8 +177,8 @@ fn needed(whole: &[f64], terms: usize) -> usize {
 ///
 /// The state, n₀ derivatives at a knot, goes to the next knot by Taylor sums; there the derivative of order n₀ − 1 jumps
 /// by the next coefficient of Π(1 − e^a z) (D 9.1).
-fn from_the_left(upper: &[Root], order: usize, count: usize, terms: usize) -> Vec<f64> {
-    let (characteristic, jumps) = (operator(upper, order), localisation(upper, order));
+fn from_the_left(roots: &Roots, count: usize, terms: usize) -> Vec<f64> {
+    let (characteristic, jumps, order) = (roots.characteristic(), roots.localisation(), roots.order());
     let mut inverse = vec![1.0; terms];
     for k in 1..terms {
         inverse[k] = inverse[k - 1] / k as f64;
@@ -219,48 +216,4 @@ fn taylor(derivatives: &[f64], inverse: &[f64], step: f64) -> f64 {
         scale /= step;
     }
     sum
-}
-
-/// χ₀ … χ_{n−1} of Π(D − a) = Dⁿ + Σ χⱼDʲ.
-fn operator(upper: &[Root], order: usize) -> Vec<f64> {
-    let mut product = vec![0.0; order + 1];
-    product[0] = 1.0;
-    for r in upper {
-        if r.im == 0.0 {
-            multiply(&mut product, [-r.re, 1.0, 0.0]);
-        } else {
-            multiply(&mut product, [r.re * r.re + r.im * r.im, -2.0 * r.re, 1.0]);
-        }
-    }
-    product.truncate(order);
-    product
-}
-
-/// The coefficients of Π(1 − e^a z).
-fn localisation(upper: &[Root], order: usize) -> Vec<f64> {
-    let mut product = vec![0.0; order + 1];
-    product[0] = 1.0;
-    for r in upper {
-        let growth = libm::exp(r.re);
-        if r.im == 0.0 {
-            multiply(&mut product, [1.0, -growth, 0.0]);
-        } else {
-            multiply(&mut product, [1.0, -2.0 * growth * sin_cos(r.im).1, growth * growth]);
-        }
-    }
-    product
-}
-
-/// Multiplies a polynomial by one of degree at most 2, in place; there is room for the product.
-fn multiply(product: &mut [f64], factor: [f64; 3]) {
-    for k in (0..product.len()).rev() {
-        let mut sum = product[k] * factor[0];
-        if k > 0 {
-            sum += product[k - 1] * factor[1];
-        }
-        if k > 1 {
-            sum += product[k - 2] * factor[2];
-        }
-        product[k] = sum;
-    }
 }

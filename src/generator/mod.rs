@@ -8,6 +8,7 @@
 mod basis;
 mod bernstein;
 mod exponential_b_spline;
+mod filters;
 mod hermite;
 mod interpolator;
 mod pieces;
@@ -17,6 +18,7 @@ mod stretched;
 
 pub use basis::{Basis, Weights};
 pub use exponential_b_spline::ExponentialBSpline;
+pub(crate) use filters::affine_refinement_filter;
 #[cfg(all(target_arch = "wasm32", feature = "wasm"))]
 pub(crate) use hermite::Table;
 pub use hermite::{HermiteGenerators, Pair};

@@ -6,6 +6,7 @@ use nalgebra::Complex;
 
 use crate::error::{Error, Result};
 use crate::limits::{LARGEST_ROOT_IM, LARGEST_ROOT_RE, MOST_ROOTS, check, too_many, with_room};
+use crate::numerics::angle::sin_cos;
 use crate::numerics::entire::stumpff;
 
 /// Roots closer than this, relative to 1 + |root|, count as conjugate or opposite.
@@ -166,6 +167,42 @@ impl Roots {
         Self { list, without_opposite: self.without_opposite }
     }
 
+    /// The coefficients of Π(1 − e^a z): the recurrence of what the roots stand for, at the integers.
+    pub(crate) fn localisation(&self) -> Vec<f64> {
+        let mut product = vec![0.0; self.order() + 1];
+        product[0] = 1.0;
+        for r in self.upper() {
+            let growth = libm::exp(r.re);
+            if r.im == 0.0 {
+                multiply(&mut product, [1.0, -growth, 0.0]);
+            } else {
+                multiply(&mut product, [1.0, -2.0 * growth * sin_cos(r.im).1, growth * growth]);
+            }
+        }
+        product
+    }
+
+    /// χ₀ … χ_{n−1} of Π(D − a) = Dⁿ + Σ χⱼDʲ.
+    pub(crate) fn characteristic(&self) -> Vec<f64> {
+        let mut product = vec![0.0; self.order() + 1];
+        product[0] = 1.0;
+        for r in self.upper() {
+            if r.im == 0.0 {
+                multiply(&mut product, [-r.re, 1.0, 0.0]);
+            } else {
+                multiply(&mut product, [r.re * r.re + r.im * r.im, -2.0 * r.re, 1.0]);
+            }
+        }
+        product.truncate(self.order());
+        product
+    }
+
+    /// The opposite of every root.
+    pub(super) fn opposite(&self) -> Self {
+        let list = self.list.iter().map(|r| Root { re: -r.re, im: -r.im }).collect();
+        Self { list, without_opposite: self.without_opposite }
+    }
+
     /// The index of the first root without an opposite.
     pub(super) fn without_opposite(&self) -> Option<usize> {
         self.without_opposite
@@ -223,6 +260,20 @@ impl Roots {
             product *= exp * sinh_half / half;
         }
         product
+    }
+}
+
+/// Multiplies a polynomial by one of degree at most 2, in place; there is room for the product.
+fn multiply(product: &mut [f64], factor: [f64; 3]) {
+    for k in (0..product.len()).rev() {
+        let mut sum = product[k] * factor[0];
+        if k > 0 {
+            sum += product[k - 1] * factor[1];
+        }
+        if k > 1 {
+            sum += product[k - 2] * factor[2];
+        }
+        product[k] = sum;
     }
 }
 

@@ -5,10 +5,16 @@
 //! derivatives into more points and derivatives on the same curve; the *scalar scheme* turns control points
 //! into more control points, which close in on it. Both masks change from level to level: what counts is ω
 //! times the step.
+//!
+//! For curves of any roots there are filters: [`from_points`] goes from points on the curve to control points of
+//! B-splines, [`finer`] from those to more of them.
 
+mod exponential;
 mod scalar;
 mod vector;
 
+pub(crate) use exponential::Target;
+pub use exponential::{extended, finer, from_points};
 pub use scalar::{ScalarMask, control_polygon, subdivide_scalar};
 pub use vector::{HermiteData, MatrixMask, subdivide_hermite};
 

@@ -87,3 +87,6 @@ pub(crate) const CURVATURES_AT_POLES: f64 = 1e-10;
 
 /// Refined surfaces, relative to their size.
 pub(crate) const REFINED: f64 = 1e-12;
+
+/// Taps of refinement filters, relative to the largest: products of up to eight factors of one rounding each.
+pub(crate) const FILTERS: f64 = 2e-15;
