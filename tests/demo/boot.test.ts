@@ -12,7 +12,11 @@ test("V01 the page boots quickly, quietly, from its own origin and within its bu
   const sizes = { text: 0, wasm: 0 };
   const strangers: string[] = [];
   const bodies: Promise<void>[] = [];
+  const counted = new Set<string>();
   page.on("response", (response) => {
+    // What is kept for later visits is asked for again, of the browser's own cache.
+    if (counted.has(response.url())) return;
+    counted.add(response.url());
     if (new URL(response.url()).origin !== new URL(url).origin) strangers.push(response.url());
     bodies.push(response.body().then((body) => {
       const kind = /\.wasm$/.test(response.url()) ? "wasm" : "text";
@@ -65,6 +69,21 @@ test("a Content Security Policy without WebAssembly is named, with the line that
   const message = page.locator('[data-testid="boot-error"]');
   await message.waitFor();
   assert.match((await message.textContent()) ?? "", /Content Security Policy.*'wasm-unsafe-eval'.*script-src/s);
+});
+
+test("DM-031 the second visit needs no network", async (t) => {
+  const demo = await open(t);
+  const keeps = (): Promise<boolean> => demo.page.evaluate(async () => (await caches.match("./", { ignoreSearch: true })) !== undefined);
+  for (let tries = 0; !(await keeps()); tries++) {
+    assert.ok(tries < 100, "the page was not kept within ten seconds");
+    await demo.page.waitForTimeout(100);
+  }
+  await demo.page.context().setOffline(true);
+  await demo.page.reload();
+  await demo.page.evaluate(() => window.explineDemo.ready);
+  await demo.idle();
+  assert.ok((await demo.sample(100)).length === 100);
+  assert.deepEqual(demo.complaints, []);
 });
 
 test("an idle page asks for no frames", async (t) => {

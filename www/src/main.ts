@@ -6,6 +6,7 @@ import { createFrame } from "./editor/frame.ts";
 import { createPointerInput } from "./editor/pointer-input.ts";
 import { connectRoutes, openRoute, parseRoute } from "./editor/route.ts";
 import { registerStandardActions } from "./editor/standard-actions.ts";
+import { keepForOffline } from "./io/offline.ts";
 import { pageIo } from "./io/page-io.ts";
 import { startEngine } from "./kernel/engine.ts";
 import { mountPanels } from "./panels/mount.ts";
@@ -58,3 +59,4 @@ async function boot(): Promise<void> {
 }
 
 window.explineDemo = createContract({ editor, frame, ready: boot(), readState });
+void window.explineDemo.ready.then(keepForOffline);
