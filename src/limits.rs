@@ -27,6 +27,11 @@ pub(crate) const LARGEST_FACTOR: usize = 1024;
 /// The most levels of one subdivision: 2 points become 33 million there, more than may be given back.
 pub(crate) const MOST_LEVELS: usize = 24;
 
+/// The most points of one fit, and the most places for its knots.
+pub(crate) const MOST_FIT_POINTS: usize = 500_000;
+/// The largest price of a jump: half a million points within the largest coordinates need no more.
+pub(crate) const LARGEST_LAMBDA: f64 = 1e60;
+
 pub(crate) fn too_many(
     argument: &'static str,
     limit: &'static str,

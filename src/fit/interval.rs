@@ -36,9 +36,7 @@ impl Local {
 
 /// De Boor's recursion with polynomials in place of values. `knots` are the 2·degree + 2 around the interval; the
 /// interval itself lies between the two in the middle. [deB78, X (4)]
-pub(crate) fn polynomials(knots: &[f64], degree: usize) -> Local {
-    let (left, right) = (knots[degree], knots[degree + 1]);
-    let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
+pub(crate) fn polynomials(knots: &[f64], degree: usize, middle: f64, half: f64) -> Local {
     let mut rows = [[0.0; TERMS]; TERMS];
     rows[0][0] = 1.0;
     if half.is_nan() || half <= 0.0 {

@@ -1,7 +1,15 @@
 //! The sparsest curve through points: total-variation splines with a certificate of optimality.
 
-pub(crate) mod interval;
+mod cone;
+mod dual;
+mod interval;
+pub mod problem;
+mod reduced;
+mod scaled;
+pub mod solver;
 pub mod spline_space;
 
 pub use interval::Local;
+pub use problem::{Component, Norm, Problem, uniform_grid};
+pub use solver::{Settings, Solver, Status};
 pub use spline_space::KnotSpace;

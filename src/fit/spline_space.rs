@@ -140,7 +140,18 @@ impl KnotSpace {
 
     /// The basis functions of interval k as polynomials of x = (t − middle)/half, one row of ascending powers each.
     pub fn polynomials(&self, k: usize) -> Local {
-        polynomials(&self.padded[k..k + 2 * self.degree + 2], self.degree)
+        let (left, right) = self.interval(k);
+        polynomials(self.around(k), self.degree, 0.5 * (left + right), 0.5 * (right - left))
+    }
+
+    /// The 2·degree + 2 knots around interval k, which lies between the two in the middle.
+    pub(crate) fn around(&self, k: usize) -> &[f64] {
+        &self.padded[k..k + 2 * self.degree + 2]
+    }
+
+    /// Where coefficient j's basis function is not zero; closed, from at most a few periods before the domain on.
+    pub(crate) fn support(&self, j: usize) -> (f64, f64) {
+        (self.padded[j], self.padded[j + self.degree + 1])
     }
 
     /// A derivative of the function at t; order 0 is the value. At a knot the limit from the right.

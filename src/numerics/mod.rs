@@ -7,6 +7,7 @@ pub(crate) mod plane;
 pub(crate) mod quadrature;
 pub(crate) mod roots;
 pub mod tridiagonal;
+pub mod twofold;
 
 /// A point of the plane.
 pub type Point = nalgebra::Vector2<f64>;

@@ -1,0 +1,420 @@
+//! The problem on the knots that are in play: its spaces, its quadratic form, its linear systems.
+
+use super::cone::Metric;
+use super::interval::{Local, TERMS, polynomials};
+use super::scaled::Scaled;
+use super::spline_space::{KnotSpace, ROOM};
+use crate::error::Result;
+use crate::limits;
+use crate::numerics::Vector;
+use crate::numerics::banded::Bordered;
+
+/// The jump of the highest derivative at one knot: weights of its coefficients, and where these stand.
+#[derive(Clone, Debug)]
+pub(crate) struct Row {
+    pub(crate) weights: [f64; ROOM],
+    /// Their places among the unknown points, in the order of the linear system.
+    pub(crate) unknowns: [usize; ROOM],
+}
+
+/// One spline of the sum on its knots in play.
+#[derive(Clone, Debug)]
+pub(crate) struct Part {
+    pub(crate) space: KnotSpace,
+    /// The knots in play, as indices of the grid, ascending.
+    pub(crate) chosen: Vec<usize>,
+    pub(crate) rows: Vec<Row>,
+    /// Place of each coefficient among the unknown points.
+    pub(crate) order: Vec<usize>,
+}
+
+/// A stretch between neighbouring knots of any part: all parts are polynomials there.
+#[derive(Clone, Debug)]
+pub(crate) struct Element {
+    pub(crate) samples: (usize, usize),
+    pub(crate) middle: f64,
+    pub(crate) half: f64,
+    /// For each part its interval and its basis functions in the element's variable.
+    pub(crate) local: [(usize, Local); 2],
+}
+
+/// The least-squares part of the problem on the knots in play.
+#[derive(Clone, Debug)]
+pub(crate) struct Reduced {
+    pub(crate) parts: Vec<Part>,
+    pub(crate) elements: Vec<Element>,
+    /// How many unknown points there are.
+    pub(crate) unknowns: usize,
+    /// Unknown points in the band and coupling reach among them; the others are the border.
+    banded: usize,
+    reach: usize,
+    /// 2 Σ w B B′ and the gauge, for both coordinates.
+    pub(crate) quadratic: Bordered,
+    /// 2 Σ w B p.
+    pub(crate) linear: Vec<Vector>,
+    /// The system of one iteration.
+    pub(crate) system: Bordered,
+}
+
+impl Reduced {
+    /// The problem on these knots; `chosen` names places of each component's grid.
+    pub(crate) fn new(data: &Scaled, chosen: Vec<Vec<usize>>) -> Result<Self> {
+        let mut parts = Vec::new();
+        for (component, chosen) in data.components.iter().zip(chosen) {
+            let mut knots = limits::with_room(chosen.len())?;
+            knots.extend(chosen.iter().map(|&k| component.grid[k]));
+            let space = KnotSpace::new(component.degree, &knots, 0.0, data.length, data.closed)?;
+            parts.push(Part { space, chosen, rows: Vec::new(), order: Vec::new() });
+        }
+        let unknowns = order_unknowns(&mut parts);
+        let elements = elements(data, &parts);
+        let mut reduced = Self {
+            parts,
+            elements,
+            unknowns,
+            banded: 0,
+            reach: 0,
+            quadratic: Bordered::default(),
+            linear: Vec::new(),
+            system: Bordered::default(),
+        };
+        reduced.make_rows();
+        reduced.shape()?;
+        reduced.assemble(data);
+        Ok(reduced)
+    }
+
+    fn make_rows(&mut self) {
+        for part in &mut self.parts {
+            let degree = part.space.degree();
+            part.rows.clear();
+            for k in 0..part.chosen.len() {
+                let (first, weights) = part.space.jump_weights(k, degree);
+                let mut unknowns = [0; ROOM];
+                for (i, unknown) in unknowns.iter_mut().enumerate().take(degree + 2) {
+                    *unknown = part.order[part.space.coefficient(first + i)];
+                }
+                part.rows.push(Row { weights, unknowns });
+            }
+        }
+    }
+
+    /// Finds how far unknowns couple, and how many of the last have to be the border.
+    fn shape(&mut self) -> Result<()> {
+        let (count, mut reach, mut border) = (self.unknowns, 0, 0);
+        let mut couple = |set: &mut dyn Iterator<Item = usize>| {
+            let (mut low, mut high, mut late) = (count, 0, count);
+            let (mut first, mut last) = (count, 0);
+            for unknown in set {
+                (first, last) = (first.min(unknown), last.max(unknown));
+                if 2 * unknown >= count {
+                    late = late.min(unknown);
+                } else {
+                    (low, high) = (low.min(unknown), high.max(unknown));
+                }
+            }
+            if first < count && 2 * (last - first) > count {
+                border = border.max(count - late);
+                reach = reach.max(high.saturating_sub(low));
+            } else {
+                reach = reach.max(last.saturating_sub(first));
+            }
+        };
+        for part in &self.parts {
+            for row in &part.rows {
+                couple(&mut row.unknowns[..part.space.degree() + 2].iter().copied());
+            }
+        }
+        for element in &self.elements {
+            let of_part = |(i, part): (usize, &Part)| {
+                let first = element.local[i].0;
+                (first..=first + part.space.degree()).map(|j| part.order[part.space.coefficient(j)]).collect()
+            };
+            let all: Vec<Vec<usize>> = self.parts.iter().enumerate().map(of_part).collect();
+            couple(&mut all.into_iter().flatten());
+        }
+        if 2 * border > count || 2 * reach > count {
+            (border, reach) = (count, 0);
+        }
+        (self.banded, self.reach) = (count - border, reach);
+        self.quadratic = Bordered::new(2 * self.banded, 2 * reach + 1, 2 * border)?;
+        self.system = self.quadratic.clone();
+        Ok(())
+    }
+
+    /// The quadratic form and the linear one, element by element, from moments of the samples.
+    fn assemble(&mut self, data: &Scaled) {
+        self.linear.clear();
+        self.linear.resize(self.unknowns, Vector::zeros());
+        for element in &self.elements {
+            let (powers, values) =
+                moments(data, element, 2 * self.parts[self.parts.len() - 1].space.degree());
+            for (p, part) in self.parts.iter().enumerate() {
+                let (first, local) = &element.local[p];
+                for i in 0..=local.degree {
+                    let row = part.order[part.space.coefficient(first + i)];
+                    for (power, value) in values.iter().enumerate().take(local.degree + 1) {
+                        self.linear[row] += value * (2.0 * local.rows[i][power]);
+                    }
+                    // Gram's matrix with the functions of this part up to i, and with all of the parts before.
+                    let mut image = [0.0; TERMS];
+                    for (power, value) in image.iter_mut().enumerate() {
+                        for other in 0..=local.degree {
+                            *value += local.rows[i][other] * powers[power + other];
+                        }
+                    }
+                    for (q, before) in self.parts.iter().enumerate().take(p + 1) {
+                        let (other_first, other) = &element.local[q];
+                        let most = if q == p { i } else { other.degree };
+                        for j in 0..=most {
+                            let column = before.order[before.space.coefficient(other_first + j)];
+                            let product: f64 = other.rows[j].iter().zip(&image).map(|(a, b)| a * b).sum();
+                            let twice = if row == column && (i != j || q != p) { 4.0 } else { 2.0 };
+                            for axis in 0..2 {
+                                self.quadratic.add(2 * row + axis, 2 * column + axis, twice * product);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        if self.parts.len() == 2 {
+            self.hold_gauge(data);
+        }
+    }
+
+    /// What both parts could represent belongs to the second: the first is drawn to zero at places enough.
+    fn hold_gauge(&mut self, data: &Scaled) {
+        let part = &self.parts[0];
+        let strength = 0.2 * data.t.len() as f64;
+        for t in gauge_places(part.space.degree(), data.length, data.closed) {
+            let (first, basis) = part.space.basis(t, 0);
+            for i in 0..=part.space.degree() {
+                for j in 0..=i {
+                    let row = part.order[part.space.coefficient(first + i)];
+                    let column = part.order[part.space.coefficient(first + j)];
+                    let twice = if row == column && i != j { 2.0 } else { 1.0 };
+                    for axis in 0..2 {
+                        let value = twice * strength * basis[i] * basis[j];
+                        self.quadratic.add(2 * row + axis, 2 * column + axis, value);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Quadratic form plus Σ (row)′ metric (row), factored. `metrics` run through the knots of the parts.
+    pub(crate) fn factor(&mut self, metrics: &[Metric]) -> usize {
+        self.system.copy_from(&self.quadratic);
+        let mut metrics = metrics.iter();
+        for part in &self.parts {
+            let count = part.space.degree() + 2;
+            for row in &part.rows {
+                let Some(metric) = metrics.next() else { break };
+                for i in 0..count {
+                    for j in 0..=i {
+                        let (a, b) = (2 * row.unknowns[i], 2 * row.unknowns[j]);
+                        let product = row.weights[i] * row.weights[j];
+                        let twice = if a == b && i != j { 2.0 } else { 1.0 };
+                        let product = product * twice;
+                        self.system.add(a, b, product * metric[0]);
+                        self.system.add(a + 1, b + 1, product * metric[2]);
+                        self.system.add(a + 1, b, product * metric[1]);
+                        if a != b {
+                            self.system.add(a, b + 1, product * metric[1]);
+                        }
+                    }
+                }
+            }
+        }
+        self.system.factor(1e-14)
+    }
+
+    /// Solves the system that was factored last, in place.
+    pub(crate) fn solve(&self, right: &mut [Vector], buffer: &mut Vec<f64>) {
+        buffer.clear();
+        buffer.extend(right.iter().flat_map(|v| [v.x, v.y]));
+        self.system.solve(buffer);
+        for (v, pair) in right.iter_mut().zip(buffer.chunks_exact(2)) {
+            *v = Vector::new(pair[0], pair[1]);
+        }
+    }
+
+    /// The jumps at all knots in play.
+    pub(crate) fn jumps(&self, unknowns: &[Vector], jumps: &mut Vec<Vector>) {
+        jumps.clear();
+        for part in &self.parts {
+            let count = part.space.degree() + 2;
+            jumps.extend(part.rows.iter().map(|row| {
+                let mut jump = Vector::zeros();
+                for (weight, unknown) in row.weights.iter().zip(row.unknowns).take(count) {
+                    jump += unknowns[unknown] * *weight;
+                }
+                jump
+            }));
+        }
+    }
+
+    /// Adds the transpose of the jumps: forces at knots become forces at coefficients.
+    pub(crate) fn pull(&self, forces: &[Vector], sum: &mut [Vector]) {
+        let mut forces = forces.iter();
+        for part in &self.parts {
+            let count = part.space.degree() + 2;
+            for row in &part.rows {
+                let Some(force) = forces.next() else { break };
+                for (weight, unknown) in row.weights.iter().zip(row.unknowns).take(count) {
+                    sum[unknown] += force * *weight;
+                }
+            }
+        }
+    }
+
+    /// The polynomial of the whole sum on an element, ascending powers of its variable.
+    pub(crate) fn polynomial(&self, element: &Element, unknowns: &[Vector]) -> [Vector; TERMS] {
+        let mut sum = [Vector::zeros(); TERMS];
+        for (part, (first, local)) in self.parts.iter().zip(&element.local) {
+            for i in 0..=local.degree {
+                let coefficient = unknowns[part.order[part.space.coefficient(first + i)]];
+                for (term, row) in sum.iter_mut().zip(local.rows[i]).take(local.degree + 1) {
+                    *term += coefficient * row;
+                }
+            }
+        }
+        sum
+    }
+
+    /// Weighted residuals w(p − r) of all samples, and Σ w |p − r|².
+    pub(crate) fn residuals(&self, data: &Scaled, unknowns: &[Vector], out: &mut [Vector]) -> f64 {
+        let mut total = 0.0;
+        let highest = self.parts[self.parts.len() - 1].space.degree();
+        for element in &self.elements {
+            let (from, to) = element.samples;
+            if from == to {
+                continue;
+            }
+            let terms = self.polynomial(element, unknowns);
+            let inverse = 1.0 / element.half;
+            for m in from..to {
+                let s = (data.t[m] - element.middle) * inverse;
+                let mut value = terms[highest];
+                for term in terms[..highest].iter().rev() {
+                    value = value * s + term;
+                }
+                let error = Vector::new(data.x[m] - value.x, data.y[m] - value.y);
+                out[m] = error * data.w[m];
+                total += data.w[m] * (error.x * error.x + error.y * error.y);
+            }
+        }
+        total
+    }
+
+    /// The gradient of the least-squares part, Q c − b, from residuals; without the gauge, which is met.
+    pub(crate) fn gradient(&self, data: &Scaled, weighted: &[Vector], sum: &mut Vec<Vector>) {
+        sum.clear();
+        sum.resize(self.unknowns, Vector::zeros());
+        for element in &self.elements {
+            let (from, to) = element.samples;
+            let mut values = [Vector::zeros(); TERMS];
+            let inverse = 1.0 / element.half;
+            for m in from..to {
+                let s = (data.t[m] - element.middle) * inverse;
+                let mut force = weighted[m] * -2.0;
+                for value in &mut values {
+                    *value += force;
+                    force *= s;
+                }
+            }
+            for (part, (first, local)) in self.parts.iter().zip(&element.local) {
+                for i in 0..=local.degree {
+                    let unknown = part.order[part.space.coefficient(first + i)];
+                    for (row, value) in local.rows[i].iter().zip(&values) {
+                        sum[unknown] += value * *row;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Where the first of two components is held at zero.
+pub(crate) fn gauge_places(degree: usize, length: f64, closed: bool) -> Vec<f64> {
+    if closed { vec![0.0] } else { (0..=degree).map(|i| length * (i as f64 / degree as f64)).collect() }
+}
+
+/// Σ w xʲ for j up to `most`, and Σ w xʲ p, over the samples of an element.
+fn moments(data: &Scaled, element: &Element, most: usize) -> ([f64; 2 * TERMS], [Vector; TERMS]) {
+    let (mut powers, mut values) = ([0.0; 2 * TERMS], [Vector::zeros(); TERMS]);
+    let inverse = 1.0 / element.half;
+    for m in element.samples.0..element.samples.1 {
+        let x = (data.t[m] - element.middle) * inverse;
+        let point = Vector::new(data.x[m], data.y[m]);
+        let mut power = data.w[m];
+        for value in values.iter_mut().zip(&mut powers).take(most / 2 + 1) {
+            *value.0 += point * power;
+            *value.1 += power;
+            power *= x;
+        }
+        for sum in &mut powers[most / 2 + 1..=most] {
+            *sum += power;
+            power *= x;
+        }
+    }
+    (powers, values)
+}
+
+/// Orders the coefficients of all parts along the curve, by the middles of their supports.
+fn order_unknowns(parts: &mut [Part]) -> usize {
+    let mut centres = Vec::new();
+    for (p, part) in parts.iter().enumerate() {
+        let (start, end) = part.space.domain();
+        for j in 0..part.space.dimension() {
+            let (from, to) = part.space.support(j);
+            let mut centre = 0.5 * (from + to);
+            if part.space.is_closed() && centre < start {
+                centre += end - start;
+            }
+            if part.space.is_closed() && centre >= end {
+                centre -= end - start;
+            }
+            centres.push((centre, p, j));
+        }
+    }
+    centres.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for part in parts.iter_mut() {
+        part.order.clear();
+        part.order.resize(part.space.dimension(), 0);
+    }
+    for (place, &(_, p, j)) in centres.iter().enumerate() {
+        parts[p].order[j] = place;
+    }
+    centres.len()
+}
+
+/// The stretches between all knots, from start to end.
+fn elements(data: &Scaled, parts: &[Part]) -> Vec<Element> {
+    let mut breaks = vec![0.0, data.length];
+    for part in parts {
+        breaks.extend((0..part.space.knot_count()).map(|k| part.space.knot(k)));
+    }
+    breaks.sort_by(f64::total_cmp);
+    breaks.dedup();
+    let mut elements = Vec::with_capacity(breaks.len());
+    let mut sample = 0;
+    for pair in breaks.windows(2) {
+        let (middle, half) = (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]));
+        let from = sample;
+        let last = pair[1] >= data.length;
+        while sample < data.t.len() && (last || data.t[sample] < pair[1]) {
+            sample += 1;
+        }
+        let place = |part: &Part| {
+            let (interval, moved) = part.space.locate(middle);
+            let knots = part.space.around(interval);
+            (interval, polynomials(knots, part.space.degree(), moved, half))
+        };
+        let first = place(&parts[0]);
+        let second = parts.get(1).map_or(first, place);
+        elements.push(Element { samples: (from, sample), middle, half, local: [first, second] });
+    }
+    elements
+}

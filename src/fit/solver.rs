@@ -1,0 +1,567 @@
+//! The solver: an interior-point method on the knots in play, which are found on the way.
+
+use super::cone::{Lorentz, Metric, Scaling, dot, norm, stretch};
+use super::dual::dual_curve;
+use super::problem::{Norm, Problem};
+use super::reduced::Reduced;
+use super::scaled::Scaled;
+use crate::error::Result;
+use crate::limits;
+use crate::numerics::Vector;
+
+/// When to stop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// The relative duality gap to reach.
+    pub gap: f64,
+    /// The most iterations of one run.
+    pub most_iterations: usize,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { gap: 1e-6, most_iterations: 120 }
+    }
+}
+
+/// Where a run stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// There is more to do.
+    Running,
+    /// The gap is reached.
+    Converged,
+    /// The iterations are used up; the gap says how far it came.
+    IterationLimit,
+    /// Rounding allows no further progress; the gap says how far it came.
+    Stalled,
+}
+
+/// A point of the method: coefficients, and one cone per knot (two where jumps are measured by |x| + |y|).
+#[derive(Clone, Debug)]
+pub(crate) struct Iterate {
+    pub(crate) reduced: Reduced,
+    pub(crate) unknowns: Vec<Vector>,
+    pub(crate) jumps: Vec<Vector>,
+    pub(crate) cones: Vec<Pair>,
+}
+
+/// The primal and the dual vector of one cone, and its λ.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pair {
+    pub(crate) s: Lorentz,
+    pub(crate) z: Lorentz,
+    pub(crate) lambda: f64,
+}
+
+/// What one look at the whole problem tells.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Measure {
+    pub(crate) data_term: f64,
+    pub(crate) primal: f64,
+    pub(crate) dual: f64,
+    /// The longest dual vector anywhere on the grids.
+    pub(crate) longest: f64,
+    pub(crate) gap: f64,
+}
+
+/// What a warm start needs: the dual curve of an iterate that was not yet at the boundary.
+#[derive(Clone, Debug)]
+pub(crate) struct Middle {
+    pub(crate) eta: Vec<Vec<Vector>>,
+    pub(crate) lambdas: Vec<f64>,
+    pub(crate) slack: f64,
+}
+
+/// Solves a [`Problem`] step by step; λ may be changed between runs, which then start warm.
+///
+/// Every iteration has a dual that is feasible on all places for knots once it is scaled, so that [`Solver::gap`] bounds
+/// how far the objective is from the optimum. Not reaching the asked gap is a status. One iteration is O(M + N) and
+/// O(K) for the K knots in play. (D 12.4), (D 12.6).
+#[derive(Clone, Debug)]
+pub struct Solver {
+    pub(crate) data: Scaled,
+    pub(crate) settings: Settings,
+    pub(crate) iterate: Iterate,
+    pub(crate) eta: Vec<Vec<Vector>>,
+    pub(crate) weighted: Vec<Vector>,
+    pub(crate) measure: Measure,
+    pub(crate) middle: Option<Middle>,
+    pub(crate) status: Status,
+    pub(crate) iteration: usize,
+    /// Iterations since the gap last fell by a tenth, and the gap then.
+    idle: (usize, f64),
+    buffers: Buffers,
+}
+
+/// Memory that iterations share.
+#[derive(Clone, Debug, Default)]
+struct Buffers {
+    scalings: Vec<Scaling>,
+    metrics: Vec<Metric>,
+    residual: Vec<Vector>,
+    constants: Vec<Vector>,
+    forces: Vec<Vector>,
+    direction: Vec<Vector>,
+    jump_direction: Vec<Vector>,
+    steps: Vec<(Lorentz, Lorentz)>,
+    complements: Vec<Lorentz>,
+    line: Vec<f64>,
+    known: Vec<Vector>,
+}
+
+/// How many cones a knot has.
+pub(crate) fn lanes(norm: Norm) -> usize {
+    match norm {
+        Norm::L2 => 1,
+        Norm::L1 => 2,
+    }
+}
+
+/// The part of a vector that a cone sees: all of it, or one coordinate.
+#[inline]
+pub(crate) fn seen(v: Vector, lane: usize, lanes: usize) -> Vector {
+    match (lanes, lane) {
+        (1, _) => v,
+        (_, 0) => Vector::new(v.x, 0.0),
+        _ => Vector::new(0.0, v.y),
+    }
+}
+
+/// The length of a dual vector in the norm that its cones ask for.
+#[inline]
+pub(crate) fn dual_length(v: Vector, lanes: usize) -> f64 {
+    if lanes == 1 { norm(v) } else { v.x.abs().max(v.y.abs()) }
+}
+
+/// The size of a jump.
+#[inline]
+pub(crate) fn jump_length(v: Vector, lanes: usize) -> f64 {
+    if lanes == 1 { norm(v) } else { v.x.abs() + v.y.abs() }
+}
+
+impl Solver {
+    /// Starts a run.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Problem::check`], and `OutOfMemory`.
+    pub fn new(problem: &Problem, settings: Settings) -> Result<Self> {
+        problem.check()?;
+        let mut data = Scaled::new(problem)?;
+        for component in &mut data.components {
+            component.lambda = component.lambda.max(1e-13);
+        }
+        let mut weighted = limits::with_room(data.t.len())?;
+        weighted.resize(data.t.len(), Vector::zeros());
+        let iterate = start(&data)?;
+        let mut solver = Self {
+            eta: vec![Vec::new(); data.components.len()],
+            data,
+            settings,
+            iterate,
+            weighted,
+            measure: Measure::default(),
+            middle: None,
+            status: Status::Running,
+            iteration: 0,
+            idle: (0, f64::INFINITY),
+            buffers: Buffers::default(),
+        };
+        solver.look();
+        solver.settle();
+        Ok(solver)
+    }
+
+    /// One iteration; nothing when the run is over. Answers how it stands then.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfMemory` only.
+    pub fn step(&mut self) -> Result<Status> {
+        if self.status != Status::Running {
+            return Ok(self.status);
+        }
+        if self.iteration >= self.settings.most_iterations {
+            self.status = Status::IterationLimit;
+            return Ok(self.status);
+        }
+        if self.iteration > 0 {
+            self.insert_knots()?;
+        }
+        self.iteration += 1;
+        let before = (self.iterate.unknowns.clone(), self.iterate.cones.clone(), self.measure);
+        let moved = self.advance();
+        self.look();
+        if !moved || !self.measure.gap.is_finite() {
+            // Rounding has the last word: back to the last good point.
+            (self.iterate.unknowns, self.iterate.cones, self.measure) = before;
+            self.iterate.reduced.jumps(&self.iterate.unknowns, &mut self.iterate.jumps);
+            self.look();
+            self.status = Status::Stalled;
+            return Ok(self.status);
+        }
+        self.settle();
+        Ok(self.status)
+    }
+
+    /// Iterates until the run is over.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfMemory` only.
+    pub fn run(&mut self) -> Result<Status> {
+        while self.step()? == Status::Running {}
+        Ok(self.status)
+    }
+
+    /// How the run stands.
+    pub fn status(&self) -> Status {
+        self.status
+    }
+
+    /// Iterations of this run.
+    pub fn iterations(&self) -> usize {
+        self.iteration
+    }
+
+    /// The relative duality gap: (objective − bound)/objective.
+    pub fn gap(&self) -> f64 {
+        self.measure.gap
+    }
+
+    /// The objective at the iterate, in the caller's units.
+    pub fn objective(&self) -> f64 {
+        self.measure.primal * self.data.objective_factor()
+    }
+
+    /// How many knots are in play.
+    pub fn knots_in_play(&self) -> usize {
+        self.iterate.reduced.parts.iter().map(|part| part.chosen.len()).sum()
+    }
+
+    /// Decides whether the run goes on, and remembers what a warm start will need.
+    fn settle(&mut self) {
+        let gap = self.measure.gap;
+        if gap < 3e-2 && self.measure.longest < 1.02 && self.middle.is_none() {
+            self.middle = Some(Middle {
+                eta: self.eta.clone(),
+                lambdas: self.data.components.iter().map(|c| c.lambda).collect(),
+                slack: self.measure.primal - self.measure.dual,
+            });
+        }
+        if gap <= self.settings.gap {
+            self.status = Status::Converged;
+        } else if gap < 0.9 * self.idle.1 {
+            self.idle = (0, gap);
+        } else {
+            self.idle.0 += 1;
+            if self.idle.0 > 25 {
+                self.status = Status::Stalled;
+            }
+        }
+    }
+
+    /// Residuals, dual curves, objective and bound at the iterate.
+    pub(crate) fn look(&mut self) {
+        let lanes = lanes(self.data.norm);
+        let iterate = &self.iterate;
+        let data_term = iterate.reduced.residuals(&self.data, &iterate.unknowns, &mut self.weighted);
+        let (mut regularizer, mut work, mut longest) = (0.0, 0.0, 0.0_f64);
+        let mut knot = 0;
+        for (i, part) in iterate.reduced.parts.iter().enumerate() {
+            let component = &self.data.components[i];
+            self.buffers.known.clear();
+            for jump in &iterate.jumps[knot..knot + part.chosen.len()] {
+                let mut pull = Vector::zeros();
+                for pair in &iterate.cones[knot * lanes..(knot + 1) * lanes] {
+                    pull -= pair.z.plane;
+                }
+                regularizer += component.lambda * jump_length(*jump, lanes);
+                work += dot(pull, *jump);
+                self.buffers.known.push(pull / component.lambda);
+                knot += 1;
+            }
+            let known = &self.buffers.known;
+            dual_curve(&self.data, component, &part.chosen, &self.weighted, known, &mut self.eta[i]);
+            longest = self.eta[i].iter().fold(longest, |most, v| most.max(dual_length(*v, lanes)));
+        }
+        self.measure = measure(data_term, regularizer, work, longest);
+    }
+
+    /// One predictor and one corrector step. Answers whether there was a step.
+    fn advance(&mut self) -> bool {
+        let lanes = lanes(self.data.norm);
+        let iterate = &mut self.iterate;
+        let b = &mut self.buffers;
+        let rank = iterate.cones.len() as f64;
+        if iterate.cones.is_empty() {
+            return false;
+        }
+        let mean = iterate.cones.iter().map(|pair| pair.s.dot(pair.z)).sum::<f64>() / rank;
+        b.scalings.clear();
+        b.scalings.extend(iterate.cones.iter().map(|pair| Scaling::new(pair.s, pair.z)));
+        b.metrics.clear();
+        for group in b.scalings.chunks_exact(lanes) {
+            let first = group[0].metric();
+            b.metrics.push(if lanes == 1 { first } else { [first[0], 0.0, group[1].metric()[2]] });
+        }
+        let _ = iterate.reduced.factor(&b.metrics);
+        // Stationarity: Q c − b − L′ z.
+        iterate.reduced.gradient(&self.data, &self.weighted, &mut b.residual);
+        b.forces.clear();
+        b.forces.extend(
+            iterate.cones.chunks_exact(lanes).map(|group| -group.iter().map(|p| p.z.plane).sum::<Vector>()),
+        );
+        iterate.reduced.pull(&b.forces, &mut b.residual);
+        b.complements.clear();
+        b.complements.extend(iterate.cones.iter().map(|pair| pair.s));
+        direction(iterate, b, lanes);
+        let affine = longest_step(&iterate.cones, &b.steps, 1.0);
+        let centring = (1.0 - affine) * (1.0 - affine) * (1.0 - affine);
+        for (k, pair) in iterate.cones.iter().enumerate() {
+            let (ds, dz) = b.steps[k];
+            b.complements[k] = b.scalings[k].corrector(pair.s, ds, dz, centring * mean);
+        }
+        direction(iterate, b, lanes);
+        let step = (0.99 * longest_step(&iterate.cones, &b.steps, 1.0 / 0.99)).min(1.0);
+        if !(step > 1e-9 && step.is_finite()) {
+            return false;
+        }
+        for (unknown, by) in iterate.unknowns.iter_mut().zip(&b.direction) {
+            *unknown += by * step;
+        }
+        iterate.reduced.jumps(&iterate.unknowns, &mut iterate.jumps);
+        for (k, pair) in iterate.cones.iter_mut().enumerate() {
+            pair.s.height += step * b.steps[k].0.height;
+            pair.s.plane = seen(iterate.jumps[k / lanes], k % lanes, lanes);
+            pair.z = pair.z.advanced(b.steps[k].1, step);
+        }
+        iterate
+            .cones
+            .iter()
+            .all(|pair| pair.s.height > norm(pair.s.plane) && pair.z.height > norm(pair.z.plane))
+    }
+
+    /// Puts the places where the dual curve is longest into play.
+    fn insert_knots(&mut self) -> Result<()> {
+        let lanes = lanes(self.data.norm);
+        let (longest, gap) = (self.measure.longest, self.measure.gap);
+        let threshold = (1.0 - 3.0 * (longest - 1.0) - gap).max(0.8);
+        let closed = self.data.closed;
+        let mut sets = Vec::new();
+        let mut any = false;
+        for (part, eta) in self.iterate.reduced.parts.iter().zip(&self.eta) {
+            let mut set = part.chosen.clone();
+            for k in maxima(eta, closed, lanes, threshold) {
+                if let Err(at) = set.binary_search(&k) {
+                    set.insert(at, k);
+                    any = true;
+                }
+            }
+            sets.push(set);
+        }
+        if !any {
+            return Ok(());
+        }
+        let old = &self.iterate;
+        let rank = old.cones.len().max(1) as f64;
+        let mean = old.cones.iter().map(|pair| pair.s.dot(pair.z)).sum::<f64>() / rank;
+        let mut reduced = Reduced::new(&self.data, sets)?;
+        let unknowns = transfer(&old.reduced, &mut reduced, &old.unknowns);
+        let mut cones =
+            limits::with_room(lanes * reduced.parts.iter().map(|p| p.chosen.len()).sum::<usize>())?;
+        let mut knot = 0;
+        for (i, part) in reduced.parts.iter().enumerate() {
+            let lambda = self.data.components[i].lambda;
+            let before = &old.reduced.parts[i].chosen;
+            let typical = median(old.jumps[knot..knot + before.len()].iter().map(|v| norm(*v)).collect());
+            let margin = (0.5 * mean / (lambda * typical).max(f64::MIN_POSITIVE)).min(0.1);
+            let mut known = 0;
+            for &k in &part.chosen {
+                if before.get(known) == Some(&k) {
+                    let at = (knot + known) * lanes;
+                    cones.extend_from_slice(&old.cones[at..at + lanes]);
+                    known += 1;
+                    continue;
+                }
+                for lane in 0..lanes {
+                    let plane = seen(self.eta[i][k] * -lambda, lane, lanes);
+                    let length = norm(plane);
+                    let z = Lorentz::new(lambda.max(length / (1.0 - margin)), plane);
+                    let inverse = mean * z.height / ((z.height - length) * (z.height + length));
+                    let s = Lorentz::new(inverse.min(20.0 * mean / z.height), Vector::zeros());
+                    cones.push(Pair { s, z, lambda });
+                }
+            }
+            knot += before.len();
+        }
+        let mut jumps = Vec::new();
+        reduced.jumps(&unknowns, &mut jumps);
+        for (k, pair) in cones.iter_mut().enumerate() {
+            pair.s.plane = seen(jumps[k / lanes], k % lanes, lanes);
+            let least = norm(pair.s.plane) * (1.0 + 1e-12);
+            pair.s.height = pair.s.height.max(least);
+        }
+        self.iterate = Iterate { reduced, unknowns, jumps, cones };
+        Ok(())
+    }
+}
+
+/// Objective, bound and gap. The dual vector of residuals is feasible when scaled by 1/longest; a shorter scale that is
+/// better is taken. (D 12.4)
+pub(crate) fn measure(data_term: f64, regularizer: f64, work: f64, longest: f64) -> Measure {
+    let primal = data_term + regularizer;
+    let along = 2.0 * data_term + work;
+    let scale = if data_term > 0.0 { along / (2.0 * data_term) } else { 1.0 };
+    let scale = scale.min(1.0 / longest.max(f64::MIN_POSITIVE)).max(0.0);
+    let dual = scale * along - scale * scale * data_term;
+    let gap = if primal > 0.0 { (primal - dual) / primal } else { 0.0 };
+    Measure { data_term, primal, dual, longest, gap }
+}
+
+/// Solves one Newton system for the given complementarity residuals; leaves directions of everything in the buffers.
+fn direction(iterate: &Iterate, b: &mut Buffers, lanes: usize) {
+    b.constants.clear();
+    for (k, group) in iterate.cones.chunks_exact(lanes).enumerate() {
+        let mut sum = Vector::zeros();
+        for (lane, pair) in group.iter().enumerate() {
+            let at = k * lanes + lane;
+            let missing = pair.lambda - pair.z.height;
+            let pull = b.scalings[at].slope() * missing - stretch(&b.metrics[k], b.complements[at].plane);
+            sum += seen(pull, lane, lanes);
+        }
+        b.constants.push(sum);
+    }
+    b.direction.clear();
+    b.direction.extend(b.residual.iter().map(|v| -v));
+    iterate.reduced.pull(&b.constants, &mut b.direction);
+    iterate.reduced.solve(&mut b.direction, &mut b.line);
+    iterate.reduced.jumps(&b.direction, &mut b.jump_direction);
+    b.steps.clear();
+    for (at, pair) in iterate.cones.iter().enumerate() {
+        let (k, lane) = (at / lanes, at % lanes);
+        let (scaling, complement) = (&b.scalings[at], b.complements[at]);
+        let missing = pair.lambda - pair.z.height;
+        let dw = seen(b.jump_direction[k], lane, lanes);
+        let moved = dw + complement.plane;
+        let height = -complement.height - (missing * scaling.compliance() + dot(scaling.slope(), moved));
+        let plane = seen(scaling.slope() * missing - stretch(&b.metrics[k], moved), lane, lanes);
+        b.steps.push((Lorentz::new(height, dw), Lorentz::new(missing, plane)));
+    }
+}
+
+fn longest_step(cones: &[Pair], steps: &[(Lorentz, Lorentz)], most: f64) -> f64 {
+    cones.iter().zip(steps).fold(most, |step, (pair, (ds, dz))| pair.z.reach(*dz, pair.s.reach(*ds, step)))
+}
+
+/// Places where the dual curve is locally longest and longer than `threshold`.
+pub(crate) fn maxima(eta: &[Vector], closed: bool, lanes: usize, threshold: f64) -> Vec<usize> {
+    let count = eta.len();
+    let length = |k: usize| dual_length(eta[k], lanes);
+    let mut found = Vec::new();
+    for k in 0..count {
+        let here = length(k);
+        if here <= threshold {
+            continue;
+        }
+        let before = if k > 0 {
+            length(k - 1)
+        } else if closed {
+            length(count - 1)
+        } else {
+            0.0
+        };
+        let after = if k + 1 < count {
+            length(k + 1)
+        } else if closed {
+            length(0)
+        } else {
+            0.0
+        };
+        if here > before && here >= after {
+            found.push(k);
+        }
+    }
+    found
+}
+
+pub(crate) fn median(mut values: Vec<f64>) -> f64 {
+    if values.is_empty() {
+        return 0.0;
+    }
+    let middle = values.len() / 2;
+    *values.select_nth_unstable_by(middle, f64::total_cmp).1
+}
+
+/// The same functions on more knots.
+fn transfer(from: &Reduced, to: &mut Reduced, unknowns: &[Vector]) -> Vec<Vector> {
+    let mut result = vec![Vector::zeros(); to.unknowns];
+    let mut fine = Vec::new();
+    for (old, new) in from.parts.iter().zip(&to.parts) {
+        let coefficients: Vec<Vector> = old.order.iter().map(|&place| unknowns[place]).collect();
+        old.space.refine_into(&coefficients, &new.space, &mut fine);
+        for (&place, value) in new.order.iter().zip(&fine) {
+            result[place] = *value;
+        }
+    }
+    result
+}
+
+/// A first point: few knots at equal distances, a smoothing spline on them whose forces are half of what is allowed.
+fn start(data: &Scaled) -> Result<Iterate> {
+    let lanes = lanes(data.norm);
+    let chosen = data
+        .components
+        .iter()
+        .map(|component| {
+            let places = component.grid.len();
+            let count = 48.min(places);
+            (0..count).map(|k| k * places / count).collect()
+        })
+        .collect();
+    let mut reduced = Reduced::new(data, chosen)?;
+    let lambdas: Vec<f64> = reduced
+        .parts
+        .iter()
+        .enumerate()
+        .flat_map(|(i, part)| core::iter::repeat_n(data.components[i].lambda, part.chosen.len()))
+        .collect();
+    // Stiffnesses of the knots: all forces are at most half of λ when each is λ over twice its jump.
+    let mut stiffness: Vec<f64> = lambdas.iter().map(|lambda| lambda * 1e-3).collect();
+    let (mut unknowns, mut jumps, mut line) = (Vec::new(), Vec::new(), Vec::new());
+    for _ in 0..3 {
+        let metrics: Vec<Metric> = stiffness.iter().map(|&k| [k, 0.0, k]).collect();
+        let _ = reduced.factor(&metrics);
+        unknowns = reduced.linear.clone();
+        reduced.solve(&mut unknowns, &mut line);
+        reduced.jumps(&unknowns, &mut jumps);
+        let mut knot = 0;
+        for part in &reduced.parts {
+            let range = knot..knot + part.chosen.len();
+            let largest = jumps[range.clone()].iter().fold(0.0_f64, |most, v| most.max(norm(*v)));
+            for k in range {
+                stiffness[k] = 0.5 * lambdas[k] / largest.max(1e-300);
+            }
+            knot += part.chosen.len();
+        }
+    }
+    let metrics: Vec<Metric> = stiffness.iter().map(|&k| [k, 0.0, k]).collect();
+    let _ = reduced.factor(&metrics);
+    unknowns.clone_from(&reduced.linear);
+    reduced.solve(&mut unknowns, &mut line);
+    reduced.jumps(&unknowns, &mut jumps);
+    let mean =
+        0.3 * jumps.iter().zip(&lambdas).map(|(v, l)| l * norm(*v)).sum::<f64>() / jumps.len().max(1) as f64;
+    let mut cones = Vec::new();
+    for (k, jump) in jumps.iter().enumerate() {
+        for lane in 0..lanes {
+            let plane = seen(*jump, lane, lanes);
+            let height = (dot(plane, plane) + (mean / lambdas[k]) * (mean / lambdas[k])).sqrt();
+            let force = plane * -stiffness[k];
+            let z = Lorentz::new(lambdas[k].max(norm(force) / 0.9), force);
+            cones.push(Pair { s: Lorentz::new(height, plane), z, lambda: lambdas[k] });
+        }
+    }
+    Ok(Iterate { reduced, unknowns, jumps, cones })
+}
