@@ -1,5 +1,17 @@
 /** The public interface of expline: curves are one ES module, fitting another, which a bundler drops when nothing of it is used. */
-export { default, ExplineError, HermiteCurve, HermiteGenerators, fromJSON, initSync, parsePath, version } from "./core.js";
+export {
+  default,
+  ExplineError,
+  ExponentialBSpline,
+  HermiteCurve,
+  HermiteGenerators,
+  Interpolator,
+  fromJSON,
+  initSync,
+  parsePath,
+  roots,
+  version,
+} from "./core.js";
 export type {
   Bounds,
   Curve,
@@ -15,5 +27,6 @@ export type {
   PathOptions,
   PathWarning,
   PointsLike,
+  Root,
   Space,
 } from "./core.js";

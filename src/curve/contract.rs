@@ -2,6 +2,7 @@
 
 use super::bounds::{self, Bounds};
 use super::by_length;
+use super::convert;
 use super::cubics::{self, Cubics};
 use super::curvature;
 use super::flatten;
@@ -219,6 +220,18 @@ pub trait Curve: Pieces {
         cubics::to_cubics(self.as_pieces(), tolerance)
     }
 
+    /// The same plane curve with points and tangents, and the deviation: 0 where its functions are those of a Hermite curve
+    /// (roots 0 up to twice and one pair ±iω or ±k, or 0 up to four times), else that of cubics, which is proved.
+    ///
+    /// The parameter stays, up to the deviation; it starts at 0.
+    ///
+    /// # Errors
+    ///
+    /// A curve in space; as for [`Curve::to_cubics`].
+    fn to_hermite(&self, tolerance: f64) -> Result<(HermiteCurve, f64)> {
+        convert::to_hermite(self.as_pieces(), tolerance)
+    }
+
     /// The signed curvature at t; `None` where the speed is zero and the curve has no direction.
     ///
     /// ```text
@@ -245,5 +258,9 @@ pub trait Curve: Pieces {
 impl Curve for HermiteCurve {
     fn as_pieces(&self) -> &dyn Pieces {
         self
+    }
+
+    fn to_hermite(&self, _: f64) -> Result<(HermiteCurve, f64)> {
+        Ok((self.clone(), 0.0))
     }
 }

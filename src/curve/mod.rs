@@ -5,6 +5,7 @@ mod bounds;
 mod by_length;
 mod chords;
 mod contract;
+mod convert;
 mod cubic_fit;
 mod cubics;
 mod curvature;

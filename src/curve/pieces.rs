@@ -4,6 +4,7 @@ use super::HermiteCurve;
 use super::piece::Piece;
 use super::spatial::SpacePiece;
 use crate::error::Result;
+use crate::generator::Roots;
 use crate::limits::check;
 use crate::numerics::{Point, Vector};
 
@@ -29,6 +30,11 @@ pub trait Pieces {
 
     /// Points or derivatives by t at all parameters, all coordinates in turn, with every check.
     fn values(&self, t: &[f64], derivative: usize, out: &mut [f64]) -> Result<()>;
+
+    /// The roots per unit of t, where the pieces are all that they stand for.
+    fn roots(&self) -> Option<&Roots> {
+        None
+    }
 
     /// The piece that t lies on, and the x there.
     fn find(&self, t: f64) -> Result<(usize, f64)> {

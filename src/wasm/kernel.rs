@@ -3,6 +3,8 @@
 #[cfg(feature = "wasm")]
 use crate::HermiteCurve;
 #[cfg(feature = "wasm")]
+use super::exponential::Prepared;
+#[cfg(feature = "wasm")]
 use crate::curve::{NearestFinder, Sampler};
 use crate::{Error, Result};
 use std::cell::RefCell;
@@ -43,6 +45,9 @@ pub(super) struct Kernel {
     /// The tables of bulk sampling.
     #[cfg(feature = "wasm")]
     pub(super) sampler: Option<Box<Sampler>>,
+    /// The generator that was asked last.
+    #[cfg(feature = "wasm")]
+    pub(super) generator: Option<Box<Prepared>>,
     /// The resident curves.
     #[cfg(feature = "wasm")]
     pub(super) slots: [Option<Resident>; SLOTS],
@@ -57,6 +62,8 @@ thread_local! {
             text: Vec::new(),
             #[cfg(feature = "wasm")]
             sampler: None,
+            #[cfg(feature = "wasm")]
+            generator: None,
             #[cfg(feature = "wasm")]
             slots: [const { None }; SLOTS],
         })

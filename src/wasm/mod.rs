@@ -17,6 +17,8 @@
 mod curve;
 mod describe;
 #[cfg(feature = "wasm")]
+mod exponential;
+#[cfg(feature = "wasm")]
 mod generators;
 mod heap;
 mod kernel;

@@ -1,0 +1,162 @@
+/** Exponential B-splines and the interpolators made of them, for any list of roots. */
+import { MAX_EVALUATIONS, flag, integer, numbers, options as checkOptions } from "./arguments.js";
+import { wrong } from "./error.js";
+import { type Floats, call, copy, result, write } from "./kernel.js";
+import { type Root, rootList, rootNumbers, roots as named } from "./roots.js";
+
+/** The kinds and questions in the kernel's order. */
+const enum Kind {
+  Spline,
+  Interpolator,
+  BeyondPi,
+}
+const enum What {
+  Made,
+  Values,
+  Filter,
+  AffineFilter,
+  Riesz,
+}
+
+/** What a generator is: its roots, two numbers each, and its kind. */
+interface Source {
+  readonly roots: Floats;
+  readonly kind: Kind;
+}
+
+let own: (generator: Exponential, op: string) => Source;
+
+function ask(source: Source, op: string, what: What, argument = 0, places: Floats = new Float64Array()): Floats {
+  write(op, source.roots, places);
+  const count = source.roots.length / 2;
+  const body = (kernel: Parameters<Parameters<typeof call>[1]>[0]): number =>
+    kernel.exponential(source.kind, count, what, places.length, argument);
+  return copy(call(op, body, what === What.Values ? places : undefined));
+}
+
+/** What both kinds have. */
+abstract class Exponential {
+  readonly #source: Source;
+
+  static {
+    own = (generator, op) => {
+      if (typeof generator !== "object" || generator === null || !(#source in generator)) {
+        throw wrong("E_TYPE", op, "this", generator, "a generator of this package");
+      }
+      return generator.#source;
+    };
+  }
+
+  /** @internal */
+  constructor(source: Source) {
+    this.#source = source;
+  }
+
+  /** The roots: a copy. */
+  get roots(): Root[] {
+    return rootList(own(this, "roots").roots);
+  }
+
+  /** The number of roots, n₀. */
+  get order(): number {
+    return own(this, "order").roots.length / 2;
+  }
+
+  /** Values, or those of a derivative of an order up to n₀ − 1, at every x; where a derivative jumps the limit from the right. */
+  evaluate(x: Float64Array, derivative = 0): Float64Array {
+    const op = "evaluate";
+    const source = own(this, op);
+    const places = numbers(op, "x", x, "maxEvalPoints", MAX_EVALUATIONS);
+    const order = integer(op, "derivative", derivative, 0, source.roots.length / 2 - 1);
+    return ask(source, op, What.Values, order, places);
+  }
+
+  /** The largest `lower` and smallest `upper` with lower·‖c‖ ≤ ‖Σ c[k]·g(· − k)‖ ≤ upper·‖c‖; not squared. */
+  rieszBounds(): { lower: number; upper: number } {
+    ask(own(this, "rieszBounds"), "rieszBounds", What.Riesz);
+    return { lower: result(0), upper: result(1) };
+  }
+}
+
+/** Whether filters keep constants, from the options of a call. */
+function affine(op: string, value: unknown): boolean {
+  const { affine: wanted } = checkOptions(op, value, ["affine"]);
+  return flag(op, "affine", wanted, false);
+}
+
+/** The B-spline β of a list of roots, centred: it vanishes outside [−n₀/2, n₀/2]. A value without state in the engine. */
+export class ExponentialBSpline extends Exponential {
+  /**
+   * @param roots - closed under conjugation, 1 to 16 of them, real parts up to ±5, imaginary parts up to ±10.
+   * @throws {ExplineError} E_DEGENERATE naming the root whose conjugate is missing.
+   */
+  constructor(roots: readonly Root[]) {
+    const source = { roots: rootNumbers("ExponentialBSpline", roots), kind: Kind.Spline };
+    ask(source, "ExponentialBSpline", What.Made);
+    super(source);
+  }
+
+  /**
+   * The taps h of β⁺(t/m) = Σ h[k]·β⁺(t − k) with the fine roots α/m on the right, k = 0 … n₀(m − 1). With `affine` those of
+   * B-splines that are divided by their integrals: translating control points then translates the finer ones.
+   */
+  refinementFilter(m: number, options?: { affine?: boolean | undefined }): Float64Array {
+    const op = "refinementFilter";
+    const source = own(this, op);
+    const what = affine(op, options) ? What.AffineFilter : What.Filter;
+    return ask(source, op, what, integer(op, "m", m, 0, MAX_EVALUATIONS));
+  }
+}
+
+/** The interpolator φ of a list of roots: compactly supported, φ(k) = δ[k]. A value without state in the engine. */
+export class Interpolator extends Exponential {
+  readonly #lambda: Floats;
+  /** Condition of the linear system for λ; above 1e6 digits are lost. */
+  readonly condition: number;
+  /** How much an error in the points can grow on the curve: max Σ|φ(t − k)|. */
+  readonly lebesgue: number;
+
+  /**
+   * @param roots - closed under conjugation and negation, 3 to 16 of them, imaginary parts below π, or, where it exists, up to
+   *   10 with `beyondPi`.
+   * @throws {ExplineError} E_DEGENERATE where there is no interpolator, naming the root where one is at fault.
+   */
+  constructor(roots: readonly Root[], options?: { beyondPi?: boolean | undefined }) {
+    const op = "Interpolator";
+    const { beyondPi } = checkOptions(op, options, ["beyondPi"]);
+    const kind = flag(op, "beyondPi", beyondPi, false) ? Kind.BeyondPi : Kind.Interpolator;
+    const source = { roots: rootNumbers(op, roots), kind };
+    const lambda = ask(source, op, What.Made);
+    super(source);
+    this.#lambda = lambda;
+    this.condition = result(0);
+    this.lebesgue = result(1);
+  }
+
+  /** The interpolator that keeps ellipses of `count` ≥ 3 points: roots 0, ±2πi/count. */
+  static forEllipse(count: number): Interpolator {
+    return new Interpolator(named.ellipse(count));
+  }
+
+  /** λ[0] … λ[n₀ − 2] of φ = λ[0]·β + Σ λ[n]·(β(· − n/2) + β(· + n/2)): a copy. */
+  get lambda(): Float64Array {
+    own(this, "lambda");
+    return this.#lambda.slice();
+  }
+
+  /** n₀ − 1: φ vanishes for |x| ≥ support. */
+  get support(): number {
+    return own(this, "support").roots.length / 2 - 1;
+  }
+
+  /**
+   * The taps g of φ⁺(t/m0) = Σ g[k]·β⁺(t − k) with the fine roots α/m0 on the right, m0 even. With `affine` those for
+   * B-splines that are divided by their integrals.
+   */
+  preFilter(m0: number, options?: { affine?: boolean | undefined }): Float64Array {
+    const op = "preFilter";
+    const source = own(this, op);
+    const what = affine(op, options) ? What.AffineFilter : What.Filter;
+    return ask(source, op, what, integer(op, "m0", m0, 0, MAX_EVALUATIONS));
+  }
+}
