@@ -92,7 +92,8 @@ impl Parts {
         self.data.points.push(start);
         self.data.tangents.push(leaving);
         // Derivatives on both sides of a smooth point differ by roundings; one of them serves both.
-        let before = if (self.arriving - leaving).norm() <= 1e-12 * leaving.norm() { leaving } else { self.arriving };
+        let before =
+            if (self.arriving - leaving).norm() <= 1e-12 * leaving.norm() { leaving } else { self.arriving };
         self.data.tangents_in.push(before);
         self.data.lengths.push(length);
         self.arriving = arriving;

@@ -66,7 +66,8 @@ pub fn exponential(kind: u32, roots: u32, what: u32, count: u32, argument: u32) 
             }
             (generator, 1) => {
                 let first = times(roots, 2);
-                let given = kernel.given(first.saturating_add(count as usize)).get(first..).unwrap_or_default();
+                let given =
+                    kernel.given(first.saturating_add(count as usize)).get(first..).unwrap_or_default();
                 match generator {
                     Generator::Spline(spline) => spline.evaluate(given, argument)?,
                     Generator::Interpolator(interpolator) => interpolator.evaluate(given, argument)?,

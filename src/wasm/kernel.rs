@@ -1,9 +1,9 @@
 //! The state of one instance: slots, buffers, and the small fixed record that scalar results are left in.
 
 #[cfg(feature = "wasm")]
-use crate::HermiteCurve;
-#[cfg(feature = "wasm")]
 use super::exponential::Prepared;
+#[cfg(feature = "wasm")]
+use crate::HermiteCurve;
 #[cfg(feature = "wasm")]
 use crate::curve::{NearestFinder, Sampler};
 use crate::{Error, Result};
