@@ -23,79 +23,113 @@ const STACK: usize = 192;
 /// Cells of less than this share of a segment are taken as they are.
 const LEAST_WIDTH: f64 = 1e-14;
 
-/// Parameters, as [`super::Curve::sample_by_length`] says.
-pub(crate) fn sample_by_length(curve: &dyn Pieces, count: usize, tolerance: f64) -> Result<Vec<f64>> {
-    let mut parameters = Vec::new();
-    along(curve, count, tolerance, 1, &mut parameters, &mut |_, _, t, out| out.push(t))?;
-    Ok(parameters)
+/// Tables of curves with more pieces are not kept: they are a kilobyte for each.
+const MOST_KEPT: usize = 10_000;
+
+/// A curve prepared for samplings evenly by length: what costs most is done once for all of them.
+///
+/// The inverse of the length is tabulated piece by piece when points are asked for there.
+#[derive(Clone, Debug)]
+pub struct LengthTable {
+    tolerance: f64,
+    /// The length of each piece.
+    lengths: Vec<f64>,
+    total: f64,
+    /// The table of each piece, empty until it is needed; none at all where there would be too many.
+    cells: Vec<Vec<Cell>>,
 }
 
-/// The points there: the table knows on which piece they are, so that nothing is looked for.
-pub(crate) fn points_by_length(curve: &dyn Pieces, count: usize, tolerance: f64) -> Result<Vec<f64>> {
-    let mut points = Vec::new();
-    along(curve, count, tolerance, curve.dimension(), &mut points, &mut |piece, y, _, out| match piece {
-        AnyPiece::Plane(piece) => out.extend_from_slice(piece.position(y).as_slice()),
-        AnyPiece::Space(piece) => out.extend_from_slice(&piece.position(y)),
-    })?;
-    Ok(points)
+impl LengthTable {
+    /// Measures the pieces of a curve.
+    ///
+    /// # Errors
+    ///
+    /// `tolerance` not finite or not positive.
+    pub fn new(curve: &dyn Pieces, tolerance: f64) -> Result<Self> {
+        check_tolerance(tolerance)?;
+        let pieces = curve.piece_count();
+        let share = share(tolerance, pieces);
+        let mut lengths = with_room(pieces)?;
+        lengths.extend((0..pieces).map(|i| AnyPiece::new(curve, i).length(-0.5, 0.5, share)));
+        let total = lengths.iter().sum();
+        let kept = if pieces > MOST_KEPT { 0 } else { pieces };
+        let mut cells = with_room(kept)?;
+        cells.resize(kept, Vec::new());
+        Ok(Self { tolerance, lengths, total, cells })
+    }
+
+    /// The tolerance that the table was made for.
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// Parameters, as [`super::Curve::sample_by_length`] says; `curve` is the one that was measured.
+    pub fn parameters(&mut self, curve: &dyn Pieces, count: usize) -> Result<Vec<f64>> {
+        self.along(curve, count, 1, &mut |_, _, t, out| out.push(t))
+    }
+
+    /// The points there: the table knows on which piece they are, so that nothing is looked for.
+    pub fn points(&mut self, curve: &dyn Pieces, count: usize) -> Result<Vec<f64>> {
+        self.along(curve, count, curve.dimension(), &mut |piece, y, _, out| match piece {
+            AnyPiece::Plane(piece) => out.extend_from_slice(piece.position(y).as_slice()),
+            AnyPiece::Space(piece) => out.extend_from_slice(&piece.position(y)),
+        })
+    }
+
+    fn along(&mut self, curve: &dyn Pieces, count: usize, each: usize, write: Write<'_>) -> Result<Vec<f64>> {
+        if count > MOST_OUTPUT_POINTS {
+            return Err(too_many("count", "maxOutputPoints", MOST_OUTPUT_POINTS, count));
+        }
+        let steps = if curve.closed() { count } else { count.saturating_sub(1) };
+        let step = self.total / steps.max(1) as f64;
+        let share = share(self.tolerance, self.lengths.len());
+        let mut out = with_room(each * count)?;
+        let (mut passing, mut before, mut done) = (Vec::new(), 0.0, 0);
+        for (i, &whole) in self.lengths.iter().enumerate() {
+            // The points whose place is on this piece; the last one takes what roundings leave.
+            let end = before + whole;
+            let last = i + 1 == self.lengths.len();
+            let until = if last { count } else { ((end / step) as usize).saturating_add(1).min(count) };
+            if done < until {
+                let piece = AnyPiece::new(curve, i);
+                let cells = self.cells.get_mut(i).unwrap_or_else(|| {
+                    passing.clear();
+                    &mut passing
+                });
+                if let (AnyPiece::Plane(piece), true) = (&piece, cells.is_empty()) {
+                    tabulate(piece, 0.125 * self.tolerance, share, cells);
+                }
+                let (from, to) = (curve.knot(i), curve.knot(i + 1));
+                let scale = cells.last().map_or(1.0, |cell: &Cell| cell.end / whole);
+                let scale = if scale.is_finite() { scale } else { 0.0 };
+                let mut cell = 0;
+                for k in done..until {
+                    let place = (k as f64 * step - before) * scale;
+                    while cell + 1 < cells.len() && place > cells[cell].end {
+                        cell += 1;
+                    }
+                    let y = match cells.get(cell) {
+                        Some(cell) => cell.parameter(place),
+                        None => place_on(&piece, place, whole, share),
+                    };
+                    let t = from + (y + 0.5) * (to - from);
+                    write(&piece, y, if t < to { t } else { to }, &mut out);
+                }
+                done = until;
+            }
+            before = end;
+        }
+        Ok(out)
+    }
+}
+
+/// What each piece may be off.
+fn share(tolerance: f64, pieces: usize) -> f64 {
+    0.125 * tolerance / pieces as f64
 }
 
 /// What is written for a point: of its piece, its place there, its parameter.
 type Write<'a> = &'a mut dyn FnMut(&AnyPiece, f64, f64, &mut Vec<f64>);
-
-fn along(
-    curve: &dyn Pieces,
-    count: usize,
-    tolerance: f64,
-    each: usize,
-    out: &mut Vec<f64>,
-    write: Write<'_>,
-) -> Result<()> {
-    check_tolerance(tolerance)?;
-    if count > MOST_OUTPUT_POINTS {
-        return Err(too_many("count", "maxOutputPoints", MOST_OUTPUT_POINTS, count));
-    }
-    let pieces = curve.piece_count();
-    let share = 0.125 * tolerance / pieces as f64;
-    let mut lengths = with_room(pieces)?;
-    lengths.extend((0..pieces).map(|i| AnyPiece::new(curve, i).length(-0.5, 0.5, share)));
-    let total: f64 = lengths.iter().sum();
-    let steps = if curve.closed() { count } else { count.saturating_sub(1) };
-    let step = total / steps.max(1) as f64;
-    *out = with_room(each * count)?;
-    let (mut cells, mut before, mut done) = (Vec::new(), 0.0, 0);
-    for (i, &whole) in lengths.iter().enumerate() {
-        // The points whose place is on this piece; the last one takes what roundings leave.
-        let end = before + whole;
-        let last = i + 1 == pieces;
-        let until = if last { count } else { ((end / step) as usize).saturating_add(1).min(count) };
-        if done < until {
-            let piece = AnyPiece::new(curve, i);
-            if let AnyPiece::Plane(piece) = &piece {
-                tabulate(piece, 0.125 * tolerance, share, &mut cells);
-            }
-            let (from, to) = (curve.knot(i), curve.knot(i + 1));
-            let scale = cells.last().map_or(1.0, |cell: &Cell| cell.end / whole);
-            let scale = if scale.is_finite() { scale } else { 0.0 };
-            let mut cell = 0;
-            for k in done..until {
-                let place = (k as f64 * step - before) * scale;
-                while cell + 1 < cells.len() && place > cells[cell].end {
-                    cell += 1;
-                }
-                let y = match cells.get(cell) {
-                    Some(cell) => cell.parameter(place),
-                    None => place_on(&piece, place, whole, share),
-                };
-                let t = from + (y + 0.5) * (to - from);
-                write(&piece, y, if t < to { t } else { to }, out);
-            }
-            done = until;
-        }
-        before = end;
-    }
-    Ok(())
-}
 
 /// A stretch of a piece, and its parameter as a polynomial of the length along it.
 #[derive(Clone, Copy, Debug)]

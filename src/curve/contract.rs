@@ -1,7 +1,7 @@
 //! Everything that every curve can do, whatever it is made from.
 
 use super::bounds::{self, Bounds};
-use super::by_length;
+use super::by_length::LengthTable;
 use super::convert;
 use super::cubics::{self, Cubics};
 use super::curvature;
@@ -85,16 +85,19 @@ pub trait Curve: Pieces {
     ///
     /// About 2 µs for each segment and 20 ns for each point; in space 5 µs for each point.
     fn sample_by_length(&self, count: usize, tolerance: f64) -> Result<Vec<f64>> {
-        by_length::sample_by_length(self.as_pieces(), count, tolerance)
+        let curve = self.as_pieces();
+        LengthTable::new(curve, tolerance)?.parameters(curve, count)
     }
 
-    /// The points at those parameters, all coordinates in turn: quicker than looking for the parameters again.
+    /// The points at those parameters, all coordinates in turn: quicker than looking for the parameters again. For many
+    /// samplings of one curve prepare a [`LengthTable`](super::LengthTable).
     ///
     /// # Errors
     ///
     /// As for [`Curve::sample_by_length`].
     fn points_by_length(&self, count: usize, tolerance: f64) -> Result<Vec<f64>> {
-        by_length::points_by_length(self.as_pieces(), count, tolerance)
+        let curve = self.as_pieces();
+        LengthTable::new(curve, tolerance)?.points(curve, count)
     }
 
     /// The signed area that a closed curve of the plane encloses.

@@ -39,6 +39,7 @@ use crate::limits;
 
 pub use b_spline::BSplineCurve;
 pub use bounds::Bounds;
+pub use by_length::LengthTable;
 pub use contract::Curve;
 pub use cubics::{Cubics, segment_cubics};
 pub use hermite::{HermiteCurve, HermiteOptions, Side};

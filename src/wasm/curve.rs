@@ -50,7 +50,7 @@ pub fn load(slot: u32, points: u32, arriving: u32, omega: u32, lengths: u32, spa
         kernel.output.clear();
         push_short(&mut kernel.output, curve.omega(), None);
         if let Some(place) = kernel.slots.get_mut(slot as usize) {
-            *place = Some(Resident { curve, finder: None });
+            *place = Some(Resident { curve, finder: None, table: None });
         }
         Ok(kernel.output.len())
     })

@@ -5,7 +5,7 @@ use super::exponential::Prepared;
 #[cfg(feature = "wasm")]
 use crate::HermiteCurve;
 #[cfg(feature = "wasm")]
-use crate::curve::{NearestFinder, Sampler};
+use crate::curve::{LengthTable, NearestFinder, Sampler};
 use crate::{Error, Result};
 use std::cell::RefCell;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -30,6 +30,7 @@ const NOT_RESIDENT: Error =
 pub(super) struct Resident {
     pub(super) curve: HermiteCurve,
     pub(super) finder: Option<NearestFinder>,
+    pub(super) table: Option<LengthTable>,
 }
 
 /// Everything that an instance remembers between calls.
@@ -85,11 +86,23 @@ impl Kernel {
     ) -> Result<(&NearestFinder, &[f64], &mut Vec<f64>)> {
         let given = &self.input[..count.min(self.input.len())];
         match self.slots.get_mut(slot as usize) {
-            Some(Some(Resident { curve, finder })) => {
+            Some(Some(Resident { curve, finder, .. })) => {
                 Ok((finder.get_or_insert_with(|| NearestFinder::new(curve)), given, &mut self.output))
             }
             _ => Err(Box::new(NOT_RESIDENT)),
         }
+    }
+
+    /// The curve in a slot, with its lengths prepared for that tolerance.
+    pub(super) fn table(&mut self, slot: u32, tolerance: f64) -> Result<(&HermiteCurve, &mut LengthTable)> {
+        let Some(Some(Resident { curve, table, .. })) = self.slots.get_mut(slot as usize) else {
+            return Err(Box::new(NOT_RESIDENT));
+        };
+        let prepared = match table.take() {
+            Some(known) if known.tolerance() == tolerance => known,
+            _ => LengthTable::new(curve, tolerance)?,
+        };
+        Ok((curve, table.insert(prepared)))
     }
 
     /// The curve in a slot, the first `count` numbers that JavaScript wrote, and the output.

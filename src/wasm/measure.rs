@@ -132,8 +132,9 @@ pub fn to_cubics(slot: u32, tolerance: f64) -> i32 {
 #[wasm_bindgen]
 pub fn sample_by_length(slot: u32, count: u32, tolerance: f64) -> i32 {
     run(&mut |kernel| {
-        let curve = kernel.curve(slot)?;
-        let points = curve.points_by_length(count as usize, tolerance_of(curve, tolerance, FINE))?;
+        let tolerance = tolerance_of(kernel.curve(slot)?, tolerance, FINE);
+        let (curve, table) = kernel.table(slot, tolerance)?;
+        let points = table.points(curve, count as usize)?;
         Ok(kernel.give(points))
     })
 }

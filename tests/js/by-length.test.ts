@@ -30,3 +30,17 @@ test("an open line with a speed that varies is cut into equal parts, ends includ
     assert.ok(Math.abs((points[2 * i] ?? Number.NaN) - expected) <= RELATIVE * 10, `point ${i} is at ${points[2 * i]}`);
   }
 });
+
+test("what was prepared for one sampling serves the next, and is forgotten with the curve it was made for", () => {
+  const make = (): HermiteCurve => HermiteCurve.ellipse({ center: [1, 2], radii: [5, 3], count: 3 });
+  const curve = make();
+  const first = curve.sampleByLength(50);
+  assert.deepEqual(curve.sampleByLength(50), first);
+  const rough = curve.sampleByLength(50, { tolerance: 0.1 });
+  assert.deepEqual(make().sampleByLength(50, { tolerance: 0.1 }), rough);
+  assert.deepEqual(curve.sampleByLength(50), first);
+  curve.setPoint(1, 7, 7);
+  const edited = make();
+  edited.setPoint(1, 7, 7);
+  assert.deepEqual(curve.sampleByLength(50), edited.sampleByLength(50));
+});
