@@ -12,6 +12,8 @@ pub(crate) const POLE_MARGIN: f64 = 1e-6;
 pub(crate) const LARGEST_FREQUENCY: f64 = 1e4;
 /// The most points that one curve may have.
 pub(crate) const MOST_POINTS: usize = 16_777_216;
+/// The most points of a surface's net: 96 MB.
+pub(crate) const MOST_SURFACE_POINTS: usize = 4_194_304;
 /// The most parameters of one bulk evaluation.
 pub(crate) const MOST_EVALUATIONS: usize = 4_000_000;
 /// The most points that one call may give back.

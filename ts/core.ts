@@ -13,7 +13,18 @@ export { ExponentialBSpline, Interpolator } from "./exponential-generators.js";
 export { roots } from "./roots.js";
 export type { Root } from "./roots.js";
 export { fromJSON } from "./json.js";
-export type { HermiteCurveJSON, JSONWarning } from "./json.js";
+export type { HermiteCurveJSON, JSONWarning, ReadOptions } from "./json.js";
+export { TensorSurface } from "./surface.js";
+export type {
+  Direction,
+  MeshRegion,
+  SurfaceMesh,
+  SurfacePatch,
+  TensorSurfaceOptions,
+} from "./surface.js";
+export type { MeshFileOptions } from "./mesh-files.js";
+export type { PatchWindow } from "./surface-data.js";
+export type { DirectionJSON, TensorSurfaceJSON } from "./surface-json.js";
 export { parsePath } from "./svg.js";
 export type { PathWarning } from "./svg.js";
 

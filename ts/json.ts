@@ -5,6 +5,8 @@ import { ExplineError, type ErrorCode, type ErrorDetails, overLimit, shown, wron
 import { type HermiteCurve, checked, curveOf } from "./hermite-curve.js";
 import { scan } from "./json-text.js";
 import type { Floats } from "./kernel.js";
+import { type TensorSurface, checkedSurface, surfaceOf } from "./surface.js";
+import type { TensorSurfaceJSON } from "./surface-json.js";
 
 /** A {@link HermiteCurve} as plain data. Fields that a newer version wrote are kept. */
 export interface HermiteCurveJSON {
@@ -31,14 +33,44 @@ export interface JSONWarning {
   path: string;
 }
 
+/** How a file is read. */
+export interface ReadOptions {
+  /** Hears of everything that was not understood, but kept. */
+  onWarning?: ((warning: JSONWarning) => void) | undefined;
+}
+
 const OP = "fromJSON";
 /** The longest JSON text, in characters. */
 const MAX_TEXT = 64 << 20;
 /** The most brackets inside one another. */
 const MAX_DEPTH = 64;
 const VERSION = 1;
-const REQUIRED = [["closed"], ["space"], ["points"], ["tangents"], ["omega"]];
-const FIELDS = ["type", "version", "closed", "space", "points", "tangents", "tangentsIn", "omega", "lengths"];
+
+/** One kind of object: what a file of it must have and may have, and how it is made of that. */
+interface Kind {
+  readonly required: readonly string[];
+  readonly optional: readonly string[];
+  readonly make: (options: unknown, extra: Readonly<Record<string, unknown>> | undefined) => HermiteCurve | TensorSurface;
+}
+
+/** Every kind, by the `type` of its file. */
+const KINDS: Readonly<Record<string, Kind>> = {
+  HermiteCurve: {
+    required: ["closed", "space", "points", "tangents", "omega"],
+    optional: ["tangentsIn", "lengths"],
+    make: (options, extra) => curveOf(withExtra(checked(OP, options), extra)),
+  },
+  TensorSurface: {
+    required: ["net", "u", "v"],
+    optional: ["patches"],
+    make: (options, extra) => surfaceOf(withExtra(checkedSurface(OP, options), extra)),
+  },
+};
+
+function withExtra<D extends { extra: Readonly<Record<string, unknown>> | undefined }>(data: D, extra: D["extra"]): D {
+  data.extra = extra;
+  return data;
+}
 
 /** A curve's arrays as plain data. @internal */
 export function toJSON(data: CurveData): HermiteCurveJSON {
@@ -58,33 +90,34 @@ export function toJSON(data: CurveData): HermiteCurveJSON {
 }
 
 /**
- * The curve that `toJSON` described, to the last bit: from its object, or from JSON text.
+ * The curve or surface that `toJSON` described, to the last bit: from its object, or from JSON text.
  *
  * Only own properties count. Fields that are not known are kept for the next `toJSON`; `onWarning` hears of them.
  *
  * @throws {ExplineError} E_PARSE_JSON for text that is not JSON, E_SCHEMA with `path` for other content, E_UNSUPPORTED for a newer
  *   version, E_LIMIT, and the codes of the constructor with `path`.
  */
-export function fromJSON(
-  value: unknown,
-  options?: { onWarning?: ((warning: JSONWarning) => void) | undefined },
-): HermiteCurve {
+export function fromJSON(value: HermiteCurveJSON, options?: ReadOptions): HermiteCurve;
+export function fromJSON(value: TensorSurfaceJSON, options?: ReadOptions): TensorSurface;
+export function fromJSON(value: unknown, options?: ReadOptions): HermiteCurve | TensorSurface;
+export function fromJSON(value: unknown, options?: ReadOptions): HermiteCurve | TensorSurface {
   const { onWarning } = checkOptions(OP, options, ["onWarning"]);
   if (onWarning !== undefined && typeof onWarning !== "function") {
     throw wrong("E_TYPE", OP, "onWarning", onWarning, "a function");
   }
   const object = record(typeof value === "string" ? parsed(value) : value, "$");
+  const own = (name: string): unknown => (Object.hasOwn(object, name) ? object[name] : undefined);
+  const kind = kindOf(own);
+  const known = ["type", "version", ...kind.required, ...kind.optional];
   const extra: [string, unknown][] = [];
   for (const name of Object.keys(object)) {
-    if (!FIELDS.includes(name)) extra.push([name, plain(object[name], `$${step(name)}`, [object])]);
+    if (!known.includes(name)) extra.push([name, plain(object[name], `$${step(name)}`, [object])]);
   }
-  const data = read((name) => (Object.hasOwn(object, name) ? object[name] : undefined));
-  if (extra.length > 0) data.extra = Object.fromEntries(extra);
-  const curve = curveOf(data);
+  const made = read(kind, own, extra.length > 0 ? Object.fromEntries(extra) : undefined);
   for (const [name] of extra) {
     (onWarning as ((warning: JSONWarning) => void) | undefined)?.({ code: "W_UNKNOWN_FIELD", path: `$${step(name)}` });
   }
-  return curve;
+  return made;
 }
 
 function parsed(text: string): unknown {
@@ -124,23 +157,31 @@ function record(value: unknown, path: string): Record<string, unknown> {
   return value as Record<string, unknown>;
 }
 
-/** The curve's arrays, checked by the same rules as a constructor's. */
-function read(own: (name: string) => unknown): CurveData {
+/** What the file says it is, in a version that is known. */
+function kindOf(own: (name: string) => unknown): Kind {
   const version = own("version");
   if (typeof version !== "number" || !Number.isInteger(version) || version < 1) {
     throw expected("$.version", version, "1");
   }
   if (version > VERSION) throw schema("$.version", `is ${version}; this version reads 1`, "E_UNSUPPORTED");
-  for (const [name, known] of [["type", "HermiteCurve"], ...REQUIRED]) {
-    const value = own(name ?? "");
-    if (value === undefined || (known !== undefined && value !== known)) {
-      throw expected(`$.${name}`, value, known === undefined ? "a value" : `"${known}"`);
-    }
+  const type = own("type");
+  if (typeof type !== "string" || !Object.hasOwn(KINDS, type)) {
+    throw expected("$.type", type, Object.keys(KINDS).map((name) => `"${name}"`).join(" or "));
   }
+  return KINDS[type] as Kind;
+}
+
+/** The object, checked by the same rules as its constructor's options. */
+function read(
+  { required, optional, make }: Kind,
+  own: (name: string) => unknown,
+  extra: Readonly<Record<string, unknown>> | undefined,
+): HermiteCurve | TensorSurface {
+  for (const name of required) if (own(name) === undefined) throw expected(`$.${name}`, undefined, "a value");
   try {
     const options: Record<string, unknown> = Object.create(null) as Record<string, unknown>;
-    for (const name of FIELDS.slice(2)) options[name] = own(name);
-    return checked(OP, options);
+    for (const name of [...required, ...optional]) options[name] = own(name);
+    return make(options, extra);
   } catch (error) {
     throw error instanceof ExplineError && error.argument !== undefined ? located(error) : error;
   }

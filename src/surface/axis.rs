@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::generator::{ExponentialBSpline, Interpolator, Roots};
-use crate::limits::{MOST_POINTS, check, filled, too_many};
+use crate::limits::{MOST_SURFACE_POINTS, check, filled, too_many};
 
 /// The finest level: a unit of the parameter then has 4096 points.
 pub(super) const MOST_LEVELS: u32 = 12;
@@ -59,8 +59,8 @@ impl Axis {
     pub(super) fn new(direction: Direction, argument: &'static str) -> Result<Self> {
         let Direction { ref roots, count, closed, level } = direction;
         check("level", None, f64::from(level), 0.0, f64::from(MOST_LEVELS))?;
-        if count > MOST_POINTS {
-            return Err(too_many(argument, "maxSurfacePoints", MOST_POINTS, count));
+        if count > MOST_SURFACE_POINTS {
+            return Err(too_many(argument, "maxSurfacePoints", MOST_SURFACE_POINTS, count));
         }
         let generator = if level == 0 { interpolating(roots)? } else { b_spline(roots, level)? };
         let surplus = surplus(roots, level);

@@ -38,7 +38,8 @@ pub struct Region {
 }
 
 impl Grid {
-    fn check(self) -> Result<()> {
+    /// Refuses grids that are too small or have too many vertices.
+    pub(crate) fn check(self) -> Result<()> {
         check("rows", None, self.rows as f64, 2.0, MOST_OUTPUT_POINTS as f64)?;
         check("cols", None, self.cols as f64, 2.0, MOST_OUTPUT_POINTS as f64)?;
         let needed = self.rows.saturating_mul(self.cols);
@@ -281,7 +282,7 @@ impl TensorSurface {
         Ok(without)
     }
 
-    /// Gaussian and mean curvature of the vertices of a region of a grid, two numbers each, row by row; see
+    /// Curvatures of the vertices of a region of a grid, row by row: all Gaussian ones, then all mean ones; see
     /// [`TensorSurface::curvature`].
     ///
     /// # Errors
@@ -294,11 +295,14 @@ impl TensorSurface {
             return Err(Error::wrong_length("out", out.len(), needed));
         }
         let (size, mut scratch) = (self.size(), Scratch::default());
-        for (i, row) in out.chunks_exact_mut((2 * region.cols.len()).max(1)).enumerate() {
+        let across = region.cols.len().max(1);
+        let (gaussian, mean) = out.split_at_mut(needed / 2);
+        let rows = gaussian.chunks_exact_mut(across).zip(mean.chunks_exact_mut(across));
+        for (i, (gaussian, mean)) in rows.enumerate() {
             for layer in &mut layers {
                 layer.prepare(i);
             }
-            for (j, pair) in row.chunks_exact_mut(2).enumerate() {
+            for (j, (gaussian, mean)) in gaussian.iter_mut().zip(mean).enumerate() {
                 let mut jet = Jet::default();
                 for layer in layers.iter().filter(|layer| layer.active) {
                     layer.add_jet(j, &mut jet);
@@ -307,7 +311,7 @@ impl TensorSurface {
                     let (u, v) = self.vertex(grid, region.rows.start + i, region.cols.start + j);
                     self.curvature_at(u, v, size, &mut scratch)
                 });
-                pair.copy_from_slice(&[curvature.gaussian, curvature.mean]);
+                (*gaussian, *mean) = (curvature.gaussian, curvature.mean);
             }
         }
         Ok(())

@@ -148,6 +148,25 @@ impl TensorSurface {
         Ok(self.curvature_at(u, v, self.size(), &mut Scratch::default()))
     }
 
+    /// Curvatures at pairs of parameters: all Gaussian ones, then all mean ones; see [`TensorSurface::curvature`].
+    ///
+    /// # Errors
+    ///
+    /// Those of [`TensorSurface::evaluate_into`].
+    pub fn curvatures_into(&self, u: &[f64], v: &[f64], out: &mut [f64]) -> Result<()> {
+        self.check_places(u, v)?;
+        if out.len() != 2 * u.len() {
+            return Err(Error::wrong_length("out", out.len(), 2 * u.len()));
+        }
+        let (size, mut scratch) = (self.size(), Scratch::default());
+        let (gaussian, mean) = out.split_at_mut(u.len());
+        for (((&u, &v), gaussian), mean) in u.iter().zip(v).zip(gaussian).zip(mean) {
+            let curvature = self.curvature_at(u, v, size, &mut scratch);
+            (*gaussian, *mean) = (curvature.gaussian, curvature.mean);
+        }
+        Ok(())
+    }
+
     /// Curvatures at parameters that were checked.
     pub(super) fn curvature_at(&self, u: f64, v: f64, size: f64, scratch: &mut Scratch) -> Curvature {
         if let Some(curvature) = self.jet(u, v, scratch).curvature(size) {

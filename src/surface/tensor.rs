@@ -3,7 +3,7 @@
 use super::axis::{Axis, Direction};
 use super::layer::{Layer, Scratch, Window};
 use crate::error::{Error, Result};
-use crate::limits::{LARGEST_COORDINATE, MOST_EVALUATIONS, MOST_POINTS, check, too_many};
+use crate::limits::{LARGEST_COORDINATE, MOST_EVALUATIONS, MOST_SURFACE_POINTS, check, too_many};
 use crate::numerics::Vector3;
 
 /// The highest derivative that may be asked for in one direction.
@@ -40,8 +40,8 @@ impl TensorSurface {
     /// roots those of [`crate::generator::Interpolator::new`].
     pub fn new(net: Vec<f64>, u: Direction, v: Direction) -> Result<Self> {
         let points = u.count.saturating_mul(v.count);
-        if points > MOST_POINTS {
-            return Err(too_many("rows", "maxSurfacePoints", MOST_POINTS, points));
+        if points > MOST_SURFACE_POINTS {
+            return Err(too_many("rows", "maxSurfacePoints", MOST_SURFACE_POINTS, points));
         }
         let u = Axis::new(u, "rows")?;
         let v = if u.direction == v { u.clone() } else { Axis::new(v, "cols")? };

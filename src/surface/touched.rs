@@ -54,8 +54,7 @@ impl TensorSurface {
         let base = self.base();
         check("i", None, i as f64, 0.0, (base.u.direction.count - 1) as f64)?;
         check("j", None, j as f64, 0.0, (base.v.direction.count - 1) as f64)?;
-        check("rows", None, grid.rows as f64, 2.0, f64::MAX)?;
-        check("cols", None, grid.cols as f64, 2.0, f64::MAX)?;
+        grid.check()?;
         let mut region = region(base, grid, i, j);
         // A point beside a pole takes others with it.
         for (i, j) in self.companions(i, j) {
@@ -64,5 +63,17 @@ impl TensorSurface {
             region.cols = joined(region.cols, &more.cols, grid.cols);
         }
         Ok(region)
+    }
+    /// The part of a mesh that control point (i, j) of a patch moves.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfRange` for `patch`, `i`, `j`, `rows`, `cols`.
+    pub fn touched_by_patch(&self, grid: Grid, patch: usize, i: usize, j: usize) -> Result<Region> {
+        let layer = self.patch(patch)?;
+        check("i", None, i as f64, 0.0, (layer.rows.count - 1) as f64)?;
+        check("j", None, j as f64, 0.0, (layer.columns.count - 1) as f64)?;
+        grid.check()?;
+        Ok(region(layer, grid, layer.rows.row(&layer.u, i), layer.columns.row(&layer.v, j)))
     }
 }

@@ -3,16 +3,19 @@
 #[cfg(feature = "wasm")]
 use super::exponential::Prepared;
 #[cfg(feature = "wasm")]
-use crate::HermiteCurve;
-#[cfg(feature = "wasm")]
 use crate::curve::{LengthTable, NearestFinder, Sampler};
 use crate::{Error, Result};
+#[cfg(feature = "wasm")]
+use crate::{HermiteCurve, TensorSurface};
 use std::cell::RefCell;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// How many curves can be resident at once.
 #[cfg(feature = "wasm")]
 pub(super) const SLOTS: usize = 16;
+/// How many surfaces.
+#[cfg(feature = "wasm")]
+pub(super) const SURFACES: usize = 4;
 /// What an exported function returns when it failed; the record then holds the error.
 pub(super) const FAILED: i32 = -1;
 /// Length of the record of scalar results.
@@ -52,6 +55,9 @@ pub(super) struct Kernel {
     /// The resident curves.
     #[cfg(feature = "wasm")]
     pub(super) slots: [Option<Resident>; SLOTS],
+    /// The resident surfaces.
+    #[cfg(feature = "wasm")]
+    pub(super) surfaces: [Option<TensorSurface>; SURFACES],
 }
 
 thread_local! {
@@ -67,6 +73,8 @@ thread_local! {
             generator: None,
             #[cfg(feature = "wasm")]
             slots: [const { None }; SLOTS],
+            #[cfg(feature = "wasm")]
+            surfaces: [const { None }; SURFACES],
         })
     };
 }

@@ -27,4 +27,6 @@ mod measure;
 #[cfg(feature = "wasm")]
 mod sample;
 #[cfg(feature = "wasm")]
+mod surface;
+#[cfg(feature = "wasm")]
 mod svg;

@@ -137,7 +137,7 @@ const text = (change: object): string => JSON.stringify({ ...GOOD, ...change });
 
 function warned(value: unknown): { curve: HermiteCurve; warnings: JSONWarning[] } {
   const warnings: JSONWarning[] = [];
-  return { curve: fromJSON(value, { onWarning: (warning) => warnings.push(warning) }), warnings };
+  return { curve: fromJSON(value, { onWarning: (warning) => warnings.push(warning) }) as HermiteCurve, warnings };
 }
 
 const json: Case[] = [
@@ -198,7 +198,7 @@ const json: Case[] = [
     run: () => fromJSON({ ...GOOD, points: [-0, 5e-324, 0.1, 1 / 3], tangents: [-0, 1, 1e9, -1e-300] }),
     gives: (curve: HermiteCurve) => {
       assert.ok(curve.points.every((value) => !Object.is(value, -0)));
-      const again = fromJSON(JSON.stringify(curve));
+      const again = fromJSON(JSON.stringify(curve)) as HermiteCurve;
       assert.deepEqual(Buffer.from(again.points.buffer), Buffer.from(curve.points.buffer));
       assert.deepEqual(again.toJSON(), curve.toJSON());
     },
@@ -240,7 +240,7 @@ test("every curve comes back from JSON to the last bit", () => {
     ...parsePath("M0 0C1 2 3 4 5 0.1A3 4 10 0 1 9 9Q8 7 6 5L0.7 0.3Z"),
   ];
   for (const curve of curves) {
-    const again = fromJSON(JSON.parse(JSON.stringify(curve)));
+    const again = fromJSON(JSON.parse(JSON.stringify(curve))) as HermiteCurve;
     assert.deepEqual(again.toJSON(), curve.toJSON());
     assert.deepEqual(again.sample(101), curve.sample(101));
     assert.deepEqual(again.omega, curve.omega);

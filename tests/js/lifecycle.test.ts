@@ -280,7 +280,7 @@ test("the same bits on every tier of the engine, in a worker, and after other wo
 
 test("a curve that was sent to another thread as JSON is the same curve", () => {
   const curve = HermiteCurve.through([0, 0, 1, 0, 1, 1, 0.3, 2]);
-  const sent: unknown = structuredClone(curve.toJSON());
+  const sent = structuredClone(curve.toJSON());
   assert.deepEqual(fromJSON(sent).sample(77), curve.sample(77));
   
 });
