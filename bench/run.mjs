@@ -4,7 +4,7 @@ import { cpus } from "node:os";
 
 import * as expline from "expline";
 
-import { points, tangents } from "./lib/curve.mjs";
+import { EXPONENTIAL_OMEGA, points, tangents } from "./lib/curve.mjs";
 import { evaluationRows } from "./lib/evaluation.mjs";
 import { geometryRows } from "./lib/geometry.mjs";
 import { race } from "./lib/harness.mjs";
@@ -30,7 +30,7 @@ const peers = {
   path: paperPath(),
   interpolator: interpolator(),
   curve: new expline.HermiteCurve({ points, tangents, space: "polynomial" }),
-  exponential: new expline.HermiteCurve({ points, tangents, omega: Math.PI / 2 }),
+  exponential: new expline.HermiteCurve({ points, tangents, omega: EXPONENTIAL_OMEGA }),
 };
 
 console.log(`${cpus()[0].model}, ${cpus().length} cores, Node ${process.versions.node}; ${ROUNDS} rounds in turns, least and median\n`);

@@ -2,6 +2,8 @@
 // Bézier, cardinal and Hermite libraries can all hold exactly this curve, so that results can be checked.
 
 export const SEGMENTS = 16;
+/** The frequency of the same points' curve whose segments are no cubics. */
+export const EXPONENTIAL_OMEGA = Math.PI / 2;
 
 /** A small generator of numbers in [0, 1), the same everywhere. */
 export function random(seed) {

@@ -161,9 +161,10 @@ function flatten({ curve, kurbo, native, path }) {
   };
 }
 
-/** An exponential curve, which no peer holds; kurbo could fit it, which is another problem. Ours alone. */
-function toCubics({ exponential }) {
+/** An exponential curve as cubics. kurbo fits whatever it can ask for points; it looks for an error, ours is proved. */
+function toCubics({ exponential, native }) {
   let result;
+  const kurbo = (name, operation) => ({ name, measure: native.measure(operation), units: 1, note: () => `${native.answer(operation)} cubics` });
   return {
     unit: "call",
     contestants: [
@@ -173,6 +174,9 @@ function toCubics({ exponential }) {
         measure: here(() => (result = exponential.toCubics(CUBIC_TOLERANCE))),
         note: () => `${result.path.length / 8} cubics, off at most ${result.maxError.toExponential(1)}`,
       },
+      { name: "expline, native", measure: native.measure("expline:cubics"), units: 1, note: () => `${native.answer("expline:cubics")} cubics` },
+      kurbo("kurbo, native", "kurbo:cubics"),
+      kurbo("kurbo, native, fewest", "kurbo:cubics-fewest"),
     ],
     targets: [],
   };

@@ -8,7 +8,7 @@ import { Bezier } from "bezier-js";
 import { CurveInterpolator } from "curve-interpolator";
 import paper from "paper/dist/paper-core.js";
 
-import { SEGMENTS, cubics, pathText, points, queries, tangents } from "./curve.mjs";
+import { EXPONENTIAL_OMEGA, SEGMENTS, cubics, pathText, points, queries, tangents } from "./curve.mjs";
 
 /** kurbo as bare wasm exports, compiled like expline: simd128, fat LTO, opt-level 3, then wasm-opt -O3. */
 export function kurboWasm(file) {
@@ -29,25 +29,25 @@ export class Native {
   #lines;
   #answers = new Map();
 
-  constructor(program, exponential) {
+  constructor(program) {
     this.#child = spawn(program, [], { stdio: ["pipe", "pipe", "inherit"] });
     this.#lines = createInterface({ input: this.#child.stdout })[Symbol.asyncIterator]();
     this.#say("cubics", cubics);
-    this.hermite(0, points, tangents);
+    this.#hermite("hermite", 0);
+    this.#hermite("exponential", EXPONENTIAL_OMEGA);
     this.#say("queries", queries);
     this.#say("text", [pathText]);
-    this.exponential = exponential;
   }
 
   #say(command, values) {
     this.#child.stdin.write(`${command} ${[...values].join(" ")}\n`);
   }
 
-  /** The curve that expline's rows are about. */
-  hermite(omega, at, slopes) {
+  /** The curves that expline's rows are about. */
+  #hermite(command, omega) {
     const numbers = [omega];
-    for (let i = 0; i < at.length; i += 2) numbers.push(at[i], at[i + 1], slopes[i], slopes[i + 1]);
-    this.#say("hermite", numbers);
+    for (let i = 0; i < points.length; i += 2) numbers.push(points[i], points[i + 1], tangents[i], tangents[i + 1]);
+    this.#say(command, numbers);
   }
 
   /** A row's measure: milliseconds for so many runs; the result is kept for `answer`. */

@@ -1,6 +1,7 @@
 //! Parametric curves.
 
 mod area;
+mod b_spline;
 mod bounds;
 mod by_length;
 mod chords;
@@ -17,6 +18,8 @@ mod flatten;
 mod grid;
 mod heal;
 mod hermite;
+mod interpolating;
+mod lattice;
 mod length;
 mod nearest;
 mod piece;
@@ -34,11 +37,13 @@ mod through;
 
 use crate::limits;
 
+pub use b_spline::BSplineCurve;
 pub use bounds::Bounds;
 pub use by_length::LengthTable;
 pub use contract::Curve;
 pub use cubics::{Cubics, segment_cubics};
 pub use hermite::{HermiteCurve, HermiteOptions, Side};
+pub use interpolating::InterpolatingCurve;
 pub use nearest::{Nearest, NearestFinder};
 pub use recognise::EllipseArc;
 pub use sampler::Sampler;

@@ -30,6 +30,8 @@ pub(crate) struct Scaled {
     pub(crate) norm: Norm,
     pub(crate) components: Vec<ScaledComponent>,
     pub(crate) centre: Vector,
+    /// Where the domain starts in the caller's parameter.
+    pub(crate) start: f64,
     /// One unit here in the caller's: of points, of the parameter, of weights.
     pub(crate) size: f64,
     pub(crate) step: f64,
@@ -71,6 +73,7 @@ impl Scaled {
             norm: problem.norm,
             components: Vec::new(),
             centre,
+            start: problem.start,
             size,
             step,
             weight,

@@ -90,7 +90,7 @@ impl ExponentialBSpline {
         Ok(self.pieces.riesz_bounds())
     }
 
-    pub(super) fn pieces(&self) -> &Pieces {
+    pub(crate) fn pieces(&self) -> &Pieces {
         &self.pieces
     }
 }

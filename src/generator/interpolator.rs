@@ -200,6 +200,10 @@ impl Interpolator {
         most
     }
 
+    pub(crate) fn pieces(&self) -> &Pieces {
+        &self.halves
+    }
+
     fn deviation_of_identity(&self) -> f64 {
         let roots = self.roots();
         let mut worst: f64 = 0.0;

@@ -11,26 +11,26 @@ const LOOKS: usize = 16;
 
 /// Polynomials in ascending powers of the distance from the middle of their piece, `stride` coefficients each.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Pieces {
-    pub(super) coefficients: Vec<f64>,
-    pub(super) stride: usize,
+pub(crate) struct Pieces {
+    pub(crate) coefficients: Vec<f64>,
+    pub(crate) stride: usize,
     /// How many pieces make a unit: 1 or 2.
-    pub(super) per_unit: usize,
+    pub(crate) per_unit: usize,
 }
 
 impl Pieces {
     /// Piece k from the left.
-    pub(super) fn piece(&self, k: usize) -> &[f64] {
+    pub(crate) fn piece(&self, k: usize) -> &[f64] {
         self.coefficients.get(k * self.stride..(k + 1) * self.stride).unwrap_or(&[])
     }
 
-    pub(super) fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         self.coefficients.len() / self.stride
     }
 
     /// The function at the distance x from its left end, or a derivative; the limit from the right at the knots, 0
     /// outside.
-    pub(super) fn at(&self, x: f64, derivative: usize) -> f64 {
+    pub(crate) fn at(&self, x: f64, derivative: usize) -> f64 {
         let per_unit = self.per_unit as f64;
         let place = (x * per_unit).floor();
         if !(place >= 0.0 && place < self.count() as f64) {
@@ -39,15 +39,33 @@ impl Pieces {
         polynomial(self.piece(place as usize), x - (place + 0.5) / per_unit, derivative)
     }
 
+    /// The same pieces times `factor`, in a variable of which `length` makes one of here.
+    pub(crate) fn stretched(&self, length: f64, factor: f64) -> Self {
+        let mut scaled = self.clone();
+        for piece in scaled.coefficients.chunks_exact_mut(self.stride) {
+            let mut scale = factor;
+            for c in piece {
+                *c *= scale;
+                scale *= length;
+            }
+        }
+        scaled
+    }
+
+    /// Piece k at a distance from its middle, or a derivative.
+    pub(crate) fn value(&self, k: usize, y: f64, derivative: usize) -> f64 {
+        polynomial(self.piece(k), y, derivative)
+    }
+
     /// The mirror image, for the half that a symmetric function need not compute.
-    pub(super) fn mirror(piece: &mut [f64]) {
+    pub(crate) fn mirror(piece: &mut [f64]) {
         for odd in piece.iter_mut().skip(1).step_by(2) {
             *odd = -*odd;
         }
     }
 
     /// ∫f(x)f(x − n)dx for n = 0, 1, …: all that are not 0.
-    pub(super) fn autocorrelation(&self) -> Vec<f64> {
+    pub(crate) fn autocorrelation(&self) -> Vec<f64> {
         let (count, half) = (self.count(), 0.5 / self.per_unit as f64);
         let mut values = Vec::with_capacity(count * NODES);
         let mut weights = Vec::with_capacity(NODES);
@@ -68,7 +86,7 @@ impl Pieces {
     }
 
     /// The exact Riesz bounds of the integer shifts: the extremes of Σₖ|f̂(ω − 2πk)|² = a[0] + 2Σa[n] cos nω.
-    pub(super) fn riesz_bounds(&self) -> RieszBounds {
+    pub(crate) fn riesz_bounds(&self) -> RieszBounds {
         let products = self.autocorrelation();
         let steps = LOOKS * products.len();
         let place = |i: usize| core::f64::consts::PI * i as f64 / steps as f64;
@@ -106,7 +124,7 @@ fn spectrum(products: &[f64], omega: f64) -> (f64, f64, f64) {
 }
 
 /// A polynomial or its derivative by Horner's rule.
-pub(super) fn polynomial(coefficients: &[f64], x: f64, derivative: usize) -> f64 {
+pub(crate) fn polynomial(coefficients: &[f64], x: f64, derivative: usize) -> f64 {
     let mut value = 0.0;
     if derivative == 0 {
         for &c in coefficients.iter().rev() {
@@ -125,7 +143,7 @@ pub(super) fn polynomial(coefficients: &[f64], x: f64, derivative: usize) -> f64
 }
 
 /// The same polynomial about a place that is `by` further on, in place.
-pub(super) fn recentre(coefficients: &mut [f64], by: f64) {
+pub(crate) fn recentre(coefficients: &mut [f64], by: f64) {
     let count = coefficients.len();
     for done in 1..count {
         for k in (done - 1..count - 1).rev() {

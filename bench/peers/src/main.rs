@@ -1,7 +1,9 @@
 //! kurbo and expline as native code, asked line by line, so that the benchmark can take turns between them and the rest.
 //!
-//! In: `cubics N…`, `hermite OMEGA N…`, `queries N…`, `text D`, `run NAME TIMES`. Out, for `run` only: nanoseconds for
+//! In: `cubics N…`, `hermite OMEGA N…`, `exponential OMEGA N…`, `queries N…`, `text D`, `run NAME TIMES`. Out, for `run` only: nanoseconds for
 //! all the times together, and the result's numbers.
+
+mod fitted;
 
 use std::hint::black_box;
 use std::io::{BufRead, Write};
@@ -23,6 +25,8 @@ const LENGTH_TOLERANCE: f64 = 1e-9;
 struct Bench {
     kurbo: Curve,
     exact: Option<HermiteCurve>,
+    /// The curve whose segments are no cubics.
+    exponential: Option<HermiteCurve>,
     queries: Vec<f64>,
     text: String,
     parsed: Option<HermiteCurve>,
@@ -35,6 +39,10 @@ type Failure = Box<dyn std::error::Error>;
 impl Bench {
     fn curve(&self) -> Result<&HermiteCurve, Failure> {
         self.exact.as_ref().ok_or_else(|| "no curve yet".into())
+    }
+
+    fn exponential(&self) -> Result<&HermiteCurve, Failure> {
+        self.exponential.as_ref().ok_or_else(|| "no exponential curve yet".into())
     }
 
     fn expline(&mut self, name: &str) -> Result<f64, Failure> {
@@ -59,7 +67,7 @@ impl Bench {
                 distances.fold(0.0, f64::max)
             }
             "flatten" => (curve.flatten(TOLERANCE)?.0.len() / 2) as f64,
-            "cubics" => (curve.to_cubics(CUBIC_TOLERANCE)?.path.len() / 8) as f64,
+            "cubics" => (self.exponential()?.to_cubics(CUBIC_TOLERANCE)?.path.len() / 8) as f64,
             "by-length" => curve.sample_by_length(1000, LENGTH_TOLERANCE)?.len() as f64,
             "parse" => expline::svg::parse_path(&self.text)?.curves.len() as f64,
             "print" => {
@@ -100,6 +108,10 @@ impl Bench {
                 curve.flatten(TOLERANCE, &mut self.out);
                 (self.out.len() / 2) as f64
             }
+            "cubics" | "cubics-fewest" => {
+                fitted::cubics(self.exponential()?.segments(), CUBIC_TOLERANCE, name == "cubics-fewest")
+                    as f64
+            }
             "parse" => {
                 expline_peers::parse(&self.text).ok_or("kurbo cannot read this")?.elements().len() as f64
             }
@@ -125,6 +137,7 @@ impl Bench {
         match command {
             "cubics" => self.kurbo = Curve::new(&numbers()?),
             "hermite" => self.exact = Some(hermite(&numbers()?)?),
+            "exponential" => self.exponential = Some(hermite(&numbers()?)?),
             "queries" => self.queries = numbers()?,
             "text" => {
                 self.text = rest.to_owned();

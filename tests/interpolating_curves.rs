@@ -1,0 +1,323 @@
+//! Curves through their points: what they keep, how far a point acts, and that every grid shows the same curve.
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod support;
+
+use core::f64::consts::TAU;
+
+use expline::generator::{Root, Roots};
+use expline::{BSplineCurve, Error, InterpolatingCurve};
+use support::curves::Random;
+use support::{scale, unboxed};
+
+/// Root lists of every kind, orders 3 to 8.
+fn lists() -> Vec<Roots> {
+    let pair = |re: f64, im: f64| [Root { re, im }, Root { re, im: -im }];
+    let list = |roots: &[Root]| Roots::new(roots, "roots").expect("within the limits");
+    let zero = Root::default();
+    vec![
+        Roots::polynomials(2).expect("in range"),
+        Roots::polynomials(3).expect("in range"),
+        Roots::polynomials(5).expect("in range"),
+        Roots::ellipse(5).expect("in range"),
+        Roots::harmonics(9, 2).expect("in range"),
+        Roots::hyperbola(0.7).expect("in range"),
+        list(&[pair(0.0, 1.1), pair(0.0, 0.4)].concat()),
+        list(&[pair(0.3, 1.0), pair(-0.3, 1.0), [zero, zero]].concat()),
+        list(&[[zero, zero], pair(0.0, 1.0), pair(0.0, 2.0), pair(0.0, 0.5)].concat()),
+    ]
+}
+
+fn random_points(random: &mut Random, count: usize, dimension: usize) -> Vec<f64> {
+    (0..count * dimension).map(|_| random.symmetric()).collect()
+}
+
+/// The largest distance between coordinates of two curves at 400 parameters, ends among them.
+fn difference(domain: (f64, f64), first: &dyn Fn(f64) -> Vec<f64>, second: &dyn Fn(f64) -> Vec<f64>) -> f64 {
+    let mut worst: f64 = 0.0;
+    for i in 0..=400 {
+        let t = domain.0 + (domain.1 - domain.0) * f64::from(i) / 400.0;
+        for (a, b) in first(t).iter().zip(second(t)) {
+            worst = worst.max((a - b).abs());
+        }
+    }
+    worst
+}
+
+#[test]
+fn a_curve_passes_through_its_points_to_the_last_bit() {
+    let mut random = Random::new(1);
+    for roots in lists() {
+        for (dimension, closed) in [(2, true), (3, true), (2, false), (3, false)] {
+            for count in [3, 4, 7, 16] {
+                let points = random_points(&mut random, count, dimension);
+                let curve = InterpolatingCurve::new(points.clone(), dimension, closed, Some(roots.clone()))
+                    .expect("finite points");
+                for (k, point) in points.chunks_exact(dimension).enumerate() {
+                    assert_eq!(curve.evaluate(k as f64, 0).expect("in the domain"), point, "{roots:?} {k}");
+                    // The limit from the left is no other point.
+                    if k > 0 {
+                        let before = curve.evaluate(k as f64 * (1.0 - 1e-15), 0).expect("in the domain");
+                        for (a, b) in before.iter().zip(point) {
+                            assert!((a - b).abs() < 1e-11, "{roots:?} {k}: {a} {b}");
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn pieces_meet_with_all_derivatives_that_are_promised() {
+    let mut random = Random::new(2);
+    for roots in lists() {
+        let points = random_points(&mut random, 6, 2);
+        let curve = InterpolatingCurve::new(points, 2, true, Some(roots.clone())).expect("finite points");
+        let fine = curve.refine(2, 2, 3).expect("in range");
+        let cancelled = 1.0 + 2.0 * curve.interpolator().lambda().iter().map(|l| l.abs()).sum::<f64>();
+        let checks: [(usize, &dyn Fn(usize, &mut Vec<f64>)); 2] = [
+            (curve.piece_count(), &|i, out| curve.piece_into(i, out)),
+            (fine.piece_count(), &|i, out| fine.piece_into(i, out)),
+        ];
+        for (count, piece_into) in checks {
+            let (mut before, mut after) = (Vec::new(), Vec::new());
+            for i in 0..count {
+                piece_into(i, &mut before);
+                piece_into((i + 1) % count, &mut after);
+                for order in 0..=roots.order() - 2 {
+                    for d in 0..2 {
+                        let left = derivative(&before, d, order, 0.5);
+                        let right = derivative(&after, d, order, -0.5);
+                        // λ cancels, and a derivative of order k amplifies what is left by about 4ᵏ.
+                        let lost = 1e-14 * cancelled * f64::from(4_u32.pow(order as u32)) * scale(&after);
+                        assert!((left - right).abs() < lost, "{roots:?} {i} {order}: {left} {right}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The derivative of coordinate d of a piece, term by term.
+fn derivative(piece: &[f64], d: usize, order: usize, y: f64) -> f64 {
+    let mut sum = 0.0;
+    for (power, c) in piece.chunks_exact(2).map(|c| c[d]).enumerate().skip(order) {
+        let falling: f64 = (0..order).map(|k| (power - k) as f64).product();
+        sum += c * falling * y.powi((power - order) as i32);
+    }
+    sum
+}
+
+#[test]
+fn ellipses_harmonics_polynomials_and_hyperbolas_are_kept() {
+    for count in 3..40 {
+        let w = TAU / count as f64;
+        let ellipse = |t: f64| vec![5.0 + 3.0 * (w * t).cos(), 1.0 - 2.0 * (w * t + 0.3).sin()];
+        let points = (0..count).flat_map(|k| ellipse(k as f64)).collect();
+        let curve = InterpolatingCurve::new(points, 2, true, None).expect("finite points");
+        let off = difference((0.0, count as f64), &|t| curve.evaluate(t, 0).expect("finite"), &ellipse);
+        assert!(off < 4e-14, "{count} points: {off:e}");
+    }
+    let w = TAU / 9.0;
+    let knot = |t: f64| vec![(2.0 * w * t).sin(), (w * t).cos(), 0.5 - (2.0 * w * t).cos()];
+    let points = (0..9).flat_map(|k| knot(f64::from(k))).collect();
+    let roots = Roots::harmonics(9, 2).expect("in range");
+    let curve = InterpolatingCurve::new(points, 3, true, Some(roots)).expect("finite points");
+    let off = difference((0.0, 9.0), &|t| curve.evaluate(t, 0).expect("finite"), &knot);
+    assert!(off < 1e-14, "harmonics: {off:e}");
+    // Open curves keep theirs to the ends.
+    let cubic = |t: f64| vec![t, 1.0 + t * (0.5 - 0.1 * t * t)];
+    let points = (0..6).flat_map(|k| cubic(f64::from(k))).collect();
+    let curve = InterpolatingCurve::new(points, 2, false, None).expect("finite points");
+    let off = difference((0.0, 5.0), &|t| curve.evaluate(t, 0).expect("inside"), &cubic);
+    assert!(off < 1e-13, "cubic: {off:e}");
+    let hyperbola = |t: f64| vec![(0.7 * (t - 2.0)).cosh(), (0.7 * (t - 2.0)).sinh()];
+    let points = (0..5).flat_map(|k| hyperbola(f64::from(k))).collect();
+    let roots = Roots::hyperbola(0.7).expect("in range");
+    let curve = InterpolatingCurve::new(points, 2, false, Some(roots)).expect("finite points");
+    let off = difference((0.0, 4.0), &|t| curve.evaluate(t, 0).expect("inside"), &hyperbola);
+    assert!(off < 1e-14, "hyperbola: {off:e}");
+    // Fewer points than roots: the polynomial through them.
+    for count in 2..4 {
+        let points = (0..count).flat_map(|k| [f64::from(k), f64::from(k * k)]).collect();
+        let curve = InterpolatingCurve::new(points, 2, false, None).expect("finite points");
+        let parabola = |t: f64| vec![t, if count == 2 { t } else { t * t }];
+        let end = f64::from(count - 1);
+        let off = difference((0.0, end), &|t| curve.evaluate(t, 0).expect("inside"), &parabola);
+        assert!(off < 1e-14, "{count} points: {off:e}");
+    }
+}
+
+#[test]
+fn a_point_acts_on_n_minus_one_segments_to_each_side_and_nowhere_else() {
+    let mut random = Random::new(3);
+    for roots in lists() {
+        for closed in [true, false] {
+            let points = random_points(&mut random, 16, 2);
+            let curve = InterpolatingCurve::new(points.clone(), 2, closed, Some(roots.clone()))
+                .expect("finite points");
+            for moved in 0..16 {
+                let to = [points[2 * moved] + 0.3, points[2 * moved + 1] - 0.2];
+                let other = curve.with_point(moved, &to).expect("a finite point");
+                assert_eq!(other.evaluate(moved as f64, 0).expect("in the domain"), to, "through the point");
+                let reach = roots.order() as f64 - 1.0;
+                let (_, end) = curve.domain();
+                for i in 0..=320 {
+                    let t = end * f64::from(i) / 320.0;
+                    let away = (t - moved as f64).abs();
+                    let away = if closed { away.min(16.0 - away) } else { away };
+                    if away >= reach {
+                        let [was, is] = [&curve, &other].map(|c| c.evaluate(t, 0).expect("in the domain"));
+                        assert_eq!(was, is, "{roots:?}: point {moved} acts at {t}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn refining_to_level_six_leaves_the_curve_where_it_is() {
+    let mut random = Random::new(4);
+    for roots in lists() {
+        for (dimension, closed) in [(2, true), (3, false)] {
+            for (count, m0, m) in [(3, 2, 2), (11, 4, 2), (5, 2, 3)] {
+                let points = random_points(&mut random, count, dimension);
+                let curve = InterpolatingCurve::new(points, dimension, closed, Some(roots.clone()))
+                    .expect("finite points");
+                for levels in [1, 2, 3, 6] {
+                    let fine = curve.refine(levels, m0, m).expect("in range");
+                    let size = scale(fine.points()).max(scale(curve.points()));
+                    let off =
+                        difference(curve.domain(), &|t| curve.evaluate(t, 0).expect("in the domain"), &|t| {
+                            fine.evaluate(t.min(fine.domain().1), 0).expect("in the domain")
+                        });
+                    assert!(
+                        off < 1e-12 * size,
+                        "{roots:?} {count} {closed} level {levels}: {off:e} of {size}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn control_points_close_in_on_the_curve_with_the_square_of_the_step() {
+    let mut random = Random::new(5);
+    for roots in lists() {
+        for (closed, m) in [(true, 2), (false, 2), (true, 3)] {
+            let points = random_points(&mut random, 9, 2);
+            let curve =
+                InterpolatingCurve::new(points, 2, closed, Some(roots.clone())).expect("finite points");
+            let distance = |levels: usize| {
+                let fine = curve.refine(levels, 2, m).expect("in range");
+                let mut worst: f64 = 0.0;
+                for (l, point) in fine.points().chunks_exact(2).enumerate() {
+                    let t = fine.offset() + l as f64 * fine.step();
+                    let (least, most) = fine.domain();
+                    if closed || (least..=most).contains(&t) {
+                        let on = curve.evaluate(t, 0).expect("in the domain");
+                        worst = worst.max((on[0] - point[0]).hypot(on[1] - point[1]));
+                    }
+                }
+                worst
+            };
+            let ratio = distance(5) / distance(6);
+            let square = (m * m) as f64;
+            assert!((0.93 * square..1.07 * square).contains(&ratio), "{roots:?} {closed} {m}: {ratio}");
+        }
+    }
+}
+
+#[test]
+fn a_translation_of_the_points_is_one_of_every_control_polygon() {
+    let mut random = Random::new(6);
+    for roots in lists().into_iter().filter(Roots::keeps_constants) {
+        for closed in [true, false] {
+            let points = random_points(&mut random, 7, 2);
+            let moved: Vec<f64> = points.chunks_exact(2).flat_map(|p| [p[0] + 20.0, p[1] - 7.0]).collect();
+            let [here, there] = [points, moved].map(|p| {
+                let curve =
+                    InterpolatingCurve::new(p, 2, closed, Some(roots.clone())).expect("finite points");
+                curve.refine(3, 2, 2).expect("in range")
+            });
+            for (a, b) in here.points().chunks_exact(2).zip(there.points().chunks_exact(2)) {
+                assert!(
+                    (a[0] + 20.0 - b[0]).abs() < 1e-12 && (a[1] - 7.0 - b[1]).abs() < 1e-12,
+                    "{a:?} {b:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_b_spline_curve_can_be_made_again_from_its_numbers() {
+    let mut random = Random::new(7);
+    for roots in lists() {
+        for closed in [true, false] {
+            let points = random_points(&mut random, 5, 3);
+            let curve =
+                InterpolatingCurve::new(points, 3, closed, Some(roots.clone())).expect("finite points");
+            let fine = curve.refine(2, 2, 3).expect("in range");
+            let again = BSplineCurve::new(
+                fine.points().to_vec(),
+                3,
+                closed,
+                fine.roots().clone(),
+                fine.step(),
+                fine.offset(),
+            )
+            .expect("its own numbers");
+            assert!((again.domain().1 - fine.domain().1).abs() < 1e-15, "the domain");
+            let middle = 0.37 * fine.domain().1;
+            let [a, b] = [&fine, &again].map(|c| c.evaluate(middle, 0).expect("in the domain"));
+            for (a, b) in a.iter().zip(b) {
+                assert!((a - b).abs() < 1e-13, "{roots:?}: {a} {b}");
+            }
+            let moved = fine.with_point(2, &[9.0, 9.0, 9.0]).expect("a finite point");
+            assert_eq!(moved.points()[6..9], [9.0; 3], "control points are edited in place");
+        }
+    }
+}
+
+#[test]
+fn what_is_wrong_is_named() {
+    let curve =
+        |points: &[f64], closed, roots| unboxed(InterpolatingCurve::new(points.to_vec(), 2, closed, roots));
+    assert!(matches!(
+        curve(&[0.0; 4], true, None),
+        Err(Error::TooFewPoints { argument: "points", got: 2, needed: 3 })
+    ));
+    assert!(matches!(curve(&[0.0; 2], false, None), Err(Error::TooFewPoints { needed: 2, .. })));
+    assert!(matches!(curve(&[0.0; 7], true, None), Err(Error::WrongLength { got: 7, needed: 8, .. })));
+    assert!(matches!(
+        curve(&[0.0, 1.0, f64::NAN, 0.0, 2.0, 1.0], true, None),
+        Err(Error::NotFinite { argument: "points", index: Some(2) })
+    ));
+    assert!(matches!(
+        curve(&[0.0, 1.0, 1e10, 0.0, 2.0, 1.0], true, None),
+        Err(Error::OutOfRange { index: Some(2), .. })
+    ));
+    let fine = curve(&[0.0, 1.0, 2.0, 0.0, 2.0, 1.0], false, None).expect("three points");
+    assert!(matches!(unboxed(fine.evaluate(2.5, 0)), Err(Error::OutOfRange { argument: "t", .. })));
+    assert!(matches!(unboxed(fine.evaluate(f64::NAN, 0)), Err(Error::NotFinite { argument: "t", .. })));
+    assert!(matches!(unboxed(fine.evaluate(1.0, 4)), Err(Error::OutOfRange { argument: "derivative", .. })));
+    assert!(matches!(unboxed(fine.refine(1, 3, 2)), Err(Error::Degenerate { argument: "m0", .. })));
+    assert!(matches!(unboxed(fine.refine(0, 2, 2)), Err(Error::OutOfRange { argument: "levels", .. })));
+    assert!(matches!(
+        unboxed(fine.refine(24, 2, 2)),
+        Err(Error::LimitExceeded { limit: "maxOutputPoints", .. })
+    ));
+    assert!(matches!(unboxed(fine.refine(3, 2, 0)), Err(Error::OutOfRange { argument: "m", .. })));
+    let spline = |step: f64, offset: f64| {
+        unboxed(BSplineCurve::new(vec![0.0; 10], 2, true, Roots::ellipse(3).expect("in range"), step, offset))
+    };
+    assert!(matches!(spline(2.0, 0.0), Err(Error::OutOfRange { argument: "roots", index: Some(1), .. })));
+    assert!(matches!(spline(0.0, 0.0), Err(Error::OutOfRange { argument: "step", .. })));
+    assert!(matches!(spline(f64::NAN, 0.0), Err(Error::NotFinite { argument: "step", .. })));
+    assert!(matches!(spline(1.0, f64::INFINITY), Err(Error::NotFinite { argument: "offset", .. })));
+}
