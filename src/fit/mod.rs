@@ -1,18 +1,42 @@
 //! The sparsest curve through points: total-variation splines with a certificate of optimality.
 
+mod bins;
+mod breaks;
+mod combine;
 mod cone;
 mod dual;
+mod envelope;
+mod fitter;
+mod foot_points;
+mod free_knots;
 mod interval;
+mod noise;
+mod options;
+mod outcome;
+mod parametrise;
 mod polish;
 pub mod problem;
 mod reduced;
+mod report;
+mod samples;
 mod scaled;
+mod search;
 pub mod solution;
 pub mod solver;
+mod sparsest;
 pub mod spline_space;
+mod start;
 
+pub use breaks::Breaks;
+pub use fitter::{Fitter, Progress, fit, fit_all};
+pub use free_knots::{FreeKnots, Located};
 pub use interval::Local;
+pub use noise::noise;
+pub use options::{Ask, Finish, Options};
+pub use outcome::{Changed, Fit, FitStatus, Knot, Part};
+pub use parametrise::{Parametrisation, given, parametrise};
 pub use problem::{Component, Norm, Problem, uniform_grid};
+pub use samples::{MOST_SAMPLES, Samples};
 pub use solution::{Solution, Spline};
 pub use solver::{Settings, Solver, Status};
 pub use spline_space::KnotSpace;

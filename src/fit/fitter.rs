@@ -1,0 +1,436 @@
+//! The one door to fits: points in, a curve out, in steps that a caller can show, hurry or stop.
+
+use super::combine::{Summand, combined};
+use super::foot_points::Spline;
+use super::free_knots::Located;
+use super::noise::noise;
+use super::options::{Ask, Options};
+use super::outcome::{Changed, Fit, FitStatus, Part};
+use super::parametrise::{Parametrisation, given, parametrise};
+use super::problem::{Component, Problem, uniform_grid};
+use super::report;
+use super::samples::Samples;
+use super::solver::{Settings, Solver, Status};
+use super::sparsest::{Aim, Plan, Sparsest};
+use crate::error::{Error, Result};
+use crate::limits::{LARGEST_COORDINATE, LARGEST_LAMBDA, check};
+use crate::numerics::Point;
+
+/// How far a run has come.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// Whether it has ended.
+    pub done: bool,
+    /// Iterations of the solver, or rounds of the search.
+    pub iteration: usize,
+    /// The relative duality gap; infinite while there is none.
+    pub gap: f64,
+}
+
+/// What is being computed.
+#[derive(Clone, Debug)]
+enum Run {
+    Idle,
+    Convex(Box<Solver>),
+    /// Two searches, by two parametrisations, of which the better will be kept.
+    Choice(Box<Sparsest>, Box<Sparsest>),
+    Search(Box<Sparsest>),
+}
+
+/// Fits the same points again and again: to other λ, another smoothing, another tolerance.
+///
+/// [`Fitter::ask`] starts a run, [`Fitter::step`] takes it further, [`Fitter::fit`] gives the best curve so far.
+#[derive(Clone, Debug)]
+pub struct Fitter {
+    options: Options,
+    samples: Samples,
+    /// By the parametrisation that the ask wants; `even` is the other choice where there is one.
+    located: Located,
+    even: Option<Located>,
+    end: f64,
+    /// One unit of the inner parameter in the caller's.
+    unit: f64,
+    noise: f64,
+    ask: Ask,
+    lambdas: Vec<f64>,
+    run: Run,
+}
+
+/// Fits a curve to points; see [`Fitter`] for the same in steps.
+///
+/// # Errors
+///
+/// As [`Fitter::new`] and [`Fitter::ask`].
+pub fn fit(points: &[Point], ask: Ask, options: &Options) -> Result<Fit> {
+    let mut fitter = Fitter::new(points, options)?;
+    fitter.ask(ask)?;
+    while !fitter.step(1e6)?.done {}
+    fitter.fit()
+}
+
+/// Fits several contours, with one noise level for all: the median of what each alone would say, unless given.
+///
+/// # Errors
+///
+/// As [`fit`], for the first contour that has one.
+pub fn fit_all(contours: &[Vec<Point>], ask: &Ask, options: &Options) -> Result<Vec<Fit>> {
+    let mut options = options.clone();
+    if options.noise.is_none() {
+        let mut levels = Vec::new();
+        for points in contours {
+            levels.push(Fitter::new(points, &options)?.noise());
+        }
+        levels.sort_by(f64::total_cmp);
+        options.noise = levels.get(levels.len() / 2).copied();
+    }
+    contours.iter().map(|points| fit(points, ask.clone(), &options)).collect()
+}
+
+impl Fitter {
+    /// Checks points and options, finds the noise; nothing is fitted yet. O(M log M).
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Samples::new`]; degrees that are not one or two ascending numbers from 1 to 5; parameters that decrease;
+    /// lists of the wrong length; numbers out of their range.
+    pub fn new(points: &[Point], options: &Options) -> Result<Self> {
+        check_options(points.len(), options)?;
+        let keep = !options.parameters.is_empty()
+            || !options.weights.is_empty()
+            || options.parametrisation == Parametrisation::Index;
+        let samples = Samples::new(points, options.closed, keep)?;
+        let noise = match options.noise {
+            Some(noise) => noise / samples.scale,
+            None => noise(&samples),
+        };
+        Ok(Self {
+            options: options.clone(),
+            samples,
+            located: Located::default(),
+            even: None,
+            end: 0.0,
+            unit: 1.0,
+            noise,
+            ask: Ask::Noise,
+            lambdas: Vec::new(),
+            run: Run::Idle,
+        })
+    }
+
+    /// The standard deviation of the noise, in the unit of the points: as given or as found.
+    pub fn noise(&self) -> f64 {
+        self.noise * self.samples.scale
+    }
+
+    /// Whether the curve is closed: as given or as found.
+    pub fn is_closed(&self) -> bool {
+        self.samples.closed
+    }
+
+    /// Starts a run; what an earlier one knew is used.
+    ///
+    /// # Errors
+    ///
+    /// λ not from 0 to 1e12 or not one per degree (all 0 for two), smoothing not from 0 to 1, a tolerance that is negative.
+    pub fn ask(&mut self, ask: Ask) -> Result<()> {
+        match &ask {
+            Ask::Lambda(lambdas) => {
+                if lambdas.len() != self.options.degrees.len() {
+                    let (got, needed) = (lambdas.len(), self.options.degrees.len());
+                    return Err(Error::wrong_length("lambda", got, needed));
+                }
+                for (i, &lambda) in lambdas.iter().enumerate() {
+                    check("lambda", Some(i), lambda, 0.0, 1e12)?;
+                }
+                if lambdas.len() == 2 && lambdas.iter().sum::<f64>() <= 0.0 {
+                    return Err(Error::out_of_range("lambda", Some(0), 0.0, f64::MIN_POSITIVE, 1e12));
+                }
+                self.locate(true)?;
+                self.lambdas.clone_from(lambdas);
+                self.solve()?;
+            }
+            Ask::Smoothing(smoothing) => {
+                check("smoothing", None, *smoothing, 0.0, 1.0)?;
+                self.locate(false)?;
+                self.lambdas = self.lambdas_of(*smoothing);
+                self.solve()?;
+            }
+            Ask::Tolerance(tolerance) => {
+                check("tolerance", None, *tolerance, 0.0, LARGEST_COORDINATE)?;
+                self.locate(false)?;
+                self.search(Aim::Tolerance(tolerance / self.samples.scale));
+            }
+            Ask::Noise => {
+                self.locate(false)?;
+                // What is less than a ten-thousandth of the drawing is not worth a knot.
+                self.search(Aim::Noise(self.noise.max(1e-4)));
+            }
+        }
+        self.ask = ask;
+        Ok(())
+    }
+
+    /// Gives the points their parameters; λ alone means the papers' own, the index.
+    fn locate(&mut self, by_lambda: bool) -> Result<()> {
+        let samples = &self.samples;
+        let weights = if !self.options.weights.is_empty() {
+            self.options.weights.clone()
+        } else if samples.is_weighted() {
+            samples.weights.clone()
+        } else {
+            Vec::new()
+        };
+        let kind = match self.options.parametrisation {
+            Parametrisation::Auto if by_lambda => Parametrisation::Index,
+            kind => kind,
+        };
+        let (parameters, end) = if self.options.parameters.is_empty() {
+            self.unit = 1.0;
+            parametrise(samples, kind, self.noise)
+        } else {
+            let (parameters, end) =
+                given(&self.options.parameters, samples.points.len(), samples.closed, self.options.period)?;
+            // Inside, one step is about 1.
+            self.unit = end / samples.points.len() as f64;
+            let unit = self.unit;
+            (parameters.iter().map(|t| t / unit).collect(), end / unit)
+        };
+        self.even = None;
+        if kind == Parametrisation::Auto && self.options.parameters.is_empty() {
+            let (parameters, _) = parametrise(samples, Parametrisation::Index, 0.0);
+            self.even =
+                Some(Located { points: samples.points.clone(), parameters, weights: weights.clone() });
+        }
+        self.located = Located { points: samples.points.clone(), parameters, weights };
+        self.end = end;
+        Ok(())
+    }
+
+    /// λ for each degree from the slider: ℓ from 2 points to all of them, the first of two degrees a part of it.
+    fn lambdas_of(&self, smoothing: f64) -> Vec<f64> {
+        let count = self.samples.points.len() as f64;
+        let detail = 2.0 * libm::pow((0.5 * count).max(1.0), smoothing);
+        let size = report::size(&self.samples);
+        let ratio = 6.0 - 3.5 * self.options.mix;
+        let degrees = &self.options.degrees;
+        let part = |i: usize| if degrees.len() == 2 && i == 0 { detail / ratio } else { detail };
+        degrees.iter().enumerate().map(|(i, &degree)| size * report::power(part(i), degree)).collect()
+    }
+
+    /// The slider's place of the last degree's λ.
+    fn smoothing_of(&self) -> Option<f64> {
+        let (degree, lambda) = (*self.options.degrees.last()?, *self.lambdas.last()?);
+        let count = self.samples.points.len() as f64;
+        if lambda <= 0.0 || count <= 2.0 {
+            return None;
+        }
+        let root = libm::log(lambda / report::size(&self.samples)) / (degree + 1) as f64;
+        let detail = libm::exp(root) * core::f64::consts::TAU;
+        Some((libm::log(0.5 * detail) / libm::log(0.5 * count)).clamp(0.0, 1.0))
+    }
+
+    fn solve(&mut self) -> Result<()> {
+        let factor = |degree: usize| libm::pow(self.unit, -(degree as f64)) / self.samples.scale;
+        let degrees = &self.options.degrees;
+        let count = self.located.points.len();
+        let size = |degree: usize| {
+            let chosen = if degree == 1 { count.min(5000) } else { count.min(2000) };
+            self.options.grid_size.unwrap_or(chosen).max(degree + 2)
+        };
+        let lambdas: Vec<f64> =
+            degrees.iter().zip(&self.lambdas).map(|(&d, l)| (l * factor(d)).min(LARGEST_LAMBDA)).collect();
+        let closed = self.samples.closed;
+        let components = degrees
+            .iter()
+            .zip(&lambdas)
+            .map(|(&degree, &lambda)| Component {
+                degree,
+                lambda,
+                grid: uniform_grid(degree, size(degree), 0.0, self.end, closed),
+            })
+            .collect();
+        let problem = Problem {
+            points: self.located.points.clone(),
+            parameters: self.located.parameters.clone(),
+            weights: self.located.weights.clone(),
+            start: 0.0,
+            end: self.end,
+            closed,
+            components,
+            norm: self.options.norm,
+        };
+        let settings = Settings { gap: self.options.gap, most_iterations: self.options.most_iterations };
+        self.run = Run::Convex(Box::new(Solver::new(&problem, settings)?));
+        Ok(())
+    }
+
+    fn search(&mut self, aim: Aim) {
+        let degree = self.options.degrees.last().copied().unwrap_or(3);
+        let sharpest = if self.options.corners { degree } else { (degree - 1).max(1) };
+        let start = |located: &Located| {
+            let located = located.clone();
+            let plan = Plan { degree, sharpest, closed: self.samples.closed, end: self.end };
+            Box::new(Sparsest::new(located, plan, aim, self.noise))
+        };
+        self.run = match &self.even {
+            Some(even) => Run::Choice(start(&self.located), start(even)),
+            None => Run::Search(start(&self.located)),
+        };
+    }
+
+    /// Takes the run further by about `budget` microseconds' worth of work, at least by one round.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfMemory` only.
+    pub fn step(&mut self, budget: f64) -> Result<Progress> {
+        let round = 0.05 * self.samples.points.len() as f64 + 20.0;
+        let mut left = budget;
+        loop {
+            let progress = self.round()?;
+            left -= round;
+            if progress.done || left <= 0.0 {
+                return Ok(progress);
+            }
+        }
+    }
+
+    fn round(&mut self) -> Result<Progress> {
+        let (mut done, mut iteration, mut gap) = (true, 0, f64::INFINITY);
+        match &mut self.run {
+            Run::Idle => {}
+            Run::Convex(solver) => {
+                done = solver.step()? != Status::Running;
+                (iteration, gap) = (solver.iterations(), solver.gap());
+            }
+            Run::Search(search) => {
+                search.step();
+                (done, iteration) = (search.is_done(), search.rounds());
+            }
+            Run::Choice(one, other) => {
+                done = false;
+                if !one.is_thinned() {
+                    one.step();
+                } else if !other.is_thinned() {
+                    other.step();
+                } else {
+                    let better = if other.cost() <= one.cost() { other } else { one };
+                    self.run = Run::Search(better.clone());
+                }
+            }
+        }
+        Ok(Progress { done, iteration, gap })
+    }
+
+    /// The best curve so far, and what is known of it.
+    ///
+    /// # Errors
+    ///
+    /// A curve whose derivatives leave the range of curves, which takes coordinates near the limit.
+    pub fn fit(&self) -> Result<Fit> {
+        match &self.run {
+            Run::Idle => Err(Error::degenerate("points", None, "nothing was asked for yet")),
+            Run::Search(search) | Run::Choice(search, _) => self.searched(search),
+            Run::Convex(solver) => self.solved(solver),
+        }
+    }
+
+    fn searched(&self, search: &Sparsest) -> Result<Fit> {
+        let status = if search.is_done() { search.status() } else { FitStatus::Running };
+        let rounds = search.rounds();
+        let before = search.knots_at_first();
+        let found = search.clone().finish();
+        let frame = self.frame();
+        let mut fit = report::fit(&frame, &found.spline, &found.located)?;
+        fit.knots = report::knots(&frame, &found.spline);
+        fit.parts = vec![Part {
+            degree: found.spline.space.breaks.degree,
+            curve: fit.curve.clone(),
+            coefficients: report::coefficients(&frame, &found.spline),
+        }];
+        fit.status = status;
+        fit.iterations = rounds;
+        let after = fit.knots.len();
+        fit.changes =
+            vec![Changed { step: "search", knots: (before, after), qfe: (fit.qfe, fit.qfe), gap: None }];
+        Ok(fit)
+    }
+
+    fn solved(&self, solver: &Solver) -> Result<Fit> {
+        let solution = solver.solution()?;
+        let frame = self.frame();
+        let closed = self.samples.closed;
+        let splines: Vec<Spline> = solution
+            .components
+            .iter()
+            .zip(&self.options.degrees)
+            .map(|(component, &degree)| {
+                let (knots, coefficients) = (component.knots.clone(), component.coefficients.clone());
+                Summand { degree, knots, coefficients }.spline(closed, self.end)
+            })
+            .collect();
+        let Some(whole) = combined(&splines) else {
+            return Err(Error::degenerate("degrees", None, "there are none"));
+        };
+        let mut fit = report::fit(&frame, &whole, &self.located)?;
+        let square = self.samples.scale * self.samples.scale;
+        fit.objective = solution.objective * square;
+        fit.data_term = solution.data_term * square;
+        fit.regularizer = solution.regularizers.iter().sum::<f64>() * square;
+        fit.qfe = fit.data_term / report::weight(&self.located);
+        fit.gap = solution.gap;
+        fit.lambda.clone_from(&self.lambdas);
+        fit.smoothing = match self.ask {
+            Ask::Smoothing(smoothing) => Some(smoothing),
+            _ => self.smoothing_of(),
+        };
+        fit.iterations = solver.iterations();
+        fit.status = match solver.status() {
+            Status::Running => FitStatus::Running,
+            Status::Converged => FitStatus::Converged,
+            Status::IterationLimit => FitStatus::MostIterations,
+            Status::Stalled => FitStatus::Stalled,
+        };
+        let shift = if closed { whole.space.breaks.at.first().copied().unwrap_or(0.0) } else { 0.0 };
+        for (component, spline) in solution.components.iter().zip(&splines) {
+            if !component.knots.is_empty() {
+                fit.knots.extend(report::simple_knots(&frame, spline, &whole, shift));
+            }
+            // The last one carries the place.
+            let last = fit.parts.len() + 1 == splines.len();
+            let center = if last { self.samples.center } else { Point::zeros() };
+            fit.parts.push(report::part(&frame, spline, center)?);
+        }
+        fit.knots.sort_by(|a, b| a.t.total_cmp(&b.t));
+        Ok(fit)
+    }
+
+    fn frame(&self) -> report::Frame<'_> {
+        report::Frame { samples: &self.samples, unit: self.unit, noise: self.noise }
+    }
+}
+
+fn check_options(count: usize, options: &Options) -> Result<()> {
+    let degrees = &options.degrees;
+    if degrees.is_empty() || degrees.len() > 2 {
+        return Err(Error::wrong_length("degree", degrees.len(), 1));
+    }
+    for (i, &degree) in degrees.iter().enumerate() {
+        check("degree", Some(i), degree as f64, 1.0, 5.0)?;
+        if i > 0 && degree <= degrees[i - 1] {
+            return Err(Error::degenerate("degree", Some(i), "degrees ascend"));
+        }
+    }
+    if !options.weights.is_empty() && options.weights.len() != count {
+        return Err(Error::wrong_length("weights", options.weights.len(), count));
+    }
+    for (i, &weight) in options.weights.iter().enumerate() {
+        check("weights", Some(i), weight, 1e-6, 1e6)?;
+    }
+    check("mix", None, options.mix, 0.0, 1.0)?;
+    check("gap", None, options.gap, 0.0, 1.0)?;
+    if let Some(noise) = options.noise {
+        check("noise", None, noise, 0.0, LARGEST_COORDINATE)?;
+    }
+    Ok(())
+}

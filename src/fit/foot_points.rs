@@ -1,0 +1,304 @@
+//! Distances from points to a spline, and the spline that makes them small: the parameters of the points are free.
+
+use super::breaks::{HIGHEST, Polynomial, Space, derivative};
+use super::envelope::{Envelope, dot};
+use super::free_knots::{FreeKnots, Located};
+use crate::numerics::{Point, Vector};
+
+/// How much less a distance along the curve counts than one across it.
+const ALONG: f64 = 0.05;
+
+/// A spline: a space and coefficients.
+#[derive(Clone, Debug)]
+pub(super) struct Spline {
+    pub(super) space: Space,
+    pub(super) x: Vec<f64>,
+    pub(super) y: Vec<f64>,
+}
+
+/// What the distances of all points come to.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Distances {
+    pub(super) largest: f64,
+    /// The weighted sum of squares.
+    pub(super) squares: f64,
+}
+
+impl Spline {
+    pub(super) fn of(fitted: &FreeKnots) -> Self {
+        Self { space: fitted.space.clone(), x: fitted.x.clone(), y: fitted.y.clone() }
+    }
+
+    fn pieces(&self) -> Vec<(Polynomial, Polynomial)> {
+        let piece = |s| (self.space.piece(s, &self.x), self.space.piece(s, &self.y));
+        (0..self.space.spans.len()).map(piece).collect()
+    }
+
+    /// The point at t, or a derivative.
+    pub(super) fn evaluate(&self, t: f64, order: usize) -> Vector {
+        let (s, t) = self.space.find(t, 0);
+        self.on(s, t, order)
+    }
+
+    /// The point at t, or a derivative, by the polynomials of piece s.
+    pub(super) fn on(&self, s: usize, t: f64, order: usize) -> Vector {
+        let (span, degree) = (&self.space.spans[s], self.space.breaks.degree);
+        let u = (t - span.middle) / span.half;
+        let (px, py) = (self.space.piece(s, &self.x), self.space.piece(s, &self.y));
+        Vector::new(
+            derivative(&px, degree, u, span.half, order),
+            derivative(&py, degree, u, span.half, order),
+        )
+    }
+
+    /// Moves every parameter towards the foot of its point, by at most `rounds` steps that each come nearer, and says
+    /// how far the points then are. What it says is never too small: the nearest point is no farther.
+    pub(super) fn project(&self, data: &mut Located, rounds: usize) -> Distances {
+        let pieces = self.pieces();
+        let reach = 0.02 * self.space.breaks.end;
+        let mut found = Distances::default();
+        let mut s = 0;
+        for m in 0..data.points.len() {
+            let (target, weight) = (data.points[m], data.weight(m));
+            let mut t = data.parameters[m];
+            let mut here = self.look(&pieces, t, &mut s, target);
+            for _ in 0..rounds {
+                let step = here.newton().clamp(-reach, reach);
+                let next = self.within(t + step);
+                let there = self.look(&pieces, next, &mut s, target);
+                if there.square >= here.square {
+                    break;
+                }
+                let done = here.square - there.square < 1e-6 * here.square;
+                (t, here) = (next, there);
+                if done {
+                    break;
+                }
+            }
+            data.parameters[m] = t;
+            found.squares += weight * here.square;
+            found.largest = found.largest.max(here.square);
+        }
+        found.largest = found.largest.sqrt();
+        found
+    }
+
+    /// The distance of every point from the curve at its parameter.
+    pub(super) fn distances(&self, data: &Located) -> Vec<f64> {
+        let pieces = self.pieces();
+        let mut s = 0;
+        let one = |(point, &t): (&Point, &f64)| self.look(&pieces, t, &mut s, *point).square.sqrt();
+        data.points.iter().zip(&data.parameters).map(one).collect()
+    }
+
+    /// The weighted sum of squares at the points' parameters.
+    pub(super) fn squares(&self, data: &Located) -> f64 {
+        let square = |(m, d): (usize, f64)| data.weight(m) * d * d;
+        self.distances(data).into_iter().enumerate().map(square).sum()
+    }
+
+    /// Whether the curve leaves the way of the points anywhere: farther from all points around than `slack` and their
+    /// distances from one another. O(M log M).
+    pub(super) fn strays(&self, data: &Located, slack: f64) -> bool {
+        let count = data.points.len();
+        let mut order: Vec<usize> = (0..count).collect();
+        order.sort_by(|&a, &b| data.parameters[a].total_cmp(&data.parameters[b]));
+        let closed = self.space.breaks.closed;
+        let neighbour = |i: usize, k: usize| {
+            let j = i + k;
+            let j = if closed { (j + count - 2) % count } else { j.saturating_sub(2).min(count - 1) };
+            data.points[order[j]]
+        };
+        let mut i = 0;
+        for (s, span) in self.space.spans.iter().enumerate() {
+            for part in 0..6 {
+                let t = span.middle + span.half * ((part as f64 + 0.5) / 3.0 - 1.0);
+                let inner = if closed && t >= self.space.breaks.end { t - self.space.breaks.end } else { t };
+                if i >= count || data.parameters[order[i]] > inner {
+                    i = 0;
+                }
+                while i + 1 < count && data.parameters[order[i + 1]] <= inner {
+                    i += 1;
+                }
+                let place = self.on(s, t, 0);
+                let (mut nearest, mut apart) = (f64::INFINITY, 0.0_f64);
+                for k in 0..6 {
+                    nearest = nearest.min((neighbour(i, k) - place).norm());
+                    apart = apart.max((neighbour(i, k + 1) - neighbour(i, k)).norm());
+                }
+                if nearest > slack + apart {
+                    return true;
+                }
+            }
+        }
+        false
+    }
+
+    /// t in the domain.
+    fn within(&self, t: f64) -> f64 {
+        let end = self.space.breaks.end;
+        if !self.space.breaks.closed {
+            return t.clamp(0.0, end);
+        }
+        let t = if t < 0.0 {
+            t + end
+        } else if t >= end {
+            t - end
+        } else {
+            t
+        };
+        t.clamp(0.0, end)
+    }
+
+    fn look(&self, pieces: &[(Polynomial, Polynomial)], t: f64, s: &mut usize, target: Point) -> Look {
+        let (found, t) = self.space.find(t, *s);
+        *s = found;
+        let (span, degree) = (&self.space.spans[found], self.space.breaks.degree);
+        let u = (t - span.middle) / span.half;
+        let (x, y) = (taylor(&pieces[found].0, degree, u), taylor(&pieces[found].1, degree, u));
+        let way = Vector::new(x[0], y[0]) - target;
+        Look {
+            square: way.norm_squared(),
+            way,
+            first: Vector::new(x[1], y[1]) / span.half,
+            second: Vector::new(x[2], y[2]) / (span.half * span.half),
+        }
+    }
+
+    /// One Gauss–Newton step of the distances across the curve; those along it count little, for points may slide
+    /// (D 13.4), [WPL06]. O(M·degree + K·degree²).
+    pub(super) fn tighten(&mut self, data: &Located) {
+        let degree = self.space.breaks.degree;
+        let sums = self.across(data);
+        let n = self.space.count;
+        let mut equations = self.doubled();
+        let mut right = vec![0.0; 2 * n];
+        let mut size = 0.0_f64;
+        for (s, sums) in sums.iter().enumerate() {
+            let basis = &self.space.basis[s];
+            for p in 0..=degree {
+                let row = self.space.index(s, p);
+                right[2 * row] += dot(&basis[p][..=degree], &sums.right[0][..=degree]);
+                right[2 * row + 1] += dot(&basis[p][..=degree], &sums.right[1][..=degree]);
+                for q in 0..=degree {
+                    let other = self.space.index(s, q);
+                    let [xx, xy, yy] = sums.product(degree, &basis[p], &basis[q]);
+                    equations.add(2 * row, 2 * other, xx);
+                    equations.add(2 * row + 1, 2 * other + 1, yy);
+                    equations.add(2 * row + 1, 2 * other, xy);
+                    if row != other {
+                        equations.add(2 * row, 2 * other + 1, xy);
+                    }
+                    size = size.max(xx).max(yy);
+                }
+            }
+        }
+        for i in 0..2 * n {
+            equations.add(i, i, 1e-9 * size + 1e-280);
+        }
+        equations.factor();
+        equations.solve(&mut right);
+        for i in 0..n {
+            self.x[i] += right[2 * i];
+            self.y[i] += right[2 * i + 1];
+        }
+    }
+
+    /// The shape of the equations of both coordinates together.
+    fn doubled(&self) -> Envelope {
+        let single = self.space.reaches();
+        let first = single.iter().flat_map(|&f| [2 * f, 2 * f]).collect();
+        Envelope::new(first)
+    }
+
+    fn across(&self, data: &Located) -> Vec<Across> {
+        let pieces = self.pieces();
+        let degree = self.space.breaks.degree;
+        let mut sums = vec![Across::default(); pieces.len()];
+        let mut at = 0;
+        for (m, (point, &t)) in data.points.iter().zip(&data.parameters).enumerate() {
+            let (s, t) = self.space.find(t, at);
+            at = s;
+            let span = &self.space.spans[s];
+            let u = (t - span.middle) / span.half;
+            let (x, y) = (taylor(&pieces[s].0, degree, u), taylor(&pieces[s].1, degree, u));
+            let rest = point - Point::new(x[0], y[0]);
+            let along = Vector::new(x[1], y[1]);
+            let square = along.norm_squared();
+            let w = data.weight(m);
+            // W = 1 − (1 − ALONG)·ttᵀ for the unit tangent t.
+            let less = if square > 0.0 { (1.0 - ALONG) / square } else { 0.0 };
+            let [xx, xy, yy] = [
+                w * (1.0 - less * along.x * along.x),
+                -w * less * along.x * along.y,
+                w * (1.0 - less * along.y * along.y),
+            ];
+            sums[s].take(degree, u, [xx, xy, yy], [xx * rest.x + xy * rest.y, xy * rest.x + yy * rest.y]);
+        }
+        sums
+    }
+}
+
+/// The curve at one parameter, seen from a point.
+struct Look {
+    square: f64,
+    way: Vector,
+    first: Vector,
+    second: Vector,
+}
+
+impl Look {
+    /// Newton's step to where the way is across the curve; Gauss's where that would lead to the farthest point.
+    fn newton(&self) -> f64 {
+        let speed = self.first.norm_squared();
+        let bend = speed + self.way.dot(&self.second);
+        let slope = if bend > 0.3 * speed { bend } else { speed };
+        if slope > 0.0 { -self.way.dot(&self.first) / slope } else { 0.0 }
+    }
+}
+
+/// Moments with a matrix for a weight.
+#[derive(Clone, Copy, Debug, Default)]
+struct Across {
+    powers: [[f64; 3]; 2 * HIGHEST + 1],
+    right: [Polynomial; 2],
+}
+
+impl Across {
+    fn take(&mut self, degree: usize, u: f64, weight: [f64; 3], rest: [f64; 2]) {
+        let mut power = 1.0;
+        for (k, sums) in self.powers.iter_mut().enumerate().take(2 * degree + 1) {
+            for (sum, w) in sums.iter_mut().zip(weight) {
+                *sum += power * w;
+            }
+            if k <= degree {
+                self.right[0][k] += power * rest[0];
+                self.right[1][k] += power * rest[1];
+            }
+            power *= u;
+        }
+    }
+
+    fn product(&self, degree: usize, a: &Polynomial, b: &Polynomial) -> [f64; 3] {
+        let mut sum = [0.0; 3];
+        for (i, a) in a.iter().take(degree + 1).enumerate() {
+            for (j, b) in b.iter().take(degree + 1).enumerate() {
+                for (sum, power) in sum.iter_mut().zip(self.powers[i + j]) {
+                    *sum += a * b * power;
+                }
+            }
+        }
+        sum
+    }
+}
+
+/// A polynomial and its first two derivatives at u.
+fn taylor(p: &Polynomial, degree: usize, u: f64) -> [f64; 3] {
+    let [mut value, mut first, mut second] = [0.0; 3];
+    for &c in p[..=degree].iter().rev() {
+        second = second * u + first;
+        first = first * u + value;
+        value = value * u + c;
+    }
+    [value, first, 2.0 * second]
+}

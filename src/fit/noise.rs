@@ -1,0 +1,56 @@
+//! How noisy points are, found from the points alone.
+
+use super::samples::Samples;
+use crate::numerics::{Point, Vector};
+
+/// The fourth difference: what it leaves of a cubic is nothing, of white noise √70 times its size.
+const FOURTH: [f64; 5] = [1.0, -4.0, 6.0, -4.0, 1.0];
+/// Half the length of the chord that tells which way is across.
+const REACH: usize = 5;
+
+/// The standard deviation of the noise across the curve, in the unit of the samples, from the median size of fourth
+/// differences: corners and outliers are too few to move a median.
+///
+/// Clean points give a number far below their spacing. Fewer than nine points give 0. O(M log M).
+///
+/// # Accuracy
+///
+/// Within 10 % for 300 points and more whose curve turns little from one to the next (`tests/fit_data.rs`).
+pub fn noise(samples: &Samples) -> f64 {
+    let points = &samples.points;
+    let count = points.len();
+    if count < 9 {
+        return 0.0;
+    }
+    let centers = if samples.closed { 0..count } else { 2..count - 2 };
+    let mut sizes: Vec<f64> = centers.map(|m| across(points, samples.closed, m)).collect();
+    let middle = sizes.len() / 2;
+    let (_, median, _) = sizes.select_nth_unstable_by(middle, f64::total_cmp);
+    // The median of |N(0, 1)| is 0.6745, and 70 is the sum of the squared weights.
+    *median / (0.674_489_750_196_081_7 * 70.0_f64.sqrt())
+}
+
+/// The fourth difference around point m, across the curve.
+fn across(points: &[Point], closed: bool, m: usize) -> f64 {
+    let count = points.len();
+    let at = |steps: usize, back: bool| {
+        let i = match (closed, back) {
+            (true, true) => (m + count - steps % count) % count,
+            (true, false) => (m + steps) % count,
+            (false, true) => m.saturating_sub(steps),
+            (false, false) => (m + steps).min(count - 1),
+        };
+        points[i]
+    };
+    let mut difference = FOURTH[2] * points[m];
+    for (i, weight) in [(1, FOURTH[1]), (2, FOURTH[0])] {
+        difference += (at(i, true) + at(i, false)) * weight;
+    }
+    let chord = at(REACH, false) - at(REACH, true);
+    let length = chord.norm();
+    if length > 0.0 { cross(chord, difference).abs() / length } else { difference.norm() * 0.5_f64.sqrt() }
+}
+
+fn cross(a: Vector, b: Vector) -> f64 {
+    a.x * b.y - a.y * b.x
+}

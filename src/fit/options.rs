@@ -1,0 +1,89 @@
+//! What may be asked of a fit.
+
+use super::parametrise::Parametrisation;
+use super::problem::Norm;
+
+/// What the fit is asked for.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Ask {
+    /// The minimiser of the sum of squares and λ times the jumps, one λ per degree, in the unit of the points.
+    Lambda(Vec<f64>),
+    /// The same with λ = size·(ℓ/2π)^(degree + 1), ℓ = 2·(M/2)^s points, for s in [0, 1]: the same drawing at another
+    /// size, or with more points, is smoothed alike.
+    Smoothing(f64),
+    /// The fewest knots with which no point is farther from the curve.
+    Tolerance(f64),
+    /// The fewest knots that explain the points, up to their noise.
+    #[default]
+    Noise,
+}
+
+/// What is done after the convex problem is solved; nothing by default.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Finish {
+    /// Joins neighbouring knots of the grid that stand for one knot in between.
+    pub merge: bool,
+    /// Slides knots off the grid to the optimum of the problem without one.
+    pub slide: bool,
+    /// Fits the points again with the knots kept, without the price that pulls the curve inwards.
+    pub debias: bool,
+    /// Takes knots away, and slides the others, while the mean square stays what it was.
+    pub prune: bool,
+}
+
+/// How to fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// One degree, or two ascending ones for the sum of two splines; 1 to 5.
+    pub degrees: Vec<usize>,
+    /// Whether the curve is closed; `None` where ends that are close belong together.
+    pub closed: Option<bool>,
+    /// How parameters are found.
+    pub parametrisation: Parametrisation,
+    /// Given parameters, one per point and not decreasing; empty to have them found.
+    pub parameters: Vec<f64>,
+    /// The period of given parameters on a closed curve; `None` for one mean step after the last.
+    pub period: Option<f64>,
+    /// Weights, one per point; empty for 1 each.
+    pub weights: Vec<f64>,
+    /// Steps of the grid that knots may be on; `None` chooses (the number of points, at most 2000 above degree 1).
+    pub grid_size: Option<usize>,
+    /// How the size of a jump is measured.
+    pub norm: Norm,
+    /// For two degrees with [`Ask::Smoothing`]: from 0, as straight as can be, to 1, as smooth as can be.
+    pub mix: f64,
+    /// Whether corners are kept where fewest knots are asked for.
+    pub corners: bool,
+    /// Whether points far off the curve are to count for little.
+    pub robust: bool,
+    /// The noise's standard deviation in each coordinate; `None` has it estimated.
+    pub noise: Option<f64>,
+    /// The relative duality gap to reach.
+    pub gap: f64,
+    /// The most iterations of the solver.
+    pub most_iterations: usize,
+    /// What is done after the convex problem is solved.
+    pub finish: Finish,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            degrees: vec![1, 3],
+            closed: None,
+            parametrisation: Parametrisation::Auto,
+            parameters: Vec::new(),
+            period: None,
+            weights: Vec::new(),
+            grid_size: None,
+            norm: Norm::L2,
+            mix: 0.5,
+            corners: true,
+            robust: false,
+            noise: None,
+            gap: 1e-6,
+            most_iterations: 400,
+            finish: Finish::default(),
+        }
+    }
+}

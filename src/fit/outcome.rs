@@ -1,0 +1,190 @@
+//! What a fit gives back.
+
+use super::breaks::derivative;
+use super::foot_points::Spline;
+use crate::curve::{HermiteCurve, HermiteOptions};
+use crate::error::Result;
+use crate::generator::Space as Kind;
+use crate::numerics::{Point, Vector};
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FitStatus {
+    /// It is going on; the curve is the best so far.
+    Running,
+    /// What was asked for was reached: the gap, the tolerance, or knots that are all worth their price.
+    Converged,
+    /// The limit on iterations was reached first.
+    MostIterations,
+    /// No step helped any more, though the gap or the tolerance was not reached.
+    Stalled,
+}
+
+/// A knot of the fitted curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Knot {
+    /// Its parameter on the curve.
+    pub t: f64,
+    /// Its place.
+    pub point: Point,
+    /// The lowest derivative that jumps there: 1 is a corner.
+    pub degree: usize,
+    /// How much it jumps.
+    pub jump: Vector,
+}
+
+/// One spline of the sum that was fitted.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// Its degree.
+    pub degree: usize,
+    /// The spline itself, as a curve.
+    pub curve: HermiteCurve,
+    /// Coefficients of its B-splines, about the middle of the points' box.
+    pub coefficients: Vec<Vector>,
+}
+
+/// What one step after the convex problem changed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Changed {
+    /// The step: `merge`, `slide`, `debias`, `prune` or `search`.
+    pub step: &'static str,
+    /// Knots before and after.
+    pub knots: (usize, usize),
+    /// Mean square of the points' distances at their parameters, before and after.
+    pub qfe: (f64, f64),
+    /// The relative duality gap to the problem without a grid, where the step certified one.
+    pub gap: Option<f64>,
+}
+
+/// A fitted curve and what is known of it.
+#[derive(Clone, Debug)]
+pub struct Fit {
+    /// The curve: exactly the spline for degrees up to 3.
+    pub curve: HermiteCurve,
+    /// How far the curve may be from the spline: 0 for degrees up to 3.
+    pub deviation: f64,
+    /// The splines whose sum the curve is; the last one carries the place on the plane, others are about the origin.
+    pub parts: Vec<Part>,
+    /// The knots, by parameter.
+    pub knots: Vec<Knot>,
+    /// The parameter of every given point on the curve.
+    pub parameters: Vec<f64>,
+    /// Sum of squares + λ·jumps; infinite where no λ was involved, as are the gap and the regulariser.
+    pub objective: f64,
+    /// The weighted sum of squares at the points' parameters.
+    pub data_term: f64,
+    /// λ·jumps.
+    pub regularizer: f64,
+    /// The relative duality gap that was certified.
+    pub gap: f64,
+    /// The data term by the sum of weights.
+    pub qfe: f64,
+    /// No given point is farther from the curve than this.
+    pub max_error: f64,
+    /// Root of the mean square of those distances.
+    pub rms: f64,
+    /// Iterations of the solver, or rounds of the search.
+    pub iterations: usize,
+    /// λ for every degree; empty where none was involved.
+    pub lambda: Vec<f64>,
+    /// The smoothing that this λ is.
+    pub smoothing: Option<f64>,
+    /// The noise that was estimated or given.
+    pub noise: f64,
+    /// Points whose distance cannot be noise (with [`super::Options::robust`]).
+    pub outliers: Vec<usize>,
+    /// How the run ended.
+    pub status: FitStatus,
+    /// What came after the convex problem.
+    pub changes: Vec<Changed>,
+}
+
+/// The places where polynomial pieces of a curve meet: value and both first derivatives.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Joints {
+    pub(super) at: Vec<f64>,
+    pub(super) points: Vec<Point>,
+    pub(super) arriving: Vec<Vector>,
+    pub(super) leaving: Vec<Vector>,
+}
+
+impl Joints {
+    /// The curve on [first joint, last joint], or round to the first one again after `end`.
+    pub(super) fn curve(self, closed: bool, end: f64) -> Result<HermiteCurve> {
+        let mut lengths: Vec<f64> = self.at.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        if closed {
+            lengths.push(self.at[0] + end - self.at[self.at.len() - 1]);
+        }
+        HermiteCurve::new(HermiteOptions {
+            points: self.points,
+            tangents: self.leaving,
+            tangents_in: self.arriving,
+            closed,
+            space: Some(Kind::Polynomial),
+            omega: Vec::new(),
+            lengths,
+        })
+    }
+}
+
+impl Spline {
+    /// The spline as a curve: exact up to degree 3, every piece cut into `cuts` above. The curve's parameter 0 is the
+    /// first knot of closed splines.
+    pub(super) fn joints(&self, center: Point, scale: f64, unit: f64, cuts: usize) -> Joints {
+        let degree = self.space.breaks.degree;
+        let closed = self.space.breaks.closed;
+        let spans = self.space.spans.len();
+        let mut joints = Joints::default();
+        let mut before: Option<Vector> = None;
+        // One knot or none makes a closed curve of one piece; it is cut in two, for a curve has two points.
+        let cuts = if spans == 1 { cuts.max(2) } else { cuts };
+        for (s, span) in self.space.spans.iter().enumerate() {
+            let (px, py) = (self.space.piece(s, &self.x), self.space.piece(s, &self.y));
+            let at = |u: f64, order: usize| {
+                let rate = if order == 1 { scale / unit } else { scale };
+                Vector::new(
+                    derivative(&px, degree, u, span.half, order),
+                    derivative(&py, degree, u, span.half, order),
+                ) * rate
+            };
+            for cut in 0..cuts {
+                let u = 2.0 * cut as f64 / cuts as f64 - 1.0;
+                let leaving = at(u, 1);
+                joints.at.push((span.middle + u * span.half) * unit);
+                joints.points.push(center + at(u, 0));
+                joints.leaving.push(leaving);
+                joints.arriving.push(if cut == 0 { before.unwrap_or(leaving) } else { leaving });
+            }
+            before = Some(at(1.0, 1));
+            if s + 1 == spans {
+                if closed {
+                    joints.arriving[0] = at(1.0, 1);
+                } else {
+                    joints.at.push((span.middle + span.half) * unit);
+                    joints.points.push(center + at(1.0, 0));
+                    joints.leaving.push(at(1.0, 1));
+                    joints.arriving.push(at(1.0, 1));
+                }
+            }
+        }
+        joints
+    }
+
+    /// The knots, with the lowest jumping derivative of each; parameters count from the first one on closed splines.
+    pub(super) fn knots(&self, center: Point, scale: f64) -> Vec<Knot> {
+        let breaks = &self.space.breaks;
+        let shift = if breaks.closed && !breaks.is_empty() { breaks.at[0] } else { 0.0 };
+        (0..breaks.len())
+            .map(|k| {
+                let degree = breaks.degree + 1 - breaks.multiplicity[k];
+                let (before, after) = self.space.sides(k);
+                let (b, a) = (self.space.spans[before], self.space.spans[after]);
+                let jump =
+                    self.on(after, a.middle - a.half, degree) - self.on(before, b.middle + b.half, degree);
+                let point = center + self.on(after, a.middle - a.half, 0) * scale;
+                Knot { t: breaks.at[k] - shift, point, degree, jump: jump * scale }
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,161 @@
+//! From splines near unit size to what the caller sees, in the caller's units.
+
+use super::breaks::HIGHEST;
+use super::foot_points::Spline;
+use super::free_knots::Located;
+use super::outcome::{Fit, FitStatus, Knot, Part};
+use super::samples::Samples;
+use crate::error::Result;
+use crate::numerics::Vector;
+
+/// Most cubics that a piece of degree 4 or 5 becomes.
+const MOST_CUTS: usize = 64;
+/// How far, in units of the drawing, these cubics may be from it.
+const CLOSE: f64 = 1e-9;
+/// A distance of so many standard deviations is no noise.
+const OUTLYING: f64 = 5.0;
+
+/// Between inner and outer units.
+pub(super) struct Frame<'a> {
+    pub(super) samples: &'a Samples,
+    pub(super) unit: f64,
+    pub(super) noise: f64,
+}
+
+/// The longer side of the points' box, in the caller's unit.
+pub(super) fn size(samples: &Samples) -> f64 {
+    let first = samples.points[0];
+    let (low, high) = samples.points.iter().fold((first, first), |(low, high), p| (low.inf(p), high.sup(p)));
+    samples.scale * (high - low).max()
+}
+
+/// (ℓ/2π)^(degree + 1).
+pub(super) fn power(detail: f64, degree: usize) -> f64 {
+    let turn = detail / core::f64::consts::TAU;
+    (0..=degree).fold(1.0, |power, _| power * turn)
+}
+
+/// The sum of all weights.
+pub(super) fn weight(located: &Located) -> f64 {
+    if located.weights.is_empty() { located.points.len() as f64 } else { located.weights.iter().sum() }
+}
+
+/// The curve and its distances from the points; what only one of the ways to fit knows is left open.
+pub(super) fn fit(frame: &Frame<'_>, spline: &Spline, located: &Located) -> Result<Fit> {
+    let samples = frame.samples;
+    let breaks = &spline.space.breaks;
+    let (cuts, deviation) = cuts(spline);
+    let curve = spline
+        .joints(samples.center, samples.scale, frame.unit, cuts)
+        .curve(breaks.closed, breaks.end * frame.unit)?;
+    let at_parameters = spline.squares(located);
+    let mut feet = located.clone();
+    let distances = spline.project(&mut feet, 4);
+    let square = samples.scale * samples.scale;
+    let total = weight(located);
+    let shift = if breaks.closed { breaks.at.first().copied().unwrap_or(0.0) } else { 0.0 };
+    let own = |t: f64| {
+        let t = if t < shift { t - shift + breaks.end } else { t - shift };
+        t * frame.unit
+    };
+    Ok(Fit {
+        curve,
+        deviation: deviation * samples.scale,
+        parts: Vec::new(),
+        knots: Vec::new(),
+        parameters: samples.place.iter().map(|&m| own(feet.parameters[m as usize])).collect(),
+        objective: f64::INFINITY,
+        data_term: at_parameters * square,
+        regularizer: f64::INFINITY,
+        gap: f64::INFINITY,
+        qfe: at_parameters * square / total,
+        max_error: distances.largest * samples.scale + deviation * samples.scale,
+        rms: (distances.squares / total).sqrt() * samples.scale,
+        iterations: 0,
+        lambda: Vec::new(),
+        smoothing: None,
+        noise: frame.noise * samples.scale,
+        outliers: outliers(frame, spline, &feet),
+        status: FitStatus::Running,
+        changes: Vec::new(),
+    })
+}
+
+/// Given points whose distance is no noise.
+fn outliers(frame: &Frame<'_>, spline: &Spline, feet: &Located) -> Vec<usize> {
+    let limit = OUTLYING * frame.noise;
+    if limit <= 0.0 {
+        return Vec::new();
+    }
+    let far: Vec<bool> = spline.distances(feet).into_iter().map(|distance| distance > limit).collect();
+    let place = &frame.samples.place;
+    (0..place.len()).filter(|&m| far[place[m] as usize]).collect()
+}
+
+/// Into how many cubics every piece is to be cut, and what that leaves. (D 13.7)
+fn cuts(spline: &Spline) -> (usize, f64) {
+    if spline.space.breaks.degree <= 3 {
+        return (1, 0.0);
+    }
+    let mut most = 0.0_f64;
+    for s in 0..spline.space.spans.len() {
+        for coefficients in [&spline.x, &spline.y] {
+            let p = spline.space.piece(s, coefficients);
+            most = most.max(24.0 * p[4].abs() + 120.0 * p[HIGHEST].abs());
+        }
+    }
+    // Both coordinates: the length is at most √2 times the larger.
+    let error = |cuts: usize| {
+        let step = 2.0 / cuts as f64;
+        step * step * step * step / 384.0 * most * core::f64::consts::SQRT_2
+    };
+    let mut cuts = 1;
+    while cuts < MOST_CUTS && error(cuts) > CLOSE {
+        cuts *= 2;
+    }
+    (cuts, error(cuts))
+}
+
+/// The knots of a spline that was searched for.
+pub(super) fn knots(frame: &Frame<'_>, spline: &Spline) -> Vec<Knot> {
+    let samples = frame.samples;
+    let mut knots = spline.knots(samples.center, samples.scale);
+    for knot in &mut knots {
+        outwards(knot, frame.unit);
+    }
+    knots
+}
+
+/// The knots of one summand, placed on the whole curve.
+pub(super) fn simple_knots(frame: &Frame<'_>, part: &Spline, whole: &Spline, shift: f64) -> Vec<Knot> {
+    let samples = frame.samples;
+    let mut knots = part.knots(Vector::zeros(), samples.scale);
+    let breaks = &part.space.breaks;
+    for (knot, &t) in knots.iter_mut().zip(&breaks.at) {
+        knot.t = if t < shift { t - shift + breaks.end } else { t - shift };
+        knot.point = samples.center + whole.evaluate(t, 0) * samples.scale;
+        outwards(knot, frame.unit);
+    }
+    knots
+}
+
+fn outwards(knot: &mut Knot, unit: f64) {
+    knot.t *= unit;
+    for _ in 0..knot.degree {
+        knot.jump /= unit;
+    }
+}
+
+/// A summand as a curve of its own, about a point.
+pub(super) fn part(frame: &Frame<'_>, spline: &Spline, center: Vector) -> Result<Part> {
+    let breaks = &spline.space.breaks;
+    let (cuts, _) = cuts(spline);
+    let joints = spline.joints(center, frame.samples.scale, frame.unit, cuts);
+    let curve = joints.curve(breaks.closed, breaks.end * frame.unit)?;
+    Ok(Part { degree: breaks.degree, curve, coefficients: coefficients(frame, spline) })
+}
+
+/// The coefficients in the caller's unit, about the middle of the points.
+pub(super) fn coefficients(frame: &Frame<'_>, spline: &Spline) -> Vec<Vector> {
+    spline.x.iter().zip(&spline.y).map(|(&x, &y)| Vector::new(x, y) * frame.samples.scale).collect()
+}

@@ -1,0 +1,118 @@
+//! What comes in: points checked, rid of repetitions, centred and scaled, so that everything after works near 1.
+
+use crate::error::{Error, Result};
+use crate::limits::{LARGEST_COORDINATE, check, too_many};
+use crate::numerics::Point;
+
+/// The most points that one fit takes.
+pub const MOST_SAMPLES: usize = 500_000;
+/// Ends closer than this part of the diagonal belong together.
+const CLOSE: f64 = 0.03;
+
+/// The points of one contour, ready to be fitted.
+#[derive(Clone, Debug)]
+pub struct Samples {
+    /// The points, centred and scaled to about unit size, without repetitions.
+    pub points: Vec<Point>,
+    /// How many given points each of them stands for.
+    pub weights: Vec<f64>,
+    /// Which of them each given point became.
+    pub place: Vec<u32>,
+    /// The middle of the given points.
+    pub center: Point,
+    /// The given points are `center + scale·points`; a power of two.
+    pub scale: f64,
+    /// Whether the curve is closed.
+    pub closed: bool,
+}
+
+impl Samples {
+    /// Checks the points and makes them ready. `closed` says whether the curve is; `None` finds out: ends closer than
+    /// 3 % of the diagonal belong together. `keep` leaves repetitions alone, for parameters that count them.
+    ///
+    /// A point that equals the one before is one with it and weighs more; so is a last point that equals the first of
+    /// a closed curve.
+    ///
+    /// # Errors
+    ///
+    /// Fewer than two points (three on closed curves), more than 500,000, a coordinate that is not finite or beyond
+    /// ±1e9, points that are all one.
+    pub fn new(points: &[Point], closed: Option<bool>, keep: bool) -> Result<Self> {
+        let needed = if closed == Some(true) { 3 } else { 2 };
+        if points.len() < needed {
+            return Err(Error::too_few("points", points.len(), needed));
+        }
+        if points.len() > MOST_SAMPLES {
+            return Err(too_many("points", "maxFitSamples", MOST_SAMPLES, points.len()));
+        }
+        for (i, point) in points.iter().enumerate() {
+            check("points", Some(2 * i), point.x, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
+            check("points", Some(2 * i + 1), point.y, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
+        }
+        let (low, high) = box_of(points);
+        let extent = high - low;
+        let size = extent.x.max(extent.y);
+        if size <= 0.0 {
+            return Err(Error::degenerate("points", None, "all points are one"));
+        }
+        let closed = closed.unwrap_or_else(|| joins(points, extent.norm()));
+        let (center, scale) = (low + extent * 0.5, power_of_two(size));
+        let mut samples =
+            Self { points: Vec::new(), weights: Vec::new(), place: Vec::new(), center, scale, closed };
+        for point in points {
+            samples.take((point - center) / scale, keep);
+        }
+        if closed && !keep {
+            samples.close();
+        }
+        let left = samples.points.len();
+        if left < needed {
+            return Err(Error::degenerate("points", None, "too few different points"));
+        }
+        Ok(samples)
+    }
+
+    fn take(&mut self, point: Point, keep: bool) {
+        if !keep && self.points.last() == Some(&point) {
+            let last = self.weights.len() - 1;
+            self.weights[last] += 1.0;
+        } else {
+            self.points.push(point);
+            self.weights.push(1.0);
+        }
+        self.place.push(self.points.len() as u32 - 1);
+    }
+
+    /// Lets a last point that is the first one again go into it.
+    fn close(&mut self) {
+        let last = self.points.len() - 1;
+        if last > 0 && self.points[last] == self.points[0] {
+            self.points.truncate(last);
+            let weight = self.weights[last];
+            self.weights.truncate(last);
+            self.weights[0] += weight;
+            for place in self.place.iter_mut().rev().take_while(|place| **place == last as u32) {
+                *place = 0;
+            }
+        }
+    }
+
+    /// Whether some points stand for several.
+    pub fn is_weighted(&self) -> bool {
+        self.weights.iter().any(|&weight| weight != 1.0)
+    }
+}
+
+fn box_of(points: &[Point]) -> (Point, Point) {
+    points.iter().fold((points[0], points[0]), |(low, high), p| (low.inf(p), high.sup(p)))
+}
+
+/// Whether the last point is near enough to the first for a closed curve.
+fn joins(points: &[Point], diagonal: f64) -> bool {
+    points.len() > 3 && (points[points.len() - 1] - points[0]).norm() <= CLOSE * diagonal
+}
+
+/// The power of two next below: dividing by it changes no digit.
+fn power_of_two(size: f64) -> f64 {
+    f64::from_bits(size.to_bits() & 0x7FF0_0000_0000_0000).max(f64::MIN_POSITIVE)
+}

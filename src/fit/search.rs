@@ -1,0 +1,212 @@
+//! The fewest knots that explain the points: knots go, come together, sharpen and slide for as long as the sum of
+//! squares and a price for every number that the curve needs go down together.
+
+use super::breaks::Breaks;
+use super::free_knots::{FreeKnots, Located, Removal, in_order};
+
+/// What one number of the curve costs in the sum of squares: a knot has its place and two numbers per multiplicity.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Price(pub(super) f64);
+
+impl Price {
+    pub(super) fn of(self, multiplicity: usize) -> f64 {
+        self.0 * (1 + 2 * multiplicity) as f64
+    }
+
+    pub(super) fn total(self, fitted: &FreeKnots) -> f64 {
+        fitted.squares + fitted.breaks().multiplicity.iter().map(|&m| self.of(m)).sum::<f64>()
+    }
+}
+
+/// Fewest knots that a fit may be left with.
+pub(super) fn least(breaks: &Breaks) -> usize {
+    if breaks.closed { 2 } else { 0 }
+}
+
+/// Takes away, many at a time, knots that are not worth their price (D 13.1), [LM88]; `None` when there is none.
+pub(super) fn thinner(fitted: &FreeKnots, data: &Located, price: Price) -> Option<FreeKnots> {
+    let breaks = fitted.breaks();
+    let removals = fitted.removals();
+    let mut order: Vec<usize> =
+        (0..breaks.len()).filter(|&k| removals[k].whole < price.of(breaks.multiplicity[k])).collect();
+    order.sort_by(|&a, &b| removals[a].whole.total_cmp(&removals[b].whole));
+    let most = (breaks.len() / 3).max(1).min(breaks.len().saturating_sub(least(breaks)));
+    let doomed = apart(&order, breaks.len(), most);
+    if doomed.is_empty() {
+        return None;
+    }
+    let mut breaks = breaks.clone();
+    for &k in doomed.iter().rev() {
+        breaks.remove(k);
+    }
+    Some(FreeKnots::new(breaks, data))
+}
+
+/// The first `most` of a list of knots of which none is beside another, in ascending order.
+fn apart(order: &[usize], count: usize, most: usize) -> Vec<usize> {
+    let mut taken = vec![false; count];
+    let mut chosen = Vec::new();
+    for &k in order {
+        if chosen.len() < most && !taken[(k + 1) % count] && !taken[(k + count - 1) % count] {
+            taken[k] = true;
+            chosen.push(k);
+        }
+    }
+    chosen.sort_unstable();
+    chosen
+}
+
+/// Slides the knots until a step no longer pays for itself, at most `most` times.
+pub(super) fn settle(mut fitted: FreeKnots, data: &Located, worth: f64, most: usize) -> FreeKnots {
+    let mut damping = 1e-2;
+    for _ in 0..most {
+        let before = fitted.squares;
+        match fitted.slide(data, &mut damping) {
+            Some(moved) => fitted = moved,
+            None => break,
+        }
+        if before - fitted.squares < worth {
+            break;
+        }
+    }
+    fitted
+}
+
+/// A change of one knot whose effect is known exactly before it is made.
+#[derive(Clone, Copy, Debug)]
+struct Change {
+    knot: usize,
+    /// The multiplicity afterwards; 0 takes the knot away.
+    multiplicity: usize,
+    /// By how much squares and prices go up together.
+    effect: f64,
+}
+
+/// A cheaper fit, by one round of changes, or `None` when nothing that is tried makes it cheaper.
+///
+/// First come changes whose effect is known, all that are apart at once. Where there is none, knots are taken away or
+/// joined that would have to be made up for by the others' sliding, one trial after another.
+pub(super) fn better(fitted: &FreeKnots, data: &Located, price: Price) -> Option<FreeKnots> {
+    let worth = 0.05 * price.0;
+    let now = price.total(fitted);
+    let removals = fitted.removals();
+    let changes = sure(fitted, &removals, price);
+    for all in [true, false] {
+        let order: Vec<usize> = changes.iter().map(|change| change.knot).collect();
+        let chosen = apart(&order, fitted.breaks().len(), if all { usize::MAX } else { 1 });
+        if chosen.is_empty() || (!all && changes.len() == 1) {
+            continue;
+        }
+        let trial = FreeKnots::new(changed(fitted.breaks(), &changes, &chosen), data);
+        let trial = settle(trial, data, worth, 2);
+        if price.total(&trial) < now {
+            return Some(trial);
+        }
+    }
+    for breaks in hopes(fitted.breaks(), &removals, price) {
+        let mut trial = FreeKnots::new(breaks, data);
+        let mut damping = 1e-2;
+        for _ in 0..5 {
+            if price.total(&trial) < now {
+                return Some(settle(trial, data, worth, 1));
+            }
+            let before = trial.squares;
+            match trial.slide(data, &mut damping) {
+                Some(moved) => trial = moved,
+                None => break,
+            }
+            // It will not get there at this pace.
+            if 3.0 * (before - trial.squares) < price.total(&trial) - now {
+                break;
+            }
+        }
+        if price.total(&trial) < now {
+            return Some(trial);
+        }
+    }
+    None
+}
+
+/// Changes that are known to pay, the best one of every knot, the best first.
+fn sure(fitted: &FreeKnots, removals: &[Removal], price: Price) -> Vec<Change> {
+    let breaks = fitted.breaks();
+    let mut changes = Vec::new();
+    for (k, removal) in removals.iter().enumerate() {
+        let m = breaks.multiplicity[k];
+        let mut best = Change { knot: k, multiplicity: m, effect: -1e-9 * price.0 };
+        let mut offer = |multiplicity: usize, effect: f64| {
+            if effect < best.effect {
+                best = Change { knot: k, multiplicity, effect };
+            }
+        };
+        if breaks.len() > least(breaks) {
+            offer(0, removal.whole - price.of(m));
+        }
+        if m > 1 {
+            offer(m - 1, removal.one - 2.0 * price.0);
+        }
+        for more in 1..=breaks.sharpest.saturating_sub(m) {
+            offer(m + more, 2.0 * price.0 * more as f64 - fitted.gain(k, more));
+        }
+        if best.multiplicity != m {
+            changes.push(best);
+        }
+    }
+    changes.sort_by(|a, b| a.effect.total_cmp(&b.effect));
+    changes
+}
+
+fn changed(breaks: &Breaks, changes: &[Change], chosen: &[usize]) -> Breaks {
+    let mut breaks = breaks.clone();
+    for &k in chosen.iter().rev() {
+        let Some(change) = changes.iter().find(|change| change.knot == k) else { continue };
+        if change.multiplicity > 0 {
+            breaks.multiplicity[k] = change.multiplicity;
+        } else if breaks.len() > least(&breaks) {
+            breaks.remove(k);
+        }
+    }
+    breaks
+}
+
+/// Knots taken away or joined, the most promising first.
+pub(super) fn hopes(breaks: &Breaks, removals: &[Removal], price: Price) -> Vec<Breaks> {
+    let mut found: Vec<(f64, Breaks)> = Vec::new();
+    for (k, removal) in removals.iter().enumerate() {
+        let cost = price.of(breaks.multiplicity[k]);
+        if breaks.len() > least(breaks) && removal.whole < 4.0 * cost {
+            let mut fewer = breaks.clone();
+            fewer.remove(k);
+            found.push((removal.whole / cost, fewer));
+        }
+        if let Some((closeness, one)) = joined(breaks, removals, k) {
+            found.push((closeness, one));
+        }
+    }
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    found.truncate(6);
+    found.into_iter().map(|(_, breaks)| breaks).collect()
+}
+
+/// Knot k and the next one at one place, where they are close, and how promising that is.
+fn joined(breaks: &Breaks, removals: &[Removal], k: usize) -> Option<(f64, Breaks)> {
+    let count = breaks.len();
+    if count < 2 || count <= least(breaks) || (k + 1 == count && !breaks.closed) {
+        return None;
+    }
+    let next = (k + 1) % count;
+    let gap = breaks.gap_after(k);
+    let around = breaks.gap_before(k).min(breaks.gap_after(next));
+    let both = breaks.multiplicity[k] + breaks.multiplicity[next];
+    if both > breaks.degree + 2 || gap > 0.35 * around {
+        return None;
+    }
+    let (a, b) = (removals[k].whole, removals[next].whole);
+    let share = if a + b > 0.0 { b / (a + b) } else { 0.5 };
+    let mut one = breaks.clone();
+    one.at[k] += share * gap;
+    one.multiplicity[k] = both.min(breaks.sharpest);
+    one.remove(next);
+    in_order(&mut one);
+    Some((1.0 + 4.0 * gap / around, one))
+}

@@ -1,0 +1,335 @@
+//! From located points to the spline with the fewest knots, in steps that each take a few passes over the points.
+
+use super::bins::averages;
+use super::foot_points::{Distances, Spline};
+use super::free_knots::{FreeKnots, Located};
+use super::outcome::FitStatus;
+use super::search::{Price, better, hopes, least, settle, thinner};
+use super::start;
+
+/// More points than this are averaged while knots are looked for.
+const SEEN: usize = 1000;
+/// What a number of the curve costs, in units of the noise's variance.
+const PER_NUMBER: f64 = 5.0;
+/// Rounds after which growing, thinning and refining have gone on long enough.
+const MOST_ROUNDS: usize = 400;
+
+/// What the curve is to keep to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Aim {
+    /// The points are noisy by this standard deviation in each coordinate.
+    Noise(f64),
+    /// No point may be farther away than this.
+    Tolerance(f64),
+}
+
+/// Which splines are searched.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Plan {
+    pub(super) degree: usize,
+    /// How often a knot may count.
+    pub(super) sharpest: usize,
+    pub(super) closed: bool,
+    /// The parameter runs from 0 to here.
+    pub(super) end: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Phase {
+    Grow,
+    Thin,
+    Refine,
+    Polish,
+    Last(usize),
+    Done,
+}
+
+/// A spline that was found, with the parameters of the points' feet and their distances.
+#[derive(Clone, Debug)]
+pub(super) struct Found {
+    pub(super) spline: Spline,
+    pub(super) located: Located,
+    pub(super) distances: Distances,
+}
+
+/// The search, to be stepped.
+#[derive(Clone, Debug)]
+pub(super) struct Sparsest {
+    full: Located,
+    /// The same points, or averages of them.
+    seen: Located,
+    aim: Aim,
+    price: Price,
+    fitted: FreeKnots,
+    phase: Phase,
+    rounds: usize,
+    repairs: usize,
+    at_first: usize,
+    found: Option<Found>,
+}
+
+impl Sparsest {
+    /// A search among the splines of a plan. `noise` is what is known of the points even where a tolerance is asked
+    /// for: knots that only follow noise are then not begun with.
+    pub(super) fn new(full: Located, plan: Plan, aim: Aim, noise: f64) -> Self {
+        let seen = if full.points.len() > 2 * SEEN { averages(&full, SEEN) } else { full.clone() };
+        let price = match aim {
+            Aim::Noise(noise) => PER_NUMBER * noise * noise,
+            Aim::Tolerance(tolerance) => (0.05 * tolerance * tolerance).max(PER_NUMBER * noise * noise),
+        };
+        let mut breaks = start::even(plan.degree, plan.closed, plan.end, seen.points.len());
+        breaks.sharpest = plan.sharpest;
+        let fitted = FreeKnots::new(breaks, &seen);
+        let (phase, rounds, repairs, at_first) = (Phase::Grow, 0, 0, 0);
+        Self { full, seen, aim, price: Price(price), fitted, phase, rounds, repairs, at_first, found: None }
+    }
+
+    /// Whether needless knots are gone, so that searches can be compared.
+    pub(super) fn is_thinned(&self) -> bool {
+        !matches!(self.phase, Phase::Grow | Phase::Thin)
+    }
+
+    /// Sum of squares and prices.
+    pub(super) fn cost(&self) -> f64 {
+        self.price.total(&self.fitted)
+    }
+
+    /// With how many knots the search began, after it had enough of them.
+    pub(super) fn knots_at_first(&self) -> usize {
+        self.at_first
+    }
+
+    /// How the search ended.
+    pub(super) fn status(&self) -> FitStatus {
+        let reached = match (self.aim, &self.found) {
+            (Aim::Tolerance(tolerance), Some(found)) => found.distances.largest <= tolerance,
+            (Aim::Tolerance(_), None) => false,
+            (Aim::Noise(_), _) => self.rounds <= MOST_ROUNDS,
+        };
+        if reached { FitStatus::Converged } else { FitStatus::Stalled }
+    }
+
+    /// Whether the search has ended.
+    pub(super) fn is_done(&self) -> bool {
+        self.phase == Phase::Done
+    }
+
+    /// How many rounds there were.
+    pub(super) fn rounds(&self) -> usize {
+        self.rounds
+    }
+
+    /// The best spline so far.
+    pub(super) fn finish(mut self) -> Found {
+        match self.found.take() {
+            Some(found) => found,
+            None => self.polished(2),
+        }
+    }
+
+    /// One round of the search.
+    pub(super) fn step(&mut self) {
+        self.rounds += 1;
+        let tired = self.rounds > MOST_ROUNDS;
+        self.phase = match self.phase {
+            Phase::Grow if !tired => self.grow(),
+            Phase::Thin if !tired => match thinner(&self.fitted, &self.seen, self.price) {
+                Some(fitted) => {
+                    self.fitted = fitted;
+                    Phase::Thin
+                }
+                None => {
+                    let worth = 0.1 * self.price.0;
+                    self.fitted = settle(self.fitted.clone(), &self.seen, worth, 6);
+                    Phase::Refine
+                }
+            },
+            Phase::Refine if !tired => match better(&self.fitted, &self.seen, self.price) {
+                Some(fitted) => {
+                    self.fitted = fitted;
+                    Phase::Refine
+                }
+                None => Phase::Polish,
+            },
+            Phase::Polish => self.polish(),
+            Phase::Last(next) if !tired => self.last(next),
+            Phase::Last(_) | Phase::Done => Phase::Done,
+            Phase::Grow | Phase::Thin | Phase::Refine => Phase::Polish,
+        };
+    }
+
+    fn grow(&mut self) -> Phase {
+        let denser = match self.aim {
+            Aim::Noise(noise) => start::denser(&self.fitted, &self.seen, 2.0 * noise * noise),
+            Aim::Tolerance(tolerance) => {
+                let spline = Spline::of(&self.fitted);
+                spline.project(&mut self.seen, 2);
+                let breaks = start::closer(&spline, &self.seen, 0.6 * tolerance);
+                breaks.map(|breaks| FreeKnots::new(breaks, &self.seen))
+            }
+        };
+        match denser {
+            Some(fitted) if self.rounds < 60 => {
+                self.fitted = fitted;
+                Phase::Grow
+            }
+            _ => {
+                self.fitted = FreeKnots::new(self.fitted.breaks().clone(), &self.seen);
+                self.at_first = self.fitted.breaks().len();
+                Phase::Thin
+            }
+        }
+    }
+
+    /// The fit with the points' parameters free, on the averages first and then on all points.
+    fn polished(&mut self, rounds: usize) -> Found {
+        let mut spline = Spline::of(&self.fitted);
+        let mut seen = self.seen.clone();
+        for _ in 0..rounds {
+            spline.project(&mut seen, 2);
+            spline.tighten(&seen);
+        }
+        // Free parameters let a curve with many knots wander between the points.
+        if spline.strays(&seen, self.slack()) {
+            spline = Spline::of(&self.fitted);
+        } else {
+            self.seen = seen;
+        }
+        let averaged = self.seen.points.len() < self.full.points.len();
+        let mut located = if averaged { self.full.clone() } else { self.seen.clone() };
+        let distances = spline.project(&mut located, 3);
+        Found { spline, located, distances }
+    }
+
+    /// How far from the points their curve may be.
+    fn slack(&self) -> f64 {
+        match self.aim {
+            Aim::Noise(noise) => 4.0 * noise,
+            Aim::Tolerance(tolerance) => tolerance,
+        }
+    }
+
+    fn polish(&mut self) -> Phase {
+        let found = self.polished(3);
+        let breaks = found.spline.space.breaks.clone();
+        match self.aim {
+            Aim::Noise(_) => {
+                self.repairs += 1;
+                // With the parameters at the feet some knots have become needless.
+                if self.repairs <= 2 && self.rounds < MOST_ROUNDS {
+                    self.found = Some(found);
+                    self.fitted = FreeKnots::new(breaks, &self.seen);
+                    let trial = better(&self.fitted, &self.seen, self.price);
+                    if let Some(trial) = trial {
+                        self.fitted = trial;
+                        return Phase::Refine;
+                    }
+                    return Phase::Done;
+                }
+                self.found = Some(found);
+                Phase::Done
+            }
+            Aim::Tolerance(tolerance) => self.judge(found, tolerance),
+        }
+    }
+
+    /// Goes on with a higher price while the tolerance is kept; repairs a first fit that breaks it.
+    fn judge(&mut self, found: Found, tolerance: f64) -> Phase {
+        let tired = self.rounds >= MOST_ROUNDS;
+        if found.distances.largest <= tolerance {
+            let breaks = found.spline.space.breaks.clone();
+            let fewer = self.found.as_ref().is_none_or(|best| {
+                best.distances.largest > tolerance || breaks.pieces() <= best.spline.space.breaks.pieces()
+            });
+            if fewer {
+                self.found = Some(found);
+            }
+            if tired || breaks.len() <= least(&breaks) {
+                return Phase::Done;
+            }
+            self.price = Price(self.price.0 * 2.5);
+            self.fitted = FreeKnots::new(breaks, &self.seen);
+            return Phase::Thin;
+        }
+        if self.found.as_ref().is_some_and(|best| best.distances.largest <= tolerance) {
+            return Phase::Last(0);
+        }
+        self.repairs += 1;
+        let repaired = start::closer(&found.spline, &self.seen, 0.8 * tolerance);
+        let nearest = self.found.as_ref().is_none_or(|best| found.distances.largest < best.distances.largest);
+        if nearest {
+            self.found = Some(found);
+        }
+        match repaired {
+            Some(breaks) if self.repairs < 40 && !tired => {
+                self.fitted = FreeKnots::new(breaks, &self.seen);
+                Phase::Polish
+            }
+            _ => Phase::Done,
+        }
+    }
+
+    /// Takes the next of the cheapest knots away from the best fit and lets the others make up for it, the farthest
+    /// points weighing most.
+    fn last(&mut self, next: usize) -> Phase {
+        let (Aim::Tolerance(tolerance), Some(best)) = (self.aim, &self.found) else { return Phase::Done };
+        let averaged = self.seen.points.len() < self.full.points.len();
+        let mut seen = if averaged { self.seen.clone() } else { best.located.clone() };
+        let fitted = FreeKnots::new(best.spline.space.breaks.clone(), &seen);
+        let removals = fitted.removals();
+        let dear = Price(fitted.squares.max(1e-300));
+        let trials = hopes(fitted.breaks(), &removals, dear);
+        let Some(breaks) = trials.into_iter().nth(next) else { return Phase::Done };
+        let trial = settle(FreeKnots::new(breaks, &seen), &seen, 1e-3 * fitted.squares, 6);
+        let mut spline = Spline::of(&trial);
+        let distances = minimax(&mut spline, &mut seen, tolerance);
+        if distances.largest <= tolerance && !spline.strays(&seen, tolerance) {
+            let mut located = if averaged { self.full.clone() } else { seen };
+            located.weights.clone_from(&self.full.weights);
+            let distances = spline.project(&mut located, 3);
+            if distances.largest <= tolerance {
+                self.found = Some(Found { spline, located, distances });
+                return Phase::Last(0);
+            }
+        }
+        Phase::Last(next + 1)
+    }
+}
+
+/// Makes the largest distance smaller: far points weigh more from round to round (Lawson's way). The spline with the
+/// smallest largest distance is kept.
+fn minimax(spline: &mut Spline, data: &mut Located, enough: f64) -> Distances {
+    if data.weights.is_empty() {
+        data.weights = vec![1.0; data.points.len()];
+    }
+    let mut best: Option<(Spline, Distances)> = None;
+    for round in 0..14 {
+        if round > 0 {
+            spline.tighten(data);
+        }
+        let distances = spline.project(data, 2);
+        let before = best.as_ref().map_or(f64::INFINITY, |best| best.1.largest);
+        if distances.largest < before {
+            best = Some((spline.clone(), distances));
+        }
+        if distances.largest <= enough || (round == 6 && before > 2.0 * enough) {
+            break;
+        }
+        if round >= 2 {
+            let mut at = 0;
+            for m in 0..data.points.len() {
+                let (s, t) = spline.space.find(data.parameters[m], at);
+                at = s;
+                let far = (spline.on(s, t, 0) - data.points[m]).norm() / distances.largest;
+                data.weights[m] = (data.weights[m] * (0.4 + far * far)).clamp(1e-3, 1e3);
+            }
+        }
+    }
+    match best {
+        Some((kept, distances)) => {
+            *spline = kept;
+            distances
+        }
+        None => Distances { largest: f64::INFINITY, squares: f64::INFINITY },
+    }
+}

@@ -1,0 +1,93 @@
+//! Where a search for knots starts: more of them than anyone needs.
+
+use super::breaks::Breaks;
+use super::foot_points::Spline;
+use super::free_knots::{FreeKnots, Located};
+
+/// Points per knot at first.
+const SPARE: usize = 8;
+/// The most knots to start with.
+const MOST_KNOTS: usize = 1500;
+
+/// Evenly spread knots.
+pub(super) fn even(degree: usize, closed: bool, end: f64, points: usize) -> Breaks {
+    let count = (points / SPARE).clamp(if closed { degree + 2 } else { 1 }, MOST_KNOTS / 2);
+    Breaks::even(degree, closed, end, count.min(points.saturating_sub(1).max(2)))
+}
+
+/// Adds knots where the points lie farther from the curve than noise would have them, or `None` where they nowhere
+/// do. `square` is the mean square that is allowed; a piece may exceed it by chance.
+pub(super) fn denser(fitted: &FreeKnots, data: &Located, square: f64) -> Option<FreeKnots> {
+    let mut breaks = fitted.breaks().clone();
+    let mut added = Vec::new();
+    for (s, sums) in fitted.moments.iter().enumerate() {
+        let count = sums.count as f64;
+        // Four standard deviations of a sum of squares of 2·count normal numbers.
+        let allowed = square * (count + 4.0 * count.sqrt());
+        if sums.count >= 3 && fitted.left(s) > allowed {
+            added.push(fitted.space.spans[s].middle);
+        }
+    }
+    if added.is_empty() || breaks.len() + added.len() > MOST_KNOTS {
+        return None;
+    }
+    insert(&mut breaks, &added);
+    Some(FreeKnots::new(breaks, data))
+}
+
+/// Adds knots at the farthest point of every piece that goes too far from its points; where there is a knot already,
+/// it becomes sharper. `None` where nothing can be added.
+pub(super) fn closer(spline: &Spline, data: &Located, tolerance: f64) -> Option<Breaks> {
+    let mut breaks = spline.space.breaks.clone();
+    let mut worst = vec![(tolerance, f64::NAN); spline.space.spans.len()];
+    let mut at = 0;
+    for (point, &t) in data.points.iter().zip(&data.parameters) {
+        let (s, inner) = spline.space.find(t, at);
+        at = s;
+        let distance = (spline.on(s, inner, 0) - point).norm();
+        if distance > worst[s].0 {
+            worst[s] = (distance, inner);
+        }
+    }
+    let mut added = Vec::new();
+    let mut sharper = Vec::new();
+    let step = breaks.end / data.points.len() as f64;
+    for (s, (_, t)) in worst.iter().enumerate().filter(|(_, (_, t))| t.is_finite()) {
+        let span = &spline.space.spans[s];
+        // Neither two knots between two points nor two on one.
+        let margin = 0.75 * step;
+        if 2.0 * span.half > 3.0 * step {
+            added.push(t.clamp(span.middle - span.half + margin, span.middle + span.half - margin));
+        } else {
+            sharper.push(s);
+        }
+    }
+    let mut changed = false;
+    for s in sharper {
+        let knots =
+            if breaks.closed { [Some(s), Some((s + 1) % breaks.len())] } else { [s.checked_sub(1), Some(s)] };
+        for k in knots.into_iter().flatten() {
+            let sharpest = breaks.sharpest;
+            if let Some(m) = breaks.multiplicity.get_mut(k).filter(|m| **m < sharpest) {
+                *m += 1;
+                changed = true;
+            }
+        }
+    }
+    if breaks.len() + added.len() > MOST_KNOTS.max(2 * data.points.len()) {
+        return None;
+    }
+    changed |= !added.is_empty();
+    insert(&mut breaks, &added);
+    changed.then_some(breaks)
+}
+
+/// Adds simple knots.
+fn insert(breaks: &mut Breaks, added: &[f64]) {
+    for &t in added {
+        let t = if t >= breaks.end { t - breaks.end } else { t };
+        let place = breaks.at.partition_point(|&other| other < t);
+        breaks.at.insert(place, t);
+        breaks.multiplicity.insert(place, 1);
+    }
+}
