@@ -115,6 +115,7 @@ pub(super) fn tabulate(
 }
 
 /// All pieces, cut to the length that the longest needs.
+#[inline(never)]
 fn propagate(roots: &Roots) -> Result<Pieces> {
     let order = roots.order();
     let terms = terms(order, roots.largest());
@@ -160,6 +161,7 @@ fn terms(order: usize, largest: f64) -> usize {
 }
 
 /// The number of coefficients after which all pieces are negligible.
+#[inline(never)]
 fn needed(whole: &[f64], terms: usize) -> usize {
     let mut most = vec![0.0_f64; terms];
     for piece in whole.chunks_exact(terms) {
@@ -177,6 +179,7 @@ fn needed(whole: &[f64], terms: usize) -> usize {
 ///
 /// The state, n₀ derivatives at a knot, goes to the next knot by Taylor sums; there the derivative of order n₀ − 1 jumps
 /// by the next coefficient of Π(1 − e^a z) (D 9.1).
+#[inline(never)]
 fn from_the_left(roots: &Roots, count: usize, terms: usize) -> Vec<f64> {
     let (characteristic, jumps, order) = (roots.characteristic(), roots.localisation(), roots.order());
     let mut inverse = vec![1.0; terms];
@@ -205,6 +208,7 @@ fn from_the_left(roots: &Roots, count: usize, terms: usize) -> Vec<f64> {
 }
 
 /// Σ yᵢ·stepⁱ/i!, from the small terms up.
+#[inline(never)]
 fn taylor(derivatives: &[f64], inverse: &[f64], step: f64) -> f64 {
     let mut scale = 1.0;
     for _ in 1..derivatives.len() {

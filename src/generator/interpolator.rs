@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use nalgebra::{Complex, DMatrix};
+use nalgebra::Complex;
 
 use super::exponential_b_spline::{ExponentialBSpline, tabulate};
 use super::pieces::{Pieces, recentre};
@@ -11,6 +11,7 @@ use super::roots::Roots;
 use crate::error::{Error, Result};
 use crate::limits::with_room;
 use crate::numerics::angle::sin_cos;
+use crate::numerics::dense::inverse;
 use crate::numerics::entire::stumpff;
 
 /// Above this condition the linear system counts as singular.
@@ -173,14 +174,10 @@ impl Interpolator {
 
     /// The Lebesgue constant max Σₖ|φ(t − k)|: how much an error in the points can grow on the curve.
     pub fn lebesgue(&self) -> f64 {
-        let sum = |t: f64| {
-            let reach = self.support() as isize;
-            (1 - reach..=reach).map(|k| self.at(t - k as f64, 0).abs()).sum::<f64>()
-        };
         let step = 0.5 / LOOKS as f64;
         let (mut best, mut most) = (0.0, 1.0);
         for i in 1..=LOOKS {
-            let value = sum(step * i as f64);
+            let value = self.lebesgue_at(step * i as f64);
             if value > most {
                 (best, most) = (step * i as f64, value);
             }
@@ -188,22 +185,29 @@ impl Interpolator {
         // Thirds of the bracket until it is too small to matter.
         let (mut lo, mut hi) = (best - step, best + step);
         for _ in 0..LOOKS {
-            let (a, b) = (lo + (hi - lo) / 3.0, hi - (hi - lo) / 3.0);
-            let (at_a, at_b) = (sum(a), sum(b));
-            most = most.max(at_a).max(at_b);
-            if at_a > at_b {
-                hi = b;
+            let third = (hi - lo) / 3.0;
+            let [below, above] = [lo + third, hi - third].map(|t| self.lebesgue_at(t));
+            most = most.max(below).max(above);
+            if below > above {
+                hi -= third;
             } else {
-                lo = a;
+                lo += third;
             }
         }
         most
+    }
+
+    #[inline(never)]
+    fn lebesgue_at(&self, t: f64) -> f64 {
+        let reach = self.support() as isize;
+        (1 - reach..=reach).map(|k| self.at(t - k as f64, 0).abs()).sum()
     }
 
     pub(crate) fn pieces(&self) -> &Pieces {
         &self.halves
     }
 
+    #[inline(never)]
     fn deviation_of_identity(&self) -> f64 {
         let roots = self.roots();
         let mut worst: f64 = 0.0;
@@ -238,37 +242,33 @@ fn nonexistent() -> Box<Error> {
 ///
 /// Row k says φ(k) = δₖ: A[k][l] = β(k − l/2) + β(k + l/2), without the second term for l = 0 [SFBGU17, eq. 26, 27]. Three
 /// roots are 0 and a pair, for which there is a closed form (D 9.4).
+#[inline(never)]
 fn solve(spline: &ExponentialBSpline) -> Result<(Vec<f64>, f64)> {
     let size = spline.order() - 1;
     let sample = |j: isize| spline.at(0.5 * j as f64, 0);
-    let mut matrix = DMatrix::zeros(size, size);
+    let mut matrix = with_room(size * size)?;
     let mut first = 0.0;
-    for k in 0..size {
-        let mut total: f64 = 0.0;
-        for l in 0..size {
-            let (row, column) = (2 * k as isize, l as isize);
-            let entry = sample(row) * f64::from(u8::from(l == 0))
-                + if l > 0 { sample(row - column) + sample(row + column) } else { 0.0 };
-            matrix[(k, l)] = entry;
-            total += entry.abs();
+    for k in 0..size as isize {
+        let begin = matrix.len();
+        for l in 0..size as isize {
+            matrix.push(if l == 0 { sample(2 * k) } else { sample(2 * k - l) + sample(2 * k + l) });
         }
-        for l in 0..size {
-            matrix[(k, l)] /= total;
-        }
+        // Rows that sum to 1 tell the condition of the problem from that of its scale.
+        let total: f64 = matrix[begin..].iter().map(|a| a.abs()).sum();
+        matrix[begin..].iter_mut().for_each(|a| *a /= total);
         if k == 0 {
             first = 1.0 / total;
         }
     }
-    let Some(inverse) = matrix.lu().try_inverse() else {
+    let Some(inverse) = inverse(&matrix, size) else {
         return Err(nonexistent());
     };
-    // The rows of the matrix sum to 1.
     let mut condition: f64 = 0.0;
     let mut lambda = with_room(size)?;
-    for k in 0..size {
-        let total: f64 = (0..size).map(|l| inverse[(k, l)].abs()).sum();
+    for row in inverse.chunks_exact(size) {
+        let total: f64 = row.iter().map(|a| a.abs()).sum();
         condition = if total <= condition { condition } else { total };
-        lambda.push(inverse[(k, 0)] * first);
+        lambda.push(row[0] * first);
     }
     if let [zero, one] = &mut lambda[..] {
         let square = pair_square(spline.roots());
@@ -285,6 +285,7 @@ fn pair_square(roots: &Roots) -> f64 {
 }
 
 /// φ on every half interval: the halves of the B-spline's pieces, weighted by λ, about the middles of the halves (D 9.3).
+#[inline(never)]
 fn halves(spline: &ExponentialBSpline, lambda: &[f64]) -> Result<Pieces> {
     let (order, pieces) = (spline.order(), spline.pieces());
     let stride = pieces.stride;

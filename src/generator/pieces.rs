@@ -30,6 +30,7 @@ impl Pieces {
 
     /// The function at the distance x from its left end, or a derivative; the limit from the right at the knots, 0
     /// outside.
+    #[inline(never)]
     pub(crate) fn at(&self, x: f64, derivative: usize) -> f64 {
         let per_unit = self.per_unit as f64;
         let place = (x * per_unit).floor();
@@ -40,6 +41,7 @@ impl Pieces {
     }
 
     /// The same pieces times `factor`, in a variable of which `length` makes one of here.
+    #[inline(never)]
     pub(crate) fn stretched(&self, length: f64, factor: f64) -> Self {
         let mut scaled = self.clone();
         for piece in scaled.coefficients.chunks_exact_mut(self.stride) {
@@ -53,11 +55,13 @@ impl Pieces {
     }
 
     /// Piece k at a distance from its middle, or a derivative.
+    #[inline(never)]
     pub(crate) fn value(&self, k: usize, y: f64, derivative: usize) -> f64 {
         polynomial(self.piece(k), y, derivative)
     }
 
     /// The mirror image, for the half that a symmetric function need not compute.
+    #[inline(never)]
     pub(crate) fn mirror(piece: &mut [f64]) {
         for odd in piece.iter_mut().skip(1).step_by(2) {
             *odd = -*odd;
@@ -65,6 +69,7 @@ impl Pieces {
     }
 
     /// ∫f(x)f(x − n)dx for n = 0, 1, …: all that are not 0.
+    #[inline(never)]
     pub(crate) fn autocorrelation(&self) -> Vec<f64> {
         let (count, half) = (self.count(), 0.5 / self.per_unit as f64);
         let mut values = Vec::with_capacity(count * NODES);
@@ -86,6 +91,7 @@ impl Pieces {
     }
 
     /// The exact Riesz bounds of the integer shifts: the extremes of Σₖ|f̂(ω − 2πk)|² = a[0] + 2Σa[n] cos nω.
+    #[inline(never)]
     pub(crate) fn riesz_bounds(&self) -> RieszBounds {
         let products = self.autocorrelation();
         let steps = LOOKS * products.len();
@@ -111,6 +117,7 @@ impl Pieces {
 }
 
 /// a[0] + 2Σa[n] cos nω with two derivatives.
+#[inline(never)]
 fn spectrum(products: &[f64], omega: f64) -> (f64, f64, f64) {
     let mut sums = (products.first().copied().unwrap_or(0.0), 0.0, 0.0);
     for (n, &a) in products.iter().enumerate().skip(1) {
@@ -124,6 +131,7 @@ fn spectrum(products: &[f64], omega: f64) -> (f64, f64, f64) {
 }
 
 /// A polynomial or its derivative by Horner's rule.
+#[inline(never)]
 pub(crate) fn polynomial(coefficients: &[f64], x: f64, derivative: usize) -> f64 {
     let mut value = 0.0;
     if derivative == 0 {
@@ -143,6 +151,7 @@ pub(crate) fn polynomial(coefficients: &[f64], x: f64, derivative: usize) -> f64
 }
 
 /// The same polynomial about a place that is `by` further on, in place.
+#[inline(never)]
 pub(crate) fn recentre(coefficients: &mut [f64], by: f64) {
     let count = coefficients.len();
     for done in 1..count {

@@ -162,12 +162,14 @@ impl Roots {
     }
 
     /// The roots on a grid that is finer by `parts`: each divided by it.
+    #[inline(never)]
     pub fn scaled(&self, parts: f64) -> Self {
         let list = self.list.iter().map(|r| Root { re: r.re / parts, im: r.im / parts }).collect();
         Self { list, without_opposite: self.without_opposite }
     }
 
     /// The coefficients of Π(1 − e^a z): the recurrence of what the roots stand for, at the integers.
+    #[inline(never)]
     pub(crate) fn localisation(&self) -> Vec<f64> {
         let mut product = vec![0.0; self.order() + 1];
         product[0] = 1.0;
@@ -183,6 +185,7 @@ impl Roots {
     }
 
     /// χ₀ … χ_{n−1} of Π(D − a) = Dⁿ + Σ χⱼDʲ.
+    #[inline(never)]
     pub(crate) fn characteristic(&self) -> Vec<f64> {
         let mut product = vec![0.0; self.order() + 1];
         product[0] = 1.0;
@@ -226,6 +229,7 @@ impl Roots {
     /// ∫β⁺ = β̂(0): what the values of the B-spline at a grid of step 1 sum to where 0 is a root.
     ///
     /// (e^a − 1)/a for every root a, multiplied in pairs so that it stays real (D 9.2).
+    #[inline(never)]
     pub fn integral(&self) -> f64 {
         let mut product = 1.0;
         for r in self.upper() {
@@ -246,6 +250,7 @@ impl Roots {
     }
 
     /// β̂ at a root (or any complex number s in place of iω): the product of (e^{a−s} − 1)/(a − s).
+    #[inline(never)]
     pub(super) fn transform(&self, s: Complex<f64>) -> Complex<f64> {
         let mut product = Complex::new(1.0, 0.0);
         for r in &self.list {
@@ -264,6 +269,7 @@ impl Roots {
 }
 
 /// Multiplies a polynomial by one of degree at most 2, in place; there is room for the product.
+#[inline(never)]
 fn multiply(product: &mut [f64], factor: [f64; 3]) {
     for k in (0..product.len()).rev() {
         let mut sum = product[k] * factor[0];
@@ -290,6 +296,7 @@ fn tolerance(root: Root) -> f64 {
 }
 
 /// Matches every root above the real line with the nearest conjugate below it.
+#[inline(never)]
 fn pair_up(list: &mut [Root]) -> core::result::Result<Vec<Factor>, usize> {
     let mut free = vec![true; list.len()];
     let mut factors = Vec::new();
@@ -325,6 +332,7 @@ fn pair_up(list: &mut [Root]) -> core::result::Result<Vec<Factor>, usize> {
 }
 
 /// Makes opposite factors exactly opposite; the index of a root that has none.
+#[inline(never)]
 fn oppose(factors: &mut [Factor]) -> Option<usize> {
     let mut free = vec![true; factors.len()];
     let mut without = None;

@@ -2,6 +2,7 @@
 
 pub mod angle;
 pub mod banded;
+pub(crate) mod dense;
 pub mod entire;
 pub(crate) mod plane;
 pub(crate) mod quadrature;
