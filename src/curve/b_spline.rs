@@ -5,9 +5,10 @@ use std::sync::Arc;
 
 use super::interpolating::place;
 use super::lattice::{Lattice, Shape, check_points};
+use super::spline_sampler::SplineSampler;
 use crate::error::{Error, Result};
 use crate::generator::{ExponentialBSpline, Roots};
-use crate::limits::{LARGEST_COORDINATE, LARGEST_ROOT_RE, LEAST_LENGTH, check};
+use crate::limits::{LARGEST_COORDINATE, LARGEST_ROOT_RE, LEAST_LENGTH, check, filled};
 use crate::refine::finer;
 
 /// A curve r(t) = Σ P\[l\] b((t − offset)/step − l) with the exponential B-spline b, divided by its integral, in 2-D or 3-D.
@@ -158,6 +159,16 @@ impl BSplineCurve {
     /// As [`Self::evaluate`]; `out` of the wrong length; more than 4 million parameters: `out` is untouched then.
     pub fn evaluate_into(&self, t: &[f64], derivative: usize, out: &mut [f64]) -> Result<()> {
         self.lattice.evaluate_into(t, derivative, out)
+    }
+
+    /// `count` points that lie uniformly in the parameter, or their derivatives, interleaved; see [`SplineSampler`], which
+    /// remembers its tables.
+    ///
+    /// # Errors
+    ///
+    /// More than 4 million points; a derivative above n₀ − 1.
+    pub fn sample(&self, count: usize, derivative: usize) -> Result<Vec<f64>> {
+        SplineSampler::all(&self.lattice, count, derivative)
     }
 
     /// How many polynomial pieces there are: one for each step.

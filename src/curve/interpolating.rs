@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use super::b_spline::BSplineCurve;
 use super::lattice::{Lattice, Shape, check_points};
+use super::spline_sampler::SplineSampler;
 use crate::error::{Error, Result};
 use crate::generator::{Interpolator, Roots};
-use crate::limits::{LARGEST_COORDINATE, MOST_LEVELS, check};
+use crate::limits::{LARGEST_COORDINATE, MOST_LEVELS, check, filled};
 use crate::refine::{extended, from_points};
 
 /// A curve through its points: r(t) = Σ P\[k\] φ(t − k) with the interpolator φ of a list of roots, in 2-D or 3-D.
@@ -145,6 +146,16 @@ impl InterpolatingCurve {
     /// As [`Self::evaluate`]; `out` of the wrong length; more than 4 million parameters: `out` is untouched then.
     pub fn evaluate_into(&self, t: &[f64], derivative: usize, out: &mut [f64]) -> Result<()> {
         self.lattice.evaluate_into(t, derivative, out)
+    }
+
+    /// `count` points that lie uniformly in the parameter, or their derivatives, interleaved; see [`SplineSampler`], which
+    /// remembers its tables.
+    ///
+    /// # Errors
+    ///
+    /// More than 4 million points; a derivative above n₀ − 1.
+    pub fn sample(&self, count: usize, derivative: usize) -> Result<Vec<f64>> {
+        SplineSampler::all(&self.lattice, count, derivative)
     }
 
     /// How many polynomial pieces there are: two for each segment.

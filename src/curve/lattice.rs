@@ -32,6 +32,8 @@ pub(super) struct Shape {
     pub(super) window: usize,
     /// The roots in that unit.
     pub(super) roots: Roots,
+    /// χ₀ … χ_{n₀−1} of the differential equation that all pieces satisfy, in that unit.
+    pub(super) characteristic: Vec<f64>,
     /// Whether the shifts sum to 1.
     pub(super) constants: bool,
     /// Whether the curve passes through its points, which sit at the start of cells.
@@ -54,6 +56,7 @@ impl Shape {
             per_cell: 2,
             window: 2 * interpolator.support(),
             roots: roots.scaled(2.0),
+            characteristic: roots.scaled(2.0).characteristic(),
             constants: roots.keeps_constants(),
             interpolating: true,
         }
@@ -67,6 +70,7 @@ impl Shape {
             per_cell: 1,
             window: spline.order(),
             roots: roots.clone(),
+            characteristic: roots.characteristic(),
             constants: roots.keeps_constants(),
             interpolating: false,
         }

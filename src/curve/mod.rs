@@ -32,6 +32,7 @@ mod search;
 mod segment;
 mod spatial;
 mod speed;
+mod spline_sampler;
 mod subdivide;
 mod through;
 
@@ -49,4 +50,5 @@ pub use recognise::EllipseArc;
 pub use sampler::Sampler;
 pub use segment::Segment;
 pub use spatial::SpaceNearest;
+pub use spline_sampler::SplineSampler;
 pub use subdivide::Scheme;
