@@ -62,7 +62,7 @@ pub mod trace;
 #[cfg(all(target_arch = "wasm32", feature = "binding"))]
 mod wasm;
 
-pub use curve::{BSplineCurve, Curve, HermiteCurve, HermiteOptions, InterpolatingCurve};
+pub use curve::{BSplineCurve, Curve, HermiteCurve, HermiteOptions, InterpolatingCurve, LocalCurve};
 pub use error::{Error, Result};
 pub use generator::Space;
 pub use surface::TensorSurface;

@@ -321,3 +321,48 @@ fn what_is_wrong_is_named() {
     assert!(matches!(spline(f64::NAN, 0.0), Err(Error::NotFinite { argument: "step", .. })));
     assert!(matches!(spline(1.0, f64::INFINITY), Err(Error::NotFinite { argument: "offset", .. })));
 }
+
+#[test]
+fn what_was_refined_comes_back_and_what_was_changed_says_by_how_much() {
+    let mut random = Random::new(8);
+    for roots in lists() {
+        for (dimension, closed, m) in [(2, true, 2), (3, false, 2), (2, false, 3), (3, true, 3)] {
+            let points = random_points(&mut random, 7, dimension);
+            let curve =
+                InterpolatingCurve::new(points, dimension, closed, Some(roots.clone())).expect("finite");
+            let coarse = curve.refine(1, 2, 2).expect("in range");
+            let fine = coarse.refine(m).expect("in range");
+            let (back, deviation) = fine.reduce(m).expect("it divides");
+            let size = scale(coarse.points());
+            assert!(deviation < 1e-12 * size, "{roots:?} {closed} {m}: {deviation:e}");
+            assert!((back.step() - coarse.step()).abs() < 1e-15, "the grid");
+            assert!((back.offset() - coarse.offset()).abs() < 1e-14, "the place");
+            for (a, b) in back.points().iter().zip(coarse.points()) {
+                assert!((a - b).abs() < 1e-11 * size, "{roots:?} {closed} {m}: {a} {b}");
+            }
+            let (through, deviation) = coarse.interpolating().expect("an even grid");
+            assert!(deviation < 1e-12 * size, "{deviation:e}");
+            for (a, b) in through.points().iter().zip(curve.points()) {
+                assert!((a - b).abs() < 1e-12 * size, "{a} {b}");
+            }
+            // A point that is moved leaves a deviation, which is that of the two curves.
+            let mut point = fine.points()[..dimension].to_vec();
+            point[0] += 0.5;
+            let moved = fine.with_point(0, &point).expect("finite");
+            let (back, deviation) = moved.reduce(m).expect("it divides");
+            let end = moved.domain().1.min(back.domain().1);
+            let mut worst: f64 = 0.0;
+            for i in 0..=2000 {
+                let t = (end * f64::from(i) / 2000.0).min(end);
+                let [a, b] = [&moved, &back].map(|c| c.evaluate(t, 0).expect("in the domain"));
+                worst = worst.max(a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt());
+            }
+            assert!((0.9..1.02).contains(&(worst / deviation)), "{roots:?}: {worst} measured as {deviation}");
+        }
+    }
+    let points = random_points(&mut random, 7, 2);
+    let fine =
+        InterpolatingCurve::new(points, 2, true, None).expect("finite").refine(1, 2, 2).expect("in range");
+    assert!(matches!(unboxed(fine.reduce(3)), Err(Error::Degenerate { argument: "m", .. })));
+    assert!(matches!(unboxed(fine.reduce(0)), Err(Error::OutOfRange { argument: "m", .. })));
+}

@@ -8,7 +8,7 @@ use super::lattice::{Lattice, Shape, check_points};
 use super::spline_sampler::SplineSampler;
 use crate::error::{Error, Result};
 use crate::generator::{ExponentialBSpline, Roots};
-use crate::limits::{LARGEST_COORDINATE, LARGEST_ROOT_RE, LEAST_LENGTH, check, filled};
+use crate::limits::{LARGEST_COORDINATE, LARGEST_ROOT_RE, LEAST_LENGTH, check};
 use crate::refine::finer;
 
 /// A curve r(t) = Σ P\[l\] b((t − offset)/step − l) with the exponential B-spline b, divided by its integral, in 2-D or 3-D.
@@ -73,7 +73,13 @@ impl BSplineCurve {
         Self::lay(points, dimension, closed, roots, (grid.0, 1.0 / grid.1))
     }
 
-    fn lay(points: Vec<f64>, dimension: usize, closed: bool, roots: Roots, grid: (f64, f64)) -> Result<Self> {
+    pub(super) fn lay(
+        points: Vec<f64>,
+        dimension: usize,
+        closed: bool,
+        roots: Roots,
+        grid: (f64, f64),
+    ) -> Result<Self> {
         let local = roots.scaled(1.0 / grid.1);
         for (i, (root, local)) in roots.as_slice().iter().zip(local.as_slice()).enumerate() {
             if local.im.abs() >= PI {

@@ -7,7 +7,7 @@ use super::lattice::{Lattice, Shape, check_points};
 use super::spline_sampler::SplineSampler;
 use crate::error::{Error, Result};
 use crate::generator::{Interpolator, Roots};
-use crate::limits::{LARGEST_COORDINATE, MOST_LEVELS, check, filled};
+use crate::limits::{LARGEST_COORDINATE, MOST_LEVELS, check};
 use crate::refine::{extended, from_points};
 
 /// A curve through its points: r(t) = Σ P\[k\] φ(t − k) with the interpolator φ of a list of roots, in 2-D or 3-D.

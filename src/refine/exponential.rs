@@ -54,8 +54,9 @@ pub fn from_points(
 ///
 /// [SFBGU17, eq. 15, 16, 20] (D 9.8).
 pub fn finer(points: &[f64], dimension: usize, closed: bool, roots: &Roots, m: usize) -> Result<Vec<f64>> {
+    let count = counted(points, dimension, 1)?;
     let filter = affine_refinement_filter(roots, m)?;
-    Target::finer(points, dimension, closed, roots.order(), m)?.fill(points, dimension, m, &filter)
+    Target::finer(count, closed, roots.order(), m)?.fill(points, dimension, m, &filter)
 }
 
 /// The points of an open curve with n₀ − 2 more on each side, so that the curve is defined from its first point to its last.
@@ -113,29 +114,30 @@ pub(crate) struct Target {
     /// Tap i of point k goes to place mk + i − lead.
     lead: usize,
     /// How many places there are.
-    pub(crate) count: usize,
+    count: usize,
     closed: bool,
 }
 
 impl Target {
     /// The places of [`finer`].
-    pub(crate) fn finer(
-        points: &[f64],
-        dimension: usize,
-        closed: bool,
-        order: usize,
-        m: usize,
-    ) -> Result<Self> {
-        let count = counted(points, dimension, if closed { 1 } else { order })?;
-        Ok(if closed {
-            Self { lead: (m - 1) * (order / 2), count: m * count, closed }
-        } else {
-            Self { lead: (m - 1) * (order - 1), count: m * (count + 1 - order) + order - 1, closed }
-        })
+    pub(crate) fn finer(count: usize, closed: bool, order: usize, m: usize) -> Result<Self> {
+        if closed {
+            return Ok(Self { lead: (m - 1) * (order / 2), count: m * count, closed });
+        }
+        if count < order {
+            return Err(Error::too_few("points", count, order));
+        }
+        Ok(Self { lead: (m - 1) * (order - 1), count: m * (count + 1 - order) + order - 1, closed })
     }
 
     /// Σ filter[i]·point k at place mk + i − lead.
-    fn fill(&self, points: &[f64], dimension: usize, m: usize, filter: &[f64]) -> Result<Vec<f64>> {
+    pub(crate) fn fill(
+        &self,
+        points: &[f64],
+        dimension: usize,
+        m: usize,
+        filter: &[f64],
+    ) -> Result<Vec<f64>> {
         let needed = self.count.saturating_mul(dimension);
         if needed > 3 * MOST_OUTPUT_POINTS {
             return Err(too_many("levels", "maxOutputPoints", MOST_OUTPUT_POINTS, self.count));

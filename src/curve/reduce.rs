@@ -1,0 +1,142 @@
+//! Going back down: the nearest curve on a coarser grid, and how far away it is.
+
+use super::b_spline::BSplineCurve;
+use super::interpolating::InterpolatingCurve;
+use super::lattice::Lattice;
+use super::spline_sampler::SplineSampler;
+use crate::error::{Error, Result};
+use crate::generator::affine_refinement_filter;
+use crate::limits::{LARGEST_FACTOR, MOST_OUTPUT_POINTS, check, filled};
+use crate::refine::Target;
+
+/// Places per piece at which a change is measured.
+const LOOKS: usize = 8;
+/// The residual is this small after 200 rounds at the latest for 8 roots.
+const CONVERGED: f64 = 1e-30;
+const MOST_ROUNDS: usize = 1000;
+
+impl BSplineCurve {
+    /// The curve on the grid that is coarser by m whose refinement has the control points nearest to these, in the sum of
+    /// squares, and the largest distance between the two curves, parameter by parameter.
+    ///
+    /// What was refined and not changed comes back.
+    ///
+    /// # Errors
+    ///
+    /// m not from 1 to 1024, or not a divisor of the number of cells; a coarse grid of fewer than 3 closed cells, or with
+    /// |im|·step ≥ π.
+    ///
+    /// # Accuracy
+    ///
+    /// The distance is the largest of 8 places per cell.
+    ///
+    /// # Source
+    ///
+    /// (D 9.11).
+    pub fn reduce(&self, m: usize) -> Result<(Self, f64)> {
+        check("m", None, m as f64, 1.0, LARGEST_FACTOR as f64)?;
+        let lattice = self.lattice();
+        let (dimension, closed, order) = (self.dimension(), self.is_closed(), self.roots().order());
+        if lattice.cells % m != 0 {
+            return Err(Error::degenerate("m", None, "it does not divide the number of cells"));
+        }
+        let cells = lattice.cells / m;
+        let count = if closed { cells } else { cells + order - 1 };
+        let local = self.roots().scaled(1.0 / (lattice.step * m as f64));
+        let grid = (lattice.start, lattice.step * m as f64);
+        // Zeros that tell at once whether there is such a grid.
+        let coarse =
+            Self::lay(filled(0.0, count * dimension)?, dimension, closed, self.roots().clone(), grid)?;
+        let filter = affine_refinement_filter(&local, m)?;
+        let target = Target::finer(count, closed, order, m)?;
+        let points = least_squares(&target, self.points(), dimension, m, &filter, coarse.points().len())?;
+        let refined = target.fill(&points, dimension, m, &filter)?;
+        let difference = refined.iter().zip(self.points()).map(|(a, b)| a - b).collect();
+        Ok((coarse.with_points(points)?, self.with_points(difference)?.lattice().reach()?))
+    }
+
+    /// The interpolating curve through this one's points at the integers, and the largest distance between the two.
+    ///
+    /// Comes back exactly from [`InterpolatingCurve::refine`] as long as nothing was changed.
+    ///
+    /// # Errors
+    ///
+    /// A grid that is not 1/2, 1/4, 1/6, … of a unit or does not start at 0; a length that is not whole; too few points, or
+    /// roots without an interpolator.
+    pub fn interpolating(&self) -> Result<(InterpolatingCurve, f64)> {
+        let lattice = self.lattice();
+        let factor = (1.0 / lattice.step).round();
+        let whole = (lattice.step * factor - 1.0).abs() < 1e-12 && lattice.start == 0.0;
+        let m0 = factor as usize;
+        if !whole || m0 % 2 != 0 || m0 == 0 || lattice.cells % m0 != 0 {
+            return Err(Error::degenerate("step", None, "the grid is no even part of a unit from 0 on"));
+        }
+        let segments = lattice.cells / m0;
+        let count = if self.is_closed() { segments } else { segments + 1 };
+        let (_, end) = self.domain();
+        let t: Vec<f64> = (0..count).map(|k| (k as f64).min(end)).collect();
+        let mut points = filled(0.0, count * self.dimension())?;
+        self.evaluate_into(&t, 0, &mut points)?;
+        let roots = Some(self.roots().clone());
+        let curve = InterpolatingCurve::new(points, self.dimension(), self.is_closed(), roots)?;
+        let refined = curve.refine(1, m0, 2)?;
+        let difference = refined.points().iter().zip(self.points()).map(|(a, b)| a - b).collect();
+        Ok((curve, self.with_points(difference)?.lattice().reach()?))
+    }
+}
+
+impl Lattice {
+    /// The largest distance from the origin, at `LOOKS` places per piece.
+    fn reach(&self) -> Result<f64> {
+        let places =
+            (self.piece_count().saturating_mul(LOOKS) + usize::from(!self.closed)).min(MOST_OUTPUT_POINTS);
+        let samples = SplineSampler::all(self, places, 0)?;
+        let square = |point: &[f64]| point.iter().map(|x| x * x).sum::<f64>();
+        Ok(samples.chunks_exact(self.dimension).map(square).fold(0.0, f64::max).sqrt())
+    }
+}
+
+/// The coarse points whose spread is nearest to `fine`: conjugate gradients on the normal equations, scaled by their
+/// diagonal. Their condition does not grow with the number of points.
+fn least_squares(
+    target: &Target,
+    fine: &[f64],
+    dimension: usize,
+    m: usize,
+    filter: &[f64],
+    size: usize,
+) -> Result<Vec<f64>> {
+    let mut x = filled(0.0, size)?;
+    let mut residual = filled(0.0, size)?;
+    target.gather(fine, dimension, m, filter, &mut residual);
+    let squares: Vec<f64> = filter.iter().map(|tap| tap * tap).collect();
+    let mut diagonal = filled(0.0, size)?;
+    target.gather(&vec![1.0; fine.len()], dimension, m, &squares, &mut diagonal);
+    let mut step: Vec<f64> = residual.iter().zip(&diagonal).map(|(r, d)| r / d).collect();
+    let mut image = filled(0.0, size)?;
+    let mut energy = dot(&residual, &step);
+    let enough = CONVERGED * energy;
+    for _ in 0..MOST_ROUNDS {
+        // Written so that NaN ends it.
+        if !matches!(energy.partial_cmp(&enough), Some(core::cmp::Ordering::Greater)) {
+            break;
+        }
+        target.gather(&target.fill(&step, dimension, m, filter)?, dimension, m, filter, &mut image);
+        let along = energy / dot(&step, &image);
+        for (k, x) in x.iter_mut().enumerate() {
+            *x += along * step[k];
+            residual[k] -= along * image[k];
+        }
+        let before = energy;
+        let scaled = residual.iter().zip(&diagonal).map(|(r, d)| r / d);
+        energy = residual.iter().zip(scaled.clone()).map(|(r, s)| r * s).sum();
+        for (step, scaled) in step.iter_mut().zip(scaled) {
+            *step = scaled + energy / before * *step;
+        }
+    }
+    Ok(x)
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
