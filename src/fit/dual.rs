@@ -5,8 +5,10 @@
 //! short a way, and corrected by the polynomial that the known values around ask for. (D 12.5)
 
 use super::interval::TERMS;
+use super::problem::Norm;
 use super::scaled::{Scaled, ScaledComponent};
 use crate::numerics::Vector;
+use crate::numerics::enclosing_circle::enclosing_circle;
 
 /// Taylor coefficients of η at a place.
 type State = [Vector; TERMS];
@@ -153,6 +155,10 @@ pub(crate) fn dual_curve(
     }
     let walk = Walk { data, component, weighted, factor };
     let knots = chosen.len();
+    if data.closed && knots <= degree {
+        around(&walk, chosen, known, eta);
+        return;
+    }
     let mut ends: Vec<State> = Vec::with_capacity(knots + 1);
     for (k, &from) in chosen.iter().enumerate() {
         let to = chosen.get(k + 1).copied().unwrap_or(if data.closed { chosen[0] } else { places });
@@ -206,6 +212,53 @@ pub(crate) fn dual_curve(
         }
         let to = chosen.get(k + 1).copied().unwrap_or(if data.closed { chosen[0] } else { places });
         add_polynomial(data, component, chosen[k], to, &correction, eta);
+    }
+}
+
+/// A closed η known at no more knots than its degree: once round from zero, then the polynomial that closes it.
+fn around(walk: &Walk<'_>, chosen: &[usize], known: &[Vector], eta: &mut [Vector]) {
+    let (data, component) = (walk.data, walk.component);
+    let degree = component.degree;
+    // To the last place, and from there over the seam to the first one.
+    let last = component.grid.len() - 1;
+    let mut end = walk.run_by_degree(0, last, eta);
+    let mut closing = vec![Vector::zeros(); component.grid.len()];
+    let rest = walk.run_by_degree(last, 0, &mut closing);
+    eta[last] = end[0];
+    shift_by_degree(degree, &mut end, component.grid[0] + data.length - component.grid[last]);
+    for (term, own) in end.iter_mut().zip(rest) {
+        *term += own;
+    }
+    let mut state = ZERO;
+    for j in (1..=degree).rev() {
+        let (mut sum, mut power) = (end[j - 1], data.length);
+        for i in j + 1..=degree {
+            power *= data.length;
+            sum += state[i] * (BINOMIAL[i][j - 1] * power);
+        }
+        state[j] = sum / (-(j as f64) * data.length);
+    }
+    add_polynomial(data, component, 0, component.grid.len(), &state, eta);
+    // The constant: from the known values, or so that the longest is shortest.
+    let mut constant = Vector::zeros();
+    if chosen.is_empty() {
+        constant -= match data.norm {
+            Norm::L2 => enclosing_circle(eta).centre,
+            Norm::L1 => {
+                let bound = |pick: fn(f64, f64) -> f64, start: f64| {
+                    eta.iter()
+                        .fold(Vector::new(start, start), |b, v| Vector::new(pick(b.x, v.x), pick(b.y, v.y)))
+                };
+                (bound(f64::min, f64::INFINITY) + bound(f64::max, f64::NEG_INFINITY)) * 0.5
+            }
+        };
+    } else {
+        for (&k, value) in chosen.iter().zip(known) {
+            constant += (value - eta[k]) / chosen.len() as f64;
+        }
+    }
+    for value in eta {
+        *value += constant;
     }
 }
 

@@ -4,92 +4,138 @@
 //! one of the two is zero. On those knots alone the objective is smooth, and Newton's method ends at its least value.
 //! (D 12.7)
 
-use super::cone::{Metric, dot, norm};
+use super::cone::{Metric, dot, norm, stretch};
+use super::dual::dual_curve;
 use super::reduced::Reduced;
 use super::scaled::Scaled;
 use super::solution::{Solution, Spline};
-use super::solver::{Iterate, Solver, jump_length, lanes, seen};
+use super::solver::{
+    Iterate, Measure, Solver, dual_length, jump_length, lanes, maxima, measure, median, seen,
+};
 use crate::error::Result;
 use crate::numerics::Vector;
 
 /// A stiffness against coordinates of a jump that have to stay zero, in units of λ over the largest jump.
 const STIFF: f64 = 1e9;
 
+/// The most changes of the set of knots.
+const MOST_ROUNDS: usize = 8;
+/// The most steps of Newton's method on one set.
+const MOST_NEWTON: usize = 20;
+
 /// A curve on chosen knots.
 struct Fixed {
     reduced: Reduced,
     unknowns: Vec<Vector>,
     jumps: Vec<Vector>,
-    objective: f64,
-    data_term: f64,
+    measure: Measure,
+}
+
+/// Where Newton's method ended on fixed knots, with the dual vectors at them: exactly stationary.
+struct Newton {
+    reduced: Reduced,
+    unknowns: Vec<Vector>,
+    jumps: Vec<Vector>,
+    pulls: Vec<Vector>,
 }
 
 impl Solver {
-    /// The curve that the run has come to, on its true knots; the run can go on afterwards.
+    /// The curve that the run has come to, on its true knots; the run can go on afterwards. Its gap is its own, and at
+    /// most that of the run.
     ///
     /// # Errors
     ///
     /// `OutOfMemory` only.
     pub fn solution(&self) -> Result<Solution> {
-        let most = self.measure.primal + self.measure.gap.max(1e-12) * self.measure.primal;
         let fixed = match self.polished()? {
-            Some(fixed) if fixed.objective <= most => fixed,
+            Some(fixed) if fixed.measure.gap <= self.measure.gap => fixed,
             _ => Fixed {
                 reduced: self.iterate.reduced.clone(),
                 unknowns: self.iterate.unknowns.clone(),
                 jumps: self.iterate.jumps.clone(),
-                objective: self.measure.primal,
-                data_term: self.measure.data_term,
+                measure: self.measure,
             },
         };
         Ok(self.in_units_of_the_caller(&fixed))
     }
 
-    /// The least objective on the knots that the iterate singles out; `None` where that fails.
+    /// The least objective on the knots that the iterate singles out, and on those that the dual curve then asks for.
     fn polished(&self) -> Result<Option<Fixed>> {
         let lanes = lanes(self.data.norm);
-        let mut jumps = Vec::new();
-        let mut chosen = Vec::new();
+        let mut sets = Vec::new();
         let mut knot = 0;
         for (i, part) in self.iterate.reduced.parts.iter().enumerate() {
-            let mut set = Vec::new();
-            for (k, jump) in
-                active(&self.iterate, knot, part.chosen.len(), self.data.components[i].lambda, lanes)
-            {
-                set.push(part.chosen[k]);
-                jumps.push(jump);
-            }
-            // The jumps of a closed curve sum to zero: one alone is none.
-            if self.data.closed && set.len() == 1 {
-                set.clear();
-                jumps.pop();
-            }
-            chosen.push(set);
+            let found = active(&self.iterate, knot, part.chosen.len(), self.data.components[i].lambda, lanes);
+            sets.push(found.into_iter().map(|(k, jump)| (part.chosen[k], jump)).collect::<Vec<_>>());
             knot += part.chosen.len();
         }
-        for _ in 0..4 {
-            let reduced = Reduced::new(&self.data, chosen.clone())?;
-            let Some(fixed) = newton(&self.data, reduced, &jumps, lanes) else { return Ok(None) };
-            let Some(keep) = turned(&fixed.jumps, &jumps) else { return Ok(Some(fixed)) };
-            let mut keep = keep.into_iter();
-            let mut kept = Vec::new();
-            for (set, part) in chosen.iter_mut().zip(&fixed.reduced.parts) {
-                let from = kept.len();
-                set.clear();
-                for &place in &part.chosen {
-                    if let Some(Some(jump)) = keep.next() {
-                        set.push(place);
-                        kept.push(jump);
-                    }
-                }
+        let mut best: Option<Fixed> = None;
+        for _ in 0..MOST_ROUNDS {
+            for set in &mut sets {
+                // The jumps of a closed curve sum to zero: one alone is none.
                 if self.data.closed && set.len() == 1 {
                     set.clear();
-                    kept.truncate(from);
                 }
             }
-            jumps = kept;
+            let chosen = sets.iter().map(|set| set.iter().map(|(place, _)| *place).collect()).collect();
+            let start: Vec<Vector> = sets.iter().flatten().map(|(_, jump)| *jump).collect();
+            let reduced = Reduced::new(&self.data, chosen)?;
+            let Some(newton) = newton(&self.data, reduced, &start, lanes) else { break };
+            if lanes == 1 && turned(&newton.jumps, &start) {
+                let mut pairs = newton.jumps.iter().zip(&start);
+                for set in &mut sets {
+                    set.retain(|_| pairs.next().is_some_and(|(a, b)| dot(*a, *b) > 0.0));
+                }
+                continue;
+            }
+            let (fixed, eta) = self.assessed(newton, lanes);
+            let mut jumps = fixed.jumps.iter();
+            let mut any = false;
+            for (set, eta) in sets.iter_mut().zip(&eta) {
+                for (_, jump) in set.iter_mut() {
+                    *jump = *jumps.next().unwrap_or(jump);
+                }
+                let typical = median(set.iter().map(|(_, jump)| norm(*jump)).collect());
+                for k in maxima(eta, self.data.closed, lanes, 1.0 + 1e-11) {
+                    if let Err(at) = set.binary_search_by_key(&k, |(place, _)| *place) {
+                        set.insert(at, (k, wanted(eta[k], lanes) * (1e-2 * typical)));
+                        any = true;
+                    }
+                }
+            }
+            let better = best.as_ref().is_none_or(|best| fixed.measure.gap < best.measure.gap);
+            let worse = best.as_ref().is_some_and(|best| fixed.measure.gap > 10.0 * best.measure.gap);
+            if better {
+                best = Some(fixed);
+            }
+            if !any || worse {
+                break;
+            }
         }
-        Ok(None)
+        Ok(best)
+    }
+
+    /// Objective and bound of a curve on fixed knots, with its dual curves.
+    fn assessed(&self, newton: Newton, lanes: usize) -> (Fixed, Vec<Vec<Vector>>) {
+        let mut weighted = vec![Vector::zeros(); self.data.t.len()];
+        let data_term = newton.reduced.residuals(&self.data, &newton.unknowns, &mut weighted);
+        let (mut regularizer, mut work, mut longest, mut knot) = (0.0, 0.0, 0.0_f64, 0);
+        let mut curves = Vec::new();
+        for (part, component) in newton.reduced.parts.iter().zip(&self.data.components) {
+            let range = knot..knot + part.chosen.len();
+            for (jump, pull) in newton.jumps[range.clone()].iter().zip(&newton.pulls[range.clone()]) {
+                regularizer += component.lambda * jump_length(*jump, lanes);
+                work += component.lambda * dot(*jump, *pull);
+            }
+            knot = range.end;
+            let mut eta = Vec::new();
+            dual_curve(&self.data, component, &part.chosen, &weighted, &newton.pulls[range], &mut eta);
+            longest = eta.iter().fold(longest, |most, v| most.max(dual_length(*v, lanes)));
+            curves.push(eta);
+        }
+        let measure = measure(data_term, regularizer, work, longest);
+        let Newton { reduced, unknowns, jumps, .. } = newton;
+        (Fixed { reduced, unknowns, jumps, measure }, curves)
     }
 
     fn in_units_of_the_caller(&self, fixed: &Fixed) -> Solution {
@@ -123,10 +169,10 @@ impl Solver {
         Solution {
             components,
             domain: (data.start, data.start + data.length * data.step, data.closed),
-            objective: fixed.objective * factor,
-            data_term: fixed.data_term * factor,
+            objective: fixed.measure.primal * factor,
+            data_term: fixed.measure.data_term * factor,
             regularizers,
-            gap: self.measure.gap.max(0.0),
+            gap: fixed.measure.gap.max(0.0),
             status: self.status,
             iterations: self.iteration,
         }
@@ -155,17 +201,22 @@ fn active(iterate: &Iterate, from: usize, count: usize, lambda: f64, lanes: usiz
     found
 }
 
-/// The jumps to keep where some have turned round or vanished; `None` where none has.
-fn turned(after: &[Vector], before: &[Vector]) -> Option<Vec<Option<Vector>>> {
-    let good = |(a, b): (&Vector, &Vector)| dot(*a, *b) > 0.0;
-    if after.iter().zip(before).all(good) {
-        return None;
+/// The jump that a dual vector longer than one asks for.
+fn wanted(eta: Vector, lanes: usize) -> Vector {
+    if lanes == 1 {
+        return eta;
     }
-    Some(after.iter().zip(before).map(|pair| good(pair).then_some(*pair.1)).collect())
+    let beyond = |v: f64| if v.abs() > 1.0 { v } else { 0.0 };
+    Vector::new(beyond(eta.x), beyond(eta.y))
+}
+
+/// Whether any jump has turned round or vanished.
+fn turned(after: &[Vector], before: &[Vector]) -> bool {
+    !after.iter().zip(before).all(|(a, b)| dot(*a, *b) > 0.0)
 }
 
 /// Newton's method for the objective on fixed knots, from directions and lengths of their jumps.
-fn newton(data: &Scaled, mut reduced: Reduced, start: &[Vector], lanes: usize) -> Option<Fixed> {
+fn newton(data: &Scaled, mut reduced: Reduced, start: &[Vector], lanes: usize) -> Option<Newton> {
     let lambdas: Vec<f64> = reduced
         .parts
         .iter()
@@ -175,7 +226,9 @@ fn newton(data: &Scaled, mut reduced: Reduced, start: &[Vector], lanes: usize) -
     let largest = start.iter().fold(f64::MIN_POSITIVE, |most, v| most.max(norm(*v)));
     let mut jumps = start.to_vec();
     let (mut unknowns, mut line, mut forces, mut metrics) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    for round in 0..20 {
+    let mut next = Vec::new();
+    let mut change = f64::INFINITY;
+    for _ in 0..MOST_NEWTON {
         forces.clear();
         metrics.clear();
         for (jump, lambda) in jumps.iter().zip(&lambdas) {
@@ -185,35 +238,75 @@ fn newton(data: &Scaled, mut reduced: Reduced, start: &[Vector], lanes: usize) -
             metrics.push(metric);
         }
         let _ = reduced.factor(&metrics);
-        unknowns = reduced.linear.clone();
+        unknowns.clone_from(&reduced.linear);
         reduced.pull(&forces, &mut unknowns);
         reduced.solve(&mut unknowns, &mut line);
-        let mut next = Vec::new();
         reduced.jumps(&unknowns, &mut next);
         if next.iter().any(|v| !(v.x.is_finite() && v.y.is_finite())) {
             return None;
         }
-        if turned(&next, start).is_some() {
-            jumps = next;
+        let stop = if lanes == 2 {
+            release(&mut jumps, &next, &lambdas, largest)
+        } else {
+            let before = change;
+            change = next.iter().zip(&jumps).fold(0.0_f64, |most, (a, b)| most.max(norm(a - b) / norm(*a)));
+            change < 1e-13 || (change < 1e-9 && change >= before) || turned(&next, start)
+        };
+        if stop {
             break;
         }
-        let change = next.iter().zip(&jumps).fold(0.0_f64, |most, (a, b)| most.max(norm(a - b) / norm(*a)));
-        jumps = next;
-        if change < 1e-12 || (lanes == 2 && round > 0) {
-            break;
+        if lanes == 1 {
+            jumps.clone_from(&next);
         }
     }
+    // Stiff systems leave residuals; what they leave is solved for again.
+    let mut weighted = vec![Vector::zeros(); data.t.len()];
+    let (mut rest, mut pull) = (Vec::new(), Vec::new());
+    for _ in 0..lanes {
+        let _ = reduced.residuals(data, &unknowns, &mut weighted);
+        reduced.gradient(data, &weighted, &mut rest);
+        pull.clear();
+        pull.extend((0..next.len()).map(|k| stretch(&metrics[k], next[k]) - forces[k]));
+        reduced.pull(&pull, &mut rest);
+        reduced.solve(&mut rest, &mut line);
+        for (unknown, by) in unknowns.iter_mut().zip(&rest) {
+            *unknown -= by;
+        }
+        reduced.jumps(&unknowns, &mut next);
+    }
+    // −λu = −λU − metric·w: the dual vectors that balance the residuals exactly.
+    let pulls = (0..next.len()).map(|k| (stretch(&metrics[k], next[k]) - forces[k]) / lambdas[k]).collect();
     if lanes == 2 {
-        for (jump, own) in jumps.iter_mut().zip(start) {
+        for (jump, own) in next.iter_mut().zip(&jumps) {
             // What had to stay zero is zero.
             *jump =
                 Vector::new(if own.x == 0.0 { 0.0 } else { jump.x }, if own.y == 0.0 { 0.0 } else { jump.y });
         }
     }
-    let mut weighted = vec![Vector::zeros(); data.t.len()];
-    let data_term = reduced.residuals(data, &unknowns, &mut weighted);
-    let regularizer: f64 = jumps.iter().zip(&lambdas).map(|(v, l)| l * jump_length(*v, lanes)).sum();
-    Some(Fixed { reduced, unknowns, jumps, objective: data_term + regularizer, data_term })
+    Some(Newton { reduced, unknowns, jumps: next, pulls })
+}
+
+/// Holds coordinates that turned round and frees those held by more than λ; answers whether there were none.
+fn release(jumps: &mut [Vector], next: &[Vector], lambdas: &[f64], largest: f64) -> bool {
+    let mut settled = true;
+    for ((jump, next), lambda) in jumps.iter_mut().zip(next).zip(lambdas) {
+        for axis in 0..2 {
+            let changed = if jump[axis] == 0.0 {
+                if (STIFF * lambda / largest * next[axis]).abs() > lambda * (1.0 + 1e-4) {
+                    next[axis]
+                } else {
+                    0.0
+                }
+            } else if jump[axis] * next[axis] <= 0.0 {
+                0.0
+            } else {
+                jump[axis]
+            };
+            settled &= changed == jump[axis];
+            jump[axis] = changed;
+        }
+    }
+    settled
 }
 
 /// −λU and λ(1 − UU′)/ρ for a jump ρU: gradient and curvature of λ|w|.

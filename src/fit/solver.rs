@@ -5,9 +5,13 @@ use super::dual::dual_curve;
 use super::problem::{Norm, Problem};
 use super::reduced::Reduced;
 use super::scaled::Scaled;
+use super::warm::Middle;
 use crate::error::Result;
 use crate::limits;
 use crate::numerics::Vector;
+
+/// λ in scaled units is not less than this: the curve goes through the points to within 1e-10 of the drawing then.
+pub(crate) const LEAST_LAMBDA: f64 = 1e-10;
 
 /// When to stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,14 +67,6 @@ pub(crate) struct Measure {
     /// The longest dual vector anywhere on the grids.
     pub(crate) longest: f64,
     pub(crate) gap: f64,
-}
-
-/// What a warm start needs: the dual curve of an iterate that was not yet at the boundary.
-#[derive(Clone, Debug)]
-pub(crate) struct Middle {
-    pub(crate) eta: Vec<Vec<Vector>>,
-    pub(crate) lambdas: Vec<f64>,
-    pub(crate) slack: f64,
 }
 
 /// Solves a [`Problem`] step by step; λ may be changed between runs, which then start warm.
@@ -150,7 +146,7 @@ impl Solver {
         problem.check()?;
         let mut data = Scaled::new(problem)?;
         for component in &mut data.components {
-            component.lambda = component.lambda.max(1e-13);
+            component.lambda = component.lambda.max(LEAST_LAMBDA);
         }
         let mut weighted = limits::with_room(data.t.len())?;
         weighted.resize(data.t.len(), Vector::zeros());
@@ -168,9 +164,17 @@ impl Solver {
             idle: (0, f64::INFINITY),
             buffers: Buffers::default(),
         };
-        solver.look();
-        solver.settle();
+        solver.restart();
         Ok(solver)
+    }
+
+    /// A new run from the iterate as it is.
+    pub(crate) fn restart(&mut self) {
+        self.status = Status::Running;
+        self.iteration = 0;
+        self.idle = (0, f64::INFINITY);
+        self.look();
+        self.settle();
     }
 
     /// One iteration; nothing when the run is over. Answers how it stands then.
@@ -186,9 +190,7 @@ impl Solver {
             self.status = Status::IterationLimit;
             return Ok(self.status);
         }
-        if self.iteration > 0 {
-            self.insert_knots()?;
-        }
+        self.insert_knots()?;
         self.iteration += 1;
         let before = (self.iterate.unknowns.clone(), self.iterate.cones.clone(), self.measure);
         let moved = self.advance();
@@ -244,7 +246,11 @@ impl Solver {
     fn settle(&mut self) {
         let gap = self.measure.gap;
         if gap < 3e-2 && self.measure.longest < 1.02 && self.middle.is_none() {
+            let parts = &self.iterate.reduced.parts;
             self.middle = Some(Middle {
+                chosen: parts.iter().map(|part| part.chosen.clone()).collect(),
+                jumps: self.iterate.jumps.clone(),
+                cones: self.iterate.cones.clone(),
                 eta: self.eta.clone(),
                 lambdas: self.data.components.iter().map(|c| c.lambda).collect(),
                 slack: self.measure.primal - self.measure.dual,
@@ -509,7 +515,7 @@ fn transfer(from: &Reduced, to: &mut Reduced, unknowns: &[Vector]) -> Vec<Vector
 }
 
 /// A first point: few knots at equal distances, a smoothing spline on them whose forces are half of what is allowed.
-fn start(data: &Scaled) -> Result<Iterate> {
+pub(crate) fn start(data: &Scaled) -> Result<Iterate> {
     let lanes = lanes(data.norm);
     let chosen = data
         .components

@@ -3,6 +3,7 @@
 pub mod angle;
 pub mod banded;
 pub(crate) mod dense;
+pub mod enclosing_circle;
 pub mod entire;
 pub(crate) mod plane;
 pub(crate) mod quadrature;

@@ -1,0 +1,173 @@
+//! A new run from what the last one left behind, for another λ.
+
+use super::cone::{Lorentz, Metric, Scaling, dot, norm, stretch};
+use super::reduced::Reduced;
+use super::solver::{Iterate, Pair, Solver, lanes, maxima, seen, start};
+use crate::error::{Error, Result};
+use crate::limits;
+use crate::numerics::Vector;
+
+/// An iterate on the way, far enough from the boundary to start from again.
+#[derive(Clone, Debug)]
+pub(crate) struct Middle {
+    pub(crate) chosen: Vec<Vec<usize>>,
+    pub(crate) jumps: Vec<Vector>,
+    pub(crate) cones: Vec<Pair>,
+    pub(crate) eta: Vec<Vec<Vector>>,
+    pub(crate) lambdas: Vec<f64>,
+    pub(crate) slack: f64,
+}
+
+/// What a knot brings into a new run.
+struct Seed {
+    place: usize,
+    jump: Vector,
+    pull: Vector,
+    metric: Metric,
+}
+
+impl Solver {
+    /// Starts a new run for other λ of the components, warm where the last run came far enough: from an iterate on its
+    /// way, with the knots that mattered there and at its end.
+    ///
+    /// # Errors
+    ///
+    /// `WrongLength`, `OutOfRange` for a λ not in 0 … 1e60, `OutOfMemory`; the last run stays as it is then.
+    pub fn set_lambdas(&mut self, lambdas: &[f64]) -> Result<()> {
+        if lambdas.len() != self.data.components.len() {
+            return Err(Error::wrong_length("lambda", lambdas.len(), self.data.components.len()));
+        }
+        for (i, &lambda) in lambdas.iter().enumerate() {
+            limits::check("lambda", Some(i), lambda, 0.0, limits::LARGEST_LAMBDA)?;
+        }
+        for (i, &lambda) in lambdas.iter().enumerate() {
+            let scaled = lambda * self.data.lambda_factor(self.data.components[i].degree);
+            self.data.components[i].lambda = scaled.max(super::solver::LEAST_LAMBDA);
+        }
+        let iterate = match self.middle.take() {
+            Some(middle) => self.warm(&middle)?,
+            None => start(&self.data)?,
+        };
+        self.iterate = iterate;
+        self.restart();
+        Ok(())
+    }
+
+    /// A stationary point on the knots that mattered: a step of the quadratic model from the iterate remembered.
+    fn warm(&self, middle: &Middle) -> Result<Iterate> {
+        let lanes = lanes(self.data.norm);
+        let mut seeds: Vec<Vec<Seed>> = Vec::new();
+        let mut knot = 0;
+        for (i, component) in self.data.components.iter().enumerate() {
+            seeds.push(self.seeds(middle, i, knot, component.lambda / middle.lambdas[i]));
+            knot += middle.chosen[i].len();
+        }
+        let chosen = seeds.iter().map(|set| set.iter().map(|seed| seed.place).collect()).collect();
+        let mut reduced = Reduced::new(&self.data, chosen)?;
+        let all: Vec<&Seed> = seeds.iter().flatten().collect();
+        let metrics: Vec<Metric> = all.iter().map(|seed| seed.metric).collect();
+        let _ = reduced.factor(&metrics);
+        let forces: Vec<Vector> =
+            all.iter().map(|seed| seed.pull + stretch(&seed.metric, seed.jump)).collect();
+        let mut unknowns = reduced.linear.clone();
+        reduced.pull(&forces, &mut unknowns);
+        reduced.solve(&mut unknowns, &mut Vec::new());
+        let mut jumps = Vec::new();
+        reduced.jumps(&unknowns, &mut jumps);
+        // Stationary with the forces that the model leaves.
+        let (mut total, mut count) = (0.0, 0.0_f64);
+        let mut pulls = Vec::new();
+        let mut knot = 0;
+        for (i, set) in seeds.iter().enumerate() {
+            for _ in set {
+                let pull = forces[knot] - stretch(&metrics[knot], jumps[knot]);
+                for lane in 0..lanes {
+                    let (pull, jump) = (seen(pull, lane, lanes), seen(jumps[knot], lane, lanes));
+                    total += self.data.components[i].lambda * norm(jump) + dot(pull, jump);
+                    count += 1.0;
+                }
+                pulls.push(pull);
+                knot += 1;
+            }
+        }
+        let mean = (total / count.max(1.0)).max(middle.slack / count.max(1.0)).max(f64::MIN_POSITIVE);
+        let mut cones = Vec::new();
+        let mut knot = 0;
+        for (i, set) in seeds.iter().enumerate() {
+            let lambda = self.data.components[i].lambda;
+            for _ in set {
+                for lane in 0..lanes {
+                    let (pull, jump) = (seen(pulls[knot], lane, lanes), seen(jumps[knot], lane, lanes));
+                    cones.push(pair(lambda, pull, jump, mean));
+                }
+                knot += 1;
+            }
+        }
+        Ok(Iterate { reduced, unknowns, jumps, cones })
+    }
+
+    /// The knots of one component for a new run, with their jumps, forces and stiffnesses.
+    fn seeds(&self, middle: &Middle, i: usize, from: usize, ratio: f64) -> Vec<Seed> {
+        let lanes = lanes(self.data.norm);
+        let (eta, old) = (&middle.eta[i], &middle.chosen[i]);
+        let closed = self.data.closed;
+        let mut set = maxima(eta, closed, lanes, 0.9);
+        set.extend(maxima(&self.eta[i], closed, lanes, 0.9));
+        let mut knot = 0;
+        for (p, part) in self.iterate.reduced.parts.iter().enumerate() {
+            if p == i {
+                let largest = self.iterate.jumps[knot..knot + part.chosen.len()]
+                    .iter()
+                    .fold(0.0_f64, |most, jump| most.max(norm(*jump)));
+                for (k, &place) in part.chosen.iter().enumerate() {
+                    if norm(self.iterate.jumps[knot + k]) > 1e-3 * largest {
+                        set.push(place);
+                    }
+                }
+            }
+            knot += part.chosen.len();
+        }
+        // A closed dual curve needs more known values than its degree; an open one is better with some.
+        let least = self.data.components[i].degree + 3;
+        let places = self.data.components[i].grid.len();
+        if set.len() < 2 * least {
+            set.extend((0..least.min(places)).map(|k| k * places / least.min(places)));
+        }
+        set.sort_unstable();
+        set.dedup();
+        let lambda = middle.lambdas[i];
+        let typical = middle.slack / middle.cones.len().max(1) as f64;
+        let force_ratio = ratio.min(1.0);
+        set.into_iter()
+            .map(|place| {
+                let pull = eta[place] * (-lambda * force_ratio);
+                let known = old.binary_search(&place);
+                let jump = known.map_or_else(|_| Vector::zeros(), |k| middle.jumps[from + k]);
+                let scaling = |lane: usize| match known {
+                    Ok(k) => {
+                        let pair = &middle.cones[(from + k) * lanes + lane];
+                        Scaling::new(pair.s, pair.z)
+                    }
+                    Err(_) => {
+                        let pair = pair(lambda, seen(pull, lane, lanes), Vector::zeros(), typical);
+                        Scaling::new(pair.s, pair.z)
+                    }
+                };
+                let first = scaling(0).metric();
+                let metric = if lanes == 1 { first } else { [first[0], 0.0, scaling(1).metric()[2]] };
+                Seed { place, jump, pull, metric }
+            })
+            .collect()
+    }
+}
+
+/// A point in both cones for a force, a jump and a complementarity to be near.
+fn pair(lambda: f64, pull: Vector, jump: Vector, mean: f64) -> Pair {
+    let length = norm(pull);
+    let height = lambda.max(length / 0.97);
+    let wish = mean * height / ((height - length) * (height + length));
+    let square = dot(jump, jump);
+    let reach = |times: f64| (square + (times * mean / height) * (times * mean / height)).sqrt();
+    let s = Lorentz::new(wish.clamp(reach(1.0), reach(20.0)), jump);
+    Pair { s, z: Lorentz::new(height, pull), lambda }
+}
