@@ -19,7 +19,14 @@ export type PointsLike =
   | readonly (readonly [number, number])[]
   | readonly { readonly x: number; readonly y: number }[];
 
-/** Points as kept: two numbers each in an array that nobody else holds. */
+/** Points in space as they may be given: interleaved, as triples, or as objects with x, y and z. */
+export type SpacePointsLike =
+  | Float64Array
+  | readonly number[]
+  | readonly (readonly [number, number, number])[]
+  | readonly { readonly x: number; readonly y: number; readonly z: number }[];
+
+/** Points as kept: two or three numbers each in an array that nobody else holds. */
 export type Coordinates = Float64Array<ArrayBuffer>;
 
 const typedArray: object = Object.getPrototypeOf(Float64Array.prototype) as object;
@@ -168,35 +175,37 @@ function honestLength(
   return length;
 }
 
-/** A copy of points or vectors, two numbers each, every one of them finite and within ±1e9. */
-export function points(op: string, arg: string, value: unknown, max: number = MAX_POINTS): Coordinates {
+/** A copy of points or vectors, `dimension` numbers each, every one of them finite and within ±1e9. */
+export function points(op: string, arg: string, value: unknown, max: number = MAX_POINTS, dimension: 2 | 3 = 2): Coordinates {
   const limit = "maxPoints";
   let copy: Coordinates;
   if (Array.isArray(value) && value.length > 0 && typeof value[0] === "object" && value[0] !== null) {
     const list = value as readonly unknown[];
     const length = honestLength(op, arg, list, limit, max, (item) => typeof item === "object" && item !== null);
-    copy = new Float64Array(2 * length);
-    for (let i = 0; i < length; i += 1) {
-      const [x, y] = pair(op, arg, list[i], i);
-      copy[2 * i] = x;
-      copy[2 * i + 1] = y;
-    }
+    copy = new Float64Array(dimension * length);
+    for (let i = 0; i < length; i += 1) copy.set(one(op, arg, list[i], i, dimension), dimension * i);
   } else {
-    copy = numbers(op, arg, value, limit, 2 * max);
-    if (copy.length % 2 !== 0) throw wrongLength(op, arg, copy.length, "an even number, two for each point");
+    copy = numbers(op, arg, value, limit, dimension * max);
+    if (copy.length % dimension !== 0) {
+      const bound = dimension === 2 ? "an even number, two for each point" : "a multiple of 3, three for each point";
+      throw wrongLength(op, arg, copy.length, bound);
+    }
   }
   return within(op, arg, copy);
 }
 
-function pair(op: string, arg: string, item: unknown, i: number): [number, number] {
-  const isPair = Array.isArray(item);
-  if (typeof item !== "object" || item === null || (isPair && item.length !== 2)) {
-    throw wrong("E_TYPE", op, arg, item, "a pair of numbers", i);
+const AXES = ["x", "y", "z"] as const;
+
+function one(op: string, arg: string, item: unknown, i: number, dimension: 2 | 3): number[] {
+  const isArray = Array.isArray(item);
+  if (typeof item !== "object" || item === null || (isArray && item.length !== dimension)) {
+    throw wrong("E_TYPE", op, arg, item, dimension === 2 ? "a pair of numbers" : "three numbers", i);
   }
-  const [x, y] = isPair ? (item as unknown[]) : [(item as { x?: unknown }).x, (item as { y?: unknown }).y];
-  if (typeof x !== "number") throw wrong("E_TYPE", op, arg, x, "number", 2 * i);
-  if (typeof y !== "number") throw wrong("E_TYPE", op, arg, y, "number", 2 * i + 1);
-  return [x, y];
+  return AXES.slice(0, dimension).map((axis, k) => {
+    const value: unknown = isArray ? (item as unknown[])[k] : (item as Record<string, unknown>)[axis];
+    if (typeof value !== "number") throw wrong("E_TYPE", op, arg, value, "number", dimension * i + k);
+    return value;
+  });
 }
 
 /** Refuses the first number that is not a coordinate; turns −0 into 0, so that JSON can carry every number. */

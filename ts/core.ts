@@ -3,17 +3,22 @@ export { default, initSync, version } from "./engine.js";
 export type { InitOptions } from "./engine.js";
 export { ExplineError } from "./error.js";
 export type { ErrorCode, ErrorDetails } from "./error.js";
-export type { PointsLike } from "./arguments.js";
+export type { PointsLike, SpacePointsLike } from "./arguments.js";
 export type { Space } from "./curve-data.js";
 export type { Bounds, Curve, Ellipse, Nearest, PathOptions } from "./curve.js";
 export { HermiteCurve } from "./hermite-curve.js";
-export type { EllipseOptions, HermiteCurveOptions } from "./hermite-curve.js";
+export type { EllipseOptions, HermiteCurveJSON, HermiteCurveOptions } from "./hermite-curve.js";
+export { InterpolatingCurve } from "./interpolating-curve.js";
+export type { InterpolatingCurveJSON, InterpolatingCurveOptions } from "./interpolating-curve.js";
+export { BSplineCurve } from "./b-spline-curve.js";
+export type { BSplineCurveJSON, BSplineCurveOptions } from "./b-spline-curve.js";
+export type { AnyPointsLike } from "./spline-curve.js";
 export { HermiteGenerators } from "./hermite-generators.js";
 export { ExponentialBSpline, Interpolator } from "./exponential-generators.js";
 export { roots } from "./roots.js";
 export type { Root } from "./roots.js";
 export { fromJSON } from "./json.js";
-export type { HermiteCurveJSON, JSONWarning, ReadOptions } from "./json.js";
+export type { JSONWarning, ReadOptions } from "./json.js";
 export { TensorSurface } from "./surface.js";
 export type {
   Direction,

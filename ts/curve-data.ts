@@ -15,29 +15,29 @@ const MOST_RESIDENT = 1_500_000;
 let lastId = 0;
 let clock = 0;
 
-/** The arrays of one curve. An edit gives it a new number, so that the kernel's copy no longer counts. */
-export class CurveData {
+/** What one curve of any kind is made of. An edit gives it a new number, so that the kernel's copy no longer counts. */
+export abstract class Held {
   id = 0;
   slot = 0;
-  /** Last parameter of the domain. */
+  /** First and last parameter of the domain. */
+  start = 0;
   end = 0;
   /** Fields that a file had and this version does not know: own properties, kept for the next file. */
   extra: Readonly<Record<string, unknown>> | undefined;
 
   constructor(
     readonly points: Floats,
-    readonly tangents: Floats,
-    /** Empty where arriving and leaving are the same. */
-    public tangentsIn: Floats,
-    /** One, or one per segment; empty until the kernel has said what the default is. */
-    public omega: Floats,
-    /** Empty where all are 1. */
-    readonly lengths: Floats,
-    readonly space: Space,
     readonly closed: boolean,
+    readonly dimension: 2 | 3,
   ) {
     this.touch();
   }
+
+  /** The highest derivative that can be asked for. */
+  abstract get orders(): number;
+
+  /** Writes the arrays and has the kernel make and keep the curve. */
+  protected abstract send(op: string, slot: number): void;
 
   /** To be called after every change of the arrays. */
   touch(): void {
@@ -45,9 +45,9 @@ export class CurveData {
     this.id = lastId;
   }
 
-  /** How many segments there are. */
-  get segments(): number {
-    return this.points.length / 2 - (this.closed ? 0 : 1);
+  /** How many points there are. */
+  get count(): number {
+    return this.points.length / this.dimension;
   }
 
   /** The slot that holds this curve in the living instance, loaded now if need be. */
@@ -61,8 +61,7 @@ export class CurveData {
 
   /** Has the kernel check the curve and keep it. */
   load(op: string): void {
-    const { points, tangents, tangentsIn, omega, lengths } = this;
-    const count = points.length / 2;
+    const { count } = this;
     const instance = engine();
     if (instance.points + count > MOST_RESIDENT && instance.points > 0) {
       call(op, (kernel) => (kernel.forget(), 0));
@@ -71,21 +70,101 @@ export class CurveData {
       instance.capacity = 0;
     }
     const slot = oldest(instance.used, instance.ids);
-    write(op, points, tangents, tangentsIn, omega, lengths);
-    const space = SPACES.indexOf(this.space);
-    const arrays = [tangentsIn.length / 2, omega.length, lengths.length] as const;
-    const omegas = call(op, (kernel) => kernel.load(slot, count, ...arrays, space, this.closed ? 1 : 0));
-    this.omega = copy(omegas);
-    this.end = result(0);
+    this.send(op, slot);
     this.slot = slot;
     instance.ids[slot] = this.id;
     instance.points += count;
+  }
+}
+
+/** The arrays of one Hermite curve. */
+export class CurveData extends Held {
+  constructor(
+    points: Floats,
+    readonly tangents: Floats,
+    /** Empty where arriving and leaving are the same. */
+    public tangentsIn: Floats,
+    /** One, or one per segment; empty until the kernel has said what the default is. */
+    public omega: Floats,
+    /** Empty where all are 1. */
+    readonly lengths: Floats,
+    readonly space: Space,
+    closed: boolean,
+  ) {
+    super(points, closed, 2);
+  }
+
+  get orders(): number {
+    return 2;
+  }
+
+  /** How many segments there are. */
+  get segments(): number {
+    return this.count - (this.closed ? 0 : 1);
+  }
+
+  protected send(op: string, slot: number): void {
+    const { points, tangents, tangentsIn, omega, lengths } = this;
+    write(op, points, tangents, tangentsIn, omega, lengths);
+    const space = SPACES.indexOf(this.space);
+    const arrays = [tangentsIn.length / 2, omega.length, lengths.length] as const;
+    const omegas = call(op, (kernel) => kernel.load(slot, this.count, ...arrays, space, this.closed ? 1 : 0));
+    this.omega = copy(omegas);
+    this.end = result(0);
   }
 
   /** Gives the arriving tangents an array of their own. */
   separate(): void {
     if (this.tangentsIn.length === 0) this.tangentsIn = this.tangents.slice();
   }
+}
+
+/** The kinds of curves on a grid, in the kernel's numbers. */
+export const enum SplineKind {
+  Interpolating = 1,
+  BSpline,
+}
+
+/** The arrays of one curve on a grid. */
+export class SplineData extends Held {
+  constructor(
+    readonly kind: SplineKind,
+    points: Floats,
+    dimension: 2 | 3,
+    closed: boolean,
+    /** Two numbers each; empty until the kernel has said what the default is. */
+    public roots: Floats,
+    readonly step = 1,
+    readonly offset = 0,
+  ) {
+    super(points, closed, dimension);
+  }
+
+  get orders(): number {
+    return Math.max(this.roots.length / 2 - 1, 2);
+  }
+
+  protected send(op: string, slot: number): void {
+    const { kind, points, dimension, roots, step, offset } = this;
+    write(op, points, roots);
+    const counts = [points.length, dimension, this.closed ? 1 : 0, roots.length / 2] as const;
+    const given = call(op, (kernel) => kernel.load_spline(slot, kind, ...counts, step, offset), points);
+    this.roots = copy(given);
+    this.start = result(0);
+    this.end = result(1);
+  }
+}
+
+/** The B-spline curve that the kernel has left in its output. */
+export function readSpline(count: number): SplineData {
+  const numbers = peek(count);
+  const [length = 0, dimension, closed, roots = 0, step, offset, start = 0, end = 0] = numbers;
+  const points = numbers.slice(8, 8 + length) as Floats;
+  const pairs = numbers.slice(8 + length, 8 + length + 2 * roots) as Floats;
+  const data = new SplineData(SplineKind.BSpline, points, dimension === 3 ? 3 : 2, closed === 1, pairs, step, offset);
+  data.start = start;
+  data.end = end;
+  return data;
 }
 
 function oldest(used: readonly number[], ids: readonly number[]): number {

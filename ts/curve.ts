@@ -1,4 +1,4 @@
-/** What can be asked of a curve of the plane: points, lengths, areas, distances, and its outline as an SVG path. */
+/** What can be asked of every curve: points, lengths, areas, distances, and its outline as an SVG path. */
 import {
   MAX_EVALUATIONS,
   MAX_OUTPUT,
@@ -15,17 +15,20 @@ import {
   points as checkPoints,
   tolerance as checkTolerance,
 } from "./arguments.js";
-import type { CurveData } from "./curve-data.js";
+import { Held } from "./curve-data.js";
 import { ExplineError, degenerate, wrong } from "./error.js";
 import type { Kernel } from "./engine.js";
 import { call, copy, outputText, peek, result, write } from "./kernel.js";
 
-/** A rectangle along the axes, in the user's unit. */
+/** A rectangle along the axes, in the user's unit; a box for a curve in space. */
 export interface Bounds {
   minX: number;
   minY: number;
   maxX: number;
   maxY: number;
+  /** Of a curve in space only. */
+  minZ?: number;
+  maxZ?: number;
 }
 
 /** A place on a curve and how far it is from the place that was asked about. */
@@ -34,6 +37,8 @@ export interface Nearest {
   t: number;
   x: number;
   y: number;
+  /** Of a curve in space only. */
+  z?: number;
   distance: number;
 }
 
@@ -71,7 +76,7 @@ export interface Curve {
   length(tolerance?: number): number;
   area(): number;
   bounds(): Bounds;
-  nearest(x: number, y: number): Nearest;
+  nearest(x: number, y: number, z?: number): Nearest;
   curvature(t: number | Float64Array): Float64Array;
   toJSON(): object;
 }
@@ -81,24 +86,26 @@ const BLOCK = 2048;
 /** Stands for "the kernel's default" where a tolerance is expected. */
 const BY_DEFAULT = 0;
 
-/** The arrays of a curve, and the proof that it is one. @internal */
-export let dataOf: (curve: PlaneCurve, op: string) => CurveData;
+/** The arrays of a curve, and the proof that it is one, of the kind that is asked for. @internal */
+export let dataOf: <D extends Held = Held>(curve: MeasuredCurve, op: string, kind?: Kind<D>) => D;
 
-/** A curve of the plane. */
-export abstract class PlaneCurve implements Curve {
-  readonly #data: CurveData;
+type Kind<D extends Held> = abstract new (...parts: never[]) => D;
+
+/** A curve of any kind, in the plane or in space. */
+export abstract class MeasuredCurve implements Curve {
+  readonly #data: Held;
 
   static {
-    dataOf = (curve, op) => {
-      if (typeof curve !== "object" || curve === null || !(#data in curve)) {
+    dataOf = <D extends Held>(curve: MeasuredCurve, op: string, kind?: Kind<D>): D => {
+      if (typeof curve !== "object" || curve === null || !(#data in curve) || !(curve.#data instanceof (kind ?? Held))) {
         throw wrong("E_TYPE", op, "this", curve, "a curve of this package");
       }
-      return curve.#data;
+      return curve.#data as D;
     };
   }
 
   /** @internal */
-  constructor(data: CurveData) {
+  constructor(data: Held) {
     this.#data = data;
   }
 
@@ -109,35 +116,39 @@ export abstract class PlaneCurve implements Curve {
 
   /** First and last parameter. */
   get domain(): readonly [number, number] {
-    return [0, dataOf(this, "domain").end];
+    const { start, end } = dataOf(this, "domain");
+    return [start, end];
   }
 
-  /** 2: a curve of the plane. */
-  get dimension(): 2 {
-    return 2;
+  /** 2 for a curve of the plane, 3 in space. */
+  get dimension(): 2 | 3 {
+    return dataOf(this, "dimension").dimension;
   }
 
   /**
-   * Points, or derivatives with respect to the parameter (0, 1 or 2), at one or many parameters: x and y in turn.
+   * Points, or derivatives with respect to the parameter, at one or many parameters: all coordinates in turn.
    *
-   * At a point of the curve derivatives are those of the segment that starts there. A closed curve takes any t.
+   * Hermite curves have derivatives to order 2, others to one less than they have roots, but at least 2. Where a derivative
+   * jumps it is that of the segment that starts there. A closed curve takes any t.
    *
    * @param out - where the numbers go, if not into a new array; it may be longer than needed.
    */
   evaluate(t: number | Float64Array | readonly number[], derivative = 0, out?: Float64Array): Float64Array {
     const op = "evaluate";
     const data = dataOf(this, op);
-    const order = derivative === 0 ? 0 : integer(op, "derivative", derivative, 0, 2);
+    const each = data.dimension;
+    const order = derivative === 0 ? 0 : integer(op, "derivative", derivative, 0, data.orders);
     if (typeof t === "number") {
       const slot = data.resident(op);
-      const to = out === undefined ? new Float64Array(2) : output(op, out, 2);
+      const to = out === undefined ? new Float64Array(each) : output(op, out, each);
       call(op, (kernel) => kernel.evaluate_one(slot, t, order), t);
       to[0] = result(0);
       to[1] = result(1);
+      if (each === 3) to[2] = result(2);
       return to;
     }
     const given = numbers(op, "t", t, "maxEvalPoints", MAX_EVALUATIONS);
-    const to = out === undefined ? undefined : output(op, out, 2 * given.length, isFloat64Array(t) ? t : undefined);
+    const to = out === undefined ? undefined : output(op, out, each * given.length, isFloat64Array(t) ? t : undefined);
     const slot = data.resident(op);
     write(op, given);
     const count = call(op, (kernel) => kernel.evaluate_many(slot, given.length, order), given);
@@ -146,7 +157,7 @@ export abstract class PlaneCurve implements Curve {
 
   /**
    * `count` points spread uniformly over the parameter: at i/count of the domain of a closed curve, at i/(count − 1)
-   * of an open one; x and y in turn. With `tangents` each point is followed by its derivative: x, y, dx/dt, dy/dt.
+   * of an open one; all coordinates in turn. With `tangents` each point is followed by its derivative: x, y, dx/dt, dy/dt.
    *
    * `out` is where the numbers go, if not into a new array; it may be longer than needed.
    */
@@ -159,7 +170,7 @@ export abstract class PlaneCurve implements Curve {
     const { out, tangents } = checkOptions(op, options, ["out", "tangents"]);
     const n = checkCount(op, "count", count, 1, "maxOutputPoints", MAX_OUTPUT);
     const both = flag(op, "tangents", tangents, false) ? 1 : 0;
-    const each = 2 + 2 * both;
+    const each = data.dimension * (1 + both);
     const to = out === undefined ? undefined : output(op, out, each * n);
     const slot = data.resident(op);
     const all = to ?? new Float64Array(each * n);
@@ -171,7 +182,7 @@ export abstract class PlaneCurve implements Curve {
     return all;
   }
 
-  /** `count` points at equal distances along the curve, x and y in turn; a closed one does not repeat its start. */
+  /** `count` points at equal distances along the curve, all coordinates in turn; a closed one does not repeat its start. */
   sampleByLength(count: number, options?: { tolerance?: number | undefined }): Float64Array {
     const op = "sampleByLength";
     const data = dataOf(this, op);
@@ -207,25 +218,32 @@ export abstract class PlaneCurve implements Curve {
     return { x, y: result(1) };
   }
 
-  /** The smallest rectangle around the curve itself, not around its handles. */
+  /** The smallest rectangle, in space the smallest box, around the curve itself, not around its handles. */
   bounds(): Bounds {
     const minX = measure(this, "bounds", (slot, kernel) => kernel.bounds(slot));
-    return { minX, minY: result(1), maxX: result(2), maxY: result(3) };
+    const plane = { minX, minY: result(1), maxX: result(2), maxY: result(3) };
+    return this.dimension === 2 ? plane : { ...plane, minZ: result(4), maxZ: result(5) };
   }
 
-  /** The point of the curve that is nearest to (x, y); of several the one that the curve reaches first. */
-  nearest(x: number, y: number): Nearest {
+  /** The point of the curve that is nearest to (x, y), in space to (x, y, z); of several the one that the curve reaches first. */
+  nearest(x: number, y: number, z?: number): Nearest {
     const op = "nearest";
     const toX = coordinate(op, "x", x);
     const toY = coordinate(op, "y", y);
+    if (dataOf(this, op).dimension === 3) {
+      const toZ = coordinate(op, "z", z);
+      const at = measure(this, op, (slot, kernel) => kernel.nearest_in_space(slot, toX, toY, toZ));
+      return { t: at, x: result(1), y: result(2), z: result(3), distance: result(4) };
+    }
     const t = measure(this, op, (slot, kernel) => kernel.nearest(slot, toX, toY));
     return { t, x: result(1), y: result(2), distance: result(3) };
   }
 
-  /** The nearest point to each of many places: t, x, y and distance in turn. */
+  /** The nearest point of a plane curve to each of many places: t, x, y and distance in turn. */
   nearestAll(places: PointsLike): Float64Array {
     const op = "nearestAll";
     const data = dataOf(this, op);
+    if (data.dimension === 3) throw degenerate(op, "curve", "it is in space; ask nearest place by place");
     const given = checkPoints(op, "points", places, MAX_EVALUATIONS / 2);
     const slot = data.resident(op);
     write(op, given);
@@ -233,7 +251,8 @@ export abstract class PlaneCurve implements Curve {
   }
 
   /**
-   * The signed curvature at one or many parameters, in 1 per unit; positive where the curve turns from the x axis towards the y axis.
+   * The signed curvature at one or many parameters, in 1 per unit; positive where the curve turns from the x axis towards the y axis;
+   * without a sign in space.
    *
    * @throws {ExplineError} E_DEGENERATE where the speed is zero; `partial` then holds the values, with 0 at such places.
    */
@@ -249,7 +268,7 @@ export abstract class PlaneCurve implements Curve {
     return values;
   }
 
-  /** A polyline that is nowhere farther from the curve than `tolerance`: x and y in turn; a closed one does not repeat its start. */
+  /** A polyline that is nowhere farther from the curve than `tolerance`: all coordinates in turn; a closed one does not repeat its start. */
   flatten(tolerance: number): Float64Array {
     const op = "flatten";
     const data = dataOf(this, op);
@@ -258,7 +277,7 @@ export abstract class PlaneCurve implements Curve {
     return copy(call(op, (kernel) => kernel.flatten(slot, within)));
   }
 
-  /** Cubic Béziers within `tolerance`, eight numbers each, as few as it takes; `maxError` is a proved bound of the distance. */
+  /** Cubic Béziers within `tolerance`, eight numbers each (twelve in space), as few as it takes; `maxError` is a proved bound of the distance. */
   toCubics(tolerance: number): { path: Float64Array; maxError: number } {
     const op = "toCubics";
     const data = dataOf(this, op);
@@ -315,7 +334,7 @@ export abstract class PlaneCurve implements Curve {
 }
 
 /** One number that the kernel leaves in its record, where more may follow. */
-function measure(curve: PlaneCurve, op: string, body: (slot: number, kernel: Kernel) => number): number {
+function measure(curve: MeasuredCurve, op: string, body: (slot: number, kernel: Kernel) => number): number {
   const slot = dataOf(curve, op).resident(op);
   call(op, (kernel) => body(slot, kernel));
   return result(0);

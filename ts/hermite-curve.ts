@@ -15,10 +15,27 @@ import {
   word,
 } from "./arguments.js";
 import { CurveData, SPACES, type Space, readCurves } from "./curve-data.js";
-import { PlaneCurve, dataOf } from "./curve.js";
+import { MeasuredCurve, dataOf as anyDataOf } from "./curve.js";
 import { wrong, wrongLength } from "./error.js";
-import { type HermiteCurveJSON, toJSON } from "./json.js";
 import { type Floats, call, copy, result, write } from "./kernel.js";
+
+/** A {@link HermiteCurve} as plain data. Fields that a newer version wrote are kept. */
+export interface HermiteCurveJSON {
+  type: "HermiteCurve";
+  version: 1;
+  closed: boolean;
+  space: Space;
+  /** Two numbers for each point. */
+  points: number[];
+  tangents: number[];
+  /** Only where they differ from `tangents`. */
+  tangentsIn?: number[];
+  /** One for all segments, or one for each. */
+  omega: number | number[];
+  /** Only where they are not all 1; one for all segments, or one for each. */
+  lengths?: number | number[];
+  [unknown: string]: unknown;
+}
 
 /** What a {@link HermiteCurve} is made from. */
 export interface HermiteCurveOptions {
@@ -53,8 +70,13 @@ export interface EllipseOptions {
 
 const CURVE = "HermiteCurve";
 
+/** The arrays of a Hermite curve, and the proof that it is one. */
+function dataOf(curve: HermiteCurve, op: string): CurveData {
+  return anyDataOf(curve, op, CurveData);
+}
+
 /** A curve through its points, with the derivatives there: exact for ellipses, cubics and lines alike. */
-export class HermiteCurve extends PlaneCurve {
+export class HermiteCurve extends MeasuredCurve {
   /**
    * A curve from points and tangents. The arrays are copied.
    *
@@ -272,8 +294,25 @@ export class HermiteCurve extends PlaneCurve {
 
   /** The curve as plain data, for files and other threads; `fromJSON` is the inverse to the last bit. */
   toJSON(): HermiteCurveJSON {
-    return toJSON(dataOf(this, "toJSON"));
+    const data = dataOf(this, "toJSON");
+    return {
+      type: CURVE,
+      version: 1,
+      closed: data.closed,
+      space: data.space,
+      points: Array.from(data.points),
+      tangents: Array.from(data.tangents),
+      ...(data.tangentsIn.length === 0 ? {} : { tangentsIn: Array.from(data.tangentsIn) }),
+      omega: short(data.omega),
+      ...(data.lengths.length === 0 ? {} : { lengths: short(data.lengths) }),
+      ...data.extra,
+    };
   }
+}
+
+/** One number for all where one is kept. */
+function short(array: Floats): number | number[] {
+  return array.length === 1 ? (array[0] ?? 0) : Array.from(array);
 }
 
 /** Makes a curve of arrays that the kernel or a check has vouched for. @internal */

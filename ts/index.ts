@@ -1,10 +1,12 @@
 /** The public interface of expline: curves are one ES module, fitting another, which a bundler drops when nothing of it is used. */
 export {
   default,
+  BSplineCurve,
   ExplineError,
   ExponentialBSpline,
   HermiteCurve,
   HermiteGenerators,
+  InterpolatingCurve,
   Interpolator,
   TensorSurface,
   fromJSON,
@@ -14,6 +16,9 @@ export {
   version,
 } from "./core.js";
 export type {
+  AnyPointsLike,
+  BSplineCurveJSON,
+  BSplineCurveOptions,
   Bounds,
   Curve,
   Direction,
@@ -25,6 +30,8 @@ export type {
   HermiteCurveJSON,
   HermiteCurveOptions,
   InitOptions,
+  InterpolatingCurveJSON,
+  InterpolatingCurveOptions,
   JSONWarning,
   MeshFileOptions,
   MeshRegion,
@@ -36,6 +43,7 @@ export type {
   ReadOptions,
   Root,
   Space,
+  SpacePointsLike,
   SurfaceMesh,
   SurfacePatch,
   TensorSurfaceJSON,

@@ -1,30 +1,12 @@
 /** Curves as plain data, and back, from data that need not be friendly. */
 import { options as checkOptions } from "./arguments.js";
-import type { CurveData, Space } from "./curve-data.js";
+import { type BSplineCurve, type BSplineCurveJSON, bSplineOf, checkedBSpline } from "./b-spline-curve.js";
 import { ExplineError, type ErrorCode, type ErrorDetails, overLimit, shown, wrong } from "./error.js";
-import { type HermiteCurve, checked, curveOf } from "./hermite-curve.js";
+import { type HermiteCurve, type HermiteCurveJSON, checked, curveOf } from "./hermite-curve.js";
+import { type InterpolatingCurve, type InterpolatingCurveJSON, checkedInterpolating, interpolatingOf } from "./interpolating-curve.js";
 import { scan } from "./json-text.js";
-import type { Floats } from "./kernel.js";
 import { type TensorSurface, checkedSurface, surfaceOf } from "./surface.js";
 import type { TensorSurfaceJSON } from "./surface-json.js";
-
-/** A {@link HermiteCurve} as plain data. Fields that a newer version wrote are kept. */
-export interface HermiteCurveJSON {
-  type: "HermiteCurve";
-  version: 1;
-  closed: boolean;
-  space: Space;
-  /** Two numbers for each point. */
-  points: number[];
-  tangents: number[];
-  /** Only where they differ from `tangents`. */
-  tangentsIn?: number[];
-  /** One for all segments, or one for each. */
-  omega: number | number[];
-  /** Only where they are not all 1; one for all segments, or one for each. */
-  lengths?: number | number[];
-  [unknown: string]: unknown;
-}
 
 /** Something in the data that was not understood, but kept. */
 export interface JSONWarning {
@@ -50,8 +32,11 @@ const VERSION = 1;
 interface Kind {
   readonly required: readonly string[];
   readonly optional: readonly string[];
-  readonly make: (options: unknown, extra: Readonly<Record<string, unknown>> | undefined) => HermiteCurve | TensorSurface;
+  readonly make: (options: unknown, extra: Readonly<Record<string, unknown>> | undefined) => Readable;
 }
+
+/** What a file can be of. */
+type Readable = HermiteCurve | InterpolatingCurve | BSplineCurve | TensorSurface;
 
 /** Every kind, by the `type` of its file. */
 const KINDS: Readonly<Record<string, Kind>> = {
@@ -59,6 +44,16 @@ const KINDS: Readonly<Record<string, Kind>> = {
     required: ["closed", "space", "points", "tangents", "omega"],
     optional: ["tangentsIn", "lengths"],
     make: (options, extra) => curveOf(withExtra(checked(OP, options), extra)),
+  },
+  InterpolatingCurve: {
+    required: ["closed", "dimension", "points", "roots"],
+    optional: [],
+    make: (options, extra) => interpolatingOf(withExtra(checkedInterpolating(OP, options), extra)),
+  },
+  BSplineCurve: {
+    required: ["closed", "dimension", "points", "roots", "step", "offset"],
+    optional: [],
+    make: (options, extra) => bSplineOf(withExtra(checkedBSpline(OP, options), extra)),
   },
   TensorSurface: {
     required: ["net", "u", "v"],
@@ -98,9 +93,11 @@ export function toJSON(data: CurveData): HermiteCurveJSON {
  *   version, E_LIMIT, and the codes of the constructor with `path`.
  */
 export function fromJSON(value: HermiteCurveJSON, options?: ReadOptions): HermiteCurve;
+export function fromJSON(value: InterpolatingCurveJSON, options?: ReadOptions): InterpolatingCurve;
+export function fromJSON(value: BSplineCurveJSON, options?: ReadOptions): BSplineCurve;
 export function fromJSON(value: TensorSurfaceJSON, options?: ReadOptions): TensorSurface;
-export function fromJSON(value: unknown, options?: ReadOptions): HermiteCurve | TensorSurface;
-export function fromJSON(value: unknown, options?: ReadOptions): HermiteCurve | TensorSurface {
+export function fromJSON(value: unknown, options?: ReadOptions): Readable;
+export function fromJSON(value: unknown, options?: ReadOptions): Readable {
   const { onWarning } = checkOptions(OP, options, ["onWarning"]);
   if (onWarning !== undefined && typeof onWarning !== "function") {
     throw wrong("E_TYPE", OP, "onWarning", onWarning, "a function");
@@ -176,7 +173,7 @@ function read(
   { required, optional, make }: Kind,
   own: (name: string) => unknown,
   extra: Readonly<Record<string, unknown>> | undefined,
-): HermiteCurve | TensorSurface {
+): Readable {
   for (const name of required) if (own(name) === undefined) throw expected(`$.${name}`, undefined, "a value");
   try {
     const options: Record<string, unknown> = Object.create(null) as Record<string, unknown>;

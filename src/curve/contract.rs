@@ -10,7 +10,7 @@ use super::length;
 use super::nearest::{Nearest, NearestFinder};
 use super::pieces::Pieces;
 use super::spatial::{self, SpaceNearest};
-use super::{HermiteCurve, area};
+use super::{BSplineCurve, HermiteCurve, InterpolatingCurve, area};
 use crate::error::Result;
 use crate::numerics::Point;
 
@@ -258,12 +258,20 @@ pub trait Curve: Pieces {
     }
 }
 
-impl Curve for HermiteCurve {
+impl Curve for InterpolatingCurve {
     fn as_pieces(&self) -> &dyn Pieces {
         self
     }
+}
 
-    fn to_hermite(&self, _: f64) -> Result<(HermiteCurve, f64)> {
-        Ok((self.clone(), 0.0))
+impl Curve for BSplineCurve {
+    fn as_pieces(&self) -> &dyn Pieces {
+        self
+    }
+}
+
+impl Curve for HermiteCurve {
+    fn as_pieces(&self) -> &dyn Pieces {
+        self
     }
 }

@@ -34,6 +34,9 @@ fn space_of(roots: &Roots) -> Option<(Space, f64)> {
 }
 
 pub(crate) fn to_hermite(curve: &dyn Pieces, tolerance: f64) -> Result<(HermiteCurve, f64)> {
+    if let Some(curve) = curve.as_hermite() {
+        return Ok((curve.clone(), 0.0));
+    }
     if curve.dimension() != 2 {
         return Err(Error::degenerate("curve", None, "a curve in space is no curve of the plane"));
     }

@@ -55,3 +55,22 @@ pub use segment::Segment;
 pub use spatial::SpaceNearest;
 pub use spline_sampler::SplineSampler;
 pub use subdivide::Scheme;
+
+#[cfg(all(target_arch = "wasm32", feature = "wasm"))]
+pub(crate) use sample::check_parameters;
+
+/// The measures themselves, for callers that hold a curve by its pieces.
+pub(crate) mod measures {
+    pub(crate) use super::convert::to_hermite;
+    pub(crate) use super::pieces::Pieces;
+    #[cfg(all(target_arch = "wasm32", feature = "wasm"))]
+    pub(crate) use super::{
+        area::{area, centroid},
+        bounds::bounds,
+        cubics::to_cubics,
+        curvature::curvature,
+        flatten::flatten,
+        length::{length, parameter_at_length},
+        spatial::nearest as nearest_in_space,
+    };
+}

@@ -1,11 +1,11 @@
 //! A curve as the measures see it: one smooth piece after another.
 
-use super::HermiteCurve;
+use super::lattice::{Lattice, Place};
 use super::piece::Piece;
 use super::spatial::SpacePiece;
+use super::{BSplineCurve, HermiteCurve, InterpolatingCurve};
 use crate::error::Result;
 use crate::generator::Roots;
-use crate::limits::check;
 use crate::numerics::{Point, Vector};
 
 /// The pieces that a curve consists of; every kind of curve gives them in its own way.
@@ -31,15 +31,18 @@ pub trait Pieces {
     /// Points or derivatives by t at all parameters, all coordinates in turn, with every check.
     fn values(&self, t: &[f64], derivative: usize, out: &mut [f64]) -> Result<()>;
 
+    /// The curve itself where it is a Hermite curve.
+    fn as_hermite(&self) -> Option<&HermiteCurve> {
+        None
+    }
+
     /// The roots per unit of t, where the pieces are all that they stand for.
     fn roots(&self) -> Option<&Roots> {
         None
     }
 
     /// The piece that t lies on, and the x there.
-    fn find(&self, t: f64) -> Result<(usize, f64)> {
-        find_even(&|i| self.knot(i), self.piece_count(), self.closed(), t)
-    }
+    fn find(&self, t: f64) -> Result<(usize, f64)>;
 
     /// Piece i of a plane curve.
     fn piece(&self, i: usize) -> Piece {
@@ -47,14 +50,7 @@ pub trait Pieces {
     }
 
     /// The point of a plane curve where piece i starts, or the end.
-    fn start(&self, i: usize) -> Point {
-        let last = self.piece_count();
-        match i {
-            _ if i < last => self.piece(i).position(-0.5),
-            _ if self.closed() => self.piece(0).position(-0.5),
-            _ => self.piece(last - 1).position(0.5),
-        }
-    }
+    fn start(&self, i: usize) -> Point;
 
     /// The derivatives at both ends of piece i of a plane curve.
     fn tangents(&self, i: usize) -> [Vector; 2] {
@@ -72,19 +68,6 @@ fn list(fill: &dyn Fn(&mut Vec<f64>)) -> Vec<f64> {
     let mut numbers = Vec::new();
     fill(&mut numbers);
     numbers
-}
-
-/// The piece and the place on it, where all pieces are equally long.
-fn find_even(knot: &dyn Fn(usize) -> f64, count: usize, closed: bool, t: f64) -> Result<(usize, f64)> {
-    let (start, end) = (knot(0), knot(count));
-    let (least, most) = if closed { (f64::MIN, f64::MAX) } else { (start, end) };
-    check("t", None, t, least, most)?;
-    let share = (t - start) / (end - start);
-    let share = if closed { share - share.floor() } else { share };
-    let i = ((share * count as f64) as usize).min(count - 1);
-    let (from, to) = (knot(i), knot(i + 1));
-    let t = start + share * (end - start);
-    Ok((i, ((t - from) / (to - from)).clamp(0.0, 1.0)))
 }
 
 impl Pieces for HermiteCurve {
@@ -114,6 +97,10 @@ impl Pieces for HermiteCurve {
         self.locate(t)
     }
 
+    fn as_hermite(&self) -> Option<&HermiteCurve> {
+        Some(self)
+    }
+
     fn piece(&self, i: usize) -> Piece {
         Piece::new(&self.segment(i))
     }
@@ -131,6 +118,83 @@ impl Pieces for HermiteCurve {
         let segment = self.segment(i);
         let reach = segment.length * segment.basis.kappa();
         [segment.start + segment.leaving * reach, segment.end - segment.arriving * reach]
+    }
+}
+
+/// Curves on a lattice.
+pub(super) trait Laid {
+    /// The lattice.
+    fn lattice(&self) -> &Lattice;
+
+    /// The roots per unit of t.
+    fn all_roots(&self) -> &Roots;
+}
+
+impl Laid for InterpolatingCurve {
+    fn lattice(&self) -> &Lattice {
+        self.lattice()
+    }
+
+    fn all_roots(&self) -> &Roots {
+        self.roots()
+    }
+}
+
+impl Laid for BSplineCurve {
+    fn lattice(&self) -> &Lattice {
+        self.lattice()
+    }
+
+    fn all_roots(&self) -> &Roots {
+        self.roots()
+    }
+}
+
+impl<C: Laid> Pieces for C {
+    fn dimension(&self) -> usize {
+        self.lattice().dimension
+    }
+
+    fn closed(&self) -> bool {
+        self.lattice().closed
+    }
+
+    fn piece_count(&self) -> usize {
+        self.lattice().piece_count()
+    }
+
+    fn knot(&self, i: usize) -> f64 {
+        self.lattice().knot(i)
+    }
+
+    fn coefficients(&self, i: usize, out: &mut Vec<f64>) {
+        self.lattice().piece_into(i, out);
+    }
+
+    fn values(&self, t: &[f64], derivative: usize, out: &mut [f64]) -> Result<()> {
+        self.lattice().evaluate_into(t, derivative, out)
+    }
+
+    fn roots(&self) -> Option<&Roots> {
+        Some(self.all_roots())
+    }
+
+    fn find(&self, t: f64) -> Result<(usize, f64)> {
+        let Place { cell, part, y } = self.lattice().locate(t, None)?;
+        Ok((cell * self.lattice().shape.per_cell + part, y + 0.5))
+    }
+
+    fn start(&self, i: usize) -> Point {
+        let lattice = self.lattice();
+        let (last, each) = (lattice.piece_count(), lattice.shape.per_cell);
+        let (i, y) = match i {
+            _ if i < last => (i, -0.5),
+            _ if lattice.closed => (0, -0.5),
+            _ => (last - 1, 0.5),
+        };
+        let mut point = Point::zeros();
+        lattice.value(Place { cell: i / each, part: i % each, y }, 0, point.as_mut_slice());
+        point
     }
 }
 

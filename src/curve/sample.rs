@@ -20,28 +20,13 @@ impl HermiteCurve {
         if out.len() != 2 * t.len() {
             return Err(Error::wrong_length("out", out.len(), 2 * t.len()));
         }
-        self.check_parameters(t)?;
+        check_parameters(self.is_closed(), self.domain(), t)?;
         let mut i = 0;
         for (&t, out) in t.iter().zip(out.chunks_exact_mut(2)) {
             let x;
             (i, x) = self.place(t, i);
             let value = self.segment(i).derivative(x, derivative);
             out.copy_from_slice(value.as_slice());
-        }
-        Ok(())
-    }
-
-    /// Checks parameters that are about to be evaluated: all finite, and within the domain of an open curve.
-    pub(crate) fn check_parameters(&self, parameters: &[f64]) -> Result<()> {
-        let (least, most) = self.domain();
-        for (i, &value) in parameters.iter().enumerate() {
-            let (argument, index) = ("t", Some(i));
-            if !value.is_finite() {
-                return Err(Error::not_finite(argument, index));
-            }
-            if !self.is_closed() && !(least..=most).contains(&value) {
-                return Err(Error::unfit(argument, index, value, least, most));
-            }
         }
         Ok(())
     }
@@ -65,4 +50,18 @@ impl HermiteCurve {
     pub fn sample_range(&self, count: usize, first: usize, out: &mut [f64]) {
         Sampler::default().points(self, count, first, out);
     }
+}
+
+/// Checks parameters that are about to be evaluated: all finite, and within the domain of an open curve.
+pub(crate) fn check_parameters(closed: bool, (least, most): (f64, f64), parameters: &[f64]) -> Result<()> {
+    for (i, &value) in parameters.iter().enumerate() {
+        let (argument, index) = ("t", Some(i));
+        if !value.is_finite() {
+            return Err(Error::not_finite(argument, index));
+        }
+        if !closed && !(least..=most).contains(&value) {
+            return Err(Error::unfit(argument, index, value, least, most));
+        }
+    }
+    Ok(())
 }

@@ -212,11 +212,11 @@ pub(crate) fn nearest(curve: &dyn Pieces, place: Triple) -> SpaceNearest {
     SpaceNearest { t: (from + (y + 0.5) * (to - from)).min(to), point, distance }
 }
 
-/// Appends `count` evenly spread points of a piece from its start on.
-fn spread(piece: &SpacePiece, count: usize, out: &mut Vec<f64>) {
-    for k in 0..count {
-        out.extend(piece.position(k as f64 / count as f64 - 0.5));
-    }
+/// The point where piece i starts, to the last bit.
+fn start(curve: &dyn Pieces, i: usize) -> Result<Triple> {
+    let mut point = [0.0; 3];
+    curve.values(&[curve.knot(i)], 0, &mut point)?;
+    Ok(point)
 }
 
 /// So many equal parts that a bound with the power `order` of their number is within the tolerance.
@@ -237,10 +237,13 @@ pub(super) fn flatten(curve: &dyn Pieces, tolerance: f64, most: usize) -> Result
             return Err(super::flatten::beyond(needed as usize));
         }
         deviation = deviation.max(bound / (count * count));
-        spread(&piece, count as usize, &mut out);
-        if i + 1 == curve.piece_count() && !curve.closed() {
-            out.extend(piece.position(0.5));
+        out.extend(start(curve, i)?);
+        for k in 1..count as usize {
+            out.extend(piece.position(k as f64 / count - 0.5));
         }
+    }
+    if !curve.closed() {
+        out.extend(start(curve, curve.piece_count())?);
     }
     Ok((out, deviation))
 }
@@ -261,10 +264,10 @@ pub(super) fn to_cubics(curve: &dyn Pieces, tolerance: f64, most: usize) -> Resu
         let third = 1.0 / (3.0 * count);
         for k in 0..count as usize {
             let at = |k: usize| piece.jet(k as f64 / count - 0.5);
-            let ([start, leaving, ..], [end, arriving, ..]) = (at(k), at(k + 1));
-            // Each starts where the one before ends, to the last bit.
-            let start = cubics.path.last_chunk().copied().unwrap_or(start);
-            for point in [start, along(&start, &leaving, third), along(&end, &arriving, -third), end] {
+            let ([from, leaving, ..], [to, arriving, ..]) = (at(k), at(k + 1));
+            let from = if k == 0 { start(curve, i)? } else { from };
+            let to = if k + 1 == count as usize { start(curve, i + 1)? } else { to };
+            for point in [from, along(&from, &leaving, third), along(&to, &arriving, -third), to] {
                 cubics.path.extend(point);
             }
         }

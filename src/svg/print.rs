@@ -3,7 +3,8 @@
 use super::arc_text::{self, Span};
 use super::number;
 use super::text::{Grid, Placed, Text};
-use crate::curve::{EllipseArc, HermiteCurve, Segment, segment_cubics};
+use crate::curve::measures::{Pieces, to_hermite};
+use crate::curve::{Curve, EllipseArc, HermiteCurve, Segment, segment_cubics};
 use crate::error::{Error, Result};
 use crate::numerics::angle::sin_cos;
 use crate::numerics::{Point, Vector};
@@ -65,7 +66,7 @@ pub struct Printed {
 ///
 /// # Domain
 ///
-/// Any curve. Numbers have the form `-?[0-9]*\.?[0-9]+(e-[0-9]+)?`, and an exponent only where 17 decimals are
+/// Any curve of the plane. Numbers have the form `-?[0-9]*\.?[0-9]+(e-[0-9]+)?`, and an exponent only where 17 decimals are
 /// asked for and 22 would not do.
 ///
 /// # Accuracy
@@ -76,7 +77,7 @@ pub struct Printed {
 ///
 /// # Errors
 ///
-/// `tolerance` that is not finite or not positive; more than 17 decimals.
+/// `tolerance` that is not finite or not positive; more than 17 decimals; a curve in space.
 ///
 /// # Cost
 ///
@@ -93,14 +94,26 @@ pub struct Printed {
 /// assert!(printed.deviation < 1e-13);
 /// # Ok::<(), expline::Error>(())
 /// ```
-pub fn to_path_d(curve: &HermiteCurve, options: &PrintOptions) -> Result<Printed> {
-    let (text, deviation) = print_bytes(curve, options)?;
+pub fn to_path_d(curve: &dyn Curve, options: &PrintOptions) -> Result<Printed> {
+    let (text, deviation) = print_bytes(curve.as_pieces(), options)?;
     // All of it is ASCII.
     Ok(Printed { d: String::from_utf8(text).unwrap_or_default(), deviation })
 }
 
 /// The same as bytes, which need no check, and the deviation.
-pub(crate) fn print_bytes(curve: &HermiteCurve, options: &PrintOptions) -> Result<(Vec<u8>, f64)> {
+///
+/// A curve of another kind is printed as the Hermite curve that it is, or that is near; the tolerance is shared then.
+pub(crate) fn print_bytes(curve: &dyn Pieces, options: &PrintOptions) -> Result<(Vec<u8>, f64)> {
+    if let Some(curve) = curve.as_hermite() {
+        return print_hermite(curve, options);
+    }
+    let (curve, near) = to_hermite(curve, 0.5 * options.tolerance)?;
+    let rest = PrintOptions { tolerance: (options.tolerance - near).max(near), ..*options };
+    let (text, deviation) = print_hermite(&curve, &rest)?;
+    Ok((text, deviation + near))
+}
+
+fn print_hermite(curve: &HermiteCurve, options: &PrintOptions) -> Result<(Vec<u8>, f64)> {
     let mut printer = Printer::new(curve, options)?;
     printer.draw_all();
     Ok(printer.finish())

@@ -3,7 +3,7 @@
 //! A curve crosses as one run of numbers: seven of [`describe`](super::describe::describe)'s header, then its arrays.
 
 use super::describe::{SPACES, give, push_short};
-use super::kernel::{Resident, run, times};
+use super::kernel::{AnyCurve, run, times};
 use crate::curve::HermiteOptions;
 use crate::numerics::{Point, Vector};
 use crate::{HermiteCurve, Result, Space};
@@ -49,9 +49,7 @@ pub fn load(slot: u32, points: u32, arriving: u32, omega: u32, lengths: u32, spa
         kernel.record([curve.domain().1]);
         kernel.output.clear();
         push_short(&mut kernel.output, curve.omega(), None);
-        if let Some(place) = kernel.slots.get_mut(slot as usize) {
-            *place = Some(Resident { curve, finder: None, table: None });
-        }
+        kernel.keep(slot, AnyCurve::Hermite(curve));
         Ok(kernel.output.len())
     })
 }

@@ -1,12 +1,14 @@
 //! The state of one instance: slots, buffers, and the small fixed record that scalar results are left in.
 
 #[cfg(feature = "wasm")]
+use crate::curve::measures::Pieces;
+#[cfg(feature = "wasm")]
+use crate::{BSplineCurve, HermiteCurve, InterpolatingCurve, TensorSurface};
+#[cfg(feature = "wasm")]
 use super::exponential::Prepared;
 #[cfg(feature = "wasm")]
 use crate::curve::{LengthTable, NearestFinder, Sampler};
 use crate::{Error, Result};
-#[cfg(feature = "wasm")]
-use crate::{HermiteCurve, TensorSurface};
 use std::cell::RefCell;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -28,10 +30,29 @@ const TEXT_ADDRESS: usize = 15;
 const NOT_RESIDENT: Error =
     Error::Degenerate { argument: "slot", index: None, reason: "no curve is resident" };
 
+/// A curve of any kind.
+#[cfg(feature = "wasm")]
+pub(super) enum AnyCurve {
+    Hermite(HermiteCurve),
+    Interpolating(InterpolatingCurve),
+    BSpline(BSplineCurve),
+}
+
+#[cfg(feature = "wasm")]
+impl AnyCurve {
+    pub(super) fn pieces(&self) -> &dyn Pieces {
+        match self {
+            Self::Hermite(curve) => curve,
+            Self::Interpolating(curve) => curve,
+            Self::BSpline(curve) => curve,
+        }
+    }
+}
+
 /// A resident curve, and what was prepared for questions about it.
 #[cfg(feature = "wasm")]
 pub(super) struct Resident {
-    pub(super) curve: HermiteCurve,
+    pub(super) curve: AnyCurve,
     pub(super) finder: Option<NearestFinder>,
     pub(super) table: Option<LengthTable>,
 }
@@ -81,9 +102,29 @@ thread_local! {
 
 #[cfg(feature = "wasm")]
 impl Kernel {
-    /// The curve in a slot; the face never asks for an empty one.
+    /// The Hermite curve in a slot; the face never asks for an empty one, nor for another kind.
     pub(super) fn curve(&self, slot: u32) -> Result<&HermiteCurve> {
+        match self.any(slot)? {
+            AnyCurve::Hermite(curve) => Ok(curve),
+            _ => Err(Box::new(NOT_RESIDENT)),
+        }
+    }
+
+    /// The curve in a slot, of any kind.
+    pub(super) fn any(&self, slot: u32) -> Result<&AnyCurve> {
         resident(&self.slots, slot)
+    }
+
+    /// The pieces of the curve in a slot.
+    pub(super) fn pieces(&self, slot: u32) -> Result<&dyn Pieces> {
+        Ok(self.any(slot)?.pieces())
+    }
+
+    /// Puts a curve into a slot.
+    pub(super) fn keep(&mut self, slot: u32, curve: AnyCurve) {
+        if let Some(place) = self.slots.get_mut(slot as usize) {
+            *place = Some(Resident { curve, finder: None, table: None });
+        }
     }
 
     /// The curve in a slot, prepared for questions after its nearest point, with `count` given numbers and the output.
@@ -95,26 +136,26 @@ impl Kernel {
         let given = &self.input[..count.min(self.input.len())];
         match self.slots.get_mut(slot as usize) {
             Some(Some(Resident { curve, finder, .. })) => {
-                Ok((finder.get_or_insert_with(|| NearestFinder::new(curve)), given, &mut self.output))
+                Ok((finder.get_or_insert_with(|| NearestFinder::new(curve.pieces())), given, &mut self.output))
             }
             _ => Err(Box::new(NOT_RESIDENT)),
         }
     }
 
     /// The curve in a slot, with its lengths prepared for that tolerance.
-    pub(super) fn table(&mut self, slot: u32, tolerance: f64) -> Result<(&HermiteCurve, &mut LengthTable)> {
+    pub(super) fn table(&mut self, slot: u32, tolerance: f64) -> Result<(&dyn Pieces, &mut LengthTable)> {
         let Some(Some(Resident { curve, table, .. })) = self.slots.get_mut(slot as usize) else {
             return Err(Box::new(NOT_RESIDENT));
         };
         let prepared = match table.take() {
             Some(known) if known.tolerance() == tolerance => known,
-            _ => LengthTable::new(curve, tolerance)?,
+            _ => LengthTable::new(curve.pieces(), tolerance)?,
         };
-        Ok((curve, table.insert(prepared)))
+        Ok((curve.pieces(), table.insert(prepared)))
     }
 
     /// The curve in a slot, the first `count` numbers that JavaScript wrote, and the output.
-    pub(super) fn parts(&mut self, slot: u32, count: usize) -> Result<(&HermiteCurve, &[f64], &mut [f64])> {
+    pub(super) fn parts(&mut self, slot: u32, count: usize) -> Result<(&AnyCurve, &[f64], &mut [f64])> {
         let given = &self.input[..count.min(self.input.len())];
         Ok((resident(&self.slots, slot)?, given, &mut self.output))
     }
@@ -163,7 +204,7 @@ impl Kernel {
 }
 
 #[cfg(feature = "wasm")]
-fn resident(slots: &[Option<Resident>], slot: u32) -> Result<&HermiteCurve> {
+fn resident(slots: &[Option<Resident>], slot: u32) -> Result<&AnyCurve> {
     match slots.get(slot as usize) {
         Some(Some(resident)) => Ok(&resident.curve),
         _ => Err(Box::new(NOT_RESIDENT)),

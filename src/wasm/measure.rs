@@ -2,22 +2,25 @@
 //!
 //! A tolerance of 0 stands for the default, a share of the curve's size.
 
-use super::kernel::{grow, run, times};
+use super::describe::give;
+use super::kernel::{AnyCurve, grow, run, times};
+use crate::Result;
+use crate::curve::check_parameters;
+use crate::curve::measures::{self, Pieces};
 use crate::numerics::Point;
-use crate::{Curve, HermiteCurve, Result};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The default tolerance of lengths and of recognition, as a share of the size.
 const FINE: f64 = 1e-9;
 
-fn tolerance_of(curve: &HermiteCurve, given: f64, share: f64) -> f64 {
-    if given == 0.0 { (share * curve.bounds().extent()).max(f64::MIN_POSITIVE) } else { given }
+pub(super) fn tolerance_of(curve: &dyn Pieces, given: f64, share: f64) -> f64 {
+    if given == 0.0 { (share * measures::bounds(curve).extent()).max(f64::MIN_POSITIVE) } else { given }
 }
 
 /// Leaves one number in the record.
-fn measure(slot: u32, body: &dyn Fn(&HermiteCurve) -> Result<f64>) -> i32 {
+fn measure(slot: u32, body: &dyn Fn(&dyn Pieces) -> Result<f64>) -> i32 {
     run(&mut |kernel| {
-        let value = body(kernel.curve(slot)?)?;
+        let value = body(kernel.pieces(slot)?)?;
         kernel.record([value]);
         Ok(1)
     })
@@ -26,26 +29,28 @@ fn measure(slot: u32, body: &dyn Fn(&HermiteCurve) -> Result<f64>) -> i32 {
 /// The length.
 #[wasm_bindgen]
 pub fn length(slot: u32, tolerance: f64) -> i32 {
-    measure(slot, &|curve| curve.length(tolerance_of(curve, tolerance, FINE)))
+    measure(slot, &|curve| measures::length(curve, tolerance_of(curve, tolerance, FINE)))
 }
 
 /// The parameter up to which the curve has that length.
 #[wasm_bindgen]
 pub fn parameter_at_length(slot: u32, length: f64, tolerance: f64) -> i32 {
-    measure(slot, &|curve| curve.parameter_at_length(length, tolerance_of(curve, tolerance, FINE)))
+    measure(slot, &|curve| {
+        measures::parameter_at_length(curve, length, tolerance_of(curve, tolerance, FINE))
+    })
 }
 
 /// The signed area.
 #[wasm_bindgen]
 pub fn area(slot: u32) -> i32 {
-    measure(slot, &Curve::area)
+    measure(slot, &measures::area)
 }
 
 /// The centre of gravity.
 #[wasm_bindgen]
 pub fn centroid(slot: u32) -> i32 {
     run(&mut |kernel| {
-        let center = kernel.curve(slot)?.centroid()?;
+        let center = measures::centroid(kernel.pieces(slot)?)?;
         kernel.record([center.x, center.y]);
         Ok(2)
     })
@@ -55,9 +60,9 @@ pub fn centroid(slot: u32) -> i32 {
 #[wasm_bindgen]
 pub fn bounds(slot: u32) -> i32 {
     run(&mut |kernel| {
-        let bounds = kernel.curve(slot)?.bounds();
-        kernel.record([bounds.min_x, bounds.min_y, bounds.max_x, bounds.max_y]);
-        Ok(4)
+        let box_of = measures::bounds(kernel.pieces(slot)?);
+        kernel.record([box_of.min_x, box_of.min_y, box_of.max_x, box_of.max_y, box_of.min_z, box_of.max_z]);
+        Ok(6)
     })
 }
 
@@ -68,6 +73,17 @@ pub fn nearest(slot: u32, x: f64, y: f64) -> i32 {
         let found = kernel.finder(slot, 0)?.0.nearest(Point::new(x, y));
         kernel.record([found.t, found.point.x, found.point.y, found.distance]);
         Ok(4)
+    })
+}
+
+/// The same for a curve in space: t, x, y, z, distance.
+#[wasm_bindgen]
+pub fn nearest_in_space(slot: u32, x: f64, y: f64, z: f64) -> i32 {
+    run(&mut |kernel| {
+        let found = measures::nearest_in_space(kernel.pieces(slot)?, [x, y, z]);
+        let [x, y, z] = found.point;
+        kernel.record([found.t, x, y, z, found.distance]);
+        Ok(5)
     })
 }
 
@@ -91,13 +107,14 @@ pub fn nearest_many(slot: u32, count: u32) -> i32 {
 pub fn curvature(slot: u32, count: u32) -> i32 {
     run(&mut |kernel| {
         let count = count as usize;
-        kernel.curve(slot)?;
+        kernel.any(slot)?;
         grow(&mut kernel.output, count, 0.0)?;
         let (curve, given, output) = kernel.parts(slot, count)?;
-        curve.check_parameters(given)?;
+        let curve = curve.pieces();
+        check_parameters(curve.closed(), (curve.knot(0), curve.knot(curve.piece_count())), given)?;
         let mut still = -1.0;
         for (i, (&t, value)) in given.iter().zip(output).enumerate().rev() {
-            let curvature = curve.curvature(t)?;
+            let curvature = measures::curvature(curve, t)?;
             *value = curvature.unwrap_or(0.0);
             if curvature.is_none() {
                 still = i as f64;
@@ -112,7 +129,7 @@ pub fn curvature(slot: u32, count: u32) -> i32 {
 #[wasm_bindgen]
 pub fn flatten(slot: u32, tolerance: f64) -> i32 {
     run(&mut |kernel| {
-        let (points, deviation) = kernel.curve(slot)?.flatten(tolerance)?;
+        let (points, deviation) = measures::flatten(kernel.pieces(slot)?, tolerance)?;
         kernel.record([deviation]);
         Ok(kernel.give(points))
     })
@@ -122,7 +139,7 @@ pub fn flatten(slot: u32, tolerance: f64) -> i32 {
 #[wasm_bindgen]
 pub fn to_cubics(slot: u32, tolerance: f64) -> i32 {
     run(&mut |kernel| {
-        let cubics = kernel.curve(slot)?.to_cubics(tolerance)?;
+        let cubics = measures::to_cubics(kernel.pieces(slot)?, tolerance)?;
         kernel.record([cubics.deviation]);
         Ok(kernel.give(cubics.path))
     })
@@ -132,8 +149,8 @@ pub fn to_cubics(slot: u32, tolerance: f64) -> i32 {
 #[wasm_bindgen]
 pub fn sample_by_length(slot: u32, count: u32, tolerance: f64) -> i32 {
     run(&mut |kernel| {
-        let tolerance = tolerance_of(kernel.curve(slot)?, tolerance, FINE);
-        let (curve, table) = kernel.table(slot, tolerance)?;
+        let within = tolerance_of(kernel.pieces(slot)?, tolerance, FINE);
+        let (curve, table) = kernel.table(slot, within)?;
         let points = table.points(curve, count as usize)?;
         Ok(kernel.give(points))
     })
@@ -143,10 +160,29 @@ pub fn sample_by_length(slot: u32, count: u32, tolerance: f64) -> i32 {
 #[wasm_bindgen]
 pub fn as_ellipse(slot: u32, tolerance: f64) -> i32 {
     run(&mut |kernel| {
-        let curve = kernel.curve(slot)?;
-        let Some(arc) = curve.as_ellipse(tolerance_of(curve, tolerance, FINE)) else { return Ok(0) };
+        let within = tolerance_of(kernel.pieces(slot)?, tolerance, FINE);
+        let arc = match kernel.any(slot)? {
+            AnyCurve::Hermite(curve) => curve.as_ellipse(within),
+            other if other.pieces().dimension() == 2 => {
+                let (curve, deviation) = measures::to_hermite(other.pieces(), within)?;
+                if deviation == 0.0 { curve.as_ellipse(within) } else { None }
+            }
+            _ => None,
+        };
+        let Some(arc) = arc else { return Ok(0) };
         let (center, radii) = (arc.center, arc.radii);
         kernel.record([center.x, center.y, radii.x, radii.y, arc.rotation, arc.start, arc.sweep]);
         Ok(7)
+    })
+}
+
+/// The same curve with points and tangents; the deviation is left in the record.
+#[wasm_bindgen]
+pub fn to_hermite(slot: u32, tolerance: f64) -> i32 {
+    run(&mut |kernel| {
+        let curve = kernel.pieces(slot)?;
+        let (curve, deviation) = measures::to_hermite(curve, tolerance_of(curve, tolerance, FINE))?;
+        kernel.record([deviation]);
+        give(kernel, &[curve])
     })
 }

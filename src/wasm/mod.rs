@@ -27,6 +27,8 @@ mod measure;
 #[cfg(feature = "wasm")]
 mod sample;
 #[cfg(feature = "wasm")]
+mod spline;
+#[cfg(feature = "wasm")]
 mod surface;
 #[cfg(feature = "wasm")]
 mod svg;

@@ -1,16 +1,25 @@
 //! Points and derivatives of a resident curve, one, many, or uniformly spread.
 
-use super::kernel::{grow, run, times};
+use super::kernel::{AnyCurve, grow, run, times};
+use crate::Result;
 use crate::curve::Scheme;
+use crate::curve::measures::Pieces;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// One point or derivative, left in the record.
 #[wasm_bindgen]
 pub fn evaluate_one(slot: u32, t: f64, derivative: u32) -> i32 {
     run(&mut |kernel| {
-        let value = kernel.curve(slot)?.evaluate(t, derivative as usize)?;
-        kernel.record([value.x, value.y]);
-        Ok(2)
+        let curve = kernel.any(slot)?;
+        let mut value = [0.0; 3];
+        let dimension = curve.pieces().dimension();
+        if let AnyCurve::Hermite(curve) = curve {
+            value[..2].copy_from_slice(curve.evaluate(t, derivative as usize)?.as_slice());
+        } else {
+            curve.pieces().values(&[t], derivative as usize, &mut value[..dimension])?;
+        }
+        kernel.record(value);
+        Ok(dimension)
     })
 }
 
@@ -18,11 +27,10 @@ pub fn evaluate_one(slot: u32, t: f64, derivative: u32) -> i32 {
 #[wasm_bindgen]
 pub fn evaluate_many(slot: u32, count: u32, derivative: u32) -> i32 {
     run(&mut |kernel| {
-        let numbers = times(count, 2);
-        kernel.curve(slot)?;
+        let numbers = times(count, kernel.pieces(slot)?.dimension());
         grow(&mut kernel.output, numbers, 0.0)?;
         let (curve, given, output) = kernel.parts(slot, count as usize)?;
-        curve.evaluate_into(given, derivative as usize, &mut output[..numbers])?;
+        curve.pieces().values(given, derivative as usize, &mut output[..numbers])?;
         Ok(numbers)
     })
 }
@@ -33,20 +41,50 @@ pub fn evaluate_many(slot: u32, count: u32, derivative: u32) -> i32 {
 pub fn sample(slot: u32, count: u32, first: u32, length: u32, tangents: u32) -> i32 {
     run(&mut |kernel| {
         let (count, first) = (count as usize, first as usize);
-        let numbers = times(length, if tangents == 0 { 2 } else { 4 });
-        kernel.curve(slot)?;
+        let dimension = kernel.pieces(slot)?.dimension();
+        let numbers = times(length, if tangents == 0 { dimension } else { 2 * dimension });
         grow(&mut kernel.output, numbers, 0.0)?;
         let mut sampler = kernel.sampler.take().unwrap_or_default();
         let (curve, _, output) = kernel.parts(slot, 0)?;
         let output = &mut output[..numbers];
-        if tangents == 0 {
-            sampler.points(curve, count, first, output);
-        } else {
-            sampler.points_and_tangents(curve, count, first, output);
+        match curve {
+            AnyCurve::Hermite(curve) if tangents == 0 => sampler.points(curve, count, first, output),
+            AnyCurve::Hermite(curve) => sampler.points_and_tangents(curve, count, first, output),
+            _ => spread(curve.pieces(), count, first, length as usize, output)?,
         }
         kernel.sampler = Some(sampler);
         Ok(numbers)
     })
+}
+
+/// The same for other kinds: values at parameters that are worked out here, one block after the other.
+fn spread(
+    curve: &dyn Pieces,
+    count: usize,
+    first: usize,
+    length: usize,
+    output: &mut [f64],
+) -> Result<()> {
+    let (start, end) = (curve.knot(0), curve.knot(curve.piece_count()));
+    let steps = if curve.closed() { count } else { count.saturating_sub(1) }.max(1) as f64;
+    let place = |i: usize| (start + (end - start) * ((first + i) as f64 / steps)).min(end);
+    let parameters: Vec<f64> = (0..length).map(place).collect();
+    let dimension = curve.dimension();
+    let size = dimension * length;
+    if output.len() == size {
+        return curve.values(&parameters, 0, output);
+    }
+    let mut values = [vec![0.0; size], vec![0.0; size]];
+    for (derivative, values) in values.iter_mut().enumerate() {
+        curve.values(&parameters, derivative, values)?;
+    }
+    let [points, tangents] = &values;
+    let pairs = points.chunks_exact(dimension).zip(tangents.chunks_exact(dimension));
+    for (sample, (point, tangent)) in output.chunks_exact_mut(2 * dimension).zip(pairs) {
+        sample[..dimension].copy_from_slice(point);
+        sample[dimension..].copy_from_slice(tangent);
+    }
+    Ok(())
 }
 
 /// Four generalised Bézier points for every segment.

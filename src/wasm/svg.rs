@@ -37,7 +37,7 @@ pub fn to_path(slot: u32, tolerance: f64, decimals: i32, flags: u32) -> i32 {
         options.decimals = u32::try_from(decimals).ok();
         options.arcs = flags & 1 != 0;
         options.relative = flags & 2 != 0;
-        let (text, deviation) = svg::print_bytes(kernel.curve(slot)?, &options)?;
+        let (text, deviation) = svg::print_bytes(kernel.pieces(slot)?, &options)?;
         kernel.record([deviation]);
         kernel.text = text;
         Ok(kernel.text.len())

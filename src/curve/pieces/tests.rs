@@ -58,8 +58,19 @@ impl Pieces for Expanded {
         }
     }
 
-    fn values(&self, _: &[f64], _: usize, _: &mut [f64]) -> Result<()> {
+    fn values(&self, t: &[f64], derivative: usize, out: &mut [f64]) -> Result<()> {
+        for (&t, out) in t.iter().zip(out.chunks_exact_mut(self.dimension())) {
+            out.copy_from_slice(&self.lift(self.curve.evaluate(t, derivative)?));
+        }
         Ok(())
+    }
+
+    fn find(&self, t: f64) -> Result<(usize, f64)> {
+        self.curve.locate(t)
+    }
+
+    fn start(&self, i: usize) -> Point {
+        self.curve.start(i)
     }
 }
 

@@ -1,0 +1,99 @@
+/** B-spline curves of any roots: control points near the curve, as many as are wanted. */
+import { MAX_OUTPUT, finite, flag, integer, options as checkOptions } from "./arguments.js";
+import { SplineData, SplineKind, readSpline } from "./curve-data.js";
+import { call } from "./kernel.js";
+import { type Root, rootList, rootNumbers } from "./roots.js";
+import { type AnyPointsLike, SplineCurve, anyPoints, splineOf } from "./spline-curve.js";
+
+/** What a {@link BSplineCurve} is made from. */
+export interface BSplineCurveOptions {
+  /** Control points, at least 3 of a closed curve, as many as there are roots of an open one. */
+  points: AnyPointsLike;
+  /** 2 or 3 coordinates for each point. Default: what the points show; interleaved numbers are of the plane. */
+  dimension?: 2 | 3 | undefined;
+  /** Whether the last point is joined to the first. Default true. */
+  closed?: boolean | undefined;
+  /** Roots per unit of the parameter. */
+  roots: readonly Root[];
+  /** From one control point to the next, in units of the parameter. Default 1. */
+  step?: number | undefined;
+  /** The parameter of control point 0. Default 0. */
+  offset?: number | undefined;
+}
+
+/** A {@link BSplineCurve} as plain data. Fields that a newer version wrote are kept. */
+export interface BSplineCurveJSON {
+  type: "BSplineCurve";
+  version: 1;
+  closed: boolean;
+  dimension: 2 | 3;
+  /** All coordinates of each point in turn. */
+  points: number[];
+  roots: Root[];
+  step: number;
+  offset: number;
+  [unknown: string]: unknown;
+}
+
+/**
+ * A curve that weighs its control points by exponential B-splines, each divided by its integral: they lie near the curve, and the
+ * finer the grid the nearer.
+ */
+export class BSplineCurve extends SplineCurve {
+  /**
+   * A curve from control points. The arrays are copied.
+   *
+   * @throws {ExplineError} for whatever is wrong with the options; nothing is made then.
+   */
+  constructor(options: BSplineCurveOptions) {
+    super(options instanceof SplineData ? options : checkedBSpline("BSplineCurve", options));
+  }
+
+  /** From one control point to the next, in units of the parameter. */
+  get step(): number {
+    return splineOf(this, "step").step;
+  }
+
+  /** The parameter of control point 0. */
+  get offset(): number {
+    return splineOf(this, "offset").offset;
+  }
+
+  /** The same curve with m times the control points. */
+  refine(m = 2): BSplineCurve {
+    const op = "refine";
+    const data = splineOf(this, op);
+    const arity = integer(op, "m", m, 1, MAX_OUTPUT);
+    const slot = data.resident(op);
+    return bSplineOf(readSpline(call(op, (kernel) => kernel.refine_spline(slot, 1, 2, arity))));
+  }
+
+  /** The curve as plain data, for files and other threads; `fromJSON` is the inverse to the last bit. */
+  toJSON(): BSplineCurveJSON {
+    const { closed, dimension, points, roots, step, offset, extra } = splineOf(this, "toJSON");
+    const list = { points: Array.from(points), roots: rootList(roots) };
+    return { type: "BSplineCurve", version: 1, closed, dimension, ...list, step, offset, ...extra };
+  }
+}
+
+/** Makes a curve of arrays that the kernel or a check has vouched for. @internal */
+export function bSplineOf(data: SplineData): BSplineCurve {
+  return new BSplineCurve(data as unknown as BSplineCurveOptions);
+}
+
+/** The arrays of a curve that a caller or a file describes, checked. @internal */
+export function checkedBSpline(op: string, options: unknown): SplineData {
+  const own = checkOptions(op, options, ["points", "dimension", "closed", "roots", "step", "offset"]);
+  const { points, dimension } = anyPoints(op, own.points, own.dimension);
+  const data = new SplineData(
+    SplineKind.BSpline,
+    points,
+    dimension,
+    flag(op, "closed", own.closed, true),
+    rootNumbers(op, own.roots),
+    own.step === undefined ? 1 : finite(op, "step", own.step),
+    own.offset === undefined ? 0 : finite(op, "offset", own.offset) + 0,
+  );
+  data.load(op);
+  return data;
+}

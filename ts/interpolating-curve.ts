@@ -1,0 +1,88 @@
+/** Curves through their points, smooth to any order, on which every point acts near by only. */
+import { flag, integer, options as checkOptions } from "./arguments.js";
+import { type BSplineCurve, bSplineOf } from "./b-spline-curve.js";
+import { SplineData, SplineKind, readSpline } from "./curve-data.js";
+import { call } from "./kernel.js";
+import { type Root, rootList, rootNumbers } from "./roots.js";
+import { type AnyPointsLike, SplineCurve, anyPoints, splineOf } from "./spline-curve.js";
+
+/** What an {@link InterpolatingCurve} is made from. */
+export interface InterpolatingCurveOptions {
+  /** Points on the curve, at least 3 of a closed curve, 2 of an open one. */
+  points: AnyPointsLike;
+  /** 2 or 3 coordinates for each point. Default: what the points show; interleaved numbers are of the plane. */
+  dimension?: 2 | 3 | undefined;
+  /** Whether the last point is joined to the first. Default true. */
+  closed?: boolean | undefined;
+  /**
+   * Roots per unit of the parameter, with their conjugates and opposites. Default: 0 and ±2πi/M of a closed curve of M points, which keep
+   * ellipses; four times 0, which keep cubics, of an open one.
+   */
+  roots?: readonly Root[] | undefined;
+}
+
+/** An {@link InterpolatingCurve} as plain data. Fields that a newer version wrote are kept. */
+export interface InterpolatingCurveJSON {
+  type: "InterpolatingCurve";
+  version: 1;
+  closed: boolean;
+  dimension: 2 | 3;
+  /** All coordinates of each point in turn. */
+  points: number[];
+  roots: Root[];
+  [unknown: string]: unknown;
+}
+
+/**
+ * A curve through its points, point i at parameter i. With n₀ roots it has n₀ − 2 continuous derivatives, and a point acts on n₀ − 1
+ * segments to each side, on nothing else.
+ */
+export class InterpolatingCurve extends SplineCurve {
+  /**
+   * A curve through points. The arrays are copied.
+   *
+   * @throws {ExplineError} for whatever is wrong with the options; nothing is made then.
+   */
+  constructor(options: InterpolatingCurveOptions) {
+    super(options instanceof SplineData ? options : checkedInterpolating("InterpolatingCurve", options));
+  }
+
+  /**
+   * The same curve as control points of B-splines on the grid 1/(m0·m^(levels − 1)), levels from 1 to 24.
+   *
+   * `m0`, even, and `m` default to 2.
+   */
+  refine(levels: number, options?: { m0?: number | undefined; m?: number | undefined }): BSplineCurve {
+    const op = "refine";
+    const data = splineOf(this, op);
+    const { m0, m } = checkOptions(op, options, ["m0", "m"]);
+    const steps = integer(op, "levels", levels, 1, 24);
+    const first = m0 === undefined ? 2 : integer(op, "m0", m0, 2, 1024);
+    const arity = m === undefined ? 2 : integer(op, "m", m, 1, 1024);
+    const slot = data.resident(op);
+    return bSplineOf(readSpline(call(op, (kernel) => kernel.refine_spline(slot, steps, first, arity))));
+  }
+
+  /** The curve as plain data, for files and other threads; `fromJSON` is the inverse to the last bit. */
+  toJSON(): InterpolatingCurveJSON {
+    const { closed, dimension, points, roots, extra } = splineOf(this, "toJSON");
+    const list = { points: Array.from(points), roots: rootList(roots) };
+    return { type: "InterpolatingCurve", version: 1, closed, dimension, ...list, ...extra };
+  }
+}
+
+/** Makes a curve of arrays that a check has vouched for. @internal */
+export function interpolatingOf(data: SplineData): InterpolatingCurve {
+  return new InterpolatingCurve(data as unknown as InterpolatingCurveOptions);
+}
+
+/** The arrays of a curve that a caller or a file describes, checked. @internal */
+export function checkedInterpolating(op: string, options: unknown): SplineData {
+  const own = checkOptions(op, options, ["points", "dimension", "closed", "roots"]);
+  const { points, dimension } = anyPoints(op, own.points, own.dimension);
+  const roots = own.roots === undefined ? new Float64Array() : rootNumbers(op, own.roots);
+  const closed = flag(op, "closed", own.closed, true);
+  const data = new SplineData(SplineKind.Interpolating, points, dimension, closed, roots);
+  data.load(op);
+  return data;
+}

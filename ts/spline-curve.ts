@@ -1,0 +1,78 @@
+/** What interpolating and B-spline curves have in common: points on a grid, and the roots of the functions that weigh them. */
+import { type PointsLike, type SpacePointsLike, coordinate, integer, points as checkPoints, tolerance as checkTolerance } from "./arguments.js";
+import { SplineData, readCurves } from "./curve-data.js";
+import { MeasuredCurve, dataOf } from "./curve.js";
+import { wrongLength } from "./error.js";
+import { type HermiteCurve, curveOf } from "./hermite-curve.js";
+import { type Floats, call, result } from "./kernel.js";
+import { type Root, rootList } from "./roots.js";
+
+/** Points in the plane or in space. */
+export type AnyPointsLike = PointsLike | SpacePointsLike;
+
+/** The arrays of a curve on a grid, and the proof that it is one. @internal */
+export function splineOf(curve: SplineCurve, op: string): SplineData {
+  return dataOf(curve, op, SplineData);
+}
+
+/** Points of the dimension that is asked for, or else that they show: triples and objects with z are in space. @internal */
+export function anyPoints(op: string, value: unknown, dimension: unknown): { points: Floats; dimension: 2 | 3 } {
+  const asked = dimension === undefined ? shownBy(value) : integer(op, "dimension", dimension, 2, 3);
+  const axes = asked === 3 ? 3 : 2;
+  return { points: checkPoints(op, "points", value, undefined, axes), dimension: axes };
+}
+
+function shownBy(value: unknown): number {
+  const first: unknown = Array.isArray(value) ? value[0] : undefined;
+  if (typeof first !== "object" || first === null) return 2;
+  return Array.isArray(first) ? first.length : "z" in first ? 3 : 2;
+}
+
+/** A curve on a grid. */
+export abstract class SplineCurve extends MeasuredCurve {
+  /** The roots per unit of the parameter: a copy. */
+  get roots(): Root[] {
+    return rootList(splineOf(this, "roots").roots);
+  }
+
+  /** The points, all coordinates in turn: a copy. Setting them moves all at once; there must be as many as before. */
+  get points(): Float64Array {
+    return splineOf(this, "points").points.slice();
+  }
+
+  set points(value: AnyPointsLike) {
+    const op = "points";
+    const data = splineOf(this, op);
+    const next = checkPoints(op, op, value, undefined, data.dimension);
+    if (next.length !== data.points.length) throw wrongLength(op, op, next.length, String(data.points.length));
+    data.points.set(next);
+    data.touch();
+  }
+
+  /** Moves point i; in space `z` goes with x and y. */
+  setPoint(i: number, x: number, y: number, z?: number): void {
+    const op = "setPoint";
+    const data = splineOf(this, op);
+    const at = data.dimension * integer(op, "i", i, 0, data.count - 1);
+    const place = [coordinate(op, "x", x), coordinate(op, "y", y)];
+    if (data.dimension === 3) place.push(coordinate(op, "z", z));
+    data.points.set(place, at);
+    data.touch();
+  }
+
+  /**
+   * The same plane curve with points and tangents. It is exact, and `maxError` 0, where the roots are 0 up to twice and one pair ±iω or
+   * ±k, or 0 up to four times; else it is made of cubics within `tolerance` (default 1e-9 of its size), and `maxError` is a
+   * proved bound.
+   */
+  toHermite(tolerance?: number): { curve: HermiteCurve; maxError: number } {
+    const op = "toHermite";
+    const data = splineOf(this, op);
+    const within = tolerance === undefined ? 0 : checkTolerance(op, tolerance);
+    const slot = data.resident(op);
+    const count = call(op, (kernel) => kernel.to_hermite(slot, within));
+    const maxError = result(0);
+    const [curve] = readCurves(count).map(curveOf);
+    return { curve: curve as HermiteCurve, maxError };
+  }
+}
