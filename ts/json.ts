@@ -67,23 +67,6 @@ function withExtra<D extends { extra: Readonly<Record<string, unknown>> | undefi
   return data;
 }
 
-/** A curve's arrays as plain data. @internal */
-export function toJSON(data: CurveData): HermiteCurveJSON {
-  const short = (array: Floats): number | number[] => (array.length === 1 ? (array[0] ?? 0) : Array.from(array));
-  return {
-    type: "HermiteCurve",
-    version: VERSION,
-    closed: data.closed,
-    space: data.space,
-    points: Array.from(data.points),
-    tangents: Array.from(data.tangents),
-    ...(data.tangentsIn.length === 0 ? {} : { tangentsIn: Array.from(data.tangentsIn) }),
-    omega: short(data.omega),
-    ...(data.lengths.length === 0 ? {} : { lengths: short(data.lengths) }),
-    ...data.extra,
-  };
-}
-
 /**
  * The curve or surface that `toJSON` described, to the last bit: from its object, or from JSON text.
  *
