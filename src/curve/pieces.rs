@@ -50,7 +50,14 @@ pub trait Pieces {
     }
 
     /// The point of a plane curve where piece i starts, or the end.
-    fn start(&self, i: usize) -> Point;
+    fn start(&self, i: usize) -> Point {
+        let mut point = Point::zeros();
+        match self.values(&[self.knot(i)], 0, point.as_mut_slice()) {
+            Ok(()) => point,
+            // A knot that is a rounding outside the domain.
+            Err(_) => self.piece(i.min(self.piece_count() - 1)).position(if i == 0 { -0.5 } else { 0.5 }),
+        }
+    }
 
     /// The derivatives at both ends of piece i of a plane curve.
     fn tangents(&self, i: usize) -> [Vector; 2] {
@@ -182,19 +189,6 @@ impl<C: Laid> Pieces for C {
     fn find(&self, t: f64) -> Result<(usize, f64)> {
         let Place { cell, part, y } = self.lattice().locate(t, None)?;
         Ok((cell * self.lattice().shape.per_cell + part, y + 0.5))
-    }
-
-    fn start(&self, i: usize) -> Point {
-        let lattice = self.lattice();
-        let (last, each) = (lattice.piece_count(), lattice.shape.per_cell);
-        let (i, y) = match i {
-            _ if i < last => (i, -0.5),
-            _ if lattice.closed => (0, -0.5),
-            _ => (last - 1, 0.5),
-        };
-        let mut point = Point::zeros();
-        lattice.value(Place { cell: i / each, part: i % each, y }, 0, point.as_mut_slice());
-        point
     }
 }
 
