@@ -1,6 +1,4 @@
-//! Draws the figures of the documentation into docs/figures: `cargo run --example figures`.
-//!
-//! They are computed, never drawn by hand; `tests/figures.rs` fails when a figure and the code disagree.
+//! The circle from two points, beside four Béziers.
 
 use expline::numerics::{Point, Vector};
 use expline::svg::{PrintOptions, to_path_d};
@@ -61,11 +59,4 @@ fn ghost(center: Point, radius: f64) -> String {
         }
     }
     d + "Z"
-}
-
-#[allow(dead_code, reason = "tests/figures.rs compares the figures without writing them")]
-fn main() -> std::result::Result<(), Box<dyn std::error::Error>> {
-    std::fs::create_dir_all("docs/figures")?;
-    std::fs::write("docs/figures/circle.svg", circle()?)?;
-    Ok(())
 }
