@@ -63,7 +63,7 @@ impl Spline {
             let mut t = data.parameters[m];
             let mut here = self.look(&pieces, t, &mut s, target);
             for _ in 0..rounds {
-                let step = here.newton().clamp(-reach, reach);
+                let step = here.newton().max(-reach).min(reach);
                 let next = self.within(t + step);
                 let there = self.look(&pieces, next, &mut s, target);
                 if there.square >= here.square {
@@ -138,7 +138,7 @@ impl Spline {
     fn within(&self, t: f64) -> f64 {
         let end = self.space.breaks.end;
         if !self.space.breaks.closed {
-            return t.clamp(0.0, end);
+            return t.max(0.0).min(end);
         }
         let t = if t < 0.0 {
             t + end
@@ -147,7 +147,7 @@ impl Spline {
         } else {
             t
         };
-        t.clamp(0.0, end)
+        t.max(0.0).min(end)
     }
 
     fn look(&self, pieces: &[(Polynomial, Polynomial)], t: f64, s: &mut usize, target: Point) -> Look {

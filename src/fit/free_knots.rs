@@ -317,7 +317,7 @@ impl FreeKnots {
             (0..count).map(|k| room(breaks.gap_before(k)).min(room(breaks.gap_after(k)))).collect();
         for k in 0..count {
             if steps[k].is_finite() {
-                breaks.at[k] += steps[k].clamp(-most[k], most[k]);
+                breaks.at[k] += steps[k].max(-most[k]).min(most[k]);
             }
         }
         in_order(&mut breaks);

@@ -57,7 +57,7 @@ pub(super) fn closer(spline: &Spline, data: &Located, tolerance: f64) -> Option<
         // Neither two knots between two points nor two on one.
         let margin = 0.75 * step;
         if 2.0 * span.half > 3.0 * step {
-            added.push(t.clamp(span.middle - span.half + margin, span.middle + span.half - margin));
+            added.push(t.max(span.middle - span.half + margin).min(span.middle + span.half - margin));
         } else {
             sharper.push(s);
         }

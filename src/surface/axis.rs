@@ -101,7 +101,7 @@ impl Axis {
     /// The place of a parameter that was checked, or of one that is off the domain by a rounding.
     pub(super) fn nearest_place(&self, t: f64) -> Place {
         let end = self.end();
-        self.place_within(if self.direction.closed { t.rem_euclid(end) } else { t.clamp(0.0, end) })
+        self.place_within(if self.direction.closed { t.rem_euclid(end) } else { t.max(0.0).min(end) })
     }
 
     /// The place of a parameter of the domain; at a knot the piece to the right of it.

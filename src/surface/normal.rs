@@ -46,7 +46,7 @@ impl Jet {
         if area <= SINGULAR * square * square {
             return None;
         }
-        let length = libm::sqrt(area);
+        let length = area.sqrt();
         let (l, m, n) =
             (self.uu.dot(&normal) / length, self.uv.dot(&normal) / length, self.vv.dot(&normal) / length);
         let gaussian = (l * n - m * m) / area;
@@ -95,7 +95,7 @@ impl TensorSurface {
         let mut sum = Vector3::zeros();
         for (a, b) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
             let near = |t: f64, s: f64, end: f64, closed: bool| {
-                if closed { t + s * STEP } else { (t + s * STEP).clamp(0.0, end) }
+                if closed { t + s * STEP } else { (t + s * STEP).max(0.0).min(end) }
             };
             sum += self.cross(near(u, a, end_u, closed_u), near(v, b, end_v, closed_v), scratch);
         }

@@ -165,8 +165,8 @@ impl TensorSurface {
 fn around(axis: &Axis, t: f64, reach: f64) -> Option<Window> {
     let Direction { count, closed, .. } = axis.direction;
     let first = axis.parameter(0);
-    let from = libm::ceil((t - reach - first) * axis.scale);
-    let to = libm::floor((t + reach - first) * axis.scale);
+    let from = ((t - reach - first) * axis.scale).ceil();
+    let to = ((t + reach - first) * axis.scale).floor();
     if closed {
         if to - from + 1.0 >= count as f64 {
             return Some(Window { first: 0, count });

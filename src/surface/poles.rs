@@ -10,6 +10,7 @@ use super::tensor::TensorSurface;
 use crate::error::Result;
 use crate::limits::{LARGEST_COORDINATE, check};
 use crate::numerics::Vector3;
+use crate::numerics::angle::sin_cos;
 
 /// A pole counts as smooth where the net keeps to the rule within this part of its size.
 const KEPT: f64 = 1e-9;
@@ -117,14 +118,18 @@ impl TensorSurface {
                 self.get(i, j)
             })
             .collect();
-        let angle = |k: usize| TAU * k as f64 / pole.around as f64;
+        let turn = |k: usize| sin_cos(TAU * k as f64 / pole.around as f64);
         let (mut a, mut b) = (Vector3::zeros(), Vector3::zeros());
         for (k, point) in row.iter().enumerate() {
-            a += point * libm::cos(angle(k));
-            b += point * libm::sin(angle(k));
+            let (sin, cos) = turn(k);
+            a += point * cos;
+            b += point * sin;
         }
         let scale = 4.0 / pole.around as f64;
-        let less = |k: usize| (a * libm::cos(angle(k)) + b * libm::sin(angle(k))) * scale;
+        let less = |k: usize| {
+            let (sin, cos) = turn(k);
+            (a * cos + b * sin) * scale
+        };
         row.iter().enumerate().map(|(k, point)| point - less(k)).collect()
     }
 

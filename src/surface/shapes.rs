@@ -8,6 +8,8 @@ use crate::error::Result;
 use crate::generator::{Root, Roots};
 use crate::limits::{LARGEST_COORDINATE, check, with_room};
 use crate::numerics::Vector3;
+use crate::numerics::angle::sin_cos;
+use crate::numerics::entire::{Stumpff, stumpff};
 
 /// The most segments in one direction.
 const MOST_SEGMENTS: usize = 1024;
@@ -166,7 +168,8 @@ impl TensorSurface {
         let v = open(Roots::hyperbola(step_v)?, n);
         Self::through(u, v, &|k, l| {
             let (p, q) = (k * step_u - 1.0, l * step_v - 1.0);
-            [a * p * libm::cosh(q), b * p * libm::sinh(q), h * p * p]
+            let Stumpff { c0: cosh, c1, .. } = stumpff(-q * q);
+            [a * p * cosh, b * p * q * c1, h * p * p]
         })
     }
 }
@@ -181,7 +184,7 @@ pub(super) struct Turn {
 /// Of k parts of `count`; quarters are exact, so that poles are points.
 pub(super) fn turn(k: f64, count: usize) -> Turn {
     let quarters = 4.0 * k / count as f64;
-    if quarters == libm::floor(quarters) {
+    if quarters == quarters.floor() {
         let (cos, sin) = match quarters.rem_euclid(4.0) as u8 {
             0 => (1.0, 0.0),
             1 => (0.0, 1.0),
@@ -191,5 +194,6 @@ pub(super) fn turn(k: f64, count: usize) -> Turn {
         return Turn { cos, sin };
     }
     let angle = TAU * k / count as f64;
-    Turn { cos: libm::cos(angle), sin: libm::sin(angle) }
+    let (sin, cos) = sin_cos(angle);
+    Turn { cos, sin }
 }

@@ -157,6 +157,6 @@ impl TensorSurface {
             let (least, most) = numbers.fold((f64::MAX, f64::MIN), |(a, b), &x| (a.min(x), b.max(x)));
             square += (0.5 * (most - least)) * (0.5 * (most - least));
         }
-        libm::sqrt(square)
+        square.sqrt()
     }
 }

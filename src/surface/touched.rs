@@ -21,8 +21,8 @@ fn rows(axis: &Axis, i: usize, count: usize) -> Range<usize> {
         ((i as i64 - width as i64 + 1).max(0), (i as i64 + 1).min(intervals as i64))
     };
     let steps = if closed { count } else { count - 1 } as f64 / intervals as f64;
-    let from = libm::floor(first as f64 * steps) as i64 - 1;
-    let to = libm::ceil(last as f64 * steps) as i64 + 1;
+    let from = (first as f64 * steps).floor() as i64 - 1;
+    let to = (last as f64 * steps).ceil() as i64 + 1;
     if !closed {
         return from.max(0) as usize..(to.max(0) as usize + 1).min(count);
     }
