@@ -3,13 +3,29 @@
 //! Coordinates: x to the right, y down; pixel (column, row) covers [column, column + 1] × [row, row + 1].
 
 mod cloud;
+mod contour;
+mod corners;
+mod coverage;
+mod cubic;
+mod division;
+mod drawing;
+mod gray;
 mod knots;
 mod local;
 mod metrics;
+mod outline;
 mod quasi_interpolant;
+mod refine;
+mod samples;
 mod selection;
+mod simplify;
+mod skyline;
+mod unknowns;
 
 pub use cloud::Cloud;
+pub use contour::{Contour, contours};
+pub use drawing::{Drawing, DrawingOptions, MOST_CONTOURS, TracedContour, trace_drawing};
+pub use gray::{Gray, MOST_PIXELS, MOST_SIDE, Tones};
 pub use knots::{Knots, MOST_DEGREE, MOST_INTERIOR};
 pub use metrics::{Jaccard, diameter, directed_hausdorff, jaccard, mean_absolute, root_mean_square};
 pub use quasi_interpolant::{End, Estimator, QuasiInterpolant};

@@ -1,0 +1,123 @@
+//! Sharp corners of a contour, and only those.
+
+use super::samples::{Line, Samples, line_through, turn, unit};
+use crate::numerics::plane::{dot, norm};
+use crate::numerics::{Point, Vector};
+
+/// What a corner is, in pixels and radians.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CornerRule {
+    /// How much of both sides next to the place is not looked at: the pixels round it.
+    pub(super) gap: f64,
+    /// How much of both sides is looked at.
+    pub(super) window: f64,
+    /// The least turning.
+    pub(super) angle: f64,
+    /// How far the corner may be from the contour.
+    pub(super) reach: f64,
+}
+
+/// A corner between places of a contour.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Corner {
+    /// The index of the place nearest to it.
+    pub(super) index: isize,
+    /// Where both sides meet.
+    pub(super) point: Point,
+}
+
+/// All corners in the order of the places: those by the first rule, then those that another rule finds between them.
+///
+/// Both sides of a place are followed by a line and by a parabola, from the gap on. The turning between the lines is that of a
+/// corner or of an arc; the turning between the parabolas' tangents at the place is small for arcs (D 14.5).
+pub(super) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<Corner> {
+    let count = samples.len() as isize;
+    let apart = samples.steps(2.2).max(1);
+    let distance = |i: isize, j: isize| (i - j).rem_euclid(count).min((j - i).rem_euclid(count));
+    let mut found: Vec<Corner> = Vec::new();
+    for rule in rules {
+        let scores: Vec<f64> = (0..count).map(|i| score(samples, i, rule)).collect();
+        let known = found.len();
+        for i in 0..count {
+            let own = scores[i as usize];
+            if own < rule.angle || found[..known].iter().any(|corner| distance(corner.index, i) < apart) {
+                continue;
+            }
+            let highest = (1..=apart).all(|d| {
+                let before = scores[(i - d).rem_euclid(count) as usize];
+                let after = scores[(i + d).rem_euclid(count) as usize];
+                own > before && own >= after
+            });
+            if highest && let Some(point) = place(samples, i, rule) {
+                found.push(Corner { index: i, point });
+            }
+        }
+    }
+    found.sort_by_key(|corner| corner.index);
+    found
+}
+
+fn sides(samples: &Samples, i: isize, rule: &CornerRule) -> [Vec<Point>; 2] {
+    let (near, far) = (samples.steps(rule.gap), samples.steps(rule.gap + rule.window));
+    [samples.stretch(i - far, i - near), samples.stretch(i + near, i + far)]
+}
+
+fn score(samples: &Samples, i: isize, rule: &CornerRule) -> f64 {
+    let far = samples.steps(rule.gap + rule.window);
+    if 2 * far > samples.len() as isize {
+        return 0.0;
+    }
+    let here = samples.at(i);
+    let chords = turn(here - samples.at(i - far), samples.at(i + far) - here);
+    if chords.abs() < 0.6 * rule.angle {
+        return 0.0;
+    }
+    let [before, after] = sides(samples, i, rule);
+    let (first, second) = (line_through(&before), line_through(&after));
+    let lines = turn(first.direction, second.direction);
+    let tangents = turn(end_tangent(&before, here, 1.0), end_tangent(&after, here, -1.0));
+    if lines * tangents < 0.0 && lines.abs() < 2.0 {
+        return 0.0;
+    }
+    lines.abs().min(1.6 * tangents.abs())
+}
+
+/// The tangent at the place that a side leads to, by a parabola over the side's own axis.
+fn end_tangent(side: &[Point], here: Point, sign: f64) -> Vector {
+    let line = line_through(side);
+    let normal = Vector::new(-line.direction.y, line.direction.x);
+    // Least squares of y = a + bx + cx² about the middle, where Σx = 0.
+    let (mut x2, mut x3, mut x4, mut y0, mut y1, mut y2) = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    for p in side {
+        let (x, y) = (dot(p - line.middle, line.direction), dot(p - line.middle, normal));
+        x2 += x * x;
+        x3 += x * x * x;
+        x4 += x * x * x * x;
+        y0 += y;
+        y1 += x * y;
+        y2 += x * x * y;
+    }
+    let n = side.len() as f64;
+    // From a = (y0 − c·x2)/n: [x2 x3; x3 x4 − x2²/n]·(b, c) = (y1, y2 − x2·y0/n).
+    let (d, e) = (x4 - x2 * x2 / n, y2 - x2 * y0 / n);
+    let determinant = x2 * d - x3 * x3;
+    if determinant.abs() < 1e-9 {
+        return line.direction;
+    }
+    let (b, c) = ((y1 * d - e * x3) / determinant, (x2 * e - x3 * y1) / determinant);
+    // Extrapolated to the place, which is no farther than the side is long.
+    let reach = norm(side[side.len() - 1] - side[0]);
+    let x = sign * (sign * dot(here - line.middle, line.direction)).max(0.0).min(1.2 * reach);
+    unit(line.direction + normal * (b + 2.0 * c * x))
+}
+
+fn place(samples: &Samples, i: isize, rule: &CornerRule) -> Option<Point> {
+    let [before, after] = sides(samples, i, rule);
+    let (first, second): (Line, Line) = (line_through(&before), line_through(&after));
+    let point = first.meets(&second)?;
+    // The pixels cut more off a sharp tip than off a right angle.
+    let half = 0.5 * turn(first.direction, second.direction).abs();
+    let (sine, cosine) = crate::numerics::angle::sin_cos(half);
+    let reach = rule.reach * (0.5 + 0.5 * sine / cosine.max(0.15));
+    (norm(point - samples.at(i)) <= reach).then_some(point)
+}

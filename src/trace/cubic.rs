@@ -1,0 +1,190 @@
+//! One cubic through two given points, as near as it can to places between them.
+
+use super::samples::unit;
+use crate::numerics::plane::{dot, norm, square};
+use crate::numerics::{Point, Vector};
+
+/// A cubic by its ends and the way from each end to its control point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Cubic {
+    pub(super) start: Point,
+    /// First control point less start.
+    pub(super) leaving: Vector,
+    /// End less second control point.
+    pub(super) arriving: Vector,
+    pub(super) end: Point,
+}
+
+/// What is known of the tangent at an end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Tangent {
+    /// Nothing.
+    Free,
+    /// Its direction, of length 1, along the curve.
+    Along(Vector),
+}
+
+/// A cubic and how far the places are from it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fitted {
+    pub(super) cubic: Cubic,
+    pub(super) most: f64,
+    pub(super) rms: f64,
+}
+
+/// Places used for one fit: more say nothing new about four unknowns.
+const MOST_PLACES: usize = 48;
+/// Rounds of least squares and foot points.
+const ROUNDS: usize = 5;
+
+impl Cubic {
+    pub(super) fn bernstein(t: f64) -> [f64; 4] {
+        let u = 1.0 - t;
+        [u * u * u, 3.0 * u * u * t, 3.0 * u * t * t, t * t * t]
+    }
+
+    pub(super) fn point(&self, t: f64) -> Point {
+        let [_, b, c, d] = Self::bernstein(t);
+        self.start + (self.end - self.start) * (c + d) + self.leaving * b - self.arriving * c
+    }
+
+    pub(super) fn velocity(&self, t: f64) -> Vector {
+        let u = 1.0 - t;
+        let middle = self.end - self.start - self.leaving - self.arriving;
+        (self.leaving * (u * u) + middle * (2.0 * u * t) + self.arriving * (t * t)) * 3.0
+    }
+
+    pub(super) fn acceleration(&self, t: f64) -> Vector {
+        let middle = self.end - self.start - self.leaving - self.arriving;
+        ((middle - self.leaving) * (1.0 - t) + (self.arriving - middle) * t) * 6.0
+    }
+
+    /// Where the curve is nearest to a point, from a guess: two steps of Newton's method.
+    pub(super) fn foot(&self, p: Point, mut t: f64) -> f64 {
+        for _ in 0..2 {
+            let (off, velocity) = (self.point(t) - p, self.velocity(t));
+            let slope = square(velocity) + dot(off, self.acceleration(t));
+            if slope <= 0.0 {
+                break;
+            }
+            t = (t - dot(off, velocity) / slope).clamp(0.0, 1.0);
+        }
+        t
+    }
+
+    /// Fits the ways to the control points to `places` between `start` and `end`.
+    pub(super) fn fit(start: Point, end: Point, places: &[Point], tangents: [Tangent; 2]) -> Fitted {
+        let stride = places.len().div_ceil(MOST_PLACES).max(1);
+        let mut points: Vec<Point> = places.iter().copied().step_by(stride).collect();
+        if points.is_empty() {
+            points.push((start + end) * 0.5);
+        }
+        let mut parameters = chord_parameters(start, end, &points);
+        let chord = norm(end - start).max(length(start, end, &points) / core::f64::consts::PI);
+        let mut cubic = Self { start, leaving: Vector::zeros(), arriving: Vector::zeros(), end };
+        for round in 0..ROUNDS {
+            cubic.solve(&points, &parameters, tangents, chord);
+            if round + 1 < ROUNDS {
+                for (t, &p) in parameters.iter_mut().zip(&points) {
+                    *t = cubic.foot(p, *t);
+                }
+            }
+        }
+        let (mut most, mut sum) = (0.0_f64, 0.0);
+        for (&t, &p) in parameters.iter().zip(&points) {
+            let off = square(cubic.point(cubic.foot(p, t)) - p);
+            most = most.max(off);
+            sum += off;
+        }
+        Fitted { cubic, most: most.sqrt(), rms: (sum / points.len() as f64).sqrt() }
+    }
+
+    /// Least squares for up to four unknowns: a length along a known tangent, both coordinates else.
+    fn solve(&mut self, points: &[Point], parameters: &[f64], tangents: [Tangent; 2], chord: f64) {
+        let mut unknowns = [(0, Vector::zeros()); 4];
+        let mut count = 0;
+        for (side, tangent) in tangents.iter().enumerate() {
+            let directions = match *tangent {
+                Tangent::Along(direction) => [Some(direction), None],
+                Tangent::Free => [Some(Vector::new(1.0, 0.0)), Some(Vector::new(0.0, 1.0))],
+            };
+            for direction in directions.into_iter().flatten() {
+                unknowns[count] = (side, direction);
+                count += 1;
+            }
+        }
+        let mut normal = [[0.0; 5]; 4];
+        for (&t, &p) in parameters.iter().zip(points) {
+            let [_, b, c, d] = Self::bernstein(t);
+            let weights = [b, -c];
+            let off = p - self.start - (self.end - self.start) * (c + d);
+            for i in 0..count {
+                let (side, direction) = unknowns[i];
+                for j in 0..=i {
+                    let (other, along) = unknowns[j];
+                    normal[i][j] += weights[side] * weights[other] * dot(direction, along);
+                }
+                normal[i][4] += weights[side] * dot(direction, off);
+            }
+        }
+        // A third of the chord is what a straight piece has; hardly determined lengths stay near it.
+        let usual = unit(self.end - self.start) * (chord / 3.0);
+        for i in 0..count {
+            let (_, direction) = unknowns[i];
+            let wish = if count == 2 { chord / 3.0 } else { dot(direction, usual) };
+            let ridge = 1e-4 * (1.0 + normal[i][i]);
+            normal[i][i] += ridge;
+            normal[i][4] += ridge * wish;
+        }
+        let solution = solve_small(&mut normal, count);
+        let mut ways = [Vector::zeros(); 2];
+        for ((side, direction), &amount) in unknowns.iter().zip(&solution).take(count) {
+            let known = matches!(tangents[*side], Tangent::Along(_));
+            ways[*side] += direction * if known { amount.max(0.02 * chord).min(3.0 * chord) } else { amount };
+        }
+        [self.leaving, self.arriving] = ways;
+    }
+}
+
+/// Solves a positive definite system of up to four unknowns; the right-hand side is in the last column.
+fn solve_small(rows: &mut [[f64; 5]; 4], count: usize) -> [f64; 4] {
+    for i in 0..count {
+        for j in 0..=i {
+            let known: f64 = (0..j).map(|k| rows[i][k] * rows[j][k]).sum();
+            let rest = rows[i][j] - known;
+            rows[i][j] = if i == j { rest.max(1e-12).sqrt() } else { rest / rows[j][j] };
+        }
+    }
+    let mut x = [0.0; 4];
+    for i in 0..count {
+        let known: f64 = (0..i).map(|k| rows[i][k] * x[k]).sum();
+        x[i] = (rows[i][4] - known) / rows[i][i];
+    }
+    for i in (0..count).rev() {
+        let known: f64 = (i + 1..count).map(|k| rows[k][i] * x[k]).sum();
+        x[i] = (x[i] - known) / rows[i][i];
+    }
+    x
+}
+
+fn length(start: Point, end: Point, points: &[Point]) -> f64 {
+    let mut sum = norm(points[0] - start) + norm(end - points[points.len() - 1]);
+    for pair in points.windows(2) {
+        sum += norm(pair[1] - pair[0]);
+    }
+    sum
+}
+
+fn chord_parameters(start: Point, end: Point, points: &[Point]) -> Vec<f64> {
+    let total = length(start, end, points).max(1e-12);
+    let mut travelled = 0.0;
+    let mut last = start;
+    points
+        .iter()
+        .map(|&p| {
+            travelled += norm(p - last);
+            last = p;
+            travelled / total
+        })
+        .collect()
+}

@@ -1,0 +1,315 @@
+//! A first outline: straight runs as lines, what is between them as few smooth cubics.
+
+use super::corners::Corner;
+use super::cubic::{Cubic, Tangent};
+use super::outline::{Node, Outline, Piece};
+use super::samples::{Line, Samples, line_through, unit};
+use crate::numerics::Point;
+use crate::numerics::plane::norm;
+
+/// How near is near enough, in pixels.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct DivisionRule {
+    /// The contour next to a corner that is not looked at.
+    pub(super) gap: f64,
+    /// The largest deviation of a straight run.
+    pub(super) straight: f64,
+    /// The least length of a straight run that does not join two corners.
+    pub(super) least_run: f64,
+    /// The largest deviation of a cubic, and its root mean square.
+    pub(super) most: f64,
+    pub(super) rms: f64,
+    /// How much on both sides a tangent is taken from.
+    pub(super) reach: f64,
+}
+
+/// Where a stretch begins or ends.
+#[derive(Clone, Copy, Debug)]
+struct Anchor {
+    index: isize,
+    point: Point,
+    tangent: Tangent,
+}
+
+struct Run {
+    first: isize,
+    last: isize,
+    line: Line,
+}
+
+struct Divider<'a> {
+    samples: &'a Samples,
+    rule: &'a DivisionRule,
+    outline: Outline,
+    longest: isize,
+}
+
+/// Divides a contour at its corners, finds straight runs, and follows the rest by cubics.
+pub(super) fn divide(samples: &Samples, corners: &[Corner], rule: &DivisionRule) -> Outline {
+    let count = samples.len() as isize;
+    let outline = Outline { nodes: Vec::new(), pieces: Vec::new() };
+    let mut divider = Divider { samples, rule, outline, longest: count / 2 };
+    for (i, corner) in corners.iter().enumerate() {
+        let (next, wrap) = if i + 1 < corners.len() { (&corners[i + 1], 0) } else { (&corners[0], count) };
+        let start = Anchor { index: corner.index, point: corner.point, tangent: Tangent::Free };
+        let end = Anchor { index: next.index + wrap, point: next.point, tangent: Tangent::Free };
+        let gap = samples.steps(rule.gap);
+        let runs = divider.runs(start.index + gap, end.index - gap);
+        divider.stretch(start, end, &runs);
+    }
+    if corners.is_empty() {
+        divider.round();
+    }
+    let mut outline = divider.outline;
+    outline.align();
+    outline
+}
+
+impl Divider<'_> {
+    /// A contour without corners begins with a straight run, or where it is flattest.
+    fn round(&mut self) {
+        let count = self.samples.len() as isize;
+        let reach = self.samples.steps(3.0).clamp(1, count / 4);
+        let bend = |i: isize| self.samples.curvature(i, reach).abs();
+        let (mut sharpest, mut flattest) = ((0, -1.0), (0, f64::MAX));
+        for i in 0..count {
+            let bend = bend(i);
+            if bend > sharpest.1 {
+                sharpest = (i, bend);
+            }
+            if bend < flattest.1 {
+                flattest = (i, bend);
+            }
+        }
+        let runs = self.runs(sharpest.0, sharpest.0 + count);
+        if let Some(run) = runs.first() {
+            let start = self.on_line(run.first, &run.line);
+            let end = Anchor { index: start.index + count, ..start };
+            self.stretch(start, end, &runs);
+            return;
+        }
+        let start = self.smooth(flattest.0, count / 4);
+        let end = Anchor { index: start.index + count, ..start };
+        self.curve(start, end);
+    }
+
+    fn smooth(&self, index: isize, room: isize) -> Anchor {
+        let most = self.samples.steps(8.0 * self.rule.reach).min(room);
+        let (point, direction) =
+            self.samples.smoothed(index, self.samples.steps(self.rule.reach).min(room), most);
+        Anchor { index, point, tangent: Tangent::Along(direction) }
+    }
+
+    fn on_line(&self, index: isize, line: &Line) -> Anchor {
+        let point = line.nearest(self.samples.at(index));
+        Anchor { index, point, tangent: Tangent::Along(line.direction) }
+    }
+
+    /// Straight runs in a stretch.
+    fn runs(&self, first: isize, last: isize) -> Vec<Run> {
+        let mut runs = Vec::new();
+        let least = self.samples.steps(self.rule.least_run).max(4);
+        let mut i = first;
+        while i + least <= last {
+            if !self.straight(i, i + least) {
+                i += 1;
+                continue;
+            }
+            // Doubling and halving: the longest run from here.
+            let (mut good, mut step) = (i + least, least);
+            while good + step <= last && self.straight(i, good + step) {
+                good += step;
+                step *= 2;
+            }
+            while step > 0 {
+                if good + step <= last && self.straight(i, good + step) {
+                    good += step;
+                }
+                step /= 2;
+            }
+            let trim = (good - i) / 8;
+            let core = self.samples.stretch(i + trim, good - trim);
+            if self.sagitta(&core).abs() < 0.3 * self.rule.straight {
+                // The ends of the longest run lean into what follows.
+                let line = line_through(&core);
+                let fits = |i: isize| line.offset(self.samples.at(i)).abs() < 0.5 * self.rule.straight;
+                let (mut from, mut to) = (i, good);
+                while from < i + trim && !fits(from) {
+                    from += 1;
+                }
+                while to > good - trim && !fits(to) {
+                    to -= 1;
+                }
+                runs.push(Run { first: from, last: to, line });
+                i = good + 1;
+            } else {
+                i += ((good - i) / 4).max(1);
+            }
+        }
+        runs
+    }
+
+    fn straight(&self, first: isize, last: isize) -> bool {
+        let points = self.samples.stretch(first, last);
+        let line = line_through(&points);
+        points.iter().all(|&p| line.offset(p).abs() <= self.rule.straight)
+    }
+
+    /// How far the middle of some places bends away from the line through them, by least squares of a parabola.
+    fn sagitta(&self, points: &[Point]) -> f64 {
+        let line = line_through(points);
+        let n = points.len() as f64;
+        let (mut moment, mut fourth) = (0.0, 0.0);
+        for (i, &p) in points.iter().enumerate() {
+            let x = (i as f64 + 0.5) / n * 2.0 - 1.0;
+            let bowl = x * x - 1.0 / 3.0;
+            moment += bowl * line.offset(p);
+            fourth += bowl * bowl;
+        }
+        moment / fourth
+    }
+
+    /// One stretch between two anchors, with the straight runs in it.
+    fn stretch(&mut self, start: Anchor, end: Anchor, runs: &[Run]) {
+        let near = self.samples.steps(self.rule.gap + 1.2);
+        if start.tangent == Tangent::Free && self.is_line(start, end) {
+            self.emit(start, Piece::Line);
+            return;
+        }
+        let mut at = start;
+        for (i, run) in runs.iter().enumerate() {
+            let mut first = self.on_line(run.first, &run.line);
+            if at.tangent == Tangent::Free && run.first - at.index <= near {
+                first = at;
+            } else if at.index < first.index {
+                self.curve(at, first);
+            }
+            let mut last = self.on_line(run.last, &run.line);
+            if end.tangent == Tangent::Free && end.index - run.last <= near {
+                last = end;
+            } else if let Some(next) = runs.get(i + 1)
+                && next.first - run.last <= near + near
+                && let Some(point) = run.line.meets(&next.line)
+                && norm(point - self.samples.at(middle_of(run.last, next.first))) < 0.8
+            {
+                let index = middle_of(run.last, next.first);
+                last = Anchor { index, point, tangent: Tangent::Free };
+            }
+            self.emit(first, Piece::Line);
+            at = last;
+        }
+        if at.index < end.index {
+            self.curve(at, end);
+        }
+    }
+
+    fn is_line(&self, start: Anchor, end: Anchor) -> bool {
+        let gap = self.samples.steps(self.rule.gap);
+        let direction = unit(end.point - start.point);
+        let line = Line { middle: start.point, direction };
+        let (first, last) = (start.index + gap, end.index - gap);
+        if end.index - start.index >= self.longest * 2 {
+            return false;
+        }
+        let off = |i: isize| line.offset(self.samples.at(i));
+        let most = (first..=last).fold(0.0_f64, |most, i| most.max(off(i).abs()));
+        if most > 1.5 * self.rule.straight {
+            return false;
+        }
+        last - first < 6 || self.sagitta(&self.samples.stretch(first, last)).abs() < 0.4 * self.rule.straight
+    }
+
+    fn emit(&mut self, anchor: Anchor, piece: Piece) {
+        self.outline.nodes.push(Node {
+            point: anchor.point,
+            smooth: anchor.tangent != Tangent::Free,
+            kept: false,
+        });
+        self.outline.pieces.push(piece);
+    }
+
+    /// Cubics from one anchor to the next: as few as the tolerance allows, of about equal deviation.
+    fn curve(&mut self, start: Anchor, end: Anchor) {
+        let mut best = self.greedy(start, end, 1.0);
+        let mut scale = 1.0;
+        while best.len() > 1 && scale > 0.2 {
+            scale *= 0.75;
+            let next = self.greedy(start, end, scale);
+            if next.len() > best.len() {
+                break;
+            }
+            best = next;
+        }
+        for (anchor, cubic) in best {
+            self.emit(anchor, Piece::Cubic { leaving: cubic.leaving, arriving: cubic.arriving });
+        }
+    }
+
+    /// The longest cubic that is near enough, then the next.
+    fn greedy(&self, start: Anchor, end: Anchor, scale: f64) -> Vec<(Anchor, Cubic)> {
+        let mut pieces = Vec::new();
+        let mut at = start;
+        while at.index < end.index {
+            let least = 4.min(end.index - at.index);
+            let furthest = end.index.min(at.index + self.longest);
+            let mut good = at.index + least;
+            let mut found = self.fit(at, self.anchor(good, at, end));
+            let all = self.fit(at, self.anchor(furthest, at, end));
+            if self.near(&all, scale) {
+                (good, found) = (furthest, all);
+            } else {
+                let mut step = least;
+                while good + step < furthest {
+                    let next = self.fit(at, self.anchor(good + step, at, end));
+                    if !self.near(&next, scale) {
+                        break;
+                    }
+                    (good, found) = (good + step, next);
+                    step *= 2;
+                }
+                while step > 1 {
+                    step /= 2;
+                    if good + step < furthest {
+                        let next = self.fit(at, self.anchor(good + step, at, end));
+                        if self.near(&next, scale) {
+                            (good, found) = (good + step, next);
+                        }
+                    }
+                }
+            }
+            let next = self.anchor(good, at, end);
+            pieces.push((at, found.cubic));
+            at = next;
+        }
+        pieces
+    }
+
+    /// The anchor at a place between two others: smooth, its tangent from its side of both.
+    fn anchor(&self, index: isize, start: Anchor, end: Anchor) -> Anchor {
+        if index >= end.index {
+            return end;
+        }
+        let gap = |anchor: Anchor| {
+            if anchor.tangent == Tangent::Free { self.samples.steps(self.rule.gap) } else { 0 }
+        };
+        let room = (index - start.index - gap(start)).min(end.index - index - gap(end));
+        self.smooth(index, room.max(2))
+    }
+
+    fn near(&self, fitted: &super::cubic::Fitted, scale: f64) -> bool {
+        fitted.most <= scale * self.rule.most && fitted.rms <= scale * self.rule.rms
+    }
+
+    fn fit(&self, start: Anchor, end: Anchor) -> super::cubic::Fitted {
+        let gap = |anchor: Anchor| {
+            if anchor.tangent == Tangent::Free { self.samples.steps(self.rule.gap) } else { 1 }
+        };
+        let (first, last) = (start.index + gap(start), end.index - gap(end));
+        let places = if first <= last { self.samples.stretch(first, last) } else { Vec::new() };
+        Cubic::fit(start.point, end.point, &places, [start.tangent, end.tangent])
+    }
+}
+
+fn middle_of(first: isize, last: isize) -> isize {
+    first + (last - first) / 2
+}

@@ -1,0 +1,128 @@
+//! A closed outline as few pieces: nodes, straight pieces and cubics, smooth where it says so.
+
+use super::cubic::Cubic;
+use super::samples::unit;
+use crate::curve::{HermiteCurve, HermiteOptions};
+use crate::error::Result;
+use crate::numerics::plane::{cross, norm};
+use crate::numerics::{Point, Vector};
+
+/// What leads from one node to the next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Piece {
+    Line,
+    /// The way from the first node to its control point, and from the second control point to the second node.
+    Cubic {
+        leaving: Vector,
+        arriving: Vector,
+    },
+}
+
+/// A joint of two pieces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Node {
+    pub(super) point: Point,
+    /// Whether both pieces share the tangent here. Two straight pieces never do.
+    pub(super) smooth: bool,
+    /// Whether it has been tried without.
+    pub(super) kept: bool,
+}
+
+/// Nodes, and the pieces that leave them; the last piece leads back to the first node.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Outline {
+    pub(super) nodes: Vec<Node>,
+    pub(super) pieces: Vec<Piece>,
+}
+
+impl Outline {
+    pub(super) fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    pub(super) fn next(&self, i: usize) -> usize {
+        if i + 1 == self.nodes.len() { 0 } else { i + 1 }
+    }
+
+    pub(super) fn before(&self, i: usize) -> usize {
+        if i == 0 { self.nodes.len() - 1 } else { i - 1 }
+    }
+
+    pub(super) fn is_line(&self, i: usize) -> bool {
+        self.pieces[i] == Piece::Line
+    }
+
+    /// Piece i as a cubic; a straight one has its control points at the thirds.
+    pub(super) fn cubic(&self, i: usize) -> Cubic {
+        let (start, end) = (self.nodes[i].point, self.nodes[self.next(i)].point);
+        match self.pieces[i] {
+            Piece::Line => {
+                let third = (end - start) / 3.0;
+                Cubic { start, leaving: third, arriving: third, end }
+            }
+            Piece::Cubic { leaving, arriving } => Cubic { start, leaving, arriving, end },
+        }
+    }
+
+    /// Makes the ways to the control points at smooth nodes parallel: to the straight piece, if there is one, else to
+    /// the mean of both.
+    pub(super) fn align(&mut self) {
+        for i in 0..self.len() {
+            let before = self.before(i);
+            if self.is_line(before) && self.is_line(i) {
+                self.nodes[i].smooth = false;
+            }
+            if !self.nodes[i].smooth {
+                continue;
+            }
+            let here = self.nodes[i].point;
+            let along = match (self.pieces[before], self.pieces[i]) {
+                (Piece::Line, _) => here - self.nodes[before].point,
+                (_, Piece::Line) => self.nodes[self.next(i)].point - here,
+                (Piece::Cubic { arriving, .. }, Piece::Cubic { leaving, .. }) => {
+                    unit(arriving) + unit(leaving)
+                }
+            };
+            let along = unit(along);
+            if let Piece::Cubic { arriving, .. } = &mut self.pieces[before] {
+                *arriving = along * norm(*arriving);
+            }
+            if let Piece::Cubic { leaving, .. } = &mut self.pieces[i] {
+                *leaving = along * norm(*leaving);
+            }
+        }
+    }
+
+    /// Makes lines of cubics that hardly bend: by less than a twentieth of a pixel between corners, a fiftieth beside a smooth joint.
+    pub(super) fn straighten(&mut self) {
+        for i in 0..self.len() {
+            let next = self.next(i);
+            let Piece::Cubic { leaving, arriving } = self.pieces[i] else { continue };
+            let chord = self.nodes[next].point - self.nodes[i].point;
+            let across = unit(chord);
+            let bend = 0.75 * cross(across, leaving).abs().max(cross(across, arriving).abs());
+            let corners = !self.nodes[i].smooth && !self.nodes[next].smooth;
+            let short = norm(leaving) + norm(arriving) < 1.2 * norm(chord);
+            if short && bend < if corners { 0.05 } else { 0.02 } {
+                self.pieces[i] = Piece::Line;
+            }
+        }
+        self.align();
+    }
+
+    /// The outline as a curve whose segments are its pieces.
+    pub(super) fn to_curve(&self) -> Result<HermiteCurve> {
+        let points = self.nodes.iter().map(|node| node.point).collect();
+        let tangents = (0..self.len()).map(|i| self.cubic(i).leaving * 3.0).collect();
+        let tangents_in = (0..self.len()).map(|i| self.cubic(self.before(i)).arriving * 3.0).collect();
+        let omega = vec![0.0; self.len()];
+        HermiteCurve::new(HermiteOptions {
+            points,
+            tangents,
+            tangents_in,
+            closed: true,
+            omega,
+            ..Default::default()
+        })
+    }
+}

@@ -1,0 +1,181 @@
+//! Evenly spaced places of a closed polyline, and what a few of them say about line, tangent and curvature.
+
+use crate::numerics::Point;
+use crate::numerics::Vector;
+use crate::numerics::plane::{cross, dot, norm, square};
+
+/// Half a pixel between places: contours of pixels have no finer detail.
+const SPACING: f64 = 0.5;
+
+/// A parabola is taken for the contour up to here, in pixels: the contour of exact coverage strays by a twenty-fifth.
+const STRAY: f64 = 0.11;
+
+/// A closed polyline at even distances.
+pub(super) struct Samples {
+    pub(super) points: Vec<Point>,
+    /// The distance between neighbours along the polyline.
+    pub(super) spacing: f64,
+}
+
+/// A line through the middle of some places.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Line {
+    pub(super) middle: Point,
+    /// Of length 1, in the order of the places.
+    pub(super) direction: Vector,
+}
+
+impl Samples {
+    pub(super) fn new(polyline: &[Point]) -> Self {
+        let after = |i: usize| polyline[if i + 1 == polyline.len() { 0 } else { i + 1 }];
+        let length: f64 = (0..polyline.len()).map(|i| norm(after(i) - polyline[i])).sum();
+        let count = ((length / SPACING).round() as usize).max(8);
+        let spacing = length / count as f64;
+        let mut points = Vec::with_capacity(count);
+        let mut travelled = 0.0;
+        for i in 0..polyline.len() {
+            let step = norm(after(i) - polyline[i]);
+            while points.len() < count && points.len() as f64 * spacing <= travelled + step {
+                let share = if step > 0.0 { (points.len() as f64 * spacing - travelled) / step } else { 0.0 };
+                points.push(polyline[i] + (after(i) - polyline[i]) * share);
+            }
+            travelled += step;
+        }
+        while points.len() < count {
+            points.push(polyline[0]);
+        }
+        Self { points, spacing }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.points.len()
+    }
+
+    /// The place at a signed index, around the polyline.
+    pub(super) fn at(&self, i: isize) -> Point {
+        self.points[i.rem_euclid(self.points.len() as isize) as usize]
+    }
+
+    /// How many places span a distance.
+    pub(super) fn steps(&self, distance: f64) -> isize {
+        (distance / self.spacing).round() as isize
+    }
+
+    /// Places `first` to `last` around the polyline, both included.
+    pub(super) fn stretch(&self, first: isize, last: isize) -> Vec<Point> {
+        (first..=last).map(|i| self.at(i)).collect()
+    }
+
+    /// The place and the tangent at index i, from a parabola in the distance: over as much on both sides, from `least` up to
+    /// `most` places, as the parabola stays near to.
+    pub(super) fn smoothed(&self, i: isize, least: isize, most: isize) -> (Point, Vector) {
+        let mut reach = least.max(2);
+        let mut found = self.parabola(i, reach);
+        loop {
+            let next = (reach * 3 / 2).max(reach + 1);
+            if next > most {
+                break;
+            }
+            let wider = self.parabola(i, next);
+            if wider.2 > STRAY {
+                break;
+            }
+            (reach, found) = (next, wider);
+        }
+        (found.0, unit(found.1))
+    }
+
+    /// Value and slope at the middle of the parabola over ± `reach` places, and the largest distance of a place from it.
+    fn parabola(&self, i: isize, reach: isize) -> (Point, Vector, f64) {
+        // Symmetric: the linear coefficient does not depend on the others.
+        let (mut sum, mut slope, mut bowl) = (Vector::zeros(), Vector::zeros(), Vector::zeros());
+        let (mut second, mut fourth) = (0.0, 0.0);
+        let here = self.at(i);
+        for d in -reach..=reach {
+            let (x, p) = (d as f64, self.at(i + d) - here);
+            sum += p;
+            slope += p * x;
+            bowl += p * (x * x);
+            second += x * x;
+            fourth += x * x * x * x;
+        }
+        let n = (2 * reach + 1) as f64;
+        let curve = (bowl - sum * (second / n)) / (fourth - second * second / n);
+        let (middle, slope) = ((sum - curve * second) / n, slope / second);
+        let mut stray = 0.0_f64;
+        for d in -reach..=reach {
+            let x = d as f64;
+            let off = self.at(i + d) - here - middle - slope * x - curve * (x * x);
+            stray = stray.max(square(off));
+        }
+        (here + middle, slope, stray.sqrt())
+    }
+
+    /// The turning per pixel at place i over ± `reach` places.
+    pub(super) fn curvature(&self, i: isize, reach: isize) -> f64 {
+        let (before, after) = (self.at(i) - self.at(i - reach), self.at(i + reach) - self.at(i));
+        let angle = libm::atan2(cross(before, after), dot(before, after));
+        angle / (0.5 * (norm(before) + norm(after))).max(1e-9)
+    }
+}
+
+/// The vector at length 1; along x where it has none.
+pub(super) fn unit(v: Vector) -> Vector {
+    let length = norm(v);
+    if length > 1e-12 { v / length } else { Vector::new(1.0, 0.0) }
+}
+
+/// The angle from one direction to another, in (−π, π].
+pub(super) fn turn(from: Vector, to: Vector) -> f64 {
+    libm::atan2(cross(from, to), dot(from, to))
+}
+
+/// The line that is nearest to the places in the mean square.
+pub(super) fn line_through(points: &[Point]) -> Line {
+    let mut middle = Vector::zeros();
+    for p in points {
+        middle += p;
+    }
+    middle /= points.len() as f64;
+    let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
+    for p in points {
+        let d = p - middle;
+        xx += d.x * d.x;
+        xy += d.x * d.y;
+        yy += d.y * d.y;
+    }
+    // The axis of the larger moment: half the angle of (xx − yy, 2xy), without angles.
+    let (a, b) = (xx - yy, 2.0 * xy);
+    let length = (a * a + b * b).sqrt();
+    let axis = if length < 1e-300 {
+        points[points.len() - 1] - points[0]
+    } else if a >= 0.0 {
+        Vector::new(length + a, b)
+    } else {
+        Vector::new(b, length - a)
+    };
+    let axis = unit(axis);
+    let along = dot(points[points.len() - 1] - points[0], axis);
+    Line { middle, direction: if along < 0.0 { -axis } else { axis } }
+}
+
+impl Line {
+    /// How far a point is to the left, with y down to the right.
+    pub(super) fn offset(&self, p: Point) -> f64 {
+        cross(self.direction, p - self.middle)
+    }
+
+    /// The place on the line that is nearest to a point.
+    pub(super) fn nearest(&self, p: Point) -> Point {
+        self.middle + self.direction * dot(self.direction, p - self.middle)
+    }
+
+    /// Where two lines meet, if they are not nearly parallel.
+    pub(super) fn meets(&self, other: &Self) -> Option<Point> {
+        let sine = cross(self.direction, other.direction);
+        if sine.abs() < 0.05 {
+            return None;
+        }
+        Some(self.middle + self.direction * (cross(other.middle - self.middle, other.direction) / sine))
+    }
+}

@@ -1,0 +1,265 @@
+//! Drawings come back as the shapes that they were drawn from, and hostile pictures do no harm.
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use expline::curve::Curve;
+use expline::numerics::Point;
+use expline::trace::{Drawing, DrawingOptions, Gray, trace_drawing};
+use expline::{Error, HermiteCurve};
+
+/// Places per pixel and axis at which a test picture asks whether there is ink: coverage to a few thousandths.
+const FINE: usize = 16;
+
+/// Draws a shape with anti-aliasing, dark on white.
+fn draw(width: usize, height: usize, ink: &dyn Fn(f64, f64) -> bool) -> Vec<u8> {
+    let mut bytes = Vec::with_capacity(width * height);
+    for row in 0..height {
+        for column in 0..width {
+            let place = |start: usize, k: usize| start as f64 + (k as f64 + 0.5) / FINE as f64;
+            let hits =
+                (0..FINE * FINE).filter(|k| ink(place(column, k % FINE), place(row, k / FINE))).count();
+            bytes.push((255.0 * (1.0 - hits as f64 / (FINE * FINE) as f64)).round() as u8);
+        }
+    }
+    bytes
+}
+
+fn trace(width: usize, height: usize, bytes: &[u8]) -> Drawing {
+    let gray = Gray::from_bytes(width, height, bytes).expect("a valid picture");
+    trace_drawing(&gray, &DrawingOptions::default()).expect("a drawing")
+}
+
+/// The largest and the mean value of a distance along a curve.
+fn along(curve: &HermiteCurve, distance: &dyn Fn(Point) -> f64) -> (f64, f64) {
+    let (mut most, mut sum) = (0.0_f64, 0.0);
+    for i in 0..2000 {
+        let t = curve.domain().1 * f64::from(i) / 2000.0;
+        let off = distance(curve.evaluate(t, 0).expect("inside the domain"));
+        most = most.max(off);
+        sum += off / 2000.0;
+    }
+    (most, sum)
+}
+
+/// A small generator of noise: the same numbers everywhere.
+struct Noise(u64);
+
+impl Noise {
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as f64 / (1_u64 << 31) as f64
+    }
+
+    /// About normal, of deviation 1.
+    fn normal(&mut self) -> f64 {
+        (0..12).map(|_| self.unit()).sum::<f64>() - 6.0
+    }
+}
+
+fn inside(corners: &[(f64, f64)], x: f64, y: f64) -> bool {
+    let mut within = false;
+    for (i, &(x0, y0)) in corners.iter().enumerate() {
+        let (x1, y1) = corners[(i + 1) % corners.len()];
+        if (y0 > y) != (y1 > y) && x < x0 + (x1 - x0) * (y - y0) / (y1 - y0) {
+            within = !within;
+        }
+    }
+    within
+}
+
+const STAR: [(f64, f64); 10] = [
+    (32.3, 4.2),
+    (38.1, 24.4),
+    (59.2, 25.1),
+    (42.6, 37.8),
+    (48.7, 58.3),
+    (31.9, 46.4),
+    (14.2, 58.9),
+    (21.3, 38.2),
+    (4.6, 24.8),
+    (25.4, 24.1),
+];
+
+#[test]
+fn a_disk_is_found_to_a_fiftieth_of_a_pixel_in_few_pieces() {
+    let disk = |x: f64, y: f64| (x - 30.3).hypot(y - 32.6) <= 22.7;
+    let drawing = trace(64, 64, &draw(64, 64, &disk));
+    assert_eq!(drawing.contours.len(), 1);
+    let contour = &drawing.contours[0];
+    assert!(!contour.hole && contour.cusps.is_empty(), "a smooth outline of ink");
+    assert!(contour.curve.segment_count() <= 5, "{} pieces", contour.curve.segment_count());
+    let (most, mean) = along(&contour.curve, &|p| ((p - Point::new(30.3, 32.6)).norm() - 22.7).abs());
+    // Sixteen places per axis leave 0.004 of coverage, four cubics of a quarter turn 0.006 of a radius of 22.7.
+    assert!(mean < 0.015 && most < 0.03, "mean {mean}, most {most}");
+    assert!(drawing.residual < 0.006, "{}", drawing.residual);
+}
+
+#[test]
+fn a_hole_turns_the_other_way() {
+    let ring = |x: f64, y: f64| (8.0..=20.0).contains(&(x - 24.5).hypot(y - 23.5));
+    let drawing = trace(48, 48, &draw(48, 48, &ring));
+    let mut holes: Vec<(bool, f64)> =
+        drawing.contours.iter().map(|c| (c.hole, c.curve.area().expect("closed"))).collect();
+    holes.sort_by(|a, b| a.1.total_cmp(&b.1));
+    assert_eq!(holes.len(), 2);
+    assert!(holes[0].0 && !holes[1].0, "the smaller is the hole");
+    let area = core::f64::consts::PI;
+    // An outline that is off by 0.005 pixels over a length of 50 and 126.
+    assert!((holes[0].1 + 64.0 * area).abs() < 0.3, "{}", holes[0].1);
+    assert!((holes[1].1 - 400.0 * area).abs() < 0.7, "{}", holes[1].1);
+}
+
+#[test]
+fn a_star_has_its_ten_corners_and_straight_sides_and_nothing_else() {
+    let drawing = trace(64, 64, &draw(64, 64, &|x, y| inside(&STAR, x, y)));
+    assert_eq!(drawing.contours.len(), 1);
+    let contour = &drawing.contours[0];
+    assert_eq!(contour.cusps.len(), 10);
+    assert_eq!(contour.curve.segment_count(), 10);
+    assert!(contour.curve.segments().all(|segment| segment.as_line(1e-9)), "sides are lines");
+    for &(x, y) in &STAR {
+        let nearest = contour.cusps.iter().map(|p| (p - Point::new(x, y)).norm()).fold(f64::MAX, f64::min);
+        // The acute tips are known along the tip only as well as their area: 0.004 of coverage.
+        assert!(nearest < 0.06, "corner {x}, {y} is off by {nearest}");
+    }
+}
+
+#[test]
+fn noise_and_blur_leave_the_shape() {
+    let mut noise = Noise(7);
+    let ink =
+        |x: f64, y: f64| (x - 32.0).hypot(y - 31.0) <= 21.0 && !inside(&STAR, x * 1.6 - 19.0, y * 1.6 - 18.0);
+    let clean = draw(64, 64, &ink);
+    let bytes: Vec<u8> = clean
+        .iter()
+        .map(|&v| (f64::from(v) + 16.0 * noise.normal()).round().clamp(0.0, 255.0) as u8)
+        .collect();
+    let drawing = trace(64, 64, &bytes);
+    assert_eq!(drawing.contours.len(), 2);
+    let outer = drawing.contours.iter().find(|c| !c.hole).expect("ink");
+    let (most, mean) = along(&outer.curve, &|p| ((p - Point::new(32.0, 31.0)).norm() - 21.0).abs());
+    // Noise of 1/16 of the contrast: each pixel says where the outline is to 0.06, a dozen of them per unknown.
+    assert!(mean < 0.06 && most < 0.25, "mean {mean}, most {most}");
+    assert!(drawing.tones.noise > 0.02, "the noise is seen: {}", drawing.tones.noise);
+}
+
+#[test]
+fn ink_at_the_border_is_closed_along_the_border() {
+    let drawing = trace(40, 30, &draw(40, 30, &|x, y| x < 12.5 && y > 10.25));
+    assert_eq!(drawing.contours.len(), 1);
+    let bounds = drawing.contours[0].curve.bounds();
+    let near = |value: f64, expected: f64| assert!((value - expected).abs() < 0.02, "{value} for {expected}");
+    near(bounds.min_x, 0.0);
+    near(bounds.max_x, 12.5);
+    near(bounds.min_y, 10.25);
+    near(bounds.max_y, 30.0);
+}
+
+#[test]
+fn light_ink_and_transparent_paper_are_what_they_seem() {
+    let dark = draw(64, 64, &|x, y| inside(&STAR, x, y));
+    let light: Vec<u8> = dark.iter().map(|v| 255 - v).collect();
+    let gray = Gray::from_bytes(64, 64, &light).expect("valid");
+    let options = DrawingOptions { inverted: true, ..DrawingOptions::default() };
+    let found = trace_drawing(&gray, &options).expect("a drawing");
+    assert_eq!(found.contours[0].cusps.len(), 10, "light on dark");
+    // Black ink whose opacity is its coverage.
+    let rgba: Vec<u8> = dark.iter().flat_map(|&v| [0, 0, 0, 255 - v]).collect();
+    let gray = Gray::from_rgba(64, 64, &rgba).expect("valid");
+    let found = trace_drawing(&gray, &DrawingOptions::default()).expect("a drawing");
+    assert_eq!(found.contours[0].cusps.len(), 10, "opacity");
+    // White ink on nothing.
+    let rgba: Vec<u8> = dark.iter().flat_map(|&v| [255, 255, 255, 255 - v]).collect();
+    let gray = Gray::from_rgba(64, 64, &rgba).expect("valid");
+    let found = trace_drawing(&gray, &options).expect("a drawing");
+    assert_eq!(found.contours[0].cusps.len(), 10, "white ink");
+}
+
+#[test]
+fn the_same_picture_gives_the_same_bits() {
+    let bytes = draw(64, 64, &|x, y| inside(&STAR, x, y) || (x - 50.0).hypot(y - 50.0) < 9.0);
+    let (first, second) = (trace(64, 64, &bytes), trace(64, 64, &bytes));
+    let points = |drawing: &Drawing| -> Vec<Point> {
+        drawing.contours.iter().flat_map(|c| c.curve.points().to_vec()).collect()
+    };
+    assert_eq!(points(&first), points(&second));
+}
+
+#[test]
+fn pictures_of_any_size_and_nothing_in_them_do_no_harm() {
+    let finite = |drawing: &Drawing| {
+        drawing.contours.iter().all(|c| c.curve.points().iter().all(|p| p.x.is_finite() && p.y.is_finite()))
+    };
+    for (width, height) in [(1, 1), (1, 2), (2, 1), (2, 2), (3, 3), (1, 10_000), (10_000, 2), (7, 5)] {
+        for shade in [0, 100, 255] {
+            let drawing = trace(width, height, &vec![shade; width * height]);
+            let most = usize::from(shade < 128);
+            assert!(drawing.contours.len() <= most && finite(&drawing), "{width}×{height} {shade}");
+        }
+        let stripes: Vec<u8> = (0..width * height).map(|i| if i / 10 % 2 == 0 { 0 } else { 255 }).collect();
+        assert!(finite(&trace(width, height, &stripes)), "{width}×{height}");
+    }
+    let black = trace(64, 64, &[0; 64 * 64]);
+    let bounds = black.contours[0].curve.bounds();
+    assert!(bounds.min_x > -0.1 && bounds.max_y < 64.1, "the border is the outline");
+    let diagonal: Vec<u8> = (0..10_000).map(|i| if i % 100 == i / 100 { 0 } else { 255 }).collect();
+    assert!(finite(&trace(100, 100, &diagonal)), "a line of one pixel");
+}
+
+#[test]
+fn rings_in_rings_need_no_stack() {
+    let size = 801;
+    let bytes: Vec<u8> = (0..size * size)
+        .map(|i| {
+            let (column, row) = (i % size, i / size);
+            let depth = column.min(row).min(size - 1 - column).min(size - 1 - row);
+            if depth % 4 < 2 { 0 } else { 255 }
+        })
+        .collect();
+    let gray = Gray::from_bytes(size, size, &bytes).expect("valid");
+    let options = DrawingOptions { refined: false, ..DrawingOptions::default() };
+    let drawing = trace_drawing(&gray, &options).expect("a drawing");
+    assert_eq!(drawing.contours.len(), 200, "the pixel in the middle is a speckle");
+    assert_eq!(drawing.contours.iter().filter(|c| c.hole).count(), 100);
+}
+
+#[test]
+fn what_is_not_a_drawing_is_refused_by_name() {
+    let error = |result: expline::Result<()>| *result.expect_err("refused");
+    let limit = |error: Error| match error {
+        Error::LimitExceeded { limit, .. } => limit,
+        _ => "another error",
+    };
+    let checker: Vec<u8> =
+        (0..400 * 400).map(|i| if (i % 400 + i / 400) % 2 == 0 { 0 } else { 255 }).collect();
+    let gray = Gray::from_bytes(400, 400, &checker).expect("valid");
+    let options = DrawingOptions { speckle: 0.0, ..DrawingOptions::default() };
+    let refused = error(trace_drawing(&gray, &options).map(drop));
+    assert!(["maxContours", "maxContourPoints"].contains(&limit(refused)), "a checkerboard");
+    let mut noise = Noise(4);
+    let salt: Vec<u8> = (0..300 * 300).map(|_| if noise.unit() < 0.5 { 0 } else { 255 }).collect();
+    let gray = Gray::from_bytes(300, 300, &salt).expect("valid");
+    let refused = error(trace_drawing(&gray, &options).map(drop));
+    assert!(["maxContours", "maxContourPoints"].contains(&limit(refused)), "salt");
+
+    assert_eq!(error(Gray::from_bytes(0, 5, &[]).map(drop)).argument(), Some("width"));
+    assert_eq!(error(Gray::from_bytes(5, 0, &[]).map(drop)).argument(), Some("height"));
+    assert_eq!(error(Gray::from_bytes(65_536, 65_536, &[]).map(drop)).argument(), Some("width"));
+    assert_eq!(limit(error(Gray::from_bytes(16_384, 16_384, &[]).map(drop))), "maxPixels");
+    assert_eq!(error(Gray::from_rgba(10, 10, &[0; 404]).map(drop)).argument(), Some("data"));
+    let gray = Gray::from_bytes(2, 2, &[0; 4]).expect("valid");
+    for options in [
+        DrawingOptions { threshold: f64::NAN, ..DrawingOptions::default() },
+        DrawingOptions { threshold: 1.5, ..DrawingOptions::default() },
+        DrawingOptions { tolerance: -1.0, ..DrawingOptions::default() },
+        DrawingOptions { corner: 0.0, ..DrawingOptions::default() },
+        DrawingOptions { speckle: f64::INFINITY, ..DrawingOptions::default() },
+    ] {
+        assert!(error(trace_drawing(&gray, &options).map(drop)).argument().is_some(), "{options:?}");
+    }
+    let speckle = DrawingOptions { speckle: 1000.0, ..DrawingOptions::default() };
+    assert!(
+        trace_drawing(&gray, &speckle).expect("a drawing").contours.is_empty(),
+        "smaller than the speckle"
+    );
+}
