@@ -9,5 +9,5 @@ export default defineConfig({
   base: "./",
   define: { __WASM_BYTES__: JSON.stringify(statSync(wasm).size) },
   // Assets are never inlined as data: URLs: the page's Content Security Policy has none for scripts and styles.
-  build: { outDir: "dist", emptyOutDir: true, target: "es2022", assetsInlineLimit: 0, modulePreload: { polyfill: false } },
+  build: { outDir: "dist", emptyOutDir: true, target: "es2022", assetsInlineLimit: 0, modulePreload: { polyfill: false }, chunkSizeWarningLimit: 600 },
 });

@@ -42,7 +42,16 @@ function pairs(points: Float64Array): Pair[] {
   return Array.from({ length: points.length / 2 }, (_, i) => [points[2 * i] ?? 0, points[2 * i + 1] ?? 0]);
 }
 
+/** What modes that are loaded later add to the contract. */
+export interface ContractParts {
+  /** The surface's points on a uniform parameter grid. */
+  mesh?: (rows: number, cols: number) => Float64Array;
+  /** Resolves when no mode is being loaded. */
+  settled?: () => Promise<void>;
+}
+
 export interface ContractOptions {
+  readonly parts: ContractParts;
   readonly editor: Editor;
   readonly frame: Frame;
   readonly ready: Promise<void>;
@@ -50,12 +59,13 @@ export interface ContractOptions {
   readState(value: unknown): DemoState;
 }
 
-export function createContract({ editor, frame, ready, readState }: ContractOptions): ExplineDemo {
+export function createContract({ editor, frame, ready, readState, parts }: ContractOptions): ExplineDemo {
   return {
     version: engineVersion,
     ready,
     async idle() {
       await ready;
+      await parts.settled?.();
       await frame.idle();
     },
     getState() {
@@ -63,6 +73,7 @@ export function createContract({ editor, frame, ready, readState }: ContractOpti
     },
     async setState(state) {
       editor.setState(readState(structuredClone(state)));
+      await parts.settled?.();
       await frame.idle();
     },
     sample(count, contour = 0) {
@@ -76,8 +87,7 @@ export function createContract({ editor, frame, ready, readState }: ContractOpti
       return shape === undefined ? [] : pairs(subdivided(curve, shape, steps));
     },
     mesh(rows = 65, cols = 65) {
-      // Surfaces come with a later release; an empty mesh of the size asked for is the truth today.
-      return { positions: [], rows, cols };
+      return { positions: Array.from(parts.mesh?.(rows, cols) ?? []), rows, cols };
     },
     toScreen(x, y) {
       const { view, stage } = editor.state.value;

@@ -1,4 +1,4 @@
-import { createContract } from "./contract.ts";
+import { createContract, type ContractParts } from "./contract.ts";
 import { readState } from "./document/file.ts";
 import { createEditor } from "./editor/create-editor.ts";
 import { listenToStage } from "./editor/dom-input.ts";
@@ -7,6 +7,7 @@ import { createPointerInput } from "./editor/pointer-input.ts";
 import { connectRoutes, openRoute, parseRoute } from "./editor/route.ts";
 import { registerStandardActions } from "./editor/standard-actions.ts";
 import { keepForOffline } from "./io/offline.ts";
+import { loadModes } from "./modes.ts";
 import { pageIo } from "./io/page-io.ts";
 import { startEngine } from "./kernel/engine.ts";
 import { mountPanels } from "./panels/mount.ts";
@@ -35,7 +36,8 @@ const canvas = part("canvas");
 registerStandardActions(editor);
 const input = createPointerInput(editor, createTools(editor));
 listenToStage({ editor, input, frame, surface, until, leaveStage: () => surface.blur() });
-if (canvas instanceof HTMLCanvasElement) createStage(editor, frame, surface, canvas, until);
+if (!(canvas instanceof HTMLCanvasElement)) throw new Error("index.html has no canvas");
+const stage = createStage(editor, frame, surface, canvas, until);
 createProxies(editor, frame, surface, part("proxies"), until);
 mountHint(editor, part("hint"), until);
 mountZoomBox(editor, part("zoom"), until);
@@ -55,8 +57,13 @@ async function boot(): Promise<void> {
   editor.setState(editor.getState(), { fresh: true });
   connectRoutes(editor, until);
   await panels.openSession();
+  parts.settled = loadModes(editor, {
+    surface: async () => (await import("./surface-mode.ts")).mountSurfaceMode({ editor, frame, stage, surface, panels, contract: parts, until }),
+  }, until).settled;
+  await parts.settled();
   await frame.idle();
 }
 
-window.explineDemo = createContract({ editor, frame, ready: boot(), readState });
+const parts: ContractParts = {};
+window.explineDemo = createContract({ editor, frame, ready: boot(), readState, parts });
 void window.explineDemo.ready.then(keepForOffline);

@@ -6,10 +6,11 @@ export interface Root {
   readonly im: number;
 }
 
-/** One direction of the net before any refinement. */
+/** One direction of the net. */
 export interface NetDirection {
+  /** Per unit of level 0, whatever the level is. */
   readonly roots: readonly Root[];
-  /** Rows of the net at level 0; an open direction has some beyond each end. */
+  /** Rows of the net at its level; an open direction has some beyond each end. */
   readonly count: number;
   readonly closed: boolean;
 }
@@ -34,14 +35,40 @@ export interface SurfaceDocument {
   /** Absent exactly while the net is empty. */
   readonly u?: NetDirection;
   readonly v?: NetDirection;
+  /** Places that were refined on their own. */
+  readonly details?: readonly Detail[];
+}
+
+/** Some consecutive control points of a finer level; closed directions go on from the first after the last. */
+export interface NetWindow {
+  readonly level: number;
+  readonly first: number;
+  readonly count: number;
+}
+
+/** A window of finer control points, each displaced from where the coarser ones put it. Without displacement it changes nothing. */
+export interface Detail {
+  readonly u: NetWindow;
+  readonly v: NetWindow;
+  /** Three numbers a point, row-major, v fastest. */
+  readonly displacements: readonly number[];
 }
 
 export const emptySurface: SurfaceDocument = { sample: "surf-torus", levelU: 0, levelV: 0, support: [1, 1], patches: 0, net: [] };
 
-/** A point of the net. */
+/** A point of the net, or of a detail: then counted within its window. */
 export interface NetRef {
   readonly u: number;
   readonly v: number;
+  readonly detail?: number;
+}
+
+export function sameNetPoint(a: NetRef, b: NetRef): boolean {
+  return a.u === b.u && a.v === b.v && a.detail === b.detail;
+}
+
+export function isChosen(chosen: readonly NetRef[], point: NetRef): boolean {
+  return chosen.some((other) => sameNetPoint(other, point));
 }
 
 export const noNetPoints: readonly NetRef[] = [];

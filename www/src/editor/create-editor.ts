@@ -9,6 +9,7 @@ import { curveOf } from "../kernel/curve-cache.ts";
 import { createActions } from "./actions.ts";
 import type { Editor, EditorPatch, EditorState, Notice, Settings, Sketch } from "./editor.ts";
 import { createSignal } from "./signal.ts";
+import { startSolid } from "./surface/solid.ts";
 import { createTimeline, type Timeline } from "./timeline.ts";
 
 export const nothingSketched: Sketch = { guides: [], marquee: null, rubber: null, finger: null, proposal: null };
@@ -34,6 +35,7 @@ const initialState: EditorState = {
   trace: emptyTrace,
   surface: emptySurface,
   chosen: noNetPoints,
+  solid: startSolid,
   selection: nothingSelected,
   hover: { kind: "empty" },
   settings: defaultSettings,

@@ -211,7 +211,12 @@ function listenToKeys({ editor, input, surface, until, leaveStage }: Options): v
 
   function escape(inStage: boolean): void {
     if (input.cancel()) return;
-    const { selection, sketch } = editor.state.value;
+    const { selection, sketch, mode, chosen } = editor.state.value;
+    if (mode === "surface") {
+      if (chosen.length > 0) return editor.patch({ chosen: [] });
+      if (inStage) leaveStage();
+      return;
+    }
     if (sketch.proposal !== null) return editor.patch({ sketch: { ...sketch, proposal: null } });
     if (selection.points.length > 0) return editor.actions.get("select-none")?.run(editor);
     if (inStage) leaveStage();

@@ -6,6 +6,7 @@ import type { NetRef, SurfaceDocument, SurfaceMoment } from "../document/surface
 import type { PagePoint, StageBox } from "./camera.ts";
 import type { ModeParts } from "./mode.ts";
 import type { Readable } from "./signal.ts";
+import type { SolidState } from "./surface/solid.ts";
 import type { Timeline } from "./timeline.ts";
 
 export type ToolId = "select" | "pen" | "draw" | "hand";
@@ -98,6 +99,8 @@ export interface EditorState {
   readonly surface: SurfaceDocument;
   /** The chosen points of the surface's net. */
   readonly chosen: readonly NetRef[];
+  /** How the surface is looked at and shown. */
+  readonly solid: SolidState;
   readonly selection: Selection;
   readonly hover: Target;
   readonly settings: Settings;
@@ -133,7 +136,7 @@ export interface Action {
   readonly id: string;
   /** "Delete and heal" */
   readonly label: string;
-  readonly group: "Edit" | "View" | "Tools" | "Points" | "Curve" | "File" | "Modes" | "Help";
+  readonly group: "Edit" | "View" | "Tools" | "Points" | "Curve" | "Surface" | "File" | "Modes" | "Help";
   /** As in "Mod+Shift+Z", "]", "Shift+Delete"; Mod is Ctrl, or Cmd on macOS. The first one is printed. */
   readonly keys: readonly string[];
   /** False keeps the key out of effect and greys the button. */

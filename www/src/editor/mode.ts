@@ -1,4 +1,5 @@
 import type { ScreenPoint } from "./camera.ts";
+import type { EditorState } from "./editor.ts";
 import type { Pinch } from "./pinch.ts";
 import type { Tool } from "./tool.ts";
 
@@ -20,4 +21,8 @@ export interface ModeParts {
   /** Works the pointer in place of the rail's tools. */
   readonly tool: Tool;
   readonly view?: ModeView;
+  /** The line under the stage. */
+  hint?(state: EditorState): string;
+  /** The picture in words, for those who do not see it. */
+  summary?(state: EditorState): string;
 }

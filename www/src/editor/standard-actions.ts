@@ -89,7 +89,7 @@ const editing: readonly Action[] = [
   action("undo", "Undo", "Edit", ["Mod+Z"], (editor) => editor.undo(), { enabled: (state) => state.canUndo }),
   action("redo", "Redo", "Edit", ["Mod+Shift+Z", "Mod+Y"], (editor) => editor.redo(), { enabled: (state) => state.canRedo }),
   action("select-all", "Select all", "Edit", ["Mod+A"], selectAll, { enabled: hasCurve }),
-  action("select-none", "Select none", "Edit", ["Mod+Shift+A"], selectNone),
+  action("select-none", "Select none", "Edit", ["Mod+Shift+A"], selectNone, { enabled: inCurve }),
   action("duplicate", "Duplicate contour", "Edit", ["Mod+D"], duplicate, { enabled: hasSelection }),
   action("clear", "Clear", "Edit", [], clearCurve, { enabled: hasCurve }),
 ];

@@ -4,6 +4,8 @@ import { emptyHistory, record, stepBack, stepForward, type History } from "../do
 export interface Timeline<M> {
   /** Applies a change: one entry, joined to the last when both belong to one quick run; part of the gesture if one is open. */
   dispatch(name: string, change: (now: M) => M, run?: string): void;
+  /** Sets what is there without an entry: nothing that anybody did. */
+  settle(moment: M): void;
   /** Opens a gesture: everything until `commit` is one entry. */
   begin(name: string): void;
   /** Applies the change to the state at `begin`, so that a drag is always evaluated from its start. */
@@ -72,6 +74,7 @@ export function createTimeline<M>({ read, write, same, changed, now }: TimelineO
       write(after);
       if (gesture === null) put(name, before, after, run);
     },
+    settle: write,
     begin(name) {
       if (gesture !== null) timeline.commit();
       gesture = { name, start: read() };

@@ -43,6 +43,7 @@ const glyphs = {
   cubic: "M8 4a4 4 0 1 1 0 8 4 4 0 0 1 0-8z",
   coincident: "M2 2h12v12H2zM8 5.5a2.5 2.5 0 1 0 0 5 2.5 2.5 0 0 0 0-5z",
   handle: "M8 4a4 4 0 1 1 0 8 4 4 0 0 1 0-8z",
+  vertex: "M8 2.5L13.5 8 8 13.5 2.5 8z",
 } as const;
 
 export type GlyphName = keyof typeof glyphs;

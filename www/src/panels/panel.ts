@@ -2,7 +2,7 @@ import type { Mode } from "../document/document.ts";
 import { clearCurve } from "../editor/edits.ts";
 import type { EditorState } from "../editor/editor.ts";
 import { curveSample } from "../document/samples.ts";
-import { mountCodeDrawer } from "./code/code-drawer.ts";
+import type { CodeDrawer } from "./code/code-drawer.ts";
 import { curveSection } from "./curve/curve-panel.ts";
 import { inspectorSection } from "./curve/inspector.ts";
 import { pointsTableSection } from "./curve/points-table.ts";
@@ -47,21 +47,37 @@ export function mountPanel(shell: Shell, metrics: HTMLElement): PanelHost {
   const sheet = mountSheet(regions.panel, [metrics, curve.level], until);
   regions.panel.prepend(sheet.head);
 
-  const drawer = mountCodeDrawer(shell, (open) => setAttribute(codeButton, "aria-expanded", String(open)));
-  editor.actions.register({ id: "code", label: "Show code", group: "File", keys: [], checked: () => drawer.isOpen(), run: () => drawer.toggle() });
+  let drawer: Promise<CodeDrawer> | null = null;
+  const loadDrawer = async (): Promise<CodeDrawer> => {
+    const { mountCodeDrawer } = await import("./code/code-drawer.ts");
+    return mountCodeDrawer(shell, (open) => setAttribute(codeButton, "aria-expanded", String(open)));
+  };
+  editor.actions.register({
+    id: "code", label: "Show code", group: "File", keys: [],
+    checked: () => codeButton.getAttribute("aria-expanded") === "true",
+    run: () => {
+      drawer ??= loadDrawer();
+      void drawer.then((loaded) => loaded.toggle());
+    },
+  });
 
+  const attach = (part: HTMLElement, shown: boolean): void => {
+    if (shown && !part.isConnected) scroll.append(part);
+    else if (!shown) part.remove();
+  };
   const update = (state: EditorState): void => {
     setText(title, titles[state.mode]);
     const own = built.get(state.mode);
     setText(sample, state.mode === "curve" ? (curveSample(state.curve.sample ?? "")?.title ?? "") : (own?.note(state) ?? ""));
     clear.hidden = state.mode !== "curve";
     clear.disabled = state.curve.contours.length === 0;
-    curvePart.hidden = state.mode !== "curve";
+    // Only the mode's own controls are in the page: some have the same name in another mode.
+    attach(curvePart, state.mode === "curve");
     curve.level.hidden = state.mode !== "curve";
     codeButton.hidden = state.mode !== "curve";
     for (const { mode, element } of later) element.hidden = state.mode !== mode || built.has(mode);
     for (const [mode, panel] of built) {
-      panel.element.hidden = state.mode !== mode;
+      attach(panel.element, state.mode === mode);
       if (panel.peek !== undefined) panel.peek.hidden = state.mode !== mode;
     }
     own?.update(state);
@@ -77,7 +93,6 @@ export function mountPanel(shell: Shell, metrics: HTMLElement): PanelHost {
   return {
     put(mode, panel) {
       built.set(mode, panel);
-      scroll.append(panel.element);
       if (panel.peek !== undefined) sheet.add(panel.peek);
       update(editor.state.value);
     },

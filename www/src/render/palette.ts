@@ -12,13 +12,17 @@ export interface Palette {
   readonly cusp: string;
   readonly original: string;
   readonly warn: string;
+  readonly linear: string;
+  /** The two sides of a surface. */
+  readonly solid: string;
+  readonly solidBack: string;
 }
 
-const names = ["canvas", "ink", "ink2", "line", "focus", "point", "curve", "handle", "cusp", "original", "warn"] as const;
+const names = ["canvas", "ink", "ink2", "line", "focus", "point", "curve", "handle", "cusp", "original", "warn", "linear", "solid", "solid-back"] as const;
 
 export function readPalette(root: Element): Palette {
   const style = getComputedStyle(root);
   const read = (name: string): string => style.getPropertyValue(`--${name}`).trim();
-  const [canvas = "", ink = "", ink2 = "", line = "", focus = "", point = "", curve = "", handle = "", cusp = "", original = "", warn = ""] = names.map(read);
-  return { canvas, ink, ink2, line, focus, point, curve, handle, cusp, original, warn };
+  const [canvas = "", ink = "", ink2 = "", line = "", focus = "", point = "", curve = "", handle = "", cusp = "", original = "", warn = "", linear = "", solid = "", solidBack = ""] = names.map(read);
+  return { canvas, ink, ink2, line, focus, point, curve, handle, cusp, original, warn, linear, solid, solidBack };
 }

@@ -8,7 +8,7 @@ import { measureCurve } from "../kernel/measure.ts";
 export function mountHint(editor: Editor, element: HTMLElement, until: AbortSignal): void {
   editor.state.subscribe(
     (state) => {
-      const text = hintFor(state);
+      const text = editor.modes.get(state.mode)?.hint?.(state) ?? hintFor(state);
       if (element.textContent !== text) element.textContent = text;
       element.hidden = text === "";
     },
@@ -61,13 +61,14 @@ const settleMs = 700;
 export function mountLive(editor: Editor, live: HTMLElement, summary: HTMLElement, until: AbortSignal): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const summarise = (): void => {
-    summary.textContent = summaryOf(editor.state.value);
+    const state = editor.state.value;
+    summary.textContent = editor.modes.get(state.mode)?.summary?.(state) ?? summaryOf(state);
   };
   editor.notices.subscribe((notice) => {
     if (notice?.kind === "announce" || notice?.kind === "toast") live.textContent = notice.text;
   }, { until });
   editor.state.subscribe((state, before) => {
-    if (state.curve === before.curve && state.mode === before.mode) return;
+    if (state.curve === before.curve && state.surface === before.surface && state.mode === before.mode) return;
     clearTimeout(timer);
     timer = setTimeout(summarise, settleMs);
   }, { until });

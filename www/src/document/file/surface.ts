@@ -1,10 +1,10 @@
-import { emptySurface, type NetDirection, type NetPoint, type Root, type SurfaceDocument } from "../surface.ts";
+import { emptySurface, type Detail, type NetDirection, type NetPoint, type NetWindow, type Root, type SurfaceDocument } from "../surface.ts";
 import { asArray, asBoolean, asNumber, asSampleId, asWhole, field, optional, type Found } from "./check.ts";
 import { FileError } from "./error.ts";
 
 /** Surfaces and the roots of generators, as a file has them. */
 
-const limits = { maxRoots: 16, maxRows: 1024, maxNet: 100_000, maxLevel: 6 };
+const limits = { maxRoots: 16, maxRows: 1024, maxNet: 100_000, maxLevel: 6, maxDetails: 64 };
 
 export function readRoots(found: Found): readonly Root[] {
   const roots = asArray(found, (root) => ({ re: asNumber(field(root, "re"), -64, 64), im: asNumber(field(root, "im"), -64, 64) }), limits.maxRoots, "maxRoots");
@@ -30,6 +30,21 @@ function readNetPoint(found: Found): NetPoint {
   };
 }
 
+function readWindow(found: Found): NetWindow {
+  return {
+    level: asWhole(field(found, "level"), 1, limits.maxLevel),
+    first: asWhole(field(found, "first"), 0, limits.maxNet),
+    count: asWhole(field(found, "count"), 1, limits.maxRows),
+  };
+}
+
+function readDetail(found: Found): Detail {
+  const [u, v] = [readWindow(field(found, "u")), readWindow(field(found, "v"))];
+  const displacements = asArray(field(found, "displacements"), (value) => asNumber(value), 3 * limits.maxNet, "maxNet");
+  if (displacements.length !== 3 * u.count * v.count) throw new FileError("E_SCHEMA", `${found.path}.displacements`, `has not three numbers for each of ${u.count * v.count} points`);
+  return { u, v, displacements };
+}
+
 function readPair(found: Found): readonly [number, number] {
   const [u, v, ...rest] = asArray(found, (value) => asWhole(value, 0, 64), 2, "pair");
   if (u === undefined || v === undefined || rest.length > 0) throw new FileError("E_SCHEMA", found.path, "is not a pair of numbers");
@@ -44,8 +59,10 @@ export function readSurface(found: Found): SurfaceDocument {
   // Version 1 had no surfaces: it names a sample at most.
   if (net.length === 0 || u === undefined || v === undefined) return { ...emptySurface, sample };
   checkOrder(net, found.path);
+  const details = optional(found, "details", (each) => asArray(each, readDetail, limits.maxDetails, "maxDetails"));
   return {
     sample, net, u, v,
+    ...(details === undefined ? {} : { details }),
     levelU: level("levelU"),
     levelV: level("levelV"),
     support: readPair(field(found, "support")),

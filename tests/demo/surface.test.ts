@@ -1,0 +1,219 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { useBrowser, type Demo } from "./page.ts";
+
+const { open } = useBrowser();
+
+type Place = readonly [number, number, number];
+
+/** The mesh on its uniform grid of 65 × 65 parameters. */
+async function mesh(demo: Demo): Promise<Place[]> {
+  const { positions, rows, cols } = await demo.page.evaluate(() => window.explineDemo.mesh(65, 65));
+  assert.deepEqual([rows, cols, positions.length], [65, 65, 3 * 65 * 65]);
+  return Array.from({ length: rows * cols }, (_, i) => [positions[3 * i] ?? 0, positions[3 * i + 1] ?? 0, positions[3 * i + 2] ?? 0]);
+}
+
+function distances(a: readonly Place[], b: readonly Place[]): number[] {
+  return a.map((p, i) => Math.hypot(p[0] - (b[i]?.[0] ?? 0), p[1] - (b[i]?.[1] ?? 0), p[2] - (b[i]?.[2] ?? 0)));
+}
+
+function largest(a: readonly Place[], b: readonly Place[]): number {
+  return Math.max(...distances(a, b));
+}
+
+async function surfaceOf(demo: Demo): Promise<Awaited<ReturnType<Demo["state"]>>["surface"]> {
+  return (await demo.state()).surface;
+}
+
+/** The stage as it is on the screen, both canvases. */
+async function picture(demo: Demo): Promise<Buffer> {
+  return demo.byId("stage").screenshot();
+}
+
+/** The share of the stage that is not paper, of what the page itself has drawn. */
+async function inked(demo: Demo): Promise<number> {
+  const shot = await picture(demo);
+  return demo.page.evaluate(async (data) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${data}`;
+    await image.decode();
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [image.width, image.height];
+    const context = canvas.getContext("2d");
+    if (context === null) return 0;
+    context.drawImage(image, 0, 0);
+    const { data: pixels } = context.getImageData(0, 0, image.width, image.height);
+    let drawn = 0;
+    for (let i = 0; i < pixels.length; i += 4) {
+      const away = [0, 1, 2].some((k) => Math.abs((pixels[i + k] ?? 0) - (pixels[4 * 40 + k] ?? 0)) > 8);
+      if (away) drawn += 1;
+    }
+    return drawn / (pixels.length / 4);
+  }, shot.toString("base64"));
+}
+
+test("V25 the sphere is a sphere; turning the view changes the picture and not the surface", async (t) => {
+  const demo = await open(t, "#/surface?sample=surf-sphere");
+  const before = await mesh(demo);
+  const error = Math.max(...before.map((p) => Math.abs(Math.hypot(...p) - 1)));
+  t.diagnostic(`sphere of radius 1: largest error ${error}`);
+  assert.ok(error <= 1e-6);
+  const shot = await picture(demo);
+  const stage = await demo.byId("stage").boundingBox();
+  assert.ok(stage !== null);
+  await demo.dragFrom({ x: stage.x + 30, y: stage.y + 30 }, 120, 50);
+  assert.notDeepEqual(await picture(demo), shot);
+  assert.deepEqual(await mesh(demo), before);
+  assert.equal(await demo.byId("btn-undo").isDisabled(), true);
+  assert.deepEqual(demo.complaints, []);
+});
+
+test("V25 dragging a control point moves the surface near it and nowhere else, and one undo takes it back", async (t) => {
+  const demo = await open(t, "#/surface?sample=surf-torus");
+  const { support, u, v, net } = await surfaceOf(demo);
+  const before = await mesh(demo);
+  const old = net.find((point) => point.u === 1 && point.v === 1);
+  assert.ok(old !== undefined && u !== undefined && v !== undefined);
+  await demo.drag("cp-1-1", 60, 0);
+  const after = await mesh(demo);
+  const moved = distances(before, after);
+  assert.ok(Math.max(...moved) > 0.05, `moved by ${Math.max(...moved)}`);
+  const around = (value: number, period: number): number => Math.min(((value % period) + period) % period, period - (((value % period) + period) % period));
+  moved.forEach((distance, i) => {
+    const [s, r] = [(Math.floor(i / 65) / 65) * u.count, ((i % 65) / 65) * v.count];
+    if (around(s - 1, u.count) > support[0] || around(r - 1, v.count) > support[1]) assert.ok(distance <= 1e-7, `at ${s}, ${r}: ${distance}`);
+  });
+  const chosen = (await surfaceOf(demo)).net.find((point) => point.u === 1 && point.v === 1);
+  assert.ok(chosen !== undefined && Math.hypot(chosen.x - old.x, chosen.y - old.y, chosen.z - old.z) > 0.05);
+  await demo.press("Control+z");
+  assert.deepEqual(await mesh(demo), before);
+});
+
+test("V25 levels leave the surface where it is, up and down; a typed coordinate moves it", async (t) => {
+  const demo = await open(t, "#/surface?sample=surf-sphere");
+  const before = await mesh(demo);
+  const points = (await surfaceOf(demo)).net.length;
+  for (const level of [1, 2]) {
+    await demo.slide("surf-level-u", level);
+    assert.equal((await surfaceOf(demo)).levelU, level);
+    assert.ok((await surfaceOf(demo)).net.length > points);
+    assert.ok(largest(await mesh(demo), before) <= 1e-6);
+  }
+  await demo.slide("surf-level-u", 0);
+  assert.equal((await surfaceOf(demo)).net.length, points);
+  assert.ok(largest(await mesh(demo), before) <= 1e-9);
+  await demo.click("cp-2-3");
+  const y = Number(await demo.byId("surf-y").inputValue());
+  await demo.byId("surf-y").fill(String(y + 0.25));
+  await demo.press("Enter");
+  const typed = (await surfaceOf(demo)).net.find((point) => point.u === 2 && point.v === 3);
+  assert.ok(typed !== undefined && Math.abs(typed.y - y - 0.25) < 1e-3);
+  assert.ok(largest(await mesh(demo), before) > 0.05);
+});
+
+test("refining a place adds points there alone and moves nothing; the finer points move less of the surface", async (t) => {
+  const demo = await open(t, "#/surface?sample=surf-torus");
+  const before = await mesh(demo);
+  await demo.click("cp-1-1");
+  await demo.byId("surf-refine").click();
+  await demo.idle();
+  const { details, net } = await surfaceOf(demo);
+  assert.equal(details?.length, 1);
+  assert.ok(largest(await mesh(demo), before) <= 1e-12);
+  await demo.drag("cd-0-1-1", 25, -10);
+  const moved = distances(await mesh(demo), before).filter((distance) => distance > 1e-9).length;
+  assert.ok(moved > 0);
+  await demo.press("Control+z", "Control+z");
+  await demo.drag("cp-1-1", 25, -10);
+  const coarse = distances(await mesh(demo), before).filter((distance) => distance > 1e-9).length;
+  assert.ok(moved < coarse, `${moved} vertices against ${coarse}`);
+  assert.equal(net.length, (await surfaceOf(demo)).net.length);
+});
+
+for (const sample of ["surf-torus", "surf-roman", "surf-paraboloid", "surf-cylinder", "surf-character"]) {
+  test(`V25 ${sample} is drawn`, async (t) => {
+    const demo = await open(t, `#/surface?sample=${sample}`);
+    const share = await inked(demo);
+    assert.ok(share >= 0.02, `${share} of the stage`);
+    assert.deepEqual(demo.complaints, []);
+  });
+}
+
+test("without WebGL 2 the surface is drawn in lines, says why, and can be edited all the same", async (t) => {
+  const demo = await open(t);
+  await demo.page.addInitScript(() => {
+    const original = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function patched(this: HTMLCanvasElement, ...parameters: Parameters<typeof original>) {
+      return parameters[0] === "webgl2" ? null : original.apply(this, parameters);
+    } as typeof original;
+  });
+  await demo.page.reload();
+  await demo.load("#/surface?sample=surf-torus");
+  assert.match(await demo.textOf("surface-note"), /WebGL 2/);
+  assert.ok((await inked(demo)) >= 0.02);
+  const before = await mesh(demo);
+  await demo.drag("cp-1-1", 40, 0);
+  assert.ok(largest(await mesh(demo), before) > 0.03);
+  assert.deepEqual(demo.complaints, []);
+});
+
+test("a lost graphics context is drawn in lines until it comes back", async (t) => {
+  const demo = await open(t, "#/surface?sample=surf-torus");
+  const shaded = await picture(demo);
+  const lose = async (gone: boolean): Promise<void> => {
+    await demo.page.evaluate((now) => {
+      const canvas = document.querySelector<HTMLCanvasElement>(".stage-solid");
+      const store = window as unknown as { extension?: WEBGL_lose_context | null };
+      store.extension ??= canvas?.getContext("webgl2")?.getExtension("WEBGL_lose_context") ?? null;
+      if (now) store.extension?.loseContext();
+      else store.extension?.restoreContext();
+    }, gone);
+    await demo.page.waitForTimeout(300);
+    await demo.idle();
+  };
+  await lose(true);
+  assert.match(await demo.textOf("surface-note"), /graphics card/);
+  await lose(false);
+  assert.equal(await demo.byId("surface-note").isVisible(), false);
+  assert.deepEqual(await picture(demo), shaded);
+});
+
+test("Surface by keyboard alone: points are stepped through, nudged, refined, and read out", async (t) => {
+  const demo = await open(t, "#/surface?sample=surf-torus");
+  const before = await mesh(demo);
+  await demo.focusStage();
+  await demo.press("]", "]");
+  assert.match(await demo.textOf("live"), /Control point 1, 2, on the surface/);
+  await demo.press("ArrowUp", "ArrowUp");
+  assert.ok(largest(await mesh(demo), before) > 0.005);
+  await demo.press("Control+z");
+  assert.deepEqual(await mesh(demo), before);
+  await demo.press("Enter");
+  assert.equal((await surfaceOf(demo)).details?.length, 1);
+  await demo.press("Shift+3");
+  assert.equal(await demo.byId("stage").getAttribute("aria-label"), "Surface");
+});
+
+test("a surface goes through its file and through a link with every bit", async (t) => {
+  const demo = await open(t, "#/surface?sample=surf-cylinder");
+  await demo.drag("cp-1-3", 30, 10);
+  await demo.click("cp-1-3");
+  await demo.byId("surf-refine").click();
+  await demo.idle();
+  const state = await demo.state();
+  await demo.byId("surf-sample").selectOption("surf-sphere");
+  await demo.idle();
+  await demo.page.evaluate((saved) => window.explineDemo.setState(saved), state);
+  assert.deepEqual((await demo.state()).surface, state.surface);
+});
+
+test("the 3-D library is loaded with Surface mode and not before", async (t) => {
+  const demo = await open(t);
+  const requests: string[] = [];
+  demo.page.on("request", (request) => requests.push(new URL(request.url()).pathname));
+  const loaded = await demo.page.evaluate(() => performance.getEntriesByType("resource").map(({ name }) => name));
+  assert.equal(loaded.filter((name) => /surface-mode|shaded-view/.test(name)).length, 0);
+  await demo.byId("tab-surface").click();
+  await demo.idle();
+  assert.ok(requests.some((name) => /shaded-view/.test(name)));
+});

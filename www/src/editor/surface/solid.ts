@@ -1,0 +1,29 @@
+import type { NetRef } from "../../document/surface.ts";
+import { startOrbit, type Orbit } from "./orbit.ts";
+
+/** How the surface is looked at and shown; no part of the drawing and never in its history. */
+
+export type Shade = "solid" | "wire" | "normals" | "curvature" | "zebra";
+export type DragAxis = "view" | "x" | "y" | "z" | "normal";
+
+export interface SolidState {
+  readonly orbit: Orbit;
+  readonly shade: Shade;
+  /** Sides of a patch that is drawn, 4 … 64. */
+  readonly tessellation: number;
+  readonly axis: DragAxis;
+  readonly net: boolean;
+  readonly iso: boolean;
+  readonly handles: boolean;
+  readonly hover: NetRef | null;
+  /** What is being dragged, and the axis it is held to. */
+  readonly drag: { readonly points: readonly NetRef[]; readonly axis: DragAxis } | null;
+  /** The view is being turned: a picture now is worth more than a fine one later. */
+  readonly turning: boolean;
+  /** Drawn by the graphics card; false: lines on the ordinary canvas. */
+  readonly shaded: boolean;
+}
+
+export const startSolid: SolidState = {
+  orbit: startOrbit, shade: "solid", tessellation: 16, axis: "view", net: true, iso: true, handles: true, hover: null, drag: null, turning: false, shaded: false,
+};

@@ -1,0 +1,43 @@
+import { meshOf, netPoints } from "../../kernel/surface-mesh.ts";
+import { deviationOf } from "../../kernel/surface-truth.ts";
+import { formatCount, formatRatio } from "../format.ts";
+import type { ModeMetrics } from "../status-bar.ts";
+
+/** Surface mode's numbers. */
+export const surfaceMetrics: ModeMetrics = [
+  [
+    {
+      testid: "m-points", about: "Control points that can be taken hold of",
+      read({ surface }) {
+        const value = netPoints(surface).length;
+        return { value, strong: String(value), rest: value === 1 ? "control point" : "control points" };
+      },
+    },
+    {
+      testid: "m-patches", about: "Patches of the net at its level",
+      read({ surface }) {
+        return { value: surface.patches, strong: String(surface.patches), rest: formatCount(surface.patches, "patch", "patches").replace(/^\d+ /u, "") };
+      },
+    },
+  ],
+  [
+    {
+      testid: "m-error", about: "Largest distance from the shape that the sample is named after, over 129 × 129 points",
+      read({ surface }) {
+        const value = surface.net.length === 0 ? undefined : deviationOf(surface);
+        return value === undefined ? null : { value, lead: "from the exact shape", strong: formatRatio(value) };
+      },
+      slow: true,
+    },
+  ],
+  [
+    {
+      testid: "m-triangles", about: "Triangles that are drawn",
+      read({ surface, solid }) {
+        const mesh = surface.net.length === 0 ? null : meshOf(surface, solid.tessellation, solid.shade === "curvature");
+        const value = mesh === null ? 0 : 2 * (mesh.rows - 1) * (mesh.cols - 1);
+        return { value, strong: String(value), rest: "triangles" };
+      },
+    },
+  ],
+];

@@ -1,0 +1,126 @@
+import { surfaceSamples, surfaceTitle } from "../../document/surface-samples.ts";
+import type { EditorState } from "../../editor/editor.ts";
+import { openSurfaceSample, patchSolid, setNetSize, setSurfaceLevels } from "../../editor/surface/surface-edits.ts";
+import { netSize } from "../../kernel/surface-net.ts";
+import { h, setText } from "../dom.ts";
+import { numberField, selectField, sliderField, toggleField } from "../fields.ts";
+import type { Shade } from "../../editor/surface/solid.ts";
+import { glyph } from "../icons.ts";
+import type { ModePanel } from "../panel.ts";
+import type { Shell } from "../shell.ts";
+import type { Section } from "../curve/curve-panel.ts";
+import { netInspector } from "./net-inspector.ts";
+
+/** Surface mode's properties. */
+export function surfacePanel(shell: Shell): ModePanel {
+  const shape = shapeSection(shell);
+  const sections = [shape, netInspector(shell), showSection(shell), legendSection()];
+  const element = h("div", {}, ...sections.map((section) => section.element));
+  return {
+    element,
+    peek: shape.level,
+    note: ({ surface }) => surfaceTitle(surface.sample),
+    update(state) {
+      if (state.surface.net.length > 0) for (const section of sections) section.update(state);
+    },
+  };
+}
+
+function shapeSection(shell: Shell): Section & { readonly level: HTMLElement } {
+  const { editor } = shell;
+  const sample = selectField({
+    label: "Shape", testid: "surf-sample", about: "A surface to start from; undo brings back what was there.",
+    options: surfaceSamples.map(({ id, title }) => [id, title] as const),
+    write: (id) => { openSurfaceSample(editor, id); },
+  });
+  const size = (which: "u" | "v", label: string) => numberField({
+    label, testid: `surf-${which}`, about: `Control points on the surface in ${which}, 3 to 32; exact for the samples, measured for anything else.`,
+    least: 3, most: 32, step: 1, format: String, write: (value) => value !== null && setNetSize(editor, which, value),
+  });
+  const [sizeU, sizeV] = [size("u", "U"), size("v", "V")];
+  const net = h("div", { class: "field net-size", role: "group", "aria-label": "Net size" }, h("span", { class: "field-label" }, "Net size"), h("span", { class: "pair" }, sizeU.element, sizeV.element));
+  const level = (which: "u" | "v") => sliderField({
+    label: `Level ${which.toUpperCase()}`, testid: `surf-level-${which}`, about: `Doubles the points in ${which} and leaves the surface where it is.`,
+    least: 0, most: 3, step: 1, direction: "finer", print: String,
+    write: (value) => {
+      const { levelU, levelV } = editor.state.value.surface;
+      setSurfaceLevels(editor, which === "u" ? value : levelU, which === "v" ? value : levelV);
+    },
+    reset: () => setSurfaceLevels(editor, which === "u" ? 0 : editor.state.value.surface.levelU, which === "v" ? 0 : editor.state.value.surface.levelV),
+    gesture: { begin: () => editor.surfaceEdits.begin("Level"), commit: () => editor.surfaceEdits.commit() },
+  });
+  const [levelU, levelV] = [level("u"), level("v")];
+  const badge = h("span", { class: "badge num", testid: "surf-badge" });
+  const refine = h("button", { class: "button", type: "button", testid: "surf-refine", title: "More control points around the chosen one, none elsewhere (Enter)", click: () => editor.actions.run("surface-refine") }, h("span", {}, "Refine here"));
+  const element = h("section", { class: "section", "aria-label": "Surface" }, sample.element, net, levelU.element, levelV.element, h("div", { class: "field-row" }, refine, badge));
+  return {
+    element,
+    level: levelU.element,
+    update(state: EditorState) {
+      const { surface } = state;
+      sample.show(surface.sample);
+      const refined = surface.levelU + surface.levelV > 0 || surface.details !== undefined;
+      const [u, v] = netSize(surface);
+      sizeU.show(refined ? null : u);
+      sizeV.show(refined ? null : v);
+      // What is shown while it cannot be changed.
+      if (refined) [sizeU.input.value, sizeV.input.value] = [String(u), String(v)];
+      levelU.show(surface.levelU);
+      levelV.show(surface.levelV);
+      refine.disabled = state.chosen.length === 0;
+      const places = surface.details?.length ?? 0;
+      setText(badge, places === 0 ? `${surface.patches} patches` : `${surface.patches} patches + ${places} refined ${places === 1 ? "place" : "places"}`);
+    },
+  };
+}
+
+const shadings: readonly (readonly [Shade, string])[] = [
+  ["solid", "Solid"],
+  ["wire", "Wire"],
+  ["normals", "Normals"],
+  ["curvature", "Curvature"],
+  ["zebra", "Zebra"],
+];
+
+const shadeNotes: Readonly<Record<Shade, string>> = {
+  solid: "Outside and inside differ in colour",
+  wire: "Lines of constant parameter",
+  normals: "Direction of the normal as colour",
+  curvature: "Gaussian: bowl warm, saddle cool, flat pale",
+  zebra: "Stripes kink where curvature jumps",
+};
+
+function showSection(shell: Shell): Section {
+  const { editor } = shell;
+  const shade = selectField({ label: "Shading", testid: "surf-shade", about: "What the colours of the surface mean.", options: shadings, write: (value) => patchSolid(editor, { shade: value }), reset: () => patchSolid(editor, { shade: "solid" }) });
+  const note = h("p", { class: "field-note" });
+  const sides = sliderField({
+    label: "Tessellation", testid: "surf-tess", about: "Sides of a patch that is drawn; the surface itself is not made of triangles.",
+    least: 4, most: 64, step: 1, direction: "smoother", print: String, write: (value) => patchSolid(editor, { tessellation: value }), reset: () => patchSolid(editor, { tessellation: 16 }),
+  });
+  const switches = ([["net", "ov-net", "Net", "Lines between neighbouring control points."], ["iso", "ov-iso", "Iso-lines", "Where the segments of the net meet on the surface."], ["handles", "ov-handles", "Points", "The control points themselves."]] as const)
+    .map(([name, testid, label, about]) => ({ name, field: toggleField({ label, testid, about, write: (on) => patchSolid(editor, { [name]: on }) }) }));
+  const element = h("section", { class: "section", "aria-label": "Show" },
+    h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Show")),
+    shade.element, note, sides.element, h("div", { class: "toggles" }, ...switches.map(({ field }) => field.element)));
+  return {
+    element,
+    update({ solid }) {
+      shade.show(solid.shaded ? solid.shade : null);
+      setText(note, solid.shaded ? shadeNotes[solid.shade] : "Without WebGL 2 the surface is drawn in lines");
+      sides.show(solid.tessellation);
+      for (const { name, field } of switches) field.show(solid[name]);
+    },
+  };
+}
+
+function legendSection(): Section {
+  const row = (mark: Node, text: string): HTMLElement => h("li", { class: "legend-line" }, mark, h("span", {}, text));
+  const element = h("section", { class: "section", "aria-label": "Legend" },
+    h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Legend")),
+    h("ul", { class: "legend-lines" },
+      row(glyph("point"), "On the surface"),
+      row(glyph("vertex"), "Near it: finer levels and open ends"),
+      row(glyph("handle"), "Hollow: facing away, taken last")));
+  return { element, update: () => undefined };
+}

@@ -1,0 +1,46 @@
+import type { ContractParts } from "./contract.ts";
+import type { Editor } from "./editor/editor.ts";
+import type { Frame } from "./editor/frame.ts";
+import { registerSurfaceActions } from "./editor/surface/surface-actions.ts";
+import { ensureSurface } from "./editor/surface/surface-edits.ts";
+import { surfaceHint, surfaceSummary } from "./editor/surface/surface-hint.ts";
+import { surfaceView } from "./editor/surface/surface-view.ts";
+import { meshPoints } from "./kernel/surface.ts";
+import type { Panels } from "./panels/mount.ts";
+import { surfaceMetrics } from "./panels/surface/surface-metrics.ts";
+import { surfacePanel } from "./panels/surface/surface-panel.ts";
+import type { Stage } from "./render/stage.ts";
+import { createNetProxies } from "./render/surface/net-proxies.ts";
+import { createSurfaceStage } from "./render/surface/surface-stage.ts";
+import { createSurfaceTool } from "./tools/surface/surface-tool.ts";
+
+/** Surface mode, put together when it is first opened. */
+
+export interface SurfaceModeOptions {
+  readonly editor: Editor;
+  readonly frame: Frame;
+  readonly stage: Stage;
+  readonly surface: HTMLElement;
+  readonly panels: Panels;
+  readonly contract: ContractParts;
+  readonly until: AbortSignal;
+}
+
+export async function mountSurfaceMode({ editor, frame, stage, surface, panels, contract, until }: SurfaceModeOptions): Promise<void> {
+  ensureSurface(editor);
+  const tool = createSurfaceTool(editor);
+  registerSurfaceActions(editor, (axis) => tool.hold(axis));
+  const { painter } = await createSurfaceStage(editor, frame, surface, until);
+  createNetProxies(editor, frame, surface, until);
+  editor.modes.set("surface", { tool, view: surfaceView(editor), hint: surfaceHint, summary: surfaceSummary });
+  stage.painters.set("surface", painter);
+  panels.addMode("surface", { panel: surfacePanel(panels.shell), metrics: surfaceMetrics });
+  contract.mesh = (rows, cols) => meshPoints(editor.state.value.surface, rows, cols);
+  // Undo may go back to a sample that was only named.
+  editor.state.subscribe(({ mode }) => {
+    surface.setAttribute("aria-label", mode === "surface" ? "Surface" : "Curve canvas");
+    if (mode === "surface") ensureSurface(editor);
+  }, { until, now: true });
+  editor.patch({ hint: "" });
+  stage.repaint();
+}
