@@ -6,7 +6,7 @@ import { brotliCompressSync, gzipSync } from "node:zlib";
 import { StepError, at, run } from "./steps.mjs";
 
 /** Face and wasm together in bytes, gzipped: what may not be exceeded today. The aim is 40,000; docs/DESIGN.md says what was tried. */
-const LIMIT = 150_000;
+const LIMIT = 175_000;
 
 /** What is printed, and the files of the package. */
 const FILES = [

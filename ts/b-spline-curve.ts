@@ -1,7 +1,7 @@
 /** B-spline curves of any roots: control points near the curve, as many as are wanted. */
 import { MAX_OUTPUT, finite, flag, integer, options as checkOptions } from "./arguments.js";
 import { SplineData, SplineKind, readSpline } from "./curve-data.js";
-import { call } from "./kernel.js";
+import { call, result } from "./kernel.js";
 import { type Root, rootList, rootNumbers } from "./roots.js";
 import { type AnyPointsLike, SplineCurve, anyPoints, splineOf } from "./spline-curve.js";
 
@@ -66,6 +66,19 @@ export class BSplineCurve extends SplineCurve {
     const arity = integer(op, "m", m, 1, MAX_OUTPUT);
     const slot = data.resident(op);
     return bSplineOf(readSpline(call(op, (kernel) => kernel.refine_spline(slot, 1, 2, arity))));
+  }
+
+  /**
+   * The curve on the grid that is coarser by m whose refinement has the control points nearest to these, and the largest distance
+   * between the two: 0 to rounding where nothing was changed since `refine(m)`.
+   */
+  reduce(m = 2): { curve: BSplineCurve; maxError: number } {
+    const op = "reduce";
+    const data = splineOf(this, op);
+    const arity = integer(op, "m", m, 1, 1024);
+    const slot = data.resident(op);
+    const count = call(op, (kernel) => kernel.reduce_spline(slot, arity));
+    return { maxError: result(0), curve: bSplineOf(readSpline(count)) };
   }
 
   /** The curve as plain data, for files and other threads; `fromJSON` is the inverse to the last bit. */

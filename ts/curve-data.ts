@@ -123,6 +123,17 @@ export class CurveData extends Held {
 export const enum SplineKind {
   Interpolating = 1,
   BSpline,
+  Local,
+}
+
+/** Control points of a finer grid over a part of a curve, by how far they are displaced. */
+export interface Patch {
+  /** Its grid is 2^−level. */
+  readonly level: number;
+  /** Number of its first control point on that grid. */
+  readonly first: number;
+  /** All coordinates of each in turn. */
+  readonly displacements: Float64Array;
 }
 
 /** The arrays of one curve on a grid. */
@@ -136,6 +147,7 @@ export class SplineData extends Held {
     public roots: Floats,
     readonly step = 1,
     readonly offset = 0,
+    public patches: readonly Patch[] = [],
   ) {
     super(points, closed, dimension);
   }
@@ -145,9 +157,13 @@ export class SplineData extends Held {
   }
 
   protected send(op: string, slot: number): void {
-    const { kind, points, dimension, roots, step, offset } = this;
-    write(op, points, roots);
-    const counts = [points.length, dimension, this.closed ? 1 : 0, roots.length / 2] as const;
+    const { kind, points, dimension, roots, step, offset, patches } = this;
+    const arrays = patches.map(({ level, first, displacements }) => {
+      const head = [level, first, displacements.length / dimension];
+      return [Float64Array.from(head), displacements];
+    });
+    write(op, points, roots, ...arrays.flat());
+    const counts = [points.length, dimension, this.closed ? 1 : 0, roots.length / 2, patches.length] as const;
     const given = call(op, (kernel) => kernel.load_spline(slot, kind, ...counts, step, offset), points);
     this.roots = copy(given);
     this.start = result(0);
@@ -155,13 +171,18 @@ export class SplineData extends Held {
   }
 }
 
-/** The B-spline curve that the kernel has left in its output. */
+/** The curve on a grid that the kernel has left in its output. */
 export function readSpline(count: number): SplineData {
   const numbers = peek(count);
-  const [length = 0, dimension, closed, roots = 0, step, offset, start = 0, end = 0] = numbers;
-  const points = numbers.slice(8, 8 + length) as Floats;
-  const pairs = numbers.slice(8 + length, 8 + length + 2 * roots) as Floats;
-  const data = new SplineData(SplineKind.BSpline, points, dimension === 3 ? 3 : 2, closed === 1, pairs, step, offset);
+  let at = 10;
+  const take = (length: number): Floats => numbers.slice(at, (at += length)) as Floats;
+  const [kind = 0, length = 0, axes, closed, roots = 0, patches = 0, step, offset, start = 0, end = 0] = numbers;
+  const dimension = axes === 3 ? 3 : 2;
+  const data = new SplineData(kind as SplineKind, take(length), dimension, closed === 1, take(2 * roots), step, offset);
+  data.patches = Array.from({ length: patches }, () => {
+    const [level = 0, first = 0, points = 0] = take(3);
+    return { level, first, displacements: take(dimension * points) };
+  });
   data.start = start;
   data.end = end;
   return data;

@@ -2,7 +2,8 @@
 import { flag, integer, options as checkOptions } from "./arguments.js";
 import { type BSplineCurve, bSplineOf } from "./b-spline-curve.js";
 import { SplineData, SplineKind, readSpline } from "./curve-data.js";
-import { call } from "./kernel.js";
+import { call, result } from "./kernel.js";
+import { type LocalCurve, refinedAt } from "./local-curve.js";
 import { type Root, rootList, rootNumbers } from "./roots.js";
 import { type AnyPointsLike, SplineCurve, anyPoints, splineOf } from "./spline-curve.js";
 
@@ -61,6 +62,22 @@ export class InterpolatingCurve extends SplineCurve {
     const arity = m === undefined ? 2 : integer(op, "m", m, 1, 1024);
     const slot = data.resident(op);
     return bSplineOf(readSpline(call(op, (kernel) => kernel.refine_spline(slot, steps, first, arity))));
+  }
+
+  /** The same curve with room for detail around t; see {@link LocalCurve.refineAt}. */
+  refineAt(t: number, options?: { levels?: number | undefined; reach?: number | undefined }): LocalCurve {
+    return refinedAt(splineOf(this, "refineAt"), t, options);
+  }
+
+  /**
+   * The interpolating curve through the points that a B-spline curve has at the integers, and the largest distance between the
+   * two: 0 to rounding where nothing was changed since `refine`.
+   */
+  static from(curve: BSplineCurve): { curve: InterpolatingCurve; maxError: number } {
+    const op = "InterpolatingCurve.from";
+    const slot = splineOf(curve, op).resident(op);
+    const count = call(op, (kernel) => kernel.reduce_spline(slot, 0));
+    return { maxError: result(0), curve: interpolatingOf(readSpline(count)) };
   }
 
   /** The curve as plain data, for files and other threads; `fromJSON` is the inverse to the last bit. */

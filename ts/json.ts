@@ -5,6 +5,7 @@ import { ExplineError, type ErrorCode, type ErrorDetails, overLimit, shown, wron
 import { type HermiteCurve, type HermiteCurveJSON, checked, curveOf } from "./hermite-curve.js";
 import { type InterpolatingCurve, type InterpolatingCurveJSON, checkedInterpolating, interpolatingOf } from "./interpolating-curve.js";
 import { scan } from "./json-text.js";
+import { type LocalCurve, type LocalCurveJSON, checkedLocal, localOf } from "./local-curve.js";
 import { type TensorSurface, checkedSurface, surfaceOf } from "./surface.js";
 import type { TensorSurfaceJSON } from "./surface-json.js";
 
@@ -36,7 +37,7 @@ interface Kind {
 }
 
 /** What a file can be of. */
-type Readable = HermiteCurve | InterpolatingCurve | BSplineCurve | TensorSurface;
+type Readable = HermiteCurve | InterpolatingCurve | LocalCurve | BSplineCurve | TensorSurface;
 
 /** Every kind, by the `type` of its file. */
 const KINDS: Readonly<Record<string, Kind>> = {
@@ -49,6 +50,11 @@ const KINDS: Readonly<Record<string, Kind>> = {
     required: ["closed", "dimension", "points", "roots"],
     optional: [],
     make: (options, extra) => interpolatingOf(withExtra(checkedInterpolating(OP, options), extra)),
+  },
+  LocalCurve: {
+    required: ["closed", "dimension", "points", "roots", "patches"],
+    optional: [],
+    make: (options, extra) => localOf(withExtra(checkedLocal(OP, options), extra)),
   },
   BSplineCurve: {
     required: ["closed", "dimension", "points", "roots", "step", "offset"],
@@ -77,6 +83,7 @@ function withExtra<D extends { extra: Readonly<Record<string, unknown>> | undefi
  */
 export function fromJSON(value: HermiteCurveJSON, options?: ReadOptions): HermiteCurve;
 export function fromJSON(value: InterpolatingCurveJSON, options?: ReadOptions): InterpolatingCurve;
+export function fromJSON(value: LocalCurveJSON, options?: ReadOptions): LocalCurve;
 export function fromJSON(value: BSplineCurveJSON, options?: ReadOptions): BSplineCurve;
 export function fromJSON(value: TensorSurfaceJSON, options?: ReadOptions): TensorSurface;
 export function fromJSON(value: unknown, options?: ReadOptions): Readable;

@@ -255,7 +255,8 @@ impl Roots {
         let mut product = Complex::new(1.0, 0.0);
         for r in &self.list {
             let half = Complex::new(0.5 * (r.re - s.re), 0.5 * (r.im - s.im));
-            if half.re == 0.0 && half.im == 0.0 {
+            // The factor is 1 to rounding; squares of what is smaller vanish.
+            if half.re.abs() + half.im.abs() < 1e-100 {
                 continue;
             }
             let (grow, turn) = (stumpff(-half.re * half.re), stumpff(half.im * half.im));

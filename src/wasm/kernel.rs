@@ -3,11 +3,11 @@
 #[cfg(feature = "wasm")]
 use crate::curve::measures::Pieces;
 #[cfg(feature = "wasm")]
-use crate::{BSplineCurve, HermiteCurve, InterpolatingCurve, TensorSurface};
+use crate::{BSplineCurve, HermiteCurve, InterpolatingCurve, LocalCurve, TensorSurface};
 #[cfg(feature = "wasm")]
 use super::exponential::Prepared;
 #[cfg(feature = "wasm")]
-use crate::curve::{LengthTable, NearestFinder, Sampler};
+use crate::curve::{LengthTable, NearestFinder, Sampler, SplineSampler};
 use crate::{Error, Result};
 use std::cell::RefCell;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -36,6 +36,7 @@ pub(super) enum AnyCurve {
     Hermite(HermiteCurve),
     Interpolating(InterpolatingCurve),
     BSpline(BSplineCurve),
+    Local(LocalCurve),
 }
 
 #[cfg(feature = "wasm")]
@@ -45,6 +46,7 @@ impl AnyCurve {
             Self::Hermite(curve) => curve,
             Self::Interpolating(curve) => curve,
             Self::BSpline(curve) => curve,
+            Self::Local(curve) => curve,
         }
     }
 }
@@ -70,6 +72,8 @@ pub(super) struct Kernel {
     /// The tables of bulk sampling.
     #[cfg(feature = "wasm")]
     pub(super) sampler: Option<Box<Sampler>>,
+    #[cfg(feature = "wasm")]
+    pub(super) spline_sampler: Option<Box<SplineSampler>>,
     /// The generator that was asked last.
     #[cfg(feature = "wasm")]
     pub(super) generator: Option<Box<Prepared>>,
@@ -90,6 +94,8 @@ thread_local! {
             text: Vec::new(),
             #[cfg(feature = "wasm")]
             sampler: None,
+            #[cfg(feature = "wasm")]
+            spline_sampler: None,
             #[cfg(feature = "wasm")]
             generator: None,
             #[cfg(feature = "wasm")]

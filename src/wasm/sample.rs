@@ -1,7 +1,6 @@
 //! Points and derivatives of a resident curve, one, many, or uniformly spread.
 
 use super::kernel::{AnyCurve, grow, run, times};
-use crate::Result;
 use crate::curve::Scheme;
 use crate::curve::measures::Pieces;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -45,46 +44,43 @@ pub fn sample(slot: u32, count: u32, first: u32, length: u32, tangents: u32) -> 
         let numbers = times(length, if tangents == 0 { dimension } else { 2 * dimension });
         grow(&mut kernel.output, numbers, 0.0)?;
         let mut sampler = kernel.sampler.take().unwrap_or_default();
+        let mut splines = kernel.spline_sampler.take().unwrap_or_default();
         let (curve, _, output) = kernel.parts(slot, 0)?;
         let output = &mut output[..numbers];
+        let mut spread = |derivative: usize, out: &mut [f64]| match curve {
+            AnyCurve::Interpolating(curve) => splines.interpolating(curve, count, first, derivative, out),
+            AnyCurve::BSpline(curve) => splines.b_spline(curve, count, first, derivative, out),
+            _ => curve.pieces().values(&parameters(curve.pieces(), count, first, length), derivative, out),
+        };
         match curve {
             AnyCurve::Hermite(curve) if tangents == 0 => sampler.points(curve, count, first, output),
             AnyCurve::Hermite(curve) => sampler.points_and_tangents(curve, count, first, output),
-            _ => spread(curve.pieces(), count, first, length as usize, output)?,
+            _ if tangents == 0 => spread(0, output)?,
+            _ => {
+                let half = numbers / 2;
+                let mut values = vec![0.0; numbers];
+                let (points, slopes) = values.split_at_mut(half);
+                spread(0, points)?;
+                spread(1, slopes)?;
+                let pairs = points.chunks_exact(dimension).zip(slopes.chunks_exact(dimension));
+                for (sample, (point, slope)) in output.chunks_exact_mut(2 * dimension).zip(pairs) {
+                    sample[..dimension].copy_from_slice(point);
+                    sample[dimension..].copy_from_slice(slope);
+                }
+            }
         }
         kernel.sampler = Some(sampler);
+        kernel.spline_sampler = Some(splines);
         Ok(numbers)
     })
 }
 
-/// The same for other kinds: values at parameters that are worked out here, one block after the other.
-fn spread(
-    curve: &dyn Pieces,
-    count: usize,
-    first: usize,
-    length: usize,
-    output: &mut [f64],
-) -> Result<()> {
+/// The parameters of samples `first`, … , `first + length − 1` of a uniform sampling by `count`.
+fn parameters(curve: &dyn Pieces, count: usize, first: usize, length: u32) -> Vec<f64> {
     let (start, end) = (curve.knot(0), curve.knot(curve.piece_count()));
     let steps = if curve.closed() { count } else { count.saturating_sub(1) }.max(1) as f64;
-    let place = |i: usize| (start + (end - start) * ((first + i) as f64 / steps)).min(end);
-    let parameters: Vec<f64> = (0..length).map(place).collect();
-    let dimension = curve.dimension();
-    let size = dimension * length;
-    if output.len() == size {
-        return curve.values(&parameters, 0, output);
-    }
-    let mut values = [vec![0.0; size], vec![0.0; size]];
-    for (derivative, values) in values.iter_mut().enumerate() {
-        curve.values(&parameters, derivative, values)?;
-    }
-    let [points, tangents] = &values;
-    let pairs = points.chunks_exact(dimension).zip(tangents.chunks_exact(dimension));
-    for (sample, (point, tangent)) in output.chunks_exact_mut(2 * dimension).zip(pairs) {
-        sample[..dimension].copy_from_slice(point);
-        sample[dimension..].copy_from_slice(tangent);
-    }
-    Ok(())
+    let place = |i: u32| (start + (end - start) * ((first + i as usize) as f64 / steps)).min(end);
+    (0..length).map(place).collect()
 }
 
 /// Four generalised Bézier points for every segment.

@@ -1,0 +1,151 @@
+/** More control points where the user works, and none elsewhere. */
+import { coordinate, finite, flag, integer, numbers, options as checkOptions } from "./arguments.js";
+import { type Patch, SplineData, SplineKind, readSpline } from "./curve-data.js";
+import { overLimit, wrong, wrongLength } from "./error.js";
+import { type Floats, call, copy } from "./kernel.js";
+import { type Root, rootList, rootNumbers } from "./roots.js";
+import { type AnyPointsLike, SplineCurve, anyPoints, splineOf } from "./spline-curve.js";
+
+/** What a {@link LocalCurve} is made from. */
+export interface LocalCurveOptions {
+  /** Points of the interpolating curve under the patches. */
+  points: AnyPointsLike;
+  /** 2 or 3 coordinates for each point. Default: what the points show; interleaved numbers are of the plane. */
+  dimension?: 2 | 3 | undefined;
+  /** Whether the last point is joined to the first. Default true. */
+  closed?: boolean | undefined;
+  /** Roots per unit of the parameter; the default is that of `InterpolatingCurve`. */
+  roots?: readonly Root[] | undefined;
+  /** The patches, as `patches` gives them. Default none. */
+  patches?: readonly { level: number; first: number; displacements: Float64Array | readonly number[] }[] | undefined;
+}
+
+/** A {@link LocalCurve} as plain data. Fields that a newer version wrote are kept. */
+export interface LocalCurveJSON {
+  type: "LocalCurve";
+  version: 1;
+  closed: boolean;
+  dimension: 2 | 3;
+  points: number[];
+  roots: Root[];
+  patches: { level: number; first: number; displacements: number[] }[];
+  [unknown: string]: unknown;
+}
+
+const CURVE = "LocalCurve";
+/** The most patches of one curve. */
+const MAX_PATCHES = 4096;
+/** The most numbers in one patch. */
+const MAX_NUMBERS = 12_000_000;
+
+/**
+ * An interpolating curve with patches of finer control points where they are wanted. Making room changes no bit of the shape; moving a
+ * point of the curve takes the detail along; dropping a patch takes its detail away.
+ */
+export class LocalCurve extends SplineCurve {
+  /**
+   * A curve from points and patches. The arrays are copied.
+   *
+   * @throws {ExplineError} for whatever is wrong with the options; nothing is made then.
+   */
+  constructor(options: LocalCurveOptions) {
+    super(options instanceof SplineData ? options : checkedLocal(CURVE, options));
+  }
+
+  /** The patches, the coarser ones first: copies. */
+  get patches(): Patch[] {
+    const copyOf = ({ level, first, displacements }: Patch): Patch => ({ level, first, displacements: displacements.slice() });
+    return splineOf(this, "patches").patches.map(copyOf);
+  }
+
+  /**
+   * The same curve with a patch of all control points of the grid 2^−levels that lie within `reach` of t in the parameter; `levels`, from 1
+   * to 12, defaults to 2, `reach` to 1.
+   */
+  refineAt(t: number, options?: { levels?: number | undefined; reach?: number | undefined }): LocalCurve {
+    return refinedAt(splineOf(this, "refineAt"), t, options);
+  }
+
+  /** The control points of patch k where the refined curve has them, coarser patches included: all coordinates in turn. */
+  patchPoints(k: number): Float64Array {
+    const op = "patchPoints";
+    const data = splineOf(this, op);
+    const which = integer(op, "k", k, 0, data.patches.length - 1);
+    const slot = data.resident(op);
+    return copy(call(op, (kernel) => kernel.patch_points(slot, which)));
+  }
+
+  /** Moves control point i of patch k; in space `z` goes with x and y. */
+  setPatchPoint(k: number, i: number, x: number, y: number, z?: number): void {
+    const op = "setPatchPoint";
+    const data = splineOf(this, op);
+    const which = integer(op, "k", k, 0, data.patches.length - 1);
+    const { displacements = new Float64Array() } = data.patches[which] ?? {};
+    const at = integer(op, "i", i, 0, displacements.length / data.dimension - 1);
+    const place = [coordinate(op, "x", x), coordinate(op, "y", y), data.dimension === 3 ? coordinate(op, "z", z) : 0] as const;
+    const slot = data.resident(op);
+    data.patches = readSpline(call(op, (kernel) => kernel.move_patch_point(slot, which, at, ...place))).patches;
+    data.touch();
+  }
+
+  /** The curve without patch k and its detail. */
+  withoutPatch(k: number): LocalCurve {
+    const op = "withoutPatch";
+    const data = splineOf(this, op);
+    const which = integer(op, "k", k, 0, data.patches.length - 1);
+    const slot = data.resident(op);
+    return localOf(readSpline(call(op, (kernel) => kernel.drop_patch(slot, which))));
+  }
+
+  /** The curve as plain data, for files and other threads; `fromJSON` is the inverse to the last bit. */
+  toJSON(): LocalCurveJSON {
+    const { closed, dimension, points, roots, patches, extra } = splineOf(this, "toJSON");
+    const list = patches.map(({ level, first, displacements }) => ({ level, first, displacements: Array.from(displacements) }));
+    const arrays = { points: Array.from(points), roots: rootList(roots), patches: list };
+    return { type: CURVE, version: 1, closed, dimension, ...arrays, ...extra };
+  }
+}
+
+/** A curve with one patch more. @internal */
+export function refinedAt(data: SplineData, t: unknown, options: unknown): LocalCurve {
+  const op = "refineAt";
+  const own = checkOptions(op, options, ["levels", "reach"]);
+  const at = finite(op, "t", t);
+  const levels = own.levels === undefined ? 2 : integer(op, "levels", own.levels, 1, 12);
+  const reach = own.reach === undefined ? 1 : finite(op, "reach", own.reach);
+  const slot = data.resident(op);
+  return localOf(readSpline(call(op, (kernel) => kernel.refine_at(slot, at, levels, reach))));
+}
+
+/** Makes a curve of arrays that the kernel or a check has vouched for. @internal */
+export function localOf(data: SplineData): LocalCurve {
+  return new LocalCurve(data as unknown as LocalCurveOptions);
+}
+
+/** The arrays of a curve that a caller or a file describes, checked. @internal */
+export function checkedLocal(op: string, options: unknown): SplineData {
+  const own = checkOptions(op, options, ["points", "dimension", "closed", "roots", "patches"]);
+  const { points, dimension } = anyPoints(op, own.points, own.dimension);
+  const roots = own.roots === undefined ? new Float64Array() : rootNumbers(op, own.roots);
+  const closed = flag(op, "closed", own.closed, true);
+  const patches = own.patches ?? [];
+  if (!Array.isArray(patches)) throw wrong("E_TYPE", op, "patches", patches, "an array");
+  if (patches.length > MAX_PATCHES) throw overLimit(op, "patches", "maxPatches", MAX_PATCHES, patches.length);
+  const list = (patches as unknown[]).map((patch, i) => checkedPatch(op, patch, i, dimension));
+  const data = new SplineData(SplineKind.Local, points, dimension, closed, roots, 1, 0, list);
+  data.load(op);
+  return data;
+}
+
+function checkedPatch(op: string, value: unknown, i: number, dimension: number): Patch {
+  if (typeof value !== "object" || value === null) throw wrong("E_TYPE", op, "patches", value, "{ level, first, displacements }", i);
+  const { level, first, displacements } = value as { level?: unknown; first?: unknown; displacements?: unknown };
+  const arg = `patches[${i}].displacements`;
+  const given: Floats = numbers(op, arg, displacements, "maxPoints", MAX_NUMBERS);
+  if (given.length % dimension !== 0) throw wrongLength(op, arg, given.length, `a multiple of ${dimension}`);
+  return {
+    level: integer(op, `patches[${i}].level`, level, 1, 12),
+    first: integer(op, `patches[${i}].first`, first, 0, 0xffffffff),
+    displacements: given.map((number, k) => finite(op, arg, number, k) + 0),
+  };
+}
