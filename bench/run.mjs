@@ -10,6 +10,7 @@ import { geometryRows } from "./lib/geometry.mjs";
 import { race } from "./lib/harness.mjs";
 import { pathRows } from "./lib/paths.mjs";
 import { Native, beziers, interpolator, kurboWasm, paperPath } from "./lib/peers.mjs";
+import { smoothRows } from "./lib/smooth.mjs";
 
 const ROUNDS = 15;
 
@@ -35,7 +36,7 @@ const peers = {
 
 console.log(`${cpus()[0].model}, ${cpus().length} cores, Node ${process.versions.node}; ${ROUNDS} rounds in turns, least and median\n`);
 const verdicts = [];
-for (const [title, prepare] of [...evaluationRows, ...geometryRows, ...pathRows]) {
+for (const [title, prepare] of [...evaluationRows, ...geometryRows, ...pathRows, ...smoothRows]) {
   if (!title.includes(only)) continue;
   const contest = prepare(peers);
   const results = await race(contest.contestants, ROUNDS);
