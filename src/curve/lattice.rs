@@ -37,7 +37,7 @@ pub(super) struct Shape {
     /// Whether the shifts sum to 1.
     pub(super) constants: bool,
     /// Whether the curve passes through its points, which sit at the start of cells.
-    interpolating: bool,
+    pub(super) interpolating: bool,
 }
 
 /// Where a parameter is: its cell, the piece of it, and the place on the piece, from −1/2 to 1/2.
@@ -74,6 +74,12 @@ impl Shape {
             constants: roots.keeps_constants(),
             interpolating: false,
         }
+    }
+
+    /// The cell that a piece is in, and which part of it.
+    #[inline]
+    pub(super) fn part_of(&self, piece: usize) -> (usize, usize) {
+        if self.per_cell == 2 { (piece >> 1, piece & 1) } else { (piece, 0) }
     }
 
     /// The polynomial in y by which control point `k` of the window acts on a part of a cell.
@@ -138,7 +144,7 @@ impl Lattice {
     /// Coefficients of ascending powers of y in [−1/2, 1/2] on piece i, all coordinates of each in turn.
     pub(super) fn piece_into(&self, i: usize, out: &mut Vec<f64>) {
         let shape = &*self.shape;
-        let (cell, part) = (i / shape.per_cell, i % shape.per_cell);
+        let (cell, part) = shape.part_of(i);
         let window = self.window(cell);
         let middle = shape.nearest(part, 0.0) * self.dimension;
         out.clear();

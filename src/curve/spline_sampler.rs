@@ -16,12 +16,18 @@ use super::b_spline::BSplineCurve;
 use super::interpolating::InterpolatingCurve;
 use super::lattice::{Lattice, Place, Shape};
 use crate::error::{Error, Result};
-use crate::limits::{MOST_OUTPUT_POINTS, check, filled, too_many};
+use crate::limits::{MOST_OUTPUT_POINTS, MOST_ROOTS, check, filled, too_many};
 
 /// Pairs of samples in the largest block.
 const PAIRS: usize = 128;
-/// Terms of the Taylor sums of e_j, beyond their first: (10/4)³⁰/30! and less is left.
+/// Terms of the Taylor sums of e_j at most: (10/4)³⁰/30! and less is left.
 const TERMS: usize = 40;
+/// What is smaller than this on all of a piece is left out of them.
+const NEGLIGIBLE: f64 = 1e-18;
+/// Pairs that are worked on at once.
+const TILE: usize = 4;
+/// Blocks of a piece whose matrices are remembered.
+const SLOTS: usize = 4;
 
 /// Samples curves uniformly and remembers its tables from one call to the next.
 ///
@@ -35,11 +41,14 @@ pub struct SplineSampler {
     /// e_j − δ₀ⱼ at τ = step·(k + ½) for blocks of even size and step·(k + 1) for odd ones; even j first. Row by row.
     tables: [Vec<f64>; 2],
     built: [usize; 2],
-    /// Taylor coefficients of e_j, `TERMS` each.
+    /// Taylor coefficients of e_j: of every other power from j mod 2 on, `terms` each.
     series: Vec<f64>,
-    /// Weights of the derivatives at the middle of a block, for either part of a cell, and where that is.
+    terms: usize,
+    /// Weights of the derivatives at the middle of a piece, for either part of a cell.
     weights: [Vec<f64>; 2],
-    places: [f64; 2],
+    /// What the derivatives at the middle of a piece make of those at the middle of a block, and where that is.
+    shifts: [Vec<f64>; SLOTS],
+    places: [f64; SLOTS],
     /// Derivatives at the middle of a block.
     jet: Vec<f64>,
 }
@@ -156,33 +165,50 @@ impl SplineSampler {
             return Ok(());
         }
         let fall = Fall::new(lattice, count);
+        let shape = &*lattice.shape;
         self.suit(&lattice.shape, fall.pieces as f64 / fall.steps as f64);
         let (mut i, mut rest) = (first, out);
         let mut piece = fall.piece_of(i);
+        let mut start = fall.first(piece);
         while i < end {
-            let (start, stop) = (fall.first(piece), fall.first(piece + 1));
+            let stop = fall.first(piece + 1);
+            let mut slot = shape.part_of(piece).1;
             while i < stop.min(end) {
-                let begin = i - (i - start) % (2 * PAIRS);
+                let skipped = (i - start) & (2 * PAIRS - 1);
+                let begin = i - skipped;
                 let size = (2 * PAIRS).min(stop - begin);
-                let number = (size - (i - begin)).min(end - i);
+                let number = (size - skipped).min(end - i);
                 let (now, later) = rest.split_at_mut(number * dimension);
-                let y = fall.y(piece, 2 * begin + size - 1);
-                self.take(lattice, piece, y, derivative, size);
+                self.turn(fall.y(piece, 2 * begin + size - 1), slot & (SLOTS - 1));
+                if dimension == 2 {
+                    self.take::<2>(lattice, piece, slot & (SLOTS - 1));
+                } else {
+                    self.take::<3>(lattice, piece, slot & (SLOTS - 1));
+                }
+                for _ in 0..derivative {
+                    self.differentiate(shape, dimension, shape.per_cell as f64 / lattice.step);
+                }
                 if number == size {
                     self.fill(dimension, size, now);
                 } else {
-                    self.fill_part(dimension, size, i - begin, now);
+                    self.fill_part(dimension, size, skipped, now);
                 }
-                // Samples on points are the points.
-                for (k, edge) in [(begin, 0), (begin + size - 1, number - 1)] {
-                    let place = fall.place(lattice, piece, k);
-                    if derivative == 0 && (i..i + number).contains(&k) && lattice.on_point(place) {
-                        lattice.value(place, 0, &mut now[edge * dimension..(edge + 1) * dimension]);
+                if derivative == 0 && shape.interpolating {
+                    // Samples on points are the points: the first of a piece, or the last of all.
+                    for (k, edge) in [(begin, 0), (count - 1, number - 1)] {
+                        if k == i + edge && (edge == 0 || i + number == count) {
+                            fall.settle(
+                                lattice,
+                                piece,
+                                k,
+                                &mut now[edge * dimension..(edge + 1) * dimension],
+                            );
+                        }
                     }
                 }
-                (i, rest) = (i + number, later);
+                (i, rest, slot) = (i + number, later, slot + 2);
             }
-            piece += 1;
+            (piece, start) = (piece + 1, stop);
         }
         Ok(())
     }
@@ -191,8 +217,14 @@ impl SplineSampler {
     fn suit(&mut self, shape: &Arc<Shape>, step: f64) {
         let same = self.shape.as_ref().is_some_and(|known| Arc::ptr_eq(known, shape));
         if !same {
-            self.places = [f64::NAN; 2];
-            self.series = series(shape);
+            self.places = [f64::NAN; SLOTS];
+            (self.series, self.terms) = series(shape);
+            for (part, weights) in self.weights.iter_mut().enumerate().take(shape.per_cell) {
+                weights.clear();
+                for j in 0..shape.characteristic.len() {
+                    weights.extend((0..shape.window).map(|k| shape.weight(k, part, 0.0, j)));
+                }
+            }
             self.shape = Some(shape.clone());
         }
         if !same || self.step != step {
@@ -201,40 +233,46 @@ impl SplineSampler {
         }
     }
 
-    /// Derivatives at y on a piece, by y but in the scale of the parameter: value first, as many as the space has dimensions.
-    fn take(&mut self, lattice: &Lattice, piece: usize, y: f64, derivative: usize, size: usize) {
-        let Some(shape) = self.shape.clone() else { return };
-        let (dimension, order) = (lattice.dimension, shape.roots.order());
-        let (cell, part) = (piece / shape.per_cell, piece % shape.per_cell);
-        if self.places[part] != y {
-            self.places[part] = y;
-            self.weights[part].clear();
-            for j in 0..order {
-                self.weights[part].extend((0..shape.window).map(|k| shape.weight(k, part, y, j)));
-            }
+    /// Makes the matrix in a slot that of y.
+    #[inline]
+    fn turn(&mut self, y: f64, slot: usize) {
+        if self.places[slot] != y {
+            self.places[slot] = y;
+            let Some(shape) = &self.shape else { return };
+            shift(&self.series, self.terms, &shape.characteristic, y, &mut self.shifts[slot]);
         }
-        let window = lattice.window(cell);
-        let near = shape.nearest(part, 0.0) * dimension;
-        self.jet.clear();
-        self.jet.resize(order * dimension, 0.0);
-        // A single sample needs its value only.
-        let rows = if size == 1 && derivative == 0 { 1 } else { order };
-        let weights = self.weights[part].chunks_exact(shape.window).take(rows);
-        for (jet, weights) in self.jet.chunks_exact_mut(dimension).zip(weights) {
-            for (weight, point) in weights.iter().zip(window.chunks_exact(dimension)) {
-                for (d, (sum, x)) in jet.iter_mut().zip(point).enumerate() {
-                    *sum += weight * if shape.constants { x - window[near + d] } else { *x };
+    }
+
+    /// Derivatives at the middle of a block: value first, as many as the space has dimensions.
+    #[inline(never)]
+    fn take<const D: usize>(&mut self, lattice: &Lattice, piece: usize, slot: usize) {
+        let shape = &*lattice.shape;
+        let (cell, part) = shape.part_of(piece);
+        let window = lattice.window(cell).as_chunks::<D>().0;
+        // Where nothing sums to 1, differences from 0.
+        let near = if shape.constants { shape.nearest(part, 0.0) } else { usize::MAX };
+        let near = window.get(near).copied().unwrap_or([0.0; D]);
+        let mut middle = [[0.0; D]; MOST_ROOTS];
+        for (sums, weights) in middle.iter_mut().zip(self.weights[part].chunks_exact(shape.window)) {
+            for (weight, point) in weights.iter().zip(window) {
+                for d in 0..D {
+                    sums[d] += weight * (point[d] - near[d]);
                 }
             }
         }
-        if shape.constants {
-            for (value, x) in self.jet.iter_mut().zip(&window[near..near + dimension]) {
-                *value += x;
+        let order = shape.characteristic.len();
+        self.jet.clear();
+        for factors in self.shifts[slot].chunks_exact(order) {
+            let mut sums = [0.0; D];
+            for (factor, derivatives) in factors.iter().zip(&middle) {
+                for d in 0..D {
+                    sums[d] += factor * derivatives[d];
+                }
             }
+            self.jet.extend_from_slice(&sums);
         }
-        let unit = shape.per_cell as f64 / lattice.step;
-        for _ in 0..derivative {
-            self.differentiate(&shape, dimension, unit);
+        for (value, x) in self.jet.iter_mut().zip(near) {
+            *value += x;
         }
     }
 
@@ -255,10 +293,13 @@ impl SplineSampler {
 }
 
 impl Fall {
-    /// Where sample i is.
-    fn place(&self, lattice: &Lattice, piece: usize, i: usize) -> Place {
-        let per_cell = lattice.shape.per_cell;
-        Place { cell: piece / per_cell, part: piece % per_cell, y: self.y(piece, 2 * i) }
+    /// Puts a point of the curve in the place of its sample.
+    fn settle(&self, lattice: &Lattice, piece: usize, i: usize, sample: &mut [f64]) {
+        let (cell, part) = lattice.shape.part_of(piece);
+        let place = Place { cell, part, y: self.y(piece, 2 * i) };
+        if lattice.on_point(place) {
+            lattice.value(place, 0, sample);
+        }
     }
 }
 
@@ -284,15 +325,13 @@ impl SplineSampler {
         self.tables[parity].resize((even + odd) * PAIRS, 0.0);
         for k in 0..even + odd {
             let j = self.order_of(k);
-            let series = &self.series[j * TERMS..(j + 1) * TERMS];
+            let series = &self.series[j * self.terms..(j + 1) * self.terms];
             for place in self.built[parity]..pairs {
                 let tau = self.step * if parity == 0 { place as f64 + 0.5 } else { place as f64 + 1.0 };
-                let mut sum = 0.0;
                 // What is 1 in e₀ is left out.
-                for &c in series.iter().skip(usize::from(j == 0)).rev() {
-                    sum = sum * tau + c;
-                }
-                self.tables[parity][k * PAIRS + place] = if j == 0 { sum * tau } else { sum };
+                let (skipped, factor) = if j == 0 { (1, tau * tau) } else { (0, 1.0) };
+                let value = every_other(&series[skipped..], tau, j) * factor;
+                self.tables[parity][k * PAIRS + place] = value;
             }
         }
         self.built[parity] = pairs;
@@ -312,10 +351,11 @@ impl SplineSampler {
         }
         let (even, odd) = self.rows();
         match (dimension, even, odd) {
-            (2, 1, 1) => self.pairs::<1, 1>(parity, left, right),
-            (2, 1, 2) => self.pairs::<1, 2>(parity, left, right),
-            (2, 2, 2) => self.pairs::<2, 2>(parity, left, right),
-            _ => self.any_pairs(dimension, parity, left, right),
+            (2, 1, 1) => self.pairs::<false, false>(parity, left, right),
+            (2, 1, 2) => self.pairs::<false, true>(parity, left, right),
+            (2, 2, 2) => self.pairs::<true, true>(parity, left, right),
+            (2, ..) => self.any_pairs::<2>(parity, left, right),
+            _ => self.any_pairs::<3>(parity, left, right),
         }
     }
 
@@ -335,75 +375,161 @@ impl SplineSampler {
         (&self.tables[parity][k * PAIRS..k * PAIRS + pairs], &self.jet[j..j + dimension])
     }
 
-    /// The samples at middle ± τ in the plane, for E even and O odd rows. Compilers make vector code of it.
+    /// The samples at middle ± τ in the plane, for one or two even and odd rows. Compilers make vector code of it: it is on its
+    /// own so that they see that nothing overlaps.
     #[inline(never)]
-    fn pairs<const E: usize, const O: usize>(&self, parity: usize, left: &mut [f64], right: &mut [f64]) {
+    fn pairs<const TWO_EVEN: bool, const TWO_ODD: bool>(
+        &self,
+        parity: usize,
+        left: &mut [f64],
+        right: &mut [f64],
+    ) {
         let (left, right) = (left.as_chunks_mut::<2>().0, right.as_chunks_mut::<2>().0);
-        let pairs = left.len().min(PAIRS);
-        let row = |k: usize| self.row(parity, k, pairs, 2);
+        let (even, _) = self.rows();
+        let row = |k: usize| {
+            let (table, jet) = self.row(parity, k, left.len(), 2);
+            (table, [jet[0], jet[1]])
+        };
+        let ((first, a), (second, b)) = (row(0), row(even));
+        let (third, c) = if TWO_EVEN { row(1) } else { row(0) };
+        let (fourth, d) = if TWO_ODD { row(even + 1) } else { row(0) };
         let value = [self.jet[0], self.jet[1]];
-        let even: [_; E] = core::array::from_fn(row);
-        let odd: [_; O] = core::array::from_fn(|k| row(E + k));
-        let even = even.map(|(table, jet)| (&table[..pairs], [jet[0], jet[1]]));
-        let odd = odd.map(|(table, jet)| (&table[..pairs], [jet[0], jet[1]]));
-        for (p, (left, right)) in left.iter_mut().rev().zip(right).enumerate().take(pairs) {
-            for d in 0..2 {
-                let (mut sum, mut difference) = (value[d], 0.0);
-                for (table, jet) in &even {
-                    sum += jet[d] * table[p];
+        let tables = first.iter().zip(second).zip(third).zip(fourth);
+        for ((((first, second), third), fourth), (left, right)) in
+            tables.zip(left.iter_mut().rev().zip(right))
+        {
+            for k in 0..2 {
+                let mut sum = value[k] + a[k] * first;
+                let mut difference = b[k] * second;
+                if TWO_EVEN {
+                    sum += c[k] * third;
                 }
-                for (table, jet) in &odd {
-                    difference += jet[d] * table[p];
+                if TWO_ODD {
+                    difference += d[k] * fourth;
                 }
-                (left[d], right[d]) = (sum - difference, sum + difference);
+                (left[k], right[k]) = (sum - difference, sum + difference);
             }
         }
     }
 
-    /// The same for any dimension and any number of rows, row by row.
+    /// The same for any number of rows, some pairs at a time.
     #[inline(never)]
-    fn any_pairs(&self, dimension: usize, parity: usize, left: &mut [f64], right: &mut [f64]) {
-        let (even, odd) = self.rows();
-        let pairs = left.len() / dimension;
-        for (left, right) in left.chunks_exact_mut(dimension).rev().zip(right.chunks_exact_mut(dimension)) {
-            right.copy_from_slice(&self.jet[..dimension]);
-            left.fill(0.0);
+    fn any_pairs<const D: usize>(&self, parity: usize, left: &mut [f64], right: &mut [f64]) {
+        let (left, right) = (left.as_chunks_mut::<D>().0, right.as_chunks_mut::<D>().0);
+        let (near, rest) = left.split_at_mut(left.len() % TILE);
+        let (right, far) = right.split_at_mut(rest.len());
+        for (tile, (left, right)) in
+            rest.rchunks_exact_mut(TILE).zip(right.chunks_exact_mut(TILE)).enumerate()
+        {
+            self.tile::<D, TILE>(parity, TILE * tile, left, right);
         }
-        // Sums go to the right, differences to the left.
-        for k in 0..even + odd {
-            let (table, jet) = self.row(parity, k, pairs, dimension);
-            let places = left.chunks_exact_mut(dimension).rev().zip(right.chunks_exact_mut(dimension));
-            for ((left, right), factor) in places.zip(table) {
-                let slots = if k < even { right } else { left };
-                for (slot, c) in slots.iter_mut().zip(jet) {
-                    *slot += c * factor;
+        for (k, (left, right)) in near.rchunks_exact_mut(1).zip(far.chunks_exact_mut(1)).enumerate() {
+            self.tile::<D, 1>(parity, rest.len() + k, left, right);
+        }
+    }
+
+    /// Σ over these rows of derivative and factor, for pairs `first` to `first` + T.
+    #[inline(always)]
+    fn combined<const D: usize, const T: usize>(
+        &self,
+        parity: usize,
+        rows: core::ops::Range<usize>,
+        first: usize,
+    ) -> [[f64; D]; T] {
+        let mut sums = [[0.0; D]; T];
+        for k in rows {
+            let (table, jet) = self.row(parity, k, first + T, D);
+            let (Some(factors), Some(jet)) = (table[first..].first_chunk::<T>(), jet.first_chunk::<D>())
+            else {
+                continue;
+            };
+            for t in 0..T {
+                for d in 0..D {
+                    sums[t][d] += jet[d] * factors[t];
                 }
             }
         }
-        for (left, right) in left.chunks_exact_mut(dimension).rev().zip(right.chunks_exact_mut(dimension)) {
-            for (left, right) in left.iter_mut().zip(right) {
-                (*left, *right) = (*right - *left, *right + *left);
+        sums
+    }
+
+    /// Pairs `first` to `first` + T.
+    #[inline(always)]
+    fn tile<const D: usize, const T: usize>(
+        &self,
+        parity: usize,
+        first: usize,
+        left: &mut [[f64; D]],
+        right: &mut [[f64; D]],
+    ) {
+        let (even, odd) = self.rows();
+        let sums = self.combined::<D, T>(parity, 0..even, first);
+        let differences = self.combined::<D, T>(parity, even..even + odd, first);
+        let places = left.iter_mut().rev().zip(right);
+        for ((sum, difference), (left, right)) in sums.iter().zip(&differences).zip(places) {
+            for d in 0..D {
+                let even = self.jet[d] + sum[d];
+                (left[d], right[d]) = (even - difference[d], even + difference[d]);
             }
         }
     }
 }
 
-/// The Taylor coefficients of e_j for all j, `TERMS` each: e_j⁽ᵐ⁺ⁿ⁾ = −Σ χᵢ e_j⁽ᵐ⁺ⁱ⁾.
+/// Σ cₖ·y²ᵏ, times y for odd j.
+fn every_other(coefficients: &[f64], y: f64, j: usize) -> f64 {
+    let square = y * y;
+    let sum = coefficients.iter().rev().fold(0.0, |sum, c| sum * square + c);
+    if j % 2 == 1 { sum * y } else { sum }
+}
+
+/// The matrix that takes derivatives at 0 to those at y: e_j⁽ⁱ⁾(y), row by row, with e_j′ = e_{j−1} − χⱼ e_{n−1}.
 #[inline(never)]
-fn series(shape: &Shape) -> Vec<f64> {
+fn shift(series: &[f64], terms: usize, characteristic: &[f64], y: f64, matrix: &mut Vec<f64>) {
+    let order = characteristic.len();
+    matrix.clear();
+    for (j, series) in series.chunks_exact(terms).enumerate() {
+        matrix.push(every_other(series, y, j));
+    }
+    for i in 1..order {
+        let above = (i - 1) * order;
+        let last = matrix[above + order - 1];
+        for (j, c) in characteristic.iter().enumerate() {
+            let before = if j == 0 { 0.0 } else { matrix[above + j - 1] };
+            matrix.push(before - c * last);
+        }
+    }
+}
+
+/// The Taylor coefficients of e_j for all j, every other one, and how many of each: e_j⁽ᵐ⁺ⁿ⁾ = −Σ χᵢ e_j⁽ᵐ⁺ⁱ⁾.
+#[inline(never)]
+fn series(shape: &Shape) -> (Vec<f64>, usize) {
     let order = shape.characteristic.len();
     let mut all = vec![0.0; order * TERMS];
+    let mut used = order;
     for (j, row) in all.chunks_exact_mut(TERMS).enumerate() {
         row[j] = 1.0;
         for m in order..TERMS {
             let before = &row[m - order..m];
             row[m] = -shape.characteristic.iter().zip(before).map(|(c, y)| c * y).sum::<f64>();
         }
-        let mut factorial = 1.0;
+        let mut scale = 1.0;
         for (q, c) in row.iter_mut().enumerate() {
-            factorial *= q.max(1) as f64;
-            *c /= factorial;
+            let divisor = q.max(1) as f64;
+            *c /= scale * divisor;
+            scale *= divisor;
+        }
+        // Beside the first term, on half a piece.
+        let mut reach = 1.0;
+        for (q, c) in row.iter().enumerate().skip(j) {
+            if (c * reach).abs() > NEGLIGIBLE * row[j].abs() {
+                used = used.max(q + 1);
+            }
+            reach *= 0.5;
         }
     }
-    all
+    let terms = used.div_ceil(2);
+    let mut kept = Vec::with_capacity(order * terms);
+    for (j, row) in all.chunks_exact(TERMS).enumerate() {
+        kept.extend(row[j % 2..].iter().step_by(2).take(terms));
+    }
+    (kept, terms)
 }
