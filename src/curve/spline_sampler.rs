@@ -41,6 +41,9 @@ pub struct SplineSampler {
     /// e_j − δ₀ⱼ at τ = step·(k + ½) for blocks of even size and step·(k + 1) for odd ones; even j first. Row by row.
     tables: [Vec<f64>; 2],
     built: [usize; 2],
+    /// How many even and how many odd rows they have, and the first even j.
+    rows: (usize, usize),
+    skipped: usize,
     /// Taylor coefficients of e_j: of every other power from j mod 2 on, `terms` each.
     series: Vec<f64>,
     terms: usize,
@@ -59,12 +62,16 @@ struct Fall {
     pieces: u64,
     steps: u64,
     count: usize,
+    /// Samples on each piece, if they divide evenly; else 0.
+    each: usize,
 }
 
 impl Fall {
     fn new(lattice: &Lattice, count: usize) -> Self {
         let steps = if lattice.closed { count } else { count.saturating_sub(1) }.max(1) as u64;
-        Self { pieces: lattice.piece_count() as u64, steps, count }
+        let pieces = lattice.piece_count() as u64;
+        let each = if steps.is_multiple_of(pieces) { (steps / pieces) as usize } else { 0 };
+        Self { pieces, steps, count, each }
     }
 
     fn piece_of(&self, i: usize) -> usize {
@@ -75,12 +82,14 @@ impl Fall {
     fn first(&self, p: usize) -> usize {
         if p as u64 >= self.pieces {
             self.count
+        } else if self.each > 0 {
+            p * self.each
         } else {
             (p as u64 * self.steps).div_ceil(self.pieces) as usize
         }
     }
 
-    /// Where on piece p half/2 samples from the start are, −1/2 to 1/2.
+    /// Where on piece p half/2 samples from the start are, −1/2 to 1/2; the same on all pieces if they are filled evenly.
     fn y(&self, p: usize, half: usize) -> f64 {
         let place = half as f64 * self.pieces as f64 - 2.0 * p as f64 * self.steps as f64;
         place / (2.0 * self.steps as f64) - 0.5
@@ -225,6 +234,9 @@ impl SplineSampler {
                     weights.extend((0..shape.window).map(|k| shape.weight(k, part, 0.0, j)));
                 }
             }
+            let (order, constants) = (shape.characteristic.len(), usize::from(shape.constants));
+            self.rows = (order.div_ceil(2) - constants, order / 2);
+            self.skipped = 2 * constants;
             self.shape = Some(shape.clone());
         }
         if !same || self.step != step {
@@ -304,24 +316,15 @@ impl Fall {
 }
 
 impl SplineSampler {
-    /// How many even and how many odd rows the tables have.
-    fn rows(&self) -> (usize, usize) {
-        let Some(shape) = &self.shape else { return (0, 0) };
-        let order = shape.roots.order();
-        (order.div_ceil(2) - usize::from(shape.constants), order / 2)
-    }
-
     /// The derivative whose factor is in row k of the tables.
     fn order_of(&self, k: usize) -> usize {
-        let (even, _) = self.rows();
-        let skipped = self.shape.as_ref().map_or(0, |shape| usize::from(shape.constants));
-        if k < even { 2 * (k + skipped) } else { 2 * (k - even) + 1 }
+        if k < self.rows.0 { 2 * k + self.skipped } else { 2 * (k - self.rows.0) + 1 }
     }
 
     /// Makes sure that the tables for blocks of this parity hold at least `pairs` places.
     #[inline(never)]
     fn build(&mut self, parity: usize, pairs: usize) {
-        let (even, odd) = self.rows();
+        let (even, odd) = self.rows;
         self.tables[parity].resize((even + odd) * PAIRS, 0.0);
         for k in 0..even + odd {
             let j = self.order_of(k);
@@ -349,7 +352,7 @@ impl SplineSampler {
         if pairs == 0 {
             return;
         }
-        let (even, odd) = self.rows();
+        let (even, odd) = self.rows;
         match (dimension, even, odd) {
             (2, 1, 1) => self.pairs::<false, false>(parity, left, right),
             (2, 1, 2) => self.pairs::<false, true>(parity, left, right),
@@ -385,7 +388,7 @@ impl SplineSampler {
         right: &mut [f64],
     ) {
         let (left, right) = (left.as_chunks_mut::<2>().0, right.as_chunks_mut::<2>().0);
-        let (even, _) = self.rows();
+        let (even, _) = self.rows;
         let row = |k: usize| {
             let (table, jet) = self.row(parity, k, left.len(), 2);
             (table, [jet[0], jet[1]])
@@ -461,7 +464,7 @@ impl SplineSampler {
         left: &mut [[f64; D]],
         right: &mut [[f64; D]],
     ) {
-        let (even, odd) = self.rows();
+        let (even, odd) = self.rows;
         let sums = self.combined::<D, T>(parity, 0..even, first);
         let differences = self.combined::<D, T>(parity, even..even + odd, first);
         let places = left.iter_mut().rev().zip(right);
