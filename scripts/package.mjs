@@ -22,6 +22,7 @@ const BINDINGS = "build/bindings";
  */
 const MODULES = [
   { title: "wasm", feature: "wasm", target: "target", name: "expline", bytes: "wasm-bytes", flags: ["-C", "llvm-args=-inline-threshold=0"] },
+  { title: "wasm for fitting", feature: "wasm-fit", target: "target/fit", name: "expline_fit", bytes: "fit-bytes", flags: [] },
 ];
 
 /** What cargo leaves for a module. */
@@ -89,6 +90,8 @@ async function bundleFace(entry, contents, core) {
   const setup = (bundler) => {
     bundler.onLoad({ filter: /-bytes\.js$/ }, () => ({ contents, resolveDir: at("ts") }));
     bundler.onResolve({ filter: /\/core\.js$/ }, () => ({ path: core, external: true }));
+    // The core has the decoder of inlined text already.
+    if (entry !== "ts/core.ts") bundler.onResolve({ filter: /\/decode\.ts$/ }, () => ({ path: core, external: true }));
   };
   const { outputFiles } = await build({
     entryPoints: [at(entry)],
@@ -115,6 +118,7 @@ const nothingInside = (file, start) => `
 
 const FACES = [
   { entry: "ts/core.ts", name: "core", file: "expline", start: "init", bytes: "wasm-bytes" },
+  { entry: "ts/fit.ts", name: "fit", file: "expline_fit", start: "initFit", bytes: "fit-bytes" },
 ];
 
 /** The names of `ts/index.ts`, from the ES modules of one of the two editions. */
@@ -127,9 +131,18 @@ async function entry(prefix) {
   return outputFiles[0].text;
 }
 
+/** The command line: one file beside the package's own modules. */
+async function bundleCommandLine() {
+  await run("node", [at("node_modules/typescript/bin/tsc"), "-p", at("cli/tsconfig.json")]);
+  const { build } = await import("esbuild");
+  const setup = (bundler) => bundler.onResolve({ filter: /^expline$/ }, () => ({ path: "./expline.js", external: true }));
+  const options = { entryPoints: [at("cli/expline.ts")], bundle: true, platform: "node", format: "esm", target: "node20", minify: true, logLevel: "error" };
+  await build({ ...options, outfile: at("pkg/cli.js"), plugins: [{ name: "package", setup }] });
+}
+
 async function buildFace() {
-  const inputs = ["ts", BINDINGS, "tsconfig.base.json", "package.json", "package-lock.json", "Cargo.lock", "scripts"];
-  const files = [...FACES.flatMap(({ name, file }) => [`${name}.js`, `slim-${name}.js`, `${file}_bg.wasm`]), "expline.js", "slim.js", "types/index.d.ts"];
+  const inputs = ["ts", "cli", BINDINGS, "tsconfig.base.json", "package.json", "package-lock.json", "Cargo.lock", "scripts"];
+  const files = [...FACES.flatMap(({ name, file }) => [`${name}.js`, `slim-${name}.js`, `${file}_bg.wasm`]), "expline.js", "slim.js", "cli.js", "types/index.d.ts"];
   const outputs = [...files.map((file) => `pkg/${file}`), "THIRD_PARTY_LICENSES"];
   await step("face", { inputs, outputs }, async () => {
     rmSync(at("pkg"), { recursive: true, force: true });
@@ -144,6 +157,7 @@ async function buildFace() {
       cpSync(at(BINDINGS, `${file}_bg.wasm`), at(`pkg/${file}_bg.wasm`));
     }
     for (const [out, prefix] of [["expline", ""], ["slim", "slim-"]]) writeFileSync(at(`pkg/${out}.js`), await entry(prefix));
+    await bundleCommandLine();
     writeThirdPartyLicenses();
   });
 }

@@ -13,6 +13,9 @@ const FILES = [
   ["core.js (curves)", "core.js"],
   ["… the face alone", "slim-core.js"],
   ["… expline_bg.wasm", "expline_bg.wasm"],
+  ["fit.js (fitting)", "fit.js"],
+  ["… the face alone", "slim-fit.js"],
+  ["… expline_fit_bg.wasm", "expline_fit_bg.wasm"],
 ];
 
 const kB = (bytes) => `${(bytes / 1000).toFixed(1).padStart(6)} kB`;

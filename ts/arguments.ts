@@ -176,8 +176,7 @@ function honestLength(
 }
 
 /** A copy of points or vectors, `dimension` numbers each, every one of them finite and within ±1e9. */
-export function points(op: string, arg: string, value: unknown, max: number = MAX_POINTS, dimension: 2 | 3 = 2): Coordinates {
-  const limit = "maxPoints";
+export function points(op: string, arg: string, value: unknown, max: number = MAX_POINTS, dimension: 2 | 3 = 2, limit = "maxPoints"): Coordinates {
   let copy: Coordinates;
   if (Array.isArray(value) && value.length > 0 && typeof value[0] === "object" && value[0] !== null) {
     const list = value as readonly unknown[];

@@ -37,7 +37,7 @@ export { parsePath } from "./svg.js";
 export type { PathWarning } from "./svg.js";
 
 /** @internal */
-export { begin, beginSync } from "./engine.js";
+export { begin, beginSync, instanceOf } from "./engine.js";
 /** @internal */
 export type { AnyKernel, Engine } from "./engine.js";
 /** @internal */

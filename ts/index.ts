@@ -53,3 +53,5 @@ export type {
   TensorSurfaceJSON,
   TensorSurfaceOptions,
 } from "./core.js";
+export { SparseFitter, fitSparse, fitSparseAsync, initFit, initFitSync } from "./fit.js";
+export type { FitProgress, FitStatus, SparseFit, SparseFitOptions, SparseFitStrength, SparseKnot } from "./fit.js";

@@ -2,7 +2,7 @@
 //!
 //! A curve crosses as one run of numbers: seven of [`describe`](super::describe::describe)'s header, then its arrays.
 
-use super::describe::{SPACES, give, push_short};
+use super::describe::{SPACES, give, pairs, push_short};
 use super::kernel::{AnyCurve, run, times};
 use crate::curve::HermiteOptions;
 use crate::numerics::{Point, Vector};
@@ -12,11 +12,6 @@ use wasm_bindgen::prelude::wasm_bindgen;
 /// The space that a number from JavaScript stands for.
 pub(super) fn space_of(code: u32) -> Option<Space> {
     SPACES.get(code as usize).copied()
-}
-
-/// Numbers in pairs, as points or vectors.
-pub(super) fn pairs(numbers: &[f64]) -> Vec<Vector> {
-    numbers.chunks_exact(2).map(|pair| Vector::new(pair[0], pair[1])).collect()
 }
 
 /// Takes the first `count` numbers off what is left of the input.

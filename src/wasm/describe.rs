@@ -1,11 +1,19 @@
 //! Curves on their way to JavaScript: one run of numbers for each.
 
+#[cfg(feature = "wasm")]
 use super::kernel::Kernel;
+#[cfg(feature = "wasm")]
+use crate::Result;
 use crate::numerics::Vector;
-use crate::{HermiteCurve, Result, Space};
+use crate::{HermiteCurve, Space};
 
 /// The spaces in the face's order.
 pub(super) const SPACES: [Space; 3] = [Space::Trigonometric, Space::Hyperbolic, Space::Polynomial];
+
+/// Numbers in pairs, as points or vectors.
+pub(super) fn pairs(numbers: &[f64]) -> Vec<Vector> {
+    numbers.chunks_exact(2).map(|pair| Vector::new(pair[0], pair[1])).collect()
+}
 
 /// Appends numbers: one where all are the same, none where that one is `implied`. Returns how many.
 pub(super) fn push_short(output: &mut Vec<f64>, numbers: &[f64], implied: Option<f64>) -> f64 {
@@ -52,6 +60,7 @@ pub(super) fn describe(output: &mut Vec<f64>, curve: &HermiteCurve) {
 }
 
 /// Leaves curves in the output, one after the other.
+#[cfg(feature = "wasm")]
 pub(super) fn give(kernel: &mut Kernel, curves: &[HermiteCurve]) -> Result<usize> {
     kernel.output.clear();
     for curve in curves {

@@ -8,6 +8,8 @@ use crate::{BSplineCurve, HermiteCurve, InterpolatingCurve, LocalCurve, TensorSu
 use super::exponential::Prepared;
 #[cfg(feature = "wasm")]
 use crate::curve::{LengthTable, NearestFinder, Sampler, SplineSampler};
+#[cfg(feature = "wasm-fit")]
+use crate::fit::Fitter;
 use crate::{Error, Result};
 use std::cell::RefCell;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -77,6 +79,9 @@ pub(super) struct Kernel {
     /// The generator that was asked last.
     #[cfg(feature = "wasm")]
     pub(super) generator: Option<Box<Prepared>>,
+    /// The fits that are open, by their numbers.
+    #[cfg(feature = "wasm-fit")]
+    pub(super) fits: Vec<Option<Box<Fitter>>>,
     /// The resident curves.
     #[cfg(feature = "wasm")]
     pub(super) slots: [Option<Resident>; SLOTS],
@@ -98,6 +103,8 @@ thread_local! {
             spline_sampler: None,
             #[cfg(feature = "wasm")]
             generator: None,
+            #[cfg(feature = "wasm-fit")]
+            fits: Vec::new(),
             #[cfg(feature = "wasm")]
             slots: [const { None }; SLOTS],
             #[cfg(feature = "wasm")]
@@ -141,9 +148,11 @@ impl Kernel {
     ) -> Result<(&NearestFinder, &[f64], &mut Vec<f64>)> {
         let given = &self.input[..count.min(self.input.len())];
         match self.slots.get_mut(slot as usize) {
-            Some(Some(Resident { curve, finder, .. })) => {
-                Ok((finder.get_or_insert_with(|| NearestFinder::new(curve.pieces())), given, &mut self.output))
-            }
+            Some(Some(Resident { curve, finder, .. })) => Ok((
+                finder.get_or_insert_with(|| NearestFinder::new(curve.pieces())),
+                given,
+                &mut self.output,
+            )),
             _ => Err(Box::new(NOT_RESIDENT)),
         }
     }

@@ -18,6 +18,8 @@ mod curve;
 mod describe;
 #[cfg(feature = "wasm")]
 mod exponential;
+#[cfg(feature = "wasm-fit")]
+mod fit;
 #[cfg(feature = "wasm")]
 mod generators;
 mod heap;

@@ -1,7 +1,7 @@
 // The packed package through bundlers and without one, run in Chromium under the strict policy of the demo.
 
 import assert from "node:assert/strict";
-import { cpSync, mkdirSync, readdirSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { join } from "node:path";
 
@@ -91,6 +91,48 @@ test("esbuild, as a classic script in a page that declares no charset", async ()
   await build({ entryPoints: [entry], outfile: join(folder, "bundle.js"), bundle: true, format: "iife", logLevel: "error" });
   assert.equal(await titleOf(folder, POLICY), EXPECTED);
 });
+
+/** Something that only the wasm for fitting has, in the text that it is inlined as. */
+const FITTING = "fit_describe";
+
+/** What a bundle has of the module for fitting. */
+function hasFitting(file: string): boolean {
+  return readFileSync(file, "utf8").includes(FITTING);
+}
+
+for (const [what, code, fitting] of [
+  ["curves alone", 'import { HermiteCurve } from "expline"; document.title = String(HermiteCurve.through([0, 0, 1, 1, 2, 0]).closed);', false],
+  ["a fit", 'import { fitSparse } from "expline"; document.title = String(fitSparse([0, 0, 4, 0, 4, 4, 0, 4]).curve.closed);', true],
+] as const) {
+  test(`a bundle of ${what} ${fitting ? "holds" : "does not hold"} the module for fitting, whoever makes it`, async () => {
+    const source = join(consumer, fitting ? "fits.mjs" : "curves.mjs");
+    writeFileSync(source, code);
+    const folder = page(fitting ? "fits" : "curves", MODULE);
+    const { build } = await import("esbuild");
+    const outfile = join(folder, "bundle.js");
+    await build({ entryPoints: [source], outfile, bundle: true, minify: true, format: "esm", logLevel: "error" });
+    assert.equal(hasFitting(outfile), fitting, "esbuild");
+    assert.equal(await titleOf(folder, POLICY), "true");
+
+    const { rollup } = await import("@rollup/wasm-node");
+    const resolve = { name: "resolve", resolveId: (id: string) => (id === "expline" ? join(consumer, "node_modules/expline/pkg/expline.js") : null) };
+    // What the plugin that resolves packages reads in package.json: nothing of the package has side effects.
+    const treeshake = { moduleSideEffects: (id: string) => !id.includes("node_modules") };
+    const bundle = await rollup({ input: source, plugins: [resolve], treeshake, onwarn: (warning) => assert.fail(warning.message) });
+    await bundle.write({ file: join(folder, "rollup.js"), format: "es" });
+    await bundle.close();
+    assert.equal(hasFitting(join(folder, "rollup.js")), fitting, "Rollup");
+
+    const { default: webpack } = await import("webpack");
+    await new Promise<void>((done, fail) => {
+      webpack({ mode: "production", entry: source, output: { path: folder, filename: "webpack.js" }, performance: { hints: false } }, (error, stats) => {
+        if (error ?? stats?.hasErrors()) fail(error ?? new Error(stats?.toString("errors-only")));
+        else done();
+      });
+    });
+    assert.equal(hasFitting(join(folder, "webpack.js")), fitting, "webpack");
+  });
+}
 
 test("Vite", async () => {
   const { build } = await import("vite");

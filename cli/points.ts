@@ -1,0 +1,61 @@
+/** Points from rows of text. */
+import { readFileSync } from "node:fs";
+
+import { Failure, INPUT } from "./failure.ts";
+
+/** The points of one contour, x and y in turn. */
+export interface Stroke {
+  readonly points: Float64Array;
+  /** The last row repeats the first: the contour is closed, and the repetition is gone. */
+  readonly closed: boolean;
+}
+
+const LARGEST = 1e9;
+
+/** The text of a file, or of standard input for `-`. */
+export function readText(file: string): string {
+  try {
+    return readFileSync(file === "-" ? 0 : file, "utf8");
+  } catch (error) {
+    const code = (error as { code?: string }).code;
+    const why = code === "ENOENT" ? "there is no such file" : code === "EISDIR" ? "it is a folder" : `it cannot be read (${code ?? "unknown"})`;
+    throw new Failure(INPUT, `${nameOf(file)}: ${why}`);
+  }
+}
+
+const nameOf = (file: string): string => (file === "-" ? "standard input" : file);
+
+/**
+ * Rows of x and y with a comma, a semicolon, a tab or blanks between them. A first row of words is a heading, `#` begins a comment, an empty
+ * row begins another contour.
+ */
+export function readPoints(text: string, file: string): Stroke[] {
+  const strokes: number[][] = [[]];
+  text.replace(/^\uFEFF/u, "").split(/\r\n|\n|\r/u).forEach((line, i) => {
+    const row = line.replace(/#.*$/u, "").trim();
+    const stroke = strokes.at(-1) ?? [];
+    if (row === "") {
+      if (line.trim() === "" && stroke.length > 0) strokes.push([]);
+      return;
+    }
+    const cells = row.split(/\s*[,;\t]\s*|\s+/u);
+    if (i === 0 && cells.every((cell) => cell === "" || Number.isNaN(Number(cell)))) return;
+    if (cells.length < 2) throw new Failure(INPUT, `${nameOf(file)}:${i + 1}: ${shown(row)} is not two numbers`);
+    for (const cell of cells.slice(0, 2)) stroke.push(coordinate(cell, `${nameOf(file)}:${i + 1}`));
+  });
+  return strokes.filter((stroke) => stroke.length > 0).map(stroke);
+}
+
+function coordinate(cell: string, place: string): number {
+  const value = cell === "" ? Number.NaN : Number(cell);
+  if (Number.isNaN(value)) throw new Failure(INPUT, `${place}: ${shown(cell)} is not a number`);
+  if (!(Math.abs(value) <= LARGEST)) throw new Failure(INPUT, `${place}: ${shown(cell)} is out of range; expected |x| <= 1e9`);
+  return value;
+}
+
+const shown = (text: string): string => JSON.stringify(text.length > 40 ? `${text.slice(0, 39)}…` : text);
+
+function stroke(numbers: readonly number[]): Stroke {
+  const closed = numbers.length > 6 && numbers[0] === numbers.at(-2) && numbers[1] === numbers.at(-1);
+  return { points: Float64Array.from(closed ? numbers.slice(0, -2) : numbers), closed };
+}

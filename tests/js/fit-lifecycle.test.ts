@@ -1,0 +1,166 @@
+// Fits that are stopped, watched, repeated, forgotten and interrupted by the death of their engine.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { createHash } from "node:crypto";
+import { test } from "node:test";
+import { setTimeout as pause } from "node:timers/promises";
+import { Worker } from "node:worker_threads";
+import { pathToFileURL } from "node:url";
+
+import { ExplineError, HermiteCurve, type SparseFit, SparseFitter, fitSparse, fitSparseAsync } from "expline";
+
+import { noisyCircle } from "./fit-data.ts";
+const POINTS = noisyCircle(400, 0.01, 7);
+const OPTIONS = { degree: 3, smoothing: 0.4 } as const;
+
+/** Every bit of a fit. */
+function bits(fit: SparseFit): string {
+  return createHash("sha256").update(JSON.stringify([fit.curve, fit.knots, fit.objective, fit.gap, fit.maxError, Array.from(fit.parameters)])).digest("hex");
+}
+
+test("FT-036: the same fit gives the same bits again, also after a cancelled run, a warm fitter and in short tasks", async () => {
+  const before = bits(fitSparse(POINTS, OPTIONS));
+  const stop = new AbortController();
+  const cancelled = fitSparseAsync(noisyCircle(20_000, 0.01, 2), { ...OPTIONS, signal: stop.signal, onProgress: () => stop.abort() });
+  await assert.rejects(cancelled, { name: "ExplineError", code: "E_CANCELLED" });
+  using fitter = new SparseFitter(POINTS, OPTIONS);
+  fitter.solve({ smoothing: 0.7 });
+  assert.equal(bits(fitSparse(POINTS, OPTIONS)), before);
+  assert.equal(bits(await fitSparseAsync(POINTS, OPTIONS)), before);
+  assert.equal(bits(new SparseFitter(POINTS, OPTIONS).solve()), before, "the first solve of a fitter is a cold one");
+});
+
+test("the fit is the same in another process, in a worker and from the slim entry", async () => {
+  const code = `
+    import { createHash } from "node:crypto";
+    const points = new Float64Array(${JSON.stringify(Array.from(POINTS))});
+    const digest = (fit) => createHash("sha256").update(JSON.stringify([fit.curve, fit.knots, fit.objective, fit.gap, fit.maxError, Array.from(fit.parameters)])).digest("hex");
+  `;
+  const own = bits(fitSparse(POINTS, OPTIONS));
+  const node = (text: string): string => execFileSync(process.execPath, ["--input-type=module", "-e", text], { encoding: "utf8" }).trim();
+  assert.equal(node(`import { fitSparse } from "expline"; ${code} console.log(digest(fitSparse(points, ${JSON.stringify(OPTIONS)})));`), own);
+  assert.equal(node(`import init, { fitSparseAsync } from "expline/slim"; ${code} await init(); console.log(digest(await fitSparseAsync(points, ${JSON.stringify(OPTIONS)})));`), own);
+  const address = pathToFileURL("pkg/expline.js").href;
+  const worker = new Worker(
+    `import { parentPort } from "node:worker_threads"; import { fitSparse } from ${JSON.stringify(address)}; ${code} parentPort.postMessage(digest(fitSparse(points, ${JSON.stringify(OPTIONS)})));`,
+    { eval: true, stdout: true, stderr: true, execArgv: ["--input-type=module"] },
+  );
+  const said = await new Promise((resolve, reject) => worker.once("message", resolve).once("error", reject));
+  await worker.terminate();
+  assert.equal(said, own);
+});
+
+test("the slim entry's fitSparse says that it waits for initFit, which finds its file", () => {
+  const said = execFileSync(process.execPath, ["--input-type=module", "-e", `
+    import init, { fitSparse, initFit } from "expline/slim";
+    await init();
+    let code;
+    try { fitSparse([0, 0, 1, 0, 1, 1]); } catch (error) { code = error.code; }
+    await initFit();
+    console.log(code, fitSparse([0, 0, 4, 0, 4, 4, 0, 4]).curve.closed);
+  `], { encoding: "utf8" }).trim();
+  assert.equal(said, "E_NOT_READY true");
+});
+
+test("FT-023, FT-024: an aborted signal rejects at once, one that is aborted later within a step", async () => {
+  await assert.rejects(fitSparseAsync(POINTS, { signal: AbortSignal.abort("enough") }), (error) => {
+    assert.ok(error instanceof ExplineError);
+    assert.equal(error.code, "E_CANCELLED");
+    assert.equal(error.cause, "enough");
+    return true;
+  });
+  assert.throws(() => fitSparse(POINTS, { signal: AbortSignal.abort() }), { code: "E_CANCELLED" });
+  const stop = new AbortController();
+  const work = fitSparseAsync(noisyCircle(100_000, 0.01, 4), { signal: stop.signal });
+  const outcome = work.then(() => "done", (error: ExplineError) => error.code);
+  await pause(5);
+  stop.abort();
+  assert.ok(["E_CANCELLED", "done"].includes(await outcome));
+});
+
+test("a fit in short tasks lets timers through, and reports iterations that rise", async () => {
+  let turns = 0;
+  const timer = setInterval(() => (turns += 1), 1);
+  const seen: { iteration: number; gap: number }[] = [];
+  await fitSparseAsync(noisyCircle(40_000, 0.01, 3), { smoothing: 0.3, onProgress: (progress) => seen.push(progress) });
+  clearInterval(timer);
+  assert.ok(turns > 0, "no timer came through");
+  assert.ok(seen.length > 1);
+  seen.forEach(({ iteration, gap }, i) => {
+    assert.ok(iteration >= (seen[i - 1]?.iteration ?? 0));
+    assert.ok(gap >= 0 && gap <= 1);
+  });
+});
+
+test("HY-014: what a progress callback throws reaches the caller as it is, and nothing is broken", async () => {
+  const own = new TypeError("mine");
+  const onProgress = (): never => {
+    throw own;
+  };
+  assert.throws(() => fitSparse(POINTS, { ...OPTIONS, onProgress }), (error) => error === own);
+  await assert.rejects(fitSparseAsync(POINTS, { ...OPTIONS, onProgress }), (error) => error === own);
+  using fitter = new SparseFitter(POINTS, OPTIONS);
+  assert.throws(() => fitter.solve({ onProgress }), (error) => error === own);
+  assert.ok(fitter.solve().knots.length > 0);
+});
+
+test("LC-007, LC-009: a fitter is busy for its own callback, and usable afterwards", () => {
+  using fitter = new SparseFitter(POINTS, OPTIONS);
+  const codes: string[] = [];
+  const attempt = (call: () => unknown): void => {
+    try {
+      call();
+    } catch (error) {
+      codes.push((error as ExplineError).code);
+    }
+  };
+  fitter.solve({
+    onProgress: () => {
+      if (codes.length > 0) return;
+      attempt(() => fitter.solve());
+      attempt(() => fitter.dispose());
+    },
+  });
+  assert.deepEqual(codes, ["E_BUSY", "E_BUSY"]);
+  assert.ok(fitter.solve().knots.length > 0);
+});
+
+test("a fitter that was disposed of says so, twice if need be", async () => {
+  const fitter = new SparseFitter(POINTS, OPTIONS);
+  fitter.dispose();
+  fitter.dispose();
+  fitter[Symbol.dispose]();
+  assert.throws(() => fitter.solve(), { name: "ExplineError", code: "E_DISPOSED" });
+  await assert.rejects(fitter.solveAsync(), { code: "E_DISPOSED" });
+});
+
+test("a forged fitter is refused", () => {
+  const { solve, dispose } = SparseFitter.prototype;
+  for (const forged of [{}, null, HermiteCurve.through([0, 0, 1, 1]), new Proxy(new SparseFitter(POINTS), {})]) {
+    assert.throws(() => solve.call(forged as never), { code: "E_TYPE", arg: "this" });
+    assert.throws(() => dispose.call(forged as never), { code: "E_TYPE", arg: "this" });
+  }
+});
+
+test("solves of a fitter agree with fits from nothing, whatever came before", () => {
+  using fitter = new SparseFitter(POINTS, { degree: 3, finish: "none" });
+  for (const smoothing of [0.3, 0.31, 0.5, 0.2, 0.9, 0.3]) {
+    const [warm, cold] = [fitter.solve({ smoothing }), fitSparse(POINTS, { degree: 3, finish: "none", smoothing })];
+    assert.ok(Math.abs(warm.objective / cold.objective - 1) <= 3e-6, `${warm.objective} and ${cold.objective} at ${smoothing}`);
+    assert.ok(warm.gap <= 1e-6 && cold.gap <= 1e-6);
+  }
+});
+
+test("a deadline gives the best so far, which says so", () => {
+  const fit = fitSparse(noisyCircle(100_000, 0.01, 2), { smoothing: 0.3, deadline: 0 });
+  assert.equal(fit.status, "deadline");
+  assert.ok([fit.maxError, fit.qfe, fit.gap, ...fit.curve.sample(100)].every(Number.isFinite));
+});
+
+test("many fits, and fitters that nobody disposes of, leave no memory behind", () => {
+  const before = process.memoryUsage().rss;
+  for (let i = 0; i < 300; i += 1) fitSparse(POINTS, { smoothing: 0.5, degree: 1 });
+  const grown = (process.memoryUsage().rss - before) / 1e6;
+  assert.ok(grown < 150, `${grown} MB`);
+});

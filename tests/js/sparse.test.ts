@@ -1,0 +1,104 @@
+// The certified optima of the sparse problems, through the JavaScript interface.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+
+import { fitSparse } from "expline";
+
+/** What is promised of the objective; the reference is good to 1e-9 where a conic solver made it. */
+const OBJECTIVE = 1e-7;
+const QFE = 1e-3;
+/** Relative gap asked for and certified: one degree, two degrees. */
+const GAP = 1e-8;
+const HYBRID_GAP = 1e-6;
+/** Distance of the curve from the reference, in the unit of the points, whose outlines are some hundreds across. */
+const CURVE = 1e-3;
+
+interface GridCase {
+  name: string;
+  source: string;
+  closed: boolean;
+  norm: "l1" | "l2";
+  degrees: number[];
+  lambdas: number[];
+  grid: number[];
+  objective: number;
+  qfe: number;
+  knots: number[][];
+  curve_t: number[];
+  curve_xy: number[];
+  loose: number[][];
+}
+interface Golden {
+  sets: Record<string, number[]>;
+  cases: GridCase[];
+}
+
+const golden = JSON.parse(readFileSync("tests/golden/sparse/grid.json", "utf8")) as Golden;
+
+/** One number for one degree, a pair for two. */
+function each(values: readonly number[]): number | [number, number] {
+  const [first = 0, second] = values;
+  return second === undefined ? first : [first, second];
+}
+
+for (const c of golden.cases) {
+  test(`${c.name}: objective, error, knots and curve of the certified optimum`, (t) => {
+    const points = Float64Array.from(golden.sets[c.source] ?? []);
+    const asked = c.degrees.length > 1 ? HYBRID_GAP : GAP;
+    const [gridSize] = c.grid;
+    assert.ok(gridSize !== undefined && c.grid.every((size) => size === gridSize), "one grid for all degrees");
+    const fit = fitSparse(points, {
+      ...{ degree: each(c.degrees), lambda: each(c.lambdas), gridSize, closed: c.closed, norm: c.norm },
+      ...{ gap: asked / 2, finish: "none" },
+    });
+    assert.equal(fit.status, "converged");
+    assert.ok(fit.gap <= asked, `certified gap ${fit.gap}`);
+    const off = Math.abs(fit.objective / c.objective - 1);
+    assert.ok(off <= OBJECTIVE, `objective off by ${off}`);
+    assert.ok(Math.abs(fit.qfe / c.qfe - 1) <= QFE, `QFE ${fit.qfe} for ${c.qfe}`);
+    assert.deepEqual(fit.lambda, c.lambdas);
+
+    // The curve's parameter counts from its first knot, that of the data from the first point.
+    const [shift = 0] = fit.parameters;
+    const period = c.closed ? points.length / 2 : Infinity;
+    if (c.loose.length === 0) {
+      c.degrees.forEach((degree, i) => {
+        const places = fit.knots.filter((knot) => knot.degree === degree).map(({ t: at }) => (at - shift + (at < shift - 1e-9 ? period : 0)) % period);
+        const found = places.map((at) => (Math.abs(at - period) < 1e-6 ? 0 : at)).sort((a, b) => a - b);
+        const expected = [...(c.knots[i] ?? [])].sort((a, b) => a - b);
+        assert.equal(found.length, expected.length, `${found.length} knots of degree ${degree} for ${expected.length}`);
+        found.forEach((at, k) => assert.ok(Math.abs(at - (expected[k] ?? Infinity)) < 1e-6, `knot ${at} for ${expected[k]}`));
+      });
+    }
+    c.curve_t.forEach((at, i) => {
+      const [x = 0, y = 0] = fit.curve.evaluate(at + shift);
+      const distance = Math.hypot(x - (c.curve_xy[2 * i] ?? 0), y - (c.curve_xy[2 * i + 1] ?? 0));
+      assert.ok(distance <= CURVE, `the curve is ${distance} off at ${at}`);
+    });
+    t.diagnostic(`${c.name}: objective off by ${off.toExponential(0)}, gap ${fit.gap.toExponential(0)}, ${fit.iterations} iterations`);
+  });
+}
+
+interface ContinuousCase {
+  name: string;
+  source: string;
+  closed: boolean;
+  degree: number;
+  lam: number;
+  upper: number;
+  knots: number[];
+}
+
+test("knots that slide reach the optimum without a grid", (t) => {
+  const cases = JSON.parse(readFileSync("tests/golden/sparse/continuous.json", "utf8")) as ContinuousCase[];
+  for (const c of cases) {
+    const points = Float64Array.from(golden.sets[c.source] ?? []);
+    const fit = fitSparse(points, { degree: c.degree, lambda: c.lam, closed: c.closed, gap: 1e-7, finish: "gridless" });
+    assert.ok(fit.gap <= 1e-4, `${c.name}: certified gap ${fit.gap}`);
+    assert.ok(fit.objective <= c.upper * (1 + 1e-4), `${c.name}: objective ${fit.objective} for ${c.upper}`);
+    assert.ok(Math.abs(fit.knots.length - c.knots.length) <= 1, `${c.name}: ${fit.knots.length} knots for ${c.knots.length}`);
+    t.diagnostic(`${c.name}: ${fit.knots.length} knots, gap ${fit.gap.toExponential(0)}`);
+  }
+});

@@ -1,0 +1,139 @@
+/** The wasm of fitting: started when something is fitted for the first time, replaced when it dies. */
+import type { InitOutput } from "../build/bindings/expline_fit.js";
+import { wasmAddress, wasmBytes } from "../build/bindings/fit-bytes.js";
+import { type Engine, type InitOptions, begin, beginSync, callOf, instanceOf, peekOf, resultOf, writeTo } from "./core.js";
+
+/** The functions of the wasm that the package calls. @internal */
+export type FitKernel = InitOutput;
+
+/** The engine of fitting. @internal */
+export const fits: Engine<FitKernel> = { op: "initFit", mark: "fit_open", bytes: wasmBytes, address: wasmAddress };
+
+/**
+ * Loads the engine for fitting early, or from elsewhere. Not needed before the first fit: without it the wasm inside the package is
+ * compiled when it is first used. `expline/slim` needs it before `fitSparse`; `fitSparseAsync` waits for it by itself.
+ *
+ * @throws {ExplineError} E_INIT with `reason` csp, network, mime, compile, version, memory or unsupported.
+ */
+export function initFit(options?: InitOptions): Promise<void> {
+  return begin(fits, options);
+}
+
+/** Starts the engine for fitting from bytes or from a module, without waiting; changes nothing where one runs already. */
+export function initFitSync(options: { bytes: BufferSource } | { module: WebAssembly.Module }): void {
+  beginSync(fits, "initFitSync", options);
+}
+
+/** Where a fit is: the instance, and its number there. */
+interface Place {
+  readonly instance: object;
+  readonly number: number;
+}
+
+/** Closes what was forgotten without `dispose`: the memory of an instance is not seen by the collector. */
+const forgotten: FinalizationRegistry<Place> | undefined =
+  typeof FinalizationRegistry === "function" ? new FinalizationRegistry((place: Place) => closeAt(place)) : undefined;
+
+function closeAt({ instance, number }: Place): void {
+  // A dead instance has taken its fits along; a new one has other fits under the same numbers.
+  if (fits.current === instance) callOf(fits, "dispose", (kernel) => kernel.fit_close(number));
+}
+
+/** How far a run is. @internal */
+export interface Step {
+  readonly done: boolean;
+  readonly iteration: number;
+  readonly gap: number;
+}
+
+/** What is asked for, as the kernel numbers it. @internal */
+export const enum Asked {
+  Noise,
+  Lambda,
+  Smoothing,
+  Tolerance,
+}
+
+/** What a run is asked for: up to two numbers. @internal */
+export interface Question {
+  readonly kind: Asked;
+  readonly first: number;
+  readonly second: number;
+  /** How many degrees the fit has. */
+  readonly degrees: number;
+}
+
+/**
+ * A fit in the engine: its data are kept here, so that an instance that dies takes nothing along. A run that was under way in it
+ * begins anew.
+ * @internal
+ */
+export class Resident {
+  readonly #input: readonly Float64Array[];
+  readonly #key = {};
+  #place: Place | undefined;
+  #question: Question | undefined;
+
+  /** `input`: a record of options, points, parameters, weights. */
+  constructor(op: string, input: readonly Float64Array[]) {
+    this.#input = input;
+    this.#open(op);
+  }
+
+  #open(op: string): number {
+    const instance = instanceOf(fits);
+    writeTo(fits, op, ...this.#input);
+    const total = this.#input.reduce((sum, array) => sum + array.length, 0);
+    const number = callOf(fits, op, (kernel) => kernel.fit_open(total), this.#input[1]);
+    this.#place = { instance, number };
+    forgotten?.register(this, this.#place, this.#key);
+    return number;
+  }
+
+  /** The number in the living instance; opened again, with what was asked, where that is a new one. */
+  #number(op: string): number {
+    const place = this.#place;
+    if (place !== undefined && place.instance === fits.current) return place.number;
+    if (place !== undefined) forgotten?.unregister(this.#key);
+    const number = this.#open(op);
+    const question = this.#question;
+    if (question !== undefined) this.#put(op, number, question);
+    return number;
+  }
+
+  #put(op: string, number: number, { kind, first, second, degrees }: Question): void {
+    callOf(fits, op, (kernel) => kernel.fit_ask(number, kind, first, second, degrees));
+  }
+
+  /** Starts a run, from where the last one ended. */
+  ask(op: string, question: Question): void {
+    const number = this.#number(op);
+    this.#question = undefined;
+    this.#put(op, number, question);
+    this.#question = question;
+  }
+
+  /** Goes on for about so many microseconds. */
+  step(op: string, budget: number): Step {
+    const number = this.#number(op);
+    const done = callOf(fits, op, (kernel) => kernel.fit_step(number, budget)) === 1;
+    const instance = instanceOf(fits);
+    return { done, iteration: resultOf(instance, 0), gap: resultOf(instance, 1) };
+  }
+
+  /** The best that the run has found, as the kernel describes it: valid until the next call. */
+  describe(op: string): Float64Array {
+    const number = this.#number(op);
+    const count = callOf(fits, op, (kernel) => kernel.fit_describe(number));
+    return peekOf(instanceOf(fits), count);
+  }
+
+  /** Gives the memory back; a second call does nothing. */
+  close(): void {
+    const place = this.#place;
+    if (place === undefined) return;
+    this.#place = undefined;
+    forgotten?.unregister(this.#key);
+    closeAt(place);
+  }
+}

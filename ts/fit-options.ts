@@ -1,0 +1,205 @@
+/** What can be asked of a fit, checked and written down as the engine reads it. */
+import { count, finite, flag, integer, numbers, options as checkOptions, points as checkPoints, word, wrong, wrongLength } from "./core.js";
+import { Asked, type Question } from "./fit-engine.js";
+
+/** How far a fit has come. */
+export interface FitProgress {
+  /** Steps of the solver so far. */
+  iteration: number;
+  /** The relative duality gap that is certified by now. */
+  gap: number;
+}
+
+/** How strongly a fit is simplified: one of the three, or none, and the noise of the data decides. */
+export interface SparseFitStrength {
+  /** The λ of the papers, in the unit of the data: one for each degree. */
+  lambda?: number | readonly [number, number] | undefined;
+  /** Instead of lambda: 0 … 1, the same meaning for any size of picture and any number of points. */
+  smoothing?: number | undefined;
+  /** Instead of lambda: the fewest knots whose curve is nowhere farther than this from a point. */
+  tolerance?: number | undefined;
+}
+
+/** What {@link fitSparse} can be told. */
+export interface SparseFitOptions extends SparseFitStrength {
+  /** 1 to 5; a pair fits the sum of two splines, straight pieces with corners and smooth ones. Default [1, 3]. */
+  degree?: number | readonly [number, number] | undefined;
+  /** Of a pair of degrees with `smoothing` or `tolerance`: 0 prefers straight pieces, 1 smooth ones. Default 0.5. */
+  mix?: number | undefined;
+  /** Places where knots may begin, N. Default: the number of points, at most 2000 for degrees above 1. */
+  gridSize?: number | undefined;
+  /** "l2", the default, does not see how the picture is turned; "l1" treats x and y apart. */
+  norm?: "l2" | "l1" | undefined;
+  /** Whether the last point is followed by the first. Default true. */
+  closed?: boolean | undefined;
+  /** Whether sharp corners of the data are kept as they are. Default true. */
+  corners?: boolean | undefined;
+  /** Whether points far off the curve count for little: they are named in `outliers`. Default false. */
+  robust?: boolean | undefined;
+  /** Standard deviation of the noise, in the unit of the points. Default: estimated from them. */
+  noise?: number | undefined;
+  /**
+   * What is made of the optimum: "none" leaves it as it is, on its grid; "gridless" joins neighbouring knots and moves them between the places
+   * of the grid, to the optimum that no grid limits; "full", the default, also takes the bias out and drops knots that the error allows.
+   */
+  finish?: "none" | "gridless" | "full" | undefined;
+  /** Increasing parameters of the points, one each. Default: as long as the way between them. */
+  parameters?: Float64Array | readonly number[] | undefined;
+  /** Length of the parameter's period of a closed fit with `parameters`; beyond the last of them. */
+  period?: number | undefined;
+  /** How much each point counts, one positive number each. Default: all the same. */
+  weights?: Float64Array | readonly number[] | undefined;
+  /** Relative duality gap at which to stop. Default 1e-6. */
+  gap?: number | undefined;
+  /** Steps of the solver at most. Default 2000. */
+  maxIterations?: number | undefined;
+  /** Milliseconds after which the best that was found so far is given, with status "deadline". Default: none. */
+  deadline?: number | undefined;
+  /** Ends the work: E_CANCELLED. A synchronous fit looks at it once, before it begins. */
+  signal?: AbortSignal | undefined;
+  /** Told how far the work is. What it throws ends the fit and reaches the caller as it is. */
+  onProgress?: ((progress: FitProgress) => void) | undefined;
+}
+
+/** The most points that one fit takes. */
+const MAX_SAMPLES = 200_000;
+/** The most places where knots may begin. */
+const MAX_GRID = 65_536;
+const MAX_LAMBDA = 1e12;
+const MAX_ITERATIONS = 100_000;
+
+const FINISHES = ["none", "gridless", "full"] as const;
+const STRENGTHS = ["lambda", "smoothing", "tolerance"] as const;
+const RUNNING = ["signal", "onProgress"] as const;
+const NAMES = [
+  ...["degree", "mix", "gridSize", "norm", "closed", "corners", "robust", "finish", "noise", "parameters", "period", "weights"] as const,
+  ...["gap", "maxIterations", "deadline"] as const,
+  ...STRENGTHS,
+  ...RUNNING,
+] as const;
+
+/** How a run is watched and stopped. @internal */
+export interface Watch {
+  readonly signal: AbortSignal | undefined;
+  readonly onProgress: ((progress: FitProgress) => void) | undefined;
+}
+
+/** A fit as the engine is told of it. @internal */
+export interface Order extends Watch {
+  /** Options in a fixed order, then points, parameters, weights. */
+  readonly input: readonly Float64Array[];
+  readonly question: Question;
+  readonly degrees: readonly number[];
+  readonly deadline: number | undefined;
+}
+
+/** All checks of a fit's arguments that need no arithmetic. @internal */
+export function order(op: string, points: unknown, options: unknown): Order {
+  const own = checkOptions(op, options, NAMES);
+  const degrees = degreesOf(op, own.degree);
+  const given = checkPoints(op, "points", points, MAX_SAMPLES, 2, "maxFitSamples");
+  const size = given.length / 2;
+  const parameters = perPoint(op, "parameters", own.parameters, size);
+  const weights = perPoint(op, "weights", own.weights, size);
+  const optional = (value: unknown, name: string, least: number, most: number): number =>
+    value === undefined ? -1 : within(op, name, value, least, most);
+  const record = Float64Array.of(
+    size,
+    degrees.length,
+    degrees[0] ?? 0,
+    degrees[1] ?? 0,
+    own.gridSize === undefined ? -1 : count(op, "gridSize", own.gridSize, 1, "maxKnotGrid", MAX_GRID),
+    own.norm === undefined || word(op, "norm", own.norm, ["l2", "l1"]) === "l2" ? 0 : 1,
+    flag(op, "closed", own.closed, true) ? 1 : 0,
+    flag(op, "corners", own.corners, true) ? 1 : 0,
+    flag(op, "robust", own.robust, false) ? 1 : 0,
+    own.finish === undefined ? 2 : FINISHES.indexOf(word(op, "finish", own.finish, FINISHES)),
+    optional(own.gap, "gap", 0, 1),
+    own.maxIterations === undefined ? -1 : integer(op, "maxIterations", own.maxIterations, 0, MAX_ITERATIONS),
+    optional(own.mix, "mix", 0, 1),
+    optional(own.period, "period", 0, Infinity),
+    optional(own.noise, "noise", 0, 1e9),
+    parameters.length,
+    weights.length,
+    0,
+  );
+  return {
+    input: [record, given, parameters, weights],
+    question: question(op, own, degrees.length),
+    degrees,
+    deadline: own.deadline === undefined ? undefined : within(op, "deadline", own.deadline, 0, Infinity),
+    ...watch(op, own),
+  };
+}
+
+/** Who watches a run. @internal */
+export function watch(op: string, own: { readonly signal?: unknown; readonly onProgress?: unknown }): Watch {
+  const { signal, onProgress } = own;
+  if (signal !== undefined && !isSignal(signal)) throw wrong("E_TYPE", op, "signal", signal, "AbortSignal");
+  if (onProgress !== undefined && typeof onProgress !== "function") throw wrong("E_TYPE", op, "onProgress", onProgress, "a function");
+  return { signal, onProgress: onProgress as Watch["onProgress"] };
+}
+
+/** A change of a fitter's strength, and who watches. @internal */
+export function change(op: string, given: unknown, degrees: number): { question: Question | undefined } & Watch {
+  const own = checkOptions(op, given, [...STRENGTHS, ...RUNNING]);
+  const asked = STRENGTHS.some((name) => own[name] !== undefined);
+  return { question: asked ? question(op, own, degrees) : undefined, ...watch(op, own) };
+}
+
+function isSignal(value: unknown): value is AbortSignal {
+  return typeof value === "object" && value !== null && typeof (value as { aborted?: unknown }).aborted === "boolean";
+}
+
+function within(op: string, name: string, value: unknown, least: number, most: number): number {
+  const number = finite(op, name, value);
+  const bound = most === Infinity ? `a number >= ${least}` : `a number in [${least}, ${most === MAX_LAMBDA ? "1e12" : most}]`;
+  if (!(number >= least && number <= most)) throw wrong("E_RANGE", op, name, number, bound);
+  return number;
+}
+
+function degreesOf(op: string, value: unknown): readonly number[] {
+  if (value === undefined) return [1, 3];
+  if (!Array.isArray(value)) return [integer(op, "degree", value, 1, 5)];
+  const list = value as readonly unknown[];
+  if (list.length !== 2) throw wrongLength(op, "degree", list.length, "2");
+  const [first, second] = list.map((degree) => integer(op, "degree", degree, 1, 5)) as [number, number];
+  if (first >= second) throw wrong("E_RANGE", op, "degree", second, `more than ${first}`, 1);
+  return [first, second];
+}
+
+function perPoint(op: string, name: string, value: unknown, size: number): Float64Array {
+  if (value === undefined) return new Float64Array(0);
+  const given = numbers(op, name, value, "maxFitSamples", MAX_SAMPLES);
+  if (given.length !== size) throw wrongLength(op, name, given.length, `${size}, one for each point`);
+  given.forEach((number, i) => {
+    if (!Number.isFinite(number)) throw wrong("E_NOT_FINITE", op, name, number, "a finite number", i);
+    if (name === "weights" && !(number > 0 && number <= 1e9)) throw wrong("E_RANGE", op, name, number, "a number in (0, 1e9]", i);
+  });
+  return given;
+}
+
+function question(op: string, own: { readonly [name in (typeof STRENGTHS)[number]]?: unknown }, degrees: number): Question {
+  const [name, more] = STRENGTHS.filter((each) => own[each] !== undefined);
+  if (more !== undefined) throw wrong("E_TYPE", op, more, "given", `one of ${STRENGTHS.join(", ")}, not ${String(name)} as well`);
+  switch (name) {
+    case "smoothing":
+      return { kind: Asked.Smoothing, first: within(op, name, own.smoothing, 0, 1), second: 0, degrees };
+    case "tolerance":
+      return { kind: Asked.Tolerance, first: within(op, name, own.tolerance, 0, 1e9), second: 0, degrees };
+    case "lambda":
+      return lambdas(op, own.lambda, degrees);
+    default:
+      return { kind: Asked.Noise, first: 0, second: 0, degrees };
+  }
+}
+
+function lambdas(op: string, value: unknown, degrees: number): Question {
+  const list: readonly unknown[] = Array.isArray(value) ? value : [value];
+  const all = list.map((lambda) => within(op, "lambda", lambda, 0, MAX_LAMBDA));
+  if (all.length !== degrees) throw wrongLength(op, "lambda", all.length, `${degrees}, one for each degree`);
+  const [first = 0, second = 0] = all;
+  if (degrees === 2 && first + second === 0) throw wrong("E_RANGE", op, "lambda", 0, "at least one of them > 0");
+  return { kind: Asked.Lambda, first, second, degrees };
+}
+

@@ -1,0 +1,116 @@
+/** What a fit gives, read from what the engine leaves. */
+import { type Curve, type HermiteCurve, curveOf, curvesIn } from "./core.js";
+
+/** A place where the spline's derivative of order `degree` jumps. */
+export interface SparseKnot {
+  /** Parameter of the curve. */
+  t: number;
+  x: number;
+  y: number;
+  /** Degree of the component that it belongs to: 1 is a corner. Two components may have a knot at the same t. */
+  degree: number;
+  /** By how much the derivative of that order jumps. */
+  jump: [number, number];
+}
+
+/** How a fit ended; none of these is an error. */
+export type FitStatus =
+  /** The gap that was asked for is certified. */
+  | "converged"
+  /** `maxIterations` came first. */
+  | "max_iterations"
+  /** Rounding allows no smaller gap; `gap` is what is certified. */
+  | "stalled"
+  /** `deadline` came first. */
+  | "deadline";
+
+/** A curve through noisy points with few knots, and what is proved about it. */
+export interface SparseFit {
+  /** The spline itself, exact. */
+  curve: Curve;
+  /** Each component as a curve of its own; their sum is `curve`. One where there is one degree. */
+  parts: Curve[];
+  /** B-spline coefficients of each component on its knots, x and y in turn. */
+  coefficients: Float64Array[];
+  /** Where the components change, in the order of t. */
+  knots: SparseKnot[];
+  /** The parameter of `curve` that each point belongs to. */
+  parameters: Float64Array;
+  /** What was minimised: `dataTerm` + Σ λ·`regularizer`. */
+  objective: number;
+  /** Sum of the weighted squares of the distances, of the optimum before it was made shorter. */
+  dataTerm: number;
+  /** Σ λ·|jump|. */
+  regularizer: number;
+  /**
+   * The relative duality gap that is certified for the optimum before it was made shorter. 1, the gap to nothing at all, where no λ was
+   * involved: with a tolerance or without any strength, `maxError` is what is proved.
+   */
+  gap: number;
+  /** Mean square of the distances between the points and their places on `curve`. */
+  qfe: number;
+  /** No point is farther from the curve than this: proved. */
+  maxError: number;
+  /** Root of the mean square of the distances between points and curve. */
+  rms: number;
+  /** How far `curve` may be from the spline: 0 up to degree 3. */
+  deviation: number;
+  /** Steps of the solver. */
+  iterations: number;
+  /** One for each degree; none where no λ was involved. */
+  lambda: number[];
+  /** The `smoothing` that means the same λ, where there is one. */
+  smoothing?: number;
+  /** Standard deviation of the noise, estimated from the points. */
+  sigma: number;
+  /** Indices of the points whose distance cannot be noise, with `robust`. */
+  outliers: number[];
+  status: FitStatus;
+}
+
+const STATUSES: readonly FitStatus[] = ["converged", "max_iterations", "stalled"];
+
+/** Numbers of one knot. */
+const KNOT = 6;
+
+/** Reads a fit: sections, each with its length in front. @internal */
+export function readFit(numbers: Float64Array, late: boolean): SparseFit {
+  let at = 0;
+  const section = (): Float64Array<ArrayBuffer> => {
+    const length = numbers[at] ?? 0;
+    const values = numbers.slice(at + 1, at + 1 + length);
+    at += 1 + length;
+    return values;
+  };
+  const [components = 1, objective = 0, dataTerm = 0, regularizer = 0, gap = 1, qfe = 0, maxError = 0, ...rest] = section();
+  const [rms = 0, iterations = 0, status = 0, smoothing = -1, sigma = 0, deviation = 0] = rest;
+  const lambda = Array.from(section());
+  const curve = curveFrom(section());
+  const parts: Curve[] = [];
+  const coefficients: Float64Array[] = [];
+  for (let i = 0; i < components; i += 1) {
+    parts.push(curveFrom(section()));
+    coefficients.push(section());
+  }
+  const knots = knotsFrom(section());
+  const parameters = section();
+  const outliers = Array.from(section());
+  return {
+    ...{ curve, parts, coefficients, knots, parameters, outliers, objective, dataTerm, regularizer, gap, qfe, maxError, rms, deviation, iterations, lambda },
+    ...(smoothing < 0 ? {} : { smoothing }),
+    sigma,
+    status: late ? "deadline" : (STATUSES[status] ?? "stalled"),
+  };
+}
+
+function curveFrom(numbers: Float64Array): HermiteCurve {
+  const [data] = curvesIn(numbers);
+  return curveOf(data as NonNullable<typeof data>);
+}
+
+function knotsFrom(numbers: Float64Array): SparseKnot[] {
+  return Array.from({ length: numbers.length / KNOT }, (_, i) => {
+    const [t = 0, x = 0, y = 0, degree = 0, dx = 0, dy = 0] = numbers.subarray(KNOT * i, KNOT * i + KNOT);
+    return { t, x, y, degree, jump: [dx, dy] };
+  });
+}

@@ -1,0 +1,188 @@
+/** Sparse curves through noisy points: all at once, in short tasks, or again and again for a slider. */
+import { ExplineError, type PointsLike, wrong } from "./core.js";
+import { Resident, initFit } from "./fit-engine.js";
+import { type FitProgress, type Order, type SparseFitOptions, type SparseFitStrength, type Watch, change, order } from "./fit-options.js";
+import { type SparseFit, readFit } from "./fit-result.js";
+import { checkSignal, nextTurn } from "./yielding.js";
+
+export { initFit, initFitSync } from "./fit-engine.js";
+export type { FitProgress, SparseFitOptions, SparseFitStrength } from "./fit-options.js";
+export type { FitStatus, SparseFit, SparseKnot } from "./fit-result.js";
+
+/** Work of one call into the engine, in microseconds or so. */
+const BUDGET = 4000;
+/** A task of an asynchronous fit lasts about this many milliseconds, and one call more. */
+const TASK = 6;
+
+/** Steps of a run; between two of them the caller may wait, stop or be told. */
+function* steps(op: string, resident: Resident, { onProgress }: Watch, deadline: number | undefined): Generator<void, boolean> {
+  const end = deadline === undefined ? Infinity : performance.now() + deadline;
+  for (;;) {
+    const { done, iteration, gap } = resident.step(op, BUDGET);
+    onProgress?.({ iteration, gap });
+    if (done) return false;
+    if (performance.now() >= end) return true;
+    yield;
+  }
+}
+
+/** A run in one go; whether the deadline ended it. */
+function run(op: string, resident: Resident, watch: Watch, deadline: number | undefined): SparseFit {
+  const work = steps(op, resident, watch, deadline);
+  for (;;) {
+    const { done, value } = work.next();
+    if (done === true) return readFit(resident.describe(op), value);
+  }
+}
+
+/** A run in short tasks. */
+async function runAsync(op: string, resident: Resident, watch: Watch, deadline: number | undefined): Promise<SparseFit> {
+  const work = steps(op, resident, watch, deadline);
+  for (;;) {
+    const end = performance.now() + TASK;
+    while (performance.now() < end) {
+      const { done, value } = work.next();
+      if (done === true) return readFit(resident.describe(op), value);
+    }
+    await nextTurn();
+    checkSignal(op, watch.signal);
+  }
+}
+
+function begin(op: string, { input, question }: Order): Resident {
+  const resident = new Resident(op, input);
+  try {
+    resident.ask(op, question);
+  } catch (error) {
+    resident.close();
+    throw error;
+  }
+  return resident;
+}
+
+/**
+ * The spline with the fewest knots that follows noisy points: corners stay corners, smooth parts stay smooth, and the optimum comes with a
+ * certificate.
+ *
+ * Of `lambda`, `smoothing` and `tolerance` one says how much to simplify; without any, the noise of the points is estimated and taken out. The result
+ * is the same to the last bit wherever and whenever it is computed.
+ *
+ * @throws {ExplineError} E_TOO_FEW_POINTS below two points, E_DEGENERATE where all are the same, E_LIMIT above 200,000 points.
+ */
+export function fitSparse(points: PointsLike, options?: SparseFitOptions): SparseFit {
+  const op = "fitSparse";
+  const job = order(op, points, options);
+  checkSignal(op, job.signal);
+  const resident = begin(op, job);
+  try {
+    return run(op, resident, job, job.deadline);
+  } finally {
+    resident.close();
+  }
+}
+
+/**
+ * {@link fitSparse} in short tasks on the caller's own thread: a page goes on painting and answering meanwhile. In a worker it lets messages through,
+ * so that one of them can abort the signal.
+ *
+ * @throws {ExplineError} as fitSparse does, by rejecting; E_CANCELLED when the signal was aborted, within a few milliseconds.
+ */
+export async function fitSparseAsync(points: PointsLike, options?: SparseFitOptions): Promise<SparseFit> {
+  const op = "fitSparseAsync";
+  const job = order(op, points, options);
+  checkSignal(op, job.signal);
+  await initFit();
+  checkSignal(op, job.signal);
+  const resident = begin(op, job);
+  try {
+    return await runAsync(op, resident, job, job.deadline);
+  } finally {
+    resident.close();
+  }
+}
+
+/** What a fitter holds; undefined once it was disposed of. */
+interface Held {
+  readonly resident: Resident;
+  readonly job: Order;
+  busy: boolean;
+}
+
+/** What a fitter holds, and the proof that it is one. */
+let stateOf: (fitter: SparseFitter, op: string) => { held: Held | undefined };
+
+/**
+ * Fits the same points again and again, for a slider: factorisations are kept, and every solve starts where the last one ended.
+ *
+ * Solves agree with those of {@link fitSparse} within the gap that is asked for.
+ */
+export class SparseFitter {
+  readonly #state: { held: Held | undefined };
+
+  static {
+    stateOf = (fitter, op) => {
+      if (typeof fitter !== "object" || fitter === null || !(#state in fitter)) {
+        throw wrong("E_TYPE", op, "this", fitter, "SparseFitter");
+      }
+      return fitter.#state;
+    };
+  }
+
+  constructor(points: PointsLike, options?: SparseFitOptions) {
+    const op = "SparseFitter";
+    const job = order(op, points, options);
+    this.#state = { held: { resident: new Resident(op, job.input), job, busy: false } };
+  }
+
+  /** The fit for another strength; without one, for that of the constructor. */
+  solve(strength?: SparseFitStrength & { onProgress?: ((progress: FitProgress) => void) | undefined }): SparseFit {
+    const op = "solve";
+    const held = take(this, op);
+    const { question = held.job.question, ...watch } = change(op, strength, held.job.degrees.length);
+    held.busy = true;
+    try {
+      held.resident.ask(op, question);
+      return run(op, held.resident, watch.onProgress === undefined ? held.job : watch, held.job.deadline);
+    } finally {
+      held.busy = false;
+    }
+  }
+
+  /** The same in short tasks; an abort leaves the fitter as usable as it was. */
+  async solveAsync(
+    strength?: SparseFitStrength & { signal?: AbortSignal | undefined; onProgress?: ((progress: FitProgress) => void) | undefined },
+  ): Promise<SparseFit> {
+    const op = "solveAsync";
+    const held = take(this, op);
+    const { question = held.job.question, ...watch } = change(op, strength, held.job.degrees.length);
+    checkSignal(op, watch.signal);
+    held.busy = true;
+    try {
+      held.resident.ask(op, question);
+      return await runAsync(op, held.resident, watch, held.job.deadline);
+    } finally {
+      held.busy = false;
+    }
+  }
+
+  /** Gives the memory back. Using the fitter afterwards throws E_DISPOSED; disposing of it again does nothing. */
+  dispose(): void {
+    const op = "dispose";
+    const state = stateOf(this, op);
+    if (state.held?.busy === true) throw new ExplineError("E_BUSY", op, "the fitter is at work");
+    state.held?.resident.close();
+    state.held = undefined;
+  }
+
+  [Symbol.dispose](): void {
+    this.dispose();
+  }
+}
+
+/** What a fitter works with, while it has it and nothing else does. */
+function take(fitter: SparseFitter, op: string): Held {
+  const { held } = stateOf(fitter, op);
+  if (held === undefined) throw new ExplineError("E_DISPOSED", op, "the fitter was disposed of");
+  if (held.busy) throw new ExplineError("E_BUSY", op, "the fitter is at work");
+  return held;
+}
