@@ -56,31 +56,33 @@ fn parameter(axis: &Axis, i: usize, count: usize) -> f64 {
     axis.end() * (i as f64 / steps as f64)
 }
 
-/// Where each of a range of rows lies, and its weights for value and two derivatives.
+/// Where each of a range of rows lies, and the weights of its points: for value and two derivatives.
 struct Table {
     intervals: Vec<usize>,
-    weights: Vec<f64>,
+    weights: Vec<[f64; 3]>,
 }
 
 impl Table {
     fn new(axis: &Axis, range: &Range<usize>, count: usize) -> Result<Self> {
         let width = axis.width;
         let mut intervals = with_room(range.len())?;
-        let mut weights = filled(0.0, range.len().saturating_mul(3 * width))?;
-        for (i, weights) in range.clone().zip(weights.chunks_exact_mut(3 * width)) {
+        let mut weights = with_room(range.len().saturating_mul(width))?;
+        let mut of_one = [filled(0.0, width)?, filled(0.0, width)?, filled(0.0, width)?];
+        for i in range.clone() {
             let place = axis.nearest_place(parameter(axis, i % count, count));
             intervals.push(place.interval);
-            for (derivative, weights) in weights.chunks_exact_mut(width).enumerate() {
-                axis.weights(place, derivative, weights);
+            for (derivative, list) in of_one.iter_mut().enumerate() {
+                axis.weights(place, derivative, list);
             }
+            weights.extend((0..width).map(|w| [of_one[0][w], of_one[1][w], of_one[2][w]]));
         }
         Ok(Self { intervals, weights })
     }
 
     /// Interval and weights of number i of the range.
     #[inline(always)]
-    fn at(&self, i: usize, width: usize) -> (usize, &[f64]) {
-        (self.intervals[i], &self.weights[3 * width * i..3 * width * (i + 1)])
+    fn at(&self, i: usize, width: usize) -> (usize, &[[f64; 3]]) {
+        (self.intervals[i], &self.weights[width * i..width * (i + 1)])
     }
 }
 
@@ -120,14 +122,13 @@ impl<'a> Combined<'a> {
         let (interval, weights) = self.rows.at(i, u.width);
         self.row.fill(0.0);
         self.active = false;
-        for a in 0..u.width {
+        for (a, weights) in weights.iter().enumerate() {
             let Some(position) = rows.position(u, u.row(interval + a)) else { continue };
             self.active = true;
             let points = &net[3 * columns.count * position..3 * columns.count * (position + 1)];
             for (&j, sums) in self.places.iter().zip(self.row.chunks_exact_mut(self.stride)) {
                 let Some(point) = points.get(3 * j..3 * j + 3) else { continue };
-                for (derivative, sums) in sums.chunks_exact_mut(3).enumerate() {
-                    let weight = weights[derivative * u.width + a];
+                for (weight, sums) in weights.iter().zip(sums.chunks_exact_mut(3)) {
                     for (sum, number) in sums.iter_mut().zip(point) {
                         *sum += weight * number;
                     }
@@ -136,34 +137,37 @@ impl<'a> Combined<'a> {
         }
     }
 
-    /// The part of the row that weighs on column c of the region, with the weights of value and derivatives.
+    /// The part of the row that weighs on column c of the region, with the weights.
     #[inline(always)]
-    fn column(&self, c: usize) -> (&[f64], [&[f64]; 3]) {
+    fn column(&self, c: usize) -> (&[f64], &[[f64; 3]]) {
         let width = self.layer.v.width;
         let (interval, weights) = self.columns.at(c, width);
-        let (value, rest) = weights.split_at(width);
-        let (first, second) = rest.split_at(width);
-        (&self.row[self.stride * interval..self.stride * (interval + width)], [value, first, second])
+        (&self.row[self.stride * interval..self.stride * (interval + width)], weights)
     }
 
-    /// Adds position and ∂ᵤ, and ∂ᵥ, at column c. Fixed lengths let the compiler take two numbers at a time.
+    /// Adds position, ∂ᵤ and ∂ᵥ at column c. One number at a time, written out: this is where the time goes.
     #[inline(always)]
-    fn add_tangents(&self, c: usize, along: &mut [f64; 6], across: &mut [f64; 3]) {
-        let (points, [value, first, _]) = self.column(c);
-        for ((point, w0), w1) in points.as_chunks::<6>().0.iter().zip(value).zip(first) {
-            for (sum, number) in along.iter_mut().zip(point) {
-                *sum += w0 * number;
-            }
-            for (sum, number) in across.iter_mut().zip(point) {
-                *sum += w1 * number;
-            }
+    fn add_tangents(&self, c: usize, sums: &mut [f64; 9]) {
+        let (points, weights) = self.column(c);
+        let [mut x, mut y, mut z, mut ux, mut uy, mut uz, mut vx, mut vy, mut vz] = *sums;
+        for (&[px, py, pz, qx, qy, qz], &[w, dw, _]) in points.as_chunks::<6>().0.iter().zip(weights) {
+            x += w * px;
+            y += w * py;
+            z += w * pz;
+            ux += w * qx;
+            uy += w * qy;
+            uz += w * qz;
+            vx += dw * px;
+            vy += dw * py;
+            vz += dw * pz;
         }
+        *sums = [x, y, z, ux, uy, uz, vx, vy, vz];
     }
 
     /// Adds ∂ᵤ, ∂ᵥ, ∂ᵤᵤ, ∂ᵤᵥ and ∂ᵥᵥ at column c.
     fn add_jet(&self, c: usize, jet: &mut Jet) {
-        let (points, [value, first, second]) = self.column(c);
-        for (((point, &w0), &w1), &w2) in points.chunks_exact(9).zip(value).zip(first).zip(second) {
+        let (points, weights) = self.column(c);
+        for (point, &[w0, w1, w2]) in points.chunks_exact(9).zip(weights) {
             let [p, by_u, by_uu] = [0, 3, 6].map(|k| Vector3::new(point[k], point[k + 1], point[k + 2]));
             jet.u += by_u * w0;
             jet.v += p * w1;
@@ -252,25 +256,26 @@ impl TensorSurface {
         let size = self.size();
         let doubtful = (DOUBTFUL * size * size) * (DOUBTFUL * size * size);
         let (mut scratch, mut without) = (Scratch::default(), 0);
-        let line = 3 * region.cols.len();
-        let rows = positions.chunks_exact_mut(line).zip(normals.chunks_exact_mut(line));
-        for (i, (positions, normals)) in rows.enumerate() {
+        for i in 0..region.rows.len() {
             for layer in &mut layers {
                 layer.prepare(i);
             }
-            let vertices = positions.chunks_exact_mut(3).zip(normals.chunks_exact_mut(3));
-            for (j, (position, normal)) in vertices.enumerate() {
-                let (mut along, mut across) = ([0.0; 6], [0.0; 3]);
-                for layer in layers.iter().filter(|layer| layer.active) {
-                    layer.add_tangents(j, &mut along, &mut across);
+            for j in 0..region.cols.len() {
+                let mut sums = [0.0; 9];
+                for layer in &layers {
+                    if layer.active {
+                        layer.add_tangents(j, &mut sums);
+                    }
                 }
-                let ([x, y, z, a, b, c], [d, e, f]) = (along, across);
-                position.copy_from_slice(&[x, y, z]);
-                let cross = [b * f - c * e, c * d - a * f, a * e - b * d];
-                let square = cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2];
+                let [x, y, z, a, b, c, d, e, f] = sums;
+                let (p, q, r) = (b * f - c * e, c * d - a * f, a * e - b * d);
+                let square = p * p + q * q + r * r;
+                let at = 3 * (i * region.cols.len() + j);
+                let (position, normal) = (&mut positions[at..at + 3], &mut normals[at..at + 3]);
+                (position[0], position[1], position[2]) = (x, y, z);
                 if square > doubtful {
                     let scale = 1.0 / square.sqrt();
-                    normal.copy_from_slice(&[cross[0] * scale, cross[1] * scale, cross[2] * scale]);
+                    (normal[0], normal[1], normal[2]) = (p * scale, q * scale, r * scale);
                 } else {
                     let (u, v) = self.vertex(grid, region.rows.start + i, region.cols.start + j);
                     let limit = self.normal_at(u, v, size, &mut scratch);
