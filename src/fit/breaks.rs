@@ -25,6 +25,8 @@ pub struct Breaks {
     pub multiplicity: Vec<usize>,
     /// How often a knot may count at most; the degree allows corners.
     pub sharpest: usize,
+    /// How often a knot counts at least.
+    pub smoothest: usize,
 }
 
 impl Breaks {
@@ -33,7 +35,7 @@ impl Breaks {
         let steps = if closed { count } else { count + 1 };
         let shift = if closed { 0.5 } else { 1.0 };
         let at = (0..count).map(|i| (i as f64 + shift) * end / steps as f64).collect();
-        Self { degree, closed, end, at, multiplicity: vec![1; count], sharpest: degree }
+        Self { degree, closed, end, at, multiplicity: vec![1; count], sharpest: degree, smoothest: 1 }
     }
 
     /// How many knots there are, each counted once.

@@ -19,7 +19,7 @@ impl Summand {
         let at = if closed && self.knots.is_empty() { vec![0.0] } else { self.knots.clone() };
         let multiplicity = vec![1; at.len()];
         let degree = self.degree;
-        let breaks = Breaks { degree, closed, end, at, multiplicity, sharpest: degree };
+        let breaks = Breaks { degree, closed, end, at, multiplicity, sharpest: degree, smoothest: 1 };
         let space = Space::new(breaks);
         let count = self.coefficients.len().max(1);
         // On circles the first function here starts at the first knot, there it ends its first piece.
@@ -47,8 +47,7 @@ pub(super) fn combined(parts: &[Spline]) -> Option<Spline> {
         marks.extend(breaks.at.iter().zip(&breaks.multiplicity).map(|(&t, &m)| (t, m + raise)));
     }
     marks.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut breaks =
-        Breaks { degree: highest, closed, end, at: Vec::new(), multiplicity: Vec::new(), sharpest: highest };
+    let mut breaks = Breaks::even(highest, closed, end, 0);
     for (t, m) in marks {
         match breaks.at.last() {
             Some(&last) if t - last <= 1e-12 * end => {

@@ -2,19 +2,27 @@
 
 use super::combine::{Summand, combined};
 use super::foot_points::Spline;
-use super::free_knots::Located;
+use super::free_knots::{FreeKnots, Located};
+use super::gridless::gridless;
 use super::noise::noise;
-use super::options::{Ask, Options};
+use super::options::{Ask, Finish, Options};
 use super::outcome::{Changed, Fit, FitStatus, Part};
 use super::parametrise::{Parametrisation, given, parametrise};
 use super::problem::{Component, Problem, uniform_grid};
 use super::report;
 use super::samples::Samples;
+use super::solution::Solution;
 use super::solver::{Settings, Solver, Status};
 use super::sparsest::{Aim, Plan, Sparsest};
 use crate::error::{Error, Result};
 use crate::limits::{LARGEST_COORDINATE, LARGEST_LAMBDA, check};
 use crate::numerics::Point;
+
+/// More points than this are not fitted a second time with knots that all count twice.
+const MOST_TWICE: usize = 2000;
+/// Slides of the knots off the grid, and the gap to the continuous problem at which they stop.
+const MOST_SLIDES: usize = 6;
+const GRIDLESS_GAP: f64 = 1e-5;
 
 /// How far a run has come.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,9 +40,23 @@ pub struct Progress {
 enum Run {
     Idle,
     Convex(Box<Solver>),
-    /// Two searches, by two parametrisations, of which the better will be kept.
-    Choice(Box<Sparsest>, Box<Sparsest>),
-    Search(Box<Sparsest>),
+    /// The convex problem is solved; its knots are being finished.
+    Finish(Box<Finishing>),
+    /// Searches by two parametrisations, of which the better will be kept, and then others to its end.
+    Choice(Box<[Sparsest; 2]>, Vec<Sparsest>),
+    /// The search that is going on is the last one.
+    Search(Vec<Sparsest>),
+}
+
+/// What comes after the convex problem.
+#[derive(Clone, Debug)]
+struct Finishing {
+    solver: Box<Solver>,
+    solution: Solution,
+    changes: Vec<Changed>,
+    search: Option<Sparsest>,
+    /// The curve after debiasing or pruning.
+    spline: Option<Spline>,
 }
 
 /// Fits the same points again and again: to other λ, another smoothing, another tolerance.
@@ -54,6 +76,9 @@ pub struct Fitter {
     ask: Ask,
     lambdas: Vec<f64>,
     run: Run,
+    problem: Option<Problem>,
+    /// The solver of the last λ, for the next one.
+    warm: Option<Box<Solver>>,
 }
 
 /// Fits a curve to points; see [`Fitter`] for the same in steps.
@@ -114,6 +139,8 @@ impl Fitter {
             ask: Ask::Noise,
             lambdas: Vec::new(),
             run: Run::Idle,
+            problem: None,
+            warm: None,
         })
     }
 
@@ -133,6 +160,11 @@ impl Fitter {
     ///
     /// λ not from 0 to 1e12 or not one per degree (all 0 for two), smoothing not from 0 to 1, a tolerance that is negative.
     pub fn ask(&mut self, ask: Ask) -> Result<()> {
+        match core::mem::replace(&mut self.run, Run::Idle) {
+            Run::Convex(solver) => self.warm = Some(solver),
+            Run::Finish(finishing) => self.warm = Some(finishing.solver),
+            _ => {}
+        }
         match &ask {
             Ask::Lambda(lambdas) => {
                 if lambdas.len() != self.options.degrees.len() {
@@ -159,6 +191,12 @@ impl Fitter {
                 check("tolerance", None, *tolerance, 0.0, LARGEST_COORDINATE)?;
                 self.locate(false)?;
                 self.search(Aim::Tolerance(tolerance / self.samples.scale));
+            }
+            Ask::MeanSquare(square) => {
+                check("meanSquare", None, *square, 0.0, LARGEST_COORDINATE * LARGEST_COORDINATE)?;
+                self.locate(true)?;
+                let unit = self.samples.scale * self.samples.scale;
+                self.search(Aim::Squares(square * report::weight(&self.located) / unit));
             }
             Ask::Noise => {
                 self.locate(false)?;
@@ -239,6 +277,17 @@ impl Fitter {
         };
         let lambdas: Vec<f64> =
             degrees.iter().zip(&self.lambdas).map(|(&d, l)| (l * factor(d)).min(LARGEST_LAMBDA)).collect();
+        let same = self.problem.as_ref().is_some_and(|problem| problem.parameters == self.located.parameters);
+        if let Some(mut solver) = self.warm.take()
+            && same
+        {
+            solver.set_lambdas(&lambdas)?;
+            if let Some(problem) = &mut self.problem {
+                problem.components.iter_mut().zip(&lambdas).for_each(|(c, &lambda)| c.lambda = lambda);
+            }
+            self.run = Run::Convex(solver);
+            return Ok(());
+        }
         let closed = self.samples.closed;
         let components = degrees
             .iter()
@@ -261,20 +310,32 @@ impl Fitter {
         };
         let settings = Settings { gap: self.options.gap, most_iterations: self.options.most_iterations };
         self.run = Run::Convex(Box::new(Solver::new(&problem, settings)?));
+        self.problem = Some(problem);
         Ok(())
     }
 
     fn search(&mut self, aim: Aim) {
         let degree = self.options.degrees.last().copied().unwrap_or(3);
-        let sharpest = if self.options.corners { degree } else { (degree - 1).max(1) };
-        let start = |located: &Located| {
-            let located = located.clone();
-            let plan = Plan { degree, sharpest, closed: self.samples.closed, end: self.end };
-            Box::new(Sparsest::new(located, plan, aim, self.noise))
+        let sharpest = match aim {
+            Aim::Squares(_) => 1,
+            _ if self.options.corners => degree,
+            _ => (degree - 1).max(1),
         };
+        let start = |located: &Located, smoothest: usize| {
+            let plan = Plan { degree, sharpest, smoothest, closed: self.samples.closed, end: self.end };
+            Sparsest::new(located.clone(), plan, aim, self.noise)
+        };
+        // Knots that all count twice often get by with fewer of them.
+        let mut others = Vec::new();
+        if matches!(aim, Aim::Tolerance(_)) && sharpest > 1 && self.located.points.len() <= MOST_TWICE {
+            others.push(start(&self.located, 2));
+        }
         self.run = match &self.even {
-            Some(even) => Run::Choice(start(&self.located), start(even)),
-            None => Run::Search(start(&self.located)),
+            Some(even) => Run::Choice(Box::new([start(&self.located, 1), start(even, 1)]), others),
+            None => {
+                others.push(start(&self.located, 1));
+                Run::Search(others)
+            }
         };
     }
 
@@ -302,20 +363,34 @@ impl Fitter {
             Run::Convex(solver) => {
                 done = solver.step()? != Status::Running;
                 (iteration, gap) = (solver.iterations(), solver.gap());
+                if done && self.options.finish != Finish::default() {
+                    let solver = solver.clone();
+                    self.run = Run::Finish(Box::new(self.finishing(solver)?));
+                    done = false;
+                }
             }
-            Run::Search(search) => {
-                search.step();
-                (done, iteration) = (search.is_done(), search.rounds());
+            Run::Finish(finishing) => {
+                (iteration, gap) = (finishing.solver.iterations(), finishing.solver.gap());
+                done = finishing.round();
             }
-            Run::Choice(one, other) => {
+            Run::Search(searches) => match searches.iter().position(|search| !search.is_done()) {
+                Some(next) => {
+                    searches[next].step();
+                    iteration = searches.iter().map(Sparsest::rounds).sum();
+                    done = next + 1 == searches.len() && searches[next].is_done();
+                }
+                None => done = true,
+            },
+            Run::Choice(two, others) => {
                 done = false;
-                if !one.is_thinned() {
-                    one.step();
-                } else if !other.is_thinned() {
-                    other.step();
-                } else {
-                    let better = if other.cost() <= one.cost() { other } else { one };
-                    self.run = Run::Search(better.clone());
+                match two.iter_mut().find(|search| !search.is_thinned()) {
+                    Some(search) => search.step(),
+                    None => {
+                        let better = usize::from(two[1].cost() <= two[0].cost());
+                        let mut searches = core::mem::take(others);
+                        searches.insert(0, two[better].clone());
+                        self.run = Run::Search(searches);
+                    }
                 }
             }
         }
@@ -330,8 +405,19 @@ impl Fitter {
     pub fn fit(&self) -> Result<Fit> {
         match &self.run {
             Run::Idle => Err(Error::degenerate("points", None, "nothing was asked for yet")),
-            Run::Search(search) | Run::Choice(search, _) => self.searched(search),
-            Run::Convex(solver) => self.solved(solver),
+            Run::Choice(two, _) => self.searched(&two[0]),
+            Run::Search(searches) => {
+                let mut best = &searches[0];
+                for search in &searches[1..] {
+                    let fewer = search.status() == FitStatus::Converged && search.merit() < best.merit();
+                    if fewer || best.status() != FitStatus::Converged && search.is_done() {
+                        best = search;
+                    }
+                }
+                self.searched(best)
+            }
+            Run::Convex(solver) => self.solved(solver, &solver.solution()?),
+            Run::Finish(finishing) => self.finished(finishing),
         }
     }
 
@@ -356,19 +442,83 @@ impl Fitter {
         Ok(fit)
     }
 
-    fn solved(&self, solver: &Solver) -> Result<Fit> {
-        let solution = solver.solution()?;
+    /// The summands of a solution.
+    fn summands(&self, solution: &Solution) -> Vec<Spline> {
+        let one = |(component, &degree): (&super::solution::Spline, &usize)| {
+            let (knots, coefficients) = (component.knots.clone(), component.coefficients.clone());
+            Summand { degree, knots, coefficients }.spline(self.samples.closed, self.end)
+        };
+        solution.components.iter().zip(&self.options.degrees).map(one).collect()
+    }
+
+    /// Merging and sliding at once; debiasing and pruning get ready.
+    fn finishing(&self, solver: Box<Solver>) -> Result<Finishing> {
+        let finish = self.options.finish;
+        let mut solution = solver.solution()?;
+        let mut changes = Vec::new();
+        let total = report::weight(&self.located);
+        let unit = self.samples.scale * self.samples.scale / total;
+        if let Some(problem) = self.problem.as_ref().filter(|_| finish.merge || finish.slide) {
+            let most = if finish.slide { MOST_SLIDES } else { 0 };
+            let found = gridless(problem, &solution, GRIDLESS_GAP, most)?;
+            changes.push(Changed {
+                step: if finish.slide { "slide" } else { "merge" },
+                knots: (solution.knot_count(), found.solution.knot_count()),
+                qfe: (solution.data_term * unit, found.solution.data_term * unit),
+                gap: Some(found.gap),
+            });
+            solution = found.solution;
+        }
+        let mut finishing = Finishing { solver, solution, changes, search: None, spline: None };
+        if !(finish.debias || finish.prune) {
+            return Ok(finishing);
+        }
+        let Some(mut whole) = combined(&self.summands(&finishing.solution)) else { return Ok(finishing) };
+        let breaks = &mut whole.space.breaks;
+        breaks.sharpest = if self.options.degrees.len() == 1 { 1 } else { breaks.degree };
+        let count = finishing.solution.knot_count();
+        let fitted = FreeKnots::new(breaks.clone(), &self.located);
+        let before = finishing.solution.data_term;
+        finishing.changes.push(Changed {
+            step: "debias",
+            knots: (count, breaks.len()),
+            qfe: (before * unit, fitted.squares() * unit),
+            gap: None,
+        });
+        if finish.prune {
+            let target = before.max(fitted.squares());
+            finishing.search = Some(Sparsest::pruning(self.located.clone(), breaks.clone(), target));
+        }
+        finishing.spline = Some(Spline::of(&fitted));
+        Ok(finishing)
+    }
+
+    fn finished(&self, finishing: &Finishing) -> Result<Fit> {
+        let mut fit = self.solved(&finishing.solver, &finishing.solution)?;
+        fit.changes.clone_from(&finishing.changes);
+        if let Some(gap) = finishing.changes.iter().filter_map(|change| change.gap).next_back() {
+            fit.gap = gap;
+        }
+        let (Some(spline), frame) = (&finishing.spline, self.frame()) else { return Ok(fit) };
+        let mut after = report::fit(&frame, spline, &self.located)?;
+        after.knots = report::knots(&frame, spline);
+        after.parts = vec![report::part(&frame, spline, self.samples.center)?];
+        (after.objective, after.regularizer, after.gap) = (fit.objective, fit.regularizer, fit.gap);
+        (after.lambda, after.smoothing) = (fit.lambda, fit.smoothing);
+        (after.iterations, after.status, after.changes) = (fit.iterations, fit.status, fit.changes);
+        if finishing.search.is_some() {
+            let (from, last) = (after.changes.last().map_or(0, |change| change.knots.1), after.knots.len());
+            let before = after.changes.last().map_or(after.qfe, |change| change.qfe.1);
+            let (knots, qfe) = ((from, last), (before, after.qfe));
+            after.changes.push(Changed { step: "prune", knots, qfe, gap: None });
+        }
+        Ok(after)
+    }
+
+    fn solved(&self, solver: &Solver, solution: &Solution) -> Result<Fit> {
         let frame = self.frame();
         let closed = self.samples.closed;
-        let splines: Vec<Spline> = solution
-            .components
-            .iter()
-            .zip(&self.options.degrees)
-            .map(|(component, &degree)| {
-                let (knots, coefficients) = (component.knots.clone(), component.coefficients.clone());
-                Summand { degree, knots, coefficients }.spline(closed, self.end)
-            })
-            .collect();
+        let splines = self.summands(solution);
         let Some(whole) = combined(&splines) else {
             return Err(Error::degenerate("degrees", None, "there are none"));
         };
@@ -407,6 +557,20 @@ impl Fitter {
 
     fn frame(&self) -> report::Frame<'_> {
         report::Frame { samples: &self.samples, unit: self.unit, noise: self.noise }
+    }
+}
+
+impl Finishing {
+    /// One round of pruning; answers whether there is nothing more to do.
+    fn round(&mut self) -> bool {
+        let Some(search) = &mut self.search else { return true };
+        if !search.is_done() {
+            search.step();
+        }
+        if search.is_done() {
+            self.spline = Some(search.clone().finish().spline);
+        }
+        search.is_done()
     }
 }
 

@@ -2,14 +2,15 @@
 
 mod bins;
 mod breaks;
-mod combine;
 pub mod certificate;
+mod combine;
 mod cone;
 mod dual;
 mod envelope;
 mod fitter;
 mod foot_points;
 mod free_knots;
+pub mod gridless;
 mod interval;
 mod noise;
 mod options;

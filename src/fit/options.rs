@@ -13,6 +13,8 @@ pub enum Ask {
     Smoothing(f64),
     /// The fewest knots with which no point is farther from the curve.
     Tolerance(f64),
+    /// The fewest simple knots with which the mean square of the points' distances, at their parameters, is not larger.
+    MeanSquare(f64),
     /// The fewest knots that explain the points, up to their noise.
     #[default]
     Noise,

@@ -103,7 +103,7 @@ pub(super) fn better(fitted: &FreeKnots, data: &Located, price: Price) -> Option
             return Some(trial);
         }
     }
-    for breaks in hopes(fitted.breaks(), &removals, price) {
+    for breaks in hopes(fitted.breaks(), &removals, price, 6) {
         let mut trial = FreeKnots::new(breaks, data);
         let mut damping = 1e-2;
         for _ in 0..5 {
@@ -142,7 +142,7 @@ fn sure(fitted: &FreeKnots, removals: &[Removal], price: Price) -> Vec<Change> {
         if breaks.len() > least(breaks) {
             offer(0, removal.whole - price.of(m));
         }
-        if m > 1 {
+        if m > breaks.smoothest {
             offer(m - 1, removal.one - 2.0 * price.0);
         }
         for more in 1..=breaks.sharpest.saturating_sub(m) {
@@ -169,8 +169,8 @@ fn changed(breaks: &Breaks, changes: &[Change], chosen: &[usize]) -> Breaks {
     breaks
 }
 
-/// Knots taken away or joined, the most promising first.
-pub(super) fn hopes(breaks: &Breaks, removals: &[Removal], price: Price) -> Vec<Breaks> {
+/// Knots taken away or joined, the `most` promising ones, best first.
+pub(super) fn hopes(breaks: &Breaks, removals: &[Removal], price: Price, most: usize) -> Vec<Breaks> {
     let mut found: Vec<(f64, Breaks)> = Vec::new();
     for (k, removal) in removals.iter().enumerate() {
         let cost = price.of(breaks.multiplicity[k]);
@@ -184,7 +184,7 @@ pub(super) fn hopes(breaks: &Breaks, removals: &[Removal], price: Price) -> Vec<
         }
     }
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
-    found.truncate(6);
+    found.truncate(most);
     found.into_iter().map(|(_, breaks)| breaks).collect()
 }
 

@@ -1,14 +1,15 @@
 //! From located points to the spline with the fewest knots, in steps that each take a few passes over the points.
 
 use super::bins::averages;
+use super::breaks::Breaks;
 use super::foot_points::{Distances, Spline};
 use super::free_knots::{FreeKnots, Located};
 use super::outcome::FitStatus;
 use super::search::{Price, better, hopes, least, settle, thinner};
 use super::start;
 
-/// More points than this are averaged while knots are looked for.
-const SEEN: usize = 1000;
+/// About so many averages of points are looked at while knots are looked for; half as many points more are not averaged.
+const SEEN: usize = 450;
 /// What a number of the curve costs, in units of the noise's variance.
 const PER_NUMBER: f64 = 5.0;
 /// Rounds after which growing, thinning and refining have gone on long enough.
@@ -21,6 +22,8 @@ pub(super) enum Aim {
     Noise(f64),
     /// No point may be farther away than this.
     Tolerance(f64),
+    /// The weighted sum of squares, at the points' parameters, may not be larger than this.
+    Squares(f64),
 }
 
 /// Which splines are searched.
@@ -29,6 +32,8 @@ pub(super) struct Plan {
     pub(super) degree: usize,
     /// How often a knot may count.
     pub(super) sharpest: usize,
+    /// How often a knot counts at least.
+    pub(super) smoothest: usize,
     pub(super) closed: bool,
     /// The parameter runs from 0 to here.
     pub(super) end: f64,
@@ -65,6 +70,9 @@ pub(super) struct Sparsest {
     rounds: usize,
     repairs: usize,
     at_first: usize,
+    /// How often the present price was tried again, and how many pieces there were then.
+    rounds_at_price: usize,
+    pieces_at_price: usize,
     found: Option<Found>,
 }
 
@@ -72,16 +80,51 @@ impl Sparsest {
     /// A search among the splines of a plan. `noise` is what is known of the points even where a tolerance is asked
     /// for: knots that only follow noise are then not begun with.
     pub(super) fn new(full: Located, plan: Plan, aim: Aim, noise: f64) -> Self {
-        let seen = if full.points.len() > 2 * SEEN { averages(&full, SEEN) } else { full.clone() };
+        let whole = matches!(aim, Aim::Squares(_));
+        let seen =
+            if 2 * full.points.len() > 3 * SEEN && !whole { averages(&full, SEEN) } else { full.clone() };
         let price = match aim {
             Aim::Noise(noise) => PER_NUMBER * noise * noise,
             Aim::Tolerance(tolerance) => (0.05 * tolerance * tolerance).max(PER_NUMBER * noise * noise),
+            Aim::Squares(target) => 1e-3 * target,
         };
-        let mut breaks = start::even(plan.degree, plan.closed, plan.end, seen.points.len());
+        let mut breaks = start::even(plan.degree, plan.closed, plan.end, seen.points.len(), plan.smoothest);
         breaks.sharpest = plan.sharpest;
         let fitted = FreeKnots::new(breaks, &seen);
-        let (phase, rounds, repairs, at_first) = (Phase::Grow, 0, 0, 0);
-        Self { full, seen, aim, price: Price(price), fitted, phase, rounds, repairs, at_first, found: None }
+        Self {
+            full,
+            seen,
+            aim,
+            price: Price(price),
+            fitted,
+            phase: Phase::Grow,
+            rounds: 0,
+            repairs: 0,
+            at_first: 0,
+            rounds_at_price: 0,
+            pieces_at_price: usize::MAX,
+            found: None,
+        }
+    }
+
+    /// A search for fewer knots than those of `breaks` with a sum of squares that is not larger than `target`.
+    pub(super) fn pruning(full: Located, breaks: Breaks, target: f64) -> Self {
+        let at_first = breaks.len();
+        let fitted = FreeKnots::new(breaks, &full);
+        Self {
+            seen: full.clone(),
+            full,
+            aim: Aim::Squares(target),
+            price: Price(1e-3 * target),
+            fitted,
+            phase: Phase::Thin,
+            rounds: 0,
+            repairs: 0,
+            at_first,
+            rounds_at_price: 0,
+            pieces_at_price: usize::MAX,
+            found: None,
+        }
     }
 
     /// Whether needless knots are gone, so that searches can be compared.
@@ -94,6 +137,14 @@ impl Sparsest {
         self.price.total(&self.fitted)
     }
 
+    /// How many pieces the best curve has, and how far it is from the points.
+    pub(super) fn merit(&self) -> (usize, f64) {
+        match &self.found {
+            Some(found) => (found.spline.space.breaks.pieces(), found.distances.largest),
+            None => (usize::MAX, f64::INFINITY),
+        }
+    }
+
     /// With how many knots the search began, after it had enough of them.
     pub(super) fn knots_at_first(&self) -> usize {
         self.at_first
@@ -104,6 +155,8 @@ impl Sparsest {
         let reached = match (self.aim, &self.found) {
             (Aim::Tolerance(tolerance), Some(found)) => found.distances.largest <= tolerance,
             (Aim::Tolerance(_), None) => false,
+            (Aim::Squares(target), Some(found)) => found.distances.squares <= target,
+            (Aim::Squares(_), None) => false,
             (Aim::Noise(_), _) => self.rounds <= MOST_ROUNDS,
         };
         if reached { FitStatus::Converged } else { FitStatus::Stalled }
@@ -161,6 +214,11 @@ impl Sparsest {
     fn grow(&mut self) -> Phase {
         let denser = match self.aim {
             Aim::Noise(noise) => start::denser(&self.fitted, &self.seen, 2.0 * noise * noise),
+            Aim::Squares(target) if self.fitted.squares > 0.5 * target => {
+                let count = self.seen.points.len().max(1) as f64;
+                start::denser(&self.fitted, &self.seen, 0.3 * target / count)
+            }
+            Aim::Squares(_) => None,
             Aim::Tolerance(tolerance) => {
                 let spline = Spline::of(&self.fitted);
                 spline.project(&mut self.seen, 2);
@@ -201,22 +259,31 @@ impl Sparsest {
         Found { spline, located, distances }
     }
 
+    /// How many knots are tried when fewer are hardly possible: all of them where that takes little time.
+    fn trials(&self) -> usize {
+        if self.full.points.len() <= 800 { 40 } else { 4 }
+    }
+
     /// How far from the points their curve may be.
     fn slack(&self) -> f64 {
         match self.aim {
             Aim::Noise(noise) => 4.0 * noise,
             Aim::Tolerance(tolerance) => tolerance,
+            Aim::Squares(_) => f64::INFINITY,
         }
     }
 
     fn polish(&mut self) -> Phase {
-        let found = self.polished(3);
+        if let Aim::Squares(target) = self.aim {
+            return self.weigh(target);
+        }
+        let found = self.polished(4);
         let breaks = found.spline.space.breaks.clone();
         match self.aim {
             Aim::Noise(_) => {
                 self.repairs += 1;
                 // With the parameters at the feet some knots have become needless.
-                if self.repairs <= 2 && self.rounds < MOST_ROUNDS {
+                if self.repairs <= 3 && self.rounds < MOST_ROUNDS {
                     self.found = Some(found);
                     self.fitted = FreeKnots::new(breaks, &self.seen);
                     let trial = better(&self.fitted, &self.seen, self.price);
@@ -230,7 +297,42 @@ impl Sparsest {
                 Phase::Done
             }
             Aim::Tolerance(tolerance) => self.judge(found, tolerance),
+            Aim::Squares(_) => Phase::Done,
         }
+    }
+
+    /// Goes on with a higher price while the sum of squares is small enough.
+    fn weigh(&mut self, target: f64) -> Phase {
+        let kept = self.found.as_ref().is_some_and(|found| found.distances.squares <= target);
+        let small = self.fitted.squares <= target;
+        if small || !kept {
+            let distances = Distances { largest: f64::INFINITY, squares: self.fitted.squares };
+            self.found =
+                Some(Found { spline: Spline::of(&self.fitted), located: self.full.clone(), distances });
+        }
+        let breaks = self.fitted.breaks();
+        if small && breaks.len() > least(breaks) && self.rounds < MOST_ROUNDS {
+            self.price = Price(self.price.0 * 1.6);
+            return Phase::Thin;
+        }
+        if kept { Phase::Last(0) } else { Phase::Done }
+    }
+
+    /// Takes the next of the cheapest knots away from the best fit and lets the others slide.
+    fn lighter(&mut self, next: usize, target: f64) -> Phase {
+        let Some(best) = &self.found else { return Phase::Done };
+        let fitted = FreeKnots::new(best.spline.space.breaks.clone(), &self.seen);
+        let dear = Price(fitted.squares.max(1e-300));
+        let trials = hopes(fitted.breaks(), &fitted.removals(), dear, self.trials());
+        let Some(breaks) = trials.into_iter().nth(next) else { return Phase::Done };
+        let trial = settle(FreeKnots::new(breaks, &self.seen), &self.seen, 1e-4 * target, 12);
+        if trial.squares > target {
+            return Phase::Last(next + 1);
+        }
+        self.fitted = trial;
+        let distances = Distances { largest: f64::INFINITY, squares: self.fitted.squares };
+        self.found = Some(Found { spline: Spline::of(&self.fitted), located: self.full.clone(), distances });
+        Phase::Last(0)
     }
 
     /// Goes on with a higher price while the tolerance is kept; repairs a first fit that breaks it.
@@ -247,7 +349,13 @@ impl Sparsest {
             if tired || breaks.len() <= least(&breaks) {
                 return Phase::Done;
             }
-            self.price = Price(self.price.0 * 2.5);
+            // At the feet the same price may buy a curve with fewer knots.
+            let again = self.rounds_at_price < 3 && breaks.pieces() < self.pieces_at_price;
+            (self.rounds_at_price, self.pieces_at_price) =
+                if again { (self.rounds_at_price + 1, breaks.pieces()) } else { (0, usize::MAX) };
+            if !again {
+                self.price = Price(self.price.0 * 2.5);
+            }
             self.fitted = FreeKnots::new(breaks, &self.seen);
             return Phase::Thin;
         }
@@ -272,13 +380,16 @@ impl Sparsest {
     /// Takes the next of the cheapest knots away from the best fit and lets the others make up for it, the farthest
     /// points weighing most.
     fn last(&mut self, next: usize) -> Phase {
+        if let Aim::Squares(target) = self.aim {
+            return self.lighter(next, target);
+        }
         let (Aim::Tolerance(tolerance), Some(best)) = (self.aim, &self.found) else { return Phase::Done };
         let averaged = self.seen.points.len() < self.full.points.len();
         let mut seen = if averaged { self.seen.clone() } else { best.located.clone() };
         let fitted = FreeKnots::new(best.spline.space.breaks.clone(), &seen);
         let removals = fitted.removals();
         let dear = Price(fitted.squares.max(1e-300));
-        let trials = hopes(fitted.breaks(), &removals, dear);
+        let trials = hopes(fitted.breaks(), &removals, dear, self.trials());
         let Some(breaks) = trials.into_iter().nth(next) else { return Phase::Done };
         let trial = settle(FreeKnots::new(breaks, &seen), &seen, 1e-3 * fitted.squares, 6);
         let mut spline = Spline::of(&trial);

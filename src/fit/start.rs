@@ -4,15 +4,18 @@ use super::breaks::Breaks;
 use super::foot_points::Spline;
 use super::free_knots::{FreeKnots, Located};
 
-/// Points per knot at first.
-const SPARE: usize = 8;
+/// Points per number of a curve at first.
+const SPARE: usize = 6;
 /// The most knots to start with.
 const MOST_KNOTS: usize = 1500;
 
-/// Evenly spread knots.
-pub(super) fn even(degree: usize, closed: bool, end: f64, points: usize) -> Breaks {
-    let count = (points / SPARE).clamp(if closed { degree + 2 } else { 1 }, MOST_KNOTS / 2);
-    Breaks::even(degree, closed, end, count.min(points.saturating_sub(1).max(2)))
+/// Evenly spread knots that count `smoothest` times.
+pub(super) fn even(degree: usize, closed: bool, end: f64, points: usize, smoothest: usize) -> Breaks {
+    let count = (points / SPARE / smoothest).clamp(if closed { degree + 2 } else { 1 }, MOST_KNOTS / 2);
+    let mut breaks = Breaks::even(degree, closed, end, count.min(points.saturating_sub(1).max(2)));
+    breaks.smoothest = smoothest;
+    breaks.multiplicity.fill(smoothest);
+    breaks
 }
 
 /// Adds knots where the points lie farther from the curve than noise would have them, or `None` where they nowhere
@@ -88,6 +91,6 @@ fn insert(breaks: &mut Breaks, added: &[f64]) {
         let t = if t >= breaks.end { t - breaks.end } else { t };
         let place = breaks.at.partition_point(|&other| other < t);
         breaks.at.insert(place, t);
-        breaks.multiplicity.insert(place, 1);
+        breaks.multiplicity.insert(place, breaks.smoothest);
     }
 }
