@@ -6,6 +6,7 @@ import * as expline from "expline";
 
 import { EXPONENTIAL_OMEGA, points, tangents } from "./lib/curve.mjs";
 import { evaluationRows } from "./lib/evaluation.mjs";
+import { fitRows } from "./lib/fits.mjs";
 import { geometryRows } from "./lib/geometry.mjs";
 import { race } from "./lib/harness.mjs";
 import { pathRows } from "./lib/paths.mjs";
@@ -36,7 +37,7 @@ const peers = {
 
 console.log(`${cpus()[0].model}, ${cpus().length} cores, Node ${process.versions.node}; ${ROUNDS} rounds in turns, least and median\n`);
 const verdicts = [];
-for (const [title, prepare] of [...evaluationRows, ...geometryRows, ...pathRows, ...smoothRows]) {
+for (const [title, prepare] of [...evaluationRows, ...geometryRows, ...pathRows, ...smoothRows, ...fitRows]) {
   if (!title.includes(only)) continue;
   const contest = prepare(peers);
   const results = await race(contest.contestants, ROUNDS);
@@ -51,6 +52,10 @@ for (const [title, prepare] of [...evaluationRows, ...geometryRows, ...pathRows,
   for (const [name, wanted] of contest.targets) {
     const ratio = results.find((r) => r.name === name).least / ours;
     verdicts.push(`${ratio >= wanted ? "✓" : "✗"} ${title}: ${ratio.toPrecision(3)}× ${name}; wanted ${wanted}×`);
+  }
+  for (const [name, most] of contest.limits ?? []) {
+    const ms = results.find((r) => r.name === name).least / 1e6;
+    verdicts.push(`${ms <= most ? "✓" : "✗"} ${title}: ${ms.toPrecision(3)} ms, ${name}; wanted ${most} ms`);
   }
   console.log("");
 }

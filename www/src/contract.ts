@@ -48,6 +48,14 @@ export interface ContractParts {
   mesh?: (rows: number, cols: number) => Float64Array;
   /** Resolves when no mode is being loaded. */
   settled?: () => Promise<void>;
+  fit?: {
+    /** Points of a fitted stroke at uniform parameters; null while there is no fit. */
+    sample(count: number, stroke: number): Float64Array | null;
+    result(): object | null;
+    lastJobMs(): number;
+    /** Resolves when no fit is under way. */
+    working(): Promise<void>;
+  };
 }
 
 export interface ContractOptions {
@@ -66,18 +74,24 @@ export function createContract({ editor, frame, ready, readState, parts }: Contr
     async idle() {
       await ready;
       await parts.settled?.();
+      await parts.fit?.working();
       await frame.idle();
     },
     getState() {
-      return structuredClone(editor.getState());
+      const state = structuredClone(editor.getState());
+      const result = parts.fit?.result() ?? null;
+      return result === null ? state : { ...state, fit: { ...state.fit, result } };
     },
     async setState(state) {
       editor.setState(readState(structuredClone(state)));
       await parts.settled?.();
+      await parts.fit?.working();
       await frame.idle();
     },
     sample(count, contour = 0) {
-      const { curve } = editor.state.value;
+      const { curve, mode } = editor.state.value;
+      const fitted = mode === "fit" ? parts.fit?.sample(count, contour) : undefined;
+      if (fitted !== undefined) return pairs(fitted ?? new Float64Array(0));
       const shape = curve.contours[contour];
       return shape === undefined ? [] : pairs(samplePoints(curve, shape, count));
     },
@@ -103,7 +117,7 @@ export function createContract({ editor, frame, ready, readState, parts }: Contr
       const { bezierError, modelError } = measureCurve(editor.state.value.curve);
       return {
         frameMs: [...frame.times],
-        lastJobMs: 0,
+        lastJobMs: parts.fit?.lastJobMs() ?? 0,
         wasmBytes: __WASM_BYTES__,
         ...(bezierError === undefined ? {} : { bezierError }),
         ...(modelError === undefined ? {} : { modelError }),

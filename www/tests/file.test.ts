@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { emptyFit, emptyTrace, stateVersion, type DemoState } from "../src/document/document.ts";
+import { emptyTrace, stateVersion, type DemoState } from "../src/document/document.ts";
+import { emptyFit } from "../src/document/fit.ts";
 import { emptySurface } from "../src/document/surface.ts";
 import { FileError, parseState, readState, writeState, type FileErrorCode } from "../src/document/file.ts";
 import { curveSamples } from "../src/document/samples.ts";

@@ -7,6 +7,7 @@
  * wherever they are not the ordinary ones.
  */
 
+import type { FitDocument } from "./fit.ts";
 import type { Root, SurfaceDocument } from "./surface.ts";
 
 export type Mode = "curve" | "fit" | "trace" | "surface";
@@ -79,14 +80,6 @@ export interface CurveDocument {
   readonly sample?: string;
 }
 
-export interface FitDocument {
-  readonly sample?: string;
-  readonly data: readonly (readonly [number, number])[];
-  readonly model: "linear" | "cubic" | "hybrid";
-  readonly smoothing: number;
-  readonly mix: number;
-}
-
 export interface TraceDocument {
   readonly sample?: string;
   readonly settings: Readonly<Record<string, number | string | boolean>>;
@@ -115,7 +108,6 @@ export interface DemoState {
 }
 
 export const emptyCurve: CurveDocument = { space: "trigonometric", omega: "auto", level: 0, contours: [] };
-export const emptyFit: FitDocument = { data: [], model: "hybrid", smoothing: 40, mix: 50 };
 export const emptyTrace: TraceDocument = { settings: {} };
 
 export const noOffset: Offset = { dx: 0, dy: 0 };

@@ -3,11 +3,13 @@
  * only what it knows, so that nothing else in a file can reach the page; writing is the plain JSON of the state.
  */
 import {
-  emptyFit, emptyTrace, modes, segmentCount, stateVersion,
-  type Contour, type ControlPoint, type CurveDocument, type DemoState, type FitDocument, type Grid, type Offset, type Order,
+  emptyTrace, modes, segmentCount, stateVersion,
+  type Contour, type ControlPoint, type CurveDocument, type DemoState, type Grid, type Offset, type Order,
   type TraceDocument, type View,
 } from "./document.ts";
+import { readFit } from "./file/fit.ts";
 import { readRoots, readSurface } from "./file/surface.ts";
+import { emptyFit } from "./fit.ts";
 import { emptySurface } from "./surface.ts";
 import { asArray, asBoolean, asNumber, asObject, asSampleId, asWhole, field, oneOf, optional, type Found } from "./file/check.ts";
 import { FileError } from "./file/error.ts";
@@ -22,7 +24,6 @@ const limits = { maxBytes: 64 * 1024 * 1024, maxDepth: 64, maxPoints: 100_000, m
 const spaces = ["trigonometric", "hyperbolic", "polynomial"] as const;
 const kinds = ["symmetric", "smooth", "cusp"] as const;
 const families = ["hermite", "interpolating"] as const;
-const models = ["linear", "cubic", "hybrid"] as const;
 
 export interface ReadFile {
   readonly state: DemoState;
@@ -167,22 +168,6 @@ function readPoint(found: Found): ControlPoint {
     in: readOffset(field(found, "in")),
     out: readOffset(field(found, "out")),
     ...defined({ level: optional(found, "level", (level) => asWhole(level, 0, 24)) }),
-  };
-}
-
-function readPair(found: Found): readonly [number, number] {
-  const [x, y, ...rest] = asArray(found, (value) => asNumber(value), 2, "pair");
-  if (x === undefined || y === undefined || rest.length > 0) throw new FileError("E_SCHEMA", found.path, "is not a pair of numbers");
-  return [x, y];
-}
-
-function readFit(found: Found): FitDocument {
-  return {
-    data: asArray(field(found, "data"), readPair, limits.maxPoints, "maxPoints"),
-    model: oneOf(field(found, "model"), models),
-    smoothing: asNumber(field(found, "smoothing"), 0, 100),
-    mix: asNumber(field(found, "mix"), 0, 100),
-    ...defined({ sample: optional(found, "sample", asSampleId) }),
   };
 }
 

@@ -1,13 +1,15 @@
 import type { Command } from "../document/commands.ts";
 import {
-  emptyCurve, emptyFit, emptyTrace, nothingSelected, pointAt, stateVersion, type Contour, type CurveDocument, type DemoState, type Mode, type Selection,
+  emptyCurve, emptyTrace, nothingSelected, pointAt, stateVersion, type Contour, type CurveDocument, type DemoState, type Mode, type Selection,
 } from "../document/document.ts";
+import { emptyFit, type FitMoment } from "../document/fit.ts";
 import { emptySurface, noNetPoints, type SurfaceMoment } from "../document/surface.ts";
 import { emptyHistory, record, stepBack, stepForward, type History, type Moment } from "../document/history.ts";
 import { translationOf } from "../document/contours.ts";
 import { curveOf } from "../kernel/curve-cache.ts";
 import { createActions } from "./actions.ts";
 import type { Editor, EditorPatch, EditorState, Notice, Settings, Sketch } from "./editor.ts";
+import { initialFitView, noFitRun } from "./fit/fit-state.ts";
 import { createSignal } from "./signal.ts";
 import { startSolid } from "./surface/solid.ts";
 import { createTimeline, type Timeline } from "./timeline.ts";
@@ -32,6 +34,8 @@ const initialState: EditorState = {
   view: { zoom: 1, x: 400, y: 300 },
   curve: emptyCurve,
   fit: emptyFit,
+  fitView: initialFitView,
+  fitRun: noFitRun,
   trace: emptyTrace,
   surface: emptySurface,
   chosen: noNetPoints,
@@ -115,8 +119,8 @@ export function createEditor(now: () => number): Editor {
     return { canUndo: undoName !== null, canRedo: redoName !== null, undoName, redoName };
   }
 
-  function timelineOf(mode: Mode): Timeline<SurfaceMoment> | null {
-    return mode === "surface" ? surfaceEdits : null;
+  function timelineOf(mode: Mode): Pick<Timeline<unknown>, "past" | "future" | "undo" | "redo"> | null {
+    return mode === "surface" ? surfaceEdits : mode === "fit" ? fitEdits : null;
   }
 
   const refresh = (): void => state.set({ ...state.value, ...travels(state.value.mode) });
@@ -125,6 +129,14 @@ export function createEditor(now: () => number): Editor {
     read: () => ({ surface: state.value.surface, chosen: state.value.chosen }),
     write: (moment) => state.set({ ...state.value, ...moment }),
     same: (a, b) => a.surface === b.surface,
+    changed: refresh,
+    now,
+  });
+
+  const fitEdits = createTimeline<FitMoment>({
+    read: () => ({ fit: state.value.fit }),
+    write: (moment) => state.set({ ...state.value, ...moment }),
+    same: (a, b) => a.fit === b.fit,
     changed: refresh,
     now,
   });
@@ -151,8 +163,9 @@ export function createEditor(now: () => number): Editor {
       return actions;
     },
     surfaceEdits,
+    fitEdits,
     get inGesture() {
-      return gesture !== null || surfaceEdits.inGesture;
+      return gesture !== null || surfaceEdits.inGesture || fitEdits.inGesture;
     },
     get origin() {
       return gesture?.start.curve ?? state.value.curve;
@@ -229,15 +242,18 @@ export function createEditor(now: () => number): Editor {
       const problem = objection(next.curve, emptyCurve);
       if (problem !== null) throw problem;
       surfaceEdits.bail();
+      fitEdits.bail();
       if (options.fresh === true) {
         history = emptyHistory();
-        state.set({ ...state.value, surface, chosen: noNetPoints });
+        state.set({ ...state.value, surface, chosen: noNetPoints, fit });
         surfaceEdits.forget();
+        fitEdits.forget();
       } else {
         history = record(history, { name: "Open", before, after: { curve: next.curve, selection: nothingSelected }, run: undefined, time: now() });
         surfaceEdits.dispatch("Open", () => ({ surface, chosen: noNetPoints }));
+        fitEdits.dispatch("Open", () => ({ fit }));
       }
-      state.set({ ...state.value, mode, view, fit, trace });
+      state.set({ ...state.value, mode, view, trace });
       put(next.curve, nothingSelected, { mode });
     },
   };

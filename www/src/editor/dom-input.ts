@@ -73,6 +73,9 @@ function listenToPointers({ editor, input, frame, surface, until }: Options): vo
   on("pointermove", (event) => {
     const record = recordOf(event, editor);
     if (press !== null && Math.hypot(record.screen.x - press.at.x, record.screen.y - press.at.y) > 6) dropPress();
+    // Between two frames a pen or a fast mouse has been at many places.
+    const between = event.getCoalescedEvents?.() ?? [];
+    for (const each of between.slice(0, -1)) input.move(recordOf(each, editor));
     input.move(record);
     frame.request();
   });

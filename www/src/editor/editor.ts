@@ -1,9 +1,11 @@
 import type { Command } from "../document/commands.ts";
 import type {
-  Contour, CurveDocument, DemoState, FitDocument, HandleRef, Mode, PointRef, Selection, TraceDocument, View,
+  Contour, CurveDocument, DemoState, HandleRef, Mode, PointRef, Selection, TraceDocument, View,
 } from "../document/document.ts";
+import type { FitDocument, FitMoment } from "../document/fit.ts";
 import type { NetRef, SurfaceDocument, SurfaceMoment } from "../document/surface.ts";
 import type { PagePoint, StageBox } from "./camera.ts";
+import type { FitRun, FitView } from "./fit/fit-state.ts";
 import type { ModeParts } from "./mode.ts";
 import type { Readable } from "./signal.ts";
 import type { SolidState } from "./surface/solid.ts";
@@ -95,6 +97,10 @@ export interface EditorState {
   readonly view: View;
   readonly curve: CurveDocument;
   readonly fit: FitDocument;
+  /** How Fit is looked at and worked with. */
+  readonly fitView: FitView;
+  /** What came of the last fit, and what is under way. */
+  readonly fitRun: FitRun;
   readonly trace: TraceDocument;
   readonly surface: SurfaceDocument;
   /** The chosen points of the surface's net. */
@@ -159,7 +165,7 @@ export interface ActionRegistry {
 }
 
 /** What may be set without the history knowing. */
-export type EditorPatch = Partial<Omit<EditorState, "curve" | "surface" | "canUndo" | "canRedo" | "undoName" | "redoName">>;
+export type EditorPatch = Partial<Omit<EditorState, "curve" | "surface" | "fit" | "canUndo" | "canRedo" | "undoName" | "redoName">>;
 
 export interface Editor {
   readonly state: Readable<EditorState>;
@@ -184,6 +190,8 @@ export interface Editor {
   redo(): void;
   /** Changes of the surface. */
   readonly surfaceEdits: Timeline<SurfaceMoment>;
+  /** The same for the points that are fitted. */
+  readonly fitEdits: Timeline<FitMoment>;
 
   /** Replaces parts of the state that are outside the history (view, selection, settings, hover, hint …). */
   patch(change: EditorPatch): void;

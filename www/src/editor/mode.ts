@@ -1,3 +1,4 @@
+import type { Contour, CurveDocument } from "../document/document.ts";
 import type { ScreenPoint } from "./camera.ts";
 import type { EditorState } from "./editor.ts";
 import type { Pinch } from "./pinch.ts";
@@ -23,6 +24,10 @@ export interface ModeParts {
   readonly view?: ModeView;
   /** The line under the stage. */
   hint?(state: EditorState): string;
+  /** What the plane is to show when all of it is to be seen. */
+  box?(state: EditorState): { readonly minX: number; readonly minY: number; readonly maxX: number; readonly maxY: number } | null;
+  /** Takes in what was pasted, dropped or opened, in place of Curve. */
+  bring?(drawing: CurveDocument, contours: readonly Contour[], kind: string): void;
   /** The picture in words, for those who do not see it. */
   summary?(state: EditorState): string;
 }

@@ -45,6 +45,8 @@ const doubleMs = 400;
 const doublePx = 5;
 const secondFingerMs = 150;
 const tapMs = 350;
+/** More places in one frame than any device reports. */
+const mostTrail = 4096;
 
 interface Finger {
   readonly start: ScreenPoint;
@@ -62,6 +64,8 @@ export function createPointerInput(editor: Editor, tools: Readonly<Record<ToolId
   const fingers = new Map<number, Finger>();
   let activity: Activity = { kind: "none" };
   let pending: PointerRecord | null = null;
+  /** Places of the pointer since the last flush. */
+  let trail: ScreenPoint[] = [];
   let lastPress: { screen: ScreenPoint; time: number } | null = null;
   let spaceHeld = false;
   let penSeen = false;
@@ -110,7 +114,9 @@ export function createPointerInput(editor: Editor, tools: Readonly<Record<ToolId
   function flush(): void {
     if (pending === null) return;
     const record = pending;
+    const places = trail;
     pending = null;
+    trail = [];
     const finger = fingers.get(record.id);
     if (finger !== undefined) finger.screen = record.screen;
     switch (activity.kind) {
@@ -122,7 +128,7 @@ export function createPointerInput(editor: Editor, tools: Readonly<Record<ToolId
         activity.screen = record.screen;
         // A press that became a drag is not the first half of a double-click.
         if (lastPress !== null && distanceBetween(record.screen, lastPress.screen) > doublePx) lastPress = null;
-        activity.tool.drag(sample(record, activity.clicks));
+        activity.tool.drag({ ...sample(record, activity.clicks), trail: places.map((place) => sample({ ...record, screen: place }).page) });
         return;
       case "pan":
         if (record.id !== activity.id) return;
@@ -181,7 +187,9 @@ export function createPointerInput(editor: Editor, tools: Readonly<Record<ToolId
       // Two fingers report in turn: the place of each counts.
       const finger = fingers.get(record.id);
       if (finger !== undefined) finger.screen = record.screen;
+      if (pending !== null && pending.id !== record.id) trail = [];
       pending = record;
+      if (activity.kind === "tool" && trail.length < mostTrail) trail.push(record.screen);
     },
     up(record) {
       flush();

@@ -1,5 +1,6 @@
 import { modes, type Mode } from "../document/document.ts";
 import { curveSample, landingSample } from "../document/samples.ts";
+import { emptyFit } from "../document/fit.ts";
 import { emptySurface, noNetPoints } from "../document/surface.ts";
 import { loadCurve } from "./edits.ts";
 import { defaultSettings } from "./create-editor.ts";
@@ -68,7 +69,7 @@ function follow(editor: Editor, route: Route): void {
     if (route.mode === "curve" && curve.sample !== route.sample && !openSample(editor, route.sample)) {
       editor.notify({ kind: "toast", text: `There is no sample named ${route.sample}.` });
     }
-    if (route.mode === "fit") editor.patch({ fit: { ...fit, sample: route.sample } });
+    if (route.mode === "fit" && route.sample !== fit.sample) nameFit(editor, route.sample);
     if (route.mode === "trace") editor.patch({ trace: { ...trace, sample: route.sample } });
     if (route.mode === "surface" && route.sample !== surface.sample) nameSurface(editor, route.sample);
   }
@@ -78,6 +79,11 @@ function follow(editor: Editor, route: Route): void {
 /** An empty net is the sample that it names, still to be opened. */
 function nameSurface(editor: Editor, sample: string): void {
   editor.surfaceEdits.dispatch("Open sample", () => ({ surface: { ...emptySurface, sample }, chosen: noNetPoints }));
+}
+
+/** Data without points are the sample that they name, still to be opened. */
+function nameFit(editor: Editor, sample: string): void {
+  editor.fitEdits.dispatch("Open sample", () => ({ fit: { ...emptyFit, sample } }));
 }
 
 /** Keeps address and state together, both ways. Call once, after the first document is there. */
@@ -90,10 +96,11 @@ export function connectRoutes(editor: Editor, until: AbortSignal): void {
   };
   let following = false;
   editor.state.subscribe((state, before) => {
-    if (following || (state.mode === before.mode && state.curve === before.curve)) return;
+    if (following || (state.mode === before.mode && state.curve === before.curve && state.fit.sample === before.fit.sample)) return;
     // Another mode or another sample is a page to come back to; an edit only stops the address from promising the sample.
     const { sample } = routeOf(editor);
-    write(state.mode !== before.mode || (sample !== null && sample !== before.curve.sample));
+    const last = state.mode === "fit" ? before.fit.sample : before.curve.sample;
+    write(state.mode !== before.mode || (sample !== null && sample !== last));
   }, { until });
   window.addEventListener("hashchange", () => {
     const route = parseRoute(location.hash);

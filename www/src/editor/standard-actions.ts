@@ -46,7 +46,8 @@ export function fitView(editor: Editor, most = mostZoom): void {
   const { curve, stage, mode } = editor.state.value;
   const own = editor.modes.get(mode)?.view;
   if (own !== undefined) return own.fit();
-  const box = documentBounds(curve);
+  const parts = editor.modes.get(mode);
+  const box = parts?.box === undefined ? documentBounds(curve) : parts.box(editor.state.value);
   if (box === null) return editor.patch({ view: { zoom: 1, x: 400, y: 300 } });
   // Handles reach beyond the curve; a tenth of the stage leaves them room.
   const margin = Math.max(24, Math.min(stage.width, stage.height) * 0.1);
@@ -132,11 +133,12 @@ const viewing: readonly Action[] = [
 export function registerStandardActions(editor: Editor): void {
   const switches = overlays.map(([id, label, key]) =>
     action(`overlay-${id}`, label, "View", key === null ? [] : [key], (target) => target.setOverlay(id, !target.state.value.settings.overlays[id]), {
+      ...(id === "grid" ? {} : { enabled: inCurve }),
       checked: (state) => state.settings.overlays[id],
     }),
   );
   const toolActions = tools.map(([id, label, key]) =>
-    action(`tool-${id}`, label, "Tools", [key], (target) => target.patch({ tool: id, hint: "" }), { enabled: inCurve, checked: (state) => state.tool === id }),
+    action(`tool-${id}`, label, "Tools", [key], (target) => target.patch({ tool: id, hint: "" }), { enabled: (state) => state.mode === "curve" || state.mode === "fit", checked: (state) => state.tool === id }),
   );
   const modeActions = modes.map((mode, index) =>
     action(`mode-${mode}`, modeNames[mode], "Modes", [String(index + 1)], (target) => target.patch({ mode, hint: "" }), {

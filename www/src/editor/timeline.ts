@@ -11,6 +11,8 @@ export interface Timeline<M> {
   /** Applies the change to the state at `begin`, so that a drag is always evaluated from its start. */
   preview(change: (start: M) => M): void;
   commit(): void;
+  /** Changes what is there without an entry: a value that follows from others (a slider that shows what a target led to). */
+  amend(change: (now: M) => M): void;
   /** Back to the state at `begin`; no entry. */
   bail(): void;
   readonly inGesture: boolean;
@@ -88,6 +90,9 @@ export function createTimeline<M>({ read, write, same, changed, now }: TimelineO
       const { name, start } = gesture;
       gesture = null;
       if (!same(start, read())) put(name, start, read(), undefined);
+    },
+    amend(change) {
+      write(change(read()));
     },
     bail() {
       if (gesture === null) return;

@@ -10,6 +10,8 @@ export interface PointerSample {
   readonly modifiers: Modifiers;
   /** 1 for a single press, 2 for the second of two quick ones at one place. */
   readonly clicks: number;
+  /** Every place since the last sample of this press, this one among them: a frame's moves for those who draw. */
+  readonly trail?: readonly PagePoint[];
 }
 
 /** How far a press may wander before it is a drag, CSS pixels. */

@@ -11,7 +11,9 @@ const mostUnpackedBytes = 8 * 1024 * 1024;
 /** The parts of a state that say something: what is at its default comes back by itself. */
 function worthSharing(state: DemoState): object {
   const { fit, trace, surface, ...rest } = state;
-  return { ...rest, ...(fit.data.length > 0 ? { fit } : {}), ...(Object.keys(trace.settings).length > 0 ? { trace } : {}), ...(surface.net.length > 0 ? { surface } : {}) };
+  // The points of a sample are made anew from its name, its noise and its seed.
+  const short = fit.sample === undefined ? fit : { ...fit, data: [], starts: [] };
+  return { ...rest, ...(fit.data.length > 0 ? { fit: short } : {}), ...(Object.keys(trace.settings).length > 0 ? { trace } : {}), ...(surface.net.length > 0 ? { surface } : {}) };
 }
 
 /** @throws Problem `share-long` when the link would not fit everywhere. */

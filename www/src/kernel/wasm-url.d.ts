@@ -3,3 +3,9 @@ declare module "expline/expline_bg.wasm?url" {
   const url: string;
   export default url;
 }
+
+/** The same of the engine that fits. */
+declare module "expline/expline_fit_bg.wasm?url" {
+  const url: string;
+  export default url;
+}

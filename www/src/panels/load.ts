@@ -21,6 +21,12 @@ export function place(shell: Shell, imported: Imported, how: Placement): void {
     toasts.say(["Opened the file.", ...imported.notes].join(" "));
     return;
   }
+  const bring = editor.modes.get(editor.state.value.mode)?.bring;
+  if (bring !== undefined) {
+    bring(editor.state.value.curve, imported.contours, imported.kind);
+    toasts.say([summary(imported.contours), ...imported.notes.map((note) => `Note: ${note}.`)].join(" "));
+    return;
+  }
   if (editor.state.value.mode !== "curve") editor.actions.run("mode-curve");
   addContours(editor, "Import", imported.contours, how);
   // What belongs to a sample's lesson would only clutter a drawing of one's own.

@@ -35,7 +35,7 @@ export interface Panels {
 /** Everything around the stage. */
 export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions): Panels {
   const signal = until ?? new AbortController().signal;
-  const shell: Shell = { editor, regions, io, until: signal, toasts: mountToasts(regions.stage, editor), frame };
+  const shell: Shell = { editor, regions, io, until: signal, toasts: mountToasts(regions.stage, editor), frame, samples: new Map() };
   // Routes rewrite the address; what it was when the page was opened is what counts.
   const address = window.location.hash;
   const theme = mountTheme(signal);

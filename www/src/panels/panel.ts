@@ -40,7 +40,7 @@ export function mountPanel(shell: Shell, metrics: HTMLElement): PanelHost {
   const built = new Map<Mode, ModePanel>();
   const title = h("h2", { class: "panel-title" });
   const sample = h("span", { class: "section-note" });
-  const clear = h("button", { class: "small-button", type: "button", testid: "btn-clear", title: "Take everything off the stage; undo brings it back.", click: () => { clearCurve(editor); editor.patch({ hint: "" }); } }, "Clear");
+  const clear = h("button", { class: "small-button", type: "button", testid: "btn-clear", title: "Take everything off the stage; undo brings it back.", click: () => { if (!editor.actions.run("fit-clear")) clearCurve(editor); editor.patch({ hint: "" }); } }, "Clear");
   const codeButton = h("button", { class: "code-toggle", type: "button", testid: "btn-code", "aria-expanded": "false", title: "The program that makes this drawing", click: () => editor.actions.run("code") }, icon("chevron"), h("span", {}, "Show code"));
   const scroll = h("div", { class: "panel-scroll" }, h("div", { class: "panel-head" }, title, sample, clear), curvePart, ...later.map(({ element }) => element));
   regions.panel.append(scroll, h("div", { class: "panel-foot" }, codeButton));
@@ -69,8 +69,8 @@ export function mountPanel(shell: Shell, metrics: HTMLElement): PanelHost {
     setText(title, titles[state.mode]);
     const own = built.get(state.mode);
     setText(sample, state.mode === "curve" ? (curveSample(state.curve.sample ?? "")?.title ?? "") : (own?.note(state) ?? ""));
-    clear.hidden = state.mode !== "curve";
-    clear.disabled = state.curve.contours.length === 0;
+    clear.hidden = state.mode !== "curve" && state.mode !== "fit";
+    clear.disabled = (state.mode === "fit" ? state.fit.data : state.curve.contours).length === 0;
     // Only the mode's own controls are in the page: some have the same name in another mode.
     attach(curvePart, state.mode === "curve");
     curve.level.hidden = state.mode !== "curve";

@@ -20,7 +20,7 @@ export function mountRail({ editor, regions, until }: Shell): void {
   editor.state.subscribe((state) => {
     buttons.forEach((button, i) => {
       setAttribute(button, "aria-pressed", String(tools[i]?.[0] === state.tool));
-      button.disabled = state.mode !== "curve";
+      button.disabled = state.mode !== "curve" && state.mode !== "fit";
     });
   }, { now: true, until });
 }

@@ -48,10 +48,10 @@ function startKeeping(shell: Shell): void {
     until,
   });
   // A drag changes the curve first and the history when it ends; only what the history knows is worth keeping.
-  let seen = [editor.state.value.curve, editor.state.value.surface] as const;
+  let seen = [editor.state.value.curve, editor.state.value.surface, editor.state.value.fit] as const;
   editor.state.subscribe((state) => {
-    if ((state.curve === seen[0] && state.surface === seen[1]) || !(state.canUndo || state.canRedo)) return;
-    seen = [state.curve, state.surface];
+    if ((state.curve === seen[0] && state.surface === seen[1] && state.fit === seen[2]) || !(state.canUndo || state.canRedo)) return;
+    seen = [state.curve, state.surface, state.fit];
     keeping.touch();
   }, { until });
 }

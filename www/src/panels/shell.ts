@@ -1,3 +1,4 @@
+import type { Mode } from "../document/document.ts";
 import type { Editor } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
 import type { PageIo } from "./page-io.ts";
@@ -19,6 +20,8 @@ export interface Shell {
   readonly toasts: Toasts;
   readonly until: AbortSignal;
   readonly frame: Frame;
+  /** The gallery of a mode that has samples of its own: one card each, which calls `done` before it opens. */
+  readonly samples: Map<Mode, (done: () => void) => readonly HTMLElement[]>;
 }
 
 /** A task that runs in the next frame after `request`, once however often it was asked for. */

@@ -16,13 +16,20 @@ export interface Palette {
   /** The two sides of a surface. */
   readonly solid: string;
   readonly solidBack: string;
+  readonly cubic: string;
+  readonly coinc: string;
+  readonly err: string;
+  /** From no error to the largest, as dark to light to the eye in either theme. */
+  readonly heat: readonly string[];
 }
 
-const names = ["canvas", "ink", "ink2", "line", "focus", "point", "curve", "handle", "cusp", "original", "warn", "linear", "solid", "solid-back"] as const;
+const names = ["canvas", "ink", "ink2", "line", "focus", "point", "curve", "handle", "cusp", "original", "warn", "linear", "solid", "solid-back", "cubic", "coinc", "err"] as const;
 
 export function readPalette(root: Element): Palette {
   const style = getComputedStyle(root);
   const read = (name: string): string => style.getPropertyValue(`--${name}`).trim();
-  const [canvas = "", ink = "", ink2 = "", line = "", focus = "", point = "", curve = "", handle = "", cusp = "", original = "", warn = "", linear = "", solid = "", solidBack = ""] = names.map(read);
-  return { canvas, ink, ink2, line, focus, point, curve, handle, cusp, original, warn, linear, solid, solidBack };
+  const [canvas = "", ink = "", ink2 = "", line = "", focus = "", point = "", curve = "", handle = "", cusp = "", original = "", warn = "", linear = "", ...more] = names.map(read);
+  const [solid = "", solidBack = "", cubic = "", coinc = "", err = ""] = more;
+  const heat = [0, 1, 2, 3, 4].map((i) => read(`heat-${i}`));
+  return { canvas, ink, ink2, line, focus, point, curve, handle, cusp, original, warn, linear, solid, solidBack, cubic, coinc, err, heat };
 }

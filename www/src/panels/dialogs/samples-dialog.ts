@@ -17,7 +17,8 @@ export function openSamples(shell: Shell): void {
       h("span", { class: "sample-note quiet" }, sample.note),
     ),
   );
-  const dialog = openDialog({ title: "Samples", testid: "samples-dialog", wide: true }, h("div", { class: "samples" }, ...cards));
+  const own = shell.samples.get(shell.editor.state.value.mode)?.(() => dialog.close());
+  const dialog = openDialog({ title: "Samples", testid: "samples-dialog", wide: true }, h("div", { class: "samples" }, ...(own ?? cards)));
 }
 
 /** In Curve, in view, as one step of the history. */

@@ -1,0 +1,146 @@
+// Rows about fits: the sparse problem at the sizes of a logo and of a scan, and noisy points whose truth is known.
+
+import fitCurve from "fit-curve";
+import simplify from "simplify-js";
+
+import { here } from "./harness.mjs";
+import { paper } from "./peers.mjs";
+
+/** Numbers in [0, 1), the same every time. */
+function random(seed) {
+  let state = seed;
+  return () => {
+    state = (Math.imul(state, 48271) >>> 0) % 2147483647;
+    return state / 2147483647;
+  };
+}
+
+function normal(next) {
+  return Math.sqrt(-2 * Math.log(1 - next())) * Math.cos(2 * Math.PI * next());
+}
+
+/** A closed outline some 400 across with smooth lobes and four corners, `count` points along it, noise of deviation 1. */
+function outline(count) {
+  const next = random(count);
+  return Float64Array.from({ length: 2 * count }, (_, i) => {
+    const angle = (2 * Math.PI * (i >> 1)) / count;
+    const radius = 150 + 30 * Math.cos(3 * angle) + 18 * Math.abs(Math.sin(2 * angle)) + 6 * Math.sin(11 * angle);
+    return 250 + radius * (i % 2 === 0 ? Math.cos(angle) : Math.sin(angle)) + normal(next);
+  });
+}
+
+/** λ for a detail of so many points: size · (ℓ/2π)^(degree + 1). */
+const lambdaOf = (degree, detail) => 400 * (detail / (2 * Math.PI)) ** (degree + 1);
+
+const summary = (fit) => `${fit.knots.length} knots, gap ${fit.gap.toExponential(0)}, ${fit.iterations} iterations`;
+
+/** One fit from nothing, and steps of the slider, of so many points. */
+function sized(count, degree, gridSize, cold, warm) {
+  const title = `sparse fit, degree ${degree}, ${count} points`;
+  const prepare = ({ expline }) => {
+    const points = outline(count);
+    const lambda = lambdaOf(degree, count / 60);
+    const options = { degree, gridSize, finish: "none", parameters: Float64Array.from({ length: count }, (_, i) => i), period: count };
+    const slider = new expline.SparseFitter(points, { ...options, lambda, gap: 1e-3 });
+    slider.solve({ lambda });
+    let factor = 1;
+    let result;
+    const row = (name, action) => ({ name, measure: here(() => (result = action())), units: 1, note: () => summary(result) });
+    const first = `expline, wasm, from nothing to 1e-6`;
+    const step = `expline, wasm, λ × 1.05 to 1e-3`;
+    return {
+      unit: "fit",
+      contestants: [
+        row(first, () => expline.fitSparse(points, { ...options, lambda, gap: 1e-6 })),
+        row(step, () => slider.solve({ lambda: lambda * (factor = factor > 1.6 ? 1 : factor * 1.05) })),
+      ],
+      targets: [],
+      limits: [[first, cold], [step, warm]],
+    };
+  };
+  return [title, prepare];
+}
+
+/** Points evenly along 14 cubics round a circle of 200, noise of deviation 1; distances to the curve without noise. */
+function truth(expline, count) {
+  const knots = Float64Array.from({ length: 28 }, (_, i) => {
+    const angle = (2 * Math.PI * (i >> 1)) / 14;
+    const radius = 200 + 40 * Math.sin(3.7 * (i >> 1));
+    return 250 + radius * (i % 2 === 0 ? Math.cos(angle) : Math.sin(angle));
+  });
+  const curve = expline.HermiteCurve.through(knots, { space: "polynomial", omega: 0 });
+  const next = random(7);
+  return { curve, points: Float64Array.from(curve.sampleByLength(count), (value) => value + normal(next)) };
+}
+
+/** Root mean square distance from a curve's own places to the truth. */
+function rms(curve, places) {
+  const all = curve.nearestAll(places);
+  let sum = 0;
+  for (let i = 3; i < all.length; i += 4) sum += all[i] ** 2;
+  return Math.sqrt(sum / (all.length / 4));
+}
+
+function noisy({ expline }) {
+  const { curve, points } = truth(expline, 1000);
+  const pairs = Array.from({ length: 1000 }, (_, i) => [points[2 * i], points[2 * i + 1]]);
+  const xy = pairs.map(([x, y]) => ({ x, y }));
+  const closedPairs = [...pairs, pairs[0]];
+  let fit;
+  let beziers;
+  let path;
+  let polyline;
+  const dense = (segments) => Float64Array.from(segments.flatMap(([a, b, c, d]) => Array.from({ length: 20 }, (_, k) => {
+    const t = k / 20;
+    return [0, 1].map((i) => (1 - t) ** 3 * a[i] + 3 * (1 - t) ** 2 * t * b[i] + 3 * (1 - t) * t * t * c[i] + t ** 3 * d[i]);
+  }).flat()));
+  const row = (name, action, note) => ({ name, measure: here(action), units: 1, note });
+  const ours = "expline, wasm, no σ given";
+  return {
+    unit: "fit",
+    contestants: [
+      row(ours, () => (fit = expline.fitSparse(points, { degree: 3 })), () => `${fit.curve.lengths.length} segments, rms to the truth ${rms(curve, fit.curve.sample(4000)).toFixed(3)}`),
+      row("fit-curve, error 9", () => (beziers = fitCurve(closedPairs, 9)), () => `${beziers.length} segments, rms to the truth ${rms(curve, dense(beziers)).toFixed(3)}`),
+      row("paper's simplify, tolerance 2.5", () => {
+        path = new paper.Path({ segments: pairs, closed: true, insert: false });
+        path.simplify(2.5);
+      }, () => {
+        const places = Float64Array.from({ length: 4000 }, (_, i) => path.getPointAt((path.length * (i >> 1)) / 2000)[i % 2 === 0 ? "x" : "y"]);
+        return `${path.segments.length} segments, rms to the truth ${rms(curve, places).toFixed(3)}`;
+      }),
+      row("simplify-js, tolerance 2.5", () => (polyline = simplify(xy, 2.5, true)), () => `${polyline.length} lines, rms to the truth ${rms(curve, Float64Array.from(polyline.flatMap(({ x, y }) => [x, y]))).toFixed(3)} at its points`),
+    ],
+    targets: [],
+    limits: [[ours, 8]],
+  };
+}
+
+function many({ expline }) {
+  const { curve, points } = truth(expline, 10_000);
+  let fit;
+  const ours = "expline, wasm, tolerance 5";
+  return {
+    unit: "fit",
+    contestants: [
+      {
+        name: ours,
+        units: 1,
+        measure: here(() => (fit = expline.fitSparse(points, { degree: 3, tolerance: 5 }))),
+        note: () => `${fit.curve.lengths.length} segments, proved within ${fit.maxError.toFixed(2)}, rms to the truth ${rms(curve, fit.curve.sample(4000)).toFixed(3)}`,
+      },
+    ],
+    targets: [],
+    limits: [[ours, 15]],
+  };
+}
+
+/** Titles and what makes the contestants. */
+export const fitRows = [
+  sized(500, 1, 500, 5, 1),
+  sized(500, 3, 500, 20, 1),
+  sized(2700, 1, 2700, 10, 3),
+  sized(2700, 3, 1350, 20, 5),
+  sized(100_000, 3, 2000, 60, 10),
+  ["noisy points, 1000 of them, on 14 cubics", noisy],
+  ["noisy points, 10 000 of them, within a tolerance", many],
+];

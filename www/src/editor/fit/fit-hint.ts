@@ -1,0 +1,28 @@
+import { describeData, describeKnot } from "./fit-edits.ts";
+import type { EditorState } from "../editor.ts";
+
+/** What the next press would do in Fit. */
+export function fitHint(state: EditorState): string {
+  const { fitRun, fitView, hint, tool } = state;
+  const knots = fitRun.outcome?.knots ?? [];
+  const over = fitView.over === null ? undefined : knots[fitView.over];
+  if (over !== undefined && fitView.over !== null) return describeKnot(over, fitView.over, knots.length);
+  if (hint !== "") return hint;
+  if (tool === "hand") return "Drag to pan. D goes back to drawing.";
+  switch (fitView.tool) {
+    case "draw":
+      return state.fit.data.length === 0 ? "" : "Drag to draw another stroke. Press a knot to choose it.";
+    case "points":
+      return "Click to add points; a double-click or Enter ends the stroke.";
+    case "erase":
+      return "Drag over points to erase them.";
+  }
+}
+
+/** The picture in words, for those who do not see it. */
+export function fitSummary(state: EditorState): string {
+  const { fit, fitRun } = state;
+  if (fitRun.outcome === null) return `${describeData(fit)}.`;
+  const { counts, knots, max } = fitRun.outcome;
+  return `${describeData(fit)}, fitted with ${knots.length} knots: ${counts.linear} corners, ${counts.cubic} smooth, ${counts.coincident} both. No point is farther than ${max.toPrecision(2)} from the curve. Brackets step from knot to knot.`;
+}

@@ -1,0 +1,72 @@
+import type { ContractParts } from "./contract.ts";
+import type { Editor } from "./editor/editor.ts";
+import type { Frame } from "./editor/frame.ts";
+import { registerFitActions } from "./editor/fit/fit-actions.ts";
+import { boxOf, bringStrokes, chooseFitTool } from "./editor/fit/fit-edits.ts";
+import { fitHint, fitSummary } from "./editor/fit/fit-hint.ts";
+import { createFitRunner } from "./editor/fit/fit-runner.ts";
+import { editInCurve } from "./editor/fit/hand-over.ts";
+import { createFitClient } from "./kernel/fit/fit-client.ts";
+import { strokesFrom } from "./kernel/fit/as-strokes.ts";
+import { sampleFit } from "./kernel/fit/outcome.ts";
+import { fitSampleCards, mountEmptyFit } from "./panels/fit/empty-fit.ts";
+import { fitMetrics } from "./panels/fit/fit-metrics.ts";
+import { fitPanel } from "./panels/fit/fit-panel.ts";
+import type { Panels } from "./panels/mount.ts";
+import { createFitPainter } from "./render/fit/fit-painter.ts";
+import { createKnotProxies } from "./render/fit/knot-proxies.ts";
+import type { Stage } from "./render/stage.ts";
+import { createFitTool } from "./tools/fit/fit-tool.ts";
+
+/** Fit mode, put together when it is first opened. */
+
+export interface FitModeOptions {
+  readonly editor: Editor;
+  readonly frame: Frame;
+  readonly stage: Stage;
+  readonly surface: HTMLElement;
+  /** Where buttons for what is on the stage are put. */
+  readonly proxies: HTMLElement;
+  readonly panels: Panels;
+  readonly contract: ContractParts;
+  readonly until: AbortSignal;
+}
+
+export function mountFitMode({ editor, frame, stage, surface, proxies, panels, contract, until }: FitModeOptions): void {
+  registerFitActions(editor);
+  const start = (): Worker => new Worker(new URL("./kernel/fit/fit-worker.ts", import.meta.url), { type: "module" });
+  const runner = createFitRunner(editor, (handlers) => createFitClient(start, handlers), () => performance.now(), until);
+  editor.actions.register({ id: "fit-cancel", label: "Stop the fit", group: "Edit", keys: [], enabled: ({ mode }) => mode === "fit", run: () => runner.cancel() });
+  editor.actions.register({ id: "fit-edit", label: "Edit the fit in Curve", group: "Curve", keys: [], enabled: ({ mode, fitRun }) => mode === "fit" && fitRun.outcome !== null, run: editInCurve });
+  editor.modes.set("fit", { tool: createFitTool(editor), hint: fitHint, summary: fitSummary, box: ({ fit }) => boxOf(fit.data),
+    bring: (drawing, contours, kind) => bringStrokes(editor, "Import", strokesFrom(drawing, contours, kind === "points")) });
+  panels.shell.samples.set("fit", (done) => fitSampleCards(panels.shell, done));
+  stage.painters.set("fit", createFitPainter(frame, () => performance.now()));
+  createKnotProxies(editor, frame, surface, proxies, until);
+  panels.addMode("fit", { panel: fitPanel(panels.shell), metrics: fitMetrics });
+  mountEmptyFit(panels.shell);
+  contract.fit = {
+    sample: (count, stroke) => (editor.state.value.fitRun.outcome === null ? null : sampleFit(editor.state.value.fitRun.outcome, count, stroke)),
+    result() {
+      const { outcome } = editor.state.value.fitRun;
+      return outcome === null ? null : { knots: outcome.knots.map(({ x, y, type }) => ({ x, y, type })), rms: outcome.rms, max: outcome.max };
+    },
+    lastJobMs: () => editor.state.value.fitRun.lastMs,
+    working: () => runner.idle(),
+  };
+  let was = editor.state.value.mode;
+  editor.state.subscribe(({ mode, tool, fitView }, before) => {
+    if (mode !== was) {
+      was = mode;
+      surface.setAttribute("aria-label", mode === "fit" ? "Points to fit" : "Curve canvas");
+      // The rail's buttons stand for Fit's tools while Fit is open.
+      if (mode === "fit") chooseFitTool(editor, fitView.tool);
+      else if (before.mode === "fit") editor.patch({ tool: "select" });
+    } else if (mode === "fit" && tool !== before.tool) {
+      if (tool === "draw" && fitView.tool !== "draw") chooseFitTool(editor, "draw");
+      if (tool === "pen" && fitView.tool !== "points") chooseFitTool(editor, "points");
+    }
+  }, { until });
+  if (was === "fit") chooseFitTool(editor, editor.state.value.fitView.tool);
+  stage.repaint();
+}

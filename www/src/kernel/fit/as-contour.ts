@@ -1,0 +1,9 @@
+import { HermiteCurve, type Curve } from "expline/slim";
+import type { Contour } from "../../document/document.ts";
+import { contourFrom } from "../contours.ts";
+
+/** A fitted curve as a contour of the document: the same curve, each polynomial piece one segment. */
+export function contourFromFit(curve: Curve): Contour {
+  if (!(curve instanceof HermiteCurve)) throw new TypeError("a fit of degree 3 is a Hermite curve");
+  return contourFrom(curve, "trigonometric");
+}

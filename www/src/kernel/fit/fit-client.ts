@@ -1,0 +1,135 @@
+import type { FitAnswer, FitRequest, FitStrength, FitSubject, PlainFit } from "./job.ts";
+
+/**
+ * Fits in a worker: the newest request counts, one is under way at a time, and an older result never replaces a newer one.
+ * A worker that dies is replaced once for a request; what it was asked for is known here.
+ */
+
+export interface FitHandlers {
+  fitted(fits: readonly PlainFit[], subject: FitSubject, ms: number): void;
+  stopped(): void;
+  failed(code: string, message: string): void;
+  chart(point: { smoothing: number; knots: number; rms: number }): void;
+  /** The worker died and another one has taken its place. */
+  restarted(): void;
+}
+
+export interface FitClient {
+  /** The newest request: what was asked for before is dropped. */
+  fit(subject: FitSubject, strength: FitStrength, live: boolean): void;
+  /** Fills the chart of the present subject when nothing is asked for. */
+  chart(at: readonly number[]): void;
+  cancel(): void;
+  /** Resolves when nothing is under way or waiting; the chart does not count. */
+  idle(): Promise<void>;
+  readonly busy: boolean;
+}
+
+interface Asked {
+  readonly id: number;
+  readonly strength: FitStrength;
+  readonly live: boolean;
+  readonly what: FitSubject;
+}
+
+export function createFitClient(start: () => Worker, handlers: FitHandlers): FitClient {
+  let worker: Worker | null = null;
+  let subject = 0;
+  let known: FitSubject | null = null;
+  let serial = 0;
+  let running: Asked | null = null;
+  let waiting: Asked | null = null;
+  let retried = 0;
+  let idlers: (() => void)[] = [];
+
+  const post = (request: FitRequest): void => {
+    worker ??= listen(start());
+    worker.postMessage(request);
+  };
+
+  function listen(fresh: Worker): Worker {
+    fresh.addEventListener("message", (event: MessageEvent<FitAnswer>) => {
+      if (fresh === worker) receive(event.data);
+    });
+    fresh.addEventListener("error", (event) => {
+      if (fresh === worker) replace(event.message);
+    });
+    return fresh;
+  }
+
+  /** A dead worker's request is tried once more in a new one. */
+  function replace(message: string): void {
+    worker?.terminate();
+    worker = null;
+    known = null;
+    const lost = waiting ?? running;
+    running = null;
+    waiting = null;
+    handlers.restarted();
+    if (lost !== null && lost.id !== retried) {
+      retried = lost.id;
+      begin(lost);
+    } else {
+      handlers.failed("E_WORKER", message);
+      settle();
+    }
+  }
+
+  function begin(asked: Asked): void {
+    running = asked;
+    if (known !== asked.what) {
+      known = asked.what;
+      subject += 1;
+      post({ kind: "subject", subject, what: asked.what });
+    }
+    post({ kind: "fit", subject, id: asked.id, strength: asked.strength, live: asked.live });
+  }
+
+  function receive(answer: FitAnswer): void {
+    if (answer.kind === "chart") {
+      if (answer.subject === subject && running === null) handlers.chart(answer);
+      return;
+    }
+    if (running === null || answer.id !== running.id) return;
+    const done = running;
+    running = null;
+    if (answer.kind === "fitted") handlers.fitted(answer.fits, done.what, answer.ms);
+    else if (answer.kind === "failed") handlers.failed(answer.code, answer.message);
+    else if (waiting === null) handlers.stopped();
+    const next = waiting;
+    waiting = null;
+    if (next !== null) begin(next);
+    else settle();
+  }
+
+  function settle(): void {
+    if (running !== null || waiting !== null) return;
+    const settled = idlers;
+    idlers = [];
+    for (const resolve of settled) resolve();
+  }
+
+  return {
+    get busy() {
+      return running !== null;
+    },
+    fit(what, strength, live) {
+      serial += 1;
+      const asked = { id: serial, strength, live, what };
+      if (running === null) return begin(asked);
+      // A step of a drag waits for the one before, so that something is always to be seen; a settled request does not wait.
+      waiting = asked;
+      if (!live || running.what !== what) post({ kind: "stop" });
+    },
+    chart(at) {
+      if (running === null && known !== null) post({ kind: "chart", subject, at });
+    },
+    cancel() {
+      waiting = null;
+      if (running !== null) post({ kind: "stop" });
+    },
+    idle() {
+      return running === null && waiting === null ? Promise.resolve() : new Promise((resolve) => idlers.push(resolve));
+    },
+  };
+}

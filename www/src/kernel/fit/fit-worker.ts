@@ -1,0 +1,119 @@
+/** The worker that fits: one subject at a time, the newest request first, and the chart while there is nothing else to do. */
+import init, { ExplineError, fitSparseAsync, initFit, SparseFitter, type SparseFit, type SparseFitOptions } from "expline/slim";
+import wasmUrl from "expline/expline_bg.wasm?url";
+import fitUrl from "expline/expline_fit_bg.wasm?url";
+import type { FitAnswer, FitRequest, FitStrength, FitSubject, PlainFit } from "./job.ts";
+
+/** Certified within a drag; what stays on the stage is certified to the library's own default. */
+const liveGap = 1e-3;
+/** Halvings of the smoothing when a number of knots is asked for: a fiftieth of a step of the slider. */
+const halvings = 13;
+
+const ready = Promise.all([init({ wasmUrl }), initFit({ wasmUrl: fitUrl })]);
+
+let subject = 0;
+let what: FitSubject = { strokes: [], degree: 3, mix: 0.5, corners: true };
+let fitters: SparseFitter[] = [];
+/** Ends whatever is under way. */
+let under = new AbortController();
+/** Requests are worked off one after the other; a new one ends the one before. */
+let last: Promise<void> = Promise.resolve();
+
+const answer = (message: FitAnswer): void => postMessage(message);
+
+function optionsOf({ degree, mix, corners }: FitSubject, closed: boolean): SparseFitOptions {
+  return { degree, corners, closed, ...(typeof degree === "number" ? {} : { mix }) };
+}
+
+function open(id: number, next: FitSubject): void {
+  for (const fitter of fitters) fitter.dispose();
+  fitters = [];
+  subject = id;
+  what = next;
+}
+
+/** Kept for the next step of the slider: a solve begins where the last one ended. */
+function liveFitters(): readonly SparseFitter[] {
+  if (fitters.length === 0) fitters = what.strokes.map(({ points, closed }) => new SparseFitter(points, { ...optionsOf(what, closed), gap: liveGap }));
+  return fitters;
+}
+
+async function solve(strength: FitStrength, live: boolean, signal: AbortSignal): Promise<SparseFit[]> {
+  if (strength.by === "knots") return fewest(strength.knots, signal);
+  const asked = strength.by === "smoothing" ? { smoothing: strength.smoothing } : { tolerance: strength.tolerance };
+  const fits: SparseFit[] = [];
+  if (live) {
+    for (const fitter of liveFitters()) fits.push(await fitter.solveAsync({ ...asked, signal }));
+  } else {
+    // From nothing, so that what stays depends on the values alone and not on the way to them.
+    for (const { points, closed } of what.strokes) fits.push(await fitSparseAsync(points, { ...optionsOf(what, closed), ...asked, signal }));
+  }
+  return fits;
+}
+
+const knotsOf = (fits: readonly SparseFit[]): number => fits.reduce((sum, { knots }) => sum + new Set(knots.map(({ t }) => t)).size, 0);
+
+/** The least smoothing whose fit has at most so many knots; the strongest there is if none has. */
+async function fewest(most: number, signal: AbortSignal): Promise<SparseFit[]> {
+  let [low, high] = [0, 1];
+  for (let i = 0; i < halvings; i += 1) {
+    const middle = (low + high) / 2;
+    const fits = await solve({ by: "smoothing", smoothing: middle }, true, signal);
+    if (knotsOf(fits) <= most) high = middle;
+    else low = middle;
+  }
+  return solve({ by: "smoothing", smoothing: high }, false, signal);
+}
+
+function plain({ curve, parts, knots, parameters, qfe, maxError, lambda, smoothing, gap, status }: SparseFit): PlainFit {
+  const shown = { curve: curve.toJSON(), parts: parts.map((part) => part.toJSON()), knots, parameters, qfe, maxError, lambda, gap, status };
+  return smoothing === undefined ? shown : { ...shown, smoothing };
+}
+
+async function fit(request: Extract<FitRequest, { kind: "fit" }>, signal: AbortSignal): Promise<void> {
+  const { id } = request;
+  try {
+    const start = performance.now();
+    const fits = await solve(request.strength, request.live, signal);
+    answer({ kind: "fitted", subject, id, fits: fits.map(plain), ms: performance.now() - start });
+  } catch (error) {
+    if (error instanceof ExplineError && error.code === "E_CANCELLED") answer({ kind: "stopped", subject, id });
+    else answer({ kind: "failed", subject, id, code: error instanceof ExplineError ? error.code : "", message: String(error) });
+  }
+}
+
+async function chart(at: readonly number[], signal: AbortSignal): Promise<void> {
+  try {
+    // From strong to weak: knots come one after the other, and each solve begins near its end.
+    for (const smoothing of [...at].sort((a, b) => b - a)) {
+      const fits = await solve({ by: "smoothing", smoothing: smoothing / 100 }, true, signal);
+      const sizes = what.strokes.map(({ points }) => points.length / 2);
+      const squares = fits.reduce((sum, { qfe }, i) => sum + qfe * (sizes[i] ?? 0), 0);
+      answer({ kind: "chart", subject, smoothing, knots: knotsOf(fits), rms: Math.sqrt(squares / Math.max(1, sizes.reduce((sum, size) => sum + size, 0))) });
+    }
+  } catch (error) {
+    // A chart that was interrupted is asked for again; whatever else goes wrong, the fit itself will say.
+    if (!(error instanceof ExplineError)) throw error;
+  }
+}
+
+async function work(request: FitRequest, signal: AbortSignal): Promise<void> {
+  await ready;
+  switch (request.kind) {
+    case "subject":
+      return open(request.subject, request.what);
+    case "fit":
+      return fit(request, signal);
+    case "chart":
+      return signal.aborted || request.subject !== subject ? undefined : chart(request.at, signal);
+    case "stop":
+      return undefined;
+  }
+}
+
+onmessage = (event: MessageEvent<FitRequest>) => {
+  under.abort();
+  under = new AbortController();
+  const { signal } = under;
+  last = last.then(() => work(event.data, signal));
+};

@@ -1,0 +1,47 @@
+import { fitSamples, samplePoints, type FitSample } from "../../document/fit-samples.ts";
+import { strokesOf } from "../../document/fit.ts";
+import type { EditorState } from "../../editor/editor.ts";
+import { boxOf, openFitSample } from "../../editor/fit/fit-edits.ts";
+import { h, svg } from "../dom.ts";
+import type { Shell } from "../shell.ts";
+
+/** The sample's points as they are opened. */
+export function fitThumbnail(sample: FitSample): SVGSVGElement {
+  const drawn = samplePoints(sample, sample.settings.noise, sample.settings.seed);
+  const box = boxOf(drawn.data) ?? { minX: 0, minY: 0, maxX: 1, maxY: 1 };
+  const scale = Math.max((box.maxX - box.minX) / 3, (box.maxY - box.minY) / 2) * 1.2;
+  const viewBox = [(box.minX + box.maxX) / 2 - 1.5 * scale, (box.minY + box.maxY) / 2 - scale, 3 * scale, 2 * scale].map((value) => value.toFixed(1)).join(" ");
+  const step = Math.max(1, Math.floor(drawn.data.length / 220));
+  const path = strokesOf(drawn).map(({ from, to }) => drawn.data.slice(from, to).filter((_, i) => i % step === 0).map(([x, y]) => `M${x.toFixed(1)} ${y.toFixed(1)}h.01`).join("")).join("");
+  return svg("svg", { class: "thumbnail thumbnail-dots", viewBox, "aria-hidden": "true" }, svg("path", { d: path }));
+}
+
+export function fitSampleCards(shell: Shell, done: () => void): HTMLElement[] {
+  const present = shell.editor.state.value.mode === "fit" ? shell.editor.state.value.fit.sample : undefined;
+  return fitSamples.map((sample) =>
+    h("button", { class: "sample", type: "button", testid: `sample-${sample.id}`, title: sample.note, "aria-current": sample.id === present ? "true" : null, click: () => { done(); openFitSample(shell.editor, sample.id); } },
+      fitThumbnail(sample), h("span", { class: "sample-title" }, sample.title), h("span", { class: "sample-note quiet" }, sample.note)));
+}
+
+/** No points: an invitation to draw, a squiggle as an example, and samples. Presses beside the buttons go through to the stage. */
+export function mountEmptyFit(shell: Shell): void {
+  const { editor, regions, until } = shell;
+  let card: HTMLElement | null = null;
+  const build = (): HTMLElement => {
+    const squiggle = svg("svg", { class: "empty-squiggle", viewBox: "0 0 240 60", "aria-hidden": "true" }, svg("path", { d: "M8 40C28 4 48 4 64 30S100 62 120 30 158 4 176 30s34 24 56-8" }));
+    return h("div", { class: "empty empty-curve empty-fit", testid: "empty-fit" },
+      h("h2", {}, "Draw a line here"), squiggle, h("p", { class: "quiet" }, "or paste x,y rows, drop an SVG, or start from a sample"),
+      h("div", { class: "samples" }, ...fitSampleCards(shell, () => undefined).slice(0, 3)));
+  };
+  const update = ({ mode, fit, fitView }: EditorState): void => {
+    const empty = mode === "fit" && fit.data.length === 0 && fit.sample === undefined && fitView.stroke.length === 0;
+    if (!empty) {
+      card?.remove();
+      card = null;
+    } else if (card === null) {
+      card = build();
+      regions.stage.append(card);
+    }
+  };
+  editor.state.subscribe(update, { now: true, until });
+}

@@ -1,0 +1,138 @@
+import type { FitClosing, FitModel, FitTarget } from "../../document/fit.ts";
+import { fitSample } from "../../document/fit-samples.ts";
+import type { EditorState } from "../../editor/editor.ts";
+import { chooseFitTool, describeData, setClosing, setCorners, setMix, setModel, setNoise, setSmoothing, setTarget, setTargetValue } from "../../editor/fit/fit-edits.ts";
+import type { FitTool } from "../../editor/fit/fit-state.ts";
+import { h, setAttribute, setText } from "../dom.ts";
+import { choiceField, numberField, selectField, sliderField, toggleField } from "../fields.ts";
+import type { Section } from "../curve/curve-panel.ts";
+import type { ModePanel } from "../panel.ts";
+import type { Shell } from "../shell.ts";
+import { chartSection } from "./fit-chart.ts";
+import { readingSection, showSection } from "./fit-show.ts";
+
+/** Fit mode's properties. */
+export function fitPanel(shell: Shell): ModePanel {
+  const smoothing = smoothingSection(shell);
+  const sections = [dataSection(shell), smoothing, modelSection(shell), readingSection(shell), showSection(shell)];
+  return {
+    element: h("div", { class: "fit-panel" }, ...sections.map((section) => section.element)),
+    peek: smoothing.slider,
+    note: ({ fit }) => fitSample(fit.sample ?? "")?.title ?? "",
+    update(state) {
+      for (const section of sections) section.update(state);
+    },
+  };
+}
+
+function dataSection(shell: Shell): Section {
+  const { editor } = shell;
+  const tool = choiceField<FitTool>({
+    label: "Tool", testid: "fit-tool", about: "What the pointer does on the stage.",
+    options: [
+      { value: "draw", label: "Draw", about: "Drag to draw a stroke (D)." },
+      { value: "points", label: "Points", about: "Click to place points (P)." },
+      { value: "erase", label: "Erase", about: "Drag over points to erase them (E)." },
+    ],
+    write: (value) => chooseFitTool(editor, value),
+  });
+  const data = h("p", { class: "field-note fit-data num" });
+  const noise = sliderField({
+    label: "Noise σ", testid: "fit-noise", about: "Standard deviation of the sample's noise in document units; samples only.",
+    least: 0, most: 20, step: 0.5, print: (value) => `${value} px`,
+    write: (value) => setNoise(editor, value, editor.state.value.fit.seed),
+    reset: () => setNoise(editor, fitSample(editor.state.value.fit.sample ?? "")?.settings.noise ?? 0, editor.state.value.fit.seed),
+    gesture: { begin: () => editor.fitEdits.begin("Noise"), commit: () => editor.fitEdits.commit() },
+  });
+  const seed = numberField({
+    label: "Seed", testid: "fit-seed", about: "Another seed is other noise of the same strength.", least: 0, most: 9999, step: 1, format: String,
+    write: (value) => value !== null && setNoise(editor, editor.state.value.fit.noise, Math.round(value)),
+  });
+  const actions = h("div", { class: "field-row fit-actions" },
+    h("button", { class: "button", type: "button", testid: "fit-redraw", title: "Take everything away and draw anew.", click: () => editor.actions.run("fit-redraw") }, h("span", {}, "Redraw")),
+    h("button", { class: "button", type: "button", testid: "fit-samples", title: "Samples to start from", click: () => editor.actions.run("samples") }, h("span", {}, "Samples")));
+  return {
+    element: h("section", { class: "section", "aria-label": "Data" }, tool.element, data, noise.element, seed.element, actions),
+    update({ fit, fitView }) {
+      tool.show(fitView.tool);
+      setText(data, describeData(fit));
+      noise.element.hidden = fit.sample === undefined;
+      seed.element.hidden = fit.sample === undefined;
+      noise.show(fit.noise);
+      seed.show(fit.seed);
+    },
+  };
+}
+
+function smoothingSection(shell: Shell): Section & { readonly slider: HTMLElement } {
+  const { editor } = shell;
+  const gesture = (name: string) => ({ begin: () => editor.fitEdits.begin(name), commit: () => editor.fitEdits.commit() });
+  const smoothing = sliderField({
+    label: "Smoothing", testid: "fit-smoothing", about: "How much is simplified: the price of a knot, the same for any size of drawing.",
+    least: 0, most: 100, step: 0.5, direction: "fewer knots", print: (value) => String(value),
+    write: (value) => setSmoothing(editor, value),
+    reset: () => setSmoothing(editor, fitSample(editor.state.value.fit.sample ?? "")?.settings.smoothing ?? 40),
+    gesture: gesture("Smoothing"),
+  });
+  const chart = chartSection(shell);
+  const target = selectField<FitTarget>({
+    label: "Target", testid: "fit-target", about: "Lets a number of knots or an error drive the smoothing.",
+    options: [["off", "Off"], ["knots", "At most so many knots"], ["error", "Error at most"]],
+    write: (value) => setTarget(editor, value), reset: () => setTarget(editor, "off"),
+  });
+  const most = numberField({
+    label: "At most", testid: "fit-target-value", about: "Knots, or pixels of the largest error.", least: 0.01, most: 1000, step: 1, format: (value) => String(Number(value.toFixed(2))),
+    write: (value) => value !== null && setTargetValue(editor, value),
+  });
+  return {
+    slider: smoothing.element,
+    element: h("section", { class: "section", "aria-label": "Smoothing" }, smoothing.element, chart.element, target.element, most.element),
+    update(state: EditorState) {
+      const { fit } = state;
+      smoothing.show(fit.data.length === 0 ? null : fit.smoothing);
+      chart.update(state);
+      target.show(fit.target);
+      most.element.hidden = fit.target === "off";
+      most.show(fit.target === "knots" ? fit.targetKnots : fit.targetError);
+    },
+  };
+}
+
+function modelSection(shell: Shell): Section {
+  const { editor } = shell;
+  const model = choiceField<FitModel>({
+    label: "Model", testid: "fit-model", about: "What the curve is made of.",
+    options: [
+      { value: "linear", label: "Linear", about: "Straight pieces between corners." },
+      { value: "cubic", label: "Cubic", about: "A smooth curve without corners." },
+      { value: "hybrid", label: "Hybrid", about: "The sum of both: corners where they are, smooth elsewhere." },
+    ],
+    write: (value) => setModel(editor, value),
+  });
+  const mix = sliderField({
+    label: "Mix", testid: "fit-mix", about: "Whether straight pieces or smooth ones are preferred.", least: 0, most: 100, step: 1, direction: "smooth", print: String,
+    write: (value) => setMix(editor, value), reset: () => setMix(editor, 50),
+    gesture: { begin: () => editor.fitEdits.begin("Mix"), commit: () => editor.fitEdits.commit() },
+  });
+  const corners = toggleField({ label: "Keep corners", testid: "fit-corners", about: "Sharp corners of the points stay as they are (C).", write: (on) => setCorners(editor, on) });
+  const closing = choiceField<FitClosing>({
+    label: "Closed", testid: "fit-closed", about: "Whether the ends are joined; Auto joins ends that are within 3 % of the size.",
+    options: [
+      { value: "auto", label: "Auto", about: "Joined where the ends are near each other." },
+      { value: "open", label: "Open", about: "The ends are free." },
+      { value: "closed", label: "Closed", about: "The last point is joined to the first." },
+    ],
+    write: (value) => setClosing(editor, value),
+  });
+  return {
+    element: h("section", { class: "section", "aria-label": "Model" }, model.element, mix.element, corners.element, closing.element),
+    update({ fit }) {
+      model.show(fit.model);
+      mix.element.hidden = fit.model !== "hybrid";
+      mix.show(fit.mix);
+      corners.show(fit.corners);
+      closing.show(fit.closing);
+      setAttribute(mix.input, "aria-label", "Mix, from straight to smooth");
+    },
+  };
+}

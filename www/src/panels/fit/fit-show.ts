@@ -1,0 +1,112 @@
+import type { EditorState } from "../../editor/editor.ts";
+import { chooseKnots, setFitView } from "../../editor/fit/fit-edits.ts";
+import { toggleFitOverlay } from "../../editor/fit/fit-actions.ts";
+import type { Compare, FitOverlay } from "../../editor/fit/fit-state.ts";
+import type { KnotType } from "../../kernel/fit/knots.ts";
+import { h, setAttribute, setText } from "../dom.ts";
+import { selectField, sliderField, toggleField } from "../fields.ts";
+import { formatDeviation } from "../format.ts";
+import { glyph } from "../icons.ts";
+import type { Section } from "../curve/curve-panel.ts";
+import type { Shell } from "../shell.ts";
+
+/** What came of the fit: knots by kind, and the errors; then what is drawn of it. */
+
+const rows: readonly (readonly [KnotType, string, string])[] = [
+  ["linear", "Corners", "Select every knot of the straight part"],
+  ["cubic", "Smooth", "Select every knot of the smooth part"],
+  ["coincident", "Both", "Select every place where both parts have a knot"],
+];
+
+export function readingSection(shell: Shell): Section {
+  const { editor } = shell;
+  const legend = rows.map(([type, label, about]) => {
+    const number = h("b", { class: "num" });
+    const row = h("button", { class: "legend-row", type: "button", testid: `legend-${type}`, title: about, click: () => chooseKnots(editor, type) }, glyph(type), h("span", {}, label), number);
+    return { type, row, number };
+  });
+  const reduction = h("p", { class: "fit-reduction num", "aria-live": "off" });
+  const errors = h("p", { class: "field-note num" });
+  const failure = h("p", { class: "field-error", role: "alert" });
+  const edit = h("button", { class: "button primary", type: "button", testid: "fit-edit", title: "Copy the curve to Curve mode, ready to edit.", click: () => editor.actions.run("fit-edit") }, h("span", {}, "Edit in Curve"));
+  const cancel = h("button", { class: "button", type: "button", testid: "fit-cancel", title: "Stop the fit that is under way.", click: () => editor.actions.run("fit-cancel") }, h("span", {}, "Cancel"));
+  const bar = h("div", { class: "fit-bar", testid: "progress", role: "progressbar", "aria-label": "Fitting", hidden: true });
+  const showBusy = (since: number | null): void => {
+    const waited = since === null ? 0 : performance.now() - since;
+    bar.hidden = waited < 150;
+    cancel.hidden = waited < 1000;
+    clearTimeout(timer);
+    if (since !== null) timer = setTimeout(() => showBusy(editor.state.value.fitRun.since), 100);
+  };
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  return {
+    element: h("section", { class: "section", "aria-label": "Result" },
+      h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Knots"), bar), failure, reduction,
+      h("div", { class: "legend" }, ...legend.map(({ row }) => row)), errors, h("div", { class: "field-row fit-actions" }, edit, cancel)),
+    update({ fitRun }: EditorState) {
+      const { outcome } = fitRun;
+      for (const { type, row, number } of legend) {
+        const count = outcome?.counts[type] ?? 0;
+        setText(number, String(count));
+        setAttribute(row, "data-value", String(count));
+        row.disabled = count === 0;
+      }
+      const total = outcome?.knots.length ?? 0;
+      const less = outcome === null || outcome.size === 0 ? 0 : Math.round(100 * (1 - total / outcome.size));
+      setText(reduction, outcome === null ? "" : `${outcome.size} → ${total} points (−${less} %)`);
+      setText(errors, outcome === null ? "" : `rms ${formatDeviation(outcome.rms)}, max ${formatDeviation(outcome.max)} px (${formatDeviation((100 * outcome.max) / Math.max(outcome.diagonal, 1e-12))} %)`);
+      edit.disabled = outcome === null;
+      setText(failure, fitRun.failure === null ? "" : fitRun.failure.id === "points-few"
+        ? `Fitting needs at least 4 different points; there ${fitRun.failure.details.count === 1 ? "is" : "are"} ${fitRun.failure.details.count ?? 0}.`
+        : `The engine stopped (${fitRun.failure.details.code ?? "unknown"}). Your points are safe; change something to try again.`);
+      setAttribute(failure, "data-testid", fitRun.failure === null ? null : "error");
+      setAttribute(failure, "data-error", fitRun.failure?.id ?? null);
+      showBusy(fitRun.since);
+    },
+  };
+}
+
+const overlays: readonly (readonly [FitOverlay, string, string])[] = [
+  ["data", "Data", "The points as they came."],
+  ["knots", "Knots", "The marks of the knots, by kind."],
+  ["residual", "Residuals", "A line from every point to its place on the curve."],
+  ["heat", "Error heat", "The curve coloured by how far the points are."],
+  ["parts", "Parts", "The straight part and the smooth part by themselves."],
+  ["comb", "Comb", "Curvature as teeth along the curve (K)."],
+];
+
+export function showSection(shell: Shell): Section {
+  const { editor } = shell;
+  const toggles = overlays.map(([id, label, about]) => ({ id, field: toggleField({ label, testid: `ov-${id}`, about, write: () => toggleFitOverlay(editor, id) }) }));
+  const compare = selectField<Compare>({
+    label: "Compare", testid: "compare", about: "The points and the curve: over each other, or side by side.",
+    options: [["off", "Off"], ["onion", "Onion"], ["split", "Split"]],
+    write: (value) => setFitView(editor, { compare: value }), reset: () => setFitView(editor, { compare: "off" }),
+  });
+  const split = sliderField({
+    label: "Split at", testid: "compare-split", about: "Where the stage is divided.", least: 0, most: 100, step: 1, print: (value) => `${value} %`,
+    write: (value) => setFitView(editor, { split: value / 100 }),
+  });
+  const hold = h("button", { class: "button", type: "button", testid: "compare-hold", title: "Hold to see the points alone (O)" }, h("span", {}, "Hold to see the points"));
+  const only = (on: boolean) => () => editor.patch({ originalOnly: on });
+  hold.addEventListener("pointerdown", only(true));
+  for (const type of ["pointerup", "pointercancel", "pointerleave", "blur"]) hold.addEventListener(type, only(false));
+  hold.addEventListener("keydown", (event) => (event.key === " " || event.key === "Enter") && only(true)());
+  hold.addEventListener("keyup", only(false));
+  const least = h("span", { class: "num" }, "0");
+  const most = h("span", { class: "num" });
+  const ramp = h("div", { class: "heat-legend" }, least, h("span", { class: "heat-ramp", "aria-hidden": "true" }), most);
+  return {
+    element: h("section", { class: "section", "aria-label": "Show" },
+      h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Show")),
+      h("div", { class: "toggles" }, ...toggles.map(({ field }) => field.element)), ramp, compare.element, split.element, h("div", { class: "field-row fit-actions" }, hold)),
+    update({ fitView, fitRun, fit }: EditorState) {
+      for (const { id, field } of toggles) field.show(id === "parts" && fit.model !== "hybrid" ? null : fitView.overlays[id]);
+      compare.show(fitView.compare);
+      split.element.hidden = fitView.compare !== "split";
+      split.show(Math.round(100 * fitView.split));
+      ramp.hidden = !fitView.overlays.heat;
+      setText(most, `${formatDeviation(fitRun.outcome?.max ?? 0)} px`);
+    },
+  };
+}

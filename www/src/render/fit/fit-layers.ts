@@ -1,0 +1,211 @@
+import { strokesOf } from "../../document/fit.ts";
+import { cubicsOfFit, feetOf, teethOf, type FitOutcome, type FittedStroke } from "../../kernel/fit/outcome.ts";
+import { inPage, inScreen, onScreen, pathOfCubics, type Scene } from "../scene.ts";
+
+/** What Fit draws of the data and of the curve; the marks of knots are elsewhere. */
+
+const dot = 1.25;
+/** More dots than this would be a stripe: then every second, third … one is drawn, and the way between them. */
+const mostDots = 3000;
+
+const dots = new WeakMap<object, { readonly zoom: number; readonly path: Path2D }>();
+
+/** The data as dots of the same size at any zoom. */
+export function drawData(scene: Scene, strength: number): void {
+  const { state, palette } = scene;
+  const { data } = state.fit;
+  const context = inPage(scene);
+  const { zoom } = state.view;
+  context.globalAlpha = strength;
+  if (data.length > mostDots || strength === 1) drawRawLine(scene, data.length > mostDots ? 1.25 : 0.75);
+  const known = dots.get(data);
+  const path = known !== undefined && known.zoom === zoom ? known.path : new Path2D();
+  if (known?.path !== path) {
+    const radius = dot / zoom;
+    const step = Math.ceil(data.length / mostDots);
+    for (let i = 0; i < data.length; i += step) {
+      const [x = 0, y = 0] = data[i] ?? [];
+      path.moveTo(x + radius, y);
+      path.arc(x, y, radius, 0, 2 * Math.PI);
+    }
+    dots.set(data, { zoom, path });
+  }
+  context.fillStyle = palette.original;
+  context.fill(path);
+  context.globalAlpha = 1;
+}
+
+const lines = new WeakMap<object, Path2D>();
+
+/** The way from point to point, as it was drawn. */
+function drawRawLine(scene: Scene, width: number): void {
+  const { state, palette } = scene;
+  const { fit, view } = state;
+  const known = lines.get(fit.data);
+  const path = known ?? new Path2D();
+  if (known === undefined) {
+    for (const { from, to } of strokesOf(fit)) {
+      fit.data.slice(from, to).forEach(([x, y], i) => (i === 0 ? path.moveTo(x, y) : path.lineTo(x, y)));
+    }
+    lines.set(fit.data, path);
+  }
+  const context = inPage(scene);
+  context.strokeStyle = palette.original;
+  context.lineWidth = width / view.zoom;
+  context.stroke(path);
+}
+
+export function drawCurve(scene: Scene, outcome: FitOutcome): void {
+  const context = inPage(scene);
+  context.strokeStyle = scene.palette.curve;
+  context.lineWidth = 2 / scene.state.view.zoom;
+  context.lineJoin = "round";
+  for (const { curve } of outcome.strokes) context.stroke(pathOfCubics(cubicsOfFit(curve), curve.closed));
+}
+
+/** From every point to its place on the curve. */
+export function drawResiduals(scene: Scene, outcome: FitOutcome): void {
+  const context = inPage(scene);
+  context.strokeStyle = scene.palette.warn;
+  context.lineWidth = 1 / scene.state.view.zoom;
+  for (const stroke of outcome.strokes) context.stroke(residualsOf(stroke));
+}
+
+const residuals = new WeakMap<FittedStroke, Path2D>();
+
+function residualsOf(stroke: FittedStroke): Path2D {
+  const known = residuals.get(stroke);
+  if (known !== undefined) return known;
+  const path = new Path2D();
+  const [{ points }, feet] = [stroke, feetOf(stroke)];
+  for (let i = 0; i + 1 < points.length; i += 2) {
+    path.moveTo(points[i] ?? 0, points[i + 1] ?? 0);
+    path.lineTo(feet[i] ?? 0, feet[i + 1] ?? 0);
+  }
+  residuals.set(stroke, path);
+  return path;
+}
+
+/** A broad line behind the curve, coloured by how far the points there are from it. */
+export function drawHeat(scene: Scene, outcome: FitOutcome): void {
+  const context = inPage(scene);
+  const { heat } = scene.palette;
+  context.lineWidth = 6 / scene.state.view.zoom;
+  context.lineCap = "round";
+  for (const stroke of outcome.strokes) {
+    heatOf(stroke, outcome.max, heat.length).forEach((path, i) => {
+      context.strokeStyle = heat[i] ?? "";
+      context.stroke(path);
+    });
+  }
+  context.lineCap = "butt";
+}
+
+const heats = new WeakMap<FittedStroke, readonly Path2D[]>();
+
+/** The curve in short chords, each in the path of its error's step. */
+function heatOf(stroke: FittedStroke, most: number, steps: number): readonly Path2D[] {
+  const known = heats.get(stroke);
+  if (known !== undefined) return known;
+  const paths = Array.from({ length: steps }, () => new Path2D());
+  const [{ points, parameters, curve }, feet] = [stroke, feetOf(stroke)];
+  const order = Array.from(parameters, (_, i) => i).sort((a, b) => (parameters[a] ?? 0) - (parameters[b] ?? 0));
+  const errorAt = (i: number): number => Math.hypot((points[2 * i] ?? 0) - (feet[2 * i] ?? 0), (points[2 * i + 1] ?? 0) - (feet[2 * i + 1] ?? 0));
+  order.forEach((i, place) => {
+    const next = order[place + 1] ?? (curve.closed ? order[0] : undefined);
+    if (next === undefined) return;
+    const error = (errorAt(i) + errorAt(next)) / 2;
+    const path = paths[Math.min(steps - 1, Math.floor((steps * error) / Math.max(most, 1e-12)))];
+    path?.moveTo(feet[2 * i] ?? 0, feet[2 * i + 1] ?? 0);
+    path?.lineTo(feet[2 * next] ?? 0, feet[2 * next + 1] ?? 0);
+  });
+  heats.set(stroke, paths);
+  return paths;
+}
+
+/** The straight part and the smooth part by themselves: their sum is the curve. */
+export function drawParts(scene: Scene, outcome: FitOutcome): void {
+  const { state, palette } = scene;
+  const { zoom } = state.view;
+  for (const { parts, curve } of outcome.strokes) {
+    if (parts.length < 2) continue;
+    const middle = centreOf(curve.sample(64));
+    parts.forEach((part, i) => {
+      const context = inPage(scene);
+      // Only the sum has a place of its own: each part is shown round the middle of the curve.
+      const own = centreOf(part.sample(64));
+      context.translate(middle.x - own.x, middle.y - own.y);
+      context.strokeStyle = i === 0 ? palette.linear : palette.cubic;
+      context.lineWidth = 1.5 / zoom;
+      context.setLineDash(i === 0 ? [7 / zoom, 4 / zoom] : [2 / zoom, 3 / zoom]);
+      context.stroke(pathOfCubics(cubicsOfFit(part), part.closed));
+      context.setLineDash([]);
+      const [x = 0, y = 0] = part.evaluate(0);
+      const at = onScreen(scene, { x: x + middle.x - own.x, y: y + middle.y - own.y });
+      const screen = inScreen(scene);
+      screen.font = "12px system-ui, sans-serif";
+      screen.fillStyle = i === 0 ? palette.linear : palette.cubic;
+      screen.fillText(i === 0 ? "straight part" : "smooth part", at.x + 8, at.y + (i === 0 ? -8 : 16));
+    });
+  }
+}
+
+function centreOf(points: Float64Array): { x: number; y: number } {
+  let [x, y] = [0, 0];
+  for (let i = 0; i + 1 < points.length; i += 2) {
+    x += points[i] ?? 0;
+    y += points[i + 1] ?? 0;
+  }
+  const count = Math.max(1, points.length / 2);
+  return { x: x / count, y: y / count };
+}
+
+const teethPerCurve = 480;
+
+/** Curvature as teeth at right angles, on the convex side. */
+export function drawFitComb(scene: Scene, outcome: FitOutcome): void {
+  const { state, palette } = scene;
+  const context = inPage(scene);
+  const scale = 0.015 * outcome.diagonal * outcome.diagonal * state.settings.combScale;
+  const longest = 0.25 * outcome.diagonal;
+  context.strokeStyle = palette.handle;
+  context.lineWidth = 1 / state.view.zoom;
+  context.globalAlpha = 0.55;
+  const path = new Path2D();
+  for (const { curve } of outcome.strokes) {
+    const { points, tangents, curvature } = teethOf(curve, Math.ceil(teethPerCurve / outcome.strokes.length));
+    curvature.forEach((value, i) => {
+      const [x = 0, y = 0] = points.subarray(2 * i, 2 * i + 2);
+      const [dx = 0, dy = 0] = tangents.subarray(2 * i, 2 * i + 2);
+      const speed = Math.hypot(dx, dy);
+      if (!(speed > 0)) return;
+      const tooth = Math.max(-longest, Math.min(longest, value * scale));
+      path.moveTo(x, y);
+      path.lineTo(x + (dy / speed) * tooth, y - (dx / speed) * tooth);
+    });
+  }
+  context.stroke(path);
+  context.globalAlpha = 1;
+}
+
+/** The stroke under the pen, and the eraser's rim. */
+export function drawHand(scene: Scene): void {
+  const { state, palette } = scene;
+  const { stroke, brush } = state.fitView;
+  const { zoom } = state.view;
+  const context = inPage(scene);
+  if (stroke.length > 1) {
+    context.strokeStyle = palette.ink;
+    context.lineWidth = 1.5 / zoom;
+    context.lineJoin = "round";
+    context.beginPath();
+    stroke.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
+    context.stroke();
+  }
+  if (brush === null) return;
+  context.strokeStyle = palette.ink2;
+  context.lineWidth = 1 / zoom;
+  context.beginPath();
+  context.arc(brush.x, brush.y, 14 / zoom, 0, 2 * Math.PI);
+  context.stroke();
+}
