@@ -87,6 +87,27 @@ fn refined_nets_come_nearer_by_four_with_every_level() {
 }
 
 #[test]
+fn reducing_gives_back_what_was_refined_and_says_how_far_anything_else_is() {
+    for (k, surface) in surfaces().into_iter().enumerate() {
+        let finer = surface.refine(2, 1).expect("within the limits");
+        let (back, deviation) = finer.reduce(2, 1).expect("it was refined");
+        assert!(deviation <= REFINED, "surface {k}: {deviation:e}");
+        for (a, b) in surface.net().iter().zip(back.net()) {
+            assert!((a - b).abs() <= 1e-9, "surface {k}: {a} and {b}");
+        }
+        let mut changed = finer.clone();
+        changed.set_point(3, 3, Vector3::new(0.4, 0.1, 0.2)).expect("in the net");
+        let (coarse, deviation) = changed.reduce(1, 1).expect("it was refined");
+        // At places of its own, fewer of them: it may miss the peak.
+        let measured = distance(&coarse, &changed);
+        assert!(
+            measured <= 1.02 * deviation && deviation < 2.0 * measured,
+            "surface {k}: {measured} of {deviation}"
+        );
+    }
+}
+
+#[test]
 fn a_patch_leaves_the_surface_as_it_is_and_the_net_too() {
     for surface in surfaces() {
         let [end_u, end_v] = surface.domain();

@@ -316,6 +316,19 @@ export class TensorSurface {
   }
 
   /**
+   * The nearest surface whose net is coarser by 2^levelsU and 2^levelsV, and the largest distance from this one, `maxError`. What was refined and
+   * not changed comes back; level 0 goes through its points again.
+   */
+  reduce(levelsU: number, levelsV: number): { surface: TensorSurface; maxError: number } {
+    const op = "reduce";
+    const data = dataOf(this, op);
+    const levels = [integer(op, "levelsU", levelsU, 0, data.u.level), integer(op, "levelsV", levelsV, 0, data.v.level)] as const;
+    const slot = data.resident(op);
+    const count = call(op, (kernel) => kernel.surface_reduce(slot, ...levels));
+    return { maxError: result(4), surface: derived(count) };
+  }
+
+  /**
    * The same surface, to the last bit, with a patch of finer control points around (u, v): `levels` (default 1) doublings beyond the net's, all
    * within `reach` units (default 1) in each direction. The rest of the net stays as it is; its points take the detail along.
    */

@@ -32,13 +32,7 @@ pub fn from_points(
     let ends = if closed { 0 } else { 2 * (interpolator.order() - 2) + 1 };
     let count = counted(points, dimension, ends + 1)?;
     let filter = interpolator.affine_pre_filter(m0)?;
-    let order = interpolator.order();
-    let target = if closed {
-        Target { lead: m0 * (order - 1) - order / 2, count: m0 * count, closed }
-    } else {
-        Target { lead: m0 * (2 * order - 3) + 1 - order, count: m0 * (count - ends) + order - 1, closed }
-    };
-    target.fill(points, dimension, m0, &filter)
+    Target::from_points(count, closed, interpolator.order(), m0).fill(points, dimension, m0, &filter)
 }
 
 /// From control points on a grid to control points on the grid that is finer by m; `roots` are those of the coarser grid,
@@ -119,6 +113,16 @@ pub(crate) struct Target {
 }
 
 impl Target {
+    /// The places of [`from_points`], for a list that is long enough.
+    pub(crate) fn from_points(count: usize, closed: bool, order: usize, m0: usize) -> Self {
+        if closed {
+            Self { lead: m0 * (order - 1) - order / 2, count: m0 * count, closed }
+        } else {
+            let places = m0 * (count + 3 - 2 * order) + order - 1;
+            Self { lead: m0 * (2 * order - 3) + 1 - order, count: places, closed }
+        }
+    }
+
     /// The places of [`finer`].
     pub(crate) fn finer(count: usize, closed: bool, order: usize, m: usize) -> Result<Self> {
         if closed {

@@ -10,10 +10,12 @@
 //! B-splines, [`finer`] from those to more of them.
 
 mod exponential;
+mod least_squares;
 mod scalar;
 mod vector;
 
 pub(crate) use exponential::Target;
+pub(crate) use least_squares::least_squares;
 pub use exponential::{extended, finer, from_points};
 pub use scalar::{ScalarMask, control_polygon, subdivide_scalar};
 pub use vector::{HermiteData, MatrixMask, subdivide_hermite};

@@ -49,7 +49,7 @@ pub(super) struct Axis {
 }
 
 /// How many points an open direction has beyond the number of its intervals.
-fn surplus(roots: &Roots, level: u32) -> usize {
+pub(super) fn surplus(roots: &Roots, level: u32) -> usize {
     let order = roots.order();
     if level == 0 { (2 * order).saturating_sub(3) } else { order - 1 }
 }

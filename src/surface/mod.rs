@@ -13,6 +13,7 @@ mod mesh;
 mod normal;
 mod patch;
 mod poles;
+mod reduce;
 mod refine;
 mod shapes;
 mod tensor;

@@ -33,7 +33,7 @@ fn double(net: &[f64], axis: &Axis, inner: usize) -> Result<Vec<f64>> {
 
 impl Layer {
     /// The same layer, whole, `levels` doublings finer in u and in v.
-    fn doubled(&self, levels: [u32; 2]) -> Result<Self> {
+    pub(super) fn doubled(&self, levels: [u32; 2]) -> Result<Self> {
         let (mut u, mut v, mut net) = (self.u.clone(), self.v.clone(), self.net.clone());
         for _ in 0..levels[0] {
             let fine = doubled(&u)?;

@@ -249,6 +249,17 @@ pub fn surface_refine(slot: u32, levels_u: u32, levels_v: u32) -> i32 {
     with(slot, &mut |surface, kernel| describe(kernel, &surface.refine(levels_u, levels_v)?))
 }
 
+/// The nearest surface with a coarser net; how far away it is follows what `describe` leaves in the record.
+#[wasm_bindgen]
+pub fn surface_reduce(slot: u32, levels_u: u32, levels_v: u32) -> i32 {
+    with(slot, &mut |surface, kernel| {
+        let (coarse, deviation) = surface.reduce(levels_u, levels_v)?;
+        let count = describe(kernel, &coarse)?;
+        kernel.record[4] = deviation;
+        Ok(count)
+    })
+}
+
 /// The same surface with one more patch.
 #[wasm_bindgen]
 pub fn surface_refine_at(slot: u32, u: f64, v: f64, levels: u32, reach: f64) -> i32 {

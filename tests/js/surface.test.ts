@@ -126,6 +126,18 @@ test("JSON gives every surface back to the last bit, patches and all", () => {
   }
 });
 
+test("going down gives back what was refined, and says how far anything else is", () => {
+  for (const [name, surface] of Object.entries(shapes)) {
+    const finer = surface.refine(2, 1);
+    const { surface: back, maxError } = finer.reduce(2, 1);
+    assert.ok(maxError < 1e-12, `${name}: ${maxError}`);
+    back.net.forEach((x, i) => assert.ok(Math.abs(x - (surface.net[i] ?? NaN)) < 1e-9));
+    finer.setPoint(3, 3, 0.5, 0.5, 0.5);
+    assert.ok(finer.reduce(1, 0).maxError > 1e-3);
+  }
+  assert.throws(() => shapes.torus.reduce(1, 0), { code: "E_RANGE" });
+});
+
 test("a patch leaves the mesh as it is, and its points move their surroundings only", () => {
   const surface = TensorSurface.torus(1, 0.4);
   const patched = surface.refineAt(3, 2, { levels: 2 });
