@@ -5,7 +5,8 @@ use core::f64::consts::PI;
 use nalgebra::Complex;
 
 use super::exponential_b_spline::{ExponentialBSpline, tabulate};
-use super::pieces::{Pieces, recentre};
+use super::pieces::{Pieces, polynomial};
+use super::propagation::{Propagated, recentre, with_product};
 use super::riesz::RieszBounds;
 use super::roots::Roots;
 use crate::error::{Error, Result};
@@ -13,11 +14,16 @@ use crate::limits::with_room;
 use crate::numerics::angle::sin_cos;
 use crate::numerics::dense::inverse;
 use crate::numerics::entire::stumpff;
+use crate::numerics::twofold::Twofold;
 
 /// Above this condition the linear system counts as singular.
 const WORST_CONDITION: f64 = 1e12;
 /// The identity Σλₙe^{−αn/2}·β̂(α) = 1 holds to this, or there is no interpolator.
 const IDENTITY: f64 = 1e-6;
+/// What the roundings of λ do to it, relative to their sum.
+const ROUNDING: f64 = 1e-12;
+/// Rounds of elimination: each adds the digits that the condition leaves of sixteen, four at the worst.
+const MOST_ROUNDS: usize = 8;
 /// Below this the shifts do not form a Riesz basis.
 const LEAST_RIESZ: f64 = 1e-7;
 /// Places per half unit at which the Lebesgue function is looked at.
@@ -35,8 +41,8 @@ const LOOKS: usize = 40;
 ///
 /// # Accuracy
 ///
-/// 1e-14·(1 + Σ|λₙ|), λ itself 4e-14 (`tests/interpolators.rs`). Roots that crowd near ±iπ make λ large: see
-/// [`Self::condition`] and [`Self::lebesgue`].
+/// 1e-15 of the largest value, λ itself 1e-15 (`tests/interpolators.rs`): the pieces are added up in twofold precision. Roots
+/// that crowd near ±iπ make φ large between the points: see [`Self::condition`] and [`Self::lebesgue`].
 ///
 /// # Source
 ///
@@ -91,13 +97,16 @@ impl Interpolator {
         if let Some(i) = roots.without_opposite() {
             return Err(Error::degenerate("roots", Some(i), "its opposite is missing"));
         }
-        let spline = ExponentialBSpline::new(roots)?;
-        let (lambda, condition) = solve(&spline)?;
-        let mut interpolator =
-            Self { halves: halves(&spline, &lambda)?, spline, lambda, condition, identity: 0.0 };
+        let exact = Propagated::new(roots)?;
+        let spline = ExponentialBSpline::rounded(roots, &exact)?;
+        let (weights, condition) = solve(order, &exact)?;
+        let halves = halves(order, &exact, &weights)?;
+        let lambda = closed_form(roots).unwrap_or_else(|| weights.iter().map(|l| l.high).collect());
+        let mut interpolator = Self { spline, lambda, halves, condition, identity: 0.0 };
         interpolator.identity = interpolator.deviation_of_identity();
         // Written so that NaN fails.
-        let sound = interpolator.identity <= IDENTITY && condition <= WORST_CONDITION;
+        let rounding = interpolator.lambda.iter().fold(0.0, |sum, l| sum + l.abs()) * ROUNDING;
+        let sound = interpolator.identity <= IDENTITY + rounding && condition <= WORST_CONDITION;
         if !sound || (roots.too_fast().is_some() && interpolator.halves.riesz_bounds().lower < LEAST_RIESZ) {
             return Err(nonexistent());
         }
@@ -240,85 +249,112 @@ fn nonexistent() -> Box<Error> {
 
 /// λ and the condition of its system.
 ///
-/// Row k says φ(k) = δₖ: A[k][l] = β(k − l/2) + β(k + l/2), without the second term for l = 0 [SFBGU17, eq. 26, 27]. Three
-/// roots are 0 and a pair, for which there is a closed form (D 9.4).
+/// Row k says φ(k) = δₖ: A[k][l] = β(k − l/2) + β(k + l/2), without the second term for l = 0 [SFBGU17, eq. 26, 27]. What is
+/// left over in twofold numbers goes through the same elimination until nothing is (D 9.4).
 #[inline(never)]
-fn solve(spline: &ExponentialBSpline) -> Result<(Vec<f64>, f64)> {
-    let size = spline.order() - 1;
-    let sample = |j: isize| spline.at(0.5 * j as f64, 0);
+fn solve(order: usize, exact: &Propagated) -> Result<(Vec<Twofold>, f64)> {
+    let size = order - 1;
+    // β at half of j − n₀.
+    let sample = |j: usize| exact.sample(j / 2, j % 2 == 1);
     let mut matrix = with_room(size * size)?;
-    let mut first = 0.0;
-    for k in 0..size as isize {
-        let begin = matrix.len();
-        for l in 0..size as isize {
-            matrix.push(if l == 0 { sample(2 * k) } else { sample(2 * k - l) + sample(2 * k + l) });
+    let mut scaled = with_room(size * size)?;
+    let mut right = with_room(size)?;
+    for k in 0..size {
+        let row = matrix.len();
+        for l in 0..size {
+            let (above, below) = (sample(order + 2 * k + l), order + 2 * k - l);
+            matrix.push(if l == 0 { above } else { above.plus(sample(below)) });
         }
         // Rows that sum to 1 tell the condition of the problem from that of its scale.
-        let total: f64 = matrix[begin..].iter().map(|a| a.abs()).sum();
-        matrix[begin..].iter_mut().for_each(|a| *a /= total);
-        if k == 0 {
-            first = 1.0 / total;
-        }
+        let total: f64 = matrix[row..].iter().map(|a| a.high.abs()).sum();
+        scaled.extend(matrix[row..].iter().map(|a| a.high / total));
+        right.push(1.0 / total);
     }
-    let Some(inverse) = inverse(&matrix, size) else {
+    let Some(inverse) = inverse(&scaled, size) else {
         return Err(nonexistent());
     };
     let mut condition: f64 = 0.0;
-    let mut lambda = with_room(size)?;
     for row in inverse.chunks_exact(size) {
         let total: f64 = row.iter().map(|a| a.abs()).sum();
         condition = if total <= condition { condition } else { total };
-        lambda.push(row[0] * first);
     }
-    if let [zero, one] = &mut lambda[..] {
-        let square = pair_square(spline.roots());
-        let (quarter, half) = (stumpff(square / 16.0), stumpff(square / 4.0));
-        *zero = 2.0 / (quarter.c1 * quarter.c1 * half.c0);
-        *one = -0.5 / (half.c1 * stumpff(square).c1);
+    let mut lambda = vec![Twofold::ZERO; size];
+    let mut left = vec![0.0; size];
+    for _ in 0..MOST_ROUNDS {
+        for (k, row) in matrix.chunks_exact(size).enumerate() {
+            let mut rest = Twofold::new(if k == 0 { 1.0 } else { 0.0 });
+            for (a, l) in row.iter().zip(&lambda) {
+                rest = with_product(rest, a.negative(), *l);
+            }
+            left[k] = rest.high * right[k];
+        }
+        for (lambda, row) in lambda.iter_mut().zip(inverse.chunks_exact(size)) {
+            let step: f64 = row.iter().zip(&left).map(|(a, r)| a * r).sum();
+            *lambda = lambda.plus(Twofold::new(step));
+        }
     }
     Ok((lambda, condition))
 }
 
-/// ω² of the pair ±iω, or −k² of ±k, in a symmetric list of three.
-fn pair_square(roots: &Roots) -> f64 {
-    roots.upper().fold(0.0, |sum, r| sum + r.im * r.im - 0.5 * r.re * r.re)
+/// λ for 0 and a pair, which is all that a symmetric list of three can be (D 9.4).
+fn closed_form(roots: &Roots) -> Option<Vec<f64>> {
+    if roots.order() != 3 {
+        return None;
+    }
+    // ω² of the pair ±iω, or −k² of ±k.
+    let square = roots.upper().fold(0.0, |sum, r| sum + r.im * r.im - 0.5 * r.re * r.re);
+    let (quarter, half) = (stumpff(square / 16.0), stumpff(square / 4.0));
+    let zero = 2.0 / (quarter.c1 * quarter.c1 * half.c0);
+    Some(vec![zero, -0.5 / (half.c1 * stumpff(square).c1)])
 }
 
 /// φ on every half interval: the halves of the B-spline's pieces, weighted by λ, about the middles of the halves (D 9.3).
 #[inline(never)]
-fn halves(spline: &ExponentialBSpline, lambda: &[f64]) -> Result<Pieces> {
-    let (order, pieces) = (spline.order(), spline.pieces());
-    let stride = pieces.stride;
-    let mut parts = with_room(2 * order * stride)?;
-    for k in 0..order {
+fn halves(order: usize, exact: &Propagated, lambda: &[Twofold]) -> Result<Pieces> {
+    let terms = exact.terms;
+    let mut parts: Vec<Twofold> = with_room(2 * order * terms)?;
+    for piece in exact.coefficients.chunks_exact(terms) {
         for by in [-0.25, 0.25] {
-            parts.extend_from_slice(pieces.piece(k));
-            let begin = parts.len() - stride;
+            let begin = parts.len();
+            parts.extend_from_slice(piece);
             recentre(&mut parts[begin..], by);
         }
     }
-    let half = 2 * (order - 1);
-    let mut right = with_room(half * stride)?;
+    let count = 4 * (order - 1);
+    let mut coefficients = with_room(count * terms)?;
+    coefficients.resize(count * terms, Twofold::ZERO);
     let reach = order as isize - 2;
-    for k in 0..half as isize {
-        let begin = right.len();
-        right.resize(begin + stride, 0.0);
+    for k in 0..count / 2 {
+        let begin = (count / 2 + k) * terms;
         for n in -reach..=reach {
             // β(x − n/2) for x in half interval k: half interval k − n of β, which is k − n + n₀ from its left end.
-            let Ok(part) = usize::try_from(k - n + order as isize) else { continue };
-            let Some(part) = parts.get(part * stride..(part + 1) * stride) else { continue };
+            let Ok(part) = usize::try_from(k as isize - n + order as isize) else { continue };
+            let Some(part) = parts.get(part * terms..(part + 1) * terms) else { continue };
             let weight = lambda[n.unsigned_abs()];
-            for (sum, c) in right[begin..].iter_mut().zip(part) {
-                *sum += weight * c;
+            for (sum, c) in coefficients[begin..].iter_mut().zip(part) {
+                *sum = with_product(*sum, weight, *c);
             }
         }
+        let mirror = (count / 2 - 1 - k) * terms;
+        for q in 0..terms {
+            let c = coefficients[begin + q];
+            coefficients[mirror + q] = if q % 2 == 1 { c.negative() } else { c };
+        }
     }
-    let mut coefficients: Vec<f64> = with_room(2 * half * stride)?;
-    for piece in right.chunks_exact(stride).rev() {
-        let begin = coefficients.len();
-        coefficients.extend_from_slice(piece);
-        Pieces::mirror(&mut coefficients[begin..]);
+    let mut pieces = Propagated { coefficients, terms }.rounded(2)?;
+    settle(&mut pieces);
+    Ok(pieces)
+}
+
+/// Makes φ(k) = 0 hold to the last bit and φ(0) = 1 to the last but one, from either side, by what rounding took from the
+/// constant terms.
+fn settle(pieces: &mut Pieces) {
+    let count = pieces.count();
+    for (k, piece) in pieces.coefficients.chunks_exact_mut(pieces.stride).enumerate() {
+        // Every half interval has an integer at one end: at its start if its number from the left is even.
+        let (integer, y) = if k % 2 == 0 { (k, -0.25) } else { (k + 1, 0.25) };
+        let value = if integer == count / 2 { 1.0 } else { 0.0 };
+        piece[0] = 0.0;
+        piece[0] = value - polynomial(piece, y, 0);
     }
-    coefficients.extend_from_slice(&right);
-    Ok(Pieces { coefficients, stride, per_unit: 2 })
 }

@@ -12,6 +12,7 @@ mod filters;
 mod hermite;
 mod interpolator;
 mod pieces;
+mod propagation;
 mod riesz;
 mod roots;
 mod stretched;

@@ -60,14 +60,6 @@ impl Pieces {
         polynomial(self.piece(k), y, derivative)
     }
 
-    /// The mirror image, for the half that a symmetric function need not compute.
-    #[inline(never)]
-    pub(crate) fn mirror(piece: &mut [f64]) {
-        for odd in piece.iter_mut().skip(1).step_by(2) {
-            *odd = -*odd;
-        }
-    }
-
     /// ∫f(x)f(x − n)dx for n = 0, 1, …: all that are not 0.
     #[inline(never)]
     pub(crate) fn autocorrelation(&self) -> Vec<f64> {

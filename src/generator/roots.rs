@@ -4,10 +4,11 @@ use core::f64::consts::{PI, TAU};
 
 use nalgebra::Complex;
 
+use super::propagation::with_product;
 use crate::error::{Error, Result};
 use crate::limits::{LARGEST_ROOT_IM, LARGEST_ROOT_RE, MOST_ROOTS, check, too_many, with_room};
-use crate::numerics::angle::sin_cos;
 use crate::numerics::entire::stumpff;
+use crate::numerics::twofold::{Twofold, cosine, exponential};
 
 /// Roots closer than this, relative to 1 + |root|, count as conjugate or opposite.
 const NEAR: f64 = 1e-12;
@@ -170,15 +171,16 @@ impl Roots {
 
     /// The coefficients of Π(1 − e^a z): the recurrence of what the roots stand for, at the integers.
     #[inline(never)]
-    pub(crate) fn localisation(&self) -> Vec<f64> {
-        let mut product = vec![0.0; self.order() + 1];
-        product[0] = 1.0;
+    pub(crate) fn recurrence(&self) -> Vec<Twofold> {
+        let mut product = vec![Twofold::ZERO; self.order() + 1];
+        product[0] = Twofold::new(1.0);
         for r in self.upper() {
-            let growth = libm::exp(r.re);
+            let growth = exponential(r.re);
             if r.im == 0.0 {
-                multiply(&mut product, [1.0, -growth, 0.0]);
+                multiply(&mut product, [Twofold::new(1.0), growth.negative(), Twofold::ZERO]);
             } else {
-                multiply(&mut product, [1.0, -2.0 * growth * sin_cos(r.im).1, growth * growth]);
+                let middle = growth.times(cosine(r.im)).times(Twofold::new(-2.0));
+                multiply(&mut product, [Twofold::new(1.0), middle, growth.times(growth)]);
             }
         }
         product
@@ -186,18 +188,29 @@ impl Roots {
 
     /// χ₀ … χ_{n−1} of Π(D − a) = Dⁿ + Σ χⱼDʲ.
     #[inline(never)]
-    pub(crate) fn characteristic(&self) -> Vec<f64> {
-        let mut product = vec![0.0; self.order() + 1];
-        product[0] = 1.0;
+    pub(super) fn operator(&self) -> Vec<Twofold> {
+        let mut product = vec![Twofold::ZERO; self.order() + 1];
+        product[0] = Twofold::new(1.0);
         for r in self.upper() {
             if r.im == 0.0 {
-                multiply(&mut product, [-r.re, 1.0, 0.0]);
+                multiply(&mut product, [Twofold::new(-r.re), Twofold::new(1.0), Twofold::ZERO]);
             } else {
-                multiply(&mut product, [r.re * r.re + r.im * r.im, -2.0 * r.re, 1.0]);
+                let square = Twofold::product(r.re, r.re).plus(Twofold::product(r.im, r.im));
+                multiply(&mut product, [square, Twofold::new(-2.0 * r.re), Twofold::new(1.0)]);
             }
         }
         product.truncate(self.order());
         product
+    }
+
+    /// The same rounded.
+    pub(crate) fn characteristic(&self) -> Vec<f64> {
+        self.operator().iter().map(|c| c.high).collect()
+    }
+
+    /// e^{Σα}.
+    pub(super) fn growth(&self) -> Twofold {
+        self.list.iter().fold(Twofold::new(1.0), |product, r| product.times(exponential(r.re)))
     }
 
     /// The opposite of every root.
@@ -271,14 +284,13 @@ impl Roots {
 
 /// Multiplies a polynomial by one of degree at most 2, in place; there is room for the product.
 #[inline(never)]
-fn multiply(product: &mut [f64], factor: [f64; 3]) {
+fn multiply(product: &mut [Twofold], factor: [Twofold; 3]) {
     for k in (0..product.len()).rev() {
-        let mut sum = product[k] * factor[0];
-        if k > 0 {
-            sum += product[k - 1] * factor[1];
-        }
-        if k > 1 {
-            sum += product[k - 2] * factor[2];
+        let mut sum = product[k].times(factor[0]);
+        for (back, c) in factor.iter().enumerate().skip(1) {
+            if k >= back {
+                sum = with_product(sum, product[k - back], *c);
+            }
         }
         product[k] = sum;
     }

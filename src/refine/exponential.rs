@@ -86,7 +86,7 @@ pub fn extended(points: &[f64], dimension: usize, roots: &Roots) -> Result<Vec<f
 /// cⱼ with x[k] = Σ cⱼ x[k − 1 − j], for at most `count` terms.
 fn recurrence(roots: &Roots, count: usize) -> Result<Vec<f64>> {
     let roots = if count < roots.order() { Roots::polynomials(count - 1)? } else { roots.clone() };
-    Ok(roots.localisation().iter().skip(1).map(|p| -p).collect())
+    Ok(roots.recurrence().iter().skip(1).map(|p| -p.high).collect())
 }
 
 /// The number of points in an interleaved list, at least `least`.

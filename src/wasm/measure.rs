@@ -35,9 +35,7 @@ pub fn length(slot: u32, tolerance: f64) -> i32 {
 /// The parameter up to which the curve has that length.
 #[wasm_bindgen]
 pub fn parameter_at_length(slot: u32, length: f64, tolerance: f64) -> i32 {
-    measure(slot, &|curve| {
-        measures::parameter_at_length(curve, length, tolerance_of(curve, tolerance, FINE))
-    })
+    measure(slot, &|curve| measures::parameter_at_length(curve, length, tolerance_of(curve, tolerance, FINE)))
 }
 
 /// The signed area.

@@ -1,0 +1,154 @@
+//! The pieces of exponential B-splines, from knot to knot, in numbers of two doubles.
+//!
+//! Roots far from the imaginary axis, and interpolators of roots near ±iπ, cancel up to 16 digits; twofold numbers have 32.
+
+use super::pieces::Pieces;
+use super::roots::Roots;
+use crate::error::Result;
+use crate::limits::with_room;
+use crate::numerics::twofold::Twofold;
+
+/// Taylor sums end where what is left is below this share of the largest term.
+const NEGLIGIBLE: f64 = 1e-30;
+/// Coefficients below this share of the largest, at the end of a piece, are cut off: derivatives amplify what is missing.
+const CUT: f64 = 1e-19;
+
+/// Pieces of length 1 in ascending powers of the distance from their middle, `terms` coefficients each.
+#[derive(Debug)]
+pub(super) struct Propagated {
+    pub(super) coefficients: Vec<Twofold>,
+    pub(super) terms: usize,
+}
+
+impl Propagated {
+    /// The pieces of the B-spline of these roots (D 9.1).
+    #[inline(never)]
+    pub(super) fn new(roots: &Roots) -> Result<Self> {
+        let order = roots.order();
+        let terms = terms(order, roots.largest());
+        let (left, right) = (order.div_ceil(2), order / 2);
+        let mut whole = with_room(order * terms)?;
+        from_the_left(roots, left, terms, &mut whole);
+        if roots.is_symmetric() {
+            if left != right {
+                // The middle piece is even.
+                whole[right * terms..].iter_mut().skip(1).step_by(2).for_each(|odd| *odd = Twofold::ZERO);
+            }
+            for k in (0..right).rev() {
+                whole.extend_from_within(k * terms..(k + 1) * terms);
+            }
+        } else {
+            // β⁺(n₀ − t) is e^{Σα} times the causal B-spline of the opposite roots.
+            let scale = roots.growth();
+            let mut mirrored = with_room(right * terms)?;
+            from_the_left(&roots.opposite(), right, terms, &mut mirrored);
+            for piece in mirrored.chunks_exact(terms).rev() {
+                whole.extend(piece.iter().map(|c| c.times(scale)));
+            }
+        }
+        for piece in whole[left * terms..].chunks_exact_mut(terms) {
+            piece.iter_mut().skip(1).step_by(2).for_each(|odd| *odd = odd.negative());
+        }
+        Ok(Self { coefficients: whole, terms })
+    }
+
+    /// The function at the end of piece k (from 0), or in its middle.
+    pub(super) fn sample(&self, k: usize, middle: bool) -> Twofold {
+        let Some(piece) = self.coefficients.get(k * self.terms..(k + 1) * self.terms) else {
+            return Twofold::ZERO;
+        };
+        if middle {
+            return piece[0];
+        }
+        piece.iter().rev().fold(Twofold::ZERO, |sum, c| c.plus(scaled(sum, -0.5)))
+    }
+
+    /// Rounded, and cut to the length that the longest piece needs.
+    #[inline(never)]
+    pub(super) fn rounded(&self, per_unit: usize) -> Result<Pieces> {
+        let mut most = vec![0.0_f64; self.terms];
+        for piece in self.coefficients.chunks_exact(self.terms) {
+            let mut reach = 1.0;
+            for (most, c) in most.iter_mut().zip(piece) {
+                *most = most.max(c.high.abs() * reach);
+                reach *= 0.5 / per_unit as f64;
+            }
+        }
+        let largest = most.iter().fold(0.0, |a: f64, &b| a.max(b));
+        let stride = most.iter().rposition(|&m| m > CUT * largest).map_or(1, |last| last + 1);
+        let mut coefficients = with_room(self.coefficients.len() / self.terms * stride)?;
+        for piece in self.coefficients.chunks_exact(self.terms) {
+            coefficients.extend(piece[..stride].iter().map(|c| c.high));
+        }
+        Ok(Pieces { coefficients, stride, per_unit })
+    }
+}
+
+/// How many Taylor terms cover a step of 1 for roots to this size.
+fn terms(order: usize, largest: f64) -> usize {
+    let (mut count, mut term) = (1, largest);
+    while term >= NEGLIGIBLE {
+        count += 1;
+        term *= largest / count as f64;
+    }
+    order + count + if count > 1 { 12 } else { 0 }
+}
+
+/// The first `count` pieces of the causal B-spline.
+///
+/// The state, n₀ derivatives at a knot, goes to the next knot by Taylor's sum; there the derivative of order n₀ − 1 jumps
+/// by the next coefficient of Π(1 − e^a z) (D 9.1).
+#[inline(never)]
+fn from_the_left(roots: &Roots, count: usize, terms: usize, pieces: &mut Vec<Twofold>) {
+    let (characteristic, jumps, order) = (roots.operator(), roots.recurrence(), roots.order());
+    let mut state = vec![Twofold::ZERO; terms];
+    for &jump in jumps.iter().take(count) {
+        state[order - 1] = state[order - 1].plus(jump);
+        for m in order..terms {
+            let mut next = Twofold::ZERO;
+            for (c, y) in characteristic.iter().zip(&state[m - order..m]) {
+                next = with_product(next, *c, *y);
+            }
+            state[m] = next.negative();
+        }
+        // Derivatives become coefficients, and those of the end derivatives again.
+        by_factorials(&mut state, false);
+        recentre(&mut state, 0.5);
+        pieces.extend_from_slice(&state);
+        recentre(&mut state, 0.5);
+        by_factorials(&mut state[..order], true);
+    }
+}
+
+/// Multiplies number k by k!, or divides it.
+#[inline(never)]
+fn by_factorials(numbers: &mut [Twofold], times: bool) {
+    let mut factorial = Twofold::new(1.0);
+    for (k, number) in numbers.iter_mut().enumerate().skip(1) {
+        factorial = factorial.times(Twofold::new(k as f64));
+        *number = if times { number.times(factorial) } else { number.over(factorial) };
+    }
+}
+
+/// A polynomial about a place that is `by` further on, in place; `by` is a power of two or its opposite.
+#[inline(never)]
+pub(super) fn recentre(coefficients: &mut [Twofold], by: f64) {
+    let count = coefficients.len();
+    for done in 1..count {
+        for k in (done - 1..count - 1).rev() {
+            coefficients[k] = coefficients[k].plus(scaled(coefficients[k + 1], by));
+        }
+    }
+}
+
+/// sum + a·b.
+#[inline(never)]
+pub(super) fn with_product(sum: Twofold, a: Twofold, b: Twofold) -> Twofold {
+    sum.plus(a.times(b))
+}
+
+/// A number times a power of two.
+#[inline]
+fn scaled(number: Twofold, by: f64) -> Twofold {
+    Twofold { high: number.high * by, low: number.low * by }
+}
