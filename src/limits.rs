@@ -20,8 +20,8 @@ pub(crate) const MOST_EVALUATIONS: usize = 4_000_000;
 pub(crate) const MOST_OUTPUT_POINTS: usize = 4_000_000;
 /// The most roots of one exponential spline: the interpolator's cancellation doubles with each.
 pub(crate) const MOST_ROOTS: usize = 16;
-/// The largest growth per unit of a root: a factor of e⁵ from point to point.
-pub(crate) const LARGEST_ROOT_RE: f64 = 5.0;
+/// The largest growth per unit of a root: a factor of e²⁰ from point to point.
+pub(crate) const LARGEST_ROOT_RE: f64 = 20.0;
 /// The largest frequency of a root; interpolators want less than π.
 pub(crate) const LARGEST_ROOT_IM: f64 = 10.0;
 /// The largest factor between two grids of an exponential spline.

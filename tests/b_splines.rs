@@ -4,7 +4,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod support;
 
-use expline::generator::ExponentialBSpline;
+use expline::generator::{ExponentialBSpline, Root, Roots};
 use serde::Deserialize;
 use support::{golden, roots, tolerance};
 
@@ -43,5 +43,68 @@ fn values_and_all_continuous_derivatives_agree_with_fifty_digits() {
         }
         let off = (roots.integral() / case.beta_hat0 - 1.0).abs();
         assert!(off < 2e-15, "{}: the integral is off by {off:e}", case.name);
+    }
+}
+
+fn list(reals: &[f64], pairs: &[(f64, f64)]) -> Roots {
+    let mut roots: Vec<Root> = reals.iter().map(|&re| Root { re, im: 0.0 }).collect();
+    for &(re, im) in pairs {
+        roots.extend([Root { re, im }, Root { re, im: -im }]);
+    }
+    Roots::new(&roots, "roots").expect("within the limits")
+}
+
+/// Lists that are hard on other methods: repeated, clustered, tiny and large roots, symmetric and not.
+fn hard() -> Vec<Roots> {
+    vec![
+        list(&[0.0, 0.0, 5.0, -5.0], &[]),
+        list(&[0.0, 20.0, -20.0], &[]),
+        list(&[5.0, -5.0, 5.0, -5.0, 4.0, -4.0, 4.0, -4.0], &[]),
+        list(&[20.0, -20.0, 20.0, -20.0, 19.0, -19.0], &[]),
+        list(&[10.0, -10.0, 10.0, -10.0, 10.0, -10.0, 10.0, -10.0, 10.0, -10.0, 10.0, -10.0], &[]),
+        list(&[3.0, 3.0, 2.0, 0.0], &[]),
+        list(&[20.0, 7.0, -12.0], &[(3.0, 2.0)]),
+        list(&[1.0, 1.0 + 1e-7, -1.0, 1e-7 - 1.0, 1.0 - 1e-7, -1.0], &[]),
+        list(&[0.0], &[(0.0, 1.0), (0.0, 1.0 + 1e-8)]),
+        list(&[0.0], &[(0.0, 1e-8)]),
+        list(&[0.0], &[(0.0, 6.0)]),
+        list(&[], &[(0.0, 1.0), (0.0, 1.0), (0.0, 1.0), (0.0, 1.0)]),
+        list(&[0.0; 16], &[]),
+        list(&[0.0; 8], &[(0.0, 3.1), (0.0, 3.1), (0.0, 3.1), (0.0, 3.1)]),
+    ]
+}
+
+#[test]
+fn shifts_reproduce_the_exponential_of_every_root() {
+    for roots in hard() {
+        let spline = ExponentialBSpline::new(&roots).expect("in range");
+        let reach = roots.order() as i32;
+        let places = (0..=8 * reach).map(|i| spline.at(f64::from(i) / 8.0 - 0.5 * f64::from(reach), 0));
+        // Values are exact to the largest one's last digits.
+        let largest = places.fold(0.0, f64::max);
+        for root in roots.as_slice() {
+            // Σ e^{α(k − x)} β(x − k) does not depend on x.
+            let sums: Vec<(f64, f64, f64)> = (0..=16)
+                .map(|i| {
+                    let x = f64::from(i) / 16.0;
+                    let mut sums = (0.0, 0.0, 0.0);
+                    for k in -reach..=reach {
+                        let away = f64::from(k) - x;
+                        if 2.0 * away.abs() < f64::from(reach) {
+                            let weight = (root.re * away).exp();
+                            sums.0 += weight * spline.at(-away, 0) * (root.im * away).cos();
+                            sums.1 += weight * spline.at(-away, 0) * (root.im * away).sin();
+                            sums.2 += weight * largest;
+                        }
+                    }
+                    sums
+                })
+                .collect();
+            for (re, im, size) in &sums {
+                let off = (re - sums[0].0).hypot(im - sums[0].1) / size;
+
+                assert!(off < tolerance::B_SPLINES, "{roots:?}: {root:?} is off by {off:e}");
+            }
+        }
     }
 }
