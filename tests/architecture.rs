@@ -24,7 +24,7 @@ const DRAWING: [(&str, &[&str]); 11] = [
 ];
 
 /// Names that the crate's root gives again, and the rooms that they come from.
-const ROOT_NAMES: [(&str, &str); 9] = [
+const ROOT_NAMES: [(&str, &str); 10] = [
     ("Error", "error"),
     ("Result", "error"),
     ("Space", "generator"),
@@ -33,6 +33,7 @@ const ROOT_NAMES: [(&str, &str); 9] = [
     ("Curve", "curve"),
     ("InterpolatingCurve", "curve"),
     ("BSplineCurve", "curve"),
+    ("LocalCurve", "curve"),
     ("TensorSurface", "surface"),
 ];
 
