@@ -1,0 +1,256 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { emptyFit, fitDefaults, isJoined, strokesOf, withoutDisc, withStroke, type FitDocument, type Pair } from "../src/document/fit.ts";
+import { fitSample, fitSamples, samplePoints } from "../src/document/fit-samples.ts";
+import { readState, writeState, parseState } from "../src/document/file.ts";
+import { bringStrokes, chooseFitTool, clearFit, openFitSample, setNoise, setSmoothing, setTarget } from "../src/editor/fit/fit-edits.ts";
+import { createFitRunner } from "../src/editor/fit/fit-runner.ts";
+import { createFitClient, type FitClient } from "../src/kernel/fit/fit-client.ts";
+import type { FitAnswer, FitRequest, FitSubject } from "../src/kernel/fit/job.ts";
+import { shownKnots } from "../src/kernel/fit/knots.ts";
+import { createFitTool } from "../src/tools/fit/fit-tool.ts";
+import { Hand } from "./harness.ts";
+
+/** Fit without a browser: points in by hand and by sample, requests out, and no older answer over a newer one. */
+
+function hand(): Hand {
+  const made = new Hand();
+  made.editor.modes.set("fit", { tool: createFitTool(made.editor) });
+  made.editor.patch({ mode: "fit", fitView: made.editor.state.value.fitView });
+  clearFit(made.editor);
+  made.editor.fitEdits.amend(() => ({ fit: { ...fitDefaults, data: [] } }));
+  return made;
+}
+
+const fitOf = (made: Hand): FitDocument => made.editor.state.value.fit;
+
+test("samples are the same for the same seed, and other noise for another", () => {
+  for (const sample of fitSamples) {
+    const [one, two] = [samplePoints(sample, 2, 5), samplePoints(sample, 2, 5)];
+    assert.deepEqual(one, two, sample.id);
+    assert.notDeepEqual(samplePoints(sample, 2, 6).data[0], one.data[0]);
+    assert.ok(one.data.every(([x, y]) => x >= 0 && x <= 900 && y >= 0 && y <= 650), `${sample.id} lies on the stage`);
+  }
+  const star = fitSample("fit-star");
+  assert.ok(star !== undefined);
+  assert.equal(samplePoints(star, 0, 1).data.length, 300);
+});
+
+test("the noise of a sample has the deviation that it says", () => {
+  const circle = fitSample("fit-circle");
+  assert.ok(circle !== undefined);
+  const [clean, noisy] = [samplePoints(circle, 0, 1).data, samplePoints(circle, 3, 1).data];
+  let sum = 0;
+  noisy.forEach(([x, y], i) => {
+    const [a, b] = clean[i] ?? [0, 0];
+    sum += (x - a) ** 2 + (y - b) ** 2;
+  });
+  const sigma = Math.sqrt(sum / (2 * noisy.length));
+  // 400 normal numbers: their deviation is known to 3.5 %; four times that.
+  assert.ok(Math.abs(sigma / 3 - 1) < 0.15, `${sigma}`);
+});
+
+test("a stroke drawn by hand is one entry of the history, and gives way to undo", () => {
+  const made = hand();
+  made.drag({ x: 100, y: 100 }, 200, 50);
+  assert.equal(strokesOf(fitOf(made)).length, 1);
+  assert.deepEqual(fitOf(made).data.at(-1), [300, 150]);
+  made.drag({ x: 100, y: 300 }, 200, 50);
+  assert.equal(strokesOf(fitOf(made)).length, 2);
+  made.run("undo");
+  assert.equal(strokesOf(fitOf(made)).length, 1);
+  made.run("undo").run("redo").run("redo");
+  assert.equal(strokesOf(fitOf(made)).length, 2);
+});
+
+test("every place of a fast pen is in the stroke, not only that of each frame", () => {
+  const made = hand();
+  made.moveTo(100, 100).press();
+  for (let x = 110; x <= 300; x += 10) made.input.move({ id: 1, kind: "mouse", button: 0, screen: { x, y: 100 }, modifiers: made.held, time: made.time });
+  made.input.flush();
+  made.release();
+  assert.ok(fitOf(made).data.length >= 20, `${fitOf(made).data.length} points`);
+});
+
+test("Escape while drawing leaves nothing behind", () => {
+  const made = hand();
+  made.moveTo(100, 100).press().moveTo(200, 150);
+  made.input.cancel();
+  assert.equal(fitOf(made).data.length, 0);
+  assert.equal(made.editor.state.value.fitView.stroke.length, 0);
+});
+
+test("a first stroke replaces a sample, the next one is added", () => {
+  const made = hand();
+  openFitSample(made.editor, "fit-circle");
+  assert.equal(fitOf(made).sample, "fit-circle");
+  made.drag({ x: 100, y: 100 }, 100, 0);
+  assert.equal(fitOf(made).sample, undefined);
+  assert.equal(strokesOf(fitOf(made)).length, 1);
+});
+
+test("points are placed one by one; a double-click begins another stroke", () => {
+  const made = hand();
+  chooseFitTool(made.editor, "points");
+  made.click(10, 10).click(50, 10).click(50, 60).doubleClick(10, 60).click(300, 300);
+  assert.deepEqual(strokesOf(fitOf(made)).map(({ from, to }) => to - from), [4, 1]);
+});
+
+test("the eraser takes points away along its way, as one entry", () => {
+  const made = hand();
+  bringStrokes(made.editor, "Import", [Array.from({ length: 50 }, (_, i): Pair => [10 * i, 200])]);
+  chooseFitTool(made.editor, "erase");
+  made.editor.patch({ view: { zoom: 1, x: 400, y: 300 } });
+  made.drag({ x: 100, y: 200 }, 100, 0);
+  const left = fitOf(made).data.length;
+  assert.ok(left < 50 && left > 30, `${left} are left`);
+  made.run("undo");
+  assert.equal(fitOf(made).data.length, 50);
+});
+
+test("erasing a whole stroke removes it, and what is left keeps its strokes", () => {
+  const fit = withStroke(withStroke({ ...fitDefaults, data: [] }, [[0, 0], [1, 0]]), [[100, 0], [101, 0], [150, 0]]);
+  const less = withoutDisc(fit, 0.5, 0, 5);
+  assert.deepEqual(strokesOf(less), [{ from: 0, to: 3 }]);
+  assert.equal(withoutDisc(fit, 50, 50, 5), fit, "nothing there, nothing changed");
+});
+
+test("ends that are near each other are joined, others are not", () => {
+  const ring = (part: number): Pair[] => Array.from({ length: 100 }, (_, i) => [Math.cos((part * 2 * Math.PI * i) / 99), Math.sin((part * 2 * Math.PI * i) / 99)]);
+  const joined = (data: Pair[], closing: FitDocument["closing"]): boolean => isJoined({ data, closing }, { from: 0, to: data.length });
+  assert.equal(joined(ring(0.99), "auto"), true);
+  assert.equal(joined(ring(0.9), "auto"), false);
+  assert.equal(joined(ring(0.9), "closed"), true);
+  assert.equal(joined(ring(1), "open"), false);
+});
+
+test("the file keeps strokes, settings and a sample's name; version 1 still opens", () => {
+  const made = hand();
+  openFitSample(made.editor, "fit-signature");
+  setNoise(made.editor, 1.5, 9);
+  const state = made.editor.getState();
+  assert.deepEqual(parseState(writeState(state)).state.fit, state.fit);
+  const old = { ...state, version: 1, fit: { data: [[0, 0], [1, 1]], model: "cubic", smoothing: 30, mix: 50 } };
+  assert.deepEqual(readState(old).fit, { ...fitDefaults, data: [[0, 0], [1, 1]], model: "cubic", smoothing: 30 });
+  assert.throws(() => readState({ ...state, fit: { ...state.fit, starts: [5, 3] } }), /rising/);
+  assert.deepEqual(readState({ ...state, fit: undefined }).fit, emptyFit);
+});
+
+test("two knots at one place are one mark of both kinds", () => {
+  const knots = [{ t: 1, x: 0, y: 0, degree: 1 }, { t: 1, x: 0, y: 0, degree: 3 }, { t: 2, x: 1, y: 0, degree: 3 }];
+  assert.deepEqual(shownKnots(0, 10, knots).map(({ type }) => type), ["coincident", "cubic"]);
+});
+
+/** A worker that answers when it is told to. */
+class Puppet extends EventTarget {
+  readonly asked: FitRequest[] = [];
+  terminated = false;
+  postMessage(request: FitRequest): void {
+    this.asked.push(request);
+  }
+  terminate(): void {
+    this.terminated = true;
+  }
+  answer(data: FitAnswer): void {
+    this.dispatchEvent(Object.assign(new Event("message"), { data }));
+  }
+  get ids(): number[] {
+    return this.asked.flatMap((request) => (request.kind === "fit" ? [request.id] : []));
+  }
+}
+
+const what = (seed: number): FitSubject => ({ strokes: [{ points: Float64Array.of(seed, 0, 1, 1), closed: false }], degree: 3, mix: 0.5, corners: true });
+const nothing = { fitted: () => undefined, stopped: () => undefined, failed: () => undefined, chart: () => undefined, restarted: () => undefined };
+
+function client(handlers: Partial<Parameters<typeof createFitClient>[1]> = {}): { client: FitClient; workers: Puppet[] } {
+  const workers: Puppet[] = [];
+  const start = (): Worker => {
+    const puppet = new Puppet();
+    workers.push(puppet);
+    return puppet as unknown as Worker;
+  };
+  return { client: createFitClient(start, { ...nothing, ...handlers }), workers };
+}
+
+test("the newest request counts: those between are never sent, and an old answer is not taken for a new one", () => {
+  const seen: number[] = [];
+  const { client: fits, workers } = client({ fitted: (_, __, ms) => seen.push(ms) });
+  const subject = what(1);
+  for (const smoothing of [0.1, 0.2, 0.3, 0.4]) fits.fit(subject, { by: "smoothing", smoothing }, true);
+  const [worker] = workers;
+  assert.ok(worker !== undefined);
+  assert.equal(worker.ids.length, 1);
+  worker.answer({ kind: "fitted", subject: 1, id: worker.ids[0] ?? 0, fits: [], ms: 1 });
+  assert.equal(worker.ids.length, 2, "the last of the waiting ones");
+  worker.answer({ kind: "fitted", subject: 1, id: worker.ids[0] ?? 0, fits: [], ms: 2 });
+  assert.deepEqual(seen, [1]);
+  worker.answer({ kind: "fitted", subject: 1, id: worker.ids[1] ?? 0, fits: [], ms: 3 });
+  assert.deepEqual(seen, [1, 3]);
+  assert.equal(fits.busy, false);
+});
+
+test("the data are sent once for all steps of a slider", () => {
+  const { client: fits, workers } = client();
+  const subject = what(1);
+  fits.fit(subject, { by: "smoothing", smoothing: 0.1 }, true);
+  workers[0]?.answer({ kind: "fitted", subject: 1, id: 1, fits: [], ms: 1 });
+  fits.fit(subject, { by: "smoothing", smoothing: 0.2 }, true);
+  assert.equal(workers[0]?.asked.filter(({ kind }) => kind === "subject").length, 1);
+});
+
+test("a worker that dies is replaced, and its request tried once more and no oftener", () => {
+  const codes: string[] = [];
+  let restarts = 0;
+  const { client: fits, workers } = client({ failed: (code) => codes.push(code), restarted: () => (restarts += 1) });
+  fits.fit(what(1), { by: "smoothing", smoothing: 0.1 }, false);
+  const die = (): boolean | undefined => workers.at(-1)?.dispatchEvent(Object.assign(new Event("error"), { message: "unreachable" }));
+  die();
+  assert.equal(workers.length, 2);
+  assert.equal(workers[0]?.terminated, true);
+  assert.deepEqual(workers[1]?.ids, [1]);
+  die();
+  assert.deepEqual(codes, ["E_WORKER"]);
+  assert.equal(restarts, 2);
+  fits.fit(what(2), { by: "smoothing", smoothing: 0.1 }, false);
+  assert.equal(workers.length, 3, "the next request starts afresh");
+});
+
+/** The runner on an editor, with a client that only remembers what it was asked. */
+function running(): { made: Hand; asked: { what: FitSubject; by: string; live: boolean }[] } {
+  const made = hand();
+  const asked: { what: FitSubject; by: string; live: boolean }[] = [];
+  const connect = (): FitClient => ({ busy: false, fit: (subject, { by }, live) => void asked.push({ what: subject, by, live }), chart: () => undefined, cancel: () => undefined, idle: () => Promise.resolve() });
+  createFitRunner(made.editor, connect, () => made.time, new AbortController().signal);
+  return { made, asked };
+}
+
+test("a drag of the slider asks for live fits, and its end for one from nothing", () => {
+  const { made, asked } = running();
+  openFitSample(made.editor, "fit-circle");
+  made.editor.fitEdits.begin("Smoothing");
+  for (const value of [41, 42, 43]) setSmoothing(made.editor, value);
+  made.editor.fitEdits.commit();
+  assert.deepEqual(asked.map(({ live }) => live), [false, true, true, true, false]);
+  assert.equal(new Set(asked.map(({ what: subject }) => subject)).size, 1, "the subject stays the same");
+});
+
+test("too few points are said, not fitted", () => {
+  const { made, asked } = running();
+  chooseFitTool(made.editor, "points");
+  made.click(10, 10).click(50, 10).click(50, 60);
+  assert.equal(asked.length, 0);
+  assert.deepEqual(made.editor.state.value.fitRun.failure, { id: "points-few", details: { count: 3 } });
+  made.click(10, 60);
+  assert.equal(asked.length, 1);
+  assert.equal(made.editor.state.value.fitRun.failure, null);
+});
+
+test("a target is asked for by its own name, and moving the slider lets go of it", () => {
+  const { made, asked } = running();
+  openFitSample(made.editor, "fit-circle");
+  setTarget(made.editor, "error");
+  assert.equal(asked.at(-1)?.by, "error");
+  setSmoothing(made.editor, 70);
+  assert.equal(fitOf(made).target, "off");
+  assert.equal(asked.at(-1)?.by, "smoothing");
+});
