@@ -5,12 +5,13 @@ import { registerFitActions } from "./editor/fit/fit-actions.ts";
 import { boxOf, bringStrokes, chooseFitTool } from "./editor/fit/fit-edits.ts";
 import { fitHint, fitSummary } from "./editor/fit/fit-hint.ts";
 import { createFitRunner } from "./editor/fit/fit-runner.ts";
-import { editInCurve } from "./editor/fit/hand-over.ts";
+import { editInCurve, fittedDrawing } from "./editor/fit/hand-over.ts";
 import { createFitClient } from "./kernel/fit/fit-client.ts";
 import { strokesFrom } from "./kernel/fit/as-strokes.ts";
 import { sampleFit } from "./kernel/fit/outcome.ts";
 import { fitSampleCards, mountEmptyFit } from "./panels/fit/empty-fit.ts";
 import { fitMetrics } from "./panels/fit/fit-metrics.ts";
+import { fitProgram } from "./panels/fit/fit-program.ts";
 import { fitPanel } from "./panels/fit/fit-panel.ts";
 import type { Panels } from "./panels/mount.ts";
 import { createFitPainter } from "./render/fit/fit-painter.ts";
@@ -38,8 +39,11 @@ export function mountFitMode({ editor, frame, stage, surface, proxies, panels, c
   const runner = createFitRunner(editor, (handlers) => createFitClient(start, handlers), () => performance.now(), until);
   editor.actions.register({ id: "fit-cancel", label: "Stop the fit", group: "Edit", keys: [], enabled: ({ mode }) => mode === "fit", run: () => runner.cancel() });
   editor.actions.register({ id: "fit-edit", label: "Edit the fit in Curve", group: "Curve", keys: [], enabled: ({ mode, fitRun }) => mode === "fit" && fitRun.outcome !== null, run: editInCurve });
-  editor.modes.set("fit", { tool: createFitTool(editor), hint: fitHint, summary: fitSummary, box: ({ fit }) => boxOf(fit.data),
-    bring: (drawing, contours, kind) => bringStrokes(editor, "Import", strokesFrom(drawing, contours, kind === "points")) });
+  editor.modes.set("fit", {
+    tool: createFitTool(editor), hint: fitHint, summary: fitSummary, drawing: fittedDrawing, program: fitProgram,
+    box: ({ fit }) => boxOf(fit.data),
+    bring: (drawing, contours, kind) => bringStrokes(editor, "Import", strokesFrom(drawing, contours, kind === "points")),
+  });
   panels.shell.samples.set("fit", (done) => fitSampleCards(panels.shell, done));
   stage.painters.set("fit", createFitPainter(frame, () => performance.now()));
   createKnotProxies(editor, frame, surface, proxies, until);

@@ -26,6 +26,10 @@ export interface ModeParts {
   hint?(state: EditorState): string;
   /** What the plane is to show when all of it is to be seen. */
   box?(state: EditorState): { readonly minX: number; readonly minY: number; readonly maxX: number; readonly maxY: number } | null;
+  /** What Export writes, in place of Curve's drawing; null while there is nothing. */
+  drawing?(state: EditorState): CurveDocument | null;
+  /** The program that makes what is on the stage. */
+  program?(state: EditorState): string;
   /** Takes in what was pasted, dropped or opened, in place of Curve. */
   bring?(drawing: CurveDocument, contours: readonly Contour[], kind: string): void;
   /** The picture in words, for those who do not see it. */

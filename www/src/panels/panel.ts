@@ -74,7 +74,7 @@ export function mountPanel(shell: Shell, metrics: HTMLElement): PanelHost {
     // Only the mode's own controls are in the page: some have the same name in another mode.
     attach(curvePart, state.mode === "curve");
     curve.level.hidden = state.mode !== "curve";
-    codeButton.hidden = state.mode !== "curve";
+    codeButton.hidden = state.mode !== "curve" && editor.modes.get(state.mode)?.program === undefined;
     for (const { mode, element } of later) element.hidden = state.mode !== mode || built.has(mode);
     for (const [mode, panel] of built) {
       attach(panel.element, state.mode === mode);

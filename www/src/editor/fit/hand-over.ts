@@ -1,12 +1,21 @@
-import { nothingSelected } from "../../document/document.ts";
+import { emptyCurve, nothingSelected, type Contour, type CurveDocument } from "../../document/document.ts";
 import { contourFromFit } from "../../kernel/fit/as-contour.ts";
-import type { Editor } from "../editor.ts";
+import type { FitOutcome } from "../../kernel/fit/outcome.ts";
+import type { Editor, EditorState } from "../editor.ts";
+
+const contoursOf = ({ strokes }: FitOutcome): Contour[] => strokes.map(({ curve }) => contourFromFit(curve));
+
+/** The fitted curve for Export; null while there is none. */
+export function fittedDrawing({ fit, fitRun }: EditorState): CurveDocument | null {
+  if (fitRun.outcome === null) return null;
+  return { ...emptyCurve, contours: contoursOf(fitRun.outcome), ...(fit.sample === undefined ? {} : { sample: fit.sample }) };
+}
 
 /** The fitted curve as a drawing in Curve: a copy, ready to be edited; the points stay in Fit. */
 export function editInCurve(editor: Editor): void {
   const { outcome } = editor.state.value.fitRun;
   if (outcome === null) return;
-  const contours = outcome.strokes.map(({ curve }) => contourFromFit(curve));
+  const contours = contoursOf(outcome);
   const { view } = editor.state.value;
   editor.patch({ mode: "curve", tool: "select" });
   editor.dispatch({

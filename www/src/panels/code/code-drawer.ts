@@ -25,7 +25,11 @@ export function mountCodeDrawer(shell: Shell, changed: (open: boolean) => void):
   regions.stage.append(drawer);
 
   const refresh = (): void => {
-    if (!drawer.hidden) setText(code, snippetFor(active, editor.state.value.curve, options));
+    if (drawer.hidden) return;
+    const { mode, curve } = editor.state.value;
+    const program = editor.modes.get(mode)?.program?.(editor.state.value);
+    list.hidden = program !== undefined;
+    setText(code, program ?? snippetFor(active, curve, options));
   };
   const choose = (id: SnippetId): void => {
     active = id;
@@ -63,7 +67,7 @@ export function mountCodeDrawer(shell: Shell, changed: (open: boolean) => void):
   });
   const soon = inNextFrame(shell.frame, refresh);
   editor.state.subscribe((state, before) => {
-    if (!drawer.hidden && state.curve !== before.curve) soon.request();
+    if (!drawer.hidden && (state.curve !== before.curve || state.fit !== before.fit || state.mode !== before.mode)) soon.request();
   }, { until });
   choose(active);
   return { toggle: () => set(drawer.hidden), isOpen: () => !drawer.hidden };

@@ -24,7 +24,8 @@ const kinds: readonly (readonly [ExportSegments, string])[] = [
 /** The drawing as text and files, with a preview, its size, and the deviation measured on the text itself. */
 export function openExport(shell: Shell): void {
   const { editor, io, toasts } = shell;
-  const { curve } = editor.state.value;
+  const { curve: own, mode } = editor.state.value;
+  const curve = editor.modes.get(mode)?.drawing?.(editor.state.value) ?? own;
   const box = documentBounds(curve);
   let exported: ExportedPath | null = null;
 

@@ -1,0 +1,44 @@
+import { isJoined, strokesOf } from "../../document/fit.ts";
+import type { EditorState } from "../../editor/editor.ts";
+
+/** The program that makes the present fit: the bridge from the page to an integration. */
+
+/** More points than this would hide the program. */
+const mostListed = 120;
+
+const degrees = { linear: "1", cubic: "3", hybrid: "[1, 3]" } as const;
+/** The name stands in a text that is shown; it is no import of the page. */
+const library = JSON.stringify("expline");
+
+export function fitProgram({ fit }: EditorState): string {
+  const [stroke] = strokesOf(fit);
+  if (stroke === undefined) return "// Draw a line, or open a sample.";
+  const points = fit.data.slice(stroke.from, stroke.to);
+  const listed = points.length <= mostListed;
+  const rows = points.map(([x, y]) => `${x}, ${y}`);
+  const lines = Array.from({ length: Math.ceil(rows.length / 6) }, (_, i) => `  ${rows.slice(6 * i, 6 * i + 6).join(", ")},`);
+  const data = listed
+    ? `const points = Float64Array.of(\n${lines.join("\n")}\n);`
+    : `// ${points.length} points, x and y in turn; this page's JSON file has them under "fit".\nconst points = Float64Array.from(await (await fetch("points.json")).json());`;
+  const strength = fit.target === "error" ? `tolerance: ${fit.targetError}` : `smoothing: ${fit.smoothing / 100}`;
+  const mix = fit.model === "hybrid" && fit.mix !== 50 ? `\n  mix: ${fit.mix / 100},` : "";
+  const corners = fit.corners ? "" : "\n  corners: false,";
+  return `import { fitSparse } from ${library};
+
+${data}
+
+const fit = fitSparse(points, {
+  degree: ${degrees[fit.model]},
+  ${strength},${mix}${corners}
+  closed: ${isJoined(fit, stroke)},
+});
+
+console.log(fit.knots.length, "knots, no point farther than", fit.maxError, "certified gap", fit.gap);
+const { d } = fit.curve.toPathD({ tolerance: 0.02 });
+document.querySelector("path")?.setAttribute("d", d);
+
+// For a slider, keep what was computed: each step starts where the last one ended.
+// const fitter = new SparseFitter(points, { degree: ${degrees[fit.model]}, closed: ${isJoined(fit, stroke)} });
+// slider.oninput = () => show(fitter.solve({ smoothing: slider.valueAsNumber / 100 }));
+`;
+}
