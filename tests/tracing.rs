@@ -81,17 +81,35 @@ const STAR: [(f64, f64); 10] = [
 ];
 
 #[test]
-fn a_disk_is_found_to_a_fiftieth_of_a_pixel_in_few_pieces() {
+fn a_disk_is_an_exact_circle_to_a_fiftieth_of_a_pixel() {
     let disk = |x: f64, y: f64| (x - 30.3).hypot(y - 32.6) <= 22.7;
     let drawing = trace(64, 64, &draw(64, 64, &disk));
     assert_eq!(drawing.contours.len(), 1);
     let contour = &drawing.contours[0];
     assert!(!contour.hole && contour.cusps.is_empty(), "a smooth outline of ink");
-    assert!(contour.curve.segment_count() <= 5, "{} pieces", contour.curve.segment_count());
+    let circle = contour.curve.as_ellipse(1e-9).expect("the circle is exact");
+    let off = (circle.center - Point::new(30.3, 32.6)).norm();
+    assert!(off < 0.02 && (circle.radii.x - 22.7).abs() < 0.02, "{circle:?}");
+    assert!(circle.radii.x - circle.radii.y < 1e-12, "one radius");
     let (most, mean) = along(&contour.curve, &|p| ((p - Point::new(30.3, 32.6)).norm() - 22.7).abs());
     // Sixteen places per axis leave 0.004 of coverage, four cubics of a quarter turn 0.006 of a radius of 22.7.
     assert!(mean < 0.015 && most < 0.03, "mean {mean}, most {most}");
     assert!(drawing.residual < 0.006, "{}", drawing.residual);
+}
+
+#[test]
+fn a_turned_ellipse_is_an_exact_ellipse() {
+    let (sin, cos) = (0.6, 0.8);
+    let ellipse = |x: f64, y: f64| {
+        let (dx, dy) = (x - 40.2, y - 36.7);
+        ((dx * cos + dy * sin) / 30.0).powi(2) + ((dy * cos - dx * sin) / 17.0).powi(2) <= 1.0
+    };
+    let drawing = trace(80, 80, &draw(80, 80, &ellipse));
+    let found = drawing.contours[0].curve.as_ellipse(1e-9).expect("an ellipse");
+    assert!((found.center - Point::new(40.2, 36.7)).norm() < 0.02, "{found:?}");
+    assert!((found.radii - Point::new(30.0, 17.0)).norm() < 0.03, "{found:?}");
+    // atan2(0.6, 0.8)
+    assert!((found.rotation - 0.643_501_108_793_284_4).abs() < 2e-3, "{found:?}");
 }
 
 #[test]

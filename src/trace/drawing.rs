@@ -4,11 +4,12 @@ use super::contour::{Contour, contours};
 use super::corners::{CornerRule, corners};
 use super::coverage::Band;
 use super::division::{DivisionRule, divide};
+use super::ellipse::ellipse;
 use super::gray::{Gray, Tones};
 use super::outline::Outline;
 use super::refine::{refine, rest_of};
 use super::samples::Samples;
-use super::simplify::{Limits, simplify};
+use super::simplify::{Limits, finish};
 use crate::curve::HermiteCurve;
 use crate::error::{Error, Result};
 use crate::limits::check;
@@ -109,15 +110,17 @@ pub fn trace_drawing(gray: &Gray, options: &DrawingOptions) -> Result<Drawing> {
                 (outlines, noise) = (rough, left);
             }
         }
-        let limits = Limits { rms: 0.014, most: 0.06, noise, share: 12.0 };
-        simplify(&mut outlines, &band, &limits)?;
-        outlines.iter_mut().for_each(Outline::straighten);
-        residual = refine(&mut outlines, &band, 8)?;
+        let limits = Limits { rms: 0.01, most: 0.05, noise, share: 12.0 };
+        residual = finish(&mut outlines, &band, &limits)?;
     }
     let mut contours = Vec::new();
     for (outline, contour) in outlines.iter().zip(&found) {
         let cusps = outline.nodes.iter().filter(|node| !node.smooth).map(|node| node.point).collect();
-        contours.push(TracedContour { curve: outline.to_curve()?, hole: contour.area < 0.0, cusps });
+        let curve = match ellipse(outline)? {
+            Some(curve) if options.refined => curve,
+            _ => outline.to_curve()?,
+        };
+        contours.push(TracedContour { curve, hole: contour.area < 0.0, cusps });
     }
     Ok(Drawing { contours, tones, residual })
 }

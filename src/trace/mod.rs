@@ -9,6 +9,7 @@ mod coverage;
 mod cubic;
 mod division;
 mod drawing;
+mod ellipse;
 mod gray;
 mod knots;
 mod local;

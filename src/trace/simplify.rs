@@ -44,14 +44,18 @@ struct Merged {
 
 /// Rounds of merging; each takes away up to every third joint.
 const MOST_ROUNDS: usize = 12;
-/// Steps of refinement before a round is judged.
-const STEPS: usize = 3;
 
-/// Takes joints away while the picture stays as well explained as `limits` say.
-pub(super) fn simplify(outlines: &mut [Outline], band: &Band, limits: &Limits) -> Result<()> {
+/// Takes joints away while the picture stays as well explained as `limits` say, after so many steps of refinement.
+fn simplify(outlines: &mut [Outline], band: &Band, limits: &Limits, steps: usize) -> Result<()> {
+    outlines.iter_mut().for_each(|outline| outline.nodes.iter_mut().for_each(|node| node.kept = false));
+    let mut restored = false;
     for _ in 0..MOST_ROUNDS {
-        let coverage = band.cover(outlines)?;
-        let lefts = measure(&coverage, band);
+        // What was put back has to settle before anything is compared with it.
+        if restored {
+            refine(outlines, band, steps.min(4))?;
+        }
+        restored = false;
+        let lefts = measure(&band.cover(outlines)?, band);
         let mut merged = Vec::new();
         let mut first = 0;
         for (i, outline) in outlines.iter_mut().enumerate() {
@@ -62,7 +66,7 @@ pub(super) fn simplify(outlines: &mut [Outline], band: &Band, limits: &Limits) -
         if merged.is_empty() {
             break;
         }
-        refine(outlines, band, STEPS)?;
+        refine(outlines, band, steps)?;
         let lefts = measure(&band.cover(outlines)?, band);
         let starts: Vec<usize> = outlines
             .iter()
@@ -83,11 +87,48 @@ pub(super) fn simplify(outlines: &mut [Outline], band: &Band, limits: &Limits) -
                 outline.nodes[next].kept = false;
             } else {
                 restore(outline, merge);
+                restored = true;
             }
         }
         outlines.iter_mut().for_each(Outline::align);
     }
     Ok(())
+}
+
+/// The root mean square of what is left in the pixels of every outline.
+fn by_outline(outlines: &[Outline], band: &Band) -> Result<Vec<f64>> {
+    let lefts = measure(&band.cover(outlines)?, band);
+    let mut first = 0;
+    Ok(outlines
+        .iter()
+        .map(|outline| {
+            let own = &lefts[first..first + outline.len()];
+            first += outline.len();
+            let (square, count) = own
+                .iter()
+                .fold((0.0, 0.0), |(square, count), left| (square + left.square, count + left.count));
+            (square / f64::max(count, 1.0)).sqrt()
+        })
+        .collect())
+}
+
+/// Fewer pieces, then a last refinement. An outline that lost its way is as it was before. Returns what is left of the picture.
+pub(super) fn finish(outlines: &mut [Outline], band: &Band, limits: &Limits) -> Result<f64> {
+    let start = outlines.to_vec();
+    let before = by_outline(outlines, band)?;
+    simplify(outlines, band, limits, 3)?;
+    simplify(outlines, band, limits, 8)?;
+    outlines.iter_mut().for_each(Outline::straighten);
+    let left = refine(outlines, band, 8)?;
+    let after = by_outline(outlines, band)?;
+    let mut lost = false;
+    for (i, outline) in outlines.iter_mut().enumerate() {
+        if after[i] > (1.5 * before[i]).max(2.0 * limits.rms) {
+            *outline = start[i].clone();
+            lost = true;
+        }
+    }
+    if lost { refine(outlines, band, 8) } else { Ok(left) }
 }
 
 fn good(now: &Left, before: &Left, forced: bool, limits: &Limits) -> bool {
