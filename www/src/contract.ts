@@ -64,7 +64,7 @@ export interface ContractOptions {
   readonly frame: Frame;
   readonly ready: Promise<void>;
   /** Checks a state from outside; throws when it is none. */
-  readState(value: unknown): DemoState;
+  readState(value: unknown): Promise<DemoState>;
 }
 
 export function createContract({ editor, frame, ready, readState, parts }: ContractOptions): ExplineDemo {
@@ -74,6 +74,7 @@ export function createContract({ editor, frame, ready, readState, parts }: Contr
     async idle() {
       await ready;
       await parts.settled?.();
+      await Promise.all(editor.loading);
       await parts.fit?.working();
       await frame.idle();
     },
@@ -83,7 +84,7 @@ export function createContract({ editor, frame, ready, readState, parts }: Contr
       return result === null ? state : { ...state, fit: { ...state.fit, result } };
     },
     async setState(state) {
-      editor.setState(readState(structuredClone(state)));
+      editor.setState(await readState(structuredClone(state)));
       await parts.settled?.();
       await parts.fit?.working();
       await frame.idle();

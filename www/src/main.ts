@@ -1,5 +1,4 @@
 import { createContract, type ContractParts } from "./contract.ts";
-import { readState } from "./document/file.ts";
 import { createEditor } from "./editor/create-editor.ts";
 import { listenToStage } from "./editor/dom-input.ts";
 import { createFrame } from "./editor/frame.ts";
@@ -66,5 +65,5 @@ async function boot(): Promise<void> {
 }
 
 const parts: ContractParts = {};
-window.explineDemo = createContract({ editor, frame, ready: boot(), readState, parts });
+window.explineDemo = createContract({ editor, frame, ready: boot(), readState: async (value) => (await import("./document/file.ts")).readState(value), parts });
 void window.explineDemo.ready.then(keepForOffline);

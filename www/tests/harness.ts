@@ -11,6 +11,7 @@ import type { PointerKind } from "../src/editor/hit-test.ts";
 import { createPointerInput, type PointerInput } from "../src/editor/pointer-input.ts";
 import { registerStandardActions } from "../src/editor/standard-actions.ts";
 import { samplePoints } from "../src/kernel/samples.ts";
+import { createPenTool } from "../src/tools/pen/pen-tool.ts";
 import { createTools } from "../src/tools/tools.ts";
 
 // In Node the engine finds itself; the page tells it where the bundler has put it.
@@ -28,7 +29,7 @@ export class Hand {
   constructor(sample?: string) {
     this.editor = createEditor(() => this.time);
     registerStandardActions(this.editor);
-    this.input = createPointerInput(this.editor, createTools(this.editor));
+    this.input = createPointerInput(this.editor, createTools(this.editor, createPenTool(this.editor)));
     if (sample === undefined) return;
     const found = curveSample(sample);
     assert.ok(found, `no sample named ${sample}`);

@@ -7,7 +7,7 @@ import { kindOf, opposite, scaled } from "./offset.ts";
 
 /** The same contour with every frequency written down, so that opening or closing it does not change what "auto" means. */
 export function withPinnedOmega(curve: CurveDocument, contour: Contour): Contour {
-  if (contour.omega !== undefined) return contour;
+  if (contour.omega !== undefined || contour.family === "interpolating") return contour;
   const omega: number[] = [];
   for (let segment = 0; segment < segmentCount(contour); segment += 1) omega.push(omegaOf(curve, contour, segment));
   return { ...contour, omega };
@@ -47,6 +47,7 @@ export function reversedContour(contour: Contour): Contour {
   return {
     ...contour,
     points: ordered,
+    ...(contour.grid === undefined || !contour.closed ? {} : { grid: { ...contour.grid, offset: 0 - contour.grid.offset } }),
     ...(contour.omega === undefined ? {} : { omega: [...contour.omega].reverse() }),
     ...(contour.lengths === undefined ? {} : { lengths: [...contour.lengths].reverse() }),
   };
@@ -102,6 +103,7 @@ export function withoutPoints(curve: CurveDocument, contour: Contour, indices: r
 /** Closes an open contour with one more segment, or drops the last segment of a closed one. */
 export function withClosed(curve: CurveDocument, contour: Contour, closed: boolean): Contour {
   if (contour.closed === closed) return contour;
+  if (contour.family === "interpolating") return { ...contour, closed };
   const pinned = withPinnedOmega(curve, contour);
   const segments = segmentCount(pinned);
   if (!closed) return openPart(pinned, 0, segments - 1);

@@ -156,15 +156,17 @@ export function pointAt(curve: CurveDocument, ref: PointRef): ControlPoint | und
   return curve.contours[ref.contour]?.points[ref.index];
 }
 
-/** How many segments a contour has: one per point when closed, one fewer when open. */
+/** How many segments a contour has: one per point when closed, one fewer when open; of a refined one, the cells of its grid. */
 export function segmentCount(contour: Contour): number {
+  const { grid } = contour;
+  if (grid !== undefined) return Math.round((contour.closed ? grid.count : grid.count - 1) / grid.step);
   const points = contour.points.length;
   return contour.closed ? points : Math.max(0, points - 1);
 }
 
 /** The parameter length of a segment. */
 export function lengthOf(contour: Contour, segment: number): number {
-  return contour.lengths?.[segment] ?? 1;
+  return contour.grid?.step ?? contour.lengths?.[segment] ?? 1;
 }
 
 /** The parameter length of the whole contour. */

@@ -16,6 +16,7 @@ import { FileError } from "./file/error.ts";
 import { checkJson } from "./file/scan.ts";
 
 export { FileError, type FileErrorCode } from "./file/error.ts";
+export { writeState } from "./file/write.ts";
 
 export const fileVersion = stateVersion;
 
@@ -43,10 +44,6 @@ export function parseState(source: string): ReadFile {
     throw new FileError("E_PARSE_JSON", "$", "is not JSON");
   }
   return { state: readState(value), warnings: unknownFields(value) };
-}
-
-export function writeState(state: DemoState): string {
-  return JSON.stringify(state);
 }
 
 /** A checked copy of a state that came from outside. */

@@ -206,24 +206,32 @@ function glyph(): CurveSample {
   };
 }
 
+/** `count` points of r(θ) that the curve goes through, without tangents. */
+function through(count: number, radius: (angle: number) => number): Contour {
+  const points = Array.from({ length: count }, (_, k) => {
+    const angle = (2 * Math.PI * k) / count;
+    return knot(center[0] + radius(angle) * Math.cos(angle), center[1] + radius(angle) * Math.sin(angle), "smooth", [0, 0], [0, 0]);
+  });
+  return { family: "interpolating", closed: true, points, support: 2 };
+}
+
+function blob16(): CurveSample {
+  const radius = (angle: number): number => 158 + 26 * Math.cos(3 * angle + 0.6) + 18 * Math.sin(2 * angle) + 9 * Math.cos(5 * angle);
+  return {
+    id: "blob-16",
+    title: "Blob, 16 points",
+    note: "Every point lies on the curve. Drag one: only two segments to each side follow, highlighted; the rest stays to the last bit.",
+    curve: document("blob-16", "trigonometric", "auto", [through(16, radius)]),
+    overlays: [],
+  };
+}
+
 function net64(): CurveSample {
-  const radius = (angle: number): number => 190 + 34 * Math.sin(6 * angle);
-  const growth = (angle: number): number => 204 * Math.cos(6 * angle);
-  const points = along(
-    64,
-    0,
-    Math.PI / 32,
-    (angle) => [center[0] + radius(angle) * Math.cos(angle), center[1] + radius(angle) * Math.sin(angle)],
-    (angle) => [
-      growth(angle) * Math.cos(angle) - radius(angle) * Math.sin(angle),
-      growth(angle) * Math.sin(angle) + radius(angle) * Math.cos(angle),
-    ],
-  );
   return {
     id: "net-64",
     title: "64 points",
-    note: "Sixty-four points under one finger: drag any of them and watch the milliseconds below.",
-    curve: document("net-64", "trigonometric", "auto", [contour(points)]),
+    note: "Sixty-four points on the curve, under one finger: drag any of them and watch the milliseconds below.",
+    curve: document("net-64", "trigonometric", "auto", [through(64, (angle) => 190 + 34 * Math.sin(6 * angle))]),
     overlays: ["comb"],
   };
 }
@@ -237,6 +245,7 @@ export const curveSamples: readonly CurveSample[] = [
   sine(),
   hyperbola(),
   heart(),
+  blob16(),
   glyph(),
   net64(),
 ];

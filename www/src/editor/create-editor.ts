@@ -159,6 +159,7 @@ export function createEditor(now: () => number): Editor {
     state,
     notices,
     modes: new Map(),
+    loading: new Set(),
     get actions() {
       return actions;
     },

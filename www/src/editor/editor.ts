@@ -174,6 +174,8 @@ export interface Editor {
   readonly actions: ActionRegistry;
   /** What modes bring of their own, once they are there. */
   readonly modes: Map<Mode, ModeParts>;
+  /** What is being loaded just now. */
+  readonly loading: Set<Promise<unknown>>;
 
   /** Applies a command: one entry in the history, or part of the gesture that is open. */
   dispatch(command: Command): void;

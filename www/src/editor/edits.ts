@@ -9,6 +9,9 @@ import {
 } from "../document/document.ts";
 import { lengthOfOffset } from "../document/offset.ts";
 import { healed, inserted, refined, resampled } from "../kernel/contours.ts";
+import {
+  coarserInterpolating, finerInterpolating, insertedInterpolating, removedInterpolating, resampledInterpolating,
+} from "../kernel/interpolating.ts";
 import { largestMove } from "../kernel/samples.ts";
 import type { Editor } from "./editor.ts";
 
@@ -26,7 +29,7 @@ export function activeContour(editor: Editor): number {
   return selectionOf(editor).points[0]?.contour ?? 0;
 }
 
-function say(editor: Editor, text: string): void {
+export function say(editor: Editor, text: string): void {
   editor.notify({ kind: "toast", text });
 }
 
@@ -42,7 +45,16 @@ export function printed(distance: number): string {
   return distance < 1e-4 ? distance.toExponential(0) : String(Number(distance.toPrecision(2)));
 }
 
+/** Points of interpolating curves have no handles and so no kinds; says so once for all. */
+function hasNoHandles(editor: Editor, selection: Selection): boolean {
+  const [first] = selection.points;
+  if (first === undefined || editor.state.value.curve.contours[first.contour]?.family !== "interpolating") return false;
+  refuse(editor, "Points of an interpolating curve have no handles: the curve is smooth through all of them.");
+  return true;
+}
+
 export function setKind(editor: Editor, kind: Kind): void {
+  if (hasNoHandles(editor, selectionOf(editor))) return;
   if (selectionOf(editor).points.length > 0) editor.dispatch(setKinds(selectionOf(editor), kind));
 }
 
@@ -50,7 +62,7 @@ export function setKind(editor: Editor, kind: Kind): void {
 export function toggleCusp(editor: Editor, selection: Selection = selectionOf(editor)): void {
   const first = selection.points[0];
   const point = first === undefined ? undefined : pointAt(editor.state.value.curve, first);
-  if (point === undefined) return;
+  if (point === undefined || hasNoHandles(editor, selection)) return;
   const kind: Kind = point.kind === "cusp" ? "smooth" : "cusp";
   editor.dispatch({ ...setKinds(selection, kind), select: selection });
   editor.notify({ kind: "announce", text: `Point ${(first?.index ?? 0) + 1} is now ${kind === "cusp" ? "a cusp" : "smooth"}` });
@@ -71,6 +83,7 @@ export function setHandlePolar(editor: Editor, ref: PointRef, side: Side, polar:
 }
 
 export function resetSelectedHandles(editor: Editor, selection: Selection = selectionOf(editor)): void {
+  if (hasNoHandles(editor, selection)) return;
   if (selection.points.length > 0) editor.dispatch(resetHandles(selection));
 }
 
@@ -95,14 +108,24 @@ export function insertAt(editor: Editor, contour: number, t: number): void {
   const before = curve.contours[contour];
   if (before === undefined) return;
   if (before.points.length >= mostPoints) return refuse(editor, `A contour holds at most ${mostPoints} points here.`);
-  const result = inserted(curve, before, t);
+  if (isRefined(editor, before)) return;
+  const isHermite = before.family === "hermite";
+  const result: { contour: Contour; index: number; moved?: number } | null = isHermite ? inserted(curve, before, t) : insertedInterpolating(curve, before, t);
   if (result === null) return refuse(editor, "There is a point already.");
   editor.dispatch({
     name: "Insert point",
     apply: (document) => replaceContour(document, contour, result.contour),
     select: { points: [{ contour, index: result.index }], handle: null },
   });
-  say(editor, `Point ${result.index + 1} inserted. The curve has not moved.`);
+  const { moved = 0 } = result;
+  say(editor, `Point ${result.index + 1} inserted. ${moved <= unnoticed ? "The curve has not moved." : `The curve moved by at most ${printed(moved)}; the level slider refines without moving it.`}`);
+}
+
+/** Control points near the curve come and go with the level only. */
+export function isRefined(editor: Editor, contour: Contour): boolean {
+  if (contour.grid === undefined) return false;
+  refuse(editor, "These are control points of a finer level. Go to level 0 to add or take away points of the curve.");
+  return true;
 }
 
 /** Midway to the next point after the chosen one. */
@@ -139,9 +162,13 @@ export function deleteAndHeal(editor: Editor): void {
       continue;
     }
     let rest = contour;
+    if (indices.length > 0 && isRefined(editor, contour)) return;
     for (const index of indices) {
-      const result = rest.points.length <= 2 ? null : healed(curve, rest, index);
-      if (result === null) return refuse(editor, "A contour needs two points. Select all of it to delete it, or press Shift+Delete to open it.");
+      const result = rest.points.length <= 2 ? null : rest.family === "hermite" ? healed(curve, rest, index) : removedInterpolating(curve, rest, index);
+      if (result === null) {
+        const least = rest.family === "interpolating" && rest.closed ? "A closed interpolating contour needs three points" : "A contour needs two points";
+        return refuse(editor, `${least}. Select all of it to delete it, or press Shift+Delete to open it.`);
+      }
       rest = result.contour;
       deviation = Math.max(deviation, result.deviation);
       gone += 1;
@@ -164,6 +191,7 @@ export function deleteAndOpen(editor: Editor): void {
   const { curve, selection } = editor.state.value;
   const chosen = chosenByContour(selection);
   if (chosen.size === 0) return;
+  if (curve.contours.some((contour, c) => chosen.has(c) && isRefined(editor, contour))) return;
   const contours = curve.contours.flatMap((contour, c) => withoutPoints(curve, contour, chosen.get(c) ?? []));
   editor.dispatch({ name: "Delete and open", apply: (document) => ({ ...document, contours }), select: nothingSelected });
   say(editor, "Point deleted. The path is open there.");
@@ -196,7 +224,7 @@ export function applyProposal(editor: Editor): void {
 }
 
 /** Moves below this, in document units, are rounding and nobody's edit. */
-const unnoticed = 1e-6;
+export const unnoticed = 1e-6;
 
 function raised(editor: Editor, curve: CurveDocument, target: number): CurveDocument | null {
   let next = curve;
@@ -206,13 +234,14 @@ function raised(editor: Editor, curve: CurveDocument, target: number): CurveDocu
       return next === curve ? null : next;
     }
     const document = next;
-    next = { ...next, level, contours: next.contours.map((contour) => refined(document, contour, level)) };
+    next = { ...next, level, contours: next.contours.map((contour) => (contour.family === "hermite" ? refined(document, contour, level) : finerInterpolating(document, contour, 1))) };
   }
   return next;
 }
 
 function lowered(curve: CurveDocument, target: number): CurveDocument {
-  return { ...curve, level: target, contours: curve.contours.map((contour) => plain(curve, loweredContour(contour, target))) };
+  const lower = (contour: Contour): Contour => (contour.family === "hermite" ? plain(curve, loweredContour(contour, target)) : coarserInterpolating(curve, contour, target));
+  return { ...curve, level: target, contours: curve.contours.map(lower) };
 }
 
 /** Lengths that are all alike say nothing where the frequency follows from the whole. */
@@ -227,9 +256,10 @@ export function resample(editor: Editor, count: number, run?: string): void {
   const { curve } = editor.state.value;
   const index = activeContour(editor);
   const contour = curve.contours[index];
-  const points = Math.max(2, Math.min(mostPoints, Math.round(count)));
-  if (contour === undefined || contour.points.length === points || contour.points.length < 2) return;
-  const next = resampled(curve, contour, points);
+  const isHermite = contour?.family === "hermite";
+  const points = Math.max(isHermite ? 2 : 3, Math.min(mostPoints, Math.round(count)));
+  if (contour === undefined || contour.points.length === points || contour.points.length < 2 || isRefined(editor, contour)) return;
+  const next = isHermite ? resampled(curve, contour, points) : resampledInterpolating(curve, contour, points);
   editor.dispatch({
     name: "Points",
     apply: (document) => ({ ...replaceContour(document, index, next), level: 0 }),
@@ -350,7 +380,8 @@ export function describe(curve: CurveDocument, ref: PointRef, side?: Side): stri
   if (contour === undefined || point === undefined) return "";
   const where = curve.contours.length > 1 ? ` of contour ${ref.contour + 1}` : "";
   const name = `Point ${ref.index + 1} of ${contour.points.length}${where}`;
-  if (side === undefined) return `${name}, ${point.kind}, x ${short(point.x)}, y ${short(point.y)}`;
+  const kind = contour.family === "hermite" ? point.kind : contour.grid === undefined ? "on the curve" : "near the curve";
+  if (side === undefined) return `${name}, ${kind}, x ${short(point.x)}, y ${short(point.y)}`;
   const offset = point[side] ?? noOffset;
   const degrees = (Math.atan2(-offset.dy, offset.dx) * 180) / Math.PI;
   return `${side === "in" ? "Arriving" : "Leaving"} handle of ${name.toLowerCase()}, length ${short(lengthOfOffset(offset))}, angle ${short(degrees)}°`;

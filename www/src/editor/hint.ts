@@ -1,4 +1,5 @@
-import { pointAt } from "../document/document.ts";
+import { pointAt, segmentCount } from "../document/document.ts";
+import { affectedSegments } from "../document/roots.ts";
 import { measureCurve } from "../kernel/measure.ts";
 import { describe } from "./edits.ts";
 import type { EditorState } from "./editor.ts";
@@ -9,7 +10,7 @@ export function hintFor(state: EditorState): string {
   if (state.hint !== "") return state.hint;
   if (state.drag !== null) {
     const step = `Δx ${fixed(state.drag.dx)}  Δy ${fixed(state.drag.dy)}`;
-    const parts = [step, state.drag.snapped === null ? "" : `snapped ${state.drag.snapped}`, ellipseNote(state)];
+    const parts = [step, state.drag.snapped === null ? "" : `snapped ${state.drag.snapped}`, ellipseNote(state), localityNote(state)];
     return parts.filter((part) => part !== "").join("  ·  ");
   }
   switch (state.tool) {
@@ -31,6 +32,16 @@ function ellipseNote({ curve }: EditorState): string {
   return modelError !== undefined && modelError < 1e-9 ? "still an exact ellipse" : "";
 }
 
+/** Which part of an interpolating curve the drag of one point changes: the rest stays to the last bit. */
+function localityNote({ curve, selection }: EditorState): string {
+  const [ref] = selection.points;
+  const contour = curve.contours[ref?.contour ?? -1];
+  if (ref === undefined || contour === undefined || contour.family !== "interpolating" || selection.points.length > 1) return "";
+  const list = affectedSegments(curve, contour, ref.index);
+  const [first, last] = [list[0], list.at(-1)];
+  return first === undefined || last === undefined ? "" : `affects segments ${first + 1}–${last + 1} of ${segmentCount(contour)}`;
+}
+
 function fixed(value: number): string {
   return value.toFixed(2);
 }
@@ -47,6 +58,7 @@ function selectHint(state: EditorState): string {
     case "point": {
       const kind = pointAt(curve, hover.point)?.kind;
       const name = describe(curve, hover.point);
+      if (curve.contours[hover.point.contour]?.family === "interpolating") return `${name}: drag to move; only nearby segments follow`;
       return modifiers.alt ? `${name}: drag pulls out fresh handles` : `${name}: drag to move, double-click for ${kind === "cusp" ? "smooth" : "a cusp"}`;
     }
     case "handle": {
@@ -54,7 +66,9 @@ function selectHint(state: EditorState): string {
       return modifiers.alt ? `${name}: drag breaks it into a cusp` : `${name}: drag to turn, Alt breaks, Shift keeps 15° steps`;
     }
     case "curve":
-      return "Double-click to insert a point without changing the curve. Drag to move this segment.";
+      return curve.contours[hover.contour]?.family === "interpolating"
+        ? "Double-click to insert a point; it says how far the curve moves. Drag to move this segment."
+        : "Double-click to insert a point without changing the curve. Drag to move this segment.";
     case "empty":
       if (curve.contours.length === 0) return "";
       return state.selection.points.length > 0 ? "Drag a point. Alt-drag a handle to make a cusp." : "Drag a point or a handle. Drag across empty space to select.";

@@ -15,7 +15,7 @@ const sides: readonly Side[] = ["in", "out"];
 /** Whether a side of a point has a segment to shape: the free ends of an open contour have not. */
 export function hasSide(curve: CurveDocument, ref: PointRef, side: Side): boolean {
   const contour = curve.contours[ref.contour];
-  if (contour === undefined) return false;
+  if (contour === undefined || contour.family === "interpolating") return false;
   if (contour.closed) return true;
   return side === "in" ? ref.index > 0 : ref.index < contour.points.length - 1;
 }
@@ -50,7 +50,7 @@ export function pointsWithHandles(curve: CurveDocument, selection: Selection, mo
 export function shownHandles(state: EditorState): HandleRef[] {
   if (!state.settings.overlays.handles || state.mode !== "curve") return [];
   // The pen is about to give the free end its segment: its handle shows what that will leave along.
-  const shows = (ref: PointRef, side: Side): boolean => hasSide(state.curve, ref, side) || state.tool === "pen";
+  const shows = (ref: PointRef, side: Side): boolean => hasSide(state.curve, ref, side) || (state.tool === "pen" && state.curve.contours[ref.contour]?.family === "hermite");
   return pointsWithHandles(state.curve, state.selection).flatMap((ref) =>
     sides.filter((side) => shows(ref, side) && !isRetracted(state.curve, ref, side)).map((side) => ({ ...ref, side })),
   );

@@ -3,24 +3,12 @@
  * turns, each with a checksum: a torn or damaged write opens the other one, and no tab can overwrite another's work.
  */
 import type { DemoState } from "../document/document.ts";
-import { parseState, writeState } from "../document/file.ts";
+import { writeState } from "../document/file/write.ts";
 
 const prefix = "expline.kept.";
 const delayMs = 1000;
 /** Sessions that stay in the store; the oldest give way. */
 const mostSessions = 4;
-
-export interface Kept {
-  readonly state: DemoState;
-  readonly session: string;
-  /** When it was last changed, in milliseconds since 1970. */
-  readonly time: number;
-}
-
-interface Stored extends Kept {
-  readonly key: string;
-  readonly generation: number;
-}
 
 /** FNV-1a over the UTF-16 units: enough to tell a torn or flipped write from a whole one. */
 function checksum(text: string): string {
@@ -34,7 +22,17 @@ function seal(generation: number, time: number, json: string): string {
   return `${checksum(body)} ${body}`;
 }
 
-function unseal(key: string, text: string): Stored | null {
+/** A whole write: which generation it is, when it was made, and its text. */
+export interface Sealed {
+  readonly key: string;
+  readonly session: string;
+  readonly generation: number;
+  /** Milliseconds since 1970. */
+  readonly time: number;
+  readonly json: string;
+}
+
+function unseal(key: string, text: string): Sealed | null {
   const space = text.indexOf(" ");
   const body = text.slice(space + 1);
   if (space !== 8 || checksum(body) !== text.slice(0, space)) return null;
@@ -42,31 +40,22 @@ function unseal(key: string, text: string): Stored | null {
   const [generation, time] = body.slice(0, line).split(" ").map(Number);
   const session = key.slice(prefix.length).split(".")[0];
   if (generation === undefined || time === undefined || session === undefined) return null;
-  try {
-    return { key, session, generation, time, state: parseState(body.slice(line + 1)).state };
-  } catch {
-    return null;
-  }
+  return { key, session, generation, time, json: body.slice(line + 1) };
 }
 
 function keysOf(storage: Storage): string[] {
   return Array.from({ length: storage.length }, (_, i) => storage.key(i) ?? "").filter((key) => key.startsWith(prefix));
 }
 
-/** The latest whole generation of every session, newest first. Never throws: a blocked store is an empty one. */
-export function keptDrawings(storage: Storage | null): Kept[] {
+/** Every whole write of every session, newest first. Never throws: a blocked store is an empty one. */
+export function sealedWrites(storage: Storage | null): Sealed[] {
   if (storage === null) return [];
-  const best = new Map<string, Stored>();
   try {
-    for (const key of keysOf(storage)) {
-      const stored = unseal(key, storage.getItem(key) ?? "");
-      const known = stored === null ? undefined : best.get(stored.session);
-      if (stored !== null && (known === undefined || stored.generation > known.generation)) best.set(stored.session, stored);
-    }
+    const all = keysOf(storage).flatMap((key) => unseal(key, storage.getItem(key) ?? "") ?? []);
+    return all.sort((a, b) => b.time - a.time || b.generation - a.generation);
   } catch {
     return [];
   }
-  return [...best.values()].sort((a, b) => b.time - a.time);
 }
 
 /** The page's local store, or null where the browser keeps none. */
@@ -149,8 +138,8 @@ function write(storage: Storage | null, key: string, text: string, session: stri
 }
 
 function prune(storage: Storage, session: string, keep: number): void {
-  const sessions = keptDrawings(storage).filter((kept) => kept.session !== session);
-  for (const old of sessions.slice(keep - 1)) removeSession(storage, old.session);
+  const sessions = new Set(sealedWrites(storage).map((sealed) => sealed.session).filter((other) => other !== session));
+  for (const old of [...sessions].slice(keep - 1)) removeSession(storage, old);
 }
 
 export function removeSession(storage: Storage, session: string): void {

@@ -47,6 +47,7 @@ export function bezierGhost(document: CurveDocument, contour: Contour): Ghost | 
   const known = ghosts.get(curve);
   if (known !== undefined) return known;
   const ellipse = ellipseOf(document, contour);
+  if (ellipse === null && contour.family === "interpolating") return null;
   const ghost = ellipse === null ? sameHandles(document, contour) : fourArcs(ellipse);
   ghosts.set(curve, ghost);
   return ghost;

@@ -4,7 +4,7 @@ import {
 } from "../document/document.ts";
 import { locate } from "../document/contours.ts";
 import { kindOf, scaled } from "../document/offset.ts";
-import { curveOf } from "./curve-cache.ts";
+import { curveOf, hermiteOf } from "./curve-cache.ts";
 
 /** Edits that need the curve itself: exact insertion, healing removal, refinement, and reading curves back as contours. */
 
@@ -81,7 +81,7 @@ function spliced(list: readonly number[], at: number, remove: number, ...add: nu
 
 /** The same curve with one more point, at parameter `t`. Every other point keeps its bits. */
 export function inserted(document: CurveDocument, contour: Contour, t: number): { contour: Contour; index: number } | null {
-  const curve = curveOf(document, contour);
+  const curve = hermiteOf(document, contour);
   if (curve === null) return null;
   const { segment, x } = locate(contour, t);
   // On a point there is nothing to insert.
@@ -112,7 +112,7 @@ export function inserted(document: CurveDocument, contour: Contour, t: number): 
 
 /** The contour without one point, its neighbours' handles chosen anew for the least change of shape; with the change measured. */
 export function healed(document: CurveDocument, contour: Contour, index: number): { contour: Contour; deviation: number } | null {
-  const curve = curveOf(document, contour);
+  const curve = hermiteOf(document, contour);
   if (curve === null || contour.points.length < 3) return null;
   const result = curve.remove(index);
   const space = contour.space ?? document.space;
@@ -144,7 +144,7 @@ function isOrdinary(document: CurveDocument, contour: Contour): boolean {
 
 /** The same curve with twice the points; the new ones remember the level that made them. */
 export function refined(document: CurveDocument, contour: Contour, level: number): Contour {
-  const curve = curveOf(document, contour);
+  const curve = hermiteOf(document, contour);
   if (curve === null) return contour;
   const finer = curve.refine(2);
   const segments = segmentCount(contour);

@@ -1,5 +1,6 @@
-import { HermiteCurve } from "expline/slim";
+import { BSplineCurve, HermiteCurve, InterpolatingCurve } from "expline/slim";
 import { lengthOf, omegaOf, segmentCount, type Contour, type CurveDocument, type Offset, type Space } from "../document/document.ts";
+import { rootsOf } from "../document/roots.ts";
 
 /**
  * Library curves of the document's contours. A contour is an immutable value, so its identity is its revision: a
@@ -10,20 +11,37 @@ interface Cached {
   readonly space: Space;
   /** The document's frequency; it matters only to contours without their own. */
   readonly omega: number | "auto";
-  readonly curve: HermiteCurve;
+  readonly curve: AnyCurve;
 }
+
+/** A contour with tangents, one of points on the curve, or one of refined control points near it. */
+export type AnyCurve = HermiteCurve | InterpolatingCurve | BSplineCurve;
 
 const cache = new WeakMap<Contour, Cached>();
 
 /** The contour as a curve of the library, or null while it has fewer than two points. Throws `ExplineError` when the library refuses it. */
-export function curveOf(document: CurveDocument, contour: Contour): HermiteCurve | null {
+export function curveOf(document: CurveDocument, contour: Contour): AnyCurve | null {
   if (contour.points.length < 2) return null;
   const space = contour.space ?? document.space;
   const found = cache.get(contour);
   if (found !== undefined && found.space === space && (contour.omega !== undefined || found.omega === document.omega)) return found.curve;
-  const curve = build(document, contour, space);
+  const curve = contour.family === "hermite" ? build(document, contour, space) : spline(document, contour);
   cache.set(contour, { space, omega: document.omega, curve });
   return curve;
+}
+
+/** The same for what only a curve with tangents has; null for every other. */
+export function hermiteOf(document: CurveDocument, contour: Contour): HermiteCurve | null {
+  const curve = curveOf(document, contour);
+  return curve instanceof HermiteCurve ? curve : null;
+}
+
+function spline(document: CurveDocument, contour: Contour): AnyCurve {
+  const points = new Float64Array(2 * contour.points.length);
+  contour.points.forEach(({ x, y }, i) => points.set([x, y], 2 * i));
+  const shared = { points, closed: contour.closed, roots: rootsOf(document, contour) };
+  const { grid } = contour;
+  return grid === undefined ? new InterpolatingCurve(shared) : new BSplineCurve({ ...shared, step: grid.step, offset: grid.offset });
 }
 
 /** A drawn handle is a third of the tangent vector times the parameter length of its segment. */

@@ -1,6 +1,6 @@
-import { parsePath, type HermiteCurve } from "expline/slim";
+import { parsePath } from "expline/slim";
 import type { CurveDocument } from "../document/document.ts";
-import { curveOf } from "./curve-cache.ts";
+import { curveOf, type AnyCurve } from "./curve-cache.ts";
 
 /** The drawing as path text, with its deviation measured on the text itself: printed, read back, compared both ways. */
 
@@ -41,7 +41,7 @@ export function exportPath(document: CurveDocument, options: ExportOptions): Exp
 }
 
 /** Both ways: no piece of either is far from the other. */
-function distanceBetween(curve: HermiteCurve, text: string, count: number): number {
+function distanceBetween(curve: AnyCurve, text: string, count: number): number {
   let worst = 0;
   const read = parsePath(text);
   for (const back of read) {
@@ -50,7 +50,7 @@ function distanceBetween(curve: HermiteCurve, text: string, count: number): numb
   return Math.max(worst, read.length === 0 ? 0 : farthest(curve.sample(count), read));
 }
 
-function farthest(points: Float64Array, from: readonly HermiteCurve[]): number {
+function farthest(points: Float64Array, from: readonly AnyCurve[]): number {
   const nearest = from.map((curve) => curve.nearestAll(points));
   let worst = 0;
   for (let i = 0; i < points.length / 2; i += 1) {
@@ -61,7 +61,7 @@ function farthest(points: Float64Array, from: readonly HermiteCurve[]): number {
   return worst;
 }
 
-function polyline(curve: HermiteCurve, options: ExportOptions): string {
+function polyline(curve: AnyCurve, options: ExportOptions): string {
   const vertices = curve.flatten(options.tolerance);
   const scale = 10 ** options.decimals;
   const rounded = (value: number): number => Math.round(value * scale) / scale + 0;

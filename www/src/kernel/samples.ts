@@ -1,3 +1,4 @@
+import { HermiteCurve, InterpolatingCurve } from "expline/slim";
 import { lengthOf, segmentCount, type Contour, type CurveDocument } from "../document/document.ts";
 import { curveOf } from "./curve-cache.ts";
 
@@ -14,12 +15,15 @@ export function samplePoints(document: CurveDocument, contour: Contour, count: n
 export function subdivided(document: CurveDocument, contour: Contour, steps: number): Float64Array {
   const curve = curveOf(document, contour);
   if (curve === null) return nothing;
-  return steps === 0 ? curve.points : curve.subdivide(steps);
+  if (steps === 0) return curve.points;
+  if (curve instanceof HermiteCurve) return curve.subdivide(steps);
+  return curve instanceof InterpolatingCurve ? curve.refine(steps).points : curve.refine(2 ** steps).points;
 }
 
-/** The generalised Bézier points, four per segment. */
+/** The generalised Bézier points, four per segment; the control points of a curve that has no others. */
 export function bezierPolygon(document: CurveDocument, contour: Contour): Float64Array {
-  return curveOf(document, contour)?.bezierPoints() ?? nothing;
+  const curve = curveOf(document, contour);
+  return curve instanceof HermiteCurve ? curve.bezierPoints() : (curve?.points ?? nothing);
 }
 
 /** One segment as a polygon of `count` sides; with the curve's own points at its ends. */

@@ -1,3 +1,5 @@
+import "../styles/dialogs.css";
+import "../styles/gallery.css";
 import { h, type Child } from "./dom.ts";
 import { icon } from "./icons.ts";
 

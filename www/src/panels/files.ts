@@ -1,5 +1,5 @@
 import type { CurveDocument } from "../document/document.ts";
-import { writeState } from "../document/file.ts";
+import { writeState } from "../document/file/write.ts";
 import { curveSample } from "../document/samples.ts";
 import type { Action } from "../editor/editor.ts";
 import { documentPathD } from "../kernel/paths.ts";

@@ -12,7 +12,7 @@ interface Coming {
   readonly actions: readonly (readonly [label: string, action: string])[];
 }
 
-const coming: Readonly<Record<Exclude<Mode, "curve">, Coming>> = {
+const coming: Readonly<Record<Exclude<Mode, "curve" | "surface">, Coming>> = {
   fit: {
     title: "Fit",
     will: "Draw a line or bring points, and one Smoothing slider makes knots vanish while you watch.",
@@ -26,13 +26,6 @@ const coming: Readonly<Record<Exclude<Mode, "curve">, Coming>> = {
     parts: ["Sub-pixel contours from brightness or edges", "Cusps where the picture has corners", "Progress, cancel, and the measured error"],
     today: "An SVG logo, exported from any tracer or editor, opens in Curve exactly: arcs stay arcs.",
     actions: [["Import an SVG", "import"], ["Back to Curve", "mode-curve"]],
-  },
-  surface: {
-    title: "Surface",
-    will: "Spheres, tori and free shapes from one net of control points, refined where you need it.",
-    parts: ["Exact quadrics", "Points dragged along a plane, an axis or the normal", "OBJ export"],
-    today: "The profile of a surface is a curve: draw it in Curve and keep its JSON for later.",
-    actions: [["Back to Curve", "mode-curve"], ["Samples", "samples"]],
   },
 };
 
@@ -54,7 +47,7 @@ export function laterPanel(mode: LaterMode): LaterPanel {
 }
 
 /** The empty stage of each mode: one primary thing to do, and where to start. A mode that is there takes its own away. */
-export function mountEmptyStates(shell: Shell): { drop(mode: LaterMode): void } {
+export function mountEmptyStates(shell: Shell): { drop(mode: Mode): void } {
   const { editor, regions, until } = shell;
   const modes = Object.keys(coming) as LaterMode[];
   const cards = modes.map((mode) => {
@@ -63,7 +56,7 @@ export function mountEmptyStates(shell: Shell): { drop(mode: LaterMode): void } 
     const note = h("p", { class: "quiet", "data-part": "sample" });
     return { mode, note, element: h("div", { class: "empty", testid: `empty-${mode}`, hidden: true }, h("h2", {}, `${title} is on its way`), h("p", {}, today), note, h("div", { class: "empty-actions" }, ...buttons)) };
   });
-  const gone = new Set<LaterMode>();
+  const gone = new Set<Mode>();
   for (const { element } of cards) regions.stage.append(element);
   editor.state.subscribe((state) => {
     setAttribute(regions.stage, "data-mode", state.mode);

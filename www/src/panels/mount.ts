@@ -1,3 +1,4 @@
+import type { Mode } from "../document/document.ts";
 import type { Editor } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
 import { mountBoot } from "./boot.ts";
@@ -5,7 +6,7 @@ import { mountEmptyCurve } from "./empty-curve.ts";
 import { mountContextMenu } from "./context-menu.ts";
 import { receiveFiles, receiveText, registerFileActions } from "./files.ts";
 import { mountHeader } from "./header.ts";
-import { mountEmptyStates, type LaterMode } from "./later.ts";
+import { mountEmptyStates } from "./later.ts";
 import type { PageIo } from "./page-io.ts";
 import { mountPanel, type ModePanel } from "./panel.ts";
 import { mountRail } from "./rail.ts";
@@ -28,7 +29,7 @@ export interface Panels {
   /** Opens what the page was called with beside a route: a shared link, or the last session. Call once the engine runs. */
   openSession(): Promise<void>;
   /** Puts a mode that was loaded in the place of its announcement. */
-  addMode(mode: LaterMode, parts: { readonly panel: ModePanel; readonly metrics: ModeMetrics }): void;
+  addMode(mode: Mode, parts: { readonly panel: ModePanel; readonly metrics: ModeMetrics }): void;
   readonly shell: Shell;
 }
 

@@ -25,7 +25,7 @@ export interface PageIo {
     failing(failed: boolean): void;
     until: AbortSignal;
   }): { touch(): void; flush(): void; forget(): void };
-  keptDrawings(storage: Storage | null): { readonly state: DemoState; readonly session: string; readonly time: number }[];
+  keptDrawings(storage: Storage | null): Promise<{ readonly state: DemoState; readonly session: string; readonly time: number }[]>;
   localStore(): Storage | null;
 }
 

@@ -5,7 +5,7 @@ import { curveSample } from "../document/samples.ts";
 import type { CodeDrawer } from "./code/code-drawer.ts";
 import { curveSection } from "./curve/curve-panel.ts";
 import { inspectorSection } from "./curve/inspector.ts";
-import { pointsTableSection } from "./curve/points-table.ts";
+import { generatorSection, pointsTableSection } from "./curve/points-table.ts";
 import { legendSection, showSection } from "./curve/show.ts";
 import { h, setAttribute, setText } from "./dom.ts";
 import { icon } from "./icons.ts";
@@ -27,16 +27,16 @@ export interface ModePanel {
 
 export interface PanelHost {
   /** Puts a mode's panel where its announcement was. */
-  put(mode: LaterMode, panel: ModePanel): void;
+  put(mode: Mode, panel: ModePanel): void;
 }
 
 /** The properties of the mode, at the side of the stage; on a phone, a sheet. */
 export function mountPanel(shell: Shell, metrics: HTMLElement): PanelHost {
   const { editor, regions, until } = shell;
   const curve = curveSection(shell);
-  const sections = [curve, inspectorSection(shell), showSection(shell), legendSection(shell), pointsTableSection(shell)];
+  const sections = [curve, inspectorSection(shell), showSection(shell), legendSection(shell), generatorSection(shell), pointsTableSection(shell)];
   const curvePart = h("div", {}, ...sections.map((section) => section.element));
-  const later = (["fit", "trace", "surface"] as const).map((mode: LaterMode) => ({ mode, ...laterPanel(mode) }));
+  const later = (["fit", "trace"] as const).map((mode: LaterMode) => ({ mode, ...laterPanel(mode) }));
   const built = new Map<Mode, ModePanel>();
   const title = h("h2", { class: "panel-title" });
   const sample = h("span", { class: "section-note" });

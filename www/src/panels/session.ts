@@ -10,7 +10,7 @@ import type { Shell } from "./shell.ts";
  */
 export async function openSession(shell: Shell, address: string): Promise<void> {
   window.addEventListener("hashchange", () => void openLink(shell, window.location.hash), { signal: shell.until });
-  if (isPlainAddress(address)) restore(shell);
+  if (isPlainAddress(address)) await restore(shell);
   else await openLink(shell, address);
   startKeeping(shell);
 }
@@ -28,9 +28,9 @@ async function openLink(shell: Shell, hash: string): Promise<void> {
   }
 }
 
-function restore(shell: Shell): void {
+async function restore(shell: Shell): Promise<void> {
   const { editor, io, toasts } = shell;
-  const last = io.keptDrawings(io.localStore())[0];
+  const [last] = await io.keptDrawings(io.localStore());
   if (last === undefined) return;
   const fresh = editor.getState();
   if (!openState(shell, last.state, true)) return;

@@ -81,6 +81,28 @@ export function drawPoint(context: CanvasRenderingContext2D, at: ScreenPoint, ki
   if (marker.focused) drawFocus(context, at, radius + 5.5, palette);
 }
 
+/** A control point that is near the curve and not on it: a hollow diamond. */
+export function drawVertex(context: CanvasRenderingContext2D, at: ScreenPoint, marker: MarkerState, palette: Palette): void {
+  const radius = 5 + (marker.selected ? 1 : 0);
+  if (marker.hovered) {
+    context.globalAlpha = 0.22;
+    context.fillStyle = palette.point;
+    diamond(context, at, radius + 6);
+    context.fill();
+    context.globalAlpha = 1;
+  }
+  diamond(context, at, radius + haloWidth);
+  context.fillStyle = palette.canvas;
+  context.fill();
+  diamond(context, at, radius);
+  context.fillStyle = marker.selected ? palette.point : palette.canvas;
+  context.fill();
+  context.strokeStyle = palette.point;
+  context.lineWidth = 1.5;
+  context.stroke();
+  if (marker.focused) drawFocus(context, at, radius + 5, palette);
+}
+
 /** The end of a handle: a hollow disc, filled while it is chosen. */
 export function drawHandleEnd(context: CanvasRenderingContext2D, at: ScreenPoint, marker: MarkerState, palette: Palette): void {
   if (marker.hovered) {

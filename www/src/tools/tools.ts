@@ -1,13 +1,18 @@
 import type { Editor, ToolId } from "../editor/editor.ts";
+import { lazyTool } from "../editor/loading.ts";
 import type { Tool } from "../editor/tool.ts";
 import { createDrawTool } from "./draw/draw-tool.ts";
 import { createHandTool } from "./hand/hand-tool.ts";
-import { createPenTool } from "./pen/pen-tool.ts";
 import { createSelectTool } from "./select/select-tool.ts";
 
+/** The pen of a page that many visit without ever drawing with it. */
+function latePen(editor: Editor): Tool {
+  return lazyTool(editor, () => editor.state.value.tool === "pen", async () => (await import("./pen/pen-tool.ts")).createPenTool(editor));
+}
+
 /** Every tool of the rail. Another tool coming up ends what the last one had begun. */
-export function createTools(editor: Editor): Readonly<Record<ToolId, Tool>> {
-  const tools = { select: createSelectTool(editor), pen: createPenTool(editor), draw: createDrawTool(editor), hand: createHandTool(editor) };
+export function createTools(editor: Editor, pen: Tool = latePen(editor)): Readonly<Record<ToolId, Tool>> {
+  const tools = { select: createSelectTool(editor), pen, draw: createDrawTool(editor), hand: createHandTool(editor) };
   editor.state.subscribe((state, before) => {
     if (state.tool === before.tool && state.mode === before.mode) return;
     tools[before.tool].finish();

@@ -125,8 +125,6 @@ export function fittingDistance({ radius }: Ball, stage: StageBox): number {
   return (1.12 * Math.max(radius, 1e-9)) / Math.sin(Math.atan(Math.tan(opening / 2) * narrow));
 }
 
-export const startOrbit: Orbit = { yaw: 0.9, pitch: 0.55, distance: 5, target: [0, 0, 0] };
-
 /** The three views of a drawing board. */
 export const boardViews: Readonly<Record<"front" | "side" | "top", { readonly yaw: number; readonly pitch: number }>> = {
   front: { yaw: -Math.PI / 2, pitch: 0 },

@@ -1,5 +1,5 @@
 import type { NetRef } from "../../document/surface.ts";
-import { startOrbit, type Orbit } from "./orbit.ts";
+import type { Orbit } from "./orbit.ts";
 
 /** How the surface is looked at and shown; no part of the drawing and never in its history. */
 
@@ -23,6 +23,9 @@ export interface SolidState {
   /** Drawn by the graphics card; false: lines on the ordinary canvas. */
   readonly shaded: boolean;
 }
+
+/** Where one looks from first. */
+export const startOrbit: Orbit = { yaw: 0.9, pitch: 0.55, distance: 5, target: [0, 0, 0] };
 
 export const startSolid: SolidState = {
   orbit: startOrbit, shade: "solid", tessellation: 16, axis: "view", net: true, iso: true, handles: true, hover: null, drag: null, turning: false, shaded: false,

@@ -4,8 +4,8 @@ import { extentOf, netPoints, type ShownPoint } from "../../kernel/surface-mesh.
 import { openedSurface, refinedHere, surfaceSample, withNetPoints } from "../../kernel/surface.ts";
 import { printed, refuse } from "../edits.ts";
 import type { Editor } from "../editor.ts";
-import { add, fittingDistance, frameOf, startOrbit, type Orbit, type Vector } from "./orbit.ts";
-import type { DragAxis, SolidState } from "./solid.ts";
+import { add, fittingDistance, frameOf, type Orbit, type Vector } from "./orbit.ts";
+import { startOrbit, type DragAxis, type SolidState } from "./solid.ts";
 
 /** The edits of the surface that its tool, keys and panel share. */
 

@@ -1,6 +1,7 @@
 import { omegaOf, type Contour, type CurveDocument, type Space } from "../../document/document.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { activeContour, resample, setClosed, setLevel, setOmega, setSpace } from "../../editor/edits.ts";
+import { setFamily, setOrder } from "../../editor/family-edits.ts";
 import { h, setAttribute, setText } from "../dom.ts";
 import { choiceField, numberField, selectField, sliderField, toggleField } from "../fields.ts";
 import { icon } from "../icons.ts";
@@ -10,6 +11,12 @@ const spaces: readonly (readonly [Space, string])[] = [
   ["trigonometric", "Trigonometric"],
   ["hyperbolic", "Hyperbolic"],
   ["polynomial", "Polynomial"],
+];
+
+const orders: readonly (readonly ["3" | "4" | "5", string])[] = [
+  ["3", "3 roots, tangent continuous"],
+  ["4", "4 roots, curvature continuous"],
+  ["5", "5 roots, C³; two harmonics"],
 ];
 
 /** What each space draws exactly: the reason to choose it. */
@@ -39,13 +46,14 @@ export function curveSection(shell: Shell): Section & { readonly level: HTMLElem
   const family = choiceField({
     label: "Family",
     testid: "family",
-    about: "How control points make a curve. Interpolating curves come next.",
+    about: "How control points make a curve; the other family goes through the same points and says how far the curve moves.",
     options: [
       { value: "hermite", label: "Hermite", about: "Points with tangents: each segment depends on its two ends." },
-      { value: "interpolating", label: "Interpolating", about: "Points on the curve without tangents: comes with the next release.", disabled: true },
+      { value: "interpolating", label: "Interpolating", about: "Points on the curve, without tangents: smooth through all of them, and each acts near by only." },
     ],
-    write: () => undefined,
+    write: (value) => setFamily(editor, value),
   });
+  const order = selectField({ label: "Smoothness", testid: "order", about: "Roots of the generator: one more is one more continuous derivative, and one more segment that a point acts on.", options: orders, write: (value) => setOrder(editor, value === "3" ? 3 : value === "4" ? 4 : 5), reset: () => setOrder(editor, 3) });
   const space = selectField({ label: "Space", testid: "space", about: "The functions that segments are made of, and so the shapes that are exact.", options: spaces, write: (value) => setSpace(editor, value), reset: () => setSpace(editor, "trigonometric") });
   const exact = h("p", { class: "field-note" });
   const omega = numberField({
@@ -79,21 +87,27 @@ export function curveSection(shell: Shell): Section & { readonly level: HTMLElem
     reset: () => setLevel(editor, 0),
     gesture: { begin: () => editor.begin("Level"), commit: () => editor.commit() },
   });
+  const refine = h("button", { class: "small-button", type: "button", testid: "curve-refine", title: "More points around the chosen ones, none elsewhere; the curve stays", click: () => editor.actions.run("refine-here") }, "Refine here");
   const closed = toggleField({ label: "Closed", testid: "closed", about: "Whether the last point joins the first.", write: (on) => setClosed(editor, on) });
-  const element = h("section", { class: "section", "aria-label": "Curve" }, family.element, space.element, exact, omega.element, omegaNote, points.element, level.element, closed.element);
+  const element = h("section", { class: "section", "aria-label": "Curve" }, family.element, space.element, exact, order.element, omega.element, omegaNote, points.element, level.element, h("div", { class: "field-row" }, closed.element, refine));
   return {
     element,
     level: level.element,
     update(state) {
       const contour = firstContour(state, shell);
-      family.show("hermite");
-      space.show(state.curve.space);
+      const refined = contour?.grid !== undefined;
+      family.show(contour?.family ?? null);
+      order.element.hidden = contour?.family !== "interpolating";
+      order.show(refined ? null : contour?.order === 5 ? "5" : contour?.order === 4 ? "4" : "3");
+      refine.disabled = state.selection.points.length === 0 || contour?.family === "interpolating";
+      space.show(refined ? null : state.curve.space);
       setText(exact, exactIn[state.curve.space]);
       setAttribute(auto, "aria-pressed", String(state.curve.omega === "auto"));
       auto.disabled = state.curve.space === "polynomial";
-      omega.show(state.curve.space === "polynomial" ? null : frequencyOf(state.curve));
+      omega.show(state.curve.space === "polynomial" || refined ? null : frequencyOf(state.curve));
       setText(omegaNote, frequencyNote(state.curve, contour));
-      points.show(contour?.points.length ?? null);
+      points.show(refined ? null : contour?.points.length ?? null);
+      if (refined) points.input.value = String(contour.points.length);
       level.show(contour === undefined ? null : state.sketch.proposal?.level ?? state.curve.level);
       closed.show(contour?.closed ?? null);
     },
@@ -102,6 +116,7 @@ export function curveSection(shell: Shell): Section & { readonly level: HTMLElem
 
 function frequencyNote(curve: CurveDocument, contour: Contour | undefined): string {
   if (curve.space === "polynomial" || contour === undefined || contour.points.length < 2) return "";
+  if (contour.grid !== undefined) return "Level 0 sets space, frequency and number";
   if (contour.omega !== undefined) return "This contour has one for each segment";
   if (curve.omega !== "auto") return "";
   const value = omegaOf(curve, contour, 0);

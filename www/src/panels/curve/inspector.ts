@@ -72,6 +72,9 @@ export function inspectorSection(shell: Shell): Section {
       setText(which, describeSelection(state));
       x.show(point?.x ?? null);
       y.show(point?.y ?? null);
+      const first = points[0];
+      const plain = first !== undefined && state.curve.contours[first.contour]?.family === "interpolating";
+      for (const part of [kind.element, arriving.element, leaving.element]) part.hidden = plain;
       kind.show(point?.kind ?? (points.length > 1 ? sharedKind(state) : null));
       for (const [side, fields] of [["in", arriving], ["out", leaving]] as const) {
         const used = point !== undefined && ref !== undefined && hasHandle(state, ref, side);

@@ -1,81 +1,36 @@
-import type { Contour, Kind } from "../../document/document.ts";
-import { activeContour, setKind, setPoint } from "../../editor/edits.ts";
-import { h, setAttribute } from "../dom.ts";
-import { formatCoordinate, parseTyped } from "../format.ts";
+import { h } from "../dom.ts";
 import type { Shell } from "../shell.ts";
 import type { Section } from "./curve-panel.ts";
 
-const mostRows = 256;
-const kinds: readonly Kind[] = ["symmetric", "smooth", "cusp"];
-
-interface Row {
-  readonly element: HTMLTableRowElement;
-  readonly x: HTMLInputElement;
-  readonly y: HTMLInputElement;
-  readonly kind: HTMLSelectElement;
+/** A part of the panel that is folded away, and loaded when it is first unfolded. */
+export function folded(shell: Shell, title: string, testid: string, load: () => Promise<Section>): Section {
+  let part: Section | null = null;
+  let asked = false;
+  const details = h("details", { class: "section disclosure", testid }, h("summary", { class: "section-title" }, title));
+  details.addEventListener("toggle", () => {
+    part?.update(shell.editor.state.value);
+    if (!details.open || asked) return;
+    asked = true;
+    void load().then((loaded) => {
+      part = loaded;
+      details.append(loaded.element);
+      loaded.update(shell.editor.state.value);
+    });
+  });
+  return {
+    element: details,
+    update(state) {
+      if (details.open) part?.update(state);
+    },
+  };
 }
 
-/** The model without the picture: every point's place and kind, to read and to edit. Filled only while it is open. */
+/** The model without the picture: every point's place and kind, to read and to edit. */
 export function pointsTableSection(shell: Shell): Section {
-  const { editor } = shell;
-  const body = h("tbody");
-  const caption = h("caption", { class: "visually-hidden" }, "Points of the contour");
-  const head = h("tr", {}, ...["#", "X", "Y", "Kind"].map((label) => h("th", { scope: "col" }, label)));
-  const table = h("table", { class: "points-table", testid: "points-table" }, caption, h("thead", {}, head), body);
-  const details = h("details", { class: "section disclosure" }, h("summary", { class: "section-title" }, "Points table"), h("div", { class: "table-scroll" }, table));
-  const rows: Row[] = [];
-  let shown: Contour | undefined;
+  return folded(shell, "Points table", "points-fold", async () => (await import("./points-rows.ts")).pointsTable(shell));
+}
 
-  const makeRow = (index: number): Row => {
-    const ref = (): { contour: number; index: number } => ({ contour: activeContour(editor), index });
-    const cell = (axis: "x" | "y"): HTMLInputElement => {
-      const input = h("input", { class: "number", type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": `${axis.toUpperCase()} of point ${index + 1}` });
-      input.addEventListener("change", () => {
-        const value = parseTyped(input.value, -1e6, 1e6);
-        if (value !== null) setPoint(editor, ref(), { [axis]: value }, `table-${axis}-${index}`);
-        shown = undefined;
-        refresh();
-      });
-      return input;
-    };
-    const x = cell("x");
-    const y = cell("y");
-    const kind = h("select", { class: "select", "aria-label": `Kind of point ${index + 1}` }, ...kinds.map((value) => h("option", { value }, value)));
-    kind.addEventListener("change", () => {
-      const chosen = kinds.find((value) => value === kind.value);
-      if (chosen === undefined) return;
-      editor.patch({ selection: { points: [ref()], handle: null } });
-      setKind(editor, chosen);
-    });
-    const number = h("button", { class: "row-number num", type: "button", "aria-label": `Select point ${index + 1}`, click: () => editor.patch({ selection: { points: [ref()], handle: null } }) }, String(index + 1));
-    return { element: h("tr", {}, h("th", { scope: "row" }, number), h("td", {}, x), h("td", {}, y), h("td", {}, kind)), x, y, kind };
-  };
-
-  const refresh = (): void => {
-    if (!details.open) return;
-    const { curve, selection } = editor.state.value;
-    const contour = curve.contours[activeContour(editor)];
-    const count = Math.min(mostRows, contour?.points.length ?? 0);
-    while (rows.length > count) rows.pop()?.element.remove();
-    while (rows.length < count) {
-      const row = makeRow(rows.length);
-      rows.push(row);
-      body.append(row.element);
-    }
-    const chosen = new Set(selection.points.filter((ref) => ref.contour === activeContour(editor)).map((ref) => ref.index));
-    rows.forEach((row, i) => {
-      setAttribute(row.element, "aria-selected", chosen.has(i) ? "true" : null);
-      const point = contour?.points[i];
-      if (point === undefined || contour === shown) return;
-      if (document.activeElement !== row.x) row.x.value = formatCoordinate(point.x);
-      if (document.activeElement !== row.y) row.y.value = formatCoordinate(point.y);
-      row.kind.value = point.kind;
-    });
-    shown = contour;
-  };
-  details.addEventListener("toggle", () => {
-    shown = undefined;
-    refresh();
-  });
-  return { element: details, update: refresh };
+/** Why a point acts near by only: the functions that its curve is made of. */
+export function generatorSection(shell: Shell): Section {
+  return folded(shell, "Generator", "generator-fold", async () => (await import("./generator-plot.ts")).generatorPlot());
 }

@@ -1,7 +1,7 @@
 import { exportPath, type ExportedPath, type ExportOptions, type ExportSegments } from "../../kernel/export.ts";
 import { documentBounds } from "../../kernel/samples.ts";
 import { curveSample } from "../../document/samples.ts";
-import { writeState } from "../../document/file.ts";
+import { writeState } from "../../document/file/write.ts";
 import { button, openDialog } from "../dialog.ts";
 import { h, setAttribute, setText, svg } from "../dom.ts";
 import { numberField, selectField, toggleField } from "../fields.ts";

@@ -1,5 +1,6 @@
 import { locate } from "../../document/contours.ts";
 import { pointAt, segmentCount } from "../../document/document.ts";
+import { affectedSegments } from "../../document/roots.ts";
 import { bezierGhost, magnification } from "../../kernel/bezier-ghost.ts";
 import { segmentPolygon } from "../../kernel/samples.ts";
 import { contourPath, documentPaths, inPage, inScreen, onScreen, pathOfCubics, pathOfPoints, type Scene } from "../scene.ts";
@@ -133,6 +134,11 @@ function spansToShow({ state }: Scene): { contour: number; segment: number }[] {
   };
   if (drag !== null) {
     for (const ref of selection.points.slice(0, mostSpans / 2)) {
+      const shape = curve.contours[ref.contour];
+      if (shape?.family === "interpolating") {
+        for (const segment of affectedSegments(curve, shape, ref.index)) add(ref.contour, segment);
+        continue;
+      }
       if (selection.handle?.side !== "out") add(ref.contour, ref.index - 1);
       if (selection.handle?.side !== "in") add(ref.contour, ref.index);
     }

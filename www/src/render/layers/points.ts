@@ -1,6 +1,6 @@
 import { isSelected, samePoint, type HandleRef, type PointRef } from "../../document/document.ts";
 import { hasSide, shownHandles } from "../../editor/hit-test.ts";
-import { addSmallPoint, drawHandleEnd, drawPoint, drawSmallPoints, drawStart, type MarkerState } from "../markers.ts";
+import { addSmallPoint, drawHandleEnd, drawPoint, drawSmallPoints, drawStart, drawVertex, type MarkerState } from "../markers.ts";
 import { inScreen, onScreen, type Scene } from "../scene.ts";
 
 /** Control points, the handles of the chosen ones, and where each contour begins. */
@@ -65,7 +65,7 @@ export function drawPoints(scene: Scene): void {
   const small = { discs: new Path2D(), diamonds: new Path2D() };
   state.curve.contours.forEach((contour, c) => {
     const first = contour.points[0];
-    if (first !== undefined && contour.points.length > 1 && !crowded) {
+    if (first !== undefined && contour.points.length > 1 && !crowded && contour.grid === undefined) {
       const direction = hasSide(state.curve, { contour: c, index: 0 }, "out") ? first.out : { dx: 0, dy: 0 };
       const second = contour.points[1] ?? first;
       const along = direction.dx === 0 && direction.dy === 0 ? { dx: second.x - first.x, dy: second.y - first.y } : direction;
@@ -81,7 +81,9 @@ export function drawPoints(scene: Scene): void {
         focused: isFocused(scene, ref, null),
       };
       if (crowded && !marker.hovered && !(marker.selected && few)) addSmallPoint(small, at, point.kind, marker.selected);
+      else if (contour.grid !== undefined) drawVertex(context, at, marker, palette);
       else drawPoint(context, at, point.kind, marker, palette);
     });
-  });  if (crowded) drawSmallPoints(context, small, palette);
+  });
+  if (crowded) drawSmallPoints(context, small, palette);
 }

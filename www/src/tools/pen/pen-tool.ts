@@ -46,8 +46,8 @@ export function createPenTool(editor: Editor): Tool {
 
   /** The open contour with an end under the pointer: the pen goes on from there. */
   function endAt(sample: PointerSample): { contour: number; first: boolean } | null {
-    for (const [contour, { closed: isClosed, points }] of editor.state.value.curve.contours.entries()) {
-      if (isClosed) continue;
+    for (const [contour, { closed: isClosed, points, family }] of editor.state.value.curve.contours.entries()) {
+      if (isClosed || family === "interpolating") continue;
       if (isAt(points.at(-1), sample)) return { contour, first: false };
       if (isAt(points[0], sample)) return { contour, first: true };
     }

@@ -10,6 +10,8 @@ export function dragPoints(editor: Editor, start: PointerSample, pressed: PointR
   const chosen = editor.state.value.selection;
   const selection: Selection = isSelected(chosen, pressed) ? { points: chosen.points, handle: null } : { points: [pressed], handle: null };
   const origin = pointAt(editor.state.value.curve, pressed);
+  // Without handles there is nothing to pull out.
+  const plain = editor.state.value.curve.contours[pressed.contour]?.family === "interpolating";
   editor.begin(selection.points.length === 1 ? "Move point" : "Move points");
   editor.patch({ selection });
 
@@ -53,7 +55,7 @@ export function dragPoints(editor: Editor, start: PointerSample, pressed: PointR
 
   return {
     update(sample) {
-      if (sample.modifiers.alt) pull(sample);
+      if (sample.modifiers.alt && !plain) pull(sample);
       else move(sample);
     },
     finish() {

@@ -1,6 +1,6 @@
 import { movePoints } from "../../document/commands.ts";
 import { locate } from "../../document/contours.ts";
-import { isSelected, nothingSelected, pointAt, samePoint, type PointRef, type Selection } from "../../document/document.ts";
+import { isSelected, nothingSelected, pointAt, samePoint, type Contour, type Grid, type PointRef, type Selection } from "../../document/document.ts";
 import { panned, type ScreenPoint } from "../../editor/camera.ts";
 import { insertAt, resetSelectedHandles, toggleCusp } from "../../editor/edits.ts";
 import type { Editor, Modifiers, Target } from "../../editor/editor.ts";
@@ -41,7 +41,17 @@ export function createSelectTool(editor: Editor): Tool {
     const shape = editor.state.value.curve.contours[contour];
     if (shape === undefined) return nothingSelected;
     const { segment } = locate(shape, t);
+    const { grid } = shape;
+    if (grid !== undefined) return besideOnGrid(contour, shape, grid, t);
     return { points: [{ contour, index: segment }, { contour, index: (segment + 1) % shape.points.length }], handle: null };
+  }
+
+  /** Of refined control points, the two whose parameters enclose `t`. */
+  function besideOnGrid(contour: number, shape: Contour, grid: Grid, t: number): Selection {
+    const count = shape.points.length;
+    const before = Math.floor((t - grid.offset) / grid.step);
+    const within = (index: number): number => (shape.closed ? ((index % count) + count) % count : Math.max(0, Math.min(count - 1, index)));
+    return { points: [{ contour, index: within(before) }, { contour, index: within(before + 1) }], handle: null };
   }
 
   function dragFor(start: PointerSample, target: Target): Drag {

@@ -1,0 +1,193 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { boxDiagonal, directedDistance, useBrowser, type Demo, type Pair } from "./page.ts";
+
+const { open } = useBrowser();
+
+async function blob(t: Parameters<typeof open>[0]): Promise<Demo> {
+  const demo = await open(t, "#/curve?sample=blob-16");
+  await demo.withoutSnap();
+  return demo;
+}
+
+function moves(a: readonly Pair[], b: readonly Pair[]): number[] {
+  return a.map(([x, y], i) => Math.hypot(x - (b[i]?.[0] ?? NaN), y - (b[i]?.[1] ?? NaN)));
+}
+
+test("V04 a dragged point stays on the curve, and only its support follows", async (t) => {
+  const demo = await blob(t);
+  const contour = (await demo.state()).curve.contours[0];
+  assert.ok(contour?.support !== undefined && contour.family === "interpolating");
+  const { support } = contour;
+  const before = await demo.sample(3200);
+  const old = await demo.point(5);
+  await demo.drag("pt-0-5", 60, -40);
+  const now = await demo.point(5);
+  assert.ok(Math.abs(now.x - old.x - 60) <= 0.5 && Math.abs(now.y - old.y + 40) <= 0.5);
+  const after = await demo.sample(3200);
+  const nearest = Math.min(...after.map(([x, y]) => Math.hypot(x - now.x, y - now.y)));
+  assert.ok(nearest <= 0.2, `the curve passes at ${nearest}`);
+  const step = moves(before, after);
+  const isFar = (i: number): boolean => {
+    const away = Math.abs((i / 3200) * 16 - 5);
+    return Math.min(away, 16 - away) > support;
+  };
+  const far = step.filter((_, i) => isFar(i));
+  assert.ok(far.length >= 800, `${far.length} samples lie outside`);
+  assert.ok(Math.max(...far) <= 1e-8 * boxDiagonal(before));
+  assert.ok(Math.max(...step.filter((_, i) => !isFar(i))) > 5);
+  await demo.press("Control+z");
+  assert.ok(Math.max(...moves(await demo.sample(3200), before)) <= 1e-12);
+});
+
+test("while a point is dragged, the hint names the segments that follow", async (t) => {
+  const demo = await blob(t);
+  const { x, y } = await demo.centre("pt-0-5");
+  await demo.page.mouse.move(x, y);
+  await demo.page.mouse.down();
+  await demo.page.mouse.move(x + 30, y + 10, { steps: 4 });
+  await demo.idle();
+  assert.match(await demo.textOf("hint"), /affects segments 4–7 of 16/);
+  await demo.page.mouse.up();
+});
+
+test("V07 a point inserted into an interpolating curve lies where the click was, and the move is stated", async (t) => {
+  const demo = await blob(t);
+  const [x, y] = (await demo.sample(1600))[337] ?? [0, 0];
+  const at = await demo.toScreen(x, y);
+  await demo.doubleClick(at.x, at.y);
+  assert.equal((await demo.points()).length, 17);
+  const { zoom } = (await demo.state()).view;
+  const nearest = Math.min(...(await demo.sample(8000)).map(([a, b]) => Math.hypot(a - x, b - y)));
+  assert.ok(nearest * zoom <= 1, `the curve passes at ${nearest}`);
+  assert.match(await demo.textOf("toast"), /moved by at most [\d.e-]+/);
+});
+
+test("V09 levels double the points and leave the curve; back at level 0 they are the old ones", async (t) => {
+  const demo = await blob(t);
+  const start = await demo.points();
+  const before = await demo.sample(3200);
+  const tolerance = 1e-8 * boxDiagonal(before);
+  for (const [level, count] of [[1, 32], [2, 64]] as const) {
+    await demo.slide("level", level);
+    assert.equal((await demo.points()).length, count);
+    assert.ok(Math.max(...moves(await demo.sample(3200), before)) <= tolerance);
+  }
+  await demo.slide("level", 0);
+  const back = await demo.points();
+  assert.equal(back.length, 16);
+  assert.ok(Math.max(...back.map((point, i) => Math.hypot(point.x - (start[i]?.x ?? NaN), point.y - (start[i]?.y ?? NaN)))) <= 1e-9);
+});
+
+/** The share of the parameter that a drag of one point moves. */
+async function spanOfDrag(demo: Demo, id: string): Promise<number> {
+  const before = await demo.sample(6400);
+  await demo.drag(id, 20, 0);
+  const after = await demo.sample(6400);
+  await demo.press("Control+z");
+  return moves(before, after).filter((move) => move > 1e-9).length / 6400;
+}
+
+test("V09 a point of level 2 moves at most half as much of the curve as one of level 0", async (t) => {
+  const demo = await blob(t);
+  const coarse = await spanOfDrag(demo, "pt-0-5");
+  await demo.slide("level", 2);
+  const fine = await spanOfDrag(demo, "pt-0-21");
+  t.diagnostic(`a drag moves ${coarse} of the curve at level 0, ${fine} at level 2`);
+  assert.ok(fine > 0 && fine <= coarse / 2, `${fine} against ${coarse}`);
+});
+
+test("going down a level that finer edits were made on shows the change first, and makes it when asked again", async (t) => {
+  const demo = await blob(t);
+  await demo.slide("level", 2);
+  await demo.drag("pt-0-21", 25, 0);
+  await demo.slide("level", 0);
+  assert.equal((await demo.state()).curve.level, 2);
+  assert.match(await demo.textOf("toast"), /would move the curve by up to/);
+  await demo.byId("toast").getByRole("button", { name: "Change the level" }).click();
+  await demo.idle();
+  assert.equal((await demo.points()).length, 16);
+});
+
+test("V10 each subdivision step doubles the vertices and comes nearer to the curve", async (t) => {
+  const demo = await blob(t);
+  const curve = await demo.sample(6000);
+  let last = { count: 0, distance: Infinity };
+  for (let steps = 0; steps <= 6; steps += 1) {
+    const polygon = await demo.page.evaluate((n) => window.explineDemo.subdivision(n), steps);
+    const distance = directedDistance(polygon, curve, true);
+    if (steps > 0) assert.equal(polygon.length, 2 * last.count);
+    if (steps > 1) assert.ok(distance < last.distance, `step ${steps}: ${distance} after ${last.distance}`);
+    last = { count: polygon.length, distance };
+  }
+  assert.ok(last.distance <= 0.5, `${last.distance} at the end`);
+  await demo.byId("ov-subdiv").check();
+  await demo.idle();
+  const none = await demo.pixels();
+  await demo.slide("subdiv", 3);
+  assert.ok((await demo.changedPixels(none, await demo.pixels())) > 0);
+});
+
+test("V06 and V11 hold for interpolating points: Shift keeps to the compass, a marquee chooses, arrows nudge", async (t) => {
+  const demo = await blob(t);
+  const old = await demo.point(3);
+  await demo.page.keyboard.down("Shift");
+  await demo.drag("pt-0-3", 80, 22);
+  const level = await demo.point(3);
+  assert.ok(Math.abs(level.y - old.y) <= 0.01 && Math.abs(level.x - old.x - 80) <= 0.5);
+  await demo.drag("pt-0-3", 60, 55);
+  const slanted = await demo.point(3);
+  assert.ok(Math.abs(Math.abs(slanted.x - level.x) - Math.abs(slanted.y - level.y)) <= 0.01);
+  await demo.page.keyboard.up("Shift");
+  await demo.press("Control+z", "Control+z");
+  const start = await demo.points();
+  const chosen = start.slice(0, 4);
+  const [left, right] = [Math.min(...chosen.map(({ x }) => x)), Math.max(...chosen.map(({ x }) => x))];
+  const [top, bottom] = [Math.min(...chosen.map(({ y }) => y)), Math.max(...chosen.map(({ y }) => y))];
+  const [a, b] = [await demo.toScreen(left - 14, top - 14), await demo.toScreen(right + 14, bottom + 14)];
+  await demo.dragFrom(a, b.x - a.x, b.y - a.y);
+  await demo.press("ArrowRight", "ArrowRight", "ArrowRight", "Shift+ArrowDown");
+  const inside = (point: { x: number; y: number }): boolean => point.x > left - 14 && point.x < right + 14 && point.y > top - 14 && point.y < bottom + 14;
+  (await demo.points()).forEach((point, i) => {
+    const before = start[i];
+    assert.ok(before !== undefined);
+    const [dx, dy] = inside(before) ? [3, 10] : [0, 0];
+    assert.ok(Math.abs(point.x - before.x - dx) < 1e-9 && Math.abs(point.y - before.y - dy) < 1e-9, `point ${i}`);
+  });
+});
+
+test("a circle changes its family without moving; a blob says how far it moved", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  await demo.byId("family").getByLabel("Interpolating").check();
+  await demo.idle();
+  assert.equal((await demo.state()).curve.contours[0]?.family, "interpolating");
+  assert.match(await demo.textOf("toast"), /same curve/);
+  assert.ok((await demo.metric("m-error")) <= 1e-9);
+  await demo.byId("family").getByLabel("Hermite").check();
+  await demo.idle();
+  assert.equal((await demo.state()).curve.contours[0]?.family, "hermite");
+  assert.ok((await demo.metric("m-error")) <= 1e-9);
+});
+
+test("the generator of the present roots is drawn on demand", async (t) => {
+  const demo = await blob(t);
+  await demo.byId("generator-fold").locator("summary").click();
+  await demo.byId("generator-plot").waitFor();
+  assert.match((await demo.byId("generator-plot").getAttribute("aria-label")) ?? "", /φ and β from −2 to 2/);
+  await demo.byId("order").selectOption("5");
+  await demo.idle();
+  assert.match((await demo.byId("generator-plot").getAttribute("aria-label")) ?? "", /from −4 to 4/);
+  assert.deepEqual(demo.complaints, []);
+});
+
+test("an interpolating drawing at a finer level goes through its file with every bit", async (t) => {
+  const demo = await blob(t);
+  await demo.slide("level", 2);
+  await demo.drag("pt-0-9", 12, -7);
+  const state = await demo.state();
+  const before = await demo.sample(500);
+  await demo.byId("btn-clear").click();
+  await demo.page.evaluate((saved) => window.explineDemo.setState(saved), state);
+  assert.deepEqual((await demo.state()).curve, state.curve);
+  assert.deepEqual(await demo.sample(500), before);
+});

@@ -1,0 +1,48 @@
+import { omegaOf, type Contour, type CurveDocument } from "./document.ts";
+import type { Root } from "./surface.ts";
+
+/** The roots of an interpolating contour's generator: what it keeps exact, and how smooth it is. */
+
+const zero: Root = { re: 0, im: 0 };
+
+/** Written down, or from space, frequency and order: one 0, or two where the order is even, and pairs of multiples of the frequency. */
+export function rootsOf(curve: CurveDocument, contour: Contour): readonly Root[] {
+  if (contour.roots !== undefined) return contour.roots;
+  const order = contour.order ?? 3;
+  const omega = (contour.space ?? curve.space) === "polynomial" ? 0 : omegaOf(curve, contour, 0);
+  const hyperbolic = (contour.space ?? curve.space) === "hyperbolic";
+  const roots: Root[] = order % 2 === 0 ? [zero, zero] : [zero];
+  for (let k = 1; roots.length < order; k += 1) {
+    const size = k * omega;
+    if (hyperbolic || size === 0) roots.push({ re: size, im: 0 }, { re: 0 - size, im: 0 });
+    else roots.push({ re: 0, im: size }, { re: 0, im: 0 - size });
+  }
+  return roots;
+}
+
+/** Segments on each side that moving one point of the contour may change. */
+export function supportOf(curve: CurveDocument, contour: Contour): number {
+  if (contour.family === "hermite") return 1;
+  const order = rootsOf(curve, contour).length;
+  return contour.grid === undefined ? order - 1 : Math.ceil(order / 2);
+}
+
+/** The segments that moving a point changes, in the order of the contour; none twice. */
+export function affectedSegments(curve: CurveDocument, contour: Contour, index: number): number[] {
+  const { grid } = contour;
+  const segments = segmentsOf(contour);
+  // A refined point stands at a place of the grid that need not be a knot.
+  const at = grid === undefined ? index : (grid.offset + index * grid.step) / grid.step;
+  const reach = contour.family === "hermite" ? 1 : grid === undefined ? rootsOf(curve, contour).length - 1 : rootsOf(curve, contour).length / 2;
+  const list: number[] = [];
+  for (let segment = Math.floor(at - reach + 1e-9); segment < at + reach - 1e-9; segment += 1) {
+    const within = contour.closed ? ((segment % segments) + segments) % segments : segment;
+    if (within >= 0 && within < segments && !list.includes(within)) list.push(within);
+  }
+  return list;
+}
+
+function segmentsOf({ points, closed, grid }: Contour): number {
+  if (grid !== undefined) return Math.round((closed ? grid.count : grid.count - 1) / grid.step);
+  return closed ? points.length : points.length - 1;
+}

@@ -1,0 +1,42 @@
+import type { Action, Editor } from "../editor/editor.ts";
+import { h } from "./dom.ts";
+import { printedKey } from "./shell.ts";
+
+/** A menu at a place of the window: the first thing in it has the focus, which goes back to where it was. */
+export function openMenu(editor: Editor, x: number, y: number, actions: readonly Action[]): void {
+  const before = document.activeElement;
+  const items = actions.map((action) =>
+    h("button", { class: "menu-item", type: "button", role: "menuitem", tabindex: "-1", testid: `menu-${action.id}`, click: () => { close(); editor.actions.run(action.id); } },
+      h("span", {}, action.label), action.keys[0] === undefined ? null : h("kbd", {}, printedKey(action.keys[0]))),
+  );
+  const menu = h("div", { class: "menu", role: "menu", popover: "auto", testid: "context-menu", "aria-label": "Actions here" }, ...items);
+  const close = (): void => {
+    if (!menu.isConnected) return;
+    menu.remove();
+    if (before instanceof HTMLElement && before.isConnected) before.focus();
+  };
+  // A press elsewhere or Esc closes a popover by itself.
+  menu.addEventListener("toggle", (event) => {
+    if (event instanceof ToggleEvent && event.newState === "closed") close();
+  });
+  menu.addEventListener("keydown", (event) => {
+    const at = items.findIndex((item) => item === document.activeElement);
+    const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: items.length - 1 }[event.key];
+    event.stopPropagation();
+    if (event.key === "Tab" || event.key === "Escape") {
+      event.preventDefault();
+      close();
+    }
+    if (to === undefined) return;
+    event.preventDefault();
+    items[(to + items.length) % items.length]?.focus();
+  });
+  document.body.append(menu);
+  menu.showPopover();
+  // Inside the window, whichever corner it was asked for in.
+  const { width, height } = menu.getBoundingClientRect();
+  const left = Math.max(4, Math.min(x, window.innerWidth - width - 4));
+  const top = Math.max(4, Math.min(y, window.innerHeight - height - 4));
+  menu.style.transform = `translate(${left}px, ${top}px)`;
+  items[0]?.focus();
+}
