@@ -9,9 +9,7 @@ use super::dual::dual_curve;
 use super::reduced::Reduced;
 use super::scaled::Scaled;
 use super::solution::{Solution, Spline};
-use super::solver::{
-    Iterate, Measure, Solver, dual_length, jump_length, lanes, maxima, measure, median, seen,
-};
+use super::solver::{Measure, Solver, dual_length, jump_length, lanes, maxima, measure, median, seen};
 use crate::error::Result;
 use crate::numerics::Vector;
 
@@ -24,11 +22,12 @@ const MOST_ROUNDS: usize = 8;
 const MOST_NEWTON: usize = 20;
 
 /// A curve on chosen knots.
-struct Fixed {
-    reduced: Reduced,
+#[derive(Clone, Debug)]
+pub(crate) struct Fixed {
+    pub(crate) reduced: Reduced,
     unknowns: Vec<Vector>,
     jumps: Vec<Vector>,
-    measure: Measure,
+    pub(crate) measure: Measure,
 }
 
 /// Where Newton's method ended on fixed knots, with the dual vectors at them: exactly stationary.
@@ -47,8 +46,11 @@ impl Solver {
     ///
     /// `OutOfMemory` only.
     pub fn solution(&self) -> Result<Solution> {
+        if let Some(fixed) = &self.finished {
+            return Ok(self.in_units_of_the_caller(fixed));
+        }
         let fixed = match self.polished()? {
-            Some(fixed) if fixed.measure.gap <= self.measure.gap => fixed,
+            Some((fixed, _)) if fixed.measure.gap <= self.measure.gap => fixed,
             _ => Fixed {
                 reduced: self.iterate.reduced.clone(),
                 unknowns: self.iterate.unknowns.clone(),
@@ -60,16 +62,15 @@ impl Solver {
     }
 
     /// The least objective on the knots that the iterate singles out, and on those that the dual curve then asks for.
-    fn polished(&self) -> Result<Option<Fixed>> {
+    pub(crate) fn polished(&self) -> Result<Option<(Fixed, Vec<Vec<Vector>>)>> {
         let lanes = lanes(self.data.norm);
         let mut sets = Vec::new();
         let mut knot = 0;
         for (i, part) in self.iterate.reduced.parts.iter().enumerate() {
-            let found = active(&self.iterate, knot, part.chosen.len(), self.data.components[i].lambda, lanes);
-            sets.push(found.into_iter().map(|(k, jump)| (part.chosen[k], jump)).collect::<Vec<_>>());
+            sets.push(self.active(i, knot));
             knot += part.chosen.len();
         }
-        let mut best: Option<Fixed> = None;
+        let mut best: Option<(Fixed, Vec<Vec<Vector>>)> = None;
         for _ in 0..MOST_ROUNDS {
             for set in &mut sets {
                 // The jumps of a closed curve sum to zero: one alone is none.
@@ -103,10 +104,10 @@ impl Solver {
                     }
                 }
             }
-            let better = best.as_ref().is_none_or(|best| fixed.measure.gap < best.measure.gap);
-            let worse = best.as_ref().is_some_and(|best| fixed.measure.gap > 10.0 * best.measure.gap);
+            let better = best.as_ref().is_none_or(|(best, _)| fixed.measure.gap < best.measure.gap);
+            let worse = best.as_ref().is_some_and(|(best, _)| fixed.measure.gap > 10.0 * best.measure.gap);
             if better {
-                best = Some(fixed);
+                best = Some((fixed, eta));
             }
             if !any || worse {
                 break;
@@ -118,7 +119,8 @@ impl Solver {
     /// Objective and bound of a curve on fixed knots, with its dual curves.
     fn assessed(&self, newton: Newton, lanes: usize) -> (Fixed, Vec<Vec<Vector>>) {
         let mut weighted = vec![Vector::zeros(); self.data.t.len()];
-        let data_term = newton.reduced.residuals(&self.data, &newton.unknowns, &mut weighted);
+        let data_term =
+            newton.reduced.residuals(&self.data, &newton.unknowns, &mut weighted, &mut Vec::new());
         let (mut regularizer, mut work, mut longest, mut knot) = (0.0, 0.0, 0.0_f64, 0);
         let mut curves = Vec::new();
         for (part, component) in newton.reduced.parts.iter().zip(&self.data.components) {
@@ -179,26 +181,36 @@ impl Solver {
     }
 }
 
-/// The knots of one part whose jump is larger than their dual vector is short of one, with these jumps.
-fn active(iterate: &Iterate, from: usize, count: usize, lambda: f64, lanes: usize) -> Vec<(usize, Vector)> {
-    let jumps = &iterate.jumps[from..from + count];
-    let largest = jumps.iter().fold(0.0_f64, |most, v| most.max(norm(*v)));
-    let mut found = Vec::new();
-    for (k, jump) in jumps.iter().enumerate() {
-        let mut kept = Vector::zeros();
-        for lane in 0..lanes {
-            let own = seen(*jump, lane, lanes);
-            let pair = &iterate.cones[(from + k) * lanes + lane];
-            let short = 1.0 - norm(pair.z.plane) / lambda;
-            if norm(own) > short * largest {
-                kept += own;
+impl Solver {
+    /// The knots of part i, the first of them number `from`, whose jump stays while its dual vector comes to the
+    /// boundary, with these jumps. After a short step sizes decide instead of tendencies.
+    pub(crate) fn active(&self, i: usize, from: usize) -> Vec<(usize, Vector)> {
+        let lanes = lanes(self.data.norm);
+        let part = &self.iterate.reduced.parts[i];
+        let lambda = self.data.components[i].lambda;
+        let jumps = &self.iterate.jumps[from..from + part.chosen.len()];
+        let largest = jumps.iter().fold(0.0_f64, |most, v| most.max(norm(*v)));
+        let mut found = Vec::new();
+        for (k, jump) in jumps.iter().enumerate() {
+            let mut kept = Vector::zeros();
+            for lane in 0..lanes {
+                let at = (from + k) * lanes + lane;
+                let (size, slack) = self.iterate.cones[at].sizes();
+                let stays = if self.before.len() == self.iterate.cones.len() {
+                    size * self.before[at].1 > slack * self.before[at].0
+                } else {
+                    size * lambda > slack * largest
+                };
+                if stays && size > 0.0 {
+                    kept += seen(*jump, lane, lanes);
+                }
+            }
+            if norm(kept) > 0.0 {
+                found.push((part.chosen[k], kept));
             }
         }
-        if norm(kept) > 0.0 {
-            found.push((k, kept));
-        }
+        found
     }
-    found
 }
 
 /// The jump that a dual vector longer than one asks for.
@@ -261,10 +273,10 @@ fn newton(data: &Scaled, mut reduced: Reduced, start: &[Vector], lanes: usize) -
     }
     // Stiff systems leave residuals; what they leave is solved for again.
     let mut weighted = vec![Vector::zeros(); data.t.len()];
-    let (mut rest, mut pull) = (Vec::new(), Vec::new());
+    let (mut rest, mut pull, mut forces_of_elements) = (Vec::new(), Vec::new(), Vec::new());
     for _ in 0..lanes {
-        let _ = reduced.residuals(data, &unknowns, &mut weighted);
-        reduced.gradient(data, &weighted, &mut rest);
+        let _ = reduced.residuals(data, &unknowns, &mut weighted, &mut forces_of_elements);
+        reduced.gradient(&forces_of_elements, &mut rest);
         pull.clear();
         pull.extend((0..next.len()).map(|k| stretch(&metrics[k], next[k]) - forces[k]));
         reduced.pull(&pull, &mut rest);

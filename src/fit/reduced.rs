@@ -213,16 +213,11 @@ impl Reduced {
                 let Some(metric) = metrics.next() else { break };
                 for i in 0..count {
                     for j in 0..=i {
-                        let (a, b) = (2 * row.unknowns[i], 2 * row.unknowns[j]);
-                        let product = row.weights[i] * row.weights[j];
+                        let (a, b) = (row.unknowns[i], row.unknowns[j]);
                         let twice = if a == b && i != j { 2.0 } else { 1.0 };
-                        let product = product * twice;
-                        self.system.add(a, b, product * metric[0]);
-                        self.system.add(a + 1, b + 1, product * metric[2]);
-                        self.system.add(a + 1, b, product * metric[1]);
-                        if a != b {
-                            self.system.add(a, b + 1, product * metric[1]);
-                        }
+                        let product = row.weights[i] * row.weights[j] * twice;
+                        let block = [product * metric[0], product * metric[1], product * metric[2]];
+                        self.system.add_block(a, b, block);
                     }
                 }
             }
@@ -283,53 +278,60 @@ impl Reduced {
         sum
     }
 
-    /// Weighted residuals w(p − r) of all samples, and Σ w |p − r|².
-    pub(crate) fn residuals(&self, data: &Scaled, unknowns: &[Vector], out: &mut [Vector]) -> f64 {
+    /// Weighted residuals w(p − r) of all samples, their moments Σ w(p − r)xʲ on every element, and Σ w |p − r|².
+    pub(crate) fn residuals(
+        &self,
+        data: &Scaled,
+        unknowns: &[Vector],
+        out: &mut [Vector],
+        moments: &mut Vec<[Vector; TERMS]>,
+    ) -> f64 {
         let mut total = 0.0;
         let highest = self.parts[self.parts.len() - 1].space.degree();
-        for element in &self.elements {
+        moments.clear();
+        moments.resize(self.elements.len(), [Vector::zeros(); TERMS]);
+        for (element, moments) in self.elements.iter().zip(moments) {
             let (from, to) = element.samples;
             if from == to {
                 continue;
             }
             let terms = self.polynomial(element, unknowns);
             let inverse = 1.0 / element.half;
-            for m in from..to {
-                let s = (data.t[m] - element.middle) * inverse;
+            let points = data.x[from..to].iter().zip(&data.y[from..to]);
+            let times = data.t[from..to].iter().zip(&data.w[from..to]);
+            for (((t, w), (x, y)), out) in times.zip(points).zip(&mut out[from..to]) {
+                let s = (t - element.middle) * inverse;
                 let mut value = terms[highest];
                 for term in terms[..highest].iter().rev() {
                     value = value * s + term;
                 }
-                let error = Vector::new(data.x[m] - value.x, data.y[m] - value.y);
-                out[m] = error * data.w[m];
-                total += data.w[m] * (error.x * error.x + error.y * error.y);
+                let error = Vector::new(x - value.x, y - value.y);
+                let mut force = error * *w;
+                total += force.x * error.x + force.y * error.y;
+                *out = force;
+                for moment in &mut moments[..=highest] {
+                    *moment += force;
+                    force *= s;
+                }
             }
         }
         total
     }
 
-    /// The gradient of the least-squares part, Q c − b, from residuals; without the gauge, which is met.
-    pub(crate) fn gradient(&self, data: &Scaled, weighted: &[Vector], sum: &mut Vec<Vector>) {
+    /// The gradient of the least-squares part, Q c − b, from the moments of the residuals; without the gauge, which is
+    /// met.
+    pub(crate) fn gradient(&self, moments: &[[Vector; TERMS]], sum: &mut Vec<Vector>) {
         sum.clear();
         sum.resize(self.unknowns, Vector::zeros());
-        for element in &self.elements {
-            let (from, to) = element.samples;
-            let mut values = [Vector::zeros(); TERMS];
-            let inverse = 1.0 / element.half;
-            for m in from..to {
-                let s = (data.t[m] - element.middle) * inverse;
-                let mut force = weighted[m] * -2.0;
-                for value in &mut values {
-                    *value += force;
-                    force *= s;
-                }
-            }
+        for (element, moments) in self.elements.iter().zip(moments) {
             for (part, (first, local)) in self.parts.iter().zip(&element.local) {
                 for i in 0..=local.degree {
                     let unknown = part.order[part.space.coefficient(first + i)];
-                    for (row, value) in local.rows[i].iter().zip(&values) {
-                        sum[unknown] += value * *row;
+                    let mut force = Vector::zeros();
+                    for (row, moment) in local.rows[i].iter().zip(moments).take(local.degree + 1) {
+                        force += moment * *row;
                     }
+                    sum[unknown] -= force * 2.0;
                 }
             }
         }

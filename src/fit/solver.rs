@@ -2,6 +2,8 @@
 
 use super::cone::{Lorentz, Metric, Scaling, dot, norm, stretch};
 use super::dual::dual_curve;
+use super::interval::TERMS;
+use super::polish::Fixed;
 use super::problem::{Norm, Problem};
 use super::reduced::Reduced;
 use super::scaled::Scaled;
@@ -12,6 +14,9 @@ use crate::numerics::Vector;
 
 /// λ in scaled units is not less than this: the curve goes through the points to within 1e-10 of the drawing then.
 pub(crate) const LEAST_LAMBDA: f64 = 1e-10;
+
+/// The gap from which on the knots are looked for that stay.
+const FIRST_FINISH: f64 = 1e-3;
 
 /// When to stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,6 +63,13 @@ pub(crate) struct Pair {
     pub(crate) lambda: f64,
 }
 
+impl Pair {
+    /// The jump, and by how much the dual vector is short of λ.
+    pub(crate) fn sizes(&self) -> (f64, f64) {
+        (norm(self.s.plane), (self.z.height - norm(self.z.plane)).max(f64::MIN_POSITIVE))
+    }
+}
+
 /// What one look at the whole problem tells.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Measure {
@@ -85,6 +97,14 @@ pub struct Solver {
     pub(crate) middle: Option<Middle>,
     pub(crate) status: Status,
     pub(crate) iteration: usize,
+    /// The optimum on true knots, where the run has found it.
+    pub(crate) finished: Option<Fixed>,
+    /// The gap below which to look for it again.
+    next_finish: f64,
+    /// Whether this run has left out the knots that its first iterations brought in vain.
+    thinned: bool,
+    /// Jump and slack of every cone before the last step, when that was a long one.
+    pub(crate) before: Vec<(f64, f64)>,
     /// Iterations since the gap last fell by a tenth, and the gap then.
     idle: (usize, f64),
     buffers: Buffers,
@@ -104,6 +124,7 @@ struct Buffers {
     complements: Vec<Lorentz>,
     line: Vec<f64>,
     known: Vec<Vector>,
+    element_forces: Vec<[Vector; TERMS]>,
 }
 
 /// How many cones a knot has.
@@ -161,17 +182,26 @@ impl Solver {
             middle: None,
             status: Status::Running,
             iteration: 0,
+            finished: None,
+            next_finish: FIRST_FINISH,
+            thinned: false,
+            before: Vec::new(),
             idle: (0, f64::INFINITY),
             buffers: Buffers::default(),
         };
-        solver.restart();
+        solver.restart(false);
         Ok(solver)
     }
 
     /// A new run from the iterate as it is.
-    pub(crate) fn restart(&mut self) {
+    pub(crate) fn restart(&mut self, warm: bool) {
         self.status = Status::Running;
         self.iteration = 0;
+        // A warm start is thin already.
+        self.thinned = warm;
+        self.finished = None;
+        self.next_finish = FIRST_FINISH;
+        self.before.clear();
         self.idle = (0, f64::INFINITY);
         self.look();
         self.settle();
@@ -190,6 +220,10 @@ impl Solver {
             self.status = Status::IterationLimit;
             return Ok(self.status);
         }
+        if !self.thinned && self.middle.is_some() {
+            self.thinned = true;
+            self.leave_knots_out()?;
+        }
         self.insert_knots()?;
         self.iteration += 1;
         let before = (self.iterate.unknowns.clone(), self.iterate.cones.clone(), self.measure);
@@ -204,7 +238,25 @@ impl Solver {
             return Ok(self.status);
         }
         self.settle();
+        self.try_to_finish()?;
         Ok(self.status)
+    }
+
+    /// Where the knots may already be told apart, finds the optimum on them: when its own gap is small, that is the end.
+    fn try_to_finish(&mut self) -> Result<()> {
+        if self.measure.gap > self.next_finish || self.iteration == 0 {
+            return Ok(());
+        }
+        self.next_finish = 0.1 * self.measure.gap;
+        if let Some((fixed, eta)) = self.polished()?
+            && fixed.measure.gap <= self.settings.gap.min(self.measure.gap)
+        {
+            self.measure = fixed.measure;
+            self.eta = eta;
+            self.finished = Some(fixed);
+            self.status = Status::Converged;
+        }
+        Ok(())
     }
 
     /// Iterates until the run is over.
@@ -272,7 +324,12 @@ impl Solver {
     pub(crate) fn look(&mut self) {
         let lanes = lanes(self.data.norm);
         let iterate = &self.iterate;
-        let data_term = iterate.reduced.residuals(&self.data, &iterate.unknowns, &mut self.weighted);
+        let data_term = iterate.reduced.residuals(
+            &self.data,
+            &iterate.unknowns,
+            &mut self.weighted,
+            &mut self.buffers.element_forces,
+        );
         let (mut regularizer, mut work, mut longest) = (0.0, 0.0, 0.0_f64);
         let mut knot = 0;
         for (i, part) in iterate.reduced.parts.iter().enumerate() {
@@ -314,7 +371,7 @@ impl Solver {
         }
         let _ = iterate.reduced.factor(&b.metrics);
         // Stationarity: Q c − b − L′ z.
-        iterate.reduced.gradient(&self.data, &self.weighted, &mut b.residual);
+        iterate.reduced.gradient(&b.element_forces, &mut b.residual);
         b.forces.clear();
         b.forces.extend(
             iterate.cones.chunks_exact(lanes).map(|group| -group.iter().map(|p| p.z.plane).sum::<Vector>()),
@@ -333,6 +390,10 @@ impl Solver {
         let step = (0.99 * longest_step(&iterate.cones, &b.steps, 1.0 / 0.99)).min(1.0);
         if !(step > 1e-9 && step.is_finite()) {
             return false;
+        }
+        self.before.clear();
+        if step > 0.5 {
+            self.before.extend(iterate.cones.iter().map(Pair::sizes));
         }
         for (unknown, by) in iterate.unknowns.iter_mut().zip(&b.direction) {
             *unknown += by * step;
@@ -409,6 +470,9 @@ impl Solver {
             let least = norm(pair.s.plane) * (1.0 + 1e-12);
             pair.s.height = pair.s.height.max(least);
         }
+        // The same curve, seen from other elements.
+        let moments = &mut self.buffers.element_forces;
+        let _ = reduced.residuals(&self.data, &unknowns, &mut self.weighted, moments);
         self.iterate = Iterate { reduced, unknowns, jumps, cones };
         Ok(())
     }
@@ -464,30 +528,23 @@ fn longest_step(cones: &[Pair], steps: &[(Lorentz, Lorentz)], most: f64) -> f64 
 /// Places where the dual curve is locally longest and longer than `threshold`.
 pub(crate) fn maxima(eta: &[Vector], closed: bool, lanes: usize, threshold: f64) -> Vec<usize> {
     let count = eta.len();
-    let length = |k: usize| dual_length(eta[k], lanes);
-    let mut found = Vec::new();
-    for k in 0..count {
-        let here = length(k);
-        if here <= threshold {
-            continue;
+    let size = |v: Vector| if lanes == 1 { dot(v, v) } else { v.x.abs().max(v.y.abs()) };
+    let threshold = if lanes == 1 { threshold * threshold } else { threshold };
+    let outside = if closed { eta.last().map_or(0.0, |v| size(*v)) } else { 0.0 };
+    let (mut before, mut found) = (outside, Vec::new());
+    for (k, v) in eta.iter().enumerate() {
+        let here = size(*v);
+        if here > threshold && here > before {
+            let after = match eta.get(k + 1) {
+                Some(next) => size(*next),
+                None if closed && count > 1 => size(eta[0]),
+                None => 0.0,
+            };
+            if here >= after {
+                found.push(k);
+            }
         }
-        let before = if k > 0 {
-            length(k - 1)
-        } else if closed {
-            length(count - 1)
-        } else {
-            0.0
-        };
-        let after = if k + 1 < count {
-            length(k + 1)
-        } else if closed {
-            length(0)
-        } else {
-            0.0
-        };
-        if here > before && here >= after {
-            found.push(k);
-        }
+        before = here;
     }
     found
 }

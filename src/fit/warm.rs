@@ -44,12 +44,23 @@ impl Solver {
             let scaled = lambda * self.data.lambda_factor(self.data.components[i].degree);
             self.data.components[i].lambda = scaled.max(super::solver::LEAST_LAMBDA);
         }
-        let iterate = match self.middle.take() {
-            Some(middle) => self.warm(&middle)?,
+        self.iterate = match &self.middle {
+            Some(middle) => self.warm(middle)?,
             None => start(&self.data)?,
         };
-        self.iterate = iterate;
-        self.restart();
+        let warm = self.middle.take().is_some();
+        self.restart(warm);
+        Ok(())
+    }
+
+    /// Goes on with the knots that still matter, where those are much fewer than the knots in play.
+    pub(crate) fn leave_knots_out(&mut self) -> Result<()> {
+        let Some(middle) = &self.middle else { return Ok(()) };
+        let iterate = self.warm(middle)?;
+        if 4 * iterate.cones.len() < 3 * self.iterate.cones.len() {
+            self.iterate = iterate;
+            self.look();
+        }
         Ok(())
     }
 
@@ -106,6 +117,11 @@ impl Solver {
         Ok(Iterate { reduced, unknowns, jumps, cones })
     }
 
+    /// The number of the first knot in play of part i.
+    fn first_knot(&self, i: usize) -> usize {
+        self.iterate.reduced.parts[..i].iter().map(|part| part.chosen.len()).sum()
+    }
+
     /// The knots of one component for a new run, with their jumps, forces and stiffnesses.
     fn seeds(&self, middle: &Middle, i: usize, from: usize, ratio: f64) -> Vec<Seed> {
         let lanes = lanes(self.data.norm);
@@ -113,19 +129,9 @@ impl Solver {
         let closed = self.data.closed;
         let mut set = maxima(eta, closed, lanes, 0.9);
         set.extend(maxima(&self.eta[i], closed, lanes, 0.9));
-        let mut knot = 0;
-        for (p, part) in self.iterate.reduced.parts.iter().enumerate() {
-            if p == i {
-                let largest = self.iterate.jumps[knot..knot + part.chosen.len()]
-                    .iter()
-                    .fold(0.0_f64, |most, jump| most.max(norm(*jump)));
-                for (k, &place) in part.chosen.iter().enumerate() {
-                    if norm(self.iterate.jumps[knot + k]) > 1e-3 * largest {
-                        set.push(place);
-                    }
-                }
-            }
-            knot += part.chosen.len();
+        match &self.finished {
+            Some(fixed) => set.extend(&fixed.reduced.parts[i].chosen),
+            None => set.extend(self.active(i, self.first_knot(i)).into_iter().map(|(place, _)| place)),
         }
         // A closed dual curve needs more known values than its degree; an open one is better with some.
         let least = self.data.components[i].degree + 3;

@@ -85,6 +85,34 @@ impl Bordered {
         }
     }
 
+    /// Adds a symmetric 2 × 2 block (xx, xy, yy) to the rows 2i, 2i + 1 and columns 2j, 2j + 1, and its mirror image.
+    #[inline]
+    pub fn add_block(&mut self, i: usize, j: usize, [xx, xy, yy]: [f64; 3]) {
+        let (row, column) = if i >= j { (2 * i, 2 * j) } else { (2 * j, 2 * i) };
+        let stride = self.stride();
+        if row == column || column >= self.band {
+            self.add(row, column, xx);
+            self.add(row + 1, column, xy);
+            self.add(row + 1, column + 1, yy);
+            if row != column {
+                self.add(row, column + 1, xy);
+            }
+            return;
+        }
+        // Both columns are in the band, and both rows are or neither is.
+        let first = if row >= self.band { 1 + self.half + row - self.band } else { row - column };
+        let second = if row >= self.band { first } else { first - 1 };
+        if let Some(place) = self.columns.get_mut(column * stride + first..column * stride + first + 2) {
+            place[0] += xx;
+            place[1] += xy;
+        }
+        let start = (column + 1) * stride + second;
+        if let Some(place) = self.columns.get_mut(start..start + 2) {
+            place[0] += xy;
+            place[1] += yy;
+        }
+    }
+
     #[inline]
     fn place(&mut self, row: usize, column: usize) -> Option<&mut f64> {
         let stride = self.stride();
@@ -107,19 +135,48 @@ impl Bordered {
         let mut least: Vec<f64> = self.columns.iter().step_by(stride).map(|d| d * floor).collect();
         least.resize(self.band, 0.0);
         let mut held = 0;
-        for j in 0..self.band {
-            let reach = half.min(self.band - 1 - j);
+        // Two columns at a time: what they take from those behind them is taken in one pass.
+        let mut j = 0;
+        while j < self.band {
             let (head, rest) = self.columns[j * stride..].split_at_mut(stride);
             held += usize::from(scale_by_pivot(head, 0, least[j]));
-            for (k, column) in rest.chunks_exact_mut(stride).take(reach).enumerate() {
-                let factor = head[k + 1];
-                subtract(&mut column[..half - k], factor, &head[k + 1..=half]);
-                subtract(&mut column[half + 1..], factor, &head[half + 1..]);
+            if j + 1 == self.band || half == 0 {
+                for k in 0..border {
+                    let factor = head[half + 1 + k];
+                    subtract(
+                        &mut self.corner[k * border + k..(k + 1) * border],
+                        factor,
+                        &head[half + 1 + k..],
+                    );
+                }
+                j += 1;
+                continue;
+            }
+            let (second, rest) = rest.split_at_mut(stride);
+            subtract(&mut second[..half], head[1], &head[1..=half]);
+            subtract(&mut second[half + 1..], head[1], &head[half + 1..]);
+            held += usize::from(scale_by_pivot(second, 0, least[j + 1]));
+            let (head_border, second_border) = (&head[half + 1..], &second[half + 1..]);
+            for (k, column) in rest.chunks_exact_mut(stride).take(half).enumerate() {
+                let (a, b) = (head.get(k + 2).copied().unwrap_or(0.0) * in_band(k + 2, half), second[k + 1]);
+                if k + 2 <= half {
+                    subtract_two(
+                        &mut column[..half - 1 - k],
+                        a,
+                        &head[k + 2..=half],
+                        b,
+                        &second[k + 1..half],
+                    );
+                }
+                column[half - 1 - k] -= b * second[half];
+                subtract_two(&mut column[half + 1..], a, head_border, b, second_border);
             }
             for k in 0..border {
-                let factor = head[half + 1 + k];
-                subtract(&mut self.corner[k * border + k..(k + 1) * border], factor, &head[half + 1 + k..]);
+                let (a, b) = (head_border[k], second_border[k]);
+                let column = &mut self.corner[k * border + k..(k + 1) * border];
+                subtract_two(column, a, &head_border[k..], b, &second_border[k..]);
             }
+            j += 2;
         }
         for j in 0..border {
             let (head, rest) = self.corner[j * border..].split_at_mut(border);
@@ -195,6 +252,19 @@ fn subtract(from: &mut [f64], factor: f64, values: &[f64]) {
     for (target, value) in from.iter_mut().zip(values) {
         *target -= factor * value;
     }
+}
+
+#[inline]
+fn subtract_two(from: &mut [f64], a: f64, u: &[f64], b: f64, v: &[f64]) {
+    for ((target, x), y) in from.iter_mut().zip(u).zip(v) {
+        *target -= a * x + b * y;
+    }
+}
+
+/// One for entries of the band, zero for those behind it.
+#[inline]
+fn in_band(entry: usize, half: usize) -> f64 {
+    if entry <= half { 1.0 } else { 0.0 }
 }
 
 #[inline]
