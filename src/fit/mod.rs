@@ -1,9 +1,11 @@
 //! The sparsest curve through points: total-variation splines with a certificate of optimality.
 
+pub mod admm;
 mod bins;
 mod breaks;
 pub mod certificate;
 mod combine;
+mod compress;
 mod cone;
 mod dual;
 mod envelope;

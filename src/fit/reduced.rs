@@ -286,7 +286,7 @@ impl Reduced {
         out: &mut [Vector],
         moments: &mut Vec<[Vector; TERMS]>,
     ) -> f64 {
-        let mut total = 0.0;
+        let mut total = data.beyond;
         let highest = self.parts[self.parts.len() - 1].space.degree();
         moments.clear();
         moments.resize(self.elements.len(), [Vector::zeros(); TERMS]);

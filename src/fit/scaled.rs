@@ -28,6 +28,8 @@ pub(crate) struct Scaled {
     pub(crate) length: f64,
     pub(crate) closed: bool,
     pub(crate) norm: Norm,
+    /// What Σ w |r − p|² is beyond the sum over the samples kept here.
+    pub(crate) beyond: f64,
     pub(crate) components: Vec<ScaledComponent>,
     pub(crate) centre: Vector,
     /// Where the domain starts in the caller's parameter.
@@ -71,6 +73,7 @@ impl Scaled {
             length: span / step,
             closed: problem.closed,
             norm: problem.norm,
+            beyond: 0.0,
             components: Vec::new(),
             centre,
             start: problem.start,
@@ -86,21 +89,30 @@ impl Scaled {
         for component in &problem.components {
             let mut grid = limits::with_room(component.grid.len())?;
             grid.extend(component.grid.iter().map(|place| (place - problem.start) / step));
-            let mut first_sample = limits::with_room(grid.len() + 1)?;
-            let mut sample = 0;
-            for &place in &grid {
-                while sample < count && scaled.t[sample] < place {
-                    sample += 1;
-                }
-                first_sample.push(sample);
-            }
-            first_sample.push(count);
             let degree = component.degree;
-            let mut scaled_component = ScaledComponent { degree, lambda: 0.0, grid, first_sample };
+            let mut scaled_component =
+                ScaledComponent { degree, lambda: 0.0, grid, first_sample: Vec::new() };
             scaled_component.lambda = component.lambda * scaled.lambda_factor(degree);
             scaled.components.push(scaled_component);
         }
+        scaled.find_samples()?;
         Ok(scaled)
+    }
+
+    /// Finds the first sample of every place.
+    pub(crate) fn find_samples(&mut self) -> Result<()> {
+        for component in &mut self.components {
+            component.first_sample = limits::with_room(component.grid.len() + 1)?;
+            let mut sample = 0;
+            for &place in &component.grid {
+                while sample < self.t.len() && self.t[sample] < place {
+                    sample += 1;
+                }
+                component.first_sample.push(sample);
+            }
+            component.first_sample.push(self.t.len());
+        }
+        Ok(())
     }
 
     /// λ here for a λ of 1 of the caller.

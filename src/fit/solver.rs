@@ -1,5 +1,6 @@
 //! The solver: an interior-point method on the knots in play, which are found on the way.
 
+use super::compress::compress;
 use super::cone::{Lorentz, Metric, Scaling, dot, norm, stretch};
 use super::dual::dual_curve;
 use super::interval::TERMS;
@@ -166,6 +167,7 @@ impl Solver {
     pub fn new(problem: &Problem, settings: Settings) -> Result<Self> {
         problem.check()?;
         let mut data = Scaled::new(problem)?;
+        compress(&mut data)?;
         for component in &mut data.components {
             component.lambda = component.lambda.max(LEAST_LAMBDA);
         }

@@ -1,0 +1,162 @@
+//! Many samples between two places for knots, replaced by few that say the same.
+//!
+//! Between two places every curve of the problem is one polynomial of the highest degree a. Its square distance to the
+//! samples there is, but for a constant, that to a + 1 weighted points: the nodes and weights of Gauss's rule for the
+//! samples' own weights, and at them the values of the samples' best polynomial. (D 12.11)
+
+use super::interval::TERMS;
+use super::scaled::Scaled;
+use crate::error::Result;
+use crate::limits;
+use crate::numerics::Vector;
+use crate::numerics::roots::bracketed_root;
+
+/// Orthonormal polynomials of the samples of one cell by their three-term recurrence.
+#[derive(Clone, Copy, Debug)]
+struct Recurrence {
+    centre: [f64; TERMS],
+    /// norm[k]² is the square of the monic polynomial of degree k over that of degree k − 1; norm[0]² the weight.
+    norm: [f64; TERMS],
+    degree: usize,
+}
+
+impl Recurrence {
+    /// The orthonormal polynomials 0 … degree at x, and the monic one behind them with its derivative.
+    fn at(&self, x: f64) -> ([f64; TERMS], f64, f64) {
+        let mut values = [0.0; TERMS];
+        let (mut before, mut here, mut slope_before, mut slope) = (0.0, 1.0 / self.norm[0], 0.0, 0.0);
+        for k in 0..=self.degree {
+            values[k] = here;
+            let back = if k == 0 { 0.0 } else { self.norm[k] };
+            let scale = if k < self.degree { 1.0 / self.norm[k + 1] } else { 1.0 };
+            let next = ((x - self.centre[k]) * here - back * before) * scale;
+            let next_slope = (here + (x - self.centre[k]) * slope - back * slope_before) * scale;
+            (before, here, slope_before, slope) = (here, next, slope, next_slope);
+        }
+        (values, here, slope)
+    }
+
+    /// For the samples of a cell, in a variable within ±1; `None` where they are too few or too close together.
+    fn of_samples(x: &[f64], w: &[f64], degree: usize) -> Option<Self> {
+        let mut recurrence = Self { centre: [0.0; TERMS], norm: [1.0; TERMS], degree: 0 };
+        recurrence.norm[0] = w.iter().sum::<f64>().sqrt();
+        for k in 0..=degree {
+            recurrence.degree = k;
+            let mut moment = 0.0;
+            for (&x, &w) in x.iter().zip(w) {
+                let value = recurrence.at(x).0[k];
+                moment += w * x * value * value;
+            }
+            recurrence.centre[k] = moment;
+            let square: f64 =
+                x.iter().zip(w).map(|(&x, &w)| w * recurrence.at(x).1 * recurrence.at(x).1).sum();
+            if square.is_nan() || square <= 1e-12 {
+                return None;
+            }
+            if k < degree {
+                recurrence.norm[k + 1] = square.sqrt();
+            }
+        }
+        Some(recurrence)
+    }
+
+    /// The zeros of the polynomial of degree + 1: between those of each degree lie those of the one before.
+    fn nodes(&self) -> [f64; TERMS] {
+        let mut nodes = [0.0; TERMS];
+        for k in 0..=self.degree {
+            let lower = Self { degree: k, ..*self };
+            let before = nodes;
+            for i in 0..=k {
+                let low = if i == 0 { -1.0 } else { before[i - 1] };
+                let high = if i == k { 1.0 } else { before[i] };
+                let rising = (k - i).is_multiple_of(2);
+                nodes[i] = bracketed_root(low, high, rising, 0.5 * (low + high), &mut |x| {
+                    let (_, value, slope) = lower.at(x);
+                    (value, slope)
+                });
+            }
+        }
+        nodes
+    }
+}
+
+/// Replaces the samples of every cell between places where they are many; what their distances have beyond those of
+/// the points that replace them is added to `data.beyond`. O(M).
+pub(crate) fn compress(data: &mut Scaled) -> Result<()> {
+    let degree = data.components.iter().map(|c| c.degree).max().unwrap_or(1);
+    let places: usize = data.components.iter().map(|c| c.grid.len()).sum();
+    if data.t.len() < 3 * (degree + 1) * places {
+        return Ok(());
+    }
+    let mut bounds = limits::with_room(places + 2)?;
+    bounds.extend(data.components.iter().flat_map(|c| c.grid.iter().copied()));
+    bounds.push(0.0);
+    bounds.push(data.length);
+    bounds.sort_unstable_by(f64::total_cmp);
+    bounds.dedup();
+    let mut few = [Vec::new(), Vec::new(), Vec::new(), Vec::new()];
+    let (mut xs, mut from) = (Vec::new(), 0);
+    for cell in bounds.windows(2) {
+        let mut to = from;
+        while to < data.t.len() && (data.t[to] < cell[1] || cell[1] >= data.length) {
+            to += 1;
+        }
+        let (middle, half) = (0.5 * (cell[0] + cell[1]), 0.5 * (cell[1] - cell[0]));
+        xs.clear();
+        xs.extend(data.t[from..to].iter().map(|t| (t - middle) / half));
+        let rule = if to - from > degree + 2 {
+            Recurrence::of_samples(&xs, &data.w[from..to], degree)
+        } else {
+            None
+        };
+        match rule {
+            Some(rule) => data.beyond += replace(data, from, &xs, &rule, (middle, half), &mut few),
+            None => {
+                few[0].extend_from_slice(&data.t[from..to]);
+                few[1].extend_from_slice(&data.x[from..to]);
+                few[2].extend_from_slice(&data.y[from..to]);
+                few[3].extend_from_slice(&data.w[from..to]);
+            }
+        }
+        from = to;
+    }
+    [data.t, data.x, data.y, data.w] = few;
+    data.find_samples()
+}
+
+/// Writes the points that replace the samples of a cell; answers the square distance that they lack.
+fn replace(
+    data: &Scaled,
+    from: usize,
+    xs: &[f64],
+    rule: &Recurrence,
+    (middle, half): (f64, f64),
+    few: &mut [Vec<f64>; 4],
+) -> f64 {
+    let mut best = [Vector::zeros(); TERMS];
+    for (i, &x) in xs.iter().enumerate() {
+        let m = from + i;
+        let point = Vector::new(data.x[m], data.y[m]) * data.w[m];
+        for (sum, value) in best.iter_mut().zip(rule.at(x).0) {
+            *sum += point * value;
+        }
+    }
+    let polynomial = |values: &[f64; TERMS]| {
+        best.iter().zip(values).fold(Vector::zeros(), |sum, (term, value)| sum + term * *value)
+    };
+    let mut rest = 0.0;
+    for (i, &x) in xs.iter().enumerate() {
+        let m = from + i;
+        let error = Vector::new(data.x[m], data.y[m]) - polynomial(&rule.at(x).0);
+        rest += data.w[m] * (error.x * error.x + error.y * error.y);
+    }
+    for &node in &rule.nodes()[..=rule.degree] {
+        let values = rule.at(node).0;
+        let point = polynomial(&values);
+        few[0].push(middle + half * node);
+        few[1].push(point.x);
+        few[2].push(point.y);
+        few[3].push(1.0 / values.iter().map(|v| v * v).sum::<f64>());
+    }
+    rest
+}
