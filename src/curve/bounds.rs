@@ -44,6 +44,7 @@ struct Grown {
 impl Grown {
     const EMPTY: Self = Self { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] };
 
+    #[inline(never)]
     fn include(&mut self, coordinates: &[f64]) {
         // Comparisons instead of `min`: nothing here is not a number, and one instruction is enough.
         for (axis, &value) in coordinates.iter().enumerate() {

@@ -213,7 +213,7 @@ impl LocalCurve {
             }
         }
         // All are multiples of a power of 2 and exact: equal ones are equal to the last bit.
-        knots.sort_by(f64::total_cmp);
+        let mut knots = sorted(knots);
         knots.dedup();
         Ok(knots)
     }
@@ -364,6 +364,27 @@ impl LocalCurve {
     pub fn piece_count(&self) -> usize {
         self.knots.len() - 1
     }
+}
+
+/// The numbers in rising order, by merging: a tenth of the code of the library's sort.
+fn sorted(mut from: Vec<f64>) -> Vec<f64> {
+    let count = from.len();
+    let (mut to, mut width) = (from.clone(), 1);
+    while width < count {
+        for start in (0..count).step_by(2 * width) {
+            let (middle, end) = ((start + width).min(count), (start + 2 * width).min(count));
+            let (mut left, mut right) = (start, middle);
+            for place in &mut to[start..end] {
+                let first = right >= end || left < middle && from[left] <= from[right];
+                let next = if first { &mut left } else { &mut right };
+                *place = from[*next];
+                *next += 1;
+            }
+        }
+        core::mem::swap(&mut from, &mut to);
+        width *= 2;
+    }
+    from
 }
 
 fn scale(level: usize) -> f64 {
