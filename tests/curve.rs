@@ -7,7 +7,7 @@ mod golden;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use expline::{Curve, HermiteCurve, HermiteOptions, Space};
+use expline::{HermiteCurve, HermiteOptions, Space};
 use nalgebra::Vector2;
 use serde::Deserialize;
 

@@ -132,7 +132,7 @@ pub(crate) fn stationary(piece: &Piece, axis: usize, found: &mut dyn FnMut(f64))
 /// the fourth.
 ///
 /// An interval is passed over where Taylor's formula proves that the first derivative has no zero, solved where it
-/// proves it monotone, and else halved. Where the function stays within a rounding any point will do.
+/// proves it monotone, and else halved. Where the function stays within a rounding any point will do (D 10.3).
 #[inline(never)]
 pub(super) fn turns(
     slopes: &dyn Fn(f64) -> [f64; 3],

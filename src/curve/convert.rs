@@ -10,7 +10,7 @@ use crate::numerics::{Point, Vector};
 
 /// The space and the frequency of Hermite curves that hold everything these roots stand for.
 ///
-/// That is so for 0 up to twice and one pair ±iω or ±k, and for 0 up to four times.
+/// That is so for 0 up to twice and one pair ±iω or ±k, and for 0 up to four times (D 10.4).
 fn space_of(roots: &Roots) -> Option<(Space, f64)> {
     let (mut zeros, mut space, mut omega) = (0, Space::Polynomial, 0.0);
     for root in roots.as_slice() {

@@ -238,7 +238,7 @@ impl Piece {
         self.rate.abs() * bend + self.fourth
     }
 
-    /// A bound of |r⁗| of a polynomial for all complex y of at most this modulus.
+    /// A bound of |r⁗| of a polynomial for all complex y of at most this modulus (D 10.1).
     fn fourth_within(&self, radius: f64) -> f64 {
         let mut sum = 0.0;
         for (k, c) in self.powers.iter().enumerate().skip(4).rev() {

@@ -128,7 +128,7 @@ impl SpacePiece {
 
     /// The length from lo to hi.
     ///
-    /// Where |r′(u) − r′(m)| stays below (√2 − 1)·|r′(m)| on a disc, r′·r′ has no zero there and the speed is analytic.
+    /// Where |r′(u) − r′(m)| stays below (√2 − 1)·|r′(m)| on a disc, r′·r′ has no zero there and the speed is analytic (D 10.2).
     pub(super) fn length(&self, lo: f64, hi: f64, tolerance: f64) -> f64 {
         let mut stack = [(0.0, 0.0); STACK];
         stack[0] = (lo, hi);

@@ -296,7 +296,7 @@ pub(super) fn rule_index(axis: f64, largest: f64, half: f64, tolerance: f64) -> 
 ///
 /// With z = x + iy and τ = tan(wu/2)/(w/2), z′ = b + p·sin(wu)/w + q·(1 − cos wu)/w² is zero where
 /// (q/2 + w²b/4)τ² + pτ + b = 0; the conjugate's zeros lie in the mirror. A polynomial's velocity has no zero on a disc
-/// where it stays nearer to b than b is to 0.
+/// where it stays nearer to b than b is to 0 (D 10.2).
 fn half_axis(piece: &Piece, jet: &Jet, middle: f64, half: f64) -> f64 {
     let (b, p, q, rate) = (jet.first, jet.second, jet.third, piece.rate());
     if piece.is_polynomial() {
