@@ -2,6 +2,7 @@
 //!
 //! Coordinates: x to the right, y down; pixel (column, row) covers [column, column + 1] × [row, row + 1].
 
+mod chain;
 mod cloud;
 mod contour;
 mod corners;
@@ -23,6 +24,7 @@ mod simplify;
 mod skyline;
 mod unknowns;
 
+pub use chain::{Chain, ChainPlace, Joint, Tube, TubeFit, fit_tube};
 pub use cloud::Cloud;
 pub use contour::{Contour, contours};
 pub use drawing::{Drawing, DrawingOptions, MOST_CONTOURS, TracedContour, trace_drawing};
