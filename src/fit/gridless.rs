@@ -91,10 +91,15 @@ pub fn gridless(problem: &Problem, solution: &Solution, target: f64, most: usize
     Ok(best)
 }
 
-/// The optimum with knots at some places only; `None` where there are too few for a problem.
+/// The optimum with knots at some places only; `None` where there are too few for a problem, or where a step has carried
+/// one onto another or out of the domain.
 fn on_knots(problem: &Problem, knots: &[f64]) -> Result<Option<Solution>> {
     let mut small = problem.clone();
     let degree = small.components[0].degree;
+    let inside = |t: f64| t < problem.end && (t > problem.start || problem.closed && t >= problem.start);
+    if !knots.iter().all(|&t| inside(t)) || !knots.windows(2).all(|pair| pair[0] < pair[1]) {
+        return Ok(None);
+    }
     if knots.is_empty() || (problem.closed && knots.len() < degree + 2) {
         return Ok(None);
     }

@@ -1,8 +1,46 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { useBrowser } from "./page.ts";
+import { useBrowser, type Demo, type Pair } from "./page.ts";
 
 const { open } = useBrowser();
+
+type Result = { knots: { x: number; y: number; type: "linear" | "cubic" | "coincident" }[]; rms: number; max: number };
+
+async function result(demo: Demo): Promise<Result> {
+  const { fit } = (await demo.state()) as unknown as { fit: { result?: Result } };
+  assert.ok(fit.result !== undefined, "there is a fit");
+  return fit.result;
+}
+
+const count = ({ knots }: Result, type: string): number => knots.filter((knot) => knot.type === type).length;
+
+/** The ten corners of the star. */
+const corners: Pair[] = Array.from({ length: 10 }, (_, i) => {
+  const [angle, radius] = [(Math.PI * i) / 5 - Math.PI / 2, i % 2 === 0 ? 180 : 75];
+  return [400 + radius * Math.cos(angle), 300 + radius * Math.sin(angle)];
+});
+
+test("V18 smoothing makes knots vanish, and the legend says how many there are", async (t) => {
+  const demo = await open(t, "#/fit?sample=fit-star");
+  const seen: Result[] = [];
+  const times: number[] = [];
+  for (const value of [5, 25, 45, 65, 85]) {
+    await demo.slide("fit-smoothing", value);
+    times.push((await demo.stats()).lastJobMs);
+    const now = await result(demo);
+    for (const type of ["linear", "cubic", "coincident"]) assert.equal((await demo.textOf(`legend-${type}`)).replace(/\D/g, ""), String(count(now, type)));
+    if (now.knots.length <= 256) assert.equal(await demo.page.locator('[data-testid^="knot-"]').count(), now.knots.length);
+    seen.push(now);
+  }
+  t.diagnostic(`knots ${seen.map(({ knots }) => knots.length).join(", ")}; rms ${seen.map(({ rms }) => rms.toFixed(2)).join(", ")}; ${times.map((ms) => ms.toFixed(0)).join(", ")} ms`);
+  seen.forEach((now, i) => {
+    const before = seen[i - 1];
+    if (before === undefined) return;
+    assert.ok(now.knots.length <= before.knots.length + 1, `${now.knots.length} knots after ${before.knots.length}`);
+    assert.ok(now.rms >= 0.98 * before.rms, `rms ${now.rms} after ${before.rms}`);
+  });
+  assert.ok((seen[4]?.knots.length ?? 99) < (seen[0]?.knots.length ?? 0));
+});
 
 test("V18 the stage follows while the slider is dragged", async (t) => {
   const demo = await open(t, "#/fit?sample=fit-star");
@@ -22,6 +60,68 @@ test("V18 the stage follows while the slider is dragged", async (t) => {
   assert.ok(pictures.size >= 5, `${pictures.size} pictures before the release`);
 });
 
+test("V19 knot types tell the truth: corners of a star, smooth knots of a circle", async (t) => {
+  const star = await open(t, "#/fit?sample=fit-star");
+  const found = await result(star);
+  const sharp = found.knots.filter(({ type }) => type !== "cubic");
+  t.diagnostic(`star: ${count(found, "linear")} linear, ${count(found, "coincident")} coincident, ${count(found, "cubic")} cubic`);
+  assert.ok(sharp.length >= 10 && sharp.length <= 14, `${sharp.length} corners`);
+  for (const [x, y] of corners) assert.ok(sharp.some((knot) => Math.hypot(knot.x - x, knot.y - y) <= 6), `the corner at ${x}, ${y}`);
+  assert.ok(count(found, "cubic") <= 4);
+  await star.byId("fit-model").locator('[value="linear"]').check();
+  await star.idle();
+  assert.equal(count(await result(star), "cubic") + count(await result(star), "coincident"), 0);
+  await star.byId("fit-model").locator('[value="cubic"]').check();
+  await star.idle();
+  assert.equal(count(await result(star), "linear") + count(await result(star), "coincident"), 0);
+
+  const circle = await open(t, "#/fit?sample=fit-circle");
+  const round = await result(circle);
+  t.diagnostic(`circle: ${count(round, "linear")} linear, ${count(round, "cubic")} cubic`);
+  assert.ok(count(round, "linear") <= 1);
+  assert.ok(count(round, "cubic") >= 4 && count(round, "cubic") <= 24);
+  const off = (await circle.sample(2000)).map(([x, y]) => Math.abs(Math.hypot(x - 400, y - 300) - 160));
+  assert.ok(Math.max(...off) <= 5, `radius off by ${Math.max(...off)}`);
+});
+
+test("V20 a freehand stroke is fitted, compared and handed over to Curve", async (t) => {
+  const demo = await open(t, "#/fit?sample=fit-star");
+  await demo.click("btn-clear");
+  await demo.byId("fit-tool").locator('[value="draw"]').check();
+  const { mouse } = demo.page;
+  const at = async (x: number): Promise<{ x: number; y: number }> => demo.toScreen(x, 300 + 80 * Math.sin(x / 60));
+  const start = await at(250);
+  await mouse.move(start.x, start.y);
+  await mouse.down();
+  for (let i = 1; i <= 150; i += 1) {
+    const { x, y } = await at(250 + 4 * i);
+    await mouse.move(x, y);
+  }
+  await mouse.up();
+  await demo.idle();
+  const fit = await result(demo);
+  t.diagnostic(`freehand: ${fit.knots.length} knots, max ${fit.max.toFixed(2)} px`);
+  assert.ok(fit.knots.length <= 30, `${fit.knots.length} knots`);
+  assert.ok(fit.max <= 6, `off by ${fit.max} px`);
+  const both = await demo.pixels();
+  await demo.focusStage();
+  await demo.page.keyboard.down("o");
+  await demo.idle();
+  const alone = await demo.pixels();
+  assert.ok((await demo.changedPixels(both, alone)) > 0, "the curve goes");
+  await demo.page.keyboard.up("o");
+  await demo.idle();
+  assert.equal(await demo.changedPixels(both, await demo.pixels()), 0, "the curve is back");
+
+  const curve = await demo.sample(800);
+  await demo.byId("fit-edit").click();
+  await demo.idle();
+  assert.equal((await demo.state()).mode, "curve");
+  const edited = await demo.sample(800);
+  const farthest = Math.max(...curve.map(([x, y]) => Math.min(...edited.map(([a, b]) => Math.hypot(a - x, b - y)))));
+  assert.ok(farthest <= 1, `off by ${farthest}`);
+});
+
 test("undo takes back a stroke and a slider drag, one entry each; the points survive a visit to Curve", async (t) => {
   const demo = await open(t, "#/fit?sample=fit-circle");
   const before = (await demo.state()).fit;
@@ -33,6 +133,17 @@ test("undo takes back a stroke and a slider drag, one entry each; the points sur
   await demo.idle();
   assert.deepEqual((await demo.state()).fit.data, before.data);
   assert.deepEqual(demo.complaints, []);
+});
+
+test("the target drives the slider, and shows where it has led", async (t) => {
+  const demo = await open(t, "#/fit?sample=fit-circle");
+  await demo.byId("fit-target").selectOption("knots");
+  await demo.byId("fit-target-value").fill("8");
+  await demo.byId("fit-target-value").press("Enter");
+  await demo.idle();
+  const found = await result(demo);
+  assert.ok(found.knots.length <= 8, `${found.knots.length} knots`);
+  assert.equal(Number(await demo.byId("fit-smoothing").inputValue()), (await demo.state()).fit.smoothing);
 });
 
 test("a shared link holds the sample by its name, its noise and its seed", async (t) => {

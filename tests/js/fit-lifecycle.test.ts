@@ -152,6 +152,16 @@ test("solves of a fitter agree with fits from nothing, whatever came before", ()
   }
 });
 
+test("at no place of the slider a knot that slides onto another breaks the fit", () => {
+  const points = noisyCircle(200, 0.0125, 2);
+  using fitter = new SparseFitter(points, { degree: 3 });
+  for (let i = 0; i <= 60; i += 1) {
+    const smoothing = i / 60;
+    const [cold, warm] = [fitSparse(points, { degree: 3, smoothing }), fitter.solve({ smoothing })];
+    for (const fit of [cold, warm]) assert.ok(Number.isFinite(fit.maxError) && fit.maxError < 1, `${fit.maxError} at ${smoothing}`);
+  }
+});
+
 test("a deadline gives the best so far, which says so", () => {
   const fit = fitSparse(noisyCircle(100_000, 0.01, 2), { smoothing: 0.3, deadline: 0 });
   assert.equal(fit.status, "deadline");

@@ -6,8 +6,8 @@ import type { FitAnswer, FitRequest, FitStrength, FitSubject, PlainFit } from ".
 
 /** Certified within a drag; what stays on the stage is certified to the library's own default. */
 const liveGap = 1e-3;
-/** Halvings of the smoothing when a number of knots is asked for: a fiftieth of a step of the slider. */
-const halvings = 13;
+/** Halvings of the smoothing when a number of knots is asked for: less than half a step of the slider. */
+const halvings = 9;
 
 const ready = Promise.all([init({ wasmUrl }), initFit({ wasmUrl: fitUrl })]);
 
@@ -42,11 +42,11 @@ async function solve(strength: FitStrength, live: boolean, signal: AbortSignal):
   if (strength.by === "knots") return fewest(strength.knots, signal);
   const asked = strength.by === "smoothing" ? { smoothing: strength.smoothing } : { tolerance: strength.tolerance };
   const fits: SparseFit[] = [];
-  if (live) {
-    for (const fitter of liveFitters()) fits.push(await fitter.solveAsync({ ...asked, signal }));
-  } else {
-    // From nothing, so that what stays depends on the values alone and not on the way to them.
-    for (const { points, closed } of what.strokes) fits.push(await fitSparseAsync(points, { ...optionsOf(what, closed), ...asked, signal }));
+  const warm = live ? liveFitters() : [];
+  for (const [i, { points, closed }] of what.strokes.entries()) {
+    // From nothing, what stays depends on the values alone and not on the way to them.
+    const cold = (): Promise<SparseFit> => fitSparseAsync(points, { ...optionsOf(what, closed), ...asked, signal });
+    fits.push(await (warm[i]?.solveAsync({ ...asked, signal }) ?? cold()));
   }
   return fits;
 }
@@ -56,13 +56,14 @@ const knotsOf = (fits: readonly SparseFit[]): number => fits.reduce((sum, { knot
 /** The least smoothing whose fit has at most so many knots; the strongest there is if none has. */
 async function fewest(most: number, signal: AbortSignal): Promise<SparseFit[]> {
   let [low, high] = [0, 1];
+  let best: SparseFit[] | undefined;
   for (let i = 0; i < halvings; i += 1) {
     const middle = (low + high) / 2;
-    const fits = await solve({ by: "smoothing", smoothing: middle }, true, signal);
-    if (knotsOf(fits) <= most) high = middle;
+    const fits = await solve({ by: "smoothing", smoothing: middle }, false, signal);
+    if (knotsOf(fits) <= most) [high, best] = [middle, fits];
     else low = middle;
   }
-  return solve({ by: "smoothing", smoothing: high }, false, signal);
+  return best ?? solve({ by: "smoothing", smoothing: 1 }, false, signal);
 }
 
 function plain({ curve, parts, knots, parameters, qfe, maxError, lambda, smoothing, gap, status }: SparseFit): PlainFit {
