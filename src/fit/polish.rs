@@ -17,9 +17,9 @@ use crate::numerics::Vector;
 const STIFF: f64 = 1e9;
 
 /// The most changes of the set of knots.
-const MOST_ROUNDS: usize = 8;
+const MOST_ROUNDS: usize = 14;
 /// The most steps of Newton's method on one set.
-const MOST_NEWTON: usize = 20;
+const MOST_NEWTON: usize = 5;
 
 /// A curve on chosen knots.
 #[derive(Clone, Debug)]
@@ -36,6 +36,8 @@ struct Newton {
     unknowns: Vec<Vector>,
     jumps: Vec<Vector>,
     pulls: Vec<Vector>,
+    /// Whether a further step would change nothing.
+    settled: bool,
 }
 
 impl Solver {
@@ -89,6 +91,7 @@ impl Solver {
                 }
                 continue;
             }
+            let settled = newton.settled;
             let (fixed, eta) = self.assessed(newton, lanes);
             let mut jumps = fixed.jumps.iter();
             let mut any = false;
@@ -109,7 +112,7 @@ impl Solver {
             if better {
                 best = Some((fixed, eta));
             }
-            if !any || worse {
+            if worse || (settled && !any) {
                 break;
             }
         }
@@ -239,7 +242,7 @@ fn newton(data: &Scaled, mut reduced: Reduced, start: &[Vector], lanes: usize) -
     let mut jumps = start.to_vec();
     let (mut unknowns, mut line, mut forces, mut metrics) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let mut next = Vec::new();
-    let mut change = f64::INFINITY;
+    let (mut change, mut settled) = (f64::INFINITY, false);
     for _ in 0..MOST_NEWTON {
         forces.clear();
         metrics.clear();
@@ -264,6 +267,7 @@ fn newton(data: &Scaled, mut reduced: Reduced, start: &[Vector], lanes: usize) -
             change = next.iter().zip(&jumps).fold(0.0_f64, |most, (a, b)| most.max(norm(a - b) / norm(*a)));
             change < 1e-13 || (change < 1e-9 && change >= before) || turned(&next, start)
         };
+        settled = stop;
         if stop {
             break;
         }
@@ -295,7 +299,7 @@ fn newton(data: &Scaled, mut reduced: Reduced, start: &[Vector], lanes: usize) -
                 Vector::new(if own.x == 0.0 { 0.0 } else { jump.x }, if own.y == 0.0 { 0.0 } else { jump.y });
         }
     }
-    Some(Newton { reduced, unknowns, jumps: next, pulls })
+    Some(Newton { reduced, unknowns, jumps: next, pulls, settled })
 }
 
 /// Holds coordinates that turned round and frees those held by more than λ; answers whether there were none.
