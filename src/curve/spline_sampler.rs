@@ -47,13 +47,13 @@ pub struct SplineSampler {
     /// Taylor coefficients of e_j: of every other power from j mod 2 on, `terms` each.
     series: Vec<f64>,
     terms: usize,
-    /// Weights of the derivatives at the middle of a piece, for either part of a cell.
+    /// What every control point weighs in the derivatives at the middle of a piece, for either part of a cell.
     weights: [Vec<f64>; 2],
     /// What the derivatives at the middle of a piece make of those at the middle of a block, and where that is.
     shifts: [Vec<f64>; SLOTS],
     places: [f64; SLOTS],
     /// Derivatives at the middle of a block.
-    jet: Vec<f64>,
+    jet: Vec<[f64; 3]>,
 }
 
 /// How samples fall on pieces: sample i at i·pieces/steps, in whole numbers.
@@ -189,13 +189,9 @@ impl SplineSampler {
                 let number = (size - skipped).min(end - i);
                 let (now, later) = rest.split_at_mut(number * dimension);
                 self.turn(fall.y(piece, 2 * begin + size - 1), slot & (SLOTS - 1));
-                if dimension == 2 {
-                    self.take::<2>(lattice, piece, slot & (SLOTS - 1));
-                } else {
-                    self.take::<3>(lattice, piece, slot & (SLOTS - 1));
-                }
+                self.take(lattice, piece, slot & (SLOTS - 1));
                 for _ in 0..derivative {
-                    self.differentiate(shape, dimension, shape.per_cell as f64 / lattice.step);
+                    self.differentiate(shape, shape.per_cell as f64 / lattice.step);
                 }
                 if number == size {
                     self.fill(dimension, size, now);
@@ -230,8 +226,8 @@ impl SplineSampler {
             (self.series, self.terms) = series(shape);
             for (part, weights) in self.weights.iter_mut().enumerate().take(shape.per_cell) {
                 weights.clear();
-                for j in 0..shape.characteristic.len() {
-                    weights.extend((0..shape.window).map(|k| shape.weight(k, part, 0.0, j)));
+                for k in 0..shape.window {
+                    weights.extend((0..shape.characteristic.len()).map(|j| shape.weight(k, part, 0.0, j)));
                 }
             }
             let (order, constants) = (shape.characteristic.len(), usize::from(shape.constants));
@@ -255,52 +251,61 @@ impl SplineSampler {
         }
     }
 
-    /// Derivatives at the middle of a block: value first, as many as the space has dimensions.
+    /// Derivatives at the middle of a block: value first, as many as the space has dimensions; z is 0 in the plane.
     #[inline(never)]
-    fn take<const D: usize>(&mut self, lattice: &Lattice, piece: usize, slot: usize) {
+    fn take(&mut self, lattice: &Lattice, piece: usize, slot: usize) {
         let shape = &*lattice.shape;
         let (cell, part) = shape.part_of(piece);
-        let window = lattice.window(cell).as_chunks::<D>().0;
+        let window = lattice.window(cell);
+        let near = shape.nearest(part, 0.0) * lattice.dimension;
         // Where nothing sums to 1, differences from 0.
-        let near = if shape.constants { shape.nearest(part, 0.0) } else { usize::MAX };
-        let near = window.get(near).copied().unwrap_or([0.0; D]);
-        let mut middle = [[0.0; D]; MOST_ROOTS];
-        for (sums, weights) in middle.iter_mut().zip(self.weights[part].chunks_exact(shape.window)) {
-            for (weight, point) in weights.iter().zip(window) {
-                for d in 0..D {
-                    sums[d] += weight * (point[d] - near[d]);
-                }
+        let near = if shape.constants { lifted(&window[near..near + lattice.dimension]) } else { [0.0; 3] };
+        let (mut middle, order) = ([[0.0; 3]; MOST_ROOTS], shape.characteristic.len());
+        let weights = self.weights[part].chunks_exact(order);
+        for (point, weights) in window.chunks_exact(lattice.dimension).zip(weights) {
+            let mut point = lifted(point);
+            add(&mut point, &near, -1.0);
+            for (sums, weight) in middle.iter_mut().zip(weights) {
+                add(sums, &point, *weight);
             }
         }
-        let order = shape.characteristic.len();
         self.jet.clear();
         for factors in self.shifts[slot].chunks_exact(order) {
-            let mut sums = [0.0; D];
+            let mut sums = if self.jet.is_empty() { near } else { [0.0; 3] };
             for (factor, derivatives) in factors.iter().zip(&middle) {
-                for d in 0..D {
-                    sums[d] += factor * derivatives[d];
-                }
+                add(&mut sums, derivatives, *factor);
             }
-            self.jet.extend_from_slice(&sums);
-        }
-        for (value, x) in self.jet.iter_mut().zip(near) {
-            *value += x;
+            self.jet.push(sums);
         }
     }
 
     /// Makes the jet that of the derivative: the last one follows from the differential equation.
-    fn differentiate(&mut self, shape: &Shape, dimension: usize, unit: f64) {
-        let last = self.jet.len() - dimension;
-        for d in 0..dimension {
-            let mut next = 0.0;
-            for (j, c) in shape.characteristic.iter().enumerate() {
-                next -= c * self.jet[j * dimension + d];
-            }
-            for at in (d..last).step_by(dimension) {
-                self.jet[at] = unit * self.jet[at + dimension];
-            }
-            self.jet[last + d] = unit * next;
+    fn differentiate(&mut self, shape: &Shape, unit: f64) {
+        let mut last = [0.0; 3];
+        for (jet, c) in self.jet.iter().zip(&shape.characteristic) {
+            add(&mut last, jet, -c);
         }
+        self.jet.push(last);
+        self.jet.remove(0);
+        for jet in self.jet.as_flattened_mut() {
+            *jet *= unit;
+        }
+    }
+}
+
+#[inline(always)]
+fn lifted(point: &[f64]) -> [f64; 3] {
+    match *point {
+        [x, y] => [x, y, 0.0],
+        [x, y, z, ..] => [x, y, z],
+        _ => [0.0; 3],
+    }
+}
+
+#[inline(always)]
+fn add(sums: &mut [f64; 3], numbers: &[f64; 3], factor: f64) {
+    for (sum, x) in sums.iter_mut().zip(numbers) {
+        *sum += factor * x;
     }
 }
 
@@ -348,17 +353,25 @@ impl SplineSampler {
         }
         let (left, right) = samples.split_at_mut(pairs * dimension);
         let (middle, right) = right.split_at_mut(parity * dimension);
-        middle.copy_from_slice(&self.jet[..middle.len()]);
+        middle.copy_from_slice(&self.jet[0][..middle.len()]);
         if pairs == 0 {
             return;
         }
-        let (even, odd) = self.rows;
-        match (dimension, even, odd) {
-            (2, 1, 1) => self.pairs::<false, false>(parity, left, right),
-            (2, 1, 2) => self.pairs::<false, true>(parity, left, right),
-            (2, 2, 2) => self.pairs::<true, true>(parity, left, right),
-            (2, ..) => self.any_pairs::<2>(parity, left, right),
-            _ => self.any_pairs::<3>(parity, left, right),
+        let done = match (dimension, self.rows) {
+            (2, (1, 1 | 2)) => self.three_rows(parity, left, right),
+            (2, _) => self.tiles(parity, left, right),
+            _ => 0,
+        };
+        for p in done..pairs {
+            let (mut sum, mut difference) = (self.jet[0], [0.0; 3]);
+            for k in 0..self.rows.0 + self.rows.1 {
+                let into = if k < self.rows.0 { &mut sum } else { &mut difference };
+                add(into, &self.jet[self.order_of(k)], self.tables[parity][k * PAIRS + p]);
+            }
+            for d in 0..dimension {
+                left[(pairs - 1 - p) * dimension + d] = sum[d] - difference[d];
+                right[p * dimension + d] = sum[d] + difference[d];
+            }
         }
     }
 
@@ -372,109 +385,66 @@ impl SplineSampler {
         samples.copy_from_slice(&block[skipped..skipped + samples.len()]);
     }
 
-    /// Row k of the tables, and the derivative that it multiplies.
-    fn row(&self, parity: usize, k: usize, pairs: usize, dimension: usize) -> (&[f64], &[f64]) {
-        let j = self.order_of(k) * dimension;
-        (&self.tables[parity][k * PAIRS..k * PAIRS + pairs], &self.jet[j..j + dimension])
-    }
-
-    /// The samples at middle ± τ in the plane, for one or two even and odd rows. Compilers make vector code of it: it is on its
-    /// own so that they see that nothing overlaps.
+    /// The samples at middle ± τ in the plane where there are one even and at most two odd rows, as for 3 and 4 roots, and how
+    /// many pairs there were. Compilers make vector code of it: it is on its own so that they see that nothing overlaps.
     #[inline(never)]
-    fn pairs<const TWO_EVEN: bool, const TWO_ODD: bool>(
-        &self,
-        parity: usize,
-        left: &mut [f64],
-        right: &mut [f64],
-    ) {
+    fn three_rows(&self, parity: usize, left: &mut [f64], right: &mut [f64]) -> usize {
         let (left, right) = (left.as_chunks_mut::<2>().0, right.as_chunks_mut::<2>().0);
-        let (even, _) = self.rows;
-        let row = |k: usize| {
-            let (table, jet) = self.row(parity, k, left.len(), 2);
-            (table, [jet[0], jet[1]])
-        };
-        let ((first, a), (second, b)) = (row(0), row(even));
-        let (third, c) = if TWO_EVEN { row(1) } else { row(0) };
-        let (fourth, d) = if TWO_ODD { row(even + 1) } else { row(0) };
-        let value = [self.jet[0], self.jet[1]];
-        let tables = first.iter().zip(second).zip(third).zip(fourth);
-        for ((((first, second), third), fourth), (left, right)) in
-            tables.zip(left.iter_mut().rev().zip(right))
-        {
-            for k in 0..2 {
-                let mut sum = value[k] + a[k] * first;
-                let mut difference = b[k] * second;
-                if TWO_EVEN {
-                    sum += c[k] * third;
-                }
-                if TWO_ODD {
-                    difference += d[k] * fourth;
-                }
-                (left[k], right[k]) = (sum - difference, sum + difference);
+        let pairs = left.len();
+        let [value, even, odd] = [0, self.order_of(0), 1].map(|j| self.jet[j]);
+        let third = if self.rows.1 == 2 { self.jet[3] } else { [0.0; 3] };
+        let table = |k: usize| &self.tables[parity][k * PAIRS..k * PAIRS + pairs];
+        let tables = table(0).iter().zip(table(1)).zip(table(self.rows.1));
+        for (((first, second), last), (left, right)) in tables.zip(left.iter_mut().rev().zip(right)) {
+            for d in 0..2 {
+                let sum = value[d] + even[d] * first;
+                let difference = odd[d] * second + third[d] * last;
+                (left[d], right[d]) = (sum - difference, sum + difference);
             }
         }
+        pairs
     }
 
     /// The same for any number of rows, some pairs at a time.
     #[inline(never)]
-    fn any_pairs<const D: usize>(&self, parity: usize, left: &mut [f64], right: &mut [f64]) {
-        let (left, right) = (left.as_chunks_mut::<D>().0, right.as_chunks_mut::<D>().0);
-        let (near, rest) = left.split_at_mut(left.len() % TILE);
-        let (right, far) = right.split_at_mut(rest.len());
-        for (tile, (left, right)) in
-            rest.rchunks_exact_mut(TILE).zip(right.chunks_exact_mut(TILE)).enumerate()
-        {
-            self.tile::<D, TILE>(parity, TILE * tile, left, right);
+    fn tiles(&self, parity: usize, left: &mut [f64], right: &mut [f64]) -> usize {
+        let (even, odd) = self.rows;
+        let [x, y, _] = self.jet[0];
+        let places = left.rchunks_exact_mut(2 * TILE).zip(right.chunks_exact_mut(2 * TILE));
+        let mut rows: [(&[f64], [f64; 2]); MOST_ROOTS] = [(&[], [0.0; 2]); MOST_ROOTS];
+        for (k, (table, row)) in self.tables[parity].chunks_exact(PAIRS).zip(&mut rows).enumerate() {
+            let [x, y, _] = self.jet[self.order_of(k)];
+            *row = (table, [x, y]);
         }
-        for (k, (left, right)) in near.rchunks_exact_mut(1).zip(far.chunks_exact_mut(1)).enumerate() {
-            self.tile::<D, 1>(parity, rest.len() + k, left, right);
-        }
-    }
-
-    /// Σ over these rows of derivative and factor, for pairs `first` to `first` + T.
-    #[inline(always)]
-    fn combined<const D: usize, const T: usize>(
-        &self,
-        parity: usize,
-        rows: core::ops::Range<usize>,
-        first: usize,
-    ) -> [[f64; D]; T] {
-        let mut sums = [[0.0; D]; T];
-        for k in rows {
-            let (table, jet) = self.row(parity, k, first + T, D);
-            let (Some(factors), Some(jet)) = (table[first..].first_chunk::<T>(), jet.first_chunk::<D>())
-            else {
-                continue;
-            };
-            for t in 0..T {
-                for d in 0..D {
-                    sums[t][d] += jet[d] * factors[t];
+        let mut first = 0;
+        for (left, right) in places {
+            let sums = combined(&rows[..even], first, [x, y]);
+            let differences = combined(&rows[even..even + odd], first, [0.0; 2]);
+            let places = left.rchunks_exact_mut(2).zip(right.chunks_exact_mut(2));
+            for ((sum, difference), (left, right)) in sums.iter().zip(&differences).zip(places) {
+                for d in 0..2 {
+                    (left[d], right[d]) = (sum[d] - difference[d], sum[d] + difference[d]);
                 }
             }
+            first += TILE;
         }
-        sums
+        first
     }
+}
 
-    /// Pairs `first` to `first` + T.
-    #[inline(always)]
-    fn tile<const D: usize, const T: usize>(
-        &self,
-        parity: usize,
-        first: usize,
-        left: &mut [[f64; D]],
-        right: &mut [[f64; D]],
-    ) {
-        let (even, odd) = self.rows;
-        let sums = self.combined::<D, T>(parity, 0..even, first);
-        let differences = self.combined::<D, T>(parity, even..even + odd, first);
-        let places = left.iter_mut().rev().zip(right);
-        for ((sum, difference), (left, right)) in sums.iter().zip(&differences).zip(places) {
-            for d in 0..D {
-                let even = self.jet[d] + sum[d];
-                (left[d], right[d]) = (even - difference[d], even + difference[d]);
+/// Start and the sum over these rows of derivative and factor, for pairs `first` to `first` + TILE.
+#[inline(always)]
+fn combined(rows: &[(&[f64], [f64; 2])], first: usize, start: [f64; 2]) -> [[f64; 2]; TILE] {
+    let mut sums = [start; TILE];
+    for (table, jet) in rows {
+        let Some(factors) = table.get(first..).and_then(|rest| rest.first_chunk::<TILE>()) else { continue };
+        for (sum, factor) in sums.iter_mut().zip(factors) {
+            for d in 0..2 {
+                sum[d] += jet[d] * factor;
             }
         }
     }
+    sums
 }
 
 /// Σ cₖ·y²ᵏ, times y for odd j.

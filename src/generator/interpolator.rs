@@ -317,7 +317,7 @@ fn halves(order: usize, exact: &Propagated, lambda: &[Twofold]) -> Result<Pieces
         for by in [-0.25, 0.25] {
             let begin = parts.len();
             parts.extend_from_slice(piece);
-            recentre(&mut parts[begin..], by);
+            recentre(&mut parts[begin..], by, terms);
         }
     }
     let count = 4 * (order - 1);

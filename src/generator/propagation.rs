@@ -49,7 +49,14 @@ impl Propagated {
         for piece in whole[left * terms..].chunks_exact_mut(terms) {
             piece.iter_mut().skip(1).step_by(2).for_each(|odd| *odd = odd.negative());
         }
-        Ok(Self { coefficients: whole, terms })
+        // About their middles pieces need far fewer terms than the way to the next knot.
+        let whole = Self { coefficients: whole, terms };
+        let kept = whole.needed(NEGLIGIBLE, 0.5);
+        let mut coefficients = with_room(order * kept)?;
+        for piece in whole.coefficients.chunks_exact(terms) {
+            coefficients.extend_from_slice(&piece[..kept]);
+        }
+        Ok(Self { coefficients, terms: kept })
     }
 
     /// The function at the end of piece k (from 0), or in its middle.
@@ -63,19 +70,25 @@ impl Propagated {
         piece.iter().rev().fold(Twofold::ZERO, |sum, c| c.plus(scaled(sum, -0.5)))
     }
 
-    /// Rounded, and cut to the length that the longest piece needs.
+    /// How many coefficients there are up to the last that is no less than a share of the largest, at the ends of pieces.
     #[inline(never)]
-    pub(super) fn rounded(&self, per_unit: usize) -> Result<Pieces> {
+    fn needed(&self, share: f64, half: f64) -> usize {
         let mut most = vec![0.0_f64; self.terms];
         for piece in self.coefficients.chunks_exact(self.terms) {
             let mut reach = 1.0;
             for (most, c) in most.iter_mut().zip(piece) {
                 *most = most.max(c.high.abs() * reach);
-                reach *= 0.5 / per_unit as f64;
+                reach *= half;
             }
         }
         let largest = most.iter().fold(0.0, |a: f64, &b| a.max(b));
-        let stride = most.iter().rposition(|&m| m > CUT * largest).map_or(1, |last| last + 1);
+        most.iter().rposition(|&m| m > share * largest).map_or(1, |last| last + 1)
+    }
+
+    /// Rounded, and cut to the length that the longest piece needs.
+    #[inline(never)]
+    pub(super) fn rounded(&self, per_unit: usize) -> Result<Pieces> {
+        let stride = self.needed(CUT, 0.5 / per_unit as f64);
         let mut coefficients = with_room(self.coefficients.len() / self.terms * stride)?;
         for piece in self.coefficients.chunks_exact(self.terms) {
             coefficients.extend(piece[..stride].iter().map(|c| c.high));
@@ -113,9 +126,9 @@ fn from_the_left(roots: &Roots, count: usize, terms: usize, pieces: &mut Vec<Two
         }
         // Derivatives become coefficients, and those of the end derivatives again.
         by_factorials(&mut state, false);
-        recentre(&mut state, 0.5);
+        recentre(&mut state, 0.5, terms);
         pieces.extend_from_slice(&state);
-        recentre(&mut state, 0.5);
+        recentre(&mut state, 0.5, order);
         by_factorials(&mut state[..order], true);
     }
 }
@@ -130,11 +143,12 @@ fn by_factorials(numbers: &mut [Twofold], times: bool) {
     }
 }
 
-/// A polynomial about a place that is `by` further on, in place; `by` is a power of two or its opposite.
+/// A polynomial about a place that is `by` further on, in place, its first `wanted` coefficients only; `by` is a power of two or
+/// its opposite.
 #[inline(never)]
-pub(super) fn recentre(coefficients: &mut [Twofold], by: f64) {
+pub(super) fn recentre(coefficients: &mut [Twofold], by: f64, wanted: usize) {
     let count = coefficients.len();
-    for done in 1..count {
+    for done in 1..count.min(wanted + 1) {
         for k in (done - 1..count - 1).rev() {
             coefficients[k] = coefficients[k].plus(scaled(coefficients[k + 1], by));
         }

@@ -15,8 +15,8 @@ mod scalar;
 mod vector;
 
 pub(crate) use exponential::Target;
-pub(crate) use least_squares::least_squares;
 pub use exponential::{extended, finer, from_points};
+pub(crate) use least_squares::least_squares;
 pub use scalar::{ScalarMask, control_polygon, subdivide_scalar};
 pub use vector::{HermiteData, MatrixMask, subdivide_hermite};
 

@@ -1,15 +1,15 @@
 //! The state of one instance: slots, buffers, and the small fixed record that scalar results are left in.
 
 #[cfg(feature = "wasm")]
-use crate::curve::measures::Pieces;
-#[cfg(feature = "wasm")]
-use crate::{BSplineCurve, HermiteCurve, InterpolatingCurve, LocalCurve, TensorSurface};
-#[cfg(feature = "wasm")]
 use super::exponential::Prepared;
+#[cfg(feature = "wasm")]
+use crate::curve::measures::Pieces;
 #[cfg(feature = "wasm")]
 use crate::curve::{LengthTable, NearestFinder, Sampler, SplineSampler};
 #[cfg(feature = "wasm-fit")]
 use crate::fit::Fitter;
+#[cfg(feature = "wasm")]
+use crate::{BSplineCurve, HermiteCurve, InterpolatingCurve, LocalCurve, TensorSurface};
 use crate::{Error, Result};
 use std::cell::RefCell;
 use wasm_bindgen::prelude::wasm_bindgen;
