@@ -64,7 +64,13 @@ impl Envelope {
 
     /// Solves with the lower factor: x ← R⁻ᵀx for the matrix RᵀR, from the first unknown that is not 0.
     pub(super) fn forward(&self, x: &mut [f64], from: usize) {
-        for i in from..self.size() {
+        self.forward_near(x, from, self.size());
+    }
+
+    /// [`Envelope::forward`] for the rows below `to` alone, the unknowns behind `from` being 0 before: what is left out
+    /// has decayed where `to` is far behind the last entry that is not 0.
+    pub(super) fn forward_near(&self, x: &mut [f64], from: usize, to: usize) {
+        for i in from..to.min(self.size()) {
             let (f, row) = (self.first[i], self.row(i));
             let lo = f.max(from);
             let product = dot(&row[lo - f..i - f], &x[lo..i]);

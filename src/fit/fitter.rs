@@ -4,7 +4,7 @@ use super::combine::{Summand, combined};
 use super::foot_points::Spline;
 use super::free_knots::{FreeKnots, Located};
 use super::gridless::gridless;
-use super::noise::noise;
+use super::noise::{is_regular, noise};
 use super::options::{Ask, Finish, Options};
 use super::outcome::{Changed, Fit, FitStatus, Part};
 use super::parametrise::{Parametrisation, given, parametrise};
@@ -42,8 +42,8 @@ enum Run {
     Convex(Box<Solver>),
     /// The convex problem is solved; its knots are being finished.
     Finish(Box<Finishing>),
-    /// Searches by two parametrisations, of which the better will be kept, and then others to its end.
-    Choice(Box<[Sparsest; 2]>, Vec<Sparsest>),
+    /// Searches of which the cheapest will be kept once their needless knots are gone, and others to go to their end.
+    Choice(Vec<Sparsest>, Vec<Sparsest>),
     /// The search that is going on is the last one.
     Search(Vec<Sparsest>),
 }
@@ -66,9 +66,8 @@ struct Finishing {
 pub struct Fitter {
     options: Options,
     samples: Samples,
-    /// By the parametrisation that the ask wants; `even` is the other choice where there is one.
+    /// By the parametrisation that the ask wants.
     located: Located,
-    even: Option<Located>,
     end: f64,
     /// One unit of the inner parameter in the caller's.
     unit: f64,
@@ -132,7 +131,6 @@ impl Fitter {
             options: options.clone(),
             samples,
             located: Located::default(),
-            even: None,
             end: 0.0,
             unit: 1.0,
             noise,
@@ -219,7 +217,7 @@ impl Fitter {
             Vec::new()
         };
         let kind = match self.options.parametrisation {
-            Parametrisation::Auto if by_lambda => Parametrisation::Index,
+            Parametrisation::Auto if by_lambda || is_regular(samples) => Parametrisation::Index,
             kind => kind,
         };
         let (parameters, end) = if self.options.parameters.is_empty() {
@@ -233,12 +231,6 @@ impl Fitter {
             let unit = self.unit;
             (parameters.iter().map(|t| t / unit).collect(), end / unit)
         };
-        self.even = None;
-        if kind == Parametrisation::Auto && self.options.parameters.is_empty() {
-            let (parameters, _) = parametrise(samples, Parametrisation::Index, 0.0);
-            self.even =
-                Some(Located { points: samples.points.clone(), parameters, weights: weights.clone() });
-        }
         self.located = Located { points: samples.points.clone(), parameters, weights };
         self.end = end;
         Ok(())
@@ -321,22 +313,27 @@ impl Fitter {
             _ if self.options.corners => degree,
             _ => (degree - 1).max(1),
         };
-        let start = |located: &Located, smoothest: usize| {
-            let plan = Plan { degree, sharpest, smoothest, closed: self.samples.closed, end: self.end };
-            Sparsest::new(located.clone(), plan, aim, self.noise)
+        let plan = |smoothest: usize| Plan {
+            degree,
+            sharpest,
+            smoothest,
+            closed: self.samples.closed,
+            end: self.end,
         };
+        let start =
+            |located: &Located, smoothest| Sparsest::new(located.clone(), plan(smoothest), aim, self.noise);
         // Knots that all count twice often get by with fewer of them.
         let mut others = Vec::new();
         if matches!(aim, Aim::Tolerance(_)) && sharpest > 1 && self.located.points.len() <= MOST_TWICE {
             others.push(start(&self.located, 2));
         }
-        self.run = match &self.even {
-            Some(even) => Run::Choice(Box::new([start(&self.located, 1), start(even, 1)]), others),
-            None => {
-                others.push(start(&self.located, 1));
-                Run::Search(others)
-            }
-        };
+        let mut rivals = vec![start(&self.located, 1)];
+        if self.options.corners {
+            let corners = Sparsest::from_corners(self.located.clone(), plan(1), aim, self.noise);
+            let apart = matches!(aim, Aim::Tolerance(_)) && self.located.points.len() <= MOST_TWICE;
+            if apart { others.extend(corners) } else { rivals.extend(corners) }
+        }
+        self.run = Run::Choice(rivals, others);
     }
 
     /// Takes the run further by about `budget` microseconds' worth of work, at least by one round.
@@ -381,15 +378,15 @@ impl Fitter {
                 }
                 None => done = true,
             },
-            Run::Choice(two, others) => {
+            Run::Choice(rivals, others) => {
                 done = false;
-                match two.iter_mut().find(|search| !search.is_thinned()) {
+                match rivals.iter_mut().find(|search| !search.is_thinned()) {
                     Some(search) => search.step(),
                     None => {
-                        let better = usize::from(two[1].cost() <= two[0].cost());
-                        let mut searches = core::mem::take(others);
-                        searches.insert(0, two[better].clone());
-                        self.run = Run::Search(searches);
+                        rivals.sort_by(|a, b| a.cost().total_cmp(&b.cost()));
+                        rivals.truncate(1);
+                        rivals.append(others);
+                        self.run = Run::Search(core::mem::take(rivals));
                     }
                 }
             }
@@ -405,7 +402,7 @@ impl Fitter {
     pub fn fit(&self) -> Result<Fit> {
         match &self.run {
             Run::Idle => Err(Error::degenerate("points", None, "nothing was asked for yet")),
-            Run::Choice(two, _) => self.searched(&two[0]),
+            Run::Choice(rivals, _) => self.searched(&rivals[0]),
             Run::Search(searches) => {
                 let mut best = &searches[0];
                 for search in &searches[1..] {

@@ -59,6 +59,27 @@ pub struct FreeKnots {
     pub(super) squares: f64,
 }
 
+/// Behind the last entry of a right side a solution falls by a factor of about 4 for every coefficient.
+const DECAYED: usize = 40;
+
+/// A part of a list of coefficients; all others are 0.
+#[derive(Clone, Debug)]
+struct Part {
+    from: usize,
+    values: Vec<f64>,
+}
+
+impl Part {
+    fn dot(&self, other: &Self) -> f64 {
+        let from = self.from.max(other.from);
+        let to = (self.from + self.values.len()).min(other.from + other.values.len());
+        if from >= to {
+            return 0.0;
+        }
+        dot(&self.values[from - self.from..to - self.from], &other.values[from - other.from..to - other.from])
+    }
+}
+
 /// What it costs, in the sum of squares, to make a knot smoother by one and to take it away.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Removal {
@@ -160,29 +181,34 @@ impl FreeKnots {
         let (before, after) = self.space.sides(k);
         let (hb, ha) = (self.space.spans[before].half, self.space.spans[after].half);
         let scale = hb.min(ha);
-        let mut lowest = self.space.count;
+        let (mut lowest, mut highest) = (self.space.count, 0);
         let mut jumps = [[0.0; 2]; HIGHEST];
         for r in 0..m {
             let order = degree + 1 - m + r;
             // In units of the shorter piece: the rows are then of one size.
             let unit = (0..order).fold(1.0, |unit, _| unit * scale);
             let row = &mut rows[r];
-            row.fill(0.0);
             for i in 0..=degree {
                 let (a, b) = (self.space.index(after, i), self.space.index(before, i));
                 row[a] += unit * derivative(&self.space.basis[after][i], degree, -1.0, ha, order);
                 row[b] -= unit * derivative(&self.space.basis[before][i], degree, 1.0, hb, order);
                 lowest = lowest.min(a).min(b);
+                highest = highest.max(a).max(b);
             }
-            jumps[r] = [dot(row, &self.x), dot(row, &self.y)];
-            self.factor.forward(row, lowest);
+            jumps[r] = [
+                dot(&row[lowest..=highest], &self.x[lowest..=highest]),
+                dot(&row[lowest..=highest], &self.y[lowest..=highest]),
+            ];
+            self.factor.forward_near(row, lowest, highest + DECAYED);
         }
+        let end = (highest + DECAYED).min(self.space.count);
         let mut gram = Envelope::new(vec![0; m]);
         for p in 0..m {
             for q in 0..=p {
-                gram.add(p, q, dot(&rows[p][lowest..], &rows[q][lowest..]));
+                gram.add(p, q, dot(&rows[p][lowest..end], &rows[q][lowest..end]));
             }
         }
+        rows.iter_mut().for_each(|row| row[lowest..end].fill(0.0));
         let one = (jumps[0][0] * jumps[0][0] + jumps[0][1] * jumps[0][1]) / gram.diagonal(0).max(1e-300);
         gram.factor();
         let mut whole = 0.0;
@@ -197,17 +223,18 @@ impl FreeKnots {
 
     /// The column of a function that is not in the space: its products with the basis, left-solved, and with the
     /// residuals of both coordinates.
-    fn column(&self, pieces: &[(usize, Polynomial)]) -> (Vec<f64>, [f64; 2]) {
+    fn column(&self, pieces: &[(usize, Polynomial)]) -> (Part, [f64; 2]) {
         let degree = self.space.breaks.degree;
-        let mut column = vec![0.0; self.space.count];
         let mut along = [0.0; 2];
-        let mut lowest = self.space.count;
+        let indices = || pieces.iter().flat_map(|(s, _)| (0..=degree).map(|i| self.space.index(*s, i)));
+        let from = indices().min().unwrap_or(0);
+        let to = (indices().max().unwrap_or(0) + DECAYED).min(self.space.count);
+        let mut column = vec![0.0; to];
         for (s, polynomial) in pieces {
             let sums = &self.moments[*s];
             for i in 0..=degree {
                 let row = self.space.index(*s, i);
                 column[row] += sums.product(degree, &self.space.basis[*s][i], polynomial);
-                lowest = lowest.min(row);
             }
             let (px, py) = self.piece(*s);
             along[0] +=
@@ -215,8 +242,9 @@ impl FreeKnots {
             along[1] +=
                 dot(&polynomial[..=degree], &sums.y[..=degree]) - sums.product(degree, polynomial, &py);
         }
-        self.factor.forward(&mut column, lowest.min(self.space.count));
-        (column, along)
+        self.factor.forward_near(&mut column, from, to);
+        column.drain(..from);
+        (Part { from, values: column }, along)
     }
 
     /// Σ w·a·b of two functions given by their pieces.
@@ -239,7 +267,7 @@ impl FreeKnots {
         for p in 0..more {
             for q in 0..=p {
                 let whole = self.overlap(&bumps[p], &bumps[q]);
-                gram.add(p, q, whole - dot(&columns[p].0, &columns[q].0));
+                gram.add(p, q, whole - columns[p].0.dot(&columns[q].0));
             }
         }
         gram.factor();
@@ -290,7 +318,7 @@ impl FreeKnots {
             right[j] = direction.x * along[0] + direction.y * along[1];
             let from = if j >= border { 0 } else { j.saturating_sub(reach) };
             for (k, (others, towards, other, _)) in bumps.iter().enumerate().take(j + 1).skip(from) {
-                let plain = self.overlap(pieces, others) - dot(column, other);
+                let plain = self.overlap(pieces, others) - column.dot(other);
                 equations.add(j, k, direction.dot(towards) * plain);
             }
         }

@@ -17,21 +17,40 @@ const REACH: usize = 5;
 ///
 /// Within 10 % for 300 points and more whose curve turns little from one to the next (`tests/fit_data.rs`).
 pub fn noise(samples: &Samples) -> f64 {
+    levels(samples)[0]
+}
+
+/// Whether the points follow one another so evenly that their index is a parameter: along the curve they scatter hardly
+/// more than across it. O(M log M).
+pub fn is_regular(samples: &Samples) -> bool {
+    let [across, along] = levels(samples);
+    let points = &samples.points;
+    let mut steps: Vec<f64> = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
+    let middle = steps.len() / 2;
+    let (_, median, _) = steps.select_nth_unstable_by(middle, f64::total_cmp);
+    points.len() >= 9 && along <= 1.3 * across + 0.02 * *median
+}
+
+/// Standard deviations across and along the curve.
+fn levels(samples: &Samples) -> [f64; 2] {
     let points = &samples.points;
     let count = points.len();
     if count < 9 {
-        return 0.0;
+        return [0.0; 2];
     }
     let centers = if samples.closed { 0..count } else { 2..count - 2 };
-    let mut sizes: Vec<f64> = centers.map(|m| across(points, samples.closed, m)).collect();
-    let middle = sizes.len() / 2;
-    let (_, median, _) = sizes.select_nth_unstable_by(middle, f64::total_cmp);
-    // The median of |N(0, 1)| is 0.6745, and 70 is the sum of the squared weights.
-    *median / (0.674_489_750_196_081_7 * 70.0_f64.sqrt())
+    let sizes: Vec<[f64; 2]> = centers.map(|m| parts(points, samples.closed, m)).collect();
+    [0, 1].map(|part| {
+        let mut sizes: Vec<f64> = sizes.iter().map(|size| size[part]).collect();
+        let middle = sizes.len() / 2;
+        let (_, median, _) = sizes.select_nth_unstable_by(middle, f64::total_cmp);
+        // The median of |N(0, 1)| is 0.6745, and 70 is the sum of the squared weights.
+        *median / (0.674_489_750_196_081_7 * 70.0_f64.sqrt())
+    })
 }
 
-/// The fourth difference around point m, across the curve.
-fn across(points: &[Point], closed: bool, m: usize) -> f64 {
+/// The size of the fourth difference around point m, across the curve and along it.
+fn parts(points: &[Point], closed: bool, m: usize) -> [f64; 2] {
     let count = points.len();
     let at = |steps: usize, back: bool| {
         let i = match (closed, back) {
@@ -48,7 +67,11 @@ fn across(points: &[Point], closed: bool, m: usize) -> f64 {
     }
     let chord = at(REACH, false) - at(REACH, true);
     let length = chord.norm();
-    if length > 0.0 { cross(chord, difference).abs() / length } else { difference.norm() * 0.5_f64.sqrt() }
+    if length > 0.0 {
+        [cross(chord, difference).abs() / length, chord.dot(&difference).abs() / length]
+    } else {
+        [difference.norm() * 0.5_f64.sqrt(); 2]
+    }
 }
 
 fn cross(a: Vector, b: Vector) -> f64 {

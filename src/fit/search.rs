@@ -8,13 +8,31 @@ use super::free_knots::{FreeKnots, Located, Removal, in_order};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Price(pub(super) f64);
 
+/// How many numbers more a corner counts for when whole fits are compared: one that is seen should be there.
+const CORNER: f64 = 3.0;
+
 impl Price {
+    /// The price of a knot that counts so often.
     pub(super) fn of(self, multiplicity: usize) -> f64 {
         self.0 * (1 + 2 * multiplicity) as f64
     }
 
+    /// What the price changes by when a knot counts otherwise.
+    fn change(self, from: usize, to: usize) -> f64 {
+        self.of(to) - self.of(from)
+    }
+
+    /// Squares and prices together.
     pub(super) fn total(self, fitted: &FreeKnots) -> f64 {
         fitted.squares + fitted.breaks().multiplicity.iter().map(|&m| self.of(m)).sum::<f64>()
+    }
+
+    /// The same, corners counting for more: for the choice between fits that began differently.
+    pub(super) fn rank(self, fitted: &FreeKnots) -> f64 {
+        let breaks = fitted.breaks();
+        let corners =
+            breaks.multiplicity.iter().filter(|m| **m == breaks.degree && breaks.degree > 1).count();
+        self.total(fitted) + CORNER * self.0 * corners as f64
     }
 }
 
@@ -103,10 +121,12 @@ pub(super) fn better(fitted: &FreeKnots, data: &Located, price: Price) -> Option
             return Some(trial);
         }
     }
-    for breaks in hopes(fitted.breaks(), &removals, price, 6) {
+    let mut trials = hopes(fitted.breaks(), &removals, price, 6);
+    trials.extend(corners(fitted, price));
+    for breaks in trials {
         let mut trial = FreeKnots::new(breaks, data);
         let mut damping = 1e-2;
-        for _ in 0..5 {
+        for _ in 0..8 {
             if price.total(&trial) < now {
                 return Some(settle(trial, data, worth, 1));
             }
@@ -116,7 +136,7 @@ pub(super) fn better(fitted: &FreeKnots, data: &Located, price: Price) -> Option
                 None => break,
             }
             // It will not get there at this pace.
-            if 3.0 * (before - trial.squares) < price.total(&trial) - now {
+            if 8.0 * (before - trial.squares) < price.total(&trial) - now {
                 break;
             }
         }
@@ -143,10 +163,10 @@ fn sure(fitted: &FreeKnots, removals: &[Removal], price: Price) -> Vec<Change> {
             offer(0, removal.whole - price.of(m));
         }
         if m > breaks.smoothest {
-            offer(m - 1, removal.one - 2.0 * price.0);
+            offer(m - 1, removal.one + price.change(m, m - 1));
         }
         for more in 1..=breaks.sharpest.saturating_sub(m) {
-            offer(m + more, 2.0 * price.0 * more as f64 - fitted.gain(k, more));
+            offer(m + more, price.change(m, m + more) - fitted.gain(k, more));
         }
         if best.multiplicity != m {
             changes.push(best);
@@ -188,6 +208,28 @@ pub(super) fn hopes(breaks: &Breaks, removals: &[Removal], price: Price, most: u
     found.into_iter().map(|(_, breaks)| breaks).collect()
 }
 
+/// Knots that nearly pay as corners where they are, and may where they slide to; those that say most first.
+fn corners(fitted: &FreeKnots, price: Price) -> Vec<Breaks> {
+    let breaks = fitted.breaks();
+    let mut found: Vec<(f64, usize)> = Vec::new();
+    for (k, &m) in breaks.multiplicity.iter().enumerate().filter(|(_, m)| **m < breaks.sharpest) {
+        let more = breaks.sharpest - m;
+        let cost = price.change(m, breaks.sharpest);
+        let gain = fitted.gain(k, more);
+        if gain > 0.3 * cost {
+            found.push((gain / cost, k));
+        }
+    }
+    found.sort_by(|a, b| b.0.total_cmp(&a.0));
+    found.truncate(3);
+    let corner = |(_, k): (f64, usize)| {
+        let mut corner = breaks.clone();
+        corner.multiplicity[k] = breaks.sharpest;
+        corner
+    };
+    found.into_iter().map(corner).collect()
+}
+
 /// Knot k and the next one at one place, where they are close, and how promising that is.
 fn joined(breaks: &Breaks, removals: &[Removal], k: usize) -> Option<(f64, Breaks)> {
     let count = breaks.len();
@@ -198,7 +240,7 @@ fn joined(breaks: &Breaks, removals: &[Removal], k: usize) -> Option<(f64, Break
     let gap = breaks.gap_after(k);
     let around = breaks.gap_before(k).min(breaks.gap_after(next));
     let both = breaks.multiplicity[k] + breaks.multiplicity[next];
-    if both > breaks.degree + 2 || gap > 0.35 * around {
+    if both > breaks.degree + 2 || gap > 0.5 * around {
         return None;
     }
     let (a, b) = (removals[k].whole, removals[next].whole);

@@ -5,15 +5,24 @@ use super::breaks::Breaks;
 use super::foot_points::{Distances, Spline};
 use super::free_knots::{FreeKnots, Located};
 use super::outcome::FitStatus;
+use super::polyline;
 use super::search::{Price, better, hopes, least, settle, thinner};
 use super::start;
 
 /// About so many averages of points are looked at while knots are looked for; half as many points more are not averaged.
 const SEEN: usize = 450;
+/// More points than this are searched in a hurry.
+const FEW: usize = 2000;
+/// Rounds of refinement before searches that began differently are compared.
+const WARMING: usize = 8;
+/// The most corners to begin with.
+const MOST_VERTICES: usize = 600;
 /// What a number of the curve costs, in units of the noise's variance.
-const PER_NUMBER: f64 = 5.0;
+const PER_NUMBER: f64 = 3.0;
 /// Rounds after which growing, thinning and refining have gone on long enough.
 const MOST_ROUNDS: usize = 400;
+/// The same in work: a round tries about thirty fits, each a pass over the points and some hundred operations a knot.
+const MOST_WORK: f64 = 1e8;
 
 /// What the curve is to keep to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,6 +77,9 @@ pub(super) struct Sparsest {
     fitted: FreeKnots,
     phase: Phase,
     rounds: usize,
+    work: f64,
+    /// Rounds of refinement that a start of corners needs before it can be compared.
+    warming: usize,
     repairs: usize,
     at_first: usize,
     /// How often the present price was tried again, and how many pieces there were then.
@@ -99,12 +111,47 @@ impl Sparsest {
             fitted,
             phase: Phase::Grow,
             rounds: 0,
+            work: 0.0,
+            warming: if matches!(aim, Aim::Noise(_)) { WARMING } else { 0 },
             repairs: 0,
             at_first: 0,
             rounds_at_price: 0,
             pieces_at_price: usize::MAX,
             found: None,
         }
+    }
+
+    /// A search that begins with corners only: those of a polyline near the points, which for a tolerance is an answer
+    /// already. `None` where a polyline needs more vertices than are worth it.
+    pub(super) fn from_corners(full: Located, plan: Plan, aim: Aim, noise: f64) -> Option<Self> {
+        let near = match aim {
+            Aim::Noise(noise) => 4.0 * noise,
+            Aim::Tolerance(tolerance) => 0.9 * tolerance,
+            Aim::Squares(_) => return None,
+        };
+        let most = MOST_VERTICES.min(full.points.len() / 3);
+        let vertices = polyline::vertices(&full.points, plan.closed, near, most)?;
+        let mut search = Self::new(full, plan, aim, noise);
+        let breaks = polyline::corners(&vertices, &search.full, search.fitted.breaks());
+        if breaks.len() < least(&breaks).max(1) {
+            return None;
+        }
+        // Corners are not averaged away.
+        if search.full.points.len() < 16 * vertices.len() {
+            search.seen = search.full.clone();
+        }
+        search.at_first = breaks.len();
+        search.fitted = FreeKnots::new(breaks.clone(), &search.seen);
+        (search.phase, search.warming) = (Phase::Thin, WARMING);
+        if let Aim::Tolerance(tolerance) = aim {
+            let spline = polyline::through(&vertices, &search.full, breaks);
+            let mut located = search.full.clone();
+            let distances = spline.project(&mut located, 3);
+            if distances.largest <= tolerance {
+                search.found = Some(Found { spline, located, distances });
+            }
+        }
+        Some(search)
     }
 
     /// A search for fewer knots than those of `breaks` with a sum of squares that is not larger than `target`.
@@ -119,6 +166,8 @@ impl Sparsest {
             fitted,
             phase: Phase::Thin,
             rounds: 0,
+            work: 0.0,
+            warming: 0,
             repairs: 0,
             at_first,
             rounds_at_price: 0,
@@ -127,14 +176,21 @@ impl Sparsest {
         }
     }
 
-    /// Whether needless knots are gone, so that searches can be compared.
+    /// Whether needless knots are gone, and needless corners round, so that searches can be compared.
     pub(super) fn is_thinned(&self) -> bool {
-        !matches!(self.phase, Phase::Grow | Phase::Thin)
+        match self.phase {
+            Phase::Grow | Phase::Thin => false,
+            Phase::Refine => self.warming == 0,
+            _ => true,
+        }
     }
 
-    /// Sum of squares and prices.
+    /// Sum of squares and prices, on all points: averages hide what they average.
     pub(super) fn cost(&self) -> f64 {
-        self.price.total(&self.fitted)
+        if self.seen.points.len() == self.full.points.len() {
+            return self.price.rank(&self.fitted);
+        }
+        self.price.rank(&FreeKnots::new(self.fitted.breaks().clone(), &self.full))
     }
 
     /// How many pieces the best curve has, and how far it is from the points.
@@ -157,7 +213,7 @@ impl Sparsest {
             (Aim::Tolerance(_), None) => false,
             (Aim::Squares(target), Some(found)) => found.distances.squares <= target,
             (Aim::Squares(_), None) => false,
-            (Aim::Noise(_), _) => self.rounds <= MOST_ROUNDS,
+            (Aim::Noise(_), _) => !self.is_tired(),
         };
         if reached { FitStatus::Converged } else { FitStatus::Stalled }
     }
@@ -165,6 +221,10 @@ impl Sparsest {
     /// Whether the search has ended.
     pub(super) fn is_done(&self) -> bool {
         self.phase == Phase::Done
+    }
+
+    fn is_tired(&self) -> bool {
+        self.rounds > MOST_ROUNDS || self.work > MOST_WORK
     }
 
     /// How many rounds there were.
@@ -183,7 +243,10 @@ impl Sparsest {
     /// One round of the search.
     pub(super) fn step(&mut self) {
         self.rounds += 1;
-        let tired = self.rounds > MOST_ROUNDS;
+        let fits = if matches!(self.phase, Phase::Refine | Phase::Last(_)) { 30.0 } else { 2.0 };
+        let knots = self.fitted.breaks().coefficients() as f64;
+        self.work += fits * (self.seen.points.len() as f64 + 40.0 * knots);
+        let tired = self.is_tired();
         self.phase = match self.phase {
             Phase::Grow if !tired => self.grow(),
             Phase::Thin if !tired => match thinner(&self.fitted, &self.seen, self.price) {
@@ -200,6 +263,7 @@ impl Sparsest {
             Phase::Refine if !tired => match better(&self.fitted, &self.seen, self.price) {
                 Some(fitted) => {
                     self.fitted = fitted;
+                    self.warming = self.warming.saturating_sub(1);
                     Phase::Refine
                 }
                 None => Phase::Polish,
@@ -261,7 +325,11 @@ impl Sparsest {
 
     /// How many knots are tried when fewer are hardly possible: all of them where that takes little time.
     fn trials(&self) -> usize {
-        if self.full.points.len() <= 800 { 40 } else { 4 }
+        match self.full.points.len() {
+            0..=800 => 40,
+            801..=FEW => 4,
+            _ => 1,
+        }
     }
 
     /// How far from the points their curve may be.
@@ -283,7 +351,7 @@ impl Sparsest {
             Aim::Noise(_) => {
                 self.repairs += 1;
                 // With the parameters at the feet some knots have become needless.
-                if self.repairs <= 3 && self.rounds < MOST_ROUNDS {
+                if self.repairs <= 3 && !self.is_tired() {
                     self.found = Some(found);
                     self.fitted = FreeKnots::new(breaks, &self.seen);
                     let trial = better(&self.fitted, &self.seen, self.price);
@@ -311,7 +379,7 @@ impl Sparsest {
                 Some(Found { spline: Spline::of(&self.fitted), located: self.full.clone(), distances });
         }
         let breaks = self.fitted.breaks();
-        if small && breaks.len() > least(breaks) && self.rounds < MOST_ROUNDS {
+        if small && breaks.len() > least(breaks) && !self.is_tired() {
             self.price = Price(self.price.0 * 1.6);
             return Phase::Thin;
         }
@@ -337,7 +405,7 @@ impl Sparsest {
 
     /// Goes on with a higher price while the tolerance is kept; repairs a first fit that breaks it.
     fn judge(&mut self, found: Found, tolerance: f64) -> Phase {
-        let tired = self.rounds >= MOST_ROUNDS;
+        let tired = self.is_tired();
         if found.distances.largest <= tolerance {
             let breaks = found.spline.space.breaks.clone();
             let fewer = self.found.as_ref().is_none_or(|best| {
@@ -350,11 +418,12 @@ impl Sparsest {
                 return Phase::Done;
             }
             // At the feet the same price may buy a curve with fewer knots.
-            let again = self.rounds_at_price < 3 && breaks.pieces() < self.pieces_at_price;
+            let few = self.full.points.len() <= FEW;
+            let again = few && self.rounds_at_price < 3 && breaks.pieces() < self.pieces_at_price;
             (self.rounds_at_price, self.pieces_at_price) =
                 if again { (self.rounds_at_price + 1, breaks.pieces()) } else { (0, usize::MAX) };
             if !again {
-                self.price = Price(self.price.0 * 2.5);
+                self.price = Price(self.price.0 * if few { 2.5 } else { 4.0 });
             }
             self.fitted = FreeKnots::new(breaks, &self.seen);
             return Phase::Thin;
