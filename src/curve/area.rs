@@ -4,7 +4,7 @@ use super::piece::panels;
 use super::pieces::Pieces;
 use crate::error::{Error, Result};
 use crate::numerics::plane::cross;
-use crate::numerics::quadrature::{TWENTY_FOUR, nodes};
+use crate::numerics::quadrature::{EIGHT, Rule, TWENTY_FOUR, nodes};
 use crate::numerics::{Point, Vector};
 
 pub(crate) fn area(curve: &dyn Pieces) -> Result<f64> {
@@ -45,7 +45,9 @@ impl Swept {
             let piece = curve.piece(i);
             panels(&piece, &mut |lo, hi| {
                 let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-                nodes(&TWENTY_FOUR, |x, weight| {
+                // The integrand of a cubic's centre of mass has degree 8.
+                let rule: &Rule = if piece.is_cubic() { &EIGHT } else { &TWENTY_FOUR };
+                nodes(rule, |x, weight| {
                     let jet = piece.jet(middle + half * x);
                     let r = jet.position - origin;
                     let sweep = cross(r, jet.first) * weight * half;

@@ -91,6 +91,7 @@ impl Parts {
         Ok(Self { data, arriving: Vector::zeros() })
     }
 
+    #[inline(never)]
     fn push(&mut self, start: Point, leaving: Vector, arriving: Vector, length: f64) {
         self.data.points.push(start);
         self.data.tangents.push(leaving);
@@ -102,6 +103,7 @@ impl Parts {
         self.arriving = arriving;
     }
 
+    #[inline(never)]
     fn finish(mut self, curve: &dyn Pieces) -> Result<HermiteCurve> {
         if curve.closed() {
             let first = self.data.tangents[0];

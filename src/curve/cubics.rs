@@ -6,6 +6,7 @@ use super::length::check_tolerance;
 use super::limits::{MOST_OUTPUT_POINTS, too_many};
 use super::piece::Piece;
 use super::pieces::Pieces;
+use super::refine::append;
 use super::{Segment, spatial};
 use crate::error::Result;
 use crate::numerics::entire::stumpff;
@@ -48,7 +49,11 @@ pub(crate) fn to_cubics(curve: &dyn Pieces, tolerance: f64) -> Result<Cubics> {
         if needed > 4 * MOST_OUTPUT_POINTS {
             return Err(too_many("tolerance", "maxOutputPoints", MOST_OUTPUT_POINTS, needed));
         }
-        cubics.path.extend(pieces.iter().flatten().flat_map(|p| [p.x, p.y]));
+        for cubic in &pieces {
+            for &point in cubic {
+                append(&mut cubics.path, point);
+            }
+        }
     }
     Ok(cubics)
 }

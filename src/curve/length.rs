@@ -17,7 +17,10 @@ pub(crate) fn length(curve: &dyn Pieces, tolerance: f64) -> Result<f64> {
     }
     let mut sum = LengthSum::new(share);
     for i in 0..count {
-        sum.add(&curve.piece(i));
+        match curve.cubic_middle(i) {
+            Some(derivatives) => sum.add_cubic(derivatives),
+            None => sum.add(&curve.piece(i)),
+        }
     }
     Ok(sum.finish())
 }

@@ -1,7 +1,7 @@
 //! A curve as the measures see it: one smooth piece after another.
 
 use super::lattice::{Lattice, Place};
-use super::piece::Piece;
+use super::piece::{Piece, cubic_middle};
 use super::spatial::SpacePiece;
 use super::{BSplineCurve, HermiteCurve, InterpolatingCurve};
 use crate::error::Result;
@@ -59,6 +59,12 @@ pub trait Pieces {
         }
     }
 
+    /// The first three derivatives in the middle of piece i of a plane curve, where it is a cubic and they are quick to
+    /// tell.
+    fn cubic_middle(&self, _: usize) -> Option<[Vector; 3]> {
+        None
+    }
+
     /// The derivatives at both ends of piece i of a plane curve.
     fn tangents(&self, i: usize) -> [Vector; 2] {
         let piece = self.piece(i);
@@ -110,6 +116,11 @@ impl Pieces for HermiteCurve {
 
     fn piece(&self, i: usize) -> Piece {
         Piece::new(&self.segment(i))
+    }
+
+    fn cubic_middle(&self, i: usize) -> Option<[Vector; 3]> {
+        let [_, b, p, q] = cubic_middle(&self.segment(i))?;
+        Some([b, p, q])
     }
 
     fn start(&self, i: usize) -> Point {

@@ -34,7 +34,7 @@ impl BSplineCurve {
         check("m", None, m as f64, 1.0, LARGEST_FACTOR as f64)?;
         let lattice = self.lattice();
         let (dimension, closed, order) = (self.dimension(), self.is_closed(), self.roots().order());
-        if lattice.cells % m != 0 {
+        if !lattice.cells.is_multiple_of(m) {
             return Err(Error::degenerate("m", None, "it does not divide the number of cells"));
         }
         let cells = lattice.cells / m;
@@ -65,7 +65,7 @@ impl BSplineCurve {
         let factor = (1.0 / lattice.step).round();
         let whole = (lattice.step * factor - 1.0).abs() < 1e-12 && lattice.start == 0.0;
         let m0 = factor as usize;
-        if !whole || m0 % 2 != 0 || m0 == 0 || lattice.cells % m0 != 0 {
+        if !whole || !m0.is_multiple_of(2) || m0 == 0 || !lattice.cells.is_multiple_of(m0) {
             return Err(Error::degenerate("step", None, "the grid is no even part of a unit from 0 on"));
         }
         let segments = lattice.cells / m0;

@@ -65,9 +65,8 @@ impl SpacePiece {
             jet[1] = along(&jet[0], &jet[1], y);
             jet[0] = along(power, &jet[0], y);
         }
-        for axis in 0..3 {
-            jet[2][axis] *= 2.0;
-            jet[3][axis] *= 6.0;
+        for (derivative, factor) in jet.iter_mut().zip([1.0, 1.0, 2.0, 6.0]) {
+            *derivative = derivative.map(|x| x * factor);
         }
         jet
     }

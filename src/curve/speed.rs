@@ -57,11 +57,12 @@ impl LengthSum {
     /// Adds a piece.
     #[inline]
     pub(super) fn add(&mut self, piece: &Piece) {
-        if !piece.is_cubic() {
-            self.total += piece_length(piece, -0.5, 0.5, self.tolerance);
-            return;
-        }
-        let [_, b, p, q] = piece.coefficients();
+        self.total += piece_length(piece, -0.5, 0.5, self.tolerance);
+    }
+
+    /// Adds the cubic with these derivatives in the middle.
+    #[inline]
+    pub(super) fn add_cubic(&mut self, [b, p, q]: [Vector; 3]) {
         let k = self.count % BLOCK;
         let (p, q) = (p * 0.5, q * 0.125);
         let sizes = [taxi(b), taxi(p), taxi(q)];

@@ -226,15 +226,30 @@ fn resident(slots: &[Option<Resident>], slot: u32) -> Result<&AnyCurve> {
     }
 }
 
+/// The body of an exported function. Unlike that of `dyn FnMut`, its table holds one copy of the code.
+trait Body {
+    fn go(&mut self, kernel: &mut Kernel) -> Result<usize>;
+}
+
+impl<F: FnMut(&mut Kernel) -> Result<usize>> Body for F {
+    fn go(&mut self, kernel: &mut Kernel) -> Result<usize> {
+        self(kernel)
+    }
+}
+
 /// Runs one exported function on the kernel and leaves its error, if any, in the record.
-///
+#[inline]
+pub(super) fn run(body: &mut impl FnMut(&mut Kernel) -> Result<usize>) -> i32 {
+    enter(body)
+}
+
 /// One copy of this serves all of them: the wrapping is as large as many a body.
 #[inline(never)]
-pub(super) fn run(body: &mut dyn FnMut(&mut Kernel) -> Result<usize>) -> i32 {
+fn enter(body: &mut dyn Body) -> i32 {
     KERNEL.with(|cell| {
         let Ok(mut kernel) = cell.try_borrow_mut() else { return FAILED };
         let kernel = &mut *kernel;
-        match body(kernel) {
+        match body.go(kernel) {
             Ok(count) => {
                 kernel.record[OUTPUT_ADDRESS] = kernel.output.as_ptr() as usize as f64;
                 kernel.record[TEXT_ADDRESS] = kernel.text.as_ptr() as usize as f64;
