@@ -128,7 +128,7 @@ export const fitSamples: readonly FitSample[] = [
     () => [alongPolygon(starCorners(center, 5, 180, 75), 300)]),
   sample("fit-circle", "Noisy circle", "Two hundred points; smooth knots only, and few of them.", { noise: 2, seed: 2, closing: "closed", model: "cubic" },
     () => [circle(160, 200)]),
-  sample("fit-roundrect", "Rounded rectangle", "Straight sides and round corners at once: what the hybrid model is for.", { noise: 1, seed: 3, closing: "closed" },
+  sample("fit-roundrect", "Rounded rectangle", "Straight sides and round corners at once: what the hybrid model is for.", { noise: 1, seed: 3, closing: "closed", smoothing: 20 },
     () => [roundedRectangle(220, 140, 60, 360)]),
   sample("fit-sine", "Noisy sine", "An open curve: its ends are free.", { noise: 3, seed: 4, closing: "open", model: "cubic" }, () => [sine(240)]),
   sample("fit-signature", "Signature", "Nine hundred points of handwriting become a few dozen knots.", { noise: 0.5, seed: 6, closing: "open", smoothing: 18 },

@@ -131,7 +131,7 @@ export function eraseAt(editor: Editor, x: number, y: number, radius: number): v
 }
 
 export function clearFit(editor: Editor): void {
-  change(editor, "Clear", (fit) => (fit.data.length === 0 ? fit : { ...owned(fit), data: [], starts: [] }));
+  change(editor, "Clear", (fit) => (fit.data.length === 0 ? fit : { ...owned(base(fit)), data: [], starts: [] }));
   setFitView(editor, { chosen: [] });
 }
 

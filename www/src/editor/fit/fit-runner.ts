@@ -86,6 +86,7 @@ export function createFitRunner(editor: Editor, connect: (handlers: FitHandlers)
       run({ since: null, outcome: null, failure: few ? { id: "points-few", details: { count: editor.state.value.fit.data.length } } : { id: "engine", details: { code: code === "" ? message.slice(0, 60) : code } } });
     },
     chart(point) {
+      if (subject === null) return;
       const chart = [...editor.state.value.fitRun.chart.filter(({ smoothing }) => smoothing !== point.smoothing), point];
       run({ chart: chart.sort((a, b) => a.smoothing - b.smoothing) });
       follow();

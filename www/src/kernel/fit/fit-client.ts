@@ -126,7 +126,8 @@ export function createFitClient(start: () => Worker, handlers: FitHandlers): Fit
     },
     cancel() {
       waiting = null;
-      if (running !== null) post({ kind: "stop" });
+      // With nothing under way it is the chart that stops.
+      if (worker !== null) post({ kind: "stop" });
     },
     idle() {
       return running === null && waiting === null ? Promise.resolve() : new Promise((resolve) => idlers.push(resolve));
