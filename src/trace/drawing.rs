@@ -110,7 +110,7 @@ pub fn trace_drawing(gray: &Gray, options: &DrawingOptions) -> Result<Drawing> {
                 (outlines, noise) = (rough, left);
             }
         }
-        let limits = Limits { rms: 0.01, most: 0.05, noise, share: 12.0 };
+        let limits = Limits { rms: 0.012, most: 0.055, noise, share: 12.0 };
         residual = finish(&mut outlines, &band, &limits)?;
     }
     let mut contours = Vec::new();
@@ -157,7 +157,7 @@ fn follow(contour: &Contour, options: &DrawingOptions, quality: Quality) -> Outl
         ],
         Quality::Noisy => [
             CornerRule { gap: 1.6, window: 5.0, angle, reach: 1.8 },
-            CornerRule { gap: 1.5, window: 3.0, angle: angle + 0.4, reach: 1.8 },
+            CornerRule { gap: 1.5, window: 3.0, angle: angle + 0.2, reach: 1.8 },
         ],
     };
     let corners = corners(&samples, &rules);

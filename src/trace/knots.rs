@@ -90,10 +90,10 @@ impl Knots {
         values[0] = 1.0;
         for order in 1..=self.degree {
             let mut carried = 0.0;
-            for r in 0..order {
+            for (r, value) in values[..order].iter_mut().enumerate() {
                 let (left, right) = (self.knots[span + 1 + r - order], self.knots[span + 1 + r]);
-                let share = values[r] / (right - left);
-                values[r] = carried + (right - x) * share;
+                let share = *value / (right - left);
+                *value = carried + (right - x) * share;
                 carried = (x - left) * share;
             }
             values[order] = carried;

@@ -138,18 +138,13 @@ impl System {
         for (piece, &end) in self.ends.iter().enumerate() {
             let columns = &self.columns[if piece == 0 { 0 } else { self.ends[piece - 1] }..end];
             let from = if piece == 0 { 0 } else { self.coverage.ends[piece - 1] };
-            let mut square = [[0.0; 8]; 8];
+            let mut square = [[0.0_f64; 8]; 8];
             for touch in &self.coverage.touches[from..self.coverage.ends[piece]] {
                 let w = touch.weights.map(f64::from);
-                for a in 0..8 {
-                    for b in 0..=a {
-                        square[a][b] += w[a] * w[b];
+                for (row, a) in square.iter_mut().zip(w) {
+                    for (entry, b) in row.iter_mut().zip(w) {
+                        *entry += a * b;
                     }
-                }
-            }
-            for a in 0..8 {
-                for b in 0..a {
-                    square[b][a] = square[a][b];
                 }
             }
             for (unknown, column) in columns {

@@ -33,11 +33,11 @@ impl Samples {
         let spacing = length / count as f64;
         let mut points = Vec::with_capacity(count);
         let mut travelled = 0.0;
-        for i in 0..polyline.len() {
-            let step = norm(after(i) - polyline[i]);
+        for (i, &from) in polyline.iter().enumerate() {
+            let step = norm(after(i) - from);
             while points.len() < count && points.len() as f64 * spacing <= travelled + step {
                 let share = if step > 0.0 { (points.len() as f64 * spacing - travelled) / step } else { 0.0 };
-                points.push(polyline[i] + (after(i) - polyline[i]) * share);
+                points.push(from + (after(i) - from) * share);
             }
             travelled += step;
         }

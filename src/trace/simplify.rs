@@ -187,15 +187,15 @@ fn merge(outline: &mut Outline, index: usize, lefts: &[Left], merged: &mut Vec<M
     }
     let (mut nodes, mut pieces): (Vec<Node>, Vec<Piece>) = (Vec::new(), Vec::new());
     // If the first joint goes, the last piece takes its place.
-    for i in 0..count {
-        if chosen[i].is_none() {
-            nodes.push(outline.nodes[i]);
-            pieces.push(outline.pieces[i]);
+    for ((piece, &node), &old) in chosen.iter().zip(&outline.nodes).zip(&outline.pieces) {
+        if piece.is_none() {
+            nodes.push(node);
+            pieces.push(old);
         }
     }
     let mut place = 0;
-    for i in 0..count {
-        let Some(piece) = chosen[i] else {
+    for (i, &piece) in chosen.iter().enumerate() {
+        let Some(piece) = piece else {
             place += 1;
             continue;
         };

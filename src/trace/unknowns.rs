@@ -132,7 +132,7 @@ impl Unknowns {
     pub(super) fn apply(&self, outline: &mut Outline, step: &[f64], most: f64) {
         let joints: Vec<Joint> = (0..outline.len()).map(|i| joint(outline, i)).collect();
         let limit = |value: f64| if value.is_finite() { value.max(-most).min(most) } else { 0.0 };
-        for i in 0..outline.len() {
+        for (i, &joint) in joints.iter().enumerate() {
             let (base, before) = (self.base[i], outline.before(i));
             outline.nodes[i].point += Vector::new(limit(step[base]), limit(step[base + 1]));
             let least = 0.05;
@@ -141,7 +141,7 @@ impl Unknowns {
                 let (sin, cos) = crate::numerics::angle::sin_cos(angle);
                 Vector::new(v.x * cos - v.y * sin, v.x * sin + v.y * cos)
             };
-            let angle = if joints[i] == Joint::Free {
+            let angle = if joint == Joint::Free {
                 let longest = norm(outline.cubic(i).leaving).max(norm(outline.cubic(before).arriving));
                 let most_angle = (most / longest.max(least)).min(0.3);
                 let wish = step[base + 2];
@@ -150,7 +150,7 @@ impl Unknowns {
                 0.0
             };
             if let Piece::Cubic { leaving, .. } = &mut outline.pieces[i] {
-                *leaving = match joints[i] {
+                *leaving = match joint {
                     Joint::Corner => *leaving + Vector::new(limit(step[base + 2]), limit(step[base + 3])),
                     Joint::Free => stretch(turn_by(*leaving, angle), step[base + 3]),
                     _ => stretch(*leaving, step[base + 2]),
@@ -158,17 +158,17 @@ impl Unknowns {
             }
             let at = base + 2 + 2 * usize::from(!outline.is_line(i));
             if let Piece::Cubic { arriving, .. } = &mut outline.pieces[before] {
-                *arriving = match joints[i] {
+                *arriving = match joint {
                     Joint::Corner => *arriving + Vector::new(limit(step[at]), limit(step[at + 1])),
                     Joint::Free => stretch(turn_by(*arriving, angle), step[base + 4]),
                     _ => stretch(*arriving, step[base + 2]),
                 };
             }
         }
-        for i in 0..outline.len() {
+        for (i, &joint) in joints.iter().enumerate() {
             let before = outline.before(i);
             let here: Point = outline.nodes[i].point;
-            match joints[i] {
+            match joint {
                 Joint::AfterLine => {
                     let along = unit(here - outline.nodes[before].point);
                     if let Piece::Cubic { leaving, .. } = &mut outline.pieces[i] {
