@@ -7,12 +7,27 @@ import { surfaceHint, surfaceSummary } from "./editor/surface/surface-hint.ts";
 import { surfaceView } from "./editor/surface/surface-view.ts";
 import { meshPoints } from "./kernel/surface.ts";
 import type { Panels } from "./panels/mount.ts";
+import type { Shell } from "./panels/shell.ts";
+import { surfaceCards } from "./panels/surface/surface-gallery.ts";
 import { surfaceMetrics } from "./panels/surface/surface-metrics.ts";
 import { surfacePanel } from "./panels/surface/surface-panel.ts";
 import type { Stage } from "./render/stage.ts";
 import { createNetProxies } from "./render/surface/net-proxies.ts";
 import { createSurfaceStage } from "./render/surface/surface-stage.ts";
 import { createSurfaceTool } from "./tools/surface/surface-tool.ts";
+
+/** Export means the surface's own files while the surface is shown. */
+function exportOf(shell: Shell): void {
+  const action = shell.editor.actions.get("export");
+  if (action === undefined) return;
+  shell.editor.actions.register({
+    ...action,
+    run(editor) {
+      if (editor.state.value.mode !== "surface") return action.run(editor);
+      void import("./panels/surface/surface-export.ts").then(({ openSurfaceExport }) => openSurfaceExport(shell));
+    },
+  });
+}
 
 /** Surface mode, put together when it is first opened. */
 
@@ -35,6 +50,8 @@ export async function mountSurfaceMode({ editor, frame, stage, surface, panels, 
   editor.modes.set("surface", { tool, view: surfaceView(editor), hint: surfaceHint, summary: surfaceSummary });
   stage.painters.set("surface", painter);
   panels.addMode("surface", { panel: surfacePanel(panels.shell), metrics: surfaceMetrics });
+  panels.shell.samples.set("surface", (done) => surfaceCards(panels.shell, done));
+  exportOf(panels.shell);
   contract.mesh = (rows, cols) => meshPoints(editor.state.value.surface, rows, cols);
   // Undo may go back to a sample that was only named.
   editor.state.subscribe(({ mode }) => {

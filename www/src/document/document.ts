@@ -8,7 +8,7 @@
  */
 
 import type { FitDocument } from "./fit.ts";
-import type { Root, SurfaceDocument } from "./surface.ts";
+import type { Root, SavedOrbit, SurfaceDocument } from "./surface.ts";
 
 export type Mode = "curve" | "fit" | "trace" | "surface";
 
@@ -36,6 +36,8 @@ export interface ControlPoint {
   readonly out: Offset;
   /** The level at which refining made this point; absent for the points of level 0. */
   readonly level?: number;
+  /** A finer control point: how far it was moved from where the points on the curve put it. */
+  readonly moved?: Offset;
 }
 
 export interface Contour {
@@ -56,6 +58,15 @@ export interface Contour {
   readonly roots?: readonly Root[];
   /** Interpolating, above level 0: where its points stand, which are then near the curve and not on it. */
   readonly grid?: Grid;
+  /** Interpolating, at level 0: places with finer control points, which stand in `points` after those on the curve, place by place. */
+  readonly places?: readonly FinePlace[];
+}
+
+/** Some consecutive control points of the grid 2^−level. */
+export interface FinePlace {
+  readonly level: number;
+  readonly first: number;
+  readonly count: number;
 }
 
 export type Order = 3 | 4 | 5;
@@ -105,6 +116,8 @@ export interface DemoState {
   readonly fit: FitDocument;
   readonly trace: TraceDocument;
   readonly surface: SurfaceDocument;
+  /** Where the surface is looked at from. */
+  readonly orbit?: SavedOrbit;
 }
 
 export const emptyCurve: CurveDocument = { space: "trigonometric", omega: "auto", level: 0, contours: [] };
@@ -160,8 +173,13 @@ export function pointAt(curve: CurveDocument, ref: PointRef): ControlPoint | und
 export function segmentCount(contour: Contour): number {
   const { grid } = contour;
   if (grid !== undefined) return Math.round((contour.closed ? grid.count : grid.count - 1) / grid.step);
-  const points = contour.points.length;
+  const points = baseCount(contour);
   return contour.closed ? points : Math.max(0, points - 1);
+}
+
+/** The number of points without the finer ones of refined places. */
+export function baseCount({ points, places }: Contour): number {
+  return (places ?? []).reduce((left, place) => left - place.count, points.length);
 }
 
 /** The parameter length of a segment. */

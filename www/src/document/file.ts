@@ -3,12 +3,12 @@
  * only what it knows, so that nothing else in a file can reach the page; writing is the plain JSON of the state.
  */
 import {
-  emptyTrace, modes, segmentCount, stateVersion,
-  type Contour, type ControlPoint, type CurveDocument, type DemoState, type Grid, type Offset, type Order,
+  baseCount, emptyTrace, modes, segmentCount, stateVersion,
+  type Contour, type ControlPoint, type CurveDocument, type DemoState, type FinePlace, type Grid, type Offset, type Order,
   type TraceDocument, type View,
 } from "./document.ts";
 import { readFit } from "./file/fit.ts";
-import { readRoots, readSurface } from "./file/surface.ts";
+import { readOrbit, readRoots, readSurface } from "./file/surface.ts";
 import { emptyFit } from "./fit.ts";
 import { emptySurface } from "./surface.ts";
 import { asArray, asBoolean, asNumber, asObject, asSampleId, asWhole, field, oneOf, optional, type Found } from "./file/check.ts";
@@ -62,10 +62,11 @@ export function readState(value: unknown): DemoState {
     fit: optional(root, "fit", readFit) ?? emptyFit,
     trace: optional(root, "trace", readTrace) ?? emptyTrace,
     surface: optional(root, "surface", readSurface) ?? emptySurface,
+    ...defined({ orbit: optional(root, "orbit", readOrbit) }),
   };
 }
 
-const known: readonly string[] = ["format", "version", "mode", "view", "curve", "fit", "trace", "surface"];
+const known: readonly string[] = ["format", "version", "mode", "view", "curve", "fit", "trace", "surface", "orbit"];
 
 function unknownFields(value: unknown): ReadFile["warnings"] {
   return Object.keys(asObject({ value, path: "$" }))
@@ -118,6 +119,7 @@ function readContour(found: Found, left: { points: number }): Contour {
       order: optional(found, "order", readOrder),
       roots: optional(found, "roots", readRoots),
       grid: optional(found, "grid", readGrid),
+      places: optional(found, "places", (each) => asArray(each, readPlace, 64, "maxPlaces")),
     }),
   };
   checkFamily(contour, found.path);
@@ -136,6 +138,14 @@ function readOrder(found: Found): Order {
   return order === 3 ? 3 : order === 4 ? 4 : 5;
 }
 
+function readPlace(found: Found): FinePlace {
+  return {
+    level: asWhole(field(found, "level"), 1, 12),
+    first: asWhole(field(found, "first"), 0, limits.maxPoints),
+    count: asWhole(field(found, "count"), 1, limits.maxPoints),
+  };
+}
+
 function readGrid(found: Found): Grid {
   return {
     step: asNumber(field(found, "step"), 1e-9, 1),
@@ -146,10 +156,11 @@ function readGrid(found: Found): Grid {
 
 /** Roots and grid are an interpolating contour's; a segment's own frequency or length is a Hermite one's. */
 function checkFamily(contour: Contour, path: string): void {
-  const strange = contour.family === "hermite" ? (["order", "roots", "grid"] as const) : (["omega", "lengths"] as const);
+  const strange = contour.family === "hermite" ? (["order", "roots", "grid", "places"] as const) : (["omega", "lengths"] as const);
   for (const name of strange) {
     if (contour[name] !== undefined) throw new FileError("E_SCHEMA", `${path}.${name}`, `is nothing that a contour of the family ${contour.family} has`);
   }
+  if (contour.places !== undefined && (contour.grid !== undefined || baseCount(contour) < 2)) throw new FileError("E_SCHEMA", `${path}.places`, "leaves no points on the curve");
   if (contour.grid !== undefined && contour.roots === undefined) throw new FileError("E_SCHEMA", `${path}.roots`, "is missing");
 }
 
@@ -164,7 +175,7 @@ function readPoint(found: Found): ControlPoint {
     kind: oneOf(field(found, "kind"), kinds),
     in: readOffset(field(found, "in")),
     out: readOffset(field(found, "out")),
-    ...defined({ level: optional(found, "level", (level) => asWhole(level, 0, 24)) }),
+    ...defined({ level: optional(found, "level", (level) => asWhole(level, 0, 24)), moved: optional(found, "moved", readOffset) }),
   };
 }
 

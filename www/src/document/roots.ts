@@ -1,4 +1,4 @@
-import { omegaOf, type Contour, type CurveDocument } from "./document.ts";
+import { baseCount, omegaOf, segmentCount, type Contour, type CurveDocument } from "./document.ts";
 import type { Root } from "./surface.ts";
 
 /** The roots of an interpolating contour's generator: what it keeps exact, and how smooth it is. */
@@ -30,10 +30,12 @@ export function supportOf(curve: CurveDocument, contour: Contour): number {
 /** The segments that moving a point changes, in the order of the contour; none twice. */
 export function affectedSegments(curve: CurveDocument, contour: Contour, index: number): number[] {
   const { grid } = contour;
-  const segments = segmentsOf(contour);
+  const segments = segmentCount(contour);
   // A refined point stands at a place of the grid that need not be a knot.
-  const at = grid === undefined ? index : (grid.offset + index * grid.step) / grid.step;
-  const reach = contour.family === "hermite" ? 1 : grid === undefined ? rootsOf(curve, contour).length - 1 : rootsOf(curve, contour).length / 2;
+  const order = contour.family === "hermite" ? 2 : rootsOf(curve, contour).length;
+  const fine = finePlaceOf(contour, index, order);
+  const at = fine !== null ? fine.parameter : grid === undefined ? index : (grid.offset + index * grid.step) / grid.step;
+  const reach = fine !== null ? (order / 2) * fine.step : grid === undefined ? order - 1 : order / 2;
   const list: number[] = [];
   for (let segment = Math.floor(at - reach + 1e-9); segment < at + reach - 1e-9; segment += 1) {
     const within = contour.closed ? ((segment % segments) + segments) % segments : segment;
@@ -42,7 +44,17 @@ export function affectedSegments(curve: CurveDocument, contour: Contour, index: 
   return list;
 }
 
-function segmentsOf({ points, closed, grid }: Contour): number {
-  if (grid !== undefined) return Math.round((closed ? grid.count : grid.count - 1) / grid.step);
-  return closed ? points.length : points.length - 1;
+/** Where a finer control point of a refined place stands; null for any other point. */
+export function finePlaceOf(contour: Contour, index: number, order: number): { readonly place: number; readonly within: number; readonly parameter: number; readonly step: number } | null {
+  let within = index - baseCount(contour);
+  if (within < 0) return null;
+  for (const [place, { level, first, count }] of (contour.places ?? []).entries()) {
+    if (within < count) {
+      const step = 0.5 ** level;
+      const offset = contour.closed ? (order % 2 === 1 ? 0.5 : 0) : 1 - order / 2;
+      return { place, within, step, parameter: (first + within + offset) * step };
+    }
+    within -= count;
+  }
+  return null;
 }

@@ -78,3 +78,11 @@ export interface SurfaceMoment {
   readonly surface: SurfaceDocument;
   readonly chosen: readonly NetRef[];
 }
+
+/** Where the surface is looked at from, as a file keeps it. */
+export interface SavedOrbit {
+  readonly yaw: number;
+  readonly pitch: number;
+  readonly distance: number;
+  readonly target: readonly [number, number, number];
+}

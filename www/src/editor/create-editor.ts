@@ -7,6 +7,7 @@ import { emptySurface, noNetPoints, type SurfaceMoment } from "../document/surfa
 import { emptyHistory, record, stepBack, stepForward, type History, type Moment } from "../document/history.ts";
 import { translationOf } from "../document/contours.ts";
 import { curveOf } from "../kernel/curve-cache.ts";
+import { settled } from "../kernel/fine-places.ts";
 import { createActions } from "./actions.ts";
 import type { Editor, EditorPatch, EditorState, Notice, Settings, Sketch } from "./editor.ts";
 import { initialFitView, noFitRun } from "./fit/fit-state.ts";
@@ -89,6 +90,14 @@ function objection(curve: CurveDocument, before: CurveDocument): Error | null {
   }
 }
 
+/** The document with its refined places settled, and what the engine says against it. */
+function checked(curve: CurveDocument, before: CurveDocument): { curve: CurveDocument; problem: Error | null } {
+  const problem = objection(curve, before);
+  if (problem !== null) return { curve, problem };
+  const next = settled(before, curve);
+  return { curve: next, problem: next === curve ? null : objection(next, curve) };
+}
+
 /** `now` is the clock for joining runs of small edits, in milliseconds. */
 export function createEditor(now: () => number): Editor {
   const state = createSignal<EditorState>(initialState);
@@ -143,9 +152,9 @@ export function createEditor(now: () => number): Editor {
 
   /** The command's result on a moment, or null when the engine refuses it or nothing changes. */
   function applied(command: Command, from: Moment): Moment | null {
-    const curve = command.apply(from.curve);
-    if (curve === from.curve) return null;
-    const problem = objection(curve, from.curve);
+    const wanted = command.apply(from.curve);
+    if (wanted === from.curve) return null;
+    const { curve, problem } = checked(wanted, from.curve);
     if (problem !== null) {
       // A step of a drag that goes too far is dropped silently: the drag is held at the last good place.
       if (gesture === null) notices.set({ kind: "error", id: "number", text: `${command.name} was refused: ${problem.message}` });
@@ -233,8 +242,9 @@ export function createEditor(now: () => number): Editor {
       notices.set({ ...notice });
     },
     getState() {
-      const { mode, view, curve, fit, trace, surface } = state.value;
-      return { format: "expline-demo", version: stateVersion, mode, view, curve, fit, trace, surface };
+      const { mode, view, curve, fit, trace, surface, solid } = state.value;
+      const look = surface.net.length === 0 ? {} : { orbit: solid.orbit };
+      return { format: "expline-demo", version: stateVersion, mode, view, curve, fit, trace, surface, ...look };
     },
     setState(next: DemoState, options = {}) {
       editor.bail();
@@ -254,7 +264,8 @@ export function createEditor(now: () => number): Editor {
         surfaceEdits.dispatch("Open", () => ({ surface, chosen: noNetPoints }));
         fitEdits.dispatch("Open", () => ({ fit }));
       }
-      state.set({ ...state.value, mode, view, trace });
+      const { solid } = state.value;
+      state.set({ ...state.value, mode, view, trace, solid: next.orbit === undefined ? solid : { ...solid, orbit: next.orbit } });
       put(next.curve, nothingSelected, { mode });
     },
   };

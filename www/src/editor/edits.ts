@@ -2,22 +2,20 @@ import {
   addContours as addContoursCommand, clearCurve as clearCommand, closeContour, duplicateContours, movePoints, placePoint, replaceContour, replaceCurve,
   resetHandles, reverseContour, setKinds, setOmega as setOmegaCommand, setSpace as setSpaceCommand, startContourAt, turnHandle, type Command,
 } from "../document/commands.ts";
-import { loweredContour, withoutPoints } from "../document/contours.ts";
+import { withoutPoints } from "../document/contours.ts";
 import {
-  domainLength, lengthOf, noOffset, nothingSelected, pointAt, segmentCount, type Contour, type CurveDocument, type Kind, type PointRef, type Selection,
+  baseCount, domainLength, lengthOf, noOffset, nothingSelected, pointAt, segmentCount, type Contour, type CurveDocument, type Kind, type PointRef, type Selection,
   type Side, type Space,
 } from "../document/document.ts";
 import { lengthOfOffset } from "../document/offset.ts";
-import { healed, inserted, refined, resampled } from "../kernel/contours.ts";
-import {
-  coarserInterpolating, finerInterpolating, insertedInterpolating, removedInterpolating, resampledInterpolating,
-} from "../kernel/interpolating.ts";
+import { healed, inserted, resampled } from "../kernel/contours.ts";
+import { insertedInterpolating, removedInterpolating, resampledInterpolating } from "../kernel/interpolating.ts";
+import { withoutPlaces } from "../kernel/fine-places.ts";
 import { largestMove } from "../kernel/samples.ts";
 import type { Editor } from "./editor.ts";
 
 /** The edits that tools, keys and panels share. Each is one entry in the history unless a gesture is open. */
 
-export const mostLevel = 6;
 export const mostPoints = 256;
 
 function selectionOf(editor: Editor): Selection {
@@ -121,8 +119,16 @@ export function insertAt(editor: Editor, contour: number, t: number): void {
   say(editor, `Point ${result.index + 1} inserted. ${moved <= unnoticed ? "The curve has not moved." : `The curve moved by at most ${printed(moved)}; the level slider refines without moving it.`}`);
 }
 
+/** Refined places are for moving points; what renumbers the contour waits until they are gone. */
+export function hasPlaces(editor: Editor, contour: Contour | undefined): boolean {
+  if (contour?.places === undefined) return false;
+  refuse(editor, "This contour has refined places. Select a finer point and press Delete to take its place away first.");
+  return true;
+}
+
 /** Control points near the curve come and go with the level only. */
 export function isRefined(editor: Editor, contour: Contour): boolean {
+  if (hasPlaces(editor, contour)) return true;
   if (contour.grid === undefined) return false;
   refuse(editor, "These are control points of a finer level. Go to level 0 to add or take away points of the curve.");
   return true;
@@ -162,6 +168,14 @@ export function deleteAndHeal(editor: Editor): void {
       continue;
     }
     let rest = contour;
+    const fine = indices.filter((index) => index >= baseCount(contour));
+    if (fine.length > 0) {
+      const result = withoutPlaces(curve, contour, fine);
+      deviation = Math.max(deviation, result.moved);
+      gone += 1;
+      contours.push(result.contour);
+      continue;
+    }
     if (indices.length > 0 && isRefined(editor, contour)) return;
     for (const index of indices) {
       const result = rest.points.length <= 2 ? null : rest.family === "hermite" ? healed(curve, rest, index) : removedInterpolating(curve, rest, index);
@@ -197,59 +211,8 @@ export function deleteAndOpen(editor: Editor): void {
   say(editor, "Point deleted. The path is open there.");
 }
 
-/**
- * Finer or coarser points of the same curve. Going down changes it only if something finer was edited: then the change
- * is shown and measured first, and asking once more makes it.
- */
-export function setLevel(editor: Editor, level: number): void {
-  const { curve, sketch } = editor.state.value;
-  const target = Math.max(0, Math.min(mostLevel, Math.round(level)));
-  if (target === curve.level && sketch.proposal !== null) return editor.patch({ sketch: { ...sketch, proposal: null } });
-  if (target === curve.level || curve.contours.length === 0) return;
-  const next = target > curve.level ? raised(editor, curve, target) : lowered(curve, target);
-  if (next === null) return;
-  const moved = target > curve.level ? 0 : Math.max(0, ...curve.contours.map((contour, i) => largestMove(curve, contour, next.contours[i] ?? contour)));
-  if (moved > unnoticed && sketch.proposal?.level !== target) {
-    editor.patch({ sketch: { ...sketch, proposal: next } });
-    editor.notify({ kind: "toast", text: `Level ${target} would move the curve by up to ${printed(moved)}, as shown.`, actionId: "apply-level" });
-    return;
-  }
-  editor.dispatch({ name: `Level ${target}`, apply: () => next, select: nothingSelected, run: "level" });
-}
-
-/** Makes the change of level that is being shown. */
-export function applyProposal(editor: Editor): void {
-  const { proposal } = editor.state.value.sketch;
-  if (proposal !== null) setLevel(editor, proposal.level);
-}
-
 /** Moves below this, in document units, are rounding and nobody's edit. */
 export const unnoticed = 1e-6;
-
-function raised(editor: Editor, curve: CurveDocument, target: number): CurveDocument | null {
-  let next = curve;
-  for (let level = curve.level + 1; level <= target; level += 1) {
-    if (next.contours.some((contour) => contour.points.length * 2 > 4 * mostPoints)) {
-      refuse(editor, `Level ${level} would have more than ${4 * mostPoints} points.`);
-      return next === curve ? null : next;
-    }
-    const document = next;
-    next = { ...next, level, contours: next.contours.map((contour) => (contour.family === "hermite" ? refined(document, contour, level) : finerInterpolating(document, contour, 1))) };
-  }
-  return next;
-}
-
-function lowered(curve: CurveDocument, target: number): CurveDocument {
-  const lower = (contour: Contour): Contour => (contour.family === "hermite" ? plain(curve, loweredContour(contour, target)) : coarserInterpolating(curve, contour, target));
-  return { ...curve, level: target, contours: curve.contours.map(lower) };
-}
-
-/** Lengths that are all alike say nothing where the frequency follows from the whole. */
-function plain(curve: CurveDocument, contour: Contour): Contour {
-  const { lengths, ...rest } = contour;
-  if (lengths === undefined || contour.omega !== undefined || curve.omega !== "auto") return contour;
-  return lengths.every((length) => length === lengths[0]) ? rest : contour;
-}
 
 /** The active contour with another number of points, at equal parameters. */
 export function resample(editor: Editor, count: number, run?: string): void {
@@ -273,7 +236,7 @@ export function resample(editor: Editor, count: number, run?: string): void {
 export function setClosed(editor: Editor, closed: boolean): void {
   const index = activeContour(editor);
   const contour = editor.state.value.curve.contours[index];
-  if (contour === undefined) return;
+  if (contour === undefined || hasPlaces(editor, contour)) return;
   if (!closed && contour.points.length < 3) return refuse(editor, "Opening drops the last segment; this contour has too few points for that.");
   if (closed && contour.points.length < 2) return refuse(editor, "A closed contour needs two points.");
   editor.dispatch(closeContour(index, closed));
@@ -312,12 +275,13 @@ export function duplicate(editor: Editor): void {
 }
 
 export function reverse(editor: Editor): void {
-  if (editor.state.value.curve.contours.length > 0) editor.dispatch(reverseContour(activeContour(editor)));
+  const contour = editor.state.value.curve.contours[activeContour(editor)];
+  if (contour !== undefined && !hasPlaces(editor, contour)) editor.dispatch(reverseContour(activeContour(editor)));
 }
 
 export function startHere(editor: Editor): void {
   const ref = selectionOf(editor).points[0];
-  if (ref !== undefined && ref.index > 0) editor.dispatch(startContourAt(ref));
+  if (ref !== undefined && ref.index > 0 && !hasPlaces(editor, editor.state.value.curve.contours[ref.contour])) editor.dispatch(startContourAt(ref));
 }
 
 /** Chooses every point of one kind: what the legend's rows do. */
@@ -379,8 +343,9 @@ export function describe(curve: CurveDocument, ref: PointRef, side?: Side): stri
   const point = pointAt(curve, ref);
   if (contour === undefined || point === undefined) return "";
   const where = curve.contours.length > 1 ? ` of contour ${ref.contour + 1}` : "";
-  const name = `Point ${ref.index + 1} of ${contour.points.length}${where}`;
-  const kind = contour.family === "hermite" ? point.kind : contour.grid === undefined ? "on the curve" : "near the curve";
+  const finer = ref.index - baseCount(contour);
+  const name = finer >= 0 ? `Finer point ${finer + 1} of ${contour.points.length - baseCount(contour)}${where}` : `Point ${ref.index + 1} of ${baseCount(contour)}${where}`;
+  const kind = contour.family === "hermite" ? point.kind : contour.grid === undefined && finer < 0 ? "on the curve" : "near the curve";
   if (side === undefined) return `${name}, ${kind}, x ${short(point.x)}, y ${short(point.y)}`;
   const offset = point[side] ?? noOffset;
   const degrees = (Math.atan2(-offset.dy, offset.dx) * 180) / Math.PI;

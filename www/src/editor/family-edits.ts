@@ -1,9 +1,10 @@
 import { replaceContour } from "../document/commands.ts";
-import { nothingSelected, segmentCount, type Contour, type Family, type Order } from "../document/document.ts";
-import { supportOf } from "../document/roots.ts";
+import { nothingSelected, segmentCount, type Contour, type Family, type Order, type PointRef } from "../document/document.ts";
+import { finePlaceOf, rootsOf, supportOf } from "../document/roots.ts";
 import { inserted } from "../kernel/contours.ts";
+import { refinedAround } from "../kernel/fine-places.ts";
 import { asHermite, asInterpolating, finerInterpolating } from "../kernel/interpolating.ts";
-import { activeContour, isRefined, middleOf, mostPoints, printed, refuse, say, unnoticed } from "./edits.ts";
+import { activeContour, hasPlaces, isRefined, middleOf, mostPoints, printed, refuse, say, unnoticed } from "./edits.ts";
 import type { Editor } from "./editor.ts";
 
 /** Edits of what a contour is made of: its family, its generator, and where it has more points than elsewhere. */
@@ -13,7 +14,7 @@ export function setFamily(editor: Editor, family: Family): void {
   const { curve } = editor.state.value;
   const index = activeContour(editor);
   const contour = curve.contours[index];
-  if (contour === undefined || contour.family === family) return;
+  if (contour === undefined || contour.family === family || hasPlaces(editor, contour)) return;
   const least = contour.closed ? 3 : 2;
   if (family === "interpolating" && contour.points.length < least) return refuse(editor, `An interpolating contour needs ${least} points; this one has ${contour.points.length}.`);
   const { contour: next, moved } = family === "hermite" ? asHermite(curve, contour) : asInterpolating(curve, contour);
@@ -35,13 +36,25 @@ export function setOrder(editor: Editor, order: Order): void {
   editor.dispatch({ name: "Smoothness", apply: (document) => replaceContour(document, index, { ...next, support: supportOf(document, next) }) });
 }
 
+/** Finer control points around a point of an interpolating contour. */
+function refinePlace(editor: Editor, ref: PointRef, contour: Contour): void {
+  if (contour.grid !== undefined) return refuse(editor, "All of this level is refined already. Go to level 0 to refine one place.");
+  const { curve } = editor.state.value;
+  const fine = finePlaceOf(contour, ref.index, rootsOf(curve, contour).length);
+  const next = refinedAround(curve, contour, fine === null ? ref.index : fine.parameter);
+  if (next === null) return;
+  const added = next.points.length - contour.points.length;
+  editor.dispatch({ name: "Refine here", apply: (document) => replaceContour(document, ref.contour, next), select: nothingSelected });
+  say(editor, `${added} finer points here. The curve has not moved.`);
+}
+
 /** More points where the chosen ones are, none elsewhere; the curve stays where it is. */
 export function refineCurveHere(editor: Editor): void {
   const { curve, selection } = editor.state.value;
   const [first] = selection.points;
   let contour = curve.contours[first?.contour ?? -1];
   if (first === undefined || contour === undefined) return refuse(editor, "Choose a point first: the curve is refined around it.");
-  if (contour.family === "interpolating") return refuse(editor, "Convert to Hermite to refine one place, or raise the level to refine all of it.");
+  if (contour.family === "interpolating") return refinePlace(editor, first, contour);
   const chosen = new Set(selection.points.filter((ref) => ref.contour === first.contour).map((ref) => ref.index));
   const count = segmentCount(contour);
   const touched = Array.from({ length: count }, (_, segment) => segment).filter((segment) => chosen.has(segment) || chosen.has((segment + 1) % (contour?.points.length ?? 1)));

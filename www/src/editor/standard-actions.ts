@@ -2,10 +2,11 @@ import { modes, type Mode } from "../document/document.ts";
 import { documentBounds } from "../kernel/samples.ts";
 import { fitted, mostZoom, zoomedAt, type ScreenPoint } from "./camera.ts";
 import {
-  applyProposal, clearCurve, deleteAndHeal, deleteAndOpen, duplicate, insertAfterSelected, insertAt, nudge, resetSelectedHandles, reverse, selectAll, selectEnd, selectNone, setKind,
-  setLevel, startHere, stepPart, stepSelection, toggleCusp,
+  clearCurve, deleteAndHeal, deleteAndOpen, duplicate, insertAfterSelected, insertAt, nudge, resetSelectedHandles, reverse, selectAll, selectEnd, selectNone, setKind,
+  startHere, stepPart, stepSelection, toggleCusp,
 } from "./edits.ts";
 import { refineCurveHere } from "./family-edits.ts";
+import { applyProposal, setLevel } from "./level-edits.ts";
 import type { Action, Editor, EditorState, OverlayId, ToolId } from "./editor.ts";
 
 /** The actions of the stage and the editor. Panels add those of files and dialogs. */

@@ -1,5 +1,5 @@
-import { BSplineCurve, HermiteCurve, InterpolatingCurve } from "expline/slim";
-import { lengthOf, omegaOf, segmentCount, type Contour, type CurveDocument, type Offset, type Space } from "../document/document.ts";
+import { BSplineCurve, HermiteCurve, InterpolatingCurve, LocalCurve } from "expline/slim";
+import { baseCount, lengthOf, omegaOf, segmentCount, type Contour, type CurveDocument, type Offset, type Space } from "../document/document.ts";
 import { rootsOf } from "../document/roots.ts";
 
 /**
@@ -15,7 +15,7 @@ interface Cached {
 }
 
 /** A contour with tangents, one of points on the curve, or one of refined control points near it. */
-export type AnyCurve = HermiteCurve | InterpolatingCurve | BSplineCurve;
+export type AnyCurve = HermiteCurve | InterpolatingCurve | BSplineCurve | LocalCurve;
 
 const cache = new WeakMap<Contour, Cached>();
 
@@ -37,16 +37,27 @@ export function hermiteOf(document: CurveDocument, contour: Contour): HermiteCur
 }
 
 function spline(document: CurveDocument, contour: Contour): AnyCurve {
-  const points = new Float64Array(2 * contour.points.length);
-  contour.points.forEach(({ x, y }, i) => points.set([x, y], 2 * i));
+  const points = new Float64Array(2 * baseCount(contour));
+  contour.points.slice(0, points.length / 2).forEach(({ x, y }, i) => points.set([x, y], 2 * i));
   const shared = { points, closed: contour.closed, roots: rootsOf(document, contour) };
-  const { grid } = contour;
+  const { grid, places } = contour;
+  if (places !== undefined) return new LocalCurve({ ...shared, patches: patchesOf(contour) });
   return grid === undefined ? new InterpolatingCurve(shared) : new BSplineCurve({ ...shared, step: grid.step, offset: grid.offset });
 }
 
 /** A drawn handle is a third of the tangent vector times the parameter length of its segment. */
 export function tangentOf(handle: Offset, length: number): [number, number] {
   return [(3 * handle.dx) / length, (3 * handle.dy) / length];
+}
+
+/** The displacements of the finer control points, place by place. */
+function patchesOf(contour: Contour): { level: number; first: number; displacements: number[] }[] {
+  let from = baseCount(contour);
+  return (contour.places ?? []).map(({ level, first, count }) => {
+    const fine = contour.points.slice(from, from + count);
+    from += count;
+    return { level, first, displacements: fine.flatMap(({ moved }) => [moved?.dx ?? 0, moved?.dy ?? 0]) };
+  });
 }
 
 function build(document: CurveDocument, contour: Contour, space: Space): HermiteCurve {

@@ -1,5 +1,5 @@
 import { BSplineCurve, InterpolatingCurve } from "expline/slim";
-import { noOffset, type Contour, type ControlPoint, type CurveDocument } from "../document/document.ts";
+import { baseCount, noOffset, type Contour, type ControlPoint, type CurveDocument } from "../document/document.ts";
 import { rootsOf, supportOf } from "../document/roots.ts";
 import type { Root } from "../document/surface.ts";
 import { curveOf } from "./curve-cache.ts";
@@ -44,7 +44,7 @@ export function asHermite(document: CurveDocument, contour: Contour): { contour:
 
 /** The parameters of level 0's points. */
 function placesOf(contour: Contour): { count: number; t: Float64Array } {
-  const count = contour.grid?.count ?? contour.points.length;
+  const count = contour.grid?.count ?? baseCount(contour);
   return { count, t: Float64Array.from({ length: count }, (_, i) => i) };
 }
 

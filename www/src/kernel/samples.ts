@@ -1,4 +1,4 @@
-import { HermiteCurve, InterpolatingCurve } from "expline/slim";
+import { BSplineCurve, HermiteCurve, InterpolatingCurve } from "expline/slim";
 import { lengthOf, segmentCount, type Contour, type CurveDocument } from "../document/document.ts";
 import { curveOf } from "./curve-cache.ts";
 
@@ -17,7 +17,9 @@ export function subdivided(document: CurveDocument, contour: Contour, steps: num
   if (curve === null) return nothing;
   if (steps === 0) return curve.points;
   if (curve instanceof HermiteCurve) return curve.subdivide(steps);
-  return curve instanceof InterpolatingCurve ? curve.refine(steps).points : curve.refine(2 ** steps).points;
+  if (curve instanceof InterpolatingCurve) return curve.refine(steps).points;
+  // Refined places have no one grid: what subdivision would come to is the curve itself.
+  return curve instanceof BSplineCurve ? curve.refine(2 ** steps).points : curve.sample(segmentCount(contour) * 2 ** steps);
 }
 
 /** The generalised Bézier points, four per segment; the control points of a curve that has no others. */

@@ -1,6 +1,6 @@
 import { TensorSurface } from "expline/slim";
 import type { NetDirection, Root, SurfaceDocument } from "../document/surface.ts";
-import { documentOf, isSample, markSample, refinedSurface, surfaceOf } from "./surface.ts";
+import { documentOf, isSample, markSample, reducedSurface, refinedSurface, surfaceOf } from "./surface.ts";
 
 /** Other nets for a surface: coarser, or with another number of points. Exact for shapes that the generators span; measured for others. */
 
@@ -113,10 +113,9 @@ export function atLevels(document: SurfaceDocument, levelU: number, levelV: numb
     grownFrom.set(finer, root);
     return { document: finer, moved: 0 };
   }
-  const [sizeU, sizeV] = netSize(document);
-  const base = resizedSurface(document, sizeU, sizeV);
-  const next = levelU === 0 && levelV === 0 ? base : refinedSurface(base, levelU, levelV);
-  if (next !== base) grownFrom.set(next, base);
+  const [downU, downV] = [Math.max(0, document.levelU - levelU), Math.max(0, document.levelV - levelV)];
+  const reduced = reducedSurface(document, downU, downV);
+  const next = refinedSurface(reduced, Math.max(0, levelU - reduced.levelU), Math.max(0, levelV - reduced.levelV));
   return { document: next, moved: largestDistance(document, next) };
 }
 

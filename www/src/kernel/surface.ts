@@ -127,10 +127,17 @@ export function withNetPoints(document: SurfaceDocument, places: readonly (NetRe
   return documentOf(document.sample, surface);
 }
 
+/** The nearest surface on a net that is coarser by so many levels. */
+export function reducedSurface(document: SurfaceDocument, byU: number, byV: number): SurfaceDocument {
+  const surface = surfaceOf(document);
+  if (surface === null || (byU === 0 && byV === 0)) return document;
+  return documentOf(document.sample, surface.reduce(byU, byV).surface);
+}
+
 /** The same shape on a net that is finer by so many levels. */
 export function refinedSurface(document: SurfaceDocument, byU: number, byV: number): SurfaceDocument {
   const surface = surfaceOf(document);
-  if (surface === null) return document;
+  if (surface === null || (byU === 0 && byV === 0)) return document;
   const finer = documentOf(document.sample, surface.refine(byU, byV));
   if (isSample(document)) untouched.add(finer);
   return finer;

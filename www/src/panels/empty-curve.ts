@@ -1,3 +1,4 @@
+import "../styles/gallery.css";
 import { curveSamples } from "../document/samples.ts";
 import type { EditorState } from "../editor/editor.ts";
 import { openSample } from "../editor/route.ts";

@@ -2,34 +2,21 @@ import { Problem, type ProblemDetails, type ProblemId } from "../document/proble
 
 type Say = (d: ProblemDetails) => string;
 
+/** Messages that the page may need at any moment; those of files come with the file (`file-errors.ts`). */
+export type NearProblem = "number" | "share-bad" | "clipboard" | "storage" | "engine";
+export type FarProblem = Exclude<ProblemId, NearProblem>;
+
 /** The catalogue of messages: what happened, why, what to do. The id stands in `data-error`. */
-const catalogue: Readonly<Record<ProblemId, Say>> = {
-  "image-later": (d) => `${d.name ?? "The picture"} was not opened: tracing pictures comes with Trace mode. Today, drop an SVG or paste a path.`,
-  "file-type": (d) => `${d.name ?? "That file"} is nothing this page can read. Try SVG, a path, an expline JSON file, or points as x,y rows.`,
-  "svg-broken": (d) => (d.line === undefined ? "The SVG could not be read: this is not an SVG document." : `The SVG could not be read: line ${d.line}, column ${d.column ?? 1}.`),
-  "svg-entities": () => "The SVG could not be read: it declares entities, which are refused. Save it as plain SVG and try again.",
-  "svg-big": (d) => `The SVG is too large to read here (${d.field ?? "size"}: the limit is ${d.most ?? 0}). Simplify it and try again.`,
-  "svg-range": () => "The SVG has coordinates beyond 1 000 000 000. Scale it down and try again.",
-  "svg-nopath": () => "This SVG has no path, circle, ellipse, line or polygon.",
-  "d-broken": (d) => `The path stops making sense at character ${d.at ?? 0}: “${d.excerpt ?? ""}”. Everything before it was read.`,
-  "d-range": () => "The path has coordinates beyond 1 000 000 000. Scale it down and try again.",
-  "d-big": () => "The path is too large to read here. Simplify it and try again.",
-  "points-rows": (d) => `Line ${d.line ?? 1} is not two numbers. Write one point a line, as 120,80.`,
-  "points-few": (d) => `A curve needs at least 2 different points; there are ${d.count ?? 0}.`,
-  "json-version": (d) => `This file was made by a newer version (${d.version ?? "?"}). This page reads up to 1.`,
-  "json-broken": (d) => `Not an expline file: ${d.field ?? "it is not JSON"}.`,
-  "json-big": (d) => `The file is too large to open: ${d.field ?? "it"}.`,
-  "paste-unknown": () => "Nothing here that can be drawn. Paste an SVG, a path, points as x,y rows, or an expline file.",
+export const nearMessages: Readonly<Record<NearProblem, Say>> = {
   number: (d) => `Enter a number from ${d.least ?? 0} to ${d.most ?? 0}.${d.kept === undefined || d.kept === "" ? "" : ` Kept: ${d.kept}.`}`,
-  "share-long": (d) => `The drawing is too large for a link (${d.kilobytes ?? 0} KB). Download the JSON instead.`,
   "share-bad": () => "The link could not be read. The default sample is shown.",
   clipboard: () => "The browser did not allow the copy. Select the text and copy it by hand.",
   storage: () => "This browser keeps no copy of your drawing. Download the JSON to keep it.",
   engine: (d) => `The engine stopped (${d.code ?? "unknown"}). Your drawing is safe; the engine was restarted.`,
 };
 
-export function errorText(id: ProblemId, details: ProblemDetails = {}): string {
-  return catalogue[id](details);
+export function errorText(id: NearProblem, details: ProblemDetails = {}): string {
+  return nearMessages[id](details);
 }
 
 /** Anything that was thrown, as a problem that can be shown; a library error that no catalogue entry fits is the engine's. */

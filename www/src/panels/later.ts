@@ -12,14 +12,7 @@ interface Coming {
   readonly actions: readonly (readonly [label: string, action: string])[];
 }
 
-const coming: Readonly<Record<Exclude<Mode, "curve" | "surface">, Coming>> = {
-  fit: {
-    title: "Fit",
-    will: "Draw a line or bring points, and one Smoothing slider makes knots vanish while you watch.",
-    parts: ["Linear, cubic and hybrid models that keep corners", "Knots by kind, with the error and the size they buy", "A chart of knots against error"],
-    today: "Points as x,y rows become a smooth curve through all of them in Curve, ready to edit and export.",
-    actions: [["Paste points", "import"], ["Back to Curve", "mode-curve"]],
-  },
+const coming: Readonly<Record<Exclude<Mode, "curve" | "fit" | "surface">, Coming>> = {
   trace: {
     title: "Trace",
     will: "Drop a picture and get contours with their corners kept and exact arcs where there are arcs.",
@@ -62,7 +55,7 @@ export function mountEmptyStates(shell: Shell): { drop(mode: Mode): void } {
     setAttribute(regions.stage, "data-mode", state.mode);
     for (const { mode, element, note } of cards) {
       element.hidden = state.mode !== mode || gone.has(mode);
-      const sample = mode === "fit" ? state.fit.sample : mode === "trace" ? state.trace.sample : undefined;
+      const { sample } = state.trace;
       setText(note, sample === undefined ? "" : `The sample ${sample} opens here then; this link will work.`);
     }
   }, { now: true, until });

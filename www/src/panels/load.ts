@@ -1,9 +1,8 @@
-import type { DemoState, Contour } from "../document/document.ts";
+import type { Contour } from "../document/document.ts";
 import type { Imported } from "../document/imported.ts";
-import { Problem } from "../document/problem.ts";
 import { addContours } from "../editor/edits.ts";
 import { routeOf } from "../editor/route.ts";
-import { asProblem, errorText } from "./errors.ts";
+import { report } from "./report.ts";
 import type { Shell } from "./shell.ts";
 
 /** A sample as it was opened gives way to what is brought in; anything that was worked on is added to. */
@@ -51,21 +50,5 @@ export async function readOrReport(shell: Shell, text: string): Promise<Imported
   } catch (error) {
     report(shell, error);
     return null;
-  }
-}
-
-export function report(shell: Shell, error: unknown): void {
-  const problem = asProblem(error);
-  shell.toasts.error(problem.id, errorText(problem.id, problem.details));
-}
-
-/** A whole state from outside in place of the present one; false (and a message) when it cannot be drawn. */
-export function openState(shell: Shell, state: DemoState, fresh: boolean): boolean {
-  try {
-    shell.editor.setState(state, { fresh });
-    return true;
-  } catch {
-    report(shell, new Problem("share-bad"));
-    return false;
   }
 }

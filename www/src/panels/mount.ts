@@ -4,7 +4,7 @@ import type { Frame } from "../editor/frame.ts";
 import { mountBoot } from "./boot.ts";
 import { mountEmptyCurve } from "./empty-curve.ts";
 import { mountContextMenu } from "./context-menu.ts";
-import { receiveFiles, receiveText, registerFileActions } from "./files.ts";
+import { registerFileActions } from "./files.ts";
 import { mountHeader } from "./header.ts";
 import { mountEmptyStates } from "./later.ts";
 import type { PageIo } from "./page-io.ts";
@@ -50,8 +50,8 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
   mountBoot(shell);
   mountContextMenu(shell);
   io.listenForIncoming({
-    files: (files) => void receiveFiles(shell, files),
-    text: (text) => void receiveText(shell, text),
+    files: (files) => void import("./file-work.ts").then(({ receiveFiles }) => receiveFiles(shell, files)),
+    text: (text) => void import("./file-work.ts").then(({ receiveText }) => receiveText(shell, text)),
     dragging: (over) => regions.stage.toggleAttribute("data-drop", over),
   }, signal);
   return {

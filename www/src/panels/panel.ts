@@ -36,7 +36,7 @@ export function mountPanel(shell: Shell, metrics: HTMLElement): PanelHost {
   const curve = curveSection(shell);
   const sections = [curve, inspectorSection(shell), showSection(shell), legendSection(shell), generatorSection(shell), pointsTableSection(shell)];
   const curvePart = h("div", {}, ...sections.map((section) => section.element));
-  const later = (["fit", "trace"] as const).map((mode: LaterMode) => ({ mode, ...laterPanel(mode) }));
+  const later = (["trace"] as const).map((mode: LaterMode) => ({ mode, ...laterPanel(mode) }));
   const built = new Map<Mode, ModePanel>();
   const title = h("h2", { class: "panel-title" });
   const sample = h("span", { class: "section-note" });

@@ -1,7 +1,7 @@
 import { errorText } from "./errors.ts";
 import { h } from "./dom.ts";
 import { icon } from "./icons.ts";
-import { openState, report } from "./load.ts";
+import { openState, report } from "./report.ts";
 import type { Shell } from "./shell.ts";
 
 /**

@@ -1,4 +1,4 @@
-import { emptySurface, type Detail, type NetDirection, type NetPoint, type NetWindow, type Root, type SurfaceDocument } from "../surface.ts";
+import { emptySurface, type Detail, type NetDirection, type NetPoint, type NetWindow, type Root, type SavedOrbit, type SurfaceDocument } from "../surface.ts";
 import { asArray, asBoolean, asNumber, asSampleId, asWhole, field, optional, type Found } from "./check.ts";
 import { FileError } from "./error.ts";
 
@@ -27,6 +27,17 @@ function readNetPoint(found: Found): NetPoint {
     x: asNumber(field(found, "x")),
     y: asNumber(field(found, "y")),
     z: asNumber(field(found, "z")),
+  };
+}
+
+export function readOrbit(found: Found): SavedOrbit {
+  const [x, y, z, ...rest] = asArray(field(found, "target"), (value) => asNumber(value), 3, "triple");
+  if (x === undefined || y === undefined || z === undefined || rest.length > 0) throw new FileError("E_SCHEMA", `${found.path}.target`, "is not three numbers");
+  return {
+    yaw: asNumber(field(found, "yaw"), -100, 100),
+    pitch: asNumber(field(found, "pitch"), -Math.PI / 2, Math.PI / 2),
+    distance: asNumber(field(found, "distance"), 1e-9),
+    target: [x, y, z],
   };
 }
 

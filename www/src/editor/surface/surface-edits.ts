@@ -1,7 +1,7 @@
 import { isChosen, noNetPoints, sameNetPoint, type NetRef, type SurfaceDocument, type SurfaceMoment } from "../../document/surface.ts";
 import { atLevels, netSize, resizedSurface, largestDistance } from "../../kernel/surface-net.ts";
 import { extentOf, netPoints, type ShownPoint } from "../../kernel/surface-mesh.ts";
-import { openedSurface, refinedHere, surfaceSample, withNetPoints } from "../../kernel/surface.ts";
+import { openedSurface, refinedHere, surfaceOf, surfaceSample, withNetPoints } from "../../kernel/surface.ts";
 import { printed, refuse } from "../edits.ts";
 import type { Editor } from "../editor.ts";
 import { add, fittingDistance, frameOf, type Orbit, type Vector } from "./orbit.ts";
@@ -17,12 +17,22 @@ export function patchSolid(editor: Editor, change: Partial<SolidState>): void {
   editor.patch({ solid: { ...editor.state.value.solid, ...change } });
 }
 
-/** The sample that the document only names is opened: no entry in the history. */
+/** The sample that the document only names is opened, and what no library could draw gives way to it: no entry in the history. */
 export function ensureSurface(editor: Editor): void {
   const { surface } = editor.state.value;
-  if (surface.net.length > 0) return;
-  editor.surfaceEdits.settle({ surface: openedSurface(surface), chosen: noNetPoints });
+  if (surface.net.length > 0 && isDrawable(editor, surface)) return;
+  editor.surfaceEdits.settle({ surface: openedSurface({ ...surface, net: [] }), chosen: noNetPoints });
   fitSurface(editor, true);
+}
+
+function isDrawable(editor: Editor, surface: SurfaceDocument): boolean {
+  try {
+    surfaceOf(surface);
+    return true;
+  } catch (error) {
+    editor.notify({ kind: "error", id: "json-broken", text: `The surface could not be opened, its sample is shown: ${error instanceof Error ? error.message : String(error)}` });
+    return false;
+  }
 }
 
 export function openSurfaceSample(editor: Editor, id: string): boolean {

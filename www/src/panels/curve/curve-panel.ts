@@ -1,7 +1,8 @@
 import { omegaOf, type Contour, type CurveDocument, type Space } from "../../document/document.ts";
 import type { EditorState } from "../../editor/editor.ts";
-import { activeContour, resample, setClosed, setLevel, setOmega, setSpace } from "../../editor/edits.ts";
+import { activeContour, resample, setClosed, setOmega, setSpace } from "../../editor/edits.ts";
 import { setFamily, setOrder } from "../../editor/family-edits.ts";
+import { setLevel } from "../../editor/level-edits.ts";
 import { h, setAttribute, setText } from "../dom.ts";
 import { choiceField, numberField, selectField, sliderField, toggleField } from "../fields.ts";
 import { icon } from "../icons.ts";
@@ -95,11 +96,11 @@ export function curveSection(shell: Shell): Section & { readonly level: HTMLElem
     level: level.element,
     update(state) {
       const contour = firstContour(state, shell);
-      const refined = contour?.grid !== undefined;
+      const refined = contour?.grid !== undefined || contour?.places !== undefined;
       family.show(contour?.family ?? null);
       order.element.hidden = contour?.family !== "interpolating";
       order.show(refined ? null : contour?.order === 5 ? "5" : contour?.order === 4 ? "4" : "3");
-      refine.disabled = state.selection.points.length === 0 || contour?.family === "interpolating";
+      refine.disabled = state.selection.points.length === 0 || contour?.grid !== undefined;
       space.show(refined ? null : state.curve.space);
       setText(exact, exactIn[state.curve.space]);
       setAttribute(auto, "aria-pressed", String(state.curve.omega === "auto"));

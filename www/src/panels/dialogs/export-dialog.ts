@@ -8,6 +8,7 @@ import { numberField, selectField, toggleField } from "../fields.ts";
 import { formatBytes, formatDeviation } from "../format.ts";
 import { snippetFor } from "../code/snippets.ts";
 import { asProblem, errorText } from "../errors.ts";
+import { problemText } from "../file-errors.ts";
 import type { Shell } from "../shell.ts";
 
 /** Chosen once, kept for the next time the dialog opens. */
@@ -40,7 +41,7 @@ export function openExport(shell: Shell): void {
       message.replaceChildren();
     } catch (error) {
       const problem = asProblem(error);
-      message.replaceChildren(h("p", { class: "message message-error", testid: "error", "data-error": problem.id, role: "alert" }, errorText(problem.id, problem.details)));
+      message.replaceChildren(h("p", { class: "message message-error", testid: "error", "data-error": problem.id, role: "alert" }, problemText(problem.id, problem.details)));
       return;
     }
     preview.value = exported.d;

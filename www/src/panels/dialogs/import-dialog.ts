@@ -1,6 +1,7 @@
 import type { Imported } from "../../document/imported.ts";
 import type { Problem } from "../../document/problem.ts";
-import { asProblem, errorText } from "../errors.ts";
+import { asProblem } from "../errors.ts";
+import { problemText } from "../file-errors.ts";
 import { button, openDialog } from "../dialog.ts";
 import { freshId, h, setText } from "../dom.ts";
 import { icon } from "../icons.ts";
@@ -31,7 +32,7 @@ export function openImport(shell: Shell, given = ""): void {
 
   let readSoFar: Imported | null = null;
   const fail = (problem: Problem): void => {
-    const shown = h("p", { class: "message message-error", testid: "error", "data-error": problem.id, role: "alert" }, icon("warn"), h("span", {}, errorText(problem.id, problem.details)));
+    const shown = h("p", { class: "message message-error", testid: "error", "data-error": problem.id, role: "alert" }, icon("warn"), h("span", {}, problemText(problem.id, problem.details)));
     message.replaceChildren(shown);
     partly.hidden = readSoFar === null;
   };

@@ -1,4 +1,4 @@
-import { isSelected, samePoint, type HandleRef, type PointRef } from "../../document/document.ts";
+import { baseCount, isSelected, samePoint, type HandleRef, type PointRef } from "../../document/document.ts";
 import { hasSide, shownHandles } from "../../editor/hit-test.ts";
 import { addSmallPoint, drawHandleEnd, drawPoint, drawSmallPoints, drawStart, drawVertex, type MarkerState } from "../markers.ts";
 import { inScreen, onScreen, type Scene } from "../scene.ts";
@@ -81,7 +81,7 @@ export function drawPoints(scene: Scene): void {
         focused: isFocused(scene, ref, null),
       };
       if (crowded && !marker.hovered && !(marker.selected && few)) addSmallPoint(small, at, point.kind, marker.selected);
-      else if (contour.grid !== undefined) drawVertex(context, at, marker, palette);
+      else if (contour.grid !== undefined || index >= baseCount(contour)) drawVertex(context, at, marker, palette);
       else drawPoint(context, at, point.kind, marker, palette);
     });
   });

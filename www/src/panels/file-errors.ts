@@ -1,0 +1,29 @@
+import { stateVersion } from "../document/document.ts";
+import type { ProblemDetails, ProblemId } from "../document/problem.ts";
+import { nearMessages, type FarProblem } from "./errors.ts";
+
+/** What can be wrong with something that was brought in, in words. */
+const farMessages: Readonly<Record<FarProblem, (d: ProblemDetails) => string>> = {
+  "image-later": (d) => `${d.name ?? "The picture"} was not opened: tracing pictures comes with Trace mode. Today, drop an SVG or paste a path.`,
+  "file-type": (d) => `${d.name ?? "That file"} is nothing this page can read. Try SVG, a path, an expline JSON file, or points as x,y rows.`,
+  "svg-broken": (d) => (d.line === undefined ? "The SVG could not be read: this is not an SVG document." : `The SVG could not be read: line ${d.line}, column ${d.column ?? 1}.`),
+  "svg-entities": () => "The SVG could not be read: it declares entities, which are refused. Save it as plain SVG and try again.",
+  "svg-big": (d) => `The SVG is too large to read here (${d.field ?? "size"}: the limit is ${d.most ?? 0}). Simplify it and try again.`,
+  "svg-range": () => "The SVG has coordinates beyond 1 000 000 000. Scale it down and try again.",
+  "svg-nopath": () => "This SVG has no path, circle, ellipse, line or polygon.",
+  "d-broken": (d) => `The path stops making sense at character ${d.at ?? 0}: “${d.excerpt ?? ""}”. Everything before it was read.`,
+  "d-range": () => "The path has coordinates beyond 1 000 000 000. Scale it down and try again.",
+  "d-big": () => "The path is too large to read here. Simplify it and try again.",
+  "points-rows": (d) => `Line ${d.line ?? 1} is not two numbers. Write one point a line, as 120,80.`,
+  "points-few": (d) => `A curve needs at least 2 different points; there are ${d.count ?? 0}.`,
+  "json-version": (d) => `This file was made by a newer version (${d.version ?? "?"}). This page reads up to ${stateVersion}.`,
+  "json-broken": (d) => `Not an expline file: ${d.field ?? "it is not JSON"}.`,
+  "json-big": (d) => `The file is too large to open: ${d.field ?? "it"}.`,
+  "paste-unknown": () => "Nothing here that can be drawn. Paste an SVG, a path, points as x,y rows, or an expline file.",
+  "share-long": (d) => `The drawing is too large for a link (${d.kilobytes ?? 0} KB). Download the JSON instead.`,
+};
+
+/** The message for any problem. */
+export function problemText(id: ProblemId, details: ProblemDetails = {}): string {
+  return { ...nearMessages, ...farMessages }[id](details);
+}

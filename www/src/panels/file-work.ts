@@ -1,0 +1,71 @@
+import type { CurveDocument } from "../document/document.ts";
+import { curveSample } from "../document/samples.ts";
+import { documentPathD } from "../kernel/paths.ts";
+import { documentBounds } from "../kernel/samples.ts";
+import { errorText } from "./errors.ts";
+import { naturalPlacement, place, readOrReport } from "./load.ts";
+import { report } from "./report.ts";
+import type { Shell } from "./shell.ts";
+
+/** Copying, sharing, and taking in what is pasted or dropped. */
+
+/** The contours that hold the selection; all of them when nothing is selected. */
+function chosenContours(shell: Shell): CurveDocument {
+  const { curve, selection } = shell.editor.state.value;
+  const chosen = new Set(selection.points.map((ref) => ref.contour));
+  return chosen.size === 0 ? curve : { ...curve, contours: curve.contours.filter((_, i) => chosen.has(i)) };
+}
+
+export async function copySvg(shell: Shell): Promise<boolean> {
+  const { io, toasts } = shell;
+  const part = chosenContours(shell);
+  const title = curveSample(part.sample ?? "")?.title ?? "expline drawing";
+  const text = await io.writeSvg({ title, d: documentPathD(part, { tolerance: 0.02, decimals: 4 }).d, box: documentBounds(part) });
+  const done = await io.copyText(text);
+  if (done) toasts.say(part.contours.length === 1 ? "Copied the contour as SVG." : `Copied ${part.contours.length} contours as SVG.`);
+  else toasts.error("clipboard", errorText("clipboard"));
+  return done;
+}
+
+export async function cut(shell: Shell): Promise<void> {
+  const gone = new Set(chosenContours(shell).contours);
+  if (await copySvg(shell)) shell.editor.dispatch({ name: "Cut", apply: (curve) => ({ ...curve, contours: curve.contours.filter((contour) => !gone.has(contour)) }) });
+}
+
+export async function share(shell: Shell): Promise<void> {
+  const { editor, io, toasts } = shell;
+  try {
+    const hash = await io.shareHash(editor.getState());
+    const url = new URL(window.location.href);
+    url.search = "";
+    url.hash = hash;
+    const done = await io.copyText(url.href);
+    if (done) toasts.say("Link copied. It holds the whole drawing; nothing was sent.");
+    else toasts.error("clipboard", errorText("clipboard"));
+  } catch (error) {
+    report(shell, error);
+  }
+}
+
+/** Text from a paste or a drop: added to the drawing, or opened when it is a whole file. */
+export async function receiveText(shell: Shell, text: string): Promise<void> {
+  if (text.trim() === "" || shell.editor.state.value.engine.status !== "ready") return;
+  const imported = await readOrReport(shell, text);
+  if (imported === null) return;
+  try {
+    place(shell, imported, naturalPlacement(shell));
+  } catch (error) {
+    report(shell, error);
+  }
+}
+
+/** Files from a drop or a paste, one after the other; each is reported on by itself. */
+export async function receiveFiles(shell: Shell, files: readonly File[]): Promise<void> {
+  for (const file of files.slice(0, 20)) {
+    try {
+      await receiveText(shell, (await shell.io.readIncoming(file)).text);
+    } catch (error) {
+      report(shell, error);
+    }
+  }
+}

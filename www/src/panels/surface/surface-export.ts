@@ -1,0 +1,48 @@
+import { writeState } from "../../document/file/write.ts";
+import { surfaceTitle } from "../../document/surface-samples.ts";
+import { meshSize, surfaceGltf, surfaceObj } from "../../kernel/surface-files.ts";
+import { button, openDialog } from "../dialog.ts";
+import { h, setText } from "../dom.ts";
+import { sliderField } from "../fields.ts";
+import { formatBytes } from "../format.ts";
+import type { Shell } from "../shell.ts";
+import { surfaceThumbnail } from "./surface-gallery.ts";
+
+let sides = 16;
+
+/** The surface as triangles for other programs, or as its own file to open here again. */
+export function openSurfaceExport(shell: Shell): void {
+  const { editor, io, toasts } = shell;
+  const { surface } = editor.state.value;
+  const stem = surface.sample;
+  const count = h("dd", { class: "num", testid: "export-triangles" });
+  const size = h("dd", { class: "num" });
+  const numbers = h("dl", { class: "export-numbers num" }, h("div", {}, h("dt", {}, "Triangles"), count), h("div", {}, h("dt", {}, "glTF"), size));
+  const show = (): void => {
+    const { rows, cols } = meshSize(surface, sides);
+    const cells = (surface.u?.closed === true ? rows : rows - 1) * (surface.v?.closed === true ? cols : cols - 1);
+    setText(count, String(2 * cells));
+    // Positions and normals in single precision, three indices of four bytes to a triangle.
+    setText(size, `about ${formatBytes(24 * rows * cols + 24 * cells + 1000)}`);
+  };
+  const slider = sliderField({
+    label: "Sides", testid: "export-sides", about: "Into how many sides each segment of the net is cut.", least: 2, most: 64, step: 1, direction: "smoother", print: String,
+    write: (value) => { sides = value; show(); },
+  });
+  slider.show(sides);
+  show();
+  const dialog = openDialog(
+    { title: "Export the surface", testid: "export-dialog" },
+    h("p", { class: "quiet" }, `${surfaceTitle(surface.sample)}: positions with normals, as triangles. The JSON keeps the net itself, exact, to open it here again.`),
+    h("div", { class: "export-picture" }, surfaceThumbnail(surface)), slider.element, numbers,
+  );
+  const save = (name: string, content: Blob): void => {
+    io.download(name, content);
+    toasts.say(`Saved ${name}.`);
+  };
+  dialog.foot.append(
+    button("OBJ", { class: "primary", testid: "export-obj", title: "Download a Wavefront OBJ file", click: () => save(`${stem}.obj`, new Blob([surfaceObj(surface, sides)], { type: "model/obj" })) }),
+    button("glTF", { testid: "export-gltf", title: "Download a binary glTF file", click: () => save(`${stem}.glb`, new Blob([surfaceGltf(surface, sides)], { type: "model/gltf-binary" })) }),
+    button("JSON", { testid: "export-json", title: "Download the surface, to open it here again", click: () => save(`${stem}.json`, new Blob([writeState(editor.getState())], { type: "application/json" })) }),
+  );
+}

@@ -1,0 +1,110 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { baseCount } from "../src/document/document.ts";
+import { affectedSegments, rootsOf } from "../src/document/roots.ts";
+import { parseState, writeState } from "../src/document/file.ts";
+import { refineCurveHere, setFamily, setOrder } from "../src/editor/family-edits.ts";
+import { setLevel } from "../src/editor/level-edits.ts";
+import { Hand, largestDistance } from "./harness.ts";
+
+/** A point of the drawing as the only chosen one. */
+function choose(hand: Hand, index: number): void {
+  hand.editor.patch({ selection: { points: [{ contour: 0, index }], handle: null } });
+}
+
+function contourOf(hand: Hand): NonNullable<Hand["curve"]["contours"][number]> {
+  const [contour] = hand.curve.contours;
+  assert.ok(contour);
+  return contour;
+}
+
+test("the roots follow from space, frequency and order, closed under conjugation and negation", () => {
+  const hand = new Hand("blob-16");
+  const roots = rootsOf(hand.curve, contourOf(hand));
+  assert.deepEqual(roots, [{ re: 0, im: 0 }, { re: 0, im: Math.PI / 8 }, { re: 0, im: -Math.PI / 8 }]);
+  setOrder(hand.editor, 4);
+  assert.deepEqual(rootsOf(hand.curve, contourOf(hand)).slice(0, 2), [{ re: 0, im: 0 }, { re: 0, im: 0 }]);
+  assert.equal(contourOf(hand).support, 3);
+});
+
+test("a point changes its support's segments, over the seam as well, and a refined one fewer", () => {
+  const hand = new Hand("blob-16");
+  assert.deepEqual(affectedSegments(hand.curve, contourOf(hand), 5), [3, 4, 5, 6]);
+  assert.deepEqual(affectedSegments(hand.curve, contourOf(hand), 0), [14, 15, 0, 1]);
+  setLevel(hand.editor, 2);
+  assert.ok(affectedSegments(hand.curve, contourOf(hand), 21).length <= 4);
+});
+
+test("every level up to the sixth is the same curve, and the way down gives the very points back", () => {
+  const hand = new Hand("blob-16");
+  const [before, contour] = [hand.sample(999), contourOf(hand)];
+  setLevel(hand.editor, 6);
+  assert.equal(contourOf(hand).points.length, 1024);
+  assert.ok(largestDistance(hand.sample(999), before) < 1e-10);
+  setLevel(hand.editor, 0);
+  assert.deepEqual(contourOf(hand), contour);
+});
+
+test("a curve that came from a file at a finer level comes down by least squares, exactly where nothing finer was edited", () => {
+  const hand = new Hand("blob-16");
+  const before = hand.sample(500);
+  setLevel(hand.editor, 2);
+  hand.editor.setState(parseState(writeState(hand.editor.getState())).state);
+  setLevel(hand.editor, 1);
+  assert.equal(contourOf(hand).points.length, 32);
+  assert.ok(largestDistance(hand.sample(500), before) < 1e-9);
+  setLevel(hand.editor, 0);
+  assert.equal(contourOf(hand).points.length, 16);
+  assert.ok(largestDistance(hand.sample(500), before) < 1e-9);
+});
+
+test("a circle is the same curve in both families", () => {
+  const hand = new Hand("circle-8");
+  const before = hand.sample(400);
+  setFamily(hand.editor, "interpolating");
+  assert.ok(largestDistance(hand.sample(400), before) < 1e-10);
+  setFamily(hand.editor, "hermite");
+  assert.ok(largestDistance(hand.sample(400), before) < 1e-10);
+});
+
+test("refining one place leaves the curve, and the points on it take the finer ones along", () => {
+  const hand = new Hand("blob-16");
+  const before = hand.sample(800);
+  choose(hand, 5);
+  refineCurveHere(hand.editor);
+  const refined = contourOf(hand);
+  assert.equal(baseCount(refined), 16);
+  assert.ok(refined.points.length > 18);
+  // Another way of summing the same terms: the last bits may differ.
+  assert.ok(largestDistance(hand.sample(800), before) < 1e-11);
+  const fine = refined.points.findIndex((_, i) => i >= 16 + 3);
+  hand.drag(hand.point(fine), 6, -4);
+  assert.ok(Math.hypot(hand.point(fine).x - (refined.points[fine]?.x ?? 0) - 6, hand.point(fine).y - (refined.points[fine]?.y ?? 0) + 4) < 1e-9);
+  const detail = hand.point(fine);
+  hand.drag(hand.point(5), 40, 10);
+  assert.ok(Math.abs((hand.point(fine).moved?.dx ?? 0) - (detail.moved?.dx ?? NaN)) < 1e-9);
+  assert.ok(hand.point(fine).x > detail.x + 5);
+  const { state } = parseState(writeState(hand.editor.getState()));
+  assert.deepEqual(state.curve, hand.curve);
+  hand.run("undo").run("undo").run("undo");
+  assert.deepEqual(contourOf(hand).places, undefined);
+});
+
+test("deleting a finer point takes its place away and says how far the curve moved", () => {
+  const hand = new Hand("blob-16");
+  const contour = contourOf(hand);
+  choose(hand, 5);
+  refineCurveHere(hand.editor);
+  choose(hand, 18);
+  hand.run("delete");
+  assert.deepEqual(contourOf(hand), contour);
+});
+
+test("refining a place of a Hermite contour is exact insertion around the chosen point", () => {
+  const hand = new Hand("circle-8");
+  const before = hand.sample(640);
+  choose(hand, 2);
+  refineCurveHere(hand.editor);
+  assert.equal(contourOf(hand).points.length, 10);
+  assert.ok(largestDistance(hand.sample(640), before) < 1e-9);
+});

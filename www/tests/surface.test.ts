@@ -1,0 +1,128 @@
+import assert from "node:assert/strict";
+import { before, test } from "node:test";
+import init from "expline/slim";
+import { emptySurface, type SurfaceDocument } from "../src/document/surface.ts";
+import { createEditor } from "../src/editor/create-editor.ts";
+import type { Editor } from "../src/editor/editor.ts";
+import { fittingDistance, projector, stepAlong, stepInView, type Orbit } from "../src/editor/surface/orbit.ts";
+import { chooseNet, ensureSurface, nudgeNet, openSurfaceSample, refineHere, setNetSize, setSurfaceLevels } from "../src/editor/surface/surface-edits.ts";
+import { netPoints } from "../src/kernel/surface-mesh.ts";
+import { largestDistance, recurrence } from "../src/kernel/surface-net.ts";
+import { deviationOf } from "../src/kernel/surface-truth.ts";
+import { meshPoints } from "../src/kernel/surface.ts";
+
+before(() => init());
+
+function opened(sample: string): Editor {
+  let time = 0;
+  // Two edits of these tests are never one quick run.
+  const editor = createEditor(() => { time += 1000; return time; });
+  editor.patch({ mode: "surface" });
+  openSurfaceSample(editor, sample);
+  editor.surfaceEdits.forget();
+  return editor;
+}
+
+const surface = (editor: Editor): SurfaceDocument => editor.state.value.surface;
+const stage = { left: 0, top: 0, width: 900, height: 700 };
+const orbit: Orbit = { yaw: 0.7, pitch: 0.4, distance: 6, target: [0.1, -0.2, 0.3] };
+
+test("a step in the view moves a point by the pixels that were asked for", () => {
+  const at = [0.4, 0.5, -0.3] as const;
+  const from = projector(orbit, stage)(at);
+  const step = stepInView(orbit, stage, at, 37, -21);
+  const to = projector(orbit, stage)([at[0] + step[0], at[1] + step[1], at[2] + step[2]]);
+  // The step is parallel to the screen, so depth and with it the scale stay.
+  assert.ok(Math.abs(to.x - from.x - 37) < 1e-9 && Math.abs(to.y - from.y + 21) < 1e-9 && Math.abs(to.depth - from.depth) < 1e-12);
+});
+
+test("a step along an axis stays on the axis and goes with the pointer", () => {
+  const at = [0.4, 0.5, -0.3] as const;
+  const step = stepAlong(orbit, stage, at, [0, 0, 1], 0, -40);
+  assert.ok(step[0] === 0 && step[1] === 0 && step[2] > 0);
+});
+
+test("the whole of a ball is on the stage at the distance that fits it", () => {
+  const ball = { center: [1, 2, 3] as const, radius: 2 };
+  for (const box of [stage, { ...stage, width: 320 }]) {
+    const project = projector({ ...orbit, target: ball.center, distance: fittingDistance(ball, box) }, box);
+    for (let k = 0; k < 200; k += 1) {
+      const [a, b] = [k * 0.9, Math.acos(1 - (2 * (k + 0.5)) / 200)];
+      const place = project([1 + 2 * Math.cos(a) * Math.sin(b), 2 + 2 * Math.sin(a) * Math.sin(b), 3 + 2 * Math.cos(b)]);
+      assert.ok(place.x >= 0 && place.x <= box.width && place.y >= 0 && place.y <= box.height);
+    }
+  }
+});
+
+test("what the generators span goes on by the recurrence of their roots", () => {
+  const step = 0.37;
+  const factors = recurrence([{ re: 0, im: 0 }, { re: 0, im: step }, { re: 0, im: -step }]);
+  const at = (k: number): number => 2 - 0.5 * Math.cos(step * k) + 3 * Math.sin(step * k);
+  const next = factors.reduce((sum, factor, j) => sum + factor * at(6 - j), 0);
+  assert.ok(Math.abs(next - at(7)) < 1e-13);
+});
+
+for (const sample of ["surf-sphere", "surf-torus", "surf-cylinder"]) {
+  test(`${sample} keeps its shape on other nets and at other levels`, () => {
+    const editor = opened(sample);
+    setNetSize(editor, "u", 11);
+    setNetSize(editor, "v", 7);
+    assert.ok((deviationOf(surface(editor)) ?? 1) < 1e-13);
+    const before = surface(editor);
+    setSurfaceLevels(editor, 2, 1);
+    assert.ok(largestDistance(before, surface(editor)) < 1e-13);
+    assert.equal(surface(editor).levelU, 2);
+    setSurfaceLevels(editor, 0, 0);
+    assert.equal(surface(editor), before);
+    editor.undo();
+    assert.equal(surface(editor).levelU, 2);
+  });
+}
+
+test("a pole is taken hold of once, and the mirrored rows behind it not at all", () => {
+  const editor = opened("surf-sphere");
+  const points = netPoints(surface(editor));
+  const poles = points.filter(({ at }) => Math.hypot(at[0], at[1]) < 1e-12);
+  assert.equal(poles.length, 2);
+  assert.ok(points.every(({ at }) => Math.abs(Math.hypot(...at) - 1) < 1e-12));
+});
+
+test("a finer edit is projected away only when it is asked for twice, and the move is said", () => {
+  const editor = opened("surf-torus");
+  setSurfaceLevels(editor, 1, 1);
+  const [point] = netPoints(surface(editor));
+  assert.ok(point !== undefined);
+  chooseNet(editor, [point.ref]);
+  nudgeNet(editor, 10, 0);
+  const edited = surface(editor);
+  setSurfaceLevels(editor, 0, 0);
+  assert.equal(surface(editor), edited);
+  assert.match(editor.notices.value?.kind === "toast" ? editor.notices.value.text : "", /would move the surface/);
+  setSurfaceLevels(editor, 0, 0);
+  assert.equal(surface(editor).levelU, 0);
+});
+
+test("refining a place keeps the surface to the last bit and is one step of the history", () => {
+  const editor = opened("surf-torus");
+  const before = meshPoints(surface(editor), 40, 40);
+  const [, point] = netPoints(surface(editor));
+  assert.ok(point !== undefined);
+  chooseNet(editor, [point.ref]);
+  refineHere(editor);
+  assert.equal(surface(editor).details?.length, 1);
+  assert.deepEqual(meshPoints(surface(editor), 40, 40), before);
+  editor.undo();
+  assert.equal(surface(editor).details, undefined);
+});
+
+test("a surface that no library could draw gives way to its sample, and says so", () => {
+  const editor = createEditor(() => 0);
+  const direction = { roots: [{ re: 1, im: 1 }, { re: 0, im: 0 }, { re: 0, im: 0 }], count: 2, closed: true };
+  const net = [0, 1].flatMap((u) => [0, 1].map((v) => ({ u, v, x: u, y: v, z: 0 })));
+  const broken: SurfaceDocument = { ...emptySurface, net, u: direction, v: direction };
+  editor.setState({ ...editor.getState(), mode: "surface", surface: broken });
+  ensureSurface(editor);
+  assert.equal(surface(editor).sample, "surf-torus");
+  assert.ok(surface(editor).net.length > 4);
+  assert.equal(editor.notices.value?.kind, "error");
+});
