@@ -1,7 +1,7 @@
-// The package: Rust → two wasm modules → bindings → ES modules with the wasm inside, and their declarations.
+// The package: Rust → three wasm modules → bindings → ES modules with the wasm inside, and their declarations.
 //
-// Curves and fitting are a wasm and an ES module each. `expline.js` only names what both offer, so that a bundler leaves
-// the one for fitting out where nothing of it is used.
+// Curves, surfaces and fitting are a wasm and an ES module each; reading plain data is an ES module over curves and surfaces.
+// `expline.js` only names what they offer, so that a bundler leaves out those of which nothing is used.
 
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 
@@ -22,6 +22,14 @@ const BINDINGS = "build/bindings";
  */
 const MODULES = [
   { title: "wasm", feature: "wasm", target: "target", name: "expline", bytes: "wasm-bytes", flags: ["-C", "llvm-args=-inline-threshold=0"] },
+  {
+    title: "wasm for surfaces",
+    feature: "wasm-surface",
+    target: "target/surface",
+    name: "expline_surface",
+    bytes: "surface-bytes",
+    flags: ["-C", "llvm-args=-inline-threshold=0"],
+  },
   { title: "wasm for fitting", feature: "wasm-fit", target: "target/fit", name: "expline_fit", bytes: "fit-bytes", flags: [] },
 ];
 
@@ -83,15 +91,15 @@ async function buildBindings(module) {
 /**
  * One ES module of the face, minified, with `contents` in place of the module that holds the wasm.
  *
- * What fitting needs of the core it imports from the core's ES module, through `ts/core.ts`.
+ * What the others need of the core they import from the core's ES module, through `ts/core.ts`.
  */
-async function bundleFace(entry, contents, core) {
+async function bundleFace(entry, contents, prefix) {
   const { build } = await import("esbuild");
   const setup = (bundler) => {
     bundler.onLoad({ filter: /-bytes\.js$/ }, () => ({ contents, resolveDir: at("ts") }));
-    bundler.onResolve({ filter: /\/core\.js$/ }, () => ({ path: core, external: true }));
+    bundler.onResolve({ filter: /\/(core|surface)\.js$/ }, ({ path }) => ({ path: path.replace("./", prefix), external: true }));
     // The core has the decoder of inlined text already.
-    if (entry !== "ts/core.ts") bundler.onResolve({ filter: /\/decode\.ts$/ }, () => ({ path: core, external: true }));
+    if (entry !== "ts/core.ts") bundler.onResolve({ filter: /\/decode\.ts$/ }, () => ({ path: `${prefix}core.js`, external: true }));
   };
   const { outputFiles } = await build({
     entryPoints: [at(entry)],
@@ -118,6 +126,7 @@ const nothingInside = (file, start) => `
 
 const FACES = [
   { entry: "ts/core.ts", name: "core", file: "expline", start: "init", bytes: "wasm-bytes" },
+  { entry: "ts/surface.ts", name: "surface", file: "expline_surface", start: "initSurface", bytes: "surface-bytes" },
   { entry: "ts/fit.ts", name: "fit", file: "expline_fit", start: "initFit", bytes: "fit-bytes" },
 ];
 
@@ -125,7 +134,7 @@ const FACES = [
 async function entry(prefix) {
   const { build } = await import("esbuild");
   const setup = (bundler) =>
-    bundler.onResolve({ filter: /^\.\/(core|fit)\.js$/ }, ({ path }) => ({ path: path.replace("./", `./${prefix}`), external: true }));
+    bundler.onResolve({ filter: /^\.\/(core|fit|json|surface)\.js$/ }, ({ path }) => ({ path: path.replace("./", `./${prefix}`), external: true }));
   const options = { entryPoints: [at("ts/index.ts")], write: false, bundle: true, format: "esm", minify: true, logLevel: "error" };
   const { outputFiles } = await build({ ...options, plugins: [{ name: "editions", setup }] });
   return outputFiles[0].text;
@@ -142,7 +151,7 @@ async function bundleCommandLine() {
 
 async function buildFace() {
   const inputs = ["ts", "cli", BINDINGS, "tsconfig.base.json", "package.json", "package-lock.json", "Cargo.lock", "scripts"];
-  const files = [...FACES.flatMap(({ name, file }) => [`${name}.js`, `slim-${name}.js`, `${file}_bg.wasm`]), "expline.js", "slim.js", "cli.js", "types/index.d.ts"];
+  const files = [...FACES.flatMap(({ name, file }) => [`${name}.js`, `slim-${name}.js`, `${file}_bg.wasm`]), "json.js", "slim-json.js", "expline.js", "slim.js", "cli.js", "types/index.d.ts"];
   const outputs = [...files.map((file) => `pkg/${file}`), "THIRD_PARTY_LICENSES"];
   await step("face", { inputs, outputs }, async () => {
     rmSync(at("pkg"), { recursive: true, force: true });
@@ -151,12 +160,15 @@ async function buildFace() {
       const literal = JSON.parse(readFileSync(at(BINDINGS, `${bytes}.json`), "utf8"));
       // The literal was chosen to the byte, so the bundler sees a short stand-in for it.
       const holder = readFileSync(at(BINDINGS, `${bytes}.js`), "utf8").replace(literal, () => PLACEHOLDER);
-      const full = await bundleFace(entry, holder, "./core.js");
+      const full = await bundleFace(entry, holder, "./");
       writeFileSync(at(`pkg/${name}.js`), full.replace(PLACEHOLDER, () => literal));
-      writeFileSync(at(`pkg/slim-${name}.js`), await bundleFace(entry, nothingInside(file, start), "./slim-core.js"));
+      writeFileSync(at(`pkg/slim-${name}.js`), await bundleFace(entry, nothingInside(file, start), "./slim-"));
       cpSync(at(BINDINGS, `${file}_bg.wasm`), at(`pkg/${file}_bg.wasm`));
     }
-    for (const [out, prefix] of [["expline", ""], ["slim", "slim-"]]) writeFileSync(at(`pkg/${out}.js`), await entry(prefix));
+    for (const [out, prefix] of [["expline", ""], ["slim", "slim-"]]) {
+      writeFileSync(at(`pkg/${prefix}json.js`), await bundleFace("ts/json.ts", "", `./${prefix}`));
+      writeFileSync(at(`pkg/${out}.js`), await entry(prefix));
+    }
     await bundleCommandLine();
     writeThirdPartyLicenses();
   });

@@ -1,4 +1,4 @@
-/** The ES module of curves: the public names, and what the module for fitting needs of it. */
+/** The ES module of curves: the public names, and what the modules for surfaces, for fitting and for plain data need of it. */
 export { default, initSync, version } from "./engine.js";
 export type { InitOptions } from "./engine.js";
 export { ExplineError } from "./error.js";
@@ -20,35 +20,48 @@ export { HermiteGenerators } from "./hermite-generators.js";
 export { ExponentialBSpline, Interpolator } from "./exponential-generators.js";
 export { roots } from "./roots.js";
 export type { Root } from "./roots.js";
-export { fromJSON } from "./json.js";
-export type { JSONWarning, ReadOptions } from "./json.js";
-export { TensorSurface } from "./surface.js";
-export type {
-  Direction,
-  MeshRegion,
-  SurfaceMesh,
-  SurfacePatch,
-  TensorSurfaceOptions,
-} from "./surface.js";
-export type { MeshFileOptions } from "./mesh-files.js";
-export type { PatchWindow } from "./surface-data.js";
-export type { DirectionJSON, TensorSurfaceJSON } from "./surface-json.js";
 export { parsePath } from "./svg.js";
 export type { PathWarning } from "./svg.js";
 
 /** @internal */
 export { begin, beginSync, instanceOf } from "./engine.js";
 /** @internal */
-export type { AnyKernel, Engine } from "./engine.js";
+export type { AnyKernel, Engine, Instance } from "./engine.js";
 /** @internal */
-export { count, finite, flag, integer, numbers, options, points, word } from "./arguments.js";
+export {
+  LARGEST,
+  MAX_EVALUATIONS,
+  MAX_OUTPUT,
+  coordinate,
+  count,
+  finite,
+  flag,
+  integer,
+  isFloat64Array,
+  lengthOfFloats,
+  numbers,
+  options,
+  points,
+  within,
+  word,
+} from "./arguments.js";
 /** @internal */
 export { curvesIn } from "./curve-data.js";
 /** @internal */
-export { overLimit, tooFewPoints, wrong, wrongLength } from "./error.js";
+export { overLimit, shown, tooFewPoints, wrong, wrongLength } from "./error.js";
 /** @internal */
-export { curveOf } from "./hermite-curve.js";
+export { checked, curveOf } from "./hermite-curve.js";
+/** @internal */
+export { checkedInterpolating, interpolatingOf } from "./interpolating-curve.js";
+/** @internal */
+export { checkedLocal, localOf } from "./local-curve.js";
+/** @internal */
+export { bSplineOf, checkedBSpline } from "./b-spline-curve.js";
+/** @internal */
+export { rootList, rootNumbers } from "./roots.js";
 /** @internal */
 export { callOf, peekOf, resultOf, writeTo } from "./kernel.js";
+/** @internal */
+export type { Floats } from "./kernel.js";
 /** @internal */
 export { decoded } from "./decode.js";

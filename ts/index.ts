@@ -1,4 +1,4 @@
-/** The public interface of expline: curves are one ES module, fitting another, which a bundler drops when nothing of it is used. */
+/** The public interface of expline: curves, surfaces and fitting are an ES module each; a bundler drops those of which nothing is used. */
 export {
   default,
   BSplineCurve,
@@ -9,8 +9,6 @@ export {
   InterpolatingCurve,
   Interpolator,
   LocalCurve,
-  TensorSurface,
-  fromJSON,
   initSync,
   parsePath,
   roots,
@@ -22,8 +20,6 @@ export type {
   BSplineCurveOptions,
   Bounds,
   Curve,
-  Direction,
-  DirectionJSON,
   Ellipse,
   EllipseOptions,
   ErrorCode,
@@ -33,25 +29,30 @@ export type {
   InitOptions,
   InterpolatingCurveJSON,
   InterpolatingCurveOptions,
-  JSONWarning,
   LocalCurveJSON,
   LocalCurveOptions,
-  MeshFileOptions,
-  MeshRegion,
   Nearest,
-  PatchWindow,
   Patch,
   PathOptions,
   PathWarning,
   PointsLike,
-  ReadOptions,
   Root,
   Space,
   SpacePointsLike,
+} from "./core.js";
+export { SparseFitter, fitSparse, fitSparseAsync, initFit, initFitSync } from "./fit.js";
+export type { FitProgress, FitStatus, SparseFit, SparseFitOptions, SparseFitStrength, SparseKnot } from "./fit.js";
+export { fromJSON } from "./json.js";
+export type { JSONWarning, ReadOptions } from "./json.js";
+export { TensorSurface, initSurface, initSurfaceSync } from "./surface.js";
+export type {
+  Direction,
+  DirectionJSON,
+  MeshFileOptions,
+  MeshRegion,
+  PatchWindow,
   SurfaceMesh,
   SurfacePatch,
   TensorSurfaceJSON,
   TensorSurfaceOptions,
-} from "./core.js";
-export { SparseFitter, fitSparse, fitSparseAsync, initFit, initFitSync } from "./fit.js";
-export type { FitProgress, FitStatus, SparseFit, SparseFitOptions, SparseFitStrength, SparseKnot } from "./fit.js";
+} from "./surface.js";

@@ -1,13 +1,31 @@
 /** Curves as plain data, and back, from data that need not be friendly. */
-import { options as checkOptions } from "./arguments.js";
-import { type BSplineCurve, type BSplineCurveJSON, bSplineOf, checkedBSpline } from "./b-spline-curve.js";
-import { ExplineError, type ErrorCode, type ErrorDetails, overLimit, shown, wrong } from "./error.js";
-import { type HermiteCurve, type HermiteCurveJSON, checked, curveOf } from "./hermite-curve.js";
-import { type InterpolatingCurve, type InterpolatingCurveJSON, checkedInterpolating, interpolatingOf } from "./interpolating-curve.js";
+import {
+  type BSplineCurve,
+  type BSplineCurveJSON,
+  type ErrorCode,
+  type ErrorDetails,
+  ExplineError,
+  type HermiteCurve,
+  type HermiteCurveJSON,
+  type InterpolatingCurve,
+  type InterpolatingCurveJSON,
+  type LocalCurve,
+  type LocalCurveJSON,
+  bSplineOf,
+  checked,
+  checkedBSpline,
+  checkedInterpolating,
+  checkedLocal,
+  curveOf,
+  interpolatingOf,
+  localOf,
+  options as checkOptions,
+  overLimit,
+  shown,
+  wrong,
+} from "./core.js";
 import { scan } from "./json-text.js";
-import { type LocalCurve, type LocalCurveJSON, checkedLocal, localOf } from "./local-curve.js";
-import { type TensorSurface, checkedSurface, surfaceOf } from "./surface.js";
-import type { TensorSurfaceJSON } from "./surface-json.js";
+import { type TensorSurface, type TensorSurfaceJSON, checkedSurface, surfaceOf } from "./surface.js";
 
 /** Something in the data that was not understood, but kept. */
 export interface JSONWarning {

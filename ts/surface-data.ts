@@ -1,6 +1,6 @@
 /** What a surface is made of, owned here; the kernel only ever holds a copy of it in one of its places. */
-import { type Instance, engine } from "./engine.js";
-import { type Floats, call, peek, result, write } from "./kernel.js";
+import type { Floats } from "./core.js";
+import { call, engine, peek, result, write } from "./surface-engine.js";
 
 /** How many surfaces an instance keeps at once. */
 const PLACES = 4;
@@ -39,7 +39,7 @@ interface Places {
   points: number;
 }
 
-const placesOf = new WeakMap<Instance, Places>();
+const placesOf = new WeakMap<object, Places>();
 
 /** Every state of every surface has a number of its own. */
 let lastId = 0;

@@ -3,6 +3,8 @@ import {
   LARGEST,
   MAX_EVALUATIONS,
   MAX_OUTPUT,
+  type Floats,
+  type Root,
   coordinate,
   count as checkCount,
   finite,
@@ -12,15 +14,22 @@ import {
   lengthOfFloats,
   numbers,
   options as checkOptions,
+  overLimit,
+  rootList,
+  rootNumbers,
   within,
-} from "./arguments.js";
-import { overLimit, wrong, wrongLength } from "./error.js";
-import type { Kernel } from "./engine.js";
-import { type Floats, call, copy, peek, result, write } from "./kernel.js";
+  wrong,
+  wrongLength,
+} from "./core.js";
 import { type MeshFileOptions, gltfOf, objOf } from "./mesh-files.js";
-import { type Root, rootList, rootNumbers } from "./roots.js";
 import { type DirectionData, type PatchData, type PatchWindow, SurfaceData, readSurface } from "./surface-data.js";
+import { type SurfaceKernel, call, copy, peek, result, write } from "./surface-engine.js";
 import { type TensorSurfaceJSON, surfaceJSON } from "./surface-json.js";
+
+export type { MeshFileOptions } from "./mesh-files.js";
+export type { PatchWindow } from "./surface-data.js";
+export { initSurface, initSurfaceSync } from "./surface-engine.js";
+export type { DirectionJSON, TensorSurfaceJSON } from "./surface-json.js";
 
 /** How a net runs in one of its two directions. */
 export interface Direction {
@@ -455,7 +464,7 @@ function pairwise(
   op: string,
   u: unknown,
   v: unknown,
-  body: (kernel: Kernel, slot: number, count: number) => number,
+  body: (kernel: SurfaceKernel, slot: number, count: number) => number,
 ): Floats {
   const data = dataOf(surface, op);
   const list = (arg: string, value: unknown): Floats => {

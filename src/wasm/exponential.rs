@@ -1,8 +1,9 @@
 //! Exponential B-splines, interpolators, and lists of roots by what they keep.
 
 use super::kernel::{Kernel, run, times};
+use super::roots::{push_roots, roots_of};
 use crate::Result;
-use crate::generator::{ExponentialBSpline, Interpolator, Root, Roots};
+use crate::generator::{ExponentialBSpline, Interpolator, Roots};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The generator of the last call, with what it was made from: asking again costs no second preparation.
@@ -15,19 +16,6 @@ pub(super) struct Prepared {
 enum Generator {
     Spline(ExponentialBSpline),
     Interpolator(Interpolator),
-}
-
-/// Numbers in pairs, as roots.
-pub(super) fn roots_of(numbers: &[f64]) -> Result<Roots> {
-    let list: Vec<Root> = numbers.chunks_exact(2).map(|pair| Root { re: pair[0], im: pair[1] }).collect();
-    Roots::new(&list, "roots")
-}
-
-/// Appends roots in pairs; adding 0 turns −0 into 0.
-pub(super) fn push_roots(output: &mut Vec<f64>, roots: &Roots) {
-    for root in roots.as_slice() {
-        output.extend([root.re + 0.0, root.im + 0.0]);
-    }
 }
 
 fn prepare(kernel: &mut Kernel, kind: u32, count: u32) -> Result<Box<Prepared>> {

@@ -2,6 +2,8 @@
 
 #[cfg(feature = "wasm")]
 use super::exponential::Prepared;
+#[cfg(feature = "wasm-surface")]
+use crate::TensorSurface;
 #[cfg(feature = "wasm")]
 use crate::curve::measures::Pieces;
 #[cfg(feature = "wasm")]
@@ -9,7 +11,7 @@ use crate::curve::{LengthTable, NearestFinder, Sampler, SplineSampler};
 #[cfg(feature = "wasm-fit")]
 use crate::fit::Fitter;
 #[cfg(feature = "wasm")]
-use crate::{BSplineCurve, HermiteCurve, InterpolatingCurve, LocalCurve, TensorSurface};
+use crate::{BSplineCurve, HermiteCurve, InterpolatingCurve, LocalCurve};
 use crate::{Error, Result};
 use std::cell::RefCell;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -18,7 +20,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[cfg(feature = "wasm")]
 pub(super) const SLOTS: usize = 16;
 /// How many surfaces.
-#[cfg(feature = "wasm")]
+#[cfg(feature = "wasm-surface")]
 pub(super) const SURFACES: usize = 4;
 /// What an exported function returns when it failed; the record then holds the error.
 pub(super) const FAILED: i32 = -1;
@@ -86,7 +88,7 @@ pub(super) struct Kernel {
     #[cfg(feature = "wasm")]
     pub(super) slots: [Option<Resident>; SLOTS],
     /// The resident surfaces.
-    #[cfg(feature = "wasm")]
+    #[cfg(feature = "wasm-surface")]
     pub(super) surfaces: [Option<TensorSurface>; SURFACES],
 }
 
@@ -107,7 +109,7 @@ thread_local! {
             fits: Vec::new(),
             #[cfg(feature = "wasm")]
             slots: [const { None }; SLOTS],
-            #[cfg(feature = "wasm")]
+            #[cfg(feature = "wasm-surface")]
             surfaces: [const { None }; SURFACES],
         })
     };

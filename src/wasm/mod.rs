@@ -8,13 +8,14 @@
 //! [`kernel::FAILED`], with the error's fields in the result record. Nothing here computes, and nothing here
 //! formats: messages are made in the face.
 //!
-//! The package has two modules, each with an instance and a memory of its own: feature `wasm` exports curves and
-//! surfaces, feature `wasm-fit` fitting. [`kernel`] and [`describe`] are in both.
+//! The package has three modules, each with an instance and a memory of its own: feature `wasm` exports curves, feature
+//! `wasm-surface` surfaces, feature `wasm-fit` fitting. [`kernel`] is in all of them.
 
 #![allow(unreachable_pub, reason = "exported functions are public to JavaScript, not to Rust")]
 
 #[cfg(feature = "wasm")]
 mod curve;
+#[cfg(any(feature = "wasm", feature = "wasm-fit"))]
 mod describe;
 #[cfg(feature = "wasm")]
 mod exponential;
@@ -26,11 +27,13 @@ mod heap;
 mod kernel;
 #[cfg(feature = "wasm")]
 mod measure;
+#[cfg(any(feature = "wasm", feature = "wasm-surface"))]
+mod roots;
 #[cfg(feature = "wasm")]
 mod sample;
 #[cfg(feature = "wasm")]
 mod spline;
-#[cfg(feature = "wasm")]
+#[cfg(feature = "wasm-surface")]
 mod surface;
 #[cfg(feature = "wasm")]
 mod svg;

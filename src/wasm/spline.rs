@@ -1,7 +1,7 @@
 //! Interpolating curves, with patches or without, and B-spline curves: in and out of the slots, finer and coarser.
 
-use super::exponential::{push_roots, roots_of};
 use super::kernel::{AnyCurve, Kernel, run, times};
+use super::roots::{push_roots, roots_of};
 use crate::{BSplineCurve, Error, InterpolatingCurve, LocalCurve, Result};
 use wasm_bindgen::prelude::wasm_bindgen;
 

@@ -3,8 +3,8 @@
 //! A surface crosses as one run of numbers: for u and for v the count of points, closed, level, how many roots; how many
 //! patches; the roots in pairs; the net; and for every patch its two windows (level, first, count) and its displacements.
 
-use super::exponential::{push_roots, roots_of};
 use super::kernel::{Kernel, SURFACES, grow, run, times};
+use super::roots::{push_roots, roots_of};
 use crate::numerics::Vector3;
 use crate::surface::{Direction, Grid, Region};
 use crate::{Error, Result, TensorSurface};

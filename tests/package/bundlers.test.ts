@@ -92,26 +92,28 @@ test("esbuild, as a classic script in a page that declares no charset", async ()
   assert.equal(await titleOf(folder, POLICY), EXPECTED);
 });
 
-/** Something that only the wasm for fitting has, in the text that it is inlined as. */
-const FITTING = "fit_describe";
+/** Something that only the wasm for fitting, or for surfaces, has in the text that it is inlined as. */
+const MARKS = { fitting: "fit_describe", surfaces: "surface_touched" } as const;
 
-/** What a bundle has of the module for fitting. */
-function hasFitting(file: string): boolean {
-  return readFileSync(file, "utf8").includes(FITTING);
+/** What a bundle has besides curves. */
+function parts(file: string): string[] {
+  const text = readFileSync(file, "utf8");
+  return Object.entries(MARKS).flatMap(([part, mark]) => (text.includes(mark) ? [part] : []));
 }
 
-for (const [what, code, fitting] of [
-  ["curves alone", 'import { HermiteCurve } from "expline"; document.title = String(HermiteCurve.through([0, 0, 1, 1, 2, 0]).closed);', false],
-  ["a fit", 'import { fitSparse } from "expline"; document.title = String(fitSparse([0, 0, 4, 0, 4, 4, 0, 4]).curve.closed);', true],
+for (const [name, code, expected] of [
+  ["curves", 'import { HermiteCurve } from "expline"; document.title = String(HermiteCurve.through([0, 0, 1, 1, 2, 0]).closed);', []],
+  ["fits", 'import { fitSparse } from "expline"; document.title = String(fitSparse([0, 0, 4, 0, 4, 4, 0, 4]).curve.closed);', ["fitting"]],
+  ["surfaces", 'import { TensorSurface } from "expline"; document.title = String(TensorSurface.torus(3, 1).u.closed);', ["surfaces"]],
 ] as const) {
-  test(`a bundle of ${what} ${fitting ? "holds" : "does not hold"} the module for fitting, whoever makes it`, async () => {
-    const source = join(consumer, fitting ? "fits.mjs" : "curves.mjs");
+  test(`a bundle of ${name} holds what it needs and no other module, whoever makes it`, async () => {
+    const source = join(consumer, `${name}.mjs`);
     writeFileSync(source, code);
-    const folder = page(fitting ? "fits" : "curves", MODULE);
+    const folder = page(name, MODULE);
     const { build } = await import("esbuild");
     const outfile = join(folder, "bundle.js");
     await build({ entryPoints: [source], outfile, bundle: true, minify: true, format: "esm", logLevel: "error" });
-    assert.equal(hasFitting(outfile), fitting, "esbuild");
+    assert.deepEqual(parts(outfile), expected, "esbuild");
     assert.equal(await titleOf(folder, POLICY), "true");
 
     const { rollup } = await import("@rollup/wasm-node");
@@ -121,7 +123,7 @@ for (const [what, code, fitting] of [
     const bundle = await rollup({ input: source, plugins: [resolve], treeshake, onwarn: (warning) => assert.fail(warning.message) });
     await bundle.write({ file: join(folder, "rollup.js"), format: "es" });
     await bundle.close();
-    assert.equal(hasFitting(join(folder, "rollup.js")), fitting, "Rollup");
+    assert.deepEqual(parts(join(folder, "rollup.js")), expected, "Rollup");
 
     const { default: webpack } = await import("webpack");
     await new Promise<void>((done, fail) => {
@@ -130,7 +132,7 @@ for (const [what, code, fitting] of [
         else done();
       });
     });
-    assert.equal(hasFitting(join(folder, "webpack.js")), fitting, "webpack");
+    assert.deepEqual(parts(join(folder, "webpack.js")), expected, "webpack");
   });
 }
 

@@ -6,6 +6,7 @@ import { ensureSurface } from "./editor/surface/surface-edits.ts";
 import { surfaceHint, surfaceSummary } from "./editor/surface/surface-hint.ts";
 import { surfaceView } from "./editor/surface/surface-view.ts";
 import { meshPoints } from "./kernel/surface.ts";
+import { startSurfaceEngine } from "./kernel/surface-engine.ts";
 import type { Panels } from "./panels/mount.ts";
 import type { Shell } from "./panels/shell.ts";
 import { surfaceCards } from "./panels/surface/surface-gallery.ts";
@@ -42,6 +43,7 @@ export interface SurfaceModeOptions {
 }
 
 export async function mountSurfaceMode({ editor, frame, stage, surface, panels, contract, until }: SurfaceModeOptions): Promise<void> {
+  await startSurfaceEngine();
   ensureSurface(editor);
   const tool = createSurfaceTool(editor);
   registerSurfaceActions(editor, (axis) => tool.hold(axis));

@@ -4,6 +4,12 @@ declare module "expline/expline_bg.wasm?url" {
   export default url;
 }
 
+/** The same of the engine of surfaces. */
+declare module "expline/expline_surface_bg.wasm?url" {
+  const url: string;
+  export default url;
+}
+
 /** The same of the engine that fits. */
 declare module "expline/expline_fit_bg.wasm?url" {
   const url: string;
