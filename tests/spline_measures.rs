@@ -130,7 +130,11 @@ fn a_helix_has_its_length_curvature_and_nearest_points() {
     let found = helix.nearest_in_space([0.0, 0.0, 1.5]);
     assert!((found.t - 5.0).abs() < 1e-5 && (found.distance - 2.0).abs() < 1e-11);
     let bounds = helix.bounds();
-    assert!(bounds.min_z.abs() < 1e-12 && (bounds.max_z - 3.3).abs() < 1e-12 && (bounds.max_x - 2.0).abs() < 1e-12);
+    assert!(
+        bounds.min_z.abs() < 1e-12
+            && (bounds.max_z - 3.3).abs() < 1e-12
+            && (bounds.max_x - 2.0).abs() < 1e-12
+    );
     let (polyline, deviation) = helix.flatten(1e-3).expect("a polyline");
     assert!(polyline.len() % 3 == 0 && deviation <= 1e-3);
     let cubics = helix.to_cubics(1e-6).expect("cubics");
