@@ -89,7 +89,7 @@ fn cubics_and_hyperbolas_become_hermite_curves_exactly_and_others_within_a_toler
 fn farthest(from: &dyn Curve, to: &HermiteCurve) -> f64 {
     let finder = expline::curve::NearestFinder::new(to.as_pieces());
     let parameters = from.sample_by_length(2000, 1e-6).expect("parameters");
-    assert_eq!(parameters.len(), 2000);
+    assert_eq!(parameters.len(), 2000, "one for each point");
     let points = from.points_by_length(2000, 1e-6).expect("points");
     points.chunks_exact(2).map(|p| finder.nearest(Point::new(p[0], p[1])).distance).fold(0.0, f64::max)
 }
@@ -136,9 +136,9 @@ fn a_helix_has_its_length_curvature_and_nearest_points() {
             && (bounds.max_x - 2.0).abs() < 1e-12
     );
     let (polyline, deviation) = helix.flatten(1e-3).expect("a polyline");
-    assert!(polyline.len() % 3 == 0 && deviation <= 1e-3);
+    assert!(polyline.len().is_multiple_of(3) && deviation <= 1e-3);
     let cubics = helix.to_cubics(1e-6).expect("cubics");
-    assert!(cubics.path.len() % 12 == 0 && cubics.deviation <= 1e-6);
+    assert!(cubics.path.len().is_multiple_of(12) && cubics.deviation <= 1e-6);
     assert!(helix.area().is_err() && helix.to_hermite(1e-3).is_err());
     assert!(to_path_d(&helix, &PrintOptions::default()).is_err());
 }
