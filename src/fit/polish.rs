@@ -6,10 +6,11 @@
 
 use super::cone::{Metric, dot, norm, stretch};
 use super::dual::dual_curve;
+use super::play::{maxima, median};
 use super::reduced::Reduced;
 use super::scaled::Scaled;
 use super::solution::{Solution, Spline};
-use super::solver::{Measure, Solver, dual_length, jump_length, lanes, maxima, measure, median, seen};
+use super::solver::{Measure, Solver, dual_length, jump_length, lanes, measure, seen};
 use crate::error::Result;
 use crate::numerics::Vector;
 

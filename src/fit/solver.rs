@@ -1,5 +1,6 @@
 //! The solver: an interior-point method on the knots in play, which are found on the way.
 
+use super::cold::start;
 use super::compress::compress;
 use super::cone::{Lorentz, Metric, Scaling, dot, norm, stretch};
 use super::dual::dual_curve;
@@ -108,12 +109,12 @@ pub struct Solver {
     pub(crate) before: Vec<(f64, f64)>,
     /// Iterations since the gap last fell by a tenth, and the gap then.
     idle: (usize, f64),
-    buffers: Buffers,
+    pub(crate) buffers: Buffers,
 }
 
 /// Memory that iterations share.
 #[derive(Clone, Debug, Default)]
-struct Buffers {
+pub(crate) struct Buffers {
     scalings: Vec<Scaling>,
     metrics: Vec<Metric>,
     residual: Vec<Vector>,
@@ -125,7 +126,7 @@ struct Buffers {
     complements: Vec<Lorentz>,
     line: Vec<f64>,
     known: Vec<Vector>,
-    element_forces: Vec<[Vector; TERMS]>,
+    pub(crate) element_forces: Vec<[Vector; TERMS]>,
 }
 
 /// How many cones a knot has.
@@ -413,73 +414,6 @@ impl Solver {
             .iter()
             .all(|pair| pair.s.height > norm(pair.s.plane) && pair.z.height > norm(pair.z.plane))
     }
-
-    /// Puts the places where the dual curve is longest into play.
-    fn insert_knots(&mut self) -> Result<()> {
-        let lanes = lanes(self.data.norm);
-        let (longest, gap) = (self.measure.longest, self.measure.gap);
-        let threshold = (1.0 - 3.0 * (longest - 1.0) - gap).max(0.8);
-        let closed = self.data.closed;
-        let mut sets = Vec::new();
-        let mut any = false;
-        for (part, eta) in self.iterate.reduced.parts.iter().zip(&self.eta) {
-            let mut set = part.chosen.clone();
-            for k in maxima(eta, closed, lanes, threshold) {
-                if let Err(at) = set.binary_search(&k) {
-                    set.insert(at, k);
-                    any = true;
-                }
-            }
-            sets.push(set);
-        }
-        if !any {
-            return Ok(());
-        }
-        let old = &self.iterate;
-        let rank = old.cones.len().max(1) as f64;
-        let mean = old.cones.iter().map(|pair| pair.s.dot(pair.z)).sum::<f64>() / rank;
-        let mut reduced = Reduced::new(&self.data, sets)?;
-        let unknowns = transfer(&old.reduced, &mut reduced, &old.unknowns);
-        let mut cones =
-            limits::with_room(lanes * reduced.parts.iter().map(|p| p.chosen.len()).sum::<usize>())?;
-        let mut knot = 0;
-        for (i, part) in reduced.parts.iter().enumerate() {
-            let lambda = self.data.components[i].lambda;
-            let before = &old.reduced.parts[i].chosen;
-            let typical = median(old.jumps[knot..knot + before.len()].iter().map(|v| norm(*v)).collect());
-            let margin = (0.5 * mean / (lambda * typical).max(f64::MIN_POSITIVE)).min(0.1);
-            let mut known = 0;
-            for &k in &part.chosen {
-                if before.get(known) == Some(&k) {
-                    let at = (knot + known) * lanes;
-                    cones.extend_from_slice(&old.cones[at..at + lanes]);
-                    known += 1;
-                    continue;
-                }
-                for lane in 0..lanes {
-                    let plane = seen(self.eta[i][k] * -lambda, lane, lanes);
-                    let length = norm(plane);
-                    let z = Lorentz::new(lambda.max(length / (1.0 - margin)), plane);
-                    let inverse = mean * z.height / ((z.height - length) * (z.height + length));
-                    let s = Lorentz::new(inverse.min(20.0 * mean / z.height), Vector::zeros());
-                    cones.push(Pair { s, z, lambda });
-                }
-            }
-            knot += before.len();
-        }
-        let mut jumps = Vec::new();
-        reduced.jumps(&unknowns, &mut jumps);
-        for (k, pair) in cones.iter_mut().enumerate() {
-            pair.s.plane = seen(jumps[k / lanes], k % lanes, lanes);
-            let least = norm(pair.s.plane) * (1.0 + 1e-12);
-            pair.s.height = pair.s.height.max(least);
-        }
-        // The same curve, seen from other elements.
-        let moments = &mut self.buffers.element_forces;
-        let _ = reduced.residuals(&self.data, &unknowns, &mut self.weighted, moments);
-        self.iterate = Iterate { reduced, unknowns, jumps, cones };
-        Ok(())
-    }
 }
 
 /// Objective, bound and gap. The dual vector of residuals is feasible when scaled by 1/longest; a shorter scale that is
@@ -527,108 +461,4 @@ fn direction(iterate: &Iterate, b: &mut Buffers, lanes: usize) {
 
 fn longest_step(cones: &[Pair], steps: &[(Lorentz, Lorentz)], most: f64) -> f64 {
     cones.iter().zip(steps).fold(most, |step, (pair, (ds, dz))| pair.z.reach(*dz, pair.s.reach(*ds, step)))
-}
-
-/// Places where the dual curve is locally longest and longer than `threshold`.
-pub(crate) fn maxima(eta: &[Vector], closed: bool, lanes: usize, threshold: f64) -> Vec<usize> {
-    let count = eta.len();
-    let size = |v: Vector| if lanes == 1 { dot(v, v) } else { v.x.abs().max(v.y.abs()) };
-    let threshold = if lanes == 1 { threshold * threshold } else { threshold };
-    let outside = if closed { eta.last().map_or(0.0, |v| size(*v)) } else { 0.0 };
-    let (mut before, mut found) = (outside, Vec::new());
-    for (k, v) in eta.iter().enumerate() {
-        let here = size(*v);
-        if here > threshold && here > before {
-            let after = match eta.get(k + 1) {
-                Some(next) => size(*next),
-                None if closed && count > 1 => size(eta[0]),
-                None => 0.0,
-            };
-            if here >= after {
-                found.push(k);
-            }
-        }
-        before = here;
-    }
-    found
-}
-
-pub(crate) fn median(mut values: Vec<f64>) -> f64 {
-    if values.is_empty() {
-        return 0.0;
-    }
-    let middle = values.len() / 2;
-    *values.select_nth_unstable_by(middle, f64::total_cmp).1
-}
-
-/// The same functions on more knots.
-fn transfer(from: &Reduced, to: &mut Reduced, unknowns: &[Vector]) -> Vec<Vector> {
-    let mut result = vec![Vector::zeros(); to.unknowns];
-    let mut fine = Vec::new();
-    for (old, new) in from.parts.iter().zip(&to.parts) {
-        let coefficients: Vec<Vector> = old.order.iter().map(|&place| unknowns[place]).collect();
-        old.space.refine_into(&coefficients, &new.space, &mut fine);
-        for (&place, value) in new.order.iter().zip(&fine) {
-            result[place] = *value;
-        }
-    }
-    result
-}
-
-/// A first point: few knots at equal distances, a smoothing spline on them whose forces are half of what is allowed.
-pub(crate) fn start(data: &Scaled) -> Result<Iterate> {
-    let lanes = lanes(data.norm);
-    let chosen = data
-        .components
-        .iter()
-        .map(|component| {
-            let places = component.grid.len();
-            let count = 48.min(places);
-            (0..count).map(|k| k * places / count).collect()
-        })
-        .collect();
-    let mut reduced = Reduced::new(data, chosen)?;
-    let lambdas: Vec<f64> = reduced
-        .parts
-        .iter()
-        .enumerate()
-        .flat_map(|(i, part)| core::iter::repeat_n(data.components[i].lambda, part.chosen.len()))
-        .collect();
-    // Stiffnesses of the knots: all forces are at most half of λ when each is λ over twice its jump.
-    let mut stiffness: Vec<f64> = lambdas.iter().map(|lambda| lambda * 1e-3).collect();
-    let (mut unknowns, mut jumps, mut line) = (Vec::new(), Vec::new(), Vec::new());
-    for _ in 0..3 {
-        let metrics: Vec<Metric> = stiffness.iter().map(|&k| [k, 0.0, k]).collect();
-        let _ = reduced.factor(&metrics);
-        unknowns = reduced.linear.clone();
-        reduced.solve(&mut unknowns, &mut line);
-        reduced.jumps(&unknowns, &mut jumps);
-        let mut knot = 0;
-        for part in &reduced.parts {
-            let range = knot..knot + part.chosen.len();
-            let largest = jumps[range.clone()].iter().fold(0.0_f64, |most, v| most.max(norm(*v)));
-            for k in range {
-                stiffness[k] = 0.5 * lambdas[k] / largest.max(1e-300);
-            }
-            knot += part.chosen.len();
-        }
-    }
-    let metrics: Vec<Metric> = stiffness.iter().map(|&k| [k, 0.0, k]).collect();
-    let _ = reduced.factor(&metrics);
-    unknowns.clone_from(&reduced.linear);
-    reduced.solve(&mut unknowns, &mut line);
-    reduced.jumps(&unknowns, &mut jumps);
-    let mean =
-        0.3 * jumps.iter().zip(&lambdas).map(|(v, l)| l * norm(*v)).sum::<f64>() / jumps.len().max(1) as f64;
-    let mut cones = Vec::new();
-    for (k, jump) in jumps.iter().enumerate() {
-        for lane in 0..lanes {
-            let plane = seen(*jump, lane, lanes);
-            let height = (dot(plane, plane) + (mean / lambdas[k]) * (mean / lambdas[k])).sqrt();
-            let force = plane * -stiffness[k];
-            let z = Lorentz::new(lambdas[k].max(norm(force) / 0.9), force);
-            cones.push(Pair { s: Lorentz::new(height, plane), z, lambda: lambdas[k] });
-        }
-    }
-    Ok(Iterate { reduced, unknowns, jumps, cones })
 }

@@ -1,8 +1,10 @@
 //! A new run from what the last one left behind, for another λ.
 
+use super::cold::start;
 use super::cone::{Lorentz, Metric, Scaling, dot, norm, stretch};
+use super::play::maxima;
 use super::reduced::Reduced;
-use super::solver::{Iterate, Pair, Solver, lanes, maxima, seen, start};
+use super::solver::{Iterate, Pair, Solver, lanes, seen};
 use crate::error::{Error, Result};
 use crate::limits;
 use crate::numerics::Vector;

@@ -1,0 +1,123 @@
+//! Which knots are in play: those where the dual curve is longest join.
+
+use super::cone::{Lorentz, dot, norm};
+use super::reduced::Reduced;
+use super::solver::{Iterate, Pair, Solver, lanes, seen};
+use crate::error::Result;
+use crate::limits;
+use crate::numerics::Vector;
+
+impl Solver {
+    /// Puts the places where the dual curve is longest into play.
+    pub(crate) fn insert_knots(&mut self) -> Result<()> {
+        let lanes = lanes(self.data.norm);
+        let (longest, gap) = (self.measure.longest, self.measure.gap);
+        let threshold = (1.0 - 3.0 * (longest - 1.0) - gap).max(0.8);
+        let closed = self.data.closed;
+        let mut sets = Vec::new();
+        let mut any = false;
+        for (part, eta) in self.iterate.reduced.parts.iter().zip(&self.eta) {
+            let mut set = part.chosen.clone();
+            for k in maxima(eta, closed, lanes, threshold) {
+                if let Err(at) = set.binary_search(&k) {
+                    set.insert(at, k);
+                    any = true;
+                }
+            }
+            sets.push(set);
+        }
+        if !any {
+            return Ok(());
+        }
+        let old = &self.iterate;
+        let rank = old.cones.len().max(1) as f64;
+        let mean = old.cones.iter().map(|pair| pair.s.dot(pair.z)).sum::<f64>() / rank;
+        let mut reduced = Reduced::new(&self.data, sets)?;
+        let unknowns = transfer(&old.reduced, &mut reduced, &old.unknowns);
+        let mut cones =
+            limits::with_room(lanes * reduced.parts.iter().map(|p| p.chosen.len()).sum::<usize>())?;
+        let mut knot = 0;
+        for (i, part) in reduced.parts.iter().enumerate() {
+            let lambda = self.data.components[i].lambda;
+            let before = &old.reduced.parts[i].chosen;
+            let typical = median(old.jumps[knot..knot + before.len()].iter().map(|v| norm(*v)).collect());
+            let margin = (0.5 * mean / (lambda * typical).max(f64::MIN_POSITIVE)).min(0.1);
+            let mut known = 0;
+            for &k in &part.chosen {
+                if before.get(known) == Some(&k) {
+                    let at = (knot + known) * lanes;
+                    cones.extend_from_slice(&old.cones[at..at + lanes]);
+                    known += 1;
+                    continue;
+                }
+                for lane in 0..lanes {
+                    let plane = seen(self.eta[i][k] * -lambda, lane, lanes);
+                    let length = norm(plane);
+                    let z = Lorentz::new(lambda.max(length / (1.0 - margin)), plane);
+                    let inverse = mean * z.height / ((z.height - length) * (z.height + length));
+                    let s = Lorentz::new(inverse.min(20.0 * mean / z.height), Vector::zeros());
+                    cones.push(Pair { s, z, lambda });
+                }
+            }
+            knot += before.len();
+        }
+        let mut jumps = Vec::new();
+        reduced.jumps(&unknowns, &mut jumps);
+        for (k, pair) in cones.iter_mut().enumerate() {
+            pair.s.plane = seen(jumps[k / lanes], k % lanes, lanes);
+            let least = norm(pair.s.plane) * (1.0 + 1e-12);
+            pair.s.height = pair.s.height.max(least);
+        }
+        // The same curve, seen from other elements.
+        let moments = &mut self.buffers.element_forces;
+        let _ = reduced.residuals(&self.data, &unknowns, &mut self.weighted, moments);
+        self.iterate = Iterate { reduced, unknowns, jumps, cones };
+        Ok(())
+    }
+}
+
+/// Places where the dual curve is locally longest and longer than `threshold`.
+pub(crate) fn maxima(eta: &[Vector], closed: bool, lanes: usize, threshold: f64) -> Vec<usize> {
+    let count = eta.len();
+    let size = |v: Vector| if lanes == 1 { dot(v, v) } else { v.x.abs().max(v.y.abs()) };
+    let threshold = if lanes == 1 { threshold * threshold } else { threshold };
+    let outside = if closed { eta.last().map_or(0.0, |v| size(*v)) } else { 0.0 };
+    let (mut before, mut found) = (outside, Vec::new());
+    for (k, v) in eta.iter().enumerate() {
+        let here = size(*v);
+        if here > threshold && here > before {
+            let after = match eta.get(k + 1) {
+                Some(next) => size(*next),
+                None if closed && count > 1 => size(eta[0]),
+                None => 0.0,
+            };
+            if here >= after {
+                found.push(k);
+            }
+        }
+        before = here;
+    }
+    found
+}
+
+pub(crate) fn median(mut values: Vec<f64>) -> f64 {
+    if values.is_empty() {
+        return 0.0;
+    }
+    let middle = values.len() / 2;
+    *values.select_nth_unstable_by(middle, f64::total_cmp).1
+}
+
+/// The same functions on more knots.
+fn transfer(from: &Reduced, to: &mut Reduced, unknowns: &[Vector]) -> Vec<Vector> {
+    let mut result = vec![Vector::zeros(); to.unknowns];
+    let mut fine = Vec::new();
+    for (old, new) in from.parts.iter().zip(&to.parts) {
+        let coefficients: Vec<Vector> = old.order.iter().map(|&place| unknowns[place]).collect();
+        old.space.refine_into(&coefficients, &new.space, &mut fine);
+        for (&place, value) in new.order.iter().zip(&fine) {
+            result[place] = *value;
+        }
+    }
+    result
+}
