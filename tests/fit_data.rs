@@ -1,0 +1,107 @@
+//! What a fit finds out about its points: their noise, their parameters, whether they close.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod support;
+
+use expline::fit::{Ask, Fitter, Options, Parametrisation, Samples, fit, is_regular, noise, parametrise};
+use expline::numerics::Point;
+use support::curves::Random;
+
+/// Normally distributed, nearly: the sum of twelve uniform numbers.
+fn normal(random: &mut Random) -> f64 {
+    (0..12).map(|_| random.unit()).sum::<f64>() - 6.0
+}
+
+/// An ellipse of half axes 200 and 120 at `count` parameters, with noise.
+fn ellipse(count: usize, sigma: f64, jitter: f64, seed: u64) -> Vec<Point> {
+    let mut random = Random::new(seed);
+    (0..count)
+        .map(|k| {
+            let share = (k as f64 + jitter * random.symmetric()) / count as f64;
+            let angle = core::f64::consts::TAU * share;
+            let off = Point::new(normal(&mut random), normal(&mut random)) * sigma;
+            Point::new(200.0 * angle.cos(), 120.0 * angle.sin()) + off
+        })
+        .collect()
+}
+
+#[test]
+fn the_noise_is_found_within_a_tenth() {
+    for (count, sigma) in [(300, 0.5), (300, 2.0), (1000, 1.0), (5000, 0.1)] {
+        for seed in 0..4 {
+            let samples = Samples::new(&ellipse(count, sigma, 0.0, seed), Some(true), false).expect("fine");
+            let found = noise(&samples) * samples.scale;
+            // A median of 300 numbers that overlap has a standard deviation of about 6 %.
+            assert!((found / sigma - 1.0).abs() < 0.2, "{count} points, {sigma}: {found}");
+        }
+    }
+    let clean = Samples::new(&ellipse(300, 0.0, 0.0, 1), Some(true), false).expect("fine");
+    assert!(noise(&clean) * clean.scale < 1e-3, "clean points have none");
+}
+
+#[test]
+fn uneven_points_are_not_taken_for_even_ones() {
+    let regular = |points: &[Point]| is_regular(&Samples::new(points, Some(true), false).expect("fine"));
+    assert!(regular(&ellipse(400, 0.0, 0.0, 1)), "clean and even in the angle");
+    assert!(regular(&ellipse(400, 1.0, 0.0, 1)), "noisy and even");
+    assert!(!regular(&ellipse(400, 0.1, 0.45, 1)), "jittered by nearly half a step");
+}
+
+#[test]
+fn parameters_ascend_and_end_where_they_should() {
+    for kind in [
+        Parametrisation::Index,
+        Parametrisation::Chord,
+        Parametrisation::Centripetal,
+        Parametrisation::ArcLength,
+    ] {
+        for closed in [true, false] {
+            let samples = Samples::new(&ellipse(200, 1.0, 0.4, 3), Some(closed), false).expect("fine");
+            let (parameters, end) = parametrise(&samples, kind, noise(&samples));
+            assert_eq!(parameters.len(), 200, "{kind:?}");
+            assert_eq!(parameters[0], 0.0, "{kind:?}");
+            assert!(parameters.windows(2).all(|pair| pair[0] <= pair[1]), "{kind:?}, closed {closed}");
+            let last = parameters[199];
+            assert!(if closed { last < end } else { (last - end).abs() < 1e-9 }, "{kind:?}: {last} of {end}");
+        }
+    }
+}
+
+#[test]
+fn clean_uneven_points_on_a_line_have_their_own_places_as_chord_parameters() {
+    let mut random = Random::new(9);
+    let mut places: Vec<f64> = (0..50).map(|_| random.unit() * 100.0).collect();
+    places.sort_by(f64::total_cmp);
+    let points: Vec<Point> = places.iter().map(|&x| Point::new(3.0 * x, 4.0 * x)).collect();
+    let samples = Samples::new(&points, Some(false), false).expect("fine");
+    let (parameters, end) = parametrise(&samples, Parametrisation::Chord, 0.0);
+    let length = places[49] - places[0];
+    for (t, x) in parameters.iter().zip(&places) {
+        // Each is a sum of 50 roundings.
+        assert!((t / end - (x - places[0]) / length).abs() < 1e-13, "{t} for {x}");
+    }
+}
+
+#[test]
+fn ends_that_meet_make_a_closed_curve() {
+    let round = ellipse(200, 0.5, 0.0, 4);
+    let open: Vec<Point> = round[..150].to_vec();
+    let is_closed = |points: &[Point]| Fitter::new(points, &Options::default()).expect("fine").is_closed();
+    assert!(is_closed(&round), "a whole ellipse");
+    assert!(!is_closed(&open), "three quarters of one");
+    let mut twice = round.clone();
+    twice.push(round[0]);
+    let options = Options { degrees: vec![3], closed: Some(true), ..Options::default() };
+    let (one, other) = (fit(&round, Ask::Noise, &options), fit(&twice, Ask::Noise, &options));
+    let (one, other) = (one.expect("fine"), other.expect("fine"));
+    assert_eq!(one.knots.len(), other.knots.len(), "the first point given again at the end is one with it");
+    assert_eq!(other.parameters[0], other.parameters[200], "and has its parameter");
+}
+
+#[test]
+fn several_contours_share_one_noise_level() {
+    let contours: Vec<Vec<Point>> = (0..3).map(|seed| ellipse(200, 1.0, 0.0, seed)).collect();
+    let fits = expline::fit::fit_all(&contours, &Ask::Noise, &Options::default()).expect("fine");
+    assert_eq!(fits.len(), 3, "one fit for each");
+    assert!(fits.iter().all(|fit| fit.noise.to_bits() == fits[0].noise.to_bits()), "the same noise for all");
+}
