@@ -3,7 +3,8 @@ import { nothingSelected, segmentCount, type Contour, type Family, type Order, t
 import { finePlaceOf, rootsOf, supportOf } from "../document/roots.ts";
 import { inserted } from "../kernel/contours.ts";
 import { refinedAround } from "../kernel/fine-places.ts";
-import { asHermite, asInterpolating, finerInterpolating } from "../kernel/interpolating.ts";
+import { asHermite, asInterpolating } from "../kernel/families.ts";
+import { finerInterpolating } from "../kernel/interpolating.ts";
 import { activeContour, hasPlaces, isRefined, middleOf, mostPoints, printed, refuse, say, unnoticed } from "./edits.ts";
 import type { Editor } from "./editor.ts";
 

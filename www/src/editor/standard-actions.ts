@@ -5,7 +5,7 @@ import {
   clearCurve, deleteAndHeal, deleteAndOpen, duplicate, insertAfterSelected, insertAt, nudge, resetSelectedHandles, reverse, selectAll, selectEnd, selectNone, setKind,
   startHere, stepPart, stepSelection, toggleCusp,
 } from "./edits.ts";
-import { refineCurveHere } from "./family-edits.ts";
+import { whileLoading } from "./loading.ts";
 import { applyProposal, setLevel } from "./level-edits.ts";
 import type { Action, Editor, EditorState, OverlayId, ToolId } from "./editor.ts";
 
@@ -116,7 +116,7 @@ const pointActions: readonly Action[] = [
   action("delete", "Delete and heal", "Points", ["Delete", "Backspace"], deleteAndHeal, { enabled: hasSelection }),
   action("delete-open", "Delete and open", "Points", ["Shift+Delete", "Shift+Backspace"], deleteAndOpen, { enabled: hasSelection }),
   action("start-here", "Start here", "Curve", [], startHere, { enabled: hasSelection }),
-  action("refine-here", "Refine here", "Curve", [], refineCurveHere, { enabled: hasSelection }),
+  action("refine-here", "Refine here", "Curve", [], (editor) => void whileLoading(editor, import("./family-edits.ts").then(({ refineCurveHere }) => refineCurveHere(editor))), { enabled: hasSelection }),
   action("reverse", "Reverse", "Curve", [], reverse, { enabled: hasCurve }),
   action("level-up", "Level up", "Curve", ["}"], (editor) => setLevel(editor, editor.state.value.curve.level + 1), { enabled: hasCurve }),
   action("apply-level", "Change the level", "Curve", [], applyProposal, { enabled: (state) => state.sketch.proposal !== null }),

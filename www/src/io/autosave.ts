@@ -4,8 +4,8 @@
  */
 import type { DemoState } from "../document/document.ts";
 import { writeState } from "../document/file/write.ts";
+import { keysOf, prefix } from "./store.ts";
 
-const prefix = "expline.kept.";
 const delayMs = 1000;
 /** Sessions that stay in the store; the oldest give way. */
 const mostSessions = 4;
@@ -43,10 +43,6 @@ function unseal(key: string, text: string): Sealed | null {
   return { key, session, generation, time, json: body.slice(line + 1) };
 }
 
-function keysOf(storage: Storage): string[] {
-  return Array.from({ length: storage.length }, (_, i) => storage.key(i) ?? "").filter((key) => key.startsWith(prefix));
-}
-
 /** Every whole write of every session, newest first. Never throws: a blocked store is an empty one. */
 export function sealedWrites(storage: Storage | null): Sealed[] {
   if (storage === null) return [];
@@ -55,15 +51,6 @@ export function sealedWrites(storage: Storage | null): Sealed[] {
     return all.sort((a, b) => b.time - a.time || b.generation - a.generation);
   } catch {
     return [];
-  }
-}
-
-/** The page's local store, or null where the browser keeps none. */
-export function localStore(): Storage | null {
-  try {
-    return window.localStorage;
-  } catch {
-    return null;
   }
 }
 

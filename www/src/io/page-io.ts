@@ -2,17 +2,29 @@ import type { PngOptions } from "./png.ts";
 import type { SvgOptions } from "./svg-write.ts";
 import type { DemoState, Space } from "../document/document.ts";
 import type { Imported } from "../document/imported.ts";
-import { createAutosave, localStore, sealedWrites } from "./autosave.ts";
+import type { Autosave, AutosaveOptions } from "./autosave.ts";
 import type { Kept } from "./kept.ts";
 import { copyText, download } from "./download.ts";
 import { listenForIncoming, readIncoming } from "./incoming.ts";
 import { isShareLink } from "./link.ts";
 import { pngSize } from "./png-size.ts";
+import { hasKept, localStore } from "./store.ts";
+
+/** Keeping begins with the first change; until then there is nothing to keep. */
+function createAutosave(options: AutosaveOptions): Autosave {
+  let keeping: Promise<Autosave> | null = null;
+  const begun = (): Promise<Autosave> => (keeping ??= import("./autosave.ts").then((loaded) => loaded.createAutosave(options)));
+  return {
+    touch: () => void begun().then((autosave) => autosave.touch()),
+    flush: () => void keeping?.then((autosave) => autosave.flush()),
+    forget: () => void keeping?.then((autosave) => autosave.forget()),
+  };
+}
 
 /** Everything the panels are handed of this room. What a visit may never need is loaded when it is first asked for. */
 export const pageIo = {
   copyText, createAutosave, download, isShareLink, listenForIncoming, localStore, pngSize, readIncoming,
-  keptDrawings: async (storage: Storage | null): Promise<Kept[]> => (sealedWrites(storage).length === 0 ? [] : (await import("./kept.ts")).keptDrawings(storage)),
+  keptDrawings: async (storage: Storage | null): Promise<Kept[]> => (!hasKept(storage) ? [] : (await import("./kept.ts")).keptDrawings(storage)),
   readImport: async (text: string, space: Space): Promise<Imported> => (await import("./import.ts")).readImport(text, space),
   shareHash: async (state: DemoState): Promise<string> => (await import("./share.ts")).shareHash(state),
   readShareHash: async (hash: string): Promise<DemoState> => (await import("./share.ts")).readShareHash(hash),

@@ -17,33 +17,12 @@ function pointsOf(flat: Float64Array): ControlPoint[] {
 }
 
 /** With the number of segments that each point changes, as it stands in the file. */
-function supported(document: CurveDocument, contour: Contour): Contour {
+export function supported(document: CurveDocument, contour: Contour): Contour {
   return { ...contour, support: supportOf(document, contour) };
 }
 
-/** A contour with tangents as one through the same points; its corners are rounded. */
-export function asInterpolating(document: CurveDocument, contour: Contour): { contour: Contour; moved: number } {
-  const { closed } = contour;
-  const next = supported(document, { family: "interpolating", closed, points: contour.points.map(({ x, y }) => plainPoint(x, y)), ...(contour.space === undefined ? {} : { space: contour.space }) });
-  return { contour: next, moved: distanceBetween(document, contour, next) };
-}
-
-/** An interpolating contour as one with a tangent at each of its points. */
-export function asHermite(document: CurveDocument, contour: Contour): { contour: Contour; moved: number } {
-  const curve = curveOf(document, contour);
-  if (curve === null) return { contour, moved: 0 };
-  const { count, t } = placesOf(contour);
-  const [places, tangents] = [curve.evaluate(t), curve.evaluate(t, 1)];
-  const points = Array.from({ length: count }, (_, i): ControlPoint => {
-    const out = { dx: (tangents[2 * i] ?? 0) / 3 + 0, dy: (tangents[2 * i + 1] ?? 0) / 3 + 0 };
-    return { x: places[2 * i] ?? 0, y: places[2 * i + 1] ?? 0, kind: "symmetric", in: { dx: 0 - out.dx, dy: 0 - out.dy }, out };
-  });
-  const next: Contour = { family: "hermite", closed: contour.closed, points, support: 1, ...(contour.space === undefined ? {} : { space: contour.space }) };
-  return { contour: next, moved: distanceBetween(document, contour, next) };
-}
-
 /** The parameters of level 0's points. */
-function placesOf(contour: Contour): { count: number; t: Float64Array } {
+export function placesOf(contour: Contour): { count: number; t: Float64Array } {
   const count = contour.grid?.count ?? baseCount(contour);
   return { count, t: Float64Array.from({ length: count }, (_, i) => i) };
 }

@@ -1,7 +1,7 @@
 import { omegaOf, type Contour, type CurveDocument, type Space } from "../../document/document.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { activeContour, resample, setClosed, setOmega, setSpace } from "../../editor/edits.ts";
-import { setFamily, setOrder } from "../../editor/family-edits.ts";
+import { whileLoading } from "../../editor/loading.ts";
 import { setLevel } from "../../editor/level-edits.ts";
 import { h, setAttribute, setText } from "../dom.ts";
 import { choiceField, numberField, selectField, sliderField, toggleField } from "../fields.ts";
@@ -44,6 +44,8 @@ function frequencyOf(curve: CurveDocument): number {
 /** Family, space, frequency, number of points, level, closed: what the curve is made of. */
 export function curveSection(shell: Shell): Section & { readonly level: HTMLElement } {
   const { editor } = shell;
+  // Families are changed seldom: what it takes comes with the first change.
+  const edits = (run: (loaded: typeof import("../../editor/family-edits.ts")) => void): void => void whileLoading(editor, import("../../editor/family-edits.ts").then(run));
   const family = choiceField({
     label: "Family",
     testid: "family",
@@ -52,9 +54,9 @@ export function curveSection(shell: Shell): Section & { readonly level: HTMLElem
       { value: "hermite", label: "Hermite", about: "Points with tangents: each segment depends on its two ends." },
       { value: "interpolating", label: "Interpolating", about: "Points on the curve, without tangents: smooth through all of them, and each acts near by only." },
     ],
-    write: (value) => setFamily(editor, value),
+    write: (value) => edits(({ setFamily }) => setFamily(editor, value)),
   });
-  const order = selectField({ label: "Smoothness", testid: "order", about: "Roots of the generator: one more is one more continuous derivative, and one more segment that a point acts on.", options: orders, write: (value) => setOrder(editor, value === "3" ? 3 : value === "4" ? 4 : 5), reset: () => setOrder(editor, 3) });
+  const order = selectField({ label: "Smoothness", testid: "order", about: "Roots of the generator: one more is one more continuous derivative, and one more segment that a point acts on.", options: orders, write: (value) => edits(({ setOrder }) => setOrder(editor, value === "3" ? 3 : value === "4" ? 4 : 5)), reset: () => edits(({ setOrder }) => setOrder(editor, 3)) });
   const space = selectField({ label: "Space", testid: "space", about: "The functions that segments are made of, and so the shapes that are exact.", options: spaces, write: (value) => setSpace(editor, value), reset: () => setSpace(editor, "trigonometric") });
   const exact = h("p", { class: "field-note" });
   const omega = numberField({

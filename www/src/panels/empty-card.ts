@@ -1,0 +1,18 @@
+import "../styles/gallery.css";
+import { curveSamples } from "../document/samples.ts";
+import { openSample } from "../editor/route.ts";
+import type { Editor } from "../editor/editor.ts";
+import { h } from "./dom.ts";
+import { thumbnail } from "./thumbnail.ts";
+
+const offered = ["circle-2", "heart", "glyph"];
+
+/** What an empty drawing offers: the pen, and three samples. */
+export function emptyCard(editor: Editor): HTMLElement {
+  const samples = curveSamples.filter(({ id }) => offered.includes(id)).map((sample) =>
+    h("button", { class: "sample", type: "button", title: sample.note, click: () => openSample(editor, sample.id) }, thumbnail(sample.curve), h("span", { class: "sample-title" }, sample.title)));
+  return h("div", { class: "empty empty-curve", testid: "empty-curve" },
+    h("h2", {}, "Click to place points, or start from a sample"),
+    h("button", { class: "button primary", type: "button", click: () => editor.actions.run("tool-pen") }, h("span", {}, "Take the pen")),
+    h("div", { class: "samples" }, ...samples));
+}
