@@ -13,7 +13,8 @@ export function formatRatio(value: number): string {
 }
 
 export function formatBytes(bytes: number): string {
-  return bytes < 1000 ? `${bytes} B` : `${(bytes / 1000).toPrecision(3)} kB`;
+  if (bytes < 1000) return `${bytes} B`;
+  return bytes < 999_500 ? `${Number((bytes / 1000).toPrecision(3))} kB` : `${Number((bytes / 1e6).toPrecision(3))} MB`;
 }
 
 /** A length or area in document units: as many digits as the eye can use. */

@@ -1,4 +1,4 @@
-import { pointAt, type ControlPoint, type Kind, type PointRef, type Side } from "../../document/document.ts";
+import { baseCount, pointAt, type ControlPoint, type Kind, type PointRef, type Side } from "../../document/document.ts";
 import { nudge, setHandlePolar, setKind, setPoint } from "../../editor/edits.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { h, setText } from "../dom.ts";
@@ -103,7 +103,9 @@ function describeSelection({ selection, curve }: EditorState): string {
   const first = points[0];
   if (first === undefined) return "";
   if (points.length > 1) return `${points.length} points`;
-  const of = curve.contours[first.contour]?.points.length ?? 0;
+  const contour = curve.contours[first.contour];
+  const of = contour === undefined ? 0 : baseCount(contour);
+  if (contour !== undefined && first.index >= of) return `finer point ${first.index - of + 1} of ${contour.points.length - of}`;
   const where = curve.contours.length > 1 ? `, contour ${first.contour + 1}` : "";
   return `point ${first.index + 1} of ${of}${where}`;
 }
