@@ -92,3 +92,43 @@ fn closed_curves_have_the_golden_control_points_on_every_level() {
         }
     }
 }
+
+#[test]
+fn points_and_control_points_of_every_level_are_the_golden_curve() {
+    for case in file().periodic_examples {
+        let alpha = roots(&case.alpha);
+        let phi = Interpolator::new(&alpha).expect("golden roots");
+        let period = case.c.len() as f64;
+        let cancelled = 1.0 + 2.0 * phi.lambda().iter().map(|l| l.abs()).sum::<f64>();
+        // All shifts of a point by whole turns that reach t.
+        let sum = |points: &[f64], step: f64, first: f64, t: f64, weight: &dyn Fn(f64) -> f64| {
+            let mut sum = 0.0;
+            for (l, point) in points.iter().enumerate() {
+                for turn in -5..=5 {
+                    sum += point * weight((t - first - f64::from(turn) * period) / step - l as f64);
+                }
+            }
+            sum
+        };
+        for (t, expected) in case.t.iter().zip(&case.f) {
+            let got = sum(&case.c, 1.0, 0.0, *t, &|x| phi.at(x, 0));
+            assert!((got - expected).abs() < 2e-15 * cancelled, "{}: {got} for {expected} at {t}", case.name);
+            let mut points = from_points(&case.c, 1, true, &phi, case.m0).expect("in range");
+            for (level, scale) in case.scale.iter().enumerate() {
+                if level > 0 {
+                    let coarse = alpha.scaled(case.scale[level - 1]);
+                    points = finer(&points, 1, true, &coarse, case.m).expect("in range");
+                }
+                let fine = alpha.scaled(*scale);
+                let spline = ExponentialBSpline::new(&fine).expect("in range");
+                let first = 0.5 * (alpha.order() % 2) as f64 / scale;
+                let got = sum(&points, 1.0 / scale, first, *t, &|x| spline.at(x, 0) / fine.integral());
+                assert!(
+                    (got - expected).abs() < 1e-14 * cancelled,
+                    "{} level {level}: {got} for {expected}",
+                    case.name
+                );
+            }
+        }
+    }
+}

@@ -69,6 +69,9 @@ fn a_curve_passes_through_its_points_to_the_last_bit() {
     }
 }
 
+/// Fills a list with the coefficients of a piece.
+type Filler<'a> = &'a dyn Fn(usize, &mut Vec<f64>);
+
 #[test]
 fn pieces_meet_with_all_derivatives_that_are_promised() {
     let mut random = Random::new(2);
@@ -77,7 +80,7 @@ fn pieces_meet_with_all_derivatives_that_are_promised() {
         let curve = InterpolatingCurve::new(points, 2, true, Some(roots.clone())).expect("finite points");
         let fine = curve.refine(2, 2, 3).expect("in range");
         let cancelled = 1.0 + 2.0 * curve.interpolator().lambda().iter().map(|l| l.abs()).sum::<f64>();
-        let checks: [(usize, &dyn Fn(usize, &mut Vec<f64>)); 2] = [
+        let checks: [(usize, Filler); 2] = [
             (curve.piece_count(), &|i, out| curve.piece_into(i, out)),
             (fine.piece_count(), &|i, out| fine.piece_into(i, out)),
         ];

@@ -36,9 +36,10 @@ fn making_room_changes_no_bit_and_adds_control_points_only_there() {
             let whole = curve.base().refine(5, 2, 2).expect("in range");
             let (_, first, count) = finer.patch_window(1).expect("there");
             let points = finer.patch_points(1).expect("there");
-            for i in 0..count * dimension {
+            assert_eq!(points.len(), count * dimension, "as many as the window says");
+            for (i, number) in points.iter().enumerate() {
                 let all = whole.points().len();
-                assert_eq!(points[i], whole.points()[(first * dimension + i) % all], "{roots:?}");
+                assert_eq!(*number, whole.points()[(first * dimension + i) % all], "{roots:?}");
             }
         }
     }

@@ -25,7 +25,7 @@ fn lambda(roots: &Roots) -> Vec<f64> {
 
 /// Both agree to the digits printed.
 fn assert_printed(got: &[f64], printed: &[f64], digits: i32) {
-    assert_eq!(got.len(), printed.len());
+    assert_eq!(got.len(), printed.len(), "the number of weights");
     for (got, printed) in got.iter().zip(printed) {
         assert!((got - printed).abs() <= 0.51 * 10.0_f64.powi(-digits), "{got} is printed as {printed}");
     }
@@ -87,7 +87,7 @@ fn polynomial_weights_are_these_fractions() {
     ];
     for (degree, fractions) in (2..).zip(fractions) {
         let lambda = lambda(&Roots::polynomials(degree).expect("in range"));
-        assert_eq!(lambda.len(), fractions.len());
+        assert_eq!(lambda.len(), fractions.len(), "degree {degree}");
         for (got, (numerator, denominator)) in lambda.iter().zip(fractions) {
             let off = (got - numerator / denominator).abs();
             assert!(off < 4e-15 * lambda[0], "degree {degree}: {got} for {numerator}/{denominator}");

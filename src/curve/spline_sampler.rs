@@ -3,10 +3,10 @@
 //! On a piece the curve is in the space of its roots, which has n₀ dimensions. About the middle of a block
 //!
 //! ```text
-//! r(a ± τ) = Σ r⁽ʲ⁾(a) e_j(τ), j even  ±  Σ r⁽ʲ⁾(a) e_j(τ), j odd
+//! r(a ± τ) = Σ r⁽ʲ⁾(a) eⱼ(τ), j even  ±  Σ r⁽ʲ⁾(a) eⱼ(τ), j odd
 //! ```
 //!
-//! with the functions e_j of the space that have e_j⁽ⁱ⁾(0) = δᵢⱼ, i < n₀; they have the parity of j because the list of roots is
+//! with the functions eⱼ of the space that have eⱼ⁽ⁱ⁾(0) = δᵢⱼ, i < n₀; they have the parity of j because the list of roots is
 //! symmetric. They are the same for all blocks: one table serves all of a sampling (D 9.10). A block costs n₀ derivatives at
 //! its middle, and then two points at a time cost n₀ multiplications for each coordinate, whatever the number of weights.
 
@@ -20,7 +20,7 @@ use crate::limits::{MOST_OUTPUT_POINTS, MOST_ROOTS, check, filled, too_many};
 
 /// Pairs of samples in the largest block.
 const PAIRS: usize = 128;
-/// Terms of the Taylor sums of e_j at most: (10/4)³⁰/30! and less is left.
+/// Terms of the Taylor sums of eⱼ at most: (10/4)³⁰/30! and less is left.
 const TERMS: usize = 40;
 /// What is smaller than this on all of a piece is left out of them.
 const NEGLIGIBLE: f64 = 1e-18;
@@ -38,13 +38,13 @@ pub struct SplineSampler {
     shape: Option<Arc<Shape>>,
     /// From sample to sample, in units of a piece.
     step: f64,
-    /// e_j − δ₀ⱼ at τ = step·(k + ½) for blocks of even size and step·(k + 1) for odd ones; even j first. Row by row.
+    /// eⱼ − δ₀ⱼ at τ = step·(k + ½) for blocks of even size and step·(k + 1) for odd ones; even j first. Row by row.
     tables: [Vec<f64>; 2],
     built: [usize; 2],
     /// How many even and how many odd rows they have, and the first even j.
     rows: (usize, usize),
     skipped: usize,
-    /// Taylor coefficients of e_j: of every other power from j mod 2 on, `terms` each.
+    /// Taylor coefficients of eⱼ: of every other power from j mod 2 on, `terms` each.
     series: Vec<f64>,
     terms: usize,
     /// What every control point weighs in the derivatives at the middle of a piece, for either part of a cell.
@@ -166,7 +166,7 @@ impl SplineSampler {
         if count > MOST_OUTPUT_POINTS {
             return Err(too_many("count", "maxOutputPoints", MOST_OUTPUT_POINTS, count));
         }
-        if out.len() % dimension != 0 {
+        if !out.len().is_multiple_of(dimension) {
             return Err(Error::wrong_length("out", out.len(), out.len() / dimension * dimension));
         }
         let end = count.min(first.saturating_add(out.len() / dimension));
@@ -454,7 +454,7 @@ fn every_other(coefficients: &[f64], y: f64, j: usize) -> f64 {
     if j % 2 == 1 { sum * y } else { sum }
 }
 
-/// The matrix that takes derivatives at 0 to those at y: e_j⁽ⁱ⁾(y), row by row, with e_j′ = e_{j−1} − χⱼ e_{n−1}.
+/// The matrix that takes derivatives at 0 to those at y: eⱼ⁽ⁱ⁾(y), row by row, with eⱼ′ = eⱼ₋₁ − χⱼ eₙ₋₁.
 #[inline(never)]
 fn shift(series: &[f64], terms: usize, characteristic: &[f64], y: f64, matrix: &mut Vec<f64>) {
     let order = characteristic.len();
@@ -472,7 +472,7 @@ fn shift(series: &[f64], terms: usize, characteristic: &[f64], y: f64, matrix: &
     }
 }
 
-/// The Taylor coefficients of e_j for all j, every other one, and how many of each: e_j⁽ᵐ⁺ⁿ⁾ = −Σ χᵢ e_j⁽ᵐ⁺ⁱ⁾.
+/// The Taylor coefficients of eⱼ for all j, every other one, and how many of each: eⱼ⁽ᵐ⁺ⁿ⁾ = −Σ χᵢ eⱼ⁽ᵐ⁺ⁱ⁾.
 #[inline(never)]
 fn series(shape: &Shape) -> (Vec<f64>, usize) {
     let order = shape.characteristic.len();

@@ -49,7 +49,7 @@ impl Interpolator {
     /// [SFBGU17, eq. 17, 18] with the roots divided once and the coarse λ (docs/SOURCES.md).
     pub fn pre_filter(&self, m0: usize) -> Result<Vec<f64>> {
         check("m0", None, m0 as f64, 2.0, LARGEST_FACTOR as f64)?;
-        if m0 % 2 != 0 {
+        if !m0.is_multiple_of(2) {
             return Err(Error::degenerate("m0", None, "half-integer shifts need an even factor"));
         }
         let h = refinement_filter(self.roots(), m0)?;
