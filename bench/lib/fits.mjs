@@ -39,7 +39,8 @@ function sized(count, degree, gridSize, cold, warm) {
   const title = `sparse fit, degree ${degree}, ${count} points`;
   const prepare = ({ expline }) => {
     const points = outline(count);
-    const lambda = lambdaOf(degree, count / 60);
+    // The largest λ that is allowed is a detail of some 1400 points.
+    const lambda = lambdaOf(degree, Math.min(count / 60, 1200));
     const options = { degree, gridSize, finish: "none", parameters: Float64Array.from({ length: count }, (_, i) => i), period: count };
     const slider = new expline.SparseFitter(points, { ...options, lambda, gap: 1e-3 });
     slider.solve({ lambda });
