@@ -80,8 +80,11 @@ fn points_and_derivatives_are_the_references() {
     }
 }
 
+/// Name, surface, a function that vanishes on it, and a size.
+type Quadric = (&'static str, TensorSurface, fn(Vector3) -> f64, f64);
+
 /// The shapes, with the implicit equation of each: a function that vanishes on it, and a size for its rounding.
-fn quadrics() -> Vec<(&'static str, TensorSurface, fn(Vector3) -> f64, f64)> {
+fn quadrics() -> Vec<Quadric> {
     let made = |surface: expline::Result<TensorSurface>| surface.expect("the numbers are in their ranges");
     let sphere = |p: Vector3| p.norm() - 2.0;
     let ellipsoid = |p: Vector3| (p.x / 1.0).powi(2) + (p.y / 2.0).powi(2) + (p.z / 3.0).powi(2) - 1.0;

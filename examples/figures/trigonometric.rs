@@ -7,13 +7,16 @@ use expline::generator::Interpolator;
 
 use super::plot::{Panel, disc, figure, path, text};
 
+/// A function and its name.
+type Named = (&'static str, fn(f64) -> f64);
+
 /// M = 3: three weighted translates give the function exactly.
 pub(crate) fn cosine_sine_circle() -> Result<String> {
     let generator = Interpolator::for_ellipse(3)?;
     // Periodised: translates by 3 that reach into [0, 3].
     let around = |x: f64| (-2..=2).map(|n| generator.at(x - 3.0 * f64::from(n), 0)).sum::<f64>();
     let mut drawn = String::new();
-    let functions: [(&str, fn(f64) -> f64); 2] = [("cos 2πt/3", f64::cos), ("sin 2πt/3", f64::sin)];
+    let functions: [Named; 2] = [("cos 2πt/3", f64::cos), ("sin 2πt/3", f64::sin)];
     for (i, (name, function)) in functions.into_iter().enumerate() {
         let weight = |k: i32| function(TAU * f64::from(k) / 3.0);
         let panel =

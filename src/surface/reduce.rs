@@ -15,7 +15,7 @@ const LOOKS: usize = 4;
 /// The axis of the level before.
 fn halved(axis: &Axis) -> Result<Axis> {
     let Direction { ref roots, closed, level, .. } = axis.direction;
-    if axis.intervals % 2 != 0 {
+    if !axis.intervals.is_multiple_of(2) {
         return Err(Error::degenerate("levels", None, "the number of intervals is odd"));
     }
     let intervals = axis.intervals / 2;
