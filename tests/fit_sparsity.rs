@@ -154,7 +154,7 @@ fn corners_and_smooth_sides_are_both_kept() {
         let off = |corner: &Point| {
             fitted.knots.iter().map(|knot| (knot.point - corner).norm()).fold(f64::INFINITY, f64::min)
         };
-        assert!(rms <= 0.16, "outline {seed}: rms {rms}");
+        assert!(rms <= 0.17, "outline {seed}: rms {rms}");
         assert!(fitted.curve.segment_count() <= 14, "outline {seed}: {}", fitted.curve.segment_count());
         // The third corner turns little: where it is matters less than that it is not two.
         for (corner, near) in corners.iter().zip([0.8, 0.8, 3.0]) {

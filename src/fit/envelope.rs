@@ -62,7 +62,7 @@ impl Envelope {
         }
     }
 
-    /// Solves with the lower factor: x ← R⁻ᵀx for the matrix RᵀR, from the first unknown that is not 0.
+    /// Solves with the lower factor, from the first unknown that is not 0.
     pub(super) fn forward(&self, x: &mut [f64], from: usize) {
         self.forward_near(x, from, self.size());
     }

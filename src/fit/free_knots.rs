@@ -132,6 +132,11 @@ impl FreeKnots {
         self.squares
     }
 
+    /// How many points there are.
+    pub(super) fn points(&self) -> usize {
+        self.moments.iter().map(|sums| sums.count).sum()
+    }
+
     /// The curve's polynomials on piece s, one per coordinate.
     pub(super) fn piece(&self, s: usize) -> (Polynomial, Polynomial) {
         (self.space.piece(s, &self.x), self.space.piece(s, &self.y))
@@ -212,9 +217,8 @@ impl FreeKnots {
         let one = (jumps[0][0] * jumps[0][0] + jumps[0][1] * jumps[0][1]) / gram.diagonal(0).max(1e-300);
         gram.factor();
         let mut whole = 0.0;
-        for c in 0..2 {
-            let mut w = [0.0; HIGHEST];
-            (0..m).for_each(|r| w[r] = jumps[r][c]);
+        for coordinate in [0, 1] {
+            let mut w = jumps.map(|jump| jump[coordinate]);
             gram.forward(&mut w[..m], 0);
             whole += dot(&w[..m], &w[..m]);
         }
@@ -338,8 +342,7 @@ impl FreeKnots {
         equations.factor();
         equations.solve(&mut steps);
         // Knots that want to be closer than points are want to be one.
-        let points: usize = self.moments.iter().map(|sums| sums.count).sum();
-        let closest = breaks.end / points.max(1) as f64;
+        let closest = breaks.end / self.points().max(1) as f64;
         let room = |gap: f64| (0.3 * gap).min(0.5 * (gap - closest)).max(0.0);
         let most: Vec<f64> =
             (0..count).map(|k| room(breaks.gap_before(k)).min(room(breaks.gap_after(k)))).collect();

@@ -214,7 +214,7 @@ fn with_violators(problem: &Problem, solution: &Solution) -> Result<Option<Solut
         if top && length > 1.0 + 0.3 * (longest - 1.0) && longest > 1.0 + 1e-6 {
             let k = knots.partition_point(|knot| knot < place);
             let near = |k: usize| knots.get(k).is_some_and(|knot| (knot - place).abs() < step);
-            if !near(k) && !(k > 0 && near(k - 1)) {
+            if !(near(k) || k > 0 && near(k - 1)) {
                 knots.insert(k, *place);
             }
         }

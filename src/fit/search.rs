@@ -123,6 +123,7 @@ pub(super) fn better(fitted: &FreeKnots, data: &Located, price: Price) -> Option
     }
     let mut trials = hopes(fitted.breaks(), &removals, price, 6);
     trials.extend(corners(fitted, price));
+    trials.extend(clusters(fitted.breaks(), fitted.points()));
     for breaks in trials {
         let mut trial = FreeKnots::new(breaks, data);
         let mut damping = 1e-2;
@@ -228,6 +229,31 @@ fn corners(fitted: &FreeKnots, price: Price) -> Vec<Breaks> {
         corner
     };
     found.into_iter().map(corner).collect()
+}
+
+/// Three knots and more within a few points, which may be one corner.
+fn clusters(breaks: &Breaks, points: usize) -> Vec<Breaks> {
+    let reach = 12.0 * breaks.end / points.max(1) as f64;
+    let mut found = Vec::new();
+    let mut k = 0;
+    while k + 2 < breaks.len() {
+        let mut last = k;
+        while last + 1 < breaks.len() && breaks.at[last + 1] - breaks.at[k] < reach {
+            last += 1;
+        }
+        if last >= k + 2 {
+            let mut one = breaks.clone();
+            one.at[k] = 0.5 * (breaks.at[k] + breaks.at[last]);
+            one.multiplicity[k] = breaks.sharpest;
+            one.at.drain(k + 1..=last);
+            one.multiplicity.drain(k + 1..=last);
+            if one.len() >= least(&one) {
+                found.push(one);
+            }
+        }
+        k = last.max(k + 1);
+    }
+    found
 }
 
 /// Knot k and the next one at one place, where they are close, and how promising that is.
