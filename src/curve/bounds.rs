@@ -1,7 +1,7 @@
 //! The smallest upright box around a curve.
 
 use super::piece::Piece;
-use super::pieces::Pieces;
+use super::pieces::{Pieces, handles_of};
 use super::spatial::SpacePiece;
 use crate::numerics::plane::taxi;
 use crate::numerics::roots::bracketed_root;
@@ -44,7 +44,7 @@ struct Grown {
 impl Grown {
     const EMPTY: Self = Self { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] };
 
-    #[inline(never)]
+    #[inline]
     fn include(&mut self, coordinates: &[f64]) {
         // Comparisons instead of `min`: nothing here is not a number, and one instruction is enough.
         for (axis, &value) in coordinates.iter().enumerate() {
@@ -73,11 +73,17 @@ pub(crate) fn bounds(curve: &dyn Pieces) -> Bounds {
         }
         return grown.bounds(3);
     }
-    for i in 0..=last {
-        grown.include(curve.start(i).as_slice());
+    let hermite = curve.as_hermite();
+    match hermite {
+        Some(curve) => curve.points().iter().for_each(|point| grown.include(point.as_slice())),
+        None => (0..=last).for_each(|i| grown.include(curve.start(i).as_slice())),
     }
     for i in 0..last {
-        let [first, second] = curve.handles(i);
+        // Without a call through a table where it would show.
+        let [first, second] = match hermite {
+            Some(curve) => handles_of(&curve.segment(i)),
+            None => curve.handles(i),
+        };
         for axis in 0..2 {
             if !(grown.holds(axis, first[axis]) && grown.holds(axis, second[axis])) {
                 let piece = curve.piece(i);

@@ -1,5 +1,6 @@
 //! Arc length, and the parameter at a length.
 
+use super::piece::cubic_middle;
 use super::pieces::{AnyPiece, Pieces};
 use super::speed::LengthSum;
 use crate::error::{Error, Result};
@@ -16,9 +17,11 @@ pub(crate) fn length(curve: &dyn Pieces, tolerance: f64) -> Result<f64> {
         return Ok((0..count).map(|i| AnyPiece::new(curve, i).length(-0.5, 0.5, share)).sum());
     }
     let mut sum = LengthSum::new(share);
+    let hermite = curve.as_hermite();
     for i in 0..count {
-        match curve.cubic_middle(i) {
-            Some(derivatives) => sum.add_cubic(derivatives),
+        // Cubics are so quick that making a piece of each would show.
+        match hermite.and_then(|curve| cubic_middle(&curve.segment(i))) {
+            Some([_, b, p, q]) => sum.add_cubic(b, p, q),
             None => sum.add(&curve.piece(i)),
         }
     }

@@ -1,9 +1,9 @@
 //! A curve as the measures see it: one smooth piece after another.
 
 use super::lattice::{Lattice, Place};
-use super::piece::{Piece, cubic_middle};
+use super::piece::Piece;
 use super::spatial::SpacePiece;
-use super::{BSplineCurve, HermiteCurve, InterpolatingCurve};
+use super::{BSplineCurve, HermiteCurve, InterpolatingCurve, Segment};
 use crate::error::Result;
 use crate::generator::Roots;
 use crate::numerics::{Point, Vector};
@@ -59,12 +59,6 @@ pub trait Pieces {
         }
     }
 
-    /// The first three derivatives in the middle of piece i of a plane curve, where it is a cubic and they are quick to
-    /// tell.
-    fn cubic_middle(&self, _: usize) -> Option<[Vector; 3]> {
-        None
-    }
-
     /// The derivatives at both ends of piece i of a plane curve.
     fn tangents(&self, i: usize) -> [Vector; 2] {
         let piece = self.piece(i);
@@ -118,11 +112,6 @@ impl Pieces for HermiteCurve {
         Piece::new(&self.segment(i))
     }
 
-    fn cubic_middle(&self, i: usize) -> Option<[Vector; 3]> {
-        let [_, b, p, q] = cubic_middle(&self.segment(i))?;
-        Some([b, p, q])
-    }
-
     fn start(&self, i: usize) -> Point {
         self.points()[if i < self.points().len() { i } else { 0 }]
     }
@@ -133,10 +122,15 @@ impl Pieces for HermiteCurve {
     }
 
     fn handles(&self, i: usize) -> [Point; 2] {
-        let segment = self.segment(i);
-        let reach = segment.length * segment.basis.kappa();
-        [segment.start + segment.leaving * reach, segment.end - segment.arriving * reach]
+        handles_of(&self.segment(i))
     }
+}
+
+/// The inner generalised Bézier points of a segment.
+#[inline]
+pub(super) fn handles_of(segment: &Segment<'_>) -> [Point; 2] {
+    let reach = segment.length * segment.basis.kappa();
+    [segment.start + segment.leaving * reach, segment.end - segment.arriving * reach]
 }
 
 /// Curves on a lattice.

@@ -62,7 +62,7 @@ impl LengthSum {
 
     /// Adds the cubic with these derivatives in the middle.
     #[inline]
-    pub(super) fn add_cubic(&mut self, [b, p, q]: [Vector; 3]) {
+    pub(super) fn add_cubic(&mut self, b: Vector, p: Vector, q: Vector) {
         let k = self.count % BLOCK;
         let (p, q) = (p * 0.5, q * 0.125);
         let sizes = [taxi(b), taxi(p), taxi(q)];
@@ -151,10 +151,19 @@ pub(super) fn axis_rule(piece: &Piece, lo: f64, hi: f64, axis: f64, tolerance: f
     let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
     let jet = piece.jet(middle);
     let axis = axis.min(LARGEST_AXIS);
-    let [_, largest] = piece.within(&jet, middle, axis * half);
+    let largest = largest_speed(piece, &jet, middle, axis * half);
     RULES
         .get(rule_index(axis, largest, half, tolerance.max(ROUNDING * half * taxi(jet.first))) as usize)
         .copied()
+}
+
+/// A bound of the speed within `reach` of the jet, complex parameters included; for cubics one without square roots.
+#[inline]
+fn largest_speed(piece: &Piece, jet: &Jet, at: f64, reach: f64) -> f64 {
+    if piece.is_cubic() {
+        return taxi(jet.first) + reach * (taxi(jet.second) + 0.5 * reach * taxi(jet.third));
+    }
+    piece.within(jet, at, reach)[1]
 }
 
 /// The length of an interval by a rule that is known to do.
@@ -266,7 +275,7 @@ fn rule_for(piece: &Piece, jet: &Jet, lo: f64, hi: f64, tolerance: f64, speck: f
     let axis = half_axis(piece, jet, middle, half);
     // What is not a number has no singularity.
     let axis = if axis < LARGEST_AXIS { axis.max(1.0) } else { LARGEST_AXIS };
-    let [_, largest] = piece.within(jet, middle, axis * half);
+    let largest = largest_speed(piece, jet, middle, axis * half);
     if 2.0 * half * largest <= speck { 0.0 } else { rule_index(axis, largest, half, tolerance) }
 }
 
