@@ -246,15 +246,9 @@ fn nothing_hangs_traps_or_gives_what_is_no_number() {
         ("tiny and far", random(40, 1e-12, 1e6)),
         ("huge", random(40, 9e8, 0.0)),
         ("one point", vec![Vector::new(7.0, 7.0); 40]),
-        (
-            "back and forth",
-            (0..40).map(|i| Vector::new(f64::from(20 - (20 - i as i32).abs()), 0.0)).collect(),
-        ),
-        ("held still", (0..40).map(|i| Vector::new(f64::from((i as i32 - 30).max(0)), 1.0)).collect()),
-        (
-            "an outlier",
-            (0..40).map(|i| Vector::new(if i == 9 { 1e9 } else { f64::from(i as i32) }, 2.0)).collect(),
-        ),
+        ("back and forth", (0..40).map(|i| Vector::new(f64::from(20 - (20_i32 - i).abs()), 0.0)).collect()),
+        ("held still", (0..40).map(|i| Vector::new(f64::from((i - 30_i32).max(0)), 1.0)).collect()),
+        ("an outlier", (0..40).map(|i| Vector::new(if i == 9 { 1e9 } else { f64::from(i) }, 2.0)).collect()),
     ];
     for (name, cloud) in &clouds {
         for closed in [false, true] {

@@ -235,6 +235,7 @@ fn chebyshev(x: f64) -> [f64; 6] {
 }
 
 /// Solves a small positive definite system in 106 bits, in place.
+#[allow(clippy::needless_range_loop, reason = "matrices are written with their indices")]
 fn solve(gram: &mut [[Twofold; 6]; 6], right: &mut [[Twofold; 2]; 6], size: usize) {
     for j in 0..size {
         for i in j + 1..size {
@@ -357,9 +358,8 @@ impl Integral<'_> {
             emit(&mut state, &mut here, t, true);
             self.shift(&mut state, here, t);
             here = t;
-            for axis in 0..2 {
-                let jump = Twofold::product(self.v[m][axis], inverse);
-                state[self.degree][axis] = state[self.degree][axis].plus(jump);
+            for (term, force) in state[self.degree].iter_mut().zip([self.v[m].x, self.v[m].y]) {
+                *term = term.plus(Twofold::product(force, inverse));
             }
         }
         emit(&mut state, &mut here, self.problem.end, true);
@@ -368,6 +368,7 @@ impl Integral<'_> {
     }
 
     /// Taylor coefficients at `to` of those at `from`.
+    #[allow(clippy::needless_range_loop, reason = "matrices are written with their indices")]
     fn shift(&self, state: &mut [Pair; 6], from: f64, to: f64) {
         let step = Twofold::sum(to, -from);
         if step.high == 0.0 {
@@ -383,6 +384,7 @@ impl Integral<'_> {
     }
 
     /// The state at the start of a periodic η whose run from zero ends in `end`; its constant is zero.
+    #[allow(clippy::needless_range_loop, reason = "matrices are written with their indices")]
     fn periodic(&self, end: &[Pair; 6]) -> [Pair; 6] {
         let period = Twofold::sum(self.problem.end, -self.problem.start);
         let mut state = [[Twofold::ZERO; 2]; 6];

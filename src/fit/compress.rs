@@ -22,6 +22,7 @@ struct Recurrence {
 
 impl Recurrence {
     /// The orthonormal polynomials 0 … degree at x, and the monic one behind them with its derivative.
+    #[allow(clippy::needless_range_loop, reason = "matrices are written with their indices")]
     fn at(&self, x: f64) -> ([f64; TERMS], f64, f64) {
         let mut values = [0.0; TERMS];
         let (mut before, mut here, mut slope_before, mut slope) = (0.0, 1.0 / self.norm[0], 0.0, 0.0);

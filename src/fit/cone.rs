@@ -126,7 +126,7 @@ impl Scaling {
         self.size * self.size / (2.0 * self.unit.height * self.unit.height - 1.0)
     }
 
-    /// The complementarity residual of the corrector: s + W(v \ (W⁻¹Δs ∘ WΔz − σμe)), v = W z.
+    /// The complementarity residual of the corrector, `s + W(v \ (W⁻¹Δs ∘ WΔz − σμe))` with v = W z.
     #[inline]
     pub(crate) fn corrector(&self, s: Lorentz, ds: Lorentz, dz: Lorentz, target: f64) -> Lorentz {
         let (x, y, v) = (self.undo(ds), self.apply(dz), self.point);

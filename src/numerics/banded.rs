@@ -129,6 +129,7 @@ impl Bordered {
 
     /// Cholesky's factors, in place. A pivot of at most `floor` times what stood on the diagonal holds its unknown at
     /// zero; how many did is the answer. O(n·(half + border)²).
+    #[allow(clippy::needless_range_loop, reason = "matrices are written with their indices")]
     pub fn factor(&mut self, floor: f64) -> usize {
         let (stride, half, border) = (self.stride(), self.half, self.border);
         let diagonal: Vec<f64> = (0..border).map(|i| self.corner[i * border + i]).collect();
@@ -277,6 +278,7 @@ mod tests {
     use super::Bordered;
 
     /// A diagonally dominant matrix of that shape, dense, and the same in its own storage.
+    #[allow(clippy::needless_range_loop, reason = "matrices are written with their indices")]
     fn example(count: usize, reach: usize, closed: bool) -> (Vec<Vec<f64>>, Bordered) {
         let mut dense = vec![vec![0.0; count]; count];
         let mut matrix = Bordered::ring(count, reach, closed).expect("small");

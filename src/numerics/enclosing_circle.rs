@@ -100,7 +100,7 @@ mod tests {
             );
             // Moving the centre in any direction makes some point farther: no smaller circle is near, and so none is.
             for i in 0..12 {
-                let angle = f64::from(i) * 0.5236;
+                let angle = f64::from(i) * core::f64::consts::FRAC_PI_6;
                 let moved = circle.centre + Vector::new(libm::cos(angle), libm::sin(angle)) * 1e-4;
                 let farthest = points.iter().fold(0.0_f64, |most, p| most.max(norm(p - moved)));
                 assert!(farthest > circle.radius, "{count} points, direction {i}");
