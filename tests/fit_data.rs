@@ -105,3 +105,28 @@ fn several_contours_share_one_noise_level() {
     assert_eq!(fits.len(), 3, "one fit for each");
     assert!(fits.iter().all(|fit| fit.noise.to_bits() == fits[0].noise.to_bits()), "the same noise for all");
 }
+
+#[test]
+fn outliers_that_count_little_leave_the_curve_alone() {
+    let mut points = ellipse(400, 0.5, 0.0, 2);
+    for m in [37, 120, 121, 250, 333] {
+        points[m] *= 1.3;
+    }
+    let options = |robust| Options { degrees: vec![3], closed: Some(true), robust, ..Options::default() };
+    // Distance from the ellipse along rays: close enough to the true one for a bound.
+    let worst = |robust| {
+        let fitted = fit(&points, Ask::Noise, &options(robust)).expect("fine");
+        let (_, end) = fitted.curve.domain();
+        let off = |i: u32| {
+            let p = fitted.curve.evaluate(end * f64::from(i) / 2000.0, 0).expect("t is in the domain");
+            let radius = Point::new(p.x / 200.0, p.y / 120.0).norm();
+            (1.0 - 1.0 / radius).abs() * p.norm()
+        };
+        (fitted.outliers, (0..2000).map(off).fold(0.0_f64, f64::max))
+    };
+    let (outliers, far) = worst(true);
+    assert_eq!(outliers, [37, 120, 121, 250, 333], "they are reported");
+    assert!(far < 1.5, "the curve is off by {far}");
+    let (_, without) = worst(false);
+    assert!(without > 2.0 * far, "without it, by {without}");
+}

@@ -4,7 +4,7 @@ use super::combine::{Summand, combined};
 use super::foot_points::Spline;
 use super::free_knots::{FreeKnots, Located};
 use super::gridless::gridless;
-use super::noise::{is_regular, noise};
+use super::noise::{is_regular, noise, sober_weights};
 use super::options::{Ask, Finish, Options};
 use super::outcome::{Changed, Fit, FitStatus, Part};
 use super::parametrise::{Parametrisation, given, parametrise};
@@ -118,7 +118,7 @@ impl Fitter {
     /// Those of [`Samples::new`]; degrees that are not one or two ascending numbers from 1 to 5; parameters that decrease;
     /// lists of the wrong length; numbers out of their range.
     pub fn new(points: &[Point], options: &Options) -> Result<Self> {
-        check_options(points.len(), options)?;
+        options.check(points.len())?;
         let keep = !options.parameters.is_empty()
             || !options.weights.is_empty()
             || options.parametrisation == Parametrisation::Index;
@@ -216,6 +216,13 @@ impl Fitter {
         } else {
             Vec::new()
         };
+        let mut weights = weights;
+        if self.options.robust {
+            let sober = sober_weights(samples, self.noise);
+            let given = weights.clone();
+            weights =
+                sober.iter().enumerate().map(|(m, w)| w * given.get(m).copied().unwrap_or(1.0)).collect();
+        }
         let kind = match self.options.parametrisation {
             Parametrisation::Auto if by_lambda || is_regular(samples) => Parametrisation::Index,
             kind => kind,
@@ -569,29 +576,4 @@ impl Finishing {
         }
         search.is_done()
     }
-}
-
-fn check_options(count: usize, options: &Options) -> Result<()> {
-    let degrees = &options.degrees;
-    if degrees.is_empty() || degrees.len() > 2 {
-        return Err(Error::wrong_length("degree", degrees.len(), 1));
-    }
-    for (i, &degree) in degrees.iter().enumerate() {
-        check("degree", Some(i), degree as f64, 1.0, 5.0)?;
-        if i > 0 && degree <= degrees[i - 1] {
-            return Err(Error::degenerate("degree", Some(i), "degrees ascend"));
-        }
-    }
-    if !options.weights.is_empty() && options.weights.len() != count {
-        return Err(Error::wrong_length("weights", options.weights.len(), count));
-    }
-    for (i, &weight) in options.weights.iter().enumerate() {
-        check("weights", Some(i), weight, 1e-6, 1e6)?;
-    }
-    check("mix", None, options.mix, 0.0, 1.0)?;
-    check("gap", None, options.gap, 0.0, 1.0)?;
-    if let Some(noise) = options.noise {
-        check("noise", None, noise, 0.0, LARGEST_COORDINATE)?;
-    }
-    Ok(())
 }

@@ -74,6 +74,36 @@ fn parts(points: &[Point], closed: bool, m: usize) -> [f64; 2] {
     }
 }
 
+/// A weight for every point: little for one that lies far off the middle of its eight neighbours, one for all others.
+///
+/// Far is six standard deviations and as many steps as the neighbours themselves are away from that middle: corners
+/// are not far. O(M).
+pub(super) fn sober_weights(samples: &Samples, noise: f64) -> Vec<f64> {
+    const AROUND: usize = 4;
+    const LITTLE: f64 = 1e-3;
+    let points = &samples.points;
+    let count = points.len();
+    let weigh = |m: usize| {
+        if count < 4 * AROUND || (!samples.closed && (m < AROUND || m + AROUND >= count)) {
+            return 1.0;
+        }
+        let near = |k: usize| points[(m + count + k - AROUND) % count];
+        let middle = |pick: &dyn Fn(Point) -> f64| {
+            let mut values: Vec<f64> =
+                (0..=2 * AROUND).filter(|k| *k != AROUND).map(|k| pick(near(k))).collect();
+            values.sort_by(f64::total_cmp);
+            0.5 * (values[AROUND - 1] + values[AROUND])
+        };
+        let center = Point::new(middle(&|p| p.x), middle(&|p| p.y));
+        let mut apart: Vec<f64> =
+            (0..=2 * AROUND).filter(|k| *k != AROUND).map(|k| (near(k) - center).norm()).collect();
+        apart.sort_by(f64::total_cmp);
+        // The sixth of eight: up to two of the neighbours may be outliers themselves.
+        if (points[m] - center).norm() > 6.0 * noise + 1.5 * apart[AROUND + 1] { LITTLE } else { 1.0 }
+    };
+    (0..count).map(weigh).collect()
+}
+
 fn cross(a: Vector, b: Vector) -> f64 {
     a.x * b.y - a.y * b.x
 }

@@ -2,6 +2,8 @@
 
 use super::parametrise::Parametrisation;
 use super::problem::Norm;
+use crate::error::{Error, Result};
+use crate::limits::{LARGEST_COORDINATE, check};
 
 /// What the fit is asked for.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -66,6 +68,35 @@ pub struct Options {
     pub most_iterations: usize,
     /// What is done after the convex problem is solved.
     pub finish: Finish,
+}
+
+impl Options {
+    /// Checks everything but the parameters, for so many points.
+    pub(super) fn check(&self, count: usize) -> Result<()> {
+        let options = self;
+        let degrees = &options.degrees;
+        if degrees.is_empty() || degrees.len() > 2 {
+            return Err(Error::wrong_length("degree", degrees.len(), 1));
+        }
+        for (i, &degree) in degrees.iter().enumerate() {
+            check("degree", Some(i), degree as f64, 1.0, 5.0)?;
+            if i > 0 && degree <= degrees[i - 1] {
+                return Err(Error::degenerate("degree", Some(i), "degrees ascend"));
+            }
+        }
+        if !options.weights.is_empty() && options.weights.len() != count {
+            return Err(Error::wrong_length("weights", options.weights.len(), count));
+        }
+        for (i, &weight) in options.weights.iter().enumerate() {
+            check("weights", Some(i), weight, 1e-6, 1e6)?;
+        }
+        check("mix", None, options.mix, 0.0, 1.0)?;
+        check("gap", None, options.gap, 0.0, 1.0)?;
+        if let Some(noise) = options.noise {
+            check("noise", None, noise, 0.0, LARGEST_COORDINATE)?;
+        }
+        Ok(())
+    }
 }
 
 impl Default for Options {
