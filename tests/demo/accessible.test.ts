@@ -128,7 +128,7 @@ for (const { name, viewport } of sizes) {
       assert.ok((await overflow(demo.page)) <= 0);
     });
 
-    test(`V27 ${name}, ${colorScheme}: the dialogs, the drawer and the later modes too`, async (t) => {
+    test(`V27 ${name}, ${colorScheme}: the dialogs, the drawer and the other modes too`, async (t) => {
       const demo = await open(t, "#/curve?sample=heart", { viewport, colorScheme });
       const { page } = demo;
       for (const [id, dialog] of [["btn-samples", "samples-dialog"], ["btn-import", "import-dialog"], ["btn-export", "export-dialog"], ["btn-help", "help-dialog"]] as const) {
@@ -145,7 +145,9 @@ for (const { name, viewport } of sizes) {
       }
       for (const mode of ["fit", "trace", "surface"]) {
         await demo.byId(`tab-${mode}`).click();
-        await demo.byId(`empty-${mode}`).waitFor();
+        await demo.idle();
+        if (mode === "trace") await demo.byId("empty-trace").waitFor();
+        else await unfold(demo);
         assertNone(await namesAndTargets(page), mode);
         assertNone(await lowContrast(page), mode);
         assert.ok((await overflow(page)) <= 0, mode);
