@@ -252,7 +252,7 @@ export class TensorSurface {
     const numbersOfMesh = 3 * grid[0] * grid[1];
     if (out !== undefined) {
       const mesh = asMesh(op, out, grid);
-      const count = call(op, (kernel) => kernel.surface_mesh(slot, ...grid, 0, grid[0], 0, grid[1], 0));
+      const count = call(op, (kernel) => kernel.surface_mesh(slot, ...grid, 0, grid[0], 0, grid[1]));
       const vertices = peek(count);
       mesh.positions.set(vertices.subarray(0, numbersOfMesh));
       mesh.normals.set(vertices.subarray(numbersOfMesh));
@@ -260,7 +260,7 @@ export class TensorSurface {
       return mesh;
     }
     const indices = triangles(op, slot, grid);
-    const count = call(op, (kernel) => kernel.surface_mesh(slot, ...grid, 0, grid[0], 0, grid[1], 0));
+    const count = call(op, (kernel) => kernel.surface_mesh(slot, ...grid, 0, grid[0], 0, grid[1]));
     const vertices = peek(count);
     return {
       rows: grid[0],
@@ -287,7 +287,7 @@ export class TensorSurface {
     const slot = data.resident(op);
     call(op, (kernel) => kernel.surface_touched(slot, ...grid, which, row, col));
     const [first, count, left, across] = [result(0), result(1), result(2), result(3)];
-    const total = call(op, (kernel) => kernel.surface_mesh(slot, ...grid, first, count, left, across, 0));
+    const total = call(op, (kernel) => kernel.surface_mesh(slot, ...grid, first, count, left, across));
     const vertices = peek(total);
     for (const [array, start] of [[target.positions, 0], [target.normals, total / 2]] as const) {
       for (let k = 0; k < count; k += 1) {
@@ -308,7 +308,7 @@ export class TensorSurface {
     const data = dataOf(this, op);
     const grid = sizes(op, rows, cols);
     const slot = data.resident(op);
-    return halves(copy(call(op, (kernel) => kernel.surface_mesh(slot, ...grid, 0, grid[0], 0, grid[1], 1))));
+    return halves(copy(call(op, (kernel) => kernel.surface_mesh_curvature(slot, ...grid))));
   }
 
   /**

@@ -19,7 +19,7 @@ const FINEST: usize = 12;
 ///
 /// A patch is a layer of displacements d on the grid 2⁻ˡᵉᵛᵉˡ: the curve is r(t) + Σ dᵢ b(2ˡᵉᵛᵉˡ·t − i), with the B-splines of
 /// [`InterpolatingCurve::refine`]. All displacements are 0 at first, so that making room changes no bit of the shape; a point of
-/// the curve that is moved later takes the detail along; a patch that is dropped takes its detail with it. [FB88]
+/// the curve that is moved later takes the detail along; a patch that is dropped takes its detail with it. \[FB88\]
 ///
 /// # Example
 ///

@@ -285,7 +285,7 @@ impl FreeKnots {
     }
 
     /// The knots moved by one Gauss–Newton step of the sum of squares as a function of the knots alone (variable
-    /// projection, [GP73], in the form (D 13.3)); `None` where no step makes it smaller. `damping` is Levenberg's.
+    /// projection, \[GP73\], in the form (D 13.3)); `None` where no step makes it smaller. `damping` is Levenberg's.
     pub fn slide(&self, data: &Located, damping: &mut f64) -> Option<Self> {
         let steps = self.slide_equations();
         for _ in 0..3 {

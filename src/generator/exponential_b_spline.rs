@@ -19,7 +19,7 @@ use crate::limits::{MOST_EVALUATIONS, check, too_many, with_room};
 ///
 /// # Source
 ///
-/// [SFBGU17, eq. 1–4] and [UB05], by propagation of the state from knot to knot, in twofold precision (D 9.1).
+/// [SFBGU17, eq. 1–4] and \[UB05\], by propagation of the state from knot to knot, in twofold precision (D 9.1).
 ///
 /// # Example
 ///

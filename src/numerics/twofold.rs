@@ -18,7 +18,7 @@ impl Twofold {
         Self { high: value, low: 0.0 }
     }
 
-    /// a + b, exactly. [Dek71]
+    /// a + b, exactly. \[Dek71\]
     #[inline]
     pub fn sum(a: f64, b: f64) -> Self {
         let high = a + b;
@@ -26,7 +26,7 @@ impl Twofold {
         Self { high, low: (a - (high - part)) + (b - part) }
     }
 
-    /// a·b, exactly where nothing over- or underflows. [Dek71]
+    /// a·b, exactly where nothing over- or underflows. \[Dek71\]
     #[inline]
     pub fn product(a: f64, b: f64) -> Self {
         let high = a * b;

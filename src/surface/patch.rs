@@ -13,7 +13,7 @@ impl TensorSurface {
     /// base's, of all that lie within `reach` of (u, v) in each direction. The rest of the net stays as it is.
     ///
     /// A patch is a layer of displacements on a finer grid, all 0 at first: the surface is unchanged to the last bit, and a
-    /// point of the net that is moved later takes the detail along. [FB88]
+    /// point of the net that is moved later takes the detail along. \[FB88\]
     ///
     /// # Errors
     ///

@@ -141,8 +141,7 @@ pub fn surface_curvature(slot: u32, count: u32) -> i32 {
     })
 }
 
-/// Positions, then normals, of a region of a mesh, or Gaussian curvatures, then mean ones; leaves how many vertices have no
-/// normal in the record.
+/// Positions, then normals, of a region of a mesh; leaves how many vertices have no normal in the record.
 #[wasm_bindgen]
 pub fn surface_mesh(
     slot: u32,
@@ -152,7 +151,6 @@ pub fn surface_mesh(
     row_count: u32,
     col: u32,
     col_count: u32,
-    curvature: u32,
 ) -> i32 {
     with(slot, &mut |surface, kernel| {
         let grid = Grid { rows: rows as usize, cols: cols as usize };
@@ -160,16 +158,25 @@ pub fn surface_mesh(
         let region = Region { rows: range(row, row_count), cols: range(col, col_count) };
         grid.check()?;
         let vertices = times(row_count, col_count as usize);
-        if curvature != 0 {
-            grow(&mut kernel.output, 2 * vertices, 0.0)?;
-            surface.mesh_curvatures_into(grid, &region, &mut kernel.output[..2 * vertices])?;
-            return Ok(2 * vertices);
-        }
         grow(&mut kernel.output, 6 * vertices, 0.0)?;
         let (positions, normals) = kernel.output[..6 * vertices].split_at_mut(3 * vertices);
         let without = surface.mesh_into(grid, &region, positions, normals)?;
         kernel.record([without as f64]);
         Ok(6 * vertices)
+    })
+}
+
+/// Gaussian curvatures, then mean ones, at all vertices of a mesh.
+#[wasm_bindgen]
+pub fn surface_mesh_curvature(slot: u32, rows: u32, cols: u32) -> i32 {
+    with(slot, &mut |surface, kernel| {
+        let grid = Grid { rows: rows as usize, cols: cols as usize };
+        grid.check()?;
+        let region = Region { rows: 0..grid.rows, cols: 0..grid.cols };
+        let vertices = times(rows, grid.cols);
+        grow(&mut kernel.output, 2 * vertices, 0.0)?;
+        surface.mesh_curvatures_into(grid, &region, &mut kernel.output[..2 * vertices])?;
+        Ok(2 * vertices)
     })
 }
 
