@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 
-import { type SparseFit, type SparseFitOptions, fitSparse } from "expline";
+import { ExplineError, type SparseFit, type SparseFitOptions, fitSparse } from "expline";
 
 import { collinear, noisyCircle, star } from "./fit-data.ts";
 import { type Case, testCases } from "./hostile.ts";
@@ -14,6 +14,16 @@ const SQUARE = [0, 0, 1, 0, 1, 1, 0, 1];
 const hostile = <T>(value: unknown): T => value as T;
 
 const fit = (points: unknown, options: unknown = {}) => () => fitSparse(hostile(points), hostile<SparseFitOptions>(options));
+
+/** The fit, or the code of its refusal. */
+function fitOrCode(points: Float64Array): SparseFit | string {
+  try {
+    return fitSparse(points);
+  } catch (error) {
+    assert.ok(error instanceof ExplineError);
+    return error.code;
+  }
+}
 
 /** A curve that can be evaluated everywhere, and a status that is one. */
 function sound(result: SparseFit): void {
@@ -37,7 +47,9 @@ const penStill = Float64Array.from({ length: 1000 }, (_, i) => {
 const backtrack = Float64Array.from({ length: 400 }, (_, i) => (i % 2 === 0 ? 1 - Math.abs(1 - (i >> 1) / 100) : 0));
 /** A double keeps 1e-10 there: a box of 1e-12 would be a single point. */
 const tinyFar = Float64Array.from(noisyCircle(100, 0.05, 4), (value) => 1e6 + 1e-6 * value);
-const withOutlier = Float64Array.from(noisyCircle(100, 0.01, 4), (value, i) => (i === 0 ? 1e9 : value));
+/** A tenth of the largest coordinate: a smooth curve swings beyond what it goes through, and its derivatives are larger still. */
+const withOutlier = Float64Array.from(noisyCircle(100, 0.01, 4), (value, i) => (i === 0 ? 1e8 : value));
+const atTheLimit = Float64Array.from(withOutlier, (value, i) => (i === 0 ? 1e9 : value));
 const repeated = Float64Array.of(...noisyCircle(100, 0, 1), 1, 0);
 
 const cases: readonly Case[] = [
@@ -58,7 +70,8 @@ const cases: readonly Case[] = [
   { id: "FT-022", what: "a million points", run: fit(new Float64Array(2_000_000)), refuses: { code: "E_LIMIT", arg: "points", limit: "maxFitSamples" } },
   { id: "FT-023", what: "a signal that is aborted already", run: fit(CIRCLE, { signal: AbortSignal.abort() }), refuses: { code: "E_CANCELLED" } },
   { id: "FT-024", what: "an abort during the work", senseless: "of asynchronous fits, which fit-lifecycle.test.ts watches" },
-  { id: "FT-025", what: "an outlier at 1e9", run: fit(withOutlier), gives: sound },
+  { id: "FT-025", what: "an outlier at 1e8", run: fit(withOutlier), gives: sound },
+  { id: "FT-025b", what: "an outlier at 1e9: a curve, or the word that it would leave the range", run: () => fitOrCode(atTheLimit), gives: (result: SparseFit | string) => (typeof result === "string" ? assert.equal(result, "E_RANGE") : sound(result)) },
   { id: "FT-026", what: "points in a tiny box far away", run: fit(tinyFar), gives: (result: SparseFit) => { sound(result); assert.ok(boxExcess(result, tinyFar) <= 2); } },
   { id: "FT-030", what: "parameters that fall", run: fit(SQUARE, { parameters: [0, 0.5, 0.4, 1], period: 2 }), refuses: { code: "E_DEGENERATE", arg: "parameters", index: 2 } },
   { id: "FT-031", what: "parameters that are all equal", run: fit(SQUARE, { parameters: [0.5, 0.5, 0.5, 0.5] }), refuses: { code: "E_DEGENERATE", arg: "parameters" } },
