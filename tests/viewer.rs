@@ -3,9 +3,9 @@
 
 use core::f64::consts::TAU;
 
+use expline::HermiteCurve;
 use expline::numerics::{Point, Vector};
 use expline::svg::{PrintOptions, parse_path, to_path_d};
-use expline::HermiteCurve;
 use wasm_bindgen_test::{wasm_bindgen_test as test, wasm_bindgen_test_configure};
 use web_sys::wasm_bindgen::JsCast;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, Path2d};
