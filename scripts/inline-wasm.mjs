@@ -6,8 +6,6 @@
 
 import { gzipSync } from "node:zlib";
 
-import binaryen from "binaryen";
-
 const QUOTES = ['"', "'", "`"];
 /** So many shifts, those of the shortest texts, are tried with gzip; the best is always among the first few. */
 const TRIED = 8;
@@ -72,8 +70,9 @@ const DECODER = `
     (local.get $to)))
 `;
 
-/** The decoder's bytes, one character each. */
-function decoder() {
+/** The decoder's bytes, one character each. The package is asked for here: in a fresh clone it comes after this file. */
+async function decoder() {
+  const { default: binaryen } = await import("binaryen");
   const module = binaryen.parseText(DECODER);
   module.optimize();
   return JSON.stringify(String.fromCharCode(...module.emitBinary()));
@@ -83,13 +82,13 @@ function decoder() {
 export const PLACEHOLDER = '"@wasm@"';
 
 /** A module that exports `wasmBytes()`, its declarations, and the literal in it. No address: the bytes are there. */
-export function inlineModule(bytes) {
+export async function inlineModule(bytes) {
   const { text, shift } = smallestLiteral(bytes);
   const code = `import { decoded } from "./decode.ts";
 
 export const wasmAddress = undefined;
 
-export const wasmBytes = () => decoded(${PLACEHOLDER}, ${shift}, ${decoder()});
+export const wasmBytes = () => decoded(${PLACEHOLDER}, ${shift}, ${await decoder()});
 `;
   const declarations = `/** The wasm that is inlined in the package; E_NOT_READY in the slim one. */
 export declare function wasmBytes(): Uint8Array<ArrayBuffer>;

@@ -78,7 +78,7 @@ async function buildBindings(module) {
       ...["-O3", ...FEATURES, "--strip-debug", "--strip-producers", "--strip-target-features"],
       ...[at(BOUND, `${name}_snipped.wasm`), "-o", at(BINDINGS, `${name}_bg.wasm`)],
     ]);
-    const { code, declarations, text } = inlineModule(readFileSync(at(BINDINGS, `${name}_bg.wasm`)));
+    const { code, declarations, text } = await inlineModule(readFileSync(at(BINDINGS, `${name}_bg.wasm`)));
     writeFileSync(at(BINDINGS, `${bytes}.json`), JSON.stringify(text));
     writeFileSync(at(BINDINGS, `${bytes}.js`), code);
     writeFileSync(at(BINDINGS, `${bytes}.d.ts`), declarations);
