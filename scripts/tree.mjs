@@ -1,16 +1,38 @@
 // Rules about the tree itself that no compiler checks.
 
 import { existsSync, readFileSync } from "node:fs";
+import { dirname, join } from "node:path";
 
 import { StepError, at, run } from "./steps.mjs";
 
 /** No source file is longer than this. */
 const LONGEST = 600;
 const SOURCE = /\.(rs|ts|mjs|css)$/;
+/** What is run in a fresh clone, where no package is installed yet. */
+const DOORS = ["start", "test", "build", "bench"].map((name) => `scripts/${name}.mjs`);
 
-/** Versions agree, lock files name no host besides crates.io's index, sources stay readable in length. */
+/** Packages that a door imports before it has installed any, directly or through other scripts. */
+function earlyPackages() {
+  const found = [];
+  const [known, open] = [new Set(DOORS), [...DOORS]];
+  for (let file = open.pop(); file !== undefined; file = open.pop()) {
+    const imports = readFileSync(at(file), "utf8").matchAll(/^(?:import|export) (?:[^;"]* from )?"([^"]+)";/gm);
+    for (const [, name] of imports) {
+      if (name.startsWith("./")) {
+        const next = join(dirname(file), name);
+        if (!known.has(next)) open.push(next);
+        known.add(next);
+      } else if (!name.startsWith("node:")) {
+        found.push(`${file} imports ${name} before any package is installed`);
+      }
+    }
+  }
+  return found;
+}
+
+/** A fresh clone can start, versions agree, lock files name no host besides crates.io's index, sources stay readable in length. */
 export async function checkTree() {
-  const problems = [];
+  const problems = earlyPackages();
   const { version } = JSON.parse(readFileSync(at("package.json"), "utf8"));
   const crate = /^version = "([^"]+)"/m.exec(readFileSync(at("Cargo.toml"), "utf8"))?.[1];
   if (crate !== version) problems.push(`package.json says ${version}, Cargo.toml ${crate}`);
