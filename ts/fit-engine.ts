@@ -32,7 +32,15 @@ interface Place {
 
 /** Closes what was forgotten without `dispose`: the memory of an instance is not seen by the collector. */
 const forgotten: FinalizationRegistry<Place> | undefined =
-  typeof FinalizationRegistry === "function" ? new FinalizationRegistry((place: Place) => closeAt(place)) : undefined;
+  typeof FinalizationRegistry === "function" ? new FinalizationRegistry(closeQuietly) : undefined;
+
+function closeQuietly(place: Place): void {
+  try {
+    closeAt(place);
+  } catch {
+    // Nobody has called, so nobody can catch: the instance is out of service, and the next call starts another.
+  }
+}
 
 function closeAt({ instance, number }: Place): void {
   // A dead instance has taken its fits along; a new one has other fits under the same numbers.

@@ -2,6 +2,8 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { setFlagsFromString } from "node:v8";
+import { runInNewContext } from "node:vm";
 
 import { ExplineError, HermiteCurve, SparseFitter, initFitSync } from "expline";
 
@@ -55,4 +57,24 @@ test("a run that was under way when the engine died begins anew", async () => {
   });
   assert.ok(stopped);
   assert.equal(fit.status, "converged");
+});
+
+test("a forgotten fitter whose engine dies as it is collected disturbs nobody", async () => {
+  setFlagsFromString("--expose-gc");
+  const collect = runInNewContext("gc") as () => void;
+  let collected = 0;
+  const seen = new FinalizationRegistry(() => (collected += 1));
+  const thrown: unknown[] = [];
+  const note = (error: unknown): unknown => thrown.push(error);
+  process.on("uncaughtException", note);
+  for (let i = 0; i < 20; i += 1) seen.register(new SparseFitter(POINTS), i);
+  for (let i = 0; i < 50 && collected === 0; i += 1) {
+    collect();
+    await new Promise((resolve) => setImmediate(resolve));
+  }
+  await new Promise((resolve) => setTimeout(resolve, 20));
+  process.off("uncaughtException", note);
+  assert.ok(collected > 0, "the collector came by");
+  assert.deepEqual(thrown, []);
+  assert.equal(new SparseFitter(POINTS).solve().status, "converged");
 });
