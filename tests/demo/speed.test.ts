@@ -12,7 +12,7 @@ function percentile(values: readonly number[], part: number): number {
 const MOVES = 120;
 
 /** Times are printed beside the budget and not asserted: a busy neighbour says nothing about the page. Work is asserted. */
-test("V28 dragging in 64 points with the comb on paints at most once for each move and keeps up with the pointer", async (t) => {
+test("V28 dragging in 64 points with the comb on paints at most once in a frame and ends under the pointer", async (t) => {
   const demo = await open(t, "#/curve?sample=net-64");
   await demo.withoutSnap();
   await demo.byId("ov-comb").check();
@@ -44,7 +44,7 @@ test("V28 dragging in 64 points with the comb on paints at most once for each mo
   t.diagnostic(`net-64 with comb: frame p95 ${percentile(frameMs, 0.95).toFixed(2)} ms of 12, interval p95 ${percentile(intervals, 0.95).toFixed(1)} ms of 40`);
   const place = await demo.point(5).then(({ x, y }) => demo.toScreen(x, y));
   assert.ok(Math.hypot(place.x - to.x, place.y - to.y) <= 0.5);
-  assert.ok(frameMs.length > 0 && frameMs.length <= MOVES + 10, `${frameMs.length} frames for ${MOVES} moves`);
+  assert.ok(frameMs.length > 0 && frameMs.length <= clock.length + 2, `painted ${frameMs.length} times in ${clock.length} frames`);
 });
 
 test("an idle page makes no frames", async (t) => {
