@@ -1,6 +1,7 @@
 // Tests written in TypeScript: bundled with esbuild (packages stay outside), run by `node --test`.
 
 import { mkdirSync, readFileSync, rmSync } from "node:fs";
+import { availableParallelism } from "node:os";
 import { basename, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
@@ -62,7 +63,9 @@ export async function testNode(folder, out, { env = {}, limit = 1_800_000 } = {}
   let tap;
   let failures = "";
   try {
-    tap = await run("node", ["--enable-source-maps", "--test", ...reporters, ...files], { env, limit });
+    // Left to itself the runner keeps a core free, which of two is half.
+    const parallel = `--test-concurrency=${availableParallelism()}`;
+    tap = await run("node", ["--enable-source-maps", "--test", parallel, ...reporters, ...files], { env, limit });
   } catch (error) {
     if (!(error instanceof StepError)) throw error;
     tap = error.output;

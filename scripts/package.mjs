@@ -1,4 +1,4 @@
-// The package: Rust → three wasm modules → bindings → ES modules with the wasm inside, and their declarations.
+// The package: Rust → wasm modules → bindings → ES modules with the wasm inside, and their declarations.
 //
 // Curves, surfaces and fitting are a wasm and an ES module each; reading plain data is an ES module over curves and surfaces.
 // `expline.js` only names what they offer, so that a bundler leaves out those of which nothing is used.
@@ -7,7 +7,7 @@ import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs"
 
 import { PLACEHOLDER, inlineModule } from "./inline-wasm.mjs";
 import { printSizes } from "./sizes.mjs";
-import { at, run, step } from "./steps.mjs";
+import { at, run, sideBySide, step } from "./steps.mjs";
 import { writeThirdPartyLicenses } from "./third-party.mjs";
 
 const RUST = ["src", "Cargo.toml", "Cargo.lock", "rust-toolchain.toml", ".cargo/config.toml"];
@@ -21,16 +21,16 @@ const BINDINGS = "build/bindings";
  * download, and hot loops say so. A solver is hot loops all over.
  */
 const MODULES = [
-  { title: "wasm", feature: "wasm", target: "target", name: "expline", bytes: "wasm-bytes", flags: ["-C", "llvm-args=-inline-threshold=0"] },
+  { title: "bindings", feature: "wasm", target: "target", name: "expline", bytes: "wasm-bytes", flags: ["-C", "llvm-args=-inline-threshold=0"] },
   {
-    title: "wasm for surfaces",
+    title: "bindings for surfaces",
     feature: "wasm-surface",
     target: "target/surface",
     name: "expline_surface",
     bytes: "surface-bytes",
     flags: ["-C", "llvm-args=-inline-threshold=0"],
   },
-  { title: "wasm for fitting", feature: "wasm-fit", target: "target/fit", name: "expline_fit", bytes: "fit-bytes", flags: [] },
+  { title: "bindings for fitting", feature: "wasm-fit", target: "target/fit", name: "expline_fit", bytes: "fit-bytes", flags: [] },
 ];
 
 /** What cargo leaves for a module. */
@@ -54,12 +54,15 @@ function flags(own) {
   return [...JSON.parse(`[${list.replace(/,\s*$/, "")}]`), ...own];
 }
 
-async function buildWasm(module) {
+/** All modules, side by side: the last part of each build, the longest, uses one core only. */
+async function buildWasm() {
   const inputs = [...RUST, "scripts/package.mjs"];
-  await step(module.title, { inputs, outputs: [raw(module)] }, async () => {
-    const env = { CARGO_ENCODED_RUSTFLAGS: flags(module.flags).join("\x1f"), CARGO_TARGET_DIR: at(module.target) };
-    const features = ["--no-default-features", "--features", module.feature];
-    await run("cargo", ["build", "--locked", "-p", "expline", "--lib", "--release", "--target", "wasm32-unknown-unknown", ...features], { env });
+  await step("wasm", { inputs, outputs: MODULES.map(raw) }, async () => {
+    await sideBySide(MODULES, async (module) => {
+      const env = { CARGO_ENCODED_RUSTFLAGS: flags(module.flags).join("\x1f"), CARGO_TARGET_DIR: at(module.target) };
+      const features = ["--no-default-features", "--features", module.feature];
+      await run("cargo", ["build", "--locked", "-p", "expline", "--lib", "--release", "--target", "wasm32-unknown-unknown", ...features], { env });
+    });
   });
 }
 
@@ -67,7 +70,7 @@ async function buildBindings(module) {
   const { title, name, bytes } = module;
   const inputs = [raw(module), "target/xtask/xtask", "package.json", "scripts/snip.mjs", "scripts/inline-wasm.mjs", "scripts/package.mjs"];
   const outputs = [`${name}.d.ts`, `${name}_bg.wasm`, `${bytes}.js`, "version.js"].map((f) => `${BINDINGS}/${f}`);
-  await step(title.replace("wasm", "bindings"), { inputs, outputs }, async () => {
+  await step(title, { inputs, outputs, alone: false }, async () => {
     const flags = ["--target", "web", "--omit-default-module-path", "--remove-producers-section", "--out-name", name, "--out-dir", at(BOUND)];
     await run(at("target/xtask/xtask"), ["bindgen", at(raw(module)), ...flags]);
     mkdirSync(at(BINDINGS), { recursive: true });
@@ -177,10 +180,8 @@ async function buildFace() {
 /** Everything that the package is made of, and its measured size and start-up time. */
 export async function buildPackage() {
   await buildXtask();
-  for (const module of MODULES) {
-    await buildWasm(module);
-    await buildBindings(module);
-  }
+  await buildWasm();
+  await sideBySide(MODULES, buildBindings);
   await buildFace();
   await printSizes();
 }

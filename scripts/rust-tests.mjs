@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { basename } from "node:path";
 
 import { launch } from "./browser.mjs";
-import { StepError, at, children, endGroup, environment, root, run } from "./steps.mjs";
+import { StepError, at, children, endGroup, environment, root, run, sideBySide } from "./steps.mjs";
 
 const TARGET = "wasm32-unknown-unknown";
 const RUNNER = ["test-runner"];
@@ -64,8 +64,10 @@ async function wasmTests(inBrowser) {
 /** Runs every file with `runOne` and adds up; a file that ran no test is a failure, since nobody would notice. */
 async function all(inBrowser, runOne) {
   const sum = { passed: 0, failed: 0, failures: "" };
-  for (const test of await wasmTests(inBrowser)) {
-    const { passed, failed, failures } = await runOne(test);
+  const tests = await wasmTests(inBrowser);
+  const results = await sideBySide(tests, runOne);
+  for (const [i, test] of tests.entries()) {
+    const { passed, failed, failures } = results[i];
     sum.passed += passed;
     sum.failed += failed;
     if (failures) sum.failures += `${test.name}: ${failures}\n`;

@@ -6,6 +6,7 @@
 import { spawn } from "node:child_process";
 import { createHash } from "node:crypto";
 import { existsSync, lstatSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { availableParallelism } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -50,9 +51,10 @@ export const seconds = (since) => `${((performance.now() - since) / 1000).toFixe
 
 /**
  * Runs `action` under a name, says how long it took, and skips it while the stamp of its inputs stands and its
- * outputs are there. Without `inputs` it always runs. What `action` returns as a string is added to the line.
+ * outputs are there. Without `inputs` it always runs. What `action` returns as a string is added to the line. A step that
+ * is not `alone` says its line when it is over.
  */
-export async function step(name, { inputs, outputs = [], salt = "" } = {}, action) {
+export async function step(name, { inputs, outputs = [], salt = "", alone = true } = {}, action) {
   const stamp = at("build", "stamps", `${name.replace(/[^\w-]+/g, "-")}.txt`);
   const before = inputs && fingerprint(inputs, salt);
   if (before && existsSync(stamp) && readFileSync(stamp, "utf8") === before && outputs.every((o) => existsSync(at(o)))) {
@@ -60,16 +62,18 @@ export async function step(name, { inputs, outputs = [], salt = "" } = {}, actio
     return undefined;
   }
   const start = performance.now();
-  process.stdout.write(`• ${name} … `);
+  const line = `• ${name} … `;
+  if (alone) process.stdout.write(line);
+  const rest = alone ? "" : line;
   let said;
   try {
     said = await action();
   } catch (error) {
-    console.log(`failed after ${seconds(start)}`);
+    console.log(`${rest}failed after ${seconds(start)}`);
     if (error instanceof StepError) throw new StepError(`${name}: ${error.message}`, error.output);
     throw error;
   }
-  console.log(typeof said === "string" && said !== "" ? `${seconds(start)} (${said})` : seconds(start));
+  console.log(rest + (typeof said === "string" && said !== "" ? `${seconds(start)} (${said})` : seconds(start)));
   if (before) {
     mkdirSync(dirname(stamp), { recursive: true });
     writeFileSync(stamp, before);
@@ -114,6 +118,17 @@ export function run(command, parameters, { env = {}, cwd = root, limit = 0 } = {
       else reject(new StepError(`${[command, ...parameters].join(" ").slice(0, 120)} ended with ${status ?? "a signal"}`, output));
     });
   });
+}
+
+/** Does `work` for every item, as many at once as there are cores; gives back the results in the order of the items. */
+export async function sideBySide(items, work) {
+  const results = [];
+  const waiting = items.entries();
+  const worker = async () => {
+    for (const [i, item] of waiting) results[i] = await work(item);
+  };
+  await Promise.all(Array.from({ length: Math.min(items.length, availableParallelism()) }, worker));
+  return results;
 }
 
 /** Ends a command and everything that it started. */
