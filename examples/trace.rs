@@ -1,7 +1,7 @@
 //! Traces a binary PGM picture: `cargo run --release --example trace in.pgm out.svg`.
 
 use expline::svg::{PrintOptions, to_path_d};
-use expline::trace::{DrawingOptions, Gray, trace_drawing};
+use expline::trace::{Gray, TraceOptions, trace};
 use std::error::Error;
 
 /// Width, height and pixels of a `P5` picture of one byte per pixel, without comments.
@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let bytes = std::fs::read(from)?;
     let (width, height, pixels) = read(&bytes).ok_or("not a binary PGM picture of one byte per pixel")?;
-    let drawing = trace_drawing(&Gray::from_bytes(width, height, pixels)?, &DrawingOptions::default())?;
+    let drawing = trace(Gray::from_bytes(width, height, pixels)?, &TraceOptions::default())?;
     let options = PrintOptions { decimals: Some(2), relative: true, ..PrintOptions::default() };
     let mut d = String::new();
     for contour in &drawing.contours {

@@ -4,7 +4,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use expline::curve::Curve;
 use expline::numerics::Point;
-use expline::trace::{Drawing, DrawingOptions, Gray, trace_drawing};
+use expline::trace::{Gray, Progress, Trace, TraceOptions, Tracer, trace};
 use expline::{Error, HermiteCurve};
 
 /// Places per pixel and axis at which a test picture asks whether there is ink: coverage to a few thousandths.
@@ -24,9 +24,9 @@ fn draw(width: usize, height: usize, ink: &dyn Fn(f64, f64) -> bool) -> Vec<u8> 
     bytes
 }
 
-fn trace(width: usize, height: usize, bytes: &[u8]) -> Drawing {
+fn traced(width: usize, height: usize, bytes: &[u8]) -> Trace {
     let gray = Gray::from_bytes(width, height, bytes).expect("a valid picture");
-    trace_drawing(&gray, &DrawingOptions::default()).expect("a drawing")
+    trace(gray, &TraceOptions::default()).expect("a drawing")
 }
 
 /// The largest and the mean value of a distance along a curve.
@@ -83,7 +83,7 @@ const STAR: [(f64, f64); 10] = [
 #[test]
 fn a_disk_is_an_exact_circle_to_a_fiftieth_of_a_pixel() {
     let disk = |x: f64, y: f64| (x - 30.3).hypot(y - 32.6) <= 22.7;
-    let drawing = trace(64, 64, &draw(64, 64, &disk));
+    let drawing = traced(64, 64, &draw(64, 64, &disk));
     assert_eq!(drawing.contours.len(), 1);
     let contour = &drawing.contours[0];
     assert!(!contour.hole && contour.cusps.is_empty(), "a smooth outline of ink");
@@ -104,7 +104,7 @@ fn a_turned_ellipse_is_an_exact_ellipse() {
         let (dx, dy) = (x - 40.2, y - 36.7);
         ((dx * cos + dy * sin) / 30.0).powi(2) + ((dy * cos - dx * sin) / 17.0).powi(2) <= 1.0
     };
-    let drawing = trace(80, 80, &draw(80, 80, &ellipse));
+    let drawing = traced(80, 80, &draw(80, 80, &ellipse));
     let found = drawing.contours[0].curve.as_ellipse(1e-9).expect("an ellipse");
     assert!((found.center - Point::new(40.2, 36.7)).norm() < 0.02, "{found:?}");
     assert!((found.radii - Point::new(30.0, 17.0)).norm() < 0.03, "{found:?}");
@@ -115,7 +115,7 @@ fn a_turned_ellipse_is_an_exact_ellipse() {
 #[test]
 fn a_hole_turns_the_other_way() {
     let ring = |x: f64, y: f64| (8.0..=20.0).contains(&(x - 24.5).hypot(y - 23.5));
-    let drawing = trace(48, 48, &draw(48, 48, &ring));
+    let drawing = traced(48, 48, &draw(48, 48, &ring));
     let mut holes: Vec<(bool, f64)> =
         drawing.contours.iter().map(|c| (c.hole, c.curve.area().expect("closed"))).collect();
     holes.sort_by(|a, b| a.1.total_cmp(&b.1));
@@ -129,7 +129,7 @@ fn a_hole_turns_the_other_way() {
 
 #[test]
 fn a_star_has_its_ten_corners_and_straight_sides_and_nothing_else() {
-    let drawing = trace(64, 64, &draw(64, 64, &|x, y| inside(&STAR, x, y)));
+    let drawing = traced(64, 64, &draw(64, 64, &|x, y| inside(&STAR, x, y)));
     assert_eq!(drawing.contours.len(), 1);
     let contour = &drawing.contours[0];
     assert_eq!(contour.cusps.len(), 10);
@@ -152,7 +152,7 @@ fn noise_and_blur_leave_the_shape() {
         .iter()
         .map(|&v| (f64::from(v) + 16.0 * noise.normal()).round().clamp(0.0, 255.0) as u8)
         .collect();
-    let drawing = trace(64, 64, &bytes);
+    let drawing = traced(64, 64, &bytes);
     assert_eq!(drawing.contours.len(), 2);
     let outer = drawing.contours.iter().find(|c| !c.hole).expect("ink");
     let (most, mean) = along(&outer.curve, &|p| ((p - Point::new(32.0, 31.0)).norm() - 21.0).abs());
@@ -163,7 +163,7 @@ fn noise_and_blur_leave_the_shape() {
 
 #[test]
 fn ink_at_the_border_is_closed_along_the_border() {
-    let drawing = trace(40, 30, &draw(40, 30, &|x, y| x < 12.5 && y > 10.25));
+    let drawing = traced(40, 30, &draw(40, 30, &|x, y| x < 12.5 && y > 10.25));
     assert_eq!(drawing.contours.len(), 1);
     let bounds = drawing.contours[0].curve.bounds();
     let near = |value: f64, expected: f64| assert!((value - expected).abs() < 0.02, "{value} for {expected}");
@@ -178,26 +178,26 @@ fn light_ink_and_transparent_paper_are_what_they_seem() {
     let dark = draw(64, 64, &|x, y| inside(&STAR, x, y));
     let light: Vec<u8> = dark.iter().map(|v| 255 - v).collect();
     let gray = Gray::from_bytes(64, 64, &light).expect("valid");
-    let options = DrawingOptions { inverted: true, ..DrawingOptions::default() };
-    let found = trace_drawing(&gray, &options).expect("a drawing");
+    let options = TraceOptions { inverted: true, ..TraceOptions::default() };
+    let found = trace(gray.clone(), &options).expect("a drawing");
     assert_eq!(found.contours[0].cusps.len(), 10, "light on dark");
     // Black ink whose opacity is its coverage.
     let rgba: Vec<u8> = dark.iter().flat_map(|&v| [0, 0, 0, 255 - v]).collect();
     let gray = Gray::from_rgba(64, 64, &rgba).expect("valid");
-    let found = trace_drawing(&gray, &DrawingOptions::default()).expect("a drawing");
+    let found = trace(gray.clone(), &TraceOptions::default()).expect("a drawing");
     assert_eq!(found.contours[0].cusps.len(), 10, "opacity");
     // White ink on nothing.
     let rgba: Vec<u8> = dark.iter().flat_map(|&v| [255, 255, 255, 255 - v]).collect();
     let gray = Gray::from_rgba(64, 64, &rgba).expect("valid");
-    let found = trace_drawing(&gray, &options).expect("a drawing");
+    let found = trace(gray.clone(), &options).expect("a drawing");
     assert_eq!(found.contours[0].cusps.len(), 10, "white ink");
 }
 
 #[test]
 fn the_same_picture_gives_the_same_bits() {
     let bytes = draw(64, 64, &|x, y| inside(&STAR, x, y) || (x - 50.0).hypot(y - 50.0) < 9.0);
-    let (first, second) = (trace(64, 64, &bytes), trace(64, 64, &bytes));
-    let points = |drawing: &Drawing| -> Vec<Point> {
+    let (first, second) = (traced(64, 64, &bytes), traced(64, 64, &bytes));
+    let points = |drawing: &Trace| -> Vec<Point> {
         drawing.contours.iter().flat_map(|c| c.curve.points().to_vec()).collect()
     };
     assert_eq!(points(&first), points(&second));
@@ -205,23 +205,23 @@ fn the_same_picture_gives_the_same_bits() {
 
 #[test]
 fn pictures_of_any_size_and_nothing_in_them_do_no_harm() {
-    let finite = |drawing: &Drawing| {
+    let finite = |drawing: &Trace| {
         drawing.contours.iter().all(|c| c.curve.points().iter().all(|p| p.x.is_finite() && p.y.is_finite()))
     };
     for (width, height) in [(1, 1), (1, 2), (2, 1), (2, 2), (3, 3), (1, 10_000), (10_000, 2), (7, 5)] {
         for shade in [0, 100, 255] {
-            let drawing = trace(width, height, &vec![shade; width * height]);
+            let drawing = traced(width, height, &vec![shade; width * height]);
             let most = usize::from(shade < 128);
             assert!(drawing.contours.len() <= most && finite(&drawing), "{width}×{height} {shade}");
         }
         let stripes: Vec<u8> = (0..width * height).map(|i| if i / 10 % 2 == 0 { 0 } else { 255 }).collect();
-        assert!(finite(&trace(width, height, &stripes)), "{width}×{height}");
+        assert!(finite(&traced(width, height, &stripes)), "{width}×{height}");
     }
-    let black = trace(64, 64, &[0; 64 * 64]);
+    let black = traced(64, 64, &[0; 64 * 64]);
     let bounds = black.contours[0].curve.bounds();
     assert!(bounds.min_x > -0.1 && bounds.max_y < 64.1, "the border is the outline");
     let diagonal: Vec<u8> = (0..10_000).map(|i| if i % 100 == i / 100 { 0 } else { 255 }).collect();
-    assert!(finite(&trace(100, 100, &diagonal)), "a line of one pixel");
+    assert!(finite(&traced(100, 100, &diagonal)), "a line of one pixel");
 }
 
 #[test]
@@ -235,8 +235,8 @@ fn rings_in_rings_need_no_stack() {
         })
         .collect();
     let gray = Gray::from_bytes(size, size, &bytes).expect("valid");
-    let options = DrawingOptions { refined: false, ..DrawingOptions::default() };
-    let drawing = trace_drawing(&gray, &options).expect("a drawing");
+    let options = TraceOptions { refined: false, ..TraceOptions::default() };
+    let drawing = trace(gray.clone(), &options).expect("a drawing");
     assert_eq!(drawing.contours.len(), 200, "the pixel in the middle is a speckle");
     assert_eq!(drawing.contours.iter().filter(|c| c.hole).count(), 100);
 }
@@ -251,13 +251,13 @@ fn what_is_not_a_drawing_is_refused_by_name() {
     let checker: Vec<u8> =
         (0..400 * 400).map(|i| if (i % 400 + i / 400) % 2 == 0 { 0 } else { 255 }).collect();
     let gray = Gray::from_bytes(400, 400, &checker).expect("valid");
-    let options = DrawingOptions { speckle: 0.0, ..DrawingOptions::default() };
-    let refused = error(trace_drawing(&gray, &options).map(drop));
+    let options = TraceOptions { speckle: 0.0, ..TraceOptions::default() };
+    let refused = error(trace(gray.clone(), &options).map(drop));
     assert!(["maxContours", "maxContourPoints"].contains(&limit(refused)), "a checkerboard");
     let mut noise = Noise(4);
     let salt: Vec<u8> = (0..300 * 300).map(|_| if noise.unit() < 0.5 { 0 } else { 255 }).collect();
     let gray = Gray::from_bytes(300, 300, &salt).expect("valid");
-    let refused = error(trace_drawing(&gray, &options).map(drop));
+    let refused = error(trace(gray.clone(), &options).map(drop));
     assert!(["maxContours", "maxContourPoints"].contains(&limit(refused)), "salt");
 
     assert_eq!(error(Gray::from_bytes(0, 5, &[]).map(drop)).argument(), Some("width"));
@@ -267,17 +267,79 @@ fn what_is_not_a_drawing_is_refused_by_name() {
     assert_eq!(error(Gray::from_rgba(10, 10, &[0; 404]).map(drop)).argument(), Some("data"));
     let gray = Gray::from_bytes(2, 2, &[0; 4]).expect("valid");
     for options in [
-        DrawingOptions { threshold: f64::NAN, ..DrawingOptions::default() },
-        DrawingOptions { threshold: 1.5, ..DrawingOptions::default() },
-        DrawingOptions { tolerance: -1.0, ..DrawingOptions::default() },
-        DrawingOptions { corner: 0.0, ..DrawingOptions::default() },
-        DrawingOptions { speckle: f64::INFINITY, ..DrawingOptions::default() },
+        TraceOptions { threshold: Some(f64::NAN), ..TraceOptions::default() },
+        TraceOptions { threshold: Some(256.5), ..TraceOptions::default() },
+        TraceOptions { tolerance: -1.0, ..TraceOptions::default() },
+        TraceOptions { corner: 0.0, ..TraceOptions::default() },
+        TraceOptions { speckle: f64::INFINITY, ..TraceOptions::default() },
     ] {
-        assert!(error(trace_drawing(&gray, &options).map(drop)).argument().is_some(), "{options:?}");
+        assert!(error(trace(gray.clone(), &options).map(drop)).argument().is_some(), "{options:?}");
     }
-    let speckle = DrawingOptions { speckle: 1000.0, ..DrawingOptions::default() };
+    let speckle = TraceOptions { speckle: 1000.0, ..TraceOptions::default() };
     assert!(
-        trace_drawing(&gray, &speckle).expect("a drawing").contours.is_empty(),
+        trace(gray.clone(), &speckle).expect("a drawing").contours.is_empty(),
         "smaller than the speckle"
     );
+}
+
+#[test]
+fn a_picture_in_steps_is_the_picture_at_once_and_progress_never_goes_back() {
+    let bytes = draw(64, 64, &|x, y| inside(&STAR, x, y));
+    let at_once = traced(64, 64, &bytes);
+    let gray = Gray::from_bytes(64, 64, &bytes).expect("valid");
+    let mut tracer = Tracer::new(gray, &TraceOptions::default()).expect("options in range");
+    assert!(tracer.result().is_err(), "nothing is done yet");
+    let mut last: Option<Progress> = None;
+    let mut steps = 0;
+    loop {
+        let progress = tracer.step(100.0).expect("a drawing");
+        assert!(progress.completed <= progress.total, "{progress:?}");
+        if let Some(last) = last {
+            let rises = (last.stage, last.completed) <= (progress.stage, progress.completed);
+            assert!(rises, "{last:?}, then {progress:?}");
+        }
+        steps += 1;
+        last = Some(progress);
+        if progress.done {
+            break;
+        }
+    }
+    assert!(steps > 5, "{steps} steps");
+    let in_steps = tracer.result().expect("done");
+    let points = |trace: &Trace| -> Vec<Point> { trace.contours[0].curve.points().to_vec() };
+    assert_eq!(points(&in_steps), points(&at_once));
+}
+
+#[test]
+fn a_picture_given_in_rows_is_the_picture_given_whole() {
+    let mut noise = Noise(11);
+    for paper in [0, 255] {
+        let ink = 255 - paper;
+        let mut rgba: Vec<u8> =
+            (0..40 * 30).flat_map(|_| [ink, ink, ink, (noise.unit() * 256.0) as u8]).collect();
+        rgba[3] = 255;
+        let whole = Gray::from_rgba(40, 30, &rgba).expect("valid");
+        let mut rows = Gray::begin(40, 30).expect("a size in range");
+        for block in rgba.chunks(4 * 40 * 7) {
+            rows.push_rgba_rows(block).expect("whole rows");
+        }
+        assert!(rows.push_rgba_rows(&rgba[..160]).is_err(), "a row too many");
+        assert_eq!(rows.finish().expect("all rows"), whole);
+    }
+    let mut rows = Gray::begin(4, 2).expect("a size in range");
+    assert!(rows.push_gray_rows(&[0; 5]).is_err(), "not a whole row");
+    rows.push_gray_rows(&[9; 4]).expect("a row");
+    assert!(rows.finish().is_err(), "a row is missing");
+}
+
+#[test]
+fn metrics_are_distances_to_the_contour_in_pixels() {
+    let drawing = traced(64, 64, &draw(64, 64, &|x, y| inside(&STAR, x, y)));
+    let metrics = drawing.contours[0].metrics;
+    // Contours between pixel centres cut tips by up to a pixel; along the sides they are off by some hundredths.
+    assert!(
+        metrics.mae < 0.1 && metrics.mae <= metrics.rmse && metrics.rmse <= metrics.hausdorff,
+        "{metrics:?}"
+    );
+    assert!(metrics.hausdorff > 0.3 && metrics.hausdorff < 2.0 && metrics.jaccard > 0.9, "{metrics:?}");
 }

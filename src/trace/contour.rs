@@ -19,6 +19,7 @@ pub struct Contour {
 const NONE: u32 = u32::MAX;
 
 /// Links of crossings: every crossing has one before and one after it.
+#[derive(Debug)]
 struct Crossings {
     places: Vec<[f32; 2]>,
     next: Vec<u32>,
@@ -49,57 +50,120 @@ impl Crossings {
 ///
 /// O(pixels), in two rows; 12 bytes for each point.
 pub fn contours(gray: &Gray, level: f64, inverted: bool, speckle: f64) -> Result<Vec<Contour>> {
-    let most = gray.width() * gray.height() / 2 + 65_536;
-    let mut crossings = Crossings { places: Vec::new(), next: Vec::new(), most };
-    link(gray, level, inverted, &mut crossings)?;
-    walk(&mut crossings, speckle)
+    let mut scan = ContourScan::new(gray, level, inverted);
+    while scan.step(gray)? {}
+    scan.contours(speckle)
 }
 
-/// Walks over all cells between four pixel centres, two rows at a time, with a frame of paper around.
-fn link(gray: &Gray, level: f64, inverted: bool, crossings: &mut Crossings) -> Result<()> {
-    let (width, height) = (gray.width(), gray.height());
-    let sign = if inverted { -1.0 } else { 1.0 };
-    // Positive is ink. Paper beyond the border is as far from the level as ink is.
-    let fill = |row: Option<usize>, out: &mut Vec<f64>| {
-        out.clear();
-        out.resize(width + 2, f64::NAN);
-        if let Some(row) = row {
-            for (value, &shade) in out[1..].iter_mut().zip(gray.row(row)) {
-                *value = sign * (level - f64::from(shade));
-            }
+/// A walk over all cells between four pixel centres, two rows at a time, with a frame of paper around.
+#[derive(Debug)]
+pub(super) struct ContourScan {
+    crossings: Crossings,
+    level: f64,
+    sign: f64,
+    line: usize,
+    /// Which pixels of the rows above and below are ink, with the frame.
+    above: Vec<u8>,
+    below: Vec<u8>,
+    /// The crossing on the upper side of each cell. Where there is none, anything.
+    upper: Vec<u32>,
+}
+
+impl ContourScan {
+    pub(super) fn new(gray: &Gray, level: f64, inverted: bool) -> Self {
+        let most = gray.width() * gray.height() / 2 + 65_536;
+        let crossings = Crossings { places: Vec::new(), next: Vec::new(), most };
+        let size = gray.width() + 2;
+        Self {
+            crossings,
+            level,
+            sign: if inverted { -1.0 } else { 1.0 },
+            line: 0,
+            above: vec![0; size],
+            below: vec![0; size],
+            upper: vec![NONE; size],
         }
-    };
-    let (mut above, mut below): (Vec<f64>, Vec<f64>) = (with_room(width + 2)?, with_room(width + 2)?);
-    let mut on_above = vec![NONE; width + 2];
-    let mut on_below = vec![NONE; width + 2];
-    fill(None, &mut above);
-    for line in 0..=height {
-        fill((line < height).then_some(line), &mut below);
-        let y = line as f64 - 0.5;
-        on_below.fill(NONE);
-        let mut on_left = NONE;
-        for cell in 0..=width {
-            let x = cell as f64 - 0.5;
-            let corners = [above[cell], above[cell + 1], below[cell + 1], below[cell]];
-            let ink = corners.map(|value| value > 0.0);
-            let right = if ink[1] == ink[2] {
-                NONE
-            } else {
-                crossings.add(x + 1.0, y + between(corners[1], corners[2]))?
-            };
-            let bottom = if ink[3] == ink[2] {
-                NONE
-            } else {
-                crossings.add(x + between(corners[3], corners[2]), y + 1.0)?
-            };
-            join(crossings, corners, ink, [on_above[cell], right, bottom, on_left]);
-            on_below[cell] = bottom;
-            on_left = right;
-        }
-        core::mem::swap(&mut above, &mut below);
-        core::mem::swap(&mut on_above, &mut on_below);
     }
-    Ok(())
+
+    /// Rows that are done.
+    pub(super) fn rows(&self) -> usize {
+        self.line
+    }
+
+    /// One row of cells; whether there are more.
+    pub(super) fn step(&mut self, gray: &Gray) -> Result<bool> {
+        let (width, height, line) = (gray.width(), gray.height(), self.line);
+        if line < height {
+            let below = &mut self.below[1..=width];
+            // Shades are whole numbers: being beyond the level is a comparison of whole numbers.
+            if self.sign > 0.0 {
+                let bound = self.level.ceil().max(0.0) as u16;
+                below.iter_mut().zip(gray.row(line)).for_each(|(ink, &v)| *ink = u8::from(v < bound));
+            } else {
+                let bound = self.level.floor().max(0.0) as u16;
+                below.iter_mut().zip(gray.row(line)).for_each(|(ink, &v)| *ink = u8::from(v > bound));
+            }
+        } else {
+            self.below.fill(0);
+        }
+        let mut cell = 0;
+        let mut on_left = NONE;
+        while cell <= width {
+            let sum = self.above[cell] + self.above[cell + 1] + self.below[cell] + self.below[cell + 1];
+            if sum == 0 || sum == 4 {
+                cell += uniform(&self.above[cell..], &self.below[cell..]);
+                continue;
+            }
+            on_left = self.cell(gray, cell, on_left)?;
+            cell += 1;
+        }
+        core::mem::swap(&mut self.above, &mut self.below);
+        self.line += 1;
+        Ok(self.line <= height)
+    }
+
+    /// The crossings on the right and the lower side of a mixed cell, joined with the others; the one on the right.
+    fn cell(&mut self, gray: &Gray, cell: usize, on_left: u32) -> Result<u32> {
+        let (x, y) = (cell as f64 - 0.5, self.line as f64 - 0.5);
+        // Positive is ink. Paper beyond the border is as far from the level as ink is.
+        let value = |column: usize, row: usize| {
+            if column == 0 || row == 0 || column > gray.width() || row > gray.height() {
+                f64::NAN
+            } else {
+                self.sign * (self.level - gray.shade(column - 1, row - 1))
+            }
+        };
+        let (row, next) = (self.line, self.line + 1);
+        let corners = [value(cell, row), value(cell + 1, row), value(cell + 1, next), value(cell, next)];
+        let ink = [self.above[cell], self.above[cell + 1], self.below[cell + 1], self.below[cell]];
+        let ink = ink.map(|ink| ink != 0);
+        let right = if ink[1] == ink[2] {
+            NONE
+        } else {
+            self.crossings.add(x + 1.0, y + between(corners[1], corners[2]))?
+        };
+        let bottom = if ink[3] == ink[2] {
+            NONE
+        } else {
+            self.crossings.add(x + between(corners[3], corners[2]), y + 1.0)?
+        };
+        join(&mut self.crossings, corners, ink, [self.upper[cell], right, bottom, on_left]);
+        self.upper[cell] = bottom;
+        Ok(right)
+    }
+
+    /// The contours, once all rows are done.
+    pub(super) fn contours(&mut self, speckle: f64) -> Result<Vec<Contour>> {
+        walk(&mut self.crossings, speckle)
+    }
+}
+
+/// How many cells in a row have one tone, at least one; both lists begin with a pixel of such a cell.
+fn uniform(above: &[u8], below: &[u8]) -> usize {
+    const STEP: usize = 8;
+    let tone = [above[0]; STEP];
+    let blocks = above[1..].chunks_exact(STEP).zip(below[1..].chunks_exact(STEP));
+    (STEP * blocks.take_while(|(a, b)| **a == tone && **b == tone).count()).max(1)
 }
 
 /// Where between two centres the level lies; half-way to the paper beyond the border.

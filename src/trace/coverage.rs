@@ -1,7 +1,9 @@
 //! Which part of every pixel near an outline the outlines cover, exactly, and how that changes with their control points.
 
-use super::gray::{Gray, Tones, half_gaussian};
+use super::blur::half_gaussian;
+use super::gray::Gray;
 use super::outline::Outline;
+use super::tones::Tones;
 use crate::error::Result;
 use crate::limits::with_room;
 use crate::numerics::Point;

@@ -2,6 +2,8 @@
 //!
 //! Coordinates: x to the right, y down; pixel (column, row) covers [column, column + 1] × [row, row + 1].
 
+mod agreement;
+mod blur;
 mod chain;
 mod cloud;
 mod contour;
@@ -9,9 +11,9 @@ mod corners;
 mod coverage;
 mod cubic;
 mod division;
-mod drawing;
 mod ellipse;
 mod gray;
+mod ink;
 mod knots;
 mod local;
 mod metrics;
@@ -22,14 +24,19 @@ mod samples;
 mod selection;
 mod simplify;
 mod skyline;
+mod tones;
+mod tracer;
 mod unknowns;
 
 pub use chain::{Chain, ChainPlace, Joint, Tube, TubeFit, fit_tube};
 pub use cloud::Cloud;
 pub use contour::{Contour, contours};
-pub use drawing::{Drawing, DrawingOptions, MOST_CONTOURS, TracedContour, trace_drawing};
-pub use gray::{Gray, MOST_PIXELS, MOST_SIDE, Tones};
+pub use gray::{Gray, GrayRows, MOST_PIXELS, MOST_SIDE};
 pub use knots::{Knots, MOST_DEGREE, MOST_INTERIOR};
 pub use metrics::{Jaccard, diameter, directed_hausdorff, jaccard, mean_absolute, root_mean_square};
 pub use quasi_interpolant::{End, Estimator, QuasiInterpolant};
 pub use selection::{Choice, Rule, Score, choose, generalised_cross_validation, leave_one_out};
+pub use tones::Tones;
+pub use tracer::{
+    Metrics, Model, Progress, Source, Stage, Trace, TraceOptions, TracedContour, Tracer, trace,
+};

@@ -11,6 +11,7 @@ const SPACING: f64 = 0.5;
 const STRAY: f64 = 0.11;
 
 /// A closed polyline at even distances.
+#[derive(Debug)]
 pub(super) struct Samples {
     pub(super) points: Vec<Point>,
     /// The distance between neighbours along the polyline.

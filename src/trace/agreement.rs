@@ -1,0 +1,105 @@
+//! How far a curve is from the contour that it follows.
+
+use super::metrics::jaccard;
+use super::tracer::Metrics;
+use crate::curve::HermiteCurve;
+use crate::error::Result;
+use crate::numerics::Point;
+use crate::numerics::plane::{dot, norm, square};
+
+/// How far ahead the nearest place is looked for, in pixels: contours and their curves run side by side.
+const AHEAD: f64 = 4.0;
+/// Chords of a curve are about this long, in pixels.
+const CHORD: f64 = 0.75;
+
+/// Compares a closed curve with a closed contour that turns the same way, both in pixels.
+///
+/// Both are walked side by side, so the time is that of one walk.
+pub(super) fn agreement(curve: &HermiteCurve, contour: &[Point]) -> Result<Metrics> {
+    let places = flattened(curve)?;
+    let (there, back) = (Offs::of(contour, &places), Offs::of(&places, contour));
+    let count = contour.len().max(1) as f64;
+    let hausdorff = there.most.max(back.most);
+    // Points that are no farther than a pixel are in neighbouring pixels.
+    let share = if hausdorff <= 1.0 { 1.0 } else { jaccard(&pixels(contour), &pixels(&places)).tolerant };
+    Ok(Metrics { rmse: (there.square / count).sqrt(), mae: there.sum / count, hausdorff, jaccard: share })
+}
+
+fn pixels(points: &[Point]) -> Vec<(i32, i32)> {
+    points.iter().map(|p| (p.x.floor() as i32, p.y.floor() as i32)).collect()
+}
+
+/// Places along the curve, close enough that chords are as good as it.
+fn flattened(curve: &HermiteCurve) -> Result<Vec<Point>> {
+    let mut places = Vec::new();
+    for i in 0..curve.segment_count() {
+        let knots = curve.knots();
+        let (first, last) = (knots[i], knots[i + 1]);
+        let chord = norm(curve.evaluate(last, 0)? - curve.evaluate(first, 0)?);
+        let middle = curve.evaluate(0.5 * (first + last), 0)?;
+        let length = chord.max(norm(middle - curve.evaluate(first, 0)?) * 2.0);
+        let steps = if curve.segment(i).as_line(1e-9) {
+            1
+        } else {
+            (length / CHORD).ceil().max(4.0).min(20_000.0) as usize
+        };
+        for step in 0..steps {
+            places.push(curve.evaluate(first + (last - first) * step as f64 / steps as f64, 0)?);
+        }
+    }
+    Ok(places)
+}
+
+struct Offs {
+    sum: f64,
+    square: f64,
+    most: f64,
+}
+
+impl Offs {
+    /// The distances of points from a closed polyline that runs beside them.
+    fn of(points: &[Point], polyline: &[Point]) -> Self {
+        let mut offs = Self { sum: 0.0, square: 0.0, most: 0.0 };
+        let count = polyline.len();
+        let Some(&first) = points.first() else { return offs };
+        if count == 0 {
+            return offs;
+        }
+        let next = |i: usize| if i + 1 == count { 0 } else { i + 1 };
+        let off = |p: Point, i: usize| from_chord(p, polyline[i], polyline[next(i)]);
+        let mut at = (0..count).fold(0, |best, i| if off(first, i) < off(first, best) { i } else { best });
+        let mut last = first;
+        for &p in points {
+            // A contour is not much longer than a chord of its curve.
+            let ahead = AHEAD + 2.0 * norm(p - last);
+            last = p;
+            let mut best = (off(p, at), at);
+            let (mut i, mut travelled) = (at, 0.0);
+            while travelled < ahead + best.0.sqrt() {
+                travelled += norm(polyline[next(i)] - polyline[i]).max(1e-3);
+                i = next(i);
+                if i == at {
+                    break;
+                }
+                let here = off(p, i);
+                if here < best.0 {
+                    best = (here, i);
+                }
+            }
+            at = best.1;
+            offs.square += best.0;
+            let distance = best.0.sqrt();
+            offs.sum += distance;
+            offs.most = offs.most.max(distance);
+        }
+        offs
+    }
+}
+
+/// The squared distance of a point from a chord.
+fn from_chord(p: Point, from: Point, to: Point) -> f64 {
+    let (way, off) = (to - from, p - from);
+    let length = square(way);
+    let share = if length > 0.0 { (dot(off, way) / length).clamp(0.0, 1.0) } else { 0.0 };
+    square(off - way * share)
+}

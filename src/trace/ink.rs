@@ -1,0 +1,316 @@
+//! Logos and drawings: outlines of ink, as few pieces as their coverage allows.
+
+use super::agreement::agreement;
+use super::blur::Blurring;
+use super::contour::{Contour, ContourScan};
+use super::corners::{Corner, CornerRule, corners};
+use super::coverage::Band;
+use super::division::{DivisionRule, divide};
+use super::ellipse::ellipse;
+use super::gray::Gray;
+use super::outline::Outline;
+use super::refine::{refine, rest_of};
+use super::samples::Samples;
+use super::simplify::{Limits, finish};
+use super::tones::{ToneScan, Tones};
+use super::tracer::{Progress, Stage, Trace, TraceOptions, TracedContour, Work};
+use crate::error::{Error, Result};
+
+/// Noise above which pictures are blurred before they are followed, as a share of the way from ink to paper.
+const NOISY: f64 = 3.0 / 255.0;
+/// What refined outlines leave of most pixels of a picture of exact coverage.
+const ROUGH: f64 = 0.0005;
+/// Pixels of one bit of work.
+const BIT: usize = 131_072;
+
+/// Outlines of ink on their way.
+#[derive(Debug)]
+pub(super) struct InkWork {
+    gray: Gray,
+    options: TraceOptions,
+    phase: Phase,
+    progress: Progress,
+    tones: Tones,
+    quality: Quality,
+    smoothed: Option<Gray>,
+    found: Vec<Contour>,
+    samples: Vec<Samples>,
+    corners: Vec<Vec<Corner>>,
+    outlines: Vec<Outline>,
+    trace: Trace,
+}
+
+/// What is done next.
+#[derive(Debug)]
+enum Phase {
+    Tones(ToneScan),
+    Smooth(Blurring),
+    Contours(ContourScan),
+    Corners,
+    Splines,
+    Refinement,
+    Curves,
+}
+
+impl InkWork {
+    pub(super) fn new(gray: Gray, options: TraceOptions) -> Self {
+        let given = options.threshold.map(|shade| shade as usize);
+        let tones = Tones { ink: 0.0, paper: 65_280.0, noise: 0.0 };
+        let total = gray.height();
+        Self {
+            gray,
+            options,
+            phase: Phase::Tones(ToneScan::new(given)),
+            progress: Progress { done: false, stage: Stage::Edges, completed: 0, total },
+            tones,
+            quality: Quality::Clean,
+            smoothed: None,
+            found: Vec::new(),
+            samples: Vec::new(),
+            corners: Vec::new(),
+            outlines: Vec::new(),
+            trace: Trace { contours: Vec::new(), tones, residual: 0.0 },
+        }
+    }
+
+    fn enter(&mut self, phase: Phase, stage: Stage, total: usize) {
+        self.phase = phase;
+        self.progress = Progress { done: false, stage, completed: 0, total };
+    }
+
+    /// Tones are known: noise decides whether the picture is blurred.
+    fn toned(&mut self, tones: Tones) -> Result<()> {
+        (self.tones, self.trace.tones) = (tones, tones);
+        if tones.noise > NOISY {
+            self.quality = Quality::Noisy;
+        }
+        let found = if self.quality == Quality::Noisy { 1.2 } else { 0.0 };
+        let sigma = self.options.blur.unwrap_or(found);
+        if sigma > 0.0 {
+            self.phase = Phase::Smooth(Blurring::new(&self.gray, sigma)?);
+        } else {
+            self.scan();
+        }
+        Ok(())
+    }
+
+    /// The shade between ink and paper.
+    fn level(&self) -> f64 {
+        let middle = 0.5 * (self.tones.ink + self.tones.paper);
+        self.options.threshold.map_or(middle, |shade| 256.0 * shade)
+    }
+
+    fn scan(&mut self) {
+        let scan = ContourScan::new(&self.gray, self.level(), self.options.inverted);
+        self.enter(Phase::Contours(scan), Stage::Contours, self.gray.height() + 1);
+    }
+
+    fn scanned(&mut self, found: Vec<Contour>) -> Result<()> {
+        if found.len() > self.options.most_contours {
+            let most = self.options.most_contours;
+            return Err(Error::limit("data", "maxContours", most, found.len() as f64));
+        }
+        self.smoothed = None;
+        self.found = found;
+        self.enter(Phase::Corners, Stage::Corners, self.found.len());
+        Ok(())
+    }
+
+    /// Corners of one contour.
+    fn corner(&mut self, i: usize) -> f64 {
+        let samples = Samples::new(&self.found[i].points);
+        let cost = 0.5 * samples.len() as f64;
+        self.corners.push(corners(&samples, &self.quality.corner_rules(self.options.corner)));
+        self.samples.push(samples);
+        cost
+    }
+
+    /// The first outline of one contour.
+    fn spline(&mut self, i: usize) -> f64 {
+        let rule = self.quality.division_rule(&self.options);
+        self.outlines.push(divide(&self.samples[i], &self.corners[i], &rule));
+        0.5 * self.samples[i].len() as f64
+    }
+
+    fn refinement(&mut self) -> Result<()> {
+        let noisy = self.quality == Quality::Noisy;
+        let polylines = self.found.iter().map(|contour| contour.points.as_slice());
+        let inverted = self.options.inverted;
+        let mut band = Band::new(&self.gray, &self.tones, inverted, polylines, if noisy { 4 } else { 2 })?;
+        if noisy {
+            band.find_blur(&self.outlines)?;
+        }
+        let residual = refine(&mut self.outlines, &band, 6)?;
+        let mut noise = if noisy { residual } else { 0.0 };
+        if !noisy && typical(&self.outlines, &band)? > ROUGH {
+            let quality = Quality::Rough;
+            let (angle, rule) = (self.options.corner, quality.division_rule(&self.options));
+            let again = |samples| divide(samples, &corners(samples, &quality.corner_rules(angle)), &rule);
+            let mut rough: Vec<Outline> = self.samples.iter().map(again).collect();
+            let left = refine(&mut rough, &band, 6)?;
+            // If fewer pieces explain the picture as well, the rest is not in the drawing.
+            if left < 1.25 * residual {
+                (self.outlines, noise) = (rough, left);
+            }
+        }
+        let limits = Limits { rms: 0.012, most: 0.055, noise, share: 12.0 };
+        self.trace.residual = finish(&mut self.outlines, &band, &limits)?;
+        Ok(())
+    }
+
+    /// The curve of one outline.
+    fn curve(&mut self, i: usize) -> Result<f64> {
+        let (outline, contour) = (&self.outlines[i], &self.found[i]);
+        let cusps = outline.nodes.iter().filter(|node| !node.smooth).map(|node| node.point).collect();
+        let curve = match ellipse(outline)? {
+            Some(curve) if self.options.refined => curve,
+            _ => outline.to_curve()?,
+        };
+        let metrics = agreement(&curve, &contour.points)?;
+        let hole = contour.area < 0.0;
+        self.trace.contours.push(TracedContour { curve, closed: true, hole, cusps, metrics });
+        Ok(0.5 * contour.points.len() as f64)
+    }
+
+    /// One contour more in this phase: its cost, and whether it was the last.
+    fn advance(&mut self, work: &dyn Fn(&mut Self, usize) -> Result<f64>) -> Result<(f64, bool)> {
+        let i = self.progress.completed;
+        if i >= self.found.len() {
+            return Ok((0.0, true));
+        }
+        let cost = work(self, i)?;
+        self.progress.completed += 1;
+        Ok((cost, i + 1 == self.found.len()))
+    }
+}
+
+impl Work for InkWork {
+    fn step(&mut self) -> Result<f64> {
+        let (width, height) = (self.gray.width(), self.gray.height());
+        let rows = (BIT / width).max(1);
+        match &mut self.phase {
+            Phase::Tones(scan) => {
+                if let Some(tones) = scan.step(&self.gray) {
+                    self.toned(tones)?;
+                }
+                return Ok(0.2 * (width as f64));
+            }
+            Phase::Smooth(blurring) => {
+                for _ in 0..(rows / 8).max(1) {
+                    if let Some(smoothed) = blurring.step(&self.gray) {
+                        self.smoothed = Some(smoothed);
+                        self.scan();
+                        break;
+                    }
+                    self.progress.completed = blurring.rows();
+                }
+            }
+            Phase::Contours(scan) => {
+                let gray = self.smoothed.as_ref().unwrap_or(&self.gray);
+                for _ in 0..rows {
+                    if !scan.step(gray)? {
+                        let speckle = if self.quality == Quality::Noisy {
+                            self.options.speckle.max(6.0)
+                        } else {
+                            self.options.speckle
+                        };
+                        let found = scan.contours(speckle)?;
+                        self.scanned(found)?;
+                        return Ok(1000.0);
+                    }
+                }
+                self.progress.completed = scan.rows().min(height);
+            }
+            Phase::Corners => {
+                let (cost, last) = self.advance(&|work, i| Ok(work.corner(i)))?;
+                if last {
+                    let again = if self.options.refined { 1 } else { 2 };
+                    self.enter(Phase::Splines, Stage::Splines, again * self.found.len());
+                }
+                return Ok(cost);
+            }
+            Phase::Splines => {
+                let (cost, last) = self.advance(&|work, i| Ok(work.spline(i)))?;
+                if last && self.options.refined {
+                    self.enter(Phase::Refinement, Stage::Refinement, 2 * self.found.len());
+                } else if last {
+                    self.phase = Phase::Curves;
+                }
+                return Ok(cost);
+            }
+            Phase::Refinement => {
+                self.refinement()?;
+                self.progress.completed = self.found.len();
+                self.phase = Phase::Curves;
+            }
+            Phase::Curves => {
+                let i = self.trace.contours.len();
+                self.progress.done = i >= self.found.len();
+                if self.progress.done {
+                    self.progress.completed = self.progress.total;
+                    return Ok(0.0);
+                }
+                self.progress.completed += 1;
+                return self.curve(i);
+            }
+        }
+        Ok(1000.0)
+    }
+
+    fn progress(&self) -> Progress {
+        self.progress
+    }
+
+    fn trace(&self) -> Option<&Trace> {
+        self.progress.done.then_some(&self.trace)
+    }
+}
+
+/// The median of what the outlines leave of the picture: a few pixels that are wrong do not count.
+fn typical(outlines: &[Outline], band: &Band) -> Result<f64> {
+    let mut rest: Vec<f32> = rest_of(outlines, band)?.iter().map(|r| r.abs()).collect();
+    rest.sort_by(f32::total_cmp);
+    Ok(rest.get(rest.len() / 2).map_or(0.0, |&r| f64::from(r)))
+}
+
+/// What kind of picture it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Quality {
+    /// Exact coverage.
+    Clean,
+    /// Flat places are flat, but outlines are not what was drawn, as after strong compression.
+    Rough,
+    /// Noise everywhere.
+    Noisy,
+}
+
+impl Quality {
+    fn corner_rules(self, angle: f64) -> [CornerRule; 2] {
+        match self {
+            Self::Clean => [
+                CornerRule { gap: 1.0, window: 3.0, angle, reach: 1.0 },
+                CornerRule { gap: 0.75, window: 1.75, angle: angle + 0.25, reach: 1.0 },
+            ],
+            Self::Rough => [
+                CornerRule { gap: 1.2, window: 4.0, angle: angle + 0.1, reach: 1.2 },
+                CornerRule { gap: 1.0, window: 2.5, angle: angle + 0.4, reach: 1.2 },
+            ],
+            Self::Noisy => [
+                CornerRule { gap: 1.6, window: 5.0, angle, reach: 1.8 },
+                CornerRule { gap: 1.5, window: 3.0, angle: angle + 0.2, reach: 1.8 },
+            ],
+        }
+    }
+
+    fn division_rule(self, options: &TraceOptions) -> DivisionRule {
+        let scale = if self == Self::Clean { 1.0 } else { 2.0 };
+        DivisionRule {
+            gap: 1.2 * self.corner_rules(options.corner)[0].gap,
+            straight: 0.12 * scale,
+            least_run: 6.0 * scale,
+            most: options.tolerance * scale,
+            rms: 0.41 * options.tolerance * scale,
+            reach: 3.0 * scale,
+        }
+    }
+}
