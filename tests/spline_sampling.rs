@@ -119,14 +119,14 @@ fn neither_ranges_nor_what_was_sampled_before_change_a_bit() {
             for (first, number) in [(0, count), (3, 1), (250, 257), (count - 20, 20), (count - 5, 9)] {
                 let whole = curve.sample(count, 0).expect("in range");
                 let mut part = vec![f64::NAN; 3 * number];
-                sampler.interpolating(&curve, count, first, 0, &mut part).expect("in range");
+                sampler.points(&curve, count, first, 0, &mut part).expect("in range");
                 let there = (count - first).min(number);
                 assert_eq!(
                     part[..3 * there],
                     whole[3 * first..3 * (first + there)],
                     "{roots:?} {count} {first}"
                 );
-                sampler.b_spline(&fine, count, first, 1, &mut part).expect("in range");
+                sampler.points(&fine, count, first, 1, &mut part).expect("in range");
                 let whole = fine.sample(count, 1).expect("in range");
                 assert_eq!(
                     part[..3 * there],

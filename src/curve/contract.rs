@@ -10,7 +10,8 @@ use super::length;
 use super::nearest::{Nearest, NearestFinder};
 use super::pieces::Pieces;
 use super::spatial::{self, SpaceNearest};
-use super::{BSplineCurve, HermiteCurve, InterpolatingCurve, area};
+use super::spline_curve::{Generator, SplineCurve};
+use super::{HermiteCurve, area};
 use crate::error::Result;
 use crate::numerics::Point;
 
@@ -258,13 +259,7 @@ pub trait Curve: Pieces {
     }
 }
 
-impl Curve for InterpolatingCurve {
-    fn as_pieces(&self) -> &dyn Pieces {
-        self
-    }
-}
-
-impl Curve for BSplineCurve {
+impl<G: Generator> Curve for SplineCurve<G> {
     fn as_pieces(&self) -> &dyn Pieces {
         self
     }

@@ -1,13 +1,14 @@
 //! Curves through their points, smooth to any order, with points that act locally.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::b_spline::BSplineCurve;
-use super::lattice::{Lattice, Shape, check_points};
-use super::spline_sampler::SplineSampler;
-use crate::error::{Error, Result};
+use super::lattice::{Shape, check_points};
+use super::spline_curve::{Generator, SplineCurve};
+use crate::error::Result;
 use crate::generator::{Interpolator, Roots};
-use crate::limits::{LARGEST_COORDINATE, MOST_LEVELS, check};
+use crate::limits::{MOST_LEVELS, check};
 use crate::refine::{extended, from_points};
 
 /// A curve through its points: r(t) = Σ P\[k\] φ(t − k) with the interpolator φ of a list of roots, in 2-D or 3-D.
@@ -40,12 +41,7 @@ use crate::refine::{extended, from_points};
 /// assert!((x.hypot(y) - 1.0).abs() < 1e-14);
 /// # Ok::<(), expline::Error>(())
 /// ```
-#[derive(Clone, Debug)]
-pub struct InterpolatingCurve {
-    points: Vec<f64>,
-    interpolator: Arc<Interpolator>,
-    lattice: Lattice,
-}
+pub type InterpolatingCurve = SplineCurve<Arc<Interpolator>>;
 
 impl InterpolatingCurve {
     /// The curve through `points`, interleaved by `dimension`.
@@ -81,100 +77,12 @@ impl InterpolatingCurve {
     ) -> Result<Self> {
         check_points(&points, dimension, if closed { 3 } else { 2 })?;
         let shape = Arc::new(Shape::of_interpolator(&interpolator));
-        let lattice = lay(shape, &points, dimension, closed, &interpolator)?;
-        Ok(Self { points, interpolator, lattice })
-    }
-
-    /// The points, interleaved.
-    pub fn points(&self) -> &[f64] {
-        &self.points
-    }
-
-    /// 2 or 3.
-    pub fn dimension(&self) -> usize {
-        self.lattice.dimension
-    }
-
-    /// Whether the last point is joined to the first.
-    pub fn is_closed(&self) -> bool {
-        self.lattice.closed
-    }
-
-    /// The roots.
-    pub fn roots(&self) -> &Roots {
-        self.interpolator.roots()
+        Self::lay(points, interpolator, shape, dimension, closed, (0.0, 1.0))
     }
 
     /// The function whose shifts weigh the points.
     pub fn interpolator(&self) -> &Arc<Interpolator> {
-        &self.interpolator
-    }
-
-    /// First and last parameter.
-    pub fn domain(&self) -> (f64, f64) {
-        self.lattice.domain()
-    }
-
-    /// The curve with point i elsewhere.
-    ///
-    /// # Errors
-    ///
-    /// i beyond the last point; a point of another dimension, or with a number that is not finite or not within ±1e9.
-    pub fn with_point(&self, i: usize, point: &[f64]) -> Result<Self> {
-        let mut points = self.points.clone();
-        place(&mut points, self.dimension(), i, point)?;
-        let shape = self.lattice.shape.clone();
-        let lattice = lay(shape, &points, self.dimension(), self.is_closed(), &self.interpolator)?;
-        Ok(Self { points, interpolator: self.interpolator.clone(), lattice })
-    }
-
-    /// The point at t, or a derivative of an order to n₀ − 1; where that jumps, the limit from the right.
-    ///
-    /// # Errors
-    ///
-    /// t not finite or, on an open curve, outside the domain; a derivative above n₀ − 1.
-    pub fn evaluate(&self, t: f64, derivative: usize) -> Result<Vec<f64>> {
-        let mut point = vec![0.0; self.dimension()];
-        self.evaluate_into(&[t], derivative, &mut point)?;
-        Ok(point)
-    }
-
-    /// Points or derivatives at every parameter, interleaved, into `out`.
-    ///
-    /// # Errors
-    ///
-    /// As [`Self::evaluate`]; `out` of the wrong length; more than 4 million parameters: `out` is untouched then.
-    pub fn evaluate_into(&self, t: &[f64], derivative: usize, out: &mut [f64]) -> Result<()> {
-        self.lattice.evaluate_into(t, derivative, out)
-    }
-
-    /// `count` points that lie uniformly in the parameter, or their derivatives, interleaved; see [`SplineSampler`], which
-    /// remembers its tables.
-    ///
-    /// # Errors
-    ///
-    /// More than 4 million points; a derivative above n₀ − 1.
-    pub fn sample(&self, count: usize, derivative: usize) -> Result<Vec<f64>> {
-        SplineSampler::all(&self.lattice, count, derivative)
-    }
-
-    /// How many polynomial pieces there are: two for each segment.
-    pub fn piece_count(&self) -> usize {
-        self.lattice.piece_count()
-    }
-
-    /// The parameter where piece i starts; that of the end for i = [`Self::piece_count`].
-    pub fn knot(&self, i: usize) -> f64 {
-        self.lattice.knot(i)
-    }
-
-    /// Coefficients of ascending powers of y on piece i, all coordinates of each in turn; y goes from −1/2 to 1/2.
-    ///
-    /// # Accuracy
-    ///
-    /// That of the curve: what is not a polynomial is one to rounding.
-    pub fn piece_into(&self, i: usize, coefficients: &mut Vec<f64>) {
-        self.lattice.piece_into(i, coefficients);
+        &self.generator
     }
 
     /// The same curve as B-spline control points on the grid 1/(m₀·m^(levels − 1)).
@@ -193,59 +101,34 @@ impl InterpolatingCurve {
     pub fn refine(&self, levels: usize, m0: usize, m: usize) -> Result<BSplineCurve> {
         check("levels", None, levels as f64, 1.0, MOST_LEVELS as f64)?;
         let (dimension, closed) = (self.dimension(), self.is_closed());
-        let continued;
-        let points = if closed {
-            &self.points
-        } else {
-            continued = extended(&self.points, dimension, self.roots())?;
-            &continued
-        };
-        let fine = from_points(points, dimension, closed, &self.interpolator, m0)?;
+        let (points, _) = self.generator.acting(&self.points, dimension, closed)?;
+        let fine = from_points(&points, dimension, closed, &self.generator, m0)?;
         let mut curve =
-            BSplineCurve::on_grid(fine, dimension, closed, self.roots().clone(), (0.0, m0 as f64))?;
+            BSplineCurve::with_roots(fine, dimension, closed, self.roots().clone(), (0.0, 1.0 / m0 as f64))?;
         for _ in 1..levels {
             curve = curve.refine(m)?;
         }
         Ok(curve)
     }
-
-    pub(super) fn lattice(&self) -> &Lattice {
-        &self.lattice
-    }
 }
 
-fn lay(
-    shape: Arc<Shape>,
-    points: &[f64],
-    dimension: usize,
-    closed: bool,
-    interpolator: &Interpolator,
-) -> Result<Lattice> {
-    if closed {
+impl Generator for Arc<Interpolator> {
+    fn list(&self) -> &Roots {
+        self.roots()
+    }
+
+    fn acting<'a>(
+        &self,
+        points: &'a [f64],
+        dimension: usize,
+        closed: bool,
+    ) -> Result<(Cow<'a, [f64]>, usize)> {
+        if !closed {
+            return Ok((Cow::Owned(extended(points, dimension, self.roots())?), 0));
+        }
         // The window of the first cell starts n₀ − 2 points before point 0.
         let count = points.len() / dimension;
-        let before = (interpolator.order() - 2) % count;
-        Lattice::new(shape, points, dimension, closed, count - before, (0.0, 1.0))
-    } else {
-        let all = extended(points, dimension, interpolator.roots())?;
-        Lattice::new(shape, &all, dimension, closed, 0, (0.0, 1.0))
-    }
-}
-
-/// Puts a point into an interleaved list.
-pub(super) fn place(points: &mut [f64], dimension: usize, i: usize, point: &[f64]) -> Result<()> {
-    if point.len() != dimension {
-        return Err(Error::wrong_length("point", point.len(), dimension));
-    }
-    for (k, &value) in point.iter().enumerate() {
-        check("point", Some(k), value, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
-    }
-    let count = points.len() / dimension;
-    match points.chunks_exact_mut(dimension).nth(i) {
-        Some(old) => {
-            old.copy_from_slice(point);
-            Ok(())
-        }
-        None => Err(Error::out_of_range("i", None, i as f64, 0.0, count as f64 - 1.0)),
+        let before = (self.order() - 2) % count;
+        Ok((Cow::Borrowed(points), count - before))
     }
 }

@@ -85,7 +85,7 @@ impl LocalCurve {
     pub fn refine_at(&self, t: f64, levels: usize, reach: f64) -> Result<Self> {
         check("levels", None, levels as f64, 1.0, FINEST as f64)?;
         check("reach", None, reach, 0.0, 1e6)?;
-        let place = self.base.lattice().locate(t, None)?;
+        let place = self.base.lattice.locate(t, None)?;
         let (cells, total) = self.grid(levels);
         let (order, closed) = (self.base.roots().order(), self.base.is_closed());
         // Control point j lies at j + ½ or j on a closed grid, at j + 1 − n₀/2 on an open one.
@@ -105,7 +105,7 @@ impl LocalCurve {
 
     /// Cells and control points of the grid of a level.
     fn grid(&self, level: usize) -> (usize, usize) {
-        let cells = self.base.lattice().cells << level;
+        let cells = self.base.lattice.cells << level;
         (cells, if self.base.is_closed() { cells } else { cells + self.base.roots().order() - 1 })
     }
 
@@ -269,7 +269,7 @@ impl LocalCurve {
         let (patch, dimension) = (self.patch(k)?, self.base.dimension());
         let mut points = self.patch_points(k)?;
         let before = points.clone();
-        super::interpolating::place(&mut points, dimension, i, point)?;
+        super::spline_curve::place(&mut points, dimension, i, point)?;
         let at = i * dimension;
         let mut displacements = patch.displacements.clone();
         for d in at..at + dimension {
@@ -324,7 +324,7 @@ impl LocalCurve {
     ///
     /// More than 4 million points; a derivative above n₀ − 1.
     pub fn sample(&self, count: usize, derivative: usize) -> Result<Vec<f64>> {
-        let mut points = SplineSampler::all(self.base.lattice(), count, derivative)?;
+        let mut points = SplineSampler::all(&self.base.lattice, count, derivative)?;
         let (_, end) = self.base.domain();
         let steps = if self.base.is_closed() { count } else { count.saturating_sub(1).max(1) };
         for (i, point) in points.chunks_exact_mut(self.base.dimension()).enumerate() {
@@ -411,7 +411,7 @@ impl Pieces for LocalCurve {
     fn coefficients(&self, i: usize, out: &mut Vec<f64>) {
         let (from, to) = (self.knots[i], self.knots[i + 1]);
         out.clear();
-        self.add_piece(self.base.lattice(), (from, to), from, out);
+        self.add_piece(&self.base.lattice, (from, to), from, out);
         for patch in &self.patches {
             for middle in self.turns(patch, 0.5 * (from + to)) {
                 self.add_piece(&patch.lattice, (from, to), middle - 0.5 * (to - from), out);
@@ -424,7 +424,7 @@ impl Pieces for LocalCurve {
     }
 
     fn find(&self, t: f64) -> Result<(usize, f64)> {
-        self.base.lattice().locate(t, None)?;
+        self.base.lattice.locate(t, None)?;
         let t = self.wrapped(t);
         let i = self.knots.partition_point(|&knot| knot <= t).saturating_sub(1).min(self.knots.len() - 2);
         let (from, to) = (self.knots[i], self.knots[i + 1]);

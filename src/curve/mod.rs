@@ -34,6 +34,7 @@ mod search;
 mod segment;
 mod spatial;
 mod speed;
+mod spline_curve;
 mod spline_sampler;
 mod subdivide;
 mod through;
@@ -53,6 +54,7 @@ pub use recognise::EllipseArc;
 pub use sampler::Sampler;
 pub use segment::Segment;
 pub use spatial::SpaceNearest;
+pub use spline_curve::SplineCurve;
 pub use spline_sampler::SplineSampler;
 pub use subdivide::Scheme;
 

@@ -1,9 +1,10 @@
 //! A curve as the measures see it: one smooth piece after another.
 
-use super::lattice::{Lattice, Place};
+use super::lattice::Place;
 use super::piece::Piece;
 use super::spatial::SpacePiece;
-use super::{BSplineCurve, HermiteCurve, InterpolatingCurve, Segment};
+use super::spline_curve::{Generator, SplineCurve};
+use super::{HermiteCurve, Segment};
 use crate::error::Result;
 use crate::generator::Roots;
 use crate::numerics::{Point, Vector};
@@ -133,67 +134,38 @@ pub(super) fn handles_of(segment: &Segment<'_>) -> [Point; 2] {
     [segment.start + segment.leaving * reach, segment.end - segment.arriving * reach]
 }
 
-/// Curves on a lattice.
-pub(super) trait Laid {
-    /// The lattice.
-    fn lattice(&self) -> &Lattice;
-
-    /// The roots per unit of t.
-    fn all_roots(&self) -> &Roots;
-}
-
-impl Laid for InterpolatingCurve {
-    fn lattice(&self) -> &Lattice {
-        self.lattice()
-    }
-
-    fn all_roots(&self) -> &Roots {
-        self.roots()
-    }
-}
-
-impl Laid for BSplineCurve {
-    fn lattice(&self) -> &Lattice {
-        self.lattice()
-    }
-
-    fn all_roots(&self) -> &Roots {
-        self.roots()
-    }
-}
-
-impl<C: Laid> Pieces for C {
+impl<G: Generator> Pieces for SplineCurve<G> {
     fn dimension(&self) -> usize {
-        self.lattice().dimension
+        self.lattice.dimension
     }
 
     fn closed(&self) -> bool {
-        self.lattice().closed
+        self.lattice.closed
     }
 
     fn piece_count(&self) -> usize {
-        self.lattice().piece_count()
+        self.lattice.piece_count()
     }
 
     fn knot(&self, i: usize) -> f64 {
-        self.lattice().knot(i)
+        self.lattice.knot(i)
     }
 
     fn coefficients(&self, i: usize, out: &mut Vec<f64>) {
-        self.lattice().piece_into(i, out);
+        self.lattice.piece_into(i, out);
     }
 
     fn values(&self, t: &[f64], derivative: usize, out: &mut [f64]) -> Result<()> {
-        self.lattice().evaluate_into(t, derivative, out)
+        self.lattice.evaluate_into(t, derivative, out)
     }
 
     fn roots(&self) -> Option<&Roots> {
-        Some(self.all_roots())
+        Some(self.generator.list())
     }
 
     fn find(&self, t: f64) -> Result<(usize, f64)> {
-        let Place { cell, part, y } = self.lattice().locate(t, None)?;
-        Ok((cell * self.lattice().shape.per_cell + part, y + 0.5))
+        let Place { cell, part, y } = self.lattice.locate(t, None)?;
+        Ok((cell * self.lattice.shape.per_cell + part, y + 0.5))
     }
 }
 

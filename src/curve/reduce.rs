@@ -32,7 +32,7 @@ impl BSplineCurve {
     /// (D 9.11).
     pub fn reduce(&self, m: usize) -> Result<(Self, f64)> {
         check("m", None, m as f64, 1.0, LARGEST_FACTOR as f64)?;
-        let lattice = self.lattice();
+        let lattice = &self.lattice;
         let (dimension, closed, order) = (self.dimension(), self.is_closed(), self.roots().order());
         if !lattice.cells.is_multiple_of(m) {
             return Err(Error::degenerate("m", None, "it does not divide the number of cells"));
@@ -43,13 +43,13 @@ impl BSplineCurve {
         let grid = (lattice.start, lattice.step * m as f64);
         // Zeros that tell at once whether there is such a grid.
         let coarse =
-            Self::lay(filled(0.0, count * dimension)?, dimension, closed, self.roots().clone(), grid)?;
+            Self::with_roots(filled(0.0, count * dimension)?, dimension, closed, self.roots().clone(), grid)?;
         let filter = affine_refinement_filter(&local, m)?;
         let target = Target::finer(count, closed, order, m)?;
         let points = least_squares(&target, self.points(), dimension, m, &filter, coarse.points().len())?;
         let refined = target.fill(&points, dimension, m, &filter)?;
         let difference = refined.iter().zip(self.points()).map(|(a, b)| a - b).collect();
-        Ok((coarse.with_points(points)?, self.with_points(difference)?.lattice().reach()?))
+        Ok((coarse.with_points(points)?, self.with_points(difference)?.lattice.reach()?))
     }
 
     /// The interpolating curve through this one's points at the integers, and the largest distance between the two.
@@ -61,7 +61,7 @@ impl BSplineCurve {
     /// A grid that is not 1/2, 1/4, 1/6, … of a unit or does not start at 0; a length that is not whole; too few points, or
     /// roots without an interpolator.
     pub fn interpolating(&self) -> Result<(InterpolatingCurve, f64)> {
-        let lattice = self.lattice();
+        let lattice = &self.lattice;
         let factor = (1.0 / lattice.step).round();
         let whole = (lattice.step * factor - 1.0).abs() < 1e-12 && lattice.start == 0.0;
         let m0 = factor as usize;
@@ -78,7 +78,7 @@ impl BSplineCurve {
         let curve = InterpolatingCurve::new(points, self.dimension(), self.is_closed(), roots)?;
         let refined = curve.refine(1, m0, 2)?;
         let difference = refined.points().iter().zip(self.points()).map(|(a, b)| a - b).collect();
-        Ok((curve, self.with_points(difference)?.lattice().reach()?))
+        Ok((curve, self.with_points(difference)?.lattice.reach()?))
     }
 }
 

@@ -12,9 +12,8 @@
 
 use std::sync::Arc;
 
-use super::b_spline::BSplineCurve;
-use super::interpolating::InterpolatingCurve;
 use super::lattice::{Lattice, Place, Shape};
+use super::spline_curve::{Generator, SplineCurve};
 use crate::error::{Error, Result};
 use crate::limits::{MOST_OUTPUT_POINTS, MOST_ROOTS, check, filled, too_many};
 
@@ -109,37 +108,21 @@ impl SplineSampler {
     ///
     /// # Accuracy
     ///
-    /// Within 1e-14·(1 + Σ|λ|) of the points' size of [`InterpolatingCurve::evaluate_into`]; samples at a point are that point
+    /// Within 1e-14·(1 + Σ|λ|) of the points' size of [`SplineCurve::evaluate_into`]; samples at a point are that point
     /// to the last bit (`tests/spline_sampling.rs`).
     ///
     /// # Errors
     ///
     /// More than 4 million points; a derivative above n₀ − 1.
-    pub fn interpolating(
+    pub fn points<G: Generator>(
         &mut self,
-        curve: &InterpolatingCurve,
+        curve: &SplineCurve<G>,
         count: usize,
         first: usize,
         derivative: usize,
         out: &mut [f64],
     ) -> Result<()> {
-        self.run(curve.lattice(), count, first, derivative, out)
-    }
-
-    /// The same for a B-spline curve.
-    ///
-    /// # Errors
-    ///
-    /// As [`Self::interpolating`].
-    pub fn b_spline(
-        &mut self,
-        curve: &BSplineCurve,
-        count: usize,
-        first: usize,
-        derivative: usize,
-        out: &mut [f64],
-    ) -> Result<()> {
-        self.run(curve.lattice(), count, first, derivative, out)
+        self.run(&curve.lattice, count, first, derivative, out)
     }
 
     /// A whole sampling, with tables that are forgotten.

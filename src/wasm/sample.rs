@@ -48,8 +48,8 @@ pub fn sample(slot: u32, count: u32, first: u32, length: u32, tangents: u32) -> 
         let (curve, _, output) = kernel.parts(slot, 0)?;
         let output = &mut output[..numbers];
         let mut spread = |derivative: usize, out: &mut [f64]| match curve {
-            AnyCurve::Interpolating(curve) => splines.interpolating(curve, count, first, derivative, out),
-            AnyCurve::BSpline(curve) => splines.b_spline(curve, count, first, derivative, out),
+            AnyCurve::Interpolating(curve) => splines.points(curve, count, first, derivative, out),
+            AnyCurve::BSpline(curve) => splines.points(curve, count, first, derivative, out),
             _ => curve.pieces().values(&parameters(curve.pieces(), count, first, length), derivative, out),
         };
         match curve {
