@@ -12,17 +12,15 @@
 
 use std::sync::Arc;
 
-use super::lattice::{Lattice, Place, Shape};
+use super::fall::Fall;
+use super::lattice::{Lattice, Shape};
 use super::spline_curve::{Generator, SplineCurve};
+use super::taylor::{every_other, series, shift};
 use crate::error::{Error, Result};
 use crate::limits::{MOST_OUTPUT_POINTS, MOST_ROOTS, check, filled, too_many};
 
 /// Pairs of samples in the largest block.
 const PAIRS: usize = 128;
-/// Terms of the Taylor sums of eⱼ at most: (10/4)³⁰/30! and less is left.
-const TERMS: usize = 40;
-/// What is smaller than this on all of a piece is left out of them.
-const NEGLIGIBLE: f64 = 1e-18;
 /// Pairs that are worked on at once.
 const TILE: usize = 4;
 /// Blocks of a piece whose matrices are remembered.
@@ -53,46 +51,6 @@ pub struct SplineSampler {
     places: [f64; SLOTS],
     /// Derivatives at the middle of a block.
     jet: Vec<[f64; 3]>,
-}
-
-/// How samples fall on pieces: sample i at i·pieces/steps, in whole numbers.
-#[derive(Clone, Copy, Debug)]
-struct Fall {
-    pieces: u64,
-    steps: u64,
-    count: usize,
-    /// Samples on each piece, if they divide evenly; else 0.
-    each: usize,
-}
-
-impl Fall {
-    fn new(lattice: &Lattice, count: usize) -> Self {
-        let steps = if lattice.closed { count } else { count.saturating_sub(1) }.max(1) as u64;
-        let pieces = lattice.piece_count() as u64;
-        let each = if steps.is_multiple_of(pieces) { (steps / pieces) as usize } else { 0 };
-        Self { pieces, steps, count, each }
-    }
-
-    fn piece_of(&self, i: usize) -> usize {
-        (i as u64 * self.pieces / self.steps).min(self.pieces - 1) as usize
-    }
-
-    /// The first sample on piece p, or the number of samples for the piece beyond the last.
-    fn first(&self, p: usize) -> usize {
-        if p as u64 >= self.pieces {
-            self.count
-        } else if self.each > 0 {
-            p * self.each
-        } else {
-            (p as u64 * self.steps).div_ceil(self.pieces) as usize
-        }
-    }
-
-    /// Where on piece p half/2 samples from the start are, −1/2 to 1/2; the same on all pieces if they are filled evenly.
-    fn y(&self, p: usize, half: usize) -> f64 {
-        let place = half as f64 * self.pieces as f64 - 2.0 * p as f64 * self.steps as f64;
-        place / (2.0 * self.steps as f64) - 0.5
-    }
 }
 
 impl SplineSampler {
@@ -292,17 +250,6 @@ fn add(sums: &mut [f64; 3], numbers: &[f64; 3], factor: f64) {
     }
 }
 
-impl Fall {
-    /// Puts a point of the curve in the place of its sample.
-    fn settle(&self, lattice: &Lattice, piece: usize, i: usize, sample: &mut [f64]) {
-        let (cell, part) = lattice.shape.part_of(piece);
-        let place = Place { cell, part, y: self.y(piece, 2 * i) };
-        if lattice.on_point(place) {
-            lattice.value(place, 0, sample);
-        }
-    }
-}
-
 impl SplineSampler {
     /// The derivative whose factor is in row k of the tables.
     fn order_of(&self, k: usize) -> usize {
@@ -428,64 +375,4 @@ fn combined(rows: &[(&[f64], [f64; 2])], first: usize, start: [f64; 2]) -> [[f64
         }
     }
     sums
-}
-
-/// Σ cₖ·y²ᵏ, times y for odd j.
-fn every_other(coefficients: &[f64], y: f64, j: usize) -> f64 {
-    let square = y * y;
-    let sum = coefficients.iter().rev().fold(0.0, |sum, c| sum * square + c);
-    if j % 2 == 1 { sum * y } else { sum }
-}
-
-/// The matrix that takes derivatives at 0 to those at y: eⱼ⁽ⁱ⁾(y), row by row, with eⱼ′ = eⱼ₋₁ − χⱼ eₙ₋₁.
-#[inline(never)]
-fn shift(series: &[f64], terms: usize, characteristic: &[f64], y: f64, matrix: &mut Vec<f64>) {
-    let order = characteristic.len();
-    matrix.clear();
-    for (j, series) in series.chunks_exact(terms).enumerate() {
-        matrix.push(every_other(series, y, j));
-    }
-    for i in 1..order {
-        let above = (i - 1) * order;
-        let last = matrix[above + order - 1];
-        for (j, c) in characteristic.iter().enumerate() {
-            let before = if j == 0 { 0.0 } else { matrix[above + j - 1] };
-            matrix.push(before - c * last);
-        }
-    }
-}
-
-/// The Taylor coefficients of eⱼ for all j, every other one, and how many of each: eⱼ⁽ᵐ⁺ⁿ⁾ = −Σ χᵢ eⱼ⁽ᵐ⁺ⁱ⁾.
-#[inline(never)]
-fn series(shape: &Shape) -> (Vec<f64>, usize) {
-    let order = shape.characteristic.len();
-    let mut all = vec![0.0; order * TERMS];
-    let mut used = order;
-    for (j, row) in all.chunks_exact_mut(TERMS).enumerate() {
-        row[j] = 1.0;
-        for m in order..TERMS {
-            let before = &row[m - order..m];
-            row[m] = -shape.characteristic.iter().zip(before).map(|(c, y)| c * y).sum::<f64>();
-        }
-        let mut scale = 1.0;
-        for (q, c) in row.iter_mut().enumerate() {
-            let divisor = q.max(1) as f64;
-            *c /= scale * divisor;
-            scale *= divisor;
-        }
-        // Beside the first term, on half a piece.
-        let mut reach = 1.0;
-        for (q, c) in row.iter().enumerate().skip(j) {
-            if (c * reach).abs() > NEGLIGIBLE * row[j].abs() {
-                used = used.max(q + 1);
-            }
-            reach *= 0.5;
-        }
-    }
-    let terms = used.div_ceil(2);
-    let mut kept = Vec::with_capacity(order * terms);
-    for (j, row) in all.chunks_exact(TERMS).enumerate() {
-        kept.extend(row[j % 2..].iter().step_by(2).take(terms));
-    }
-    (kept, terms)
 }

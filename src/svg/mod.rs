@@ -8,6 +8,7 @@ mod arc_text;
 mod number;
 mod parse;
 mod print;
+mod returning;
 mod subpath;
 mod text;
 
