@@ -155,3 +155,38 @@ fn the_same_points_give_the_same_bits_in_one_go_and_in_steps() {
         assert_eq!(whole.curve.points(), stepped.curve.points(), "{ask:?}");
     }
 }
+
+#[test]
+fn no_price_at_all_gives_a_curve_through_the_points() {
+    let points = noisy_circle(200, 1.0, 0.01, 1);
+    let uneven: Vec<f64> = (0..200).map(|k| f64::from(k) + 0.4 * libm::sin(f64::from(k * k))).collect();
+    for degree in 1..=5 {
+        for closed in [true, false] {
+            for parameters in [Vec::new(), uneven.clone()] {
+                let given = !parameters.is_empty();
+                let options =
+                    Options { degrees: vec![degree], closed: Some(closed), parameters, ..Options::default() };
+                let fitted = fit(&points, Ask::Lambda(vec![0.0]), &options).expect("it can be fitted");
+                let what = format!("degree {degree}, closed {closed}, given parameters {given}");
+                assert_eq!(fitted.status, FitStatus::Converged, "{what}");
+                assert!(fitted.max_error <= 1e-6, "{what}: {}", fitted.max_error);
+                assert_eq!(fitted.lambda, [0.0], "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_fitter_comes_back_from_no_price_at_all() {
+    let points = noisy_circle(200, 1.0, 0.01, 1);
+    let mut fitter = Fitter::new(&points, &cubic()).expect("the points are fine");
+    let solve = |fitter: &mut Fitter, lambda: f64| {
+        fitter.ask(Ask::Lambda(vec![lambda])).expect("λ is fine");
+        while !fitter.step(1e6).expect("there is memory").done {}
+        fitter.fit().expect("there is a curve")
+    };
+    let first = solve(&mut fitter, 10.0);
+    assert!(solve(&mut fitter, 0.0).max_error <= 1e-6, "through the points");
+    let again = solve(&mut fitter, 10.0);
+    assert!((first.objective - again.objective).abs() <= 2e-6 * first.objective, "{}", again.objective);
+}

@@ -8,7 +8,7 @@ use super::noise::{is_regular, noise, sober_weights};
 use super::options::{Ask, Finish, Options};
 use super::outcome::{Changed, Fit, FitStatus, Part};
 use super::parametrise::{Parametrisation, given, parametrise};
-use super::problem::{Component, Problem, uniform_grid};
+use super::problem::{Component, Problem, interpolating_grid, uniform_grid};
 use super::report;
 use super::samples::Samples;
 use super::solution::Solution;
@@ -20,6 +20,8 @@ use crate::numerics::Point;
 
 /// More points than this are not fitted a second time with knots that all count twice.
 const MOST_TWICE: usize = 2000;
+/// More points than this have a curve through them only on a grid that is asked for.
+const MOST_THROUGH: usize = 50_000;
 /// Slides of the knots off the grid, and the gap to the continuous problem at which they stop.
 const MOST_SLIDES: usize = 6;
 const GRIDLESS_GAP: f64 = 1e-5;
@@ -76,6 +78,8 @@ pub struct Fitter {
     lambdas: Vec<f64>,
     run: Run,
     problem: Option<Problem>,
+    /// Whether its grid lets the curve through the points.
+    through: bool,
     /// The solver of the last λ, for the next one.
     warm: Option<Box<Solver>>,
 }
@@ -138,6 +142,7 @@ impl Fitter {
             lambdas: Vec::new(),
             run: Run::Idle,
             problem: None,
+            through: false,
             warm: None,
         })
     }
@@ -266,17 +271,40 @@ impl Fitter {
         Some((libm::log(0.5 * detail) / libm::log(0.5 * count)).clamp(0.0, 1.0))
     }
 
+    /// Whether nothing is paid for knots: the curve goes through the points.
+    fn is_free(&self) -> bool {
+        self.lambdas.iter().all(|lambda| *lambda <= 0.0)
+    }
+
     fn solve(&mut self) -> Result<()> {
         let factor = |degree: usize| libm::pow(self.unit, -(degree as f64)) / self.samples.scale;
         let degrees = &self.options.degrees;
+        let closed = self.samples.closed;
         let count = self.located.points.len();
+        let through = self.is_free() && self.options.grid_size.is_none() && count <= MOST_THROUGH;
         let size = |degree: usize| {
             let chosen = if degree == 1 { count.min(5000) } else { count.min(2000) };
             self.options.grid_size.unwrap_or(chosen).max(degree + 2)
         };
         let lambdas: Vec<f64> =
             degrees.iter().zip(&self.lambdas).map(|(&d, l)| (l * factor(d)).min(LARGEST_LAMBDA)).collect();
-        let same = self.problem.as_ref().is_some_and(|problem| problem.parameters == self.located.parameters);
+        let grid = |degree: usize| {
+            let places = if through {
+                interpolating_grid(degree, &self.located.parameters, 0.0, self.end, closed)
+            } else {
+                Vec::new()
+            };
+            // Too few different parameters leave an even grid.
+            if places.len() >= degree + 2 {
+                places
+            } else {
+                uniform_grid(degree, size(degree), 0.0, self.end, closed)
+            }
+        };
+        let same = through == self.through
+            && !through
+            && self.problem.as_ref().is_some_and(|problem| problem.parameters == self.located.parameters);
+        self.through = through;
         if let Some(mut solver) = self.warm.take()
             && same
         {
@@ -287,15 +315,10 @@ impl Fitter {
             self.run = Run::Convex(solver);
             return Ok(());
         }
-        let closed = self.samples.closed;
         let components = degrees
             .iter()
             .zip(&lambdas)
-            .map(|(&degree, &lambda)| Component {
-                degree,
-                lambda,
-                grid: uniform_grid(degree, size(degree), 0.0, self.end, closed),
-            })
+            .map(|(&degree, &lambda)| Component { degree, lambda, grid: grid(degree) })
             .collect();
         let problem = Problem {
             points: self.located.points.clone(),
@@ -367,7 +390,8 @@ impl Fitter {
             Run::Convex(solver) => {
                 done = solver.step()? != Status::Running;
                 (iteration, gap) = (solver.iterations(), solver.gap());
-                if done && self.options.finish != Finish::default() {
+                let finish = self.options.finish != Finish::default();
+                if done && finish && !self.lambdas.iter().all(|lambda| *lambda <= 0.0) {
                     let solver = solver.clone();
                     self.run = Run::Finish(Box::new(self.finishing(solver)?));
                     done = false;
@@ -405,8 +429,17 @@ impl Fitter {
     ///
     /// # Errors
     ///
-    /// A curve whose derivatives leave the range of curves, which takes coordinates near the limit.
+    /// Where nothing was asked for, and `OutOfMemory`. A curve that leaves the range of coordinates, which takes points near
+    /// its limit, is replaced by the polygon of the points, `Stalled`.
     pub fn fit(&self) -> Result<Fit> {
+        match self.described() {
+            // A smooth curve swings beyond points near the limit; the polygon of the points does not.
+            Err(error) if matches!(*error, Error::OutOfRange { .. }) => report::polygon(&self.frame()),
+            result => result,
+        }
+    }
+
+    fn described(&self) -> Result<Fit> {
         match &self.run {
             Run::Idle => Err(Error::degenerate("points", None, "nothing was asked for yet")),
             Run::Choice(rivals, _) => self.searched(&rivals[0]),

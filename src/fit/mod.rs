@@ -12,6 +12,7 @@ mod dual;
 mod envelope;
 mod fitter;
 mod foot_points;
+mod free;
 mod free_knots;
 pub mod gridless;
 mod interval;

@@ -26,8 +26,8 @@ const MOST_NEWTON: usize = 5;
 #[derive(Clone, Debug)]
 pub(crate) struct Fixed {
     pub(crate) reduced: Reduced,
-    unknowns: Vec<Vector>,
-    jumps: Vec<Vector>,
+    pub(crate) unknowns: Vec<Vector>,
+    pub(crate) jumps: Vec<Vector>,
     pub(crate) measure: Measure,
 }
 
@@ -159,7 +159,8 @@ impl Solver {
             let jumps: Vec<Vector> =
                 fixed.jumps[knot..knot + part.chosen.len()].iter().map(|v| v * jump_factor).collect();
             knot += part.chosen.len();
-            let lambda = component.lambda / data.lambda_factor(component.degree);
+            let lambda =
+                if self.free { 0.0 } else { component.lambda / data.lambda_factor(component.degree) };
             regularizers.push(lambda * jumps.iter().map(|v| jump_length(*v, lanes)).sum::<f64>());
             // The centre of the points belongs to the last component, which has the constants.
             let centre = if i == last { data.centre } else { Vector::zeros() };

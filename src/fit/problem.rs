@@ -59,6 +59,20 @@ pub fn uniform_grid(degree: usize, size: usize, start: f64, end: f64, closed: bo
     (first..size).map(|k| start + (end - start) * ((k as f64 + half) / size as f64)).collect()
 }
 
+/// A grid on which a spline of that degree can go through points at these parameters, which do not fall: odd degrees
+/// have their knots at the parameters, even ones half-way between them; open ones only inside.
+pub fn interpolating_grid(degree: usize, parameters: &[f64], start: f64, end: f64, closed: bool) -> Vec<f64> {
+    let mut grid: Vec<f64> = if degree.is_multiple_of(2) {
+        let after = parameters.iter().skip(1).copied().chain(closed.then_some(end));
+        parameters.iter().zip(after).map(|(a, b)| 0.5 * (a + b)).collect()
+    } else {
+        parameters.to_vec()
+    };
+    grid.dedup();
+    grid.retain(|&t| t < end && (t > start || closed));
+    grid
+}
+
 impl Problem {
     /// Points at the parameters 0, 1, 2 …, and for each (degree, λ, N) a spline on the uniform grid of N steps.
     ///

@@ -3,9 +3,10 @@
 use super::breaks::HIGHEST;
 use super::foot_points::Spline;
 use super::free_knots::Located;
-use super::outcome::{Fit, FitStatus, Knot, Part};
+use super::outcome::{Fit, FitStatus, Joints, Knot, Part};
 use super::samples::Samples;
 use crate::error::Result;
+use crate::limits::LARGEST_COORDINATE;
 use crate::numerics::Vector;
 
 /// Most cubics that a piece of degree 4 or 5 becomes.
@@ -77,6 +78,63 @@ pub(super) fn fit(frame: &Frame<'_>, spline: &Spline, located: &Located) -> Resu
         noise: frame.noise * samples.scale,
         outliers: outliers(frame, spline, &feet),
         status: FitStatus::Running,
+        changes: Vec::new(),
+    })
+}
+
+/// The points joined by lines, for points near the limit of coordinates. Its parameter runs four times as fast as their
+/// number, so that its tangents keep within the limit too.
+pub(super) fn polygon(frame: &Frame<'_>) -> Result<Fit> {
+    const STEP: f64 = 4.0;
+    let samples = frame.samples;
+    let bounded = |v: f64| v.clamp(-LARGEST_COORDINATE, LARGEST_COORDINATE);
+    let place = |p: &Vector| {
+        let p = samples.center + p * samples.scale;
+        Vector::new(bounded(p.x), bounded(p.y))
+    };
+    let points: Vec<Vector> = samples.points.iter().map(place).collect();
+    let (count, closed) = (points.len(), samples.closed);
+    let leaving = |m: usize| match (m + 1 < count, closed) {
+        (true, _) => (points[m + 1] - points[m]) / STEP,
+        (false, true) => (points[0] - points[m]) / STEP,
+        (false, false) => (points[m] - points[m - 1]) / STEP,
+    };
+    let arriving = |m: usize| if m == 0 && !closed { leaving(0) } else { leaving((m + count - 1) % count) };
+    let joints = Joints {
+        at: (0..count).map(|m| m as f64 * STEP).collect(),
+        points: points.clone(),
+        arriving: (0..count).map(arriving).collect(),
+        leaving: (0..count).map(leaving).collect(),
+    };
+    let curve = joints.curve(closed, count as f64 * STEP)?;
+    let corner =
+        |m: usize| Knot { t: m as f64 * STEP, point: points[m], degree: 1, jump: leaving(m) - arriving(m) };
+    let inner = if closed { 0..count } else { 1..count - 1 };
+    // Points are centred and scaled on the way: the last digit may change.
+    let rounding = samples.scale * f64::EPSILON;
+    Ok(Fit {
+        knots: inner.map(corner).collect(),
+        parts: vec![Part {
+            degree: 1,
+            curve: curve.clone(),
+            coefficients: samples.points.iter().map(|p| p * samples.scale).collect(),
+        }],
+        curve,
+        deviation: 0.0,
+        parameters: samples.place.iter().map(|&m| f64::from(m) * STEP).collect(),
+        objective: f64::INFINITY,
+        data_term: 0.0,
+        regularizer: f64::INFINITY,
+        gap: f64::INFINITY,
+        qfe: 0.0,
+        max_error: rounding,
+        rms: 0.0,
+        iterations: 0,
+        lambda: Vec::new(),
+        smoothing: None,
+        noise: frame.noise * samples.scale,
+        outliers: Vec::new(),
+        status: FitStatus::Stalled,
         changes: Vec::new(),
     })
 }

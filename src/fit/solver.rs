@@ -99,6 +99,8 @@ pub struct Solver {
     pub(crate) middle: Option<Middle>,
     pub(crate) status: Status,
     pub(crate) iteration: usize,
+    /// Whether every λ is 0.
+    pub(crate) free: bool,
     /// The optimum on true knots, where the run has found it.
     pub(crate) finished: Option<Fixed>,
     /// The gap below which to look for it again.
@@ -185,6 +187,7 @@ impl Solver {
             middle: None,
             status: Status::Running,
             iteration: 0,
+            free: problem.components.iter().all(|component| component.lambda <= 0.0),
             finished: None,
             next_finish: FIRST_FINISH,
             thinned: false,
@@ -193,6 +196,9 @@ impl Solver {
             buffers: Buffers::default(),
         };
         solver.restart(false);
+        if solver.free {
+            solver.solve_for_free()?;
+        }
         Ok(solver)
     }
 

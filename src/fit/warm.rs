@@ -51,8 +51,9 @@ impl Solver {
             None => start(&self.data)?,
         };
         let warm = self.middle.take().is_some();
+        self.free = lambdas.iter().all(|lambda| *lambda <= 0.0);
         self.restart(warm);
-        Ok(())
+        if self.free { self.solve_for_free() } else { Ok(()) }
     }
 
     /// Goes on with the knots that still matter, where those are much fewer than the knots in play.
