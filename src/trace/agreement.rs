@@ -25,8 +25,18 @@ pub(super) fn agreement(curve: &HermiteCurve, contour: &[Point]) -> Result<Metri
     Ok(Metrics { rmse: (there.square / count).sqrt(), mae: there.sum / count, hausdorff, jaccard: share })
 }
 
+/// The pixels of a closed polyline.
 fn pixels(points: &[Point]) -> Vec<(i32, i32)> {
-    points.iter().map(|p| (p.x.floor() as i32, p.y.floor() as i32)).collect()
+    let mut pixels = Vec::new();
+    for (i, &from) in points.iter().enumerate() {
+        let to = points[if i + 1 == points.len() { 0 } else { i + 1 }];
+        let steps = (norm(to - from) / CHORD).ceil().max(1.0).min(40_000.0) as usize;
+        for step in 0..steps {
+            let p = from + (to - from) * (step as f64 / steps as f64);
+            pixels.push((p.x.floor() as i32, p.y.floor() as i32));
+        }
+    }
+    pixels
 }
 
 /// Places along the curve, close enough that chords are as good as it.
