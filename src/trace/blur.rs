@@ -54,7 +54,7 @@ impl Blurring {
     }
 }
 
-fn blur_row(row: &[u16], half: &[f64], out: &mut [f32]) {
+pub(super) fn blur_row(row: &[u16], half: &[f64], out: &mut [f32]) {
     let last = row.len() - 1;
     for (column, value) in out.iter_mut().enumerate() {
         let mut sum = half[0] * f64::from(row[column]);

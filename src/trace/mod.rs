@@ -3,7 +3,9 @@
 //! Coordinates: x to the right, y down; pixel (column, row) covers [column, column + 1] × [row, row + 1].
 
 mod agreement;
+mod bitmap;
 mod blur;
+mod canny;
 mod chain;
 mod cloud;
 mod contour;
@@ -12,10 +14,12 @@ mod coverage;
 mod cubic;
 mod division;
 mod ellipse;
+mod graph;
 mod gray;
 mod ink;
 mod knots;
 mod local;
+mod maxima;
 mod metrics;
 mod outline;
 mod quasi_interpolant;
@@ -24,10 +28,12 @@ mod samples;
 mod selection;
 mod simplify;
 mod skyline;
+mod strands;
 mod tones;
 mod tracer;
 mod unknowns;
 
+pub use canny::{EdgeOptions, EdgePoint, Edges, edges};
 pub use chain::{Chain, ChainPlace, Joint, Tube, TubeFit, fit_tube};
 pub use cloud::Cloud;
 pub use contour::{Contour, contours};
@@ -36,6 +42,7 @@ pub use knots::{Knots, MOST_DEGREE, MOST_INTERIOR};
 pub use metrics::{Jaccard, diameter, directed_hausdorff, jaccard, mean_absolute, root_mean_square};
 pub use quasi_interpolant::{End, Estimator, QuasiInterpolant};
 pub use selection::{Choice, Rule, Score, choose, generalised_cross_validation, leave_one_out};
+pub use strands::profiles;
 pub use tones::Tones;
 pub use tracer::{
     Metrics, Model, Progress, Source, Stage, Trace, TraceOptions, TracedContour, Tracer, trace,

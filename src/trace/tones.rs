@@ -157,7 +157,7 @@ impl Flat {
 }
 
 /// The shade up to which pixels are dark: the variance between both sides is largest.
-fn otsu(histogram: &[u32; 256]) -> usize {
+pub(super) fn otsu(histogram: &[u32; 256]) -> usize {
     let total: f64 = histogram.iter().map(|&n| f64::from(n)).sum();
     let moment: f64 = histogram.iter().enumerate().map(|(i, &n)| i as f64 * f64::from(n)).sum();
     let (mut below, mut sum) = (0.0, 0.0);
