@@ -9,7 +9,7 @@ import { StepError, at, run } from "./steps.mjs";
 const LONGEST = 600;
 const SOURCE = /\.(rs|ts|mjs|css)$/;
 /** What is run in a fresh clone, where no package is installed yet. */
-const DOORS = ["start", "test", "build", "bench"].map((name) => `scripts/${name}.mjs`);
+const DOORS = ["start", "test", "build", "bench", "bench-trace"].map((name) => `scripts/${name}.mjs`);
 
 /** Packages that a door imports before it has installed any, directly or through other scripts. */
 function earlyPackages() {

@@ -1,0 +1,20 @@
+// npm run bench:trace: tracers side by side on pictures whose outlines are known; `npm run bench:trace -- "outlines, c256"` prints one part.
+
+import { spawn } from "node:child_process";
+
+import { setUp } from "./setup.mjs";
+import { StepError, at, door, environment, root, run, step } from "./steps.mjs";
+
+const SOURCES = ["bench/peers", "src", "Cargo.toml", "Cargo.lock", "rust-toolchain.toml", ".cargo/config.toml"];
+const PROGRAM = "target/release/expline-trace";
+
+await door(async () => {
+  await setUp();
+  await step("native tracer", { inputs: SOURCES, outputs: [PROGRAM] }, async () => {
+    await run("cargo", ["build", "--locked", "--release", "-p", "expline-peers", "--bin", "expline-trace"]);
+  });
+  const parameters = [at("bench/trace/run.mjs"), at(PROGRAM), ...process.argv.slice(2)];
+  const child = spawn("node", parameters, { cwd: root, env: environment(), stdio: "inherit" });
+  const status = await new Promise((resolve) => child.on("close", resolve));
+  if (status !== 0) throw new StepError("the benchmark did not finish");
+});
