@@ -1,6 +1,6 @@
 // The package: Rust → wasm modules → bindings → ES modules with the wasm inside, and their declarations.
 //
-// Curves, surfaces and fitting are a wasm and an ES module each; reading plain data is an ES module over curves and surfaces.
+// Curves, surfaces, fitting and tracing are a wasm and an ES module each; reading plain data is an ES module over curves and surfaces.
 // `expline.js` only names what they offer, so that a bundler leaves out those of which nothing is used.
 
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -31,6 +31,7 @@ const MODULES = [
     flags: ["-C", "llvm-args=-inline-threshold=0"],
   },
   { title: "bindings for fitting", feature: "wasm-fit", target: "target/fit", name: "expline_fit", bytes: "fit-bytes", flags: [] },
+  { title: "bindings for tracing", feature: "wasm-trace", target: "target/trace", name: "expline_trace", bytes: "trace-bytes", flags: [] },
 ];
 
 /** What cargo leaves for a module. */
@@ -131,13 +132,14 @@ const FACES = [
   { entry: "ts/core.ts", name: "core", file: "expline", start: "init", bytes: "wasm-bytes" },
   { entry: "ts/surface.ts", name: "surface", file: "expline_surface", start: "initSurface", bytes: "surface-bytes" },
   { entry: "ts/fit.ts", name: "fit", file: "expline_fit", start: "initFit", bytes: "fit-bytes" },
+  { entry: "ts/trace.ts", name: "trace", file: "expline_trace", start: "initTrace", bytes: "trace-bytes" },
 ];
 
 /** The names of `ts/index.ts`, from the ES modules of one of the two editions. */
 async function entry(prefix) {
   const { build } = await import("esbuild");
   const setup = (bundler) =>
-    bundler.onResolve({ filter: /^\.\/(core|fit|json|surface)\.js$/ }, ({ path }) => ({ path: path.replace("./", `./${prefix}`), external: true }));
+    bundler.onResolve({ filter: /^\.\/(core|fit|json|surface|trace)\.js$/ }, ({ path }) => ({ path: path.replace("./", `./${prefix}`), external: true }));
   const options = { entryPoints: [at("ts/index.ts")], write: false, bundle: true, format: "esm", minify: true, logLevel: "error" };
   const { outputFiles } = await build({ ...options, plugins: [{ name: "editions", setup }] });
   return outputFiles[0].text;

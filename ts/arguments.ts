@@ -38,8 +38,14 @@ export function isFloat64Array(value: unknown): value is Float64Array {
   return tagOf?.call(value) === "Float64Array";
 }
 
+/** Whether it really holds bytes. */
+export function isBytes(value: unknown): value is Uint8Array | Uint8ClampedArray {
+  const tag = tagOf?.call(value) as unknown;
+  return tag === "Uint8Array" || tag === "Uint8ClampedArray";
+}
+
 /** The true length, whatever a subclass says; refuses an array whose buffer has gone. */
-export function lengthOfFloats(op: string, arg: string, value: Float64Array): number {
+export function lengthOfArray(op: string, arg: string, value: Float64Array | Uint8Array | Uint8ClampedArray): number {
   const length = lengthOf?.call(value) as number;
   if (length === 0) {
     const buffer = value.buffer as ArrayBufferLike & { readonly resizable?: boolean; readonly growable?: boolean };
@@ -142,7 +148,7 @@ export function options<K extends string>(
 /** A copy of the numbers of a Float64Array or of an array of numbers; finite or not is not looked at. */
 export function numbers(op: string, arg: string, value: unknown, limit: string, max: number): Coordinates {
   if (isFloat64Array(value)) {
-    const length = lengthOfFloats(op, arg, value);
+    const length = lengthOfArray(op, arg, value);
     if (length > max) throw overLimit(op, arg, limit, max, length);
     return new Float64Array(value);
   }
@@ -227,7 +233,7 @@ export function twoNumbers(op: string, arg: string, value: unknown): [number, nu
 /** Refuses a result array that is too small, has gone, or overlaps an input. */
 export function output(op: string, value: unknown, needed: number, input?: Float64Array): Float64Array {
   if (!isFloat64Array(value)) throw wrong("E_TYPE", op, "out", value, "Float64Array");
-  const length = lengthOfFloats(op, "out", value);
+  const length = lengthOfArray(op, "out", value);
   if (length < needed) throw wrongLength(op, "out", length, `>= ${needed}`);
   if (
     input !== undefined &&

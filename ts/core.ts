@@ -1,4 +1,4 @@
-/** The ES module of curves: the public names, and what the modules for surfaces, for fitting and for plain data need of it. */
+/** The ES module of curves: the public names, and what the modules for surfaces, for fitting, for tracing and for plain data need of it. */
 export { default, initSync, version } from "./engine.js";
 export type { InitOptions } from "./engine.js";
 export { ExplineError } from "./error.js";
@@ -37,14 +37,17 @@ export {
   finite,
   flag,
   integer,
+  isBytes,
   isFloat64Array,
-  lengthOfFloats,
+  lengthOfArray,
   numbers,
   options,
   points,
   within,
   word,
 } from "./arguments.js";
+/** @internal */
+export { pathsOf } from "./curve.js";
 /** @internal */
 export { curvesIn } from "./curve-data.js";
 /** @internal */
@@ -60,7 +63,7 @@ export { bSplineOf, checkedBSpline } from "./b-spline-curve.js";
 /** @internal */
 export { rootList, rootNumbers } from "./roots.js";
 /** @internal */
-export { callOf, peekOf, resultOf, writeTo } from "./kernel.js";
+export { callOf, peekOf, resultOf, writeBytesTo, writeTo } from "./kernel.js";
 /** @internal */
 export type { Floats } from "./kernel.js";
 /** @internal */

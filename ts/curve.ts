@@ -350,3 +350,13 @@ function into(to: Float64Array | undefined, count: number): Float64Array {
   to.set(peek(count));
   return to;
 }
+
+/** Curves as one path, with relative commands where they are shorter. @internal */
+export function pathsOf(op: string, curves: readonly MeasuredCurve[], tolerance: number, decimals: number): string {
+  return curves
+    .map((curve, i) => {
+      const slot = dataOf(curve, op).resident(op);
+      return outputText(call(op, (kernel) => kernel.to_path(slot, tolerance, decimals, i === 0 ? 3 : 7)));
+    })
+    .join("");
+}

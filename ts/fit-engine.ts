@@ -2,6 +2,7 @@
 import type { InitOutput } from "../build/bindings/expline_fit.js";
 import { wasmAddress, wasmBytes } from "../build/bindings/fit-bytes.js";
 import { type Engine, type InitOptions, begin, beginSync, callOf, instanceOf, peekOf, resultOf, writeTo } from "./core.js";
+import { type Kind, OpenWork } from "./open-work.js";
 
 /** The functions of the wasm that the package calls. @internal */
 export type FitKernel = InitOutput;
@@ -24,28 +25,7 @@ export function initFitSync(options: { bytes: BufferSource } | { module: WebAsse
   beginSync(fits, "initFitSync", options);
 }
 
-/** Where a fit is: the instance, and its number there. */
-interface Place {
-  readonly instance: object;
-  readonly number: number;
-}
-
-/** Closes what was forgotten without `dispose`: the memory of an instance is not seen by the collector. */
-const forgotten: FinalizationRegistry<Place> | undefined =
-  typeof FinalizationRegistry === "function" ? new FinalizationRegistry(closeQuietly) : undefined;
-
-function closeQuietly(place: Place): void {
-  try {
-    closeAt(place);
-  } catch {
-    // Nobody has called, so nobody can catch: the instance is out of service, and the next call starts another.
-  }
-}
-
-function closeAt({ instance, number }: Place): void {
-  // A dead instance has taken its fits along; a new one has other fits under the same numbers.
-  if (fits.current === instance) callOf(fits, "dispose", (kernel) => kernel.fit_close(number));
-}
+const FIT: Kind<FitKernel> = { engine: fits, close: (kernel, number) => kernel.fit_close(number) };
 
 /** How far a run is. @internal */
 export interface Step {
@@ -77,36 +57,24 @@ export interface Question {
  * @internal
  */
 export class Resident {
-  readonly #input: readonly Float64Array[];
-  readonly #key = {};
-  #place: Place | undefined;
+  readonly #work: OpenWork<FitKernel>;
   #question: Question | undefined;
 
   /** `input`: a record of options, points, parameters, weights. */
   constructor(op: string, input: readonly Float64Array[]) {
-    this.#input = input;
-    this.#open(op);
-  }
-
-  #open(op: string): number {
-    const instance = instanceOf(fits);
-    writeTo(fits, op, ...this.#input);
-    const total = this.#input.reduce((sum, array) => sum + array.length, 0);
-    const number = callOf(fits, op, (kernel) => kernel.fit_open(total), this.#input[1]);
-    this.#place = { instance, number };
-    forgotten?.register(this, this.#place, this.#key);
-    return number;
+    const total = input.reduce((sum, array) => sum + array.length, 0);
+    this.#work = new OpenWork(op, FIT, (now) => {
+      writeTo(fits, now, ...input);
+      return callOf(fits, now, (kernel) => kernel.fit_open(total), input[1]);
+    });
   }
 
   /** The number in the living instance; opened again, with what was asked, where that is a new one. */
   #number(op: string): number {
-    const place = this.#place;
-    if (place !== undefined && place.instance === fits.current) return place.number;
-    if (place !== undefined) forgotten?.unregister(this.#key);
-    const number = this.#open(op);
     const question = this.#question;
-    if (question !== undefined) this.#put(op, number, question);
-    return number;
+    return this.#work.number(op, (number) => {
+      if (question !== undefined) this.#put(op, number, question);
+    });
   }
 
   #put(op: string, number: number, { kind, first, second, degrees }: Question): void {
@@ -138,10 +106,6 @@ export class Resident {
 
   /** Gives the memory back; a second call does nothing. */
   close(): void {
-    const place = this.#place;
-    if (place === undefined) return;
-    this.#place = undefined;
-    forgotten?.unregister(this.#key);
-    closeAt(place);
+    this.#work.close();
   }
 }

@@ -1,6 +1,7 @@
 /** What can be asked of a fit, checked and written down as the engine reads it. */
 import { count, finite, flag, integer, numbers, options as checkOptions, points as checkPoints, word, wrong, wrongLength } from "./core.js";
 import { Asked, type Question } from "./fit-engine.js";
+import { type Watch, watch } from "./yielding.js";
 
 /** How far a fit has come. */
 export interface FitProgress {
@@ -79,13 +80,10 @@ const NAMES = [
 ] as const;
 
 /** How a run is watched and stopped. @internal */
-export interface Watch {
-  readonly signal: AbortSignal | undefined;
-  readonly onProgress: ((progress: FitProgress) => void) | undefined;
-}
+export type FitWatch = Watch<FitProgress>;
 
 /** A fit as the engine is told of it. @internal */
-export interface Order extends Watch {
+export interface Order extends FitWatch {
   /** Options in a fixed order, then points, parameters, weights. */
   readonly input: readonly Float64Array[];
   readonly question: Question;
@@ -132,23 +130,11 @@ export function order(op: string, points: unknown, options: unknown): Order {
   };
 }
 
-/** Who watches a run. @internal */
-export function watch(op: string, own: { readonly signal?: unknown; readonly onProgress?: unknown }): Watch {
-  const { signal, onProgress } = own;
-  if (signal !== undefined && !isSignal(signal)) throw wrong("E_TYPE", op, "signal", signal, "AbortSignal");
-  if (onProgress !== undefined && typeof onProgress !== "function") throw wrong("E_TYPE", op, "onProgress", onProgress, "a function");
-  return { signal, onProgress: onProgress as Watch["onProgress"] };
-}
-
 /** A change of a fitter's strength, and who watches. @internal */
-export function change(op: string, given: unknown, degrees: number): { question: Question | undefined } & Watch {
+export function change(op: string, given: unknown, degrees: number): { question: Question | undefined } & FitWatch {
   const own = checkOptions(op, given, [...STRENGTHS, ...RUNNING]);
   const asked = STRENGTHS.some((name) => own[name] !== undefined);
   return { question: asked ? question(op, own, degrees) : undefined, ...watch(op, own) };
-}
-
-function isSignal(value: unknown): value is AbortSignal {
-  return typeof value === "object" && value !== null && typeof (value as { aborted?: unknown }).aborted === "boolean";
 }
 
 function within(op: string, name: string, value: unknown, least: number, most: number): number {

@@ -1,9 +1,9 @@
 /** Sparse curves through noisy points: all at once, in short tasks, or again and again for a slider. */
 import { ExplineError, type PointsLike, wrong } from "./core.js";
 import { Resident, initFit } from "./fit-engine.js";
-import { type FitProgress, type Order, type SparseFitOptions, type SparseFitStrength, type Watch, change, order } from "./fit-options.js";
+import { type FitProgress, type FitWatch, type Order, type SparseFitOptions, type SparseFitStrength, change, order } from "./fit-options.js";
 import { type SparseFit, readFit } from "./fit-result.js";
-import { checkSignal, nextTurn } from "./yielding.js";
+import { checkSignal, inOneGo, inTasks } from "./yielding.js";
 
 export { initFit, initFitSync } from "./fit-engine.js";
 export type { FitProgress, SparseFitOptions, SparseFitStrength } from "./fit-options.js";
@@ -11,11 +11,9 @@ export type { FitStatus, SparseFit, SparseKnot } from "./fit-result.js";
 
 /** Work of one call into the engine, in microseconds or so. */
 const BUDGET = 4000;
-/** A task of an asynchronous fit lasts about this many milliseconds, and one call more. */
-const TASK = 6;
 
-/** Steps of a run; between two of them the caller may wait, stop or be told. */
-function* steps(op: string, resident: Resident, { onProgress }: Watch, deadline: number | undefined): Generator<void, boolean> {
+/** Steps of a run, and whether the deadline ended it; between two of them the caller may wait, stop or be told. */
+function* steps(op: string, resident: Resident, { onProgress }: FitWatch, deadline: number | undefined): Generator<void, boolean> {
   const end = deadline === undefined ? Infinity : performance.now() + deadline;
   for (;;) {
     const { done, iteration, gap } = resident.step(op, BUDGET);
@@ -26,27 +24,16 @@ function* steps(op: string, resident: Resident, { onProgress }: Watch, deadline:
   }
 }
 
-/** A run in one go; whether the deadline ended it. */
-function run(op: string, resident: Resident, watch: Watch, deadline: number | undefined): SparseFit {
-  const work = steps(op, resident, watch, deadline);
-  for (;;) {
-    const { done, value } = work.next();
-    if (done === true) return readFit(resident.describe(op), value);
-  }
+/** A run in one go. */
+function run(op: string, resident: Resident, watch: FitWatch, deadline: number | undefined): SparseFit {
+  const late = inOneGo(steps(op, resident, watch, deadline));
+  return readFit(resident.describe(op), late);
 }
 
 /** A run in short tasks. */
-async function runAsync(op: string, resident: Resident, watch: Watch, deadline: number | undefined): Promise<SparseFit> {
-  const work = steps(op, resident, watch, deadline);
-  for (;;) {
-    const end = performance.now() + TASK;
-    while (performance.now() < end) {
-      const { done, value } = work.next();
-      if (done === true) return readFit(resident.describe(op), value);
-    }
-    await nextTurn();
-    checkSignal(op, watch.signal);
-  }
+async function runAsync(op: string, resident: Resident, watch: FitWatch, deadline: number | undefined): Promise<SparseFit> {
+  const late = await inTasks(op, watch.signal, steps(op, resident, watch, deadline));
+  return readFit(resident.describe(op), late);
 }
 
 function begin(op: string, { input, question }: Order): Resident {

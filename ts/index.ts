@@ -1,4 +1,4 @@
-/** The public interface of expline: curves, surfaces and fitting are an ES module each; a bundler drops those of which nothing is used. */
+/** The public interface of expline: curves, surfaces, fitting and tracing are an ES module each; a bundler drops those of which nothing is used. */
 export {
   default,
   BSplineCurve,
@@ -56,3 +56,14 @@ export type {
   TensorSurfaceJSON,
   TensorSurfaceOptions,
 } from "./surface.js";
+export { initTrace, initTraceSync, traceImage, traceImageAsync } from "./trace.js";
+export type {
+  ImageLike,
+  Trace,
+  TraceMetrics,
+  TraceOptions,
+  TraceProgress,
+  TraceStage,
+  TraceSvgOptions,
+  TracedContour,
+} from "./trace.js";

@@ -124,16 +124,20 @@ function room<K extends AnyKernel>(to: Engine<K>, instance: Instance<K>, op: str
 
 /** Writes text and returns how many bytes it has. */
 export function writeText(op: string, text: string): number {
-  const bytes = new TextEncoder().encode(text);
-  const instance = engine();
+  return writeBytesTo(core, op, new TextEncoder().encode(text));
+}
+
+/** Writes bytes to where an engine reads text, and returns how many they are. @internal */
+export function writeBytesTo<K extends AnyKernel>(to: Engine<K>, op: string, bytes: Uint8Array | Uint8ClampedArray): number {
+  const { kernel } = instanceOf(to);
   let address: number;
   try {
-    address = instance.kernel.text_address(bytes.length) >>> 0;
+    address = kernel.text_address(bytes.length) >>> 0;
   } catch (cause) {
-    throw retire(core, op, cause);
+    throw retire(to, op, cause);
   }
   if (address === 0) throw outOfMemory(op, bytes.length);
-  new Uint8Array(instance.kernel.memory.buffer).set(bytes, address);
+  new Uint8Array(kernel.memory.buffer).set(bytes, address);
   return bytes.length;
 }
 

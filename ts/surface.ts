@@ -11,7 +11,7 @@ import {
   flag,
   integer,
   isFloat64Array,
-  lengthOfFloats,
+  lengthOfArray,
   numbers,
   options as checkOptions,
   overLimit,
@@ -504,7 +504,7 @@ function three(name: string, arg: string, value: unknown): [string, unknown][] {
 
 /** A net's numbers: finite, within ±1e9, as many as there should be. */
 function netOf(op: string, value: unknown, needed: number): Floats {
-  const net = isFloat64Array(value) && lengthOfFloats(op, "net", value) !== needed ? value : numbers(op, "net", value, "maxSurfacePoints", 3 * MAX_NET);
+  const net = isFloat64Array(value) && lengthOfArray(op, "net", value) !== needed ? value : numbers(op, "net", value, "maxSurfacePoints", 3 * MAX_NET);
   if (net.length !== needed) throw wrongLength(op, "net", net.length, String(needed));
   return within(op, "net", net as Floats);
 }

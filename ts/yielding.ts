@@ -1,5 +1,5 @@
 /** Long work in short tasks. */
-import { ExplineError } from "./core.js";
+import { ExplineError, wrong } from "./core.js";
 
 /** What of the host is asked for: Node's own way to the next turn, which browsers have not. */
 interface Host {
@@ -27,4 +27,46 @@ export function nextTurn(): Promise<void> {
 /** Throws once the caller has given up. */
 export function checkSignal(op: string, signal: AbortSignal | undefined): void {
   if (signal?.aborted === true) throw new ExplineError("E_CANCELLED", op, "the signal was aborted", { cause: signal.reason });
+}
+
+/** How work is watched and stopped. @internal */
+export interface Watch<Progress> {
+  readonly signal: AbortSignal | undefined;
+  readonly onProgress: ((progress: Progress) => void) | undefined;
+}
+
+/** Who watches. @internal */
+export function watch<Progress>(op: string, own: { readonly signal?: unknown; readonly onProgress?: unknown }): Watch<Progress> {
+  const { signal, onProgress } = own;
+  if (signal !== undefined && !isSignal(signal)) throw wrong("E_TYPE", op, "signal", signal, "AbortSignal");
+  if (onProgress !== undefined && typeof onProgress !== "function") throw wrong("E_TYPE", op, "onProgress", onProgress, "a function");
+  return { signal, onProgress: onProgress as Watch<Progress>["onProgress"] };
+}
+
+function isSignal(value: unknown): value is AbortSignal {
+  return typeof value === "object" && value !== null && typeof (value as { aborted?: unknown }).aborted === "boolean";
+}
+
+/** Work in one go. @internal */
+export function inOneGo<R>(work: Generator<void, R>): R {
+  for (;;) {
+    const { done, value } = work.next();
+    if (done === true) return value;
+  }
+}
+
+/** A task lasts about this many milliseconds, and one step more. */
+const TASK = 6;
+
+/** Work in short tasks; between two of them everybody else has his turn. @internal */
+export async function inTasks<R>(op: string, signal: AbortSignal | undefined, work: Generator<void, R>): Promise<R> {
+  for (;;) {
+    const end = performance.now() + TASK;
+    do {
+      const { done, value } = work.next();
+      if (done === true) return value;
+    } while (performance.now() < end);
+    await nextTurn();
+    checkSignal(op, signal);
+  }
 }

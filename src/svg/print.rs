@@ -96,27 +96,38 @@ pub struct Printed {
 /// # Ok::<(), expline::Error>(())
 /// ```
 pub fn to_path_d(curve: &dyn Curve, options: &PrintOptions) -> Result<Printed> {
-    let (text, deviation) = print_bytes(curve.as_pieces(), options)?;
+    let (text, deviation) = print_bytes(curve.as_pieces(), options, &mut None)?;
     // All of it is ASCII.
     Ok(Printed { d: String::from_utf8(text).unwrap_or_default(), deviation })
 }
 
 /// The same as bytes, which need no check, and the deviation.
 ///
-/// A curve of another kind is printed as the Hermite curve that it is, or that is near; the tolerance is shared then.
-pub(crate) fn print_bytes(curve: &dyn Pieces, options: &PrintOptions) -> Result<(Vec<u8>, f64)> {
+/// A curve of another kind is printed as the Hermite curve that it is, or that is near; the tolerance is shared then. `pen` is where the path
+/// before has ended, if there is one: a text that goes on from there may begin with `m`. It moves to where this one ends.
+pub(crate) fn print_bytes(
+    curve: &dyn Pieces,
+    options: &PrintOptions,
+    pen: &mut Option<Point>,
+) -> Result<(Vec<u8>, f64)> {
     if let Some(curve) = curve.as_hermite() {
-        return print_hermite(curve, options);
+        return print_hermite(curve, options, pen);
     }
     let (curve, near) = to_hermite(curve, 0.5 * options.tolerance)?;
     let rest = PrintOptions { tolerance: (options.tolerance - near).max(near), ..*options };
-    let (text, deviation) = print_hermite(&curve, &rest)?;
+    let (text, deviation) = print_hermite(&curve, &rest, pen)?;
     Ok((text, deviation + near))
 }
 
-fn print_hermite(curve: &HermiteCurve, options: &PrintOptions) -> Result<(Vec<u8>, f64)> {
-    let mut printer = Printer::new(curve, options)?;
+fn print_hermite(
+    curve: &HermiteCurve,
+    options: &PrintOptions,
+    pen: &mut Option<Point>,
+) -> Result<(Vec<u8>, f64)> {
+    let mut printer = Printer::new(curve, options, *pen)?;
+    let start = printer.text.current();
     printer.draw_all();
+    *pen = Some(if curve.is_closed() { start } else { printer.text.current() }.point());
     Ok(printer.finish())
 }
 
@@ -137,7 +148,7 @@ struct Printer<'a> {
 }
 
 impl<'a> Printer<'a> {
-    fn new(curve: &'a HermiteCurve, options: &PrintOptions) -> Result<Self> {
+    fn new(curve: &'a HermiteCurve, options: &PrintOptions, pen: Option<Point>) -> Result<Self> {
         let PrintOptions { tolerance, decimals, arcs, relative } = *options;
         if !tolerance.is_finite() {
             return Err(Error::not_finite("tolerance", None));
@@ -165,7 +176,7 @@ impl<'a> Printer<'a> {
         let share = (tolerance - rounding).max(0.5 * tolerance);
         Ok(Self {
             curve,
-            text: Text::new(grid, relative, start),
+            text: Text::new(grid, relative, start, pen),
             grid,
             arcs,
             tolerance,

@@ -149,12 +149,21 @@ pub(super) struct Text {
 }
 
 impl Text {
-    pub(super) fn new(grid: Grid, relative: bool, start: Placed) -> Self {
+    /// Begins a path at `start`, after one that has ended at `pen`.
+    pub(super) fn new(grid: Grid, relative: bool, start: Placed, pen: Option<Point>) -> Self {
         // Differences of arbitrary doubles need not lead back to them.
         let relative = relative && grid.decimals.is_some();
-        let before = Before { implied: b'L', number: false, pointed: false };
-        let mut text = Self { out: vec![b'M'], before, grid, relative, current: start };
-        text.form(b'L', None, &[(start.x, start.x), (start.y, start.y)]);
+        let before = Before { implied: 0, number: false, pointed: false };
+        let mut text = Self { out: Vec::new(), before, grid, relative: false, current: start };
+        let pen = pen.filter(|_| relative).map(|pen| (grid.place(pen), pen));
+        // What is written as a difference must be one of numbers of this grid.
+        let pen = pen.filter(|(placed, pen)| placed.point() == *pen).map(|(placed, _)| placed);
+        text.relative = pen.is_some();
+        let from = pen.unwrap_or_default();
+        text.command(b'M', None, &[(start.x, from.x), (start.y, from.y)]);
+        // Numbers alone after a move are lines, absolute or relative as it is.
+        text.before.implied -= b'M' - b'L';
+        text.relative = relative;
         text
     }
 

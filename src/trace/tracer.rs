@@ -191,20 +191,24 @@ impl Tracer {
         Ok(Self { work: Box::new(work) })
     }
 
-    /// Goes on for about `budget` microseconds, at least by the least bit of work. Whoever wants no more just stops.
+    /// Goes on for about `budget` microseconds, at least by the least bit of work, and no further than to the next stage. Whoever wants no
+    /// more just stops.
     ///
     /// # Errors
     ///
     /// A picture with more contours than a drawing has, no memory. After an error every further step fails alike.
     pub fn step(&mut self, budget: f64) -> Result<Progress> {
         let mut spent = 0.0;
-        while !self.work.progress().done {
+        let mut progress = self.work.progress();
+        let stage = progress.stage;
+        while !progress.done && progress.stage == stage {
             spent += self.work.step()?;
+            progress = self.work.progress();
             if spent.is_nan() || spent >= budget {
                 break;
             }
         }
-        Ok(self.work.progress())
+        Ok(progress)
     }
 
     /// What was found.
@@ -227,6 +231,6 @@ impl Tracer {
 /// As [`Tracer::new`] and [`Tracer::step`].
 pub fn trace(gray: Gray, options: &TraceOptions) -> Result<Trace> {
     let mut tracer = Tracer::new(gray, options)?;
-    tracer.step(f64::INFINITY)?;
+    while !tracer.step(f64::INFINITY)?.done {}
     tracer.result()
 }

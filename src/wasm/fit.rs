@@ -5,6 +5,7 @@
 
 use super::describe::{describe, pairs};
 use super::kernel::{Kernel, run, times};
+use super::record::{Numbers, place, section};
 use crate::curve::HermiteCurve;
 use crate::fit::{Ask, Finish, Fit, FitStatus, Fitter, Norm, Options};
 use crate::{Error, Result};
@@ -14,34 +15,6 @@ use wasm_bindgen::prelude::wasm_bindgen;
 const OPTIONS: usize = 18;
 
 const NOT_OPEN: Error = Error::Degenerate { argument: "fit", index: None, reason: "it is not open" };
-
-/// Reads numbers one after the other; what is missing is 0.
-struct Numbers<'a>(&'a [f64]);
-
-impl<'a> Numbers<'a> {
-    fn next(&mut self) -> f64 {
-        self.take(1).first().copied().unwrap_or(0.0)
-    }
-
-    /// What is negative stands for nothing.
-    fn optional(&mut self) -> Option<f64> {
-        Some(self.next()).filter(|&number| number >= 0.0)
-    }
-
-    fn count(&mut self) -> usize {
-        self.next() as usize
-    }
-
-    fn flag(&mut self) -> bool {
-        self.next() != 0.0
-    }
-
-    fn take(&mut self, count: usize) -> &'a [f64] {
-        let (head, tail) = self.0.split_at(count.min(self.0.len()));
-        self.0 = tail;
-        head
-    }
-}
 
 /// The fit of a number.
 fn fitter(kernel: &mut Kernel, number: u32) -> Result<&mut Fitter> {
@@ -84,12 +57,7 @@ pub fn fit_open(count: u32) -> i32 {
         options.parameters = numbers.take(parameters).to_vec();
         options.weights = numbers.take(weights).to_vec();
         let fitter = Fitter::new(&points, &options)?;
-        let number = kernel.fits.iter().position(Option::is_none).unwrap_or(kernel.fits.len());
-        if number == kernel.fits.len() {
-            kernel.fits.push(None);
-        }
-        kernel.fits[number] = Some(Box::new(fitter));
-        Ok(number)
+        Ok(place(&mut kernel.fits, Box::new(fitter)))
     })
 }
 
@@ -120,14 +88,6 @@ pub fn fit_step(number: u32, budget: f64) -> i32 {
         kernel.record([progress.iteration as f64, certified(progress.gap)]);
         Ok(usize::from(progress.done))
     })
-}
-
-/// Appends one section: its length, then what `write` appends.
-fn section(output: &mut Vec<f64>, write: &mut dyn FnMut(&mut Vec<f64>)) {
-    let start = output.len();
-    output.push(0.0);
-    write(output);
-    output[start] = (output.len() - start - 1) as f64;
 }
 
 fn status(status: FitStatus) -> f64 {

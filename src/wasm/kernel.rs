@@ -2,6 +2,8 @@
 
 #[cfg(feature = "wasm")]
 use super::exponential::Prepared;
+#[cfg(feature = "wasm-trace")]
+use super::trace::Job;
 #[cfg(feature = "wasm-surface")]
 use crate::TensorSurface;
 #[cfg(feature = "wasm")]
@@ -10,6 +12,8 @@ use crate::curve::measures::Pieces;
 use crate::curve::{LengthTable, NearestFinder, Sampler, SplineSampler};
 #[cfg(feature = "wasm-fit")]
 use crate::fit::Fitter;
+#[cfg(feature = "wasm")]
+use crate::numerics::Point;
 #[cfg(feature = "wasm")]
 use crate::{BSplineCurve, HermiteCurve, InterpolatingCurve, LocalCurve};
 use crate::{Error, Result};
@@ -73,6 +77,9 @@ pub(super) struct Kernel {
     pub(super) output: Vec<f64>,
     /// Text in and out, UTF-8.
     pub(super) text: Vec<u8>,
+    /// Where the last path that was written has ended.
+    #[cfg(feature = "wasm")]
+    pub(super) pen: Option<Point>,
     /// The tables of bulk sampling.
     #[cfg(feature = "wasm")]
     pub(super) sampler: Option<Box<Sampler>>,
@@ -84,6 +91,9 @@ pub(super) struct Kernel {
     /// The fits that are open, by their numbers.
     #[cfg(feature = "wasm-fit")]
     pub(super) fits: Vec<Option<Box<Fitter>>>,
+    /// The pictures that are open, by their numbers.
+    #[cfg(feature = "wasm-trace")]
+    pub(super) traces: Vec<Option<Box<Job>>>,
     /// The resident curves.
     #[cfg(feature = "wasm")]
     pub(super) slots: [Option<Resident>; SLOTS],
@@ -100,6 +110,8 @@ thread_local! {
             output: Vec::new(),
             text: Vec::new(),
             #[cfg(feature = "wasm")]
+            pen: None,
+            #[cfg(feature = "wasm")]
             sampler: None,
             #[cfg(feature = "wasm")]
             spline_sampler: None,
@@ -107,6 +119,8 @@ thread_local! {
             generator: None,
             #[cfg(feature = "wasm-fit")]
             fits: Vec::new(),
+            #[cfg(feature = "wasm-trace")]
+            traces: Vec::new(),
             #[cfg(feature = "wasm")]
             slots: [const { None }; SLOTS],
             #[cfg(feature = "wasm-surface")]
@@ -263,6 +277,7 @@ fn enter(body: &mut dyn Body) -> i32 {
 }
 
 /// How many numbers so many things of `each` numbers are; more than there can be where that overflows.
+#[cfg(any(feature = "wasm", feature = "wasm-surface", feature = "wasm-fit"))]
 pub(super) fn times(count: u32, each: usize) -> usize {
     (count as usize).saturating_mul(each)
 }

@@ -8,14 +8,14 @@
 //! [`kernel::FAILED`], with the error's fields in the result record. Nothing here computes, and nothing here
 //! formats: messages are made in the face.
 //!
-//! The package has three modules, each with an instance and a memory of its own: feature `wasm` exports curves, feature
-//! `wasm-surface` surfaces, feature `wasm-fit` fitting. [`kernel`] is in all of them.
+//! The package has four modules, each with an instance and a memory of its own: feature `wasm` exports curves, feature
+//! `wasm-surface` surfaces, feature `wasm-fit` fitting, feature `wasm-trace` tracing. [`kernel`] is in all of them.
 
 #![allow(unreachable_pub, reason = "exported functions are public to JavaScript, not to Rust")]
 
 #[cfg(feature = "wasm")]
 mod curve;
-#[cfg(any(feature = "wasm", feature = "wasm-fit"))]
+#[cfg(any(feature = "wasm", feature = "wasm-fit", feature = "wasm-trace"))]
 mod describe;
 #[cfg(feature = "wasm")]
 mod exponential;
@@ -27,6 +27,8 @@ mod heap;
 mod kernel;
 #[cfg(feature = "wasm")]
 mod measure;
+#[cfg(any(feature = "wasm-fit", feature = "wasm-trace"))]
+mod record;
 #[cfg(any(feature = "wasm", feature = "wasm-surface"))]
 mod roots;
 #[cfg(feature = "wasm")]
@@ -37,3 +39,5 @@ mod spline;
 mod surface;
 #[cfg(feature = "wasm")]
 mod svg;
+#[cfg(feature = "wasm-trace")]
+mod trace;

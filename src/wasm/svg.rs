@@ -26,7 +26,8 @@ pub fn parse_path(bytes: u32) -> i32 {
 
 /// Writes a curve as path data, into the text buffer; the deviation is left in the record.
 ///
-/// A tolerance of 0 and negative decimals stand for the defaults; `flags` is 1 for arcs plus 2 for relative commands.
+/// A tolerance of 0 and negative decimals stand for the defaults; `flags` is 1 for arcs plus 2 for relative commands plus 4 for text that
+/// is put behind that of the last call.
 #[wasm_bindgen]
 pub fn to_path(slot: u32, tolerance: f64, decimals: i32, flags: u32) -> i32 {
     run(&mut |kernel| {
@@ -37,7 +38,9 @@ pub fn to_path(slot: u32, tolerance: f64, decimals: i32, flags: u32) -> i32 {
         options.decimals = u32::try_from(decimals).ok();
         options.arcs = flags & 1 != 0;
         options.relative = flags & 2 != 0;
-        let (text, deviation) = svg::print_bytes(kernel.pieces(slot)?, &options)?;
+        let mut pen = kernel.pen.filter(|_| flags & 4 != 0);
+        let (text, deviation) = svg::print_bytes(kernel.pieces(slot)?, &options, &mut pen)?;
+        kernel.pen = pen;
         kernel.record([deviation]);
         kernel.text = text;
         Ok(kernel.text.len())

@@ -1,0 +1,108 @@
+/** The wasm of tracing: started when something is traced for the first time, replaced when it dies. */
+import type { InitOutput } from "../build/bindings/expline_trace.js";
+import { wasmAddress, wasmBytes } from "../build/bindings/trace-bytes.js";
+import { type Engine, type InitOptions, begin, beginSync, callOf, instanceOf, peekOf, resultOf, writeBytesTo, writeTo } from "./core.js";
+import { type Kind, OpenWork } from "./open-work.js";
+
+/** The functions of the wasm that the package calls. @internal */
+export type TraceKernel = InitOutput;
+
+/** The engine of tracing. @internal */
+export const traces: Engine<TraceKernel> = { op: "initTrace", mark: "trace_open", bytes: wasmBytes, address: wasmAddress };
+
+/**
+ * Loads the engine for tracing early, or from elsewhere. Not needed before the first picture: without it the wasm inside the package is
+ * compiled when it is first used. `expline/slim` needs it before `traceImage`; `traceImageAsync` waits for it by itself.
+ *
+ * @throws {ExplineError} E_INIT with `reason` csp, network, mime, compile, version, memory or unsupported.
+ */
+export function initTrace(options?: InitOptions): Promise<void> {
+  return begin(traces, options);
+}
+
+/** Starts the engine for tracing from bytes or from a module, without waiting; changes nothing where one runs already. */
+export function initTraceSync(options: { bytes: BufferSource } | { module: WebAssembly.Module }): void {
+  beginSync(traces, "initTraceSync", options);
+}
+
+/** Rows of bytes, as they are given. @internal */
+export interface Pixels {
+  readonly data: Uint8Array | Uint8ClampedArray;
+  readonly width: number;
+  readonly height: number;
+  /** Bytes of a pixel. */
+  readonly channels: number;
+}
+
+/** How far a picture is. @internal */
+export interface Step {
+  readonly done: boolean;
+  /** Number of the stage. */
+  readonly stage: number;
+  readonly completed: number;
+  readonly total: number;
+}
+
+/** About so many bytes cross at once: rows of 64 kB take some 50 microseconds. */
+const BLOCK = 1 << 16;
+
+const TRACE: Kind<TraceKernel> = { engine: traces, close: (kernel, number) => kernel.trace_close(number) };
+
+/**
+ * A picture in the engine. It stays where it is, in JavaScript; an instance that dies takes nothing along, and the next begins anew.
+ * @internal
+ */
+export class Picture {
+  readonly #work: OpenWork<TraceKernel>;
+  readonly #pixels: Pixels;
+  /** Rows that the engine has. */
+  #rows = 0;
+
+  /** `options`: a record of options. */
+  constructor(op: string, pixels: Pixels, options: Float64Array) {
+    this.#pixels = pixels;
+    this.#work = new OpenWork(op, TRACE, (now) => {
+      this.#rows = 0;
+      writeTo(traces, now, options);
+      return callOf(traces, now, (kernel) => kernel.trace_open(options.length));
+    });
+  }
+
+  /** Goes on for about so many microseconds: the engine gets some rows, or works. */
+  step(op: string, budget: number): Step {
+    const number = this.#work.number(op);
+    const { height } = this.#pixels;
+    if (this.#rows < height) {
+      this.#fill(op, number, budget);
+      return { done: false, stage: 0, completed: this.#rows, total: height };
+    }
+    const done = callOf(traces, op, (kernel) => kernel.trace_step(number, budget)) === 1;
+    const instance = instanceOf(traces);
+    return { done, stage: resultOf(instance, 0), completed: resultOf(instance, 1), total: resultOf(instance, 2) };
+  }
+
+  #fill(op: string, number: number, budget: number): void {
+    const { data, width, height, channels } = this.#pixels;
+    const bytes = width * channels;
+    const block = Math.max(1, Math.floor(BLOCK / bytes));
+    const end = performance.now() + budget / 1000;
+    do {
+      const next = Math.min(this.#rows + block, height);
+      const count = writeBytesTo(traces, op, data.subarray(this.#rows * bytes, next * bytes));
+      callOf(traces, op, (kernel) => kernel.trace_rows(number, count));
+      this.#rows = next;
+    } while (this.#rows < height && performance.now() < end);
+  }
+
+  /** What was found, as the kernel describes it: valid until the next call. */
+  describe(op: string): Float64Array {
+    const number = this.#work.number(op);
+    const count = callOf(traces, op, (kernel) => kernel.trace_describe(number));
+    return peekOf(instanceOf(traces), count);
+  }
+
+  /** Gives the memory back; a second call does nothing. */
+  close(): void {
+    this.#work.close();
+  }
+}

@@ -1,0 +1,118 @@
+/** What can be asked of a trace, checked and written down as the engine reads it. */
+import { count, finite, flag, integer, isBytes, lengthOfArray, options as checkOptions, overLimit, word, wrong, wrongLength } from "./core.js";
+import type { Pixels } from "./trace-engine.js";
+import { type Watch, watch } from "./yielding.js";
+
+/** What a trace is doing: reading pixels, finding edges, following contours, looking for corners, fitting splines, refining them. */
+export type TraceStage = "pixels" | "edges" | "contours" | "corners" | "splines" | "refinement";
+
+/** The stages in the engine's order; the first is the face's own. @internal */
+export const STAGES: readonly TraceStage[] = ["pixels", "edges", "contours", "corners", "splines", "refinement"];
+
+/** How far a trace has come. */
+export interface TraceProgress {
+  stage: TraceStage;
+  /** How much of the stage is done, of `total`. */
+  done: number;
+  total: number;
+}
+
+/** A picture: an `ImageData`, or anything with the same three fields. */
+export interface ImageLike {
+  /** Red, green, blue and opacity of every pixel, or one shade from 0, black, to 255, white: which of both, the length says. */
+  readonly data: Uint8ClampedArray | Uint8Array;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** What {@link traceImage} can be told. */
+export interface TraceOptions {
+  /** What is followed: where the picture turns from light to dark, the default, or its edges. */
+  source?: "brightness" | "edges" | undefined;
+  /** Shade between ink and paper, 0 … 255. Default "auto": found in the picture. */
+  threshold?: number | "auto" | undefined;
+  /** Standard deviation in pixels of a blur before all else, 0 … 10. Default: found, as much as the noise needs. */
+  blur?: number | undefined;
+  /** Light ink on dark paper. Default false. */
+  invert?: boolean | undefined;
+  /** Contours that enclose fewer square pixels are left out. Default 2. */
+  speckle?: number | undefined;
+  /** The least turning of a corner, in radians, above 0 up to π: π knows no corners. Default 0.49, 28°. */
+  corner?: number | undefined;
+  /** Largest distance between a contour and its curve, in pixels, before the curve is refined against the picture. Default 0.22. */
+  tolerance?: number | undefined;
+  /** Which fit follows a contour: the sparsest spline, the default, or the weighted quasi-interpolant. */
+  model?: "sparse" | "wqisa" | undefined;
+  /** Whether curves are refined until they cover of every pixel what the picture says. Default true. */
+  refine?: boolean | undefined;
+  /** More contours than this is taken for a photograph: E_LIMIT with `actual`, how many there are. Default 1500, at most 200,000. */
+  maxContours?: number | undefined;
+  /** Ends the work: E_CANCELLED. A synchronous trace looks at it once, before it begins. */
+  signal?: AbortSignal | undefined;
+  /** Told how far the work is. What it throws ends the trace and reaches the caller as it is. */
+  onProgress?: ((progress: TraceProgress) => void) | undefined;
+}
+
+const MAX_SIDE = 16_384;
+const MAX_PIXELS = 40_000_000;
+const MAX_CONTOURS = 200_000;
+const MAX_AREA = 1e9;
+
+const SOURCES = ["brightness", "edges"] as const;
+const MODELS = ["sparse", "wqisa"] as const;
+const NAMES = [
+  ...["source", "threshold", "blur", "invert", "speckle", "corner", "tolerance", "model", "refine", "maxContours"] as const,
+  ...["signal", "onProgress"] as const,
+] as const;
+
+/** A trace as the engine is told of it. @internal */
+export interface TraceOrder extends Watch<TraceProgress> {
+  readonly pixels: Pixels;
+  /** Options in a fixed order. */
+  readonly record: Float64Array;
+}
+
+/** All checks of a trace's arguments that need no arithmetic. @internal */
+export function traceOrder(op: string, image: unknown, options: unknown): TraceOrder {
+  const pixels = pixelsOf(op, image);
+  const own = checkOptions(op, options, NAMES);
+  const { source, threshold, blur, invert, speckle, corner, tolerance, model, refine, maxContours } = own;
+  const optional = (name: string, value: unknown, least: number, most: number): number =>
+    value === undefined ? -1 : within(op, name, value, least, most);
+  const record = Float64Array.of(
+    pixels.width,
+    pixels.height,
+    pixels.channels,
+    source === undefined ? 0 : SOURCES.indexOf(word(op, "source", source, SOURCES)),
+    model === undefined ? 0 : MODELS.indexOf(word(op, "model", model, MODELS)),
+    optional("threshold", threshold === "auto" ? undefined : threshold, 0, 255),
+    optional("blur", blur, 0, 10),
+    flag(op, "invert", invert, false) ? 1 : 0,
+    optional("speckle", speckle, 0, MAX_AREA),
+    optional("corner", corner, 0, Math.PI),
+    optional("tolerance", tolerance, 0.01, 1000),
+    flag(op, "refine", refine, true) ? 1 : 0,
+    maxContours === undefined ? -1 : count(op, "maxContours", maxContours, 1, "maxContours", MAX_CONTOURS),
+  );
+  return { pixels, record, ...watch(op, own) };
+}
+
+function within(op: string, name: string, value: unknown, least: number, most: number): number {
+  const number = finite(op, name, value);
+  const bound = most === Math.PI ? "a number in (0, π]" : `a number in [${least}, ${most === MAX_AREA ? "1e9" : most}]`;
+  if (!(number >= least && number <= most) || (most === Math.PI && number === 0)) throw wrong("E_RANGE", op, name, number, bound);
+  return number;
+}
+
+function pixelsOf(op: string, image: unknown): Pixels {
+  if (typeof image !== "object" || image === null) throw wrong("E_TYPE", op, "image", image, "an image with data, width and height");
+  const { data, width: columns, height: rows } = image as { data?: unknown; width?: unknown; height?: unknown };
+  const width = integer(op, "width", columns, 1, MAX_SIDE);
+  const height = integer(op, "height", rows, 1, MAX_SIDE);
+  if (width * height > MAX_PIXELS) throw overLimit(op, "image", "maxPixels", MAX_PIXELS, width * height);
+  if (!isBytes(data)) throw wrong("E_TYPE", op, "data", data, "Uint8ClampedArray | Uint8Array");
+  const length = lengthOfArray(op, "data", data);
+  const channels = length / (width * height);
+  if (channels !== 4 && channels !== 1) throw wrongLength(op, "data", length, `${4 * width * height}, four bytes a pixel, or ${width * height}, one`);
+  return { data, width, height, channels };
+}

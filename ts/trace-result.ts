@@ -1,0 +1,85 @@
+/** What a trace gives, read from what the engine leaves. */
+import { type Curve, type HermiteCurve, curveOf, curvesIn, finite, integer, options as checkOptions, pathsOf, wrong } from "./core.js";
+import type { TraceStage } from "./trace-options.js";
+
+/** How far a curve is from the sub-pixel contour that it follows, in pixels. */
+export interface TraceMetrics {
+  /** Root of the mean square distance of the contour's points. */
+  rmse: number;
+  /** Their mean distance. */
+  mae: number;
+  /** The largest distance between both, in both directions. */
+  hausdorff: number;
+  /** The share of the pixels on both that are next to each other: 1 is best. */
+  jaccard: number;
+}
+
+/** One contour of a picture. */
+export interface TracedContour {
+  /** In pixels: (0, 0) is the outer corner of the first one, its centre is at (0.5, 0.5), y goes down. */
+  curve: Curve;
+  closed: boolean;
+  /** Whether it bounds a hole. Ink is run around one way and holes the other, so that both rules of filling give the same. */
+  hole: boolean;
+  /** Its corners. */
+  cusps: [number, number][];
+  metrics: TraceMetrics;
+}
+
+/** How {@link Trace.toSvg} writes. */
+export interface TraceSvgOptions {
+  /** Largest distance in pixels between the curves and what the text draws. Default 0.02. */
+  tolerance?: number | undefined;
+  /** Digits behind the point, up to 17. Default 2. */
+  decimals?: number | undefined;
+}
+
+/** The curves of a picture. */
+export interface Trace {
+  width: number;
+  height: number;
+  contours: TracedContour[];
+  /** The picture as an SVG document, with as few bytes as it can be said in. */
+  toSvg(options?: TraceSvgOptions): string;
+  /** How long each stage took, and `total`. */
+  milliseconds: Record<string, number>;
+}
+
+/** Reads a trace: sections, each with its length in front. @internal */
+export function readTrace(numbers: Float64Array, { width, height }: { width: number; height: number }, spent: ReadonlyMap<TraceStage, number>): Trace {
+  let at = 0;
+  const section = (): Float64Array => {
+    const length = numbers[at] ?? 0;
+    const values = numbers.subarray(at + 1, at + 1 + length);
+    at += 1 + length;
+    return values;
+  };
+  const [count = 0] = section();
+  const curves: HermiteCurve[] = [];
+  const contours = Array.from({ length: count }, (): TracedContour => {
+    const [data] = curvesIn(section());
+    const curve = curveOf(data as NonNullable<typeof data>);
+    curves.push(curve);
+    const [closed = 0, hole = 0, rmse = 0, mae = 0, hausdorff = 0, jaccard = 0] = section();
+    const cusps = section();
+    return {
+      curve,
+      closed: closed === 1,
+      hole: hole === 1,
+      cusps: Array.from({ length: cusps.length / 2 }, (_, i) => [cusps[2 * i] ?? 0, cusps[2 * i + 1] ?? 0]),
+      metrics: { rmse, mae, hausdorff, jaccard },
+    };
+  });
+  const milliseconds = Object.fromEntries(spent);
+  milliseconds["total"] = [...spent.values()].reduce((sum, time) => sum + time, 0);
+  return { width, height, contours, toSvg: (options) => written(width, height, curves, options), milliseconds };
+}
+
+function written(width: number, height: number, curves: readonly HermiteCurve[], options: unknown): string {
+  const op = "toSvg";
+  const { tolerance = 0.02, decimals = 2 } = checkOptions(op, options, ["tolerance", "decimals"]);
+  const within = finite(op, "tolerance", tolerance);
+  if (!(within > 0)) throw wrong("E_RANGE", op, "tolerance", within, "> 0");
+  const d = pathsOf(op, curves, within, integer(op, "decimals", decimals, 0, 17));
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}"><path d="${d}"/></svg>`;
+}

@@ -1,0 +1,69 @@
+/** From a picture to few curves: all at once, or in short tasks. */
+import { Picture, initTrace } from "./trace-engine.js";
+import { type ImageLike, STAGES, type TraceOptions, type TraceOrder, type TraceStage, traceOrder } from "./trace-options.js";
+import { type Trace, readTrace } from "./trace-result.js";
+import { checkSignal, inOneGo, inTasks } from "./yielding.js";
+
+export { initTrace, initTraceSync } from "./trace-engine.js";
+export type { ImageLike, TraceOptions, TraceProgress, TraceStage } from "./trace-options.js";
+export type { Trace, TraceMetrics, TraceSvgOptions, TracedContour } from "./trace-result.js";
+
+/** Work of one call into the engine, in microseconds or so. */
+const BUDGET = 4000;
+
+/** Steps of a trace; between two of them the caller may wait, stop or be told. */
+function* steps(op: string, picture: Picture, { onProgress, pixels }: TraceOrder): Generator<void, Trace> {
+  const spent = new Map<TraceStage, number>();
+  let before = performance.now();
+  for (;;) {
+    const step = picture.step(op, BUDGET);
+    const now = performance.now();
+    const stage = STAGES[step.stage] ?? "pixels";
+    spent.set(stage, (spent.get(stage) ?? 0) + now - before);
+    onProgress?.({ stage, done: step.completed, total: step.total });
+    if (step.done) return readTrace(picture.describe(op), pixels, spent);
+    yield;
+    before = performance.now();
+  }
+}
+
+/**
+ * The outlines of a drawing, as few curves as explain its pixels.
+ *
+ * The threshold between ink and paper, the noise and the corners are found in the picture; where something is transparent, that is paper. Corners
+ * stay corners, straight lines are lines, circles are circles, and the curves are refined until they cover of every pixel what the picture says.
+ * The same picture gives the same bits everywhere.
+ *
+ * @throws {ExplineError} E_LIMIT with `limit` "maxContours" and `actual` for a photograph, "maxPixels" above 40 megapixels.
+ */
+export function traceImage(image: ImageLike, options?: TraceOptions): Trace {
+  const op = "traceImage";
+  const order = traceOrder(op, image, options);
+  checkSignal(op, order.signal);
+  const picture = new Picture(op, order.pixels, order.record);
+  try {
+    return inOneGo(steps(op, picture, order));
+  } finally {
+    picture.close();
+  }
+}
+
+/**
+ * {@link traceImage} in short tasks on the caller's own thread: a page goes on painting and answering meanwhile. In a worker it lets messages
+ * through, so that one of them can abort the signal. The picture is read in the first tasks, and must be left alone until the answer is there.
+ *
+ * @throws {ExplineError} as traceImage does, by rejecting; E_CANCELLED when the signal was aborted, within a few milliseconds.
+ */
+export async function traceImageAsync(image: ImageLike, options?: TraceOptions): Promise<Trace> {
+  const op = "traceImageAsync";
+  const order = traceOrder(op, image, options);
+  checkSignal(op, order.signal);
+  await initTrace();
+  checkSignal(op, order.signal);
+  const picture = new Picture(op, order.pixels, order.record);
+  try {
+    return await inTasks(op, order.signal, steps(op, picture, order));
+  } finally {
+    picture.close();
+  }
+}
