@@ -4,10 +4,14 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import { cpus } from "node:os";
 import { join } from "node:path";
 
-import { kept } from "./lib/pictures.mjs";
+import { LINE_COLUMNS, LINE_GOALS, measuredLines } from "./lib/lines.mjs";
+import { kept, strokes } from "./lib/pictures.mjs";
+import { recognised } from "./lib/primitives.mjs";
 import { COLUMNS, LEGEND, behind, measured, table } from "./lib/quality.mjs";
-import { GOALS, RECORDED } from "./lib/recorded.mjs";
+import { GOALS, RECORDED, RECORDED_LINES, SHEETS } from "./lib/recorded.mjs";
+import { sheet, timed } from "./lib/sheets.mjs";
 import { tracers } from "./lib/tracers.mjs";
+import { unseen } from "./lib/unseen.mjs";
 
 const [program, ...rest] = process.argv.slice(2);
 const flag = (name) => rest.indexOf(name);
@@ -15,15 +19,16 @@ const folder = flag("--keep") >= 0 ? rest[flag("--keep") + 1] : undefined;
 const only = rest.find((word, i) => !word.startsWith("--") && rest[i - 1] !== "--keep") ?? "";
 
 const verdicts = [];
+const verdict = (reached, text) => verdicts.push(`${reached ? "✓" : "✗"} ${text}`);
 
 function judge(title, condition, rows) {
   const ours = rows[0].row;
   for (const [key, goal] of Object.entries(GOALS[condition] ?? {})) {
     const [, heading, digits, better] = COLUMNS.find(([k]) => k === key);
     const reached = better === "large" ? ours[key] >= goal : ours[key] <= goal;
-    verdicts.push(`${reached ? "✓" : "✗"} ${title}: ${heading} ${ours[key].toFixed(digits)}; wanted ${better === "large" ? "at least" : "at most"} ${goal}`);
+    verdict(reached, `${title}: ${heading} ${ours[key].toFixed(digits)}; wanted ${better === "large" ? "at least" : "at most"} ${goal}`);
   }
-  for (const text of behind(ours, rows.filter(({ name }) => !name.startsWith("expline")))) verdicts.push(`✗ ${title}: behind in ${text}`);
+  for (const text of behind(ours, rows.filter(({ name }) => !name.startsWith("expline")))) verdict(false, `${title}: behind in ${text}`);
 }
 
 /** The pictures of which a row's distance is largest. */
@@ -51,10 +56,54 @@ async function outlines(name, set, contestants) {
   }
 }
 
+async function lines(trace) {
+  const set = strokes();
+  for (const condition of set.conditions) {
+    const title = `centre lines, ${condition}`;
+    if (!title.includes(only)) continue;
+    const { row, scores } = await measuredLines(set, condition, trace);
+    const rows = [{ name: "expline", row }, ...RECORDED_LINES[condition]];
+    const cells = rows.map(({ name, row: r }) => [name, r.failed ?? "–", ...LINE_COLUMNS.map(([key, , digits]) => r[key]?.toFixed(digits) ?? "–")]);
+    const head = ["tracer", "failed", ...LINE_COLUMNS.map(([, heading]) => heading)];
+    console.log(`### ${title}\n\n| ${head.join(" | ")} |\n|${"---|".repeat(head.length)}\n${cells.map((c) => `| ${c.join(" | ")} |`).join("\n")}\n`);
+    if (flag("--worst") >= 0) console.log(scores.sort((a, b) => b.mean - a.mean).map((s) => `  ${s.id}: mean ${s.mean.toFixed(3)}, haus ${s.hausdorff.toFixed(2)}, rec ${s.recall.toFixed(3)}, prec ${s.precision.toFixed(3)}, lines ${s.lines}/${s.linesTrue}`).join("\n"));
+    for (const [key, goal] of Object.entries(LINE_GOALS[condition])) verdict(key === "mean" ? row[key] <= goal : row[key] >= goal, `${title}: ${key} ${row[key].toFixed(3)}; wanted ${key === "mean" ? "at most" : "at least"} ${goal}`);
+  }
+}
+
+async function primitives(trace) {
+  if (!"primitives".includes(only)) return;
+  console.log("### primitives\n\n| shape | recognised | largest error of a parameter, px |\n|---|---|---|");
+  for (const { kind, all, found, error } of await recognised(trace)) {
+    console.log(`| ${kind} | ${found} of ${all} | ${found > 0 ? error.toFixed(4) : "–"} |`);
+    verdict(found === all && error <= 0.02, `primitives: ${kind}, ${found} of ${all}, off by ${error.toFixed(4)} px; wanted all, at most 0.02 px`);
+  }
+  console.log("");
+}
+
+async function sheets(contestants) {
+  for (const { side, rounds, goals } of SHEETS) {
+    const title = `time, sheet of ${side} × ${side}`;
+    if (!title.includes(only)) continue;
+    const results = await timed(sheet(kept().shapes, side), contestants, rounds);
+    console.log(`### ${title}, 16 shapes, ${rounds} rounds in turns\n\n| tracer | least, ms | median, ms |\n|---|---|---|`);
+    for (const { name, least, median } of results) console.log(`| ${name} | ${least.toFixed(1)} | ${median.toFixed(1)} |`);
+    console.log("");
+    for (const [name, goal] of goals) {
+      const found = results.find((r) => r.name === name);
+      if (found) verdict(found.least <= goal, `${title}: ${name} ${found.least.toFixed(1)} ms; wanted at most ${goal} ms`);
+    }
+  }
+}
+
 console.log(`${cpus()[0].model}, ${cpus().length} cores, Node ${process.versions.node}\n\n${LEGEND}\n`);
-const { contestants, close } = await tracers(program);
+const { contestants, centreLines, close } = await tracers(program);
 try {
   await outlines("outlines", kept(), contestants);
+  await outlines("unseen outlines", unseen(), contestants);
+  if (centreLines) await lines(centreLines);
+  await primitives(contestants[0][1]);
+  await sheets(contestants);
 } finally {
   close();
 }

@@ -63,3 +63,9 @@ export const GOALS = {
   n256: { mean: 0.045, hausdorff: 0.9, recall: 0.97, precision: 0.93, segments: 1.1 },
   j256: { mean: 0.025 },
 };
+
+/** Sheets: side in pixels, rounds, and the most milliseconds by tracer. */
+export const SHEETS = [
+  { side: 512, rounds: 7, goals: [["expline, wasm", 40], ["expline, wasm, not refined", 8]] },
+  { side: 2048, rounds: 3, goals: [["expline, wasm", 220], ["expline, wasm, not refined", 60]] },
+];

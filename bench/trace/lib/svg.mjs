@@ -75,7 +75,7 @@ function pixels(text, size) {
 }
 
 /** Segments [x0, y0, …] of the contours or open lines of path data, arcs as cubics; how many segments were drawn. */
-function segments(path) {
+export function segments(path) {
   const contours = [];
   let [contour, drawn, arcs] = [[], 0, 0];
   let [startX, startY] = [0, 0];
