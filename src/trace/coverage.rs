@@ -1,301 +1,199 @@
-//! Which part of every pixel near an outline the outlines cover, exactly, and how that changes with their control points.
+//! Which part of every pixel near an outline it covers, exactly, and how that changes with its control points.
 
-use super::blur::half_gaussian;
-use super::gray::Gray;
-use super::outline::Outline;
-use super::tones::Tones;
-use crate::error::Result;
-use crate::limits::with_room;
+use super::cubic::Cubic;
+use super::field::{Field, NONE, SIDE};
 use crate::numerics::Point;
 
-/// Pixels around the picture that count as paper.
-const FRAME: usize = 4;
-/// Not a pixel of the band.
-const OUTSIDE: u32 = u32::MAX;
-
-/// The pixels near the outlines, with what the picture says of their coverage.
-pub(super) struct Band {
-    stride: usize,
-    rows: usize,
-    map: Vec<u32>,
-    /// The pixels in the order of the rows.
-    keys: Vec<u32>,
-    pub(super) target: Vec<f32>,
-    half: Vec<f64>,
-}
-
-/// How the coverage of one pixel changes with the eight coordinates of one piece's control points.
+/// A part of a piece inside one pixel.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Touch {
+pub(super) struct Part {
+    /// The pixel of the field.
     pub(super) pixel: u32,
-    pub(super) weights: [f32; 8],
+    row: u16,
+    column: u16,
+    /// The parameter of its middle.
+    pub(super) t: f32,
+    /// Its extent.
+    pub(super) dx: f32,
+    pub(super) dy: f32,
+    /// How far its middle is from the right border of the pixel.
+    right: f32,
 }
 
-/// The coverage of the band, and the touches of all pieces in order.
-pub(super) struct Coverage {
-    pub(super) values: Vec<f32>,
-    pub(super) touches: Vec<Touch>,
-    /// The end of each piece's touches, over all outlines.
-    pub(super) ends: Vec<usize>,
-}
+/// A chord is nowhere farther from its curve than 1/500 of a pixel: b·6/(8n²) with the larger second difference b.
+const FINENESS: f64 = 375.0;
 
-impl Band {
-    /// The pixels within `reach` of the polylines.
-    pub(super) fn new<'a>(
-        gray: &Gray,
-        tones: &Tones,
-        inverted: bool,
-        polylines: impl Iterator<Item = &'a [Point]>,
-        reach: usize,
-    ) -> Result<Self> {
-        let (stride, rows) = (gray.width() + 2 * FRAME, gray.height() + 2 * FRAME);
-        let mut map: Vec<u32> = with_room(stride * rows)?;
-        map.resize(stride * rows, OUTSIDE);
-        let reach = reach.min(FRAME) as isize;
-        for polyline in polylines {
-            let mut last = (isize::MIN, isize::MIN);
-            for p in polyline {
-                let here = (p.x.floor() as isize + FRAME as isize, p.y.floor() as isize + FRAME as isize);
-                if here == last {
-                    continue;
-                }
-                last = here;
-                for row in (here.1 - reach).max(0)..=(here.1 + reach).min(rows as isize - 1) {
-                    for column in (here.0 - reach).max(0)..=(here.0 + reach).min(stride as isize - 1) {
-                        map[row as usize * stride + column as usize] = 0;
-                    }
-                }
-            }
-        }
-        let count = map.iter().filter(|&&at| at == 0).count();
-        let (mut keys, mut target) = (with_room(count)?, with_room(count)?);
-        let (ink, span) = (tones.ink, tones.paper - tones.ink);
-        for row in 0..rows {
-            for column in 0..stride {
-                let at = row * stride + column;
-                if map[at] == OUTSIDE {
-                    continue;
-                }
-                map[at] = keys.len() as u32;
-                keys.push(at as u32);
-                let inside = (FRAME..FRAME + gray.width()).contains(&column)
-                    && (FRAME..FRAME + gray.height()).contains(&row);
-                let dark = inside.then(|| 1.0 - (gray.shade(column - FRAME, row - FRAME) - ink) / span);
-                let coverage = dark.map_or(0.0, |dark| if inverted { 1.0 - dark } else { dark });
-                target.push(coverage as f32);
-            }
-        }
-        Ok(Self { stride, rows, map, keys, target, half: half_gaussian(0.0) })
-    }
-
-    /// The blur of the picture, in pixels.
-    fn set_blur(&mut self, sigma: f64) {
-        self.half = half_gaussian(sigma);
-    }
-
-    /// The blur that makes the outlines' coverage most like the picture, in pixels.
-    pub(super) fn find_blur(&mut self, outlines: &[Outline]) -> Result<()> {
-        const STEP: f64 = 0.25;
-        let values = self.cover(outlines)?.values;
-        let mut squares = [f64::MAX; 9];
-        for (i, square) in squares.iter_mut().enumerate() {
-            self.set_blur(STEP * i as f64);
-            let mut blurred = values.clone();
-            self.blur(&mut blurred, true);
-            *square = blurred.iter().zip(&self.target).map(|(a, b)| f64::from((a - b) * (a - b))).sum();
-        }
-        let best = (0..squares.len()).fold(0, |best, i| if squares[i] < squares[best] { i } else { best });
-        let mut sigma = STEP * best as f64;
-        if best > 0 && best + 1 < squares.len() {
-            let (before, after) = (squares[best - 1] - squares[best], squares[best + 1] - squares[best]);
-            sigma += STEP * 0.5 * (before - after) / (before + after).max(1e-12);
-        }
-        self.set_blur(if best == 0 { 0.0 } else { sigma });
-        Ok(())
-    }
-
-    pub(super) fn len(&self) -> usize {
-        self.keys.len()
-    }
-
-    fn index(&self, column: isize, row: isize) -> u32 {
-        if (0..self.stride as isize).contains(&column) && (0..self.rows as isize).contains(&row) {
-            self.map[row as usize * self.stride + column as usize]
-        } else {
-            OUTSIDE
-        }
-    }
-
-    /// Blurs values of the band as the picture is blurred. What is beyond the band counts as 0, or as the pixel's own value.
-    pub(super) fn blur(&self, values: &mut Vec<f32>, own: bool) {
-        if self.half.len() < 2 {
-            return;
-        }
-        for step in [1_isize, self.stride as isize] {
-            let blurred = (0..values.len())
-                .map(|i| {
-                    let at = |offset: isize| {
-                        let key = self.keys[i] as isize + offset;
-                        let other = self.map.get(key as usize).copied().unwrap_or(OUTSIDE);
-                        if other == OUTSIDE {
-                            if own { f64::from(values[i].round()) } else { 0.0 }
-                        } else {
-                            f64::from(values[other as usize])
-                        }
-                    };
-                    let mut sum = self.half[0] * f64::from(values[i]);
-                    for (d, weight) in self.half.iter().enumerate().skip(1) {
-                        sum += weight * (at(d as isize * step) + at(-(d as isize) * step));
-                    }
-                    sum as f32
-                })
-                .collect();
-            *values = blurred;
-        }
-    }
-
-    /// The exact coverage of the band by all outlines, not blurred, and the touches.
-    pub(super) fn cover(&self, outlines: &[Outline]) -> Result<Coverage> {
-        let mut sweep = Sweep { band: self, cells: Vec::new(), touches: Vec::new(), from: 0 };
-        let mut ends = Vec::new();
-        for outline in outlines {
-            for i in 0..outline.len() {
-                sweep.piece(outline, i);
-                ends.push(sweep.touches.len());
-            }
-        }
-        let mut cells = sweep.cells;
-        // Stable: equal pixels add up in the order of the outlines, on every machine.
-        cells.sort_by_key(|cell| cell.key);
-        let mut values: Vec<f32> = with_room(self.len())?;
-        let mut at = 0;
-        let (mut row, mut running) = (u32::MAX, 0.0);
-        for &key in &self.keys {
-            let line = key / self.stride as u32;
-            if line != row {
-                row = line;
-                running = 0.0;
-                while at < cells.len() && cells[at].key / (self.stride as u32) < line {
-                    at += 1;
-                }
-            }
-            while at < cells.len() && cells[at].key < key {
-                running += f64::from(cells[at].height);
-                at += 1;
-            }
-            let mut value = running;
-            while at < cells.len() && cells[at].key == key {
-                value += f64::from(cells[at].area);
-                running += f64::from(cells[at].height);
-                at += 1;
-            }
-            values.push(-value as f32);
-        }
-        Ok(Coverage { values, touches: sweep.touches, ends })
+/// Parts a piece at the borders of the pixels, rows and columns alike.
+pub(super) fn parts(cubic: &Cubic, field: &Field, out: &mut Vec<Part>) {
+    out.clear();
+    let middle = cubic.end - cubic.start - cubic.leaving - cubic.arriving;
+    let bend = (middle - cubic.leaving).norm().max((cubic.arriving - middle).norm());
+    let steps = (bend * FINENESS).sqrt().ceil().max(1.0).min(4000.0);
+    let mut before = cubic.start;
+    for step in 0..steps as usize {
+        let (first, last) = (step as f64 / steps, (step + 1) as f64 / steps);
+        let after = if last < 1.0 { cubic.point(last) } else { cubic.end };
+        edge(before, after, [first, last], field, out);
+        before = after;
     }
 }
 
-/// What one stretch of outline does to the row that it is in.
-#[derive(Clone, Copy)]
-struct Cell {
-    key: u32,
-    /// The area to the right of the stretch inside its own pixel.
-    area: f32,
-    /// The height of the stretch: the area in all pixels to the right.
-    height: f32,
-}
-
-struct Sweep<'a> {
-    band: &'a Band,
-    cells: Vec<Cell>,
-    touches: Vec<Touch>,
-    /// The first touch of the piece.
-    from: usize,
-}
-
-impl Sweep<'_> {
-    fn piece(&mut self, outline: &Outline, i: usize) {
-        self.from = self.touches.len();
-        let cubic = outline.cubic(i);
-        let steps = if outline.is_line(i) {
-            1
-        } else {
-            // A chord of 1/n of a cubic is within |second difference|·6/(8n²) of it.
-            let middle = cubic.end - cubic.start - cubic.leaving - cubic.arriving;
-            let bend = (middle - cubic.leaving).norm().max((cubic.arriving - middle).norm());
-            (bend * 750.0).sqrt().ceil().clamp(2.0, 4000.0) as usize
-        };
-        let weights = |t: f64| super::cubic::Cubic::bernstein(t);
-        let mut before = cubic.start;
-        for step in 0..steps {
-            let (first, last) = (step as f64 / steps as f64, (step + 1) as f64 / steps as f64);
-            let after = if step + 1 == steps { cubic.end } else { cubic.point(last) };
-            self.edge(before, after, &|share| weights(first + (last - first) * share));
-            before = after;
+fn edge(from: Point, to: Point, t: [f64; 2], field: &Field, out: &mut Vec<Part>) {
+    let (columns, rows) = field.size();
+    let frame = SIDE as f64;
+    let start = [from.x + frame, from.y + frame];
+    let way = [to.x - from.x, to.y - from.y];
+    // The next border on each axis, as a share of the edge.
+    let (mut next, mut step) = ([2.0; 2], [2.0; 2]);
+    for k in 0..2 {
+        if way[k].abs() > 1e-12 {
+            step[k] = 1.0 / way[k].abs();
+            let floor = start[k].floor();
+            let ahead = if way[k] > 0.0 {
+                floor + 1.0 - start[k]
+            } else if floor < start[k] {
+                start[k] - floor
+            } else {
+                1.0
+            };
+            next[k] = ahead * step[k];
         }
     }
-
-    /// Parts a straight edge at the borders of the pixels, rows and columns alike.
-    fn edge(&mut self, from: Point, to: Point, weights: &dyn Fn(f64) -> [f64; 4]) {
-        let frame = FRAME as f64;
-        let start = [from.x + frame, from.y + frame];
-        let way = [to.x - from.x, to.y - from.y];
-        // The next border on each axis, as a share of the edge.
-        let mut next = [2.0; 2];
-        let mut step = [2.0; 2];
+    let mut share = 0.0;
+    while share < 1.0 {
+        let until: f64 = if next[0] < next[1] { next[0] } else { next[1] };
+        let until = if until < 1.0 { until } else { 1.0 };
+        if until > share {
+            let middle = 0.5 * (share + until);
+            let (x, y) = (start[0] + way[0] * middle, start[1] + way[1] * middle);
+            if y >= 0.0 && y < rows as f64 {
+                // Left of the frame it covers whole pixels; right of it nothing that is seen.
+                let column = (x.max(0.0) as usize).min(columns - 1);
+                let right = if x < 0.0 { 1.0 } else { (column as f64 + 1.0 - x).max(0.0) };
+                let row = y as usize;
+                let extent = until - share;
+                out.push(Part {
+                    pixel: if x < 0.0 { NONE } else { field.pixel(column, row) },
+                    row: row as u16,
+                    column: column as u16,
+                    t: (t[0] + (t[1] - t[0]) * middle) as f32,
+                    dx: (way[0] * extent) as f32,
+                    dy: (way[1] * extent) as f32,
+                    right: right as f32,
+                });
+            }
+        }
+        share = until;
         for k in 0..2 {
-            if way[k].abs() > 1e-12 {
-                step[k] = 1.0 / way[k].abs();
-                let rest = if way[k] > 0.0 {
-                    start[k].floor() + 1.0 - start[k]
-                } else {
-                    start[k] - start[k].ceil() + 1.0
-                };
-                next[k] = rest * step[k];
+            if next[k] <= until {
+                next[k] += step[k];
             }
         }
-        let mut share = 0.0;
-        while share < 1.0 {
-            let until = next[0].min(next[1]).min(1.0);
-            if until > share {
-                let middle = 0.5 * (share + until);
-                let (x, y) = (start[0] + way[0] * middle, start[1] + way[1] * middle);
-                let (dx, dy) = (way[0] * (until - share), way[1] * (until - share));
-                self.part(x, y, dx, dy, weights(middle));
+    }
+}
+
+/// Room for one change after another.
+#[derive(Debug, Default)]
+pub(super) struct Sweep {
+    /// Where the parts of each row begin in `order`.
+    starts: Vec<u32>,
+    order: Vec<u32>,
+    /// For each column of the row: the area to the right inside the pixel, and the height.
+    cells: Vec<[f64; 2]>,
+    marks: Vec<u64>,
+}
+
+impl Sweep {
+    /// Takes parts out of the coverage and puts others in. Together they begin and end at the same places.
+    /// How much the sum of squares grows, so far as it is known before the field settles.
+    pub(super) fn exchange(&mut self, field: &mut Field, removed: &[Part], added: &[Part]) -> f64 {
+        let all = removed.len() + added.len();
+        let part = |i: usize| if i < removed.len() { &removed[i] } else { &added[i - removed.len()] };
+        let (mut top, mut bottom) = (u16::MAX, 0);
+        for part in removed.iter().chain(added) {
+            (top, bottom) = (top.min(part.row), bottom.max(part.row));
+        }
+        if top > bottom {
+            return 0.0;
+        }
+        // In the order of the rows, by counting.
+        self.starts.clear();
+        self.starts.resize(usize::from(bottom - top) + 2, 0);
+        for part in removed.iter().chain(added) {
+            self.starts[usize::from(part.row - top) + 1] += 1;
+        }
+        for i in 1..self.starts.len() {
+            self.starts[i] += self.starts[i - 1];
+        }
+        self.order.clear();
+        self.order.resize(all, 0);
+        for i in 0..all {
+            let start = &mut self.starts[usize::from(part(i).row - top)];
+            self.order[*start as usize] = i as u32;
+            *start += 1;
+        }
+        let (columns, _) = field.size();
+        self.cells.resize(columns, [0.0; 2]);
+        self.marks.resize(columns.div_ceil(64), 0);
+        let (mut growth, mut from) = (0.0, 0);
+        for row in top..=bottom {
+            let until = self.starts[usize::from(row - top)] as usize;
+            let (mut least, mut most) = (u16::MAX, 0);
+            for &i in &self.order[from..until] {
+                let part = part(i as usize);
+                let sign = if (i as usize) < removed.len() { -1.0 } else { 1.0 };
+                let height = sign * f64::from(part.dy);
+                let cell = &mut self.cells[usize::from(part.column)];
+                cell[0] += height * f64::from(part.right);
+                cell[1] += height;
+                self.marks[usize::from(part.column / 64)] |= 1 << (part.column % 64);
+                (least, most) = (least.min(part.column), most.max(part.column));
             }
-            share = until;
-            for k in 0..2 {
-                if next[k] <= until {
-                    next[k] += step[k];
-                }
+            from = until;
+            if least <= most {
+                growth += self.row(field, usize::from(row), usize::from(least / 64), usize::from(most / 64));
             }
         }
+        growth
     }
 
-    /// A part of an edge inside one pixel, by its middle and its extent.
-    fn part(&mut self, x: f64, y: f64, dx: f64, dy: f64, weights: [f64; 4]) {
-        let (column, row) = (x.floor(), y.floor());
-        if row < 0.0 || row >= self.band.rows as f64 {
-            return;
-        }
-        // Left of the frame it covers whole pixels; right of it nothing that is seen.
-        let place = (column.max(0.0) as usize).min(self.band.stride - 1);
-        let right = if column < 0.0 { 1.0 } else { (place as f64 + 1.0 - x).clamp(0.0, 1.0) };
-        let key = (row as usize * self.band.stride + place) as u32;
-        self.cells.push(Cell { key, area: (dy * right) as f32, height: dy as f32 });
-        let pixel = self.band.index(column as isize, row as isize);
-        if pixel == OUTSIDE {
-            return;
-        }
-        let same = self.touches.len() > self.from && self.touches[self.touches.len() - 1].pixel == pixel;
-        if !same {
-            self.touches.push(Touch { pixel, weights: [0.0; 8] });
-        }
-        if let Some(touch) = self.touches.last_mut() {
-            for (pair, weight) in touch.weights.chunks_exact_mut(2).zip(weights) {
-                pair[0] += (weight * dy) as f32;
-                pair[1] -= (weight * dx) as f32;
+    /// Sums up one row, from one word of marks to another.
+    fn row(&mut self, field: &mut Field, row: usize, first: usize, last: usize) -> f64 {
+        // Heights cancel to rounding behind what has changed.
+        const NOTHING: f64 = 1e-5;
+        let (mut running, mut growth, mut next) = (0.0_f64, 0.0, 0);
+        for word in first..=last {
+            let mut marks = core::mem::take(&mut self.marks[word]);
+            while marks != 0 {
+                let column = 64 * word + marks.trailing_zeros() as usize;
+                marks &= marks - 1;
+                if running.abs() > NOTHING {
+                    growth += fill(field, row, next, column, running);
+                }
+                let [area, height] = core::mem::take(&mut self.cells[column]);
+                let pixel = field.pixel(column, row);
+                if pixel != NONE {
+                    growth += field.cover(pixel, -(running + area));
+                }
+                running += height;
+                next = column + 1;
             }
         }
+        growth
     }
+}
+
+/// Covers whole pixels between two columns.
+fn fill(field: &mut Field, row: usize, from: usize, to: usize, height: f64) -> f64 {
+    let (mut growth, mut column) = (0.0, from);
+    while column < to {
+        let pixel = field.pixel(column, row);
+        if pixel == NONE {
+            column = (column / SIDE + 1) * SIDE;
+            continue;
+        }
+        growth += field.cover(pixel, -height);
+        column += 1;
+    }
+    growth
 }

@@ -4,22 +4,19 @@ use super::agreement::agreement;
 use super::blur::Blurring;
 use super::contour::{Contour, ContourScan};
 use super::corners::{Corner, CornerRule, corners};
-use super::coverage::Band;
 use super::division::{DivisionRule, divide};
 use super::ellipse::ellipse;
+use super::field::Shading;
 use super::gray::Gray;
 use super::outline::Outline;
-use super::refine::{refine, rest_of};
+use super::refinement::Refinement;
 use super::samples::Samples;
-use super::simplify::{Limits, finish};
 use super::tones::{ToneScan, Tones};
 use super::tracer::{Progress, Stage, Trace, TraceOptions, TracedContour, Work};
 use crate::error::{Error, Result};
 
 /// Noise above which pictures are blurred before they are followed, as a share of the way from ink to paper.
 const NOISY: f64 = 3.0 / 255.0;
-/// What refined outlines leave of most pixels of a picture of exact coverage.
-const ROUGH: f64 = 0.0005;
 /// Pixels of one bit of work.
 const BIT: usize = 131_072;
 
@@ -48,7 +45,7 @@ enum Phase {
     Contours(ContourScan),
     Corners,
     Splines,
-    Refinement,
+    Refinement(Box<Refinement>),
     Curves,
 }
 
@@ -133,28 +130,15 @@ impl InkWork {
     }
 
     fn refinement(&mut self) -> Result<()> {
+        let (ink, paper) = (self.tones.ink, self.tones.paper);
+        let level = self.level().max(ink + 0.05 * (paper - ink)).min(paper - 0.05 * (paper - ink));
+        let shading = Shading { ink, paper, level, inverted: self.options.inverted };
+        let contours = self.found.iter().map(|contour| contour.points.as_slice());
+        let outlines = core::mem::take(&mut self.outlines);
         let noisy = self.quality == Quality::Noisy;
-        let polylines = self.found.iter().map(|contour| contour.points.as_slice());
-        let inverted = self.options.inverted;
-        let mut band = Band::new(&self.gray, &self.tones, inverted, polylines, if noisy { 4 } else { 2 })?;
-        if noisy {
-            band.find_blur(&self.outlines)?;
-        }
-        let residual = refine(&mut self.outlines, &band, 6)?;
-        let mut noise = if noisy { residual } else { 0.0 };
-        if !noisy && typical(&self.outlines, &band)? > ROUGH {
-            let quality = Quality::Rough;
-            let (angle, rule) = (self.options.corner, quality.division_rule(&self.options));
-            let again = |samples| divide(samples, &corners(samples, &quality.corner_rules(angle)), &rule);
-            let mut rough: Vec<Outline> = self.samples.iter().map(again).collect();
-            let left = refine(&mut rough, &band, 6)?;
-            // If fewer pieces explain the picture as well, the rest is not in the drawing.
-            if left < 1.25 * residual {
-                (self.outlines, noise) = (rough, left);
-            }
-        }
-        let limits = Limits { rms: 0.012, most: 0.055, noise, share: 12.0 };
-        self.trace.residual = finish(&mut self.outlines, &band, &limits)?;
+        let refinement = Refinement::new(&self.gray, &shading, outlines, contours, noisy)?;
+        let total = refinement.total() + self.found.len();
+        self.enter(Phase::Refinement(Box::new(refinement)), Stage::Refinement, total);
         Ok(())
     }
 
@@ -232,16 +216,23 @@ impl Work for InkWork {
             Phase::Splines => {
                 let (cost, last) = self.advance(&|work, i| Ok(work.spline(i)))?;
                 if last && self.options.refined {
-                    self.enter(Phase::Refinement, Stage::Refinement, 2 * self.found.len());
+                    self.refinement()?;
                 } else if last {
                     self.phase = Phase::Curves;
                 }
                 return Ok(cost);
             }
-            Phase::Refinement => {
-                self.refinement()?;
-                self.progress.completed = self.found.len();
-                self.phase = Phase::Curves;
+            Phase::Refinement(refinement) => {
+                let (samples, rule) = (&self.samples, Quality::Rough.division_rule(&self.options));
+                let corner_rules = Quality::Rough.corner_rules(self.options.corner);
+                let rough = |i: usize| divide(&samples[i], &corners(&samples[i], &corner_rules), &rule);
+                let cost = refinement.step(&rough)?;
+                self.progress.completed = refinement.completed();
+                if refinement.is_done() {
+                    (self.outlines, self.trace.residual) = refinement.finish();
+                    self.phase = Phase::Curves;
+                }
+                return Ok(cost);
             }
             Phase::Curves => {
                 let i = self.trace.contours.len();
@@ -264,13 +255,6 @@ impl Work for InkWork {
     fn trace(&self) -> Option<&Trace> {
         self.progress.done.then_some(&self.trace)
     }
-}
-
-/// The median of what the outlines leave of the picture: a few pixels that are wrong do not count.
-fn typical(outlines: &[Outline], band: &Band) -> Result<f64> {
-    let mut rest: Vec<f32> = rest_of(outlines, band)?.iter().map(|r| r.abs()).collect();
-    rest.sort_by(f32::total_cmp);
-    Ok(rest.get(rest.len() / 2).map_or(0.0, |&r| f64::from(r)))
 }
 
 /// What kind of picture it is.

@@ -1,6 +1,8 @@
 //! Outlines moved until the coverage that they have is the coverage that the picture shows.
 
-use super::coverage::{Band, Coverage};
+use super::coverage::{Part, Sweep, parts};
+use super::cubic::Cubic;
+use super::field::{Field, NONE};
 use super::outline::Outline;
 use super::skyline::Skyline;
 use super::unknowns::{Column, Unknowns};
@@ -11,239 +13,290 @@ use crate::limits::filled;
 const DAMPING: f64 = 5e-3;
 /// Nothing moves farther in one step, in pixels.
 const LONGEST_STEP: f64 = 0.6;
-/// Rounds of conjugate gradients: the factor knows all but pixels that two pieces share.
-const ROUNDS: usize = 8;
+/// How much of a pixel's side an outline crosses, in the mean by length: between 0.94 and 1 for straight ones.
+const CROSSING: f64 = 0.95;
+/// Gauss's rule for polynomials of degree 9 on [0, 1]: places and weights.
+const RULE: [[f64; 2]; 5] = [
+    [0.046_910_077_030_668, 0.118_463_442_528_095],
+    [0.230_765_344_947_158, 0.239_314_335_249_683],
+    [0.5, 0.284_444_444_444_444],
+    [0.769_234_655_052_842, 0.239_314_335_249_683],
+    [0.953_089_922_969_332, 0.118_463_442_528_095],
+];
 
-/// All that the normal equations of one step are made of (D 14.4).
-struct System {
-    coverage: Coverage,
-    /// The columns of all pieces, one after another, and where each piece's end.
+/// An outline and the parts of its pieces, which the field knows.
+#[derive(Debug)]
+pub(super) struct Shape {
+    pub(super) outline: Outline,
+    pub(super) parts: Vec<Vec<Part>>,
+}
+
+/// What is left of the picture in the pixels of some pieces.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Left {
+    pub(super) square: f64,
+    pub(super) count: f64,
+    pub(super) most: f64,
+}
+
+impl Left {
+    pub(super) fn add(&mut self, parts: &[Part], field: &Field) {
+        let mut last = NONE;
+        for part in parts {
+            if part.pixel == last || part.pixel == NONE {
+                continue;
+            }
+            last = part.pixel;
+            let value = f64::from(field.rest[last as usize]).abs();
+            self.square += value * value;
+            self.count += 1.0;
+            if value > self.most {
+                self.most = value;
+            }
+        }
+    }
+
+    pub(super) fn rms(&self) -> f64 {
+        (self.square / self.count.max(1.0)).sqrt()
+    }
+}
+
+impl Shape {
+    /// The outline, not yet in the field.
+    pub(super) fn new(outline: Outline, field: &Field) -> Self {
+        let mut shape = Self { parts: Vec::new(), outline };
+        shape.walk(field);
+        shape
+    }
+
+    fn walk(&mut self, field: &Field) {
+        self.parts.resize(self.outline.len(), Vec::new());
+        for (i, own) in self.parts.iter_mut().enumerate() {
+            parts(&self.outline.cubic(i), field, own);
+        }
+    }
+
+    pub(super) fn all(&self) -> Vec<Part> {
+        self.parts.concat()
+    }
+
+    /// All nodes, from both ends of the list in turn: what is near around the outline is near in the list.
+    pub(super) fn nodes(&self) -> Vec<usize> {
+        let count = self.outline.len();
+        (0..count).map(|step| if step % 2 == 0 { step / 2 } else { count - 1 - step / 2 }).collect()
+    }
+
+    pub(super) fn left(&self, field: &Field) -> Left {
+        let mut left = Left::default();
+        self.parts.iter().for_each(|parts| left.add(parts, field));
+        left
+    }
+}
+
+/// Room for one step after another.
+#[derive(Debug, Default)]
+pub(super) struct Refiner {
+    pub(super) sweep: Sweep,
+    unknowns: Unknowns,
+    pieces: Vec<usize>,
     columns: Vec<Column>,
     ends: Vec<usize>,
-    damping: Vec<f64>,
-    factor: Skyline,
+    old: Vec<Part>,
+    new: Vec<Part>,
+    fresh: Vec<Vec<Part>>,
 }
 
-/// Moves the outlines by Gauss–Newton steps until `most` are done or nothing gets better; returns the root mean square of what is left.
-pub(super) fn refine(outlines: &mut [Outline], band: &Band, most: usize) -> Result<f64> {
-    let mut best = outlines.to_vec();
-    let mut least = f64::MAX;
-    let mut damping = DAMPING;
-    for step in 0..=most {
-        let coverage = band.cover(outlines)?;
-        let rest = residual(&coverage, band);
-        let square: f64 = rest.iter().map(|r| f64::from(*r) * f64::from(*r)).sum();
-        if square < least {
-            let done = least < f64::MAX && square > 0.9995 * least;
-            least = square;
-            best.clone_from_slice(outlines);
-            damping = (0.5 * damping).max(0.2 * DAMPING);
-            if done {
-                break;
+impl Refiner {
+    /// Puts a shape into the field.
+    pub(super) fn show(&mut self, field: &mut Field, shape: &Shape) {
+        self.sweep.exchange(field, &[], &shape.all());
+    }
+
+    /// Replaces an outline by another.
+    pub(super) fn replace(&mut self, field: &mut Field, shape: &mut Shape, outline: Outline) {
+        let old = shape.all();
+        shape.outline = outline;
+        shape.walk(field);
+        self.sweep.exchange(field, &old, &shape.all());
+        field.settle();
+    }
+
+    /// Pieces that a move of the nodes changes.
+    pub(super) fn touched(&mut self, outline: &Outline, nodes: &[usize]) -> &[usize] {
+        self.unknowns.number(outline, nodes);
+        self.unknowns.pieces(outline, &mut self.pieces);
+        &self.pieces
+    }
+
+    /// Moves nodes by at most so many steps, until nothing gets better.
+    ///
+    /// # Cost
+    ///
+    /// O(length of the pieces beside the nodes) for each step.
+    pub(super) fn refine(
+        &mut self,
+        field: &mut Field,
+        shape: &mut Shape,
+        nodes: &[usize],
+        most: usize,
+    ) -> Result<()> {
+        let mut damping = DAMPING;
+        for _ in 0..most {
+            let (square, growth) = self.step(field, shape, nodes, damping)?;
+            if growth < 0.0 {
+                damping = (0.5 * damping).max(0.2 * DAMPING);
+                if -growth < 5e-4 * square {
+                    break;
+                }
+            } else {
+                damping *= 8.0;
+                if damping > 1e3 * DAMPING {
+                    break;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// One step: the sum of squares before it and how much it has grown; if it would grow, nothing moves.
+    fn step(
+        &mut self,
+        field: &mut Field,
+        shape: &mut Shape,
+        nodes: &[usize],
+        damping: f64,
+    ) -> Result<(f64, f64)> {
+        self.unknowns.number(&shape.outline, nodes);
+        self.unknowns.pieces(&shape.outline, &mut self.pieces);
+        let mut left = Left::default();
+        self.pieces.iter().for_each(|&i| left.add(&shape.parts[i], field));
+        let step = self.solve(field, shape, damping)?;
+        let saved = self.save(&shape.outline);
+        self.unknowns.apply(&mut shape.outline, &step, LONGEST_STEP);
+        self.old.clear();
+        self.new.clear();
+        self.fresh.resize(self.pieces.len().max(self.fresh.len()), Vec::new());
+        for (&i, fresh) in self.pieces.iter().zip(&mut self.fresh) {
+            parts(&shape.outline.cubic(i), field, fresh);
+            self.old.extend_from_slice(&shape.parts[i]);
+            self.new.extend_from_slice(fresh);
+        }
+        let mut growth = self.sweep.exchange(field, &self.old, &self.new);
+        growth += field.settle();
+        if growth < 0.0 {
+            for (&i, fresh) in self.pieces.iter().zip(&mut self.fresh) {
+                core::mem::swap(&mut shape.parts[i], fresh);
             }
         } else {
-            outlines.clone_from_slice(&best);
-            damping *= 8.0;
-            if damping > 1e3 * DAMPING {
-                break;
-            }
-            if step < most {
-                let coverage = band.cover(outlines)?;
-                let rest = residual(&coverage, band);
-                advance(outlines, band, coverage, rest, damping)?;
-            }
-            continue;
+            self.sweep.exchange(field, &self.new, &self.old);
+            field.settle();
+            self.restore(&mut shape.outline, &saved);
         }
-        if step < most {
-            advance(outlines, band, coverage, rest, damping)?;
+        Ok((left.square, growth))
+    }
+
+    fn save(&self, outline: &Outline) -> Outline {
+        // Ends of touched pieces are all that moves.
+        let nodes = self.pieces.iter().map(|&i| outline.nodes[i]).collect();
+        let mut saved = Outline { nodes, pieces: self.pieces.iter().map(|&i| outline.pieces[i]).collect() };
+        saved.nodes.extend(self.pieces.iter().map(|&i| outline.nodes[outline.next(i)]));
+        saved
+    }
+
+    fn restore(&self, outline: &mut Outline, saved: &Outline) {
+        let count = self.pieces.len();
+        for (k, &i) in self.pieces.iter().enumerate() {
+            let next = outline.next(i);
+            outline.nodes[i] = saved.nodes[k];
+            outline.nodes[next] = saved.nodes[count + k];
+            outline.pieces[i] = saved.pieces[k];
         }
     }
-    outlines.clone_from_slice(&best);
-    Ok((least / band.len().max(1) as f64).sqrt())
-}
 
-/// What the picture shows less what the outlines cover.
-pub(super) fn residual(coverage: &Coverage, band: &Band) -> Vec<f32> {
-    let mut values = coverage.values.clone();
-    band.blur(&mut values, true);
-    for (value, target) in values.iter_mut().zip(&band.target) {
-        *value = target - *value;
-    }
-    values
-}
-
-/// What the outlines leave of the picture, pixel by pixel of the band.
-pub(super) fn rest_of(outlines: &[Outline], band: &Band) -> Result<Vec<f32>> {
-    Ok(residual(&band.cover(outlines)?, band))
-}
-
-fn advance(
-    outlines: &mut [Outline],
-    band: &Band,
-    coverage: Coverage,
-    mut rest: Vec<f32>,
-    damping: f64,
-) -> Result<()> {
-    let mut numbering = Vec::new();
-    let mut count = 0;
-    for outline in outlines.iter() {
-        let unknowns = Unknowns::new(outline, count);
-        count = unknowns.end;
-        numbering.push(unknowns);
-    }
-    let system = System::new(outlines, &numbering, coverage, count, damping)?;
-    band.blur(&mut rest, false);
-    let mut right = filled(0.0, count)?;
-    system.gather(&rest, &mut right);
-    let step = system.solve(band, right)?;
-    for (outline, unknowns) in outlines.iter_mut().zip(&numbering) {
-        unknowns.apply(outline, &step, LONGEST_STEP);
-    }
-    Ok(())
-}
-
-impl System {
-    fn new(
-        outlines: &[Outline],
-        numbering: &[Unknowns],
-        coverage: Coverage,
-        count: usize,
-        damping: f64,
-    ) -> Result<Self> {
+    /// The step of the unknowns that the residuals ask for (D 14.4).
+    fn solve(&mut self, field: &Field, shape: &Shape, damping: f64) -> Result<Vec<f64>> {
+        let count = self.unknowns.end;
         let mut scales = filled(1.0, count)?;
-        let (mut columns, mut ends, mut local) = (Vec::new(), Vec::new(), Vec::new());
+        self.unknowns.scales(&shape.outline, &mut scales);
         let mut first: Vec<usize> = (0..count).collect();
-        for (outline, unknowns) in outlines.iter().zip(numbering) {
-            unknowns.scales(outline, &mut scales);
-            for i in 0..outline.len() {
-                unknowns.columns(outline, i, &mut local);
-                let least = local.iter().fold(usize::MAX, |least, column| least.min(column.0));
-                for (unknown, _) in &local {
-                    first[*unknown] = first[*unknown].min(least);
-                }
-                columns.extend_from_slice(&local);
-                ends.push(columns.len());
+        let mut local = Vec::new();
+        self.columns.clear();
+        self.ends.clear();
+        for &i in &self.pieces {
+            self.unknowns.columns(&shape.outline, i, &mut local);
+            let least = local.iter().fold(usize::MAX, |least, column| least.min(column.0));
+            for (unknown, _) in &local {
+                first[*unknown] = first[*unknown].min(least);
             }
+            self.columns.extend_from_slice(&local);
+            self.ends.push(self.columns.len());
         }
-        let damping: Vec<f64> = scales.iter().map(|scale| damping * scale.max(1e-6)).collect();
-        let factor = Skyline::new(first)?;
-        let mut system = Self { coverage, columns, ends, damping, factor };
-        system.prepare();
-        Ok(system)
-    }
-
-    /// The matrix without what two pieces share in one pixel, factored.
-    fn prepare(&mut self) {
-        self.factor.clear();
-        for (piece, &end) in self.ends.iter().enumerate() {
-            let columns = &self.columns[if piece == 0 { 0 } else { self.ends[piece - 1] }..end];
-            let from = if piece == 0 { 0 } else { self.coverage.ends[piece - 1] };
-            let mut square = [[0.0_f64; 8]; 8];
-            for touch in &self.coverage.touches[from..self.coverage.ends[piece]] {
-                let w = touch.weights.map(f64::from);
-                for (row, a) in square.iter_mut().zip(w) {
-                    for (entry, b) in row.iter_mut().zip(w) {
-                        *entry += a * b;
-                    }
-                }
-            }
+        let mut factor = Skyline::new(first)?;
+        let mut right = filled(0.0, count)?;
+        let stiffness = CROSSING * field.stiffness();
+        let mut from = 0;
+        for (&i, &end) in self.pieces.iter().zip(&self.ends) {
+            let columns = &self.columns[from..end];
+            from = end;
+            let pull = pull(&shape.parts[i], field.lead());
+            let square = square(&shape.outline.cubic(i), stiffness);
             for (unknown, column) in columns {
+                right[*unknown] += column.iter().zip(&pull).map(|(a, b)| a * b).sum::<f64>();
                 let image: [f64; 8] =
                     core::array::from_fn(|a| (0..8).map(|b| square[a][b] * column[b]).sum::<f64>());
                 for (other, along) in columns.iter().filter(|(other, _)| other <= unknown) {
                     let value: f64 = image.iter().zip(along).map(|(a, b)| a * b).sum();
-                    self.factor.add(*unknown, *other, value);
+                    factor.add(*unknown, *other, value);
                 }
             }
         }
-        for (i, &value) in self.damping.iter().enumerate() {
-            self.factor.add(i, i, value);
+        for (i, scale) in scales.iter().enumerate() {
+            factor.add(i, i, damping * scale.max(1e-6));
         }
-        self.factor.factor();
+        factor.factor();
+        factor.solve(&mut right);
+        Ok(right)
     }
+}
 
-    fn pieces(&self) -> impl Iterator<Item = (&[Column], &[super::coverage::Touch])> {
-        (0..self.ends.len()).map(|piece| {
-            let (columns, touches) =
-                if piece == 0 { (0, 0) } else { (self.ends[piece - 1], self.coverage.ends[piece - 1]) };
-            (
-                &self.columns[columns..self.ends[piece]],
-                &self.coverage.touches[touches..self.coverage.ends[piece]],
-            )
-        })
-    }
-
-    /// What values of the pixels say to the unknowns: the transposed Jacobian.
-    fn gather(&self, pixels: &[f32], unknowns: &mut [f64]) {
-        for (columns, touches) in self.pieces() {
-            let mut sum = [0.0; 8];
-            for touch in touches {
-                let value = f64::from(pixels[touch.pixel as usize]);
-                for (sum, weight) in sum.iter_mut().zip(touch.weights) {
-                    *sum += f64::from(weight) * value;
-                }
-            }
-            for (unknown, column) in columns {
-                unknowns[*unknown] += column.iter().zip(&sum).map(|(a, b)| a * b).sum::<f64>();
-            }
+/// What the pixels say to the control points of one piece.
+fn pull(parts: &[Part], lead: &[f32]) -> [f64; 8] {
+    let mut sum = [0.0_f64; 8];
+    for part in parts.iter().filter(|part| part.pixel != NONE) {
+        let value = lead[part.pixel as usize];
+        let (up, along) = (f64::from(part.dy * value), f64::from(part.dx * value));
+        for (pair, weight) in sum.chunks_exact_mut(2).zip(Cubic::bernstein(f64::from(part.t))) {
+            pair[0] += weight * up;
+            pair[1] -= weight * along;
         }
     }
+    sum
+}
 
-    /// What a step of the unknowns does to the pixels: the Jacobian.
-    fn scatter(&self, unknowns: &[f64], pixels: &mut [f32]) {
-        for (columns, touches) in self.pieces() {
-            let mut move_by = [0.0; 8];
-            for (unknown, column) in columns {
-                for (moved, along) in move_by.iter_mut().zip(column) {
-                    *moved += unknowns[*unknown] * along;
-                }
-            }
-            for touch in touches {
-                let change: f64 = touch.weights.iter().zip(&move_by).map(|(&w, m)| f64::from(w) * m).sum();
-                pixels[touch.pixel as usize] += change as f32;
+/// The normal matrix of one piece's control points: the integral of n nᵀ B B over its length.
+fn square(cubic: &Cubic, stiffness: f64) -> [[f64; 8]; 8] {
+    let mut square = [[0.0; 8]; 8];
+    for [t, weight] in RULE {
+        let velocity = cubic.velocity(t);
+        let speed = velocity.norm().max(1e-9);
+        let b = Cubic::bernstein(t);
+        let scale = weight * stiffness / speed;
+        let (x, y) = (velocity.y, -velocity.x);
+        let (xx, xy, yy) = (scale * x * x, scale * x * y, scale * y * y);
+        for i in 0..4 {
+            for j in 0..=i {
+                let both = b[i] * b[j];
+                square[2 * i][2 * j] += both * xx;
+                square[2 * i + 1][2 * j] += both * xy;
+                square[2 * i][2 * j + 1] += both * xy;
+                square[2 * i + 1][2 * j + 1] += both * yy;
             }
         }
     }
-
-    /// Conjugate gradients, with the factored matrix to lead them.
-    fn solve(&self, band: &Band, right: Vec<f64>) -> Result<Vec<f64>> {
-        let count = right.len();
-        let mut x = filled(0.0, count)?;
-        let mut rest = right;
-        let mut lead = rest.clone();
-        self.factor.solve(&mut lead);
-        let mut direction = lead.clone();
-        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let mut energy = product(&rest, &lead);
-        let first = energy;
-        for _ in 0..ROUNDS {
-            if energy.is_nan() || energy <= 1e-6 * first {
-                break;
-            }
-            let mut pixels = vec![0.0_f32; band.len()];
-            self.scatter(&direction, &mut pixels);
-            band.blur(&mut pixels, false);
-            band.blur(&mut pixels, false);
-            let mut image: Vec<f64> = direction.iter().zip(&self.damping).map(|(d, w)| d * w).collect();
-            self.gather(&pixels, &mut image);
-            let curvature = product(&direction, &image);
-            if curvature.is_nan() || curvature <= 0.0 {
-                break;
-            }
-            let length = energy / curvature;
-            for i in 0..count {
-                x[i] += length * direction[i];
-                rest[i] -= length * image[i];
-            }
-            lead.clone_from(&rest);
-            self.factor.solve(&mut lead);
-            let next = product(&rest, &lead);
-            let share = next / energy;
-            energy = next;
-            for i in 0..count {
-                direction[i] = lead[i] + share * direction[i];
-            }
+    for i in 0..8 {
+        for j in i + 1..8 {
+            square[i][j] = square[j][i];
         }
-        Ok(x)
     }
+    square
 }

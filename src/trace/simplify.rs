@@ -1,9 +1,10 @@
 //! Fewer pieces: joints that the picture does not ask for are taken away.
 
-use super::coverage::{Band, Coverage};
+use super::coverage::{Part, parts};
 use super::cubic::{Cubic, Tangent};
-use super::outline::{Node, Outline, Piece};
-use super::refine::{refine, residual};
+use super::field::Field;
+use super::outline::{Outline, Piece};
+use super::refine::{Left, Refiner, Shape};
 use super::samples::{turn, unit};
 use crate::error::Result;
 use crate::numerics::Point;
@@ -22,113 +23,133 @@ pub(super) struct Limits {
     pub(super) share: f64,
 }
 
-/// What is left of the picture in the pixels of one piece.
-#[derive(Clone, Copy, Debug, Default)]
-struct Left {
-    square: f64,
-    count: f64,
-    most: f64,
-}
-
-/// A joint that was taken away, as it was.
-struct Merged {
-    outline: usize,
-    /// The piece that is there instead.
-    piece: usize,
-    node: Node,
-    pieces: [Piece; 2],
-    left: Left,
-    /// Whether one of the pieces was no piece at all.
-    forced: bool,
-}
-
-/// Rounds of merging; each takes away up to every third joint.
+/// Rounds of merging.
 const MOST_ROUNDS: usize = 12;
+/// Steps of refinement after which a merged piece is looked at, and after which it has to be good.
+const FIRST_STEPS: usize = 2;
+const LAST_STEPS: usize = 6;
+/// A merged piece that leaves so many times as much as it may will not get good.
+const HOPELESS: f64 = 5.0;
 
-/// Takes joints away while the picture stays as well explained as `limits` say, after so many steps of refinement.
-fn simplify(outlines: &mut [Outline], band: &Band, limits: &Limits, steps: usize) -> Result<()> {
-    outlines.iter_mut().for_each(|outline| outline.nodes.iter_mut().for_each(|node| node.kept = false));
-    let mut restored = false;
-    for _ in 0..MOST_ROUNDS {
-        // What was put back has to settle before anything is compared with it.
-        if restored {
-            refine(outlines, band, steps.min(4))?;
+/// Takes joints away while the picture stays as well explained as `limits` say. Only what is next to a joint moves.
+/// Returns whether anything was taken away: then there may be more.
+///
+/// # Cost
+///
+/// O(length of the outline) for each round, of which there are few.
+pub(super) fn merge_round(
+    refiner: &mut Refiner,
+    field: &mut Field,
+    shape: &mut Shape,
+    limits: &Limits,
+) -> Result<bool> {
+    let count = shape.outline.len();
+    let mut candidates = Vec::new();
+    for i in 0..count {
+        if let Some((_, off)) = candidate(&shape.outline, i) {
+            candidates.push((i, off));
         }
-        restored = false;
-        let lefts = measure(&band.cover(outlines)?, band);
+    }
+    candidates.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+    // Nodes keep their names while others go.
+    let mut names: Vec<usize> = (0..count).collect();
+    let mut moved = vec![false; count];
+    let mut any = false;
+    for (name, _) in candidates {
+        let Ok(i) = names.binary_search(&name) else { continue };
+        let around = [shape.outline.before(i), i, shape.outline.next(i)];
+        if around.iter().any(|&j| moved[names[j]]) {
+            continue;
+        }
+        let Some((piece, _)) = candidate(&shape.outline, i) else { continue };
+        if (Trial { refiner, field, shape, limits }).merge(i, piece)? {
+            any = true;
+            around.iter().for_each(|&j| moved[names[j]] = true);
+            names.remove(i);
+        } else {
+            shape.outline.nodes[i].kept = true;
+        }
+    }
+    Ok(any)
+}
+
+/// Whether there may be another round.
+pub(super) fn may_go_on(round: usize) -> bool {
+    round < MOST_ROUNDS
+}
+
+struct Trial<'a> {
+    refiner: &'a mut Refiner,
+    field: &'a mut Field,
+    shape: &'a mut Shape,
+    limits: &'a Limits,
+}
+
+impl Trial<'_> {
+    /// Merges the pieces at node i; if that is not good, all is as it was. Whether it was good.
+    fn merge(&mut self, i: usize, piece: Piece) -> Result<bool> {
+        let before = self.shape.outline.before(i);
+        let forced = stunted(&self.shape.outline, before) || stunted(&self.shape.outline, i);
+        let saved = self.shape.outline.clone();
+        let mut left = Left::default();
+        left.add(&self.shape.parts[before], self.field);
+        left.add(&self.shape.parts[i], self.field);
+        self.shape.outline.nodes.remove(i);
+        self.shape.outline.pieces.remove(i);
+        let gone = self.shape.parts.remove(i);
+        let at = if before > i { before - 1 } else { before };
+        self.shape.outline.pieces[at] = piece;
         let mut merged = Vec::new();
-        let mut first = 0;
-        for (i, outline) in outlines.iter_mut().enumerate() {
-            let count = outline.len();
-            merge(outline, i, &lefts[first..first + count], &mut merged);
-            first += count;
-        }
-        if merged.is_empty() {
-            break;
-        }
-        refine(outlines, band, steps)?;
-        let lefts = measure(&band.cover(outlines)?, band);
-        let starts: Vec<usize> = outlines
-            .iter()
-            .scan(0, |sum, outline| {
-                let start = *sum;
-                *sum += outline.len();
-                Some(start)
-            })
-            .collect();
-        // From the back, so that places in front stay.
-        for merge in merged.iter().rev() {
-            let now = lefts[starts[merge.outline] + merge.piece];
-            let outline = &mut outlines[merge.outline];
-            if good(&now, &merge.left, merge.forced, limits) {
+        parts(&self.shape.outline.cubic(at), self.field, &mut merged);
+        let halves = [core::mem::replace(&mut self.shape.parts[at], merged), gone];
+        let old: Vec<Part> = halves.concat();
+        self.refiner.sweep.exchange(self.field, &old, &self.shape.parts[at]);
+        self.field.settle();
+
+        let nodes = [at, self.shape.outline.next(at)];
+        let touched: Vec<usize> = self.refiner.touched(&self.shape.outline, &nodes).to_vec();
+        let others: Vec<(usize, Vec<Part>)> =
+            touched.iter().filter(|&&j| j != at).map(|&j| (j, self.shape.parts[j].clone())).collect();
+        if self.settles(at, &nodes, &left, forced)? {
+            for j in nodes {
                 // What is longer now may grow further.
-                let next = outline.next(merge.piece);
-                outline.nodes[merge.piece].kept = false;
-                outline.nodes[next].kept = false;
-            } else {
-                restore(outline, merge);
-                restored = true;
+                self.shape.outline.nodes[j].kept = false;
+            }
+            return Ok(true);
+        }
+        let mut now = self.shape.parts[at].clone();
+        let mut then = old;
+        for (j, parts) in others {
+            now.extend_from_slice(&self.shape.parts[j]);
+            then.extend_from_slice(&parts);
+            self.shape.parts[j] = parts;
+        }
+        self.refiner.sweep.exchange(self.field, &now, &then);
+        self.field.settle();
+        let [first, second] = halves;
+        self.shape.parts[at] = first;
+        self.shape.parts.insert(i, second);
+        self.shape.outline = saved;
+        Ok(false)
+    }
+
+    /// Refines the merged piece; whether it explains the picture as well as the two did.
+    fn settles(&mut self, at: usize, nodes: &[usize], before: &Left, forced: bool) -> Result<bool> {
+        let mut steps = 0;
+        loop {
+            self.refiner.refine(self.field, self.shape, nodes, FIRST_STEPS)?;
+            steps += FIRST_STEPS;
+            let mut now = Left::default();
+            now.add(&self.shape.parts[at], self.field);
+            if good(&now, before, forced, self.limits) {
+                return Ok(true);
+            }
+            let clean = self.limits.noise == 0.0 && !forced;
+            if steps >= LAST_STEPS || (clean && now.rms() > HOPELESS * self.limits.rms) {
+                return Ok(false);
             }
         }
-        outlines.iter_mut().for_each(Outline::align);
     }
-    Ok(())
-}
-
-/// The root mean square of what is left in the pixels of every outline.
-fn by_outline(outlines: &[Outline], band: &Band) -> Result<Vec<f64>> {
-    let lefts = measure(&band.cover(outlines)?, band);
-    let mut first = 0;
-    Ok(outlines
-        .iter()
-        .map(|outline| {
-            let own = &lefts[first..first + outline.len()];
-            first += outline.len();
-            let (square, count) = own
-                .iter()
-                .fold((0.0, 0.0), |(square, count), left| (square + left.square, count + left.count));
-            (square / f64::max(count, 1.0)).sqrt()
-        })
-        .collect())
-}
-
-/// Fewer pieces, then a last refinement. An outline that lost its way is as it was before. Returns what is left of the picture.
-pub(super) fn finish(outlines: &mut [Outline], band: &Band, limits: &Limits) -> Result<f64> {
-    let start = outlines.to_vec();
-    let before = by_outline(outlines, band)?;
-    simplify(outlines, band, limits, 3)?;
-    simplify(outlines, band, limits, 8)?;
-    outlines.iter_mut().for_each(Outline::straighten);
-    let left = refine(outlines, band, 8)?;
-    let after = by_outline(outlines, band)?;
-    let mut lost = false;
-    for (i, outline) in outlines.iter_mut().enumerate() {
-        if after[i] > (1.5 * before[i]).max(2.0 * limits.rms) {
-            *outline = start[i].clone();
-            lost = true;
-        }
-    }
-    if lost { refine(outlines, band, 8) } else { Ok(left) }
 }
 
 fn good(now: &Left, before: &Left, forced: bool, limits: &Limits) -> bool {
@@ -139,90 +160,6 @@ fn good(now: &Left, before: &Left, forced: bool, limits: &Limits) -> bool {
     // Joints that slid past each other hide their own cost.
     let ease = if forced { 3.0 } else { 1.0 };
     rms <= ease * limits.rms && now.most <= ease * limits.most
-}
-
-fn measure(coverage: &Coverage, band: &Band) -> Vec<Left> {
-    let rest = residual(coverage, band);
-    let mut first = 0;
-    coverage
-        .ends
-        .iter()
-        .map(|&end| {
-            let mut left = Left::default();
-            for touch in &coverage.touches[first..end] {
-                let value = f64::from(rest[touch.pixel as usize]);
-                left.square += value * value;
-                left.count += 1.0;
-                left.most = left.most.max(value.abs());
-            }
-            first = end;
-            left
-        })
-        .collect()
-}
-
-/// Merges pieces at joints that are not next to each other, the likeliest first.
-fn merge(outline: &mut Outline, index: usize, lefts: &[Left], merged: &mut Vec<Merged>) {
-    let count = outline.len();
-    let mut candidates = Vec::new();
-    for i in 0..count {
-        if let Some((piece, off)) = candidate(outline, i) {
-            candidates.push((i, piece, off));
-        }
-    }
-    candidates.sort_by(|a, b| a.2.total_cmp(&b.2).then(a.0.cmp(&b.0)));
-    let mut taken = vec![false; count];
-    let mut chosen: Vec<Option<Piece>> = vec![None; count];
-    let mut left = count;
-    for (i, piece, _) in candidates {
-        let around = [outline.before(outline.before(i)), outline.before(i), i, outline.next(i)];
-        if around.iter().any(|&j| taken[j]) || left <= 2 {
-            continue;
-        }
-        taken[outline.before(i)] = true;
-        taken[i] = true;
-        taken[outline.next(i)] = true;
-        chosen[i] = Some(piece);
-        left -= 1;
-    }
-    let (mut nodes, mut pieces): (Vec<Node>, Vec<Piece>) = (Vec::new(), Vec::new());
-    // If the first joint goes, the last piece takes its place.
-    for ((piece, &node), &old) in chosen.iter().zip(&outline.nodes).zip(&outline.pieces) {
-        if piece.is_none() {
-            nodes.push(node);
-            pieces.push(old);
-        }
-    }
-    let mut place = 0;
-    for (i, &piece) in chosen.iter().enumerate() {
-        let Some(piece) = piece else {
-            place += 1;
-            continue;
-        };
-        let before = outline.before(i);
-        let at = if place == 0 { pieces.len() - 1 } else { place - 1 };
-        pieces[at] = piece;
-        let sum = Left {
-            square: lefts[before].square + lefts[i].square,
-            count: lefts[before].count + lefts[i].count,
-            most: lefts[before].most.max(lefts[i].most),
-        };
-        let old = [outline.pieces[before], outline.pieces[i]];
-        let forced = stunted(outline, before) || stunted(outline, i);
-        merged.push(Merged {
-            outline: index,
-            piece: at,
-            node: outline.nodes[i],
-            pieces: old,
-            left: sum,
-            forced,
-        });
-    }
-    // Restoring goes from the back: the one that wraps around is last.
-    let from = merged.iter().position(|m| m.outline == index).unwrap_or(merged.len());
-    merged[from..].sort_by_key(|m| m.piece);
-    outline.nodes = nodes;
-    outline.pieces = pieces;
 }
 
 /// Whether a piece runs against its own tangents: its joints slid past each other.
@@ -270,12 +207,4 @@ fn candidate(outline: &Outline, i: usize) -> Option<(Piece, f64)> {
     let fitted = Cubic::fit(first.start, second.end, &places, tangents);
     let Cubic { leaving, arriving, .. } = fitted.cubic;
     (fitted.rms < 0.4 || stunted).then_some((Piece::Cubic { leaving, arriving }, fitted.rms))
-}
-
-/// Puts a joint back where it was.
-fn restore(outline: &mut Outline, merge: &Merged) {
-    let node = Node { kept: true, ..merge.node };
-    outline.pieces[merge.piece] = merge.pieces[0];
-    outline.nodes.insert(merge.piece + 1, node);
-    outline.pieces.insert(merge.piece + 1, merge.pieces[1]);
 }

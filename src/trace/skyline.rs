@@ -4,6 +4,7 @@ use crate::error::Result;
 use crate::limits::{filled, with_room};
 
 /// The lower triangle, row by row from each row's first entry to the diagonal.
+#[derive(Debug)]
 pub(super) struct Skyline {
     first: Vec<usize>,
     /// Where row i would have its entry 0: its entry j is at `base[i] + j`.
@@ -21,10 +22,6 @@ impl Skyline {
             size += i + 1 - start;
         }
         Ok(Self { first, base, values: filled(0.0, size)? })
-    }
-
-    pub(super) fn clear(&mut self) {
-        self.values.fill(0.0);
     }
 
     /// Adds to entry (row, column), column ≤ row.

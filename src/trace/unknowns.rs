@@ -8,14 +8,20 @@ use crate::numerics::{Point, Vector};
 /// How the eight coordinates of a piece's control points change with one unknown.
 pub(super) type Column = (usize, [f64; 8]);
 
-/// The numbering of the unknowns of one outline.
+/// The numbering of the unknowns of some nodes of one outline; the other nodes stay where they are.
 ///
 /// A node has its two coordinates; at a corner both coordinates of the way to the control point of each cubic beside it; between
 /// two cubics that meet smoothly the angle of the tangent and two lengths; beside a straight piece one length, for the straight piece has the direction.
+#[derive(Debug, Default)]
 pub(super) struct Unknowns {
+    /// The first unknown of every node.
     base: Vec<usize>,
+    nodes: Vec<usize>,
     pub(super) end: usize,
 }
+
+/// The node stays.
+const FIXED: usize = usize::MAX;
 
 /// How much a unit of each unknown moves, squared: what damping is measured with.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -27,6 +33,8 @@ enum Joint {
     AfterLine,
     /// A cubic arrives, a straight piece leaves.
     BeforeLine,
+    /// It stays where it is.
+    Fixed,
 }
 
 fn joint(outline: &Outline, i: usize) -> Joint {
@@ -40,24 +48,48 @@ fn joint(outline: &Outline, i: usize) -> Joint {
 }
 
 impl Unknowns {
-    /// Numbers from `first` on. Nodes are taken from both ends of the list in turn: what is near around the outline is near in the numbering.
-    pub(super) fn new(outline: &Outline, first: usize) -> Self {
-        let count = outline.len();
-        let mut base = vec![0; count];
-        let mut end = first;
-        for step in 0..count {
-            let node = if step % 2 == 0 { step / 2 } else { count - 1 - step / 2 };
-            base[node] = end;
-            end += 2 + match joint(outline, node) {
+    /// Numbers the unknowns of `nodes`, in their order: what is near around the outline is to be near in the list.
+    pub(super) fn number(&mut self, outline: &Outline, nodes: &[usize]) {
+        for &node in &self.nodes {
+            if let Some(base) = self.base.get_mut(node) {
+                *base = FIXED;
+            }
+        }
+        self.base.resize(outline.len(), FIXED);
+        self.nodes.clear();
+        self.nodes.extend_from_slice(nodes);
+        self.end = 0;
+        for &node in nodes {
+            self.base[node] = self.end;
+            self.end += 2 + match joint(outline, node) {
                 Joint::Free => 3,
                 Joint::AfterLine | Joint::BeforeLine => 1,
+                Joint::Fixed => 0,
                 Joint::Corner => {
                     2 * usize::from(!outline.is_line(node))
                         + 2 * usize::from(!outline.is_line(outline.before(node)))
                 }
             };
         }
-        Self { base, end }
+    }
+
+    /// The pieces that change when the nodes move, in order.
+    pub(super) fn pieces(&self, outline: &Outline, pieces: &mut Vec<usize>) {
+        pieces.clear();
+        for &node in &self.nodes {
+            let before = outline.before(node);
+            pieces.push(before);
+            pieces.push(node);
+            // Tangents follow straight pieces.
+            if outline.is_line(node) && outline.nodes[outline.next(node)].smooth {
+                pieces.push(outline.next(node));
+            }
+            if outline.is_line(before) && outline.nodes[before].smooth {
+                pieces.push(outline.before(before));
+            }
+        }
+        pieces.sort_unstable();
+        pieces.dedup();
     }
 
     /// The columns of piece i.
@@ -65,23 +97,24 @@ impl Unknowns {
         columns.clear();
         let next = outline.next(i);
         let (start, end) = (self.base[i], self.base[next]);
-        let Piece::Cubic { leaving, arriving } = outline.pieces[i] else {
-            let (far, near) = (2.0 / 3.0, 1.0 / 3.0);
+        let line = outline.is_line(i);
+        let (far, near) = if line { (2.0 / 3.0, 1.0 / 3.0) } else { (1.0, 0.0) };
+        if start != FIXED {
             columns.push((start, [1.0, 0.0, far, 0.0, near, 0.0, 0.0, 0.0]));
             columns.push((start + 1, [0.0, 1.0, 0.0, far, 0.0, near, 0.0, 0.0]));
+        }
+        if end != FIXED {
             columns.push((end, [0.0, 0.0, near, 0.0, far, 0.0, 1.0, 0.0]));
             columns.push((end + 1, [0.0, 0.0, 0.0, near, 0.0, far, 0.0, 1.0]));
-            return;
+        }
+        let Piece::Cubic { leaving, arriving } = outline.pieces[i] else { return };
+        let moves = |base: usize, joint: Joint| match joint {
+            Joint::AfterLine | Joint::BeforeLine => joint,
+            _ if base == FIXED => Joint::Fixed,
+            _ => joint,
         };
-        add(columns, start, 0, Vector::new(1.0, 0.0));
-        add(columns, start + 1, 0, Vector::new(0.0, 1.0));
-        add(columns, start, 2, Vector::new(1.0, 0.0));
-        add(columns, start + 1, 2, Vector::new(0.0, 1.0));
-        add(columns, end, 4, Vector::new(1.0, 0.0));
-        add(columns, end + 1, 4, Vector::new(0.0, 1.0));
-        add(columns, end, 6, Vector::new(1.0, 0.0));
-        add(columns, end + 1, 6, Vector::new(0.0, 1.0));
-        match joint(outline, i) {
+        match moves(start, joint(outline, i)) {
+            Joint::Fixed => {}
             Joint::Corner => {
                 add(columns, start + 2, 2, Vector::new(1.0, 0.0));
                 add(columns, start + 3, 2, Vector::new(0.0, 1.0));
@@ -91,13 +124,16 @@ impl Unknowns {
                 add(columns, start + 3, 2, unit(leaving));
             }
             _ => {
-                add(columns, start + 2, 2, unit(leaving));
+                if start != FIXED {
+                    add(columns, start + 2, 2, unit(leaving));
+                }
                 let before = outline.before(i);
                 let from = outline.nodes[before].point;
                 follow(columns, [start, self.base[before]], 2, leaving, outline.nodes[i].point - from, 1.0);
             }
         }
-        match joint(outline, next) {
+        match moves(end, joint(outline, next)) {
+            Joint::Fixed => {}
             Joint::Corner => {
                 let at = end + 2 + 2 * usize::from(!outline.is_line(next));
                 add(columns, at, 4, Vector::new(-1.0, 0.0));
@@ -108,7 +144,9 @@ impl Unknowns {
                 add(columns, end + 4, 4, -unit(arriving));
             }
             _ => {
-                add(columns, end + 2, 4, -unit(arriving));
+                if end != FIXED {
+                    add(columns, end + 2, 4, -unit(arriving));
+                }
                 let after = outline.next(next);
                 let to = outline.nodes[after].point;
                 follow(columns, [self.base[after], end], 4, arriving, to - outline.nodes[next].point, -1.0);
@@ -118,7 +156,7 @@ impl Unknowns {
 
     /// How far one unit of every unknown moves things, squared, from `first` on.
     pub(super) fn scales(&self, outline: &Outline, scales: &mut [f64]) {
-        for i in 0..outline.len() {
+        for &i in &self.nodes {
             let base = self.base[i];
             if joint(outline, i) == Joint::Free {
                 let arriving = outline.cubic(outline.before(i)).arriving;
@@ -130,9 +168,9 @@ impl Unknowns {
 
     /// Moves the outline by a step of the unknowns; nothing moves farther than `most`.
     pub(super) fn apply(&self, outline: &mut Outline, step: &[f64], most: f64) {
-        let joints: Vec<Joint> = (0..outline.len()).map(|i| joint(outline, i)).collect();
         let limit = |value: f64| if value.is_finite() { value.max(-most).min(most) } else { 0.0 };
-        for (i, &joint) in joints.iter().enumerate() {
+        for &i in &self.nodes {
+            let joint = joint(outline, i);
             let (base, before) = (self.base[i], outline.before(i));
             outline.nodes[i].point += Vector::new(limit(step[base]), limit(step[base + 1]));
             let least = 0.05;
@@ -165,25 +203,32 @@ impl Unknowns {
                 };
             }
         }
-        for (i, &joint) in joints.iter().enumerate() {
-            let before = outline.before(i);
-            let here: Point = outline.nodes[i].point;
-            match joint {
-                Joint::AfterLine => {
-                    let along = unit(here - outline.nodes[before].point);
-                    if let Piece::Cubic { leaving, .. } = &mut outline.pieces[i] {
-                        *leaving = along * norm(*leaving);
-                    }
-                }
-                Joint::BeforeLine => {
-                    let along = unit(outline.nodes[outline.next(i)].point - here);
-                    if let Piece::Cubic { arriving, .. } = &mut outline.pieces[before] {
-                        *arriving = along * norm(*arriving);
-                    }
-                }
-                _ => {}
+        for &node in &self.nodes {
+            for i in [outline.before(node), node, outline.next(node)] {
+                follow_line(outline, i);
             }
         }
+    }
+}
+
+/// Turns the tangent at a smooth joint beside a straight piece with that piece.
+fn follow_line(outline: &mut Outline, i: usize) {
+    let before = outline.before(i);
+    let here: Point = outline.nodes[i].point;
+    match joint(outline, i) {
+        Joint::AfterLine => {
+            let along = unit(here - outline.nodes[before].point);
+            if let Piece::Cubic { leaving, .. } = &mut outline.pieces[i] {
+                *leaving = along * norm(*leaving);
+            }
+        }
+        Joint::BeforeLine => {
+            let along = unit(outline.nodes[outline.next(i)].point - here);
+            if let Piece::Cubic { arriving, .. } = &mut outline.pieces[before] {
+                *arriving = along * norm(*arriving);
+            }
+        }
+        _ => {}
     }
 }
 
@@ -216,7 +261,11 @@ fn follow(
     for k in 0..2 {
         let axis = Vector::new(f64::from(k == 0), f64::from(k == 1));
         let across = (axis - along * dot(axis, along)) * scale;
-        add(columns, to + usize::from(k == 1), place, across);
-        add(columns, from + usize::from(k == 1), place, -across);
+        if to != FIXED {
+            add(columns, to + k, place, across);
+        }
+        if from != FIXED {
+            add(columns, from + k, place, -across);
+        }
     }
 }

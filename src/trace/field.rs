@@ -1,0 +1,280 @@
+//! The pixels near outlines, in tiles: what the picture shows of their coverage that the outlines do not explain.
+
+use super::blur::half_gaussian;
+use super::gray::Gray;
+use crate::error::Result;
+use crate::limits::with_room;
+use crate::numerics::Point;
+
+/// Pixels along a tile's side, and around the picture: one tile of paper.
+pub(super) const SIDE: usize = 8;
+/// Pixels of a tile.
+pub(super) const AREA: usize = SIDE * SIDE;
+/// No tile, no pixel.
+pub(super) const NONE: u32 = u32::MAX;
+/// The farthest that a blur reaches, in pixels: tiles next to each other.
+const REACH: usize = SIDE;
+
+/// How shades become coverage.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shading {
+    pub(super) ink: f64,
+    pub(super) paper: f64,
+    /// The shade of half coverage.
+    pub(super) level: f64,
+    pub(super) inverted: bool,
+}
+
+/// Tiles of pixels near the outlines.
+#[derive(Debug)]
+pub(super) struct Field {
+    /// Tiles in a row.
+    across: usize,
+    down: usize,
+    slots: Vec<u32>,
+    /// Where each tile is.
+    places: Vec<u32>,
+    /// What is left: what the picture shows less what the outlines cover, blurred like the picture.
+    pub(super) rest: Vec<f32>,
+    blur: Option<Blur>,
+}
+
+/// A picture that is blurred.
+#[derive(Debug)]
+struct Blur {
+    half: Vec<f32>,
+    target: Vec<f32>,
+    cover: Vec<f32>,
+    /// What is left, blurred once more: what it says to the outlines.
+    lead: Vec<f32>,
+    /// Tiles whose coverage has changed.
+    changed: Vec<u32>,
+}
+
+impl Shading {
+    /// Piecewise linear: ink is 1, the level ½, paper 0.
+    fn coverage(&self, shade: f64) -> f64 {
+        let dark = if shade < self.level {
+            1.0 - 0.5 * (shade - self.ink) / (self.level - self.ink).max(1.0)
+        } else {
+            0.5 * (self.paper - shade) / (self.paper - self.level).max(1.0)
+        };
+        if self.inverted { 1.0 - dark } else { dark }
+    }
+}
+
+impl Field {
+    /// The tiles within `reach` pixels of the polylines; nothing covers them yet.
+    pub(super) fn new<'a>(
+        gray: &Gray,
+        shading: &Shading,
+        polylines: impl Iterator<Item = &'a [Point]>,
+        reach: f64,
+    ) -> Result<Self> {
+        let (across, down) = (gray.width().div_ceil(SIDE) + 2, gray.height().div_ceil(SIDE) + 2);
+        let mut slots: Vec<u32> = with_room(across * down)?;
+        slots.resize(across * down, NONE);
+        let mut places = Vec::new();
+        let side = SIDE as f64;
+        for polyline in polylines {
+            for p in polyline {
+                let tile = |v: f64, most: usize| (((v + side) / side).max(0.0) as usize).min(most - 1);
+                let (left, right) = (tile(p.x - reach, across), tile(p.x + reach, across));
+                for row in tile(p.y - reach, down)..=tile(p.y + reach, down) {
+                    for place in row * across + left..=row * across + right {
+                        if slots[place] == NONE {
+                            slots[place] = places.len() as u32;
+                            places.push(place as u32);
+                        }
+                    }
+                }
+            }
+        }
+        let mut rest: Vec<f32> = with_room(AREA * places.len())?;
+        let paper = if shading.inverted { shading.ink } else { shading.paper };
+        for &place in &places {
+            let (row, column) = (place as usize / across * SIDE, place as usize % across * SIDE);
+            for y in row..row + SIDE {
+                for x in column..column + SIDE {
+                    let inside =
+                        x >= SIDE && y >= SIDE && x - SIDE < gray.width() && y - SIDE < gray.height();
+                    let shade = if inside { gray.shade(x - SIDE, y - SIDE) } else { paper };
+                    rest.push(shading.coverage(shade) as f32);
+                }
+            }
+        }
+        Ok(Self { across, down, slots, places, rest, blur: None })
+    }
+
+    /// Pixels in a row, and rows.
+    pub(super) fn size(&self) -> (usize, usize) {
+        (self.across * SIDE, self.down * SIDE)
+    }
+
+    /// The pixel at a column and a row, counted from the frame's corner.
+    pub(super) fn pixel(&self, x: usize, y: usize) -> u32 {
+        let slot = self.slots[y / SIDE * self.across + x / SIDE];
+        if slot == NONE { NONE } else { slot * AREA as u32 + (y % SIDE * SIDE + x % SIDE) as u32 }
+    }
+
+    /// The outlines cover more of a pixel; how much the sum of squares grows, if that is known at once.
+    pub(super) fn cover(&mut self, pixel: u32, more: f64) -> f64 {
+        let at = pixel as usize;
+        if let Some(blur) = &mut self.blur {
+            blur.cover[at] += more as f32;
+            let slot = pixel / AREA as u32;
+            if blur.changed.last() != Some(&slot) {
+                blur.changed.push(slot);
+            }
+            return 0.0;
+        }
+        let before = self.rest[at];
+        let after = before - more as f32;
+        self.rest[at] = after;
+        f64::from(after) * f64::from(after) - f64::from(before) * f64::from(before)
+    }
+
+    /// Takes what has changed into account; how much the sum of squares has grown by it.
+    pub(super) fn settle(&mut self) -> f64 {
+        let Some(mut blur) = self.blur.take() else { return 0.0 };
+        let changed = core::mem::take(&mut blur.changed);
+        let near = self.around(&changed);
+        let mut growth = 0.0;
+        for &slot in &near {
+            let blurred = self.blurred(&blur.cover, slot, &blur.half, true);
+            let from = slot as usize * AREA;
+            for (i, value) in blurred.iter().enumerate() {
+                let (before, after) = (self.rest[from + i], blur.target[from + i] - value);
+                self.rest[from + i] = after;
+                growth += f64::from(after) * f64::from(after) - f64::from(before) * f64::from(before);
+            }
+        }
+        for slot in self.around(&near) {
+            let from = slot as usize * AREA;
+            let blurred = self.blurred(&self.rest, slot, &blur.half, false);
+            blur.lead[from..from + AREA].copy_from_slice(&blurred);
+        }
+        self.blur = Some(blur);
+        growth
+    }
+
+    /// What every pixel says to the outlines.
+    pub(super) fn lead(&self) -> &[f32] {
+        self.blur.as_ref().map_or(&self.rest, |blur| &blur.lead)
+    }
+
+    /// How much of the sharp picture's stiffness is left after the blur.
+    pub(super) fn stiffness(&self) -> f64 {
+        let Some(blur) = &self.blur else { return 1.0 };
+        // Across an edge a pixel's box and the blur leave about the sum of squares of the blur's weights.
+        let one = f64::from(blur.half[0]);
+        one * one + 2.0 * blur.half[1..].iter().map(|&w| f64::from(w) * f64::from(w)).sum::<f64>()
+    }
+
+    /// The root mean square of what is left, and its median.
+    pub(super) fn left(&self) -> (f64, f64) {
+        let square: f64 = self.rest.iter().map(|&r| f64::from(r) * f64::from(r)).sum();
+        let count = self.rest.len().max(1);
+        let mut sizes: Vec<f32> = self.rest.iter().map(|r| r.abs()).collect();
+        let middle = sizes.len() / 2;
+        let median = if sizes.is_empty() {
+            0.0
+        } else {
+            f64::from(*sizes.select_nth_unstable_by(middle, f32::total_cmp).1)
+        };
+        ((square / count as f64).sqrt(), median)
+    }
+
+    /// The picture is found to be blurred by as much as makes the outlines, which are rendered, most like it.
+    pub(super) fn find_blur(&mut self, target: Vec<f32>) {
+        const STEP: f64 = 0.25;
+        let cover: Vec<f32> = target.iter().zip(&self.rest).map(|(t, r)| t - r).collect();
+        let square = |field: &Self, sigma: f64| {
+            let half: Vec<f32> = half_gaussian(sigma).iter().map(|&w| w as f32).collect();
+            let mut sum = 0.0;
+            for slot in 0..field.places.len() {
+                let blurred = field.blurred(&cover, slot as u32, &half, true);
+                for (value, target) in blurred.iter().zip(&target[slot * AREA..]) {
+                    sum += f64::from(target - value) * f64::from(target - value);
+                }
+            }
+            sum
+        };
+        let squares: [f64; 9] = core::array::from_fn(|i| square(self, STEP * i as f64));
+        let best = (0..squares.len()).fold(0, |best, i| if squares[i] < squares[best] { i } else { best });
+        if best == 0 {
+            return;
+        }
+        let mut sigma = STEP * best as f64;
+        if best + 1 < squares.len() {
+            let (before, after) = (squares[best - 1] - squares[best], squares[best + 1] - squares[best]);
+            sigma += STEP * 0.5 * (before - after) / (before + after).max(1e-12);
+        }
+        let half = half_gaussian(sigma).iter().map(|&w| w as f32).collect();
+        let changed = (0..self.places.len() as u32).collect();
+        let lead = self.rest.clone();
+        self.blur = Some(Blur { half, target, cover, lead, changed });
+        self.settle();
+    }
+
+    /// Tiles and those next to them, each once.
+    fn around(&self, slots: &[u32]) -> Vec<u32> {
+        let mut found = Vec::with_capacity(slots.len() * 3);
+        for &slot in slots {
+            let place = self.places[slot as usize] as usize;
+            for dy in 0..3 {
+                for dx in 0..3 {
+                    let at = (place + dy * self.across + dx).checked_sub(self.across + 1);
+                    if let Some(&other) = at.and_then(|at| self.slots.get(at))
+                        && other != NONE
+                    {
+                        found.push(other);
+                    }
+                }
+            }
+        }
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
+    /// The pixels of one tile, blurred. Where no tile is, the nearest pixel's own side counts, or nothing.
+    fn blurred(&self, plane: &[f32], slot: u32, half: &[f32], own: bool) -> [f32; AREA] {
+        const WIDE: usize = SIDE + 2 * REACH;
+        let reach = (half.len() - 1).min(REACH);
+        let place = self.places[slot as usize] as usize;
+        let (row, column) = (place / self.across * SIDE, place % self.across * SIDE);
+        let mut along = [[0.0_f32; SIDE]; WIDE];
+        for (dy, out) in along.iter_mut().enumerate().take(REACH + SIDE + reach).skip(REACH - reach) {
+            let mut line = [0.0_f32; WIDE];
+            for (dx, value) in line.iter_mut().enumerate().take(REACH + SIDE + reach).skip(REACH - reach) {
+                let (y, x) = ((row + dy).wrapping_sub(REACH), (column + dx).wrapping_sub(REACH));
+                let known = y < self.down * SIDE && x < self.across * SIDE;
+                let pixel = if known { self.pixel(x, y) } else { NONE };
+                *value = if pixel != NONE {
+                    plane[pixel as usize]
+                } else if own {
+                    let inner = |d: usize| d.max(REACH).min(REACH + SIDE - 1) - REACH;
+                    plane[slot as usize * AREA + inner(dy) * SIDE + inner(dx)].round()
+                } else {
+                    0.0
+                };
+            }
+            for (i, value) in out.iter_mut().enumerate() {
+                let mut sum = half[0] * line[REACH + i];
+                for (d, weight) in half.iter().enumerate().take(reach + 1).skip(1) {
+                    sum += weight * (line[REACH + i - d] + line[REACH + i + d]);
+                }
+                *value = sum;
+            }
+        }
+        core::array::from_fn(|at| {
+            let (y, x) = (REACH + at / SIDE, at % SIDE);
+            let mut sum = half[0] * along[y][x];
+            for (d, weight) in half.iter().enumerate().take(reach + 1).skip(1) {
+                sum += weight * (along[y - d][x] + along[y + d][x]);
+            }
+            sum
+        })
+    }
+}

@@ -1,0 +1,192 @@
+//! All outlines of a picture refined against it, one after another: first as they are, then with fewer and fewer joints.
+
+use super::field::{Field, Shading};
+use super::gray::Gray;
+use super::outline::Outline;
+use super::refine::{Left, Refiner, Shape};
+use super::simplify::{Limits, may_go_on, merge_round};
+use crate::error::Result;
+use crate::numerics::Point;
+
+/// What refined outlines leave of most pixels of a picture of exact coverage.
+const ROUGH: f64 = 0.0005;
+/// Steps of all nodes at first, and of few nodes at last.
+const STEPS: usize = 6;
+const LAST_STEPS: usize = 8;
+
+/// Refinement on its way.
+#[derive(Debug)]
+pub(super) struct Refinement {
+    field: Field,
+    refiner: Refiner,
+    shapes: Vec<Shape>,
+    phase: Phase,
+    /// The outline that is next.
+    at: usize,
+    /// Rounds of merging that this outline has had.
+    round: usize,
+    /// What the outlines were before the rough ones, and what they left.
+    fine: Vec<Outline>,
+    left: f64,
+    limits: Limits,
+    /// The outline before joints were taken away, and what it left.
+    start: Option<(Outline, f64)>,
+    noisy: bool,
+    /// What the picture shows, until the blur is found.
+    target: Option<Vec<f32>>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Phase {
+    Show,
+    First,
+    Rough,
+    Fewer,
+    Done,
+}
+
+impl Refinement {
+    /// Begins with outlines of contours. A noisy picture may be blurred; by how much is found.
+    pub(super) fn new<'a>(
+        gray: &Gray,
+        shading: &Shading,
+        outlines: Vec<Outline>,
+        contours: impl Iterator<Item = &'a [Point]>,
+        noisy: bool,
+    ) -> Result<Self> {
+        let field = Field::new(gray, shading, contours, if noisy { 8.0 } else { 2.5 })?;
+        let target = noisy.then(|| field.rest.clone());
+        let shapes = outlines.into_iter().map(|outline| Shape::new(outline, &field)).collect();
+        Ok(Self {
+            field,
+            refiner: Refiner::default(),
+            shapes,
+            phase: Phase::Show,
+            at: 0,
+            round: 0,
+            fine: Vec::new(),
+            left: 0.0,
+            limits: Limits { rms: 0.012, most: 0.055, noise: 0.0, share: 12.0 },
+            start: None,
+            noisy,
+            target,
+        })
+    }
+
+    /// How many outlines have been through how many phases.
+    pub(super) fn completed(&self) -> usize {
+        self.phase as usize * self.shapes.len() + self.at
+    }
+
+    /// Outlines times phases.
+    pub(super) fn total(&self) -> usize {
+        Phase::Done as usize * self.shapes.len()
+    }
+
+    /// A bit more; its cost in about microseconds. `rough` gives a coarser outline of a contour.
+    pub(super) fn step(&mut self, rough: &dyn Fn(usize) -> Outline) -> Result<f64> {
+        if self.at >= self.shapes.len() {
+            self.next_phase();
+            return Ok(1.0);
+        }
+        let (i, refiner, field) = (self.at, &mut self.refiner, &mut self.field);
+        let shape = &mut self.shapes[i];
+        let cost = 0.3 * shape.parts.iter().map(Vec::len).sum::<usize>() as f64;
+        match self.phase {
+            Phase::Show => refiner.show(field, shape),
+            Phase::First => {
+                let nodes = shape.nodes();
+                refiner.refine(field, shape, &nodes, STEPS)?;
+            }
+            Phase::Rough => {
+                self.fine.push(shape.outline.clone());
+                refiner.replace(field, shape, rough(i));
+                let nodes = shape.nodes();
+                refiner.refine(field, shape, &nodes, STEPS)?;
+            }
+            Phase::Fewer => {
+                if self.round == 0 {
+                    self.start = Some((shape.outline.clone(), shape.left(field).rms()));
+                }
+                self.round += 1;
+                if may_go_on(self.round) && merge_round(refiner, field, shape, &self.limits)? {
+                    return Ok(2.0 * cost);
+                }
+                self.last()?;
+                self.round = 0;
+            }
+            Phase::Done => {}
+        }
+        self.at += 1;
+        Ok(cost)
+    }
+
+    fn next_phase(&mut self) {
+        self.at = 0;
+        self.phase = match self.phase {
+            Phase::Show => {
+                if let Some(target) = self.target.take() {
+                    self.field.find_blur(target);
+                }
+                Phase::First
+            }
+            Phase::First => {
+                let (left, median) = self.field.left();
+                self.left = left;
+                if self.noisy {
+                    self.limits.noise = left;
+                }
+                if !self.noisy && median > ROUGH { Phase::Rough } else { Phase::Fewer }
+            }
+            Phase::Rough => {
+                let (left, _) = self.field.left();
+                // If fewer pieces explain the picture as well, the rest is not in the drawing.
+                if left < 1.25 * self.left {
+                    self.limits.noise = left;
+                } else {
+                    for (shape, outline) in self.shapes.iter_mut().zip(core::mem::take(&mut self.fine)) {
+                        self.refiner.replace(&mut self.field, shape, outline);
+                    }
+                }
+                Phase::Fewer
+            }
+            Phase::Fewer | Phase::Done => Phase::Done,
+        };
+    }
+
+    /// Cubics that hardly bend become lines, and a last refinement. An outline that lost its way is as it was before.
+    fn last(&mut self) -> Result<()> {
+        let (refiner, field, shape) = (&mut self.refiner, &mut self.field, &mut self.shapes[self.at]);
+        let mut straight = shape.outline.clone();
+        straight.straighten();
+        if straight != shape.outline {
+            refiner.replace(field, shape, straight);
+        }
+        let nodes = shape.nodes();
+        refiner.refine(field, shape, &nodes, LAST_STEPS)?;
+        let Some((start, before)) = self.start.take() else { return Ok(()) };
+        if shape.left(field).rms() > (1.5 * before).max(2.0 * self.limits.rms) {
+            refiner.replace(field, shape, start);
+            let nodes = shape.nodes();
+            refiner.refine(field, shape, &nodes, LAST_STEPS)?;
+        }
+        Ok(())
+    }
+
+    /// Whether all is done.
+    pub(super) fn is_done(&self) -> bool {
+        self.phase == Phase::Done
+    }
+
+    /// The outlines, and the root mean square of what they leave in the pixels that they cross.
+    pub(super) fn finish(&mut self) -> (Vec<Outline>, f64) {
+        let mut left = Left::default();
+        for shape in &self.shapes {
+            let own = shape.left(&self.field);
+            left.square += own.square;
+            left.count += own.count;
+        }
+        let outlines = core::mem::take(&mut self.shapes).into_iter().map(|shape| shape.outline).collect();
+        (outlines, left.rms())
+    }
+}
