@@ -48,14 +48,18 @@ export interface ContractParts {
   mesh?: (rows: number, cols: number) => Float64Array;
   /** Resolves when no mode is being loaded. */
   settled?: () => Promise<void>;
-  fit?: {
-    /** Points of a fitted stroke at uniform parameters; null while there is no fit. */
-    sample(count: number, stroke: number): Float64Array | null;
-    result(): object | null;
-    lastJobMs(): number;
-    /** Resolves when no fit is under way. */
-    working(): Promise<void>;
-  };
+  fit?: ModeContract;
+  trace?: ModeContract;
+}
+
+/** What a mode that computes in a worker adds. */
+export interface ModeContract {
+  /** Points of an outcome's stroke or outline at uniform parameters; null while there is none. */
+  sample(count: number, contour: number): Float64Array | null;
+  result(): object | null;
+  lastJobMs(): number;
+  /** Resolves when nothing is under way. */
+  working(): Promise<void>;
 }
 
 export interface ContractOptions {
@@ -67,32 +71,40 @@ export interface ContractOptions {
   readState(value: unknown): Promise<DemoState>;
 }
 
+function withResult<T extends object>(document: T, mode: ModeContract | undefined): T {
+  const result = mode?.result() ?? null;
+  return result === null ? document : { ...document, result };
+}
+
 export function createContract({ editor, frame, ready, readState, parts }: ContractOptions): ExplineDemo {
+  const working = async (): Promise<void> => {
+    await parts.fit?.working();
+    await parts.trace?.working();
+  };
   return {
     version: engineVersion,
     ready,
     async idle() {
       await ready;
-      await parts.settled?.();
       await Promise.all(editor.loading);
-      await parts.fit?.working();
+      await parts.settled?.();
+      await working();
       await frame.idle();
     },
     getState() {
-      const state = structuredClone(editor.getState());
-      const result = parts.fit?.result() ?? null;
-      return result === null ? state : { ...state, fit: { ...state.fit, result } };
+      const { fit, trace, ...state } = structuredClone(editor.getState());
+      return { ...state, fit: withResult(fit, parts.fit), trace: withResult(trace, parts.trace) };
     },
     async setState(state) {
       editor.setState(await readState(structuredClone(state)));
       await parts.settled?.();
-      await parts.fit?.working();
+      await working();
       await frame.idle();
     },
     sample(count, contour = 0) {
       const { curve, mode } = editor.state.value;
-      const fitted = mode === "fit" ? parts.fit?.sample(count, contour) : undefined;
-      if (fitted !== undefined) return pairs(fitted ?? new Float64Array(0));
+      const own = mode === "fit" || mode === "trace" ? parts[mode]?.sample(count, contour) : undefined;
+      if (own !== undefined) return pairs(own ?? new Float64Array(0));
       const shape = curve.contours[contour];
       return shape === undefined ? [] : pairs(samplePoints(curve, shape, count));
     },
@@ -118,7 +130,7 @@ export function createContract({ editor, frame, ready, readState, parts }: Contr
       const { bezierError, modelError } = measureCurve(editor.state.value.curve);
       return {
         frameMs: [...frame.times],
-        lastJobMs: parts.fit?.lastJobMs() ?? 0,
+        lastJobMs: parts[editor.state.value.mode === "trace" ? "trace" : "fit"]?.lastJobMs() ?? 0,
         wasmBytes: __WASM_BYTES__,
         ...(bezierError === undefined ? {} : { bezierError }),
         ...(modelError === undefined ? {} : { modelError }),

@@ -58,6 +58,7 @@ async function boot(): Promise<void> {
   await panels.openSession();
   parts.settled = loadModes(editor, {
     fit: async () => (await import("./fit-mode.ts")).mountFitMode({ editor, frame, stage, surface, proxies: part("proxies"), panels, contract: parts, until }),
+    trace: async () => (await import("./trace-mode.ts")).mountTraceMode({ editor, frame, stage, surface, proxies: part("proxies"), panels, contract: parts, until }),
     surface: async () => (await import("./surface-mode.ts")).mountSurfaceMode({ editor, frame, stage, surface, panels, contract: parts, until }),
   }, until).settled;
   await parts.settled();

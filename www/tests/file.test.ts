@@ -1,8 +1,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { emptyTrace, stateVersion, type DemoState } from "../src/document/document.ts";
+import { stateVersion, type DemoState } from "../src/document/document.ts";
 import { emptyFit } from "../src/document/fit.ts";
 import { emptySurface } from "../src/document/surface.ts";
+import { emptyTrace } from "../src/document/trace.ts";
 import { FileError, parseState, readState, writeState, type FileErrorCode } from "../src/document/file.ts";
 import { curveSamples } from "../src/document/samples.ts";
 

@@ -9,6 +9,7 @@
 
 import type { FitDocument } from "./fit.ts";
 import type { Root, SavedOrbit, SurfaceDocument } from "./surface.ts";
+import type { TraceDocument } from "./trace.ts";
 
 export type Mode = "curve" | "fit" | "trace" | "surface";
 
@@ -91,11 +92,6 @@ export interface CurveDocument {
   readonly sample?: string;
 }
 
-export interface TraceDocument {
-  readonly sample?: string;
-  readonly settings: Readonly<Record<string, number | string | boolean>>;
-}
-
 /** What the window looks at: the document point in the middle of the stage, and CSS pixels per document unit. */
 export interface View {
   readonly zoom: number;
@@ -121,7 +117,6 @@ export interface DemoState {
 }
 
 export const emptyCurve: CurveDocument = { space: "trigonometric", omega: "auto", level: 0, contours: [] };
-export const emptyTrace: TraceDocument = { settings: {} };
 
 export const noOffset: Offset = { dx: 0, dy: 0 };
 

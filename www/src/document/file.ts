@@ -3,14 +3,16 @@
  * only what it knows, so that nothing else in a file can reach the page; writing is the plain JSON of the state.
  */
 import {
-  baseCount, emptyTrace, modes, segmentCount, stateVersion,
+  baseCount, modes, segmentCount, stateVersion,
   type Contour, type ControlPoint, type CurveDocument, type DemoState, type FinePlace, type Grid, type Offset, type Order,
-  type TraceDocument, type View,
+  type View,
 } from "./document.ts";
 import { readFit } from "./file/fit.ts";
 import { readOrbit, readRoots, readSurface } from "./file/surface.ts";
+import { readTrace } from "./file/trace.ts";
 import { emptyFit } from "./fit.ts";
 import { emptySurface } from "./surface.ts";
+import { emptyTrace } from "./trace.ts";
 import { asArray, asBoolean, asNumber, asObject, asSampleId, asWhole, field, oneOf, optional, type Found } from "./file/check.ts";
 import { FileError } from "./file/error.ts";
 import { checkJson } from "./file/scan.ts";
@@ -60,7 +62,7 @@ export function readState(value: unknown): DemoState {
     view: optional(root, "view", readView) ?? { zoom: 1, x: 400, y: 300 },
     curve: readCurve(field(root, "curve")),
     fit: optional(root, "fit", readFit) ?? emptyFit,
-    trace: optional(root, "trace", readTrace) ?? emptyTrace,
+    trace: optional(root, "trace", (found) => readTrace(found, readContours)) ?? emptyTrace,
     surface: optional(root, "surface", readSurface) ?? emptySurface,
     ...defined({ orbit: optional(root, "orbit", readOrbit) }),
   };
@@ -89,14 +91,18 @@ function readView(found: Found): View {
 }
 
 function readCurve(found: Found): CurveDocument {
-  const left = { points: limits.maxPoints };
   return {
     space: oneOf(field(found, "space"), spaces),
     omega: readOmega(field(found, "omega")),
     level: optional(found, "level", (level) => asWhole(level, 0, 24)) ?? 0,
-    contours: asArray(field(found, "contours"), (contour) => readContour(contour, left), limits.maxContours, "maxContours"),
+    contours: readContours(field(found, "contours")),
     ...defined({ sample: optional(found, "sample", asSampleId) }),
   };
+}
+
+function readContours(found: Found): Contour[] {
+  const left = { points: limits.maxPoints };
+  return asArray(found, (contour) => readContour(contour, left), limits.maxContours, "maxContours");
 }
 
 function readOmega(found: Found): number | "auto" {
@@ -177,16 +183,4 @@ function readPoint(found: Found): ControlPoint {
     out: readOffset(field(found, "out")),
     ...defined({ level: optional(found, "level", (level) => asWhole(level, 0, 24)), moved: optional(found, "moved", readOffset) }),
   };
-}
-
-function readTrace(found: Found): TraceDocument {
-  const settings = field(found, "settings");
-  const entries = Object.entries(asObject(settings)).slice(0, 100).map(([name, value]) => {
-    if (!/^[a-z][a-zA-Z]{0,40}$/u.test(name)) throw new FileError("E_SCHEMA", settings.path, "has a name that is no setting");
-    const path = `${settings.path}.${name}`;
-    if (typeof value === "number") return [name, asNumber({ value, path })] as const;
-    if (typeof value === "boolean" || (typeof value === "string" && value.length <= 100)) return [name, value] as const;
-    throw new FileError("E_SCHEMA", path, "is not a number, a word or a switch");
-  });
-  return { settings: Object.fromEntries(entries), ...defined({ sample: optional(found, "sample", asSampleId) }) };
 }

@@ -12,11 +12,13 @@ export interface ProblemDetails {
   readonly most?: number;
   readonly kept?: string;
   readonly kilobytes?: number;
+  readonly width?: number;
+  readonly height?: number;
   readonly code?: string;
 }
 
 export type ProblemId =
-  | "image-later" | "file-type"
+  | "image-type" | "image-broken" | "image-big" | "image-blank" | "file-type"
   | "svg-broken" | "svg-entities" | "svg-big" | "svg-range" | "svg-nopath"
   | "d-broken" | "d-range" | "d-big"
   | "points-rows" | "points-few"

@@ -1,9 +1,10 @@
 import type { Command } from "../document/commands.ts";
 import {
-  emptyCurve, emptyTrace, nothingSelected, pointAt, stateVersion, type Contour, type CurveDocument, type DemoState, type Mode, type Selection,
+  emptyCurve, nothingSelected, pointAt, stateVersion, type Contour, type CurveDocument, type DemoState, type Mode, type Selection,
 } from "../document/document.ts";
 import { emptyFit, type FitMoment } from "../document/fit.ts";
 import { emptySurface, noNetPoints, type SurfaceMoment } from "../document/surface.ts";
+import { emptyTrace, type TraceMoment } from "../document/trace.ts";
 import { emptyHistory, record, stepBack, stepForward, type History, type Moment } from "../document/history.ts";
 import { translationOf } from "../document/contours.ts";
 import { curveOf } from "../kernel/curve-cache.ts";
@@ -14,6 +15,7 @@ import { initialFitView, noFitRun } from "./fit/fit-state.ts";
 import { createSignal } from "./signal.ts";
 import { startSolid } from "./surface/solid.ts";
 import { createTimeline, type Timeline } from "./timeline.ts";
+import { initialTraceView, noTraceRun } from "./trace/trace-state.ts";
 
 export const nothingSketched: Sketch = { guides: [], marquee: null, rubber: null, finger: null, proposal: null };
 
@@ -38,6 +40,9 @@ const initialState: EditorState = {
   fitView: initialFitView,
   fitRun: noFitRun,
   trace: emptyTrace,
+  traceView: initialTraceView,
+  traceRun: noTraceRun,
+  incoming: null,
   surface: emptySurface,
   chosen: noNetPoints,
   solid: startSolid,
@@ -129,7 +134,7 @@ export function createEditor(now: () => number): Editor {
   }
 
   function timelineOf(mode: Mode): Pick<Timeline<unknown>, "past" | "future" | "undo" | "redo"> | null {
-    return mode === "surface" ? surfaceEdits : mode === "fit" ? fitEdits : null;
+    return mode === "surface" ? surfaceEdits : mode === "fit" ? fitEdits : mode === "trace" ? traceEdits : null;
   }
 
   const refresh = (): void => state.set({ ...state.value, ...travels(state.value.mode) });
@@ -146,6 +151,14 @@ export function createEditor(now: () => number): Editor {
     read: () => ({ fit: state.value.fit }),
     write: (moment) => state.set({ ...state.value, ...moment }),
     same: (a, b) => a.fit === b.fit,
+    changed: refresh,
+    now,
+  });
+
+  const traceEdits = createTimeline<TraceMoment>({
+    read: () => ({ trace: state.value.trace }),
+    write: (moment) => state.set({ ...state.value, ...moment }),
+    same: (a, b) => a.trace === b.trace,
     changed: refresh,
     now,
   });
@@ -174,8 +187,9 @@ export function createEditor(now: () => number): Editor {
     },
     surfaceEdits,
     fitEdits,
+    traceEdits,
     get inGesture() {
-      return gesture !== null || surfaceEdits.inGesture || fitEdits.inGesture;
+      return gesture !== null || surfaceEdits.inGesture || fitEdits.inGesture || traceEdits.inGesture;
     },
     get origin() {
       return gesture?.start.curve ?? state.value.curve;
@@ -244,7 +258,7 @@ export function createEditor(now: () => number): Editor {
     getState() {
       const { mode, view, curve, fit, trace, surface, solid } = state.value;
       const look = surface.net.length === 0 ? {} : { orbit: solid.orbit };
-      return { format: "expline-demo", version: stateVersion, mode, view, curve, fit, trace, surface, ...look };
+      return { format: "expline-demo", version: stateVersion, mode, view, curve, fit, trace: editor.modes.get("trace")?.saved?.(state.value) ?? trace, surface, ...look };
     },
     setState(next: DemoState, options = {}) {
       editor.bail();
@@ -254,18 +268,21 @@ export function createEditor(now: () => number): Editor {
       if (problem !== null) throw problem;
       surfaceEdits.bail();
       fitEdits.bail();
+      traceEdits.bail();
       if (options.fresh === true) {
         history = emptyHistory();
-        state.set({ ...state.value, surface, chosen: noNetPoints, fit });
+        state.set({ ...state.value, surface, chosen: noNetPoints, fit, trace });
         surfaceEdits.forget();
         fitEdits.forget();
+        traceEdits.forget();
       } else {
         history = record(history, { name: "Open", before, after: { curve: next.curve, selection: nothingSelected }, run: undefined, time: now() });
         surfaceEdits.dispatch("Open", () => ({ surface, chosen: noNetPoints }));
         fitEdits.dispatch("Open", () => ({ fit }));
+        traceEdits.dispatch("Open", () => ({ trace }));
       }
       const { solid } = state.value;
-      state.set({ ...state.value, mode, view, trace, solid: next.orbit === undefined ? solid : { ...solid, orbit: next.orbit } });
+      state.set({ ...state.value, mode, view, solid: next.orbit === undefined ? solid : { ...solid, orbit: next.orbit } });
       put(next.curve, nothingSelected, { mode });
     },
   };

@@ -1,8 +1,9 @@
 import type { Command } from "../document/commands.ts";
 import type {
-  Contour, CurveDocument, DemoState, HandleRef, Mode, PointRef, Selection, TraceDocument, View,
+  Contour, CurveDocument, DemoState, HandleRef, Mode, PointRef, Selection, View,
 } from "../document/document.ts";
 import type { FitDocument, FitMoment } from "../document/fit.ts";
+import type { TraceDocument, TraceMoment } from "../document/trace.ts";
 import type { NetRef, SurfaceDocument, SurfaceMoment } from "../document/surface.ts";
 import type { PagePoint, StageBox } from "./camera.ts";
 import type { FitRun, FitView } from "./fit/fit-state.ts";
@@ -10,6 +11,7 @@ import type { ModeParts } from "./mode.ts";
 import type { Readable } from "./signal.ts";
 import type { SolidState } from "./surface/solid.ts";
 import type { Timeline } from "./timeline.ts";
+import type { Incoming, TraceRun, TraceView } from "./trace/trace-state.ts";
 
 export type ToolId = "select" | "pen" | "draw" | "hand";
 
@@ -102,6 +104,12 @@ export interface EditorState {
   /** What came of the last fit, and what is under way. */
   readonly fitRun: FitRun;
   readonly trace: TraceDocument;
+  /** How Trace is looked at. */
+  readonly traceView: TraceView;
+  /** The picture, what came of the last trace, and what is under way. */
+  readonly traceRun: TraceRun;
+  /** A picture that has just been brought in, until Trace takes it. */
+  readonly incoming: Incoming | null;
   readonly surface: SurfaceDocument;
   /** The chosen points of the surface's net. */
   readonly chosen: readonly NetRef[];
@@ -165,7 +173,7 @@ export interface ActionRegistry {
 }
 
 /** What may be set without the history knowing. */
-export type EditorPatch = Partial<Omit<EditorState, "curve" | "surface" | "fit" | "canUndo" | "canRedo" | "undoName" | "redoName">>;
+export type EditorPatch = Partial<Omit<EditorState, "curve" | "surface" | "fit" | "trace" | "canUndo" | "canRedo" | "undoName" | "redoName">>;
 
 export interface Editor {
   readonly state: Readable<EditorState>;
@@ -194,6 +202,8 @@ export interface Editor {
   readonly surfaceEdits: Timeline<SurfaceMoment>;
   /** The same for the points that are fitted. */
   readonly fitEdits: Timeline<FitMoment>;
+  /** The same for the picture that is traced. */
+  readonly traceEdits: Timeline<TraceMoment>;
 
   /** Replaces parts of the state that are outside the history (view, selection, settings, hover, hint …). */
   patch(change: EditorPatch): void;

@@ -1,4 +1,5 @@
 import type { Contour, CurveDocument } from "../document/document.ts";
+import type { TraceDocument } from "../document/trace.ts";
 import type { ScreenPoint } from "./camera.ts";
 import type { EditorState } from "./editor.ts";
 import type { Pinch } from "./pinch.ts";
@@ -32,6 +33,8 @@ export interface ModeParts {
   program?(state: EditorState): string;
   /** Takes in what was pasted, dropped or opened, in place of Curve. */
   bring?(drawing: CurveDocument, contours: readonly Contour[], kind: string): void;
+  /** Its document as it is saved and shared, where that is not the document itself. */
+  saved?(state: EditorState): TraceDocument;
   /** The picture in words, for those who do not see it. */
   summary?(state: EditorState): string;
 }

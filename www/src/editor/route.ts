@@ -2,6 +2,7 @@ import { modes, type Mode } from "../document/document.ts";
 import { curveSample, landingSample } from "../document/samples.ts";
 import { emptyFit } from "../document/fit.ts";
 import { emptySurface, noNetPoints } from "../document/surface.ts";
+import { emptyTrace } from "../document/trace.ts";
 import { loadCurve } from "./edits.ts";
 import { defaultSettings } from "./create-editor.ts";
 import type { Editor, OverlayId } from "./editor.ts";
@@ -70,7 +71,7 @@ function follow(editor: Editor, route: Route): void {
       editor.notify({ kind: "toast", text: `There is no sample named ${route.sample}.` });
     }
     if (route.mode === "fit" && route.sample !== fit.sample) nameFit(editor, route.sample);
-    if (route.mode === "trace") editor.patch({ trace: { ...trace, sample: route.sample } });
+    if (route.mode === "trace" && route.sample !== trace.sample) nameTrace(editor, route.sample);
     if (route.mode === "surface" && route.sample !== surface.sample) nameSurface(editor, route.sample);
   }
   editor.patch({ mode: route.mode });
@@ -79,6 +80,11 @@ function follow(editor: Editor, route: Route): void {
 /** An empty net is the sample that it names, still to be opened. */
 function nameSurface(editor: Editor, sample: string): void {
   editor.surfaceEdits.dispatch("Open sample", () => ({ surface: { ...emptySurface, sample }, chosen: noNetPoints }));
+}
+
+/** Its own settings come with the mode. */
+function nameTrace(editor: Editor, sample: string): void {
+  editor.traceEdits.dispatch("Open sample", () => ({ trace: { ...emptyTrace, sample } }));
 }
 
 /** Data without points are the sample that they name, still to be opened. */
@@ -96,10 +102,10 @@ export function connectRoutes(editor: Editor, until: AbortSignal): void {
   };
   let following = false;
   editor.state.subscribe((state, before) => {
-    if (following || (state.mode === before.mode && state.curve === before.curve && state.fit.sample === before.fit.sample)) return;
+    if (following || (state.mode === before.mode && state.curve === before.curve && state.fit.sample === before.fit.sample && state.trace.sample === before.trace.sample)) return;
     // Another mode or another sample is a page to come back to; an edit only stops the address from promising the sample.
     const { sample } = routeOf(editor);
-    const last = state.mode === "fit" ? before.fit.sample : before.curve.sample;
+    const last = (state.mode === "fit" ? before.fit : state.mode === "trace" ? before.trace : before.curve).sample;
     write(state.mode !== before.mode || (sample !== null && sample !== last));
   }, { until });
   window.addEventListener("hashchange", () => {

@@ -1,7 +1,7 @@
 /** Files and text that arrive by a file field, by drop or by paste: what they are, by type, name and first bytes. */
 import { Problem } from "../document/problem.ts";
 
-export type Incoming = { readonly name: string; readonly text: string };
+export type Incoming = { readonly name: string; readonly text: string } | { readonly name: string; readonly picture: Blob };
 
 const mostTextBytes = 32 * 1024 * 1024;
 
@@ -12,12 +12,17 @@ function extensionOf(name: string): string {
 const textTypes: ReadonlySet<string> = new Set(["svg", "json", "txt", "csv"]);
 const pictureTypes: ReadonlySet<string> = new Set(["png", "jpg", "jpeg", "webp", "avif", "gif", "bmp", "tif", "tiff", "heic"]);
 
-/** The text of a file that can be drawn. @throws Problem for pictures (they come with Trace) and for anything else. */
+/** A picture, or the text of a file that can be drawn. @throws Problem for anything else. */
 export async function readIncoming(file: File): Promise<Incoming> {
-  const name = file.name === "" ? "The pasted file" : shortName(file.name);
+  const named = file.name !== "";
+  const name = named ? shortName(file.name) : "The pasted file";
   const extension = extensionOf(file.name);
   const isSvg = file.type === "image/svg+xml" || extension === "svg";
-  if (!isSvg && (file.type.startsWith("image/") || pictureTypes.has(extension))) throw new Problem("image-later", { name });
+  if (!isSvg && (file.type.startsWith("image/") || pictureTypes.has(extension))) {
+    const title = named ? name : "Pasted picture";
+    await (await import("./picture-file.ts")).checkPicture(file, title);
+    return { name: title, picture: file };
+  }
   const isText = isSvg || textTypes.has(extension) || file.type === "application/json" || file.type.startsWith("text/");
   if (!isText) throw new Problem("file-type", { name });
   if (file.size > mostTextBytes) throw new Problem("svg-big", { field: "bytes", most: mostTextBytes });
@@ -69,13 +74,18 @@ export function listenForIncoming(handlers: IncomingHandlers, until: AbortSignal
   }, options);
   window.addEventListener("paste", (event) => {
     if (takesText(event.target)) return;
-    const files = [...(event.clipboardData?.files ?? [])];
+    const files = [...(event.clipboardData?.files ?? [])].map(withoutStandIn);
     const text = event.clipboardData?.getData("text/plain") ?? "";
     if (files.length === 0 && text === "") return;
     event.preventDefault();
     if (text !== "") handlers.text(text);
     else handlers.files(files);
   }, options);
+}
+
+/** Pixels on the clipboard come as a file of this name, which is nobody's. */
+function withoutStandIn(file: File): File {
+  return /^image\.(?:png|jpe?g|webp|gif|bmp)$/u.test(file.name) ? new File([file], "", { type: file.type }) : file;
 }
 
 function carriesDrawing(data: DataTransfer | null): boolean {

@@ -2,6 +2,7 @@
 import type { DemoState } from "../document/document.ts";
 import { parseState } from "../document/file.ts";
 import { Problem } from "../document/problem.ts";
+import { isEmptyTrace } from "../document/trace.ts";
 import { deflate, inflate } from "./compress.ts";
 import { isShareLink, linkPrefix } from "./link.ts";
 
@@ -13,7 +14,7 @@ function worthSharing(state: DemoState): object {
   const { fit, trace, surface, ...rest } = state;
   // The points of a sample are made anew from its name, its noise and its seed.
   const short = fit.sample === undefined ? fit : { ...fit, data: [], starts: [] };
-  return { ...rest, ...(fit.data.length > 0 ? { fit: short } : {}), ...(Object.keys(trace.settings).length > 0 ? { trace } : {}), ...(surface.net.length > 0 ? { surface } : {}) };
+  return { ...rest, ...(fit.data.length > 0 ? { fit: short } : {}), ...(isEmptyTrace(trace) ? {} : { trace }), ...(surface.net.length > 0 ? { surface } : {}) };
 }
 
 /** @throws Problem `share-long` when the link would not fit everywhere. */

@@ -4,8 +4,13 @@ import { nearMessages, type FarProblem } from "./errors.ts";
 
 /** What can be wrong with something that was brought in, in words. */
 const farMessages: Readonly<Record<FarProblem, (d: ProblemDetails) => string>> = {
-  "image-later": (d) => `${d.name ?? "The picture"} was not opened: tracing pictures comes with Trace mode. Today, drop an SVG or paste a path.`,
-  "file-type": (d) => `${d.name ?? "That file"} is nothing this page can read. Try SVG, a path, an expline JSON file, or points as x,y rows.`,
+  "image-type": (d) => `That file is not a picture this browser can read (${d.name ?? "no name"}). Try PNG, JPEG, WebP or SVG.`,
+  "image-broken": (d) => `${d.name ?? "The picture"} could not be decoded. It may be incomplete. The previous picture is kept.`,
+  "image-big": (d) => (d.width === undefined
+    ? `${d.name ?? "The picture"} is ${((d.kilobytes ?? 0) / 1000).toFixed(1)} MB; the limit is 25 MB. Scale it down and try again.`
+    : `${d.name ?? "The picture"} is ${d.width} × ${d.height ?? 0}; the limit is 40 MP. Scale it down and try again.`),
+  "image-blank": (d) => `This browser gave back no pixels of ${d.name ?? "the picture"}. Choose a smaller work size and try again.`,
+  "file-type": (d) => `${d.name ?? "That file"} is nothing this page can read. Try a picture, SVG, a path, an expline JSON file, or points as x,y rows.`,
   "svg-broken": (d) => (d.line === undefined ? "The SVG could not be read: this is not an SVG document." : `The SVG could not be read: line ${d.line}, column ${d.column ?? 1}.`),
   "svg-entities": () => "The SVG could not be read: it declares entities, which are refused. Save it as plain SVG and try again.",
   "svg-big": (d) => `The SVG is too large to read here (${d.field ?? "size"}: the limit is ${d.most ?? 0}). Simplify it and try again.`,

@@ -1,9 +1,11 @@
 import type { CurveDocument } from "../document/document.ts";
 import { curveSample } from "../document/samples.ts";
+import { Problem } from "../document/problem.ts";
 import { documentPathD } from "../kernel/paths.ts";
 import { documentBounds } from "../kernel/samples.ts";
 import { errorText } from "./errors.ts";
 import { naturalPlacement, place, readOrReport } from "./load.ts";
+import { openPicture } from "./open-picture.ts";
 import { report } from "./report.ts";
 import type { Shell } from "./shell.ts";
 
@@ -59,13 +61,21 @@ export async function receiveText(shell: Shell, text: string): Promise<void> {
   }
 }
 
-/** Files from a drop or a paste, one after the other; each is reported on by itself. */
+/** Where a picture is waited for, a file that is none is told so. */
+function forTrace({ editor }: Shell, file: File, error: unknown): unknown {
+  const strange = error instanceof Problem && error.id === "file-type" && editor.state.value.mode === "trace";
+  return strange ? new Problem("image-type", { name: error.details.name ?? file.name }) : error;
+}
+
+/** Files from a drop or a paste, one after the other; each is reported on by itself. The first picture is the last that is opened. */
 export async function receiveFiles(shell: Shell, files: readonly File[]): Promise<void> {
   for (const file of files.slice(0, 20)) {
     try {
-      await receiveText(shell, (await shell.io.readIncoming(file)).text);
+      const incoming = await shell.io.readIncoming(file);
+      if (!("picture" in incoming)) await receiveText(shell, incoming.text);
+      else if (shell.editor.state.value.engine.status === "ready") return openPicture(shell, incoming.name, incoming.picture);
     } catch (error) {
-      report(shell, error);
+      report(shell, forTrace(shell, file, error));
     }
   }
 }

@@ -1,12 +1,12 @@
 import type { Mode } from "../document/document.ts";
 import type { Editor } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
+import { whileLoading } from "../editor/loading.ts";
 import { mountBoot } from "./boot.ts";
 import { mountEmptyCurve } from "./empty-curve.ts";
 import { mountContextMenu } from "./context-menu.ts";
 import { registerFileActions } from "./files.ts";
 import { mountHeader } from "./header.ts";
-import { mountEmptyStates } from "./later.ts";
 import type { PageIo } from "./page-io.ts";
 import { mountPanel, type ModePanel } from "./panel.ts";
 import { mountRail } from "./rail.ts";
@@ -28,7 +28,7 @@ export interface PanelsOptions {
 export interface Panels {
   /** Opens what the page was called with beside a route: a shared link, or the last session. Call once the engine runs. */
   openSession(): Promise<void>;
-  /** Puts a mode that was loaded in the place of its announcement. */
+  /** Puts in the panel and the numbers of a mode that was loaded. */
   addMode(mode: Mode, parts: { readonly panel: ModePanel; readonly metrics: ModeMetrics }): void;
   readonly shell: Shell;
 }
@@ -45,12 +45,11 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
   mountRail(shell);
   const statusBar = mountStatusBar(shell);
   const host = mountPanel(shell, statusBar.metrics);
-  const empty = mountEmptyStates(shell);
   mountEmptyCurve(shell);
   mountBoot(shell);
   mountContextMenu(shell);
   io.listenForIncoming({
-    files: (files) => void import("./file-work.ts").then(({ receiveFiles }) => receiveFiles(shell, files)),
+    files: (files) => void whileLoading(editor, import("./file-work.ts").then(({ receiveFiles }) => receiveFiles(shell, files))),
     text: (text) => void import("./file-work.ts").then(({ receiveText }) => receiveText(shell, text)),
     dragging: (over) => regions.stage.toggleAttribute("data-drop", over),
   }, signal);
@@ -58,7 +57,6 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
     shell,
     openSession: () => openSession(shell, address),
     addMode(mode, parts) {
-      empty.drop(mode);
       host.put(mode, parts.panel);
       statusBar.put(mode, parts.metrics);
     },

@@ -7,7 +7,7 @@ import type { Box, Imported } from "../document/imported.ts";
  */
 export interface PageIo {
   readImport(text: string, space: Space): Promise<Imported>;
-  readIncoming(file: File): Promise<{ readonly name: string; readonly text: string }>;
+  readIncoming(file: File): Promise<{ readonly name: string; readonly text: string } | { readonly name: string; readonly picture: Blob }>;
   listenForIncoming(handlers: IncomingHandlers, until: AbortSignal): void;
   isShareLink(hash: string): boolean;
   shareHash(state: DemoState): Promise<string>;

@@ -2,6 +2,7 @@ import type { Mode } from "../document/document.ts";
 import { clearCurve } from "../editor/edits.ts";
 import type { EditorState } from "../editor/editor.ts";
 import { curveSample } from "../document/samples.ts";
+import { isEmptyTrace } from "../document/trace.ts";
 import type { CodeDrawer } from "./code/code-drawer.ts";
 import { curveSection } from "./curve/curve-panel.ts";
 import { inspectorSection } from "./curve/inspector.ts";
@@ -9,7 +10,6 @@ import { generatorSection, pointsTableSection } from "./curve/points-table.ts";
 import { legendSection, showSection } from "./curve/show.ts";
 import { h, setAttribute, setText } from "./dom.ts";
 import { icon } from "./icons.ts";
-import { laterPanel, type LaterMode } from "./later.ts";
 import { mountSheet } from "./sheet.ts";
 import { inNextFrame, type Shell } from "./shell.ts";
 
@@ -26,7 +26,7 @@ export interface ModePanel {
 }
 
 export interface PanelHost {
-  /** Puts a mode's panel where its announcement was. */
+  /** Adds a mode's panel. */
   put(mode: Mode, panel: ModePanel): void;
 }
 
@@ -36,13 +36,12 @@ export function mountPanel(shell: Shell, metrics: HTMLElement): PanelHost {
   const curve = curveSection(shell);
   const sections = [curve, inspectorSection(shell), showSection(shell), legendSection(shell), generatorSection(shell), pointsTableSection(shell)];
   const curvePart = h("div", {}, ...sections.map((section) => section.element));
-  const later = (["trace"] as const).map((mode: LaterMode) => ({ mode, ...laterPanel(mode) }));
   const built = new Map<Mode, ModePanel>();
   const title = h("h2", { class: "panel-title" });
   const sample = h("span", { class: "section-note" });
-  const clear = h("button", { class: "small-button", type: "button", testid: "btn-clear", title: "Take everything off the stage; undo brings it back.", click: () => { if (!editor.actions.run("fit-clear")) clearCurve(editor); editor.patch({ hint: "" }); } }, "Clear");
+  const clear = h("button", { class: "small-button", type: "button", testid: "btn-clear", title: "Take everything off the stage; undo brings it back.", click: () => { if (!editor.actions.run(`${editor.state.value.mode}-clear`)) clearCurve(editor); editor.patch({ hint: "" }); } }, "Clear");
   const codeButton = h("button", { class: "code-toggle", type: "button", testid: "btn-code", "aria-expanded": "false", title: "The program that makes this drawing", click: () => editor.actions.run("code") }, icon("chevron"), h("span", {}, "Show code"));
-  const scroll = h("div", { class: "panel-scroll" }, h("div", { class: "panel-head" }, title, sample, clear), curvePart, ...later.map(({ element }) => element));
+  const scroll = h("div", { class: "panel-scroll" }, h("div", { class: "panel-head" }, title, sample, clear), curvePart);
   regions.panel.append(scroll, h("div", { class: "panel-foot" }, codeButton));
   const sheet = mountSheet(regions.panel, [metrics, curve.level], until);
   regions.panel.prepend(sheet.head);
@@ -69,13 +68,12 @@ export function mountPanel(shell: Shell, metrics: HTMLElement): PanelHost {
     setText(title, titles[state.mode]);
     const own = built.get(state.mode);
     setText(sample, state.mode === "curve" ? (curveSample(state.curve.sample ?? "")?.title ?? "") : (own?.note(state) ?? ""));
-    clear.hidden = state.mode !== "curve" && state.mode !== "fit";
-    clear.disabled = (state.mode === "fit" ? state.fit.data : state.curve.contours).length === 0;
+    clear.hidden = state.mode === "surface";
+    clear.disabled = state.mode === "trace" ? isEmptyTrace(state.trace) : (state.mode === "fit" ? state.fit.data : state.curve.contours).length === 0;
     // Only the mode's own controls are in the page: some have the same name in another mode.
     attach(curvePart, state.mode === "curve");
     curve.level.hidden = state.mode !== "curve";
     codeButton.hidden = state.mode !== "curve" && editor.modes.get(state.mode)?.program === undefined;
-    for (const { mode, element } of later) element.hidden = state.mode !== mode || built.has(mode);
     for (const [mode, panel] of built) {
       attach(panel.element, state.mode === mode);
       if (panel.peek !== undefined) panel.peek.hidden = state.mode !== mode;

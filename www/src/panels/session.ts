@@ -48,10 +48,11 @@ function startKeeping(shell: Shell): void {
     until,
   });
   // A drag changes the curve first and the history when it ends; only what the history knows is worth keeping.
-  let seen = [editor.state.value.curve, editor.state.value.surface, editor.state.value.fit] as const;
+  let seen = [editor.state.value.curve, editor.state.value.surface, editor.state.value.fit, editor.state.value.trace, editor.state.value.traceRun.outcome] as const;
   editor.state.subscribe((state) => {
-    if ((state.curve === seen[0] && state.surface === seen[1] && state.fit === seen[2]) || !(state.canUndo || state.canRedo)) return;
-    seen = [state.curve, state.surface, state.fit];
+    const now = [state.curve, state.surface, state.fit, state.trace, state.traceRun.outcome] as const;
+    if (now.every((part, i) => part === seen[i]) || !(state.canUndo || state.canRedo)) return;
+    seen = now;
     keeping.touch();
   }, { until });
 }

@@ -127,7 +127,7 @@ export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement; p
   };
   const soon = inNextFrame(shell.frame, () => editor.state.value.engine.status === "ready" && update());
   editor.state.subscribe((state, before) => {
-    if (state.curve !== before.curve || state.surface !== before.surface || state.fit !== before.fit || state.fitRun !== before.fitRun || state.settings !== before.settings || state.mode !== before.mode || state.engine !== before.engine) soon.request();
+    if (state.curve !== before.curve || state.surface !== before.surface || state.fit !== before.fit || state.fitRun !== before.fitRun || state.traceRun !== before.traceRun || state.trace !== before.trace || state.settings !== before.settings || state.mode !== before.mode || state.engine !== before.engine) soon.request();
   }, { until });
   build("curve");
   soon.request();

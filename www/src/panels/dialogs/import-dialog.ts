@@ -6,6 +6,7 @@ import { button, openDialog } from "../dialog.ts";
 import { freshId, h, setText } from "../dom.ts";
 import { icon } from "../icons.ts";
 import { place, type Placement } from "../load.ts";
+import { openPicture } from "../open-picture.ts";
 import type { Shell } from "../shell.ts";
 
 const accepted = ".svg,.json,.csv,.txt,image/svg+xml,application/json,text/plain,text/csv,image/*";
@@ -20,7 +21,7 @@ export function openImport(shell: Shell, given = ""): void {
   const replaces = h("input", { class: "check", type: "checkbox", id: freshId("replace"), testid: "import-replace", checked: true });
   const dialog = openDialog(
     { title: "Import", testid: "import-dialog" },
-    h("p", { class: "quiet" }, "An SVG file, path data, points as x,y rows, or an expline JSON file. Arcs, lines and cubics come in exactly."),
+    h("p", { class: "quiet" }, "An SVG file, path data, points as x,y rows, an expline JSON file, or a picture, which is traced. Arcs, lines and cubics come in exactly."),
     h("label", { class: "file-drop" }, icon("plus"), h("span", {}, "Choose a file"), file),
     h("label", { class: "stacked-label", for: textId }, "or paste it here"),
     text,
@@ -72,7 +73,9 @@ export function openImport(shell: Shell, given = ""): void {
     shell.io.readIncoming(chosen).then(
       (incoming) => {
         setText(message, "");
-        void attempt(incoming.text);
+        if (!("picture" in incoming)) return void attempt(incoming.text);
+        dialog.close();
+        openPicture(shell, incoming.name, incoming.picture);
       },
       (error: unknown) => fail(asProblem(error)),
     );

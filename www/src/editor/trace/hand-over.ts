@@ -1,0 +1,42 @@
+import { nothingSelected, type Contour, type CurveDocument } from "../../document/document.ts";
+import type { Pair } from "../../document/fit.ts";
+import { placesAlong } from "../../kernel/trace/as-strokes.ts";
+import type { Editor, EditorState } from "../editor.ts";
+import { bringStrokes } from "../fit/fit-edits.ts";
+import { drawingOf } from "./trace-edits.ts";
+
+/** From outlines to points that are fitted, and to a drawing that is edited: copies, both times. */
+
+/** More points than this are a slow fit: long outlines are then sampled more sparsely. */
+const mostPoints = 12_000;
+
+/** The outlines for Export; null while there are none. */
+export function tracedDrawing(state: EditorState): CurveDocument | null {
+  return drawingOf(state);
+}
+
+export function smoothInFit(editor: Editor): void {
+  const drawing = drawingOf(editor.state.value);
+  if (drawing === null) return;
+  const strokes: Pair[][] = placesAlong(drawing, mostPoints);
+  bringStrokes(editor, "Smooth the trace", strokes);
+  const count = strokes.reduce((sum, stroke) => sum + stroke.length, 0);
+  editor.notify({ kind: "toast", text: `The outlines are in Fit, ${count} points. The picture stays in Trace.` });
+}
+
+export function editTraceInCurve(editor: Editor): void {
+  const drawing = drawingOf(editor.state.value);
+  if (drawing === null) return;
+  const contours: readonly Contour[] = drawing.contours;
+  const { view } = editor.state.value;
+  editor.patch({ mode: "curve", tool: "select" });
+  editor.dispatch({
+    name: "Edit the trace",
+    apply: ({ sample: _gone, ...curve }) => ({ ...curve, space: "trigonometric", omega: "auto", level: 0, contours }),
+    select: nothingSelected,
+  });
+  editor.setOverlay("bezier", false);
+  editor.patch({ view, hint: "" });
+  const count = contours.reduce((sum, { points }) => sum + points.length, 0);
+  editor.notify({ kind: "toast", text: `The outlines are in Curve, ${count} points. The picture stays in Trace.` });
+}

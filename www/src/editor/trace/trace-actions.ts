@@ -1,0 +1,50 @@
+import { isEmptyTrace } from "../../document/trace.ts";
+import type { Action, Editor, EditorState } from "../editor.ts";
+import { editTraceInCurve, smoothInFit } from "./hand-over.ts";
+import { clearTrace, setTrace, setTraceView, showBox, sizeOf, stepPoint, toggleCorner, traceAnyway } from "./trace-edits.ts";
+import type { TraceRunner } from "./trace-runner.ts";
+import type { TraceViewId } from "./trace-state.ts";
+
+/** Trace's commands: one definition for its panel, its keys and the help. */
+
+const inTrace = (state: EditorState): boolean => state.mode === "trace";
+const hasPicture = (state: EditorState): boolean => inTrace(state) && (state.trace.sample !== undefined || state.trace.picture !== undefined);
+const hasOutlines = (state: EditorState): boolean => inTrace(state) && state.traceRun.outcome !== null;
+const hasChosen = (state: EditorState): boolean => hasOutlines(state) && state.traceView.chosen !== null;
+
+export const traceViews: readonly (readonly [TraceViewId, string, string])[] = [
+  ["result", "Result", "The outlines over the picture."],
+  ["outline", "Outline", "The outlines alone, with their points."],
+  ["source", "Source", "The picture alone."],
+  ["edges", "Edges", "What the tracer takes for ink, or where shades are steep."],
+];
+
+export function registerTraceActions(editor: Editor, runner: TraceRunner): void {
+  const add = (id: string, label: string, group: Action["group"], keys: readonly string[], run: () => void, enabled: Action["enabled"] & object = inTrace): void => {
+    editor.actions.register({ id, label, group, keys, run, enabled });
+  };
+  const state = (): EditorState => editor.state.value;
+  add("trace-run", "Trace", "Curve", [], () => runner.again(), hasPicture);
+  add("trace-cancel", "Cancel the trace", "Edit", [], () => runner.cancel(), (now) => inTrace(now) && now.traceRun.since !== null);
+  add("trace-anyway", "Trace anyway", "Curve", [], () => traceAnyway(editor), hasPicture);
+  add("trace-clear", "Clear the picture", "Edit", [], () => clearTrace(editor), (now) => inTrace(now) && !isEmptyTrace(now.trace));
+  add("trace-next", "Next point of the outlines", "Points", ["]"], () => stepPoint(editor, 1, false), hasOutlines);
+  add("trace-previous", "Previous point of the outlines", "Points", ["["], () => stepPoint(editor, -1, false), hasOutlines);
+  add("trace-next-corner", "Next corner", "Points", ["."], () => stepPoint(editor, 1, true), hasOutlines);
+  add("trace-previous-corner", "Previous corner", "Points", [","], () => stepPoint(editor, -1, true), hasOutlines);
+  add("trace-corner", "Corner ↔ smooth", "Points", ["C"], () => state().traceView.chosen !== null && toggleCorner(editor, state().traceView.chosen ?? { contour: 0, index: 0 }), hasChosen);
+  add("trace-smoother", "Smoother outlines", "Curve", ["}"], () => setTrace(editor, "Detail", { detail: Math.min(100, state().trace.settings.detail + 5) }), hasPicture);
+  add("trace-finer", "Finer outlines", "Curve", ["{"], () => setTrace(editor, "Detail", { detail: Math.max(0, state().trace.settings.detail - 5) }), hasPicture);
+  add("trace-invert", "Invert the picture", "Curve", ["I"], () => setTrace(editor, "Invert", { invert: !state().trace.settings.invert }), hasPicture);
+  add("trace-smooth-in-fit", "Smooth the trace in Fit", "Curve", [], () => smoothInFit(editor), hasOutlines);
+  add("trace-edit", "Edit the trace in Curve", "Curve", [], () => editTraceInCurve(editor), hasOutlines);
+  add("trace-next-view", "Next view of the trace", "View", ["W"], () => {
+    const at = traceViews.findIndex(([id]) => id === state().traceView.view);
+    const [id] = traceViews[(at + 1) % traceViews.length] ?? ["result"];
+    setTraceView(editor, { view: id });
+  });
+  add("trace-show", "The picture in view", "View", [], () => {
+    const size = sizeOf(state());
+    if (size !== null) showBox(editor, size);
+  });
+}

@@ -1,0 +1,26 @@
+import { isEmptyTrace } from "../../document/trace.ts";
+import { cornersIn, pointCount } from "../../kernel/trace/outcome.ts";
+import type { EditorState } from "../editor.ts";
+import { describePoint, drawingOf } from "./trace-edits.ts";
+
+/** What the next press would do in Trace. */
+export function traceHint(state: EditorState): string {
+  const { traceView, traceRun, trace, hint } = state;
+  if (traceView.over !== null) return `${describePoint(state, traceView.over)}: double-click to toggle the corner`;
+  if (isEmptyTrace(trace)) return "";
+  if (hint !== "") return hint;
+  if (traceView.view === "edges" && traceRun.picture !== null) return trace.settings.mode === "edges" ? "Steep places are bright." : `What is darker than ${Math.round(traceRun.picture.threshold)} of 255 is ink.`;
+  return traceRun.outcome === null ? "" : "Double-click a point to make it a corner or smooth. Hold O to see the picture alone.";
+}
+
+/** The picture in words, for those who do not see it. */
+export function traceSummary(state: EditorState): string {
+  const { trace, traceRun } = state;
+  const drawing = drawingOf(state);
+  if (isEmptyTrace(trace)) return "No picture yet. Choose a file, paste one, or open a sample.";
+  if (drawing === null || traceRun.outcome === null) return traceRun.since === null ? "The picture has no outlines." : "Outlines are being found.";
+  const { outcome, picture } = traceRun;
+  const holes = outcome.holes.filter((hole) => hole).length;
+  const error = outcome.max === null ? "" : ` No place is farther than ${outcome.max.toPrecision(2)} pixels from the edge in the picture.`;
+  return `${picture?.name ?? trace.kept?.name ?? "The picture"}: ${drawing.contours.length} outlines, ${holes} of them holes, ${pointCount(drawing)} points, ${cornersIn(drawing).length} corners.${error} Brackets step from point to point, C toggles a corner.`;
+}

@@ -1,0 +1,49 @@
+import { domainLength, lengthOf, segmentCount, type Contour, type CurveDocument } from "../../document/document.ts";
+import type { Pair } from "../../document/fit.ts";
+import { curveOf } from "../curve-cache.ts";
+
+/** Pixels of the picture from one point to the next, where there is room for so many. */
+const step = 2;
+const leastPoints = 24;
+
+/**
+ * Outlines as strokes of points, closed ones with their first point again at the end. The points of the outline are
+ * among them, so that no corner is cut.
+ */
+export function placesAlong(drawing: CurveDocument, most: number): Pair[][] {
+  const curves = drawing.contours.map((contour) => curveOf(drawing, contour)?.length() ?? 0);
+  const total = curves.reduce((sum, length) => sum + length, 0);
+  const spacing = Math.max(step, total / most);
+  return drawing.contours.flatMap((contour, i) => {
+    const stroke = along(drawing, contour, Math.max(leastPoints, (curves[i] ?? 0) / spacing));
+    return stroke.length < 4 ? [] : [stroke];
+  });
+}
+
+/** About so many points, shared among the segments by their length. */
+function along(drawing: CurveDocument, contour: Contour, wanted: number): Pair[] {
+  const curve = curveOf(drawing, contour);
+  if (curve === null) return [];
+  const chords = Array.from({ length: segmentCount(contour) }, (_, i) => chordOf(contour, i));
+  const total = Math.max(1e-9, chords.reduce((sum, chord) => sum + chord, 0));
+  const end = domainLength(contour);
+  const at: number[] = [];
+  let start = 0;
+  chords.forEach((chord, i) => {
+    const length = lengthOf(contour, i);
+    const count = Math.max(1, Math.round((wanted * chord) / total));
+    for (let k = 0; k < count; k += 1) at.push(Math.min(end, start + (length * k) / count));
+    start += length;
+  });
+  at.push(contour.closed ? 0 : end);
+  const places = curve.evaluate(Float64Array.from(at));
+  return at.map((_, i): Pair => [places[2 * i] ?? 0, places[2 * i + 1] ?? 0]);
+}
+
+/** From point to point, by way of the handles: about the length of a segment. */
+function chordOf({ points }: Contour, i: number): number {
+  const [from, to] = [points[i], points[(i + 1) % points.length]];
+  if (from === undefined || to === undefined) return 0;
+  const middle = Math.hypot(to.x + to.in.dx - from.x - from.out.dx, to.y + to.in.dy - from.y - from.out.dy);
+  return Math.hypot(from.out.dx, from.out.dy) + middle + Math.hypot(to.in.dx, to.in.dy);
+}

@@ -1,0 +1,85 @@
+/** What passes between the page and the worker that traces: plain data and pictures. */
+import type { Contour } from "../../document/document.ts";
+import type { TraceSource } from "../../document/trace.ts";
+
+/** Where pixels come from. Pictures of one key are one picture. */
+export type PictureSource =
+  | { readonly kind: "sample"; readonly key: string; readonly id: string }
+  | { readonly kind: "file"; readonly key: string; readonly content: Blob };
+
+/** How a picture is traced. Lengths are in pixels of the picture. */
+export interface TraceHow {
+  /** The longer side of what is looked at. */
+  readonly size: number;
+  readonly source: TraceSource;
+  readonly threshold: number | "auto";
+  readonly blur: number | "auto";
+  readonly invert: boolean;
+  /** Square pixels. */
+  readonly speckle: number;
+  /** Radians of turning. */
+  readonly corner: number;
+  readonly tolerance: number;
+  /** More contours than this are a photograph's. */
+  readonly mostContours: number;
+}
+
+export type TraceRequest =
+  /** Decode only: is it a picture, and how large? */
+  | { readonly kind: "probe"; readonly id: number; readonly picture: PictureSource }
+  | { readonly kind: "trace"; readonly id: number; readonly picture: PictureSource; readonly how: TraceHow }
+  | { readonly kind: "stop" };
+
+export const traceStages = ["decoding", "edges", "contours", "corners", "splines", "refinement", "measuring"] as const;
+export type TraceStage = (typeof traceStages)[number];
+
+export interface Metrics {
+  readonly rmse: number;
+  readonly mae: number;
+  readonly hausdorff: number;
+  readonly jaccard: number;
+}
+
+/** One outline, in pixels of the picture. */
+export interface TracedOutline {
+  readonly contour: Contour;
+  readonly hole: boolean;
+  /** Length of the outline. */
+  readonly length: number;
+  readonly metrics: Metrics;
+  /** Cubics, eight numbers each, nearer to the curve than can be seen. */
+  readonly cubics: Float64Array;
+}
+
+export interface TraceSizes {
+  readonly raw: number;
+  readonly gzip: number;
+  /** The same outlines as polygons within a tenth of a pixel. */
+  readonly polygonRaw: number;
+  readonly polygonGzip: number;
+}
+
+export interface TraceResult {
+  readonly outlines: readonly TracedOutline[];
+  /** Commands of the path text by kind. */
+  readonly segments: { readonly lines: number; readonly arcs: number; readonly curves: number };
+  /** Area that outlines and thresholded picture have in common, by the area of either. */
+  readonly iou: number;
+  readonly sizes: TraceSizes;
+  /** Milliseconds by stage. */
+  readonly stages: Readonly<Record<string, number>>;
+}
+
+export type TraceAnswer =
+  | { readonly kind: "probed"; readonly id: number; readonly width: number; readonly height: number }
+  | { readonly kind: "progress"; readonly id: number; readonly stage: TraceStage; /** Of the whole job, 0 … 1. */ readonly value: number; readonly done: number; readonly total: number }
+  /** What is looked at, and what is ink of it, as soon as it is known. */
+  | {
+      readonly kind: "picture"; readonly id: number; readonly width: number; readonly height: number;
+      readonly analysed: readonly [number, number]; readonly source: ImageBitmap; readonly edges: ImageBitmap;
+      /** The shade between ink and paper. */ readonly threshold: number;
+    }
+  | { readonly kind: "traced"; readonly id: number; readonly result: TraceResult; readonly ms: number }
+  | { readonly kind: "photo"; readonly id: number; readonly count: number; /** Square pixels. */ readonly speckle: number }
+  | { readonly kind: "stopped"; readonly id: number }
+  | { readonly kind: "failed"; readonly id: number; readonly code: string; readonly message: string };

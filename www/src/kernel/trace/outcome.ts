@@ -1,0 +1,121 @@
+import { emptyCurve, type Contour, type CurveDocument } from "../../document/document.ts";
+import { automaticHandles } from "../../document/contours.ts";
+import { withKind } from "../../document/offset.ts";
+import { choiceAt, type CornerChoice, type KeptTrace } from "../../document/trace.ts";
+import type { TracedOutline, TraceResult } from "./job.ts";
+
+/** What is on the stage of Trace: the picture, its outlines, and what is printed about them. */
+
+export interface ShownPicture {
+  readonly key: string;
+  readonly name: string;
+  /** Of the picture; what is drawn is drawn at this size. */
+  readonly width: number;
+  readonly height: number;
+  readonly analysed: readonly [number, number];
+  readonly source: ImageBitmap;
+  /** Ink in black, or the steepness of the shades. */
+  readonly edges: ImageBitmap;
+  readonly threshold: number;
+}
+
+export interface TraceOutcome {
+  /** The outlines as they were found; a drawing that Export, Fit and Curve take. */
+  readonly drawing: CurveDocument;
+  readonly holes: readonly boolean[];
+  readonly cubics: readonly Float64Array[];
+  /** Root of the mean square and largest of the distances to the sub-pixel edge, pixels of the picture; null without a picture. */
+  readonly rms: number | null;
+  readonly max: number | null;
+  readonly iou: number | null;
+  readonly segments: TraceResult["segments"] | null;
+  readonly sizes: TraceResult["sizes"] | null;
+  readonly stages: TraceResult["stages"];
+}
+
+export function outcomeOf({ outlines, segments, iou, sizes, stages }: TraceResult, sample: string | undefined): TraceOutcome {
+  const length = outlines.reduce((sum, outline) => sum + outline.length, 0);
+  const squares = outlines.reduce((sum, { metrics, length: own }) => sum + metrics.rmse ** 2 * own, 0);
+  return {
+    drawing: { ...emptyCurve, contours: outlines.map(({ contour }) => contour), ...(sample === undefined ? {} : { sample }) },
+    holes: outlines.map(({ hole }) => hole),
+    cubics: outlines.map(({ cubics }) => cubics),
+    rms: length === 0 ? 0 : Math.sqrt(squares / length),
+    max: outlines.reduce((most, { metrics }: TracedOutline) => Math.max(most, metrics.hausdorff), 0),
+    segments, iou, sizes, stages,
+  };
+}
+
+/** Outlines that came without their picture. */
+export function outcomeOfKept({ contours }: KeptTrace): TraceOutcome {
+  return {
+    drawing: { ...emptyCurve, contours }, holes: contours.map((contour) => signedArea(contour) < 0),
+    cubics: [], rms: null, max: null, iou: null, segments: null, sizes: null, stages: {},
+  };
+}
+
+/** Twice the area of the polygon of the points: its sign tells ink from hole. */
+function signedArea({ points }: Contour): number {
+  return points.reduce((sum, { x, y }, i) => {
+    const next = points[(i + 1) % points.length];
+    return next === undefined ? sum : sum + x * next.y - next.x * y;
+  }, 0);
+}
+
+const decided = new WeakMap<TraceOutcome, { readonly corners: readonly CornerChoice[]; readonly drawing: CurveDocument }>();
+
+/** The outlines with the corners that were decided by hand. Contours of which nothing was decided stay the same objects. */
+export function shownDrawing(outcome: TraceOutcome, corners: readonly CornerChoice[]): CurveDocument {
+  if (corners.length === 0) return outcome.drawing;
+  const known = decided.get(outcome);
+  if (known !== undefined && known.corners === corners) return known.drawing;
+  const { drawing } = outcome;
+  const contours = drawing.contours.map((contour) => withCorners(drawing, contour, corners));
+  const fresh = { ...drawing, contours };
+  decided.set(outcome, { corners, drawing: fresh });
+  return fresh;
+}
+
+function withCorners(drawing: CurveDocument, contour: Contour, corners: readonly CornerChoice[]): Contour {
+  const points = contour.points.map((point, i) => {
+    const choice = choiceAt(corners, point.x, point.y);
+    if (choice === undefined || (choice.kind === "cusp") === (point.kind === "cusp")) return point;
+    if (choice.kind === "smooth") return withKind(point, "smooth", automaticHandles(drawing, contour, i));
+    const [before, after] = [neighbour(contour, i, -1), neighbour(contour, i, 1)];
+    // Each side goes straight for its neighbour: a corner that can be seen.
+    return { ...point, kind: "cusp" as const, in: before === null ? point.in : thirdOfTheWay(point, before), out: after === null ? point.out : thirdOfTheWay(point, after) };
+  });
+  return points.every((point, i) => point === contour.points[i]) ? contour : { ...contour, points };
+}
+
+function neighbour({ points, closed }: Contour, i: number, by: number): { x: number; y: number } | null {
+  const count = points.length;
+  if (!closed && (i + by < 0 || i + by >= count)) return null;
+  return points[(i + by + count) % count] ?? null;
+}
+
+function thirdOfTheWay(from: { x: number; y: number }, to: { x: number; y: number }): { dx: number; dy: number } {
+  return { dx: (to.x - from.x) / 3, dy: (to.y - from.y) / 3 };
+}
+
+export interface Corner {
+  readonly contour: number;
+  readonly index: number;
+  readonly x: number;
+  readonly y: number;
+}
+
+const cornersOf = new WeakMap<CurveDocument, readonly Corner[]>();
+
+/** All corners of a drawing, outline by outline. */
+export function cornersIn(drawing: CurveDocument): readonly Corner[] {
+  const known = cornersOf.get(drawing);
+  if (known !== undefined) return known;
+  const fresh = drawing.contours.flatMap(({ points }, contour) => points.flatMap(({ kind, x, y }, index) => (kind === "cusp" ? [{ contour, index, x, y }] : [])));
+  cornersOf.set(drawing, fresh);
+  return fresh;
+}
+
+export function pointCount({ contours }: CurveDocument): number {
+  return contours.reduce((sum, { points }) => sum + points.length, 0);
+}

@@ -1,0 +1,142 @@
+/** The worker that traces: one picture at a time, the newest request first. */
+import init, { ExplineError } from "expline/slim";
+import wasmUrl from "expline/expline_bg.wasm?url";
+import { startTraceEngine, tracePixels } from "./engine.ts";
+import { traceStages, type TraceAnswer, type TraceHow, type TraceRequest, type TraceStage } from "./job.ts";
+import { measured } from "./measured.ts";
+import { PictureError, pixelsOf, sizeOf, type Pixels } from "./picture.ts";
+import { blurred, foundThreshold, inkOf, pieceAreas, shadesOf, steepness, type Shades } from "./shades.ts";
+
+const ready = Promise.all([init({ wasmUrl }), startTraceEngine()]);
+
+/** The picture that was looked at last: a slider asks for the same one again and again. */
+let last: { readonly key: string; readonly size: number; readonly pixels: Pixels; readonly shades: Shades } | null = null;
+
+/** Ends whatever is under way. */
+let under = new AbortController();
+/** Requests are worked off one after the other; a new one ends the one before. */
+let queue: Promise<void> = Promise.resolve();
+
+const answer = (message: TraceAnswer, transfer: Transferable[] = []): void => postMessage(message, { transfer });
+
+/** The part of the whole that each stage begins with. */
+const begins: Readonly<Record<TraceStage, number>> = { decoding: 0, edges: 0.05, contours: 0.15, corners: 0.25, splines: 0.35, refinement: 0.55, measuring: 0.96 };
+
+/** Progress that never goes back, however stages come. */
+function progressOf(id: number): (stage: string, done: number, total: number) => void {
+  let most = 0;
+  return (name, done, total) => {
+    const stage = traceStages.find((each) => each === name) ?? "decoding";
+    const next = traceStages[traceStages.indexOf(stage) + 1];
+    const share = total > 0 ? Math.min(1, done / total) : 0;
+    const value = begins[stage] + share * ((next === undefined ? 1 : begins[next]) - begins[stage]);
+    most = Math.max(most, value);
+    answer({ kind: "progress", id, stage, value: most, done, total });
+  };
+}
+
+async function looked(request: Extract<TraceRequest, { kind: "trace" }>): Promise<NonNullable<typeof last>> {
+  const { picture, how } = request;
+  if (last !== null && last.key === picture.key && last.size === how.size) return last;
+  const pixels = await pixelsOf(picture, how.size);
+  return (last = { key: picture.key, size: how.size, pixels, shades: shadesOf(pixels) });
+}
+
+/** A breath in which a request that has come meanwhile is heard; true when one has ended this job. */
+async function ended(signal: AbortSignal): Promise<boolean> {
+  await new Promise((resolve) => setTimeout(resolve));
+  return signal.aborted;
+}
+
+async function trace(request: Extract<TraceRequest, { kind: "trace" }>, signal: AbortSignal): Promise<void> {
+  const { id, how } = request;
+  const start = performance.now();
+  const report = progressOf(id);
+  report("decoding", 0, 1);
+  const { pixels, shades } = await looked(request);
+  report("decoding", 1, 1);
+  if (await ended(signal)) return answer({ kind: "stopped", id });
+  const soft = how.blur === "auto" ? shades : blurred(shades, how.blur);
+  const threshold = how.threshold === "auto" ? foundThreshold(soft) : how.threshold;
+  const ink = inkOf(soft, threshold, how.invert);
+  await show(id, pixels, how.source === "edges" ? steepness(soft) : ink.map((on) => 255 * (1 - on)), threshold);
+  if (await ended(signal)) return answer({ kind: "stopped", id });
+  const scale = [pixels.width / pixels.columns, pixels.height / pixels.rows] as const;
+  const least = how.speckle / (scale[0] * scale[1]);
+  if (how.source === "brightness" && tooMany(request, ink, pixels, least)) return;
+  const found = await tracePixels(pixels, {
+    ...options(how, least), signal,
+    onProgress: ({ stage, done, total }) => report(stage, done, total),
+  });
+  report("measuring", 0, 1);
+  const result = await measured(found, scale, { ink, columns: pixels.columns, rows: pixels.rows });
+  if (signal.aborted) return answer({ kind: "stopped", id });
+  answer({ kind: "traced", id, result, ms: performance.now() - start });
+}
+
+function options(how: TraceHow, speckle: number): Parameters<typeof tracePixels>[1] {
+  return {
+    source: how.source, invert: how.invert, speckle, corner: how.corner, tolerance: how.tolerance,
+    ...(how.threshold === "auto" ? {} : { threshold: how.threshold }),
+    ...(how.blur === "auto" ? {} : { blur: how.blur }),
+    maxContours: how.mostContours,
+  };
+}
+
+/** Says that this is a photograph, and from which speckle on it would not be. */
+function tooMany({ id, how }: Extract<TraceRequest, { kind: "trace" }>, ink: Uint8Array, { columns, rows, width, height }: Pixels, least: number): boolean {
+  const areas = pieceAreas(ink, columns, rows).filter((area) => area >= least);
+  if (areas.length <= how.mostContours) return false;
+  const perPixel = (width * height) / (columns * rows);
+  answer({ kind: "photo", id, count: areas.length, speckle: Math.ceil((areas[how.mostContours] ?? 1) * perPixel) + 1 });
+  return true;
+}
+
+async function show(id: number, pixels: Pixels, edges: Uint8Array, threshold: number): Promise<void> {
+  const { width, height, columns, rows, data } = pixels;
+  const [source, seen] = await Promise.all([bitmapOf(data, columns, rows), bitmapOf(edges, columns, rows)]);
+  answer({ kind: "picture", id, width, height, analysed: [columns, rows], source, edges: seen, threshold }, [source, seen]);
+}
+
+/** One byte per pixel, or four, as a picture. */
+function bitmapOf(data: ArrayLike<number>, columns: number, rows: number): Promise<ImageBitmap> {
+  const image = new ImageData(columns, rows);
+  if (data.length === image.data.length) image.data.set(data);
+  else {
+    for (let i = 0; i < data.length; i += 1) {
+      const shade = data[i] ?? 0;
+      image.data.set([shade, shade, shade, 255], 4 * i);
+    }
+  }
+  return createImageBitmap(image);
+}
+
+async function probe({ id, picture }: Extract<TraceRequest, { kind: "probe" }>): Promise<void> {
+  const [width, height] = await sizeOf(picture);
+  answer({ kind: "probed", id, width, height });
+}
+
+async function work(request: TraceRequest, signal: AbortSignal): Promise<void> {
+  if (request.kind === "stop") return;
+  const { id } = request;
+  if (signal.aborted) return answer({ kind: "stopped", id });
+  try {
+    await ready;
+    await (request.kind === "probe" ? probe(request) : trace(request, signal));
+  } catch (error) {
+    if (error instanceof ExplineError && error.code === "E_CANCELLED") return answer({ kind: "stopped", id });
+    const code = error instanceof ExplineError || error instanceof PictureError ? error.code : "";
+    const count = error instanceof ExplineError && error.code === "E_LIMIT" ? Number(error.actual) : NaN;
+    if (Number.isFinite(count)) answer({ kind: "photo", id, count, speckle: 0 });
+    else answer({ kind: "failed", id, code, message: String(error) });
+  }
+}
+
+onmessage = (event: MessageEvent<TraceRequest>) => {
+  // Looking whether something is a picture disturbs nobody.
+  if (event.data.kind === "probe") return void work(event.data, new AbortController().signal);
+  under.abort();
+  under = new AbortController();
+  const { signal } = under;
+  queue = queue.then(() => work(event.data, signal));
+};

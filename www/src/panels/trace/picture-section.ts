@@ -1,0 +1,91 @@
+import type { EditorState } from "../../editor/editor.ts";
+import { traceViews } from "../../editor/trace/trace-actions.ts";
+import { setTraceView } from "../../editor/trace/trace-edits.ts";
+import type { TraceViewId } from "../../editor/trace/trace-state.ts";
+import type { ShownPicture } from "../../kernel/trace/outcome.ts";
+import { h, setText } from "../dom.ts";
+import { choiceField, sliderField } from "../fields.ts";
+import { icon } from "../icons.ts";
+import type { Section } from "../curve/curve-panel.ts";
+import type { Shell } from "../shell.ts";
+
+/** The picture: where it comes from, what is seen of it. */
+
+const accepted = "image/png,image/jpeg,image/webp,image/avif,image/gif,image/bmp,image/*";
+
+export function pictureSection(shell: Shell): Section {
+  const { editor } = shell;
+  const file = pictureField(shell);
+  const name = h("p", { class: "trace-name", testid: "trace-source" });
+  const size = h("p", { class: "field-note num" });
+  const preview = h("canvas", { class: "trace-preview", width: 96, height: 72, "aria-hidden": "true" });
+  const samples = h("button", { class: "button", type: "button", testid: "trace-samples", title: "Pictures to start from", click: () => editor.actions.run("samples") }, h("span", {}, "Samples"));
+  const view = choiceField<TraceViewId>({
+    label: "View", testid: "trace-view", about: "What is on the stage (W for the next).",
+    options: traceViews.map(([value, label, about]) => ({ value, label, about })),
+    write: (value) => setTraceView(editor, { view: value }),
+  });
+  const alpha = sliderField({
+    label: "Opacity", testid: "trace-alpha", about: "How strongly the picture shows under the outlines.", least: 0, most: 100, step: 1, print: (value) => `${value} %`,
+    write: (value) => setTraceView(editor, { alpha: value }), reset: () => setTraceView(editor, { alpha: 35 }),
+  });
+  const hold = holdButton(shell);
+  let drawn: ShownPicture | null = null;
+  return {
+    element: h("section", { class: "section", "aria-label": "Picture" }, file,
+      h("div", { class: "trace-picture" }, preview, h("div", { class: "trace-about" }, name, size, samples)),
+      view.element, alpha.element, h("div", { class: "field-row" }, hold)),
+    update(state) {
+      const { picture } = state.traceRun;
+      setText(name, picture?.name ?? state.trace.kept?.name ?? "No picture yet");
+      setText(size, sizeText(state));
+      view.show(state.traceView.view);
+      alpha.show(state.traceView.alpha);
+      hold.disabled = picture === null;
+      if (picture === drawn) return;
+      drawn = picture;
+      preview.hidden = picture === null;
+      drawPreview(preview, picture);
+    },
+  };
+}
+
+/** A native file field under a place that looks as if things could be dropped there, which they can be everywhere. */
+export function pictureField(shell: Shell, testid = "trace-file"): HTMLElement {
+  const file = h("input", { class: "file-field", testid, type: "file", accept: accepted, "aria-label": "Choose a picture", title: "A PNG, JPEG, WebP, AVIF, GIF or BMP file; it stays on this device." });
+  file.addEventListener("change", () => {
+    const [chosen] = file.files ?? [];
+    if (chosen !== undefined) void import("../file-work.ts").then(({ receiveFiles }) => receiveFiles(shell, [chosen]));
+    file.value = "";
+  });
+  return h("label", { class: "file-drop trace-drop" }, icon("plus"), h("span", {}, "Drop, paste or choose…"), file);
+}
+
+function holdButton({ editor }: Shell): HTMLButtonElement {
+  const hold = h("button", { class: "button", type: "button", testid: "compare-hold", title: "Hold to see the picture alone (O)" }, h("span", {}, "Hold to see the source"));
+  const only = (on: boolean) => () => editor.patch({ originalOnly: on });
+  hold.addEventListener("pointerdown", only(true));
+  for (const type of ["pointerup", "pointercancel", "pointerleave", "blur"]) hold.addEventListener(type, only(false));
+  hold.addEventListener("keydown", (event) => (event.key === " " || event.key === "Enter") && only(true)());
+  hold.addEventListener("keyup", only(false));
+  return hold;
+}
+
+function sizeText({ trace, traceRun }: EditorState): string {
+  const { picture } = traceRun;
+  if (picture === null) return trace.kept === undefined ? "" : `${trace.kept.width} × ${trace.kept.height} px; the picture itself was not kept`;
+  const [columns, rows] = picture.analysed;
+  const own = `${picture.width} × ${picture.height} px`;
+  return columns === picture.width && rows === picture.height ? own : `${own}, analysed at ${columns} × ${rows}`;
+}
+
+function drawPreview(canvas: HTMLCanvasElement, picture: ShownPicture | null): void {
+  const context = canvas.getContext("2d");
+  if (context === null) return;
+  context.clearRect(0, 0, canvas.width, canvas.height);
+  if (picture === null || picture.source.width === 0) return;
+  const scale = Math.min(canvas.width / picture.width, canvas.height / picture.height);
+  const [width, height] = [picture.width * scale, picture.height * scale];
+  context.imageSmoothingQuality = "high";
+  context.drawImage(picture.source, (canvas.width - width) / 2, (canvas.height - height) / 2, width, height);
+}

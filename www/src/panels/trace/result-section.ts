@@ -1,0 +1,86 @@
+import type { EditorState } from "../../editor/editor.ts";
+import { drawingOf } from "../../editor/trace/trace-edits.ts";
+import { cornersIn, pointCount, type TraceOutcome } from "../../kernel/trace/outcome.ts";
+import { h, setAttribute, setText } from "../dom.ts";
+import { formatBytes, formatCount, formatDeviation } from "../format.ts";
+import { glyph } from "../icons.ts";
+import type { Section } from "../curve/curve-panel.ts";
+import type { Shell } from "../shell.ts";
+import { progressText } from "./trace-progress.ts";
+
+/** What was found, how near it is to the picture, what it costs, and where to go with it. */
+
+export function resultSection(shell: Shell): Section {
+  const { editor } = shell;
+  const action = (label: string, id: string, title: string, more = ""): HTMLButtonElement =>
+    h("button", { class: `button ${more}`.trim(), type: "button", testid: id, title, click: () => editor.actions.run(id) }, h("span", {}, label));
+  const run = action("Trace", "trace-run", "Trace the picture once more.");
+  const cancel = action("Cancel", "trace-cancel", "Stop; the outlines before stay.");
+  const state = h("span", { class: "trace-state num", "aria-hidden": "true" });
+  const [corners, smooth] = (["cusp", "point"] as const).map((kind) => legendRow(shell, kind));
+  const list = h("dl", { class: "trace-numbers num" });
+  const edit = action("Edit in Curve", "trace-edit", "Copy the outlines to Curve mode, ready to edit.", "primary");
+  const fit = action("Smooth in Fit", "trace-smooth-in-fit", "Copy points along the outlines to Fit mode.");
+  const save = h("button", { class: "button", type: "button", testid: "trace-export", title: "The outlines as SVG, path, JSON or PNG.", click: () => editor.actions.run("export") }, h("span", {}, "Export"));
+  let printed: TraceOutcome | null = null;
+  let printedCorners: readonly object[] = [];
+  return {
+    element: h("section", { class: "section", "aria-label": "Result" },
+      h("div", { class: "field-row" }, run, cancel, state),
+      h("div", { class: "legend" }, corners?.row, smooth?.row), list,
+      h("div", { class: "field-row trace-actions" }, edit, fit, save)),
+    update(now) {
+      const { trace, traceRun } = now;
+      const { outcome, progress, since } = traceRun;
+      run.disabled = trace.sample === undefined && trace.picture === undefined;
+      cancel.hidden = since === null;
+      setText(state, since === null || progress === null ? "" : progressText(progress));
+      for (const button of [edit, fit, save]) button.disabled = outcome === null;
+      const drawing = drawingOf(now);
+      const sharp = drawing === null ? 0 : cornersIn(drawing).length;
+      corners?.show(sharp);
+      smooth?.show(drawing === null ? 0 : pointCount(drawing) - sharp);
+      if (outcome === printed && trace.corners === printedCorners) return;
+      [printed, printedCorners] = [outcome, trace.corners];
+      list.replaceChildren(...(outcome === null ? [] : rowsOf(outcome, now)));
+    },
+  };
+}
+
+function legendRow({ editor }: Shell, kind: "cusp" | "point"): { readonly row: HTMLElement; show(count: number): void } {
+  const number = h("b", { class: "num" });
+  const step = kind === "cusp" ? "trace-next-corner" : "trace-next";
+  const about = kind === "cusp" ? "Go to the next corner" : "Go to the next point";
+  const row = h("button", { class: "legend-row", type: "button", testid: `legend-${kind}`, title: about, click: () => editor.actions.run(step) }, glyph(kind), h("span", {}, kind === "cusp" ? "Corners" : "Smooth"), number);
+  return {
+    row,
+    show(count) {
+      setText(number, String(count));
+      setAttribute(row, "data-value", String(count));
+      row.disabled = count === 0;
+    },
+  };
+}
+
+function rowsOf(outcome: TraceOutcome, { trace, traceRun }: EditorState): HTMLElement[] {
+  const row = (label: string, testid: string, text: string): HTMLElement => h("div", {}, h("dt", {}, label), h("dd", { testid }, text));
+  const { holes, segments, sizes, rms, max, iou, stages } = outcome;
+  const rows: HTMLElement[] = [];
+  const inner = holes.filter((hole) => hole).length;
+  rows.push(row("Contours", "trace-contours", inner === 0 ? String(holes.length) : `${holes.length}, ${formatCount(inner, "hole")}`));
+  if (segments !== null) {
+    const { lines, arcs, curves } = segments;
+    const kinds = ([[lines, "line"], [arcs, "exact arc"], [curves, "curve"]] as const).flatMap(([count, kind]) => (count === 0 ? [] : [formatCount(count, kind)]));
+    rows.push(row("Segments", "trace-segments", kinds.length === 0 ? "none" : kinds.join(", ")));
+  }
+  if (rms !== null && max !== null) rows.push(row("To the edge", "trace-error", `rms ${formatDeviation(rms)}, max ${formatDeviation(max)} px`));
+  if (iou !== null) rows.push(row("Shared with the ink", "trace-iou", `${(100 * iou).toFixed(2)} %`));
+  if (sizes !== null) {
+    rows.push(row("Path", "trace-bytes", `${formatBytes(sizes.raw)}, ${formatBytes(sizes.gzip)} gzip`));
+    rows.push(row("As a polygon", "trace-polygon-bytes", `${formatBytes(sizes.polygonRaw)}, ${formatBytes(sizes.polygonGzip)} gzip`));
+  }
+  if (trace.corners.length > 0) rows.push(row("By hand", "trace-by-hand", formatCount(trace.corners.length, "corner")));
+  const times = Object.entries(stages).filter(([, ms]) => ms >= 0.5).map(([stage, ms]) => `${stage} ${ms < 10 ? ms.toFixed(1) : Math.round(ms)}`);
+  if (times.length > 0) rows.push(h("div", { class: "trace-times" }, h("dt", {}, `${Math.round(traceRun.lastMs)} ms`), h("dd", { testid: "trace-stages" }, times.join(" · "))));
+  return rows;
+}

@@ -1,0 +1,40 @@
+import { defaultTolerance, toleranceOf } from "../../document/trace.ts";
+import type { EditorState } from "../../editor/editor.ts";
+
+/** The program that makes the present trace: the bridge from the page to an integration. */
+
+/** The name stands in a text that is shown; it is no import of the page. */
+const library = JSON.stringify("expline");
+
+export function traceProgram({ trace, traceRun }: EditorState): string {
+  const { settings } = trace;
+  const name = trace.picture?.name ?? `${trace.sample ?? "picture"}.png`;
+  const tolerance = toleranceOf(settings.detail);
+  const [columns = 0] = traceRun.picture?.analysed ?? [];
+  const scaled = traceRun.picture !== null && columns !== traceRun.picture.width;
+  const options = [
+    settings.mode === "edges" ? 'source: "edges",' : "",
+    settings.threshold === "auto" ? "" : `threshold: ${settings.threshold},`,
+    settings.blur === "auto" ? "" : `blur: ${settings.blur},`,
+    settings.invert ? "invert: true," : "",
+    `speckle: ${settings.speckle},`,
+    `corner: ${settings.corner} * Math.PI / 180,`,
+    tolerance === defaultTolerance ? "" : `tolerance: ${Number(tolerance.toPrecision(3))},`,
+    "onProgress: ({ stage, done, total }) => console.log(stage, done, \"of\", total),",
+  ].filter((line) => line !== "");
+  return `import { traceImageAsync } from ${library};
+
+const picture = await createImageBitmap(await (await fetch(${JSON.stringify(name)})).blob());${scaled ? `\n// This page looks at ${columns} pixels across; the whole picture is traced here.` : ""}
+const context = new OffscreenCanvas(picture.width, picture.height).getContext("2d");
+context.drawImage(picture, 0, 0);
+
+const trace = await traceImageAsync(context.getImageData(0, 0, picture.width, picture.height), {
+  ${options.join("\n  ")}
+});
+
+for (const { curve, cusps, metrics } of trace.contours) {
+  console.log(curve.points.length / 2, "points,", cusps.length, "corners, none farther than", metrics.hausdorff, "px");
+}
+document.body.innerHTML = trace.toSvg({ tolerance: 0.02, decimals: 3 });
+`;
+}

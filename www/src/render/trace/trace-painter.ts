@@ -1,0 +1,114 @@
+import type { CurveDocument } from "../../document/document.ts";
+import { drawingOf } from "../../editor/trace/trace-edits.ts";
+import { showsPoints } from "../../editor/trace/trace-hit.ts";
+import type { ShownPicture } from "../../kernel/trace/outcome.ts";
+import { drawGrid } from "../layers/grid.ts";
+import { addSmallPoint, drawPoint, drawSmallPoints } from "../markers.ts";
+import { documentPaths, inPage, inScreen, onScreen, pathOfCubics, type Scene } from "../scene.ts";
+import type { Painter } from "../stage.ts";
+
+/** Trace's picture, from the paper up: the pixels, the outlines over them, and the points where they change. */
+
+/** More points than this are drawn small, and more than the second not at all while the whole is in view. */
+const mostLarge = 240;
+const mostSmall = 12_000;
+
+export function createTracePainter(): Painter {
+  return {
+    paint(scene) {
+      const { traceView, traceRun, originalOnly } = scene.state;
+      const view = originalOnly ? "source" : traceView.view;
+      const { picture } = traceRun;
+      drawGrid(scene);
+      if (picture !== null && view !== "outline") drawPixels(scene, picture, view === "edges" ? picture.edges : picture.source, view === "result" ? traceView.alpha / 100 : 1);
+      drawFrame(scene);
+      const drawing = drawingOf(scene.state);
+      if (drawing === null || view === "source") return;
+      drawOutlines(scene, drawing, view === "edges");
+      if (showsPoints(scene.state)) drawPoints(scene, drawing, view === "outline");
+    },
+  };
+}
+
+function drawPixels(scene: Scene, { width, height }: ShownPicture, pixels: ImageBitmap, alpha: number): void {
+  // A bitmap that was closed since has no size.
+  if (alpha === 0 || pixels.width === 0) return;
+  const context = inPage(scene);
+  context.globalAlpha = alpha;
+  // From twice their size on, pixels are seen as what they are.
+  context.imageSmoothingEnabled = (scene.state.view.zoom * width) / pixels.width < 2;
+  context.imageSmoothingQuality = "high";
+  context.drawImage(pixels, 0, 0, width, height);
+  context.globalAlpha = 1;
+}
+
+/** Where the picture ends. */
+function drawFrame(scene: Scene): void {
+  const { state, palette } = scene;
+  const size = state.traceRun.picture ?? state.trace.kept;
+  if (size === undefined) return;
+  const context = inPage(scene);
+  context.strokeStyle = palette.line;
+  context.lineWidth = 1 / state.view.zoom;
+  context.globalAlpha = 0.6;
+  context.strokeRect(0, 0, size.width, size.height);
+  context.globalAlpha = 1;
+}
+
+const wholes = new WeakMap<readonly Float64Array[], Path2D>();
+
+/** All outlines in one path: as the worker gave them, or anew where corners were decided by hand. */
+function pathOf(scene: Scene, drawing: CurveDocument): Path2D {
+  const { outcome } = scene.state.traceRun;
+  if (outcome === null || outcome.drawing !== drawing || outcome.cubics.length === 0) return documentPaths(scene, drawing).all;
+  const known = wholes.get(outcome.cubics);
+  if (known !== undefined) return known;
+  const path = new Path2D();
+  outcome.cubics.forEach((cubics, i) => path.addPath(pathOfCubics(cubics, drawing.contours[i]?.closed === true)));
+  wholes.set(outcome.cubics, path);
+  return path;
+}
+
+function drawOutlines(scene: Scene, drawing: CurveDocument, thin: boolean): void {
+  const { state, palette } = scene;
+  const context = inPage(scene);
+  const path = pathOf(scene, drawing);
+  context.lineJoin = "round";
+  if (!thin) {
+    context.fillStyle = palette.point;
+    context.globalAlpha = state.traceView.view === "outline" ? 0.08 : 0.16;
+    context.fill(path, "evenodd");
+    context.globalAlpha = 1;
+    // A rim of paper keeps the line in sight over dark pixels.
+    context.strokeStyle = palette.canvas;
+    context.lineWidth = 4 / state.view.zoom;
+    context.globalAlpha = state.traceView.view === "outline" ? 0 : 0.7;
+    context.stroke(path);
+    context.globalAlpha = 1;
+  }
+  context.strokeStyle = thin ? palette.cusp : palette.curve;
+  context.lineWidth = (thin ? 1.25 : 2) / state.view.zoom;
+  context.stroke(path);
+}
+
+function drawPoints(scene: Scene, drawing: CurveDocument, all: boolean): void {
+  const { state, palette, focused } = scene;
+  const { stage, traceView } = state;
+  const context = inScreen(scene);
+  const total = drawing.contours.reduce((sum, { points }) => sum + points.length, 0);
+  if (total > mostSmall) return;
+  const crowded = total > mostLarge;
+  const small = { discs: new Path2D(), diamonds: new Path2D() };
+  const late: (() => void)[] = [];
+  drawing.contours.forEach(({ points }, contour) => points.forEach((point, index) => {
+    const at = onScreen(scene, point);
+    if (at.x < -24 || at.y < -24 || at.x > stage.width + 24 || at.y > stage.height + 24) return;
+    const is = (ref: { contour: number; index: number } | null): boolean => ref !== null && ref.contour === contour && ref.index === index;
+    const marker = { hovered: is(traceView.over), selected: is(traceView.chosen), focused: is(traceView.chosen) && focused && state.keyboard };
+    const marked = marker.hovered || marker.selected;
+    if (marked || (!crowded && (all || point.kind === "cusp"))) late.push(() => drawPoint(context, at, point.kind, marker, palette));
+    else addSmallPoint(small, at, point.kind, false);
+  }));
+  drawSmallPoints(context, small, palette);
+  for (const draw of late) draw();
+}

@@ -1,0 +1,106 @@
+import type { ContractParts } from "./contract.ts";
+import { isEmptyTrace, type TraceDocument } from "./document/trace.ts";
+import type { Editor, EditorState } from "./editor/editor.ts";
+import type { Frame } from "./editor/frame.ts";
+import { tracedDrawing } from "./editor/trace/hand-over.ts";
+import { registerTraceActions } from "./editor/trace/trace-actions.ts";
+import { drawingOf, sizeOf } from "./editor/trace/trace-edits.ts";
+import { traceHint, traceSummary } from "./editor/trace/trace-hint.ts";
+import { createTraceRunner } from "./editor/trace/trace-runner.ts";
+import { samplePoints } from "./kernel/samples.ts";
+import { cornersIn } from "./kernel/trace/outcome.ts";
+import { createTraceClient, pageClock } from "./kernel/trace/trace-client.ts";
+import type { Panels } from "./panels/mount.ts";
+import { report } from "./panels/report.ts";
+import { mountEmptyTrace, traceSampleCards } from "./panels/trace/empty-trace.ts";
+import { traceMetrics } from "./panels/trace/trace-metrics.ts";
+import { tracePanel } from "./panels/trace/trace-panel.ts";
+import { traceProgram } from "./panels/trace/trace-program.ts";
+import { mountTraceProgress } from "./panels/trace/trace-progress.ts";
+import { Problem } from "./document/problem.ts";
+import { createPointProxies } from "./render/trace/point-proxies.ts";
+import { createTracePainter } from "./render/trace/trace-painter.ts";
+import type { Stage } from "./render/stage.ts";
+import { createTraceTool } from "./tools/trace/trace-tool.ts";
+
+/** Trace mode, put together when it is first opened. */
+
+export interface TraceModeOptions {
+  readonly editor: Editor;
+  readonly frame: Frame;
+  readonly stage: Stage;
+  readonly surface: HTMLElement;
+  /** Where buttons for what is on the stage are put. */
+  readonly proxies: HTMLElement;
+  readonly panels: Panels;
+  readonly contract: ContractParts;
+  readonly until: AbortSignal;
+}
+
+/** Pictures are not kept and not sent: of one's own, what is saved is its outlines. */
+function savedTrace(state: EditorState): TraceDocument {
+  const { trace, traceRun } = state;
+  const { picture, ...rest } = trace;
+  const drawing = drawingOf(state);
+  if (picture === undefined || drawing === null || traceRun.picture?.key !== picture.key) return rest;
+  const { name, width, height } = picture;
+  return { ...rest, corners: [], kept: { name, width, height, contours: drawing.contours } };
+}
+
+function resultOf(state: EditorState): object | null {
+  const drawing = drawingOf(state);
+  const { outcome } = state.traceRun;
+  if (drawing === null || outcome === null) return null;
+  const { holes, segments, rms, max, iou } = outcome;
+  return {
+    contours: drawing.contours.length, holes: holes.filter((hole) => hole).length, cusps: cornersIn(drawing).map(({ x, y }) => ({ x, y })),
+    segments: segments === null ? 0 : segments.lines + segments.arcs + segments.curves, rms, max, iou,
+  };
+}
+
+export function mountTraceMode({ editor, frame, stage, surface, proxies, panels, contract, until }: TraceModeOptions): void {
+  const { shell } = panels;
+  const start = (): Worker => new Worker(new URL("./kernel/trace/trace-worker.ts", import.meta.url), { type: "module" });
+  const runner = createTraceRunner({
+    editor, until, clock: pageClock, now: () => performance.now(),
+    connect: (handlers) => createTraceClient(start, handlers),
+    refuse(name, code) {
+      const id = code === "E_BLANK" ? "image-blank" : code === "E_IMAGE" ? "image-broken" : "engine";
+      report(shell, new Problem(id, id === "engine" ? { code: code === "" ? "unknown" : code } : { name }));
+    },
+  });
+  registerTraceActions(editor, runner);
+  editor.modes.set("trace", {
+    tool: createTraceTool(editor), hint: traceHint, summary: traceSummary, drawing: tracedDrawing, program: traceProgram, saved: savedTrace,
+    box(state) {
+      const size = sizeOf(state);
+      return size === null ? null : { minX: 0, minY: 0, maxX: size.width, maxY: size.height };
+    },
+  });
+  shell.samples.set("trace", (done) => traceSampleCards(shell, done));
+  stage.painters.set("trace", createTracePainter());
+  createPointProxies(editor, frame, surface, proxies, until);
+  panels.addMode("trace", { panel: tracePanel(shell), metrics: traceMetrics });
+  mountEmptyTrace(shell);
+  mountTraceProgress(shell);
+  contract.trace = {
+    sample(count, contour) {
+      const drawing = drawingOf(editor.state.value);
+      const shape = drawing?.contours[contour];
+      return drawing === null || shape === undefined ? null : samplePoints(drawing, shape, count);
+    },
+    result: () => (isEmptyTrace(editor.state.value.trace) ? null : resultOf(editor.state.value)),
+    lastJobMs: () => editor.state.value.traceRun.lastMs,
+    working: () => runner.idle(),
+  };
+  editor.state.subscribe(({ mode }, before) => {
+    if (mode === before.mode) return;
+    if (mode === "trace") surface.setAttribute("aria-label", "Picture and its outlines");
+    else if (before.mode === "trace") {
+      surface.setAttribute("aria-label", "Curve canvas");
+      editor.patch({ cursor: "default" });
+    }
+  }, { until });
+  if (editor.state.value.mode === "trace") surface.setAttribute("aria-label", "Picture and its outlines");
+  stage.repaint();
+}
