@@ -15,3 +15,9 @@ declare module "expline/expline_fit_bg.wasm?url" {
   const url: string;
   export default url;
 }
+
+/** The same of the engine that traces. */
+declare module "expline/expline_trace_bg.wasm?url" {
+  const url: string;
+  export default url;
+}
