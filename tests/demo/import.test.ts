@@ -172,7 +172,7 @@ test("V23 what cannot be read is refused by name, and the drawing stays", async 
   const before = (await demo.state()).curve;
   const png = [0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0, 0, 0];
   for (const [name, type, content, id] of [
-    ["photo.png", "image/png", png, "image-later"],
+    ["photo.png", "image/png", png, "image-broken"],
     ["paper.pdf", "application/pdf", "%PDF-1.7", "file-type"],
     ["renamed.svg", "image/svg+xml", png, "file-type"],
     ["error-page.svg", "image/svg+xml", "<!doctype html><html><body>404</body></html>", "svg-broken"],
@@ -183,7 +183,7 @@ test("V23 what cannot be read is refused by name, and the drawing stays", async 
     await drop(demo, name, type, content as string | number[]);
     const error = demo.page.locator(`[data-testid="error"][data-error="${id}"]`);
     await error.waitFor();
-    if (id === "image-later") assert.match((await error.textContent()) ?? "", /photo\.png/);
+    if (id === "image-broken") assert.match((await error.textContent()) ?? "", /photo\.png/);
     assertSame((await demo.state()).curve, before);
   }
 });

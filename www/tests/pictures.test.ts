@@ -30,7 +30,8 @@ test("coverage is area: of a rectangle in every pixel, of a disc in all", () => 
 test("a hole takes away what it encloses, and the scale scales", () => {
   const ring = coverage([circle(64, 64, 40), circle(64, 64, 20, true)], 64, 64, 0.5);
   assert.ok(Math.abs(sum(ring) - Math.PI * (400 - 100)) < 0.02, String(sum(ring)));
-  assert.equal(ring[32 * 64 + 32], 0);
+  // Sums of single precision.
+  assert.ok((ring[32 * 64 + 32] ?? 1) < 1e-6);
 });
 
 test("outlines beyond the picture are cut at its sides, whatever their way", () => {

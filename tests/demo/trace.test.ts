@@ -1,0 +1,183 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { useBrowser, type Demo, type Pair } from "./page.ts";
+
+const { open } = useBrowser();
+
+interface Result {
+  readonly contours: number;
+  readonly holes: number;
+  readonly cusps: readonly { readonly x: number; readonly y: number }[];
+  readonly segments: number;
+  readonly rms: number;
+  readonly max: number;
+}
+
+async function result(demo: Demo): Promise<Result> {
+  const { trace } = (await demo.state()) as unknown as { trace: { result?: Result } };
+  assert.ok(trace.result !== undefined, "there are outlines");
+  return trace.result;
+}
+
+/** The document of Trace, without what came of it. */
+async function asked(demo: Demo): Promise<{ sample?: string; picture?: { name: string }; settings: Record<string, unknown> }> {
+  return (await demo.state()).trace as unknown as { sample?: string; picture?: { name: string }; settings: Record<string, unknown> };
+}
+
+/** The ten corners of the sample's star. */
+const corners: Pair[] = Array.from({ length: 10 }, (_, i) => {
+  const [angle, radius] = [(Math.PI * i) / 5 - Math.PI / 2, i % 2 === 0 ? 200 : 80];
+  return [256 + radius * Math.cos(angle), 256 + radius * Math.sin(angle)];
+});
+
+function toLine([x, y]: Pair, [ax, ay]: Pair, [bx, by]: Pair): number {
+  const [ux, uy] = [bx - ax, by - ay];
+  const t = Math.max(0, Math.min(1, ((x - ax) * ux + (y - ay) * uy) / (ux * ux + uy * uy)));
+  return Math.hypot(x - ax - t * ux, y - ay - t * uy);
+}
+
+const toStar = (place: Pair): number => Math.min(...corners.map((corner, i) => toLine(place, corner, corners[(i + 1) % 10] ?? corner)));
+
+test("V21 a disc is one round outline of few points, and the printed errors are those against the true circle", async (t) => {
+  const demo = await open(t, "#/trace?sample=trace-disc");
+  const { contours, cusps } = await result(demo);
+  assert.equal(contours, 1);
+  assert.equal(cusps.length, 0);
+  const off = (await demo.sample(2000)).map(([x, y]) => Math.abs(Math.hypot(x - 256, y - 256) - 160));
+  const [rms, max] = [Math.hypot(...off) / Math.sqrt(off.length), Math.max(...off)];
+  assert.ok(rms <= 0.35 && max <= 0.8, `rms ${rms}, max ${max}`);
+  assert.ok((await demo.metric("m-points")) <= 16);
+  assert.ok(Math.abs((await demo.metric("m-rms")) - rms) <= 0.3);
+  assert.ok(Math.abs((await demo.metric("m-max")) - max) <= 0.3);
+  t.diagnostic(`disc: radius off by rms ${rms.toExponential(1)}, max ${max.toExponential(1)} px, ${await demo.metric("m-points")} points, ${(await demo.stats()).lastJobMs.toFixed(0)} ms of 1500`);
+  assert.deepEqual(demo.complaints, []);
+});
+
+test("V22 a star keeps its ten corners and its straight sides, at the defaults and at Detail 80", async (t) => {
+  const demo = await open(t, "#/trace?sample=trace-star");
+  for (const detail of [35, 80]) {
+    if (detail !== 35) await demo.slide("trace-detail", detail);
+    const { cusps } = await result(demo);
+    assert.equal(cusps.length, 10, `${cusps.length} corners at Detail ${detail}`);
+    const nearest = corners.map(([x, y]) => Math.min(...cusps.map((cusp) => Math.hypot(cusp.x - x, cusp.y - y))));
+    assert.ok(Math.max(...nearest) <= 1.5, `a corner is ${Math.max(...nearest)} px away`);
+    const bent = Math.max(...(await demo.sample(2000)).map(toStar));
+    assert.ok(bent <= 0.5, `a side bends by ${bent} px`);
+    t.diagnostic(`star, Detail ${detail}: corners within ${Math.max(...nearest).toFixed(3)} px, sides within ${bent.toFixed(3)} px`);
+  }
+  assert.equal(await demo.metric("m-cusps"), 10);
+  assert.equal(Number(await demo.byId("legend-cusp").getAttribute("data-value")), 10);
+});
+
+test("V22 the logo has corners on its sharp mark alone", async (t) => {
+  const demo = await open(t, "#/trace?sample=trace-logo");
+  const { cusps, contours, holes } = await result(demo);
+  assert.equal(contours, 4);
+  assert.equal(holes, 1);
+  const bolt: Pair[] = [[282, 118], [188, 276], [248, 276], [224, 394], [326, 226], [262, 226]];
+  for (const { x, y } of cusps) assert.ok(bolt.some(([a, b]) => Math.hypot(a - x, b - y) <= 2), `a corner at ${x}, ${y}`);
+  for (const [x, y] of bolt) assert.ok(cusps.some((cusp) => Math.hypot(cusp.x - x, cusp.y - y) <= 2), `no corner at ${x}, ${y}`);
+});
+
+/** A picture as a file: a black square with a round hole, in the page's own encoder. */
+async function png(demo: Demo, size = 96): Promise<number[]> {
+  return demo.page.evaluate(async (side) => {
+    const canvas = new OffscreenCanvas(side, side);
+    const context = canvas.getContext("2d");
+    if (context === null) return [];
+    context.fillStyle = "white";
+    context.fillRect(0, 0, side, side);
+    context.fillStyle = "black";
+    context.fillRect(side / 6, side / 6, (2 * side) / 3, (2 * side) / 3);
+    context.fillStyle = "white";
+    context.beginPath();
+    context.arc(side / 2, side / 2, side / 5, 0, 2 * Math.PI);
+    context.fill();
+    return [...new Uint8Array(await (await canvas.convertToBlob({ type: "image/png" })).arrayBuffer())];
+  }, size);
+}
+
+/** A file that is dropped on the stage, or pasted. */
+async function bring(demo: Demo, how: "drop" | "paste", name: string, type: string, content: string | readonly number[]): Promise<void> {
+  await demo.page.evaluate(([way, fileName, fileType, bytes]) => {
+    const data = new DataTransfer();
+    data.items.add(new File([typeof bytes === "string" ? bytes : Uint8Array.from(bytes)], fileName, { type: fileType }));
+    const event = way === "drop"
+      ? new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true })
+      : new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true });
+    document.querySelector("canvas")?.dispatchEvent(event);
+  }, [how, name, type, content] as const);
+}
+
+async function traced(demo: Demo, name: string): Promise<void> {
+  await demo.page.waitForFunction((wanted) => document.querySelector('[data-testid="trace-source"]')?.textContent === wanted, name);
+  await demo.idle();
+  assert.equal((await result(demo)).contours, 2);
+  assert.equal((await result(demo)).holes, 1);
+}
+
+test("V23 a picture comes in by the field, by drop and by paste; each is named and starts at once", async (t) => {
+  const demo = await open(t, "#/trace");
+  const content = await png(demo);
+  await demo.byId("empty-trace").waitFor();
+  await demo.byId("trace-file").setInputFiles({ name: "field.png", mimeType: "image/png", buffer: Buffer.from(content) });
+  await traced(demo, "field.png");
+  assert.equal(await demo.byId("empty-trace").count(), 0);
+  await bring(demo, "drop", "drop.png", "image/png", content);
+  await traced(demo, "drop.png");
+  await bring(demo, "paste", "image.png", "image/png", content);
+  await traced(demo, "Pasted picture");
+  await demo.press("Control+z", "Control+z");
+  await traced(demo, "field.png");
+  // From any other mode as well.
+  await demo.byId("tab-curve").click();
+  await bring(demo, "drop", "curve.png", "image/png", content);
+  await traced(demo, "curve.png");
+  assert.equal((await demo.state()).mode, "trace");
+  assert.deepEqual(demo.complaints, []);
+});
+
+test("V23 what is no picture is refused by name, and the result before stays", async (t) => {
+  const demo = await open(t, "#/trace?sample=trace-disc");
+  const before = await asked(demo);
+  const bomb = [0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0, 0, 13, 0x49, 0x48, 0x44, 0x52, 0, 0, 0x75, 0x30, 0, 0, 0x75, 0x30, 8, 0, 0, 0, 0];
+  for (const [name, type, content, id] of [
+    ["note.png", "image/png", "this was a text", "image-broken"],
+    ["paper.pdf", "application/pdf", "%PDF-1.7", "image-type"],
+    ["bomb.png", "image/png", bomb, "image-big"],
+  ] as const) {
+    await bring(demo, "drop", name, type, content);
+    const error = demo.page.locator(`[data-testid="error"][data-error="${id}"]`);
+    await error.waitFor();
+    assert.match((await error.textContent()) ?? "", new RegExp(name.replace(".", "\\.")));
+    await demo.idle();
+    assert.deepEqual(await asked(demo), before);
+    assert.equal((await result(demo)).contours, 1);
+  }
+  assert.equal(await demo.byId("stage").isVisible(), true);
+});
+
+test("a photograph is refused with an offer, and traced when somebody wants it", async (t) => {
+  const demo = await open(t, "#/trace");
+  const content = await demo.page.evaluate(async () => {
+    const canvas = new OffscreenCanvas(200, 200);
+    const context = canvas.getContext("2d");
+    if (context === null) return [];
+    context.fillStyle = "white";
+    context.fillRect(0, 0, 200, 200);
+    context.fillStyle = "black";
+    // 1,600 dots of nine pixels each.
+    for (let i = 0; i < 1600; i += 1) context.fillRect(5 * (i % 40) + 1, 5 * Math.floor(i / 40) + 1, 3, 3);
+    return [...new Uint8Array(await (await canvas.convertToBlob({ type: "image/png" })).arrayBuffer())];
+  });
+  await bring(demo, "drop", "photo.png", "image/png", content);
+  await demo.page.waitForFunction(() => document.querySelector('[data-testid="trace-source"]')?.textContent === "photo.png");
+  await demo.idle();
+  await demo.slide("trace-speckle", 0);
+  const error = demo.page.locator('[data-testid="error"][data-error="trace-photo"]');
+  await error.waitFor();
+  assert.match((await error.textContent()) ?? "", /photograph: 160[0-9] contours/u);
+  await demo.byId("offer-speckle").click();
+  await demo.idle();
+  assert.equal(await error.count(), 0);
+});
