@@ -8,6 +8,7 @@ use super::noise::{is_regular, noise, sober_weights};
 use super::options::{Ask, Finish, Options};
 use super::outcome::{Changed, Fit, FitStatus, Part};
 use super::parametrise::{Parametrisation, given, parametrise};
+use super::polish::GLIMPSE;
 use super::problem::{Component, Problem, interpolating_grid, uniform_grid};
 use super::report;
 use super::samples::Samples;
@@ -70,6 +71,8 @@ pub struct Fitter {
     samples: Samples,
     /// By the parametrisation that the ask wants.
     located: Located,
+    /// Whether that was an ask for λ; `None` before the first.
+    located_by: Option<bool>,
     end: f64,
     /// One unit of the inner parameter in the caller's.
     unit: f64,
@@ -135,6 +138,7 @@ impl Fitter {
             options: options.clone(),
             samples,
             located: Located::default(),
+            located_by: None,
             end: 0.0,
             unit: 1.0,
             noise,
@@ -213,6 +217,13 @@ impl Fitter {
 
     /// Gives the points their parameters; λ alone means the papers' own, the index.
     fn locate(&mut self, by_lambda: bool) -> Result<()> {
+        if self.located_by == Some(by_lambda) {
+            return Ok(());
+        }
+        if self.located_by.is_some() {
+            // Other parameters are another problem.
+            self.warm = None;
+        }
         let samples = &self.samples;
         let weights = if !self.options.weights.is_empty() {
             self.options.weights.clone()
@@ -245,6 +256,7 @@ impl Fitter {
         };
         self.located = Located { points: samples.points.clone(), parameters, weights };
         self.end = end;
+        self.located_by = Some(by_lambda);
         Ok(())
     }
 
@@ -301,9 +313,7 @@ impl Fitter {
                 uniform_grid(degree, size(degree), 0.0, self.end, closed)
             }
         };
-        let same = through == self.through
-            && !through
-            && self.problem.as_ref().is_some_and(|problem| problem.parameters == self.located.parameters);
+        let same = through == self.through && !through;
         self.through = through;
         if let Some(mut solver) = self.warm.take()
             && same
@@ -593,7 +603,14 @@ impl Fitter {
     }
 
     fn frame(&self) -> report::Frame<'_> {
-        report::Frame { samples: &self.samples, unit: self.unit, noise: self.noise }
+        let hurried = !self.lambdas.is_empty() && self.options.gap >= GLIMPSE;
+        report::Frame {
+            samples: &self.samples,
+            unit: self.unit,
+            noise: self.noise,
+            robust: self.options.robust,
+            steps: if hurried { 1 } else { 4 },
+        }
     }
 }
 

@@ -12,6 +12,10 @@ impl Solver {
     pub(crate) fn insert_knots(&mut self) -> Result<()> {
         let lanes = lanes(self.data.norm);
         let (longest, gap) = (self.measure.longest, self.measure.gap);
+        // What the knots that are missing cost is little beside what is asked for.
+        if longest - 1.0 < 0.2 * self.settings.gap {
+            return Ok(());
+        }
         let threshold = (1.0 - 3.0 * (longest - 1.0) - gap).max(0.8);
         let closed = self.data.closed;
         let mut sets = Vec::new();

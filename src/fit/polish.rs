@@ -7,7 +7,7 @@
 use super::cone::{Metric, dot, norm, stretch};
 use super::dual::dual_curve;
 use super::play::{maxima, median};
-use super::reduced::Reduced;
+use super::reduced::{Part, Reduced};
 use super::scaled::Scaled;
 use super::solution::{Solution, Spline};
 use super::solver::{Measure, Solver, dual_length, jump_length, lanes, measure, seen};
@@ -19,6 +19,12 @@ const STIFF: f64 = 1e9;
 
 /// The most changes of the set of knots.
 const MOST_ROUNDS: usize = 14;
+/// Who asks for a gap like this wants to see the curve at once.
+pub(crate) const GLIMPSE: f64 = 1e-3;
+/// The same then, and where the optimum of another λ is followed.
+const MOST_FOLLOWING: usize = 5;
+/// Where jumps are not wanted more accurately than this, rounding does not matter.
+const ROUGH: f64 = 1e-5;
 /// The most steps of Newton's method on one set.
 const MOST_NEWTON: usize = 5;
 
@@ -52,7 +58,8 @@ impl Solver {
         if let Some(fixed) = &self.finished {
             return Ok(self.in_units_of_the_caller(fixed));
         }
-        let fixed = match self.polished()? {
+        let tried = if self.tried || self.is_hurried() { None } else { self.polished()? };
+        let fixed = match tried {
             Some((fixed, _)) if fixed.measure.gap <= self.measure.gap => fixed,
             _ => Fixed {
                 reduced: self.iterate.reduced.clone(),
@@ -66,15 +73,38 @@ impl Solver {
 
     /// The least objective on the knots that the iterate singles out, and on those that the dual curve then asks for.
     pub(crate) fn polished(&self) -> Result<Option<(Fixed, Vec<Vec<Vector>>)>> {
-        let lanes = lanes(self.data.norm);
         let mut sets = Vec::new();
         let mut knot = 0;
         for (i, part) in self.iterate.reduced.parts.iter().enumerate() {
             sets.push(self.active(i, knot));
             knot += part.chosen.len();
         }
+        self.improved(sets, MOST_ROUNDS)
+    }
+
+    /// The optimum of the last run, followed to the λ that are in force now; `None` where it does not come within the
+    /// asked gap of the new one.
+    pub(crate) fn followed(&self) -> Result<Option<(Fixed, Vec<Vec<Vector>>)>> {
+        let Some(last) = &self.finished else { return Ok(None) };
+        let mut jumps = last.jumps.iter();
+        let of_part = |part: &Part| part.chosen.iter().copied().zip(jumps.by_ref().copied()).collect();
+        let sets: Vec<Vec<(usize, Vector)>> = last.reduced.parts.iter().map(of_part).collect();
+        let found = self.improved(sets, MOST_FOLLOWING)?;
+        Ok(found.filter(|(fixed, _)| fixed.measure.gap <= self.settings.gap))
+    }
+
+    /// The least objective on these knots with about these jumps, and on those that the dual curve then asks for; over
+    /// as soon as the asked gap is reached.
+    fn improved(
+        &self,
+        mut sets: Vec<Vec<(usize, Vector)>>,
+        most: usize,
+    ) -> Result<Option<(Fixed, Vec<Vec<Vector>>)>> {
+        let lanes = lanes(self.data.norm);
+        // An error of δ in the jumps' directions costs about δ² of the objective.
+        let accuracy = (0.03 * self.settings.gap.sqrt()).max(1e-13);
         let mut best: Option<(Fixed, Vec<Vec<Vector>>)> = None;
-        for _ in 0..MOST_ROUNDS {
+        for _ in 0..most {
             for set in &mut sets {
                 // The jumps of a closed curve sum to zero: one alone is none.
                 if self.data.closed && set.len() == 1 {
@@ -84,7 +114,7 @@ impl Solver {
             let chosen = sets.iter().map(|set| set.iter().map(|(place, _)| *place).collect()).collect();
             let start: Vec<Vector> = sets.iter().flatten().map(|(_, jump)| *jump).collect();
             let reduced = Reduced::new(&self.data, chosen)?;
-            let Some(newton) = newton(&self.data, reduced, &start, lanes) else { break };
+            let Some(newton) = newton(&self.data, reduced, &start, lanes, accuracy) else { break };
             if lanes == 1 && turned(&newton.jumps, &start) {
                 let mut pairs = newton.jumps.iter().zip(&start);
                 for set in &mut sets {
@@ -113,7 +143,8 @@ impl Solver {
             if better {
                 best = Some((fixed, eta));
             }
-            if worse || (settled && !any) {
+            let enough = best.as_ref().is_some_and(|(best, _)| best.measure.gap <= self.settings.gap);
+            if enough || worse || (settled && !any) {
                 break;
             }
         }
@@ -233,7 +264,13 @@ fn turned(after: &[Vector], before: &[Vector]) -> bool {
 }
 
 /// Newton's method for the objective on fixed knots, from directions and lengths of their jumps.
-fn newton(data: &Scaled, mut reduced: Reduced, start: &[Vector], lanes: usize) -> Option<Newton> {
+fn newton(
+    data: &Scaled,
+    mut reduced: Reduced,
+    start: &[Vector],
+    lanes: usize,
+    accuracy: f64,
+) -> Option<Newton> {
     let lambdas: Vec<f64> = reduced
         .parts
         .iter()
@@ -267,7 +304,7 @@ fn newton(data: &Scaled, mut reduced: Reduced, start: &[Vector], lanes: usize) -
         } else {
             let before = change;
             change = next.iter().zip(&jumps).fold(0.0_f64, |most, (a, b)| most.max(norm(a - b) / norm(*a)));
-            change < 1e-13 || (change < 1e-9 && change >= before) || turned(&next, start)
+            change < accuracy || (change < 1e-9 && change >= before) || turned(&next, start)
         };
         settled = stop;
         if stop {
@@ -280,7 +317,7 @@ fn newton(data: &Scaled, mut reduced: Reduced, start: &[Vector], lanes: usize) -
     // Stiff systems leave residuals; what they leave is solved for again.
     let mut weighted = vec![Vector::zeros(); data.t.len()];
     let (mut rest, mut pull, mut forces_of_elements) = (Vec::new(), Vec::new(), Vec::new());
-    for _ in 0..lanes {
+    for _ in 0..if accuracy > ROUGH { 0 } else { lanes } {
         let _ = reduced.residuals(data, &unknowns, &mut weighted, &mut forces_of_elements);
         reduced.gradient(&forces_of_elements, &mut rest);
         pull.clear();

@@ -34,8 +34,6 @@ pub(crate) struct Element {
     pub(crate) samples: (usize, usize),
     pub(crate) middle: f64,
     pub(crate) half: f64,
-    /// For each part its interval and its basis functions in the element's variable.
-    pub(crate) local: [(usize, Local); 2],
 }
 
 /// The least-squares part of the problem on the knots in play.
@@ -43,6 +41,8 @@ pub(crate) struct Element {
 pub(crate) struct Reduced {
     pub(crate) parts: Vec<Part>,
     pub(crate) elements: Vec<Element>,
+    /// For each element and each part, in turn, its interval and its basis functions in the element's variable.
+    locals: Vec<(usize, Local)>,
     /// How many unknown points there are.
     pub(crate) unknowns: usize,
     /// Unknown points in the band and coupling reach among them; the others are the border.
@@ -67,10 +67,11 @@ impl Reduced {
             parts.push(Part { space, chosen, rows: Vec::new(), order: Vec::new() });
         }
         let unknowns = order_unknowns(&mut parts);
-        let elements = elements(data, &parts);
+        let (elements, locals) = elements(data, &parts);
         let mut reduced = Self {
             parts,
             elements,
+            locals,
             unknowns,
             banded: 0,
             reach: 0,
@@ -125,13 +126,10 @@ impl Reduced {
                 couple(&mut row.unknowns[..part.space.degree() + 2].iter().copied());
             }
         }
-        for element in &self.elements {
-            let of_part = |(i, part): (usize, &Part)| {
-                let first = element.local[i].0;
-                (first..=first + part.space.degree()).map(|j| part.order[part.space.coefficient(j)]).collect()
-            };
-            let all: Vec<Vec<usize>> = self.parts.iter().enumerate().map(of_part).collect();
-            couple(&mut all.into_iter().flatten());
+        for locals in self.locals.chunks_exact(self.parts.len()) {
+            couple(&mut self.parts.iter().zip(locals).flat_map(|(part, (first, local))| {
+                (*first..=first + local.degree).map(|j| part.order[part.space.coefficient(j)])
+            }));
         }
         if 2 * border > count || 2 * reach > count {
             (border, reach) = (count, 0);
@@ -146,33 +144,29 @@ impl Reduced {
     fn assemble(&mut self, data: &Scaled) {
         self.linear.clear();
         self.linear.resize(self.unknowns, Vector::zeros());
-        for element in &self.elements {
-            let (powers, values) =
-                moments(data, element, 2 * self.parts[self.parts.len() - 1].space.degree());
-            for (p, part) in self.parts.iter().enumerate() {
-                let (first, local) = &element.local[p];
+        let most = 2 * self.parts[self.parts.len() - 1].space.degree();
+        for (element, locals) in self.elements.iter().zip(self.locals.chunks_exact(self.parts.len())) {
+            let (powers, values) = moments(data, element, most);
+            for (p, (part, (first, local))) in self.parts.iter().zip(locals).enumerate() {
                 for i in 0..=local.degree {
-                    let row = part.order[part.space.coefficient(first + i)];
-                    for (power, value) in values.iter().enumerate().take(local.degree + 1) {
-                        self.linear[row] += value * (2.0 * local.rows[i][power]);
+                    let (row, own) = (part.order[part.space.coefficient(first + i)], &local.rows[i]);
+                    for (value, factor) in values.iter().zip(&own[..=local.degree]) {
+                        self.linear[row] += value * (2.0 * factor);
                     }
                     // Gram's matrix with the functions of this part up to i, and with all of the parts before.
                     let mut image = [0.0; TERMS];
-                    for (power, value) in image.iter_mut().enumerate() {
-                        for other in 0..=local.degree {
-                            *value += local.rows[i][other] * powers[power + other];
-                        }
+                    for (power, value) in image.iter_mut().enumerate().take(local.degree + 1) {
+                        *value = product(&own[..=local.degree], &powers[power..]);
                     }
-                    for (q, before) in self.parts.iter().enumerate().take(p + 1) {
-                        let (other_first, other) = &element.local[q];
-                        let most = if q == p { i } else { other.degree };
-                        for j in 0..=most {
+                    for (q, (before, (other_first, other))) in
+                        self.parts.iter().zip(locals).enumerate().take(p + 1)
+                    {
+                        let last = if q == p { i } else { other.degree };
+                        for j in 0..=last {
                             let column = before.order[before.space.coefficient(other_first + j)];
-                            let product: f64 = other.rows[j].iter().zip(&image).map(|(a, b)| a * b).sum();
                             let twice = if row == column && (i != j || q != p) { 4.0 } else { 2.0 };
-                            for axis in 0..2 {
-                                self.quadratic.add(2 * row + axis, 2 * column + axis, twice * product);
-                            }
+                            let value = twice * product(&other.rows[j][..=other.degree], &image);
+                            self.quadratic.add_block(row, column, [value, 0.0, value]);
                         }
                     }
                 }
@@ -264,14 +258,14 @@ impl Reduced {
         }
     }
 
-    /// The polynomial of the whole sum on an element, ascending powers of its variable.
-    pub(crate) fn polynomial(&self, element: &Element, unknowns: &[Vector]) -> [Vector; TERMS] {
+    /// The polynomial of the whole sum on an element, given by its functions there, in ascending powers of its variable.
+    fn polynomial(&self, locals: &[(usize, Local)], unknowns: &[Vector]) -> [Vector; TERMS] {
         let mut sum = [Vector::zeros(); TERMS];
-        for (part, (first, local)) in self.parts.iter().zip(&element.local) {
+        for (part, (first, local)) in self.parts.iter().zip(locals) {
             for i in 0..=local.degree {
                 let coefficient = unknowns[part.order[part.space.coefficient(first + i)]];
-                for (term, row) in sum.iter_mut().zip(local.rows[i]).take(local.degree + 1) {
-                    *term += coefficient * row;
+                for (term, row) in sum.iter_mut().zip(&local.rows[i][..=local.degree]) {
+                    *term += coefficient * *row;
                 }
             }
         }
@@ -290,12 +284,13 @@ impl Reduced {
         let highest = self.parts[self.parts.len() - 1].space.degree();
         moments.clear();
         moments.resize(self.elements.len(), [Vector::zeros(); TERMS]);
-        for (element, moments) in self.elements.iter().zip(moments) {
+        let locals = self.locals.chunks_exact(self.parts.len());
+        for ((element, locals), moments) in self.elements.iter().zip(locals).zip(moments) {
             let (from, to) = element.samples;
             if from == to {
                 continue;
             }
-            let terms = self.polynomial(element, unknowns);
+            let terms = self.polynomial(locals, unknowns);
             let inverse = 1.0 / element.half;
             let points = data.x[from..to].iter().zip(&data.y[from..to]);
             let times = data.t[from..to].iter().zip(&data.w[from..to]);
@@ -323,8 +318,8 @@ impl Reduced {
     pub(crate) fn gradient(&self, moments: &[[Vector; TERMS]], sum: &mut Vec<Vector>) {
         sum.clear();
         sum.resize(self.unknowns, Vector::zeros());
-        for (element, moments) in self.elements.iter().zip(moments) {
-            for (part, (first, local)) in self.parts.iter().zip(&element.local) {
+        for (locals, moments) in self.locals.chunks_exact(self.parts.len()).zip(moments) {
+            for (part, (first, local)) in self.parts.iter().zip(locals) {
                 for i in 0..=local.degree {
                     let unknown = part.order[part.space.coefficient(first + i)];
                     let mut force = Vector::zeros();
@@ -341,6 +336,11 @@ impl Reduced {
 /// Where the first of two components is held at zero.
 pub(crate) fn gauge_places(degree: usize, length: f64, closed: bool) -> Vec<f64> {
     if closed { vec![0.0] } else { (0..=degree).map(|i| length * (i as f64 / degree as f64)).collect() }
+}
+
+#[inline]
+fn product(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// Σ w xʲ for j up to `most`, and Σ w xʲ p, over the samples of an element.
@@ -392,15 +392,16 @@ fn order_unknowns(parts: &mut [Part]) -> usize {
     centres.len()
 }
 
-/// The stretches between all knots, from start to end.
-fn elements(data: &Scaled, parts: &[Part]) -> Vec<Element> {
+/// The stretches between all knots, from start to end, and what the parts are there.
+fn elements(data: &Scaled, parts: &[Part]) -> (Vec<Element>, Vec<(usize, Local)>) {
     let mut breaks = vec![0.0, data.length];
     for part in parts {
         breaks.extend((0..part.space.knot_count()).map(|k| part.space.knot(k)));
     }
-    breaks.sort_by(f64::total_cmp);
+    breaks.sort_unstable_by(f64::total_cmp);
     breaks.dedup();
     let mut elements = Vec::with_capacity(breaks.len());
+    let mut locals = Vec::with_capacity(breaks.len() * parts.len());
     let mut sample = 0;
     for pair in breaks.windows(2) {
         let (middle, half) = (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]));
@@ -409,14 +410,12 @@ fn elements(data: &Scaled, parts: &[Part]) -> Vec<Element> {
         while sample < data.t.len() && (last || data.t[sample] < pair[1]) {
             sample += 1;
         }
-        let place = |part: &Part| {
+        for part in parts {
             let (interval, moved) = part.space.locate(middle);
             let knots = part.space.around(interval);
-            (interval, polynomials(knots, part.space.degree(), moved, half))
-        };
-        let first = place(&parts[0]);
-        let second = parts.get(1).map_or(first, place);
-        elements.push(Element { samples: (from, sample), middle, half, local: [first, second] });
+            locals.push((interval, polynomials(knots, part.space.degree(), moved, half)));
+        }
+        elements.push(Element { samples: (from, sample), middle, half });
     }
-    elements
+    (elements, locals)
 }

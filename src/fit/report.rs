@@ -21,6 +21,10 @@ pub(super) struct Frame<'a> {
     pub(super) samples: &'a Samples,
     pub(super) unit: f64,
     pub(super) noise: f64,
+    /// Whether outliers are looked for.
+    pub(super) robust: bool,
+    /// Steps towards the foot of every point: fewer overestimate distances a little.
+    pub(super) steps: usize,
 }
 
 /// The longer side of the points' box, in the caller's unit.
@@ -51,7 +55,7 @@ pub(super) fn fit(frame: &Frame<'_>, spline: &Spline, located: &Located) -> Resu
         .curve(breaks.closed, breaks.end * frame.unit)?;
     let at_parameters = spline.squares(located);
     let mut feet = located.clone();
-    let distances = spline.project(&mut feet, 4);
+    let distances = spline.project(&mut feet, frame.steps);
     let square = samples.scale * samples.scale;
     let total = weight(located);
     let shift = if breaks.closed { breaks.at.first().copied().unwrap_or(0.0) } else { 0.0 };
@@ -142,7 +146,7 @@ pub(super) fn polygon(frame: &Frame<'_>) -> Result<Fit> {
 /// Given points whose distance is no noise.
 fn outliers(frame: &Frame<'_>, spline: &Spline, feet: &Located) -> Vec<usize> {
     let limit = OUTLYING * frame.noise;
-    if limit <= 0.0 {
+    if limit <= 0.0 || !frame.robust {
         return Vec::new();
     }
     let far: Vec<bool> = spline.distances(feet).into_iter().map(|distance| distance > limit).collect();

@@ -5,7 +5,7 @@ use super::compress::compress;
 use super::cone::{Lorentz, Metric, Scaling, dot, norm, stretch};
 use super::dual::dual_curve;
 use super::interval::TERMS;
-use super::polish::Fixed;
+use super::polish::{Fixed, GLIMPSE};
 use super::problem::{Norm, Problem};
 use super::reduced::Reduced;
 use super::scaled::Scaled;
@@ -103,6 +103,8 @@ pub struct Solver {
     pub(crate) free: bool,
     /// The optimum on true knots, where the run has found it.
     pub(crate) finished: Option<Fixed>,
+    /// Whether it was looked for at the iterate as it is, and not found.
+    pub(crate) tried: bool,
     /// The gap below which to look for it again.
     next_finish: f64,
     /// Whether this run has left out the knots that its first iterations brought in vain.
@@ -189,6 +191,7 @@ impl Solver {
             iteration: 0,
             free: problem.components.iter().all(|component| component.lambda <= 0.0),
             finished: None,
+            tried: false,
             next_finish: FIRST_FINISH,
             thinned: false,
             before: Vec::new(),
@@ -209,6 +212,7 @@ impl Solver {
         // A warm start is thin already.
         self.thinned = warm;
         self.finished = None;
+        self.tried = false;
         self.next_finish = FIRST_FINISH;
         self.before.clear();
         self.idle = (0, f64::INFINITY);
@@ -233,6 +237,7 @@ impl Solver {
             self.thinned = true;
             self.leave_knots_out()?;
         }
+        self.tried = false;
         self.insert_knots()?;
         self.iteration += 1;
         let before = (self.iterate.unknowns.clone(), self.iterate.cones.clone(), self.measure);
@@ -251,23 +256,36 @@ impl Solver {
         Ok(self.status)
     }
 
+    /// Whether the knots are not told apart: on fine grids that takes longer than a glimpse of the curve may.
+    pub(crate) fn is_hurried(&self) -> bool {
+        self.settings.gap >= GLIMPSE && self.data.components.iter().any(|component| component.degree > 1)
+    }
+
     /// Where the knots may already be told apart, finds the optimum on them: when its own gap is small, that is the end.
     fn try_to_finish(&mut self) -> Result<()> {
+        if self.is_hurried() {
+            return Ok(());
+        }
         // Two components couple widely on few knots: there it costs more than an iteration, and is tried later.
         let dear = if self.data.components.len() > 1 { 0.1 } else { 1.0 };
         if self.measure.gap > dear * self.next_finish || self.iteration == 0 {
             return Ok(());
         }
         self.next_finish = 0.1 * self.measure.gap / dear;
-        if let Some((fixed, eta)) = self.polished()?
-            && fixed.measure.gap <= self.settings.gap.min(self.measure.gap)
-        {
-            self.measure = fixed.measure;
-            self.eta = eta;
-            self.finished = Some(fixed);
-            self.status = Status::Converged;
+        match self.polished()? {
+            Some((fixed, eta)) if fixed.measure.gap <= self.settings.gap => self.end_with(fixed, eta),
+            Some((fixed, _)) => self.tried = fixed.measure.gap > self.measure.gap,
+            None => self.tried = true,
         }
         Ok(())
+    }
+
+    /// The run is over with the optimum on true knots.
+    pub(crate) fn end_with(&mut self, fixed: Fixed, eta: Vec<Vec<Vector>>) {
+        self.measure = fixed.measure;
+        self.eta = eta;
+        self.finished = Some(fixed);
+        self.status = Status::Converged;
     }
 
     /// Iterates until the run is over.

@@ -120,7 +120,12 @@ impl KnotSpace {
     /// The coefficient of basis function j, 0 … `interval_count` + `degree` − 1: closed, the functions come round.
     #[inline]
     pub fn coefficient(&self, j: usize) -> usize {
-        if self.closed { j % self.count } else { j }
+        if self.closed && j >= self.count {
+            let round = j - self.count;
+            if round < self.count { round } else { j % self.count }
+        } else {
+            j
+        }
     }
 
     /// The interval that holds t, and t as seen from there (closed: moved by periods). Right-continuous, except that

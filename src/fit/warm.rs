@@ -29,8 +29,9 @@ struct Seed {
 }
 
 impl Solver {
-    /// Starts a new run for other λ of the components, warm where the last run came far enough: from an iterate on its
-    /// way, with the knots that mattered there and at its end.
+    /// Starts a new run for other λ of the components. Where the last one ended on true knots and these, or few others,
+    /// are near enough to the new optimum already, the run ends at once, after no iteration. Otherwise it is warm where the
+    /// last one came far enough: from an iterate on its way, with the knots that mattered there and at its end.
     ///
     /// # Errors
     ///
@@ -46,12 +47,19 @@ impl Solver {
             let scaled = lambda * self.data.lambda_factor(self.data.components[i].degree);
             self.data.components[i].lambda = scaled.max(super::solver::LEAST_LAMBDA);
         }
+        let free = lambdas.iter().all(|lambda| *lambda <= 0.0);
+        let followed = if free || self.free { None } else { self.followed()? };
+        self.free = free;
+        if let Some((fixed, eta)) = followed {
+            self.iteration = 0;
+            self.end_with(fixed, eta);
+            return Ok(());
+        }
         self.iterate = match &self.middle {
             Some(middle) => self.warm(middle)?,
             None => start(&self.data)?,
         };
         let warm = self.middle.take().is_some();
-        self.free = lambdas.iter().all(|lambda| *lambda <= 0.0);
         self.restart(warm);
         if self.free { self.solve_for_free() } else { Ok(()) }
     }
