@@ -7,8 +7,9 @@ mod golden;
 
 use expline::numerics::Point;
 use expline::trace::{
-    Cloud, End, Estimator, Knots, QuasiInterpolant, Rule, Score, choose, diameter, directed_hausdorff,
-    generalised_cross_validation, jaccard, leave_one_out, mean_absolute, root_mean_square,
+    Cloud, End, Estimator, Knots, Method, QuasiInterpolant, Rule, Score, choose, diameter,
+    directed_hausdorff, generalised_cross_validation, jaccard, leave_one_out, mean_absolute,
+    root_mean_square,
 };
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -300,13 +301,20 @@ fn a_straight_edge_takes_no_knot_more_than_it_needs() {
     let stairs: Vec<Point> =
         (0..60).map(|i| Point::new(f64::from(i), if i % 5 < 3 { 0.2 } else { -0.3 })).collect();
     let cloud = Cloud::new(&stairs).expect("valid");
-    let chosen = |rule| choose(&cloud, 0.0, 59.0, 2, HELD, rule).expect("valid").expect("enough points");
+    let chosen =
+        |rule| choose(&cloud, 0.0, 59.0, 2, HELD, Method::Mean(rule)).expect("valid").expect("enough points");
     assert_eq!(chosen(Rule::Parsimonious { slack: 0.02 }).interior, 0, "one piece");
     assert!(chosen(Rule::Least).score <= chosen(Rule::Parsimonious { slack: 0.02 }).score, "least is least");
     let two = Cloud::new(&stairs[..2]).expect("valid");
-    assert!(choose(&two, 0.0, 1.0, 2, FREE, Rule::Least).expect("valid").is_none(), "two points are a line");
+    assert!(
+        choose(&two, 0.0, 1.0, 2, FREE, Method::Mean(Rule::Least)).expect("valid").is_none(),
+        "two points are a line"
+    );
     let three = Cloud::new(&stairs[..3]).expect("valid");
-    assert!(choose(&three, 0.0, 2.0, 2, FREE, Rule::Least).expect("valid").is_some(), "three are enough");
+    assert!(
+        choose(&three, 0.0, 2.0, 2, FREE, Method::Mean(Rule::Least)).expect("valid").is_some(),
+        "three are enough"
+    );
 }
 
 #[test]

@@ -12,12 +12,13 @@ const AHEAD: f64 = 4.0;
 /// Chords of a curve are about this long, in pixels.
 const CHORD: f64 = 0.75;
 
-/// Compares a closed curve with a closed contour that turns the same way, both in pixels.
+/// Compares a curve with a contour that turns the same way, both closed or both open, in pixels.
 ///
 /// Both are walked side by side, so the time is that of one walk.
 pub(super) fn agreement(curve: &HermiteCurve, contour: &[Point]) -> Result<Metrics> {
     let places = flattened(curve)?;
-    let (there, back) = (Offs::of(contour, &places), Offs::of(&places, contour));
+    let closed = curve.is_closed();
+    let (there, back) = (Offs::of(contour, &places, closed), Offs::of(&places, contour, closed));
     let count = contour.len().max(1) as f64;
     let hausdorff = there.most.max(back.most);
     // Points that are no farther than a pixel are in neighbouring pixels.
@@ -57,6 +58,9 @@ fn flattened(curve: &HermiteCurve) -> Result<Vec<Point>> {
             places.push(curve.evaluate(first + (last - first) * step as f64 / steps as f64, 0)?);
         }
     }
+    if !curve.is_closed() {
+        places.push(curve.evaluate(curve.domain().1, 0)?);
+    }
     Ok(places)
 }
 
@@ -67,8 +71,8 @@ struct Offs {
 }
 
 impl Offs {
-    /// The distances of points from a closed polyline that runs beside them.
-    fn of(points: &[Point], polyline: &[Point]) -> Self {
+    /// The distances of points from a polyline that runs beside them.
+    fn of(points: &[Point], polyline: &[Point], closed: bool) -> Self {
         let mut offs = Self { sum: 0.0, square: 0.0, most: 0.0 };
         let count = polyline.len();
         let Some(&first) = points.first() else { return offs };
@@ -76,7 +80,10 @@ impl Offs {
             return offs;
         }
         let next = |i: usize| if i + 1 == count { 0 } else { i + 1 };
-        let off = |p: Point, i: usize| from_chord(p, polyline[i], polyline[next(i)]);
+        let off = |p: Point, i: usize| {
+            let last = !closed && i + 1 == count;
+            from_chord(p, polyline[i], polyline[if last { i } else { next(i) }])
+        };
         let mut at = (0..count).fold(0, |best, i| if off(first, i) < off(first, best) { i } else { best });
         let mut last = first;
         for &p in points {

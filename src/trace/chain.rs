@@ -3,9 +3,10 @@
 use super::cloud::Cloud;
 use super::knots::Knots;
 use super::metrics::{mean_absolute, root_mean_square};
-use super::quasi_interpolant::{End, Estimator, QuasiInterpolant};
+use super::parabola::Parabola;
+use super::quasi_interpolant::{End, QuasiInterpolant};
 use super::samples::{line_through, turn, unit};
-use super::selection::{Choice, Rule, choose};
+use super::selection::{Choice, Method, choose};
 use crate::error::{Error, Result};
 use crate::limits::{LARGEST_COORDINATE, MOST_POINTS, check, too_many, with_room};
 use crate::numerics::plane::{cross, dot, norm};
@@ -93,7 +94,7 @@ impl Chain {
     }
 
     /// The index one further, forwards or backwards; `None` at the end of an open chain.
-    fn step(&self, i: usize, forward: bool) -> Option<usize> {
+    pub(super) fn step(&self, i: usize, forward: bool) -> Option<usize> {
         let last = self.points.len() - 1;
         match (forward, i) {
             (true, i) if i == last => self.closed.then_some(0),
@@ -104,7 +105,7 @@ impl Chain {
     }
 
     /// The points within `window` along the chain on one side of point i, nearest first, with their distances along it. Never more than once around.
-    fn side(&self, i: usize, window: f64, forward: bool, visit: &mut dyn FnMut(f64, Point)) {
+    pub(super) fn side(&self, i: usize, window: f64, forward: bool, visit: &mut dyn FnMut(f64, Point)) {
         let (mut at, mut travelled) = (i, 0.0);
         for _ in 1..self.points.len() {
             let Some(next) = self.step(at, forward) else { return };
@@ -126,34 +127,17 @@ impl Chain {
     pub fn place(&self, i: usize, window: f64) -> ChainPlace {
         let i = i.min(self.points.len() - 1);
         let here = self.points[i];
-        // Moments of the distance s and of s times the offset from here.
-        let mut s = [1.0, 0.0, 0.0, 0.0, 0.0_f64];
-        let mut right = [Vector::zeros(); 3];
-        let mut add = |distance: f64, p: Point| {
-            let mut power = 1.0;
-            for (k, moment) in s.iter_mut().enumerate() {
-                *moment += power;
-                if k < 3 {
-                    right[k] += (p - here) * power;
-                }
-                power *= distance;
-            }
-        };
+        let mut parabola = Parabola::new();
+        parabola.add(0.0, Vector::zeros());
+        let mut add = |distance: f64, p: Point| parabola.add(distance, p - here);
         self.side(i, window, true, &mut add);
         self.side(i, window, false, &mut add);
-        let minor = |a: usize, b: usize, c: usize, d: usize| s[a] * s[d] - s[b] * s[c];
-        let determinant = s[0] * minor(2, 3, 3, 4) - s[1] * minor(1, 3, 2, 4) + s[2] * minor(1, 2, 2, 3);
-        if determinant <= 1e-9 * s[0] * s[2] * s[4] || s[0] < 3.0 {
+        let Some([value, slope, bend]) = parabola.solve() else {
             // Fewer than three places: the chord.
             let ends = [self.step(i, false).unwrap_or(i), self.step(i, true).unwrap_or(i)];
             let tangent = unit(self.points[ends[1]] - self.points[ends[0]]);
             return ChainPlace { point: here, tangent, curvature: 0.0 };
-        }
-        // The inverse of the symmetric matrix of moments, times the right-hand sides.
-        let combine = |a: f64, b: f64, c: f64| (right[0] * a + right[1] * b + right[2] * c) / determinant;
-        let value = combine(minor(2, 3, 3, 4), -minor(1, 2, 3, 4), minor(1, 2, 2, 3));
-        let slope = combine(-minor(1, 3, 2, 4), minor(0, 2, 2, 4), -minor(0, 1, 2, 3));
-        let bend = combine(minor(1, 2, 2, 3), -minor(0, 2, 1, 3), minor(0, 1, 1, 2)) * 2.0;
+        };
         let speed = norm(slope);
         let curvature = if speed > 0.0 { cross(slope, bend) / (speed * speed * speed) } else { 0.0 };
         ChainPlace { point: here + value, tangent: unit(slope), curvature }
@@ -234,7 +218,51 @@ impl Chain {
     }
 }
 
-/// The weighted quasi-interpolant of a tube between its joints, with as many knots and neighbours as `rule` chooses.
+/// A tube in the frame that has both joints on its x axis.
+struct Frame {
+    start: Point,
+    along: Vector,
+    across: Vector,
+    length: f64,
+    ends: [End; 2],
+}
+
+impl Frame {
+    fn new([start, end]: [Joint; 2]) -> Self {
+        let chord = end.point - start.point;
+        let along = unit(chord);
+        let across = Vector::new(-along.y, along.x);
+        let slope = |joint: Joint| match joint.tangent {
+            Some(tangent) if dot(tangent, along) >= 0.2 => {
+                End::Tangent(dot(tangent, across) / dot(tangent, along))
+            }
+            _ => End::Held,
+        };
+        Self { start: start.point, along, across, length: norm(chord), ends: [slope(start), slope(end)] }
+    }
+
+    /// The points between the joints, in the frame.
+    fn inside(&self, points: &[Point]) -> Vec<Point> {
+        let local = |p: &Point| Point::new(dot(p - self.start, self.along), dot(p - self.start, self.across));
+        points.iter().map(local).filter(|p| p.x >= 0.0 && p.x <= self.length).collect()
+    }
+
+    fn fit(&self, cloud: &Cloud, degree: usize, method: Method, choice: Choice) -> Result<TubeFit> {
+        let knots = Knots::even(0.0, self.length, choice.interior, degree)?;
+        let fitted = QuasiInterpolant::new(cloud, knots, method.estimator(choice.k), self.ends)?;
+        let residuals = fitted.residuals(cloud)?;
+        let place =
+            |(q, &c): (usize, &f64)| self.start + self.along * fitted.knots().greville(q) + self.across * c;
+        Ok(TubeFit {
+            control: fitted.coefficients().iter().enumerate().map(place).collect(),
+            choice: Some(choice),
+            rmse: root_mean_square(residuals.iter().copied()),
+            mae: mean_absolute(residuals.iter().copied()),
+        })
+    }
+}
+
+/// The weighted quasi-interpolant of a tube between its joints, with as many knots and neighbours as `method` chooses.
 ///
 /// The frame has both joints on its x axis; points beyond them do not count. At a joint with a tangent the second control point is on the tangent.
 ///
@@ -245,35 +273,33 @@ impl Chain {
 /// # Source
 ///
 /// \[RB21, section 3.3\].
-pub fn fit_tube(points: &[Point], joints: [Joint; 2], degree: usize, rule: Rule) -> Result<TubeFit> {
-    let [start, end] = joints;
-    let chord = end.point - start.point;
-    let length = norm(chord);
-    let along = unit(chord);
-    let across = Vector::new(-along.y, along.x);
-    let local = |p: &Point| Point::new(dot(p - start.point, along), dot(p - start.point, across));
-    let inside: Vec<Point> = points.iter().map(local).filter(|p| p.x >= 0.0 && p.x <= length).collect();
-    let line = TubeFit { control: vec![start.point, end.point], choice: None, rmse: 0.0, mae: 0.0 };
-    if length < 1e-6 || inside.len() < 3 {
+pub fn fit_tube(points: &[Point], joints: [Joint; 2], degree: usize, method: Method) -> Result<TubeFit> {
+    let frame = Frame::new(joints);
+    let inside = frame.inside(points);
+    let line =
+        TubeFit { control: joints.map(|joint| joint.point).to_vec(), choice: None, rmse: 0.0, mae: 0.0 };
+    if frame.length < 1e-6 || inside.len() < 3 {
         return Ok(line);
     }
-    let slope = |joint: Joint| match joint.tangent {
-        Some(tangent) if dot(tangent, along) >= 0.2 => {
-            End::Tangent(dot(tangent, across) / dot(tangent, along))
-        }
-        _ => End::Held,
-    };
-    let ends = [slope(start), slope(end)];
     let cloud = Cloud::new(&inside)?;
-    let Some(choice) = choose(&cloud, 0.0, length, degree, ends, rule)? else { return Ok(line) };
-    let knots = Knots::even(0.0, length, choice.interior, degree)?;
-    let fitted = QuasiInterpolant::new(&cloud, knots, Estimator::Mean { k: choice.k }, ends)?;
-    let residuals = fitted.residuals(&cloud)?;
-    let place = |(q, &c): (usize, &f64)| start.point + along * fitted.knots().greville(q) + across * c;
-    Ok(TubeFit {
-        control: fitted.coefficients().iter().enumerate().map(place).collect(),
-        choice: Some(choice),
-        rmse: root_mean_square(residuals.iter().copied()),
-        mae: mean_absolute(residuals.iter().copied()),
-    })
+    match choose(&cloud, 0.0, frame.length, degree, frame.ends, method)? {
+        Some(choice) => frame.fit(&cloud, degree, method, choice),
+        None => Ok(line),
+    }
+}
+
+/// As [`fit_tube`], with knots and neighbours given.
+///
+/// # Errors
+///
+/// As [`fit_tube`]; more neighbours than there are points between the joints, joints at one place.
+pub fn fit_tube_with(
+    points: &[Point],
+    joints: [Joint; 2],
+    degree: usize,
+    method: Method,
+    choice: Choice,
+) -> Result<TubeFit> {
+    let frame = Frame::new(joints);
+    frame.fit(&Cloud::new(&frame.inside(points))?, degree, method, choice)
 }

@@ -127,7 +127,27 @@ pub fn generalised_cross_validation(
     Ok((if freedom > 1e-6 { score / freedom } else { f64::MAX }, trace))
 }
 
-/// Interior knots up to the least of 8 and a third of the points less two, and 1 … 9 neighbours, by `rule`.
+/// How the spline of a tube is estimated, and how many knots and neighbours it gets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Method {
+    /// Means of the nearest, chosen by leaving out every point once.
+    Mean(Rule),
+    /// Local polynomials, chosen by generalised cross-validation.
+    Local(Rule),
+}
+
+impl Method {
+    /// The estimator with some number of neighbours.
+    pub(super) fn estimator(self, k: usize) -> Estimator {
+        match self {
+            Self::Mean(_) => Estimator::Mean { k },
+            Self::Local(_) => Estimator::Local { k },
+        }
+    }
+}
+
+/// Interior knots up to the least of 8 and a third of the points less two, and 1 … 9 neighbours for means, 7 and more for local polynomials,
+/// by the method's rule.
 ///
 /// `None` where there are fewer than 3 points: such a tube is a line.
 ///
@@ -144,7 +164,7 @@ pub fn choose(
     end: f64,
     degree: usize,
     ends: [End; 2],
-    rule: Rule,
+    method: Method,
 ) -> Result<Option<Choice>> {
     if cloud.len() < 3 {
         return Ok(None);
@@ -152,22 +172,47 @@ pub fn choose(
     let smooth = ends.iter().all(|end| matches!(end, End::Tangent(_)));
     let least = usize::from(smooth);
     let most = 8.min((cloud.len() / 3).saturating_sub(2)).max(least);
-    let neighbours = 9.min(cloud.len() - 1);
     let mut best: Vec<Choice> = with_room(most + 1)?;
     for interior in least..=most {
-        let scores = leave_one_out(cloud, &Knots::even(start, end, interior, degree)?, neighbours, ends)?;
-        let mut choice = Choice { interior, k: 1, score: scores[0].rmse };
-        for (score, k) in scores.iter().zip(1..) {
-            if score.rmse <= choice.score {
-                choice = Choice { interior, k, score: score.rmse };
-            }
-        }
-        best.push(choice);
+        let knots = Knots::even(start, end, interior, degree)?;
+        best.push(match method {
+            Method::Mean(_) => best_mean(cloud, &knots, interior, ends)?,
+            Method::Local(_) => best_local(cloud, &knots, interior, ends)?,
+        });
     }
     let lowest = best.iter().fold(f64::MAX, |lowest, choice| lowest.min(choice.score));
+    let (Method::Mean(rule) | Method::Local(rule)) = method;
     let limit = match rule {
         Rule::Least => lowest,
         Rule::Parsimonious { slack } => (1.1 * lowest).max(lowest + slack),
     };
     Ok(best.into_iter().find(|choice| choice.score <= limit))
+}
+
+fn best_mean(cloud: &Cloud, knots: &Knots, interior: usize, ends: [End; 2]) -> Result<Choice> {
+    let scores = leave_one_out(cloud, knots, 9.min(cloud.len() - 1), ends)?;
+    let mut choice = Choice { interior, k: 1, score: scores[0].rmse };
+    for (score, k) in scores.iter().zip(1..) {
+        if score.rmse <= choice.score {
+            choice = Choice { interior, k, score: score.rmse };
+        }
+    }
+    Ok(choice)
+}
+
+/// Numbers of neighbours a factor of about 1.4 apart: more say the same.
+fn best_local(cloud: &Cloud, knots: &Knots, interior: usize, ends: [End; 2]) -> Result<Choice> {
+    let mut k = (knots.degree() + 5).min(cloud.len());
+    let mut choice = Choice { interior, k, score: f64::MAX };
+    loop {
+        let (score, _) = generalised_cross_validation(cloud, knots, k, ends)?;
+        if score <= choice.score {
+            choice = Choice { interior, k, score };
+        }
+        // Neighbours beyond two knots say nothing of what is between them.
+        if k >= cloud.len() || k > 24 + 3 * cloud.len() / (interior + 1) {
+            return Ok(choice);
+        }
+        k = (k + k * 2 / 5).min(cloud.len());
+    }
 }
