@@ -49,6 +49,7 @@ for (const [title, prepare] of [...evaluationRows, ...geometryRows, ...pathRows,
     const ratio = `×${(least / ours).toPrecision(3)}`;
     console.log(`  ${name.padEnd(30)} ${time(least).padStart(9)} ${time(median).padStart(9)} ${ratio.padStart(8)}   ${note()}`);
   }
+  for (const [name, taken, note] of contest.recorded ?? []) console.log(`  ${name.padEnd(44)} ${taken.padStart(7)} recorded   ${note}`);
   for (const [name, wanted] of contest.targets) {
     const ratio = results.find((r) => r.name === name).least / ours;
     verdicts.push(`${ratio >= wanted ? "✓" : "✗"} ${title}: ${ratio.toPrecision(3)}× ${name}; wanted ${wanted}×`);

@@ -2,6 +2,7 @@
 
 import { spawn } from "node:child_process";
 
+import { buildPackage } from "./package.mjs";
 import { setUp } from "./setup.mjs";
 import { StepError, at, door, environment, root, run, step } from "./steps.mjs";
 
@@ -10,6 +11,7 @@ const PROGRAM = "target/release/expline-trace";
 
 await door(async () => {
   await setUp();
+  await buildPackage();
   await step("native tracer", { inputs: SOURCES, outputs: [PROGRAM] }, async () => {
     await run("cargo", ["build", "--locked", "--release", "-p", "expline-peers", "--bin", "expline-trace"]);
   });

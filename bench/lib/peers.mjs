@@ -50,6 +50,11 @@ export class Native {
     this.#say(command, numbers);
   }
 
+  /** The sparse fit that the solvers' rows are about: how many splines, degree, λ and places of each, then the points. */
+  sparse(numbers) {
+    this.#say("sparse", numbers);
+  }
+
   /** A row's measure: milliseconds for so many runs; the result is kept for `answer`. */
   measure(name) {
     return async (times) => {

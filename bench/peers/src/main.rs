@@ -1,9 +1,10 @@
 //! kurbo and expline as native code, asked line by line, so that the benchmark can take turns between them and the rest.
 //!
-//! In: `cubics N…`, `hermite OMEGA N…`, `exponential OMEGA N…`, `queries N…`, `text D`, `run NAME TIMES`. Out, for `run` only: nanoseconds for
+//! In: `cubics N…`, `hermite OMEGA N…`, `exponential OMEGA N…`, `queries N…`, `sparse N…`, `text D`, `run NAME TIMES`. Out, for `run` only: nanoseconds for
 //! all the times together, and the result's numbers.
 
 mod fitted;
+mod sparse;
 
 use std::hint::black_box;
 use std::io::{BufRead, Write};
@@ -14,6 +15,8 @@ use expline::numerics::{Point, Vector};
 use expline::svg::{PrintOptions, to_path_d};
 use expline::{Curve as _, HermiteCurve, HermiteOptions, Space};
 use expline_peers::Curve;
+
+use sparse::Sparse;
 
 const SAMPLES: usize = 1_000_000;
 const FEW_SAMPLES: usize = 1024;
@@ -32,6 +35,7 @@ struct Bench {
     parsed: Option<HermiteCurve>,
     kurbo_text: kurbo::BezPath,
     out: Vec<f64>,
+    sparse: Sparse,
 }
 
 type Failure = Box<dyn std::error::Error>;
@@ -125,8 +129,11 @@ impl Bench {
         let start = Instant::now();
         let mut answer = 0.0;
         for _ in 0..times {
-            answer =
-                black_box(if library == "kurbo" { self.kurbo(operation)? } else { self.expline(operation)? });
+            answer = black_box(match library {
+                "kurbo" => self.kurbo(operation)?,
+                "sparse" => self.sparse.run(operation)?,
+                _ => self.expline(operation)?,
+            });
         }
         Ok((start.elapsed().as_nanos(), answer))
     }
@@ -139,6 +146,7 @@ impl Bench {
             "hermite" => self.exact = Some(hermite(&numbers()?)?),
             "exponential" => self.exponential = Some(hermite(&numbers()?)?),
             "queries" => self.queries = numbers()?,
+            "sparse" => self.sparse = Sparse::new(&numbers()?)?,
             "text" => {
                 self.text = rest.to_owned();
                 self.kurbo_text = expline_peers::parse(rest).ok_or("kurbo cannot read this")?;

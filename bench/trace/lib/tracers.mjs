@@ -66,6 +66,12 @@ async function imagetracer() {
   return (picture, times) => least(times, () => new ImageData(picture), (image) => tracer.imagedataToSVG(image, { pal, strokewidth: 0 }));
 }
 
+/** expline as its package offers it: wasm. */
+async function wasm(refine) {
+  const { traceImage } = await import("expline");
+  return (picture, times) => least(times, () => ({ ...new ImageData(picture) }), (image) => traceImage(image, { refine }).toSvg());
+}
+
 const framed = ({ width, height }, d) => `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}"><path d="${d}"/></svg>`;
 
 /** expline natively: a program that is asked line by line. */
@@ -89,6 +95,8 @@ export async function tracers(program) {
   const own = native(program);
   return {
     contestants: [
+      ["expline, wasm", await wasm(true)],
+      ["expline, wasm, not refined", await wasm(false)],
       ["expline, native", own.trace(true)],
       ["expline, native, not refined", own.trace(false)],
       ["potrace (esm-potrace-wasm 0.5.1)", await potrace()],
