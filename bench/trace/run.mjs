@@ -97,13 +97,12 @@ async function sheets(contestants) {
 }
 
 console.log(`${cpus()[0].model}, ${cpus().length} cores, Node ${process.versions.node}\n\n${LEGEND}\n`);
-const { contestants, centreLines, close } = await tracers(program);
+const { scored, timed: all, close } = await tracers(program);
 try {
-  await outlines("outlines", kept(), contestants);
-  await outlines("unseen outlines", unseen(), contestants);
-  if (centreLines) await lines(centreLines);
-  await primitives(contestants[0][1]);
-  await sheets(contestants);
+  await outlines("outlines", kept(), scored);
+  await outlines("unseen outlines", unseen(), scored);
+  await primitives(scored[0][1]);
+  await sheets(all);
 } finally {
   close();
 }

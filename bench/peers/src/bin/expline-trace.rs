@@ -8,7 +8,7 @@ use std::io::{BufRead, Write};
 use std::time::Instant;
 
 use expline::svg::{PrintOptions, to_path_d};
-use expline::trace::{Drawing, DrawingOptions, Gray, trace_drawing};
+use expline::trace::{Gray, Trace, TraceOptions, trace};
 
 type Failure = Box<dyn std::error::Error>;
 
@@ -31,12 +31,12 @@ fn picture(width: &str, height: &str, text: &str) -> Result<Picture, Failure> {
     Ok(Picture { width: width.parse()?, height: height.parse()?, shades })
 }
 
-fn outlines(picture: &Picture, refined: bool) -> Result<Drawing, Failure> {
+fn outlines(picture: &Picture, refined: bool) -> Result<Trace, Failure> {
     let gray = Gray::from_bytes(picture.width, picture.height, &picture.shades)?;
-    Ok(trace_drawing(&gray, &DrawingOptions { refined, ..DrawingOptions::default() })?)
+    Ok(trace(gray, &TraceOptions { refined, ..TraceOptions::default() })?)
 }
 
-fn path(drawing: &Drawing) -> Result<String, Failure> {
+fn path(drawing: &Trace) -> Result<String, Failure> {
     let options = PrintOptions { decimals: Some(2), relative: true, ..PrintOptions::default() };
     let mut d = String::new();
     for contour in &drawing.contours {
