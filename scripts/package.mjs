@@ -1,6 +1,7 @@
 // The package: Rust → wasm modules → bindings → ES modules with the wasm inside, and their declarations.
 //
-// Curves, surfaces, fitting and tracing are a wasm and an ES module each; reading plain data is an ES module over curves and surfaces.
+// Hermite curves, curves of any roots, surfaces, fitting and tracing are a wasm and an ES module each; reading plain data is an ES module over
+// curves and surfaces.
 // `expline.js` only names what they offer, so that a bundler leaves out those of which nothing is used.
 
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -22,6 +23,14 @@ const BINDINGS = "build/bindings";
  */
 const MODULES = [
   { title: "bindings", feature: "wasm", target: "target", name: "expline", bytes: "wasm-bytes", flags: ["-C", "llvm-args=-inline-threshold=0"] },
+  {
+    title: "bindings for splines",
+    feature: "wasm-spline",
+    target: "target/spline",
+    name: "expline_spline",
+    bytes: "spline-bytes",
+    flags: ["-C", "llvm-args=-inline-threshold=0"],
+  },
   {
     title: "bindings for surfaces",
     feature: "wasm-surface",
@@ -101,7 +110,7 @@ async function bundleFace(entry, contents, prefix) {
   const { build } = await import("esbuild");
   const setup = (bundler) => {
     bundler.onLoad({ filter: /-bytes\.js$/ }, () => ({ contents, resolveDir: at("ts") }));
-    bundler.onResolve({ filter: /\/(core|surface)\.js$/ }, ({ path }) => ({ path: path.replace("./", prefix), external: true }));
+    bundler.onResolve({ filter: /\/(core|spline|surface)\.js$/ }, ({ path }) => ({ path: path.replace("./", prefix), external: true }));
     // The core has the decoder of inlined text already.
     if (entry !== "ts/core.ts") bundler.onResolve({ filter: /\/decode\.ts$/ }, () => ({ path: `${prefix}core.js`, external: true }));
   };
@@ -130,6 +139,7 @@ const nothingInside = (file, start) => `
 
 const FACES = [
   { entry: "ts/core.ts", name: "core", file: "expline", start: "init", bytes: "wasm-bytes" },
+  { entry: "ts/spline.ts", name: "spline", file: "expline_spline", start: "initSpline", bytes: "spline-bytes" },
   { entry: "ts/surface.ts", name: "surface", file: "expline_surface", start: "initSurface", bytes: "surface-bytes" },
   { entry: "ts/fit.ts", name: "fit", file: "expline_fit", start: "initFit", bytes: "fit-bytes" },
   { entry: "ts/trace.ts", name: "trace", file: "expline_trace", start: "initTrace", bytes: "trace-bytes" },
@@ -139,7 +149,7 @@ const FACES = [
 async function entry(prefix) {
   const { build } = await import("esbuild");
   const setup = (bundler) =>
-    bundler.onResolve({ filter: /^\.\/(core|fit|json|surface|trace)\.js$/ }, ({ path }) => ({ path: path.replace("./", `./${prefix}`), external: true }));
+    bundler.onResolve({ filter: /^\.\/(core|fit|json|spline|surface|trace)\.js$/ }, ({ path }) => ({ path: path.replace("./", `./${prefix}`), external: true }));
   const options = { entryPoints: [at("ts/index.ts")], write: false, bundle: true, format: "esm", minify: true, logLevel: "error" };
   const { outputFiles } = await build({ ...options, plugins: [{ name: "editions", setup }] });
   return outputFiles[0].text;

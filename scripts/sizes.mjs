@@ -9,13 +9,16 @@ import { StepError, at, run } from "./steps.mjs";
  * Face and wasm of each kind of work in bytes, gzipped: what may not be exceeded today. The aim is 60,000 for curves and surfaces
  * together; docs/DESIGN.md says what was tried.
  */
-const LIMITS = { "core.js": 138_000, "surface.js": 60_000, "fit.js": 168_000, "trace.js": 168_000 };
+const LIMITS = { "core.js": 87_000, "spline.js": 97_000, "surface.js": 60_000, "fit.js": 168_000, "trace.js": 168_000 };
 
 /** What is printed, and the files of the package. */
 const FILES = [
-  ["core.js (curves)", "core.js"],
+  ["core.js (curves, paths)", "core.js"],
   ["… the face alone", "slim-core.js"],
   ["… expline_bg.wasm", "expline_bg.wasm"],
+  ["spline.js (any roots)", "spline.js"],
+  ["… the face alone", "slim-spline.js"],
+  ["… expline_spline_bg.wasm", "expline_spline_bg.wasm"],
   ["surface.js (surfaces)", "surface.js"],
   ["… the face alone", "slim-surface.js"],
   ["… expline_surface_bg.wasm", "expline_surface_bg.wasm"],

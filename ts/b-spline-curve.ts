@@ -1,9 +1,8 @@
 /** B-spline curves of any roots: control points near the curve, as many as are wanted. */
-import { MAX_OUTPUT, finite, flag, integer, options as checkOptions } from "./arguments.js";
-import { SplineData, SplineKind, readSpline } from "./curve-data.js";
-import { call, result } from "./kernel.js";
-import { type Root, rootList, rootNumbers } from "./roots.js";
+import { MAX_OUTPUT, type Root, finite, flag, integer, options as checkOptions, rootList, rootNumbers } from "./core.js";
 import { type AnyPointsLike, SplineCurve, anyPoints, splineOf } from "./spline-curve.js";
+import { SplineData, SplineKind, readSpline } from "./spline-data.js";
+import { call, result } from "./spline-engine.js";
 
 /** What a {@link BSplineCurve} is made from. */
 export interface BSplineCurveOptions {

@@ -1,6 +1,6 @@
 /** What a curve is made of, owned here; the kernel only ever holds a copy of it in one of its slots. */
-import { SLOTS, engine } from "./engine.js";
-import { type Floats, call, copy, peek, result, write } from "./kernel.js";
+import { type CurveKernel, SLOTS } from "./engine.js";
+import { type Door, type Floats, call, copy, door, peek, result, write } from "./kernel.js";
 
 /** The space that a segment lies in. */
 export type Space = "trigonometric" | "hyperbolic" | "polynomial";
@@ -33,8 +33,17 @@ export abstract class Held {
     this.touch();
   }
 
+  /** The engine that such curves are worked on in. @internal */
+  abstract get door(): Door<CurveKernel>;
+
   /** The highest derivative that can be asked for. */
   abstract get orders(): number;
+
+  /** The curve with points and tangents that a path is made of, how far it is from this one, and what that leaves of the tolerance. */
+  abstract outline(op: string, tolerance: number): { data: CurveData; near: number; rest: number };
+
+  /** The curve as one with points and tangents, if it is one. */
+  abstract exactly(op: string, tolerance: number): CurveData | undefined;
 
   /** Writes the arrays and has the kernel make and keep the curve. */
   protected abstract send(op: string, slot: number): void;
@@ -52,7 +61,7 @@ export abstract class Held {
 
   /** The slot that holds this curve in the living instance, loaded now if need be. */
   resident(op: string): number {
-    const { ids, used } = engine();
+    const { ids, used } = this.door.instance();
     clock += 1;
     if (ids[this.slot] !== this.id) this.load(op);
     used[this.slot] = clock;
@@ -61,10 +70,10 @@ export abstract class Held {
 
   /** Has the kernel check the curve and keep it. */
   load(op: string): void {
-    const { count } = this;
-    const instance = engine();
+    const { count, door } = this;
+    const instance = door.instance();
     if (instance.points + count > MOST_RESIDENT && instance.points > 0) {
-      call(op, (kernel) => (kernel.forget(), 0));
+      door.call(op, (kernel) => (kernel.forget(), 0));
       instance.ids.fill(0);
       instance.points = 0;
       instance.capacity = 0;
@@ -94,8 +103,21 @@ export class CurveData extends Held {
     super(points, closed, 2);
   }
 
+  /** @internal */
+  get door(): Door<CurveKernel> {
+    return door;
+  }
+
   get orders(): number {
     return 2;
+  }
+
+  outline(_: string, rest: number): { data: CurveData; near: number; rest: number } {
+    return { data: this, near: 0, rest };
+  }
+
+  exactly(): CurveData {
+    return this;
   }
 
   /** How many segments there are. */
@@ -117,75 +139,6 @@ export class CurveData extends Held {
   separate(): void {
     if (this.tangentsIn.length === 0) this.tangentsIn = this.tangents.slice();
   }
-}
-
-/** The kinds of curves on a grid, in the kernel's numbers. */
-export const enum SplineKind {
-  Interpolating = 1,
-  BSpline,
-  Local,
-}
-
-/** Control points of a finer grid over a part of a curve, by how far they are displaced. */
-export interface Patch {
-  /** Its grid is 2^−level. */
-  readonly level: number;
-  /** Number of its first control point on that grid. */
-  readonly first: number;
-  /** All coordinates of each in turn. */
-  readonly displacements: Float64Array;
-}
-
-/** The arrays of one curve on a grid. */
-export class SplineData extends Held {
-  constructor(
-    readonly kind: SplineKind,
-    points: Floats,
-    dimension: 2 | 3,
-    closed: boolean,
-    /** Two numbers each; empty until the kernel has said what the default is. */
-    public roots: Floats,
-    readonly step = 1,
-    readonly offset = 0,
-    public patches: readonly Patch[] = [],
-  ) {
-    super(points, closed, dimension);
-  }
-
-  get orders(): number {
-    return Math.max(this.roots.length / 2 - 1, 2);
-  }
-
-  protected send(op: string, slot: number): void {
-    const { kind, points, dimension, roots, step, offset, patches } = this;
-    const arrays = patches.map(({ level, first, displacements }) => {
-      const head = [level, first, displacements.length / dimension];
-      return [Float64Array.from(head), displacements];
-    });
-    write(op, points, roots, ...arrays.flat());
-    const counts = [points.length, dimension, this.closed ? 1 : 0, roots.length / 2, patches.length] as const;
-    const given = call(op, (kernel) => kernel.load_spline(slot, kind, ...counts, step, offset), points);
-    this.roots = copy(given);
-    this.start = result(0);
-    this.end = result(1);
-  }
-}
-
-/** The curve on a grid that the kernel has left in its output. */
-export function readSpline(count: number): SplineData {
-  const numbers = peek(count);
-  let at = 10;
-  const take = (length: number): Floats => numbers.slice(at, (at += length)) as Floats;
-  const [kind = 0, length = 0, axes, closed, roots = 0, patches = 0, step, offset, start = 0, end = 0] = numbers;
-  const dimension = axes === 3 ? 3 : 2;
-  const data = new SplineData(kind as SplineKind, take(length), dimension, closed === 1, take(2 * roots), step, offset);
-  data.patches = Array.from({ length: patches }, () => {
-    const [level = 0, first = 0, points = 0] = take(3);
-    return { level, first, displacements: take(dimension * points) };
-  });
-  data.start = start;
-  data.end = end;
-  return data;
 }
 
 function oldest(used: readonly number[], ids: readonly number[]): number {

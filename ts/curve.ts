@@ -3,6 +3,7 @@ import {
   MAX_EVALUATIONS,
   MAX_OUTPUT,
   type PointsLike,
+  type SpacePointsLike,
   coordinate,
   count as checkCount,
   finite,
@@ -17,8 +18,8 @@ import {
 } from "./arguments.js";
 import { Held } from "./curve-data.js";
 import { ExplineError, degenerate, wrong } from "./error.js";
-import type { Kernel } from "./engine.js";
-import { call, copy, outputText, peek, result, write } from "./kernel.js";
+import type { CurveKernel } from "./engine.js";
+import { call, outputText, result } from "./kernel.js";
 
 /** A rectangle along the axes, in the user's unit; a box for a curve in space. */
 export interface Bounds {
@@ -141,18 +142,18 @@ export abstract class MeasuredCurve implements Curve {
     if (typeof t === "number") {
       const slot = data.resident(op);
       const to = out === undefined ? new Float64Array(each) : output(op, out, each);
-      call(op, (kernel) => kernel.evaluate_one(slot, t, order), t);
-      to[0] = result(0);
-      to[1] = result(1);
-      if (each === 3) to[2] = result(2);
+      data.door.call(op, (kernel) => kernel.evaluate_one(slot, t, order), t);
+      to[0] = data.door.result(0);
+      to[1] = data.door.result(1);
+      if (each === 3) to[2] = data.door.result(2);
       return to;
     }
     const given = numbers(op, "t", t, "maxEvalPoints", MAX_EVALUATIONS);
     const to = out === undefined ? undefined : output(op, out, each * given.length, isFloat64Array(t) ? t : undefined);
     const slot = data.resident(op);
-    write(op, given);
-    const count = call(op, (kernel) => kernel.evaluate_many(slot, given.length, order), given);
-    return into(to, count);
+    data.door.write(op, given);
+    const count = data.door.call(op, (kernel) => kernel.evaluate_many(slot, given.length, order), given);
+    return into(data, to, count);
   }
 
   /**
@@ -176,8 +177,8 @@ export abstract class MeasuredCurve implements Curve {
     const all = to ?? new Float64Array(each * n);
     for (let first = 0; first < n; first += BLOCK) {
       const length = Math.min(BLOCK, n - first);
-      call(op, (kernel) => kernel.sample(slot, n, first, length, both));
-      all.set(peek(each * length), each * first);
+      data.door.call(op, (kernel) => kernel.sample(slot, n, first, length, both));
+      all.set(data.door.peek(each * length), each * first);
     }
     return all;
   }
@@ -190,13 +191,14 @@ export abstract class MeasuredCurve implements Curve {
     const within = tolerance === undefined ? BY_DEFAULT : checkTolerance(op, tolerance);
     const n = checkCount(op, "count", count, 1, "maxOutputPoints", MAX_OUTPUT);
     const slot = data.resident(op);
-    return copy(call(op, (kernel) => kernel.sample_by_length(slot, n, within)));
+    return data.door.copy(data.door.call(op, (kernel) => kernel.sample_by_length(slot, n, within)));
   }
 
   /** The length of the curve, to an absolute tolerance; default 1e-9 of its size. */
   length(tolerance?: number): number {
-    const within = orDefault("length", tolerance);
-    return measure(this, "length", (slot, kernel) => kernel.length(slot, within));
+    const op = "length";
+    const within = orDefault(op, tolerance);
+    return measure(dataOf(this, op), op, (slot, kernel) => kernel.length(slot, within));
   }
 
   /** The parameter up to which the curve has the given length. */
@@ -204,25 +206,28 @@ export abstract class MeasuredCurve implements Curve {
     const op = "parameterAtLength";
     const along = finite(op, "length", length);
     const within = orDefault(op, tolerance);
-    return measure(this, op, (slot, kernel) => kernel.parameter_at_length(slot, along, within));
+    return measure(dataOf(this, op), op, (slot, kernel) => kernel.parameter_at_length(slot, along, within));
   }
 
   /** The signed area of a closed curve, positive where it turns from the x axis towards the y axis. */
   area(): number {
-    return measure(this, "area", (slot, kernel) => kernel.area(slot));
+    return measure(dataOf(this, "area"), "area", (slot, kernel) => kernel.area(slot));
   }
 
   /** The centre of gravity of the area of a closed curve. */
   centroid(): { x: number; y: number } {
-    const x = measure(this, "centroid", (slot, kernel) => kernel.centroid(slot));
-    return { x, y: result(1) };
+    const data = dataOf(this, "centroid");
+    const x = measure(data, "centroid", (slot, kernel) => kernel.centroid(slot));
+    return { x, y: data.door.result(1) };
   }
 
   /** The smallest rectangle, in space the smallest box, around the curve itself, not around its handles. */
   bounds(): Bounds {
-    const minX = measure(this, "bounds", (slot, kernel) => kernel.bounds(slot));
+    const data = dataOf(this, "bounds");
+    const { result } = data.door;
+    const minX = measure(data, "bounds", (slot, kernel) => kernel.bounds(slot));
     const plane = { minX, minY: result(1), maxX: result(2), maxY: result(3) };
-    return this.dimension === 2 ? plane : { ...plane, minZ: result(4), maxZ: result(5) };
+    return data.dimension === 2 ? plane : { ...plane, minZ: result(4), maxZ: result(5) };
   }
 
   /** The point of the curve that is nearest to (x, y), in space to (x, y, z); of several the one that the curve reaches first. */
@@ -230,24 +235,25 @@ export abstract class MeasuredCurve implements Curve {
     const op = "nearest";
     const toX = coordinate(op, "x", x);
     const toY = coordinate(op, "y", y);
-    if (dataOf(this, op).dimension === 3) {
+    const data = dataOf(this, op);
+    const { result } = data.door;
+    if (data.dimension === 3) {
       const toZ = coordinate(op, "z", z);
-      const at = measure(this, op, (slot, kernel) => kernel.nearest_in_space(slot, toX, toY, toZ));
+      const at = measure(data, op, (slot, kernel) => kernel.nearest_in_space(slot, toX, toY, toZ));
       return { t: at, x: result(1), y: result(2), z: result(3), distance: result(4) };
     }
-    const t = measure(this, op, (slot, kernel) => kernel.nearest(slot, toX, toY));
+    const t = measure(data, op, (slot, kernel) => kernel.nearest(slot, toX, toY));
     return { t, x: result(1), y: result(2), distance: result(3) };
   }
 
-  /** The nearest point of a plane curve to each of many places: t, x, y and distance in turn. */
-  nearestAll(places: PointsLike): Float64Array {
+  /** The nearest point to each of many places: t, x, y, in space z, and distance in turn. */
+  nearestAll(places: PointsLike | SpacePointsLike): Float64Array {
     const op = "nearestAll";
     const data = dataOf(this, op);
-    if (data.dimension === 3) throw degenerate(op, "curve", "it is in space; ask nearest place by place");
-    const given = checkPoints(op, "points", places, MAX_EVALUATIONS / 2);
+    const given = checkPoints(op, "points", places, MAX_EVALUATIONS / 2, data.dimension);
     const slot = data.resident(op);
-    write(op, given);
-    return copy(call(op, (kernel) => kernel.nearest_many(slot, given.length / 2)));
+    data.door.write(op, given);
+    return data.door.copy(data.door.call(op, (kernel) => kernel.nearest_many(slot, given.length / data.dimension)));
   }
 
   /**
@@ -261,9 +267,9 @@ export abstract class MeasuredCurve implements Curve {
     const data = dataOf(this, op);
     const given = numbers(op, "t", typeof t === "number" ? [t] : t, "maxEvalPoints", MAX_EVALUATIONS);
     const slot = data.resident(op);
-    write(op, given);
-    const values = copy(call(op, (kernel) => kernel.curvature(slot, given.length), given));
-    const still = result(0);
+    data.door.write(op, given);
+    const values = data.door.copy(data.door.call(op, (kernel) => kernel.curvature(slot, given.length), given));
+    const still = data.door.result(0);
     if (still >= 0) throw degenerate(op, "t", "the speed is zero there", still, values);
     return values;
   }
@@ -274,7 +280,7 @@ export abstract class MeasuredCurve implements Curve {
     const data = dataOf(this, op);
     const within = checkTolerance(op, tolerance);
     const slot = data.resident(op);
-    return copy(call(op, (kernel) => kernel.flatten(slot, within)));
+    return data.door.copy(data.door.call(op, (kernel) => kernel.flatten(slot, within)));
   }
 
   /** Cubic Béziers within `tolerance`, eight numbers each (twelve in space), as few as it takes; `maxError` is a proved bound of the distance. */
@@ -283,8 +289,8 @@ export abstract class MeasuredCurve implements Curve {
     const data = dataOf(this, op);
     const within = checkTolerance(op, tolerance);
     const slot = data.resident(op);
-    const path = copy(call(op, (kernel) => kernel.to_cubics(slot, within)));
-    return { path, maxError: result(0) };
+    const path = data.door.copy(data.door.call(op, (kernel) => kernel.to_cubics(slot, within)));
+    return { path, maxError: data.door.result(0) };
   }
 
   /** The curve as SVG path data: lines and, by default, arcs as they are, all else as cubics; `maxError` is the distance that results. */
@@ -295,9 +301,10 @@ export abstract class MeasuredCurve implements Curve {
     const within = tolerance === undefined ? BY_DEFAULT : checkTolerance(op, tolerance);
     const digits = decimals === undefined ? -1 : integer(op, "decimals", decimals, 0, 17);
     const flags = (flag(op, "arcs", arcs, true) ? 1 : 0) + (flag(op, "relative", relative, false) ? 2 : 0);
-    const slot = data.resident(op);
-    const d = outputText(call(op, (kernel) => kernel.to_path(slot, within, digits, flags)));
-    return { d, maxError: result(0) };
+    const outline = data.outline(op, within);
+    const slot = outline.data.resident(op);
+    const d = outputText(call(op, (kernel) => kernel.to_path(slot, outline.rest, digits, flags)));
+    return { d, maxError: outline.near + result(0) };
   }
 
   /**
@@ -317,7 +324,8 @@ export abstract class MeasuredCurve implements Curve {
   asEllipse(tolerance?: number): Ellipse | undefined {
     const op = "asEllipse";
     const within = orDefault(op, tolerance);
-    const data = dataOf(this, op);
+    const data = dataOf(this, op).exactly(op, within);
+    if (data === undefined) return undefined;
     const slot = data.resident(op);
     if (call(op, (kernel) => kernel.as_ellipse(slot, within)) === 0) return undefined;
     return {
@@ -334,10 +342,10 @@ export abstract class MeasuredCurve implements Curve {
 }
 
 /** One number that the kernel leaves in its record, where more may follow. */
-function measure(curve: MeasuredCurve, op: string, body: (slot: number, kernel: Kernel) => number): number {
-  const slot = dataOf(curve, op).resident(op);
-  call(op, (kernel) => body(slot, kernel));
-  return result(0);
+function measure(data: Held, op: string, body: (slot: number, kernel: CurveKernel) => number): number {
+  const slot = data.resident(op);
+  data.door.call(op, (kernel) => body(slot, kernel));
+  return data.door.result(0);
 }
 
 function orDefault(op: string, tolerance: number | undefined): number {
@@ -345,9 +353,9 @@ function orDefault(op: string, tolerance: number | undefined): number {
 }
 
 /** The output in the caller's array, or a copy of it. */
-function into(to: Float64Array | undefined, count: number): Float64Array {
-  if (to === undefined) return copy(count);
-  to.set(peek(count));
+function into({ door }: Held, to: Float64Array | undefined, count: number): Float64Array {
+  if (to === undefined) return door.copy(count);
+  to.set(door.peek(count));
   return to;
 }
 
@@ -355,8 +363,9 @@ function into(to: Float64Array | undefined, count: number): Float64Array {
 export function pathsOf(op: string, curves: readonly MeasuredCurve[], tolerance: number, decimals: number): string {
   return curves
     .map((curve, i) => {
-      const slot = dataOf(curve, op).resident(op);
-      return outputText(call(op, (kernel) => kernel.to_path(slot, tolerance, decimals, i === 0 ? 3 : 7)));
+      const { data, rest } = dataOf(curve, op).outline(op, tolerance);
+      const slot = data.resident(op);
+      return outputText(call(op, (kernel) => kernel.to_path(slot, rest, decimals, i === 0 ? 3 : 7)));
     })
     .join("");
 }

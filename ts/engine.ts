@@ -14,6 +14,28 @@ export type Kernel = InitOutput;
 /** The functions that every wasm of the package has. @internal */
 export type AnyKernel = Pick<Kernel, "memory" | "record_address" | "input_address" | "text_address" | "kernel_version">;
 
+/** What every wasm that holds curves can do with them. @internal */
+export type CurveKernel = AnyKernel &
+  Pick<
+    Kernel,
+    | "area"
+    | "bounds"
+    | "centroid"
+    | "curvature"
+    | "evaluate_many"
+    | "evaluate_one"
+    | "flatten"
+    | "forget"
+    | "length"
+    | "nearest"
+    | "nearest_in_space"
+    | "nearest_many"
+    | "parameter_at_length"
+    | "sample"
+    | "sample_by_length"
+    | "to_cubics"
+  >;
+
 /** Where an engine comes from, if not from the package itself. */
 export interface InitOptions {
   /** Where the .wasm file is. */
@@ -61,7 +83,7 @@ export interface Engine<K extends AnyKernel = Kernel> {
   /** Name of the function that starts it. */
   readonly op: string;
   /** A function that its wasm has and the others have not. */
-  readonly mark: keyof K & string;
+  readonly mark: string;
   /** The bytes inside the package. */
   readonly bytes: () => Uint8Array<ArrayBuffer>;
   /** Where the file lies beside the slim package. */
@@ -77,11 +99,6 @@ export const core: Engine = { op: "init", mark: "load", bytes: wasmBytes, addres
 /** The living instance; compiles and starts one where there is none. @internal */
 export function instanceOf<K extends AnyKernel>(engine: Engine<K>): Instance<K> {
   return engine.current ?? (engine.current = instantiate(engine, (engine.module ??= compile(engine.op, inlined(engine)))));
-}
-
-/** The living instance of the core. @internal */
-export function engine(): Instance {
-  return core.current ?? instanceOf(core);
 }
 
 /** Takes the instance out of service after anything but a clear answer came out of it. @internal */

@@ -1,8 +1,7 @@
 /** Exponential B-splines and the interpolators made of them, for any list of roots. */
-import { MAX_EVALUATIONS, flag, integer, numbers, options as checkOptions } from "./arguments.js";
-import { wrong } from "./error.js";
-import { type Floats, call, copy, result, write } from "./kernel.js";
-import { type Root, rootList, rootNumbers, roots as named } from "./roots.js";
+import { type Floats, MAX_EVALUATIONS, type Root, flag, integer, numbers, options as checkOptions, rootList, rootNumbers, wrong } from "./core.js";
+import { roots as named } from "./roots.js";
+import { type SplineKernel, call, copy, result, write } from "./spline-engine.js";
 
 /** The kinds and questions in the kernel's order. */
 const enum Kind {
@@ -29,7 +28,7 @@ let own: (generator: Exponential, op: string) => Source;
 function ask(source: Source, op: string, what: What, argument = 0, places: Floats = new Float64Array()): Floats {
   write(op, source.roots, places);
   const count = source.roots.length / 2;
-  const body = (kernel: Parameters<Parameters<typeof call>[1]>[0]): number =>
+  const body = (kernel: SplineKernel): number =>
     kernel.exponential(source.kind, count, what, places.length, argument);
   return copy(call(op, body, what === What.Values ? places : undefined));
 }

@@ -1,23 +1,6 @@
-/** The public interface of expline: curves, surfaces, fitting and tracing are an ES module each; a bundler drops those of which nothing is used. */
-export {
-  default,
-  BSplineCurve,
-  ExplineError,
-  ExponentialBSpline,
-  HermiteCurve,
-  HermiteGenerators,
-  InterpolatingCurve,
-  Interpolator,
-  LocalCurve,
-  initSync,
-  parsePath,
-  roots,
-  version,
-} from "./core.js";
+/** The public interface of expline: each kind of work is an ES module; a bundler drops those of which nothing is used. */
+export { default, ExplineError, HermiteCurve, HermiteGenerators, initSync, parsePath, version } from "./core.js";
 export type {
-  AnyPointsLike,
-  BSplineCurveJSON,
-  BSplineCurveOptions,
   Bounds,
   Curve,
   Ellipse,
@@ -27,12 +10,7 @@ export type {
   HermiteCurveJSON,
   HermiteCurveOptions,
   InitOptions,
-  InterpolatingCurveJSON,
-  InterpolatingCurveOptions,
-  LocalCurveJSON,
-  LocalCurveOptions,
   Nearest,
-  Patch,
   PathOptions,
   PathWarning,
   PointsLike,
@@ -44,6 +22,26 @@ export { SparseFitter, fitSparse, fitSparseAsync, initFit, initFitSync } from ".
 export type { FitProgress, FitStatus, SparseFit, SparseFitOptions, SparseFitStrength, SparseKnot } from "./fit.js";
 export { fromJSON } from "./json.js";
 export type { JSONWarning, ReadOptions } from "./json.js";
+export {
+  BSplineCurve,
+  ExponentialBSpline,
+  InterpolatingCurve,
+  Interpolator,
+  LocalCurve,
+  initSpline,
+  initSplineSync,
+  roots,
+} from "./spline.js";
+export type {
+  AnyPointsLike,
+  BSplineCurveJSON,
+  BSplineCurveOptions,
+  InterpolatingCurveJSON,
+  InterpolatingCurveOptions,
+  LocalCurveJSON,
+  LocalCurveOptions,
+  Patch,
+} from "./spline.js";
 export { TensorSurface, initSurface, initSurfaceSync } from "./surface.js";
 export type {
   Direction,

@@ -1,11 +1,10 @@
 /** Curves through their points, smooth to any order, on which every point acts near by only. */
-import { flag, integer, options as checkOptions } from "./arguments.js";
 import { type BSplineCurve, bSplineOf } from "./b-spline-curve.js";
-import { SplineData, SplineKind, readSpline } from "./curve-data.js";
-import { call, result } from "./kernel.js";
+import { type Root, flag, integer, options as checkOptions, rootList, rootNumbers } from "./core.js";
 import { type LocalCurve, refinedAt } from "./local-curve.js";
-import { type Root, rootList, rootNumbers } from "./roots.js";
 import { type AnyPointsLike, SplineCurve, anyPoints, splineOf } from "./spline-curve.js";
+import { SplineData, SplineKind, readSpline } from "./spline-data.js";
+import { call, result } from "./spline-engine.js";
 
 /** What an {@link InterpolatingCurve} is made from. */
 export interface InterpolatingCurveOptions {

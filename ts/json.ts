@@ -1,30 +1,32 @@
 /** Curves as plain data, and back, from data that need not be friendly. */
 import {
-  type BSplineCurve,
-  type BSplineCurveJSON,
   type ErrorCode,
   type ErrorDetails,
   ExplineError,
   type HermiteCurve,
   type HermiteCurveJSON,
-  type InterpolatingCurve,
-  type InterpolatingCurveJSON,
-  type LocalCurve,
-  type LocalCurveJSON,
-  bSplineOf,
   checked,
-  checkedBSpline,
-  checkedInterpolating,
-  checkedLocal,
   curveOf,
-  interpolatingOf,
-  localOf,
   options as checkOptions,
   overLimit,
   shown,
   wrong,
 } from "./core.js";
 import { scan } from "./json-text.js";
+import {
+  type BSplineCurve,
+  type BSplineCurveJSON,
+  type InterpolatingCurve,
+  type InterpolatingCurveJSON,
+  type LocalCurve,
+  type LocalCurveJSON,
+  bSplineOf,
+  checkedBSpline,
+  checkedInterpolating,
+  checkedLocal,
+  interpolatingOf,
+  localOf,
+} from "./spline.js";
 import { type TensorSurface, type TensorSurfaceJSON, checkedSurface, surfaceOf } from "./surface.js";
 
 /** Something in the data that was not understood, but kept. */

@@ -1,5 +1,5 @@
 /** Calls into a living instance: numbers in, numbers out, failures as errors. */
-import { type AnyKernel, type Engine, type Instance, type Kernel, core, engine, instanceOf, retire } from "./engine.js";
+import { type AnyKernel, type Engine, type Instance, core, instanceOf, retire } from "./engine.js";
 import { ExplineError, degenerate, overLimit, tooFewPoints, wrong, wrongLength } from "./error.js";
 
 /** What a caller handed in, for messages. */
@@ -27,7 +27,7 @@ const enum Failure {
  * @internal
  */
 export function callOf<K extends AnyKernel>(from: Engine<K>, op: string, body: (kernel: K) => number, given?: Given): number {
-  const instance = instanceOf(from);
+  const instance = from.current ?? instanceOf(from);
   let count: number;
   try {
     count = body(instance.kernel);
@@ -38,17 +38,7 @@ export function callOf<K extends AnyKernel>(from: Engine<K>, op: string, body: (
   return count;
 }
 
-/** The same with the engine of curves. @internal */
-export function call(op: string, body: (kernel: Kernel) => number, given?: Given): number {
-  return callOf(core, op, body, given);
-}
-
-/** Number i of the record of scalar results. */
-export function result(i: number): number {
-  return resultOf(engine(), i);
-}
-
-/** The same in any instance. @internal */
+/** Number i of the record of scalar results. @internal */
 export function resultOf({ floats, record }: Instance<AnyKernel>, i: number): number {
   return floats[record + i] ?? 0;
 }
@@ -59,38 +49,7 @@ export function peekOf({ floats, record }: Instance<AnyKernel>, count: number): 
   return floats.subarray(start, start + count);
 }
 
-/** The same in the core. */
-export function peek(count: number): Float64Array {
-  return peekOf(engine(), count);
-}
-
-/** A copy of the output. */
-export function copy(count: number): Floats {
-  const { floats, record } = engine();
-  const start = (floats[record + 14] ?? 0) / 8;
-  return floats.slice(start, start + count) as Floats;
-}
-
-/** Text in the core's memory. */
-export function textAt(address: number, bytes: number): string {
-  return textIn(engine(), address, bytes);
-}
-
-function textIn({ kernel }: Instance<AnyKernel>, address: number, bytes: number): string {
-  return new TextDecoder().decode(new Uint8Array(kernel.memory.buffer, address, bytes));
-}
-
-/** Text that the kernel left, of so many bytes. */
-export function outputText(bytes: number): string {
-  return textAt(result(15), bytes);
-}
-
-/** Writes arrays one after the other to where the kernel reads numbers. */
-export function write(op: string, ...arrays: Float64Array[]): void {
-  writeTo(core, op, ...arrays);
-}
-
-/** The same for any engine. @internal */
+/** Writes arrays one after the other to where an engine reads numbers. @internal */
 export function writeTo<K extends AnyKernel>(to: Engine<K>, op: string, ...arrays: Float64Array[]): void {
   let total = 0;
   for (const array of arrays) total += array.length;
@@ -100,6 +59,54 @@ export function writeTo<K extends AnyKernel>(to: Engine<K>, op: string, ...array
     instance.floats.set(array, place);
     place += array.length;
   }
+}
+
+/** One engine as all that is worked on in it sees it. @internal */
+export interface Door<K extends AnyKernel> {
+  /** The living instance. */
+  instance(): Instance<K>;
+  /** Runs one function and returns how many numbers it left in the output. */
+  call(op: string, body: (kernel: K) => number, given?: Given): number;
+  /** Number i of the record of scalar results. */
+  result(i: number): number;
+  /** The output as it lies in the instance: valid until the next call. */
+  peek(count: number): Float64Array;
+  /** A copy of the output. */
+  copy(count: number): Floats;
+  /** Writes arrays one after the other to where the engine reads numbers. */
+  write(op: string, ...arrays: Float64Array[]): void;
+}
+
+/** The door of an engine. @internal */
+export function doorOf<K extends AnyKernel>(engine: Engine<K>): Door<K> {
+  const instance = (): Instance<K> => engine.current ?? instanceOf(engine);
+  return {
+    instance,
+    call: (op, body, given) => callOf(engine, op, body, given),
+    result: (i) => resultOf(instance(), i),
+    peek: (count) => peekOf(instance(), count),
+    copy: (count) => peekOf(instance(), count).slice() as Floats,
+    write: (op, ...arrays) => writeTo(engine, op, ...arrays),
+  };
+}
+
+/** The engine of Hermite curves. @internal */
+export const door = /* @__PURE__ */ doorOf(core);
+/** @internal */
+export const { call, copy, peek, result, write } = door;
+
+/** Text in the core's memory. */
+export function textAt(address: number, bytes: number): string {
+  return textIn(door.instance(), address, bytes);
+}
+
+function textIn({ kernel }: Instance<AnyKernel>, address: number, bytes: number): string {
+  return new TextDecoder().decode(new Uint8Array(kernel.memory.buffer, address, bytes));
+}
+
+/** Text that the kernel left, of so many bytes. */
+export function outputText(bytes: number): string {
+  return textAt(result(15), bytes);
 }
 
 /** Above this many numbers the input is given back after use. */

@@ -1,10 +1,22 @@
 /** More control points where the user works, and none elsewhere. */
-import { coordinate, finite, flag, integer, numbers, options as checkOptions } from "./arguments.js";
-import { type Patch, SplineData, SplineKind, readSpline } from "./curve-data.js";
-import { overLimit, wrong, wrongLength } from "./error.js";
-import { type Floats, call, copy } from "./kernel.js";
-import { type Root, rootList, rootNumbers } from "./roots.js";
+import {
+  type Floats,
+  type Root,
+  coordinate,
+  finite,
+  flag,
+  integer,
+  numbers,
+  options as checkOptions,
+  overLimit,
+  rootList,
+  rootNumbers,
+  wrong,
+  wrongLength,
+} from "./core.js";
 import { type AnyPointsLike, SplineCurve, anyPoints, splineOf } from "./spline-curve.js";
+import { type Patch, SplineData, SplineKind, readSpline } from "./spline-data.js";
+import { call, copy } from "./spline-engine.js";
 
 /** What a {@link LocalCurve} is made from. */
 export interface LocalCurveOptions {

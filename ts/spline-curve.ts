@@ -1,11 +1,22 @@
 /** What interpolating and B-spline curves have in common: points on a grid, and the roots of the functions that weigh them. */
-import { type PointsLike, type SpacePointsLike, coordinate, integer, points as checkPoints, tolerance as checkTolerance } from "./arguments.js";
-import { SplineData, readCurves } from "./curve-data.js";
-import { MeasuredCurve, dataOf } from "./curve.js";
-import { wrongLength } from "./error.js";
-import { type HermiteCurve, curveOf } from "./hermite-curve.js";
-import { type Floats, call, result } from "./kernel.js";
-import { type Root, rootList } from "./roots.js";
+import {
+  type Floats,
+  type HermiteCurve,
+  MeasuredCurve,
+  type PointsLike,
+  type Root,
+  type SpacePointsLike,
+  coordinate,
+  curveOf,
+  dataOf,
+  integer,
+  points as checkPoints,
+  rootList,
+  tolerance as checkTolerance,
+  wrongLength,
+} from "./core.js";
+import { SplineData, hermiteData } from "./spline-data.js";
+import { call, result } from "./spline-engine.js";
 
 /** Points in the plane or in space. */
 export type AnyPointsLike = PointsLike | SpacePointsLike;
@@ -71,8 +82,6 @@ export abstract class SplineCurve extends MeasuredCurve {
     const within = tolerance === undefined ? 0 : checkTolerance(op, tolerance);
     const slot = data.resident(op);
     const count = call(op, (kernel) => kernel.to_hermite(slot, within));
-    const maxError = result(0);
-    const [curve] = readCurves(count).map(curveOf);
-    return { curve: curve as HermiteCurve, maxError };
+    return { curve: curveOf(hermiteData(count)), maxError: result(0) };
   }
 }

@@ -61,14 +61,14 @@ pub use spline_curve::SplineCurve;
 pub use spline_sampler::SplineSampler;
 pub use subdivide::Scheme;
 
-#[cfg(all(target_arch = "wasm32", feature = "wasm"))]
+#[cfg(all(target_arch = "wasm32", any(feature = "wasm", feature = "wasm-spline")))]
 pub(crate) use sample::check_parameters;
 
 /// The measures themselves, for callers that hold a curve by its pieces.
+#[cfg(all(target_arch = "wasm32", any(feature = "wasm", feature = "wasm-spline")))]
 pub(crate) mod measures {
+    #[cfg(feature = "wasm-spline")]
     pub(crate) use super::convert::to_hermite;
-    pub(crate) use super::pieces::Pieces;
-    #[cfg(all(target_arch = "wasm32", feature = "wasm"))]
     pub(crate) use super::{
         area::{area, centroid},
         bounds::bounds,
@@ -76,6 +76,7 @@ pub(crate) mod measures {
         curvature::curvature,
         flatten::flatten,
         length::{length, parameter_at_length},
+        pieces::Pieces,
         spatial::nearest as nearest_in_space,
     };
 }

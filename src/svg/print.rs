@@ -4,7 +4,6 @@ use super::arc_text::{self, Span};
 use super::number;
 use super::returning::{returning, returning_both};
 use super::text::{Grid, Placed, Text};
-use crate::curve::measures::{Pieces, to_hermite};
 use crate::curve::{Curve, EllipseArc, HermiteCurve, Segment, segment_cubics};
 use crate::error::{Error, Result};
 use crate::numerics::angle::sin_cos;
@@ -96,30 +95,27 @@ pub struct Printed {
 /// # Ok::<(), expline::Error>(())
 /// ```
 pub fn to_path_d(curve: &dyn Curve, options: &PrintOptions) -> Result<Printed> {
-    let (text, deviation) = print_bytes(curve.as_pieces(), options, &mut None)?;
+    let (text, deviation) = match curve.as_hermite() {
+        Some(curve) => print_hermite(curve, options, &mut None)?,
+        None => print_converted(curve, options)?,
+    };
     // All of it is ASCII.
     Ok(Printed { d: String::from_utf8(text).unwrap_or_default(), deviation })
 }
 
-/// The same as bytes, which need no check, and the deviation.
-///
-/// A curve of another kind is printed as the Hermite curve that it is, or that is near; the tolerance is shared then. `pen` is where the path
-/// before has ended, if there is one: a text that goes on from there may begin with `m`. It moves to where this one ends.
-pub(crate) fn print_bytes(
-    curve: &dyn Pieces,
-    options: &PrintOptions,
-    pen: &mut Option<Point>,
-) -> Result<(Vec<u8>, f64)> {
-    if let Some(curve) = curve.as_hermite() {
-        return print_hermite(curve, options, pen);
-    }
-    let (curve, near) = to_hermite(curve, 0.5 * options.tolerance)?;
+/// A curve of another kind is printed as the Hermite curve that it is, or that is near; the tolerance is shared then.
+fn print_converted(curve: &dyn Curve, options: &PrintOptions) -> Result<(Vec<u8>, f64)> {
+    let (curve, near) = curve.to_hermite(0.5 * options.tolerance)?;
     let rest = PrintOptions { tolerance: (options.tolerance - near).max(near), ..*options };
-    let (text, deviation) = print_hermite(&curve, &rest, pen)?;
+    let (text, deviation) = print_hermite(&curve, &rest, &mut None)?;
     Ok((text, deviation + near))
 }
 
-fn print_hermite(
+/// The path data as bytes, which need no check, and the deviation.
+///
+/// `pen` is where the path before has ended, if there is one: a text that goes on from there may begin with `m`. It moves to where this one
+/// ends.
+pub(crate) fn print_hermite(
     curve: &HermiteCurve,
     options: &PrintOptions,
     pen: &mut Option<Point>,

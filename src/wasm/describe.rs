@@ -1,8 +1,8 @@
 //! Curves on their way to JavaScript: one run of numbers for each.
 
-#[cfg(feature = "wasm")]
+#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 use super::kernel::Kernel;
-#[cfg(feature = "wasm")]
+#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 use crate::Result;
 use crate::numerics::Vector;
 use crate::{HermiteCurve, Space};
@@ -61,7 +61,7 @@ pub(super) fn describe(output: &mut Vec<f64>, curve: &HermiteCurve) {
 }
 
 /// Leaves curves in the output, one after the other.
-#[cfg(feature = "wasm")]
+#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 pub(super) fn give(kernel: &mut Kernel, curves: &[HermiteCurve]) -> Result<usize> {
     kernel.output.clear();
     for curve in curves {

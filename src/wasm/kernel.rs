@@ -1,27 +1,33 @@
 //! The state of one instance: slots, buffers, and the small fixed record that scalar results are left in.
 
-#[cfg(feature = "wasm")]
+#[cfg(feature = "wasm-spline")]
 use super::exponential::Prepared;
 #[cfg(feature = "wasm-trace")]
 use super::trace::Job;
+#[cfg(feature = "wasm")]
+use crate::HermiteCurve;
 #[cfg(feature = "wasm-surface")]
 use crate::TensorSurface;
 #[cfg(feature = "wasm")]
+use crate::curve::Sampler;
+#[cfg(feature = "wasm-spline")]
+use crate::curve::SplineSampler;
+#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 use crate::curve::measures::Pieces;
-#[cfg(feature = "wasm")]
-use crate::curve::{LengthTable, NearestFinder, Sampler, SplineSampler};
+#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
+use crate::curve::{LengthTable, NearestFinder};
 #[cfg(feature = "wasm-fit")]
 use crate::fit::Fitter;
 #[cfg(feature = "wasm")]
 use crate::numerics::Point;
-#[cfg(feature = "wasm")]
-use crate::{BSplineCurve, HermiteCurve, InterpolatingCurve, LocalCurve};
+#[cfg(feature = "wasm-spline")]
+use crate::{BSplineCurve, InterpolatingCurve, LocalCurve};
 use crate::{Error, Result};
 use std::cell::RefCell;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// How many curves can be resident at once.
-#[cfg(feature = "wasm")]
+#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 pub(super) const SLOTS: usize = 16;
 /// How many surfaces.
 #[cfg(feature = "wasm-surface")]
@@ -34,33 +40,41 @@ const RECORD: usize = 16;
 const OUTPUT_ADDRESS: usize = 14;
 const TEXT_ADDRESS: usize = 15;
 
-#[cfg(feature = "wasm")]
+#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 const NOT_RESIDENT: Error =
     Error::Degenerate { argument: "slot", index: None, reason: "no curve is resident" };
 
 /// A curve of any kind.
-#[cfg(feature = "wasm")]
+#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 pub(super) enum AnyCurve {
+    #[cfg(feature = "wasm")]
     Hermite(HermiteCurve),
+    #[cfg(feature = "wasm-spline")]
     Interpolating(InterpolatingCurve),
+    #[cfg(feature = "wasm-spline")]
     BSpline(BSplineCurve),
+    #[cfg(feature = "wasm-spline")]
     Local(LocalCurve),
 }
 
-#[cfg(feature = "wasm")]
+#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 impl AnyCurve {
     pub(super) fn pieces(&self) -> &dyn Pieces {
         match self {
+            #[cfg(feature = "wasm")]
             Self::Hermite(curve) => curve,
+            #[cfg(feature = "wasm-spline")]
             Self::Interpolating(curve) => curve,
+            #[cfg(feature = "wasm-spline")]
             Self::BSpline(curve) => curve,
+            #[cfg(feature = "wasm-spline")]
             Self::Local(curve) => curve,
         }
     }
 }
 
 /// A resident curve, and what was prepared for questions about it.
-#[cfg(feature = "wasm")]
+#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 pub(super) struct Resident {
     pub(super) curve: AnyCurve,
     pub(super) finder: Option<NearestFinder>,
@@ -83,10 +97,10 @@ pub(super) struct Kernel {
     /// The tables of bulk sampling.
     #[cfg(feature = "wasm")]
     pub(super) sampler: Option<Box<Sampler>>,
-    #[cfg(feature = "wasm")]
+    #[cfg(feature = "wasm-spline")]
     pub(super) spline_sampler: Option<Box<SplineSampler>>,
     /// The generator that was asked last.
-    #[cfg(feature = "wasm")]
+    #[cfg(feature = "wasm-spline")]
     pub(super) generator: Option<Box<Prepared>>,
     /// The fits that are open, by their numbers.
     #[cfg(feature = "wasm-fit")]
@@ -95,7 +109,7 @@ pub(super) struct Kernel {
     #[cfg(feature = "wasm-trace")]
     pub(super) traces: Vec<Option<Box<Job>>>,
     /// The resident curves.
-    #[cfg(feature = "wasm")]
+    #[cfg(any(feature = "wasm", feature = "wasm-spline"))]
     pub(super) slots: [Option<Resident>; SLOTS],
     /// The resident surfaces.
     #[cfg(feature = "wasm-surface")]
@@ -113,15 +127,15 @@ thread_local! {
             pen: None,
             #[cfg(feature = "wasm")]
             sampler: None,
-            #[cfg(feature = "wasm")]
+            #[cfg(feature = "wasm-spline")]
             spline_sampler: None,
-            #[cfg(feature = "wasm")]
+            #[cfg(feature = "wasm-spline")]
             generator: None,
             #[cfg(feature = "wasm-fit")]
             fits: Vec::new(),
             #[cfg(feature = "wasm-trace")]
             traces: Vec::new(),
-            #[cfg(feature = "wasm")]
+                        #[cfg(any(feature = "wasm", feature = "wasm-spline"))]
             slots: [const { None }; SLOTS],
             #[cfg(feature = "wasm-surface")]
             surfaces: [const { None }; SURFACES],
@@ -129,14 +143,12 @@ thread_local! {
     };
 }
 
-#[cfg(feature = "wasm")]
+#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 impl Kernel {
-    /// The Hermite curve in a slot; the face never asks for an empty one, nor for another kind.
+    /// The Hermite curve in a slot; the face never asks for an empty one.
+    #[cfg(feature = "wasm")]
     pub(super) fn curve(&self, slot: u32) -> Result<&HermiteCurve> {
-        match self.any(slot)? {
-            AnyCurve::Hermite(curve) => Ok(curve),
-            _ => Err(Box::new(NOT_RESIDENT)),
-        }
+        self.pieces(slot)?.as_hermite().ok_or_else(|| Box::new(NOT_RESIDENT))
     }
 
     /// The curve in a slot, of any kind.
@@ -234,7 +246,7 @@ impl Kernel {
     }
 }
 
-#[cfg(feature = "wasm")]
+#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 fn resident(slots: &[Option<Resident>], slot: u32) -> Result<&AnyCurve> {
     match slots.get(slot as usize) {
         Some(Some(resident)) => Ok(&resident.curve),
@@ -277,7 +289,7 @@ fn enter(body: &mut dyn Body) -> i32 {
 }
 
 /// How many numbers so many things of `each` numbers are; more than there can be where that overflows.
-#[cfg(any(feature = "wasm", feature = "wasm-surface", feature = "wasm-fit"))]
+#[cfg(any(feature = "wasm-spline", feature = "wasm", feature = "wasm-surface", feature = "wasm-fit"))]
 pub(super) fn times(count: u32, each: usize) -> usize {
     (count as usize).saturating_mul(each)
 }
@@ -351,7 +363,7 @@ pub fn forget() {
     KERNEL.with(|cell| {
         if let Ok(mut kernel) = cell.try_borrow_mut() {
             let kernel = &mut *kernel;
-            #[cfg(feature = "wasm")]
+            #[cfg(any(feature = "wasm", feature = "wasm-spline"))]
             for place in &mut kernel.slots {
                 *place = None;
             }

@@ -2,8 +2,9 @@
 //!
 //! A tolerance of 0 stands for the default, a share of the curve's size.
 
+#[cfg(feature = "wasm-spline")]
 use super::describe::give;
-use super::kernel::{AnyCurve, grow, run, times};
+use super::kernel::{grow, run, times};
 use crate::Result;
 use crate::curve::check_parameters;
 use crate::curve::measures::{self, Pieces};
@@ -85,10 +86,20 @@ pub fn nearest_in_space(slot: u32, x: f64, y: f64, z: f64) -> i32 {
     })
 }
 
-/// The nearest points to the `count` places in the input, four numbers each.
+/// The nearest points to the `count` places in the input, four numbers each; of a curve in space five each.
 #[wasm_bindgen]
 pub fn nearest_many(slot: u32, count: u32) -> i32 {
     run(&mut |kernel| {
+        if kernel.pieces(slot)?.dimension() == 3 {
+            let curve = kernel.pieces(slot)?;
+            let mut numbers = Vec::new();
+            for place in kernel.given(times(count, 3)).as_chunks::<3>().0 {
+                let found = measures::nearest_in_space(curve, *place);
+                let [x, y, z] = found.point;
+                numbers.extend([found.t, x, y, z, found.distance]);
+            }
+            return Ok(kernel.give(numbers));
+        }
         let (finder, given, output) = kernel.finder(slot, times(count, 2))?;
         grow(output, 2 * given.len(), 0.0)?;
         for (place, numbers) in given.chunks_exact(2).zip(output.chunks_exact_mut(4)) {
@@ -154,20 +165,13 @@ pub fn sample_by_length(slot: u32, count: u32, tolerance: f64) -> i32 {
     })
 }
 
-/// The ellipse that the curve follows, in the record, or nothing.
+/// The ellipse that a Hermite curve follows, in the record, or nothing.
+#[cfg(feature = "wasm")]
 #[wasm_bindgen]
 pub fn as_ellipse(slot: u32, tolerance: f64) -> i32 {
     run(&mut |kernel| {
-        let within = tolerance_of(kernel.pieces(slot)?, tolerance, FINE);
-        let arc = match kernel.any(slot)? {
-            AnyCurve::Hermite(curve) => curve.as_ellipse(within),
-            other if other.pieces().dimension() == 2 => {
-                let (curve, deviation) = measures::to_hermite(other.pieces(), within)?;
-                if deviation == 0.0 { curve.as_ellipse(within) } else { None }
-            }
-            _ => None,
-        };
-        let Some(arc) = arc else { return Ok(0) };
+        let curve = kernel.curve(slot)?;
+        let Some(arc) = curve.as_ellipse(tolerance_of(curve, tolerance, FINE)) else { return Ok(0) };
         let (center, radii) = (arc.center, arc.radii);
         kernel.record([center.x, center.y, radii.x, radii.y, arc.rotation, arc.start, arc.sweep]);
         Ok(7)
@@ -175,6 +179,7 @@ pub fn as_ellipse(slot: u32, tolerance: f64) -> i32 {
 }
 
 /// The same curve with points and tangents; the deviation is left in the record.
+#[cfg(feature = "wasm-spline")]
 #[wasm_bindgen]
 pub fn to_hermite(slot: u32, tolerance: f64) -> i32 {
     run(&mut |kernel| {

@@ -8,16 +8,17 @@
 //! [`kernel::FAILED`], with the error's fields in the result record. Nothing here computes, and nothing here
 //! formats: messages are made in the face.
 //!
-//! The package has four modules, each with an instance and a memory of its own: feature `wasm` exports curves, feature
-//! `wasm-surface` surfaces, feature `wasm-fit` fitting, feature `wasm-trace` tracing. [`kernel`] is in all of them.
+//! The package has several modules, each with an instance and a memory of its own: feature `wasm` exports Hermite curves and path
+//! data, feature `wasm-spline` curves of any roots, feature `wasm-surface` surfaces, feature `wasm-fit` fitting, feature `wasm-trace` tracing. [`kernel`] is in
+//! all of them, what measures curves in the two for curves.
 
 #![allow(unreachable_pub, reason = "exported functions are public to JavaScript, not to Rust")]
 
 #[cfg(feature = "wasm")]
 mod curve;
-#[cfg(any(feature = "wasm", feature = "wasm-fit", feature = "wasm-trace"))]
+#[cfg(any(feature = "wasm", feature = "wasm-spline", feature = "wasm-fit", feature = "wasm-trace"))]
 mod describe;
-#[cfg(feature = "wasm")]
+#[cfg(feature = "wasm-spline")]
 mod exponential;
 #[cfg(feature = "wasm-fit")]
 mod fit;
@@ -25,15 +26,15 @@ mod fit;
 mod generators;
 mod heap;
 mod kernel;
-#[cfg(feature = "wasm")]
+#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 mod measure;
 #[cfg(any(feature = "wasm-fit", feature = "wasm-trace"))]
 mod record;
-#[cfg(any(feature = "wasm", feature = "wasm-surface"))]
+#[cfg(any(feature = "wasm-spline", feature = "wasm-surface"))]
 mod roots;
-#[cfg(feature = "wasm")]
+#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 mod sample;
-#[cfg(feature = "wasm")]
+#[cfg(feature = "wasm-spline")]
 mod spline;
 #[cfg(feature = "wasm-surface")]
 mod surface;

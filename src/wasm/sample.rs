@@ -1,22 +1,22 @@
 //! Points and derivatives of a resident curve, one, many, or uniformly spread.
 
 use super::kernel::{AnyCurve, grow, run, times};
+#[cfg(feature = "wasm-spline")]
+use crate::Result;
+#[cfg(feature = "wasm")]
 use crate::curve::Scheme;
-use crate::curve::measures::Pieces;
+#[cfg(feature = "wasm-spline")]
+use crate::curve::SplineSampler;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// One point or derivative, left in the record.
 #[wasm_bindgen]
 pub fn evaluate_one(slot: u32, t: f64, derivative: u32) -> i32 {
     run(&mut |kernel| {
-        let curve = kernel.any(slot)?;
+        let curve = kernel.pieces(slot)?;
         let mut value = [0.0; 3];
-        let dimension = curve.pieces().dimension();
-        if let AnyCurve::Hermite(curve) = curve {
-            value[..2].copy_from_slice(curve.evaluate(t, derivative as usize)?.as_slice());
-        } else {
-            curve.pieces().values(&[t], derivative as usize, &mut value[..dimension])?;
-        }
+        let dimension = curve.dimension();
+        curve.values(&[t], derivative as usize, &mut value[..dimension])?;
         kernel.record(value);
         Ok(dimension)
     })
@@ -43,47 +43,70 @@ pub fn sample(slot: u32, count: u32, first: u32, length: u32, tangents: u32) -> 
         let dimension = kernel.pieces(slot)?.dimension();
         let numbers = times(length, if tangents == 0 { dimension } else { 2 * dimension });
         grow(&mut kernel.output, numbers, 0.0)?;
-        let mut sampler = kernel.sampler.take().unwrap_or_default();
-        let mut splines = kernel.spline_sampler.take().unwrap_or_default();
-        let (curve, _, output) = kernel.parts(slot, 0)?;
-        let output = &mut output[..numbers];
-        let mut spread = |derivative: usize, out: &mut [f64]| match curve {
-            AnyCurve::Interpolating(curve) => splines.points(curve, count, first, derivative, out),
-            AnyCurve::BSpline(curve) => splines.points(curve, count, first, derivative, out),
-            _ => curve.pieces().values(&parameters(curve.pieces(), count, first, length), derivative, out),
-        };
-        match curve {
-            AnyCurve::Hermite(curve) if tangents == 0 => sampler.points(curve, count, first, output),
-            AnyCurve::Hermite(curve) => sampler.points_and_tangents(curve, count, first, output),
-            _ if tangents == 0 => spread(0, output)?,
-            _ => {
-                let half = numbers / 2;
-                let mut values = vec![0.0; numbers];
-                let (points, slopes) = values.split_at_mut(half);
-                spread(0, points)?;
-                spread(1, slopes)?;
-                let pairs = points.chunks_exact(dimension).zip(slopes.chunks_exact(dimension));
-                for (sample, (point, slope)) in output.chunks_exact_mut(2 * dimension).zip(pairs) {
-                    sample[..dimension].copy_from_slice(point);
-                    sample[dimension..].copy_from_slice(slope);
+        match kernel.any(slot)? {
+            #[cfg(feature = "wasm")]
+            AnyCurve::Hermite(_) => {
+                let mut sampler = kernel.sampler.take().unwrap_or_default();
+                let (curve, _, output) = kernel.parts(slot, 0)?;
+                let output = &mut output[..numbers];
+                if let Some(curve) = curve.pieces().as_hermite() {
+                    match tangents {
+                        0 => sampler.points(curve, count, first, output),
+                        _ => sampler.points_and_tangents(curve, count, first, output),
+                    }
                 }
+                kernel.sampler = Some(sampler);
+            }
+            #[cfg(feature = "wasm-spline")]
+            _ => {
+                let mut sampler = kernel.spline_sampler.take().unwrap_or_default();
+                let (curve, _, output) = kernel.parts(slot, 0)?;
+                let output = &mut output[..numbers];
+                if tangents == 0 {
+                    spread(&mut sampler, curve, (count, first), 0, output)?;
+                } else {
+                    let mut values = vec![0.0; numbers];
+                    let (points, slopes) = values.split_at_mut(numbers / 2);
+                    spread(&mut sampler, curve, (count, first), 0, points)?;
+                    spread(&mut sampler, curve, (count, first), 1, slopes)?;
+                    let pairs = points.chunks_exact(dimension).zip(slopes.chunks_exact(dimension));
+                    for (sample, (point, slope)) in output.chunks_exact_mut(2 * dimension).zip(pairs) {
+                        sample[..dimension].copy_from_slice(point);
+                        sample[dimension..].copy_from_slice(slope);
+                    }
+                }
+                kernel.spline_sampler = Some(sampler);
             }
         }
-        kernel.sampler = Some(sampler);
-        kernel.spline_sampler = Some(splines);
         Ok(numbers)
     })
 }
 
-/// The parameters of samples `first`, … , `first + length − 1` of a uniform sampling by `count`.
-fn parameters(curve: &dyn Pieces, count: usize, first: usize, length: u32) -> Vec<f64> {
-    let (start, end) = (curve.knot(0), curve.knot(curve.piece_count()));
-    let steps = if curve.closed() { count } else { count.saturating_sub(1) }.max(1) as f64;
-    let place = |i: u32| (start + (end - start) * ((first + i as usize) as f64 / steps)).min(end);
-    (0..length).map(place).collect()
+/// Points or derivatives of a curve on a grid: as many samples from `first` on as there is room for, of `count`.
+#[cfg(feature = "wasm-spline")]
+fn spread(
+    sampler: &mut SplineSampler,
+    curve: &AnyCurve,
+    (count, first): (usize, usize),
+    derivative: usize,
+    out: &mut [f64],
+) -> Result<()> {
+    match curve {
+        AnyCurve::Interpolating(curve) => sampler.points(curve, count, first, derivative, out),
+        AnyCurve::BSpline(curve) => sampler.points(curve, count, first, derivative, out),
+        _ => {
+            let curve = curve.pieces();
+            let (start, end) = (curve.knot(0), curve.knot(curve.piece_count()));
+            let steps = if curve.closed() { count } else { count.saturating_sub(1) }.max(1) as f64;
+            let place = |i: usize| (start + (end - start) * ((first + i) as f64 / steps)).min(end);
+            let parameters: Vec<f64> = (0..out.len() / curve.dimension()).map(place).collect();
+            curve.values(&parameters, derivative, out)
+        }
+    }
 }
 
 /// Four generalised Bézier points for every segment.
+#[cfg(feature = "wasm")]
 #[wasm_bindgen]
 pub fn bezier_points(slot: u32) -> i32 {
     run(&mut |kernel| {
@@ -93,6 +116,7 @@ pub fn bezier_points(slot: u32) -> i32 {
 }
 
 /// The polygon of a subdivision scheme, the scalar one where `scalar` is not 0.
+#[cfg(feature = "wasm")]
 #[wasm_bindgen]
 pub fn subdivide(slot: u32, levels: u32, arity: u32, scalar: u32) -> i32 {
     run(&mut |kernel| {

@@ -1,7 +1,10 @@
 //! Interpolating curves, with patches or without, and B-spline curves: in and out of the slots, finer and coarser.
 
+use super::describe::give;
 use super::kernel::{AnyCurve, Kernel, run, times};
 use super::roots::{push_roots, roots_of};
+use crate::curve::measures::to_hermite;
+use crate::svg::PrintOptions;
 use crate::{BSplineCurve, Error, InterpolatingCurve, LocalCurve, Result};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -70,6 +73,7 @@ fn with_patches(mut curve: LocalCurve, patches: u32, mut rest: &[f64]) -> Result
 
 fn roots_in(curve: &AnyCurve) -> Option<&crate::generator::Roots> {
     match curve {
+        #[cfg(feature = "wasm")]
         AnyCurve::Hermite(_) => None,
         AnyCurve::Interpolating(curve) => Some(curve.roots()),
         AnyCurve::BSpline(curve) => Some(curve.roots()),
@@ -83,6 +87,7 @@ fn roots_in(curve: &AnyCurve) -> Option<&crate::generator::Roots> {
 /// and the patches.
 fn give_spline(kernel: &mut Kernel, curve: &AnyCurve) -> Result<usize> {
     let (kind, points, step, offset) = match curve {
+        #[cfg(feature = "wasm")]
         AnyCurve::Hermite(_) => return Err(wrong_kind()),
         AnyCurve::Interpolating(curve) => (INTERPOLATING, curve.points(), 1.0, 0.0),
         AnyCurve::BSpline(curve) => (B_SPLINE, curve.points(), curve.step(), curve.offset()),
@@ -152,6 +157,18 @@ pub fn reduce_spline(slot: u32, m: u32) -> i32 {
             Ok((AnyCurve::BSpline(curve), deviation))
         }
         _ => Err(wrong_kind()),
+    })
+}
+
+/// A curve with points and tangents for a path within a tolerance, that of paths for 0; how far it is from this one, and what that
+/// leaves of the tolerance, are in the record.
+#[wasm_bindgen]
+pub fn outline(slot: u32, tolerance: f64) -> i32 {
+    run(&mut |kernel| {
+        let asked = if tolerance == 0.0 { PrintOptions::default().tolerance } else { tolerance };
+        let (curve, near) = to_hermite(kernel.pieces(slot)?, 0.5 * asked)?;
+        kernel.record([near, (asked - near).max(near)]);
+        give(kernel, &[curve])
     })
 }
 

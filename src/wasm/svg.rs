@@ -39,7 +39,7 @@ pub fn to_path(slot: u32, tolerance: f64, decimals: i32, flags: u32) -> i32 {
         options.arcs = flags & 1 != 0;
         options.relative = flags & 2 != 0;
         let mut pen = kernel.pen.filter(|_| flags & 4 != 0);
-        let (text, deviation) = svg::print_bytes(kernel.pieces(slot)?, &options, &mut pen)?;
+        let (text, deviation) = svg::print_hermite(kernel.curve(slot)?, &options, &mut pen)?;
         kernel.pen = pen;
         kernel.record([deviation]);
         kernel.text = text;

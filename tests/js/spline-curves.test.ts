@@ -193,12 +193,18 @@ test("curves in space do what they can, and say what they cannot", () => {
   assert.ok(Math.abs(bend - 0.25 / (0.25 + 0.0625)) < 1e-9, "and a constant curvature");
   const { t, distance, z } = curve.nearest(0, 0, 1);
   assert.ok(Math.abs(distance - 1) < 1e-9 && Math.abs(t - 4) < 1e-6 && Math.abs((z ?? NaN) - 1) < 1e-6);
+  const places: [number, number, number][] = [[0, 0, 1], [2, -1, 0.5], [-3, 0, 7]];
+  const all = curve.nearestAll(places);
+  places.forEach((place, i) => {
+    const { t, x, y, z, distance } = curve.nearest(...place);
+    assert.deepEqual([...all.subarray(5 * i, 5 * i + 5)], [t, x, y, z, distance], "many at once are each on its own");
+  });
   const { minZ, maxZ } = curve.bounds();
   assert.ok(Math.abs(minZ ?? NaN) < 1e-12 && Math.abs((maxZ ?? NaN) - 2) < 1e-12);
   assert.equal(curve.toCubics(1e-3).path.length % 12, 0);
   assert.equal(curve.flatten(1e-2).length % 3, 0);
   assert.equal(curve.sampleByLength(7).length, 21);
-  for (const call of [() => curve.area(), () => curve.toPathD(), () => curve.toHermite(), () => curve.nearestAll([0, 0])]) {
+  for (const call of [() => curve.area(), () => curve.toPathD(), () => curve.toHermite()]) {
     assert.throws(call, { name: "ExplineError", code: "E_DEGENERATE", arg: "curve" });
   }
 });

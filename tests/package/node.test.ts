@@ -109,7 +109,7 @@ test("the declarations hold for a strict project, with every kind of module reso
 });
 
 test("nothing in the tarball names the folder that it was built in", () => {
-  for (const file of ["pkg/core.js", "pkg/surface.js", "pkg/expline_surface_bg.wasm", "pkg/fit.js", "pkg/cli.js", "pkg/expline_bg.wasm", "pkg/expline_fit_bg.wasm", "THIRD_PARTY_LICENSES"]) {
+  for (const file of ["pkg/core.js", "pkg/spline.js", "pkg/expline_spline_bg.wasm", "pkg/surface.js", "pkg/expline_surface_bg.wasm", "pkg/fit.js", "pkg/cli.js", "pkg/expline_bg.wasm", "pkg/expline_fit_bg.wasm", "THIRD_PARTY_LICENSES"]) {
     const text = readFileSync(join(consumer, "node_modules", "expline", file), "latin1");
     assert.ok(!text.includes(process.cwd()), `${file} names ${process.cwd()}`);
     assert.ok(!/\/(home|root|Users)\//.test(text), `${file} names a home folder`);

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { before } from "node:test";
-import init, { initSurface } from "expline/slim";
+import init, { initSpline, initSurface } from "expline/slim";
 import type { ControlPoint, CurveDocument } from "../src/document/document.ts";
 import { curveSample } from "../src/document/samples.ts";
 import { toScreen } from "../src/editor/camera.ts";
@@ -15,7 +15,7 @@ import { createPenTool } from "../src/tools/pen/pen-tool.ts";
 import { createTools } from "../src/tools/tools.ts";
 
 // In Node the engine finds itself; the page tells it where the bundler has put it.
-before(() => Promise.all([init(), initSurface()]));
+before(() => Promise.all([init(), initSpline(), initSurface()]));
 
 /** The editor without a browser: pointers and keys in, documents out. Places are in document units. */
 export class Hand {

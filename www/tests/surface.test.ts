@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { before, test } from "node:test";
-import init, { initSurface } from "expline/slim";
+import init, { initSpline, initSurface } from "expline/slim";
 import { emptySurface, type SurfaceDocument } from "../src/document/surface.ts";
 import { createEditor } from "../src/editor/create-editor.ts";
 import type { Editor } from "../src/editor/editor.ts";
@@ -11,7 +11,7 @@ import { largestDistance, recurrence } from "../src/kernel/surface-net.ts";
 import { deviationOf } from "../src/kernel/surface-truth.ts";
 import { meshPoints } from "../src/kernel/surface.ts";
 
-before(() => Promise.all([init(), initSurface()]));
+before(() => Promise.all([init(), initSpline(), initSurface()]));
 
 function opened(sample: string): Editor {
   let time = 0;

@@ -1,5 +1,6 @@
-import init, { ExplineError, version } from "expline/slim";
+import init, { ExplineError, initSpline, version } from "expline/slim";
 import wasmUrl from "expline/expline_bg.wasm?url";
+import splineUrl from "expline/expline_spline_bg.wasm?url";
 
 /** Starting the engine, and its failures in words that the page can act on. */
 
@@ -11,7 +12,8 @@ export type EngineFailure = { readonly reason: "blocked" | "unsupported" | "fail
 export async function startEngine(): Promise<EngineFailure | null> {
   if (typeof WebAssembly === "undefined") return { reason: "unsupported", detail: "This browser has no WebAssembly." };
   try {
-    await init({ wasmUrl });
+    // Any document may hold curves of either family.
+    await Promise.all([init({ wasmUrl }), initSpline({ wasmUrl: splineUrl })]);
     return null;
   } catch (error) {
     return { reason: isBlocked(error) ? "blocked" : "failed", detail: error instanceof Error ? error.message : String(error) };

@@ -21,3 +21,9 @@ declare module "expline/expline_trace_bg.wasm?url" {
   const url: string;
   export default url;
 }
+
+/** The same of the engine of curves of any roots. */
+declare module "expline/expline_spline_bg.wasm?url" {
+  const url: string;
+  export default url;
+}
