@@ -58,6 +58,7 @@ export { initTrace, initTraceSync, traceImage, traceImageAsync } from "./trace.j
 export type {
   ImageLike,
   Trace,
+  TraceLayer,
   TraceMetrics,
   TraceOptions,
   TraceProgress,

@@ -43,6 +43,14 @@ export interface Step {
   readonly total: number;
 }
 
+/** What a step says of the work. */
+const enum Answer {
+  GoesOn,
+  Done,
+  /** The colours are known: the rows are wanted again. */
+  Again,
+}
+
 /** About so many bytes cross at once: rows of 64 kB take some 50 microseconds. */
 const BLOCK = 1 << 16;
 
@@ -76,9 +84,10 @@ export class Picture {
       this.#fill(op, number, budget);
       return { done: false, stage: 0, completed: this.#rows, total: height };
     }
-    const done = callOf(traces, op, (kernel) => kernel.trace_step(number, budget)) === 1;
+    const answer = callOf(traces, op, (kernel) => kernel.trace_step(number, budget)) as Answer;
+    if (answer === Answer.Again) this.#rows = 0;
     const instance = instanceOf(traces);
-    return { done, stage: resultOf(instance, 0), completed: resultOf(instance, 1), total: resultOf(instance, 2) };
+    return { done: answer === Answer.Done, stage: resultOf(instance, 0), completed: resultOf(instance, 1), total: resultOf(instance, 2) };
   }
 
   #fill(op: string, number: number, budget: number): void {

@@ -3,11 +3,14 @@ import { count, finite, flag, integer, isBytes, lengthOfArray, options as checkO
 import type { Pixels } from "./trace-engine.js";
 import { type Watch, watch } from "./yielding.js";
 
-/** What a trace is doing: reading pixels, finding edges, following contours, looking for corners, fitting splines, refining them. */
-export type TraceStage = "pixels" | "edges" | "contours" | "corners" | "splines" | "refinement";
+/**
+ * What a trace is doing: reading pixels, finding edges, following contours, looking for corners, fitting splines, refining them; with `colors` all
+ * of that for one layer after the other.
+ */
+export type TraceStage = "pixels" | "edges" | "contours" | "corners" | "splines" | "refinement" | "layers";
 
 /** The stages in the engine's order; the first is the face's own. @internal */
-export const STAGES: readonly TraceStage[] = ["pixels", "edges", "contours", "corners", "splines", "refinement"];
+export const STAGES: readonly TraceStage[] = ["pixels", "edges", "contours", "corners", "splines", "refinement", "layers"];
 
 /** How far a trace has come. */
 export interface TraceProgress {
@@ -41,6 +44,11 @@ export interface TraceOptions {
   corner?: number | undefined;
   /** Largest distance between a contour and its curve, in pixels, before the curve is refined against the picture. Default 0.22. */
   tolerance?: number | undefined;
+  /**
+   * A picture of a few flat colours: how many at most, 2 … 64, are looked for, or which they are, as "#rrggbb". Each becomes a layer, and layers lie
+   * on one another without gaps. Default: ink on paper.
+   */
+  colors?: number | readonly string[] | undefined;
   /** Which fit follows a contour: the sparsest spline, the default, or the weighted quasi-interpolant. */
   model?: "sparse" | "wqisa" | undefined;
   /** Whether curves are refined until they cover of every pixel what the picture says. Default true. */
@@ -57,11 +65,12 @@ const MAX_SIDE = 16_384;
 const MAX_PIXELS = 40_000_000;
 const MAX_CONTOURS = 200_000;
 const MAX_AREA = 1e9;
+const MAX_COLORS = 64;
 
 const SOURCES = ["brightness", "edges"] as const;
 const MODELS = ["sparse", "wqisa"] as const;
 const NAMES = [
-  ...["source", "threshold", "blur", "invert", "speckle", "corner", "tolerance", "model", "refine", "maxContours"] as const,
+  ...["source", "threshold", "blur", "invert", "speckle", "corner", "tolerance", "model", "refine", "maxContours", "colors"] as const,
   ...["signal", "onProgress"] as const,
 ] as const;
 
@@ -79,6 +88,7 @@ export function traceOrder(op: string, image: unknown, options: unknown): TraceO
   const { source, threshold, blur, invert, speckle, corner, tolerance, model, refine, maxContours } = own;
   const optional = (name: string, value: unknown, least: number, most: number): number =>
     value === undefined ? -1 : within(op, name, value, least, most);
+  const [mostColors, palette] = colorsOf(op, own.colors);
   const record = Float64Array.of(
     pixels.width,
     pixels.height,
@@ -93,8 +103,30 @@ export function traceOrder(op: string, image: unknown, options: unknown): TraceO
     optional("tolerance", tolerance, 0.01, 1000),
     flag(op, "refine", refine, true) ? 1 : 0,
     maxContours === undefined ? -1 : count(op, "maxContours", maxContours, 1, "maxContours", MAX_CONTOURS),
+    mostColors,
+    palette.length / 3,
+    ...palette,
   );
   return { pixels, record, ...watch(op, own) };
+}
+
+/** How many colours are looked for, and those that are given, three numbers each. */
+function colorsOf(op: string, value: unknown): [number, number[]] {
+  if (value === undefined) return [0, []];
+  if (!Array.isArray(value)) {
+    if (typeof value !== "number") throw wrong("E_TYPE", op, "colors", value, "a number, or a list of colours");
+    return [integer(op, "colors", value, 2, MAX_COLORS), []];
+  }
+  const list = value as readonly unknown[];
+  if (list.length < 1 || list.length > MAX_COLORS) throw wrongLength(op, "colors", list.length, `1 to ${MAX_COLORS}`);
+  const palette = Array.from(list, (color, i) => {
+    if (typeof color !== "string") throw wrong("E_TYPE", op, "colors", color, 'text like "#cc0000"', i);
+    const digits = /^#(?:[0-9a-f]{3}|[0-9a-f]{6})$/iu.test(color) ? color.slice(1) : undefined;
+    if (digits === undefined) throw wrong("E_RANGE", op, "colors", color, '"#rgb" or "#rrggbb"', i);
+    const wide = digits.length === 3 ? digits.replace(/./gu, "$&$&") : digits;
+    return [0, 2, 4].map((at) => Number.parseInt(wide.slice(at, at + 2), 16));
+  });
+  return [0, palette.flat()];
 }
 
 function within(op: string, name: string, value: unknown, least: number, most: number): number {

@@ -24,6 +24,14 @@ export interface TracedContour {
   /** Its corners. */
   cusps: [number, number][];
   metrics: TraceMetrics;
+  /** Which of the trace's layers it belongs to: 0 where there is only ink. */
+  layer: number;
+}
+
+/** One colour of a picture. */
+export interface TraceLayer {
+  /** "#rrggbb". */
+  color: string;
 }
 
 /** How {@link Trace.toSvg} writes. */
@@ -39,6 +47,8 @@ export interface Trace {
   width: number;
   height: number;
   contours: TracedContour[];
+  /** The colours, the lowest layer first; none without `colors`. */
+  layers: TraceLayer[];
   /** The picture as an SVG document, with as few bytes as it can be said in. */
   toSvg(options?: TraceSvgOptions): string;
   /** How long each stage took, and `total`. */
@@ -54,32 +64,56 @@ export function readTrace(numbers: Float64Array, { width, height }: { width: num
     at += 1 + length;
     return values;
   };
-  const [count = 0] = section();
-  const curves: HermiteCurve[] = [];
-  const contours = Array.from({ length: count }, (): TracedContour => {
+  const colors = section();
+  const layers = Array.from({ length: colors.length / 3 }, (_, i): TraceLayer => ({ color: hex(colors.subarray(3 * i, 3 * i + 3)) }));
+  const contours: TracedContour[] = [];
+  while (at < numbers.length) {
     const [data] = curvesIn(section());
     const curve = curveOf(data as NonNullable<typeof data>);
-    curves.push(curve);
-    const [closed = 0, hole = 0, rmse = 0, mae = 0, hausdorff = 0, jaccard = 0] = section();
+    const [closed = 0, hole = 0, rmse = 0, mae = 0, hausdorff = 0, jaccard = 0, layer = 0] = section();
     const cusps = section();
-    return {
+    contours.push({
       curve,
       closed: closed === 1,
       hole: hole === 1,
       cusps: Array.from({ length: cusps.length / 2 }, (_, i) => [cusps[2 * i] ?? 0, cusps[2 * i + 1] ?? 0]),
       metrics: { rmse, mae, hausdorff, jaccard },
-    };
-  });
+      layer,
+    });
+  }
   const milliseconds = Object.fromEntries(spent);
   milliseconds["total"] = [...spent.values()].reduce((sum, time) => sum + time, 0);
-  return { width, height, contours, toSvg: (options) => written(width, height, curves, options), milliseconds };
+  // What is written is what was found, whatever becomes of the lists.
+  const paths = pathsToWrite(contours, layers);
+  return { width, height, contours, layers, toSvg: (options) => written(width, height, paths, options), milliseconds };
 }
 
-function written(width: number, height: number, curves: readonly HermiteCurve[], options: unknown): string {
+const hex = (color: Float64Array): string => `#${Array.from(color, (channel) => channel.toString(16).padStart(2, "0")).join("")}`;
+
+/** One element of the document: outlines are filled, lines drawn. */
+interface Path {
+  readonly attributes: string;
+  readonly curves: readonly HermiteCurve[];
+}
+
+function pathsToWrite(contours: readonly TracedContour[], layers: readonly TraceLayer[]): Path[] {
+  const curvesOf = (layer: number, closed: boolean): HermiteCurve[] =>
+    contours.filter((contour) => contour.layer === layer && contour.closed === closed).map(({ curve }) => curve as HermiteCurve);
+  const colors = layers.length === 0 ? [""] : layers.map(({ color }) => (color === "#000000" ? "" : ` fill="${short(color)}"`));
+  const paths = colors.map((attributes, i) => ({ attributes, curves: curvesOf(i, true) }));
+  paths.push({ attributes: ' fill="none" stroke="#000"', curves: curvesOf(0, false) });
+  return paths.filter(({ curves }) => curves.length > 0);
+}
+
+/** #f00 for #ff0000. */
+const short = (color: string): string => color.replace(/^#(.)\1(.)\2(.)\3$/u, "#$1$2$3");
+
+function written(width: number, height: number, paths: readonly Path[], options: unknown): string {
   const op = "toSvg";
   const { tolerance = 0.02, decimals = 2 } = checkOptions(op, options, ["tolerance", "decimals"]);
   const within = finite(op, "tolerance", tolerance);
   if (!(within > 0)) throw wrong("E_RANGE", op, "tolerance", within, "> 0");
-  const d = pathsOf(op, curves, within, integer(op, "decimals", decimals, 0, 17));
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}"><path d="${d}"/></svg>`;
+  const digits = integer(op, "decimals", decimals, 0, 17);
+  const body = paths.map(({ attributes, curves }) => `<path${attributes} d="${pathsOf(op, curves, within, digits)}"/>`).join("");
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}">${body}</svg>`;
 }

@@ -6,7 +6,7 @@ import { checkSignal, inOneGo, inTasks } from "./yielding.js";
 
 export { initTrace, initTraceSync } from "./trace-engine.js";
 export type { ImageLike, TraceOptions, TraceProgress, TraceStage } from "./trace-options.js";
-export type { Trace, TraceMetrics, TraceSvgOptions, TracedContour } from "./trace-result.js";
+export type { Trace, TraceLayer, TraceMetrics, TraceSvgOptions, TracedContour } from "./trace-result.js";
 
 /** Work of one call into the engine, in microseconds or so. */
 const BUDGET = 4000;

@@ -6,30 +6,87 @@
 use super::describe::describe;
 use super::kernel::{Kernel, run};
 use super::record::{Numbers, place, section};
-use crate::trace::{Gray, GrayRows, Model, Source, Stage, Trace, TraceOptions, Tracer};
+use crate::trace::{
+    Census, Color, Gray, GrayRows, LayerRows, LayerTracer, Layers, Model, Source, Stage, TraceOptions,
+    TracedContour, Tracer,
+};
 use crate::{Error, Result};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Numbers of the record of options.
-const OPTIONS: usize = 13;
+const OPTIONS: usize = 15;
 
 const NOT_OPEN: Error = Error::Degenerate { argument: "image", index: None, reason: "it is not open" };
 
 /// The stages in the face's order; it counts the reading of pixels as 0.
 const STAGES: [Stage; 5] = [Stage::Edges, Stage::Contours, Stage::Corners, Stage::Splines, Stage::Refinement];
 
+/// What a step says of the work.
+const GOES_ON: usize = 0;
+const DONE: usize = 1;
+/// The colours are known: the rows are wanted again.
+const AGAIN: usize = 2;
+
 /// A picture and how far it is.
 pub(super) struct Job {
+    size: [usize; 2],
     channels: usize,
+    /// How many colours at most are looked for.
+    most_colors: usize,
     options: TraceOptions,
     state: State,
 }
 
 enum State {
-    Filling(GrayRows),
+    Ink(GrayRows),
+    Counting(Census),
+    Colors(LayerRows),
     Tracing(Tracer),
+    Layers(Box<LayerTracer>),
     /// The rows could not be made a picture.
     Failed,
+}
+
+impl Job {
+    fn push(&mut self, rows: &[u8]) -> Result<()> {
+        let bright: Vec<u8>;
+        let colors = if self.channels == 4 || matches!(self.state, State::Ink(_)) {
+            rows
+        } else {
+            bright = rows.iter().flat_map(|&shade| [shade, shade, shade, 255]).collect();
+            &bright
+        };
+        match &mut self.state {
+            State::Ink(picture) if self.channels == 4 => picture.push_rgba_rows(rows),
+            State::Ink(picture) => picture.push_gray_rows(rows),
+            State::Counting(census) => {
+                census.push_rgba_rows(colors);
+                Ok(())
+            }
+            State::Colors(picture) => picture.push_rgba_rows(colors),
+            _ => Err(Box::new(NOT_OPEN)),
+        }
+    }
+
+    /// What follows once all rows are there; whether they are wanted once more.
+    fn filled(&mut self) -> Result<bool> {
+        let [width, height] = self.size;
+        self.state = match core::mem::replace(&mut self.state, State::Failed) {
+            State::Ink(rows) => State::Tracing(Tracer::new(rows.finish()?, &self.options)?),
+            State::Counting(census) => {
+                let mut palette = census.palette(self.most_colors)?;
+                if palette.is_empty() {
+                    // All of it is transparent, so any colour will do.
+                    palette.push([0; 3]);
+                }
+                self.state = State::Colors(Layers::begin(width, height, &palette)?);
+                return Ok(true);
+            }
+            State::Colors(rows) => State::Layers(Box::new(LayerTracer::new(rows.finish()?, &self.options))),
+            further => further,
+        };
+        Ok(false)
+    }
 }
 
 /// The picture of a number.
@@ -42,12 +99,13 @@ fn job(traces: &mut [Option<Box<Job>>], number: u32) -> Result<&mut Job> {
 
 /// Opens a picture that the first `count` numbers of the input tell of, and returns its number.
 ///
-/// Input: width, height, bytes per pixel, source, model, threshold, blur, inverted, speckle, corner, tolerance, refined, most contours.
-/// Negative stands for the default.
+/// Input: width, height, bytes per pixel, source, model, threshold, blur, inverted, speckle, corner, tolerance, refined, most contours,
+/// most colours (0 for ink on paper), number of colours given; then those, three numbers each. Negative stands for the default.
 #[wasm_bindgen]
 pub fn trace_open(count: u32) -> i32 {
     run(&mut |kernel| {
-        let mut head = Numbers(kernel.given((count as usize).min(OPTIONS)));
+        let mut numbers = Numbers(kernel.given(count as usize));
+        let mut head = Numbers(numbers.take(OPTIONS));
         let [width, height, channels] = core::array::from_fn(|_| head.count());
         let mut options = TraceOptions {
             source: match head.count() {
@@ -66,8 +124,16 @@ pub fn trace_open(count: u32) -> i32 {
         options.tolerance = head.optional().unwrap_or(options.tolerance);
         options.refined = head.flag();
         options.most_contours = head.optional().map_or(options.most_contours, |most| most as usize);
-        let state = State::Filling(Gray::begin(width, height)?);
-        Ok(place(&mut kernel.traces, Box::new(Job { channels, options, state })))
+        let (most_colors, given) = (head.count(), head.count());
+        let channels_of = |color: &[f64]| -> Color { core::array::from_fn(|k| color[k] as u8) };
+        let palette: Vec<Color> = numbers.take(3 * given).chunks_exact(3).map(channels_of).collect();
+        let state = match (most_colors, given) {
+            (0, 0) => State::Ink(Gray::begin(width, height)?),
+            (_, 0) => State::Counting(Census::new(width)?),
+            _ => State::Colors(Layers::begin(width, height, &palette)?),
+        };
+        let job = Job { size: [width, height], channels, most_colors, options, state };
+        Ok(place(&mut kernel.traces, Box::new(job)))
     })
 }
 
@@ -77,59 +143,77 @@ pub fn trace_rows(number: u32, bytes: u32) -> i32 {
     run(&mut |kernel| {
         let Kernel { traces, text, .. } = kernel;
         let rows = text.get(..bytes as usize).unwrap_or_default();
-        let job = job(traces, number)?;
-        match &mut job.state {
-            State::Filling(picture) if job.channels == 4 => picture.push_rgba_rows(rows)?,
-            State::Filling(picture) => picture.push_gray_rows(rows)?,
-            _ => return Err(Box::new(NOT_OPEN)),
-        }
+        job(traces, number)?.push(rows)?;
         Ok(0)
     })
 }
 
-/// Takes the work further by about `budget` microseconds; 1 when it has ended. The record has the stage, how much of it is done, and
-/// how much it has.
+/// Takes the work further by about `budget` microseconds; 1 when it has ended, 2 when the rows are wanted again. The record has the stage,
+/// how much of it is done, and how much it has.
 #[wasm_bindgen]
 pub fn trace_step(number: u32, budget: f64) -> i32 {
     run(&mut |kernel| {
         let job = job(&mut kernel.traces, number)?;
-        if let State::Filling(_) = job.state
-            && let State::Filling(rows) = core::mem::replace(&mut job.state, State::Failed)
-        {
-            job.state = State::Tracing(Tracer::new(rows.finish()?, &job.options)?);
+        if !matches!(job.state, State::Tracing(_) | State::Layers(_)) && job.filled()? {
+            kernel.record([0.0; 3]);
+            return Ok(AGAIN);
         }
-        let State::Tracing(tracer) = &mut job.state else { return Err(Box::new(NOT_OPEN)) };
-        let progress = tracer.step(budget)?;
-        let stage = STAGES.iter().position(|&stage| stage == progress.stage).unwrap_or(0) + 1;
-        kernel.record([stage as f64, progress.completed as f64, progress.total as f64]);
-        Ok(usize::from(progress.done))
+        let (done, record) = match &mut job.state {
+            State::Tracing(tracer) => {
+                let progress = tracer.step(budget)?;
+                let stage = STAGES.iter().position(|&stage| stage == progress.stage).unwrap_or(0) + 1;
+                (progress.done, [stage, progress.completed, progress.total])
+            }
+            State::Layers(tracer) => {
+                let done = tracer.step(budget)?;
+                let (completed, total) = tracer.progress();
+                (done, [STAGES.len() + 1, completed, total])
+            }
+            _ => return Err(Box::new(NOT_OPEN)),
+        };
+        kernel.record(record.map(|number| number as f64));
+        Ok(if done { DONE } else { GOES_ON })
     })
 }
 
-/// A trace in sections, each with its length in front: numbers of the whole; then of each contour its curve, its numbers, its cusps.
-fn written(trace: &Trace) -> Vec<f64> {
-    let output = &mut Vec::new();
-    section(output, &mut |to| to.push(trace.contours.len() as f64));
-    for contour in &trace.contours {
-        section(output, &mut |to| describe(to, &contour.curve));
-        let metrics = contour.metrics;
-        section(output, &mut |to| {
-            to.extend([contour.closed, contour.hole].map(|flag| f64::from(u8::from(flag))));
-            to.extend([metrics.rmse, metrics.mae, metrics.hausdorff, metrics.jaccard]);
-        });
-        section(output, &mut |to| to.extend(contour.cusps.iter().flat_map(|cusp| [cusp.x, cusp.y])));
-    }
-    core::mem::take(output)
+/// Appends a contour of a layer in three sections: its curve, its numbers, its cusps.
+fn contour(output: &mut Vec<f64>, contour: &TracedContour, layer: usize) {
+    section(output, &mut |to| describe(to, &contour.curve));
+    let metrics = contour.metrics;
+    section(output, &mut |to| {
+        to.extend([contour.closed, contour.hole].map(|flag| f64::from(u8::from(flag))));
+        to.extend([metrics.rmse, metrics.mae, metrics.hausdorff, metrics.jaccard, layer as f64]);
+    });
+    section(output, &mut |to| to.extend(contour.cusps.iter().flat_map(|cusp| [cusp.x, cusp.y])));
 }
 
-/// Leaves what was found in the output: sections, each with its length in front.
+/// Leaves what was found in the output: sections, each with its length in front. The first has the colours of the layers, none where
+/// there is only ink; then come the contours.
 #[wasm_bindgen]
 pub fn trace_describe(number: u32) -> i32 {
     run(&mut |kernel| {
-        let State::Tracing(tracer) = &job(&mut kernel.traces, number)?.state else {
-            return Err(Box::new(NOT_OPEN));
-        };
-        let numbers = written(&tracer.result()?);
+        let output = &mut Vec::new();
+        match &job(&mut kernel.traces, number)?.state {
+            State::Tracing(tracer) => {
+                section(output, &mut |_| ());
+                for found in &tracer.result()?.contours {
+                    contour(output, found, 0);
+                }
+            }
+            State::Layers(tracer) => {
+                let layers = tracer.layers();
+                section(output, &mut |to| {
+                    to.extend(layers.iter().flat_map(|layer| layer.color.map(f64::from)))
+                });
+                for (i, layer) in layers.iter().enumerate() {
+                    for found in &layer.contours {
+                        contour(output, found, i);
+                    }
+                }
+            }
+            _ => return Err(Box::new(NOT_OPEN)),
+        }
+        let numbers = core::mem::take(output);
         Ok(kernel.give(numbers))
     })
 }
