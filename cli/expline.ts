@@ -6,19 +6,21 @@ import { ExplineError, version } from "expline";
 
 import { Failure, INPUT, USAGE } from "./failure.ts";
 import { fit } from "./fit.ts";
+import { trace } from "./trace.ts";
 
-const HELP = `expline ${version}: curves with few points from noisy ones
+const HELP = `expline ${version}: few curves from noisy points and from pictures
 
 Usage: expline COMMAND [options]
 
-  fit POINTS    the sparsest curve through points in rows of x and y, as SVG
-  --help        this text; expline COMMAND --help says more
-  --version     the version
+  fit POINTS        the sparsest curve through points in rows of x and y, as SVG
+  trace PICTURE...  the outlines of PNG and JPEG pictures, as SVG
+  --help            this text; expline COMMAND --help says more
+  --version         the version
 
 Status: 0 done, 1 bad input, 2 wrong usage.
 `;
 
-const COMMANDS: Readonly<Record<string, (words: readonly string[]) => string>> = { fit };
+const COMMANDS: Readonly<Record<string, (words: readonly string[]) => string>> = { fit, trace };
 
 function run([command, ...words]: readonly string[]): string {
   switch (command) {
@@ -52,7 +54,7 @@ function print(text: string): void {
 /** An option out of range is a matter of the call; whatever is wrong with the points, of the input. */
 function statusOf(error: unknown): number {
   if (error instanceof Failure) return error.status;
-  const ofOptions = error instanceof ExplineError && error.arg !== "points" && ["E_TYPE", "E_RANGE", "E_LENGTH", "E_NOT_FINITE"].includes(error.code);
+  const ofOptions = error instanceof ExplineError && error.arg !== "points" && error.arg !== "image" && ["E_TYPE", "E_RANGE", "E_LENGTH", "E_NOT_FINITE"].includes(error.code);
   return ofOptions ? USAGE : INPUT;
 }
 

@@ -1,9 +1,8 @@
 /** `expline fit`: points in, the curve with the fewest knots out. */
-import { writeFileSync } from "node:fs";
-
 import { type SparseFit, type SparseFitOptions, fitSparse } from "expline";
 
 import { Failure, INPUT, USAGE } from "./failure.ts";
+import { sourceName, writeText } from "./files.ts";
 import { type Flag, type Given, describeFlags, numberOf, oneOrTwo, readFlags } from "./flags.ts";
 import { readPoints, readText } from "./points.ts";
 
@@ -46,7 +45,7 @@ export function fit(words: readonly string[]): string {
     throw new Failure(USAGE, `--decimals is ${decimals}; expected an integer in [0, 17]`);
   }
   const strokes = readPoints(readText(file), file);
-  if (strokes.length === 0) throw new Failure(INPUT, `${file === "-" ? "standard input" : file}: there are no points`);
+  if (strokes.length === 0) throw new Failure(INPUT, `${sourceName(file)}: there are no points`);
   const fits = strokes.map(({ points, closed }) => {
     const joined = given.values.has("open") ? false : closed || given.values.has("closed");
     return fitSparse(points, { ...options, closed: joined });
@@ -54,11 +53,7 @@ export function fit(words: readonly string[]): string {
   const text = written(fits, format, decimals, numberOf(given, "tolerance"));
   const output = given.values.get("output");
   if (output === undefined || output === "-") return text;
-  try {
-    writeFileSync(output, text);
-  } catch (error) {
-    throw new Failure(INPUT, `${output}: it cannot be written (${(error as { code?: string }).code ?? "unknown"})`);
-  }
+  writeText(output, text);
   return `${output}: ${summary(strokes.reduce((sum, { points }) => sum + points.length / 2, 0), fits)}\n`;
 }
 

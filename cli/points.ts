@@ -2,6 +2,7 @@
 import { readFileSync } from "node:fs";
 
 import { Failure, INPUT } from "./failure.ts";
+import { sourceName, unreadable } from "./files.ts";
 
 /** The points of one contour, x and y in turn. */
 export interface Stroke {
@@ -17,13 +18,9 @@ export function readText(file: string): string {
   try {
     return readFileSync(file === "-" ? 0 : file, "utf8");
   } catch (error) {
-    const code = (error as { code?: string }).code;
-    const why = code === "ENOENT" ? "there is no such file" : code === "EISDIR" ? "it is a folder" : `it cannot be read (${code ?? "unknown"})`;
-    throw new Failure(INPUT, `${nameOf(file)}: ${why}`);
+    throw unreadable(file, error);
   }
 }
-
-const nameOf = (file: string): string => (file === "-" ? "standard input" : file);
 
 /**
  * Rows of x and y with a comma, a semicolon, a tab or blanks between them. A first row of words is a heading, `#` begins a comment, an empty
@@ -40,8 +37,8 @@ export function readPoints(text: string, file: string): Stroke[] {
     }
     const cells = row.split(/\s*[,;\t]\s*|\s+/u);
     if (i === 0 && cells.every((cell) => cell === "" || Number.isNaN(Number(cell)))) return;
-    if (cells.length < 2) throw new Failure(INPUT, `${nameOf(file)}:${i + 1}: ${shown(row)} is not two numbers`);
-    for (const cell of cells.slice(0, 2)) stroke.push(coordinate(cell, `${nameOf(file)}:${i + 1}`));
+    if (cells.length < 2) throw new Failure(INPUT, `${sourceName(file)}:${i + 1}: ${shown(row)} is not two numbers`);
+    for (const cell of cells.slice(0, 2)) stroke.push(coordinate(cell, `${sourceName(file)}:${i + 1}`));
   });
   return strokes.filter((stroke) => stroke.length > 0).map(stroke);
 }

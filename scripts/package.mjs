@@ -155,13 +155,15 @@ async function entry(prefix) {
   return outputFiles[0].text;
 }
 
-/** The command line: one file beside the package's own modules. */
+/** The command line: one file beside the package's own modules. Gives back the names of the npm packages in it. */
 async function bundleCommandLine() {
   await run("node", [at("node_modules/typescript/bin/tsc"), "-p", at("cli/tsconfig.json")]);
   const { build } = await import("esbuild");
   const setup = (bundler) => bundler.onResolve({ filter: /^expline$/ }, () => ({ path: "./expline.js", external: true }));
   const options = { entryPoints: [at("cli/expline.ts")], bundle: true, platform: "node", format: "esm", target: "node20", minify: true, logLevel: "error" };
-  await build({ ...options, outfile: at("pkg/cli.js"), plugins: [{ name: "package", setup }] });
+  const { metafile } = await build({ ...options, outfile: at("pkg/cli.js"), plugins: [{ name: "package", setup }], metafile: true });
+  const names = Object.keys(metafile.inputs).flatMap((file) => /^node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(file)?.[1] ?? []);
+  return [...new Set(names)].sort();
 }
 
 async function buildFace() {
@@ -184,8 +186,7 @@ async function buildFace() {
       writeFileSync(at(`pkg/${prefix}json.js`), await bundleFace("ts/json.ts", "", `./${prefix}`));
       writeFileSync(at(`pkg/${out}.js`), await entry(prefix));
     }
-    await bundleCommandLine();
-    writeThirdPartyLicenses();
+    writeThirdPartyLicenses(await bundleCommandLine());
   });
 }
 

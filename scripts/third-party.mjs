@@ -1,4 +1,5 @@
-// THIRD_PARTY_LICENSES: the licences of every crate that is linked into the wasm, taken from the crates themselves.
+// THIRD_PARTY_LICENSES: the licences of every crate that is linked into the wasm, and of every npm package that is bundled into the command line,
+// taken from themselves.
 
 import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
@@ -22,21 +23,33 @@ function linkedPackages() {
   return packages.filter(isLinked).sort((a, b) => (a.name < b.name ? -1 : 1));
 }
 
+/** npm packages by name, in the same form as crates. */
+function bundledPackages(names) {
+  return names.map((name) => {
+    const manifest = at("node_modules", name, "package.json");
+    const { version, license } = JSON.parse(readFileSync(manifest, "utf8"));
+    return { name, version, license, manifest_path: manifest };
+  });
+}
+
 function licenceTexts(manifest) {
   const folder = dirname(manifest);
   const names = readdirSync(folder).filter((n) => /^(licen[cs]e|copying|notice)/i.test(n)).sort();
   return names.filter((n) => existsSync(join(folder, n))).map((n) => readFileSync(join(folder, n), "utf8").trim());
 }
 
-/** Writes the file; equal texts are printed once, under the names of all the crates that carry them. */
-export function writeThirdPartyLicenses() {
-  const packages = linkedPackages();
+/** Writes the file; equal texts are printed once, under the names of all that carry them. `bundled`: names of npm packages. */
+export function writeThirdPartyLicenses(bundled) {
+  const [crates, modules] = [linkedPackages(), bundledPackages(bundled)];
   const texts = new Map();
-  for (const p of packages) {
+  for (const p of [...crates, ...modules]) {
     for (const text of licenceTexts(p.manifest_path)) texts.set(text, [...(texts.get(text) ?? []), p.name]);
   }
-  const list = packages.map((p) => `${p.name} ${p.version}: ${p.license ?? "see its text"}`).join("\n");
+  const list = (packages) => packages.map((p) => `${p.name} ${p.version}: ${p.license ?? "see its text"}`).join("\n");
   const parts = [...texts].map(([text, names]) => `${"-".repeat(78)}\n${names.join(", ")}\n${"-".repeat(78)}\n\n${text}\n`);
-  const head = "The wasm of expline links the following crates, besides Rust's own library (MIT OR Apache-2.0).\n";
-  writeFileSync(at("THIRD_PARTY_LICENSES"), `${head}\n${list}\n\n${parts.join("\n")}`);
+  const heads = [
+    `The wasm of expline links the following crates, besides Rust's own library (MIT OR Apache-2.0).\n\n${list(crates)}\n`,
+    `Its command line, pkg/cli.js, reads pictures with the following npm packages.\n\n${list(modules)}\n`,
+  ];
+  writeFileSync(at("THIRD_PARTY_LICENSES"), `${heads.join("\n")}\n${parts.join("\n")}`);
 }

@@ -92,8 +92,8 @@ test("esbuild, as a classic script in a page that declares no charset", async ()
   assert.equal(await titleOf(folder, POLICY), EXPECTED);
 });
 
-/** Something that only the wasm for fitting, or for surfaces, has in the text that it is inlined as. */
-const MARKS = { fitting: "fit_describe", surfaces: "surface_touched" } as const;
+/** Something that only the wasm for fitting, for surfaces, or for tracing has in the text that it is inlined as. */
+const MARKS = { fitting: "fit_describe", surfaces: "surface_touched", tracing: "trace_describe" } as const;
 
 /** What a bundle has besides curves. */
 function parts(file: string): string[] {
@@ -105,6 +105,7 @@ for (const [name, code, expected] of [
   ["curves", 'import { HermiteCurve } from "expline"; document.title = String(HermiteCurve.through([0, 0, 1, 1, 2, 0]).closed);', []],
   ["fits", 'import { fitSparse } from "expline"; document.title = String(fitSparse([0, 0, 4, 0, 4, 4, 0, 4]).curve.closed);', ["fitting"]],
   ["surfaces", 'import { TensorSurface } from "expline"; document.title = String(TensorSurface.torus(3, 1).u.closed);', ["surfaces"]],
+  ["traces", 'import { traceImage } from "expline"; document.title = String(traceImage({ width: 4, height: 4, data: new Uint8Array(16) }).contours[0].closed);', ["tracing"]],
 ] as const) {
   test(`a bundle of ${name} holds what it needs and no other module, whoever makes it`, async () => {
     const source = join(consumer, `${name}.mjs`);

@@ -6,6 +6,9 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { before, test } from "node:test";
 import { join } from "node:path";
 
+import { encode as encodePng } from "fast-png";
+import { encode as encodeJpeg } from "jpeg-js";
+
 const consumer = join(process.cwd(), "build", "consumer");
 const folder = join(consumer, "command-line");
 
@@ -16,7 +19,7 @@ interface Said {
 }
 
 /** Runs the command as npm links it. */
-function expline(parameters: readonly string[], input = ""): Said {
+function expline(parameters: readonly string[], input: string | Uint8Array = ""): Said {
   const { status, stdout, stderr } = spawnSync(join(consumer, "node_modules", ".bin", "expline"), parameters, { cwd: folder, encoding: "utf8", input });
   return { status, out: stdout, error: stderr };
 }
@@ -27,9 +30,72 @@ const SQUARE = Array.from({ length: 40 }, (_, i) => {
   return [[along, 0], [100, along], [100 - along, 100], [0, 100 - along]][Math.floor(i / 10)]?.join(",");
 }).join("\n");
 
+/** A black square from 10 to 30 in a picture of 40 by 32, red, green, blue and opacity. */
+const PIXELS = Uint8Array.from({ length: 4 * 40 * 32 }, (_, i) => {
+  const [x, y] = [(i >> 2) % 40, Math.floor((i >> 2) / 40)];
+  return i % 4 === 3 ? 255 : x >= 10 && x < 30 && y >= 6 && y < 26 ? 0 : 255;
+});
+const PNG = encodePng({ width: 40, height: 32, data: PIXELS, channels: 4 });
+const SQUARE_PATH = /d="M10 6H30V26H10Z"|d="M(?:30|10) (?:6|26)[HV]\d+[HV]\d+[HV]\d+[Zz]"/;
+
 before(() => {
   mkdirSync(folder, { recursive: true });
   writeFileSync(join(folder, "square.csv"), `x,y\n${SQUARE}\n0,0\n`);
+  writeFileSync(join(folder, "square.png"), PNG);
+  writeFileSync(join(folder, "square.jpg"), encodeJpeg({ width: 40, height: 32, data: PIXELS }, 95).data);
+  writeFileSync(join(folder, "broken.png"), PNG.subarray(0, 60));
+});
+
+test("a PNG becomes an SVG of its size, and one line says what came of it", () => {
+  const { status, out, error } = expline(["trace", "square.png", "-o", "square.svg"]);
+  assert.deepEqual([status, error], [0, ""]);
+  assert.match(out, /^square\.svg: 40 × 32 pixels, 1 contour, 4 points, largest distance [\d.e-]+\n$/);
+  const svg = readFileSync(join(folder, "square.svg"), "utf8");
+  assert.match(svg, /^<svg xmlns="http:\/\/www\.w3\.org\/2000\/svg" viewBox="0 0 40 32"><path d="M[^"]+"\/><\/svg>\n$/);
+  assert.match(svg, SQUARE_PATH);
+});
+
+test("pictures through pipes, and JPEG as well as PNG", () => {
+  const piped = expline(["trace", "-"], PNG);
+  assert.equal(piped.status, 0, piped.error);
+  assert.match(piped.out, SQUARE_PATH);
+  const jpeg = expline(["trace", "square.jpg"]);
+  assert.equal(jpeg.status, 0, jpeg.error);
+  assert.match(jpeg.out, /viewBox="0 0 40 32"><path d="M/);
+});
+
+test("PNG of every depth and kind of colour gives the same outline", () => {
+  const shades = Uint8Array.from({ length: 40 * 32 }, (_, i) => PIXELS[4 * i] ?? 0);
+  const wide = Uint16Array.from(shades, (shade) => 257 * shade);
+  const packed = Uint8Array.from({ length: 5 * 32 }, (_, i) => shades.subarray(8 * i, 8 * i + 8).reduce((byte, shade) => 2 * byte + (shade > 0 ? 1 : 0), 0));
+  const colored = Uint8Array.from({ length: 3 * 40 * 32 }, (_, i) => shades[Math.floor(i / 3)] ?? 0);
+  for (const picture of [
+    { data: shades, channels: 1, depth: 8 },
+    { data: wide, channels: 1, depth: 16 },
+    { data: packed, channels: 1, depth: 1 },
+    { data: packed, channels: 1, depth: 1, palette: [[0, 0, 0], [255, 255, 255]] },
+    { data: colored, channels: 3, depth: 8 },
+  ] as const) {
+    const { palette, ...rest } = picture as typeof picture & { palette?: number[][] };
+    const { status, out, error } = expline(["trace", "-"], encodePng({ width: 40, height: 32, ...rest, ...(palette === undefined ? {} : { palette }) }));
+    assert.equal(status, 0, error);
+    assert.match(out, SQUARE_PATH, `${picture.channels} channels of ${picture.depth} bits`);
+  }
+});
+
+test("several pictures: each beside itself, or all in a folder", () => {
+  mkdirSync(join(folder, "traced"), { recursive: true });
+  const { status, out } = expline(["trace", "square.png", "square.jpg", "-o", "traced", "--format", "json"]);
+  assert.equal(status, 0);
+  assert.equal(out.split("\n").length, 3);
+  const data = JSON.parse(readFileSync(join(folder, "traced", "square.json"), "utf8")) as { contours: { curve: { type: string } }[] };
+  assert.equal(data.contours[0]?.curve.type, "HermiteCurve");
+});
+
+test("flat colours become layers", () => {
+  const { status, out } = expline(["trace", "square.png", "--colors", "#fff,#000"]);
+  assert.equal(status, 0);
+  assert.match(out, /<path fill="#fff" d="M[^"]+"\/><path d="M[^"]+"\/><\/svg>/);
 });
 
 test("points become an SVG within the tolerance, and one line says what came of it", () => {
@@ -82,6 +148,14 @@ for (const [what, parameters, status, words, input] of [
   ["a folder", ["fit", "."], 1, /it is a folder/],
   ["a row that is no point", ["fit", "-"], 1, /standard input:2: "abc" is not a number/, "1,2\nabc,3\n"],
   ["a single number in a row", ["fit", "-"], 1, /standard input:1: "7" is not two numbers/, "7\n"],
+  ["no picture", ["trace"], 2, /needs a PNG or JPEG file/],
+  ["a picture that is not there", ["trace", "nowhere.png"], 1, /nowhere\.png: there is no such file/],
+  ["a picture that is none", ["trace", "square.csv"], 1, /neither a PNG nor a JPEG/],
+  ["half a picture", ["trace", "broken.png"], 1, /broken\.png: this PNG cannot be read/],
+  ["a tolerance of 0", ["trace", "square.png", "--tolerance", "0"], 2, /tolerance is 0/],
+  ["colours out of range", ["trace", "square.png", "--colors", "1"], 2, /colors is 1; expected an integer in \[2, 64\]/],
+  ["a source that there is not", ["trace", "square.png", "--source", "ink"], 2, /--source is "ink"; expected/],
+  ["several pictures for one pipe", ["trace", "square.png", "square.jpg", "-o", "-"], 2, /cannot all go to standard output/],
   ["no points at all", ["fit", "-"], 1, /there are no points/, "x,y\n"],
   ["one point", ["fit", "-"], 1, /points has 1 point; expected at least/, "1,2\n"],
   ["points that are all the same", ["fit", "-"], 1, /points has no unique answer/, "1,2\n1,2\n1,2\n"],

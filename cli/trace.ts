@@ -1,0 +1,115 @@
+/** `expline trace`: pictures in, their outlines out. */
+import { basename, dirname, extname, join } from "node:path";
+
+import { type HermiteCurve, type Trace, type TraceOptions, traceImage } from "expline";
+
+import { Failure, USAGE } from "./failure.ts";
+import { writeText } from "./files.ts";
+import { type Flag, type Given, describeFlags, numberOf, readFlags } from "./flags.ts";
+import { type Picture, readPicture } from "./picture.ts";
+
+const FLAGS: Readonly<Record<string, Flag>> = {
+  tolerance: { value: "D", about: "largest distance of a curve from its contour in pixels, before it is refined" },
+  threshold: { value: "N", about: "shade between ink and paper, 0 … 255; by default found" },
+  blur: { value: "S", about: "deviation in pixels of a blur before all else; by default as much as the noise needs" },
+  invert: { about: "light ink on dark paper" },
+  speckle: { value: "A", about: "leave out contours that enclose fewer square pixels" },
+  corner: { value: "DEG", about: "the least turning of a corner in degrees; 180 knows no corners" },
+  source: { value: "S", about: "what is followed: brightness, the default, or edges" },
+  model: { value: "M", about: "sparse, the default, or wqisa" },
+  colors: { value: "N", about: "at most so many flat colours, or a list: #ffffff,#cc0000,#00aa00" },
+  "no-refine": { about: "contours are followed, but pixels are not asked again" },
+  "max-contours": { value: "N", about: "more than this is refused as a photograph; by default 1500" },
+  decimals: { value: "N", about: "digits after the point in the output; by default 2" },
+  format: { value: "F", about: "svg or json; by default what the output's name says, else svg" },
+  output: { value: "FILE", short: "o", about: "where the result goes; for several pictures a folder. By default standard output, or beside each picture" },
+  help: { short: "h", about: "this text" },
+};
+
+export const TRACE_HELP = `Usage: expline trace PICTURE... [options]
+
+PICTURE is a PNG or JPEG file, or - for standard input.
+
+${describeFlags(FLAGS)}
+`;
+
+type Format = "svg" | "json";
+
+/** Runs the command; what is returned goes to standard output. */
+export function trace(words: readonly string[]): string {
+  const given = readFlags(words, FLAGS);
+  if (given.values.has("help")) return TRACE_HELP;
+  const files = given.operands;
+  if (files.length === 0) throw new Failure(USAGE, "trace needs a PNG or JPEG file, or - for standard input");
+  if (files.filter((file) => file === "-").length > 1) throw new Failure(USAGE, "standard input can be read only once");
+  const options = optionsOf(given);
+  const format = formatOf(given);
+  const decimals = numberOf(given, "decimals");
+  if (decimals !== undefined && !(Number.isInteger(decimals) && decimals >= 0 && decimals <= 17)) {
+    throw new Failure(USAGE, `--decimals is ${decimals}; expected an integer in [0, 17]`);
+  }
+  return files.map((file) => one(file, target(file, given, format, files.length > 1), options, format, decimals)).join("");
+}
+
+function one(file: string, output: string | undefined, options: TraceOptions, format: Format, decimals: number | undefined): string {
+  const picture = readPicture(file);
+  const traced = traceImage(picture, options);
+  const text = format === "json" ? `${JSON.stringify(asData(traced), undefined, 1)}\n` : `${traced.toSvg(decimals === undefined ? {} : { decimals })}\n`;
+  if (output === undefined) return text;
+  writeText(output, text);
+  return `${output}: ${summary(picture, traced)}\n`;
+}
+
+/** Where the result of a picture goes; undefined for standard output. */
+function target(file: string, { values }: Given, format: Format, several: boolean): string | undefined {
+  const asked = values.get("output");
+  if (!several) return asked === "-" ? undefined : asked;
+  if (asked === "-") throw new Failure(USAGE, "several pictures cannot all go to standard output");
+  if (file === "-") return join(asked ?? ".", `picture.${format}`);
+  return join(asked ?? dirname(file), `${basename(file, extname(file))}.${format}`);
+}
+
+function optionsOf(given: Given): TraceOptions {
+  const optional = (name: string, key: keyof TraceOptions, unit = 1): TraceOptions => {
+    const value = numberOf(given, name);
+    return value === undefined ? {} : { [key]: value * unit };
+  };
+  const { values } = given;
+  const colors = values.get("colors");
+  return {
+    ...optional("tolerance", "tolerance"),
+    ...optional("threshold", "threshold"),
+    ...optional("blur", "blur"),
+    ...optional("speckle", "speckle"),
+    ...optional("corner", "corner", Math.PI / 180),
+    ...optional("max-contours", "maxContours"),
+    ...(colors === undefined ? {} : colors.startsWith("#") ? { colors: colors.split(",") } : optional("colors", "colors")),
+    ...oneOf(values, "source", ["brightness", "edges"]),
+    ...oneOf(values, "model", ["sparse", "wqisa"]),
+    invert: values.has("invert"),
+    refine: !values.has("no-refine"),
+  };
+}
+
+function oneOf<N extends "source" | "model">(values: Given["values"], name: N, words: readonly string[]): TraceOptions {
+  const value = values.get(name);
+  if (value === undefined) return {};
+  if (!words.includes(value)) throw new Failure(USAGE, `--${name} is ${JSON.stringify(value.slice(0, 40))}; expected ${words.join(" or ")}`);
+  return { [name]: value };
+}
+
+function formatOf({ values }: Given): Format {
+  const asked = values.get("format") ?? /\.(json)$/iu.exec(values.get("output") ?? "")?.[1]?.toLowerCase() ?? "svg";
+  if (asked !== "svg" && asked !== "json") throw new Failure(USAGE, `--format is ${JSON.stringify(asked.slice(0, 40))}; expected svg or json`);
+  return asked;
+}
+
+function asData({ width, height, contours }: Trace): object {
+  return { width, height, contours: contours.map(({ curve, ...rest }) => ({ curve: curve.toJSON(), ...rest })) };
+}
+
+function summary({ width, height }: Picture, { contours }: Trace): string {
+  const points = contours.reduce((sum, { curve }) => sum + (curve as HermiteCurve).points.length / 2, 0);
+  const farthest = Math.max(0, ...contours.map(({ metrics }) => metrics.hausdorff));
+  return `${width} × ${height} pixels, ${contours.length} ${contours.length === 1 ? "contour" : "contours"}, ${points} points, largest distance ${Number(farthest.toPrecision(3))}`;
+}
