@@ -199,6 +199,8 @@ async function start<K extends AnyKernel>(engine: Engine<K>, given: unknown): Pr
   const { wasmUrl, bytes, module: ready } = checkOptions(op, given, ["wasmUrl", "bytes", "module"]);
   let next: WebAssembly.Module;
   if (ready !== undefined) next = asModule(op, ready);
+  // An instance has died: its module is as good as it was.
+  else if (given === undefined && engine.module !== undefined) next = engine.module;
   else if (wasmUrl !== undefined) next = await fetched(op, wasmUrl);
   else if (bytes === undefined && address !== undefined) next = await fetched(op, address());
   else next = await compiled(op, bytes === undefined ? inlined(engine) : asBytes(op, bytes));

@@ -179,9 +179,9 @@ fn join(crossings: &mut Crossings, corners: [f64; 4], ink: [bool; 4], sides: [u3
     let leaves = |i: usize| !ink[i] && ink[(i + 1) % 4];
     let count = (0..4).filter(|&i| enters(i)).count();
     if count == 2 {
-        // A saddle: the four together say whether the ink is joined through the middle.
+        // A saddle: the four together say whether the ink is joined through the middle; where they are even, it is.
         let mean = corners.iter().filter(|value| !value.is_nan()).sum::<f64>();
-        let joined = mean > 0.0;
+        let joined = mean >= 0.0;
         for from in (0..4).filter(|&i| enters(i)) {
             link(from, if joined { (from + 1) % 4 } else { (from + 3) % 4 });
         }
