@@ -1,6 +1,8 @@
 // The side-by-side table. Usage: node bench/run.mjs NATIVE-PROGRAM KURBO-WASM [part of a title]
 
+import { execFileSync } from "node:child_process";
 import { cpus } from "node:os";
+import { fileURLToPath } from "node:url";
 
 import * as expline from "expline";
 
@@ -61,4 +63,13 @@ for (const [title, prepare] of [...evaluationRows, ...geometryRows, ...pathRows,
   console.log("");
 }
 native.close();
+const MEMORY = "memory of a sparse fit";
+if (MEMORY.includes(only)) {
+  console.log(`${MEMORY}, degree 3, 2000 places for knots: what wasm takes beside its start`);
+  for (const count of [25_000, 50_000, 100_000]) {
+    const [before, after] = execFileSync("node", [fileURLToPath(new URL("memory.mjs", import.meta.url)), String(count), "2000"], { encoding: "utf8" }).split(" ").map(Number);
+    console.log(`  ${String(count).padStart(6)} points ${((after - before) / 2 ** 20).toFixed(1).padStart(6)} MiB, ${((after - before) / count).toFixed(0)} bytes for each`);
+  }
+  console.log("");
+}
 console.log(verdicts.join("\n"));

@@ -74,7 +74,6 @@ impl Sparse {
         let total: usize = sizes.iter().sum();
         let mut squares = Triplets::default();
         let mut linear = vec![0.0; 3 * total];
-        let mut constant = 0.0;
         for (m, point) in self.points.iter().enumerate() {
             let row = self.row(m as f64, count as f64);
             for &(i, a) in &row {
@@ -85,7 +84,6 @@ impl Sparse {
                     squares.add(total + i, total + j, 2.0 * a * b);
                 }
             }
-            constant += point.norm_squared();
         }
         let (mut rows, mut cones) = (Triplets::default(), Vec::new());
         let mut height = 0;
@@ -104,11 +102,10 @@ impl Sparse {
             for k in 0..size {
                 linear[2 * total + first + k] = lambda;
                 rows.add(height, 2 * total + first + k, -1.0);
-                for (j, weight) in binomials(degree + 1).into_iter().enumerate() {
-                    let i = first + (k + size + (degree + 1) / 2 - j) % size;
-                    let jump = weight / step.powi(degree as i32);
-                    rows.add(height + 1, i, -jump);
-                    rows.add(height + 2, total + i, -jump);
+                for (i, weight) in jump(degree, size, k) {
+                    let weight = weight / step.powi(degree as i32);
+                    rows.add(height + 1, first + i, -weight);
+                    rows.add(height + 2, total + first + i, -weight);
                 }
                 cones.push(SupportedConeT::SecondOrderConeT(3));
                 height += 3;
@@ -119,7 +116,29 @@ impl Sparse {
         let (p, a) = (squares.matrix(3 * total, 3 * total), rows.matrix(height, 3 * total));
         let mut solver = DefaultSolver::new(&p, &linear, &a, &vec![0.0; height], &cones, settings)?;
         solver.solve();
-        Ok(solver.solution.obj_val + constant)
+        Ok(self.objective(&solver.solution.x))
+    }
+
+    /// The objective at coefficients, whatever a solver says of it.
+    fn objective(&self, x: &[f64]) -> f64 {
+        let length = self.points.len() as f64;
+        let total: usize = self.splines.iter().map(|s| s.2).sum();
+        let at = |i: usize| Vector::new(x[i], x[total + i]);
+        let deviation = |(m, point): (usize, &Vector)| {
+            let curve: Vector = self.row(m as f64, length).iter().map(|&(i, value)| at(i) * value).sum();
+            (curve - point).norm_squared()
+        };
+        let mut objective: f64 = self.points.iter().enumerate().map(deviation).sum();
+        let mut first = 0;
+        for &(degree, lambda, size) in &self.splines {
+            let step = length / size as f64;
+            for k in 0..size {
+                let jump: Vector = jump(degree, size, k).map(|(i, weight)| at(first + i) * weight).sum();
+                objective += lambda * jump.norm() / step.powi(degree as i32);
+            }
+            first += size;
+        }
+        objective
     }
 
     /// The B-splines at a parameter: index among all coefficients, and value.
@@ -151,13 +170,15 @@ fn b_spline(degree: usize, x: f64) -> f64 {
     ((half + x) * b_spline(degree - 1, x + 0.5) + (half - x) * b_spline(degree - 1, x - 0.5)) / degree as f64
 }
 
-/// The binomial coefficients of a power, signs alternating.
-fn binomials(power: usize) -> Vec<f64> {
-    let next = |value: f64, j: usize| -value * (power - j) as f64 / (j + 1) as f64;
-    (0..power)
-        .scan(1.0, |value, j| Some(std::mem::replace(value, next(*value, j))))
-        .chain([if power.is_multiple_of(2) { 1.0 } else { -1.0 }])
-        .collect()
+/// The jump at the k-th knot of a closed spline of odd degree on a grid of step 1: indices of coefficients, and their weights.
+fn jump(degree: usize, size: usize, k: usize) -> impl Iterator<Item = (usize, f64)> {
+    let power = degree + 1;
+    let mut weight = 1.0;
+    (0..=power).map(move |j| {
+        let own = weight;
+        weight *= -((power - j) as f64) / (j + 1) as f64;
+        ((k + size + power / 2 - j) % size, own)
+    })
 }
 
 /// Entries of a sparse matrix; those of one place are added.
