@@ -67,6 +67,9 @@ fn score(samples: &Samples, i: isize, rule: &CornerRule) -> f64 {
     if 2 * far > samples.len() as isize {
         return 0.0;
     }
+    if !samples.closed && (i < far || i + far >= samples.len() as isize) {
+        return 0.0;
+    }
     let here = samples.at(i);
     let chords = turn(here - samples.at(i - far), samples.at(i + far) - here);
     if chords.abs() < 0.6 * rule.angle {

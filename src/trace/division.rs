@@ -65,6 +65,26 @@ pub(super) fn divide(samples: &Samples, corners: &[Corner], rule: &DivisionRule)
     outline
 }
 
+/// Divides an open line at its corners as [`divide`] does. A straight piece that leads from its end to its start closes the outline.
+pub(super) fn divide_open(samples: &Samples, corners: &[Corner], rule: &DivisionRule) -> Outline {
+    let outline = Outline { nodes: Vec::new(), pieces: Vec::new() };
+    let last = samples.len() as isize - 1;
+    let mut divider = Divider { samples, rule, outline, longest: last };
+    let free = |index: isize, point: Point| Anchor { index, point, tangent: Tangent::Free };
+    let mut start = free(0, samples.at(0));
+    let ends = corners.iter().map(|corner| free(corner.index, corner.point));
+    for end in ends.chain([free(last, samples.at(last))]) {
+        let gap = samples.steps(rule.gap);
+        let runs = divider.runs(start.index + gap, end.index - gap);
+        divider.stretch(start, end, &runs);
+        start = end;
+    }
+    divider.emit(start, Piece::Line);
+    let mut outline = divider.outline;
+    outline.align();
+    outline
+}
+
 impl Divider<'_> {
     /// A contour without corners begins with a straight run, or where it is flattest.
     fn round(&mut self) {

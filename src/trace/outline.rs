@@ -110,6 +110,24 @@ impl Outline {
         self.align();
     }
 
+    /// The outline without its last piece, which only closes it.
+    pub(super) fn to_open_curve(&self) -> Result<HermiteCurve> {
+        let last = self.len() - 1;
+        let leaving = |i: usize| self.cubic(if i == last { self.before(i) } else { i });
+        let arriving = |i: usize| self.cubic(if i == 0 { 0 } else { self.before(i) });
+        HermiteCurve::new(HermiteOptions {
+            points: self.nodes.iter().map(|node| node.point).collect(),
+            tangents: (0..=last)
+                .map(|i| if i == last { leaving(i).arriving } else { leaving(i).leaving } * 3.0)
+                .collect(),
+            tangents_in: (0..=last)
+                .map(|i| if i == 0 { arriving(i).leaving } else { arriving(i).arriving } * 3.0)
+                .collect(),
+            omega: vec![0.0; last],
+            ..Default::default()
+        })
+    }
+
     /// The outline as a curve whose segments are its pieces.
     pub(super) fn to_curve(&self) -> Result<HermiteCurve> {
         let points = self.nodes.iter().map(|node| node.point).collect();

@@ -224,6 +224,9 @@ impl Profile {
                 arriving = (end - piece[piece.len() - 2]) * degree;
             }
         }
+        if data.points.len() < 2 {
+            return polygon(&self.chain);
+        }
         if data.closed {
             if let Some(first) = data.tangents_in.first_mut() {
                 *first = arriving;
@@ -247,6 +250,25 @@ impl Profile {
     pub fn metrics(&self) -> Result<Metrics> {
         agreement(&self.curve()?, self.chain.points())
     }
+}
+
+/// A chain of a few points that are smoothed into one: straight from point to point.
+fn polygon(chain: &Chain) -> Result<HermiteCurve> {
+    let (points, closed) = (chain.points().to_vec(), chain.is_closed());
+    let count = points.len();
+    let way = |from: usize, to: usize| points[to] - points[from];
+    let leaving = |i: usize| if i + 1 < count || closed { way(i, (i + 1) % count) } else { way(i - 1, i) };
+    let arriving = |i: usize| if i > 0 || closed { way((i + count - 1) % count, i) } else { way(0, 1) };
+    let tangents = (0..count).map(leaving).collect();
+    let tangents_in = (0..count).map(arriving).collect();
+    HermiteCurve::new(HermiteOptions {
+        closed,
+        space: Some(Space::Polynomial),
+        tangents,
+        tangents_in,
+        points,
+        ..HermiteOptions::default()
+    })
 }
 
 impl TubeFit {

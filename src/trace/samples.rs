@@ -10,12 +10,14 @@ const SPACING: f64 = 0.5;
 /// A parabola is taken for the contour up to here, in pixels: the contour of exact coverage strays by a twenty-fifth.
 const STRAY: f64 = 0.11;
 
-/// A closed polyline at even distances.
+/// A polyline at even distances.
 #[derive(Debug)]
 pub(super) struct Samples {
     pub(super) points: Vec<Point>,
     /// The distance between neighbours along the polyline.
     pub(super) spacing: f64,
+    /// Whether the last place is followed by the first.
+    pub(super) closed: bool,
 }
 
 /// A line through the middle of some places.
@@ -45,15 +47,39 @@ impl Samples {
         while points.len() < count {
             points.push(polyline[0]);
         }
-        Self { points, spacing }
+        Self { points, spacing, closed: true }
+    }
+
+    /// An open polyline, both ends included.
+    pub(super) fn open(polyline: &[Point]) -> Self {
+        let length: f64 = polyline.windows(2).map(|pair| norm(pair[1] - pair[0])).sum();
+        let count = ((length / SPACING).round() as usize).max(4);
+        let spacing = length / count as f64;
+        let mut points = Vec::with_capacity(count + 1);
+        let mut travelled = 0.0;
+        for pair in polyline.windows(2) {
+            let step = norm(pair[1] - pair[0]);
+            while points.len() < count && points.len() as f64 * spacing <= travelled + step {
+                let share = if step > 0.0 { (points.len() as f64 * spacing - travelled) / step } else { 0.0 };
+                points.push(pair[0] + (pair[1] - pair[0]) * share);
+            }
+            travelled += step;
+        }
+        while points.len() <= count {
+            points.push(polyline[polyline.len() - 1]);
+        }
+        Self { points, spacing: spacing.max(1e-9), closed: false }
     }
 
     pub(super) fn len(&self) -> usize {
         self.points.len()
     }
 
-    /// The place at a signed index, around the polyline.
+    /// The place at a signed index, around the polyline; the ends of an open one go on for ever.
     pub(super) fn at(&self, i: isize) -> Point {
+        if !self.closed {
+            return self.points[i.max(0).min(self.points.len() as isize - 1) as usize];
+        }
         self.points[i.rem_euclid(self.points.len() as isize) as usize]
     }
 

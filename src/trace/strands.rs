@@ -23,6 +23,9 @@ pub(super) struct StrandRule {
     pub(super) agree: f64,
     /// Profiles of fewer points are left out.
     pub(super) least: usize,
+    /// How many points next to an end say nothing of its direction, and how many after them do.
+    pub(super) skip: usize,
+    pub(super) reach: usize,
 }
 
 /// Points in order; a ring's last point leads to the first.
@@ -31,9 +34,6 @@ struct Strand {
     points: Vec<Point>,
     ring: bool,
 }
-
-/// How many points of a strand its direction at an end is taken from.
-const REACH: usize = 8;
 
 /// The profiles of a picture: edge points in order, one chain for every line of them, through lines going on through junctions.
 ///
@@ -66,6 +66,8 @@ pub fn profiles(edges: &Edges) -> Result<Vec<Chain>> {
         gap: 3.0,
         agree: 25_f64.to_radians(),
         least: 6,
+        skip: 0,
+        reach: 8,
     };
     join(&graph(&lines)?, &place, &rule)
 }
@@ -85,7 +87,7 @@ pub(super) fn join(graph: &Graph, place: &dyn Fn(Pixel) -> Point, rule: &StrandR
         strands.push(Strand { points, ring: branch.nodes.is_none() });
     }
     prune(&mut strands, &mut ends, centers.len(), rule.spur);
-    let partners = continuations(&strands, &ends, centers.len(), rule.straight);
+    let partners = continuations(&strands, &ends, centers.len(), rule);
     let mut joined = assemble(&strands, &partners);
     joined.retain(|strand| strand.points.len() >= rule.least);
     let partners = bridges(&joined, rule);
@@ -140,18 +142,24 @@ fn prune(strands: &mut Vec<Strand>, ends: &mut Vec<[usize; 2]>, nodes: usize, sp
 }
 
 /// The direction in which a strand leaves one of its ends.
-fn leaving(strand: &Strand, last: bool) -> Vector {
+fn leaving(strand: &Strand, last: bool, rule: &StrandRule) -> Vector {
     let n = strand.points.len();
-    let reach = REACH.min(n - 1);
+    let far = (rule.skip + rule.reach).min(n - 1);
+    let near = rule.skip.min(far / 2);
     if last {
-        unit(strand.points[n - 1 - reach] - strand.points[n - 1])
+        unit(strand.points[n - 1 - far] - strand.points[n - 1 - near])
     } else {
-        unit(strand.points[reach] - strand.points[0])
+        unit(strand.points[far] - strand.points[near])
     }
 }
 
 /// At every node the ends that go on as each other: the two at a bend, and the straightest pairs at a junction. Ends are numbered two to a strand.
-fn continuations(strands: &[Strand], ends: &[[usize; 2]], nodes: usize, straight: f64) -> Vec<Option<usize>> {
+fn continuations(
+    strands: &[Strand],
+    ends: &[[usize; 2]],
+    nodes: usize,
+    rule: &StrandRule,
+) -> Vec<Option<usize>> {
     let mut partners = vec![None; 2 * strands.len()];
     let mut at: Vec<Vec<usize>> = vec![Vec::new(); nodes];
     for (i, pair) in ends.iter().enumerate().filter(|(i, _)| !strands[*i].ring) {
@@ -162,15 +170,15 @@ fn continuations(strands: &[Strand], ends: &[[usize; 2]], nodes: usize, straight
         let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
         for (k, &a) in meeting.iter().enumerate() {
             for &b in &meeting[k + 1..] {
-                let out = leaving(&strands[a / 2], a % 2 == 1);
-                let other = leaving(&strands[b / 2], b % 2 == 1);
+                let out = leaving(&strands[a / 2], a % 2 == 1, rule);
+                let other = leaving(&strands[b / 2], b % 2 == 1, rule);
                 pairs.push((turn(out, -other).abs(), a, b));
             }
         }
         pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
         for (angle, a, b) in pairs {
             let bend = meeting.len() == 2;
-            if (bend || angle < straight) && partners[a].is_none() && partners[b].is_none() {
+            if (bend || angle < rule.straight) && partners[a].is_none() && partners[b].is_none() {
                 (partners[a], partners[b]) = (Some(b), Some(a));
             }
         }
@@ -184,15 +192,15 @@ fn bridges(strands: &[Strand], rule: &StrandRule) -> Vec<Option<usize>> {
     let mut loose: Vec<(Point, Vector, usize)> = Vec::new();
     for (i, strand) in strands.iter().enumerate().filter(|(_, strand)| !strand.ring) {
         let n = strand.points.len();
-        loose.push((strand.points[0], leaving(strand, false), 2 * i));
-        loose.push((strand.points[n - 1], leaving(strand, true), 2 * i + 1));
+        loose.push((strand.points[0], leaving(strand, false, rule), 2 * i));
+        loose.push((strand.points[n - 1], leaving(strand, true, rule), 2 * i + 1));
     }
     loose.sort_by(|a, b| a.0.x.total_cmp(&b.0.x).then(a.2.cmp(&b.2)));
     let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
     for (k, (p, out, a)) in loose.iter().enumerate() {
         for (q, other, b) in loose[k + 1..].iter().take_while(|(q, _, _)| q.x - p.x <= rule.gap) {
             let gap = norm(q - p);
-            let whole = a / 2 != b / 2 || strands[a / 2].points.len() > 2 * REACH;
+            let whole = a / 2 != b / 2 || strands[a / 2].points.len() > 2 * rule.reach;
             let ahead = gap < 1.5 || turn(-*out, unit(q - p)).abs() < 2.0 * rule.agree;
             if gap <= rule.gap && whole && ahead && turn(-*out, *other).abs() < rule.agree {
                 pairs.push((gap, *a.min(b), *a.max(b)));

@@ -1,5 +1,6 @@
 //! The door to tracing: a picture and options in, curves out, a few milliseconds at a time.
 
+use super::chain_work::ChainWork;
 use super::gray::Gray;
 use super::ink::InkWork;
 use super::tones::Tones;
@@ -182,13 +183,11 @@ impl Tracer {
     /// Options out of range or that do not go together.
     pub fn new(gray: Gray, options: &TraceOptions) -> Result<Self> {
         options.check()?;
-        let work = match (options.source, options.model) {
-            (Source::Brightness, Model::Sparse) => InkWork::new(gray, *options),
-            _ => {
-                return Err(Error::degenerate("source", None, "only sparse outlines of ink are traced here"));
-            }
+        let work: Box<dyn Work> = match (options.source, options.model) {
+            (Source::Brightness, Model::Sparse) => Box::new(InkWork::new(gray, *options)),
+            _ => Box::new(ChainWork::new(gray, *options)),
         };
-        Ok(Self { work: Box::new(work) })
+        Ok(Self { work })
     }
 
     /// Goes on for about `budget` microseconds, at least by the least bit of work, and no further than to the next stage. Whoever wants no

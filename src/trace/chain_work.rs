@@ -1,0 +1,224 @@
+//! Chains on their way to curves: edges, centre lines, and outlines that quasi-interpolants follow.
+
+use super::agreement::agreement;
+use super::canny::EdgeOptions;
+use super::centre::centre_lines;
+use super::chain::Chain;
+use super::contour::{Contour, ContourScan};
+use super::corners::{CornerRule, corners};
+use super::cusps::CuspRule;
+use super::division::{DivisionRule, divide, divide_open};
+use super::gray::Gray;
+use super::maxima::MaximaScan;
+use super::profile::ProfileOptions;
+use super::samples::Samples;
+use super::strands::profiles;
+use super::tones::{ToneScan, Tones};
+use super::tracer::{Model, Progress, Source, Stage, Trace, TraceOptions, TracedContour, Work};
+use crate::curve::Curve;
+use crate::error::{Error, Result};
+use crate::numerics::plane::norm;
+
+/// Pixels of one bit of work.
+const BIT: usize = 32_768;
+
+/// Chains that are found and then followed one by one.
+#[derive(Debug)]
+pub(super) struct ChainWork {
+    gray: Gray,
+    options: TraceOptions,
+    phase: Phase,
+    progress: Progress,
+    chains: Vec<Chain>,
+    /// How far corners are rounded by the blur or the width of lines, in pixels.
+    rounding: f64,
+    trace: Trace,
+}
+
+/// What is done next.
+#[derive(Debug)]
+enum Phase {
+    Tones(ToneScan),
+    Maxima(MaximaScan, f64),
+    Contours(ContourScan),
+    Splines,
+}
+
+impl ChainWork {
+    pub(super) fn new(gray: Gray, options: TraceOptions) -> Self {
+        let given = options.threshold.map(|shade| shade as usize);
+        let tones = Tones { ink: 0.0, paper: 65_280.0, noise: 0.0 };
+        let total = gray.height();
+        Self {
+            gray,
+            options,
+            phase: Phase::Tones(ToneScan::new(given)),
+            progress: Progress { done: false, stage: Stage::Edges, completed: 0, total },
+            chains: Vec::new(),
+            rounding: 1.0,
+            trace: Trace { contours: Vec::new(), tones, residual: 0.0 },
+        }
+    }
+
+    fn edge_options(&self) -> EdgeOptions {
+        EdgeOptions { sigma: self.options.blur.map(|sigma| sigma.max(0.3).min(8.0)), high: None, low: None }
+    }
+
+    fn level(&self) -> f64 {
+        let tones = self.trace.tones;
+        self.options.threshold.map_or(0.5 * (tones.ink + tones.paper), |shade| 256.0 * shade)
+    }
+
+    fn toned(&mut self, tones: Tones) -> Result<()> {
+        self.trace.tones = tones;
+        if self.options.source == Source::Edges {
+            let sigma = self.edge_options().sigma(tones.noise);
+            self.rounding = sigma;
+            self.phase = Phase::Maxima(MaximaScan::new(&self.gray, sigma)?, sigma);
+        } else {
+            let scan = ContourScan::new(&self.gray, self.level(), self.options.inverted);
+            self.phase = Phase::Contours(scan);
+            let total = self.gray.height() + 1;
+            self.progress = Progress { done: false, stage: Stage::Contours, completed: 0, total };
+        }
+        Ok(())
+    }
+
+    fn found(&mut self, mut chains: Vec<Chain>) -> Result<()> {
+        chains.retain(has_extent);
+        let most = self.options.most_contours;
+        if chains.len() > most {
+            return Err(Error::limit("data", "maxContours", most, chains.len() as f64));
+        }
+        self.chains = chains;
+        let total = self.chains.len();
+        self.progress = Progress { done: total == 0, stage: Stage::Splines, completed: 0, total };
+        self.phase = Phase::Splines;
+        Ok(())
+    }
+
+    /// Contours are the chains, or the outlines of the lines that are.
+    fn contoured(&mut self, contours: &[Contour]) -> Result<()> {
+        let chains = if self.options.source == Source::Lines {
+            let lines = centre_lines(&self.gray, self.level(), self.options.inverted, contours)?;
+            self.rounding = (0.4 * lines.half_width).max(1.0);
+            lines.chains
+        } else {
+            let mut chains = Vec::new();
+            for contour in contours {
+                chains.push(Chain::new(contour.points.clone(), true)?);
+            }
+            chains
+        };
+        self.found(chains)
+    }
+
+    /// The curve of one chain.
+    fn follow(&mut self, i: usize) -> Result<f64> {
+        let chain = &self.chains[i];
+        let traced = if self.options.model == Model::QuasiInterpolant {
+            quasi_interpolant(chain, &self.options, self.rounding)?
+        } else {
+            sparse(chain, &self.options, self.rounding)?
+        };
+        let hole = self.options.source == Source::Brightness && traced.curve.area().is_ok_and(|a| a < 0.0);
+        self.trace.contours.push(TracedContour { hole, ..traced });
+        Ok(2.0 * chain.points().len() as f64)
+    }
+}
+
+/// Whether not all points are at one place.
+fn has_extent(chain: &Chain) -> bool {
+    let first = chain.points()[0];
+    chain.points().iter().any(|p| norm(p - first) > 0.05)
+}
+
+/// A chain as splines from local polynomials, tube by tube.
+fn quasi_interpolant(chain: &Chain, options: &TraceOptions, rounding: f64) -> Result<TracedContour> {
+    let (angle, reach) = (options.corner, 1.5 * rounding);
+    let cusps = CuspRule { gap: rounding, window: 4.0 + rounding, angle, reach };
+    let profile = chain.follow(&ProfileOptions { cusps, ..ProfileOptions::default() })?;
+    let cusps = profile.cusps().iter().map(|cusp| cusp.point).collect();
+    let (curve, metrics) = (profile.curve()?, profile.metrics()?);
+    Ok(TracedContour { curve, closed: chain.is_closed(), hole: false, cusps, metrics })
+}
+
+/// A chain as few lines and cubics between its corners.
+fn sparse(chain: &Chain, options: &TraceOptions, rounding: f64) -> Result<TracedContour> {
+    let closed = chain.is_closed();
+    let samples = if closed { Samples::new(chain.points()) } else { Samples::open(chain.points()) };
+    let rules =
+        [CornerRule { gap: rounding, window: 3.0 + rounding, angle: options.corner, reach: 1.2 * rounding }];
+    let corners = corners(&samples, &rules);
+    // Nothing is refined afterwards: what the chain says is all that is known.
+    let most = 0.6 * options.tolerance;
+    let rule = DivisionRule {
+        gap: 1.2 * rounding,
+        straight: 0.12,
+        least_run: 8.0,
+        most,
+        rms: 0.41 * most,
+        reach: 4.0,
+    };
+    let outline =
+        if closed { divide(&samples, &corners, &rule) } else { divide_open(&samples, &corners, &rule) };
+    if closed && outline.len() < 2 {
+        // A ring of a few pixels: one piece would have to lead back to its start.
+        return quasi_interpolant(chain, options, rounding);
+    }
+    let curve = if closed { outline.to_curve()? } else { outline.to_open_curve()? };
+    let cusps = corners.iter().map(|corner| corner.point).collect();
+    let metrics = agreement(&curve, chain.points())?;
+    Ok(TracedContour { curve, closed, hole: false, cusps, metrics })
+}
+
+impl Work for ChainWork {
+    fn step(&mut self) -> Result<f64> {
+        let options = self.edge_options();
+        let rows = (BIT / self.gray.width()).max(1);
+        match &mut self.phase {
+            Phase::Tones(scan) => {
+                if let Some(tones) = scan.step(&self.gray) {
+                    self.toned(tones)?;
+                }
+                return Ok(0.2 * self.gray.width() as f64);
+            }
+            Phase::Maxima(scan, sigma) => {
+                for _ in 0..rows {
+                    if scan.step(&self.gray)? {
+                        let sigma = *sigma;
+                        let scan = core::mem::replace(scan, MaximaScan::new(&self.gray, sigma)?);
+                        let edges = scan.edges(&self.gray, &options, sigma)?;
+                        self.found(profiles(&edges)?)?;
+                        break;
+                    }
+                }
+            }
+            Phase::Contours(scan) => {
+                for _ in 0..rows {
+                    if !scan.step(&self.gray)? {
+                        let found = scan.contours(self.options.speckle)?;
+                        self.contoured(&found)?;
+                        break;
+                    }
+                    self.progress.completed = scan.rows().min(self.progress.total);
+                }
+            }
+            Phase::Splines => {
+                let cost = self.follow(self.progress.completed)?;
+                self.progress.completed += 1;
+                self.progress.done = self.progress.completed == self.progress.total;
+                return Ok(cost);
+            }
+        }
+        Ok(1000.0)
+    }
+
+    fn progress(&self) -> Progress {
+        self.progress
+    }
+
+    fn trace(&self) -> Option<&Trace> {
+        self.progress.done.then_some(&self.trace)
+    }
+}

@@ -1,0 +1,174 @@
+//! Strokes come back as their centre lines, edges as curves, all through one door.
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use expline::numerics::Point;
+use expline::trace::{Gray, Model, Source, Trace, TraceOptions, TracedContour, trace};
+
+/// Places per pixel and axis at which a test picture asks whether there is ink.
+const FINE: usize = 8;
+
+/// Draws strokes of half width `half` around polylines, with round ends and joins.
+fn strokes(width: usize, height: usize, half: f64, lines: &[&[(f64, f64)]]) -> Vec<u8> {
+    let off = |x: f64, y: f64| {
+        let pairs = lines.iter().flat_map(|line| line.windows(2));
+        pairs
+            .map(|pair| {
+                let ((ax, ay), (bx, by)) = (pair[0], pair[1]);
+                let (dx, dy) = (bx - ax, by - ay);
+                let length = (dx * dx + dy * dy).max(1e-12);
+                let t = (((x - ax) * dx + (y - ay) * dy) / length).clamp(0.0, 1.0);
+                (x - ax - t * dx).hypot(y - ay - t * dy)
+            })
+            .fold(f64::MAX, f64::min)
+    };
+    let mut bytes = Vec::with_capacity(width * height);
+    for row in 0..height {
+        for column in 0..width {
+            let place = |start: usize, k: usize| start as f64 + (k as f64 + 0.5) / FINE as f64;
+            let hits = (0..FINE * FINE)
+                .filter(|k| off(place(column, k % FINE), place(row, k / FINE)) <= half)
+                .count();
+            bytes.push((255.0 * (1.0 - hits as f64 / (FINE * FINE) as f64)).round() as u8);
+        }
+    }
+    bytes
+}
+
+fn traced(width: usize, height: usize, bytes: &[u8], source: Source, model: Model) -> Trace {
+    let gray = Gray::from_bytes(width, height, bytes).expect("a valid picture");
+    trace(gray, &TraceOptions { source, model, ..TraceOptions::default() }).expect("a trace")
+}
+
+fn lines(width: usize, height: usize, bytes: &[u8]) -> Trace {
+    traced(width, height, bytes, Source::Lines, Model::Sparse)
+}
+
+fn ends(contour: &TracedContour) -> [Point; 2] {
+    let points = contour.curve.points();
+    [points[0], points[points.len() - 1]]
+}
+
+fn has_end(contour: &TracedContour, x: f64, y: f64, within: f64) -> bool {
+    ends(contour).iter().any(|p| (p - Point::new(x, y)).norm() < within)
+}
+
+#[test]
+fn a_stroke_is_its_centre_line_from_middle_to_middle_of_its_round_ends() {
+    for half in [1.5, 3.0, 7.0] {
+        let picture = strokes(72, 40, half, &[&[(12.3, 11.8), (58.9, 27.2)]]);
+        let found = lines(72, 40, &picture);
+        assert_eq!(found.contours.len(), 1, "half width {half}");
+        let line = &found.contours[0];
+        assert!(!line.closed && line.cusps.is_empty(), "open and straight");
+        // Two outlines of 0.04 each, their normals good to a degree; pixels round the ends of thin strokes.
+        let within = if half < 4.0 { 0.8 } else { 0.3 };
+        let both = has_end(line, 12.3, 11.8, within) && has_end(line, 58.9, 27.2, within);
+        assert!(both, "{half}: {:?}", ends(line));
+        let (sin, cos) = ((27.2 - 11.8) / 49.077, (58.9 - 12.3) / 49.077);
+        let off = |p: Point| ((p.x - 12.3) * sin - (p.y - 11.8) * cos).abs();
+        let middle = line.curve.evaluate(0.5 * line.curve.domain().1, 0).expect("inside");
+        assert!(off(middle) < 0.1, "half width {half}: {}", off(middle));
+    }
+}
+
+#[test]
+fn a_ring_is_one_closed_line_and_a_dot_is_a_short_one() {
+    let circle: Vec<(f64, f64)> = (0..=90)
+        .map(|i| f64::from(i) * 4.0_f64.to_radians())
+        .map(|a| (32.0 + 20.0 * a.cos(), 31.0 + 20.0 * a.sin()))
+        .collect();
+    let picture = strokes(64, 64, 3.5, &[&circle, &[(32.4, 31.2), (32.4, 31.2)]]);
+    let found = lines(64, 64, &picture);
+    assert_eq!(found.contours.len(), 2);
+    let ring = found.contours.iter().find(|c| c.closed).expect("a ring");
+    let (from, to) = ring.curve.domain();
+    for i in 0..60 {
+        let p = ring.curve.evaluate(from + (to - from) * f64::from(i) / 60.0, 0).expect("inside");
+        assert!(((p - Point::new(32.0, 31.0)).norm() - 20.0).abs() < 0.25, "{p:?}");
+    }
+    let dot = found.contours.iter().find(|c| !c.closed).expect("a dot");
+    assert!(has_end(dot, 32.4, 31.2, 0.3), "{:?}", ends(dot));
+}
+
+#[test]
+fn through_lines_go_on_where_lines_meet_and_the_others_end_on_them() {
+    // A T: the stem ends on the bar.
+    let stem = strokes(72, 64, 4.0, &[&[(10.0, 14.0), (62.0, 14.0)], &[(36.0, 14.0), (36.0, 54.0)]]);
+    let found = lines(72, 64, &stem);
+    assert_eq!(found.contours.len(), 2);
+    assert!(found.contours.iter().any(|c| has_end(c, 10.0, 14.0, 0.3) && has_end(c, 62.0, 14.0, 0.3)), "bar");
+    assert!(
+        found.contours.iter().any(|c| has_end(c, 36.0, 14.0, 0.4) && has_end(c, 36.0, 54.0, 0.3)),
+        "stem"
+    );
+    // An X: both go through.
+    let cross = strokes(72, 64, 4.0, &[&[(12.0, 10.0), (60.0, 54.0)], &[(60.0, 12.0), (12.0, 52.0)]]);
+    let found = lines(72, 64, &cross);
+    assert_eq!(found.contours.len(), 2);
+    assert!(found.contours.iter().any(|c| has_end(c, 12.0, 10.0, 0.3) && has_end(c, 60.0, 54.0, 0.3)), "one");
+    assert!(found.contours.iter().any(|c| has_end(c, 60.0, 12.0, 0.3) && has_end(c, 12.0, 52.0, 0.3)), "two");
+}
+
+#[test]
+fn a_bend_keeps_its_corner() {
+    let picture = strokes(72, 64, 3.0, &[&[(12.0, 52.0), (14.0, 12.0), (60.0, 14.0)]]);
+    let found = lines(72, 64, &picture);
+    assert_eq!(found.contours.len(), 1);
+    let cusps = &found.contours[0].cusps;
+    assert_eq!(cusps.len(), 1);
+    assert!((cusps[0] - Point::new(14.0, 12.0)).norm() < 0.4, "{cusps:?}");
+}
+
+#[test]
+fn edges_come_through_the_same_door_by_both_models() {
+    let disk = strokes(64, 64, 20.0, &[&[(31.5, 32.2), (31.5, 32.2)]]);
+    for model in [Model::Sparse, Model::QuasiInterpolant] {
+        for source in [Source::Edges, Source::Brightness] {
+            let found = traced(64, 64, &disk, source, model);
+            assert_eq!(found.contours.len(), 1, "{source:?} {model:?}");
+            let contour = &found.contours[0];
+            assert!(contour.closed && !contour.hole, "{source:?} {model:?}");
+            let (from, to) = contour.curve.domain();
+            for i in 0..60 {
+                let t = from + (to - from) * f64::from(i) / 60.0;
+                let p = contour.curve.evaluate(t, 0).expect("inside");
+                let off = ((p - Point::new(31.5, 32.2)).norm() - 20.0).abs();
+                assert!(off < 0.25, "{source:?} {model:?}: {off}");
+            }
+            let metrics = contour.metrics;
+            assert!(metrics.mae <= metrics.rmse && metrics.rmse <= metrics.hausdorff, "{metrics:?}");
+            assert!(metrics.rmse < 0.15 && metrics.jaccard > 0.98, "{source:?} {model:?}: {metrics:?}");
+        }
+    }
+}
+
+#[test]
+fn hostile_pictures_do_no_harm_whatever_is_followed() {
+    for (width, height) in [(1, 1), (1, 40), (40, 1), (2, 2), (7, 5), (24, 24)] {
+        for kind in 0..4 {
+            let byte = |i: usize| match kind {
+                0 => 0,
+                1 => 255,
+                2 => {
+                    if (i % width + i / width) % 2 == 0 {
+                        0
+                    } else {
+                        255
+                    }
+                }
+                _ => (i * 7919 % 251) as u8,
+            };
+            let bytes: Vec<u8> = (0..width * height).map(byte).collect();
+            for source in [Source::Edges, Source::Lines, Source::Brightness] {
+                for model in [Model::Sparse, Model::QuasiInterpolant] {
+                    for contour in traced(width, height, &bytes, source, model).contours {
+                        let finite =
+                            contour.curve.points().iter().all(|p| p.x.is_finite() && p.y.is_finite());
+                        assert!(finite && contour.metrics.rmse.is_finite(), "{width} {height} {kind}");
+                    }
+                }
+            }
+        }
+    }
+}
