@@ -104,10 +104,23 @@ fn noise_alone_says_how_many_knots() {
         let fitted = fit(&points, Ask::Noise, &options).expect("it can be fitted");
         let (rms, _) = errors(&fitted, &sampled(&curve, 6000));
         assert!((fitted.noise - 1.0).abs() < 0.15, "curve {seed}: noise {}", fitted.noise);
-        assert!(fitted.curve.segment_count() <= 20, "curve {seed}: {}", fitted.curve.segment_count());
+        assert!(fitted.curve.segment_count() <= 18, "curve {seed}: {}", fitted.curve.segment_count());
         sum += rms;
     }
-    assert!(sum / (cases as f64) < 0.235, "rms to the truth {}", sum / cases as f64);
+    assert!(sum / (cases as f64) < 0.23, "rms to the truth {}", sum / cases as f64);
+}
+
+#[test]
+fn no_fit_swings_away_from_its_points() {
+    for seed in 0..16 {
+        let curve = fourteen_cubics(40 + seed);
+        let truth = sampled(&curve, 3000);
+        let points = noisy(&evenly(&truth, 500), 1.0, 300 + seed);
+        let options = Options { degrees: vec![3], closed: Some(true), ..Options::default() };
+        let fitted = fit(&points, Ask::Noise, &options).expect("it can be fitted");
+        let (_, most) = errors(&fitted, &truth);
+        assert!(most < 5.0, "curve {seed}: {most} from the truth");
+    }
 }
 
 /// Two straight sides with sharp corners, a side that waves, and an arc that runs smoothly into the first side.
@@ -150,12 +163,12 @@ fn corners_and_smooth_sides_are_both_kept() {
         let points = noisy(&evenly(&way, 600), 0.5, seed);
         let fitted = fit(&points, Ask::Noise, &Options::default()).expect("it can be fitted");
         let (rms, most) = errors(&fitted, &way);
-        assert!(most < 1.0, "outline {seed}: {most} at worst");
+        assert!(most < 0.9, "outline {seed}: {most} at worst");
         let off = |corner: &Point| {
             fitted.knots.iter().map(|knot| (knot.point - corner).norm()).fold(f64::INFINITY, f64::min)
         };
-        assert!(rms <= 0.17, "outline {seed}: rms {rms}");
-        assert!(fitted.curve.segment_count() <= 14, "outline {seed}: {}", fitted.curve.segment_count());
+        assert!(rms <= 0.165, "outline {seed}: rms {rms}");
+        assert!(fitted.curve.segment_count() <= 12, "outline {seed}: {}", fitted.curve.segment_count());
         // The third corner turns little: where it is matters less than that it is not two.
         for (corner, near) in corners.iter().zip([0.8, 0.8, 3.0]) {
             assert!(off(corner) < near, "outline {seed}: corner {corner} is off by {}", off(corner));

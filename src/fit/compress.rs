@@ -37,32 +37,70 @@ impl Recurrence {
         (values, here, slope)
     }
 
-    /// For the samples of a cell, in a variable within ±1; `None` where they are too few or too close together.
-    fn of_samples(x: &[f64], w: &[f64], degree: usize) -> Option<Self> {
-        let mut recurrence = Self { centre: [0.0; TERMS], norm: [1.0; TERMS], degree: 0 };
+    /// For the samples of a cell, in a variable within ±1; `None` where they are too few or too close together. Leaves
+    /// the values of the orthonormal polynomials at the samples, one polynomial after the other.
+    fn of_samples(x: &[f64], w: &[f64], degree: usize, values: &mut Vec<f64>) -> Option<Self> {
+        let count = x.len();
+        let mut recurrence = Self { centre: [0.0; TERMS], norm: [1.0; TERMS], degree };
         recurrence.norm[0] = w.iter().sum::<f64>().sqrt();
+        values.clear();
+        values.resize(count, 1.0 / recurrence.norm[0]);
         for k in 0..=degree {
-            recurrence.degree = k;
-            let mut moment = 0.0;
-            for (&x, &w) in x.iter().zip(w) {
-                let value = recurrence.at(x).0[k];
-                moment += w * x * value * value;
-            }
+            let here = &values[k * count..];
+            let moment: f64 = x.iter().zip(w).zip(here).map(|((x, w), p)| w * x * (p * p)).sum();
             recurrence.centre[k] = moment;
-            let square: f64 =
-                x.iter().zip(w).map(|(&x, &w)| w * recurrence.at(x).1 * recurrence.at(x).1).sum();
+            // The next one, still to be divided by its norm.
+            let back = if k == 0 { 0.0 } else { recurrence.norm[k] };
+            let mut square = 0.0;
+            for m in 0..count {
+                let before = if k == 0 { 0.0 } else { values[(k - 1) * count + m] };
+                let next = (x[m] - moment) * values[k * count + m] - back * before;
+                square += w[m] * (next * next);
+                values.push(next);
+            }
             if square.is_nan() || square <= 1e-12 {
                 return None;
             }
             if k < degree {
                 recurrence.norm[k + 1] = square.sqrt();
+                let scale = 1.0 / recurrence.norm[k + 1];
+                values[(k + 1) * count..].iter_mut().for_each(|value| *value *= scale);
             }
         }
         Some(recurrence)
     }
 
+    /// The nodes by Newton's method from those of even samples; `None` where that does not find all of them.
+    fn even_nodes(&self) -> Option<[f64; TERMS]> {
+        let mut nodes = [0.0; TERMS];
+        let mut before = -1.0;
+        for i in 0..=self.degree {
+            let angle = core::f64::consts::PI * (i as f64 + 0.75) / (self.degree as f64 + 1.5);
+            let mut x = -libm::cos(angle);
+            let mut settled = false;
+            for _ in 0..8 {
+                let (_, value, slope) = self.at(x);
+                let step = value / slope;
+                x -= step;
+                settled = step.abs() < 1e-9;
+                if settled || x.is_nan() || x.abs() >= 1.0 {
+                    break;
+                }
+            }
+            // Ascending, so all different, and as many as the degree: these are all zeros.
+            if !settled || x <= before + 1e-6 || x >= 1.0 {
+                return None;
+            }
+            (nodes[i], before) = (x, x);
+        }
+        Some(nodes)
+    }
+
     /// The zeros of the polynomial of degree + 1: between those of each degree lie those of the one before.
     fn nodes(&self) -> [f64; TERMS] {
+        if let Some(nodes) = self.even_nodes() {
+            return nodes;
+        }
         let mut nodes = [0.0; TERMS];
         for k in 0..=self.degree {
             let lower = Self { degree: k, ..*self };
@@ -96,7 +134,7 @@ pub(crate) fn compress(data: &mut Scaled) -> Result<()> {
     bounds.sort_unstable_by(f64::total_cmp);
     bounds.dedup();
     let mut few = [Vec::new(), Vec::new(), Vec::new(), Vec::new()];
-    let (mut xs, mut from) = (Vec::new(), 0);
+    let (mut xs, mut values, mut from) = (Vec::new(), Vec::new(), 0);
     for cell in bounds.windows(2) {
         let mut to = from;
         while to < data.t.len() && (data.t[to] < cell[1] || cell[1] >= data.length) {
@@ -106,12 +144,12 @@ pub(crate) fn compress(data: &mut Scaled) -> Result<()> {
         xs.clear();
         xs.extend(data.t[from..to].iter().map(|t| (t - middle) / half));
         let rule = if to - from > degree + 2 {
-            Recurrence::of_samples(&xs, &data.w[from..to], degree)
+            Recurrence::of_samples(&xs, &data.w[from..to], degree, &mut values)
         } else {
             None
         };
         match rule {
-            Some(rule) => data.beyond += replace(data, from, &xs, &rule, (middle, half), &mut few),
+            Some(rule) => data.beyond += replace(data, from, (&xs, &values), &rule, (middle, half), &mut few),
             None => {
                 few[0].extend_from_slice(&data.t[from..to]);
                 few[1].extend_from_slice(&data.x[from..to]);
@@ -129,28 +167,30 @@ pub(crate) fn compress(data: &mut Scaled) -> Result<()> {
 fn replace(
     data: &Scaled,
     from: usize,
-    xs: &[f64],
+    (xs, values): (&[f64], &[f64]),
     rule: &Recurrence,
     (middle, half): (f64, f64),
     few: &mut [Vec<f64>; 4],
 ) -> f64 {
+    // Orthonormal, so that the best polynomial leaves Σ w|p|² less the squares of its coefficients; the samples' first
+    // point is taken off, or that difference would lose its digits.
+    let count = xs.len();
+    let origin = Vector::new(data.x[from], data.y[from]);
     let mut best = [Vector::zeros(); TERMS];
-    for (i, &x) in xs.iter().enumerate() {
-        let m = from + i;
-        let point = Vector::new(data.x[m], data.y[m]) * data.w[m];
-        for (sum, value) in best.iter_mut().zip(rule.at(x).0) {
-            *sum += point * value;
+    let mut rest = 0.0;
+    for m in 0..count {
+        let w = data.w[from + m];
+        let point = Vector::new(data.x[from + m], data.y[from + m]) - origin;
+        rest += w * (point.x * point.x + point.y * point.y);
+        for (k, sum) in best.iter_mut().enumerate().take(rule.degree + 1) {
+            *sum += point * (w * values[k * count + m]);
         }
     }
+    let explained: f64 = best.iter().map(|v| v.x * v.x + v.y * v.y).sum();
+    let rest = (rest - explained).max(0.0);
     let polynomial = |values: &[f64; TERMS]| {
-        best.iter().zip(values).fold(Vector::zeros(), |sum, (term, value)| sum + term * *value)
+        best.iter().zip(values).fold(origin, |sum, (term, value)| sum + term * *value)
     };
-    let mut rest = 0.0;
-    for (i, &x) in xs.iter().enumerate() {
-        let m = from + i;
-        let error = Vector::new(data.x[m], data.y[m]) - polynomial(&rule.at(x).0);
-        rest += data.w[m] * (error.x * error.x + error.y * error.y);
-    }
     for &node in &rule.nodes()[..=rule.degree] {
         let values = rule.at(node).0;
         let point = polynomial(&values);

@@ -55,6 +55,9 @@ enum Run {
 #[derive(Clone, Debug)]
 struct Finishing {
     solver: Box<Solver>,
+    /// The optimum on the grid.
+    convex: Solution,
+    /// The same, or what sliding has made of it.
     solution: Solution,
     changes: Vec<Changed>,
     search: Option<Sparsest>,
@@ -474,7 +477,7 @@ impl Fitter {
         let before = search.knots_at_first();
         let found = search.clone().finish();
         let frame = self.frame();
-        let mut fit = report::fit(&frame, &found.spline, &found.located)?;
+        let mut fit = report::fit(&frame, &found.spline, &found.located, None)?;
         fit.knots = report::knots(&frame, &found.spline);
         fit.parts = vec![Part {
             degree: found.spline.space.breaks.degree,
@@ -501,7 +504,8 @@ impl Fitter {
     /// Merging and sliding at once; debiasing and pruning get ready.
     fn finishing(&self, solver: Box<Solver>) -> Result<Finishing> {
         let finish = self.options.finish;
-        let mut solution = solver.solution()?;
+        let convex = solver.solution()?;
+        let mut solution = convex.clone();
         let mut changes = Vec::new();
         let total = report::weight(&self.located);
         let unit = self.samples.scale * self.samples.scale / total;
@@ -514,9 +518,12 @@ impl Fitter {
                 qfe: (solution.data_term * unit, found.solution.data_term * unit),
                 gap: Some(found.gap),
             });
-            solution = found.solution;
+            if found.slides > 0 || found.solution.knot_count() != convex.knot_count() {
+                // It is certified beyond the grid then.
+                solution = Solution { gap: found.gap, ..found.solution };
+            }
         }
-        let mut finishing = Finishing { solver, solution, changes, search: None, spline: None };
+        let mut finishing = Finishing { solver, convex, solution, changes, search: None, spline: None };
         if !(finish.debias || finish.prune) {
             return Ok(finishing);
         }
@@ -543,14 +550,16 @@ impl Fitter {
     fn finished(&self, finishing: &Finishing) -> Result<Fit> {
         let mut fit = self.solved(&finishing.solver, &finishing.solution)?;
         fit.changes.clone_from(&finishing.changes);
-        if let Some(gap) = finishing.changes.iter().filter_map(|change| change.gap).next_back() {
-            fit.gap = gap;
-        }
         let (Some(spline), frame) = (&finishing.spline, self.frame()) else { return Ok(fit) };
-        let mut after = report::fit(&frame, spline, &self.located)?;
+        let mut after = report::fit(&frame, spline, &self.located, None)?;
         after.knots = report::knots(&frame, spline);
         after.parts = vec![report::part(&frame, spline, self.samples.center)?];
-        (after.objective, after.regularizer, after.gap) = (fit.objective, fit.regularizer, fit.gap);
+        // What was certified is the optimum of the convex problem, before the rest was made of it.
+        let (convex, square) = (&finishing.convex, self.samples.scale * self.samples.scale);
+        after.objective = convex.objective * square;
+        after.data_term = convex.data_term * square;
+        after.regularizer = convex.regularizers.iter().sum::<f64>() * square;
+        after.gap = convex.gap;
         (after.lambda, after.smoothing) = (fit.lambda, fit.smoothing);
         (after.iterations, after.status, after.changes) = (fit.iterations, fit.status, fit.changes);
         if finishing.search.is_some() {
@@ -569,7 +578,7 @@ impl Fitter {
         let Some(whole) = combined(&splines) else {
             return Err(Error::degenerate("degrees", None, "there are none"));
         };
-        let mut fit = report::fit(&frame, &whole, &self.located)?;
+        let mut fit = report::fit(&frame, &whole, &self.located, Some(solution.data_term))?;
         let square = self.samples.scale * self.samples.scale;
         fit.objective = solution.objective * square;
         fit.data_term = solution.data_term * square;

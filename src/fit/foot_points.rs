@@ -54,29 +54,43 @@ impl Spline {
     /// Moves every parameter towards the foot of its point, by at most `rounds` steps that each come nearer, and says
     /// how far the points then are. What it says is never too small: the nearest point is no farther.
     pub(super) fn project(&self, data: &mut Located, rounds: usize) -> Distances {
+        let mut feet = core::mem::take(&mut data.parameters);
+        let distances = self.feet(data, &mut feet, rounds);
+        data.parameters = feet;
+        distances
+    }
+
+    /// [`Spline::project`] for parameters that are kept apart from the points.
+    pub(super) fn feet(&self, data: &Located, feet: &mut [f64], rounds: usize) -> Distances {
         let pieces = self.pieces();
         let reach = 0.02 * self.space.breaks.end;
         let mut found = Distances::default();
         let mut s = 0;
-        for m in 0..data.points.len() {
-            let (target, weight) = (data.points[m], data.weight(m));
-            let mut t = data.parameters[m];
-            let mut here = self.look(&pieces, t, &mut s, target);
+        for (m, (target, foot)) in data.points.iter().zip(feet).enumerate() {
+            let mut here = self.look(&pieces, *foot, &mut s, *target);
             for _ in 0..rounds {
-                let step = here.newton().max(-reach).min(reach);
-                let next = self.within(t + step);
-                let there = self.look(&pieces, next, &mut s, target);
+                let half = self.space.spans[here.piece].half;
+                let (step, gain) = here.newton();
+                // What is left to win is not worth a step.
+                if gain < 1e-6 * here.square {
+                    break;
+                }
+                let u = here.u + step.max(-reach / half).min(reach / half);
+                let there = if u.abs() <= 1.0 {
+                    Look::new(&pieces[here.piece], self.space.breaks.degree, here.piece, u, *target)
+                } else {
+                    let t = self.within(self.space.spans[here.piece].middle + u * half);
+                    self.look(&pieces, t, &mut s, *target)
+                };
                 if there.square >= here.square {
                     break;
                 }
-                let done = here.square - there.square < 1e-6 * here.square;
-                (t, here) = (next, there);
-                if done {
-                    break;
-                }
+                here = there;
+                let span = &self.space.spans[here.piece];
+                *foot = self.within(span.middle + here.u * span.half);
             }
-            data.parameters[m] = t;
-            found.squares += weight * here.square;
+            s = here.piece;
+            found.squares += data.weight(m) * here.square;
             found.largest = found.largest.max(here.square);
         }
         found.largest = found.largest.sqrt();
@@ -97,9 +111,9 @@ impl Spline {
         self.distances(data).into_iter().enumerate().map(square).sum()
     }
 
-    /// Whether the curve leaves the way of the points anywhere: farther from all points around than `slack` and their
+    /// A piece on which the curve leaves the way of the points: farther from all points around than `slack` and their
     /// distances from one another. O(M log M).
-    pub(super) fn strays(&self, data: &Located, slack: f64) -> bool {
+    pub(super) fn strays(&self, data: &Located, slack: f64) -> Option<usize> {
         let count = data.points.len();
         let mut order: Vec<usize> = (0..count).collect();
         order.sort_by(|&a, &b| data.parameters[a].total_cmp(&data.parameters[b]));
@@ -127,11 +141,11 @@ impl Spline {
                     apart = apart.max((neighbour(i, k + 1) - neighbour(i, k)).norm());
                 }
                 if nearest > slack + apart {
-                    return true;
+                    return Some(s);
                 }
             }
         }
-        false
+        None
     }
 
     /// t in the domain.
@@ -153,16 +167,9 @@ impl Spline {
     fn look(&self, pieces: &[(Polynomial, Polynomial)], t: f64, s: &mut usize, target: Point) -> Look {
         let (found, t) = self.space.find(t, *s);
         *s = found;
-        let (span, degree) = (&self.space.spans[found], self.space.breaks.degree);
+        let span = &self.space.spans[found];
         let u = (t - span.middle) / span.half;
-        let (x, y) = (taylor(&pieces[found].0, degree, u), taylor(&pieces[found].1, degree, u));
-        let way = Vector::new(x[0], y[0]) - target;
-        Look {
-            square: way.norm_squared(),
-            way,
-            first: Vector::new(x[1], y[1]) / span.half,
-            second: Vector::new(x[2], y[2]) / (span.half * span.half),
-        }
+        Look::new(&pieces[found], self.space.breaks.degree, found, u, target)
     }
 
     /// One Gauss–Newton step of the distances across the curve; those along it count little, for points may slide
@@ -239,8 +246,10 @@ impl Spline {
     }
 }
 
-/// The curve at one parameter, seen from a point.
+/// The curve at one place of a piece, seen from a point; derivatives by the piece's own variable.
 struct Look {
+    piece: usize,
+    u: f64,
     square: f64,
     way: Vector,
     first: Vector,
@@ -248,12 +257,24 @@ struct Look {
 }
 
 impl Look {
-    /// Newton's step to where the way is across the curve; Gauss's where that would lead to the farthest point.
-    fn newton(&self) -> f64 {
+    #[inline]
+    fn new((px, py): &(Polynomial, Polynomial), degree: usize, piece: usize, u: f64, target: Point) -> Self {
+        let (x, y) = (taylor(px, degree, u), taylor(py, degree, u));
+        let way = Vector::new(x[0], y[0]) - target;
+        let (first, second) = (Vector::new(x[1], y[1]), Vector::new(x[2], y[2]));
+        Self { piece, u, square: way.norm_squared(), way, first, second }
+    }
+
+    /// Newton's step to where the way is across the curve, Gauss's where that would lead to the farthest point, and by
+    /// how much the square of the distance should fall.
+    #[inline]
+    fn newton(&self) -> (f64, f64) {
         let speed = self.first.norm_squared();
         let bend = speed + self.way.dot(&self.second);
         let slope = if bend > 0.3 * speed { bend } else { speed };
-        if slope > 0.0 { -self.way.dot(&self.first) / slope } else { 0.0 }
+        let along = self.way.dot(&self.first);
+        let step = if slope > 0.0 { -along / slope } else { 0.0 };
+        (step, -step * along)
     }
 }
 

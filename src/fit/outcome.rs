@@ -72,13 +72,14 @@ pub struct Fit {
     pub parameters: Vec<f64>,
     /// Sum of squares + λ·jumps; infinite where no λ was involved, as are the gap and the regulariser.
     pub objective: f64,
-    /// The weighted sum of squares at the points' parameters.
+    /// The weighted sum of squares at the points' parameters: of the optimum, where one was made shorter afterwards.
     pub data_term: f64,
     /// λ·jumps.
     pub regularizer: f64,
-    /// The relative duality gap that was certified.
+    /// The relative duality gap that was certified: of the optimum, before it was made shorter; where knots only slid off
+    /// the grid, to the problem without one.
     pub gap: f64,
-    /// The data term by the sum of weights.
+    /// The curve's own sum of squares at the points' parameters, by the sum of weights.
     pub qfe: f64,
     /// No given point is farther from the curve than this.
     pub max_error: f64,

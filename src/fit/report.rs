@@ -45,17 +45,22 @@ pub(super) fn weight(located: &Located) -> f64 {
     if located.weights.is_empty() { located.points.len() as f64 } else { located.weights.iter().sum() }
 }
 
-/// The curve and its distances from the points; what only one of the ways to fit knows is left open.
-pub(super) fn fit(frame: &Frame<'_>, spline: &Spline, located: &Located) -> Result<Fit> {
+/// The curve and its distances from the points; `squares` is their sum at the points' parameters where that is known, and what only one of the ways to fit knows is left open.
+pub(super) fn fit(
+    frame: &Frame<'_>,
+    spline: &Spline,
+    located: &Located,
+    squares: Option<f64>,
+) -> Result<Fit> {
     let samples = frame.samples;
     let breaks = &spline.space.breaks;
     let (cuts, deviation) = cuts(spline);
     let curve = spline
         .joints(samples.center, samples.scale, frame.unit, cuts)
         .curve(breaks.closed, breaks.end * frame.unit)?;
-    let at_parameters = spline.squares(located);
-    let mut feet = located.clone();
-    let distances = spline.project(&mut feet, frame.steps);
+    let at_parameters = squares.unwrap_or_else(|| spline.squares(located));
+    let mut feet = located.parameters.clone();
+    let distances = spline.feet(located, &mut feet, frame.steps);
     let square = samples.scale * samples.scale;
     let total = weight(located);
     let shift = if breaks.closed { breaks.at.first().copied().unwrap_or(0.0) } else { 0.0 };
@@ -68,7 +73,7 @@ pub(super) fn fit(frame: &Frame<'_>, spline: &Spline, located: &Located) -> Resu
         deviation: deviation * samples.scale,
         parts: Vec::new(),
         knots: Vec::new(),
-        parameters: samples.place.iter().map(|&m| own(feet.parameters[m as usize])).collect(),
+        parameters: samples.place.iter().map(|&m| own(feet[m as usize])).collect(),
         objective: f64::INFINITY,
         data_term: at_parameters * square,
         regularizer: f64::INFINITY,
@@ -80,7 +85,7 @@ pub(super) fn fit(frame: &Frame<'_>, spline: &Spline, located: &Located) -> Resu
         lambda: Vec::new(),
         smoothing: None,
         noise: frame.noise * samples.scale,
-        outliers: outliers(frame, spline, &feet),
+        outliers: outliers(frame, spline, located, feet),
         status: FitStatus::Running,
         changes: Vec::new(),
     })
@@ -144,12 +149,13 @@ pub(super) fn polygon(frame: &Frame<'_>) -> Result<Fit> {
 }
 
 /// Given points whose distance is no noise.
-fn outliers(frame: &Frame<'_>, spline: &Spline, feet: &Located) -> Vec<usize> {
+fn outliers(frame: &Frame<'_>, spline: &Spline, located: &Located, feet: Vec<f64>) -> Vec<usize> {
     let limit = OUTLYING * frame.noise;
     if limit <= 0.0 || !frame.robust {
         return Vec::new();
     }
-    let far: Vec<bool> = spline.distances(feet).into_iter().map(|distance| distance > limit).collect();
+    let feet = Located { parameters: feet, ..located.clone() };
+    let far: Vec<bool> = spline.distances(&feet).into_iter().map(|distance| distance > limit).collect();
     let place = &frame.samples.place;
     (0..place.len()).filter(|&m| far[place[m] as usize]).collect()
 }

@@ -19,6 +19,8 @@ const WARMING: usize = 8;
 const MOST_VERTICES: usize = 600;
 /// What a number of the curve costs, in units of the noise's variance.
 const PER_NUMBER: f64 = 3.0;
+/// How often pieces that swing away from the points are taken out.
+const MOST_TAMINGS: usize = 20;
 /// Rounds after which growing, thinning and refining have gone on long enough.
 const MOST_ROUNDS: usize = 400;
 /// The same in work: a round tries about thirty fits, each a pass over the points and some hundred operations a knot.
@@ -64,6 +66,8 @@ pub(super) struct Found {
     pub(super) spline: Spline,
     pub(super) located: Located,
     pub(super) distances: Distances,
+    /// A piece that leaves the way of the points, if there is one.
+    wild: Option<usize>,
 }
 
 /// The search, to be stepped.
@@ -81,6 +85,8 @@ pub(super) struct Sparsest {
     /// Rounds of refinement that a start of corners needs before it can be compared.
     warming: usize,
     repairs: usize,
+    /// How often a wild piece was taken out.
+    tamings: usize,
     at_first: usize,
     /// How often the present price was tried again, and how many pieces there were then.
     rounds_at_price: usize,
@@ -93,8 +99,7 @@ impl Sparsest {
     /// for: knots that only follow noise are then not begun with.
     pub(super) fn new(full: Located, plan: Plan, aim: Aim, noise: f64) -> Self {
         let whole = matches!(aim, Aim::Squares(_));
-        let seen =
-            if 2 * full.points.len() > 3 * SEEN && !whole { averages(&full, SEEN) } else { full.clone() };
+        let seen = if whole { full.clone() } else { from_afar(&full) };
         let price = match aim {
             Aim::Noise(noise) => PER_NUMBER * noise * noise,
             Aim::Tolerance(tolerance) => (0.05 * tolerance * tolerance).max(PER_NUMBER * noise * noise),
@@ -114,6 +119,7 @@ impl Sparsest {
             work: 0.0,
             warming: if matches!(aim, Aim::Noise(_)) { WARMING } else { 0 },
             repairs: 0,
+            tamings: 0,
             at_first: 0,
             rounds_at_price: 0,
             pieces_at_price: usize::MAX,
@@ -148,7 +154,7 @@ impl Sparsest {
             let mut located = search.full.clone();
             let distances = spline.project(&mut located, 3);
             if distances.largest <= tolerance {
-                search.found = Some(Found { spline, located, distances });
+                search.found = Some(Found { spline, located, distances, wild: None });
             }
         }
         Some(search)
@@ -169,6 +175,7 @@ impl Sparsest {
             work: 0.0,
             warming: 0,
             repairs: 0,
+            tamings: 0,
             at_first,
             rounds_at_price: 0,
             pieces_at_price: usize::MAX,
@@ -312,15 +319,21 @@ impl Sparsest {
             spline.tighten(&seen);
         }
         // Free parameters let a curve with many knots wander between the points.
-        if spline.strays(&seen, self.slack()) {
+        let mut wild = spline.strays(&seen, self.slack());
+        if wild.is_some() {
             spline = Spline::of(&self.fitted);
+            // A piece between sharp knots may have too few points to be held by, and swings as it likes.
+            wild = spline.strays(&self.seen, self.slack());
         } else {
             self.seen = seen;
         }
         let averaged = self.seen.points.len() < self.full.points.len();
         let mut located = if averaged { self.full.clone() } else { self.seen.clone() };
-        let distances = spline.project(&mut located, 3);
-        Found { spline, located, distances }
+        let mut distances = spline.project(&mut located, 3);
+        if wild.is_some() {
+            distances.largest = f64::INFINITY;
+        }
+        Found { spline, located, distances, wild }
     }
 
     /// How many knots are tried when fewer are hardly possible: all of them where that takes little time.
@@ -347,6 +360,15 @@ impl Sparsest {
         }
         let found = self.polished(4);
         let breaks = found.spline.space.breaks.clone();
+        if let Some(piece) = found.wild
+            && self.tamings < MOST_TAMINGS
+            && breaks.len() > least(&breaks)
+        {
+            self.tamings += 1;
+            self.seen = from_afar(&self.full);
+            self.fitted = FreeKnots::new(without_piece(breaks, piece), &self.seen);
+            return Phase::Refine;
+        }
         match self.aim {
             Aim::Noise(_) => {
                 self.repairs += 1;
@@ -375,8 +397,12 @@ impl Sparsest {
         let small = self.fitted.squares <= target;
         if small || !kept {
             let distances = Distances { largest: f64::INFINITY, squares: self.fitted.squares };
-            self.found =
-                Some(Found { spline: Spline::of(&self.fitted), located: self.full.clone(), distances });
+            self.found = Some(Found {
+                spline: Spline::of(&self.fitted),
+                located: self.full.clone(),
+                distances,
+                wild: None,
+            });
         }
         let breaks = self.fitted.breaks();
         if small && breaks.len() > least(breaks) && !self.is_tired() {
@@ -399,7 +425,12 @@ impl Sparsest {
         }
         self.fitted = trial;
         let distances = Distances { largest: f64::INFINITY, squares: self.fitted.squares };
-        self.found = Some(Found { spline: Spline::of(&self.fitted), located: self.full.clone(), distances });
+        self.found = Some(Found {
+            spline: Spline::of(&self.fitted),
+            located: self.full.clone(),
+            distances,
+            wild: None,
+        });
         Phase::Last(0)
     }
 
@@ -463,17 +494,35 @@ impl Sparsest {
         let trial = settle(FreeKnots::new(breaks, &seen), &seen, 1e-3 * fitted.squares, 6);
         let mut spline = Spline::of(&trial);
         let distances = minimax(&mut spline, &mut seen, tolerance);
-        if distances.largest <= tolerance && !spline.strays(&seen, tolerance) {
+        if distances.largest <= tolerance && spline.strays(&seen, tolerance).is_none() {
             let mut located = if averaged { self.full.clone() } else { seen };
             located.weights.clone_from(&self.full.weights);
             let distances = spline.project(&mut located, 3);
             if distances.largest <= tolerance {
-                self.found = Some(Found { spline, located, distances });
+                self.found = Some(Found { spline, located, distances, wild: None });
                 return Phase::Last(0);
             }
         }
         Phase::Last(next + 1)
     }
+}
+
+/// One of the knots at the ends of a piece less: the one that counts less.
+fn without_piece(mut breaks: Breaks, piece: usize) -> Breaks {
+    let count = breaks.len();
+    let (before, after) = if breaks.closed {
+        (piece % count, (piece + 1) % count)
+    } else {
+        (piece.saturating_sub(1), piece.min(count - 1))
+    };
+    let lesser = if breaks.multiplicity[before] < breaks.multiplicity[after] { before } else { after };
+    breaks.remove(lesser);
+    breaks
+}
+
+/// The points, or averages of them where they are many.
+fn from_afar(full: &Located) -> Located {
+    if 2 * full.points.len() > 3 * SEEN { averages(full, SEEN) } else { full.clone() }
 }
 
 /// Makes the largest distance smaller: far points weigh more from round to round (Lawson's way). The spline with the
