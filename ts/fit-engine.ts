@@ -89,6 +89,13 @@ export class Resident {
     this.#question = question;
   }
 
+  /** The noise of the points, as given or as found. */
+  noise(op: string): number {
+    const number = this.#number(op);
+    callOf(fits, op, (kernel) => kernel.fit_noise(number));
+    return resultOf(instanceOf(fits), 0);
+  }
+
   /** Goes on for about so many microseconds. */
   step(op: string, budget: number): Step {
     const number = this.#number(op);

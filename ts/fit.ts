@@ -68,6 +68,35 @@ export function fitSparse(points: PointsLike, options?: SparseFitOptions): Spars
   }
 }
 
+/** What {@link fitSparseAll} can be told: what concerns all contours alike. */
+export type SparseFitAllOptions = Omit<SparseFitOptions, "parameters" | "period" | "weights">;
+
+/**
+ * {@link fitSparse} for the contours of one drawing. They come from one pen or one picture, so that one level of noise holds for all: unless
+ * `noise` is given, the median of what each of them says alone.
+ *
+ * @throws {ExplineError} as fitSparse does, for the first contour that is wrong; E_TYPE where `contours` is no array.
+ */
+export function fitSparseAll(contours: readonly PointsLike[], options: SparseFitAllOptions = {}): SparseFit[] {
+  const op = "fitSparseAll";
+  if (!Array.isArray(contours)) throw wrong("E_TYPE", op, "contours", contours, "an array of contours");
+  const noise = options.noise ?? median(contours.map((points) => noiseOf(op, points, options)));
+  return contours.map((points) => fitSparse(points as PointsLike, noise === undefined ? options : { ...options, noise }));
+}
+
+function noiseOf(op: string, points: unknown, options: SparseFitAllOptions): number {
+  const resident = new Resident(op, order(op, points, options).input);
+  try {
+    return resident.noise(op);
+  } finally {
+    resident.close();
+  }
+}
+
+function median(values: readonly number[]): number | undefined {
+  return [...values].sort((a, b) => a - b)[values.length >> 1];
+}
+
 /**
  * {@link fitSparse} in short tasks on the caller's own thread: a page goes on painting and answering meanwhile. In a worker it lets messages through,
  * so that one of them can abort the signal.

@@ -61,6 +61,16 @@ pub fn fit_open(count: u32) -> i32 {
     })
 }
 
+/// Leaves the noise of a fit's points in the record, as given or as found.
+#[wasm_bindgen]
+pub fn fit_noise(number: u32) -> i32 {
+    run(&mut |kernel| {
+        let noise = fitter(kernel, number)?.noise();
+        kernel.record([noise, 0.0]);
+        Ok(0)
+    })
+}
+
 /// Starts a run: 0 as much as the noise allows, 1 by λ, 2 by the smoothing, 3 by a tolerance.
 #[wasm_bindgen]
 pub fn fit_ask(number: u32, kind: u32, first: f64, second: f64, degrees: u32) -> i32 {

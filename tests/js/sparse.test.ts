@@ -4,7 +4,9 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { fitSparse } from "expline";
+import { fitSparse, fitSparseAll } from "expline";
+
+import { noisyCircle } from "./fit-data.ts";
 
 /** What is promised of the objective; the reference is good to 1e-9 where a conic solver made it. */
 const OBJECTIVE = 1e-7;
@@ -99,4 +101,26 @@ test("knots that slide reach the optimum without a grid", (t) => {
     assert.ok(Math.abs(fit.knots.length - c.knots.length) <= 1, `${c.name}: ${fit.knots.length} knots for ${c.knots.length}`);
     t.diagnostic(`${c.name}: ${fit.knots.length} knots, gap ${fit.gap.toExponential(0)}`);
   }
+});
+
+test("a curve that was made shorter carries the certificate of the optimum that it was made from", () => {
+  for (const c of golden.cases.filter(({ norm }) => norm === "l2")) {
+    const points = Float64Array.from(golden.sets[c.source] ?? []);
+    const options = { degree: each(c.degrees), lambda: each(c.lambdas), gridSize: c.grid[0] ?? 1, closed: c.closed, gap: 1e-7 };
+    const fit = fitSparse(points, { ...options, finish: "full" });
+    assert.ok(fit.gap <= 1e-7, `${c.name}: certified gap ${fit.gap}`);
+    assert.ok(Math.abs(fit.objective / c.objective - 1) <= 2e-7, `${c.name}: objective ${fit.objective} for ${c.objective}`);
+    assert.ok(Math.abs((fit.dataTerm + fit.regularizer) / fit.objective - 1) <= 1e-12, `${c.name}: the objective's two terms`);
+  }
+});
+
+test("contours of one drawing are fitted with one level of noise", () => {
+  const contours = [noisyCircle(300, 0.01, 1), noisyCircle(200, 0.01, 2), noisyCircle(250, 0.05, 3)];
+  const fits = fitSparseAll(contours, { degree: 3 });
+  const alone = contours.map((points) => fitSparse(points, { degree: 3 }).sigma).sort((a, b) => a - b);
+  assert.deepEqual(fits.map(({ sigma }) => sigma), [alone[1], alone[1], alone[1]]);
+  const given = fitSparseAll(contours, { degree: 3, noise: 0.02 });
+  given.forEach((fit, i) => assert.deepEqual(fit.knots, fitSparse(contours[i] ?? [], { degree: 3, noise: 0.02 }).knots));
+  assert.deepEqual(fitSparseAll([]), []);
+  assert.throws(() => fitSparseAll(7 as never), { code: "E_TYPE", arg: "contours" });
 });
