@@ -237,13 +237,10 @@ export abstract class MeasuredCurve implements Curve {
     const toY = coordinate(op, "y", y);
     const data = dataOf(this, op);
     const { result } = data.door;
-    if (data.dimension === 3) {
-      const toZ = coordinate(op, "z", z);
-      const at = measure(data, op, (slot, kernel) => kernel.nearest_in_space(slot, toX, toY, toZ));
-      return { t: at, x: result(1), y: result(2), z: result(3), distance: result(4) };
-    }
-    const t = measure(data, op, (slot, kernel) => kernel.nearest(slot, toX, toY));
-    return { t, x: result(1), y: result(2), distance: result(3) };
+    const toZ = data.dimension === 3 ? coordinate(op, "z", z) : 0;
+    const t = measure(data, op, (slot, kernel) => kernel.nearest(slot, toX, toY, toZ));
+    const found = { t, x: result(1), y: result(2), distance: result(3) };
+    return data.dimension === 2 ? found : { ...found, z: result(3), distance: result(4) };
   }
 
   /** The nearest point to each of many places: t, x, y, in space z, and distance in turn. */

@@ -28,7 +28,6 @@ export type CurveKernel = AnyKernel &
     | "forget"
     | "length"
     | "nearest"
-    | "nearest_in_space"
     | "nearest_many"
     | "parameter_at_length"
     | "sample"

@@ -1,7 +1,7 @@
 //! What a closed curve encloses.
 
 use super::piece::panels;
-use super::pieces::Pieces;
+use super::pieces::{Pieces, in_space};
 use crate::error::{Error, Result};
 use crate::numerics::plane::cross;
 use crate::numerics::quadrature::{EIGHT, Rule, TWENTY_FOUR, nodes};
@@ -36,7 +36,7 @@ impl Swept {
         if !curve.closed() {
             return Err(Error::degenerate("curve", None, "an open curve encloses no area"));
         }
-        if curve.dimension() != 2 {
+        if in_space(curve) {
             return Err(Error::degenerate("curve", None, "a curve in space encloses no area"));
         }
         let origin = curve.start(0);

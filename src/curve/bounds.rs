@@ -1,7 +1,7 @@
 //! The smallest upright box around a curve.
 
 use super::piece::Piece;
-use super::pieces::{Pieces, handles_of};
+use super::pieces::{Pieces, handles_of, hermite, in_space};
 use super::spatial::SpacePiece;
 use crate::numerics::plane::taxi;
 use crate::numerics::roots::bracketed_root;
@@ -67,20 +67,20 @@ impl Grown {
 pub(crate) fn bounds(curve: &dyn Pieces) -> Bounds {
     let mut grown = Grown::EMPTY;
     let last = curve.piece_count();
-    if curve.dimension() == 3 {
+    if in_space(curve) {
         for i in 0..last {
             SpacePiece::new(curve, i).extremes(&mut |point| grown.include(&point));
         }
         return grown.bounds(3);
     }
-    let hermite = curve.as_hermite();
-    match hermite {
+    let own = hermite(curve);
+    match own {
         Some(curve) => curve.points().iter().for_each(|point| grown.include(point.as_slice())),
         None => (0..=last).for_each(|i| grown.include(curve.start(i).as_slice())),
     }
     for i in 0..last {
         // Without a call through a table where it would show.
-        let [first, second] = match hermite {
+        let [first, second] = match own {
             Some(curve) => handles_of(&curve.segment(i)),
             None => curve.handles(i),
         };
@@ -96,7 +96,7 @@ pub(crate) fn bounds(curve: &dyn Pieces) -> Bounds {
 
 /// A box that holds the curve, quicker than the smallest one.
 pub(crate) fn hull(curve: &dyn Pieces) -> Bounds {
-    if curve.dimension() == 3 {
+    if in_space(curve) {
         return bounds(curve);
     }
     let mut grown = Grown::EMPTY;

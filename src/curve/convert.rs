@@ -2,7 +2,7 @@
 
 use super::cubics::to_cubics;
 use super::hermite::{HermiteCurve, HermiteOptions};
-use super::pieces::Pieces;
+use super::pieces::{Pieces, hermite, in_space};
 use crate::error::{Error, Result};
 use crate::generator::{Roots, Space};
 use crate::limits::with_room;
@@ -34,10 +34,10 @@ fn space_of(roots: &Roots) -> Option<(Space, f64)> {
 }
 
 pub(crate) fn to_hermite(curve: &dyn Pieces, tolerance: f64) -> Result<(HermiteCurve, f64)> {
-    if let Some(curve) = curve.as_hermite() {
+    if let Some(curve) = hermite(curve) {
         return Ok((curve.clone(), 0.0));
     }
-    if curve.dimension() != 2 {
+    if in_space(curve) {
         return Err(Error::degenerate("curve", None, "a curve in space is no curve of the plane"));
     }
     match curve.roots().and_then(space_of) {

@@ -5,7 +5,7 @@ use super::flatten::{least_tolerance, spread};
 use super::length::check_tolerance;
 use super::limits::{MOST_OUTPUT_POINTS, too_many};
 use super::piece::Piece;
-use super::pieces::Pieces;
+use super::pieces::{Pieces, in_space};
 use super::refine::append;
 use super::{Segment, spatial};
 use crate::error::Result;
@@ -34,7 +34,7 @@ pub struct Cubics {
 pub(crate) fn to_cubics(curve: &dyn Pieces, tolerance: f64) -> Result<Cubics> {
     check_tolerance(tolerance)?;
     let tolerance = least_tolerance(curve, tolerance);
-    if curve.dimension() != 2 {
+    if in_space(curve) {
         return spatial::to_cubics(curve, tolerance, 4 * MOST_OUTPUT_POINTS);
     }
     let mut cubics = Cubics::default();

@@ -1,7 +1,7 @@
 //! How strongly a curve bends.
 
 use super::piece::Jet;
-use super::pieces::Pieces;
+use super::pieces::{Pieces, in_space};
 use super::spatial::SpacePiece;
 use crate::error::Result;
 use crate::numerics::plane::{cross, norm};
@@ -11,7 +11,7 @@ const ZERO_SPEED: f64 = 1e-15;
 
 pub(crate) fn curvature(curve: &dyn Pieces, t: f64) -> Result<Option<f64>> {
     let (i, x) = curve.find(t)?;
-    if curve.dimension() == 3 {
+    if in_space(curve) {
         return Ok(SpacePiece::new(curve, i).curvature(x - 0.5, ZERO_SPEED));
     }
     let [leaving, arriving] = curve.tangents(i);

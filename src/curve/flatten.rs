@@ -8,7 +8,7 @@ use super::chords::{Chords, Turning};
 use super::length::check_tolerance;
 use super::limits::{MOST_OUTPUT_POINTS, too_many};
 use super::piece::Piece;
-use super::pieces::Pieces;
+use super::pieces::{Pieces, in_space};
 use super::spatial;
 use crate::error::{Error, Result};
 use crate::numerics::plane::{cross, norm};
@@ -25,7 +25,7 @@ const MOST_CELLS: usize = 2 * LAYERS.len() + 1;
 pub(crate) fn flatten(curve: &dyn Pieces, tolerance: f64) -> Result<(Vec<f64>, f64)> {
     check_tolerance(tolerance)?;
     let tolerance = least_tolerance(curve, tolerance);
-    if curve.dimension() != 2 {
+    if in_space(curve) {
         return spatial::flatten(curve, tolerance, MOST_OUTPUT_POINTS);
     }
     let mut out = Vec::new();

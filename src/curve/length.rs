@@ -1,7 +1,7 @@
 //! Arc length, and the parameter at a length.
 
 use super::piece::cubic_middle;
-use super::pieces::{AnyPiece, Pieces};
+use super::pieces::{AnyPiece, Pieces, hermite, in_space};
 use super::speed::LengthSum;
 use crate::error::{Error, Result};
 use crate::numerics::roots::bracketed_root;
@@ -13,14 +13,14 @@ pub(crate) fn length(curve: &dyn Pieces, tolerance: f64) -> Result<f64> {
     check_tolerance(tolerance)?;
     let count = curve.piece_count();
     let share = tolerance / count as f64;
-    if curve.dimension() != 2 {
+    if in_space(curve) {
         return Ok((0..count).map(|i| AnyPiece::new(curve, i).length(-0.5, 0.5, share)).sum());
     }
     let mut sum = LengthSum::new(share);
-    let hermite = curve.as_hermite();
+    let own = hermite(curve);
     for i in 0..count {
         // Cubics are so quick that making a piece of each would show.
-        match hermite.and_then(|curve| cubic_middle(&curve.segment(i))) {
+        match own.and_then(|curve| cubic_middle(&curve.segment(i))) {
             Some([_, b, p, q]) => sum.add_cubic(b, p, q),
             None => sum.add(&curve.piece(i)),
         }

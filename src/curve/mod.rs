@@ -76,7 +76,7 @@ pub(crate) mod measures {
         curvature::curvature,
         flatten::flatten,
         length::{length, parameter_at_length},
-        pieces::Pieces,
+        pieces::{Pieces, in_space},
         spatial::nearest as nearest_in_space,
     };
 }

@@ -26,6 +26,13 @@ const DECAY_ABOVE: f64 = 4.0;
 /// Decaying exponentials are nothing after this many of their widths: exp(−40) = 4e-18.
 const LAYER: f64 = 40.0;
 
+/// Whether there are curves whose pieces are Hermite segments, and curves of any roots. A wasm module that has none of a kind leaves out
+/// what measures it: a branch on one of these costs nothing and saves what is behind it.
+pub(super) const HERMITE: bool =
+    cfg!(not(all(target_arch = "wasm32", feature = "wasm-spline", not(feature = "wasm"))));
+pub(super) const ANY_ROOTS: bool =
+    cfg!(not(all(target_arch = "wasm32", feature = "binding", not(feature = "wasm-spline"))));
+
 /// A point of a piece and its first three derivatives with respect to y.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Jet {
@@ -139,13 +146,13 @@ impl Piece {
     /// Whether the coefficients p and q are those of decaying exponentials.
     #[inline]
     pub(crate) fn is_decaying(&self) -> bool {
-        self.form == Form::Decaying
+        HERMITE && self.form == Form::Decaying
     }
 
     /// Whether it is a polynomial of degree 4 or more.
     #[inline]
     pub(crate) fn is_polynomial(&self) -> bool {
-        self.form == Form::Polynomial
+        ANY_ROOTS && self.form == Form::Polynomial
     }
 
     /// Whether the piece is a straight line, run through evenly, between lo and hi: so far inside a long hyperbolic
@@ -197,11 +204,11 @@ impl Piece {
 
     #[inline(never)]
     fn transcendental_jet(&self, y: f64) -> Jet {
-        if self.is_polynomial() {
+        if !HERMITE || self.is_polynomial() {
             return polynomial_jet(&self.powers, y);
         }
         let Self { a, b, p, q, rate, w, .. } = *self;
-        if self.form == Form::Decaying {
+        if self.is_decaying() {
             let up = p * libm::exp(w * (y - 0.5));
             let down = q * libm::exp(-w * (y + 0.5));
             return Jet {
@@ -222,7 +229,7 @@ impl Piece {
 
     /// A bound of |r''| on [lo, hi], sharp to first order in the width.
     pub(crate) fn bend(&self, lo: f64, hi: f64) -> f64 {
-        if self.form == Form::Decaying {
+        if self.is_decaying() {
             let (up, down) = self.decay_ends(lo, hi);
             return (up + down) * (self.w * self.w);
         }
@@ -252,7 +259,7 @@ impl Piece {
     ///
     /// The functions of the spaces are largest where they are hyperbolic, polynomials where all terms add up.
     pub(crate) fn within(&self, jet: &Jet, at: f64, reach: f64) -> [f64; 2] {
-        let growth = if self.rate == 0.0 {
+        let growth = if !HERMITE || self.rate == 0.0 {
             1.0
         } else {
             stumpff(-(self.rate.abs() * reach * reach).min(490_000.0)).c0
@@ -278,7 +285,7 @@ impl Piece {
         if self.is_cubic() {
             return norm(self.q);
         }
-        if self.form == Form::Decaying {
+        if self.is_decaying() {
             let (up, down) = self.decay_ends(lo, hi);
             return (up + down) * (self.w * self.w * self.w);
         }
@@ -290,7 +297,7 @@ impl Piece {
 
     /// The largest values on |u| <= half of |cos wu| and |sin wu|/(w|u|), or of cosh and sinh.
     fn growth(&self, half: f64) -> (f64, f64) {
-        if self.rate >= 0.0 {
+        if !HERMITE || self.rate >= 0.0 {
             return (1.0, 1.0);
         }
         let x = self.w * half;

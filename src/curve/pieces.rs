@@ -1,7 +1,7 @@
 //! A curve as the measures see it: one smooth piece after another.
 
 use super::lattice::Place;
-use super::piece::Piece;
+use super::piece::{ANY_ROOTS, HERMITE, Piece};
 use super::spatial::SpacePiece;
 use super::spline_curve::{Generator, SplineCurve};
 use super::{HermiteCurve, Segment};
@@ -70,6 +70,18 @@ pub trait Pieces {
     fn handles(&self, i: usize) -> [Point; 2] {
         self.piece(i).corners()
     }
+}
+
+/// Whether a curve is in space; Hermite curves are not.
+#[inline(always)]
+pub(crate) fn in_space(curve: &dyn Pieces) -> bool {
+    ANY_ROOTS && curve.dimension() == 3
+}
+
+/// The curve itself where it is a Hermite curve.
+#[inline(always)]
+pub(super) fn hermite(curve: &dyn Pieces) -> Option<&HermiteCurve> {
+    if HERMITE { curve.as_hermite() } else { None }
 }
 
 fn list(fill: &dyn Fn(&mut Vec<f64>)) -> Vec<f64> {
@@ -177,11 +189,7 @@ pub(super) enum AnyPiece {
 
 impl AnyPiece {
     pub(super) fn new(curve: &dyn Pieces, i: usize) -> Self {
-        if curve.dimension() == 2 {
-            Self::Plane(curve.piece(i))
-        } else {
-            Self::Space(SpacePiece::new(curve, i))
-        }
+        if in_space(curve) { Self::Space(SpacePiece::new(curve, i)) } else { Self::Plane(curve.piece(i)) }
     }
 
     /// The speed at y.

@@ -8,7 +8,7 @@
 //! largest modulus there [Trefethen, theorem 19.3]. The speed √((x′ + iy′)(x′ − iy′)) is singular only where a factor
 //! vanishes: at the two roots of a quadratic, for every segment of every space. So the largest ellipse is known.
 
-use super::piece::{Jet, Piece, panels};
+use super::piece::{HERMITE, Jet, Piece, panels};
 use crate::numerics::Vector;
 use crate::numerics::plane::{norm, square, taxi};
 use crate::numerics::quadrature::{EIGHT, Rule, SIXTEEN, THIRTY_TWO, TWELVE, TWENTY, TWENTY_FOUR};
@@ -316,7 +316,7 @@ fn half_axis(piece: &Piece, jet: &Jet, middle: f64, half: f64) -> f64 {
         };
         return DISCS.into_iter().find(still).unwrap_or(1.0);
     }
-    if rate == 0.0 {
+    if !HERMITE || rate == 0.0 {
         return cubic_half_axis(b, p, q, half);
     }
     let [lead, s, constant] = root_parts(b, p, q * 0.5 + b * (0.25 * rate), half);

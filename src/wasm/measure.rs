@@ -7,7 +7,7 @@ use super::describe::give;
 use super::kernel::{grow, run, times};
 use crate::Result;
 use crate::curve::check_parameters;
-use crate::curve::measures::{self, Pieces};
+use crate::curve::measures::{self, Pieces, in_space};
 use crate::numerics::Point;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -65,24 +65,20 @@ pub fn bounds(slot: u32) -> i32 {
     })
 }
 
-/// The nearest point: t, x, y, distance.
+/// The nearest point: t, x, y, distance; of a curve in space t, x, y, z, distance.
 #[wasm_bindgen]
-pub fn nearest(slot: u32, x: f64, y: f64) -> i32 {
+pub fn nearest(slot: u32, x: f64, y: f64, z: f64) -> i32 {
     run(&mut |kernel| {
+        let curve = kernel.pieces(slot)?;
+        if in_space(curve) {
+            let found = measures::nearest_in_space(curve, [x, y, z]);
+            let [x, y, z] = found.point;
+            kernel.record([found.t, x, y, z, found.distance]);
+            return Ok(5);
+        }
         let found = kernel.finder(slot, 0)?.0.nearest(Point::new(x, y));
         kernel.record([found.t, found.point.x, found.point.y, found.distance]);
         Ok(4)
-    })
-}
-
-/// The same for a curve in space: t, x, y, z, distance.
-#[wasm_bindgen]
-pub fn nearest_in_space(slot: u32, x: f64, y: f64, z: f64) -> i32 {
-    run(&mut |kernel| {
-        let found = measures::nearest_in_space(kernel.pieces(slot)?, [x, y, z]);
-        let [x, y, z] = found.point;
-        kernel.record([found.t, x, y, z, found.distance]);
-        Ok(5)
     })
 }
 
@@ -90,8 +86,8 @@ pub fn nearest_in_space(slot: u32, x: f64, y: f64, z: f64) -> i32 {
 #[wasm_bindgen]
 pub fn nearest_many(slot: u32, count: u32) -> i32 {
     run(&mut |kernel| {
-        if kernel.pieces(slot)?.dimension() == 3 {
-            let curve = kernel.pieces(slot)?;
+        let curve = kernel.pieces(slot)?;
+        if in_space(curve) {
             let mut numbers = Vec::new();
             for place in kernel.given(times(count, 3)).as_chunks::<3>().0 {
                 let found = measures::nearest_in_space(curve, *place);
