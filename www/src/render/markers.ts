@@ -12,18 +12,27 @@ export interface MarkerState {
 
 const haloWidth = 1.5;
 
-function disc(context: CanvasRenderingContext2D, at: ScreenPoint, radius: number): void {
+export function disc(context: CanvasRenderingContext2D, at: ScreenPoint, radius: number): void {
   context.beginPath();
   context.arc(at.x, at.y, radius, 0, 2 * Math.PI);
 }
 
-function diamond(context: CanvasRenderingContext2D, at: ScreenPoint, radius: number): void {
+export function diamond(context: CanvasRenderingContext2D, at: ScreenPoint, radius: number): void {
   context.beginPath();
   context.moveTo(at.x, at.y - radius);
   context.lineTo(at.x + radius, at.y);
   context.lineTo(at.x, at.y + radius);
   context.lineTo(at.x - radius, at.y);
   context.closePath();
+}
+
+/** What the pointer is over is surrounded by its own colour, faintly. */
+export function halo(context: CanvasRenderingContext2D, color: string, outline: () => void): void {
+  context.globalAlpha = 0.22;
+  context.fillStyle = color;
+  outline();
+  context.fill();
+  context.globalAlpha = 1;
 }
 
 /** Very many points: without halo and half as large, so that the curve can still be seen, and filled all at once. */
@@ -59,13 +68,7 @@ export function drawPoint(context: CanvasRenderingContext2D, at: ScreenPoint, ki
   const shape = kind === "cusp" ? diamond : disc;
   const color = kind === "cusp" ? palette.cusp : palette.point;
   const radius = (kind === "cusp" ? 6.5 : 4.5) + (marker.selected ? 1 : 0);
-  if (marker.hovered) {
-    context.globalAlpha = 0.22;
-    context.fillStyle = color;
-    shape(context, at, radius + 5);
-    context.fill();
-    context.globalAlpha = 1;
-  }
+  if (marker.hovered) halo(context, color, () => shape(context, at, radius + 5));
   context.fillStyle = palette.canvas;
   shape(context, at, radius + haloWidth);
   context.fill();
@@ -84,13 +87,7 @@ export function drawPoint(context: CanvasRenderingContext2D, at: ScreenPoint, ki
 /** A control point that is near the curve and not on it: a hollow diamond. */
 export function drawVertex(context: CanvasRenderingContext2D, at: ScreenPoint, marker: MarkerState, palette: Palette): void {
   const radius = 5 + (marker.selected ? 1 : 0);
-  if (marker.hovered) {
-    context.globalAlpha = 0.22;
-    context.fillStyle = palette.point;
-    diamond(context, at, radius + 6);
-    context.fill();
-    context.globalAlpha = 1;
-  }
+  if (marker.hovered) halo(context, palette.point, () => diamond(context, at, radius + 6));
   diamond(context, at, radius + haloWidth);
   context.fillStyle = palette.canvas;
   context.fill();
@@ -105,13 +102,7 @@ export function drawVertex(context: CanvasRenderingContext2D, at: ScreenPoint, m
 
 /** The end of a handle: a hollow disc, filled while it is chosen. */
 export function drawHandleEnd(context: CanvasRenderingContext2D, at: ScreenPoint, marker: MarkerState, palette: Palette): void {
-  if (marker.hovered) {
-    context.globalAlpha = 0.22;
-    context.fillStyle = palette.handle;
-    disc(context, at, 9);
-    context.fill();
-    context.globalAlpha = 1;
-  }
+  if (marker.hovered) halo(context, palette.handle, () => disc(context, at, 9));
   disc(context, at, 4 + haloWidth);
   context.fillStyle = palette.canvas;
   context.fill();
@@ -131,7 +122,8 @@ export function drawKnot(context: CanvasRenderingContext2D, at: ScreenPoint, pal
   context.strokeRect(at.x - 7, at.y - 7, 14, 14);
 }
 
-function drawFocus(context: CanvasRenderingContext2D, at: ScreenPoint, radius: number, palette: Palette): void {
+/** The ring of the point that the keyboard is at. */
+export function drawFocus(context: CanvasRenderingContext2D, at: ScreenPoint, radius: number, palette: Palette): void {
   disc(context, at, radius + 1);
   context.strokeStyle = palette.canvas;
   context.lineWidth = 5;

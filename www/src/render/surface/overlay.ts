@@ -2,6 +2,7 @@ import { isChosen, sameNetPoint, type SurfaceDocument } from "../../document/sur
 import { facesAway } from "../../editor/surface/surface-edits.ts";
 import { projector, type Projected } from "../../editor/surface/orbit.ts";
 import { meshOf, netPoints, type ShownPoint, type SurfaceMesh } from "../../kernel/surface-mesh.ts";
+import { diamond, disc, drawFocus, halo } from "../markers.ts";
 import type { Palette } from "../palette.ts";
 import { inScreen, type Scene } from "../scene.ts";
 
@@ -112,13 +113,7 @@ function drawHandle(scene: Scene, { point, at, away }: Placed): void {
   const shape = (size: number): void => (point.on ? disc(context, at, size) : diamond(context, at, size * 1.25));
   const color = point.ref.detail === undefined ? palette.point : palette.handle;
   context.globalAlpha = (away || point.beyond === true) && !selected && !hovered ? 0.55 : 1;
-  if (hovered) {
-    context.globalAlpha = 0.22;
-    context.fillStyle = color;
-    shape(radius + 5);
-    context.fill();
-    context.globalAlpha = 1;
-  }
+  if (hovered) halo(context, color, () => shape(radius + 5));
   fillShape(context, shape, radius, away, color, palette);
   if (selected) {
     shape(radius + 3.5);
@@ -126,7 +121,7 @@ function drawHandle(scene: Scene, { point, at, away }: Placed): void {
     context.lineWidth = 1.5;
     context.stroke();
   }
-  if (ringed) ring(context, at, radius + 6, palette);
+  if (ringed) drawFocus(context, at, radius + 5, palette);
   context.globalAlpha = 1;
 }
 
@@ -144,30 +139,6 @@ function fillShape(context: CanvasRenderingContext2D, shape: (size: number) => v
     context.fillStyle = color;
     context.fill();
   }
-}
-
-function disc(context: CanvasRenderingContext2D, at: Projected, radius: number): void {
-  context.beginPath();
-  context.arc(at.x, at.y, radius, 0, 2 * Math.PI);
-}
-
-function diamond(context: CanvasRenderingContext2D, at: Projected, radius: number): void {
-  context.beginPath();
-  context.moveTo(at.x, at.y - radius);
-  context.lineTo(at.x + radius, at.y);
-  context.lineTo(at.x, at.y + radius);
-  context.lineTo(at.x - radius, at.y);
-  context.closePath();
-}
-
-function ring(context: CanvasRenderingContext2D, at: Projected, radius: number, palette: Palette): void {
-  disc(context, at, radius);
-  context.strokeStyle = palette.canvas;
-  context.lineWidth = 5;
-  context.stroke();
-  context.strokeStyle = palette.focus;
-  context.lineWidth = 2;
-  context.stroke();
 }
 
 /** Iso-lines of a patch, and straight pieces of one between two of them. */

@@ -5,18 +5,14 @@ import { panned, type ScreenPoint } from "../../editor/camera.ts";
 import { insertAt, resetSelectedHandles, toggleCusp } from "../../editor/edits.ts";
 import type { Editor, Modifiers, Target } from "../../editor/editor.ts";
 import { hitTest, sameTarget } from "../../editor/hit-test.ts";
-import { distanceBetween, dragThreshold, type Drag, type PointerSample, type Tool } from "../../editor/tool.ts";
+import type { Drag, PointerSample, Tool } from "../../editor/tool.ts";
+import { pressOrDrag } from "../press-or-drag.ts";
 import { brush } from "./brushing.ts";
 import { dragHandle } from "./dragging-handle.ts";
 import { dragPoints } from "./dragging-points.ts";
 import { dragSegment } from "./dragging-segment.ts";
 
-/** Select and edit: nothing happens on the press; within the threshold the release is a click, beyond it a drag. */
-
-type State =
-  | { readonly kind: "idle" }
-  | { readonly kind: "pressing"; readonly start: PointerSample; readonly target: Target }
-  | { readonly kind: "dragging"; readonly drag: Drag };
+/** Select and edit. */
 
 /** The cursor announces the outcome of a press. */
 function cursorFor(target: Target, modifiers: Modifiers): string {
@@ -33,7 +29,6 @@ function cursorFor(target: Target, modifiers: Modifiers): string {
 }
 
 export function createSelectTool(editor: Editor): Tool {
-  let state: State = { kind: "idle" };
   /** What the last click hit: the second click of a double-click means the same thing, whatever appeared since. */
   let lastClicked: Target = { kind: "empty" };
 
@@ -135,42 +130,26 @@ export function createSelectTool(editor: Editor): Tool {
     }
   }
 
+  const gestures = pressOrDrag<Target>({
+    hit: (sample) => (sample.clicks === 2 ? lastClicked : hitTest(editor.state.value, sample.screen, sample.kind)),
+    begin: dragFor,
+    click(target, sample) {
+      if (sample.clicks === 2) doubleClick(target);
+      else click(target, sample);
+      lastClicked = target;
+    },
+    dragged() {
+      lastClicked = { kind: "empty" };
+    },
+  });
+
   return {
+    ...gestures,
     hover(sample) {
       const target = hitTest(editor.state.value, sample.screen, sample.kind);
       const cursor = cursorFor(target, sample.modifiers);
       const { hover, cursor: shown } = editor.state.value;
       if (!sameTarget(target, hover) || cursor !== shown) editor.patch({ hover: target, cursor });
-    },
-    press(sample) {
-      const target = sample.clicks === 2 ? lastClicked : hitTest(editor.state.value, sample.screen, sample.kind);
-      state = { kind: "pressing", start: sample, target };
-    },
-    drag(sample) {
-      if (state.kind === "pressing") {
-        if (distanceBetween(sample.screen, state.start.screen) < dragThreshold[sample.kind]) return;
-        state = { kind: "dragging", drag: dragFor(state.start, state.target) };
-      }
-      if (state.kind === "dragging") state.drag.update(sample);
-    },
-    release(sample) {
-      const ended = state;
-      state = { kind: "idle" };
-      if (ended.kind === "dragging") {
-        ended.drag.update(sample);
-        ended.drag.finish(sample);
-        lastClicked = { kind: "empty" };
-      } else if (ended.kind === "pressing") {
-        if (sample.clicks === 2) doubleClick(ended.target);
-        else click(ended.target, sample);
-        lastClicked = ended.target;
-      }
-    },
-    cancel() {
-      const ended = state;
-      state = { kind: "idle" };
-      if (ended.kind === "dragging") ended.drag.cancel();
-      return ended.kind !== "idle";
     },
     finish() {
       return false;

@@ -6,7 +6,8 @@ import { netHit } from "../../editor/surface/net-hit.ts";
 import { lengthOf, shifted, stepAlong, stepInView, turned, type Orbit, type Vector } from "../../editor/surface/orbit.ts";
 import type { DragAxis } from "../../editor/surface/solid.ts";
 import { axisVector, chooseNet, moved, patchSolid, shownPoint, toggleChosen } from "../../editor/surface/surface-edits.ts";
-import { distanceBetween, dragThreshold, type Drag, type PointerSample, type Tool } from "../../editor/tool.ts";
+import type { Drag, PointerSample, Tool } from "../../editor/tool.ts";
+import { pressOrDrag } from "../press-or-drag.ts";
 
 /** Surface mode's pointer: control points are dragged, everything else turns the view. */
 
@@ -15,13 +16,7 @@ export interface SurfaceTool extends Tool {
   hold(axis: DragAxis): boolean;
 }
 
-type State =
-  | { readonly kind: "idle" }
-  | { readonly kind: "pressing"; readonly start: PointerSample; readonly hit: NetRef | null }
-  | { readonly kind: "dragging"; readonly drag: Drag };
-
 export function createSurfaceTool(editor: Editor): SurfaceTool {
-  let state: State = { kind: "idle" };
   let held: DragAxis | null = null;
   let last: PointerSample | null = null;
 
@@ -93,6 +88,16 @@ export function createSurfaceTool(editor: Editor): SurfaceTool {
     };
   }
 
+  const gestures = pressOrDrag<NetRef | null>({
+    hit: (sample) => netHit(editor.state.value, sample.screen, sample.kind),
+    begin: (start, hit) => (hit === null ? look(start) : dragNet(start, hit)),
+    click(hit, { modifiers }) {
+      if (hit !== null && modifiers.shift) toggleChosen(editor, hit);
+      else if (hit !== null) chooseNet(editor, [hit]);
+      else if (!modifiers.shift) chooseNet(editor, noNetPoints);
+    },
+  });
+
   return {
     hover(sample) {
       const { solid, cursor } = editor.state.value;
@@ -102,42 +107,21 @@ export function createSurfaceTool(editor: Editor): SurfaceTool {
       if (!same) patchSolid(editor, { hover: hit });
       if (cursor !== wanted) editor.patch({ cursor: wanted });
     },
+    ...gestures,
     press(sample) {
       last = sample;
-      state = { kind: "pressing", start: sample, hit: netHit(editor.state.value, sample.screen, sample.kind) };
+      gestures.press(sample);
     },
     drag(sample) {
       last = sample;
-      if (state.kind === "pressing") {
-        if (distanceBetween(sample.screen, state.start.screen) < dragThreshold[sample.kind]) return;
-        state = { kind: "dragging", drag: state.hit === null ? look(state.start) : dragNet(state.start, state.hit) };
-      }
-      if (state.kind === "dragging") state.drag.update(sample);
-    },
-    release(sample) {
-      const ended = state;
-      state = { kind: "idle" };
-      if (ended.kind === "dragging") {
-        ended.drag.update(sample);
-        ended.drag.finish(sample);
-      } else if (ended.kind === "pressing") {
-        if (ended.hit === null) {
-          if (!sample.modifiers.shift) chooseNet(editor, noNetPoints);
-        } else if (sample.modifiers.shift) toggleChosen(editor, ended.hit);
-        else chooseNet(editor, [ended.hit]);
-      }
-    },
-    cancel() {
-      const ended = state;
-      state = { kind: "idle" };
-      if (ended.kind === "dragging") ended.drag.cancel();
-      return ended.kind !== "idle";
+      gestures.drag(sample);
     },
     finish: () => false,
     hold(axis) {
-      if (state.kind !== "dragging" || last === null || editor.state.value.solid.drag === null) return false;
+      const drag = gestures.current();
+      if (drag === null || last === null || editor.state.value.solid.drag === null) return false;
       held = held === axis ? null : axis;
-      state.drag.update({ ...last, modifiers: editor.state.value.modifiers });
+      drag.update({ ...last, modifiers: editor.state.value.modifiers });
       return true;
     },
   };
