@@ -124,7 +124,7 @@ fn neighbours_share_joint_and_tangent() {
     };
     for tube in &tubes {
         let joints = [joint(tube.first), joint(tube.first + tube.count - 1)];
-        let rule = Method::Mean(Rule::Parsimonious { slack: 0.02 });
+        let rule = Method::Mean(Rule::Parsimonious { share: 0.1, slack: 0.02 });
         let fitted = fit_tube(&chain.tube_points(tube), joints, 2, rule).expect("valid");
         assert!(fitted.mae <= fitted.rmse && fitted.rmse < 0.5, "within the pixels: {}", fitted.rmse);
         let (first, last) = (fitted.control[1] - fitted.control[0], joints[0].tangent.expect("smooth"));

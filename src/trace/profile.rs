@@ -34,7 +34,7 @@ impl Default for ProfileOptions {
     fn default() -> Self {
         Self {
             degree: 2,
-            method: Method::Local(Rule::Parsimonious { slack: 0.02 }),
+            method: Method::Local(Rule::Parsimonious { share: 0.1, slack: 0.02 }),
             angle: 50_f64.to_radians(),
             window: None,
             cusps: CuspRule { gap: 1.6, window: 5.0, angle: 35_f64.to_radians(), reach: 1.5 },

@@ -22,9 +22,11 @@ pub struct Score {
 pub enum Rule {
     /// The least error; of equal ones fewer knots, then more neighbours \[RB21, section 3.3\].
     Least,
-    /// The fewest knots whose error is at most a tenth, or `slack`, above the least. The noise of chains of pixels is correlated,
+    /// The fewest knots whose error is at most `share` of it, or `slack`, above the least. The noise of chains of pixels is correlated,
     /// so that the least error alone asks for too many knots.
     Parsimonious {
+        /// A tenth, say.
+        share: f64,
         /// In the unit of the ordinates.
         slack: f64,
     },
@@ -132,7 +134,7 @@ pub fn generalised_cross_validation(
 pub enum Method {
     /// Means of the nearest, chosen by leaving out every point once.
     Mean(Rule),
-    /// Local polynomials, chosen by generalised cross-validation.
+    /// Local polynomials, chosen by [`left_out_locally`].
     Local(Rule),
 }
 
@@ -144,6 +146,29 @@ impl Method {
             Self::Local(_) => Estimator::Local { k },
         }
     }
+}
+
+/// The root mean square error of predicting each point from the others by the local estimator, its weights kept: r/(1 − h) with h the share of a
+/// point's ordinate in its own value.
+///
+/// # Errors
+///
+/// As [`QuasiInterpolant::new`].
+pub fn left_out_locally(cloud: &Cloud, knots: &Knots, k: usize, ends: [End; 2]) -> Result<f64> {
+    let fitted = QuasiInterpolant::new(cloud, knots.clone(), Estimator::Local { k }, ends)?;
+    let mut local = LocalFit::new(k)?;
+    let mut own = filled(0.0, cloud.len())?;
+    for q in (0..knots.count()).filter(|&q| held(knots, q, ends).is_none()) {
+        local.weigh(cloud, knots, q);
+        for (i, share) in local.influence() {
+            let (first, values) = knots.values(cloud.x()[i]);
+            if (first..=first + knots.degree()).contains(&q) {
+                own[i] += share * values[q - first];
+            }
+        }
+    }
+    let residuals = fitted.residuals(cloud)?;
+    Ok(root_mean_square(residuals.iter().zip(&own).map(|(r, h)| r / (1.0 - h).max(0.05))))
 }
 
 /// Interior knots up to the least of 8 and a third of the points less two, and 1 … 9 neighbours for means, 7 and more for local polynomials,
@@ -184,7 +209,7 @@ pub fn choose(
     let (Method::Mean(rule) | Method::Local(rule)) = method;
     let limit = match rule {
         Rule::Least => lowest,
-        Rule::Parsimonious { slack } => (1.1 * lowest).max(lowest + slack),
+        Rule::Parsimonious { share, slack } => lowest + (share * lowest).max(slack),
     };
     Ok(best.into_iter().find(|choice| choice.score <= limit))
 }
@@ -205,7 +230,7 @@ fn best_local(cloud: &Cloud, knots: &Knots, interior: usize, ends: [End; 2]) -> 
     let mut k = (knots.degree() + 5).min(cloud.len());
     let mut choice = Choice { interior, k, score: f64::MAX };
     loop {
-        let (score, _) = generalised_cross_validation(cloud, knots, k, ends)?;
+        let score = left_out_locally(cloud, knots, k, ends)?;
         if score <= choice.score {
             choice = Choice { interior, k, score };
         }
