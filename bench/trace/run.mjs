@@ -62,7 +62,7 @@ async function lines(trace) {
     const title = `centre lines, ${condition}`;
     if (!title.includes(only)) continue;
     const { row, scores } = await measuredLines(set, condition, trace);
-    const rows = [{ name: "expline", row }, ...RECORDED_LINES[condition]];
+    const rows = [{ name: "expline, native", row }, ...RECORDED_LINES[condition]];
     const cells = rows.map(({ name, row: r }) => [name, r.failed ?? "–", ...LINE_COLUMNS.map(([key, , digits]) => r[key]?.toFixed(digits) ?? "–")]);
     const head = ["tracer", "failed", ...LINE_COLUMNS.map(([, heading]) => heading)];
     console.log(`### ${title}\n\n| ${head.join(" | ")} |\n|${"---|".repeat(head.length)}\n${cells.map((c) => `| ${c.join(" | ")} |`).join("\n")}\n`);
@@ -97,10 +97,11 @@ async function sheets(contestants) {
 }
 
 console.log(`${cpus()[0].model}, ${cpus().length} cores, Node ${process.versions.node}\n\n${LEGEND}\n`);
-const { scored, timed: all, close } = await tracers(program);
+const { scored, timed: all, centreLines, close } = await tracers(program);
 try {
   await outlines("outlines", kept(), scored);
   await outlines("unseen outlines", unseen(), scored);
+  await lines(centreLines);
   await primitives(scored[0][1]);
   await sheets(all);
 } finally {

@@ -72,25 +72,29 @@ async function wasm(refine) {
   return (picture, times) => least(times, () => ({ ...new ImageData(picture) }), (image) => traceImage(image, { refine }).toSvg());
 }
 
-const framed = ({ width, height }, d) => `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}"><path d="${d}"/></svg>`;
+const framed = ({ width, height }, d, paint) => `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}"><path ${paint}d="${d}"/></svg>`;
 
 /** expline natively: a program that is asked line by line. */
 function native(program) {
   const child = spawn(program, [], { stdio: ["pipe", "pipe", "inherit"] });
   const lines = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
-  const trace = (refined) => async (picture, times) => {
+  const ask = (what, refined, paint) => async (picture, times) => {
     const shades = Buffer.from(picture.pixels).toString("hex");
-    child.stdin.write(`outlines ${picture.width} ${picture.height} ${refined} ${times} ${shades}\n`);
+    child.stdin.write(`${what} ${picture.width} ${picture.height} ${refined} ${times} ${shades}\n`);
     const { value, done } = await lines.next();
     if (done) throw new Error("the native program ended");
     if (value.startsWith("! ")) throw new Error(value.slice(2));
     const [, ns, ...d] = value.split(" ");
-    return { ms: Number(ns) / 1e6, svg: framed(picture, d.join(" ")) };
+    return { ms: Number(ns) / 1e6, svg: framed(picture, d.join(" "), paint) };
   };
-  return { trace, close: () => child.stdin.end() };
+  return {
+    trace: (refined) => ask("outlines", refined, ""),
+    lines: ask("lines", true, 'fill="none" stroke="#000" '),
+    close: () => child.stdin.end(),
+  };
 }
 
-/** By name, ours first: those whose drawings are scored, and all whose time is taken. `close` ends the native program. */
+/** By name, ours first: those whose drawings are scored, and all whose time is taken; `centreLines` is ours. `close` ends the native program. */
 export async function tracers(program) {
   const own = native(program);
   const scored = [
@@ -106,5 +110,5 @@ export async function tracers(program) {
     ["expline, native, not refined", own.trace(false)],
     ...scored.slice(1),
   ];
-  return { scored, timed, close: own.close };
+  return { scored, timed, centreLines: own.lines, close: own.close };
 }

@@ -1,6 +1,6 @@
 //! expline's tracer as native code, asked line by line.
 //!
-//! In: `outlines WIDTH HEIGHT REFINED TIMES SHADES`, shades as two hexadecimal digits for each pixel. Out: nanoseconds for all the times together,
+//! In: `outlines WIDTH HEIGHT REFINED TIMES SHADES`, or `lines` for centre lines; shades as two hexadecimal digits for each pixel. Out: nanoseconds for all the times together,
 //! the least of them, and path data, or `! ` and why there is none.
 
 use std::hint::black_box;
@@ -8,7 +8,7 @@ use std::io::{BufRead, Write};
 use std::time::Instant;
 
 use expline::svg::{PrintOptions, to_path_d};
-use expline::trace::{Gray, Trace, TraceOptions, trace};
+use expline::trace::{Gray, Source, Trace, TraceOptions, trace};
 
 type Failure = Box<dyn std::error::Error>;
 
@@ -31,9 +31,9 @@ fn picture(width: &str, height: &str, text: &str) -> Result<Picture, Failure> {
     Ok(Picture { width: width.parse()?, height: height.parse()?, shades })
 }
 
-fn outlines(picture: &Picture, refined: bool) -> Result<Trace, Failure> {
+fn traced(picture: &Picture, source: Source, refined: bool) -> Result<Trace, Failure> {
     let gray = Gray::from_bytes(picture.width, picture.height, &picture.shades)?;
-    Ok(trace(gray, &TraceOptions { refined, ..TraceOptions::default() })?)
+    Ok(trace(gray, &TraceOptions { source, refined, ..TraceOptions::default() })?)
 }
 
 fn path(drawing: &Trace) -> Result<String, Failure> {
@@ -47,15 +47,20 @@ fn path(drawing: &Trace) -> Result<String, Failure> {
 
 fn obey(line: &str) -> Result<String, Failure> {
     let parts: Vec<&str> = line.split(' ').collect();
-    let ["outlines", width, height, refined, times, shades] = parts[..] else {
+    let [what, width, height, refined, times, shades] = parts[..] else {
         return Err("outlines WIDTH HEIGHT REFINED TIMES SHADES".into());
+    };
+    let source = match what {
+        "outlines" => Source::Brightness,
+        "lines" => Source::Lines,
+        _ => return Err(format!("{what} is no command").into()),
     };
     let picture = picture(width, height, shades)?;
     let (mut total, mut least) = (0, u128::MAX);
     let mut d = String::new();
     for _ in 0..times.parse::<usize>()?.max(1) {
         let start = Instant::now();
-        d = black_box(path(&outlines(&picture, refined == "true")?)?);
+        d = black_box(path(&traced(&picture, source, refined == "true")?)?);
         let taken = start.elapsed().as_nanos();
         total += taken;
         least = least.min(taken);
