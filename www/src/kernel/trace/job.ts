@@ -61,7 +61,7 @@ export interface TraceSizes {
 
 export interface TraceResult {
   readonly outlines: readonly TracedOutline[];
-  /** Commands of the path text by kind. */
+  /** Segments by kind. */
   readonly segments: { readonly lines: number; readonly arcs: number; readonly curves: number };
   /** Area that outlines and thresholded picture have in common, by the area of either. */
   readonly iou: number;

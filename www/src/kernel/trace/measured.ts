@@ -4,6 +4,7 @@ import { contourFrom } from "../contours.ts";
 import type { Trace } from "./engine.ts";
 import type { TracedOutline, TraceResult, TraceSizes } from "./job.ts";
 import { coverage } from "./raster.ts";
+import { kindsOf } from "./segments.ts";
 
 /** What a trace came to: outlines in pixels of the picture, and the numbers that are printed about them. */
 
@@ -27,8 +28,8 @@ export async function measured(trace: Trace, scale: readonly [number, number], s
   const curves = trace.contours.map((found) => inPicture(found, scale));
   const texts = curves.map((curve) => curve.toPathD(printed).d);
   const outlines = trace.contours.map((found, i) => outlineOf(found, curves[i], scale));
-  const count = (pattern: RegExp): number => texts.reduce((sum, text) => sum + (text.match(pattern)?.length ?? 0), 0);
-  const segments = { lines: outlines.reduce((sum, { contour }) => sum + straightSegments(contour), 0), arcs: count(/a/giu), curves: count(/[cqst]/giu) };
+  const segments = { lines: 0, arcs: 0, curves: 0 };
+  for (const { contour } of outlines) for (const kind of kindsOf(contour)) segments[kind] += 1;
   const polygons = curves.map((curve) => polygonText(curve.flatten(polygonWithin)));
   const sizes = await sizesOf(texts.join(""), polygons.join(""));
   const iou = overlap(outlines, scale, seen);
@@ -62,20 +63,6 @@ function withKinds(contour: Contour, corners: readonly (readonly [number, number
     return { ...point, kind: isCorner ? "cusp" as const : "smooth" as const };
   });
   return { ...contour, points };
-}
-
-/** Segments whose handles lie on the line between their points. */
-function straightSegments({ points, closed }: Contour): number {
-  let count = 0;
-  points.forEach((from, i) => {
-    const to = points[(i + 1) % points.length];
-    if (to === undefined || (!closed && i === points.length - 1)) return;
-    const [dx, dy] = [to.x - from.x, to.y - from.y];
-    const off = (handle: { dx: number; dy: number }): number => Math.abs(dx * handle.dy - dy * handle.dx);
-    const size = Math.hypot(dx, dy);
-    if (size > 0 && off(from.out) + off(to.in) <= 1e-6 * size * size) count += 1;
-  });
-  return count;
 }
 
 function polygonText(vertices: Float64Array): string {

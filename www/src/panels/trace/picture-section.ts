@@ -33,8 +33,8 @@ export function pictureSection(shell: Shell): Section {
   let drawn: ShownPicture | null = null;
   return {
     element: h("section", { class: "section", "aria-label": "Picture" }, file,
-      h("div", { class: "trace-picture" }, preview, h("div", { class: "trace-about" }, name, size, samples)),
-      view.element, alpha.element, h("div", { class: "field-row" }, hold)),
+      h("div", { class: "trace-picture" }, preview, h("div", { class: "trace-about" }, name, size)),
+      h("div", { class: "field-row" }, samples, hold), view.element, alpha.element),
     update(state) {
       const { picture } = state.traceRun;
       setText(name, picture?.name ?? state.trace.kept?.name ?? "No picture yet");

@@ -4,14 +4,13 @@ import { showsPoints } from "../../editor/trace/trace-hit.ts";
 import type { ShownPicture } from "../../kernel/trace/outcome.ts";
 import { drawGrid } from "../layers/grid.ts";
 import { addSmallPoint, drawPoint, drawSmallPoints } from "../markers.ts";
-import { documentPaths, inPage, inScreen, onScreen, pathOfCubics, type Scene } from "../scene.ts";
+import { documentPaths, inPage, inScreen, onScreen, type Scene } from "../scene.ts";
 import type { Painter } from "../stage.ts";
 
 /** Trace's picture, from the paper up: the pixels, the outlines over them, and the points where they change. */
 
-/** More points than this are drawn small, and more than the second not at all while the whole is in view. */
-const mostLarge = 240;
-const mostSmall = 12_000;
+/** Marks nearer to each other than this would hide what they mark, in CSS pixels along the outlines; nearer than the first, they are drawn small. */
+const [largeApart, smallApart] = [40, 11];
 
 export function createTracePainter(): Painter {
   return {
@@ -64,9 +63,17 @@ function pathOf(scene: Scene, drawing: CurveDocument): Path2D {
   const known = wholes.get(outcome.cubics);
   if (known !== undefined) return known;
   const path = new Path2D();
-  outcome.cubics.forEach((cubics, i) => path.addPath(pathOfCubics(cubics, drawing.contours[i]?.closed === true)));
+  outcome.cubics.forEach((cubics, i) => addCubics(path, cubics, drawing.contours[i]?.closed === true));
   wholes.set(outcome.cubics, path);
   return path;
+}
+
+function addCubics(path: Path2D, cubics: Float64Array, closed: boolean): void {
+  path.moveTo(cubics[0] ?? 0, cubics[1] ?? 0);
+  for (let i = 0; i + 7 < cubics.length; i += 8) {
+    path.bezierCurveTo(cubics[i + 2] ?? 0, cubics[i + 3] ?? 0, cubics[i + 4] ?? 0, cubics[i + 5] ?? 0, cubics[i + 6] ?? 0, cubics[i + 7] ?? 0);
+  }
+  if (closed) path.closePath();
 }
 
 function drawOutlines(scene: Scene, drawing: CurveDocument, thin: boolean): void {
@@ -91,13 +98,31 @@ function drawOutlines(scene: Scene, drawing: CurveDocument, thin: boolean): void
   context.stroke(path);
 }
 
+const spacings = new WeakMap<CurveDocument, number>();
+
+/** The mean way from point to point along the outlines, in pixels of the picture. */
+function spacingOf(drawing: CurveDocument): number {
+  const known = spacings.get(drawing);
+  if (known !== undefined) return known;
+  let [way, count] = [0, 0];
+  for (const { points } of drawing.contours) {
+    points.forEach(({ x, y }, i) => {
+      const next = points[(i + 1) % points.length];
+      if (next !== undefined) way += Math.hypot(next.x - x, next.y - y);
+    });
+    count += points.length;
+  }
+  const fresh = count === 0 ? Infinity : way / count;
+  spacings.set(drawing, fresh);
+  return fresh;
+}
+
 function drawPoints(scene: Scene, drawing: CurveDocument, all: boolean): void {
   const { state, palette, focused } = scene;
   const { stage, traceView } = state;
   const context = inScreen(scene);
-  const total = drawing.contours.reduce((sum, { points }) => sum + points.length, 0);
-  if (total > mostSmall) return;
-  const crowded = total > mostLarge;
+  const apart = spacingOf(drawing) * state.view.zoom;
+  const crowded = apart < largeApart;
   const small = { discs: new Path2D(), diamonds: new Path2D() };
   const late: (() => void)[] = [];
   drawing.contours.forEach(({ points }, contour) => points.forEach((point, index) => {
@@ -107,7 +132,7 @@ function drawPoints(scene: Scene, drawing: CurveDocument, all: boolean): void {
     const marker = { hovered: is(traceView.over), selected: is(traceView.chosen), focused: is(traceView.chosen) && focused && state.keyboard };
     const marked = marker.hovered || marker.selected;
     if (marked || (!crowded && (all || point.kind === "cusp"))) late.push(() => drawPoint(context, at, point.kind, marker, palette));
-    else addSmallPoint(small, at, point.kind, false);
+    else if (apart >= smallApart) addSmallPoint(small, at, point.kind, false);
   }));
   drawSmallPoints(context, small, palette);
   for (const draw of late) draw();
