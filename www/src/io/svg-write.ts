@@ -19,15 +19,18 @@ export interface SvgOptions {
   readonly title: string;
   readonly d: string;
   readonly box: Box | null;
+  /** Areas of ink, holes left out, in place of lines. */
+  readonly filled?: boolean;
 }
 
 /** A document with one path, and a viewBox around it with room for its line. */
-export function writeSvg({ title, d, box }: SvgOptions): string {
+export function writeSvg({ title, d, box, filled }: SvgOptions): string {
   const margin = 2;
   const { minX, minY, maxX, maxY } = box ?? { minX: 0, minY: 0, maxX: 1, maxY: 1 };
   const [x, y] = [Math.floor(minX - margin), Math.floor(minY - margin)];
   const size = [Math.ceil(maxX + margin) - x, Math.ceil(maxY + margin) - y].map(plain);
-  const path = d === "" ? "" : `  <path d="${escapeXml(d)}" fill="none" stroke="#1b1f24" stroke-width="2" stroke-linejoin="round"/>\n`;
+  const look = filled === true ? 'fill="#1b1f24" fill-rule="evenodd"' : 'fill="none" stroke="#1b1f24" stroke-width="2" stroke-linejoin="round"';
+  const path = d === "" ? "" : `  <path d="${escapeXml(d)}" ${look}/>\n`;
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${plain(x)} ${plain(y)} ${size[0]} ${size[1]}" width="${size[0]}" height="${size[1]}">\n`,
     `  <title>${escapeXml(title)}</title>\n`,

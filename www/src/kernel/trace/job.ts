@@ -63,8 +63,8 @@ export interface TraceResult {
   readonly outlines: readonly TracedOutline[];
   /** Segments by kind. */
   readonly segments: { readonly lines: number; readonly arcs: number; readonly curves: number };
-  /** Area that outlines and thresholded picture have in common, by the area of either. */
-  readonly iou: number;
+  /** Area that closed outlines and thresholded picture have in common, by the area of either; null where lines end openly. */
+  readonly iou: number | null;
   readonly sizes: TraceSizes;
   /** Milliseconds by stage. */
   readonly stages: Readonly<Record<string, number>>;

@@ -32,7 +32,7 @@ export async function measured(trace: Trace, scale: readonly [number, number], s
   for (const { contour } of outlines) for (const kind of kindsOf(contour)) segments[kind] += 1;
   const polygons = curves.map((curve) => polygonText(curve.flatten(polygonWithin)));
   const sizes = await sizesOf(texts.join(""), polygons.join(""));
-  const iou = overlap(outlines, scale, seen);
+  const iou = outlines.every(({ contour }) => contour.closed) ? overlap(outlines, scale, seen) : null;
   return { outlines, segments, iou, sizes, stages: { ...trace.milliseconds, measuring: performance.now() - start } };
 }
 

@@ -65,6 +65,8 @@ export function openExport(shell: Shell): void {
     { title: "Export", testid: "export-dialog", wide: true },
     h("div", { class: "export" }, h("div", { class: "export-options" }, picture, segments.element, tolerance.element, decimals.element, relative.element), h("div", { class: "export-result" }, preview, numbers, message)),
   );
+  // What was traced is ink, not lines.
+  const filled = mode === "trace" && curve.contours.every(({ closed }) => closed);
   const stem = curve.sample ?? "expline";
   const title = curveSample(curve.sample ?? "")?.title ?? "expline drawing";
   const copy = (text: string, what: string) => (): void => {
@@ -72,7 +74,7 @@ export function openExport(shell: Shell): void {
   };
   dialog.foot.append(
     button("Copy path", { class: "primary", testid: "export-d", title: "Copy the path's d", click: () => copy(exported?.d ?? "", "the path")() }),
-    button("SVG", { testid: "export-svg", title: "Download an SVG file", click: () => void io.writeSvg({ title, d: exported?.d ?? "", box }).then((text) => io.download(`${stem}.svg`, new Blob([text], { type: "image/svg+xml" }))) }),
+    button("SVG", { testid: "export-svg", title: "Download an SVG file", click: () => void io.writeSvg({ title, d: exported?.d ?? "", box, filled }).then((text) => io.download(`${stem}.svg`, new Blob([text], { type: "image/svg+xml" }))) }),
     button("JSON", { testid: "export-json", title: "Download the drawing, to open it here again", click: () => io.download(`${stem}.json`, new Blob([writeState(editor.getState())], { type: "application/json" })) }),
     pngGroup(shell, stem, () => exported?.d ?? "", box),
     button("TypeScript", { testid: "export-ts", title: "Copy TypeScript that makes this drawing", click: () => copy(snippetFor("vanilla", curve, chosen), "TypeScript")() }),

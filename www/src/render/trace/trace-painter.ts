@@ -54,18 +54,29 @@ function drawFrame(scene: Scene): void {
   context.globalAlpha = 1;
 }
 
-const wholes = new WeakMap<readonly Float64Array[], Path2D>();
+interface Paths {
+  readonly all: Path2D;
+  readonly closed: Path2D;
+}
 
-/** All outlines in one path: as the worker gave them, or anew where corners were decided by hand. */
-function pathOf(scene: Scene, drawing: CurveDocument): Path2D {
+const wholes = new WeakMap<readonly Float64Array[], Paths>();
+
+/** All outlines in one path, and the closed ones in another: as the worker gave them, or anew where corners were decided by hand. */
+function pathsOf(scene: Scene, drawing: CurveDocument): Paths {
   const { outcome } = scene.state.traceRun;
-  if (outcome === null || outcome.drawing !== drawing || outcome.cubics.length === 0) return documentPaths(scene, drawing).all;
+  if (outcome === null || outcome.drawing !== drawing || outcome.cubics.length === 0) return documentPaths(scene, drawing);
   const known = wholes.get(outcome.cubics);
   if (known !== undefined) return known;
-  const path = new Path2D();
-  outcome.cubics.forEach((cubics, i) => addCubics(path, cubics, drawing.contours[i]?.closed === true));
-  wholes.set(outcome.cubics, path);
-  return path;
+  const every = drawing.contours.every(({ closed }) => closed);
+  const all = new Path2D();
+  const paths = { all, closed: every ? all : new Path2D() };
+  outcome.cubics.forEach((cubics, i) => {
+    const closed = drawing.contours[i]?.closed === true;
+    addCubics(all, cubics, closed);
+    if (closed && !every) addCubics(paths.closed, cubics, true);
+  });
+  wholes.set(outcome.cubics, paths);
+  return paths;
 }
 
 function addCubics(path: Path2D, cubics: Float64Array, closed: boolean): void {
@@ -79,12 +90,12 @@ function addCubics(path: Path2D, cubics: Float64Array, closed: boolean): void {
 function drawOutlines(scene: Scene, drawing: CurveDocument, thin: boolean): void {
   const { state, palette } = scene;
   const context = inPage(scene);
-  const path = pathOf(scene, drawing);
+  const { all: path, closed } = pathsOf(scene, drawing);
   context.lineJoin = "round";
   if (!thin) {
     context.fillStyle = palette.point;
     context.globalAlpha = state.traceView.view === "outline" ? 0.08 : 0.16;
-    context.fill(path, "evenodd");
+    context.fill(closed, "evenodd");
     context.globalAlpha = 1;
     // A rim of paper keeps the line in sight over dark pixels.
     context.strokeStyle = palette.canvas;
