@@ -12,13 +12,17 @@ const FINE: usize = 16;
 
 /// Draws a shape with anti-aliasing, dark on white.
 fn draw(width: usize, height: usize, ink: &dyn Fn(f64, f64) -> bool) -> Vec<u8> {
+    draw_finely(width, height, FINE, ink)
+}
+
+fn draw_finely(width: usize, height: usize, fine: usize, ink: &dyn Fn(f64, f64) -> bool) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(width * height);
     for row in 0..height {
         for column in 0..width {
-            let place = |start: usize, k: usize| start as f64 + (k as f64 + 0.5) / FINE as f64;
+            let place = |start: usize, k: usize| start as f64 + (k as f64 + 0.5) / fine as f64;
             let hits =
-                (0..FINE * FINE).filter(|k| ink(place(column, k % FINE), place(row, k / FINE))).count();
-            bytes.push((255.0 * (1.0 - hits as f64 / (FINE * FINE) as f64)).round() as u8);
+                (0..fine * fine).filter(|k| ink(place(column, k % fine), place(row, k / fine))).count();
+            bytes.push((255.0 * (1.0 - hits as f64 / (fine * fine) as f64)).round() as u8);
         }
     }
     bytes
@@ -343,4 +347,79 @@ fn metrics_are_distances_to_the_contour_in_pixels() {
         "{metrics:?}"
     );
     assert!(metrics.hausdorff > 0.3 && metrics.hausdorff < 2.0 && metrics.jaccard > 0.9, "{metrics:?}");
+}
+
+#[test]
+fn a_rounded_rectangle_is_four_lines_and_four_arcs_of_circles() {
+    let (left, top, right, bottom, radius) = (12.3, 15.6, 112.4, 83.2, 17.4);
+    let ink = |x: f64, y: f64| {
+        let dx = (left + radius - x).max(x - right + radius).max(0.0);
+        let dy = (top + radius - y).max(y - bottom + radius).max(0.0);
+        dx.hypot(dy) <= radius && x >= left && x <= right && y >= top && y <= bottom
+    };
+    let drawing = traced(128, 100, &draw_finely(128, 100, 48, &ink));
+    let curve = &drawing.contours[0].curve;
+    let lines = curve.segments().filter(|segment| segment.as_line(1e-9)).count();
+    let arcs = curve.omega().iter().filter(|&&omega| omega != 0.0).count();
+    assert_eq!((lines, arcs), (4, 4));
+    let (most, _) = along(curve, &|p| {
+        let dx = (left + radius - p.x).max(p.x - right + radius).max(0.0);
+        let dy = (top + radius - p.y).max(p.y - bottom + radius).max(0.0);
+        if dx > 0.0 && dy > 0.0 {
+            (dx.hypot(dy) - radius).abs()
+        } else {
+            (p.x - left).abs().min((p.x - right).abs()).min((p.y - top).abs()).min((p.y - bottom).abs())
+        }
+    });
+    // Forty-eight places per axis leave a thousandth of coverage, as much as shades of a byte.
+    assert!(most < 0.03, "{most}");
+}
+
+#[test]
+fn tips_are_one_corner_however_sharp_and_no_corner_is_as_sharp_as_a_hairpin() {
+    let bolt = [(70.5, 10.2), (37.0, 69.0), (62.0, 69.0), (56.0, 118.5), (91.5, 56.5), (65.5, 56.5)];
+    let bytes = draw(128, 128, &|x, y| inside(&bolt, x, y));
+    let drawing = traced(128, 128, &bytes);
+    let contour = &drawing.contours[0];
+    assert_eq!((contour.cusps.len(), contour.curve.segment_count()), (6, 6), "{:?}", contour.cusps);
+    assert!(contour.metrics.hausdorff < 4.0 && contour.metrics.rmse < 0.3, "{:?}", contour.metrics);
+    let gray = Gray::from_bytes(128, 128, &bytes).expect("valid");
+    let options = TraceOptions { corner: core::f64::consts::PI, ..TraceOptions::default() };
+    let smooth = trace(gray, &options).expect("a drawing");
+    assert!(smooth.contours[0].cusps.is_empty(), "nothing turns by half a turn");
+}
+
+#[test]
+fn more_tolerance_never_takes_more_pieces() {
+    let bytes = draw(96, 96, &|x, y| (x - 47.3).hypot(y - 48.1) < 38.4);
+    for tolerance in [0.22, 1.0, 2.05] {
+        let gray = Gray::from_bytes(96, 96, &bytes).expect("valid");
+        let options = TraceOptions { tolerance, ..TraceOptions::default() };
+        let disk = trace(gray, &options).expect("a drawing");
+        let contour = &disk.contours[0];
+        assert_eq!((contour.curve.segment_count(), contour.cusps.len()), (2, 0), "{tolerance}");
+    }
+}
+
+#[test]
+fn who_sees_too_many_contours_is_told_what_to_leave_out() {
+    let bytes = draw(96, 32, &|x, y| {
+        [2.0_f64, 3.0, 5.0, 7.0]
+            .iter()
+            .enumerate()
+            .any(|(i, r)| (x - 12.0 - 24.0 * i as f64).hypot(y - 16.0) < *r)
+    });
+    let options = |speckle| TraceOptions { speckle, most_contours: 2, ..TraceOptions::default() };
+    let gray = Gray::from_bytes(96, 32, &bytes).expect("valid");
+    let mut tracer = Tracer::new(gray.clone(), &options(0.0)).expect("options in range");
+    assert_eq!(tracer.offer(), None, "nothing was refused yet");
+    let refused = loop {
+        match tracer.step(1000.0) {
+            Ok(progress) => assert!(!progress.done, "four disks are too many"),
+            Err(error) => break error,
+        }
+    };
+    assert_eq!(refused.argument(), Some("data"));
+    let speckle = tracer.offer().expect("an offer");
+    assert_eq!(trace(gray, &options(speckle)).expect("a drawing").contours.len(), 2);
 }

@@ -84,28 +84,28 @@ impl Offs {
             let last = !closed && i + 1 == count;
             from_chord(p, polyline[i], polyline[if last { i } else { next(i) }])
         };
-        let mut at = (0..count).fold(0, |best, i| if off(first, i) < off(first, best) { i } else { best });
+        let mut at =
+            (0..count).fold(0, |best, i| if off(first, i).0 < off(first, best).0 { i } else { best });
         let mut last = first;
         for &p in points {
             // A contour is not much longer than a chord of its curve.
             let ahead = AHEAD + 2.0 * norm(p - last);
             last = p;
-            let mut best = (off(p, at), at);
-            let (mut i, mut travelled) = (at, 0.0);
-            while travelled < ahead + best.0.sqrt() {
+            let (mut best, share) = off(p, at);
+            // What is left of this chord, and then chord by chord.
+            let mut travelled = (1.0 - share) * norm(polyline[next(at)] - polyline[at]);
+            let mut i = next(at);
+            let start = at;
+            while travelled < ahead + best.sqrt() && i != start {
+                let (here, _) = off(p, i);
+                if here < best {
+                    (best, at) = (here, i);
+                }
                 travelled += norm(polyline[next(i)] - polyline[i]).max(1e-3);
                 i = next(i);
-                if i == at {
-                    break;
-                }
-                let here = off(p, i);
-                if here < best.0 {
-                    best = (here, i);
-                }
             }
-            at = best.1;
-            offs.square += best.0;
-            let distance = best.0.sqrt();
+            offs.square += best;
+            let distance = best.sqrt();
             offs.sum += distance;
             offs.most = offs.most.max(distance);
         }
@@ -113,10 +113,10 @@ impl Offs {
     }
 }
 
-/// The squared distance of a point from a chord.
-fn from_chord(p: Point, from: Point, to: Point) -> f64 {
+/// The squared distance of a point from a chord, and the share of the chord at which it is nearest.
+fn from_chord(p: Point, from: Point, to: Point) -> (f64, f64) {
     let (way, off) = (to - from, p - from);
     let length = square(way);
     let share = if length > 0.0 { (dot(off, way) / length).clamp(0.0, 1.0) } else { 0.0 };
-    square(off - way * share)
+    (square(off - way * share), share)
 }

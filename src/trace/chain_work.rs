@@ -166,7 +166,7 @@ fn sparse(chain: &Chain, options: &TraceOptions, rounding: f64) -> Result<Traced
         // A ring of a few pixels: one piece would have to lead back to its start.
         return quasi_interpolant(chain, options, rounding);
     }
-    let curve = if closed { outline.to_curve()? } else { outline.to_open_curve()? };
+    let curve = if closed { outline.to_curve(vec![0.0; outline.len()])? } else { outline.to_open_curve()? };
     let cusps = corners.iter().map(|corner| corner.point).collect();
     let metrics = agreement(&curve, chain.points())?;
     Ok(TracedContour { curve, closed, hole: false, cusps, metrics })

@@ -1,7 +1,7 @@
 //! One cubic through two given points, as near as it can to places between them.
 
 use super::samples::unit;
-use crate::numerics::plane::{dot, norm, square};
+use crate::numerics::plane::{cross, dot, norm, square};
 use crate::numerics::{Point, Vector};
 
 /// A cubic by its ends and the way from each end to its control point.
@@ -33,9 +33,9 @@ pub(super) struct Fitted {
 }
 
 /// Places used for one fit: more say nothing new about four unknowns.
-const MOST_PLACES: usize = 48;
+const MOST_PLACES: usize = 16;
 /// Rounds of least squares and foot points.
-const ROUNDS: usize = 5;
+const ROUNDS: usize = 3;
 
 impl Cubic {
     pub(super) fn bernstein(t: f64) -> [f64; 4] {
@@ -59,17 +59,14 @@ impl Cubic {
         ((middle - self.leaving) * (1.0 - t) + (self.arriving - middle) * t) * 6.0
     }
 
-    /// Where the curve is nearest to a point, from a guess: two steps of Newton's method.
-    pub(super) fn foot(&self, p: Point, mut t: f64) -> f64 {
-        for _ in 0..2 {
-            let (off, velocity) = (self.point(t) - p, self.velocity(t));
-            let slope = square(velocity) + dot(off, self.acceleration(t));
-            if slope <= 0.0 {
-                break;
-            }
-            t = (t - dot(off, velocity) / slope).clamp(0.0, 1.0);
+    /// Where the curve is nearest to a point, from a guess: one step of Newton's method.
+    pub(super) fn foot(&self, p: Point, t: f64) -> f64 {
+        let (off, velocity) = (self.point(t) - p, self.velocity(t));
+        let slope = square(velocity) + dot(off, self.acceleration(t));
+        if slope <= 0.0 {
+            return t;
         }
-        t
+        (t - dot(off, velocity) / slope).clamp(0.0, 1.0)
     }
 
     /// Fits the ways to the control points to `places` between `start` and `end`.
@@ -92,7 +89,10 @@ impl Cubic {
         }
         let (mut most, mut sum) = (0.0_f64, 0.0);
         for (&t, &p) in parameters.iter().zip(&points) {
-            let off = square(cubic.point(cubic.foot(p, t)) - p);
+            // Across the curve: along it places may slip.
+            let (off, velocity) = (p - cubic.point(t), cubic.velocity(t));
+            let across = cross(velocity, off);
+            let off = across * across / square(velocity).max(1e-18);
             most = most.max(off);
             sum += off;
         }

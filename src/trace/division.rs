@@ -14,7 +14,7 @@ pub(super) struct DivisionRule {
     pub(super) gap: f64,
     /// The largest deviation of a straight run.
     pub(super) straight: f64,
-    /// The least length of a straight run that does not join two corners.
+    /// The least length of a straight run that begins or ends at a corner; others are up to five times as long.
     pub(super) least_run: f64,
     /// The largest deviation of a cubic, and its root mean square.
     pub(super) most: f64,
@@ -54,7 +54,7 @@ pub(super) fn divide(samples: &Samples, corners: &[Corner], rule: &DivisionRule)
         let start = Anchor { index: corner.index, point: corner.point, tangent: Tangent::Free };
         let end = Anchor { index: next.index + wrap, point: next.point, tangent: Tangent::Free };
         let gap = samples.steps(rule.gap);
-        let runs = divider.runs(start.index + gap, end.index - gap);
+        let runs = divider.runs(start.index + gap, end.index - gap, true);
         divider.stretch(start, end, &runs);
     }
     if corners.is_empty() {
@@ -75,7 +75,7 @@ pub(super) fn divide_open(samples: &Samples, corners: &[Corner], rule: &Division
     let ends = corners.iter().map(|corner| free(corner.index, corner.point));
     for end in ends.chain([free(last, samples.at(last))]) {
         let gap = samples.steps(rule.gap);
-        let runs = divider.runs(start.index + gap, end.index - gap);
+        let runs = divider.runs(start.index + gap, end.index - gap, true);
         divider.stretch(start, end, &runs);
         start = end;
     }
@@ -101,7 +101,7 @@ impl Divider<'_> {
                 flattest = (i, bend);
             }
         }
-        let runs = self.runs(sharpest.0, sharpest.0 + count);
+        let runs = self.runs(sharpest.0, sharpest.0 + count, false);
         if let Some(run) = runs.first() {
             let start = self.on_line(run.first, &run.line);
             let end = Anchor { index: start.index + count, ..start };
@@ -125,10 +125,12 @@ impl Divider<'_> {
         Anchor { index, point, tangent: Tangent::Along(line.direction) }
     }
 
-    /// Straight runs in a stretch.
-    fn runs(&self, first: isize, last: isize) -> Vec<Run> {
+    /// Straight runs in a stretch, which may be between `corners`.
+    fn runs(&self, first: isize, last: isize, corners: bool) -> Vec<Run> {
         let mut runs = Vec::new();
         let least = self.samples.steps(self.rule.least_run).max(4);
+        let most = (self.samples.len() as isize / 12).min(5 * least).max(least);
+        let near = self.samples.steps(1.2);
         let mut i = first;
         while i + least <= last {
             if !self.straight(i, i + least) {
@@ -160,7 +162,11 @@ impl Divider<'_> {
                 while to > good - trim && !fits(to) {
                     to -= 1;
                 }
-                runs.push(Run { first: from, last: to, line });
+                // On a curve the contour is straight for a while by chance; beside a corner there is nothing else to go by.
+                let beside = corners && (from - first <= near || last - to <= near);
+                if beside || to - from >= most {
+                    runs.push(Run { first: from, last: to, line });
+                }
                 i = good + 1;
             } else {
                 i += ((good - i) / 4).max(1);
@@ -250,53 +256,48 @@ impl Divider<'_> {
 
     /// Cubics from one anchor to the next: as few as the tolerance allows, of about equal deviation.
     fn curve(&mut self, start: Anchor, end: Anchor) {
-        let mut best = self.greedy(start, end, 1.0);
-        let mut scale = 1.0;
-        while best.len() > 1 && scale > 0.2 {
-            scale *= 0.75;
-            let next = self.greedy(start, end, scale);
-            if next.len() > best.len() {
-                break;
-            }
-            best = next;
-        }
-        for (anchor, cubic) in best {
+        for (anchor, cubic) in self.greedy(start, end) {
             self.emit(anchor, Piece::Cubic { leaving: cubic.leaving, arriving: cubic.arriving });
         }
     }
 
     /// The longest cubic that is near enough, then the next.
-    fn greedy(&self, start: Anchor, end: Anchor, scale: f64) -> Vec<(Anchor, Cubic)> {
+    fn greedy(&self, start: Anchor, end: Anchor) -> Vec<(Anchor, Cubic)> {
         let mut pieces = Vec::new();
         let mut at = start;
+        let mut span = self.samples.steps(4.0).max(4);
         while at.index < end.index {
             let least = 4.min(end.index - at.index);
             let furthest = end.index.min(at.index + self.longest);
             let mut good = at.index + least;
             let mut found = self.fit(at, self.anchor(good, at, end));
-            let all = self.fit(at, self.anchor(furthest, at, end));
-            if self.near(&all, scale) {
+            // The whole way is tried first, if it may not be too long.
+            let whole = at.index == start.index || furthest - at.index <= 4 * span;
+            let all = whole.then(|| self.fit(at, self.anchor(furthest, at, end)));
+            if let Some(all) = all
+                && self.near(&all)
+            {
                 (good, found) = (furthest, all);
             } else {
-                let mut step = least;
-                while good + step < furthest {
-                    let next = self.fit(at, self.anchor(good + step, at, end));
-                    if !self.near(&next, scale) {
-                        break;
-                    }
-                    (good, found) = (good + step, next);
-                    step *= 2;
-                }
-                while step > 1 {
-                    step /= 2;
-                    if good + step < furthest {
-                        let next = self.fit(at, self.anchor(good + step, at, end));
-                        if self.near(&next, scale) {
-                            (good, found) = (good + step, next);
+                // Pieces are about as long as the one before: double from there, then halve.
+                let mut step = span;
+                let mut grows = true;
+                while step > 0 {
+                    let wish = good + step;
+                    let fitted = (wish < furthest).then(|| self.fit(at, self.anchor(wish, at, end)));
+                    match fitted {
+                        Some(fitted) if self.near(&fitted) => {
+                            (good, found) = (wish, fitted);
+                            step = if grows { 2 * step } else { step / 2 };
+                        }
+                        _ => {
+                            grows = false;
+                            step /= 2;
                         }
                     }
                 }
             }
+            span = ((good - at.index) / 2).max(least);
             let next = self.anchor(good, at, end);
             pieces.push((at, found.cubic));
             at = next;
@@ -316,8 +317,8 @@ impl Divider<'_> {
         self.smooth(index, room.max(2))
     }
 
-    fn near(&self, fitted: &super::cubic::Fitted, scale: f64) -> bool {
-        fitted.most <= scale * self.rule.most && fitted.rms <= scale * self.rule.rms
+    fn near(&self, fitted: &super::cubic::Fitted) -> bool {
+        fitted.most <= self.rule.most && fitted.rms <= self.rule.rms
     }
 
     fn fit(&self, start: Anchor, end: Anchor) -> super::cubic::Fitted {

@@ -1,6 +1,6 @@
 //! Whole outlines that are ellipses.
 
-use super::outline::Outline;
+use super::outline::{Node, Outline, Piece};
 use crate::curve::{EllipseArc, HermiteCurve};
 use crate::error::Result;
 use crate::numerics::plane::{cross, dot};
@@ -16,9 +16,10 @@ const RMS: f64 = 0.015;
 const PLACES: usize = 256;
 
 /// The ellipse with the area, the centre and the second moments of the outline, as a curve that turns the same way, if the outline is it.
+/// `slack` is how many times farther away than in a clean picture it may be.
 ///
 /// Moments are means over all that is inside: they are far better known than any one point of the outline (D 14.6).
-pub(super) fn ellipse(outline: &Outline) -> Result<Option<HermiteCurve>> {
+pub(super) fn ellipse(outline: &Outline, slack: f64) -> Result<Option<HermiteCurve>> {
     let smooth = (0..outline.len()).all(|i| outline.nodes[i].smooth && !outline.is_line(i));
     if !smooth {
         return Ok(None);
@@ -29,24 +30,61 @@ pub(super) fn ellipse(outline: &Outline) -> Result<Option<HermiteCurve>> {
         places.extend((0..PLACES).map(|k| cubic.point(k as f64 / PLACES as f64)));
     }
     let Some((arc, area)) = moments(&places) else { return Ok(None) };
+    if !is_near(&arc, &places, slack * MOST, slack * RMS) {
+        return Ok(None);
+    }
+    let curve = HermiteCurve::ellipse(arc.center, arc.radii, arc.rotation, 2)?;
+    Ok(Some(if area < 0.0 { curve.reversed() } else { curve }))
+}
+
+/// A first outline for places that are nowhere farther than `most` from an ellipse.
+pub(super) fn round(places: &[Point], most: f64) -> Option<Outline> {
+    let (arc, area) = moments(places)?;
+    if !is_near(&arc, places, most, 0.4 * most) {
+        return None;
+    }
+    // The cubic of a quarter turn is off by 3e-4 of the radius, that of an eighth by 4e-6.
+    let count = if arc.radii.x > 24.0 { 8 } else { 4 };
+    let step = area.signum() * core::f64::consts::TAU / count as f64;
+    let handle = 4.0 / 3.0 * tangent(0.25 * step);
+    let (sin, cos) = crate::numerics::angle::sin_cos(arc.rotation);
+    let place = |x: f64, y: f64| {
+        let (x, y) = (x * arc.radii.x, y * arc.radii.y);
+        Vector::new(x * cos - y * sin, x * sin + y * cos)
+    };
+    let (mut nodes, mut pieces) = (Vec::new(), Vec::new());
+    for i in 0..count {
+        let (sin, cos) = crate::numerics::angle::sin_cos(step * i as f64);
+        let (after_sin, after_cos) = crate::numerics::angle::sin_cos(step * (i + 1) as f64);
+        nodes.push(Node { point: arc.center + place(cos, sin), smooth: true, kept: false });
+        pieces.push(Piece::Cubic {
+            leaving: place(-sin, cos) * handle,
+            arriving: place(-after_sin, after_cos) * handle,
+        });
+    }
+    Some(Outline { nodes, pieces })
+}
+
+fn tangent(angle: f64) -> f64 {
+    let (sin, cos) = crate::numerics::angle::sin_cos(angle);
+    sin / cos
+}
+
+/// Whether no place is farther from an ellipse than `most`, and the root mean square than `rms`.
+fn is_near(arc: &EllipseArc, places: &[Point], most: f64, rms: f64) -> bool {
+    let (sin, cos) = crate::numerics::angle::sin_cos(arc.rotation);
     let mut square = 0.0;
-    let mut offs = places.iter().map(|&p| {
+    let near = places.iter().all(|&p| {
         // To first order the distance is the value of the ellipse's equation over its gradient.
-        let (sin, cos) = crate::numerics::angle::sin_cos(arc.rotation);
         let off = p - arc.center;
         let (x, y) = (dot(off, Vector::new(cos, sin)), cross(Vector::new(cos, sin), off));
         let (u, v) = (x / arc.radii.x, y / arc.radii.y);
         let gradient = ((u / arc.radii.x) * (u / arc.radii.x) + (v / arc.radii.y) * (v / arc.radii.y)).sqrt();
         let distance = (0.5 * (u * u + v * v - 1.0)).abs() / gradient;
         square += distance * distance;
-        distance
+        distance <= most
     });
-    let near = offs.all(|distance| distance <= MOST);
-    if !near || square > RMS * RMS * places.len() as f64 {
-        return Ok(None);
-    }
-    let curve = HermiteCurve::ellipse(arc.center, arc.radii, arc.rotation, 2)?;
-    Ok(Some(if area < 0.0 { curve.reversed() } else { curve }))
+    near && square <= rms * rms * places.len() as f64
 }
 
 /// The ellipse with the moments of a polygon, and the polygon's area. Half axes that differ by less than a hundredth of a pixel are one radius.

@@ -36,6 +36,8 @@ pub(super) struct Field {
     places: Vec<u32>,
     /// What is left: what the picture shows less what the outlines cover, blurred like the picture.
     pub(super) rest: Vec<f32>,
+    /// Of the pixels that are nearly ink or nearly paper, the share that is neither: strong compression leaves most of them so.
+    pub(super) stain: f64,
     blur: Option<Blur>,
 }
 
@@ -103,7 +105,14 @@ impl Field {
                 }
             }
         }
-        Ok(Self { across, down, slots, places, rest, blur: None })
+        let (mut near, mut off) = (0_usize, 0_usize);
+        for value in &rest {
+            let from_tone = value.abs().min((1.0 - value).abs());
+            near += usize::from(from_tone < 0.08);
+            off += usize::from(from_tone < 0.08 && from_tone > 0.003);
+        }
+        let stain = off as f64 / near.max(1) as f64;
+        Ok(Self { across, down, slots, places, rest, stain, blur: None })
     }
 
     /// Pixels in a row, and rows.
@@ -171,18 +180,10 @@ impl Field {
         one * one + 2.0 * blur.half[1..].iter().map(|&w| f64::from(w) * f64::from(w)).sum::<f64>()
     }
 
-    /// The root mean square of what is left, and its median.
-    pub(super) fn left(&self) -> (f64, f64) {
+    /// The root mean square of what is left.
+    pub(super) fn left(&self) -> f64 {
         let square: f64 = self.rest.iter().map(|&r| f64::from(r) * f64::from(r)).sum();
-        let count = self.rest.len().max(1);
-        let mut sizes: Vec<f32> = self.rest.iter().map(|r| r.abs()).collect();
-        let middle = sizes.len() / 2;
-        let median = if sizes.is_empty() {
-            0.0
-        } else {
-            f64::from(*sizes.select_nth_unstable_by(middle, f32::total_cmp).1)
-        };
-        ((square / count as f64).sqrt(), median)
+        (square / self.rest.len().max(1) as f64).sqrt()
     }
 
     /// The picture is found to be blurred by as much as makes the outlines, which are rendered, most like it.

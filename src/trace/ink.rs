@@ -1,11 +1,12 @@
 //! Logos and drawings: outlines of ink, as few pieces as their coverage allows.
 
 use super::agreement::agreement;
+use super::arcs::arcs;
 use super::blur::Blurring;
 use super::contour::{Contour, ContourScan};
 use super::corners::{Corner, CornerRule, corners};
 use super::division::{DivisionRule, divide};
-use super::ellipse::ellipse;
+use super::ellipse::{ellipse, round};
 use super::field::Shading;
 use super::gray::Gray;
 use super::outline::Outline;
@@ -17,6 +18,12 @@ use crate::error::{Error, Result};
 
 /// Noise above which pictures are blurred before they are followed, as a share of the way from ink to paper.
 const NOISY: f64 = 3.0 / 255.0;
+/// Turning of a tip that pixels cut off, in radians.
+const SHARP: f64 = 2.1;
+/// The largest deviation that a first outline may have if it is refined: pixels farther away say nothing.
+const NEAR: f64 = 0.18;
+/// How far the contour of an ellipse may be from it, in pixels.
+const ROUND: f64 = 0.16;
 /// Pixels of one bit of work.
 const BIT: usize = 131_072;
 
@@ -35,6 +42,7 @@ pub(super) struct InkWork {
     corners: Vec<Vec<Corner>>,
     outlines: Vec<Outline>,
     trace: Trace,
+    offer: Option<f64>,
 }
 
 /// What is done next.
@@ -67,6 +75,7 @@ impl InkWork {
             corners: Vec::new(),
             outlines: Vec::new(),
             trace: Trace { contours: Vec::new(), tones, residual: 0.0 },
+            offer: None,
         }
     }
 
@@ -105,6 +114,9 @@ impl InkWork {
     fn scanned(&mut self, found: Vec<Contour>) -> Result<()> {
         if found.len() > self.options.most_contours {
             let most = self.options.most_contours;
+            let mut areas: Vec<f64> = found.iter().map(|contour| contour.area.abs()).collect();
+            areas.sort_unstable_by(|a, b| b.total_cmp(a));
+            self.offer = areas.get(most).map(|area| area * (1.0 + 1e-9) + 1e-9);
             return Err(Error::limit("data", "maxContours", most, found.len() as f64));
         }
         self.smoothed = None;
@@ -124,8 +136,11 @@ impl InkWork {
 
     /// The first outline of one contour.
     fn spline(&mut self, i: usize) -> f64 {
+        let samples = &self.samples[i];
+        let whole =
+            if self.options.refined { round(&samples.points, ROUND * self.quality.slack()) } else { None };
         let rule = self.quality.division_rule(&self.options);
-        self.outlines.push(divide(&self.samples[i], &self.corners[i], &rule));
+        self.outlines.push(whole.unwrap_or_else(|| divide(samples, &self.corners[i], &rule)));
         0.5 * self.samples[i].len() as f64
     }
 
@@ -136,7 +151,8 @@ impl InkWork {
         let contours = self.found.iter().map(|contour| contour.points.as_slice());
         let outlines = core::mem::take(&mut self.outlines);
         let noisy = self.quality == Quality::Noisy;
-        let refinement = Refinement::new(&self.gray, &shading, outlines, contours, noisy)?;
+        let mut refinement = Refinement::new(&self.gray, &shading, outlines, contours, noisy)?;
+        refinement.allow(self.options.tolerance);
         let total = refinement.total() + self.found.len();
         self.enter(Phase::Refinement(Box::new(refinement)), Stage::Refinement, total);
         Ok(())
@@ -144,11 +160,15 @@ impl InkWork {
 
     /// The curve of one outline.
     fn curve(&mut self, i: usize) -> Result<f64> {
-        let (outline, contour) = (&self.outlines[i], &self.found[i]);
-        let cusps = outline.nodes.iter().filter(|node| !node.smooth).map(|node| node.point).collect();
-        let curve = match ellipse(outline)? {
-            Some(curve) if self.options.refined => curve,
-            _ => outline.to_curve()?,
+        let (outline, contour) = (&mut self.outlines[i], &self.found[i]);
+        let cusps = outline.cusps(self.options.corner);
+        let whole = if self.options.refined { ellipse(outline, self.quality.slack())? } else { None };
+        let curve = match whole {
+            Some(curve) => curve,
+            None => {
+                let angles = if self.options.refined { arcs(outline) } else { vec![0.0; outline.len()] };
+                outline.to_curve(angles)?
+            }
         };
         let metrics = agreement(&curve, &contour.points)?;
         let hole = contour.area < 0.0;
@@ -255,6 +275,10 @@ impl Work for InkWork {
     fn trace(&self) -> Option<&Trace> {
         self.progress.done.then_some(&self.trace)
     }
+
+    fn offer(&self) -> Option<f64> {
+        self.offer
+    }
 }
 
 /// What kind of picture it is.
@@ -269,31 +293,39 @@ enum Quality {
 }
 
 impl Quality {
-    fn corner_rules(self, angle: f64) -> [CornerRule; 2] {
-        match self {
-            Self::Clean => [
-                CornerRule { gap: 1.0, window: 3.0, angle, reach: 1.0 },
-                CornerRule { gap: 0.75, window: 1.75, angle: angle + 0.25, reach: 1.0 },
-            ],
-            Self::Rough => [
-                CornerRule { gap: 1.2, window: 4.0, angle: angle + 0.1, reach: 1.2 },
-                CornerRule { gap: 1.0, window: 2.5, angle: angle + 0.4, reach: 1.2 },
-            ],
-            Self::Noisy => [
-                CornerRule { gap: 1.6, window: 5.0, angle, reach: 1.8 },
-                CornerRule { gap: 1.5, window: 3.0, angle: angle + 0.2, reach: 1.8 },
-            ],
-        }
+    /// How many times farther than in a clean picture things may be from what they are.
+    fn slack(self) -> f64 {
+        if self == Self::Clean { 1.0 } else { 4.0 }
+    }
+
+    /// Sharp tips first, whose sides are far from the place where they meet; then corners, then corners close to others.
+    fn corner_rules(self, angle: f64) -> [CornerRule; 3] {
+        let [gap, window, reach, least] = match self {
+            Self::Clean => [1.0, 3.0, 1.0, angle],
+            Self::Rough => [1.2, 4.0, 1.2, angle + 0.1],
+            Self::Noisy => [1.6, 5.0, 1.8, angle],
+        };
+        let [close, short, more] = match self {
+            Self::Clean => [0.75, 1.75, 0.25],
+            Self::Rough => [1.0, 2.5, 0.3],
+            Self::Noisy => [1.5, 3.0, 0.2],
+        };
+        [
+            CornerRule { gap: 2.2 * gap, window: 1.3 * window, angle: least.max(SHARP), reach },
+            CornerRule { gap, window, angle: least, reach },
+            CornerRule { gap: close, window: short, angle: least + more, reach },
+        ]
     }
 
     fn division_rule(self, options: &TraceOptions) -> DivisionRule {
         let scale = if self == Self::Clean { 1.0 } else { 2.0 };
+        let most = if options.refined { options.tolerance.min(NEAR) } else { options.tolerance };
         DivisionRule {
-            gap: 1.2 * self.corner_rules(options.corner)[0].gap,
+            gap: 1.2 * self.corner_rules(options.corner)[1].gap,
             straight: 0.12 * scale,
             least_run: 6.0 * scale,
-            most: options.tolerance * scale,
-            rms: 0.41 * options.tolerance * scale,
+            most: most * scale,
+            rms: 0.41 * most * scale,
             reach: 3.0 * scale,
         }
     }

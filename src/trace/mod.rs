@@ -3,6 +3,7 @@
 //! Coordinates: x to the right, y down; pixel (column, row) covers [column, column + 1] × [row, row + 1].
 
 mod agreement;
+mod arcs;
 mod bitmap;
 mod blur;
 mod canny;

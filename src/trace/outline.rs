@@ -1,7 +1,7 @@
 //! A closed outline as few pieces: nodes, straight pieces and cubics, smooth where it says so.
 
 use super::cubic::Cubic;
-use super::samples::unit;
+use super::samples::{turn, unit};
 use crate::curve::{HermiteCurve, HermiteOptions};
 use crate::error::Result;
 use crate::numerics::plane::{cross, norm};
@@ -93,6 +93,35 @@ impl Outline {
         }
     }
 
+    /// Where the tangent turns by at least an angle.
+    pub(super) fn cusps(&self, angle: f64) -> Vec<Point> {
+        let turning = |i: usize| {
+            let (before, after) = (self.cubic(self.before(i)), self.cubic(i));
+            turn(before.velocity(1.0), after.velocity(0.0)).abs()
+        };
+        let sharp = |&i: &usize| !self.nodes[i].smooth && turning(i) >= angle;
+        (0..self.len()).filter(sharp).map(|i| self.nodes[i].point).collect()
+    }
+
+    /// Halves some pieces.
+    pub(super) fn halved(&self, which: &[bool]) -> Self {
+        let mut halved = Self { nodes: Vec::new(), pieces: Vec::new() };
+        for (i, &halve) in which.iter().enumerate() {
+            halved.nodes.push(self.nodes[i]);
+            if !halve || self.is_line(i) {
+                halved.pieces.push(self.pieces[i]);
+                continue;
+            }
+            let cubic = self.cubic(i);
+            let middle = cubic.point(0.5);
+            let half = cubic.velocity(0.5) / 6.0;
+            halved.nodes.push(Node { point: middle, smooth: true, kept: false });
+            halved.pieces.push(Piece::Cubic { leaving: cubic.leaving * 0.5, arriving: half });
+            halved.pieces.push(Piece::Cubic { leaving: half, arriving: cubic.arriving * 0.5 });
+        }
+        halved
+    }
+
     /// Makes lines of cubics that hardly bend: by less than a twentieth of a pixel between corners, a fiftieth beside a smooth joint.
     pub(super) fn straighten(&mut self) {
         for i in 0..self.len() {
@@ -128,12 +157,12 @@ impl Outline {
         })
     }
 
-    /// The outline as a curve whose segments are its pieces.
-    pub(super) fn to_curve(&self) -> Result<HermiteCurve> {
+    /// The outline as a curve whose segments are its pieces; those with an angle are arcs of circles.
+    pub(super) fn to_curve(&self, angles: Vec<f64>) -> Result<HermiteCurve> {
         let points = self.nodes.iter().map(|node| node.point).collect();
         let tangents = (0..self.len()).map(|i| self.cubic(i).leaving * 3.0).collect();
         let tangents_in = (0..self.len()).map(|i| self.cubic(self.before(i)).arriving * 3.0).collect();
-        let omega = vec![0.0; self.len()];
+        let omega = angles;
         HermiteCurve::new(HermiteOptions {
             points,
             tangents,

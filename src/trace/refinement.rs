@@ -1,5 +1,6 @@
 //! All outlines of a picture refined against it, one after another: first as they are, then with fewer and fewer joints.
 
+use super::ellipse::ellipse;
 use super::field::{Field, Shading};
 use super::gray::Gray;
 use super::outline::Outline;
@@ -8,8 +9,12 @@ use super::simplify::{Limits, may_go_on, merge_round};
 use crate::error::Result;
 use crate::numerics::Point;
 
-/// What refined outlines leave of most pixels of a picture of exact coverage.
-const ROUGH: f64 = 0.0005;
+/// The share of pixels beside outlines that are off their tone from which on a picture is not one of exact coverage.
+const ROUGH: f64 = 0.4;
+/// The tolerance at which outlines are as near as pixels tell.
+const USUAL: f64 = 0.22;
+/// How often pieces are halved.
+const HALVINGS: usize = 2;
 /// Steps of all nodes at first, and of few nodes at last.
 const STEPS: usize = 6;
 const LAST_STEPS: usize = 8;
@@ -32,6 +37,7 @@ pub(super) struct Refinement {
     /// The outline before joints were taken away, and what it left.
     start: Option<(Outline, f64)>,
     noisy: bool,
+    slack: f64,
     /// What the picture shows, until the blur is found.
     target: Option<Vec<f32>>,
 }
@@ -66,11 +72,20 @@ impl Refinement {
             round: 0,
             fine: Vec::new(),
             left: 0.0,
-            limits: Limits { rms: 0.012, most: 0.055, noise: 0.0, share: 12.0 },
+            limits: Limits { rms: 0.012, most: 0.055, off: 0.4, noise: 0.0, share: 12.0 },
             start: None,
             noisy,
+            slack: if noisy { 4.0 } else { 1.0 },
             target,
         })
+    }
+
+    /// Joints may go that leave so much more as the tolerance, in pixels, is above the usual one.
+    pub(super) fn allow(&mut self, tolerance: f64) {
+        let scale = (tolerance / USUAL).max(1.0);
+        self.limits.rms *= scale;
+        self.limits.most *= scale;
+        self.limits.off *= scale;
     }
 
     /// How many outlines have been through how many phases.
@@ -97,6 +112,9 @@ impl Refinement {
             Phase::First => {
                 let nodes = shape.nodes();
                 refiner.refine(field, shape, &nodes, STEPS)?;
+                if !self.noisy && field.stain <= ROUGH {
+                    halve(refiner, field, shape, &self.limits)?;
+                }
             }
             Phase::Rough => {
                 self.fine.push(shape.outline.clone());
@@ -106,6 +124,11 @@ impl Refinement {
             }
             Phase::Fewer => {
                 if self.round == 0 {
+                    // Nothing is to be taken away from an ellipse.
+                    if ellipse(&shape.outline, self.slack)?.is_some() {
+                        self.at += 1;
+                        return Ok(cost);
+                    }
                     self.start = Some((shape.outline.clone(), shape.left(field).rms()));
                 }
                 self.round += 1;
@@ -121,6 +144,10 @@ impl Refinement {
         Ok(cost)
     }
 
+    fn is_rough(&self) -> bool {
+        !self.noisy && self.field.stain > ROUGH
+    }
+
     fn next_phase(&mut self) {
         self.at = 0;
         self.phase = match self.phase {
@@ -131,15 +158,15 @@ impl Refinement {
                 Phase::First
             }
             Phase::First => {
-                let (left, median) = self.field.left();
+                let left = self.field.left();
                 self.left = left;
                 if self.noisy {
                     self.limits.noise = left;
                 }
-                if !self.noisy && median > ROUGH { Phase::Rough } else { Phase::Fewer }
+                if self.is_rough() { Phase::Rough } else { Phase::Fewer }
             }
             Phase::Rough => {
-                let (left, _) = self.field.left();
+                let left = self.field.left();
                 // If fewer pieces explain the picture as well, the rest is not in the drawing.
                 if left < 1.25 * self.left {
                     self.limits.noise = left;
@@ -189,4 +216,27 @@ impl Refinement {
         let outlines = core::mem::take(&mut self.shapes).into_iter().map(|shape| shape.outline).collect();
         (outlines, left.rms())
     }
+}
+
+/// Halves pieces that explain the picture worse than joints are taken away for, as long as that helps.
+fn halve(refiner: &mut Refiner, field: &mut Field, shape: &mut Shape, limits: &Limits) -> Result<()> {
+    for _ in 0..HALVINGS {
+        let far: Vec<bool> = shape
+            .parts
+            .iter()
+            .map(|parts| {
+                let mut left = Left::default();
+                left.add(parts, field);
+                left.count > 8.0 && (left.rms() > 1.5 * limits.rms || left.most > 2.0 * limits.most)
+            })
+            .collect();
+        if !far.contains(&true) {
+            break;
+        }
+        let halved = shape.outline.halved(&far);
+        refiner.replace(field, shape, halved);
+        let nodes = shape.nodes();
+        refiner.refine(field, shape, &nodes, STEPS)?;
+    }
+    Ok(())
 }

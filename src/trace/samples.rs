@@ -7,7 +7,10 @@ use crate::numerics::plane::{cross, dot, norm, square};
 /// Half a pixel between places: contours of pixels have no finer detail.
 const SPACING: f64 = 0.5;
 
-/// A parabola is taken for the contour up to here, in pixels: the contour of exact coverage strays by a twenty-fifth.
+/// Places on each side that a tangent is taken from.
+const ENOUGH: usize = 8;
+
+/// A cubic is taken for the contour up to here, in pixels: the contour of exact coverage strays by a twenty-fifth.
 const STRAY: f64 = 0.11;
 
 /// A polyline at even distances.
@@ -93,17 +96,17 @@ impl Samples {
         (first..=last).map(|i| self.at(i)).collect()
     }
 
-    /// The place and the tangent at index i, from a parabola in the distance: over as much on both sides, from `least` up to
-    /// `most` places, as the parabola stays near to.
+    /// The place and the tangent at index i, from a cubic in the distance: over as much on both sides, from `least` up to
+    /// `most` places, as the cubic stays near to.
     pub(super) fn smoothed(&self, i: isize, least: isize, most: isize) -> (Point, Vector) {
-        let mut reach = least.max(2);
-        let mut found = self.parabola(i, reach);
+        let mut reach = least.max(3);
+        let mut found = self.cubic(i, reach);
         loop {
             let next = (reach * 3 / 2).max(reach + 1);
             if next > most {
                 break;
             }
-            let wider = self.parabola(i, next);
+            let wider = self.cubic(i, next);
             if wider.2 > STRAY {
                 break;
             }
@@ -112,27 +115,35 @@ impl Samples {
         (found.0, unit(found.1))
     }
 
-    /// Value and slope at the middle of the parabola over ± `reach` places, and the largest distance of a place from it.
-    fn parabola(&self, i: isize, reach: isize) -> (Point, Vector, f64) {
-        // Symmetric: the linear coefficient does not depend on the others.
-        let (mut sum, mut slope, mut bowl) = (Vector::zeros(), Vector::zeros(), Vector::zeros());
-        let (mut second, mut fourth) = (0.0, 0.0);
+    /// Value and slope at the middle of the cubic over ± `reach` places, and the largest distance of a place from it.
+    fn cubic(&self, i: isize, reach: isize) -> (Point, Vector, f64) {
+        // Symmetric: even and odd coefficients do not depend on each other.
+        let mut sums = [Vector::zeros(); 4];
+        let (mut second, mut fourth, mut sixth) = (0.0, 0.0, 0.0);
         let here = self.at(i);
-        for d in -reach..=reach {
-            let (x, p) = (d as f64, self.at(i + d) - here);
-            sum += p;
-            slope += p * x;
-            bowl += p * (x * x);
-            second += x * x;
-            fourth += x * x * x * x;
+        // Few places on each side say as much: neighbours of a contour err alike.
+        let stride = (reach as usize).div_ceil(ENOUGH).max(1);
+        let mut n = 1.0;
+        for d in (1..=reach).step_by(stride) {
+            n += 2.0;
+            let (x, after, before) = (d as f64, self.at(i + d) - here, self.at(i - d) - here);
+            let (even, odd, xx) = (after + before, after - before, x * x);
+            sums[0] += even;
+            sums[1] += odd * x;
+            sums[2] += even * xx;
+            sums[3] += odd * (xx * x);
+            second += 2.0 * xx;
+            fourth += 2.0 * xx * xx;
+            sixth += 2.0 * xx * xx * xx;
         }
-        let n = (2 * reach + 1) as f64;
-        let curve = (bowl - sum * (second / n)) / (fourth - second * second / n);
-        let (middle, slope) = ((sum - curve * second) / n, slope / second);
+        let curve = (sums[2] - sums[0] * (second / n)) / (fourth - second * second / n);
+        let middle = (sums[0] - curve * second) / n;
+        let twist = (sums[3] - sums[1] * (fourth / second)) / (sixth - fourth * fourth / second).max(1e-9);
+        let slope = (sums[1] - twist * fourth) / second;
         let mut stray = 0.0_f64;
-        for d in -reach..=reach {
+        for d in (-reach..=reach).step_by(stride) {
             let x = d as f64;
-            let off = self.at(i + d) - here - middle - slope * x - curve * (x * x);
+            let off = self.at(i + d) - here - middle - (slope + curve * x + twist * (x * x)) * x;
             stray = stray.max(square(off));
         }
         (here + middle, slope, stray.sqrt())

@@ -17,6 +17,8 @@ pub(super) struct Limits {
     pub(super) rms: f64,
     /// The largest difference of coverage in a pixel that is always allowed.
     pub(super) most: f64,
+    /// The largest distance of a merged piece from the two, before it is refined: root mean square, in pixels.
+    pub(super) off: f64,
     /// The noise of one pixel; 0 for a clean picture.
     pub(super) noise: f64,
     /// How much the sum of squares may grow, in squares of the noise.
@@ -46,7 +48,7 @@ pub(super) fn merge_round(
     let count = shape.outline.len();
     let mut candidates = Vec::new();
     for i in 0..count {
-        if let Some((_, off)) = candidate(&shape.outline, i) {
+        if let Some((_, off)) = candidate(&shape.outline, i, limits.off) {
             candidates.push((i, off));
         }
     }
@@ -61,7 +63,7 @@ pub(super) fn merge_round(
         if around.iter().any(|&j| moved[names[j]]) {
             continue;
         }
-        let Some((piece, _)) = candidate(&shape.outline, i) else { continue };
+        let Some((piece, _)) = candidate(&shape.outline, i, limits.off) else { continue };
         if (Trial { refiner, field, shape, limits }).merge(i, piece)? {
             any = true;
             around.iter().for_each(|&j| moved[names[j]] = true);
@@ -171,7 +173,7 @@ fn stunted(outline: &Outline, i: usize) -> bool {
 }
 
 /// The piece in place of the two at joint i, and how far it is from them.
-fn candidate(outline: &Outline, i: usize) -> Option<(Piece, f64)> {
+fn candidate(outline: &Outline, i: usize, off: f64) -> Option<(Piece, f64)> {
     let node = outline.nodes[i];
     let before = outline.before(i);
     let stunted = node.smooth && (stunted(outline, before) || stunted(outline, i));
@@ -206,5 +208,5 @@ fn candidate(outline: &Outline, i: usize) -> Option<(Piece, f64)> {
     ];
     let fitted = Cubic::fit(first.start, second.end, &places, tangents);
     let Cubic { leaving, arriving, .. } = fitted.cubic;
-    (fitted.rms < 0.4 || stunted).then_some((Piece::Cubic { leaving, arriving }, fitted.rms))
+    (fitted.rms < off || stunted).then_some((Piece::Cubic { leaving, arriving }, fitted.rms))
 }

@@ -24,7 +24,7 @@ pub(super) struct ToneScan {
     /// The shade up to which pixels are dark, if it was given.
     given: Option<usize>,
     row: usize,
-    shades: [u32; 256],
+    shades: [[u32; 256]; 4],
     flat: Option<Flat>,
 }
 
@@ -42,7 +42,7 @@ struct Flat {
 impl ToneScan {
     /// `threshold` is the shade, 0 … 255, up to which pixels are dark; found if it is not given.
     pub(super) fn new(threshold: Option<usize>) -> Self {
-        Self { given: threshold, row: 0, shades: [0; 256], flat: None }
+        Self { given: threshold, row: 0, shades: [[0; 256]; 4], flat: None }
     }
 
     /// Some rows more; the tones, when they are the last.
@@ -51,8 +51,9 @@ impl ToneScan {
         let Some(flat) = &mut self.flat else {
             let last = (self.row + ROWS).min(height);
             for row in self.row..last {
-                for &value in gray.row(row) {
-                    self.shades[usize::from(value >> 8)] += 1;
+                // Equal shades come in runs: counts in turn do not wait for each other.
+                for (i, &value) in gray.row(row).iter().enumerate() {
+                    self.shades[i % 4][usize::from(value >> 8)] += 1;
                 }
             }
             self.row = last;
@@ -60,13 +61,16 @@ impl ToneScan {
                 return None;
             }
             self.row = 1;
+            for shade in 0..256 {
+                self.shades[0][shade] = self.shades.iter().map(|counts| counts[shade]).sum();
+            }
             let (least, most) = self.extremes();
             if most - least < 8 {
                 let shade = (least << 8) as f64;
                 let (ink, paper) = if least < 128 { (shade, 65_280.0) } else { (0.0, shade) };
                 return Some(Tones { ink, paper, noise: 0.0 });
             }
-            let threshold = self.given.unwrap_or_else(|| otsu(&self.shades));
+            let threshold = self.given.unwrap_or_else(|| otsu(&self.shades[0]));
             self.flat = Some(Flat::new(threshold, gray.width()));
             return None;
         };
@@ -83,8 +87,8 @@ impl ToneScan {
     }
 
     fn extremes(&self) -> (usize, usize) {
-        let least = self.shades.iter().position(|&n| n > 0).unwrap_or(0);
-        (least, self.shades.iter().rposition(|&n| n > 0).unwrap_or(255))
+        let least = self.shades[0].iter().position(|&n| n > 0).unwrap_or(0);
+        (least, self.shades[0].iter().rposition(|&n| n > 0).unwrap_or(255))
     }
 
     fn tones(&self) -> Tones {

@@ -163,6 +163,11 @@ pub(super) trait Work: core::fmt::Debug {
 
     /// What was found, once it is done.
     fn trace(&self) -> Option<&Trace>;
+
+    /// After a refusal for too many contours: the speckle that would leave as many as are allowed.
+    fn offer(&self) -> Option<f64> {
+        None
+    }
 }
 
 /// A picture that is being traced.
@@ -208,6 +213,11 @@ impl Tracer {
             }
         }
         Ok(progress)
+    }
+
+    /// After a step was refused for too many contours: the least speckle, in square pixels, that leaves as many as are allowed.
+    pub fn offer(&self) -> Option<f64> {
+        self.work.offer()
     }
 
     /// What was found.
