@@ -346,8 +346,8 @@ fn what_cannot_be_fitted_is_refused_by_name() {
     let cloud = Cloud::new(&[Point::new(0.0, 1.0), Point::new(1.0, 1.0)]).expect("valid");
     let knots = Knots::even(0.0, 1.0, 7, 2).expect("valid");
     let fit = |k| QuasiInterpolant::new(&cloud, knots.clone(), Estimator::Mean { k }, FREE);
-    assert_eq!(argument(fit(0).map(drop)), Some("k"));
-    assert_eq!(argument(fit(3).map(drop)), Some("k"));
+    assert_eq!(argument(fit(0).map(drop)), Some("neighbours"));
+    assert_eq!(argument(fit(3).map(drop)), Some("neighbours"));
     assert!(fit(2).is_ok(), "pieces without a point of their own have neighbours all the same");
-    assert_eq!(argument(leave_one_out(&cloud, &knots, 2, FREE).map(drop)), Some("k"));
+    assert_eq!(argument(leave_one_out(&cloud, &knots, 2, FREE).map(drop)), Some("neighbours"));
 }

@@ -54,9 +54,13 @@ export type {
   TensorSurfaceJSON,
   TensorSurfaceOptions,
 } from "./surface.js";
-export { initTrace, initTraceSync, traceImage, traceImageAsync } from "./trace.js";
+export { fitProfile, initTrace, initTraceSync, looScore, metrics, quasiInterpolate, traceImage, traceImageAsync } from "./trace.js";
 export type {
   ImageLike,
+  ProfileFit,
+  ProfileOptions,
+  ProfileTube,
+  QuasiInterpolantOptions,
   Trace,
   TraceLayer,
   TraceMetrics,

@@ -1,6 +1,6 @@
 //! Clamped knot lists and the B-splines on them, of one low degree.
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::limits::{LARGEST_COORDINATE, LEAST_LENGTH, check, with_room};
 
 /// The highest degree of a quasi-interpolant.
@@ -39,6 +39,36 @@ impl Knots {
         knots.extend((0..=interior).map(|i| start + (end - start) * i as f64 / pieces));
         knots.resize(knots.len() + degree + 1, end);
         Ok(Self { degree, knots })
+    }
+
+    /// Knots as they are given: they do not fall, and both ends are there `degree` + 1 times, any other at most that often.
+    ///
+    /// # Errors
+    ///
+    /// Another list, a degree out of range.
+    pub fn new(knots: &[f64], degree: usize) -> Result<Self> {
+        check("degree", None, degree as f64, 1.0, MOST_DEGREE as f64)?;
+        let order = degree + 1;
+        if knots.len() < 2 * order {
+            return Err(Error::wrong_length("knots", knots.len(), 2 * order));
+        }
+        check("knots", None, knots.len() as f64, 0.0, (MOST_INTERIOR + 2 * order) as f64)?;
+        for (i, &knot) in knots.iter().enumerate() {
+            check("knots", Some(i), knot, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
+            if i > 0 && knot < knots[i - 1] {
+                return Err(Error::degenerate("knots", Some(i), "they must not fall"));
+            }
+            // One more of the same would be a B-spline without support.
+            if i >= order && i < knots.len() - 1 && knot - knots[i - order] < LEAST_LENGTH {
+                return Err(Error::degenerate("knots", Some(i), "so many of them are the same"));
+            }
+        }
+        let last = knots.len() - order;
+        let ends = [(knots[0], knots[degree]), (knots[last], knots[knots.len() - 1])];
+        if ends.iter().any(|(a, b)| a != b) || knots[last] - knots[degree] < LEAST_LENGTH {
+            return Err(Error::degenerate("knots", None, "both ends must be there degree + 1 times"));
+        }
+        Ok(Self { degree, knots: knots.to_vec() })
     }
 
     /// The degree p.

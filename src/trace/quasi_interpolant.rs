@@ -60,7 +60,7 @@ impl QuasiInterpolant {
     /// \[RB21, eq. 2\].
     pub fn new(cloud: &Cloud, knots: Knots, estimator: Estimator, ends: [End; 2]) -> Result<Self> {
         let (Estimator::Mean { k } | Estimator::Local { k }) = estimator;
-        check("k", None, k as f64, 1.0, cloud.len() as f64)?;
+        check("neighbours", None, k as f64, 1.0, cloud.len() as f64)?;
         let mut coefficients = with_room(knots.count())?;
         let mut order = with_room(k + 1)?;
         let mut local = LocalFit::new(k)?;

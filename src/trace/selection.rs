@@ -56,7 +56,7 @@ pub struct Choice {
 ///
 /// O(n·most² + N·most·p).
 pub fn leave_one_out(cloud: &Cloud, knots: &Knots, most: usize, ends: [End; 2]) -> Result<Vec<Score>> {
-    check("k", None, most as f64, 1.0, (cloud.len() - 1) as f64)?;
+    check("neighbours", None, most as f64, 1.0, (cloud.len() - 1) as f64)?;
     // Row i holds the errors at point i for all k: first the ordinate, then all that is predicted is taken off.
     let mut errors = filled(0.0, cloud.len() * most)?;
     let mut means = filled(0.0, knots.count() * most)?;

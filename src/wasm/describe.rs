@@ -11,7 +11,7 @@ use crate::{HermiteCurve, Space};
 pub(super) const SPACES: [Space; 3] = [Space::Trigonometric, Space::Hyperbolic, Space::Polynomial];
 
 /// Numbers in pairs, as points or vectors.
-#[cfg(any(feature = "wasm", feature = "wasm-fit"))]
+#[cfg(any(feature = "wasm", feature = "wasm-fit", feature = "wasm-trace"))]
 pub(super) fn pairs(numbers: &[f64]) -> Vec<Vector> {
     numbers.chunks_exact(2).map(|pair| Vector::new(pair[0], pair[1])).collect()
 }

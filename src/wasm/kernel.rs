@@ -289,7 +289,6 @@ fn enter(body: &mut dyn Body) -> i32 {
 }
 
 /// How many numbers so many things of `each` numbers are; more than there can be where that overflows.
-#[cfg(any(feature = "wasm-spline", feature = "wasm", feature = "wasm-surface", feature = "wasm-fit"))]
 pub(super) fn times(count: u32, each: usize) -> usize {
     (count as usize).saturating_mul(each)
 }

@@ -28,6 +28,8 @@ mod heap;
 mod kernel;
 #[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 mod measure;
+#[cfg(feature = "wasm-trace")]
+mod profile;
 #[cfg(any(feature = "wasm-fit", feature = "wasm-trace"))]
 mod record;
 #[cfg(any(feature = "wasm-spline", feature = "wasm-surface"))]
