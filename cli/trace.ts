@@ -15,7 +15,7 @@ const FLAGS: Readonly<Record<string, Flag>> = {
   invert: { about: "light ink on dark paper" },
   speckle: { value: "A", about: "leave out contours that enclose fewer square pixels" },
   corner: { value: "DEG", about: "the least turning of a corner in degrees; 180 knows no corners" },
-  source: { value: "S", about: "what is followed: brightness, the default, or edges" },
+  source: { value: "S", about: "what is followed: brightness, the default, edges, or lines, the middle of thin strokes" },
   model: { value: "M", about: "sparse, the default, or wqisa" },
   colors: { value: "N", about: "at most so many flat colours, or a list: #ffffff,#cc0000,#00aa00" },
   "no-refine": { about: "contours are followed, but pixels are not asked again" },
@@ -84,7 +84,7 @@ function optionsOf(given: Given): TraceOptions {
     ...optional("corner", "corner", Math.PI / 180),
     ...optional("max-contours", "maxContours"),
     ...(colors === undefined ? {} : colors.startsWith("#") ? { colors: colors.split(",") } : optional("colors", "colors")),
-    ...oneOf(values, "source", ["brightness", "edges"]),
+    ...oneOf(values, "source", ["brightness", "edges", "lines"]),
     ...oneOf(values, "model", ["sparse", "wqisa"]),
     invert: values.has("invert"),
     refine: !values.has("no-refine"),
@@ -94,7 +94,7 @@ function optionsOf(given: Given): TraceOptions {
 function oneOf<N extends "source" | "model">(values: Given["values"], name: N, words: readonly string[]): TraceOptions {
   const value = values.get(name);
   if (value === undefined) return {};
-  if (!words.includes(value)) throw new Failure(USAGE, `--${name} is ${JSON.stringify(value.slice(0, 40))}; expected ${words.join(" or ")}`);
+  if (!words.includes(value)) throw new Failure(USAGE, `--${name} is ${JSON.stringify(value.slice(0, 40))}; expected ${words.join(", ")}`);
   return { [name]: value };
 }
 

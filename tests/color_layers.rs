@@ -150,8 +150,8 @@ fn a_disc_on_top_is_a_circle_of_its_own_and_leaves_no_hole_below() {
     let circle = &layers[1].contours[0].curve;
     for i in 0..50 {
         let p = circle.evaluate(circle.domain().1 * f64::from(i) / 50.0, 0).expect("in the domain");
-        // 64 places a pixel tell areas to a hundredth.
-        assert!(((p - Point::new(31.2, 28.9)).norm() - 17.5).abs() < 0.03, "{p}");
+        // The picture was asked at places an eighth of a pixel apart.
+        assert!(((p - Point::new(31.2, 28.9)).norm() - 17.5).abs() < 0.0625, "{p}");
     }
 }
 

@@ -65,6 +65,8 @@ export interface ErrorDetails {
   readonly reason?: string;
   /** What could be done before the failure. */
   readonly partial?: unknown;
+  /** Options that would let the call through: `{ speckle: 12 }`. */
+  readonly offer?: Readonly<Record<string, number>>;
   /** True when the engine's instance died of it and was replaced. */
   readonly fatal?: boolean;
   /** The error that caused this one. */
@@ -91,6 +93,7 @@ export class ExplineError extends Error {
   declare readonly actual?: number;
   declare readonly reason?: string;
   declare readonly partial?: unknown;
+  declare readonly offer?: Readonly<Record<string, number>>;
 
   /** @internal */
   constructor(code: ErrorCode, op: string, what: string, details: ErrorDetails = {}) {

@@ -30,8 +30,8 @@ export interface ImageLike {
 
 /** What {@link traceImage} can be told. */
 export interface TraceOptions {
-  /** What is followed: where the picture turns from light to dark, the default, or its edges. */
-  source?: "brightness" | "edges" | undefined;
+  /** What is followed: the outlines of ink, the default; edges, where the shade changes fastest; or the centre lines of thin strokes. */
+  source?: "brightness" | "edges" | "lines" | undefined;
   /** Shade between ink and paper, 0 … 255. Default "auto": found in the picture. */
   threshold?: number | "auto" | undefined;
   /** Standard deviation in pixels of a blur before all else, 0 … 10. Default: found, as much as the noise needs. */
@@ -67,7 +67,7 @@ const MAX_CONTOURS = 200_000;
 const MAX_AREA = 1e9;
 const MAX_COLORS = 64;
 
-const SOURCES = ["brightness", "edges"] as const;
+const SOURCES = ["brightness", "edges", "lines"] as const;
 const MODELS = ["sparse", "wqisa"] as const;
 const NAMES = [
   ...["source", "threshold", "blur", "invert", "speckle", "corner", "tolerance", "model", "refine", "maxContours", "colors"] as const,

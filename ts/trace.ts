@@ -1,9 +1,12 @@
 /** From a picture to few curves: all at once, or in short tasks. */
-import { Picture, initTrace } from "./trace-engine.js";
+import { ExplineError } from "./core.js";
+import { Picture, type Step, initTrace } from "./trace-engine.js";
 import { type ImageLike, STAGES, type TraceOptions, type TraceOrder, type TraceStage, traceOrder } from "./trace-options.js";
 import { type Trace, readTrace } from "./trace-result.js";
 import { checkSignal, inOneGo, inTasks } from "./yielding.js";
 
+export { fitProfile, looScore, metrics, quasiInterpolate } from "./profile.js";
+export type { ProfileFit, ProfileOptions, ProfileTube, QuasiInterpolantOptions } from "./profile.js";
 export { initTrace, initTraceSync } from "./trace-engine.js";
 export type { ImageLike, TraceOptions, TraceProgress, TraceStage } from "./trace-options.js";
 export type { Trace, TraceLayer, TraceMetrics, TraceSvgOptions, TracedContour } from "./trace-result.js";
@@ -16,7 +19,7 @@ function* steps(op: string, picture: Picture, { onProgress, pixels }: TraceOrder
   const spent = new Map<TraceStage, number>();
   let before = performance.now();
   for (;;) {
-    const step = picture.step(op, BUDGET);
+    const step = stepOf(op, picture);
     const now = performance.now();
     const stage = STAGES[step.stage] ?? "pixels";
     spent.set(stage, (spent.get(stage) ?? 0) + now - before);
@@ -27,6 +30,22 @@ function* steps(op: string, picture: Picture, { onProgress, pixels }: TraceOrder
   }
 }
 
+/** One step; a picture with too many contours is a photograph, and what would help is said. */
+function stepOf(op: string, picture: Picture): Step {
+  try {
+    return picture.step(op, BUDGET);
+  } catch (error) {
+    if (!(error instanceof ExplineError) || error.limit !== "maxContours") throw error;
+    const { max = 0, actual = 0 } = error;
+    const speckle = picture.offer(op);
+    const help = speckle === undefined ? "" : `, and a speckle of ${Number(speckle.toPrecision(3))} would leave as many`;
+    throw new ExplineError("E_LIMIT", op, `the image has ${actual} contours, like a photograph; maxContours is ${max}${help}`, {
+      ...{ arg: "image", argument: "image", limit: "maxContours", max, actual },
+      offer: { maxContours: actual, ...(speckle === undefined ? {} : { speckle }) },
+    });
+  }
+}
+
 /**
  * The outlines of a drawing, as few curves as explain its pixels.
  *
@@ -34,7 +53,7 @@ function* steps(op: string, picture: Picture, { onProgress, pixels }: TraceOrder
  * stay corners, straight lines are lines, circles are circles, and the curves are refined until they cover of every pixel what the picture says.
  * The same picture gives the same bits everywhere.
  *
- * @throws {ExplineError} E_LIMIT with `limit` "maxContours" and `actual` for a photograph, "maxPixels" above 40 megapixels.
+ * @throws {ExplineError} E_LIMIT with `limit` "maxContours", `actual` and `offer` for a photograph, "maxPixels" above 40 megapixels.
  */
 export function traceImage(image: ImageLike, options?: TraceOptions): Trace {
   const op = "traceImage";

@@ -3,7 +3,7 @@
 use super::gray::Gray;
 use super::layers::{Layers, Shape, drawn};
 use super::palette::Color;
-use super::tracer::{TraceOptions, TracedContour, Tracer};
+use super::tracer::{Source, TraceOptions, TracedContour, Tracer};
 use crate::error::{Error, Result};
 
 /// One layer.
@@ -37,10 +37,11 @@ pub struct LayerTracer {
 }
 
 impl LayerTracer {
-    /// Begins; nothing is done yet. Of the options, threshold and inversion do not matter: a layer's shape is ink on paper.
+    /// Begins; nothing is done yet. Of the options, source, threshold and inversion do not matter: a layer's shape is ink on paper.
     pub fn new(layers: Layers, options: &TraceOptions) -> Self {
         let (order, visible) = drawn(&layers);
-        let options = TraceOptions { threshold: None, inverted: false, ..*options };
+        let source = Source::Brightness;
+        let options = TraceOptions { source, threshold: None, inverted: false, ..*options };
         Self { layers, options, order, visible, found: Vec::new(), phase: None }
     }
 

@@ -1,4 +1,4 @@
-//! Pictures of a few flat colours: how much of which colour every pixel has, and the shapes that lie on one another.
+//! Pictures of a few flat colours: how much of which colour every pixel has, and the shapes that lie on one another (D 14.20).
 
 use super::gray::Gray;
 use super::palette::{Color, MOST_COLORS};

@@ -176,6 +176,19 @@ pub fn trace_step(number: u32, budget: f64) -> i32 {
     })
 }
 
+/// After a step has failed for too many contours: the speckle that would leave as many as there may be, in the record; 0 where none is known.
+#[wasm_bindgen]
+pub fn trace_offer(number: u32) -> i32 {
+    run(&mut |kernel| {
+        let offer = match &job(&mut kernel.traces, number)?.state {
+            State::Tracing(tracer) => tracer.offer(),
+            _ => None,
+        };
+        kernel.record([offer.unwrap_or(0.0)]);
+        Ok(usize::from(offer.is_some()))
+    })
+}
+
 /// Appends a contour of a layer in three sections: its curve, its numbers, its cusps.
 fn contour(output: &mut Vec<f64>, contour: &TracedContour, layer: usize) {
     section(output, &mut |to| describe(to, &contour.curve));

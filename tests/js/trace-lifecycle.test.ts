@@ -166,18 +166,50 @@ test("traces side by side do not know of one another", async () => {
   assert.deepEqual(together.map(bits), alone);
 });
 
-test("a photograph is refused with the count", () => {
+test("a photograph is refused with the count, and with what would help", () => {
   const picture = photoNoise(200, 200, 3);
+  const options = { maxContours: 40, blur: 0, speckle: 0, refine: false };
+  let offered: Readonly<Record<string, number>> = {};
   assert.throws(
-    () => traceImage(picture, { maxContours: 40, blur: 0, speckle: 0 }),
+    () => traceImage(picture, options),
     (error) => {
       assert.ok(error instanceof ExplineError);
-      assert.deepEqual([error.code, error.limit, error.max], ["E_LIMIT", "maxContours", 40]);
+      assert.deepEqual([error.code, error.arg, error.limit, error.max], ["E_LIMIT", "image", "maxContours", 40]);
       assert.ok((error.actual ?? 0) > 40, `${error.actual}`);
+      assert.match(error.message, /like a photograph/);
+      offered = error.offer ?? {};
       return true;
     },
   );
-  assert.ok(traceImage(discs(120, 60), { maxContours: 60 }).contours.length <= 60);
+  const { speckle = 0, maxContours = 0 } = offered;
+  assert.ok(speckle > 0 && maxContours > 40);
+  assert.ok(traceImage(picture, { ...options, speckle }).contours.length <= 40);
+  assert.equal(traceImage(picture, { ...options, maxContours }).contours.length, maxContours);
+});
+
+test("a thin stroke comes back as its middle, which is drawn and not filled", () => {
+  const stroke = painted(80, 40, (x, y) => 255 * (1 - Math.max(0, Math.min(1, 2 - Math.abs(y + 0.5 - 20.3))) * (x >= 10 && x < 70 ? 1 : 0)));
+  const trace = traceImage(stroke, { source: "lines" });
+  assert.deepEqual(trace.contours.map(({ closed }) => closed), [false]);
+  const { minX, minY, maxX, maxY } = trace.contours[0]!.curve.bounds();
+  assert.ok(minX > 8 && minX < 13 && maxX > 67 && maxX < 72, `${minX} to ${maxX}`);
+  assert.ok(Math.abs(minY - 20.3) < 0.3 && Math.abs(maxY - 20.3) < 0.3, `${minY} to ${maxY}`);
+  assert.match(trace.toSvg(), /<path fill="none" stroke="#000" d="M[^Zz"]+"\/><\/svg>$/);
+});
+
+test("every source goes with every model", () => {
+  for (const source of ["brightness", "edges", "lines"] as const) {
+    for (const model of ["sparse", "wqisa"] as const) {
+      const { contours } = traceImage(RING, { source, model });
+      assert.ok(contours.length > 0, `${source}, ${model}`);
+      for (const { curve } of contours) {
+        const [x = 0, y = 0] = curve.evaluate(0.5 * curve.domain[1]);
+        const radius = Math.hypot(x - 48, y - 48);
+        // The outer circle, the inner one, or the line between them.
+        assert.ok([38.4, 19.2, 28.8].some((wanted) => Math.abs(radius - wanted) < 1), `${source}, ${model}: ${radius}`);
+      }
+    }
+  }
 });
 
 const RED = [200, 16, 46] as const;
