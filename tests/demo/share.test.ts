@@ -109,6 +109,29 @@ test("DM-001 a drag that is interrupted by a reload leaves the state before it",
   assertSame((await demo.state()).curve, kept);
 });
 
+test("DM-002 a tab that is killed loses nothing that was committed more than a second before", async (t) => {
+  const shared = await context(t);
+  const demo = new Demo(await shared.newPage());
+  await demo.load("");
+  await demo.withoutSnap();
+  await demo.drag("pt-0-0", 40, 30);
+  const kept = (await demo.state()).curve;
+  await demo.page.waitForTimeout(untilKept);
+  await demo.drag("pt-0-1", 15, 5);
+  const last = (await demo.state()).curve;
+  const killed = demo.page.waitForEvent("crash");
+  const devtools = await shared.newCDPSession(demo.page);
+  // The answer never comes.
+  void devtools.send("Page.crash").catch(() => undefined);
+  await killed;
+  const again = new Demo(await shared.newPage());
+  await again.load("");
+  const { curve } = await again.state();
+  const found = [kept, last].find((each) => JSON.stringify(each) === JSON.stringify(curve));
+  assertSame(curve, found ?? kept);
+  assert.deepEqual(again.complaints, []);
+});
+
 test("DM-003 DM-008 whichever byte of the newest copy is damaged, the copy before it opens", async (t) => {
   const demo = await open(t);
   await demo.withoutSnap();

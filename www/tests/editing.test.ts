@@ -1,5 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import type { CurveDocument } from "../src/document/document.ts";
+import { loadCurve } from "../src/editor/edits.ts";
 import { Hand, largestDistance } from "./harness.ts";
 
 /** Coordinates of a few hundred units: an ulp is 6e-14, a dozen roundings stay below this. */
@@ -268,4 +270,22 @@ test("the pen goes on from either end of an open contour", () => {
   assert.equal(hand.curve.contours.length, 1);
   assert.equal(contour?.points.length, count + 1);
   assert.deepEqual([hand.point(count - 1).x, hand.point(count).x], [first.x, first.x - 60]);
+});
+
+test("DM-034 ten thousand paths are chosen, moved and taken back, exactly", () => {
+  const hand = new Hand("circle-2");
+  const [circle] = hand.curve.contours;
+  assert.ok(circle);
+  const at = (i: number): CurveDocument["contours"][number] => ({ ...circle, points: circle.points.map((point) => ({ ...point, x: point.x + 7 * (i % 100), y: point.y + 7 * Math.floor(i / 100) })) });
+  loadCurve(hand.editor, "Open", { ...hand.curve, contours: Array.from({ length: 10_000 }, (_, i) => at(i)) });
+  const before = hand.curve;
+  hand.run("select-all");
+  assert.equal(hand.selected.length, 20_000);
+  hand.drag(hand.point(0, 5050), 12, -5);
+  hand.curve.contours.forEach((contour, i) => {
+    const old = before.contours[i]?.points[0];
+    assert.ok(Math.abs((contour.points[0]?.x ?? NaN) - (old?.x ?? NaN) - 12) < 1e-9, `path ${i}`);
+  });
+  hand.run("undo");
+  assert.equal(hand.curve, before, "the very document of before");
 });
