@@ -52,10 +52,10 @@ impl Recurrence {
             // The next one, still to be divided by its norm.
             let back = if k == 0 { 0.0 } else { recurrence.norm[k] };
             let mut square = 0.0;
-            for m in 0..count {
+            for (m, (x, w)) in x.iter().zip(w).enumerate() {
                 let before = if k == 0 { 0.0 } else { values[(k - 1) * count + m] };
-                let next = (x[m] - moment) * values[k * count + m] - back * before;
-                square += w[m] * (next * next);
+                let next = (x - moment) * values[k * count + m] - back * before;
+                square += w * (next * next);
                 values.push(next);
             }
             if square.is_nan() || square <= 1e-12 {
@@ -74,7 +74,7 @@ impl Recurrence {
     fn even_nodes(&self) -> Option<[f64; TERMS]> {
         let mut nodes = [0.0; TERMS];
         let mut before = -1.0;
-        for i in 0..=self.degree {
+        for (i, node) in nodes.iter_mut().enumerate().take(self.degree + 1) {
             let angle = core::f64::consts::PI * (i as f64 + 0.75) / (self.degree as f64 + 1.5);
             let mut x = -libm::cos(angle);
             let mut settled = false;
@@ -91,7 +91,7 @@ impl Recurrence {
             if !settled || x <= before + 1e-6 || x >= 1.0 {
                 return None;
             }
-            (nodes[i], before) = (x, x);
+            (*node, before) = (x, x);
         }
         Some(nodes)
     }
