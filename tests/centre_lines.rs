@@ -172,3 +172,18 @@ fn hostile_pictures_do_no_harm_whatever_is_followed() {
         }
     }
 }
+
+#[test]
+fn a_disc_wider_than_the_strokes_is_a_ring_with_its_hole_filled() {
+    let circle: Vec<(f64, f64)> = (0..=36)
+        .map(|i| f64::from(i) * 10.0_f64.to_radians())
+        .map(|a| (20.2 + 3.0 * a.cos(), 31.4 + 3.0 * a.sin()))
+        .collect();
+    let bar = [(44.0, 8.0), (44.0, 56.0), (62.0, 56.0), (62.0, 8.0)];
+    let found = lines(72, 64, &strokes(72, 64, 6.0, &[&circle, &bar]));
+    let ring = found.contours.iter().find(|c| c.closed).expect("a ring");
+    for p in ring.curve.points() {
+        let off = (p - Point::new(20.2, 31.4)).norm() - 3.0;
+        assert!(off.abs() < 0.4, "{off}");
+    }
+}

@@ -36,6 +36,10 @@ pub(super) fn centred(lines: &[Chain], sides: &[Side], half_width: f64) -> Resul
     let mut chains = with_room(lines.len())?;
     for (i, (mut points, capped)) in found.into_iter().enumerate() {
         let spine = &spines[i];
+        if let Some(ring) = spine.filled_ring(&evidence[i], half_width) {
+            chains.push(Chain::new(ring, true)?);
+            continue;
+        }
         if !spine.closed {
             for last in [false, true] {
                 if !capped[usize::from(last)] {
@@ -55,7 +59,7 @@ pub(super) fn centred(lines: &[Chain], sides: &[Side], half_width: f64) -> Resul
 
 impl Spine {
     fn new(line: &Chain, half_width: f64) -> Self {
-        let window = half_width.max(3.0).min(8.0);
+        let window = half_width.clamp(3.0, 8.0);
         let count = line.points().len();
         let (mut points, mut tangents, mut travelled) = (Vec::new(), Vec::new(), Vec::new());
         let mut sum = 0.0;
@@ -109,6 +113,26 @@ impl Spine {
             }
         }
         (points, capped)
+    }
+
+    /// A disc wider than the strokes is a ring whose hole is filled: its centre line is a circle. `None` for other lines.
+    fn filled_ring(&self, evidence: &Evidence, half_width: f64) -> Option<Vec<Point>> {
+        let ends = evidence.ends.iter().flatten().map(|&(centre, _)| centre);
+        let mut centres: Vec<Point> = ends.chain(evidence.beside.iter().map(|&(_, p)| p)).collect();
+        if self.length() > 0.4 * half_width + 3.0 || centres.len() < 16 {
+            return None;
+        }
+        let count = centres.len() as f64;
+        let mut middle = Point::zeros();
+        centres.iter().for_each(|p| middle += p / count);
+        let radius = centres.iter().map(|p| norm(p - middle)).sum::<f64>() / count;
+        let round = centres.iter().all(|p| (norm(p - middle) - radius).abs() < 0.25 * radius);
+        if radius < 0.1 * half_width + 0.4 || !round {
+            return None;
+        }
+        let angle = |p: &Point| libm::atan2(p.y - middle.y, p.x - middle.x);
+        centres.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
+        Some(centres)
     }
 
     fn outward(&self, last: bool) -> Vector {

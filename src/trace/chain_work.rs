@@ -38,7 +38,7 @@ pub(super) struct ChainWork {
 /// What is done next.
 #[derive(Debug)]
 enum Phase {
-    Tones(ToneScan),
+    Tones(Box<ToneScan>),
     Maxima(MaximaScan, f64),
     Contours(ContourScan),
     Splines,
@@ -52,7 +52,7 @@ impl ChainWork {
         Self {
             gray,
             options,
-            phase: Phase::Tones(ToneScan::new(given)),
+            phase: Phase::Tones(Box::new(ToneScan::new(given))),
             progress: Progress { done: false, stage: Stage::Edges, completed: 0, total },
             chains: Vec::new(),
             rounding: 1.0,
@@ -61,7 +61,7 @@ impl ChainWork {
     }
 
     fn edge_options(&self) -> EdgeOptions {
-        EdgeOptions { sigma: self.options.blur.map(|sigma| sigma.max(0.3).min(8.0)), high: None, low: None }
+        EdgeOptions { sigma: self.options.blur.map(|sigma| sigma.clamp(0.3, 8.0)), high: None, low: None }
     }
 
     fn level(&self) -> f64 {
@@ -101,7 +101,7 @@ impl ChainWork {
     fn contoured(&mut self, contours: &[Contour]) -> Result<()> {
         let chains = if self.options.source == Source::Lines {
             let lines = centre_lines(&self.gray, self.level(), self.options.inverted, contours)?;
-            self.rounding = (0.4 * lines.half_width).max(1.0);
+            self.rounding = (0.15 * lines.half_width).max(1.0);
             lines.chains
         } else {
             let mut chains = Vec::new();

@@ -58,7 +58,9 @@ pub use metrics::{Jaccard, diameter, directed_hausdorff, jaccard, mean_absolute,
 pub use palette::{Census, Color, MOST_COLORS};
 pub use profile::{Profile, ProfileOptions};
 pub use quasi_interpolant::{End, Estimator, QuasiInterpolant};
-pub use selection::{Choice, Method, Rule, Score, choose, generalised_cross_validation, leave_one_out, left_out_locally};
+pub use selection::{
+    Choice, Method, Rule, Score, choose, generalised_cross_validation, leave_one_out, left_out_locally,
+};
 pub use strands::profiles;
 pub use tones::Tones;
 pub use tracer::{
