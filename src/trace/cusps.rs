@@ -74,10 +74,11 @@ impl Chain {
         }));
         let mut found = Vec::new();
         for i in 0..count {
-            if scores[i] > 0.0 && self.is_sharpest(i, &scores, rule.window.max(2.2))
-                if let Some(point) = self.meeting(i, rule) {
-                    found.push(Cusp { index: i, point });
-                }
+            if scores[i] > 0.0
+                && self.is_sharpest(i, &scores, rule.window.max(2.2))
+                && let Some(point) = self.meeting(i, rule)
+            {
+                found.push(Cusp { index: i, point });
             }
         }
         Ok(found)

@@ -67,7 +67,7 @@ pub struct Profile {
 impl Chain {
     /// How much of the chain on both sides of a point says what its tangent is: 2 pixels and ten times the noise, from 3 to 8 pixels.
     pub fn window(&self) -> f64 {
-        (10.0 * self.noise() + 2.0).max(3.0).min(8.0)
+        (10.0 * self.noise() + 2.0).clamp(3.0, 8.0)
     }
 
     /// Where a closed chain begins: at the cusp nearest to the lower left, or, without cusps, in the middle of its straightest stretch, where the

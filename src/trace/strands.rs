@@ -249,7 +249,7 @@ fn follow(strands: &[Strand], partners: &[Option<usize>], start: usize, done: &m
                 points.push(p);
             }
         };
-        if at % 2 == 0 {
+        if at.is_multiple_of(2) {
             strand.points.iter().for_each(|&p| add(p));
         } else {
             strand.points.iter().rev().for_each(|&p| add(p));
