@@ -69,7 +69,7 @@ test("V22 a star keeps its ten corners and its straight sides, at the defaults a
   assert.equal(Number(await demo.byId("legend-cusp").getAttribute("data-value")), 10);
 });
 
-test("V22 the logo has corners on its sharp mark alone", async (t) => {
+test("V22 the logo has corners on its sharp mark alone; nothing turns by 180 degrees", async (t) => {
   const demo = await open(t, "#/trace?sample=trace-logo");
   const { cusps, contours, holes } = await result(demo);
   assert.equal(contours, 4);
@@ -77,6 +77,8 @@ test("V22 the logo has corners on its sharp mark alone", async (t) => {
   const bolt: Pair[] = [[282, 118], [188, 276], [248, 276], [224, 394], [326, 226], [262, 226]];
   for (const { x, y } of cusps) assert.ok(bolt.some(([a, b]) => Math.hypot(a - x, b - y) <= 2), `a corner at ${x}, ${y}`);
   for (const [x, y] of bolt) assert.ok(cusps.some((cusp) => Math.hypot(cusp.x - x, cusp.y - y) <= 2), `no corner at ${x}, ${y}`);
+  await demo.slide("trace-corner", 180);
+  assert.equal((await result(demo)).cusps.length, 0);
 });
 
 /** A picture as a file: a black square with a round hole, in the page's own encoder. */

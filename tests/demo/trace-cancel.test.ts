@@ -1,0 +1,80 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { useBrowser, type Demo } from "./page.ts";
+
+const { open } = useBrowser();
+
+interface Counts {
+  readonly contours: number;
+  readonly holes: number;
+  readonly cusps: number;
+  readonly segments: number;
+}
+
+async function counts(demo: Demo): Promise<Counts> {
+  const { trace } = (await demo.state()) as unknown as { trace: { result?: { contours: number; holes: number; cusps: readonly object[]; segments: number } } };
+  assert.ok(trace.result !== undefined, "there are outlines");
+  const { contours, holes, cusps, segments } = trace.result;
+  return { contours, holes, cusps: cusps.length, segments };
+}
+
+/** What the bar says at every frame from now on, and when the frames were. */
+async function watch(demo: Demo): Promise<void> {
+  await demo.page.evaluate(() => {
+    const seen: { time: number; value: number; text: string; shown: boolean }[] = [];
+    Reflect.set(window, "seenProgress", seen);
+    const note = (time: number): void => {
+      const bar = document.querySelector('[data-testid="progress"]');
+      seen.push({ time, value: Number(bar?.getAttribute("aria-valuenow")), text: bar?.textContent ?? "", shown: bar?.checkVisibility() === true });
+      if (seen.length < 6000) requestAnimationFrame(note);
+    };
+    requestAnimationFrame(note);
+  });
+}
+
+function seen(demo: Demo): Promise<{ time: number; value: number; text: string; shown: boolean }[]> {
+  return demo.page.evaluate(() => Reflect.get(window, "seenProgress") as { time: number; value: number; text: string; shown: boolean }[]);
+}
+
+/** Times are printed beside the budget and not asserted: a busy neighbour says nothing about the page. */
+test("V24 a long trace says how far it is, leaves the page in hand, cancels, and does the same once more", async (t) => {
+  const demo = await open(t, "#/trace?sample=trace-big");
+  const { page } = demo;
+  await page.locator('[data-testid="trace-size"]').selectOption("2048");
+  await demo.idle();
+  const whole = await counts(demo);
+  t.diagnostic(`sheet at 2048: ${whole.contours} contours, ${whole.cusps} corners, ${((await demo.stats()).lastJobMs / 1000).toFixed(1)} s of 20`);
+  assert.ok(whole.contours >= 400);
+
+  await watch(demo);
+  await demo.byId("trace-run").click();
+  const bar = page.locator('[data-testid="progress"]', { hasText: /(?:Decoding|Edges|Contours|Corners|Splines|Refinement)/u });
+  const came = await bar.waitFor({ timeout: 10_000 }).then(() => true, () => false);
+  if (!came) return t.diagnostic("the job had ended before its progress could be seen");
+  const { zoom } = (await demo.state()).view;
+  const { x, y } = await demo.centre("stage");
+  await page.mouse.move(x, y);
+  await page.mouse.wheel(0, -240);
+  await page.waitForFunction((before) => window.explineDemo.getState().view.zoom > before, zoom);
+  // The one in the panel and the one over the stage are the same action.
+  const cancel = demo.byId("trace-cancel");
+  if (!(await cancel.isVisible())) return t.diagnostic("the job had ended before it could be cancelled");
+  const pressed = await page.evaluate(() => performance.now());
+  await cancel.click();
+  await demo.idle();
+  const stopped = (await page.evaluate(() => performance.now())) - pressed;
+  await page.locator('[data-testid="toast"]', { hasText: "Cancelled" }).waitFor();
+  assert.deepEqual(await counts(demo), whole, "the result before is back");
+  assert.equal(await cancel.isVisible(), false);
+
+  const frames = (await seen(demo)).filter(({ shown }) => shown);
+  frames.forEach(({ value }, i) => assert.ok(value >= (frames[i - 1]?.value ?? 0), `${value} after ${frames[i - 1]?.value ?? 0}`));
+  assert.ok(frames.some(({ text }) => /%/u.test(text)), "with words");
+  const gaps = frames.slice(1).map(({ time }, i) => time - (frames[i]?.time ?? time)).sort((a, b) => a - b);
+  t.diagnostic(`idle ${stopped.toFixed(0)} ms of 500 after Cancel; frame gaps p95 ${(gaps[Math.floor(0.95 * gaps.length)] ?? 0).toFixed(0)} ms of 100`);
+
+  await demo.byId("trace-run").click();
+  await demo.idle();
+  assert.deepEqual(await counts(demo), whole);
+  assert.deepEqual(demo.complaints, []);
+});
