@@ -187,8 +187,8 @@ fn settle(items: &mut [Item], centers: &mut [[f64; 3]]) {
             }
         }
         let sum = &mut sums[item.cluster];
-        for k in 0..3 {
-            sum[k] += item.weight * item.lab[k];
+        for (total, value) in sum.iter_mut().zip(item.lab) {
+            *total += item.weight * value;
         }
         sum[3] += item.weight;
     }
@@ -211,8 +211,8 @@ fn flat_color(items: &[Item], cluster: usize) -> Option<(f64, [f64; 3], Color)> 
         whole += item.weight;
         if distance(&item.lab, &heaviest.lab) < CORE * CORE {
             weight += item.weight;
-            for k in 0..3 {
-                sum[k] += item.weight * item.rgb[k];
+            for (total, value) in sum.iter_mut().zip(item.rgb) {
+                *total += item.weight * value;
             }
         }
     }
