@@ -151,7 +151,7 @@ fn hostile_pictures_do_no_harm_whatever_is_followed() {
                 0 => 0,
                 1 => 255,
                 2 => {
-                    if (i % width + i / width) % 2 == 0 {
+                    if (i % width + i / width).is_multiple_of(2) {
                         0
                     } else {
                         255

@@ -164,7 +164,7 @@ fn small_flat_and_hostile_pictures_do_no_harm() {
                 0 => 0,
                 1 => 255,
                 2 => {
-                    if i % 2 == 0 {
+                    if i.is_multiple_of(2) {
                         0
                     } else {
                         255

@@ -72,7 +72,7 @@ fn a_polygon_has_its_corners_and_straight_sides() {
 #[test]
 fn an_open_wave_keeps_its_ends() {
     let points: Vec<Point> =
-        (0..150).map(|i| f64::from(i)).map(|x| Point::new(x, 20.0 * (x / 18.0).sin())).collect();
+        (0..150).map(f64::from).map(|x| Point::new(x, 20.0 * (x / 18.0).sin())).collect();
     let chain = Chain::new(points.clone(), false).expect("a chain");
     for method in [Method::Local(Rule::Least), Method::Mean(Rule::Least)] {
         let options = ProfileOptions { method, ..ProfileOptions::default() };

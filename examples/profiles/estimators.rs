@@ -66,10 +66,12 @@ fn quasi(points: &[Point], length: f64, method: Method) -> Outcome<Followed> {
 fn solve(mut matrix: Vec<Vec<f64>>, mut right: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     let n = matrix.len();
     for pivot in 0..n {
-        for row in pivot + 1..n {
-            let factor = matrix[row][pivot] / matrix[pivot][pivot];
-            for column in pivot..n {
-                matrix[row][column] -= factor * matrix[pivot][column];
+        let (done, rest) = matrix.split_at_mut(pivot + 1);
+        let lead = &done[pivot];
+        for (row, values) in (pivot + 1..n).zip(rest) {
+            let factor = values[pivot] / lead[pivot];
+            for (value, above) in values.iter_mut().zip(lead).skip(pivot) {
+                *value -= factor * above;
             }
             for side in &mut right {
                 side[row] -= factor * side[pivot];
