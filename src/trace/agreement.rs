@@ -31,7 +31,7 @@ fn pixels(points: &[Point]) -> Vec<(i32, i32)> {
     let mut pixels = Vec::new();
     for (i, &from) in points.iter().enumerate() {
         let to = points[if i + 1 == points.len() { 0 } else { i + 1 }];
-        let steps = (norm(to - from) / CHORD).ceil().max(1.0).min(40_000.0) as usize;
+        let steps = (norm(to - from) / CHORD).ceil().clamp(1.0, 40_000.0) as usize;
         for step in 0..steps {
             let p = from + (to - from) * (step as f64 / steps as f64);
             pixels.push((p.x.floor() as i32, p.y.floor() as i32));
@@ -52,7 +52,7 @@ fn flattened(curve: &HermiteCurve) -> Result<Vec<Point>> {
         let steps = if curve.segment(i).as_line(1e-9) {
             1
         } else {
-            (length / CHORD).ceil().max(4.0).min(20_000.0) as usize
+            (length / CHORD).ceil().clamp(4.0, 20_000.0) as usize
         };
         for step in 0..steps {
             places.push(curve.evaluate(first + (last - first) * step as f64 / steps as f64, 0)?);

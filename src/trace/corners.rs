@@ -24,6 +24,8 @@ pub(super) struct Corner {
     pub(super) index: isize,
     /// Where both sides meet.
     pub(super) point: Point,
+    /// No other corner is as near, in places.
+    apart: isize,
 }
 
 /// All corners in the order of the places: those by the first rule, then those that another rule finds between them.
@@ -32,15 +34,18 @@ pub(super) struct Corner {
 /// corner or of an arc; the turning between the parabolas' tangents at the place is small for arcs (D 14.5).
 pub(super) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<Corner> {
     let count = samples.len() as isize;
-    let apart = samples.steps(2.2).max(1);
     let distance = |i: isize, j: isize| (i - j).rem_euclid(count).min((j - i).rem_euclid(count));
     let mut found: Vec<Corner> = Vec::new();
     for rule in rules {
+        // What pixels cut off belongs to the corner, by this rule and by those after it.
+        let apart = samples.steps((1.8 * rule.gap - 0.7).max(2.2)).max(1);
         let scores: Vec<f64> = (0..count).map(|i| score(samples, i, rule)).collect();
         let known = found.len();
         for i in 0..count {
             let own = scores[i as usize];
-            if own < rule.angle || found[..known].iter().any(|corner| distance(corner.index, i) < apart) {
+            if own < rule.angle
+                || found[..known].iter().any(|corner| distance(corner.index, i) < corner.apart)
+            {
                 continue;
             }
             let highest = (1..=apart).all(|d| {
@@ -49,7 +54,7 @@ pub(super) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<Corner> {
                 own > before && own >= after
             });
             if highest && let Some(point) = place(samples, i, rule) {
-                found.push(Corner { index: i, point });
+                found.push(Corner { index: i, point, apart });
             }
         }
     }

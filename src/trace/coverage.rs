@@ -28,7 +28,7 @@ pub(super) fn parts(cubic: &Cubic, field: &Field, out: &mut Vec<Part>) {
     out.clear();
     let middle = cubic.end - cubic.start - cubic.leaving - cubic.arriving;
     let bend = (middle - cubic.leaving).norm().max((cubic.arriving - middle).norm());
-    let steps = (bend * FINENESS).sqrt().ceil().max(1.0).min(4000.0);
+    let steps = (bend * FINENESS).sqrt().ceil().clamp(1.0, 4000.0);
     let mut before = cubic.start;
     for step in 0..steps as usize {
         let (first, last) = (step as f64 / steps, (step + 1) as f64 / steps);

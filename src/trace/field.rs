@@ -83,9 +83,10 @@ impl Field {
                 let tile = |v: f64, most: usize| (((v + side) / side).max(0.0) as usize).min(most - 1);
                 let (left, right) = (tile(p.x - reach, across), tile(p.x + reach, across));
                 for row in tile(p.y - reach, down)..=tile(p.y + reach, down) {
-                    for place in row * across + left..=row * across + right {
-                        if slots[place] == NONE {
-                            slots[place] = places.len() as u32;
+                    let first = row * across + left;
+                    for (slot, place) in slots[first..=row * across + right].iter_mut().zip(first..) {
+                        if *slot == NONE {
+                            *slot = places.len() as u32;
                             places.push(place as u32);
                         }
                     }
@@ -255,7 +256,7 @@ impl Field {
                 *value = if pixel != NONE {
                     plane[pixel as usize]
                 } else if own {
-                    let inner = |d: usize| d.max(REACH).min(REACH + SIDE - 1) - REACH;
+                    let inner = |d: usize| d.clamp(REACH, REACH + SIDE - 1) - REACH;
                     plane[slot as usize * AREA + inner(dy) * SIDE + inner(dx)].round()
                 } else {
                     0.0

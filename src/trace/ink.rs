@@ -18,8 +18,6 @@ use crate::error::{Error, Result};
 
 /// Noise above which pictures are blurred before they are followed, as a share of the way from ink to paper.
 const NOISY: f64 = 3.0 / 255.0;
-/// Turning of a tip that pixels cut off, in radians.
-const SHARP: f64 = 2.1;
 /// The largest deviation that a first outline may have if it is refined: pixels farther away say nothing.
 const NEAR: f64 = 0.18;
 /// How far the contour of an ellipse may be from it, in pixels.
@@ -298,8 +296,8 @@ impl Quality {
         if self == Self::Clean { 1.0 } else { 4.0 }
     }
 
-    /// Sharp tips first, whose sides are far from the place where they meet; then corners, then corners close to others.
-    fn corner_rules(self, angle: f64) -> [CornerRule; 3] {
+    /// Corners, then corners close to others.
+    fn corner_rules(self, angle: f64) -> [CornerRule; 2] {
         let [gap, window, reach, least] = match self {
             Self::Clean => [1.0, 3.0, 1.0, angle],
             Self::Rough => [1.2, 4.0, 1.2, angle + 0.1],
@@ -311,7 +309,6 @@ impl Quality {
             Self::Noisy => [1.5, 3.0, 0.2],
         };
         [
-            CornerRule { gap: 2.2 * gap, window: 1.3 * window, angle: least.max(SHARP), reach },
             CornerRule { gap, window, angle: least, reach },
             CornerRule { gap: close, window: short, angle: least + more, reach },
         ]
@@ -321,7 +318,7 @@ impl Quality {
         let scale = if self == Self::Clean { 1.0 } else { 2.0 };
         let most = if options.refined { options.tolerance.min(NEAR) } else { options.tolerance };
         DivisionRule {
-            gap: 1.2 * self.corner_rules(options.corner)[1].gap,
+            gap: 1.2 * self.corner_rules(options.corner)[0].gap,
             straight: 0.12 * scale,
             least_run: 6.0 * scale,
             most: most * scale,

@@ -293,10 +293,8 @@ fn square(cubic: &Cubic, stiffness: f64) -> [[f64; 8]; 8] {
             }
         }
     }
-    for i in 0..8 {
-        for j in i + 1..8 {
-            square[i][j] = square[j][i];
-        }
-    }
-    square
+    // The lower half of pairs is there.
+    core::array::from_fn(|i| {
+        core::array::from_fn(|j| if i / 2 < j / 2 { square[j][i] } else { square[i][j] })
+    })
 }

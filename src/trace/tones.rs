@@ -24,8 +24,8 @@ pub(super) struct ToneScan {
     /// The shade up to which pixels are dark, if it was given.
     given: Option<usize>,
     row: usize,
-    shades: [[u32; 256]; 4],
-    flat: Option<Flat>,
+    shades: Box<[[u32; 256]; 4]>,
+    flat: Option<Box<Flat>>,
 }
 
 /// Flat places on both sides of a threshold.
@@ -42,7 +42,7 @@ struct Flat {
 impl ToneScan {
     /// `threshold` is the shade, 0 … 255, up to which pixels are dark; found if it is not given.
     pub(super) fn new(threshold: Option<usize>) -> Self {
-        Self { given: threshold, row: 0, shades: [[0; 256]; 4], flat: None }
+        Self { given: threshold, row: 0, shades: Box::new([[0; 256]; 4]), flat: None }
     }
 
     /// Some rows more; the tones, when they are the last.
@@ -71,7 +71,7 @@ impl ToneScan {
                 return Some(Tones { ink, paper, noise: 0.0 });
             }
             let threshold = self.given.unwrap_or_else(|| otsu(&self.shades[0]));
-            self.flat = Some(Flat::new(threshold, gray.width()));
+            self.flat = Some(Box::new(Flat::new(threshold, gray.width())));
             return None;
         };
         // Every so many rows: noise and tones are the same everywhere.
