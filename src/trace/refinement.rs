@@ -10,7 +10,7 @@ use crate::error::Result;
 use crate::numerics::Point;
 
 /// The share of pixels beside outlines that are off their tone from which on a picture is not one of exact coverage.
-const ROUGH: f64 = 0.25;
+const ROUGH: f64 = 0.2;
 /// The tolerance at which outlines are as near as pixels tell.
 const USUAL: f64 = 0.22;
 /// How often pieces are halved.
