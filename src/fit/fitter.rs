@@ -1,18 +1,17 @@
 //! The one door to fits: points in, a curve out, in steps that a caller can show, hurry or stop.
 
-use super::combine::{Summand, combined};
-use super::foot_points::Spline;
-use super::free_knots::{FreeKnots, Located};
-use super::gridless::gridless;
+mod description;
+mod finishing;
+
+use self::finishing::Finishing;
+use super::free_knots::Located;
 use super::noise::{is_regular, noise, sober_weights};
 use super::options::{Ask, Finish, Options};
-use super::outcome::{Changed, Fit, FitStatus, Part};
+use super::outcome::Fit;
 use super::parametrise::{Parametrisation, given, parametrise};
-use super::polish::GLIMPSE;
 use super::problem::{Component, Problem, interpolating_grid, uniform_grid};
 use super::report;
 use super::samples::Samples;
-use super::solution::Solution;
 use super::solver::{Settings, Solver, Status};
 use super::sparsest::{Aim, Plan, Sparsest};
 use crate::error::{Error, Result};
@@ -23,9 +22,6 @@ use crate::numerics::Point;
 const MOST_TWICE: usize = 2000;
 /// More points than this have a curve through them only on a grid that is asked for.
 const MOST_THROUGH: usize = 50_000;
-/// Slides of the knots off the grid, and the gap to the continuous problem at which they stop.
-const MOST_SLIDES: usize = 6;
-const GRIDLESS_GAP: f64 = 1e-5;
 
 /// How far a run has come.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,20 +45,6 @@ enum Run {
     Choice(Vec<Sparsest>, Vec<Sparsest>),
     /// The search that is going on is the last one.
     Search(Vec<Sparsest>),
-}
-
-/// What comes after the convex problem.
-#[derive(Clone, Debug)]
-struct Finishing {
-    solver: Box<Solver>,
-    /// The optimum on the grid.
-    convex: Solution,
-    /// The same, or what sliding has made of it.
-    solution: Solution,
-    changes: Vec<Changed>,
-    search: Option<Sparsest>,
-    /// The curve after debiasing or pruning.
-    spline: Option<Spline>,
 }
 
 /// Fits the same points again and again: to other λ, another smoothing, another tolerance.
@@ -450,189 +432,5 @@ impl Fitter {
             Err(error) if matches!(*error, Error::OutOfRange { .. }) => report::polygon(&self.frame()),
             result => result,
         }
-    }
-
-    fn described(&self) -> Result<Fit> {
-        match &self.run {
-            Run::Idle => Err(Error::degenerate("points", None, "nothing was asked for yet")),
-            Run::Choice(rivals, _) => self.searched(&rivals[0]),
-            Run::Search(searches) => {
-                let mut best = &searches[0];
-                for search in &searches[1..] {
-                    let fewer = search.status() == FitStatus::Converged && search.merit() < best.merit();
-                    if fewer || best.status() != FitStatus::Converged && search.is_done() {
-                        best = search;
-                    }
-                }
-                self.searched(best)
-            }
-            Run::Convex(solver) => self.solved(solver, &solver.solution()?),
-            Run::Finish(finishing) => self.finished(finishing),
-        }
-    }
-
-    fn searched(&self, search: &Sparsest) -> Result<Fit> {
-        let status = if search.is_done() { search.status() } else { FitStatus::Running };
-        let rounds = search.rounds();
-        let before = search.knots_at_first();
-        let found = search.clone().finish();
-        let frame = self.frame();
-        let mut fit = report::fit(&frame, &found.spline, &found.located, None)?;
-        fit.knots = report::knots(&frame, &found.spline);
-        fit.parts = vec![Part {
-            degree: found.spline.space.breaks.degree,
-            curve: fit.curve.clone(),
-            coefficients: report::coefficients(&frame, &found.spline),
-        }];
-        fit.status = status;
-        fit.iterations = rounds;
-        let after = fit.knots.len();
-        fit.changes =
-            vec![Changed { step: "search", knots: (before, after), qfe: (fit.qfe, fit.qfe), gap: None }];
-        Ok(fit)
-    }
-
-    /// The summands of a solution.
-    fn summands(&self, solution: &Solution) -> Vec<Spline> {
-        let one = |(component, &degree): (&super::solution::Spline, &usize)| {
-            let (knots, coefficients) = (component.knots.clone(), component.coefficients.clone());
-            Summand { degree, knots, coefficients }.spline(self.samples.closed, self.end)
-        };
-        solution.components.iter().zip(&self.options.degrees).map(one).collect()
-    }
-
-    /// Merging and sliding at once; debiasing and pruning get ready.
-    fn finishing(&self, solver: Box<Solver>) -> Result<Finishing> {
-        let finish = self.options.finish;
-        let convex = solver.solution()?;
-        let mut solution = convex.clone();
-        let mut changes = Vec::new();
-        let total = report::weight(&self.located);
-        let unit = self.samples.scale * self.samples.scale / total;
-        if let Some(problem) = self.problem.as_ref().filter(|_| finish.merge || finish.slide) {
-            let most = if finish.slide { MOST_SLIDES } else { 0 };
-            let found = gridless(problem, &solution, GRIDLESS_GAP, most)?;
-            changes.push(Changed {
-                step: if finish.slide { "slide" } else { "merge" },
-                knots: (solution.knot_count(), found.solution.knot_count()),
-                qfe: (solution.data_term * unit, found.solution.data_term * unit),
-                gap: Some(found.gap),
-            });
-            if found.slides > 0 || found.solution.knot_count() != convex.knot_count() {
-                // It is certified beyond the grid then.
-                solution = Solution { gap: found.gap, ..found.solution };
-            }
-        }
-        let mut finishing = Finishing { solver, convex, solution, changes, search: None, spline: None };
-        if !(finish.debias || finish.prune) {
-            return Ok(finishing);
-        }
-        let Some(mut whole) = combined(&self.summands(&finishing.solution)) else { return Ok(finishing) };
-        let breaks = &mut whole.space.breaks;
-        breaks.sharpest = if self.options.degrees.len() == 1 { 1 } else { breaks.degree };
-        let count = finishing.solution.knot_count();
-        let fitted = FreeKnots::new(breaks.clone(), &self.located);
-        let before = finishing.solution.data_term;
-        finishing.changes.push(Changed {
-            step: "debias",
-            knots: (count, breaks.len()),
-            qfe: (before * unit, fitted.squares() * unit),
-            gap: None,
-        });
-        if finish.prune {
-            let target = before.max(fitted.squares());
-            finishing.search = Some(Sparsest::pruning(self.located.clone(), breaks.clone(), target));
-        }
-        finishing.spline = Some(Spline::of(&fitted));
-        Ok(finishing)
-    }
-
-    fn finished(&self, finishing: &Finishing) -> Result<Fit> {
-        let mut fit = self.solved(&finishing.solver, &finishing.solution)?;
-        fit.changes.clone_from(&finishing.changes);
-        let (Some(spline), frame) = (&finishing.spline, self.frame()) else { return Ok(fit) };
-        let mut after = report::fit(&frame, spline, &self.located, None)?;
-        after.knots = report::knots(&frame, spline);
-        after.parts = vec![report::part(&frame, spline, self.samples.center)?];
-        // What was certified is the optimum of the convex problem, before the rest was made of it.
-        let (convex, square) = (&finishing.convex, self.samples.scale * self.samples.scale);
-        after.objective = convex.objective * square;
-        after.data_term = convex.data_term * square;
-        after.regularizer = convex.regularizers.iter().sum::<f64>() * square;
-        after.gap = convex.gap;
-        (after.lambda, after.smoothing) = (fit.lambda, fit.smoothing);
-        (after.iterations, after.status, after.changes) = (fit.iterations, fit.status, fit.changes);
-        if finishing.search.is_some() {
-            let (from, last) = (after.changes.last().map_or(0, |change| change.knots.1), after.knots.len());
-            let before = after.changes.last().map_or(after.qfe, |change| change.qfe.1);
-            let (knots, qfe) = ((from, last), (before, after.qfe));
-            after.changes.push(Changed { step: "prune", knots, qfe, gap: None });
-        }
-        Ok(after)
-    }
-
-    fn solved(&self, solver: &Solver, solution: &Solution) -> Result<Fit> {
-        let frame = self.frame();
-        let closed = self.samples.closed;
-        let splines = self.summands(solution);
-        let Some(whole) = combined(&splines) else {
-            return Err(Error::degenerate("degrees", None, "there are none"));
-        };
-        let mut fit = report::fit(&frame, &whole, &self.located, Some(solution.data_term))?;
-        let square = self.samples.scale * self.samples.scale;
-        fit.objective = solution.objective * square;
-        fit.data_term = solution.data_term * square;
-        fit.regularizer = solution.regularizers.iter().sum::<f64>() * square;
-        fit.qfe = fit.data_term / report::weight(&self.located);
-        fit.gap = solution.gap;
-        fit.lambda.clone_from(&self.lambdas);
-        fit.smoothing = match self.ask {
-            Ask::Smoothing(smoothing) => Some(smoothing),
-            _ => self.smoothing_of(),
-        };
-        fit.iterations = solver.iterations();
-        fit.status = match solver.status() {
-            Status::Running => FitStatus::Running,
-            Status::Converged => FitStatus::Converged,
-            Status::IterationLimit => FitStatus::MostIterations,
-            Status::Stalled => FitStatus::Stalled,
-        };
-        let shift = if closed { whole.space.breaks.at.first().copied().unwrap_or(0.0) } else { 0.0 };
-        for (component, spline) in solution.components.iter().zip(&splines) {
-            if !component.knots.is_empty() {
-                fit.knots.extend(report::simple_knots(&frame, spline, &whole, shift));
-            }
-            // The last one carries the place.
-            let last = fit.parts.len() + 1 == splines.len();
-            let center = if last { self.samples.center } else { Point::zeros() };
-            fit.parts.push(report::part(&frame, spline, center)?);
-        }
-        fit.knots.sort_by(|a, b| a.t.total_cmp(&b.t));
-        Ok(fit)
-    }
-
-    fn frame(&self) -> report::Frame<'_> {
-        let hurried = !self.lambdas.is_empty() && self.options.gap >= GLIMPSE;
-        report::Frame {
-            samples: &self.samples,
-            unit: self.unit,
-            noise: self.noise,
-            robust: self.options.robust,
-            steps: if hurried { 1 } else { 4 },
-        }
-    }
-}
-
-impl Finishing {
-    /// One round of pruning; answers whether there is nothing more to do.
-    fn round(&mut self) -> bool {
-        let Some(search) = &mut self.search else { return true };
-        if !search.is_done() {
-            search.step();
-        }
-        if search.is_done() {
-            self.spline = Some(search.clone().finish().spline);
-        }
-        search.is_done()
     }
 }

@@ -1,0 +1,116 @@
+//! The best curve of a run so far, and what is known of it.
+
+use super::super::combine::{Summand, combined};
+use super::super::foot_points::Spline;
+use super::super::options::Ask;
+use super::super::outcome::{Changed, Fit, FitStatus, Part};
+use super::super::polish::GLIMPSE;
+use super::super::report;
+use super::super::solution::{self, Solution};
+use super::super::solver::{Solver, Status};
+use super::super::sparsest::Sparsest;
+use super::{Fitter, Run};
+use crate::error::{Error, Result};
+use crate::numerics::Point;
+
+impl Fitter {
+    pub(super) fn described(&self) -> Result<Fit> {
+        match &self.run {
+            Run::Idle => Err(Error::degenerate("points", None, "nothing was asked for yet")),
+            Run::Choice(rivals, _) => self.searched(&rivals[0]),
+            Run::Search(searches) => {
+                let mut best = &searches[0];
+                for search in &searches[1..] {
+                    let fewer = search.status() == FitStatus::Converged && search.merit() < best.merit();
+                    if fewer || best.status() != FitStatus::Converged && search.is_done() {
+                        best = search;
+                    }
+                }
+                self.searched(best)
+            }
+            Run::Convex(solver) => self.solved(solver, &solver.solution()?),
+            Run::Finish(finishing) => self.finished(finishing),
+        }
+    }
+
+    fn searched(&self, search: &Sparsest) -> Result<Fit> {
+        let status = if search.is_done() { search.status() } else { FitStatus::Running };
+        let rounds = search.rounds();
+        let before = search.knots_at_first();
+        let found = search.clone().finish();
+        let frame = self.frame();
+        let mut fit = report::fit(&frame, &found.spline, &found.located, None)?;
+        fit.knots = report::knots(&frame, &found.spline);
+        fit.parts = vec![Part {
+            degree: found.spline.space.breaks.degree,
+            curve: fit.curve.clone(),
+            coefficients: report::coefficients(&frame, &found.spline),
+        }];
+        fit.status = status;
+        fit.iterations = rounds;
+        let after = fit.knots.len();
+        fit.changes =
+            vec![Changed { step: "search", knots: (before, after), qfe: (fit.qfe, fit.qfe), gap: None }];
+        Ok(fit)
+    }
+
+    /// The summands of a solution.
+    pub(super) fn summands(&self, solution: &Solution) -> Vec<Spline> {
+        let one = |(component, &degree): (&solution::Spline, &usize)| {
+            let (knots, coefficients) = (component.knots.clone(), component.coefficients.clone());
+            Summand { degree, knots, coefficients }.spline(self.samples.closed, self.end)
+        };
+        solution.components.iter().zip(&self.options.degrees).map(one).collect()
+    }
+
+    pub(super) fn solved(&self, solver: &Solver, solution: &Solution) -> Result<Fit> {
+        let frame = self.frame();
+        let closed = self.samples.closed;
+        let splines = self.summands(solution);
+        let Some(whole) = combined(&splines) else {
+            return Err(Error::degenerate("degrees", None, "there are none"));
+        };
+        let mut fit = report::fit(&frame, &whole, &self.located, Some(solution.data_term))?;
+        let square = self.samples.scale * self.samples.scale;
+        fit.objective = solution.objective * square;
+        fit.data_term = solution.data_term * square;
+        fit.regularizer = solution.regularizers.iter().sum::<f64>() * square;
+        fit.qfe = fit.data_term / report::weight(&self.located);
+        fit.gap = solution.gap;
+        fit.lambda.clone_from(&self.lambdas);
+        fit.smoothing = match self.ask {
+            Ask::Smoothing(smoothing) => Some(smoothing),
+            _ => self.smoothing_of(),
+        };
+        fit.iterations = solver.iterations();
+        fit.status = match solver.status() {
+            Status::Running => FitStatus::Running,
+            Status::Converged => FitStatus::Converged,
+            Status::IterationLimit => FitStatus::MostIterations,
+            Status::Stalled => FitStatus::Stalled,
+        };
+        let shift = if closed { whole.space.breaks.at.first().copied().unwrap_or(0.0) } else { 0.0 };
+        for (component, spline) in solution.components.iter().zip(&splines) {
+            if !component.knots.is_empty() {
+                fit.knots.extend(report::simple_knots(&frame, spline, &whole, shift));
+            }
+            // The last one carries the place.
+            let last = fit.parts.len() + 1 == splines.len();
+            let center = if last { self.samples.center } else { Point::zeros() };
+            fit.parts.push(report::part(&frame, spline, center)?);
+        }
+        fit.knots.sort_by(|a, b| a.t.total_cmp(&b.t));
+        Ok(fit)
+    }
+
+    pub(super) fn frame(&self) -> report::Frame<'_> {
+        let hurried = !self.lambdas.is_empty() && self.options.gap >= GLIMPSE;
+        report::Frame {
+            samples: &self.samples,
+            unit: self.unit,
+            noise: self.noise,
+            robust: self.options.robust,
+            steps: if hurried { 1 } else { 4 },
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! From the convex optimum to fewer knots: what is joined, moved, weighed anew and dropped.
+
+use super::super::combine::combined;
+use super::super::foot_points::Spline;
+use super::super::free_knots::FreeKnots;
+use super::super::gridless::gridless;
+use super::super::outcome::{Changed, Fit};
+use super::super::report;
+use super::super::solution::Solution;
+use super::super::solver::Solver;
+use super::super::sparsest::Sparsest;
+use super::Fitter;
+use crate::error::Result;
+
+/// Slides of the knots off the grid, and the gap to the continuous problem at which they stop.
+const MOST_SLIDES: usize = 6;
+const GRIDLESS_GAP: f64 = 1e-5;
+
+/// What comes after the convex problem.
+#[derive(Clone, Debug)]
+pub(super) struct Finishing {
+    pub(super) solver: Box<Solver>,
+    /// The optimum on the grid.
+    convex: Solution,
+    /// The same, or what sliding has made of it.
+    solution: Solution,
+    changes: Vec<Changed>,
+    pub(super) search: Option<Sparsest>,
+    /// The curve after debiasing or pruning.
+    spline: Option<Spline>,
+}
+
+impl Finishing {
+    /// One round of pruning; answers whether there is nothing more to do.
+    pub(super) fn round(&mut self) -> bool {
+        let Some(search) = &mut self.search else { return true };
+        if !search.is_done() {
+            search.step();
+        }
+        if search.is_done() {
+            self.spline = Some(search.clone().finish().spline);
+        }
+        search.is_done()
+    }
+}
+
+impl Fitter {
+    /// Merging and sliding at once; debiasing and pruning get ready.
+    pub(super) fn finishing(&self, solver: Box<Solver>) -> Result<Finishing> {
+        let finish = self.options.finish;
+        let convex = solver.solution()?;
+        let mut solution = convex.clone();
+        let mut changes = Vec::new();
+        let total = report::weight(&self.located);
+        let unit = self.samples.scale * self.samples.scale / total;
+        if let Some(problem) = self.problem.as_ref().filter(|_| finish.merge || finish.slide) {
+            let most = if finish.slide { MOST_SLIDES } else { 0 };
+            let found = gridless(problem, &solution, GRIDLESS_GAP, most)?;
+            changes.push(Changed {
+                step: if finish.slide { "slide" } else { "merge" },
+                knots: (solution.knot_count(), found.solution.knot_count()),
+                qfe: (solution.data_term * unit, found.solution.data_term * unit),
+                gap: Some(found.gap),
+            });
+            if found.slides > 0 || found.solution.knot_count() != convex.knot_count() {
+                // It is certified beyond the grid then.
+                solution = Solution { gap: found.gap, ..found.solution };
+            }
+        }
+        let mut finishing = Finishing { solver, convex, solution, changes, search: None, spline: None };
+        if !(finish.debias || finish.prune) {
+            return Ok(finishing);
+        }
+        let Some(mut whole) = combined(&self.summands(&finishing.solution)) else { return Ok(finishing) };
+        let breaks = &mut whole.space.breaks;
+        breaks.sharpest = if self.options.degrees.len() == 1 { 1 } else { breaks.degree };
+        let count = finishing.solution.knot_count();
+        let fitted = FreeKnots::new(breaks.clone(), &self.located);
+        let before = finishing.solution.data_term;
+        finishing.changes.push(Changed {
+            step: "debias",
+            knots: (count, breaks.len()),
+            qfe: (before * unit, fitted.squares() * unit),
+            gap: None,
+        });
+        if finish.prune {
+            let target = before.max(fitted.squares());
+            finishing.search = Some(Sparsest::pruning(self.located.clone(), breaks.clone(), target));
+        }
+        finishing.spline = Some(Spline::of(&fitted));
+        Ok(finishing)
+    }
+
+    pub(super) fn finished(&self, finishing: &Finishing) -> Result<Fit> {
+        let mut fit = self.solved(&finishing.solver, &finishing.solution)?;
+        fit.changes.clone_from(&finishing.changes);
+        let (Some(spline), frame) = (&finishing.spline, self.frame()) else { return Ok(fit) };
+        let mut after = report::fit(&frame, spline, &self.located, None)?;
+        after.knots = report::knots(&frame, spline);
+        after.parts = vec![report::part(&frame, spline, self.samples.center)?];
+        // What was certified is the optimum of the convex problem, before the rest was made of it.
+        let (convex, square) = (&finishing.convex, self.samples.scale * self.samples.scale);
+        after.objective = convex.objective * square;
+        after.data_term = convex.data_term * square;
+        after.regularizer = convex.regularizers.iter().sum::<f64>() * square;
+        after.gap = convex.gap;
+        (after.lambda, after.smoothing) = (fit.lambda, fit.smoothing);
+        (after.iterations, after.status, after.changes) = (fit.iterations, fit.status, fit.changes);
+        if finishing.search.is_some() {
+            let (from, last) = (after.changes.last().map_or(0, |change| change.knots.1), after.knots.len());
+            let before = after.changes.last().map_or(after.qfe, |change| change.qfe.1);
+            let (knots, qfe) = ((from, last), (before, after.qfe));
+            after.changes.push(Changed { step: "prune", knots, qfe, gap: None });
+        }
+        Ok(after)
+    }
+}
