@@ -147,6 +147,23 @@ fn a_star_has_its_ten_corners_and_straight_sides_and_nothing_else() {
     }
 }
 
+/// A bolt whose two tips turn by 160 degrees: sixteen pixels from the tip it is six wide.
+const BOLT: [(f64, f64); 6] =
+    [(70.5, 14.5), (23.5, 93.5), (53.5, 93.5), (41.5, 152.5), (92.5, 68.5), (60.5, 68.5)];
+
+#[test]
+fn a_tip_of_twenty_degrees_is_one_corner() {
+    let drawing = traced(116, 168, &draw(116, 168, &|x, y| inside(&BOLT, x, y)));
+    let contour = &drawing.contours[0];
+    assert_eq!(contour.cusps.len(), 6, "{:?}", contour.cusps);
+    assert_eq!(contour.curve.segment_count(), 6);
+    for &(x, y) in &BOLT {
+        let nearest = contour.cusps.iter().map(|p| (p - Point::new(x, y)).norm()).fold(f64::MAX, f64::min);
+        // Along a tip of 20 degrees an error of the sides counts six times.
+        assert!(nearest < 0.2, "corner {x}, {y} is off by {nearest}");
+    }
+}
+
 #[test]
 fn noise_and_blur_leave_the_shape() {
     let mut noise = Noise(7);

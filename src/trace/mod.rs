@@ -41,6 +41,7 @@ mod selection;
 mod simplify;
 mod skyline;
 mod strands;
+mod tips;
 mod tones;
 mod tracer;
 mod unknowns;

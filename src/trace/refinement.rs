@@ -6,6 +6,7 @@ use super::gray::Gray;
 use super::outline::Outline;
 use super::refine::{Left, Refiner, Shape};
 use super::simplify::{Limits, may_go_on, merge_round};
+use super::tips::sharpen;
 use crate::error::Result;
 use crate::numerics::Point;
 
@@ -129,6 +130,7 @@ impl Refinement {
                         self.at += 1;
                         return Ok(cost);
                     }
+                    sharpen(refiner, field, shape, &self.limits)?;
                     self.start = Some((shape.outline.clone(), shape.left(field).rms()));
                 }
                 self.round += 1;

@@ -172,11 +172,18 @@ fn stunted(outline: &Outline, i: usize) -> bool {
     smooth && dot(chord, leaving) < 0.0 && dot(chord, arriving) < 0.0
 }
 
+/// Whether a piece goes back on its way: its control points are past each other, far beyond its ends.
+fn folded(outline: &Outline, i: usize) -> bool {
+    let cubic = outline.cubic(i);
+    dot(cubic.velocity(0.5), cubic.end - cubic.start) < 0.0
+}
+
 /// The piece in place of the two at joint i, and how far it is from them.
 fn candidate(outline: &Outline, i: usize, off: f64) -> Option<(Piece, f64)> {
     let node = outline.nodes[i];
     let before = outline.before(i);
-    let stunted = node.smooth && (stunted(outline, before) || stunted(outline, i));
+    let wrong = |piece: usize| stunted(outline, piece) || folded(outline, piece);
+    let stunted = node.smooth && (wrong(before) || wrong(i));
     if (node.kept && !stunted) || outline.len() <= 2 {
         return None;
     }

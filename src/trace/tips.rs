@@ -1,0 +1,106 @@
+//! Tips that pixels have cut off: two corners with a short piece between become the one where their sides meet.
+
+use super::field::Field;
+use super::outline::{Outline, Piece};
+use super::refine::{Left, Refiner, Shape};
+use super::samples::{turn, unit};
+use super::simplify::Limits;
+use crate::error::Result;
+use crate::numerics::Point;
+use crate::numerics::plane::{cross, norm};
+
+/// The longest piece that a tip is cut off by, and the farthest that the tip may be from it, in pixels.
+const LONGEST: f64 = 5.0;
+const FARTHEST: f64 = 12.0;
+/// The least turning at a tip, in radians: less is a corner that was cut on purpose.
+const LEAST: f64 = 1.9;
+const STEPS: usize = 8;
+
+/// Puts tips where their sides meet, as long as the picture is explained as well as before or as `limits` say.
+///
+/// # Cost
+///
+/// O(nodes), and O(length of the outline) for each tip that is tried.
+pub(super) fn sharpen(
+    refiner: &mut Refiner,
+    field: &mut Field,
+    shape: &mut Shape,
+    limits: &Limits,
+) -> Result<()> {
+    let mut i = 0;
+    while i < shape.outline.len() {
+        if let Some(tip) = tip(&shape.outline, i) {
+            try_tip(refiner, field, shape, limits, (i, tip))?;
+        }
+        i += 1;
+    }
+    Ok(())
+}
+
+/// Where the pieces before and after piece i meet, if that is a tip that it cuts off.
+fn tip(outline: &Outline, i: usize) -> Option<Point> {
+    let (before, next) = (outline.before(i), outline.next(i));
+    let [start, end] = [outline.nodes[i], outline.nodes[next]];
+    if outline.len() < 4 || start.smooth || end.smooth || norm(end.point - start.point) > LONGEST {
+        return None;
+    }
+    let (side, short, other) = (outline.cubic(before), outline.cubic(i), outline.cubic(next));
+    let (there, back) = (unit(side.velocity(1.0)), unit(other.velocity(0.0)));
+    let (first, second) = (turn(there, short.velocity(0.0)), turn(short.velocity(1.0), back));
+    if first * second <= 0.0 || turn(there, back).abs() < LEAST {
+        return None;
+    }
+    let (gap, across) = (end.point - start.point, cross(there, back));
+    // start + ahead · there = end − behind · back; sides that run alongside meet nowhere near.
+    let (ahead, behind) = (cross(gap, back) / across, cross(there, gap) / across);
+    let near = |way: f64| way > 0.0 && way < FARTHEST;
+    (near(ahead) && near(behind)).then(|| start.point + there * ahead)
+}
+
+fn try_tip(
+    refiner: &mut Refiner,
+    field: &mut Field,
+    shape: &mut Shape,
+    limits: &Limits,
+    (i, tip): (usize, Point),
+) -> Result<()> {
+    let (before, next) = (shape.outline.before(i), shape.outline.next(i));
+    let old = left(shape, field, &[before, i, next]);
+    let saved = shape.outline.clone();
+    let mut sharp = saved.clone();
+    sharp.nodes[next].point = tip;
+    sharp.nodes.remove(i);
+    sharp.pieces.remove(i);
+    let at = if next > i { i } else { next };
+    let side = sharp.before(at);
+    calm(&mut sharp, side);
+    calm(&mut sharp, at);
+    refiner.replace(field, shape, sharp);
+    let around = [shape.outline.before(at), at, shape.outline.next(at)];
+    refiner.refine(field, shape, &around, STEPS)?;
+    let new = left(shape, field, &[around[0], at]);
+    let good = new.square <= old.square + limits.share * limits.noise * limits.noise
+        || new.rms() <= limits.rms && new.most <= limits.most;
+    if !good {
+        refiner.replace(field, shape, saved);
+    }
+    Ok(())
+}
+
+/// Control points that went far to reach round a tip come back to a third of the way.
+fn calm(outline: &mut Outline, piece: usize) {
+    let third = norm(outline.nodes[outline.next(piece)].point - outline.nodes[piece].point) / 3.0;
+    if let Piece::Cubic { leaving, arriving } = &mut outline.pieces[piece] {
+        for way in [leaving, arriving] {
+            if norm(*way) > third {
+                *way = unit(*way) * third;
+            }
+        }
+    }
+}
+
+fn left(shape: &Shape, field: &Field, pieces: &[usize]) -> Left {
+    let mut left = Left::default();
+    pieces.iter().for_each(|&piece| left.add(&shape.parts[piece], field));
+    left
+}
