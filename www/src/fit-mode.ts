@@ -1,6 +1,3 @@
-import type { ContractParts } from "./contract.ts";
-import type { Editor } from "./editor/editor.ts";
-import type { Frame } from "./editor/frame.ts";
 import { registerFitActions } from "./editor/fit/fit-actions.ts";
 import { boxOf, bringStrokes, chooseFitTool } from "./editor/fit/fit-edits.ts";
 import { fitHint, fitSummary } from "./editor/fit/fit-hint.ts";
@@ -9,31 +6,17 @@ import { editInCurve, fittedDrawing } from "./editor/fit/hand-over.ts";
 import { createFitClient } from "./kernel/fit/fit-client.ts";
 import { strokesFrom } from "./kernel/fit/as-strokes.ts";
 import { sampleFit } from "./kernel/fit/outcome.ts";
+import type { ModeParts } from "./modes.ts";
 import { fitSampleCards, mountEmptyFit } from "./panels/fit/empty-fit.ts";
 import { fitMetrics } from "./panels/fit/fit-metrics.ts";
 import { fitProgram } from "./panels/fit/fit-program.ts";
 import { fitPanel } from "./panels/fit/fit-panel.ts";
-import type { Panels } from "./panels/mount.ts";
 import { createFitPainter } from "./render/fit/fit-painter.ts";
 import { createKnotProxies } from "./render/fit/knot-proxies.ts";
-import type { Stage } from "./render/stage.ts";
 import { createFitTool } from "./tools/fit/fit-tool.ts";
 
 /** Fit mode, put together when it is first opened. */
-
-export interface FitModeOptions {
-  readonly editor: Editor;
-  readonly frame: Frame;
-  readonly stage: Stage;
-  readonly surface: HTMLElement;
-  /** Where buttons for what is on the stage are put. */
-  readonly proxies: HTMLElement;
-  readonly panels: Panels;
-  readonly contract: ContractParts;
-  readonly until: AbortSignal;
-}
-
-export function mountFitMode({ editor, frame, stage, surface, proxies, panels, contract, until }: FitModeOptions): void {
+export function mountFitMode({ editor, frame, stage, surface, proxies, panels, contract, until }: ModeParts): void {
   registerFitActions(editor);
   const start = (): Worker => new Worker(new URL("./kernel/fit/fit-worker.ts", import.meta.url), { type: "module" });
   const runner = createFitRunner(editor, (handlers) => createFitClient(start, handlers), () => performance.now(), until);

@@ -6,7 +6,7 @@ import { createPointerInput } from "./editor/pointer-input.ts";
 import { connectRoutes, openRoute, parseRoute } from "./editor/route.ts";
 import { registerStandardActions } from "./editor/standard-actions.ts";
 import { keepForOffline } from "./io/offline.ts";
-import { loadModes } from "./modes.ts";
+import { loadModes, type ModeParts } from "./modes.ts";
 import { pageIo } from "./io/page-io.ts";
 import { startEngine } from "./kernel/engine.ts";
 import { mountPanels } from "./panels/mount.ts";
@@ -56,10 +56,11 @@ async function boot(): Promise<void> {
   editor.setState(editor.getState(), { fresh: true });
   connectRoutes(editor, until);
   await panels.openSession();
+  const shared: ModeParts = { editor, frame, stage, surface, proxies: part("proxies"), panels, contract: parts, until };
   parts.settled = loadModes(editor, {
-    fit: async () => (await import("./fit-mode.ts")).mountFitMode({ editor, frame, stage, surface, proxies: part("proxies"), panels, contract: parts, until }),
-    trace: async () => (await import("./trace-mode.ts")).mountTraceMode({ editor, frame, stage, surface, proxies: part("proxies"), panels, contract: parts, until }),
-    surface: async () => (await import("./surface-mode.ts")).mountSurfaceMode({ editor, frame, stage, surface, panels, contract: parts, until }),
+    fit: async () => (await import("./fit-mode.ts")).mountFitMode(shared),
+    trace: async () => (await import("./trace-mode.ts")).mountTraceMode(shared),
+    surface: async () => (await import("./surface-mode.ts")).mountSurfaceMode(shared),
   }, until).settled;
   await parts.settled();
   await frame.idle();

@@ -1,5 +1,22 @@
+import type { ContractParts } from "./contract.ts";
 import type { Mode } from "./document/document.ts";
 import type { Editor } from "./editor/editor.ts";
+import type { Frame } from "./editor/frame.ts";
+import type { Panels } from "./panels/mount.ts";
+import type { Stage } from "./render/stage.ts";
+
+/** What a mode is put together with when it is first opened. */
+export interface ModeParts {
+  readonly editor: Editor;
+  readonly frame: Frame;
+  readonly stage: Stage;
+  readonly surface: HTMLElement;
+  /** Where buttons for what is on the stage are put. */
+  readonly proxies: HTMLElement;
+  readonly panels: Panels;
+  readonly contract: ContractParts;
+  readonly until: AbortSignal;
+}
 
 /** Modes that are loaded when they are first opened: the page of somebody who never does is not the heavier for it. */
 export interface ModeLoader {

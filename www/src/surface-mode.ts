@@ -1,18 +1,14 @@
-import type { ContractParts } from "./contract.ts";
-import type { Editor } from "./editor/editor.ts";
-import type { Frame } from "./editor/frame.ts";
 import { registerSurfaceActions } from "./editor/surface/surface-actions.ts";
 import { ensureSurface } from "./editor/surface/surface-edits.ts";
 import { surfaceHint, surfaceSummary } from "./editor/surface/surface-hint.ts";
 import { surfaceView } from "./editor/surface/surface-view.ts";
 import { meshPoints } from "./kernel/surface.ts";
 import { startSurfaceEngine } from "./kernel/surface-engine.ts";
-import type { Panels } from "./panels/mount.ts";
+import type { ModeParts } from "./modes.ts";
 import type { Shell } from "./panels/shell.ts";
 import { surfaceCards } from "./panels/surface/surface-gallery.ts";
 import { surfaceMetrics } from "./panels/surface/surface-metrics.ts";
 import { surfacePanel } from "./panels/surface/surface-panel.ts";
-import type { Stage } from "./render/stage.ts";
 import { createNetProxies } from "./render/surface/net-proxies.ts";
 import { createSurfaceStage } from "./render/surface/surface-stage.ts";
 import { createSurfaceTool } from "./tools/surface/surface-tool.ts";
@@ -31,18 +27,7 @@ function exportOf(shell: Shell): void {
 }
 
 /** Surface mode, put together when it is first opened. */
-
-export interface SurfaceModeOptions {
-  readonly editor: Editor;
-  readonly frame: Frame;
-  readonly stage: Stage;
-  readonly surface: HTMLElement;
-  readonly panels: Panels;
-  readonly contract: ContractParts;
-  readonly until: AbortSignal;
-}
-
-export async function mountSurfaceMode({ editor, frame, stage, surface, panels, contract, until }: SurfaceModeOptions): Promise<void> {
+export async function mountSurfaceMode({ editor, frame, stage, surface, panels, contract, until }: ModeParts): Promise<void> {
   await startSurfaceEngine();
   ensureSurface(editor);
   const tool = createSurfaceTool(editor);

@@ -1,7 +1,5 @@
-import type { ContractParts } from "./contract.ts";
 import { isEmptyTrace, type TraceDocument } from "./document/trace.ts";
-import type { Editor, EditorState } from "./editor/editor.ts";
-import type { Frame } from "./editor/frame.ts";
+import type { EditorState } from "./editor/editor.ts";
 import { tracedDrawing } from "./editor/trace/hand-over.ts";
 import { registerTraceActions } from "./editor/trace/trace-actions.ts";
 import { drawingOf, sizeOf } from "./editor/trace/trace-edits.ts";
@@ -10,7 +8,7 @@ import { createTraceRunner } from "./editor/trace/trace-runner.ts";
 import { samplePoints } from "./kernel/samples.ts";
 import { cornersIn } from "./kernel/trace/outcome.ts";
 import { createTraceClient, pageClock } from "./kernel/trace/trace-client.ts";
-import type { Panels } from "./panels/mount.ts";
+import type { ModeParts } from "./modes.ts";
 import { report } from "./panels/report.ts";
 import { mountEmptyTrace, traceSampleCards } from "./panels/trace/empty-trace.ts";
 import { traceMetrics } from "./panels/trace/trace-metrics.ts";
@@ -20,22 +18,7 @@ import { mountTraceProgress } from "./panels/trace/trace-progress.ts";
 import { Problem } from "./document/problem.ts";
 import { createPointProxies } from "./render/trace/point-proxies.ts";
 import { createTracePainter } from "./render/trace/trace-painter.ts";
-import type { Stage } from "./render/stage.ts";
 import { createTraceTool } from "./tools/trace/trace-tool.ts";
-
-/** Trace mode, put together when it is first opened. */
-
-export interface TraceModeOptions {
-  readonly editor: Editor;
-  readonly frame: Frame;
-  readonly stage: Stage;
-  readonly surface: HTMLElement;
-  /** Where buttons for what is on the stage are put. */
-  readonly proxies: HTMLElement;
-  readonly panels: Panels;
-  readonly contract: ContractParts;
-  readonly until: AbortSignal;
-}
 
 /** Pictures are not kept and not sent: of one's own, what is saved is its outlines. */
 function savedTrace(state: EditorState): TraceDocument {
@@ -58,7 +41,8 @@ function resultOf(state: EditorState): object | null {
   };
 }
 
-export function mountTraceMode({ editor, frame, stage, surface, proxies, panels, contract, until }: TraceModeOptions): void {
+/** Trace mode, put together when it is first opened. */
+export function mountTraceMode({ editor, frame, stage, surface, proxies, panels, contract, until }: ModeParts): void {
   const { shell } = panels;
   const start = (): Worker => new Worker(new URL("./kernel/trace/trace-worker.ts", import.meta.url), { type: "module" });
   const runner = createTraceRunner({
