@@ -164,6 +164,35 @@ fn a_tip_of_twenty_degrees_is_one_corner() {
     }
 }
 
+/// Coverage by the distance from a circle, as many programs draw it.
+fn by_distance(x: f64, y: f64, radius: f64) -> f64 {
+    (radius + 0.5 - (x + 0.5 - 48.0).hypot(y + 0.5 - 48.0)).clamp(0.0, 1.0)
+}
+
+#[test]
+fn circles_that_were_not_drawn_by_exact_coverage_are_circles_too() {
+    let mut bytes = Vec::new();
+    for i in 0..96 * 96 {
+        let (x, y) = (f64::from(i % 96), f64::from(i / 96));
+        let ink = by_distance(x, y, 38.4) - by_distance(x, y, 19.2);
+        bytes.push((255.0 * (1.0 - ink)).round() as u8);
+    }
+    for (contour, radius) in traced(96, 96, &bytes).contours.iter().zip([38.4, 19.2]) {
+        let circle = contour.curve.as_ellipse(1e-6).expect("one circle");
+        assert!((circle.radii.x - radius).abs() < 0.02, "{circle:?}");
+    }
+}
+
+#[test]
+fn a_diagonal_of_single_pixels_stays_in_the_picture() {
+    let bytes: Vec<u8> = (0..100 * 100).map(|i| if i % 101 == 0 { 0 } else { 255 }).collect();
+    let gray = Gray::from_bytes(100, 100, &bytes).expect("a valid picture");
+    let found = trace(gray, &TraceOptions { blur: Some(0.0), ..TraceOptions::default() }).expect("a drawing");
+    let bounds = found.contours[0].curve.bounds();
+    assert!(bounds.min_x > -1.0 && bounds.max_y < 101.0, "{bounds:?}");
+    assert!(bounds.max_x > 99.0 && bounds.min_y < 1.0, "{bounds:?}");
+}
+
 #[test]
 fn noise_and_blur_leave_the_shape() {
     let mut noise = Noise(7);

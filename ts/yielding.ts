@@ -65,6 +65,8 @@ export async function inTasks<R>(op: string, signal: AbortSignal | undefined, wo
     do {
       const { done, value } = work.next();
       if (done === true) return value;
+      // What watches the progress may have given up.
+      checkSignal(op, signal);
     } while (performance.now() < end);
     await nextTurn();
     checkSignal(op, signal);

@@ -31,6 +31,8 @@ pub(super) struct Field {
     /// Tiles in a row.
     across: usize,
     down: usize,
+    /// Columns and rows of the picture.
+    extent: [f64; 2],
     slots: Vec<u32>,
     /// Where each tile is.
     places: Vec<u32>,
@@ -113,7 +115,14 @@ impl Field {
             off += usize::from(from_tone < 0.08 && from_tone > 0.003);
         }
         let stain = off as f64 / near.max(1) as f64;
-        Ok(Self { across, down, slots, places, rest, stain, blur: None })
+        let extent = [gray.width() as f64, gray.height() as f64];
+        Ok(Self { across, down, extent, slots, places, rest, stain, blur: None })
+    }
+
+    /// Whether a point is so far outside the picture that no pixel speaks of it.
+    pub(super) fn is_beyond(&self, point: Point) -> bool {
+        let [width, height] = self.extent;
+        !(point.x > -1.0 && point.y > -1.0 && point.x < width + 1.0 && point.y < height + 1.0)
     }
 
     /// Pixels in a row, and rows.

@@ -138,7 +138,14 @@ impl InkWork {
         let whole =
             if self.options.refined { round(&samples.points, ROUND * self.quality.slack()) } else { None };
         let rule = self.quality.division_rule(&self.options);
-        self.outlines.push(whole.unwrap_or_else(|| divide(samples, &self.corners[i], &rule)));
+        let mut outline = whole.unwrap_or_else(|| divide(samples, &self.corners[i], &rule));
+        let (width, height) = (self.gray.width() as f64, self.gray.height() as f64);
+        for node in &mut outline.nodes {
+            // Sides of what the frame cuts off may meet outside; there is no ink there.
+            node.point.x = node.point.x.max(0.0).min(width);
+            node.point.y = node.point.y.max(0.0).min(height);
+        }
+        self.outlines.push(outline);
         0.5 * self.samples[i].len() as f64
     }
 

@@ -24,6 +24,9 @@ const RULE: [[f64; 2]; 5] = [
     [0.953_089_922_969_332, 0.118_463_442_528_095],
 ];
 
+/// Places of a piece that are looked at to know whether it leaves the picture.
+const LOOKS: u8 = 16;
+
 /// An outline and the parts of its pieces, which the field knows.
 #[derive(Debug)]
 pub(super) struct Shape {
@@ -173,6 +176,10 @@ impl Refiner {
         let step = self.solve(field, shape, damping)?;
         let saved = self.save(&shape.outline);
         self.unknowns.apply(&mut shape.outline, &step, LONGEST_STEP);
+        if self.pieces.iter().any(|&i| leaves(&shape.outline.cubic(i), field)) {
+            self.restore(&mut shape.outline, &saved);
+            return Ok((left.square, f64::INFINITY));
+        }
         self.old.clear();
         self.new.clear();
         self.fresh.resize(self.pieces.len().max(self.fresh.len()), Vec::new());
@@ -257,6 +264,11 @@ impl Refiner {
         factor.solve(&mut right);
         Ok(right)
     }
+}
+
+/// Whether a piece goes where no pixel would call it back.
+pub(super) fn leaves(cubic: &Cubic, field: &Field) -> bool {
+    (0..=LOOKS).any(|k| field.is_beyond(cubic.point(f64::from(k) / f64::from(LOOKS))))
 }
 
 /// What the pixels say to the control points of one piece.

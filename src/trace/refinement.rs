@@ -4,7 +4,7 @@ use super::ellipse::ellipse;
 use super::field::{Field, Shading};
 use super::gray::Gray;
 use super::outline::Outline;
-use super::refine::{Left, Refiner, Shape};
+use super::refine::{Left, Refiner, Shape, leaves};
 use super::simplify::{Limits, may_go_on, merge_round};
 use super::tips::sharpen;
 use crate::error::Result;
@@ -113,7 +113,9 @@ impl Refinement {
             Phase::First => {
                 let nodes = shape.nodes();
                 refiner.refine(field, shape, &nodes, STEPS)?;
-                if !self.noisy && field.stain <= ROUGH {
+                // A circle that was not drawn by exact coverage is still a circle.
+                let whole = ellipse(&shape.outline, self.slack)?.is_some();
+                if !self.noisy && field.stain <= ROUGH && !whole {
                     halve(refiner, field, shape, &self.limits)?;
                 }
             }
@@ -194,7 +196,8 @@ impl Refinement {
         let nodes = shape.nodes();
         refiner.refine(field, shape, &nodes, LAST_STEPS)?;
         let Some((start, before)) = self.start.take() else { return Ok(()) };
-        if shape.left(field).rms() > (1.5 * before).max(2.0 * self.limits.rms) {
+        let lost = (0..shape.outline.len()).any(|i| leaves(&shape.outline.cubic(i), field));
+        if lost || shape.left(field).rms() > (1.5 * before).max(2.0 * self.limits.rms) {
             refiner.replace(field, shape, start);
             let nodes = shape.nodes();
             refiner.refine(field, shape, &nodes, LAST_STEPS)?;

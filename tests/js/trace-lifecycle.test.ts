@@ -123,7 +123,8 @@ test("progress names the stages in their order, and never goes back", async () =
   const seen: TraceProgress[] = [];
   let turns = 0;
   const timer = setInterval(() => (turns += 1), 1);
-  await traceImageAsync(discs(200, 25), { onProgress: (progress) => seen.push(progress) });
+  // Long enough for many tasks on any machine.
+  await traceImageAsync(discs(600, 400), { onProgress: (progress) => seen.push(progress) });
   clearInterval(timer);
   const order = ["pixels", "edges", "contours", "corners", "splines", "refinement"];
   seen.forEach(({ stage, done, total }, i) => {
