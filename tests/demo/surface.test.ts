@@ -184,8 +184,9 @@ test("Surface by keyboard alone: points are stepped through, nudged, refined, an
   await demo.focusStage();
   await demo.press("]", "]");
   assert.match(await demo.textOf("live"), /Control point 1, 2, on the surface/);
-  await demo.press("ArrowUp", "ArrowUp");
-  assert.ok(largest(await mesh(demo), before) > 0.005);
+  // One press: on a slow machine two of them are too far apart to be one entry.
+  await demo.press("ArrowUp");
+  assert.ok(largest(await mesh(demo), before) > 0.003);
   await demo.press("Control+z");
   assert.deepEqual(await mesh(demo), before);
   await demo.press("Enter");
