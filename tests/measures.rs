@@ -176,6 +176,22 @@ fn length_of_a_parameter_gives_the_parameter_back() {
 }
 
 #[test]
+fn places_by_length_end_at_what_doubles_can_tell_apart() {
+    let mut random = Random::new(11);
+    for case in 0..84 {
+        let curve = random_curve(&mut random, case);
+        let size = curve.bounds().extent().max(1e-300);
+        let finest = curve.sample_by_length(9, f64::from_bits(1)).expect("parameters");
+        let fine = curve.sample_by_length(9, 1e-11 * size).expect("parameters");
+        for (&t, &near) in finest.iter().zip(&fine) {
+            let gap =
+                (curve.evaluate(t, 0).expect("inside") - curve.evaluate(near, 0).expect("inside")).norm();
+            assert!(gap < 1e-9 * size, "case {case}: {t} against {near}");
+        }
+    }
+}
+
+#[test]
 fn bad_arguments_are_refused_with_their_names() {
     let circle = circle(1.0, 4);
     for tolerance in [0.0, -1.0] {

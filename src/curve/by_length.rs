@@ -14,7 +14,7 @@ use super::length::{check_tolerance, place_on};
 use super::limits::{MOST_OUTPUT_POINTS, too_many, with_room};
 use super::piece::{Jet, Piece};
 use super::pieces::{AnyPiece, Pieces};
-use super::speed::{axis_rule, interval_axis, length_by_rule, piece_length};
+use super::speed::{ROUNDING, axis_rule, fastest, interval_axis, length_by_rule, piece_length};
 use crate::error::Result;
 use crate::numerics::plane::{dot, norm, square};
 
@@ -22,6 +22,8 @@ use crate::numerics::plane::{dot, norm, square};
 const STACK: usize = 192;
 /// Cells of less than this share of a segment are taken as they are.
 const LEAST_WIDTH: f64 = 1e-14;
+/// The most cells of a piece. Towards a cusp they shrink by a factor each, so that a few hundred are many.
+const MOST_CELLS: usize = 4096;
 
 /// Tables of curves with more pieces are not kept: they are a kilobyte for each.
 const MOST_KEPT: usize = 10_000;
@@ -209,6 +211,8 @@ impl Node {
 /// Cells over the piece on which places are within `tolerance`; each length within `share`.
 fn tabulate(piece: &Piece, tolerance: f64, share: f64, cells: &mut Vec<Cell>) {
     cells.clear();
+    // Places that a rounding of the parameter moves by more cannot be told apart: smaller cells would not help.
+    let tolerance = tolerance.max(4.0 * ROUNDING * fastest(piece, -0.5, 0.5));
     let mut total = 0.0;
     let mut stack = [(-0.5, 0.5, 1.0); STACK];
     let mut open = 0;
@@ -226,7 +230,8 @@ fn tabulate(piece: &Piece, tolerance: f64, share: f64, cells: &mut Vec<Cell>) {
         let length = length_to(hi);
         let mut cell = Cell::new(&from, &to, length);
         let off = (length_to(cell.parameter(0.5 * length)) - 0.5 * length).abs();
-        if off > tolerance && length > tolerance && hi - lo > LEAST_WIDTH && open + 2 < STACK {
+        let dividable = hi - lo > LEAST_WIDTH && open + 2 < STACK && cells.len() < MOST_CELLS;
+        if off > tolerance && length > tolerance && dividable {
             // The error is of the eighth order.
             let parts = (1.1 * (off / tolerance).sqrt().sqrt().sqrt()).ceil().clamp(2.0, 6.0) as usize;
             push_parts(&mut stack, &mut open, lo, hi, parts, axis);

@@ -235,7 +235,7 @@ fn halved_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f64 {
 }
 
 /// A bound of the speed, not sharp.
-fn fastest(piece: &Piece, lo: f64, hi: f64) -> f64 {
+pub(super) fn fastest(piece: &Piece, lo: f64, hi: f64) -> f64 {
     taxi(piece.jet(lo).first).max(taxi(piece.jet(hi).first)) + (hi - lo) * piece.bend(lo, hi)
 }
 
