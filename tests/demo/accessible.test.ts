@@ -110,7 +110,7 @@ async function unfold(demo: Demo): Promise<void> {
   const up = demo.byId("sheet-up");
   if (await up.isVisible()) for (let i = 0; i < 2; i += 1) if (await up.isEnabled()) await up.click();
   await demo.page.evaluate(() => document.querySelectorAll("details").forEach((each) => { each.open = true; }));
-  await demo.page.waitForTimeout(300);
+  await demo.still();
 }
 
 for (const { name, viewport } of sizes) {
@@ -135,7 +135,7 @@ for (const { name, viewport } of sizes) {
         if (!(await demo.byId(id).isVisible())) await demo.byId("btn-menu").click();
         await demo.byId(id).click();
         await demo.byId(dialog).waitFor();
-        await page.waitForTimeout(400);
+        await demo.still();
         assertNone(await namesAndTargets(page), dialog);
         assertNone(await lowContrast(page), dialog);
         assert.ok((await overflow(page)) <= 0, dialog);
@@ -166,7 +166,7 @@ for (const viewport of [{ width: 1280, height: 800 }, { width: 320, height: 568 
   test(`V27 text at 200 % at ${viewport.width} px scrolls nothing sideways and loses no control`, async (t) => {
     const demo = await open(t, "", { viewport });
     await demo.page.evaluate(() => { document.documentElement.style.fontSize = "200%"; });
-    await demo.page.waitForTimeout(300);
+    await demo.still();
     assert.ok((await overflow(demo.page)) <= 0, `${await overflow(demo.page)} px too wide`);
     const outside = await demo.page.evaluate(() =>
       [...document.querySelectorAll("header button, [role=tab], nav button")]

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { after, before, type TestContext } from "node:test";
-import type { Browser, BrowserContext, BrowserContextOptions, Page } from "playwright-core";
+import type { Browser, BrowserContext, BrowserContextOptions, CDPSession, Page } from "playwright-core";
 import { launch } from "../../scripts/browser.mjs";
 import type { ExplineDemo } from "../../www/src/contract.ts";
 
@@ -33,6 +33,7 @@ export function useBrowser(): {
     assert.ok(browser !== undefined, "the browser is started before the tests");
     const fresh = await browser.newContext({ viewport: { width: 1280, height: 800 }, deviceScaleFactor: 1, ...options });
     t.after(() => fresh.close());
+    if (slowness > 1) fresh.on("page", (page) => void slowDown(fresh, page));
     return fresh;
   }
   return {
@@ -45,8 +46,24 @@ export function useBrowser(): {
   };
 }
 
+/** `DEMO_SLOWNESS=4` runs the pages on a quarter of the processor: what depends on a fast machine shows. */
+const slowness = Number(process.env["DEMO_SLOWNESS"] ?? 1);
+
+async function slowDown(context: BrowserContext, page: Page): Promise<void> {
+  const devtools = await context.newCDPSession(page);
+  await devtools.send("Emulation.setCPUThrottlingRate", { rate: slowness });
+}
+
+export interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
 export class Demo {
   readonly page: Page;
+  #devtools: Promise<CDPSession> | undefined;
+  /** Of the last event that was sent with a time stamp of its own, in seconds since 1970. */
+  #time = 0;
   /** Console errors and uncaught exceptions since the page was opened. */
   readonly complaints: string[] = [];
 
@@ -103,7 +120,7 @@ export class Demo {
   }
 
   /** The middle of an element's box. */
-  async centre(id: string): Promise<{ x: number; y: number }> {
+  async centre(id: string): Promise<Place> {
     const box = await this.byId(id).boundingBox();
     assert.ok(box !== null, `${id} has a box`);
     return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
@@ -117,13 +134,39 @@ export class Demo {
     await this.page.waitForTimeout(450);
   }
 
+  /** Two presses 80 ms apart by their own time stamps, however long the page takes for either. */
   async doubleClick(x: number, y: number): Promise<void> {
-    await this.page.mouse.dblclick(x, y);
+    const devtools = await this.#tools();
+    await this.page.mouse.move(x, y);
+    this.#time = Date.now() / 1000;
+    for (const clickCount of [1, 2]) {
+      for (const type of ["mousePressed", "mouseReleased"] as const) await devtools.send("Input.dispatchMouseEvent", { type, x, y, button: "left", clickCount, timestamp: (this.#time += 0.04) });
+    }
     await this.idle();
     await this.page.waitForTimeout(450);
   }
 
-  async dragFrom(from: { x: number; y: number }, dx: number, dy: number, steps = 8): Promise<void> {
+  #tools(): Promise<CDPSession> {
+    return (this.#devtools ??= this.page.context().newCDPSession(this.page));
+  }
+
+  /** Fingers, an event every 16 ms by its time stamp, however long the page takes for it. */
+  async touch(type: "touchStart" | "touchMove" | "touchEnd", ...points: Place[]): Promise<void> {
+    const devtools = await this.#tools();
+    await devtools.send("Input.dispatchTouchEvent", { type, touchPoints: points.map((point, id) => ({ ...point, id })), timestamp: (this.#time += 0.016) });
+  }
+
+  /** So many taps in quick succession. */
+  async tap(fingers: readonly Place[], times = 1): Promise<void> {
+    this.#time = Math.max(this.#time, Date.now() / 1000);
+    for (let i = 0; i < times; i += 1) {
+      await this.touch("touchStart", ...fingers);
+      await this.touch("touchEnd");
+    }
+    await this.idle();
+  }
+
+  async dragFrom(from: Place, dx: number, dy: number, steps = 8): Promise<void> {
     const { mouse } = this.page;
     await mouse.move(from.x, from.y);
     await mouse.down();
@@ -157,6 +200,31 @@ export class Demo {
   /** Keys go to the stage. */
   async focusStage(): Promise<void> {
     await this.byId("stage").focus();
+  }
+
+  /** What the page has begun to move is where it goes: fading dialogs, folding parts. */
+  async still(): Promise<void> {
+    await this.idle();
+    await this.page.evaluate(() => Promise.allSettled(document.getAnimations().map((each) => each.finished)));
+  }
+
+  /** What was copied by `copy`, which is waited for. */
+  async copied(copy: () => Promise<void>): Promise<string> {
+    await this.page.evaluate(() => navigator.clipboard.writeText(""));
+    await copy();
+    return this.until(() => this.page.evaluate(() => navigator.clipboard.readText()), (text) => text !== "", "something is copied");
+  }
+
+  /** Looks again and again until it is as it should be. */
+  async until<T>(look: () => Promise<T>, good: (seen: T) => boolean, what: string): Promise<T> {
+    const start = Date.now();
+    for (;;) {
+      const seen = await look();
+      if (good(seen)) return seen;
+      // Only a page that hangs takes so long.
+      assert.ok(Date.now() - start < 60_000, `not within a minute: ${what}`);
+      await this.page.waitForTimeout(50);
+    }
   }
 
   async textOf(id: string): Promise<string> {

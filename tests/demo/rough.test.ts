@@ -100,11 +100,13 @@ test("DM-012 a hundred thousand pointer moves between two frames are one move", 
 test("DM-015 a stage of no size draws nothing and comes back", async (t) => {
   const demo = await open(t, "#/curve?sample=circle-8");
   const picture = await demo.pixels();
+  const size = (): Promise<number> => demo.page.evaluate(() => document.querySelector("canvas")?.width ?? NaN);
+  const wide = await size();
   await demo.page.evaluate(() => {
     const surface = document.querySelector<HTMLElement>('[data-testid="stage"]');
     if (surface !== null) surface.style.width = "0";
   });
-  await demo.page.waitForTimeout(100);
+  await demo.until(size, (width) => width < wide, "the canvas follows the stage");
   await demo.press("f");
   await demo.press("0");
   const { view } = await demo.state();
@@ -113,7 +115,7 @@ test("DM-015 a stage of no size draws nothing and comes back", async (t) => {
     const surface = document.querySelector<HTMLElement>('[data-testid="stage"]');
     if (surface !== null) surface.style.width = "";
   });
-  await demo.page.waitForTimeout(100);
+  await demo.until(size, (width) => width === wide, "the canvas is as it was");
   await demo.idle();
   assert.equal((await demo.pixels()).length, picture.length);
   assert.deepEqual(demo.complaints, []);

@@ -6,9 +6,7 @@ const { open, context } = useBrowser();
 const clipboard = { permissions: ["clipboard-read", "clipboard-write"] };
 
 async function sharedLink(demo: Demo): Promise<string> {
-  await demo.byId("btn-share").click();
-  await demo.byId("toast").waitFor();
-  return demo.page.evaluate(() => navigator.clipboard.readText());
+  return demo.copied(() => demo.byId("btn-share").click());
 }
 
 test("V17 a link holds the drawing, its view and its mode, and nothing of it reaches a server", async (t) => {
@@ -169,7 +167,7 @@ for (const [id, what, script] of [
     await demo.withoutSnap();
     await demo.drag("pt-0-0", 40, 30);
     const banner = demo.page.locator('[data-error="storage"]');
-    await banner.waitFor({ timeout: 3000 });
+    await banner.waitFor();
     const [file] = await Promise.all([demo.page.waitForEvent("download"), banner.click()]);
     assert.match(file.suggestedFilename(), /\.json$/);
     assert.notEqual((await demo.point(0)).x, 560);

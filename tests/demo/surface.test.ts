@@ -168,7 +168,7 @@ test("a lost graphics context is drawn in lines until it comes back", async (t) 
       if (now) store.extension?.loseContext();
       else store.extension?.restoreContext();
     }, gone);
-    await demo.page.waitForTimeout(300);
+    await demo.until(() => demo.byId("surface-note").isVisible(), (shown) => shown === gone, "the note comes and goes");
     await demo.idle();
   };
   await lose(true);

@@ -116,13 +116,7 @@ test("a link holds the sample and the settings of a trace, and of a picture of o
   const permissions = ["clipboard-read", "clipboard-write"];
   const demo = await open(t, "#/trace?sample=trace-star", { permissions });
   await demo.slide("trace-detail", 60);
-  const link = async (): Promise<string> => {
-    await demo.byId("btn-share").click();
-    await demo.page.locator('[data-testid="toast"]', { hasText: "Link copied" }).waitFor();
-    const url = await demo.page.evaluate(() => navigator.clipboard.readText());
-    await demo.page.getByRole("button", { name: "Dismiss" }).last().press("Enter").catch(() => undefined);
-    return new URL(url).hash;
-  };
+  const link = async (): Promise<string> => new URL(await demo.copied(() => demo.byId("btn-share").click())).hash;
   const other = await open(t, await link(), { permissions });
   assert.equal((await trace(other)).sample, "trace-star");
   assert.deepEqual((await trace(other)).settings, (await trace(demo)).settings);
@@ -178,9 +172,7 @@ test("on a phone a picture is traced, its corners toggled by a finger, and Cance
   assert.equal(await cusps(demo), 10);
   assert.ok(await demo.byId("trace-detail").isVisible(), "the main slider stays in sight");
   const tip = await demo.toScreen(256, 56);
-  await demo.page.touchscreen.tap(tip.x + 6, tip.y - 6);
-  await demo.page.touchscreen.tap(tip.x + 6, tip.y - 6);
-  await demo.idle();
+  await demo.tap([{ x: tip.x + 6, y: tip.y - 6 }], 2);
   assert.equal(await cusps(demo), 9);
 });
 
@@ -191,10 +183,12 @@ test("a second visit traces without the network", async (t) => {
   const demo = new Visitor(page);
   await demo.load("#/trace?sample=trace-star");
   await page.evaluate(() => navigator.serviceWorker.ready.then(() => undefined));
-  await page.waitForTimeout(500);
+  // What the worker fetches goes through the service worker from the second load on.
   await page.reload();
   await page.evaluate(() => window.explineDemo.ready);
   await demo.idle();
+  const kept = (): Promise<string[]> => page.evaluate(async () => (await (await caches.open("expline")).keys()).map(({ url }) => url));
+  await demo.until(kept, (urls) => ["/trace-worker", "expline_trace_bg", "/trace-mode"].every((part) => urls.some((url) => url.includes(part))), "the tracer is kept");
   await browser.setOffline(true);
   await page.reload();
   await page.evaluate(() => window.explineDemo.ready);
