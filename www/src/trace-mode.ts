@@ -1,6 +1,6 @@
 import { isEmptyTrace, type TraceDocument } from "./document/trace.ts";
 import type { EditorState } from "./editor/editor.ts";
-import { tracedDrawing } from "./editor/trace/hand-over.ts";
+import { tracedDrawing, tracedLayers } from "./editor/trace/hand-over.ts";
 import { registerTraceActions } from "./editor/trace/trace-actions.ts";
 import { drawingOf, sizeOf } from "./editor/trace/trace-edits.ts";
 import { traceHint, traceSummary } from "./editor/trace/trace-hint.ts";
@@ -34,10 +34,11 @@ function resultOf(state: EditorState): object | null {
   const drawing = drawingOf(state);
   const { outcome } = state.traceRun;
   if (drawing === null || outcome === null) return null;
-  const { holes, segments, rms, max, iou } = outcome;
+  const { holes, segments, rms, max, iou, colors } = outcome;
   return {
     contours: drawing.contours.length, holes: holes.filter((hole) => hole).length, cusps: cornersIn(drawing).map(({ x, y }) => ({ x, y })),
     segments: segments === null ? 0 : segments.lines + segments.arcs + segments.curves, rms, max, iou,
+    ...(colors.length === 0 ? {} : { colors }),
   };
 }
 
@@ -55,7 +56,7 @@ export function mountTraceMode({ editor, frame, stage, surface, proxies, panels,
   });
   registerTraceActions(editor, runner);
   editor.modes.set("trace", {
-    tool: createTraceTool(editor), hint: traceHint, summary: traceSummary, drawing: tracedDrawing, program: traceProgram, saved: savedTrace,
+    tool: createTraceTool(editor), hint: traceHint, summary: traceSummary, drawing: tracedDrawing, layers: tracedLayers, program: traceProgram, saved: savedTrace,
     box(state) {
       const size = sizeOf(state);
       return size === null ? null : { minX: 0, minY: 0, maxX: size.width, maxY: size.height };

@@ -44,7 +44,7 @@ test("samples are the same whenever they are drawn, and never larger than they a
     const small = drawSample(sample, 128);
     assert.deepEqual(drawSample(sample, 128), small);
     assert.ok(small.width <= 128 && small.height <= 128);
-    const dark = small.gray.reduce((count, shade) => count + (shade < 100 ? 1 : 0), 0) / small.gray.length;
+    const dark = small.data.reduce((count, shade) => count + (shade < 100 ? 1 : 0), 0) / small.data.length;
     assert.ok(dark > 0.005 && dark < 0.6, `${sample.id}: ${dark} is dark`);
   }
   const tiny = traceSample("trace-small");
@@ -56,10 +56,10 @@ test("the disc's pixels tell its radius, and the sheet has more than 400 shapes"
   const disc = traceSample("trace-disc");
   const sheet = traceSample("trace-big");
   assert.ok(disc !== undefined && sheet !== undefined);
-  const { gray } = drawSample(disc, 1024);
+  const { data: gray } = drawSample(disc, 1024);
   const ink = gray.reduce((all, shade) => all + (255 - shade) / 255, 0);
   assert.ok(Math.abs(Math.sqrt(ink / Math.PI) - 160) < 0.01, String(Math.sqrt(ink / Math.PI)));
-  const { gray: shades, width, height } = drawSample(sheet, 1024);
+  const { data: shades, width, height } = drawSample(sheet, 1024);
   const pieces = pieceAreas(inkOf({ values: shades, columns: width, rows: height }, 128, false), width, height);
   assert.ok(pieces.length > 400 && pieces.length < 1500, `${pieces.length} pieces`);
 });

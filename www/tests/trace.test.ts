@@ -57,10 +57,10 @@ function found(): TraceResult {
   const metrics = { rmse: 0.1, mae: 0.08, hausdorff: 0.3, jaccard: 0.99 };
   return {
     outlines: [
-      { contour: square, hole: false, length: 400, metrics, cubics: new Float64Array(0) },
-      { contour: triangle, hole: true, length: 136, metrics: { ...metrics, hausdorff: 0.5 }, cubics: new Float64Array(0) },
+      { contour: square, hole: false, layer: 0, length: 400, metrics, cubics: new Float64Array(0) },
+      { contour: triangle, hole: true, layer: 0, length: 136, metrics: { ...metrics, hausdorff: 0.5 }, cubics: new Float64Array(0) },
     ],
-    segments: { lines: 7, arcs: 0, curves: 0 }, iou: 0.99,
+    colors: [], segments: { lines: 7, arcs: 0, curves: 0 }, iou: 0.99,
     sizes: { raw: 40, gzip: 50, polygonRaw: 40, polygonGzip: 50 }, stages: { contours: 3 },
   };
 }

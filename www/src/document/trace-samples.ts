@@ -7,6 +7,14 @@ type Place = readonly [number, number];
 /** A closed outline as a polygon so fine that its corners cannot be seen: x and y in turn. Holes run the other way round. */
 export type Outline = Float64Array;
 
+/** Red, green and blue, 0 … 255. */
+export type Color = readonly [number, number, number];
+
+export interface ColoredShape {
+  readonly color: Color;
+  readonly outlines: readonly Outline[];
+}
+
 export interface TraceSample {
   readonly id: string;
   readonly title: string;
@@ -17,6 +25,8 @@ export interface TraceSample {
   readonly settings: Partial<TraceSettings>;
   /** In pixels of the picture. */
   outlines(): readonly Outline[];
+  /** Shapes in colours, each over the ones before, on a ground of the first; absent: the outlines in black on white. */
+  readonly colored?: { readonly ground: Color; shapes(): readonly ColoredShape[] };
   /** Uneven paper and grain; absent: white paper, black ink, exact coverage. */
   readonly rough?: { readonly grain: number; readonly shade: number };
 }
@@ -133,6 +143,47 @@ function sketch(): readonly Outline[] {
   ];
 }
 
+/** A beach in seven colours: sky, sun, hills, sea, sand, and a boat with its sail. */
+function postcard(): readonly ColoredShape[] {
+  const hill = (from: Place, a: Place, b: Place, to: Place): Outline => polygon(...cubic(from, a, b, to), to, [to[0], 330], [from[0], 330]);
+  const sand = polygon(...cubic([0, 452], [150, 372], [330, 470], [512, 404]), [512, 404], [512, 520], [0, 520]);
+  return [
+    { color: [255, 183, 77], outlines: [circle(352, 150, 64)] },
+    { color: [46, 125, 90], outlines: [hill([-20, 330], [90, 170], [190, 170], [330, 330])] },
+    { color: [27, 94, 80], outlines: [hill([180, 330], [290, 200], [420, 230], [560, 330])] },
+    { color: [25, 84, 140], outlines: [polygon([-2, 310], [514, 310], [514, 514], [-2, 514])] },
+    { color: [240, 214, 166], outlines: [sand] },
+    { color: [255, 255, 255], outlines: [polygon(...cubic([236, 196], [296, 250], [304, 300], [300, 342]), [300, 342], [236, 342])] },
+    { color: [176, 42, 48], outlines: [polygon([160, 350], [332, 350], ...cubic([332, 350], [320, 388], [300, 396], [276, 396], 120), ...cubic([216, 396], [190, 396], [172, 380], [160, 350], 120))] },
+  ];
+}
+
+/** A ribbon along a way: a line of one breadth. */
+function line(breadth: number, ...way: readonly Place[]): Outline {
+  const sides = (sign: 1 | -1): Place[] => way.map(([x, y], i): Place => {
+    const [before, after] = [way[Math.max(0, i - 1)] ?? [x, y], way[Math.min(way.length - 1, i + 1)] ?? [x, y]];
+    const size = Math.hypot(after[0] - before[0], after[1] - before[1]) || 1;
+    const half = (sign * breadth) / 2;
+    return [x - ((after[1] - before[1]) / size) * half, y + ((after[0] - before[0]) / size) * half];
+  });
+  return withPositiveArea(polygon(...sides(1), ...sides(-1).reverse()));
+}
+
+/** A balloon, drawn with one pen. */
+function balloon(): readonly Outline[] {
+  const pen = 9;
+  const ring = (x: number, y: number, radius: number): Outline[] => [circle(x, y, radius + pen / 2), reversed(circle(x, y, radius - pen / 2))];
+  return [
+    ...ring(256, 196, 140),
+    line(pen, ...cubic([256, 56], [166, 120], [166, 272], [256, 336], 200), [256, 336]),
+    line(pen, ...cubic([256, 56], [346, 120], [346, 272], [256, 336], 200), [256, 336]),
+    line(pen, [210, 360], [222, 432]), line(pen, [302, 360], [290, 432]),
+    line(pen, [214, 436], [298, 436]), line(pen, [218, 436], [224, 480]), line(pen, [294, 436], [288, 480]), line(pen, [222, 480], [290, 480]),
+    line(pen, ...cubic([40, 430], [70, 400], [100, 400], [130, 430], 120), [130, 430]),
+    line(pen, ...cubic([380, 452], [410, 422], [440, 422], [470, 452], 120), [470, 452]),
+  ];
+}
+
 const grid = 24;
 
 /** Rows of small shapes in waves of size: 576 of them, a third with a hole. */
@@ -170,6 +221,8 @@ export const traceSamples: readonly TraceSample[] = [
   { id: "trace-leaf", title: "Leaf", note: "Two cusps, a vein and a stem.", width: 512, height: 512, settings: {}, outlines: leaf },
   { id: "trace-small", title: "Small logo", note: "The same logo in 48 pixels: what grey edges still tell.", width: 48, height: 48, settings: { speckle: 2 }, outlines: () => logo(48) },
   { id: "trace-sketch", title: "Sketch", note: "Pencil on uneven paper, with grain.", width: 512, height: 440, settings: { detail: 55, speckle: 60 }, outlines: sketch, rough: { grain: 9, shade: 52 } },
+  { id: "trace-postcard", title: "Postcard", note: "Flat colours: layers that lie on one another without gaps.", width: 512, height: 512, settings: { colors: 10 }, outlines: () => postcard().flatMap(({ outlines }) => outlines), colored: { ground: [144, 205, 232], shapes: postcard } },
+  { id: "trace-lines", title: "Balloon", note: "Lines of one breadth come back as the strokes that they were.", width: 512, height: 512, settings: { mode: "lines" }, outlines: balloon },
   { id: "trace-big", title: "Sheet", note: "576 shapes on 2048 × 2048 pixels: progress, and a Cancel that cancels.", width: 2048, height: 2048, settings: {}, outlines: many },
 ];
 

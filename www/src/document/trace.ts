@@ -2,8 +2,8 @@ import type { Contour } from "./document.ts";
 
 /** What Trace works on: a picture, how it is to be followed, and what was decided by hand. */
 
-/** Where outlines are taken from: the border between dark and light, or the places of steepest change. */
-export type TraceSource = "brightness" | "edges";
+/** What is followed: the border between dark and light, the places of steepest change, or the middle of thin strokes. */
+export type TraceSource = "brightness" | "edges" | "lines";
 
 export interface TraceSettings {
   /** 0 (every pixel) … 100 (smooth) */
@@ -19,6 +19,8 @@ export interface TraceSettings {
   readonly blur: number | "auto";
   /** Light shapes on dark ground. */
   readonly invert: boolean;
+  /** Flat colours that are looked for at most, 2 … 16; 0: ink on paper. */
+  readonly colors: number;
   /** Pixels of the longer side that are looked at. */
   readonly size: WorkSize;
 }
@@ -26,10 +28,10 @@ export interface TraceSettings {
 export const workSizes = [512, 1024, 2048] as const;
 export type WorkSize = (typeof workSizes)[number];
 
-export const traceLimits = { detail: 100, corner: 180, speckle: 1000, threshold: 255, blur: 5 } as const;
+export const traceLimits = { detail: 100, corner: 180, speckle: 1000, threshold: 255, blur: 5, colors: 16 } as const;
 
 export const traceDefaults: TraceSettings = {
-  detail: 35, corner: 45, speckle: 16, mode: "brightness", threshold: "auto", blur: "auto", invert: false, size: 1024,
+  detail: 35, corner: 45, speckle: 16, mode: "brightness", threshold: "auto", blur: "auto", invert: false, colors: 0, size: 1024,
 };
 
 /** A picture of somebody's own. Its pixels are in this page's memory alone, under `key`. */

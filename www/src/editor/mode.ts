@@ -29,6 +29,8 @@ export interface ModeParts {
   box?(state: EditorState): { readonly minX: number; readonly minY: number; readonly maxX: number; readonly maxY: number } | null;
   /** What Export writes, in place of Curve's drawing; null while there is nothing. */
   drawing?(state: EditorState): CurveDocument | null;
+  /** The same in colours, the lowest layer first; none where it has none. */
+  layers?(state: EditorState): readonly { readonly color: string; readonly drawing: CurveDocument }[];
   /** The program that makes what is on the stage. */
   program?(state: EditorState): string;
   /** Takes in what was pasted, dropped or opened, in place of Curve. */

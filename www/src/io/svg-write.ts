@@ -21,20 +21,23 @@ export interface SvgOptions {
   readonly box: Box | null;
   /** Areas of ink, holes left out, in place of lines. */
   readonly filled?: boolean;
+  /** Areas in colours in place of the one path, the lowest first. */
+  readonly layers?: readonly { readonly color: string; readonly d: string }[];
 }
 
-/** A document with one path, and a viewBox around it with room for its line. */
-export function writeSvg({ title, d, box, filled }: SvgOptions): string {
-  const margin = 2;
+/** A document with one path, or one for each colour, and a viewBox around it with room for its line. */
+export function writeSvg({ title, d, box, filled, layers = [] }: SvgOptions): string {
+  const margin = layers.length > 0 ? 0 : 2;
   const { minX, minY, maxX, maxY } = box ?? { minX: 0, minY: 0, maxX: 1, maxY: 1 };
   const [x, y] = [Math.floor(minX - margin), Math.floor(minY - margin)];
   const size = [Math.ceil(maxX + margin) - x, Math.ceil(maxY + margin) - y].map(plain);
   const look = filled === true ? 'fill="#1b1f24" fill-rule="evenodd"' : 'fill="none" stroke="#1b1f24" stroke-width="2" stroke-linejoin="round"';
-  const path = d === "" ? "" : `  <path d="${escapeXml(d)}" ${look}/>\n`;
+  const path = (text: string, how: string): string => (text === "" ? "" : `  <path d="${escapeXml(text)}" ${how}/>\n`);
+  const paths = layers.length === 0 ? [path(d, look)] : layers.map((layer) => path(layer.d, `fill="${escapeXml(layer.color)}"`));
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${plain(x)} ${plain(y)} ${size[0]} ${size[1]}" width="${size[0]}" height="${size[1]}">\n`,
     `  <title>${escapeXml(title)}</title>\n`,
-    path,
+    ...paths,
     "</svg>\n",
   ].join("");
 }

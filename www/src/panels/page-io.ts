@@ -13,7 +13,7 @@ export interface PageIo {
   shareHash(state: DemoState): Promise<string>;
   readShareHash(hash: string): Promise<DemoState>;
   gzippedSize(text: string): Promise<number>;
-  writeSvg(options: { title: string; d: string; box: Box | null; filled?: boolean }): Promise<string>;
+  writeSvg(options: { title: string; d: string; box: Box | null; filled?: boolean; layers?: readonly { readonly color: string; readonly d: string }[] }): Promise<string>;
   pngSize(box: Box | null, scale: number): { width: number; height: number } | null;
   writePng(options: { d: string; box: Box | null; scale: number; paper: string | null; ink: string; fill: string }): Promise<Blob | null>;
   download(name: string, content: Blob): void;

@@ -25,13 +25,20 @@ function readSettings(found: Found): TraceSettings {
     detail: part("detail", (value) => asNumber(value, 0, traceLimits.detail)),
     corner: part("corner", (value) => asNumber(value, 0, traceLimits.corner)),
     speckle: part("speckle", (value) => asNumber(value, 0, traceLimits.speckle)),
-    mode: part("mode", (value) => oneOf(value, ["brightness", "edges"])),
+    mode: part("mode", (value) => oneOf(value, ["brightness", "edges", "lines"])),
     threshold: part("threshold", orAuto(traceLimits.threshold)),
     blur: part("blur", orAuto(traceLimits.blur)),
     invert: part("invert", asBoolean),
+    colors: part("colors", readColors),
     size: part("size", readSize),
   };
   return { ...traceDefaults, ...Object.fromEntries(Object.entries(all).filter(([, value]) => value !== undefined)) };
+}
+
+function readColors(found: Found): number {
+  const colors = asWhole(found, 0, traceLimits.colors);
+  if (colors === 1) throw wrong(found, "0, or at least 2 colours");
+  return colors;
 }
 
 function readSize(found: Found): TraceSettings["size"] {

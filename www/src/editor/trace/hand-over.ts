@@ -1,6 +1,7 @@
 import { nothingSelected, type Contour, type CurveDocument } from "../../document/document.ts";
 import type { Pair } from "../../document/fit.ts";
 import { placesAlong } from "../../kernel/trace/as-strokes.ts";
+import { byColor } from "../../kernel/trace/outcome.ts";
 import type { Editor, EditorState } from "../editor.ts";
 import { bringStrokes } from "../fit/fit-edits.ts";
 import { drawingOf } from "./trace-edits.ts";
@@ -13,6 +14,13 @@ const mostPoints = 12_000;
 /** The outlines for Export; null while there are none. */
 export function tracedDrawing(state: EditorState): CurveDocument | null {
   return drawingOf(state);
+}
+
+/** The outlines by their colours, for a file of them. */
+export function tracedLayers(state: EditorState): { readonly color: string; readonly drawing: CurveDocument }[] {
+  const drawing = drawingOf(state);
+  const { outcome } = state.traceRun;
+  return drawing === null || outcome === null ? [] : byColor(outcome, drawing);
 }
 
 export function smoothInFit(editor: Editor): void {

@@ -35,9 +35,9 @@ export interface TraceRunnerOptions {
 }
 
 export function howOf({ settings, anyway }: TraceDocument): TraceHow {
-  const { detail, corner, speckle, mode, threshold, blur, invert, size } = settings;
+  const { detail, corner, speckle, mode, threshold, blur, invert, colors, size } = settings;
   return {
-    size, source: mode, threshold, blur, invert, speckle, tolerance: toleranceOf(detail),
+    size, source: mode, threshold, blur, invert, colors, speckle, tolerance: toleranceOf(detail),
     corner: (Math.max(leastCorner, corner) * Math.PI) / 180,
     mostContours: anyway === true ? mostAnyway : mostOutlines,
   };

@@ -15,6 +15,8 @@ export interface TraceHow {
   readonly threshold: number | "auto";
   readonly blur: number | "auto";
   readonly invert: boolean;
+  /** Flat colours at most; 0: ink on paper. */
+  readonly colors: number;
   /** Square pixels. */
   readonly speckle: number;
   /** Radians of turning. */
@@ -30,7 +32,7 @@ export type TraceRequest =
   | { readonly kind: "trace"; readonly id: number; readonly picture: PictureSource; readonly how: TraceHow }
   | { readonly kind: "stop" };
 
-export const traceStages = ["decoding", "edges", "contours", "corners", "splines", "refinement", "measuring"] as const;
+export const traceStages = ["decoding", "edges", "contours", "corners", "splines", "refinement", "layers", "measuring"] as const;
 export type TraceStage = (typeof traceStages)[number];
 
 export interface Metrics {
@@ -44,6 +46,8 @@ export interface Metrics {
 export interface TracedOutline {
   readonly contour: Contour;
   readonly hole: boolean;
+  /** Which of the colours it bounds. */
+  readonly layer: number;
   /** Length of the outline. */
   readonly length: number;
   readonly metrics: Metrics;
@@ -61,9 +65,11 @@ export interface TraceSizes {
 
 export interface TraceResult {
   readonly outlines: readonly TracedOutline[];
+  /** The colours, "#rrggbb", the lowest layer first; none where there is only ink. */
+  readonly colors: readonly string[];
   /** Segments by kind. */
   readonly segments: { readonly lines: number; readonly arcs: number; readonly curves: number };
-  /** Area that closed outlines and thresholded picture have in common, by the area of either; null where lines end openly. */
+  /** Area that closed outlines and thresholded picture have in common, by the area of either; null where lines end openly and where there are colours. */
   readonly iou: number | null;
   readonly sizes: TraceSizes;
   /** Milliseconds by stage. */

@@ -32,8 +32,9 @@ export async function measured(trace: Trace, scale: readonly [number, number], s
   for (const { contour } of outlines) for (const kind of kindsOf(contour)) segments[kind] += 1;
   const polygons = curves.map((curve) => polygonText(curve.flatten(polygonWithin)));
   const sizes = await sizesOf(texts.join(""), polygons.join(""));
-  const iou = outlines.every(({ contour }) => contour.closed) ? overlap(outlines, scale, seen) : null;
-  return { outlines, segments, iou, sizes, stages: { ...trace.milliseconds, measuring: performance.now() - start } };
+  const colors = trace.layers.map(({ color }) => color);
+  const iou = colors.length === 0 && outlines.every(({ contour }) => contour.closed) ? overlap(outlines, scale, seen) : null;
+  return { outlines, colors, segments, iou, sizes, stages: { ...trace.milliseconds, measuring: performance.now() - start } };
 }
 
 function inPicture({ curve }: Found, [x, y]: readonly [number, number]): HermiteCurve {
@@ -49,6 +50,7 @@ function outlineOf(found: Found, curve: HermiteCurve | undefined, scale: readonl
   return {
     contour: withKinds(contourFrom(curve, "trigonometric"), corners),
     hole: found.hole,
+    layer: found.layer,
     length: curve.length(),
     metrics: { rmse: rmse * larger, mae: mae * larger, hausdorff: hausdorff * larger, jaccard },
     cubics: curve.toCubics(drawnWithin).path,

@@ -23,6 +23,9 @@ export interface TraceOutcome {
   /** The outlines as they were found; a drawing that Export, Fit and Curve take. */
   readonly drawing: CurveDocument;
   readonly holes: readonly boolean[];
+  /** The colours, the lowest layer first, and which of them each outline bounds; none where there is only ink. */
+  readonly colors: readonly string[];
+  readonly layers: readonly number[];
   readonly cubics: readonly Float64Array[];
   /** Root of the mean square and largest of the distances to the sub-pixel edge, pixels of the picture; null without a picture. */
   readonly rms: number | null;
@@ -33,12 +36,14 @@ export interface TraceOutcome {
   readonly stages: TraceResult["stages"];
 }
 
-export function outcomeOf({ outlines, segments, iou, sizes, stages }: TraceResult, sample: string | undefined): TraceOutcome {
+export function outcomeOf({ outlines, colors, segments, iou, sizes, stages }: TraceResult, sample: string | undefined): TraceOutcome {
   const length = outlines.reduce((sum, outline) => sum + outline.length, 0);
   const squares = outlines.reduce((sum, { metrics, length: own }) => sum + metrics.rmse ** 2 * own, 0);
   return {
     drawing: { ...emptyCurve, contours: outlines.map(({ contour }) => contour), ...(sample === undefined ? {} : { sample }) },
     holes: outlines.map(({ hole }) => hole),
+    colors,
+    layers: outlines.map(({ layer }) => layer),
     cubics: outlines.map(({ cubics }) => cubics),
     rms: length === 0 ? 0 : Math.sqrt(squares / length),
     max: outlines.reduce((most, { metrics }: TracedOutline) => Math.max(most, metrics.hausdorff), 0),
@@ -50,7 +55,7 @@ export function outcomeOf({ outlines, segments, iou, sizes, stages }: TraceResul
 export function outcomeOfKept({ contours }: KeptTrace): TraceOutcome {
   return {
     drawing: { ...emptyCurve, contours }, holes: contours.map((contour) => signedArea(contour) < 0),
-    cubics: [], rms: null, max: null, iou: null, segments: null, sizes: null, stages: {},
+    colors: [], layers: [], cubics: [], rms: null, max: null, iou: null, segments: null, sizes: null, stages: {},
   };
 }
 
@@ -60,6 +65,11 @@ function signedArea({ points }: Contour): number {
     const next = points[(i + 1) % points.length];
     return next === undefined ? sum : sum + x * next.y - next.x * y;
   }, 0);
+}
+
+/** A drawing's outlines by their colours, the lowest layer first; none where there is only ink. */
+export function byColor({ colors, layers }: TraceOutcome, drawing: CurveDocument): { readonly color: string; readonly drawing: CurveDocument }[] {
+  return colors.map((color, layer) => ({ color, drawing: { ...drawing, contours: drawing.contours.filter((_, i) => layers[i] === layer) } }));
 }
 
 const decided = new WeakMap<TraceOutcome, { readonly corners: readonly CornerChoice[]; readonly drawing: CurveDocument }>();

@@ -48,8 +48,8 @@ export async function pixelsOf(source: PictureSource, most: number): Promise<Pix
   if (source.kind === "sample") {
     const sample = traceSample(source.id);
     if (sample === undefined) throw new PictureError("E_SAMPLE");
-    const { width, height, gray } = drawSample(sample, most);
-    return { width: sample.width, height: sample.height, columns: width, rows: height, data: gray };
+    const { width, height, data } = drawSample(sample, most);
+    return { width: sample.width, height: sample.height, columns: width, rows: height, data };
   }
   const bitmap = await decode(source.content);
   try {

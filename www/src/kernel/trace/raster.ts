@@ -1,12 +1,12 @@
-import type { Outline, TraceSample } from "../../document/trace-samples.ts";
+import type { Color, ColoredShape, Outline, TraceSample } from "../../document/trace-samples.ts";
 
 /** Pictures from outlines, with the exact area that they cover of every pixel. */
 
-export interface GrayPicture {
+export interface DrawnPicture {
   readonly width: number;
   readonly height: number;
-  /** A byte per pixel, row by row: 0 black … 255 white. */
-  readonly gray: Uint8Array<ArrayBuffer>;
+  /** Row by row, a byte per pixel, 0 black … 255 white; or four: red, green, blue and opacity. */
+  readonly data: Uint8Array<ArrayBuffer>;
 }
 
 /**
@@ -80,9 +80,11 @@ function noiseAt(i: number): number {
 }
 
 /** A sample with its longer side at most so many pixels, never larger than it is. */
-export function drawSample(sample: TraceSample, most: number): GrayPicture {
+export function drawSample(sample: TraceSample, most: number): DrawnPicture {
   const scale = Math.min(1, most / Math.max(sample.width, sample.height));
   const [width, height] = [Math.max(1, Math.round(sample.width * scale)), Math.max(1, Math.round(sample.height * scale))];
+  const { colored } = sample;
+  if (colored !== undefined) return { width, height, data: painted(colored.ground, colored.shapes(), width, height, scale) };
   const ink = coverage(sample.outlines(), width, height, scale);
   const gray = new Uint8Array(width * height);
   const { grain = 0, shade = 0 } = sample.rough ?? {};
@@ -94,5 +96,27 @@ export function drawSample(sample: TraceSample, most: number): GrayPicture {
     const dark = sample.rough === undefined ? 0 : 62;
     gray[i] = Math.round(Math.min(255, Math.max(0, paper + ((ink[i] ?? 0) * (dark - paper)) + 1.7 * grain * dice)));
   }
-  return { width, height, gray };
+  return { width, height, data: gray };
+}
+
+/** Shape over shape, each by its share of every pixel. */
+function painted(ground: Color, shapes: readonly ColoredShape[], width: number, height: number, scale: number): Uint8Array<ArrayBuffer> {
+  const seen = new Float32Array(3 * width * height);
+  for (let i = 0; i < seen.length; i += 1) seen[i] = ground[(i % 3) as 0 | 1 | 2];
+  for (const { color, outlines } of shapes) {
+    coverage(outlines, width, height, scale).forEach((share, i) => {
+      if (share > 0) color.forEach((channel, k) => (seen[3 * i + k] = (seen[3 * i + k] ?? 0) * (1 - share) + channel * share));
+    });
+  }
+  const data = new Uint8Array(4 * width * height).fill(255);
+  seen.forEach((value, i) => (data[4 * Math.floor(i / 3) + (i % 3)] = Math.round(value)));
+  return data;
+}
+
+/** A drawn picture as a canvas takes it. */
+export function imageOf({ width, height, data }: Pick<DrawnPicture, "width" | "height"> & { readonly data: Uint8Array | Uint8ClampedArray }): ImageData {
+  const image = new ImageData(width, height);
+  if (data.length === image.data.length) image.data.set(data);
+  else data.forEach((shade, i) => image.data.set([shade, shade, shade, 255], 4 * i));
+  return image;
 }

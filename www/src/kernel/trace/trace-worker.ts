@@ -4,6 +4,7 @@ import wasmUrl from "expline/expline_bg.wasm?url";
 import { startTraceEngine, tracePixels } from "./engine.ts";
 import { traceStages, type TraceAnswer, type TraceHow, type TraceRequest, type TraceStage } from "./job.ts";
 import { measured } from "./measured.ts";
+import { imageOf } from "./raster.ts";
 import { PictureError, pixelsOf, sizeOf, type Pixels } from "./picture.ts";
 import { blurred, foundThreshold, inkOf, pieceAreas, shadesOf, steepness, type Shades } from "./shades.ts";
 
@@ -20,16 +21,17 @@ let queue: Promise<void> = Promise.resolve();
 const answer = (message: TraceAnswer, transfer: Transferable[] = []): void => postMessage(message, { transfer });
 
 /** The part of the whole that each stage begins with. */
-const begins: Readonly<Record<TraceStage, number>> = { decoding: 0, edges: 0.05, contours: 0.15, corners: 0.25, splines: 0.35, refinement: 0.55, measuring: 0.96 };
+const begins: Readonly<Record<TraceStage, number>> = { decoding: 0, edges: 0.05, contours: 0.15, corners: 0.25, splines: 0.35, refinement: 0.55, layers: 0.15, measuring: 0.96 };
 
 /** Progress that never goes back, however stages come. */
 function progressOf(id: number): (stage: string, done: number, total: number) => void {
   let most = 0;
   return (name, done, total) => {
     const stage = traceStages.find((each) => each === name) ?? "decoding";
-    const next = traceStages[traceStages.indexOf(stage) + 1];
+    const end = Math.min(...Object.values(begins).filter((begin) => begin > begins[stage]), 1);
     const share = total > 0 ? Math.min(1, done / total) : 0;
-    const value = begins[stage] + share * ((next === undefined ? 1 : begins[next]) - begins[stage]);
+    // Colour by colour, the other stages have no part of their own.
+    const value = begins[stage] + share * ((stage === "layers" ? begins.measuring : end) - begins[stage]);
     most = Math.max(most, value);
     answer({ kind: "progress", id, stage, value: most, done, total });
   };
@@ -59,11 +61,11 @@ async function trace(request: Extract<TraceRequest, { kind: "trace" }>, signal: 
   const soft = how.blur === "auto" ? shades : blurred(shades, how.blur);
   const threshold = how.threshold === "auto" ? foundThreshold(soft) : how.threshold;
   const ink = inkOf(soft, threshold, how.invert);
-  await show(id, pixels, how.source === "edges" ? steepness(soft) : ink.map((on) => 255 * (1 - on)), threshold);
+  await show(id, pixels, how.source !== "brightness" ? steepness(soft) : ink.map((on) => 255 * (1 - on)), threshold);
   if (await ended(signal)) return answer({ kind: "stopped", id });
   const scale = [pixels.width / pixels.columns, pixels.height / pixels.rows] as const;
   const least = how.speckle / (scale[0] * scale[1]);
-  if (how.source === "brightness" && tooMany(request, ink, pixels, least)) return;
+  if (how.source === "brightness" && how.colors === 0 && tooMany(request, ink, pixels, least)) return;
   const found = await tracePixels(pixels, {
     ...options(how, least), signal,
     onProgress: ({ stage, done, total }) => report(stage, done, total),
@@ -79,6 +81,7 @@ function options(how: TraceHow, speckle: number): Parameters<typeof tracePixels>
     source: how.source, invert: how.invert, speckle, corner: how.corner, tolerance: how.tolerance,
     ...(how.threshold === "auto" ? {} : { threshold: how.threshold }),
     ...(how.blur === "auto" ? {} : { blur: how.blur }),
+    ...(how.colors === 0 ? {} : { colors: how.colors }),
     maxContours: how.mostContours,
   };
 }
@@ -92,6 +95,12 @@ function tooMany({ id, how }: Extract<TraceRequest, { kind: "trace" }>, ink: Uin
   return true;
 }
 
+/** The speckle in square pixels of the picture from which on so many contours would be left; 0 where the tracer knows of none. */
+async function offered({ offer }: ExplineError, request: Extract<TraceRequest, { kind: "trace" }>): Promise<number> {
+  const { pixels: { width, height, columns, rows } } = await looked(request);
+  return Math.ceil((offer?.["speckle"] ?? 0) * (width / columns) * (height / rows));
+}
+
 async function show(id: number, pixels: Pixels, edges: Uint8Array, threshold: number): Promise<void> {
   const { width, height, columns, rows, data } = pixels;
   const [source, seen] = await Promise.all([bitmapOf(data, columns, rows), bitmapOf(edges, columns, rows)]);
@@ -99,16 +108,8 @@ async function show(id: number, pixels: Pixels, edges: Uint8Array, threshold: nu
 }
 
 /** One byte per pixel, or four, as a picture. */
-function bitmapOf(data: ArrayLike<number>, columns: number, rows: number): Promise<ImageBitmap> {
-  const image = new ImageData(columns, rows);
-  if (data.length === image.data.length) image.data.set(data);
-  else {
-    for (let i = 0; i < data.length; i += 1) {
-      const shade = data[i] ?? 0;
-      image.data.set([shade, shade, shade, 255], 4 * i);
-    }
-  }
-  return createImageBitmap(image);
+function bitmapOf(data: Uint8Array | Uint8ClampedArray, columns: number, rows: number): Promise<ImageBitmap> {
+  return createImageBitmap(imageOf({ width: columns, height: rows, data }));
 }
 
 async function probe({ id, picture }: Extract<TraceRequest, { kind: "probe" }>): Promise<void> {
@@ -126,8 +127,7 @@ async function work(request: TraceRequest, signal: AbortSignal): Promise<void> {
   } catch (error) {
     if (error instanceof ExplineError && error.code === "E_CANCELLED") return answer({ kind: "stopped", id });
     const code = error instanceof ExplineError || error instanceof PictureError ? error.code : "";
-    const count = error instanceof ExplineError && error.code === "E_LIMIT" ? Number(error.actual) : NaN;
-    if (Number.isFinite(count)) answer({ kind: "photo", id, count, speckle: 0 });
+    if (error instanceof ExplineError && error.limit === "maxContours" && request.kind === "trace") answer({ kind: "photo", id, count: error.actual ?? 0, speckle: await offered(error, request) });
     else answer({ kind: "failed", id, code, message: String(error) });
   }
 }

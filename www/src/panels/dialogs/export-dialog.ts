@@ -67,6 +67,11 @@ export function openExport(shell: Shell): void {
   );
   // What was traced is ink, not lines.
   const filled = mode === "trace" && curve.contours.every(({ closed }) => closed);
+  const colored = editor.modes.get(mode)?.layers?.(editor.state.value) ?? [];
+  const svgText = (): Promise<string> => io.writeSvg({
+    title, d: exported?.d ?? "", box, filled,
+    layers: colored.map(({ color, drawing }) => ({ color, d: exportPath(drawing, chosen).d })),
+  });
   const stem = curve.sample ?? "expline";
   const title = curveSample(curve.sample ?? "")?.title ?? "expline drawing";
   const copy = (text: string, what: string) => (): void => {
@@ -74,7 +79,7 @@ export function openExport(shell: Shell): void {
   };
   dialog.foot.append(
     button("Copy path", { class: "primary", testid: "export-d", title: "Copy the path's d", click: () => copy(exported?.d ?? "", "the path")() }),
-    button("SVG", { testid: "export-svg", title: "Download an SVG file", click: () => void io.writeSvg({ title, d: exported?.d ?? "", box, filled }).then((text) => io.download(`${stem}.svg`, new Blob([text], { type: "image/svg+xml" }))) }),
+    button("SVG", { testid: "export-svg", title: "Download an SVG file", click: () => void svgText().then((text) => io.download(`${stem}.svg`, new Blob([text], { type: "image/svg+xml" }))) }),
     button("JSON", { testid: "export-json", title: "Download the drawing, to open it here again", click: () => io.download(`${stem}.json`, new Blob([writeState(editor.getState())], { type: "application/json" })) }),
     pngGroup(shell, stem, () => exported?.d ?? "", box),
     button("TypeScript", { testid: "export-ts", title: "Copy TypeScript that makes this drawing", click: () => copy(snippetFor("vanilla", curve, chosen), "TypeScript")() }),

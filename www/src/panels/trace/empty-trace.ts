@@ -2,20 +2,16 @@ import { traceSamples, type TraceSample } from "../../document/trace-samples.ts"
 import { isEmptyTrace } from "../../document/trace.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { openTraceSample } from "../../editor/trace/trace-edits.ts";
-import { drawSample } from "../../kernel/trace/raster.ts";
+import { drawSample, imageOf } from "../../kernel/trace/raster.ts";
 import { h } from "../dom.ts";
 import type { Shell } from "../shell.ts";
 import { pictureField } from "./picture-section.ts";
 
 /** A sample in small: drawn as it is drawn in large. */
 function pictureOf(sample: TraceSample): HTMLCanvasElement {
-  const { width, height, gray } = drawSample(sample, 168);
-  const canvas = h("canvas", { class: "thumbnail thumbnail-picture", width, height, "aria-hidden": "true" });
-  const context = canvas.getContext("2d");
-  if (context === null) return canvas;
-  const image = context.createImageData(width, height);
-  gray.forEach((shade, i) => image.data.set([shade, shade, shade, 255], 4 * i));
-  context.putImageData(image, 0, 0);
+  const drawn = drawSample(sample, 168);
+  const canvas = h("canvas", { class: "thumbnail thumbnail-picture", width: drawn.width, height: drawn.height, "aria-hidden": "true" });
+  canvas.getContext("2d")?.putImageData(imageOf(drawn), 0, 0);
   return canvas;
 }
 

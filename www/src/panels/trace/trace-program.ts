@@ -13,7 +13,8 @@ export function traceProgram({ trace, traceRun }: EditorState): string {
   const [columns = 0] = traceRun.picture?.analysed ?? [];
   const scaled = traceRun.picture !== null && columns !== traceRun.picture.width;
   const options = [
-    settings.mode === "edges" ? 'source: "edges",' : "",
+    settings.mode === "brightness" ? "" : `source: "${settings.mode}",`,
+    settings.colors === 0 ? "" : `colors: ${settings.colors},`,
     settings.threshold === "auto" ? "" : `threshold: ${settings.threshold},`,
     settings.blur === "auto" ? "" : `blur: ${settings.blur},`,
     settings.invert ? "invert: true," : "",

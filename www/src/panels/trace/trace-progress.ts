@@ -1,3 +1,4 @@
+import { traceLimits } from "../../document/trace.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import type { TraceFailure, TraceProgress } from "../../editor/trace/trace-state.ts";
 import { setTrace } from "../../editor/trace/trace-edits.ts";
@@ -11,7 +12,7 @@ import type { Shell } from "../shell.ts";
 const [barAfterMs, wordsAfterMs] = [150, 300];
 
 const names: Readonly<Record<TraceProgress["stage"], string>> = {
-  decoding: "Decoding", edges: "Edges", contours: "Contours", corners: "Corners", splines: "Splines", refinement: "Refinement", measuring: "Measuring",
+  decoding: "Decoding", edges: "Edges", contours: "Contours", corners: "Corners", splines: "Splines", refinement: "Refinement", layers: "Layers", measuring: "Measuring",
 };
 
 export function progressText({ stage, value, done, total }: TraceProgress): string {
@@ -66,7 +67,7 @@ function sayingOf({ editor }: Shell, failure: TraceFailure): HTMLElement[] {
   if (failure.id === "trace-photo") {
     offers.push(offer("Trace anyway", () => editor.actions.run("trace-anyway"), "offer-anyway"));
     const { speckle = 0 } = failure;
-    if (speckle > 0) offers.push(offer(`Speckle ${Math.min(1000, speckle)} px²`, () => setTrace(editor, "Speckle", { speckle: Math.min(1000, speckle) }), "offer-speckle"));
+    if (isOffered(speckle)) offers.push(offer(`Speckle ${speckle} px²`, () => setTrace(editor, "Speckle", { speckle }), "offer-speckle"));
   }
   if (failure.id === "engine") offers.push(offer("Try again", () => editor.actions.run("trace-run"), "offer-again"));
   return [
@@ -75,12 +76,15 @@ function sayingOf({ editor }: Shell, failure: TraceFailure): HTMLElement[] {
   ];
 }
 
+/** Whether the slider goes so far. */
+const isOffered = (speckle: number): boolean => speckle > 0 && speckle <= traceLimits.speckle;
+
 function textOf({ id, count = 0, speckle = 0, code = "unknown" }: TraceFailure): string {
   switch (id) {
     case "trace-none":
       return "No edges found. Raise Blur, change Threshold, or try Invert.";
     case "trace-photo":
-      return `This looks like a photograph: ${count} contours. ${speckle > 0 ? `Raise Speckle to about ${speckle}` : "Raise Speckle"}, or trace anyway.`;
+      return `This looks like a photograph: ${count} contours. ${isOffered(speckle) ? `Raise Speckle to about ${speckle}` : "Raise Speckle"}, or trace anyway.`;
     case "image-broken":
       return "The picture could not be decoded. It may be incomplete.";
     case "engine":

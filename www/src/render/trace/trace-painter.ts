@@ -1,7 +1,7 @@
 import type { CurveDocument } from "../../document/document.ts";
 import { drawingOf } from "../../editor/trace/trace-edits.ts";
 import { showsPoints } from "../../editor/trace/trace-hit.ts";
-import type { ShownPicture } from "../../kernel/trace/outcome.ts";
+import { byColor, type ShownPicture, type TraceOutcome } from "../../kernel/trace/outcome.ts";
 import { drawGrid } from "../layers/grid.ts";
 import { addSmallPoint, drawPoint, drawSmallPoints } from "../markers.ts";
 import { documentPaths, inPage, inScreen, onScreen, type Scene } from "../scene.ts";
@@ -91,22 +91,53 @@ function drawOutlines(scene: Scene, drawing: CurveDocument, thin: boolean): void
   const { state, palette } = scene;
   const context = inPage(scene);
   const { all: path, closed } = pathsOf(scene, drawing);
+  const alone = state.traceView.view === "outline";
+  const inColor = !thin && !alone && (state.traceRun.outcome?.colors.length ?? 0) > 0;
   context.lineJoin = "round";
-  if (!thin) {
+  if (inColor) drawColors(scene, drawing);
+  // A stroke that closes encloses paper, not ink.
+  else if (!thin && state.trace.settings.mode !== "lines") {
     context.fillStyle = palette.point;
-    context.globalAlpha = state.traceView.view === "outline" ? 0.08 : 0.16;
+    context.globalAlpha = alone ? 0.08 : 0.16;
     context.fill(closed, "evenodd");
     context.globalAlpha = 1;
-    // A rim of paper keeps the line in sight over dark pixels.
-    context.strokeStyle = palette.canvas;
-    context.lineWidth = 4 / state.view.zoom;
-    context.globalAlpha = state.traceView.view === "outline" ? 0 : 0.7;
-    context.stroke(path);
-    context.globalAlpha = 1;
   }
+  if (!thin && !alone) drawRim(scene, path, inColor ? 3 : 4);
   context.strokeStyle = thin ? palette.cusp : palette.curve;
-  context.lineWidth = (thin ? 1.25 : 2) / state.view.zoom;
+  context.lineWidth = (thin || inColor ? 1.25 : 2) / state.view.zoom;
   context.stroke(path);
+}
+
+/** A rim of paper keeps a line in sight over dark pixels. */
+function drawRim(scene: Scene, path: Path2D, width: number): void {
+  const context = inPage(scene);
+  context.strokeStyle = scene.palette.canvas;
+  context.lineWidth = width / scene.state.view.zoom;
+  context.globalAlpha = 0.7;
+  context.stroke(path);
+  context.globalAlpha = 1;
+}
+
+/** Layer on layer, as a file of them looks. */
+function drawColors(scene: Scene, drawing: CurveDocument): void {
+  const { outcome } = scene.state.traceRun;
+  if (outcome === null) return;
+  const context = inPage(scene);
+  for (const { color, drawing: layer } of layersOf(outcome, drawing)) {
+    context.fillStyle = color;
+    context.fill(documentPaths(scene, layer).closed, "evenodd");
+  }
+}
+
+const layered = new WeakMap<CurveDocument, ReturnType<typeof byColor>>();
+
+/** The same drawings for the same outlines, so that their paths are made once. */
+function layersOf(outcome: TraceOutcome, drawing: CurveDocument): ReturnType<typeof byColor> {
+  const known = layered.get(drawing);
+  if (known !== undefined) return known;
+  const fresh = byColor(outcome, drawing);
+  layered.set(drawing, fresh);
+  return fresh;
 }
 
 const spacings = new WeakMap<CurveDocument, number>();

@@ -1,0 +1,68 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { readFile } from "node:fs/promises";
+import { useBrowser, type Demo } from "./page.ts";
+
+const { open } = useBrowser();
+
+interface Traced {
+  readonly contours: number;
+  readonly holes: number;
+  readonly colors?: readonly string[];
+}
+
+async function result(demo: Demo): Promise<Traced> {
+  const { trace } = (await demo.state()) as unknown as { trace: { result?: Traced } };
+  assert.ok(trace.result !== undefined, "there are outlines");
+  return trace.result;
+}
+
+/** The colours that the postcard is drawn in. */
+const colors = ["#90cde8", "#ffb74d", "#2e7d5a", "#1b5e50", "#19548c", "#f0d6a6", "#ffffff", "#b02a30"];
+
+function distance(a: string, b: string): number {
+  const channels = (color: string): number[] => [1, 3, 5].map((at) => Number.parseInt(color.slice(at, at + 2), 16));
+  return Math.max(...channels(a).map((value, i) => Math.abs(value - (channels(b)[i] ?? 0))));
+}
+
+test("flat colours are found, shown as swatches, and saved as layers; without them there is ink", async (t) => {
+  const demo = await open(t, "#/trace?sample=trace-postcard");
+  const found = (await result(demo)).colors ?? [];
+  assert.equal(found.length, colors.length, found.join(" "));
+  for (const color of colors) assert.ok(found.some((each) => distance(each, color) <= 3), `${color} among ${found.join(" ")}`);
+  assert.deepEqual(await demo.byId("trace-palette").locator("li").allTextContents(), found);
+  await demo.byId("trace-export").click();
+  const [file] = await Promise.all([demo.page.waitForEvent("download"), demo.byId("export-svg").click()]);
+  const svg = await readFile(await file.path(), "utf8");
+  assert.deepEqual([...svg.matchAll(/fill="(#[0-9a-f]{6})"/gu)].map(([, color]) => color), found);
+  await demo.page.keyboard.press("Escape");
+  await demo.byId("export-dialog").waitFor({ state: "detached" });
+
+  await demo.slide("trace-colors", 2);
+  assert.equal((await result(demo)).colors?.length, 2);
+  assert.equal(await demo.byId("trace-threshold").isVisible(), false, "there is no threshold between colours");
+  const inColor = await demo.pixels();
+  await demo.byId("trace-flat").uncheck();
+  await demo.idle();
+  assert.equal((await result(demo)).colors, undefined);
+  assert.equal(await demo.byId("trace-palette").isVisible(), false);
+  assert.ok((await demo.changedPixels(inColor, await demo.pixels())) > 1000);
+  assert.deepEqual(demo.complaints, []);
+});
+
+test("lines are followed in their middle, are open where they end, and are saved as strokes", async (t) => {
+  const demo = await open(t, "#/trace?sample=trace-lines");
+  const { contours } = await result(demo);
+  assert.ok(contours >= 5, `${contours} lines`);
+  // The left wave, from (40, 430) to (130, 430): one open line in the middle of its ribbon.
+  const ends: number[][] = [];
+  for (let i = 0; i < contours; i += 1) {
+    const points = await demo.sample(2, i);
+    ends.push(points.flat());
+  }
+  const near = (x: number, y: number): boolean => ends.some(([a = 0, b = 0, c = 0, d = 0]) => Math.hypot(a - x, b - y) < 6 || Math.hypot(c - x, d - y) < 6);
+  assert.ok(near(40, 430) && near(130, 430), JSON.stringify(ends));
+  await demo.byId("trace-mode").locator('[value="brightness"]').check();
+  await demo.idle();
+  assert.ok((await result(demo)).contours !== contours);
+});

@@ -1,0 +1,49 @@
+import { traceLimits } from "../../document/trace.ts";
+import { setTrace } from "../../editor/trace/trace-edits.ts";
+import { h, setText } from "../dom.ts";
+import { toggleField } from "../fields.ts";
+import type { Section } from "../curve/curve-panel.ts";
+import type { Shell } from "../shell.ts";
+import { settingSlider } from "./setting-slider.ts";
+
+/** What the switch begins with. */
+const usual = 8;
+
+/** A picture of a few flat colours: how many are looked for, and which were found. */
+export function colorSection(shell: Shell): Section {
+  const { editor } = shell;
+  let last = usual;
+  const on = toggleField({
+    label: "Flat colours", testid: "trace-flat", about: "Every colour of the picture becomes a layer; off, there is ink and paper.",
+    write: (flat) => setTrace(editor, "Flat colours", { colors: flat ? last : 0 }),
+  });
+  const count = settingSlider(shell, {
+    name: "colors", label: "Colours", testid: "trace-colors", about: "At most so many colours are looked for.",
+    least: 2, most: traceLimits.colors, step: 1, direction: "more colours", print: (value) => `≤ ${value}`,
+  });
+  const swatches = h("ul", { class: "swatches", testid: "trace-palette", "aria-label": "Colours that were found, the lowest layer first" });
+  const note = h("p", { class: "field-note num" });
+  let shown: readonly string[] = [];
+  return {
+    element: h("section", { class: "section", "aria-label": "Colours" }, on.element, count.element, swatches, note),
+    update({ trace, traceRun }) {
+      const { colors } = trace.settings;
+      if (colors > 0) last = colors;
+      on.show(colors > 0);
+      count.element.hidden = colors === 0;
+      count.show(last);
+      const found = colors === 0 ? [] : (traceRun.outcome?.colors ?? []);
+      swatches.hidden = note.hidden = found.length === 0;
+      setText(note, `${found.length} ${found.length === 1 ? "layer" : "layers"}, one on the other without gaps`);
+      if (found === shown) return;
+      shown = found;
+      swatches.replaceChildren(...found.map(swatch));
+    },
+  };
+}
+
+function swatch(color: string): HTMLElement {
+  const field = h("span", { class: "swatch", "aria-hidden": "true" });
+  field.style.backgroundColor = color;
+  return h("li", { title: color }, field, h("span", { class: "visually-hidden" }, color));
+}
