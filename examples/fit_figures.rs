@@ -1,24 +1,20 @@
-//! Draws the figures of fits into docs/figures: `cargo run --example fit_figures`.
+//! Draws the figures of fits into docs/figures and the tables into docs/FITS.md: `cargo run --example fit_figures`.
 
+#[path = "fits/contours.rs"]
+mod contours;
+#[path = "fits/experiments.rs"]
+pub(crate) mod experiments;
+#[path = "fits/matched.rs"]
+mod matched;
+#[path = "fits/panels.rs"]
+mod panels;
+
+use contours::Random;
+use experiments::Shown;
 use expline::fit::{Ask, Options, fit};
 use expline::numerics::Point;
 use expline::svg::{PrintOptions, to_path_d};
 use expline::{Error, Result};
-
-/// A small generator, so that every machine draws the same noise.
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// Normally distributed, nearly.
-    fn normal(&mut self) -> f64 {
-        (0..12).map(|_| self.unit()).sum::<f64>() - 6.0
-    }
-}
 
 /// Two straight sides, a side that waves and an arc, 600 points with noise.
 fn outline() -> Vec<Point> {
@@ -74,9 +70,33 @@ pub(crate) fn noisy_outline() -> Result<String> {
     ))
 }
 
+/// Where a table begins on the page.
+pub(crate) fn mark(name: &str) -> String {
+    format!("<!-- {name}: cargo run --example fit_figures -->\n")
+}
+
+/// Where it ends.
+pub(crate) const END: &str = "<!-- end -->";
+
 #[allow(dead_code, reason = "tests/fit_figures.rs compares the figures without writing them")]
 fn main() -> std::result::Result<(), Box<dyn std::error::Error>> {
-    std::fs::create_dir_all("docs/figures")?;
-    std::fs::write("docs/figures/noisy-outline.svg", noisy_outline().map_err(|error: Box<Error>| *error)?)?;
+    let plain = |error: Box<Error>| *error;
+    std::fs::write("docs/figures/noisy-outline.svg", noisy_outline().map_err(plain)?)?;
+    let mut page = std::fs::read_to_string("docs/FITS.md")?;
+    let mut show = |name: &str, shown: Shown| -> std::io::Result<()> {
+        std::fs::write(format!("docs/figures/fit-{name}.svg"), shown.figure)?;
+        if let Some((before, rest)) = page.clone().split_once(&mark(name))
+            && let Some((_, after)) = rest.split_once(END)
+        {
+            page = format!("{before}{}{}{END}{after}", mark(name), shown.table);
+        }
+        Ok(())
+    };
+    show("rotation", experiments::rotation().map_err(plain)?.1)?;
+    show("sparsity", experiments::sparsity().map_err(plain)?.1)?;
+    show("noise", experiments::noise().map_err(plain)?.1)?;
+    show("hybrid", experiments::hybrid().map_err(plain)?.1)?;
+    show("sweep", experiments::sweep().map_err(plain)?.1)?;
+    std::fs::write("docs/FITS.md", page)?;
     Ok(())
 }

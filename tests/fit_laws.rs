@@ -219,6 +219,22 @@ fn the_method_of_the_paper_comes_to_the_same_objective() {
     }
 }
 
+#[test]
+fn the_method_of_the_paper_does_not_lose_itself_between_two_components() {
+    let kinked = points("kinked560_px");
+    let splines = [(1, 2000.0, 140), (3, 5e6, 140)];
+    let problem = Problem::of_points(&kinked, true, &splines).expect("good");
+    let (_, solution) = solve(&problem, 1e-7);
+    let mut admm = Admm::new(&problem).expect("good");
+    for _ in 0..1500 {
+        admm.step();
+        let above = admm.objective() / solution.objective;
+        assert!(above < 1e3, "{above:e} times ours after {} iterations", admm.iterations());
+    }
+    let excess = admm.objective() / solution.objective - 1.0;
+    assert!((-1e-7..1e-2).contains(&excess), "{excess:e} above ours");
+}
+
 /// Runs a problem that nobody would pose; whatever it is, the answer is finite and comes.
 fn survives(problem: &Problem, what: &str) {
     let mut solver = Solver::new(problem, Settings { gap: 1e-6, most_iterations: 60 }).expect(what);
