@@ -1,6 +1,9 @@
-// The side-by-side table. Usage: node bench/run.mjs NATIVE-PROGRAM KURBO-WASM [part of a title]
+// The side-by-side table. Usage: node bench/run.mjs NATIVE-PROGRAM KURBO-WASM [--record] [part of a title]
+//
+// With --record the run is kept in bench/recorded.json, and the README's tables are made from it.
 
 import { execFileSync } from "node:child_process";
+import { readFileSync, writeFileSync } from "node:fs";
 import { cpus } from "node:os";
 import { fileURLToPath } from "node:url";
 
@@ -14,6 +17,8 @@ import { race } from "./lib/harness.mjs";
 import { pathRows } from "./lib/paths.mjs";
 import { Native, beziers, interpolator, kurboWasm, paperPath } from "./lib/peers.mjs";
 import { smoothRows } from "./lib/smooth.mjs";
+import { startRows } from "./lib/start.mjs";
+import { inserted } from "./tables.mjs";
 
 const ROUNDS = 15;
 
@@ -24,7 +29,9 @@ function time(ns) {
   return `${(ns / 1e6).toPrecision(3)} ms`;
 }
 
-const [, , program, kurboFile, only = ""] = process.argv;
+const [program, kurboFile, ...asked] = process.argv.slice(2);
+const record = asked.includes("--record");
+const only = asked.find((word) => word !== "--record") ?? "";
 const native = new Native(program);
 const peers = {
   expline,
@@ -39,16 +46,20 @@ const peers = {
 
 console.log(`${cpus()[0].model}, ${cpus().length} cores, Node ${process.versions.node}; ${ROUNDS} rounds in turns, least and median\n`);
 const verdicts = [];
-for (const [title, prepare] of [...evaluationRows, ...geometryRows, ...pathRows, ...smoothRows, ...fitRows]) {
+const rows = [];
+for (const [title, prepare] of [...evaluationRows, ...geometryRows, ...pathRows, ...smoothRows, ...fitRows, ...startRows]) {
   if (!title.includes(only)) continue;
   const contest = prepare(peers);
   const results = await race(contest.contestants, ROUNDS);
   const ours = results[0].least;
+  const row = { title, unit: contest.unit, results: [] };
+  rows.push(row);
   console.log(`${title} (per ${contest.unit})`);
   for (let i = 0; i < results.length; i++) {
     const { name, measure, note, least, median } = results[i];
     await measure(1); // the note below speaks of this contestant's own result
     const ratio = `×${(least / ours).toPrecision(3)}`;
+    row.results.push({ name, least: Number(least.toPrecision(4)), median: Number(median.toPrecision(4)), note: note() });
     console.log(`  ${name.padEnd(30)} ${time(least).padStart(9)} ${time(median).padStart(9)} ${ratio.padStart(8)}   ${note()}`);
   }
   for (const [name, taken, note] of contest.recorded ?? []) console.log(`  ${name.padEnd(44)} ${taken.padStart(7)} recorded   ${note}`);
@@ -73,3 +84,14 @@ if (MEMORY.includes(only)) {
   console.log("");
 }
 console.log(verdicts.join("\n"));
+
+if (record) {
+  const place = (name) => new URL(name, import.meta.url);
+  const kept = JSON.parse(readFileSync(place("recorded.json"), "utf8"));
+  // A run of a few rows replaces only those.
+  const others = only === "" ? [] : kept.rows.filter(({ title }) => !rows.some((row) => row.title === title));
+  const run = { machine: cpus()[0].model, cores: cpus().length, node: process.versions.node, rounds: ROUNDS, rows: [...others, ...rows] };
+  writeFileSync(place("recorded.json"), `${JSON.stringify(run, undefined, 1)}\n`);
+  writeFileSync(place("../README.md"), inserted(readFileSync(place("../README.md"), "utf8"), run));
+  console.log("\nkept in bench/recorded.json; the README's tables are made from it");
+}

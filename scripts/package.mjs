@@ -155,11 +155,36 @@ async function entry(prefix) {
   return outputFiles[0].text;
 }
 
+/** What Node has instead: it reads the file when the engine is first asked for. Nothing waits, and nothing is parsed that is not used. */
+const fileBeside = (file, start) => `
+  import { ExplineError } from "./error.js";
+  export const wasmAddress = () => new URL("${file}_bg.wasm", import.meta.url);
+  export function wasmBytes() {
+    try {
+      return process.getBuiltinModule("node:fs").readFileSync(wasmAddress());
+    } catch (cause) {
+      throw new ExplineError("E_NOT_READY", "engine", "${file}_bg.wasm does not lie beside the program; await ${start}({ bytes }) first", { cause });
+    }
+  }
+`;
+
+/** The whole interface in one file, for Node. */
+async function bundleNode() {
+  const { build } = await import("esbuild");
+  const setup = (bundler) =>
+    bundler.onLoad({ filter: /-bytes\.js$/ }, ({ path }) => {
+      const { file, start } = FACES.find(({ bytes }) => path.endsWith(`/${bytes}.js`));
+      return { contents: fileBeside(file, start), resolveDir: at("ts") };
+    });
+  const options = { bundle: true, platform: "node", format: "esm", target: "node20", minify: true, legalComments: "none", logLevel: "error" };
+  await build({ entryPoints: [at("ts/index.ts")], outfile: at("pkg/node.js"), ...options, plugins: [{ name: "wasm-bytes", setup }] });
+}
+
 /** The command line: one file beside the package's own modules. Gives back the names of the npm packages in it. */
 async function bundleCommandLine() {
   await run("node", [at("node_modules/typescript/bin/tsc"), "-p", at("cli/tsconfig.json")]);
   const { build } = await import("esbuild");
-  const setup = (bundler) => bundler.onResolve({ filter: /^expline$/ }, () => ({ path: "./expline.js", external: true }));
+  const setup = (bundler) => bundler.onResolve({ filter: /^expline$/ }, () => ({ path: "./node.js", external: true }));
   const options = { entryPoints: [at("cli/expline.ts")], bundle: true, platform: "node", format: "esm", target: "node20", minify: true, logLevel: "error" };
   const { metafile } = await build({ ...options, outfile: at("pkg/cli.js"), plugins: [{ name: "package", setup }], metafile: true });
   const names = Object.keys(metafile.inputs).flatMap((file) => /^node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(file)?.[1] ?? []);
@@ -168,7 +193,7 @@ async function bundleCommandLine() {
 
 async function buildFace() {
   const inputs = ["ts", "cli", BINDINGS, "tsconfig.base.json", "package.json", "package-lock.json", "Cargo.lock", "scripts"];
-  const files = [...FACES.flatMap(({ name, file }) => [`${name}.js`, `slim-${name}.js`, `${file}_bg.wasm`]), "json.js", "slim-json.js", "expline.js", "slim.js", "cli.js", "types/index.d.ts"];
+  const files = [...FACES.flatMap(({ name, file }) => [`${name}.js`, `slim-${name}.js`, `${file}_bg.wasm`]), "json.js", "slim-json.js", "expline.js", "slim.js", "node.js", "cli.js", "types/index.d.ts"];
   const outputs = [...files.map((file) => `pkg/${file}`), "THIRD_PARTY_LICENSES"];
   await step("face", { inputs, outputs }, async () => {
     rmSync(at("pkg"), { recursive: true, force: true });
@@ -186,6 +211,7 @@ async function buildFace() {
       writeFileSync(at(`pkg/${prefix}json.js`), await bundleFace("ts/json.ts", "", `./${prefix}`));
       writeFileSync(at(`pkg/${out}.js`), await entry(prefix));
     }
+    await bundleNode();
     writeThirdPartyLicenses(await bundleCommandLine());
   });
 }

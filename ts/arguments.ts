@@ -127,11 +127,12 @@ export function options<K extends string>(
   op: string,
   value: unknown,
   names: readonly K[],
+  arg = "options",
 ): { readonly [name in K]?: unknown } {
   const own = Object.create(null) as { [name in K]?: unknown };
   if (value === undefined) return own;
   if (typeof value !== "object" || value === null || Array.isArray(value) || ArrayBuffer.isView(value)) {
-    throw wrong("E_TYPE", op, "options", value, "an object");
+    throw wrong("E_TYPE", op, arg, value, "an object");
   }
   for (const name of Object.keys(value)) {
     const known = names.find((n) => n === name);

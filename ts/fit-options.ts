@@ -91,6 +91,11 @@ export interface Order extends FitWatch {
   readonly deadline: number | undefined;
 }
 
+/** Refuses what is no options object, or has a name that is not known; of no contours nothing else looks at it. @internal */
+export function checkNames(op: string, options: unknown): void {
+  checkOptions(op, options, NAMES);
+}
+
 /** All checks of a fit's arguments that need no arithmetic. @internal */
 export function order(op: string, points: unknown, options: unknown): Order {
   const own = checkOptions(op, options, NAMES);

@@ -1,7 +1,7 @@
 /** Sparse curves through noisy points: all at once, in short tasks, or again and again for a slider. */
 import { ExplineError, type PointsLike, wrong } from "./core.js";
 import { Resident, initFit } from "./fit-engine.js";
-import { type FitProgress, type FitWatch, type Order, type SparseFitOptions, type SparseFitStrength, change, order } from "./fit-options.js";
+import { type FitProgress, type FitWatch, type Order, type SparseFitOptions, type SparseFitStrength, change, checkNames, order } from "./fit-options.js";
 import { type SparseFit, readFit } from "./fit-result.js";
 import { checkSignal, inOneGo, inTasks } from "./yielding.js";
 
@@ -77,14 +77,15 @@ export type SparseFitAllOptions = Omit<SparseFitOptions, "parameters" | "period"
  *
  * @throws {ExplineError} as fitSparse does, for the first contour that is wrong; E_TYPE where `contours` is no array.
  */
-export function fitSparseAll(contours: readonly PointsLike[], options: SparseFitAllOptions = {}): SparseFit[] {
+export function fitSparseAll(contours: readonly PointsLike[], options?: SparseFitAllOptions): SparseFit[] {
   const op = "fitSparseAll";
   if (!Array.isArray(contours)) throw wrong("E_TYPE", op, "contours", contours, "an array of contours");
-  const noise = options.noise ?? median(contours.map((points) => noiseOf(op, points, options)));
-  return contours.map((points) => fitSparse(points as PointsLike, noise === undefined ? options : { ...options, noise }));
+  checkNames(op, options);
+  const noise = options?.noise ?? median(Array.from(contours, (points) => noiseOf(op, points, options)));
+  return Array.from(contours as readonly PointsLike[], (points) => fitSparse(points, noise === undefined ? options : { ...options, noise }));
 }
 
-function noiseOf(op: string, points: unknown, options: SparseFitAllOptions): number {
+function noiseOf(op: string, points: unknown, options: unknown): number {
   const resident = new Resident(op, order(op, points, options).input);
   try {
     return resident.noise(op);

@@ -143,7 +143,7 @@ export function checkedLocal(op: string, options: unknown): SplineData {
   const patches = own.patches ?? [];
   if (!Array.isArray(patches)) throw wrong("E_TYPE", op, "patches", patches, "an array");
   if (patches.length > MAX_PATCHES) throw overLimit(op, "patches", "maxPatches", MAX_PATCHES, patches.length);
-  const list = (patches as unknown[]).map((patch, i) => checkedPatch(op, patch, i, dimension));
+  const list = Array.from(patches as unknown[], (patch, i) => checkedPatch(op, patch, i, dimension));
   const data = new SplineData(SplineKind.Local, points, dimension, closed, roots, 1, 0, list);
   data.load(op);
   return data;

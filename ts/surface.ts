@@ -522,9 +522,9 @@ function directionOf(op: string, arg: string, value: unknown): DirectionData {
 
 function patchOf(op: string, value: unknown, i: number): PatchData {
   const arg = `patches[${i}]`;
-  const { u, v, displacements } = checkOptions(op, value, ["u", "v", "displacements"]);
+  const { u, v, displacements } = checkOptions(op, value, ["u", "v", "displacements"], arg);
   const windowOf = (name: string, given: unknown): PatchWindow => {
-    const { level, first, count } = checkOptions(op, given, ["level", "first", "count"]);
+    const { level, first, count } = checkOptions(op, given, ["level", "first", "count"], `${arg}.${name}`);
     return {
       level: integer(op, `${arg}.${name}.level`, level, 1, MAX_LEVEL),
       first: integer(op, `${arg}.${name}.first`, first, 0, MAX_NET),
@@ -551,7 +551,8 @@ export function checkedSurface(op: string, options: unknown): SurfaceData {
   const patches = own.patches ?? [];
   if (!Array.isArray(patches)) throw wrong("E_TYPE", op, "patches", patches, "an array");
   if (patches.length > 4096) throw overLimit(op, "patches", "maxPatches", 4096, patches.length);
-  const list = (patches as unknown[]).map((patch, i) => patchOf(op, patch, i));
+  // Array.from looks at holes, too.
+  const list = Array.from(patches as unknown[], (patch, i) => patchOf(op, patch, i));
   const data = new SurfaceData(net, u, v, list);
   data.load(op);
   return data;

@@ -1,6 +1,7 @@
 // The packed package through bundlers and without one, run in Chromium under the strict policy of the demo.
 
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { join } from "node:path";
@@ -136,6 +137,24 @@ for (const [name, code, expected] of [
     assert.deepEqual(parts(join(folder, "webpack.js")), expected, "webpack");
   });
 }
+
+test("a bundle for Node has the wasm inside: it runs wherever it is put", async () => {
+  const { build } = await import("esbuild");
+  const { default: webpack } = await import("webpack");
+  const folder = page("for-node", "");
+  const source = join(consumer, "for-node.mjs");
+  writeFileSync(source, APP.replace(/if \(typeof document[\s\S]*/, "console.log(result);"));
+  await build({ entryPoints: [source], outfile: join(folder, "esbuild.mjs"), bundle: true, platform: "node", format: "esm", logLevel: "error" });
+  await new Promise<void>((done, fail) => {
+    webpack({ mode: "production", target: "node", entry: source, output: { path: folder, filename: "webpack.cjs" } }, (error, stats) => {
+      if (error ?? stats?.hasErrors()) fail(error ?? new Error(stats?.toString("errors-only")));
+      else done();
+    });
+  });
+  for (const file of ["esbuild.mjs", "webpack.cjs"]) {
+    assert.equal(execFileSync(process.execPath, [join(folder, file)], { encoding: "utf8" }).trim(), EXPECTED, file);
+  }
+});
 
 test("Vite", async () => {
   const { build } = await import("vite");

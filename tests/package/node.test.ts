@@ -20,13 +20,49 @@ const CIRCLE = `
 /** A few ulp of the radius; a cubic circle of four pieces is off by 1.4e-3. */
 const EXACT = 1e-14;
 
-function node(code: string): string {
-  return execFileSync(process.execPath, ["--input-type=module", "-e", code], { cwd: consumer, encoding: "utf8" });
+function node(code: string, ...flags: string[]): string {
+  return execFileSync(process.execPath, [...flags, "--input-type=module", "-e", code], { cwd: consumer, encoding: "utf8" });
 }
 
 test("a circle is exact right after the import, with no await", () => {
   const worst = Number(node(`import { HermiteCurve } from "expline"; ${CIRCLE} console.log(worst);`));
   assert.ok(worst <= EXACT, `off by ${worst}`);
+});
+
+test("Node reads the wasm file only when it is needed; where it may load no addons, the wasm inside the module does", () => {
+  const code = `
+    import { HermiteCurve, TensorSurface, fitSparse, traceImage } from "expline";
+    const file = import.meta.resolve("expline").split("/").at(-1);
+    ${CIRCLE}
+    const surface = TensorSurface.sphere(1).mesh(3, 3).positions.length;
+    const { knots } = fitSparse([0, 0, 4, 0, 4, 4, 0, 4]);
+    const { contours } = traceImage({ width: 4, height: 4, data: new Uint8Array(16) });
+    console.log(JSON.stringify([file, worst <= ${EXACT}, surface, knots.length > 0, contours.length]));
+  `;
+  assert.equal(node(code).trim(), JSON.stringify(["node.js", true, 27, true, 1]));
+  assert.equal(node(code, "--no-addons").trim(), JSON.stringify(["expline.js", true, 27, true, 1]));
+});
+
+test("a file of CommonJS gets the package by require", () => {
+  const said = execFileSync(process.execPath, ["--no-warnings", "-e", `const { HermiteCurve } = require("expline"); ${CIRCLE} console.log(worst)`], { cwd: consumer, encoding: "utf8" });
+  assert.ok(Number(said) <= EXACT, said);
+});
+
+test("a program that was carried off without its wasm file says what to do", () => {
+  const folder = join(consumer, "carried");
+  mkdirSync(folder, { recursive: true });
+  const from = join(consumer, "node_modules", "expline", "pkg");
+  writeFileSync(join(folder, "node.mjs"), readFileSync(join(from, "node.js")));
+  const code = `
+    import { readFileSync } from "node:fs";
+    const { HermiteCurve, initSync } = await import("./carried/node.mjs");
+    const said = [];
+    try { HermiteCurve.ellipse({ center: [0, 0], radii: [5, 5], count: 2 }); } catch (error) { said.push(error.code, /await init/.test(error.message)); }
+    initSync({ bytes: readFileSync(${JSON.stringify(join(from, "expline_bg.wasm"))}) });
+    ${CIRCLE}
+    console.log(JSON.stringify([...said, worst <= ${EXACT}]));
+  `;
+  assert.equal(node(code).trim(), JSON.stringify(["E_NOT_READY", true, true]));
 });
 
 test("the import alone touches neither WebAssembly, nor the network, nor the global object", () => {
@@ -109,7 +145,7 @@ test("the declarations hold for a strict project, with every kind of module reso
 });
 
 test("nothing in the tarball names the folder that it was built in", () => {
-  for (const file of ["pkg/core.js", "pkg/spline.js", "pkg/expline_spline_bg.wasm", "pkg/surface.js", "pkg/expline_surface_bg.wasm", "pkg/fit.js", "pkg/cli.js", "pkg/expline_bg.wasm", "pkg/expline_fit_bg.wasm", "THIRD_PARTY_LICENSES"]) {
+  for (const file of ["pkg/core.js", "pkg/spline.js", "pkg/expline_spline_bg.wasm", "pkg/surface.js", "pkg/expline_surface_bg.wasm", "pkg/fit.js", "pkg/cli.js", "pkg/node.js", "pkg/expline_bg.wasm", "pkg/expline_fit_bg.wasm", "THIRD_PARTY_LICENSES"]) {
     const text = readFileSync(join(consumer, "node_modules", "expline", file), "latin1");
     assert.ok(!text.includes(process.cwd()), `${file} names ${process.cwd()}`);
     assert.ok(!/\/(home|root|Users)\//.test(text), `${file} names a home folder`);

@@ -9,6 +9,8 @@ import { join } from "node:path";
 
 import { transform } from "esbuild";
 
+import { type Recorded, inserted } from "../../bench/tables.mjs";
+
 const consumer = join(process.cwd(), "build", "consumer");
 const text = readFileSync(join(process.cwd(), "README.md"), "utf8");
 
@@ -45,4 +47,10 @@ test("every call in the README's table exists", async () => {
   assert.ok(calls.length > 20, "the table was not found");
   const known = (name: string) => [library, roots, ...owners].some((owner) => name in owner);
   assert.deepEqual(calls.filter((name) => !known(name)), []);
+});
+
+test("the README's tables of times are those of the run that was kept", () => {
+  const recorded = JSON.parse(readFileSync(join(process.cwd(), "bench", "recorded.json"), "utf8")) as Recorded;
+  assert.ok(recorded.rows.length > 15, "a whole run");
+  assert.equal(inserted(text, recorded), text, "`npm run bench -- --record` makes them");
 });
