@@ -215,6 +215,30 @@ export class Demo {
     return this.until(() => this.page.evaluate(() => navigator.clipboard.readText()), (text) => text !== "", "something is copied");
   }
 
+  /** What the browser keeps of this page, in its database. */
+  keptTexts(): Promise<{ key: string; text: string }[]> {
+    return this.page.evaluate(async () => {
+      const request = <T>(asked: IDBRequest<T>): Promise<T> => new Promise((resolve, reject) => {
+        asked.onsuccess = () => resolve(asked.result);
+        asked.onerror = () => reject(asked.error ?? new Error("no answer"));
+      });
+      if (!(await indexedDB.databases()).some(({ name }) => name === "expline")) return [];
+      const database = await request(indexedDB.open("expline"));
+      const table = database.transaction("kept").objectStore("kept");
+      const [keys, texts] = await Promise.all([request(table.getAllKeys()), request(table.getAll())]);
+      database.close();
+      return keys.map((key, i) => ({ key: String(key), text: String(texts[i]) }));
+    });
+  }
+
+  /** The page keeps what is there within a second; the drawing as it is kept. */
+  async kept(): Promise<State["curve"]> {
+    const { curve } = await this.state();
+    const text = JSON.stringify(curve);
+    await this.until(() => this.keptTexts(), (all) => all.some((each) => each.text.includes(text)), "the drawing is kept");
+    return curve;
+  }
+
   /** Looks again and again until it is as it should be. */
   async until<T>(look: () => Promise<T>, good: (seen: T) => boolean, what: string): Promise<T> {
     const start = Date.now();

@@ -1,4 +1,5 @@
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { Demo, assertSame, useBrowser } from "./page.ts";
 
@@ -74,15 +75,14 @@ test("a drawing too large for a link says so and keeps the clipboard", async (t)
   assert.equal(await demo.page.evaluate(() => navigator.clipboard.readText()), "before");
 });
 
-/** Long enough for an autosave, which comes a second after a change. */
-const untilKept = 1400;
+/** Longer than the second after which a change is kept: to see that something is not. */
+const pastKeeping = 1400;
 
 test("DM-001 after a reload the last committed edit is there, and a fresh start is one press away", async (t) => {
   const demo = await open(t);
   await demo.withoutSnap();
   await demo.drag("pt-0-0", 40, 30);
-  const kept = (await demo.state()).curve;
-  await demo.page.waitForTimeout(untilKept);
+  const kept = await demo.kept();
   await demo.page.goto("about:blank");
   await demo.load("");
   assertSame((await demo.state()).curve, kept);
@@ -91,17 +91,30 @@ test("DM-001 after a reload the last committed edit is there, and a fresh start 
   assert.equal((await demo.point(0)).x, 560);
 });
 
+test("DM-001 an edit is kept when the page is left at once", async (t) => {
+  const demo = await open(t);
+  await demo.withoutSnap();
+  await demo.drag("pt-0-0", 40, 30);
+  await demo.kept();
+  await demo.drag("pt-0-1", 10, 20);
+  const { curve } = await demo.state();
+  await demo.page.goto("about:blank");
+  await demo.load("");
+  assertSame((await demo.state()).curve, curve);
+  await demo.kept();
+  assert.equal(await demo.page.evaluate(() => Object.keys(localStorage).filter((key) => key.startsWith("expline.kept.")).length), 0, "it has moved into the database");
+});
+
 test("DM-001 a drag that is interrupted by a reload leaves the state before it", async (t) => {
   const demo = await open(t);
   await demo.withoutSnap();
   await demo.drag("pt-0-0", 40, 30);
-  const kept = (await demo.state()).curve;
-  await demo.page.waitForTimeout(untilKept);
+  const kept = await demo.kept();
   const { x, y } = await demo.centre("pt-0-1");
   await demo.page.mouse.move(x, y);
   await demo.page.mouse.down();
   await demo.page.mouse.move(x + 90, y, { steps: 4 });
-  await demo.page.waitForTimeout(untilKept);
+  await demo.page.waitForTimeout(pastKeeping);
   await demo.page.goto("about:blank");
   await demo.load("");
   assertSame((await demo.state()).curve, kept);
@@ -113,8 +126,7 @@ test("DM-002 a tab that is killed loses nothing that was committed more than a s
   await demo.load("");
   await demo.withoutSnap();
   await demo.drag("pt-0-0", 40, 30);
-  const kept = (await demo.state()).curve;
-  await demo.page.waitForTimeout(untilKept);
+  const kept = await demo.kept();
   await demo.drag("pt-0-1", 15, 5);
   const last = (await demo.state()).curve;
   const killed = demo.page.waitForEvent("crash");
@@ -130,35 +142,63 @@ test("DM-002 a tab that is killed loses nothing that was committed more than a s
   assert.deepEqual(again.complaints, []);
 });
 
-test("DM-003 DM-008 whichever byte of the newest copy is damaged, the copy before it opens", async (t) => {
+/** A page of the same origin on which the demo does not run. */
+async function aside(demo: Demo): Promise<void> {
+  await demo.page.goto(new URL("favicon.svg", process.env["DEMO_URL"]).href);
+}
+
+test("DM-003 DM-008 whichever byte of the newest copy is damaged, the copy before it opens and the damaged one can be saved", async (t) => {
   const demo = await open(t);
   await demo.withoutSnap();
   await demo.drag("pt-0-0", 40, 30);
-  await demo.page.waitForTimeout(untilKept);
-  const earlier = (await demo.state()).curve;
+  const earlier = await demo.kept();
   await demo.drag("pt-0-1", -10, 25);
-  await demo.page.waitForTimeout(untilKept);
-  await demo.page.goto(new URL("favicon.svg", process.env["DEMO_URL"]).href);
-  const newest = await demo.page.evaluate(() => {
-    const keys = Object.keys(localStorage).filter((key) => key.startsWith("expline.kept."));
-    const generation = (key: string): number => Number(localStorage.getItem(key)?.split(" ")[1]);
-    return keys.sort((a, b) => generation(b) - generation(a))[0] ?? "";
-  });
-  const whole = await demo.page.evaluate((key) => localStorage.getItem(key) ?? "", newest);
-  assert.ok(whole.length > 200, "there is something to damage");
-  for (const at of [0, 5, 9, 20, 100, Math.floor(whole.length / 2), whole.length - 1]) {
+  await demo.kept();
+  await aside(demo);
+  const [newest] = (await demo.keptTexts()).sort((a, b) => Number(b.text.split(" ")[1]) - Number(a.text.split(" ")[1]));
+  assert.ok(newest !== undefined && newest.text.length > 200, "there is something to damage");
+  const { key, text: whole } = newest;
+  for (const at of [0, 9, Math.floor(whole.length / 2), whole.length - 1]) {
     const damaged = whole.slice(0, at) + String.fromCharCode(whole.charCodeAt(at) ^ 1) + whole.slice(at + 1);
-    await demo.page.goto(new URL("favicon.svg", process.env["DEMO_URL"]).href);
-    await demo.page.evaluate(([key, text]) => localStorage.setItem(key, text), [newest, damaged] as const);
+    await aside(demo);
+    await demo.page.evaluate(([where, text]) => new Promise<void>((resolve, reject) => {
+      const request = indexedDB.open("expline");
+      request.onsuccess = () => {
+        const transaction = request.result.transaction("kept", "readwrite");
+        transaction.objectStore("kept").put(text, where);
+        transaction.oncomplete = () => {
+          request.result.close();
+          resolve();
+        };
+        transaction.onabort = () => reject(transaction.error ?? new Error("not written"));
+      };
+    }), [key, damaged] as const);
     await demo.load("");
     assertSame((await demo.state()).curve, earlier, `byte ${at}`);
+    if (at > 0) continue;
+    const save = demo.page.getByRole("button", { name: "Download the damaged copy" });
+    const [file] = await Promise.all([demo.page.waitForEvent("download"), save.click()]);
+    assert.equal(await readFile(await file.path(), "utf8"), damaged);
   }
 });
 
-for (const [id, what, script] of [
-  ["DM-004", "a full store", () => { Storage.prototype.setItem = () => { throw new DOMException("full", "QuotaExceededError"); }; }],
-  ["DM-005", "a blocked store", () => Object.defineProperty(window, "localStorage", { get() { throw new DOMException("blocked", "SecurityError"); } })],
-] as const) {
+const full = (): void => {
+  const refuse = (): never => {
+    throw new DOMException("full", "QuotaExceededError");
+  };
+  Storage.prototype.setItem = refuse;
+  IDBObjectStore.prototype.put = refuse;
+};
+
+const blocked = (): void => {
+  const refuse = (): never => {
+    throw new DOMException("blocked", "SecurityError");
+  };
+  Object.defineProperty(window, "localStorage", { get: refuse });
+  IDBFactory.prototype.open = refuse;
+};
+
+for (const [id, what, script] of [["DM-004", "a full store", full], ["DM-005", "a blocked store", blocked]] as const) {
   test(`${id} with ${what} the page works, says that nothing is kept, and offers the file`, async (t) => {
     const fresh = await context(t);
     await fresh.addInitScript(script);
@@ -174,19 +214,45 @@ for (const [id, what, script] of [
   });
 }
 
+test("without a database a drawing is kept in the local store, and what is there from before opens", async (t) => {
+  const fresh = await context(t);
+  await fresh.addInitScript(() => {
+    if (localStorage.getItem("test.blocked") === null) return;
+    IDBFactory.prototype.open = () => {
+      throw new DOMException("blocked", "SecurityError");
+    };
+  });
+  const demo = new Demo(await fresh.newPage());
+  await demo.load("");
+  await demo.page.evaluate(() => localStorage.setItem("test.blocked", "1"));
+  await demo.load("");
+  await demo.page.reload();
+  await demo.page.evaluate(() => window.explineDemo.ready);
+  await demo.withoutSnap();
+  await demo.drag("pt-0-0", 40, 30);
+  const { curve } = await demo.state();
+  const text = JSON.stringify(curve);
+  await demo.page.waitForFunction((wanted) => Object.keys(localStorage).some((key) => key.startsWith("expline.kept.") && localStorage.getItem(key)?.includes(wanted) === true), text);
+  await demo.page.evaluate(() => localStorage.removeItem("test.blocked"));
+  await aside(demo);
+  await demo.load("");
+  assertSame((await demo.state()).curve, curve);
+  await demo.kept();
+});
+
 test("DM-006 two tabs keep their drawings side by side; neither writes over the other", async (t) => {
   const shared = await context(t);
   const first = new Demo(await shared.newPage());
   await first.load("#/curve?sample=heart");
   await first.withoutSnap();
   await first.drag("pt-0-1", 30, 0);
-  await first.page.waitForTimeout(untilKept);
+  await first.kept();
   const second = new Demo(await shared.newPage());
   await second.load("#/curve?sample=circle-8");
   await second.withoutSnap();
   await second.drag("pt-0-1", 0, 30);
-  await second.page.waitForTimeout(untilKept);
-  const kept = await second.page.evaluate(() => Object.keys(localStorage).filter((key) => key.startsWith("expline.kept.")).map((key) => localStorage.getItem(key) ?? ""));
+  await second.kept();
+  const kept = (await second.keptTexts()).map(({ text }) => text);
   assert.ok(kept.some((text) => text.includes('"sample":"heart"')) && kept.some((text) => text.includes('"sample":"circle-8"')));
   await second.page.close();
   await first.page.goto("about:blank");

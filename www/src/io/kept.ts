@@ -1,26 +1,37 @@
 import type { DemoState } from "../document/document.ts";
 import { parseState } from "../document/file.ts";
-import { sealedWrites } from "./autosave.ts";
+import { remove } from "./database.ts";
+import { allKept } from "./keeping.ts";
+import { byAge, sessionOf, unseal } from "./sealed.ts";
 
 /** A drawing that was kept. */
 export interface Kept {
   readonly state: DemoState;
-  readonly session: string;
   /** When it was last changed, in milliseconds since 1970. */
   readonly time: number;
+  /** A copy of the same session that cannot be read any more, as it is. */
+  readonly damaged?: { readonly text: string; forget(): Promise<void> };
 }
 
-/** The latest generation of every session that can still be read, newest first. */
-export function keptDrawings(storage: Storage | null): Kept[] {
-  const latest = new Map<string, Kept & { readonly generation: number }>();
-  for (const { session, generation, time, json } of sealedWrites(storage)) {
-    const known = latest.get(session);
-    if (known !== undefined && known.generation > generation) continue;
-    try {
-      latest.set(session, { session, generation, time, state: parseState(json).state });
-    } catch {
-      // Damaged in a way that the checksum does not see, or from a newer page: the other generation serves.
-    }
+/** The newest drawing of the newest session of which a generation can still be read; null where there is none. */
+export async function newestKept(): Promise<Kept | null> {
+  const all = await allKept();
+  const whole = all.flatMap((kept) => unseal(kept) ?? []).sort(byAge);
+  for (const sealed of whole) {
+    const { state } = read(sealed.json) ?? {};
+    if (state === undefined) continue;
+    const broken = all.find((kept) => sessionOf(kept.key) === sealed.session && kept.key !== sealed.key && unseal(kept) === null);
+    const damaged = broken === undefined ? {} : { damaged: { text: broken.text, forget: () => remove([broken.key]) } };
+    return { state, time: sealed.time, ...damaged };
   }
-  return [...latest.values()].sort((a, b) => b.time - a.time).map(({ session, time, state }) => ({ session, time, state }));
+  return null;
+}
+
+/** Null for what is damaged in a way that the checksum does not see, or from a newer page: another generation serves. */
+function read(json: string): { readonly state: DemoState } | null {
+  try {
+    return parseState(json);
+  } catch {
+    return null;
+  }
 }

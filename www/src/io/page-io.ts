@@ -16,15 +16,13 @@ function createAutosave(options: AutosaveOptions): Autosave {
   const begun = (): Promise<Autosave> => (keeping ??= import("./autosave.ts").then((loaded) => loaded.createAutosave(options)));
   return {
     touch: () => void begun().then((autosave) => autosave.touch()),
-    flush: () => void keeping?.then((autosave) => autosave.flush()),
-    forget: () => void keeping?.then((autosave) => autosave.forget()),
   };
 }
 
 /** Everything the panels are handed of this room. What a visit may never need is loaded when it is first asked for. */
 export const pageIo = {
-  copyText, createAutosave, download, isShareLink, listenForIncoming, localStore, pngSize, readIncoming,
-  keptDrawings: async (storage: Storage | null): Promise<Kept[]> => (!hasKept(storage) ? [] : (await import("./kept.ts")).keptDrawings(storage)),
+  copyText, createAutosave, download, isShareLink, listenForIncoming, pngSize, readIncoming,
+  newestKept: async (): Promise<Kept | null> => (!hasKept(localStore()) ? null : (await import("./kept.ts")).newestKept()),
   readImport: async (text: string, space: Space): Promise<Imported> => (await import("./import.ts")).readImport(text, space),
   shareHash: async (state: DemoState): Promise<string> => (await import("./share.ts")).shareHash(state),
   readShareHash: async (hash: string): Promise<DemoState> => (await import("./share.ts")).readShareHash(hash),

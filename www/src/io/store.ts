@@ -1,17 +1,31 @@
-/** The browser's own store, as far as this page uses it. */
+/**
+ * The browser's small local store, as far as this page uses it: it says whether there is anything in the database, and
+ * takes what has to be written at once, when the page is being left.
+ */
 
 export const prefix = "expline.kept.";
+/** There is something in the database. */
+const mark = "expline.kept";
 
 export function keysOf(storage: Storage): string[] {
   return Array.from({ length: storage.length }, (_, i) => storage.key(i) ?? "").filter((key) => key.startsWith(prefix));
 }
 
-/** Whether anything was kept here before. */
+/** Whether anything may have been kept here before. */
 export function hasKept(storage: Storage | null): boolean {
   try {
-    return storage !== null && keysOf(storage).length > 0;
+    return storage === null || storage.getItem(mark) !== null || keysOf(storage).length > 0;
   } catch {
-    return false;
+    return true;
+  }
+}
+
+/** From now on there is something in the database. */
+export function markKept(storage: Storage | null): void {
+  try {
+    storage?.setItem(mark, "1");
+  } catch {
+    // Then the page looks into the database at its next visit only if it cannot look here either.
   }
 }
 

@@ -19,14 +19,12 @@ export interface PageIo {
   download(name: string, content: Blob): void;
   copyText(text: string): Promise<boolean>;
   createAutosave(options: {
-    storage: Storage | null;
     read(): DemoState;
     busy(): boolean;
     failing(failed: boolean): void;
     until: AbortSignal;
-  }): { touch(): void; flush(): void; forget(): void };
-  keptDrawings(storage: Storage | null): Promise<{ readonly state: DemoState; readonly session: string; readonly time: number }[]>;
-  localStore(): Storage | null;
+  }): { touch(): void };
+  newestKept(): Promise<{ readonly state: DemoState; readonly damaged?: { readonly text: string; forget(): Promise<void> } } | null>;
 }
 
 export interface IncomingHandlers {

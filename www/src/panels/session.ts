@@ -30,18 +30,24 @@ async function openLink(shell: Shell, hash: string): Promise<void> {
 
 async function restore(shell: Shell): Promise<void> {
   const { editor, io, toasts } = shell;
-  const [last] = await io.keptDrawings(io.localStore());
-  if (last === undefined) return;
+  const last = await io.newestKept();
+  if (last === null) return;
   const fresh = editor.getState();
   if (!openState(shell, last.state, true)) return;
   toasts.say("Restored your last session.", { label: "Start fresh", run: () => openState(shell, fresh, true) });
+  const { damaged } = last;
+  if (damaged === undefined) return;
+  const save = (): void => {
+    io.download("damaged.txt", new Blob([damaged.text], { type: "text/plain" }));
+    void damaged.forget();
+  };
+  toasts.say("The newest copy of your work was damaged; the one before it is open.", { label: "Download the damaged copy", run: save });
 }
 
 function startKeeping(shell: Shell): void {
   const { editor, io, regions, until } = shell;
   const warning = h("button", { class: "metric not-kept", type: "button", testid: "error", "data-error": "storage", title: errorText("storage"), click: () => editor.actions.run("save-json") }, icon("warn"), "Not kept: download JSON");
   const keeping = io.createAutosave({
-    storage: io.localStore(),
     read: () => editor.getState(),
     busy: () => editor.inGesture,
     failing: (failed) => (failed ? regions.status.append(warning) : warning.remove()),

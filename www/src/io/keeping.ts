@@ -1,0 +1,83 @@
+import { readAll, remove, write, type KeptText } from "./database.ts";
+import { byAge, sessionOf, unseal } from "./sealed.ts";
+import { keysOf, localStore, markKept } from "./store.ts";
+
+/** What is kept, wherever: the database has all of it, and the local store what was written when there was no time, or no database. */
+
+function inLocalStore(): KeptText[] {
+  const storage = localStore();
+  try {
+    return storage === null ? [] : keysOf(storage).map((key) => ({ key, text: storage.getItem(key) ?? "" }));
+  } catch {
+    return [];
+  }
+}
+
+/** Written before this call returns, if there is room. */
+export function keepAtOnce({ key, text }: KeptText): boolean {
+  const storage = localStore();
+  try {
+    storage?.setItem(key, text);
+    return storage?.getItem(key) === text;
+  } catch {
+    return false;
+  }
+}
+
+function forgetLocally(keys: readonly string[]): void {
+  const storage = localStore();
+  try {
+    for (const key of keys) storage?.removeItem(key);
+  } catch {
+    // What cannot be reached is not read either.
+  }
+}
+
+/** Everything that is kept. What lies in the local store moves into the database. */
+export async function allKept(): Promise<KeptText[]> {
+  const local = inLocalStore();
+  const known = await readAll().catch((): KeptText[] => []);
+  const generationOf = (kept: KeptText | undefined): number => (kept === undefined ? -1 : (unseal(kept)?.generation ?? -1));
+  const newer = local.filter((kept) => generationOf(kept) > generationOf(known.find(({ key }) => key === kept.key)));
+  for (const kept of local) {
+    const moved = !newer.includes(kept) || (await write(kept).catch(() => false));
+    if (moved) forgetLocally([kept.key]);
+  }
+  if (known.length + local.length > 0) markKept(localStore());
+  return [...known.filter(({ key }) => !newer.some((kept) => kept.key === key)), ...newer];
+}
+
+/** Sessions that stay; the oldest give way. */
+const mostSessions = 4;
+
+/** Keeps a text: in the database, else in the local store; makes room among the oldest sessions once. Says whether it is kept. */
+export async function keep(kept: KeptText): Promise<boolean> {
+  for (const retry of [false, true]) {
+    if (retry) await makeRoom(sessionOf(kept.key), 1);
+    try {
+      if (await write(kept)) {
+        forgetLocally([kept.key]);
+        markKept(localStore());
+        return true;
+      }
+    } catch {
+      // Full or blocked; the second turn has made all the room there is.
+    }
+  }
+  return keepAtOnce(kept);
+}
+
+/** Leaves so many sessions, this one among them. */
+export async function makeRoom(session: string, most = mostSessions): Promise<void> {
+  const all = [...inLocalStore(), ...(await readAll().catch(() => []))];
+  const ages = all.flatMap((kept) => unseal(kept) ?? []).sort(byAge);
+  const others = [...new Set([...ages.map((sealed) => sealed.session), ...all.map(({ key }) => sessionOf(key))])].filter((other) => other !== session);
+  await forgetSessions(others.slice(most - 1));
+}
+
+async function forgetSessions(sessions: readonly string[]): Promise<void> {
+  const of = ({ key }: KeptText): boolean => sessions.includes(sessionOf(key));
+  forgetLocally(inLocalStore().filter(of).map(({ key }) => key));
+  const stored = await readAll().catch(() => []);
+  await remove(stored.filter(of).map(({ key }) => key)).catch(() => undefined);
+}

@@ -1,0 +1,45 @@
+import type { KeptText } from "./database.ts";
+import { prefix } from "./store.ts";
+
+/** A kept drawing as it is written: which generation of which session it is, when it was made, and a checksum over all of it. */
+export interface Sealed {
+  readonly key: string;
+  readonly session: string;
+  readonly generation: number;
+  /** Milliseconds since 1970. */
+  readonly time: number;
+  readonly json: string;
+}
+
+/** FNV-1a over the UTF-16 units: enough to tell a torn or flipped write from a whole one. */
+function checksum(text: string): string {
+  let hash = 0x811c9dc5;
+  for (let i = 0; i < text.length; i += 1) hash = Math.imul(hash ^ text.charCodeAt(i), 0x01000193);
+  return (hash >>> 0).toString(16).padStart(8, "0");
+}
+
+/** Two generations of a session take turns, so that a torn write leaves the one before. */
+export function seal({ session, generation, time, json }: Omit<Sealed, "key">): KeptText {
+  const body = `${generation} ${time}\n${json}`;
+  return { key: `${prefix}${session}.${generation % 2}`, text: `${checksum(body)} ${body}` };
+}
+
+export function sessionOf(key: string): string {
+  return key.slice(prefix.length).split(".")[0] ?? "";
+}
+
+/** Null for what is damaged. */
+export function unseal({ key, text }: KeptText): Sealed | null {
+  const space = text.indexOf(" ");
+  const body = text.slice(space + 1);
+  if (space !== 8 || checksum(body) !== text.slice(0, space)) return null;
+  const line = body.indexOf("\n");
+  const [generation, time] = body.slice(0, line).split(" ").map(Number);
+  if (generation === undefined || time === undefined) return null;
+  return { key, session: sessionOf(key), generation, time, json: body.slice(line + 1) };
+}
+
+/** Newest first. */
+export function byAge(a: Sealed, b: Sealed): number {
+  return b.time - a.time || b.generation - a.generation;
+}
