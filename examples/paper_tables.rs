@@ -11,6 +11,7 @@ use expline::numerics::{Point, Vector};
 use expline::trace::{
     Chain, EdgeOptions, Edges, Gray, ProfileOptions, diameter, directed_hausdorff, edges, jaccard, profiles,
 };
+use pictures::Picture;
 use std::error::Error;
 use std::fmt::Write as _;
 
@@ -35,12 +36,15 @@ struct Row {
     absolute: f64,
     count: usize,
     numbers: usize,
+    /// Sum of the distances from the picture's own edge, and of the lengths that they are weighted by.
+    edge: f64,
+    length: f64,
     hausdorff: f64,
     curve: Vec<(i32, i32)>,
 }
 
 impl Row {
-    fn add(&mut self, followed: &Followed, points: &[Point], chord: [Point; 2]) {
+    fn add(&mut self, followed: &Followed, points: &[Point], chord: [Point; 2], picture: &Picture) {
         for r in &followed.left_out {
             self.square += r * r;
             self.absolute += r.abs();
@@ -54,13 +58,17 @@ impl Row {
             .map(|i| way.norm() * f64::from(i) / 200.0)
             .map(|x| chord[0] + along * x + across * (followed.value)(x))
             .collect();
+        for place in &places {
+            self.edge += picture.distance(place.x, place.y) * way.norm();
+        }
+        self.length += way.norm() * places.len() as f64;
         self.hausdorff = self.hausdorff.max(directed_hausdorff(&places, points));
         self.curve.extend(places.iter().map(|p| (p.x.floor() as i32, p.y.floor() as i32)));
     }
 }
 
 /// What all tubes of a picture are followed like by each of [`ALL`].
-fn rows(chains: &[Chain]) -> Outcome<(Vec<Row>, usize, f64)> {
+fn rows(picture: &Picture, chains: &[Chain]) -> Outcome<(Vec<Row>, usize, f64)> {
     let mut rows: Vec<Row> = ALL.iter().map(|_| Row::default()).collect();
     let (mut tubes, mut longest) = (0, 0.0_f64);
     for chain in chains {
@@ -81,7 +89,7 @@ fn rows(chains: &[Chain]) -> Outcome<(Vec<Row>, usize, f64)> {
             }
             tubes += 1;
             for (row, (_, follow)) in rows.iter_mut().zip(ALL) {
-                row.add(&follow(&inside, way.norm())?, &points, chord);
+                row.add(&follow(&inside, way.norm())?, &points, chord, picture);
             }
         }
     }
@@ -91,23 +99,29 @@ fn rows(chains: &[Chain]) -> Outcome<(Vec<Row>, usize, f64)> {
 /// The table in docs/PROFILES.md.
 pub(crate) fn table() -> Outcome<String> {
     let mut text = String::new();
-    for (name, bytes) in pictures::all() {
-        let chains = chains(&bytes)?;
+    for picture in pictures::all() {
+        let name = picture.name;
+        let chains = chains(&picture.bytes)?;
         let pixels: Vec<(i32, i32)> = chains
             .iter()
             .flat_map(|chain| chain.points())
             .map(|p| (p.x.floor() as i32, p.y.floor() as i32))
             .collect();
-        let (rows, tubes, longest) = rows(&chains)?;
+        let (rows, tubes, longest) = rows(&picture, &chains)?;
         writeln!(text, "\n**{name}** ({} chains, {} points, {tubes} tubes)\n", chains.len(), pixels.len())?;
-        writeln!(text, "| | RMSE px | MAE px | Hausdorff/L | Jaccard | coefficients |")?;
-        writeln!(text, "|---|---|---|---|---|---|")?;
+        writeln!(text, "| | RMSE px | MAE px | to the edge px | Hausdorff/L | Jaccard | coefficients |")?;
+        writeln!(text, "|---|---|---|---|---|---|---|")?;
         for (row, (way, _)) in rows.iter().zip(ALL) {
             let count = row.count.max(1) as f64;
             let (rmse, mae) = ((row.square / count).sqrt(), row.absolute / count);
             let share = jaccard(&pixels, &row.curve).tolerant;
             let far = row.hausdorff / longest;
-            writeln!(text, "| {way} | {rmse:.3} | {mae:.3} | {far:.4} | {share:.3} | {} |", row.numbers)?;
+            let edge = row.edge / row.length;
+            let numbers = row.numbers;
+            writeln!(
+                text,
+                "| {way} | {rmse:.3} | {mae:.3} | {edge:.3} | {far:.4} | {share:.3} | {numbers} |"
+            )?;
         }
     }
     Ok(text)
@@ -116,7 +130,7 @@ pub(crate) fn table() -> Outcome<String> {
 #[allow(dead_code, reason = "the test of the table has its own")]
 fn main() -> Outcome<()> {
     if std::env::args().nth(1).as_deref() == Some("times") {
-        for (name, bytes) in pictures::all() {
+        for Picture { name, bytes, .. } in pictures::all() {
             for chain in chains(&bytes)? {
                 for (way, options) in
                     [("printed", ProfileOptions::printed()), ("improved", ProfileOptions::default())]

@@ -256,6 +256,107 @@ fn local_polynomials_reproduce_all_polynomials_of_their_degree() {
 }
 
 #[test]
+fn projections_reproduce_all_polynomials_of_their_degree() {
+    for degree in 1..=4_usize {
+        let polynomial = |x: f64| (0..=degree).fold(0.0, |sum, m| sum * (x - 0.4) + 1.0 - 0.7 * m as f64);
+        let samples: Vec<Point> =
+            (0..90).map(|i| f64::from(i) / 89.0).map(|x| Point::new(x, polynomial(x))).collect();
+        let cloud = Cloud::new(&samples).expect("valid");
+        for inner in [&[][..], &[0.5], &[0.1, 0.15, 0.6, 0.9]] {
+            let list = [&[0.0].repeat(degree + 1), inner, &[1.0].repeat(degree + 1)].concat();
+            for reach in [0, 2, 9] {
+                let knots = Knots::new(&list, degree).expect("valid");
+                let fitted = QuasiInterpolant::new(&cloud, knots, Estimator::Projected { reach }, FREE)
+                    .expect("valid");
+                for i in 0..=50 {
+                    let x = f64::from(i) / 50.0;
+                    let off = (fitted.evaluate(x) - polynomial(x)).abs();
+                    // 1e-10 on the diagonal of normal equations whose least eigenvalue is 1e-3 of a point and more.
+                    assert!(off < 1e-5, "degree {degree} {inner:?} at {x}: {off}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_projection_is_local() {
+    let wave = |i: i32| Point::new(f64::from(i), (0.2 * f64::from(i)).sin());
+    let mut points: Vec<Point> = (0..200).map(wave).collect();
+    let knots = Knots::even(0.0, 199.0, 19, 2).expect("valid");
+    let fit = |points: &[Point]| {
+        let cloud = Cloud::new(points).expect("valid");
+        QuasiInterpolant::new(&cloud, knots.clone(), Estimator::Projected { reach: 2 }, FREE).expect("valid")
+    };
+    let before = fit(&points);
+    points[100].y += 5.0;
+    let after = fit(&points);
+    let changed: Vec<usize> =
+        (0..22).filter(|&q| before.coefficients()[q] != after.coefficients()[q]).collect();
+    // The point is in piece 10; a coefficient looks two pieces beyond the three pieces of its B-spline.
+    assert_eq!(changed, (8..=14).collect::<Vec<_>>());
+}
+
+#[test]
+fn placed_knots_are_where_they_are_needed_and_their_score_is_leaving_one_out() {
+    let mut state = 1_u32;
+    let mut noise = move || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        0.2 * (f64::from(state >> 8) / f64::from(1 << 24) - 0.5)
+    };
+    // A roof whose ridge is at 30, and 90 units of nothing.
+    let points: Vec<Point> =
+        (0..120).map(f64::from).map(|x| Point::new(x, (6.0 - (x - 30.0).abs()).max(0.0) + noise())).collect();
+    let cloud = Cloud::new(&points).expect("valid");
+    let method = Method::Placed { price: 1.2, floor: 0.0 };
+    let chosen = |method| choose(&cloud, 0.0, 119.0, 2, FREE, method).expect("valid").expect("enough points");
+    let (choice, knots) = chosen(method);
+    let inner = &knots.as_slice()[3..knots.as_slice().len() - 3];
+    assert_eq!(choice.interior, inner.len());
+    let near = inner.iter().filter(|&&x| (20.0..40.0).contains(&x)).count();
+    assert!(near >= 3 && inner.len() <= near + 3, "{inner:?}");
+    let even = chosen(Method::Local(Rule::Least)).0;
+    assert!(choice.score < 0.5 * even.score, "{} against {}", choice.score, even.score);
+    let errors = (0..cloud.len()).map(|left_out| {
+        let rest: Vec<Point> = (0..120).filter(|&i| i != left_out).map(|i| points[i]).collect();
+        let rest = Cloud::new(&rest).expect("valid");
+        let fitted = QuasiInterpolant::new(&rest, knots.clone(), Estimator::Projected { reach: 2 }, FREE)
+            .expect("valid");
+        points[left_out].y - fitted.evaluate(points[left_out].x)
+    });
+    // Rounding of normal equations.
+    assert!((choice.score - root_mean_square(errors)).abs() < 1e-9, "without fitting anything twice");
+    assert!(choose(&cloud, 0.0, 119.0, 2, FREE, Method::Placed { price: -1.0, floor: 0.0 }).is_err());
+    let flat: Vec<Point> =
+        points.iter().map(|p| Point::new(p.x, if p.x % 5.0 < 3.0 { 0.2 } else { -0.3 })).collect();
+    let flat = Cloud::new(&flat).expect("valid");
+    let floor = Method::Placed { price: 1.2, floor: 0.5 };
+    let line = choose(&flat, 0.0, 119.0, 2, HELD, floor).expect("valid").expect("enough points");
+    assert_eq!(line.0.interior, 0, "errors below the floor need no knot");
+}
+
+#[test]
+fn a_projection_keeps_what_its_ends_hold() {
+    let points: Vec<Point> = (0..40).map(f64::from).map(|x| Point::new(x, 0.01 * x * (39.0 - x))).collect();
+    let cloud = Cloud::new(&points).expect("valid");
+    for ends in [HELD, [End::Tangent(0.39), End::Tangent(-0.39)], [End::Tangent(1.0), End::Free]] {
+        let method = Method::Placed { price: 1.2, floor: 0.001 };
+        let (_, knots) = choose(&cloud, 0.0, 39.0, 2, ends, method).expect("valid").expect("enough points");
+        let estimator = Estimator::Projected { reach: 2 };
+        let fitted = QuasiInterpolant::new(&cloud, knots, estimator, ends).expect("valid");
+        assert!(fitted.evaluate(0.0).abs() < 1e-12, "on the axis");
+        if let End::Tangent(slope) = ends[0] {
+            // A difference quotient over 1e-6 of pieces of a curvature below 10.
+            assert!((fitted.evaluate(1e-6) / 1e-6 - slope).abs() < 1e-4, "along its slope");
+        }
+        if ends[0] != End::Tangent(1.0) {
+            let most = fitted.residuals(&cloud).expect("memory").iter().fold(0.0_f64, |m, r| m.max(r.abs()));
+            assert!(most < 2e-3, "{most}");
+        }
+    }
+}
+
+#[test]
 fn means_reproduce_constants_stay_between_the_ordinates_and_do_not_care_for_the_order() {
     let wave: Vec<Point> =
         (0..50).map(|i| Point::new(f64::from(i * 7 % 50), f64::from(i * i % 11))).collect();
@@ -301,8 +402,9 @@ fn a_straight_edge_takes_no_knot_more_than_it_needs() {
     let stairs: Vec<Point> =
         (0..60).map(|i| Point::new(f64::from(i), if i % 5 < 3 { 0.2 } else { -0.3 })).collect();
     let cloud = Cloud::new(&stairs).expect("valid");
-    let chosen =
-        |rule| choose(&cloud, 0.0, 59.0, 2, HELD, Method::Mean(rule)).expect("valid").expect("enough points");
+    let chosen = |rule| {
+        choose(&cloud, 0.0, 59.0, 2, HELD, Method::Mean(rule)).expect("valid").expect("enough points").0
+    };
     assert_eq!(chosen(Rule::Parsimonious { share: 0.1, slack: 0.02 }).interior, 0, "one piece");
     assert!(
         chosen(Rule::Least).score <= chosen(Rule::Parsimonious { share: 0.1, slack: 0.02 }).score,

@@ -21,7 +21,7 @@ export interface ProfileOptions {
   degree?: number | undefined;
   /** The least turning of a cusp, in radians. Default 35°; as printed 40°. */
   corner?: number | undefined;
-  /** "local", the default, takes coefficients from polynomials fitted nearby; "mean" is the method as it was published. */
+  /** "local", the default, takes coefficients from splines fitted nearby, on knots where they are needed; "mean" is the method as it was published. */
   method?: "local" | "mean" | undefined;
 }
 
@@ -33,7 +33,7 @@ export interface ProfileTube {
   count: number;
   /** Knots inside. */
   knots: number;
-  /** Of how many neighbours a coefficient was made; 0 for a line through too few points. */
+  /** Of how many points a coefficient was made, at most; 0 for a line through too few points. */
   neighbours: number;
 }
 

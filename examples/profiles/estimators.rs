@@ -1,7 +1,7 @@
 //! Six estimators of a function from a tube's points. Each is chosen by its own criterion on all points; then every point is left out once.
 
 use expline::numerics::Point;
-use expline::trace::{Choice, Cloud, End, Estimator, Knots, Method, QuasiInterpolant, Rule, choose};
+use expline::trace::{Cloud, End, Estimator, Knots, Method, ProfileOptions, QuasiInterpolant, Rule, choose};
 
 type Outcome<T> = expline::error::Result<T>;
 
@@ -40,18 +40,21 @@ fn printed(points: &[Point], length: f64) -> Outcome<Followed> {
 }
 
 fn improved(points: &[Point], length: f64) -> Outcome<Followed> {
-    quasi(points, length, Method::Local(Rule::Parsimonious { share: 0.03, slack: 0.005 }))
+    quasi(points, length, ProfileOptions::default().method)
 }
 
 fn quasi(points: &[Point], length: f64, method: Method) -> Outcome<Followed> {
     let cloud = Cloud::new(points)?;
-    let choice = choose(&cloud, 0.0, length, 2, FREE, method)?;
-    let Choice { interior, k, .. } = choice.unwrap_or(Choice { interior: 0, k: 1, score: 0.0 });
+    let Some((choice, knots)) = choose(&cloud, 0.0, length, 2, FREE, method)? else {
+        return quadratic(points, length);
+    };
     let estimate = |cloud: &Cloud| {
-        let k = k.min(cloud.len());
-        let estimator =
-            if matches!(method, Method::Mean(_)) { Estimator::Mean { k } } else { Estimator::Local { k } };
-        QuasiInterpolant::new(cloud, Knots::even(0.0, length, interior, 2)?, estimator, FREE)
+        let estimator = match method {
+            Method::Mean(_) => Estimator::Mean { k: choice.k.min(cloud.len()) },
+            Method::Local(_) => Estimator::Local { k: choice.k.min(cloud.len()) },
+            Method::Placed { .. } => Estimator::Projected { reach: 2 },
+        };
+        QuasiInterpolant::new(cloud, knots.clone(), estimator, FREE)
     };
     let mut left_out = Vec::new();
     for (i, p) in points.iter().enumerate() {

@@ -22,13 +22,39 @@ fn inside(distance: f64) -> f64 {
     0.5 - 0.5 * libm::tanh(1.4 * distance)
 }
 
-fn draw(seed: u64, noise: f64, shade: &dyn Fn(f64, f64) -> f64) -> Vec<u8> {
-    let mut random = Noise(seed);
+/// A picture whose edge is known.
+pub(crate) struct Picture {
+    pub(crate) name: &'static str,
+    pub(crate) bytes: Vec<u8>,
+    /// Zero on the edge, negative inside.
+    outside: fn(f64, f64) -> f64,
+}
+
+impl Picture {
+    /// How far a place is from the edge, to first order.
+    pub(crate) fn distance(&self, x: f64, y: f64) -> f64 {
+        let slope = |a: f64, b: f64| (a - b) / 2e-4;
+        let across = slope((self.outside)(x + 1e-4, y), (self.outside)(x - 1e-4, y));
+        let down = slope((self.outside)(x, y + 1e-4), (self.outside)(x, y - 1e-4));
+        (self.outside)(x, y).abs() / libm::hypot(across, down).max(0.2)
+    }
+}
+
+/// Draws what is outside and inside of an edge; `noise` is the deviation of shades.
+fn draw(
+    name: &'static str,
+    noise: f64,
+    outside: fn(f64, f64) -> f64,
+    shade: &dyn Fn(f64, f64, f64) -> f64,
+) -> Picture {
+    let mut random = Noise(name.bytes().map(u64::from).sum());
     let place = |i: usize| i as f64 + 0.5;
-    (0..SIDE * SIDE)
-        .map(|i| shade(place(i % SIDE), place(i / SIDE)) + noise * random.normal())
+    let bytes = (0..SIDE * SIDE)
+        .map(|i| (place(i % SIDE), place(i / SIDE)))
+        .map(|(x, y)| shade(x, y, inside(outside(x, y))) + noise * random.normal())
         .map(|shade| shade.round().clamp(0.0, 255.0) as u8)
-        .collect()
+        .collect();
+    Picture { name, bytes, outside }
 }
 
 fn polar(x: f64, y: f64) -> (f64, f64) {
@@ -50,56 +76,84 @@ fn polygon(corners: &[(f64, f64)], x: f64, y: f64) -> f64 {
     if within { -nearest } else { nearest }
 }
 
-/// All pictures by name.
-pub(crate) fn all() -> Vec<(&'static str, Vec<u8>)> {
-    let petals = draw(1, 3.0, &|x, y| {
-        let (r, a) = polar(x - 80.0, y - 78.0);
-        let petal = r - 38.0 - 24.0 * libm::fabs(libm::cos(2.5 * a));
-        190.0 - 0.3 * x - (130.0 - 0.4 * r) * inside(petal)
-    });
-    let coins = draw(2, 4.0, &|x, y| {
-        let coin = |cx: f64, cy: f64, r: f64, tone: f64| tone * inside(libm::hypot(x - cx, y - cy) - r);
-        60.0 + 0.25 * y
-            + coin(48.0, 50.0, 30.0, 110.0)
-            + coin(112.0, 62.0, 24.0, 90.0)
-            + coin(76.0, 118.0, 27.0, 120.0)
-    });
-    let letter = [
-        (22.0, 136.0),
-        (22.0, 26.0),
-        (46.0, 26.0),
-        (80.0, 84.0),
-        (114.0, 26.0),
-        (138.0, 26.0),
-        (138.0, 136.0),
-        (114.0, 136.0),
-        (114.0, 66.0),
-        (80.0, 122.0),
-        (46.0, 66.0),
-        (46.0, 136.0),
-    ];
-    let letter = draw(3, 2.0, &|x, y| 225.0 - 170.0 * inside(polygon(&letter, x, y)));
-    let cloud = draw(4, 5.0, &|x, y| {
-        let (r, a) = polar(x - 82.0, y - 80.0);
-        let edge =
-            r - 48.0 - 7.0 * libm::sin(3.0 * a) - 5.0 * libm::sin(7.0 * a + 1.0) - 2.0 * libm::sin(13.0 * a);
-        90.0 + 0.2 * x + 100.0 * inside(edge)
-    });
-    let leaf = draw(5, 3.0, &|x, y| {
-        let (u, v) = ((x + y) * 0.5_f64.sqrt() - 113.0, (y - x) * 0.5_f64.sqrt());
-        let half = 27.0 * (1.0 - (u / 66.0) * (u / 66.0));
-        200.0 - (110.0 + 0.3 * u) * inside((libm::fabs(v) - half) * 0.85)
-    });
-    let oval = draw(6, 0.0, &|x, y| {
-        let d = libm::hypot((x - 80.0) / 62.0, (y - 80.0) / 41.0);
-        40.0 + 160.0 * inside((d - 1.0) * 48.0)
-    });
+const LETTER: [(f64, f64); 12] = [
+    (22.0, 136.0),
+    (22.0, 26.0),
+    (46.0, 26.0),
+    (80.0, 84.0),
+    (114.0, 26.0),
+    (138.0, 26.0),
+    (138.0, 136.0),
+    (114.0, 136.0),
+    (114.0, 66.0),
+    (80.0, 122.0),
+    (46.0, 66.0),
+    (46.0, 136.0),
+];
+
+fn petals(x: f64, y: f64) -> f64 {
+    let (r, a) = polar(x - 80.0, y - 78.0);
+    r - 38.0 - 24.0 * libm::fabs(libm::cos(2.5 * a))
+}
+
+fn coins(x: f64, y: f64) -> f64 {
+    let coin = |cx: f64, cy: f64, r: f64| libm::hypot(x - cx, y - cy) - r;
+    coin(48.0, 50.0, 30.0).min(coin(112.0, 62.0, 24.0)).min(coin(76.0, 118.0, 27.0))
+}
+
+fn cloud(x: f64, y: f64) -> f64 {
+    let (r, a) = polar(x - 82.0, y - 80.0);
+    r - 48.0 - 7.0 * libm::sin(3.0 * a) - 5.0 * libm::sin(7.0 * a + 1.0) - 2.0 * libm::sin(13.0 * a)
+}
+
+fn leaf(x: f64, y: f64) -> f64 {
+    let (u, v) = ((x + y) * 0.5_f64.sqrt() - 113.0, (y - x) * 0.5_f64.sqrt());
+    (libm::fabs(v) - 27.0 * (1.0 - (u / 66.0) * (u / 66.0))) * 0.85
+}
+
+fn oval(x: f64, y: f64) -> f64 {
+    48.0 * (libm::hypot((x - 80.0) / 62.0, (y - 80.0) / 41.0) - 1.0)
+}
+
+fn gear(x: f64, y: f64) -> f64 {
+    let (r, a) = polar(x - 81.0, y - 79.0);
+    r - 54.0 - 9.0 * libm::tanh(3.0 * libm::sin(9.0 * a))
+}
+
+fn crescent(x: f64, y: f64) -> f64 {
+    (libm::hypot(x - 80.0, y - 84.0) - 57.0).max(50.0 - libm::hypot(x - 84.0, y - 58.0))
+}
+
+/// A body, its arch with a canal, three processes: a vertebra from above.
+fn vertebra(x: f64, y: f64) -> f64 {
+    let body = 34.0 * (libm::hypot((x - 80.0) / 40.0, (y - 52.0) / 28.0) - 1.0);
+    let arch = libm::hypot(x - 80.0, y - 92.0) - 22.0;
+    let side = polygon(&[(22.0, 98.0), (138.0, 98.0), (132.0, 110.0), (28.0, 110.0)], x, y);
+    let spine = polygon(&[(74.0, 104.0), (86.0, 104.0), (84.0, 146.0), (76.0, 146.0)], x, y);
+    let canal = libm::hypot(x - 80.0, y - 91.0) - 12.0;
+    body.min(arch).min(side).min(spine).max(-canal)
+}
+
+fn ribbon(x: f64, y: f64) -> f64 {
+    let middle = y - 80.0 - 34.0 * libm::sin(x / 23.0);
+    let slope = 34.0 / 23.0 * libm::cos(x / 23.0);
+    (libm::fabs(middle) / libm::hypot(1.0, slope) - 8.0).max(libm::fabs(x - 80.0) - 62.0)
+}
+
+/// All pictures.
+pub(crate) fn all() -> Vec<Picture> {
     vec![
-        ("petals", petals),
-        ("coins", coins),
-        ("letter", letter),
-        ("cloud", cloud),
-        ("leaf", leaf),
-        ("oval", oval),
+        draw("petals", 3.0, petals, &|x, y, ink| {
+            190.0 - 0.3 * x - (130.0 - 0.4 * libm::hypot(x - 80.0, y - 78.0)) * ink
+        }),
+        draw("coins", 4.0, coins, &|_, y, ink| 60.0 + 0.25 * y + 105.0 * ink),
+        draw("letter", 2.0, |x, y| polygon(&LETTER, x, y), &|_, _, ink| 225.0 - 170.0 * ink),
+        draw("cloud", 5.0, cloud, &|x, _, ink| 90.0 + 0.2 * x + 100.0 * ink),
+        draw("leaf", 3.0, leaf, &|x, y, ink| 200.0 - (110.0 + 0.15 * (x + y)) * ink),
+        draw("oval", 0.0, oval, &|_, _, ink| 40.0 + 160.0 * ink),
+        draw("gear", 2.0, gear, &|x, y, ink| 70.0 + 0.2 * (x + y) + 90.0 * ink),
+        draw("crescent", 3.0, crescent, &|_, y, ink| 210.0 - 0.3 * y - 120.0 * ink),
+        draw("vertebra", 7.0, vertebra, &|x, y, ink| 60.0 + 0.1 * (x + y) + 70.0 * ink),
+        draw("ribbon", 3.0, ribbon, &|x, _, ink| 40.0 + 0.3 * x + 110.0 * ink),
     ]
 }

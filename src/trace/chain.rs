@@ -53,8 +53,10 @@ pub struct Joint {
 /// The spline of a tube.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TubeFit {
-    /// Control points of the spline on evenly spaced knots between the joints.
+    /// Control points of the spline between the joints.
     pub control: Vec<Point>,
+    /// Its knots, as distances from the first joint along the chord; `None` for a line through too few points.
+    pub knots: Option<Knots>,
     /// Knots and neighbours, and the error of predicting each point from the others; `None` for a line through too few points.
     pub choice: Option<Choice>,
     /// Root mean square of the ordinates' residuals, in the unit of the points.
@@ -143,6 +145,11 @@ impl Chain {
         ChainPlace { point: here + value, tangent: unit(slope), curvature }
     }
 
+    /// Point, tangent and curvature where two tubes meet smoothly at point i: they look a pixel farther than `window`.
+    pub fn joint(&self, i: usize, window: f64) -> ChainPlace {
+        self.place(i, window + 1.0)
+    }
+
     /// The direction in which the chain leaves point i: the line nearest to the points within `window` after it.
     fn leaving(&self, i: usize, window: f64) -> Vector {
         let mut points = vec![self.points[i]];
@@ -180,7 +187,7 @@ impl Chain {
             let from = if is_cusp(first) {
                 self.leaving(at(first), window)
             } else {
-                self.place(at(first), window).tangent
+                self.joint(at(first), window).tangent
             };
             let mut last = first + 1;
             while last < span && !is_cusp(last) {
@@ -247,14 +254,14 @@ impl Frame {
         points.iter().map(local).filter(|p| p.x >= 0.0 && p.x <= self.length).collect()
     }
 
-    fn fit(&self, cloud: &Cloud, degree: usize, method: Method, choice: Choice) -> Result<TubeFit> {
-        let knots = Knots::even(0.0, self.length, choice.interior, degree)?;
+    fn fit(&self, cloud: &Cloud, knots: Knots, method: Method, choice: Choice) -> Result<TubeFit> {
         let fitted = QuasiInterpolant::new(cloud, knots, method.estimator(choice.k), self.ends)?;
         let residuals = fitted.residuals(cloud)?;
         let place =
             |(q, &c): (usize, &f64)| self.start + self.along * fitted.knots().greville(q) + self.across * c;
         Ok(TubeFit {
             control: fitted.coefficients().iter().enumerate().map(place).collect(),
+            knots: Some(fitted.knots().clone()),
             choice: Some(choice),
             rmse: root_mean_square(residuals.iter().copied()),
             mae: mean_absolute(residuals.iter().copied()),
@@ -276,19 +283,19 @@ impl Frame {
 pub fn fit_tube(points: &[Point], joints: [Joint; 2], degree: usize, method: Method) -> Result<TubeFit> {
     let frame = Frame::new(joints);
     let inside = frame.inside(points);
-    let line =
-        TubeFit { control: joints.map(|joint| joint.point).to_vec(), choice: None, rmse: 0.0, mae: 0.0 };
+    let control = joints.map(|joint| joint.point).to_vec();
+    let line = TubeFit { control, knots: None, choice: None, rmse: 0.0, mae: 0.0 };
     if frame.length < 1e-6 || inside.len() < 3 {
         return Ok(line);
     }
     let cloud = Cloud::new(&inside)?;
     match choose(&cloud, 0.0, frame.length, degree, frame.ends, method)? {
-        Some(choice) => frame.fit(&cloud, degree, method, choice),
+        Some((choice, knots)) => frame.fit(&cloud, knots, method, choice),
         None => Ok(line),
     }
 }
 
-/// As [`fit_tube`], with knots and neighbours given.
+/// As [`fit_tube`], with the number of even knots and of neighbours given.
 ///
 /// # Errors
 ///
@@ -301,5 +308,6 @@ pub fn fit_tube_with(
     choice: Choice,
 ) -> Result<TubeFit> {
     let frame = Frame::new(joints);
-    frame.fit(&Cloud::new(&frame.inside(points))?, degree, method, choice)
+    let knots = Knots::even(0.0, frame.length, choice.interior, degree)?;
+    frame.fit(&Cloud::new(&frame.inside(points))?, knots, method, choice)
 }

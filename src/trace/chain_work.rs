@@ -133,7 +133,7 @@ fn has_extent(chain: &Chain) -> bool {
     chain.points().iter().any(|p| norm(p - first) > 0.05)
 }
 
-/// A chain as splines from local polynomials, tube by tube.
+/// A chain as splines on placed knots, tube by tube.
 fn quasi_interpolant(chain: &Chain, options: &TraceOptions, rounding: f64) -> Result<TracedContour> {
     let (angle, reach) = (options.corner, 1.5 * rounding);
     let cusps = CuspRule { gap: rounding, window: 4.0 + rounding, angle, reach };

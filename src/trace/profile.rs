@@ -3,7 +3,6 @@
 use super::agreement::agreement;
 use super::chain::{Chain, Joint, Tube, TubeFit, fit_tube};
 use super::cusps::{Cusp, CuspRule};
-use super::knots::Knots;
 use super::samples::unit;
 use super::selection::{Method, Rule};
 use super::tracer::Metrics;
@@ -30,11 +29,11 @@ pub struct ProfileOptions {
 }
 
 impl Default for ProfileOptions {
-    /// Quadratic splines from local polynomials, for places between pixels.
+    /// Quadratic splines on placed knots, for places between pixels.
     fn default() -> Self {
         Self {
             degree: 2,
-            method: Method::Local(Rule::Parsimonious { share: 0.1, slack: 0.02 }),
+            method: Method::Placed { price: 1.2, floor: 0.02 },
             angle: 50_f64.to_radians(),
             window: None,
             cusps: CuspRule { gap: 1.6, window: 5.0, angle: 35_f64.to_radians(), reach: 1.5 },
@@ -61,7 +60,6 @@ pub struct Profile {
     tubes: Vec<Tube>,
     joints: Vec<[Joint; 2]>,
     fits: Vec<TubeFit>,
-    degree: usize,
 }
 
 impl Chain {
@@ -120,7 +118,7 @@ impl Chain {
         let indices: Vec<usize> = cusps.iter().map(|cusp| cusp.index).collect();
         let tubes = chain.tubes(&indices, options.angle, window)?;
         let (fits, joints) = (with_room(tubes.len())?, with_room(tubes.len())?);
-        let mut profile = Profile { chain, cusps, tubes, joints, fits, degree: options.degree };
+        let mut profile = Profile { chain, cusps, tubes, joints, fits };
         profile.join(window);
         for (tube, joints) in profile.tubes.iter().zip(&profile.joints) {
             let points = profile.chain.tube_points(tube);
@@ -190,7 +188,7 @@ impl Profile {
         let count = self.chain.points().len();
         let index = if last { (tube.first + tube.count - 1) % count } else { tube.first };
         if !tube.cusps[usize::from(last)] {
-            let place = self.chain.place(index, window);
+            let place = self.chain.joint(index, window);
             return Joint { point: place.point, tangent: Some(place.tangent) };
         }
         let cusp = self.cusps.binary_search_by_key(&index, |cusp| cusp.index);
@@ -212,7 +210,7 @@ impl Profile {
         let mut arriving = Vector::zeros();
         let mut end = Point::zeros();
         for fit in &self.fits {
-            for piece in fit.pieces(self.degree)? {
+            for piece in fit.pieces()? {
                 let degree = (piece.len() - 1) as f64;
                 if norm(piece[piece.len() - 1] - piece[0]) < 1e-9 {
                     continue;
@@ -276,12 +274,12 @@ impl TubeFit {
     ///
     /// # Errors
     ///
-    /// A degree that is not that of the fit.
-    pub fn pieces(&self, degree: usize) -> Result<Vec<Vec<Point>>> {
-        let Some(choice) = self.choice else {
+    /// Where the allocator says no.
+    pub fn pieces(&self) -> Result<Vec<Vec<Point>>> {
+        let Some(knots) = &self.knots else {
             return Ok(vec![self.control.clone()]);
         };
-        let knots = Knots::even(0.0, 1.0, choice.interior, degree)?;
+        let degree = knots.degree();
         let x: Vec<f64> = self.control.iter().map(|p| p.x).collect();
         let y: Vec<f64> = self.control.iter().map(|p| p.y).collect();
         let mut pieces = with_room(knots.piece_count())?;

@@ -4,6 +4,8 @@ use super::cloud::Cloud;
 use super::knots::Knots;
 use super::local::LocalFit;
 use super::metrics::{mean_absolute, root_mean_square};
+use super::placement::Placement;
+use super::projection::REACH;
 use super::quasi_interpolant::{End, Estimator, QuasiInterpolant, held};
 use crate::error::Result;
 use crate::limits::{check, filled, with_room};
@@ -37,7 +39,7 @@ pub enum Rule {
 pub struct Choice {
     /// Interior knots.
     pub interior: usize,
-    /// Neighbours.
+    /// Neighbours; for projections the most points that one coefficient comes from.
     pub k: usize,
     /// The error of predicting each point from the others.
     pub score: f64,
@@ -136,6 +138,14 @@ pub enum Method {
     Mean(Rule),
     /// Local polynomials, chosen by [`left_out_locally`].
     Local(Rule),
+    /// Projections onto splines whose knots are where they are needed (D 14.11): of all that are tried the ones with the least
+    /// ln(max(error, `floor`)) + `price`·knots/points, the error being that of predicting each point from all the others.
+    Placed {
+        /// 1.5 makes a knot pay for three times the noise of a point, in squares.
+        price: f64,
+        /// Errors below are as good as none, in the unit of the ordinates.
+        floor: f64,
+    },
 }
 
 impl Method {
@@ -144,6 +154,7 @@ impl Method {
         match self {
             Self::Mean(_) => Estimator::Mean { k },
             Self::Local(_) => Estimator::Local { k },
+            Self::Placed { .. } => Estimator::Projected { reach: REACH },
         }
     }
 }
@@ -171,14 +182,14 @@ pub fn left_out_locally(cloud: &Cloud, knots: &Knots, k: usize, ends: [End; 2]) 
     Ok(root_mean_square(residuals.iter().zip(&own).map(|(r, h)| r / (1.0 - h).max(0.05))))
 }
 
-/// Interior knots up to the least of 8 and a third of the points less two, and 1 … 9 neighbours for means, 7 and more for local polynomials,
-/// by the method's rule.
+/// The knots of a tube and its number of neighbours, by the method's rule: even ones, up to the least of 8 and a third of the points less two, with
+/// 1 … 9 neighbours for means, 7 and more for local polynomials; or placed ones.
 ///
 /// `None` where there are fewer than 3 points: such a tube is a line.
 ///
 /// # Errors
 ///
-/// As [`Knots::even`].
+/// As [`Knots::even`]; a price or a floor that is negative.
 ///
 /// # Source
 ///
@@ -190,28 +201,40 @@ pub fn choose(
     degree: usize,
     ends: [End; 2],
     method: Method,
-) -> Result<Option<Choice>> {
+) -> Result<Option<(Choice, Knots)>> {
     if cloud.len() < 3 {
         return Ok(None);
     }
-    let smooth = ends.iter().all(|end| matches!(end, End::Tangent(_)));
-    let least = usize::from(smooth);
+    let least = usize::from(ends.iter().all(|end| matches!(end, End::Tangent(_))));
+    let rule = match method {
+        Method::Mean(rule) | Method::Local(rule) => rule,
+        Method::Placed { price, floor } => {
+            check("price", None, price, 0.0, f64::MAX)?;
+            check("floor", None, floor, 0.0, f64::MAX)?;
+            Knots::even(start, end, least, degree)?;
+            let floor = floor.max(f64::MIN_POSITIVE);
+            return Placement { cloud, start, end, degree, ends, least, price, floor }.place().map(Some);
+        }
+    };
     let most = 8.min((cloud.len() / 3).saturating_sub(2)).max(least);
     let mut best: Vec<Choice> = with_room(most + 1)?;
     for interior in least..=most {
         let knots = Knots::even(start, end, interior, degree)?;
-        best.push(match method {
-            Method::Mean(_) => best_mean(cloud, &knots, interior, ends)?,
-            Method::Local(_) => best_local(cloud, &knots, interior, ends)?,
+        best.push(if matches!(method, Method::Mean(_)) {
+            best_mean(cloud, &knots, interior, ends)?
+        } else {
+            best_local(cloud, &knots, interior, ends)?
         });
     }
     let lowest = best.iter().fold(f64::MAX, |lowest, choice| lowest.min(choice.score));
-    let (Method::Mean(rule) | Method::Local(rule)) = method;
     let limit = match rule {
         Rule::Least => lowest,
         Rule::Parsimonious { share, slack } => lowest + (share * lowest).max(slack),
     };
-    Ok(best.into_iter().find(|choice| choice.score <= limit))
+    match best.into_iter().find(|choice| choice.score <= limit) {
+        Some(choice) => Ok(Some((choice, Knots::even(start, end, choice.interior, degree)?))),
+        None => Ok(None),
+    }
 }
 
 fn best_mean(cloud: &Cloud, knots: &Knots, interior: usize, ends: [End; 2]) -> Result<Choice> {
