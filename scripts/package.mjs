@@ -6,7 +6,7 @@
 
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 
-import { PLACEHOLDER, inlineModule } from "./inline-wasm.mjs";
+import { PLACEHOLDER, decoderModule, inlineModule } from "./inline-wasm.mjs";
 import { printSizes } from "./sizes.mjs";
 import { at, run, sideBySide, step } from "./steps.mjs";
 import { writeThirdPartyLicenses } from "./third-party.mjs";
@@ -17,19 +17,19 @@ const BOUND = "build/bound";
 const BINDINGS = "build/bindings";
 
 /**
- * The wasm modules: feature of the crate, target folder, name of the bindings, name of the module with the bytes, and flags for
- * the compiler. Of the core, small functions stay functions unless they say `#[inline]`: that is a tenth less to
+ * The wasm modules: feature of the crate, target folder, name of the bindings, name of the module with the bytes, and whether
+ * it is to be small. There, small functions stay functions unless they say `#[inline]`: that is a tenth less to
  * download, and hot loops say so. A solver is hot loops all over.
  */
 const MODULES = [
-  { title: "bindings", feature: "wasm", target: "target", name: "expline", bytes: "wasm-bytes", flags: ["-C", "llvm-args=-inline-threshold=0"] },
+  { title: "bindings", feature: "wasm", target: "target", name: "expline", bytes: "wasm-bytes", slim: true },
   {
     title: "bindings for splines",
     feature: "wasm-spline",
     target: "target/spline",
     name: "expline_spline",
     bytes: "spline-bytes",
-    flags: ["-C", "llvm-args=-inline-threshold=0"],
+    slim: true,
   },
   {
     title: "bindings for surfaces",
@@ -37,11 +37,17 @@ const MODULES = [
     target: "target/surface",
     name: "expline_surface",
     bytes: "surface-bytes",
-    flags: ["-C", "llvm-args=-inline-threshold=0"],
+    slim: true,
   },
-  { title: "bindings for fitting", feature: "wasm-fit", target: "target/fit", name: "expline_fit", bytes: "fit-bytes", flags: [] },
-  { title: "bindings for tracing", feature: "wasm-trace", target: "target/trace", name: "expline_trace", bytes: "trace-bytes", flags: [] },
+  { title: "bindings for fitting", feature: "wasm-fit", target: "target/fit", name: "expline_fit", bytes: "fit-bytes", slim: false },
+  { title: "bindings for tracing", feature: "wasm-trace", target: "target/trace", name: "expline_trace", bytes: "trace-bytes", slim: false },
 ];
+
+/**
+ * wasm-opt, too, leaves functions functions there. Those of one room next to each other, which is the order of their names, are
+ * less after compression: gzip looks back 32 kB only.
+ */
+const NOT_INLINED = ["-fimfs=0", "-aimfs=0", "-ocimfs=0"];
 
 /** What cargo leaves for a module. */
 const raw = ({ target }) => `${target}/wasm32-unknown-unknown/release/expline.wasm`;
@@ -58,10 +64,10 @@ export async function buildXtask() {
   });
 }
 
-/** The flags of .cargo/config.toml, and the module's own. */
-function flags(own) {
+/** The flags of .cargo/config.toml, and those of a small module. */
+function flags(slim) {
   const [, list = ""] = /^rustflags = \[([^\]]*)\]/m.exec(readFileSync(at(".cargo/config.toml"), "utf8")) ?? [];
-  return [...JSON.parse(`[${list.replace(/,\s*$/, "")}]`), ...own];
+  return [...JSON.parse(`[${list.replace(/,\s*$/, "")}]`), ...(slim ? ["-C", "llvm-args=-inline-threshold=0"] : [])];
 }
 
 /** All modules, side by side: the last part of each build, the longest, uses one core only. */
@@ -69,7 +75,7 @@ async function buildWasm() {
   const inputs = [...RUST, "scripts/package.mjs"];
   await step("wasm", { inputs, outputs: MODULES.map(raw) }, async () => {
     await sideBySide(MODULES, async (module) => {
-      const env = { CARGO_ENCODED_RUSTFLAGS: flags(module.flags).join("\x1f"), CARGO_TARGET_DIR: at(module.target) };
+      const env = { CARGO_ENCODED_RUSTFLAGS: flags(module.slim).join("\x1f"), CARGO_TARGET_DIR: at(module.target) };
       const features = ["--no-default-features", "--features", module.feature];
       await run("cargo", ["build", "--locked", "-p", "expline", "--lib", "--release", "--target", "wasm32-unknown-unknown", ...features], { env });
     });
@@ -78,7 +84,7 @@ async function buildWasm() {
 
 async function buildBindings(module) {
   const { title, name, bytes } = module;
-  const inputs = [raw(module), "target/xtask/xtask", "package.json", "scripts/snip.mjs", "scripts/inline-wasm.mjs", "scripts/package.mjs"];
+  const inputs = [raw(module), "target/xtask/xtask", "package.json", "scripts/snip.mjs", "scripts/inline-wasm.mjs", "scripts/split-wasm.mjs", "scripts/package.mjs"];
   const outputs = [`${name}.d.ts`, `${name}_bg.wasm`, `${bytes}.js`, "version.js"].map((f) => `${BINDINGS}/${f}`);
   await step(title, { inputs, outputs, alone: false }, async () => {
     const flags = ["--target", "web", "--omit-default-module-path", "--remove-producers-section", "--out-name", name, "--out-dir", at(BOUND)];
@@ -88,7 +94,7 @@ async function buildBindings(module) {
     await run("node", [at("scripts/snip.mjs"), at(BOUND, `${name}_bg.wasm`), at(BOUND, `${name}_snipped.wasm`)]);
     await run("node", [
       at("node_modules/binaryen/bin/wasm-opt"),
-      ...["-O3", ...FEATURES, "--strip-debug", "--strip-producers", "--strip-target-features"],
+      ...["-O3", ...(module.slim ? NOT_INLINED : []), "--reorder-functions-by-name", ...FEATURES, "--strip-debug", "--strip-producers", "--strip-target-features"],
       ...[at(BOUND, `${name}_snipped.wasm`), "-o", at(BINDINGS, `${name}_bg.wasm`)],
     ]);
     const { code, declarations, text } = await inlineModule(readFileSync(at(BINDINGS, `${name}_bg.wasm`)));
@@ -112,6 +118,7 @@ async function bundleFace(entry, contents, prefix) {
     bundler.onLoad({ filter: /-bytes\.js$/ }, () => ({ contents, resolveDir: at("ts") }));
     bundler.onResolve({ filter: /\/(core|spline|surface)\.js$/ }, ({ path }) => ({ path: path.replace("./", prefix), external: true }));
     // The core has the decoder of inlined text already.
+    if (prefix !== "./") bundler.onLoad({ filter: /\/decode\.ts$/ }, () => ({ contents: "export const decoded = undefined;" }));
     if (entry !== "ts/core.ts") bundler.onResolve({ filter: /\/decode\.ts$/ }, () => ({ path: `${prefix}core.js`, external: true }));
   };
   const { outputFiles } = await build({
@@ -191,6 +198,17 @@ async function bundleCommandLine() {
   return [...new Set(names)].sort();
 }
 
+/** The wasm that reads inlined wasm. */
+async function buildDecoder() {
+  const outputs = ["wasm-decoder.js", "wasm-decoder.d.ts"].map((f) => `${BINDINGS}/${f}`);
+  await step("decoder", { inputs: ["scripts/inline-wasm.mjs"], outputs }, async () => {
+    const { code, declarations } = await decoderModule();
+    mkdirSync(at(BINDINGS), { recursive: true });
+    writeFileSync(at(BINDINGS, "wasm-decoder.js"), code);
+    writeFileSync(at(BINDINGS, "wasm-decoder.d.ts"), declarations);
+  });
+}
+
 async function buildFace() {
   const inputs = ["ts", "cli", BINDINGS, "tsconfig.base.json", "package.json", "package-lock.json", "Cargo.lock", "scripts"];
   const files = [...FACES.flatMap(({ name, file }) => [`${name}.js`, `slim-${name}.js`, `${file}_bg.wasm`]), "json.js", "slim-json.js", "expline.js", "slim.js", "node.js", "cli.js", "types/index.d.ts"];
@@ -221,6 +239,7 @@ export async function buildPackage() {
   await buildXtask();
   await buildWasm();
   await sideBySide(MODULES, buildBindings);
+  await buildDecoder();
   await buildFace();
   await printSizes();
 }

@@ -1,0 +1,190 @@
+// The wasm sorted for compression: operations in one run of bytes, and what they work on in others, each with its like.
+//
+// In a wasm file numbers of locals, offsets and constants stand between the operations, and a compressor takes the one for the other.
+// Apart they are an eighth smaller after gzip. What comes out has a head that says how it is put together again:
+//
+//   count of streams, count of rows
+//   a stream: its length in three bytes, and how its items are cut: 0 as LEB128, 255 by a first byte with the length, else so many bytes
+//   a row: how many bytes and 16 times how many items, the bytes as they are, and the numbers of the streams of the items
+//   the streams, the first of which names the row of each operation
+//
+// DECODER, in inline-wasm.mjs, puts it together.
+
+/** Items that are LEB128, and items with their length before them. */
+const LEB = 0;
+const COUNTED = 255;
+const LONGEST_ITEM = 254;
+
+/** The streams and how their items are cut; operations come first, what is long before what is short. */
+const STREAMS = [
+  ["operations", 1],
+  ["local", LEB],
+  ["offset", LEB],
+  ["align", LEB],
+  ["double", 8],
+  ["integer", LEB],
+  ["raw", COUNTED],
+  ["vector", 16],
+  ["call", LEB],
+  ["type", 1],
+  ["long", LEB],
+  ["branch", LEB],
+  ["locals", COUNTED],
+  ["size", LEB],
+  ["global", LEB],
+  ["lane", 1],
+  ["table", COUNTED],
+  ["single", 4],
+];
+
+const MEMORY = ["align", "offset"];
+
+/** The streams of what follows an operation, by its numbers: those of version 2 of the format that compilers write. */
+function operandsOf(code, sub) {
+  if (code >= 0x02 && code <= 0x04) return ["type"];
+  if (code === 0x0c || code === 0x0d) return ["branch"];
+  if (code === 0x0e) return ["table"];
+  if (code === 0x10) return ["call"];
+  if (code === 0x11) return ["call", "call"];
+  if (code === 0x1c) return ["locals"];
+  if (code >= 0x20 && code <= 0x22) return ["local"];
+  if (code === 0x23 || code === 0x24) return ["global"];
+  if (code >= 0x28 && code <= 0x3e) return MEMORY;
+  if (code === 0x3f || code === 0x40) return ["lane"];
+  if (code === 0x41) return ["integer"];
+  if (code === 0x42) return ["long"];
+  if (code === 0x43) return ["single"];
+  if (code === 0x44) return ["double"];
+  if (code === 0xfc) return sub <= 7 ? [] : sub === 10 ? ["lane", "lane"] : sub === 11 ? ["lane"] : undefined;
+  if (code === 0xfd) {
+    if (sub <= 11 || sub === 92 || sub === 93) return MEMORY;
+    if (sub === 12 || sub === 13) return ["vector"];
+    if (sub >= 21 && sub <= 34) return ["lane"];
+    return sub >= 84 && sub <= 91 ? [...MEMORY, "lane"] : [];
+  }
+  return code < 0xc5 ? [] : undefined;
+}
+
+/** Reads a file from its start. */
+class Reader {
+  constructor(bytes) {
+    this.bytes = bytes;
+    this.at = 0;
+  }
+
+  number() {
+    let value = 0;
+    for (let shift = 0; ; shift += 7) {
+      const byte = this.bytes[this.at++];
+      value += (byte & 127) * 2 ** shift;
+      if (byte < 128) return value;
+    }
+  }
+
+  take(count) {
+    this.at += count;
+    return [...this.bytes.subarray(this.at - count, this.at)];
+  }
+
+  /** What was read since then. */
+  since(start) {
+    return [...this.bytes.subarray(start, this.at)];
+  }
+
+  /** One item of a stream, with its length before it where that is how it is cut. */
+  item(stream) {
+    const start = this.at;
+    const numbers = { table: 1, locals: 1 }[stream];
+    if (numbers === undefined) {
+      const mode = STREAMS.find(([name]) => name === stream)[1];
+      if (mode !== LEB) return this.take(mode);
+      this.number();
+      return this.since(start);
+    }
+    const count = this.number();
+    if (stream === "locals") throw new Error("select with types: not expected from this compiler");
+    for (let i = 0; i <= count; i++) this.number();
+    return counted(this.since(start));
+  }
+}
+
+function counted(bytes) {
+  if (bytes.length > LONGEST_ITEM) throw new Error(`an item has ${bytes.length} bytes: too long for one byte of length`);
+  return [bytes.length, ...bytes];
+}
+
+/** Calls `row(bytes, items)` for every operation, and for what is not code; `bytes` are its own, `items` are [stream, bytes]. */
+function eachOperation(wasm, row) {
+  const reader = new Reader(wasm);
+  const raw = (bytes) => {
+    for (let i = 0; i < bytes.length; i += LONGEST_ITEM) row([], [["raw", counted(bytes.slice(i, i + LONGEST_ITEM))]]);
+  };
+  raw(reader.take(8));
+  while (reader.at < wasm.length) {
+    const start = reader.at;
+    const [section] = reader.take(1);
+    const length = reader.number();
+    if (section !== 10) {
+      reader.take(length);
+      raw(reader.since(start));
+      continue;
+    }
+    const functions = reader.number();
+    raw(reader.since(start));
+    for (let i = 0; i < functions; i++) eachOperationOfOne(reader, row);
+  }
+}
+
+function eachOperationOfOne(reader, row) {
+  const start = reader.at;
+  const length = reader.number();
+  const size = reader.since(start);
+  const end = reader.at + length;
+  const locals = reader.at;
+  const groups = reader.number();
+  for (let g = 0; g < groups; g++) {
+    reader.number();
+    reader.take(1);
+  }
+  row([], [["size", size], ["locals", counted(reader.since(locals))]]);
+  while (reader.at < end) {
+    const start = reader.at;
+    const [code] = reader.take(1);
+    const sub = code >= 0xfc ? reader.number() : 0;
+    const bytes = reader.since(start);
+    const operands = operandsOf(code, sub);
+    if (operands === undefined) throw new Error(`operation ${code} ${sub} is not known`);
+    const items = operands.map((stream) => [stream, reader.item(stream)]);
+    // How memory is aligned goes with the operation nearly always: it is a part of it.
+    if (operands[0] === "align") bytes.push(...items.shift()[1]);
+    row(bytes, items);
+  }
+}
+
+/** The wasm in streams, with the head that says how to put them together. */
+export function splitWasm(wasm) {
+  const streams = new Map(STREAMS.map(([name]) => [name, []]));
+  const rows = new Map();
+  const operations = [];
+  eachOperation(wasm, (bytes, items) => {
+    const key = `${bytes} ${items.map(([stream]) => stream)}`;
+    let row = rows.get(key);
+    if (row === undefined) rows.set(key, (row = { bytes, items: items.map(([stream]) => stream), count: 0 }));
+    row.count += 1;
+    operations.push(row);
+    for (const [stream, item] of items) streams.get(stream).push(...item);
+  });
+  // Frequent ones get low numbers, which are shorter in the text.
+  const sorted = [...rows.values()].sort((a, b) => b.count - a.count);
+  if (sorted.length > 256) throw new Error(`${sorted.length} kinds of operations: too many for a byte`);
+  sorted.forEach((row, number) => (row.number = number));
+  streams.set("operations", operations.map((row) => row.number));
+  const names = STREAMS.map(([name]) => name);
+  const head = [STREAMS.length, sorted.length & 255];
+  for (const [name, mode] of STREAMS) {
+    const { length } = streams.get(name);
+    head.push(length & 255, (length >> 8) & 255, length >> 16, mode);
+  }
+  for (const { bytes, items } of sorted) head.push(bytes.length + 16 * items.length, ...bytes, ...items.map((name) => names.indexOf(name)));
+  return Uint8Array.from([...head, ...[...streams.values()].flat()]);
+}
