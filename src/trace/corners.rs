@@ -62,7 +62,7 @@ pub(super) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<Corner> {
     found
 }
 
-fn sides(samples: &Samples, i: isize, rule: &CornerRule) -> [Vec<Point>; 2] {
+fn sides<'a>(samples: &'a Samples, i: isize, rule: &CornerRule) -> [&'a [Point]; 2] {
     let (near, far) = (samples.steps(rule.gap), samples.steps(rule.gap + rule.window));
     [samples.stretch(i - far, i - near), samples.stretch(i + near, i + far)]
 }
@@ -81,9 +81,9 @@ fn score(samples: &Samples, i: isize, rule: &CornerRule) -> f64 {
         return 0.0;
     }
     let [before, after] = sides(samples, i, rule);
-    let (first, second) = (line_through(&before), line_through(&after));
+    let (first, second) = (line_through(before), line_through(after));
     let lines = turn(first.direction, second.direction);
-    let tangents = turn(end_tangent(&before, here, 1.0), end_tangent(&after, here, -1.0));
+    let tangents = turn(end_tangent(before, here, 1.0), end_tangent(after, here, -1.0));
     if lines * tangents < 0.0 && lines.abs() < 2.0 {
         return 0.0;
     }
@@ -121,7 +121,7 @@ fn end_tangent(side: &[Point], here: Point, sign: f64) -> Vector {
 
 fn place(samples: &Samples, i: isize, rule: &CornerRule) -> Option<Point> {
     let [before, after] = sides(samples, i, rule);
-    let (first, second): (Line, Line) = (line_through(&before), line_through(&after));
+    let (first, second): (Line, Line) = (line_through(before), line_through(after));
     let point = first.meets(&second)?;
     // The pixels cut more off a sharp tip than off a right angle.
     let half = 0.5 * turn(first.direction, second.direction).abs();

@@ -151,9 +151,9 @@ impl Divider<'_> {
             }
             let trim = (good - i) / 8;
             let core = self.samples.stretch(i + trim, good - trim);
-            if self.sagitta(&core).abs() < 0.3 * self.rule.straight {
+            if self.sagitta(core).abs() < 0.3 * self.rule.straight {
                 // The ends of the longest run lean into what follows.
-                let line = line_through(&core);
+                let line = line_through(core);
                 let fits = |i: isize| line.offset(self.samples.at(i)).abs() < 0.5 * self.rule.straight;
                 let (mut from, mut to) = (i, good);
                 while from < i + trim && !fits(from) {
@@ -177,7 +177,7 @@ impl Divider<'_> {
 
     fn straight(&self, first: isize, last: isize) -> bool {
         let points = self.samples.stretch(first, last);
-        let line = line_through(&points);
+        let line = line_through(points);
         points.iter().all(|&p| line.offset(p).abs() <= self.rule.straight)
     }
 
@@ -242,7 +242,7 @@ impl Divider<'_> {
         if most > 1.5 * self.rule.straight {
             return false;
         }
-        last - first < 6 || self.sagitta(&self.samples.stretch(first, last)).abs() < 0.4 * self.rule.straight
+        last - first < 6 || self.sagitta(self.samples.stretch(first, last)).abs() < 0.4 * self.rule.straight
     }
 
     fn emit(&mut self, anchor: Anchor, piece: Piece) {
@@ -326,8 +326,8 @@ impl Divider<'_> {
             if anchor.tangent == Tangent::Free { self.samples.steps(self.rule.gap) } else { 1 }
         };
         let (first, last) = (start.index + gap(start), end.index - gap(end));
-        let places = if first <= last { self.samples.stretch(first, last) } else { Vec::new() };
-        Cubic::fit(start.point, end.point, &places, [start.tangent, end.tangent])
+        let places = if first <= last { self.samples.stretch(first, last) } else { &[] };
+        Cubic::fit(start.point, end.point, places, [start.tangent, end.tangent])
     }
 }
 

@@ -136,7 +136,7 @@ impl InkWork {
     fn spline(&mut self, i: usize) -> f64 {
         let samples = &self.samples[i];
         let whole =
-            if self.options.refined { round(&samples.points, ROUND * self.quality.slack()) } else { None };
+            if self.options.refined { round(samples.places(), ROUND * self.quality.slack()) } else { None };
         let rule = self.quality.division_rule(&self.options);
         let mut outline = whole.unwrap_or_else(|| divide(samples, &self.corners[i], &rule));
         let (width, height) = (self.gray.width() as f64, self.gray.height() as f64);

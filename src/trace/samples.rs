@@ -16,7 +16,9 @@ const STRAY: f64 = 0.11;
 /// A polyline at even distances.
 #[derive(Debug)]
 pub(super) struct Samples {
-    pub(super) points: Vec<Point>,
+    /// The places; those of a closed polyline twice, so that every stretch of it lies in one piece.
+    ring: Vec<Point>,
+    count: usize,
     /// The distance between neighbours along the polyline.
     pub(super) spacing: f64,
     /// Whether the last place is followed by the first.
@@ -37,7 +39,7 @@ impl Samples {
         let length: f64 = (0..polyline.len()).map(|i| norm(after(i) - polyline[i])).sum();
         let count = ((length / SPACING).round() as usize).max(8);
         let spacing = length / count as f64;
-        let mut points = Vec::with_capacity(count);
+        let mut points = Vec::with_capacity(2 * count);
         let mut travelled = 0.0;
         for (i, &from) in polyline.iter().enumerate() {
             let step = norm(after(i) - from);
@@ -50,7 +52,8 @@ impl Samples {
         while points.len() < count {
             points.push(polyline[0]);
         }
-        Self { points, spacing, closed: true }
+        points.extend_from_within(..);
+        Self { ring: points, count, spacing, closed: true }
     }
 
     /// An open polyline, both ends included.
@@ -71,19 +74,26 @@ impl Samples {
         while points.len() <= count {
             points.push(polyline[polyline.len() - 1]);
         }
-        Self { points, spacing: spacing.max(1e-9), closed: false }
+        Self { ring: points, count: count + 1, spacing: spacing.max(1e-9), closed: false }
     }
 
     pub(super) fn len(&self) -> usize {
-        self.points.len()
+        self.count
+    }
+
+    /// Every place once.
+    pub(super) fn places(&self) -> &[Point] {
+        &self.ring[..self.count]
     }
 
     /// The place at a signed index, around the polyline; the ends of an open one go on for ever.
     pub(super) fn at(&self, i: isize) -> Point {
-        if !self.closed {
-            return self.points[i.max(0).min(self.points.len() as isize - 1) as usize];
+        if let Some(&place) = self.ring.get(i as usize) {
+            return place;
         }
-        self.points[i.rem_euclid(self.points.len() as isize) as usize]
+        let count = self.count as isize;
+        let i = if self.closed { i.rem_euclid(count) } else { i.max(0).min(count - 1) };
+        self.ring[i as usize]
     }
 
     /// How many places span a distance.
@@ -91,9 +101,12 @@ impl Samples {
         (distance / self.spacing).round() as isize
     }
 
-    /// Places `first` to `last` around the polyline, both included.
-    pub(super) fn stretch(&self, first: isize, last: isize) -> Vec<Point> {
-        (first..=last).map(|i| self.at(i)).collect()
+    /// Places `first` to `last` around the polyline, both included, at most once around; what is beyond the end of an open one is left out.
+    pub(super) fn stretch(&self, first: isize, last: isize) -> &[Point] {
+        let start = if self.closed { first.rem_euclid(self.count as isize) } else { first };
+        let inside = |i: isize| (i.max(0) as usize).min(self.ring.len());
+        let end = inside(start + last + 1 - first);
+        &self.ring[inside(start).min(end)..end]
     }
 
     /// The place and the tangent at index i, from a cubic in the distance: over as much on both sides, from `least` up to
