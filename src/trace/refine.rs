@@ -11,6 +11,11 @@ use crate::limits::filled;
 
 /// Weight of staying where it is, in coverage per pixel, squared.
 const DAMPING: f64 = 5e-3;
+/// After a good step it is less by this factor, and never less than this.
+const RELAXING: f64 = 0.25;
+const LEAST_DAMPING: f64 = 1e-4;
+/// The square of what a byte leaves of coverage, with a little more: 1/255 over √12 is 0.0011.
+const ROUNDING: f64 = 2e-6;
 /// Nothing moves farther in one step, in pixels.
 const LONGEST_STEP: f64 = 0.6;
 /// How much of a pixel's side an outline crosses, in the mean by length: between 0.94 and 1 for straight ones.
@@ -131,7 +136,7 @@ impl Refiner {
         &self.pieces
     }
 
-    /// Moves nodes by at most so many steps, until nothing gets better.
+    /// Moves nodes by at most so many steps, until a step takes no more than the share `enough` of what is left, or nothing but what bytes round.
     ///
     /// # Cost
     ///
@@ -141,14 +146,14 @@ impl Refiner {
         field: &mut Field,
         shape: &mut Shape,
         nodes: &[usize],
-        most: usize,
+        (most, enough): (usize, f64),
     ) -> Result<()> {
         let mut damping = DAMPING;
         for _ in 0..most {
-            let (square, growth) = self.step(field, shape, nodes, damping)?;
+            let (left, growth) = self.step(field, shape, nodes, damping)?;
             if growth < 0.0 {
-                damping = (0.5 * damping).max(0.2 * DAMPING);
-                if -growth < 5e-4 * square {
+                damping = (RELAXING * damping).max(LEAST_DAMPING);
+                if -growth < enough * left.square || left.square + growth < ROUNDING * left.count {
                     break;
                 }
             } else {
@@ -161,14 +166,14 @@ impl Refiner {
         Ok(())
     }
 
-    /// One step: the sum of squares before it and how much it has grown; if it would grow, nothing moves.
+    /// One step: what was left before it and how much it has grown; if it would grow, nothing moves.
     fn step(
         &mut self,
         field: &mut Field,
         shape: &mut Shape,
         nodes: &[usize],
         damping: f64,
-    ) -> Result<(f64, f64)> {
+    ) -> Result<(Left, f64)> {
         self.unknowns.number(&shape.outline, nodes);
         self.unknowns.pieces(&shape.outline, &mut self.pieces);
         let mut left = Left::default();
@@ -178,7 +183,7 @@ impl Refiner {
         self.unknowns.apply(&mut shape.outline, &step, LONGEST_STEP);
         if self.pieces.iter().any(|&i| leaves(&shape.outline.cubic(i), field)) {
             self.restore(&mut shape.outline, &saved);
-            return Ok((left.square, f64::INFINITY));
+            return Ok((left, f64::INFINITY));
         }
         self.old.clear();
         self.new.clear();
@@ -199,7 +204,7 @@ impl Refiner {
             field.settle();
             self.restore(&mut shape.outline, &saved);
         }
-        Ok((left.square, growth))
+        Ok((left, growth))
     }
 
     fn save(&self, outline: &Outline) -> Outline {

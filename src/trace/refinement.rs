@@ -16,9 +16,9 @@ const ROUGH: f64 = 0.2;
 const USUAL: f64 = 0.22;
 /// How often pieces are halved.
 const HALVINGS: usize = 2;
-/// Steps of all nodes at first, and of few nodes at last.
-const STEPS: usize = 6;
-const LAST_STEPS: usize = 8;
+/// Steps of all nodes at first and at last, and the share of what is left that a step has to take away for another.
+const STEPS: (usize, f64) = (6, 0.02);
+const LAST_STEPS: (usize, f64) = (8, 4e-3);
 
 /// Refinement on its way.
 #[derive(Debug)]
@@ -226,13 +226,12 @@ impl Refinement {
 /// Halves pieces that explain the picture worse than joints are taken away for, as long as that helps.
 fn halve(refiner: &mut Refiner, field: &mut Field, shape: &mut Shape, limits: &Limits) -> Result<()> {
     for _ in 0..HALVINGS {
-        let far: Vec<bool> = shape
-            .parts
-            .iter()
-            .map(|parts| {
+        let far: Vec<bool> = (0..shape.outline.len())
+            .map(|i| {
                 let mut left = Left::default();
-                left.add(parts, field);
-                left.count > 8.0 && (left.rms() > 1.5 * limits.rms || left.most > 2.0 * limits.most)
+                left.add(&shape.parts[i], field);
+                !shape.outline.is_line(i)
+                    && left.count > 8.0 && (left.rms() > 1.5 * limits.rms || left.most > 2.0 * limits.most)
             })
             .collect();
         if !far.contains(&true) {

@@ -30,6 +30,8 @@ const MOST_ROUNDS: usize = 12;
 /// Steps of refinement after which a merged piece is looked at, and after which it has to be good.
 const FIRST_STEPS: usize = 2;
 const LAST_STEPS: usize = 6;
+/// The share of what is left that a step has to take away for another.
+const ENOUGH: f64 = 0.01;
 /// A merged piece that leaves so many times as much as it may will not get good.
 const HOPELESS: f64 = 5.0;
 
@@ -139,7 +141,7 @@ impl Trial<'_> {
     fn settles(&mut self, at: usize, nodes: &[usize], before: &Left, forced: bool) -> Result<bool> {
         let mut steps = 0;
         loop {
-            self.refiner.refine(self.field, self.shape, nodes, FIRST_STEPS)?;
+            self.refiner.refine(self.field, self.shape, nodes, (FIRST_STEPS, ENOUGH))?;
             steps += FIRST_STEPS;
             let mut now = Left::default();
             now.add(&self.shape.parts[at], self.field);

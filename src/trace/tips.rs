@@ -14,7 +14,7 @@ const LONGEST: f64 = 5.0;
 const FARTHEST: f64 = 12.0;
 /// The least turning at a tip, in radians: less is a corner that was cut on purpose.
 const LEAST: f64 = 1.9;
-const STEPS: usize = 8;
+const STEPS: (usize, f64) = (8, 5e-4);
 
 /// Puts tips where their sides meet, as long as the picture is explained as well as before or as `limits` say.
 ///
