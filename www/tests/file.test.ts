@@ -6,6 +6,7 @@ import { emptySurface } from "../src/document/surface.ts";
 import { emptyTrace } from "../src/document/trace.ts";
 import { FileError, parseState, readState, writeState, type FileErrorCode } from "../src/document/file.ts";
 import { curveSamples } from "../src/document/samples.ts";
+import { Hand } from "./harness.ts";
 
 /** The file format under hostile input. Ids are those of the catalogue of hostile cases, adapted to this format's fields. */
 
@@ -64,6 +65,18 @@ for (const [id, what, text, code, path] of refused) {
     );
   });
 }
+
+test("JS-020 a field of somebody else's goes through the editor and into the next file as it was", () => {
+  const { state } = parseState(file({ "x-vendor": '{"a":[1,null,"é"]}', __proto__x: '{"own":1}' }).replace("__proto__x", "__proto__"));
+  const { editor } = new Hand();
+  editor.setState(state, { fresh: true });
+  editor.patch({ mode: "fit" });
+  const again = parseState(writeState(editor.getState()));
+  assert.deepEqual(Object.fromEntries(Object.entries(again.state).filter(([key]) => key === "x-vendor" || key === "__proto__")), JSON.parse('{"x-vendor":{"a":[1,null,"é"]},"__proto__":{"own":1}}'));
+  assert.equal(({} as Record<string, unknown>)["own"], undefined);
+  editor.setState(stateOf(), { fresh: true });
+  assert.equal(Object.hasOwn(editor.getState(), "x-vendor"), false, "another file has none");
+});
 
 test("JS-008 JS-010 JS-019 a __proto__ key reaches nothing, and an unknown field is named", () => {
   const { state, warnings } = parseState(file({ __proto__x: "1", "x-vendor": "{}" }).replace("__proto__x", "__proto__"));

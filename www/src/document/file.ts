@@ -11,6 +11,7 @@ import { readFit } from "./file/fit.ts";
 import { readOrbit, readRoots, readSurface } from "./file/surface.ts";
 import { readTrace } from "./file/trace.ts";
 import { emptyFit } from "./fit.ts";
+import { othersOf } from "./others.ts";
 import { emptySurface } from "./surface.ts";
 import { emptyTrace } from "./trace.ts";
 import { asArray, asBoolean, asNumber, asObject, asSampleId, asWhole, field, oneOf, optional, type Found } from "./file/check.ts";
@@ -30,7 +31,7 @@ const families = ["hermite", "interpolating"] as const;
 
 export interface ReadFile {
   readonly state: DemoState;
-  /** `W_UNKNOWN_FIELD` with the paths of fields that this version does not know and drops. */
+  /** `W_UNKNOWN_FIELD` with the paths of fields that this version does not know and carries along. */
   readonly warnings: readonly { readonly code: "W_UNKNOWN_FIELD"; readonly path: string }[];
 }
 
@@ -56,6 +57,7 @@ export function readState(value: unknown): DemoState {
     throw new FileError("E_UNSUPPORTED", "$.version", `is ${version}; this page reads up to ${fileVersion}`, { version });
   }
   return {
+    ...strangers(root),
     format: oneOf(field(root, "format"), ["expline-demo"]),
     version: fileVersion,
     mode: optional(root, "mode", (found) => oneOf(found, modes)) ?? "curve",
@@ -68,11 +70,21 @@ export function readState(value: unknown): DemoState {
   };
 }
 
-const known: readonly string[] = ["format", "version", "mode", "view", "curve", "fit", "trace", "surface", "orbit"];
+/** Copies of somebody else's fields, as far as JSON can hold them. */
+function strangers(root: Found): Record<string, unknown> {
+  return Object.fromEntries(Object.entries(othersOf(asObject(root))).flatMap(([key, value]) => {
+    try {
+      const text = JSON.stringify(value) as string | undefined;
+      return text === undefined ? [] : [[key, JSON.parse(text) as unknown]];
+    } catch {
+      // It holds itself: no file can.
+      return [];
+    }
+  }));
+}
 
 function unknownFields(value: unknown): ReadFile["warnings"] {
-  return Object.keys(asObject({ value, path: "$" }))
-    .filter((key) => !known.includes(key))
+  return Object.keys(othersOf(asObject({ value, path: "$" })))
     .slice(0, 20)
     .map((key) => ({ code: "W_UNKNOWN_FIELD", path: `$.${key.slice(0, 40)}` }));
 }

@@ -3,6 +3,7 @@ import {
   emptyCurve, nothingSelected, pointAt, stateVersion, type Contour, type CurveDocument, type DemoState, type Mode, type Selection,
 } from "../document/document.ts";
 import { emptyFit, type FitMoment } from "../document/fit.ts";
+import { othersOf } from "../document/others.ts";
 import { emptySurface, noNetPoints, type SurfaceMoment } from "../document/surface.ts";
 import { emptyTrace, type TraceMoment } from "../document/trace.ts";
 import { emptyHistory, record, stepBack, stepForward, type History, type Moment } from "../document/history.ts";
@@ -108,6 +109,8 @@ export function createEditor(now: () => number): Editor {
   const state = createSignal<EditorState>(initialState);
   const notices = createSignal<Notice | null>(null);
   let history: History<Moment> = emptyHistory();
+  /** What the open file holds beside this page's own fields: somebody else's, and written again as it was. */
+  let others: Record<string, unknown> = {};
   let gesture: { name: string; start: Moment; changed: boolean } | null = null;
 
   const moment = (): Moment => ({ curve: state.value.curve, selection: state.value.selection });
@@ -258,7 +261,7 @@ export function createEditor(now: () => number): Editor {
     getState() {
       const { mode, view, curve, fit, trace, surface, solid } = state.value;
       const look = surface.net.length === 0 ? {} : { orbit: solid.orbit };
-      return { format: "expline-demo", version: stateVersion, mode, view, curve, fit, trace: editor.modes.get("trace")?.saved?.(state.value) ?? trace, surface, ...look };
+      return { ...others, format: "expline-demo", version: stateVersion, mode, view, curve, fit, trace: editor.modes.get("trace")?.saved?.(state.value) ?? trace, surface, ...look };
     },
     setState(next: DemoState, options = {}) {
       editor.bail();
@@ -269,6 +272,7 @@ export function createEditor(now: () => number): Editor {
       surfaceEdits.bail();
       fitEdits.bail();
       traceEdits.bail();
+      others = othersOf(next);
       if (options.fresh === true) {
         history = emptyHistory();
         state.set({ ...state.value, surface, chosen: noNetPoints, fit, trace });
