@@ -140,3 +140,19 @@ test("DM-017 a screen of very many pixels gets a canvas that browsers can hold",
   });
   assert.ok(pixels > 1e6 && pixels <= 16_777_216, `${pixels} pixels`);
 });
+
+test("DM-033 a fit that a hidden tab holds up is done when the tab comes back, as if nothing had been", async (t) => {
+  const demo = await open(t, "#/fit?sample=fit-coast");
+  await demo.slide("fit-smoothing", 55);
+  const { fit } = await demo.state();
+  await demo.slide("fit-smoothing", 20);
+  const devtools = await demo.page.context().newCDPSession(demo.page);
+  await demo.byId("fit-smoothing").fill("55");
+  await devtools.send("Page.setWebLifecycleState", { state: "frozen" });
+  // Whatever was to happen in this time happens afterwards.
+  await demo.page.waitForTimeout(700);
+  await devtools.send("Page.setWebLifecycleState", { state: "active" });
+  await demo.idle();
+  assert.deepEqual((await demo.state()).fit, fit);
+  assert.deepEqual(demo.complaints, []);
+});

@@ -6,7 +6,7 @@ import { createEditor } from "../src/editor/create-editor.ts";
 import type { Editor } from "../src/editor/editor.ts";
 import { fittingDistance, projector, stepAlong, stepInView, type Orbit } from "../src/editor/surface/orbit.ts";
 import { chooseNet, ensureSurface, nudgeNet, openSurfaceSample, refineHere, setNetSize, setSurfaceLevels } from "../src/editor/surface/surface-edits.ts";
-import { netPoints } from "../src/kernel/surface-mesh.ts";
+import { meshOf, netPoints } from "../src/kernel/surface-mesh.ts";
 import { largestDistance, recurrence } from "../src/kernel/surface-net.ts";
 import { deviationOf } from "../src/kernel/surface-truth.ts";
 import { meshPoints } from "../src/kernel/surface.ts";
@@ -126,3 +126,23 @@ test("a surface that no library could draw gives way to its sample, and says so"
   assert.ok(surface(editor).net.length > 4);
   assert.equal(editor.notices.value?.kind, "error");
 });
+
+for (const sample of ["surf-sphere", "surf-torus", "surf-paraboloid", "surf-cylinder", "surf-character"]) {
+  test(`${sample}: a mesh in which only what moved is made anew has the bits of one made from nothing`, () => {
+    const editor = opened(sample);
+    const [first] = netPoints(surface(editor));
+    assert.ok(first !== undefined);
+    chooseNet(editor, [first.ref]);
+    refineHere(editor);
+    const points = netPoints(surface(editor));
+    for (const chosen of [[points[0]], [points.at(-1)], [points[Math.floor(points.length / 2)], points[1]]]) {
+      chooseNet(editor, chosen.flatMap((point) => point?.ref ?? []));
+      meshOf(surface(editor), 12, false);
+      nudgeNet(editor, 0.1, -0.07);
+      const moved = meshOf(surface(editor), 12, false);
+      // A copy of the document has no past.
+      const fresh = meshOf(structuredClone(surface(editor)), 12, false);
+      assert.deepEqual(moved, fresh);
+    }
+  });
+}

@@ -1,5 +1,6 @@
+import type { SurfaceMesh as LibraryMesh } from "expline/slim";
 import type { NetDirection, NetRef, SurfaceDocument } from "../document/surface.ts";
-import { surfaceOf } from "./surface.ts";
+import { beforeMove, surfaceOf } from "./surface.ts";
 
 /** Surfaces as triangles, and what is known about the points of a net. */
 
@@ -25,17 +26,24 @@ function verticesOf(length: number, sides: number): number {
   return Math.max(3, Math.round(length * sides) + 1);
 }
 
-const meshes = new WeakMap<SurfaceDocument, { readonly sides: number; readonly mesh: SurfaceMesh }>();
+interface Made {
+  readonly sides: number;
+  /** As the library makes it: no row and no column twice. */
+  readonly own: LibraryMesh;
+  readonly mesh: SurfaceMesh;
+}
+
+const meshes = new WeakMap<SurfaceDocument, Made>();
 
 export function meshOf(document: SurfaceDocument, sides: number, withCurvature: boolean): SurfaceMesh | null {
   const known = meshes.get(document);
   if (known !== undefined && known.sides === sides && (!withCurvature || known.mesh.curvature !== null)) return known.mesh;
-  const mesh = makeMesh(document, sides, withCurvature);
-  if (mesh !== null) meshes.set(document, { sides, mesh });
-  return mesh;
+  const made = makeMesh(document, sides, withCurvature);
+  if (made !== null) meshes.set(document, made);
+  return made?.mesh ?? null;
 }
 
-function makeMesh(document: SurfaceDocument, sides: number, withCurvature: boolean): SurfaceMesh | null {
+function makeMesh(document: SurfaceDocument, sides: number, withCurvature: boolean): Made | null {
   const surface = surfaceOf(document);
   if (surface === null) return null;
   const size = [surface.domain.u[1] - surface.domain.u[0], surface.domain.v[1] - surface.domain.v[0]] as const;
@@ -44,23 +52,47 @@ function makeMesh(document: SurfaceDocument, sides: number, withCurvature: boole
   const [rows, cols] = [verticesOf(size[0], sides * scale), verticesOf(size[1], sides * scale)];
   const { u, v } = surface;
   const [ownRows, ownCols] = [u.closed ? rows - 1 : rows, v.closed ? cols - 1 : cols];
-  const { positions, normals } = surface.mesh(ownRows, ownCols);
-  const spread = (from: Float64Array, width: number): Float32Array => {
+  const own = movedMesh(document, sides) ?? surface.mesh(ownRows, ownCols);
+  const spread = (from: Float64Array | Float32Array, width: number): Float32Array => {
     const to = new Float32Array(width * rows * cols);
     for (let i = 0; i < rows; i += 1) {
-      for (let j = 0; j < cols; j += 1) {
-        const at = width * ((i % ownRows) * ownCols + (j % ownCols));
-        for (let k = 0; k < width; k += 1) to[width * (i * cols + j) + k] = from[at + k] ?? 0;
-      }
+      const start = width * ownCols * (i % ownRows);
+      to.set(from.subarray(start, start + width * ownCols), width * cols * i);
+      if (cols > ownCols) to.set(from.subarray(start, start + width), width * (cols * i + ownCols));
     }
     return to;
   };
+  const parameters = parametersOf(rows, cols, size);
+  const curvature = withCurvature ? spread(curvatures(document, parameters, [rows, cols], [ownRows, ownCols]), 1) : null;
+  return { sides, own, mesh: { rows, cols, size, parameters, curvature, positions: spread(own.positions, 3), normals: spread(own.normals, 3) } };
+}
+
+/** More points than this move most of a surface. */
+const mostRemeshed = 8;
+
+/** While points are dragged: the mesh before, and anew only what they touch of it. */
+function movedMesh(document: SurfaceDocument, sides: number): LibraryMesh | null {
+  const move = beforeMove(document);
+  const surface = surfaceOf(document);
+  const before = move === null ? undefined : meshes.get(move.from);
+  if (move === null || surface === null || before === undefined || before.sides !== sides || move.points.length > mostRemeshed) return null;
+  const mesh = { ...before.own, positions: before.own.positions.slice(), normals: before.own.normals.slice() };
+  for (const { u, v, detail } of move.points) surface.remesh(mesh, u, v, detail);
+  return mesh;
+}
+
+let lastParameters: Pick<SurfaceMesh, "rows" | "cols" | "size" | "parameters"> | null = null;
+
+/** The same array as before for the same grid: nothing then has to go to the graphics card again. */
+function parametersOf(rows: number, cols: number, size: readonly [number, number]): Float32Array {
+  const last = lastParameters;
+  if (last !== null && last.rows === rows && last.cols === cols && last.size[0] === size[0] && last.size[1] === size[1]) return last.parameters;
   const parameters = new Float32Array(2 * rows * cols);
   for (let i = 0; i < rows; i += 1) {
     for (let j = 0; j < cols; j += 1) parameters.set([(size[0] * i) / (rows - 1), (size[1] * j) / (cols - 1)], 2 * (i * cols + j));
   }
-  const curvature = withCurvature ? spread(curvatures(document, parameters, [rows, cols], [ownRows, ownCols]), 1) : null;
-  return { rows, cols, size, parameters, curvature, positions: spread(positions, 3), normals: spread(normals, 3) };
+  lastParameters = { rows, cols, size, parameters };
+  return parameters;
 }
 
 /** Gaussian curvature at the vertices that are not repeated. */

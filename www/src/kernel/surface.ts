@@ -114,6 +114,16 @@ export function openedSurface(document: SurfaceDocument): SurfaceDocument {
   return surfaceSample(document.sample) ?? surfaceSample(emptySurface.sample) ?? document;
 }
 
+/** Which surface another one was made of by moving points, and which points. It is not kept alive for this. */
+const moves = new WeakMap<SurfaceDocument, { readonly from: WeakRef<SurfaceDocument>; readonly points: readonly NetRef[] }>();
+
+/** What a surface was before some of its points were moved; null where nothing is known. */
+export function beforeMove(document: SurfaceDocument): { readonly from: SurfaceDocument; readonly points: readonly NetRef[] } | null {
+  const move = moves.get(document);
+  const from = move?.from.deref();
+  return move === undefined || from === undefined ? null : { from, points: move.points };
+}
+
 /** The same surface with points moved to new places. Poles stay smooth: what hangs together moves together. */
 export function withNetPoints(document: SurfaceDocument, places: readonly (NetRef & { readonly x: number; readonly y: number; readonly z: number })[]): SurfaceDocument {
   const now = surfaceOf(document);
@@ -124,7 +134,9 @@ export function withNetPoints(document: SurfaceDocument, places: readonly (NetRe
     if (detail === undefined) surface.setPoint(u, v, x, y, z);
     else surface.setPatchPoint(detail, u, v, x, y, z);
   }
-  return documentOf(document.sample, surface);
+  const next = documentOf(document.sample, surface);
+  moves.set(next, { from: new WeakRef(document), points: places });
+  return next;
 }
 
 /** The nearest surface on a net that is coarser by so many levels. */

@@ -49,6 +49,8 @@ export interface ShadedView {
 
 const shades: Readonly<Record<Shade, number>> = { solid: 0, wire: 1, normals: 2, curvature: 3, zebra: 4 };
 const mostRegions = 8;
+/** What the shader calls the numbers of a vertex. */
+const names = { positions: "position", normals: "normal", parameters: "parameter", curvature: "curvature" } as const;
 
 /** `lost` is told when the graphics card takes the context away and when it gives it back. */
 export function createShadedView(canvas: HTMLCanvasElement, lost: (gone: boolean) => void): ShadedView | null {
@@ -92,16 +94,14 @@ export function createShadedView(canvas: HTMLCanvasElement, lost: (gone: boolean
       }
       solid.geometry = geometry;
     }
-    const set = (name: string, values: Float32Array | null): void => {
-      const attribute = geometry.getAttribute(name);
-      if (values === null || !(attribute instanceof BufferAttribute)) return;
+    const set = (name: "positions" | "normals" | "parameters" | "curvature"): void => {
+      const values = mesh[name];
+      const attribute = geometry.getAttribute(names[name]);
+      if (values === null || !(attribute instanceof BufferAttribute) || (sameShape && values === shown?.[name])) return;
       attribute.array.set(values);
       attribute.needsUpdate = true;
     };
-    set("position", mesh.positions);
-    set("normal", mesh.normals);
-    set("parameter", mesh.parameters);
-    set("curvature", mesh.curvature);
+    for (const name of ["positions", "normals", "parameters", "curvature"] as const) set(name);
     shown = mesh;
   }
 
