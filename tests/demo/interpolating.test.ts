@@ -191,3 +191,18 @@ test("an interpolating drawing at a finer level goes through its file with every
   assert.deepEqual((await demo.state()).curve, state.curve);
   assert.deepEqual(await demo.sample(500), before);
 });
+
+test("the weights of the selected point stand on the curve, move with the selection, and change nothing", async (t) => {
+  const demo = await blob(t);
+  const curve = await demo.sample(200);
+  await demo.click("pt-0-3");
+  const plain = await demo.pixels();
+  await demo.byId("ov-weights").check();
+  await demo.idle();
+  const third = await demo.pixels();
+  assert.ok((await demo.changedPixels(plain, third)) > 500);
+  await demo.focusStage();
+  await demo.press("]");
+  assert.ok((await demo.changedPixels(third, await demo.pixels())) > 500);
+  assert.deepEqual(await demo.sample(200), curve);
+});

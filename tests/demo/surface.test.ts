@@ -2,7 +2,12 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { useBrowser, type Demo } from "./page.ts";
 
-const { open } = useBrowser();
+const browser = useBrowser();
+
+/** A small window: where no graphics card shades, the processor does it pixel by pixel. */
+function open(t: Parameters<typeof browser.open>[0], hash = ""): Promise<Demo> {
+  return browser.open(t, hash, { viewport: { width: 1030, height: 560 } });
+}
 
 type Place = readonly [number, number, number];
 

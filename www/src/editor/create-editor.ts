@@ -21,7 +21,7 @@ import { initialTraceView, noTraceRun } from "./trace/trace-state.ts";
 export const nothingSketched: Sketch = { guides: [], marquee: null, rubber: null, finger: null, proposal: null };
 
 export const defaultSettings: Settings = {
-  overlays: { handles: true, polygon: false, knots: false, comb: false, subdivision: false, fill: true, bezier: false, grid: false },
+  overlays: { handles: true, polygon: false, knots: false, comb: false, subdivision: false, weights: false, fill: true, bezier: false, grid: false },
   combScale: 1,
   subdivisionSteps: 0,
   snap: true,

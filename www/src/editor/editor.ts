@@ -15,7 +15,7 @@ import type { Incoming, TraceRun, TraceView } from "./trace/trace-state.ts";
 
 export type ToolId = "select" | "pen" | "draw" | "hand";
 
-export type OverlayId = "handles" | "polygon" | "knots" | "comb" | "subdivision" | "fill" | "bezier" | "grid";
+export type OverlayId = "handles" | "polygon" | "knots" | "comb" | "subdivision" | "weights" | "fill" | "bezier" | "grid";
 
 /** How the page shows and behaves; never part of the drawing, never in its history. */
 export interface Settings {

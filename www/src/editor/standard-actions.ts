@@ -69,6 +69,7 @@ const overlays: readonly [OverlayId, string, string | null][] = [
   ["knots", "Knots", null],
   ["comb", "Curvature comb", "K"],
   ["subdivision", "Subdivision", null],
+  ["weights", "Weights of a point", null],
   ["fill", "Fill", null],
   ["bezier", "Compare with Bézier", null],
   ["grid", "Grid", "G"],

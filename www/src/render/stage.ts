@@ -2,6 +2,7 @@ import type { Mode } from "../document/document.ts";
 import type { Editor } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
 import { drawComb, drawKnots, drawPolygon, drawSubdivision } from "./layers/analysis.ts";
+import { drawWeights } from "./layers/weights.ts";
 import { drawBefore, drawBezier, drawCurves, drawFill, drawSpans } from "./layers/curves.ts";
 import { drawGrid } from "./layers/grid.ts";
 import { drawHandles, drawPoints } from "./layers/points.ts";
@@ -96,5 +97,5 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
 
 /** From the paper up. */
 const layers: readonly ((scene: Scene) => void)[] = [
-  drawGrid, drawFill, drawBefore, drawBezier, drawSubdivision, drawPolygon, drawComb, drawSpans, drawCurves, drawKnots, drawHandles, drawPoints, drawSketch, drawLoupe,
+  drawGrid, drawFill, drawBefore, drawBezier, drawSubdivision, drawPolygon, drawComb, drawWeights, drawSpans, drawCurves, drawKnots, drawHandles, drawPoints, drawSketch, drawLoupe,
 ];

@@ -13,6 +13,7 @@ const overlays: readonly (readonly [OverlayId, string, string, string])[] = [
   ["knots", "ov-knots", "Knots", "A tick where two segments meet."],
   ["comb", "ov-comb", "Comb", "Curvature as teeth along the curve (K)."],
   ["subdivision", "ov-subdiv", "Subdivision", "The polygons of the subdivision scheme, step by step."],
+  ["weights", "ov-weights", "Weights", "How strongly the selected point acts along the curve: its generators, standing on it."],
   ["fill", "ov-fill", "Fill", "A light wash inside closed contours."],
   ["bezier", "ov-bezier", "Compare with Bézier", "The best Bézier of the same points, dashed behind the curve."],
   ["grid", "ov-grid", "Grid", "A grid to draw on (G)."],
