@@ -159,7 +159,8 @@ fn evenly(way: &[Point], count: usize) -> Vec<Point> {
 #[test]
 fn corners_and_smooth_sides_are_both_kept() {
     let (way, corners) = mixed();
-    for seed in 0..4 {
+    let (mut all, mut sharp, cases) = (0.0, 0.0, 4);
+    for seed in 0..cases {
         let points = noisy(&evenly(&way, 600), 0.5, seed);
         let fitted = fit(&points, Ask::Noise, &Options::default()).expect("it can be fitted");
         let (rms, most) = errors(&fitted, &way);
@@ -173,7 +174,11 @@ fn corners_and_smooth_sides_are_both_kept() {
         for (corner, near) in corners.iter().zip([0.8, 0.8, 3.0]) {
             assert!(off(corner) < near, "outline {seed}: corner {corner} is off by {}", off(corner));
         }
+        all += rms / cases as f64;
+        sharp += corners[..2].iter().map(off).sum::<f64>() / (2 * cases) as f64;
     }
+    assert!(all <= 0.15, "rms {all} on average");
+    assert!(sharp <= 0.4, "sharp corners are off by {sharp} on average");
 }
 
 #[test]

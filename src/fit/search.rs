@@ -11,6 +11,10 @@ pub(super) struct Price(pub(super) f64);
 /// How many numbers more a corner counts for when whole fits are compared: one that is seen should be there.
 const CORNER: f64 = 3.0;
 
+/// Within how many points knots may stand for one corner, and how many such groups are tried.
+const NEAR: f64 = 20.0;
+const MOST_CLUSTERS: usize = 6;
+
 impl Price {
     /// The price of a knot that counts so often.
     pub(super) fn of(self, multiplicity: usize) -> f64 {
@@ -231,29 +235,34 @@ fn corners(fitted: &FreeKnots, price: Price) -> Vec<Breaks> {
     found.into_iter().map(corner).collect()
 }
 
-/// Three knots and more within a few points, which may be one corner.
+/// Neighbouring knots within a few points that together cost no less than a corner, which they may be; the closest first.
 fn clusters(breaks: &Breaks, points: usize) -> Vec<Breaks> {
-    let reach = 12.0 * breaks.end / points.max(1) as f64;
-    let mut found = Vec::new();
-    let mut k = 0;
-    while k + 2 < breaks.len() {
-        let mut last = k;
-        while last + 1 < breaks.len() && breaks.at[last + 1] - breaks.at[k] < reach {
-            last += 1;
-        }
-        if last >= k + 2 {
-            let mut one = breaks.clone();
-            one.at[k] = 0.5 * (breaks.at[k] + breaks.at[last]);
-            one.multiplicity[k] = breaks.sharpest;
-            one.at.drain(k + 1..=last);
-            one.multiplicity.drain(k + 1..=last);
-            if one.len() >= least(&one) {
-                found.push(one);
+    let reach = NEAR * breaks.end / points.max(1) as f64;
+    let mut found: Vec<(f64, usize, usize)> = Vec::new();
+    for k in 0..breaks.len() {
+        let mut counted = breaks.multiplicity[k];
+        for last in k + 1..breaks.len() {
+            counted += breaks.multiplicity[last];
+            let long = breaks.at[last] - breaks.at[k];
+            if long >= reach || breaks.len() - (last - k) < least(breaks) {
+                break;
+            }
+            if counted >= breaks.sharpest {
+                found.push((long, k, last));
             }
         }
-        k = last.max(k + 1);
     }
-    found
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    found.truncate(MOST_CLUSTERS);
+    let corner = |(_, k, last): (f64, usize, usize)| {
+        let mut one = breaks.clone();
+        one.at[k] = 0.5 * (breaks.at[k] + breaks.at[last]);
+        one.multiplicity[k] = breaks.sharpest;
+        one.at.drain(k + 1..=last);
+        one.multiplicity.drain(k + 1..=last);
+        one
+    };
+    found.into_iter().map(corner).collect()
 }
 
 /// Knot k and the next one at one place, where they are close, and how promising that is.
