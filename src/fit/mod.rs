@@ -1,4 +1,30 @@
 //! The sparsest curve through points: total-variation splines with a certificate of optimality.
+//!
+//! [`fit`] does it at once, [`Fitter`] in steps that can be stopped, and again and again for a slider. What is wanted is
+//! an [`Ask`]: a price for each jump, a strength without a unit, the largest distance, or nothing, where the noise of the
+//! points decides. [`Options`] say of which degrees the spline is, and what becomes of the optimum of the convex problem.
+//!
+//! ```
+//! use expline::fit::{Ask, Options, fit};
+//! use expline::numerics::Point;
+//!
+//! // A square with sides of 100, 25 points on each.
+//! let points: Vec<Point> = (0..100)
+//!     .map(|i| {
+//!         let along = 4.0 * f64::from(i % 25);
+//!         match i / 25 {
+//!             0 => Point::new(along, 0.0),
+//!             1 => Point::new(100.0, along),
+//!             2 => Point::new(100.0 - along, 100.0),
+//!             _ => Point::new(0.0, 100.0 - along),
+//!         }
+//!     })
+//!     .collect();
+//! let fitted = fit(&points, Ask::Tolerance(0.5), &Options::default())?;
+//! assert_eq!(fitted.knots.len(), 4, "its corners and nothing else");
+//! assert!(fitted.max_error <= 0.5, "no point is farther from the curve");
+//! # Ok::<(), expline::Error>(())
+//! ```
 
 pub mod admm;
 mod bins;

@@ -4,6 +4,19 @@
 //! whole line, with everything that is known about it. Both rest on the same few constants.
 //!
 //! For any list of [`Roots`] there is an [`ExponentialBSpline`] and, mostly, an [`Interpolator`] made of it.
+//!
+//! ```
+//! use expline::generator::{HermiteGenerators, Interpolator, Roots, Space};
+//!
+//! let generators = HermiteGenerators::new(core::f64::consts::FRAC_PI_2, Space::Trigonometric)?;
+//! assert_eq!(generators.at(0.0, 0), (1.0, 0.0)); // φ₁ carries the value at a knot …
+//! assert_eq!(generators.at(0.0, 1), (0.0, 1.0)); // … and φ₂ the derivative
+//!
+//! let interpolator = Interpolator::new(&Roots::ellipse(8)?)?; // exact for ellipses of 8 points
+//! let sum: f64 = (-3..=3).map(|k| interpolator.at(0.3 - f64::from(k), 0)).sum();
+//! assert!((sum - 1.0).abs() < 1e-14, "moving all points moves the curve");
+//! # Ok::<(), expline::Error>(())
+//! ```
 
 mod basis;
 mod bernstein;

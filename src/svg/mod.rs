@@ -2,6 +2,15 @@
 //!
 //! [`parse_path`] turns every subpath into one [`HermiteCurve`](crate::HermiteCurve) without approximating
 //! anything; [`to_path_d`] goes back, with arcs as `A`, lines as `L` and all else as cubic Béziers within a tolerance.
+//!
+//! ```
+//! use expline::svg::{PrintOptions, parse_path, to_path_d};
+//!
+//! let ring = &parse_path("M10 50a40 40 0 1 1 80 0a40 40 0 1 1-80 0z")?.curves[0];
+//! let printed = to_path_d(ring, &PrintOptions { decimals: Some(1), ..PrintOptions::default() })?;
+//! assert!(printed.d.contains('A') && !printed.d.contains('C'), "arcs came in, arcs go out");
+//! # Ok::<(), expline::Error>(())
+//! ```
 
 mod arc;
 mod arc_text;

@@ -1,5 +1,22 @@
 //! From pixels to piecewise splines.
 //!
+//! [`trace`] does it at once, [`Tracer`] in steps that can be stopped; [`TraceOptions`] say whether outlines of ink, edges
+//! or centre lines are wanted. Ink is followed where the brightness crosses a threshold, and the curves are moved until
+//! they cover of every pixel what the picture says. The steps of the weighted quasi-interpolant, from edges to the
+//! spline of a tube, are here one by one as well.
+//!
+//! ```
+//! use expline::trace::{Gray, TraceOptions, trace};
+//!
+//! // A black square from (8, 8) to (24, 24) on white.
+//! let inside = |i: usize| (8..24).contains(&(i % 32)) && (8..24).contains(&(i / 32));
+//! let pixels: Vec<u8> = (0..32 * 32).map(|i| if inside(i) { 0 } else { 255 }).collect();
+//! let traced = trace(Gray::from_bytes(32, 32, &pixels)?, &TraceOptions::default())?;
+//! assert_eq!(traced.contours.len(), 1, "one outline");
+//! assert_eq!(traced.contours[0].cusps.len(), 4, "with its corners");
+//! # Ok::<(), expline::Error>(())
+//! ```
+//!
 //! Coordinates: x to the right, y down; pixel (column, row) covers [column, column + 1] × [row, row + 1].
 
 mod agreement;
