@@ -22,14 +22,21 @@ export interface BSplineCurveOptions {
 
 /** A {@link BSplineCurve} as plain data. Fields that a newer version wrote are kept. */
 export interface BSplineCurveJSON {
+  /** What it is. */
   type: "BSplineCurve";
+  /** Of the format; a file of a newer one is refused. */
   version: 1;
+  /** Whether the last point is followed by the first. */
   closed: boolean;
+  /** Coordinates of each point. */
   dimension: 2 | 3;
   /** All coordinates of each point in turn. */
   points: number[];
+  /** Per unit of the parameter. */
   roots: Root[];
+  /** From one control point to the next, in units of the parameter. */
   step: number;
+  /** The parameter of the first control point. */
   offset: number;
   [unknown: string]: unknown;
 }

@@ -23,12 +23,17 @@ import { call, outputText, result } from "./kernel.js";
 
 /** A rectangle along the axes, in the user's unit; a box for a curve in space. */
 export interface Bounds {
+  /** The least x. */
   minX: number;
+  /** The least y. */
   minY: number;
+  /** The largest x. */
   maxX: number;
+  /** The largest y. */
   maxY: number;
-  /** Of a curve in space only. */
+  /** The least z, of a curve in space only. */
   minZ?: number;
+  /** The largest z, of a curve in space only. */
   maxZ?: number;
 }
 
@@ -36,19 +41,27 @@ export interface Bounds {
 export interface Nearest {
   /** The parameter. */
   t: number;
+  /** Where the curve is there. */
   x: number;
+  /** Where the curve is there. */
   y: number;
   /** Of a curve in space only. */
   z?: number;
+  /** How far that is, never negative. */
   distance: number;
 }
 
 /** An ellipse, or the arc of one that runs from angle `start` over `sweep`, in radians from the first axis. */
 export interface Ellipse {
+  /** Where its centre is. */
   center: [number, number];
+  /** The two half axes. */
   radii: [number, number];
+  /** Angle of the first axis, in radians from the x axis towards the y axis. */
   rotation: number;
+  /** Where it begins, as an angle on the circle of which it is an image. */
   start: number;
+  /** How far it runs from there: ±2π for a whole ellipse, negative where it turns from y towards x. */
   sweep: number;
 }
 
@@ -66,19 +79,33 @@ export interface PathOptions {
 
 /** Everything that every curve can do. */
 export interface Curve {
+  /** Whether the last point is joined to the first; then any t is accepted. */
   readonly closed: boolean;
+  /** First and last parameter. */
   readonly domain: readonly [number, number];
+  /** 2 for a curve of the plane, 3 in space. */
   readonly dimension: 2 | 3;
+  /** Points, or derivatives by the parameter, at one or many t: all coordinates in turn. An open curve refuses t outside its domain. */
   evaluate(t: number | Float64Array, derivative?: number): Float64Array;
+  /** `count` points evenly over the parameter; an open curve's last one is its end. */
   sample(count: number): Float64Array;
+  /** A polyline that is nowhere farther from the curve than `tolerance`, in the user's unit. */
   flatten(tolerance: number): Float64Array;
+  /** Cubic Béziers within `tolerance`, 8 numbers each (12 in space); `maxError` is proved. */
   toCubics(tolerance: number): { path: Float64Array; maxError: number };
+  /** SVG path data; `maxError` is how far what is written is from the curve. */
   toPathD(options?: PathOptions): { d: string; maxError: number };
+  /** Its length, to an absolute tolerance; default 1e-9 of its size. */
   length(tolerance?: number): number;
+  /** The signed area of a closed curve of the plane. */
   area(): number;
+  /** The smallest box around the curve itself. */
   bounds(): Bounds;
+  /** The point of the curve that is nearest to a place. */
   nearest(x: number, y: number, z?: number): Nearest;
+  /** The signed curvature, in 1 per unit. */
   curvature(t: number | Float64Array): Float64Array;
+  /** Plain data, of which `fromJSON` makes the same curve to the last bit. */
   toJSON(): object;
 }
 

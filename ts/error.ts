@@ -75,6 +75,7 @@ export interface ErrorDetails {
 
 /** Every failure of this package: a clear message for people, stable fields for programs. */
 export class ExplineError extends Error {
+  /** "ExplineError", also where `instanceof` cannot tell: across frames and copies of the package. */
   override readonly name = "ExplineError";
   /** What kind of failure. */
   readonly code: ErrorCode;
@@ -82,17 +83,29 @@ export class ExplineError extends Error {
   readonly op: string;
   /** True when the engine's instance died of it and was replaced. */
   readonly fatal: boolean;
+  /** The argument at fault, with the position where there is one: `points[17]`. */
   declare readonly argument?: string;
+  /** The argument's bare name: `points`. */
   declare readonly arg?: string;
+  /** Position in the array (interleaved numbers are counted singly), or offset in the text. */
   declare readonly index?: number;
+  /** Place in a JSON value: `$.points[2]`. */
   declare readonly path?: string;
+  /** The bad value: a number, or a short piece of text. */
   declare readonly value?: unknown;
+  /** What is allowed: `|x| <= 1e9`. */
   declare readonly bound?: string;
+  /** Name of the limit: `maxPoints`. */
   declare readonly limit?: string;
+  /** The limit's value. */
   declare readonly max?: number;
+  /** What the call would have needed. */
   declare readonly actual?: number;
+  /** Which kind of failure within the code: `csp`, `duplicate-key`. */
   declare readonly reason?: string;
+  /** What could be done before the failure: the curves of a path up to its mistake. */
   declare readonly partial?: unknown;
+  /** Options that would let the call through: `{ speckle: 12 }`. */
   declare readonly offer?: Readonly<Record<string, number>>;
 
   /** @internal */

@@ -86,7 +86,9 @@ function affine(op: string, value: unknown): boolean {
 /** The B-spline β of a list of roots, centred: it vanishes outside [−n₀/2, n₀/2]. A value without state in the engine. */
 export class ExponentialBSpline extends Exponential {
   /**
-   * @param roots - closed under conjugation, 1 to 16 of them, real parts up to ±5, imaginary parts up to ±10.
+   * The B-spline of these roots.
+   *
+   * @param roots - closed under conjugation, 1 to 16 of them, real parts up to ±20, imaginary parts up to ±10.
    * @throws {ExplineError} E_DEGENERATE naming the root whose conjugate is missing.
    */
   constructor(roots: readonly Root[]) {
@@ -116,7 +118,9 @@ export class Interpolator extends Exponential {
   readonly lebesgue: number;
 
   /**
-   * @param roots - closed under conjugation and negation, 3 to 16 of them, imaginary parts below π, or, where it exists, up to
+   * The interpolator of these roots.
+   *
+   * @param roots - closed under conjugation and negation, 3 to 16 of them, real parts up to ±20, imaginary parts below π, or, where it exists, up to
    *   10 with `beyondPi`.
    * @throws {ExplineError} E_DEGENERATE where there is no interpolator, naming the root where one is at fault.
    */

@@ -5,7 +5,9 @@ import { type Curve, type HermiteCurve, curveOf, curvesIn } from "./core.js";
 export interface SparseKnot {
   /** Parameter of the curve. */
   t: number;
+  /** Where the curve is there. */
   x: number;
+  /** Where the curve is there. */
   y: number;
   /** Degree of the component that it belongs to: 1 is a corner. Two components may have a knot at the same t. */
   degree: number;
@@ -65,6 +67,7 @@ export interface SparseFit {
   sigma: number;
   /** Indices of the points whose distance cannot be noise, with `robust`. */
   outliers: number[];
+  /** How it ended: "converged" unless something was in the way. */
   status: FitStatus;
 }
 

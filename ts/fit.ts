@@ -145,6 +145,11 @@ export class SparseFitter {
     };
   }
 
+  /**
+   * Takes the points in; nothing is solved yet.
+   *
+   * @throws {ExplineError} as fitSparse does.
+   */
   constructor(points: PointsLike, options?: SparseFitOptions) {
     const op = "SparseFitter";
     const job = order(op, points, options);

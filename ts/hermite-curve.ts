@@ -21,12 +21,17 @@ import { type Floats, call, copy, result, write } from "./kernel.js";
 
 /** A {@link HermiteCurve} as plain data. Fields that a newer version wrote are kept. */
 export interface HermiteCurveJSON {
+  /** What it is. */
   type: "HermiteCurve";
+  /** Of the format; a file of a newer one is refused. */
   version: 1;
+  /** Whether the last point is joined to the first. */
   closed: boolean;
+  /** The space that its segments are in. */
   space: Space;
   /** Two numbers for each point. */
   points: number[];
+  /** Two numbers for each point: the derivative that leaves it. */
   tangents: number[];
   /** Only where they differ from `tangents`. */
   tangentsIn?: number[];

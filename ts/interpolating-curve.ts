@@ -23,12 +23,17 @@ export interface InterpolatingCurveOptions {
 
 /** An {@link InterpolatingCurve} as plain data. Fields that a newer version wrote are kept. */
 export interface InterpolatingCurveJSON {
+  /** What it is. */
   type: "InterpolatingCurve";
+  /** Of the format; a file of a newer one is refused. */
   version: 1;
+  /** Whether the last point is followed by the first. */
   closed: boolean;
+  /** Coordinates of each point. */
   dimension: 2 | 3;
   /** All coordinates of each point in turn. */
   points: number[];
+  /** What the curve reproduces. */
   roots: Root[];
   [unknown: string]: unknown;
 }

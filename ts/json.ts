@@ -31,6 +31,7 @@ import { type TensorSurface, type TensorSurfaceJSON, checkedSurface, surfaceOf }
 
 /** Something in the data that was not understood, but kept. */
 export interface JSONWarning {
+  /** The stable code. */
   code: "W_UNKNOWN_FIELD";
   /** `$.name`. */
   path: string;

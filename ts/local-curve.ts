@@ -34,12 +34,19 @@ export interface LocalCurveOptions {
 
 /** A {@link LocalCurve} as plain data. Fields that a newer version wrote are kept. */
 export interface LocalCurveJSON {
+  /** What it is. */
   type: "LocalCurve";
+  /** Of the format; a file of a newer one is refused. */
   version: 1;
+  /** Whether the last point is followed by the first. */
   closed: boolean;
+  /** Coordinates of each point. */
   dimension: 2 | 3;
+  /** All coordinates of each point in turn. */
   points: number[];
+  /** What the curve under the patches reproduces. */
   roots: Root[];
+  /** Finer control points, as what they add to the curve under them. */
   patches: { level: number; first: number; displacements: number[] }[];
   [unknown: string]: unknown;
 }

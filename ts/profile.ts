@@ -39,9 +39,11 @@ export interface ProfileTube {
 
 /** A profile's curve. */
 export interface ProfileFit {
+  /** Smooth but for its cusps; closed as it was asked for. */
   curve: Curve;
   /** Where the tangent jumps. */
   cusps: [number, number][];
+  /** Its parts, in their order. */
   tubes: ProfileTube[];
   /** How far the points are from the curve, in their own unit. */
   metrics: TraceMetrics;

@@ -19,8 +19,11 @@ export interface DirectionData {
 
 /** Rows of a patch in one direction of its level's grid. */
 export interface PatchWindow {
+  /** The grid's: each level halves the step. */
   readonly level: number;
+  /** The first row, in steps of that grid. */
   readonly first: number;
+  /** How many rows. */
   readonly count: number;
 }
 

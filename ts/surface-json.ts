@@ -4,8 +4,11 @@ import type { DirectionData, PatchWindow, SurfaceData } from "./surface-data.js"
 
 /** One direction of a net as plain data. */
 export interface DirectionJSON {
+  /** What this direction reproduces. */
   roots: Root[];
+  /** Rows of the net. */
   count: number;
+  /** Whether the last row is followed by the first. */
   closed: boolean;
   /** Only where it is not 0. */
   level?: number;
@@ -13,11 +16,15 @@ export interface DirectionJSON {
 
 /** A `TensorSurface` as plain data. Fields that a newer version wrote are kept. */
 export interface TensorSurfaceJSON {
+  /** What it is. */
   type: "TensorSurface";
+  /** Of the format; a file of a newer one is refused. */
   version: 1;
   /** Three numbers for each point, v fastest. */
   net: number[];
+  /** From row to row of the net. */
   u: DirectionJSON;
+  /** Along a row. */
   v: DirectionJSON;
   /** Only where there are some. */
   patches?: { u: PatchWindow; v: PatchWindow; displacements: number[] }[];

@@ -69,6 +69,7 @@ export interface TensorSurfaceOptions {
 export interface SurfaceMesh {
   /** Vertices: `rows` in u, `cols` in v. */
   readonly rows: number;
+  /** Vertices in v. */
   readonly cols: number;
   /** Three numbers for each vertex, row by row. */
   readonly positions: Float64Array | Float32Array;

@@ -7,6 +7,7 @@ import { call, result, textAt, writeText } from "./kernel.js";
 
 /** Path text that was read up to a place where it stops making sense. */
 export interface PathWarning {
+  /** The stable code. */
   code: "W_PATH_TRUNCATED";
   /** From this offset on nothing was used. */
   offset: number;

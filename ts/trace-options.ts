@@ -14,9 +14,11 @@ export const STAGES: readonly TraceStage[] = ["pixels", "edges", "contours", "co
 
 /** How far a trace has come. */
 export interface TraceProgress {
+  /** Stages come in their order, and some more than once where there are colours. */
   stage: TraceStage;
   /** How much of the stage is done, of `total`. */
   done: number;
+  /** All of the stage, in a unit of its own. */
   total: number;
 }
 
@@ -24,7 +26,9 @@ export interface TraceProgress {
 export interface ImageLike {
   /** Red, green, blue and opacity of every pixel, or one shade from 0, black, to 255, white: which of both, the length says. */
   readonly data: Uint8ClampedArray | Uint8Array;
+  /** Pixels in a row, 1 to 16,384. */
   readonly width: number;
+  /** Rows, 1 to 16,384; 40 million pixels at most. */
   readonly height: number;
 }
 

@@ -18,11 +18,13 @@ export interface TraceMetrics {
 export interface TracedContour {
   /** In pixels: (0, 0) is the outer corner of the first one, its centre is at (0.5, 0.5), y goes down. */
   curve: Curve;
+  /** A stroke's centre line, or an edge that ends, is not; it is drawn as a line and not filled. */
   closed: boolean;
   /** Whether it bounds a hole. Ink is run around one way and holes the other, so that both rules of filling give the same. */
   hole: boolean;
   /** Its corners. */
   cusps: [number, number][];
+  /** How far it is from the contour in the picture. */
   metrics: TraceMetrics;
   /** Which of the trace's layers it belongs to: 0 where there is only ink. */
   layer: number;
@@ -44,8 +46,11 @@ export interface TraceSvgOptions {
 
 /** The curves of a picture. */
 export interface Trace {
+  /** Of the picture, in pixels. */
   width: number;
+  /** Of the picture, in pixels. */
   height: number;
+  /** All contours, those of a lower layer first. */
   contours: TracedContour[];
   /** The colours, the lowest layer first; none without `colors`. */
   layers: TraceLayer[];

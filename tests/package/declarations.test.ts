@@ -1,0 +1,39 @@
+// What an editor shows of the package: every name and every member says what it is.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { join } from "node:path";
+
+import ts from "typescript";
+
+const DECLARATIONS = join(process.cwd(), "build", "consumer", "node_modules", "expline", "pkg", "types", "index.d.ts");
+
+/** Everything that the package exports, by the name that it has there. */
+function exported(checker: ts.TypeChecker, file: ts.SourceFile): [string, ts.Symbol][] {
+  const module = checker.getSymbolAtLocation(file);
+  assert.ok(module, "the declarations are a module");
+  return checker.getExportsOfModule(module).map((symbol) => [symbol.name, symbol.flags & ts.SymbolFlags.Alias ? checker.getAliasedSymbol(symbol) : symbol]);
+}
+
+/** Members that users see: not private names, not what only the package calls. */
+function members(symbol: ts.Symbol): ts.Symbol[] {
+  const all = [...(symbol.members?.values() ?? []), ...(symbol.exports?.values() ?? [])];
+  const hidden = /^(?:prototype$|__(?!constructor)|#|[^\w$])/;
+  return all.filter((member) => !hidden.test(member.name) && !member.getJsDocTags().some(({ name }) => name === "internal"));
+}
+
+test("every name of the package and every member of it says what it is", () => {
+  const program = ts.createProgram([DECLARATIONS], { target: ts.ScriptTarget.ES2022, noLib: true, types: [] });
+  const checker = program.getTypeChecker();
+  const file = program.getSourceFile(DECLARATIONS);
+  assert.ok(file, DECLARATIONS);
+  const silent: string[] = [];
+  let count = 0;
+  for (const [name, symbol] of exported(checker, file)) {
+    const own: [string, ts.Symbol][] = [[name, symbol], ...members(symbol).map((member): [string, ts.Symbol] => [`${name}.${member.name}`, member])];
+    count += own.length;
+    for (const [place, thing] of own) if (thing.getDocumentationComment(checker).length === 0) silent.push(place);
+  }
+  assert.ok(count > 300, `only ${count} were looked at`);
+  assert.deepEqual(silent, []);
+});
