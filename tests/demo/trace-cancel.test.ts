@@ -70,9 +70,12 @@ function seen(demo: Demo): Promise<{ time: number; value: number; text: string; 
 
 /** Times are printed beside the budget and not asserted: a busy neighbour says nothing about the page. */
 test("V24 a long trace says how far it is, leaves the page in hand, cancels, and does the same once more", async (t) => {
-  const demo = await openWithGate(t, "#/trace?sample=trace-big");
+  const demo = await openWithGate(t, "#/trace");
   const { page } = demo;
-  await page.locator('[data-testid="trace-size"]').selectOption("2048");
+  await page.evaluate(() => {
+    const state = window.explineDemo.getState();
+    return window.explineDemo.setState({ ...state, trace: { ...state.trace, sample: "trace-big", settings: { ...state.trace.settings, size: 2048 } } });
+  });
   await demo.idle();
   const whole = await counts(demo);
   t.diagnostic(`sheet at 2048: ${whole.contours} contours, ${whole.cusps} corners, ${((await demo.stats()).lastJobMs / 1000).toFixed(1)} s of 20`);

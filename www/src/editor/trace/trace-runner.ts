@@ -3,6 +3,7 @@ import { isEmptyTrace, toleranceOf, traceDefaults, type TraceDocument } from "..
 import type { PictureSource, TraceHow } from "../../kernel/trace/job.ts";
 import { outcomeOf, outcomeOfKept } from "../../kernel/trace/outcome.ts";
 import { dropPicture, pictureOf } from "../../kernel/trace/pictures.ts";
+import { createWaiters } from "../../kernel/worker-desk.ts";
 import { ProbeError, type Clock, type TraceClient, type TraceHandlers } from "../../kernel/trace/trace-client.ts";
 import type { Editor } from "../editor.ts";
 import { openedSample, openPicture, showBox } from "./trace-edits.ts";
@@ -55,11 +56,11 @@ export function createTraceRunner({ editor, connect, refuse, clock, now, until }
   /** The document that was asked for last, and the one that the outlines are of. */
   let asked: TraceDocument | null = null;
   let waiting: (() => void) | null = null;
-  let idlers: (() => void)[] = [];
   let opening = 0;
 
   const run = (change: Partial<TraceRun>): void => editor.patch({ traceRun: { ...editor.state.value.traceRun, ...change } });
   const done = { progress: null, since: null } as const;
+  const { idle, settle } = createWaiters(() => waiting === null && opening === 0 && !client.busy);
 
   const client = connect({
     progress(stage, value, doneOf, total) {
@@ -92,13 +93,6 @@ export function createTraceRunner({ editor, connect, refuse, clock, now, until }
       editor.notify({ kind: "error", id: "engine", text: "The engine that traces stopped and was started again. Your picture is safe." });
     },
   });
-
-  function settle(): void {
-    if (waiting !== null || opening > 0 || client.busy) return;
-    const settled = idlers;
-    idlers = [];
-    for (const resolve of settled) resolve();
-  }
 
   function ask(): void {
     waiting = null;
@@ -192,10 +186,7 @@ export function createTraceRunner({ editor, connect, refuse, clock, now, until }
       run(done);
       settle();
     },
-    idle() {
-      const quiet = waiting === null && opening === 0 && !client.busy;
-      return quiet ? Promise.resolve() : new Promise((resolve) => idlers.push(resolve));
-    },
+    idle,
   };
 }
 

@@ -1,3 +1,4 @@
+import { createDesk, createWaiters } from "../worker-desk.ts";
 import type { FitAnswer, FitRequest, FitStrength, FitSubject, PlainFit } from "./job.ts";
 
 /**
@@ -33,34 +34,19 @@ interface Asked {
 }
 
 export function createFitClient(start: () => Worker, handlers: FitHandlers): FitClient {
-  let worker: Worker | null = null;
   let subject = 0;
   let known: FitSubject | null = null;
   let serial = 0;
   let running: Asked | null = null;
   let waiting: Asked | null = null;
   let retried = 0;
-  let idlers: (() => void)[] = [];
-
-  const post = (request: FitRequest): void => {
-    worker ??= listen(start());
-    worker.postMessage(request);
-  };
-
-  function listen(fresh: Worker): Worker {
-    fresh.addEventListener("message", (event: MessageEvent<FitAnswer>) => {
-      if (fresh === worker) receive(event.data);
-    });
-    fresh.addEventListener("error", (event) => {
-      if (fresh === worker) replace(event.message);
-    });
-    return fresh;
-  }
+  const desk = createDesk<FitRequest, FitAnswer>(start, { receive, died: replace });
+  const { post } = desk;
+  const { idle, settle } = createWaiters(() => running === null && waiting === null);
 
   /** A dead worker's request is tried once more in a new one. */
   function replace(message: string): void {
-    worker?.terminate();
-    worker = null;
+    desk.dismiss();
     known = null;
     const lost = waiting ?? running;
     running = null;
@@ -102,13 +88,6 @@ export function createFitClient(start: () => Worker, handlers: FitHandlers): Fit
     else settle();
   }
 
-  function settle(): void {
-    if (running !== null || waiting !== null) return;
-    const settled = idlers;
-    idlers = [];
-    for (const resolve of settled) resolve();
-  }
-
   return {
     get busy() {
       return running !== null;
@@ -127,10 +106,8 @@ export function createFitClient(start: () => Worker, handlers: FitHandlers): Fit
     cancel() {
       waiting = null;
       // With nothing under way it is the chart that stops.
-      if (worker !== null) post({ kind: "stop" });
+      if (desk.staffed) post({ kind: "stop" });
     },
-    idle() {
-      return running === null && waiting === null ? Promise.resolve() : new Promise((resolve) => idlers.push(resolve));
-    },
+    idle,
   };
 }

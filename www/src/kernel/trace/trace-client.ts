@@ -1,3 +1,4 @@
+import { createDesk, createWaiters } from "../worker-desk.ts";
 import type { PictureSource, TraceAnswer, TraceHow, TraceRequest, TraceResult, TraceStage } from "./job.ts";
 
 /**
@@ -57,7 +58,6 @@ export const pageClock: Clock = {
 };
 
 export function createTraceClient(start: () => Worker, handlers: TraceHandlers, clock: Clock = pageClock): TraceClient {
-  let worker: Worker | null = null;
   let serial = 0;
   let running: Extract<TraceRequest, { kind: "trace" }> | null = null;
   /** Stopped jobs whose last word has not come yet. */
@@ -66,27 +66,12 @@ export function createTraceClient(start: () => Worker, handlers: TraceHandlers, 
   /** The request that was under way when the last worker died. */
   let retried = 0;
   const probing = new Map<number, Probing>();
-  let idlers: (() => void)[] = [];
-
-  const post = (request: TraceRequest): void => {
-    worker ??= listen(start());
-    worker.postMessage(request);
-  };
-
-  function listen(fresh: Worker): Worker {
-    fresh.addEventListener("message", (event: MessageEvent<TraceAnswer>) => {
-      if (fresh === worker) receive(event.data);
-    });
-    fresh.addEventListener("error", (event) => {
-      event.preventDefault();
-      if (fresh === worker) died(event.message);
-    });
-    return fresh;
-  }
+  const desk = createDesk<TraceRequest, TraceAnswer>(start, { receive, died });
+  const { post } = desk;
+  const { idle, settle } = createWaiters(() => running === null && probing.size === 0);
 
   function dismiss(): void {
-    worker?.terminate();
-    worker = null;
+    desk.dismiss();
     leaving.clear();
     giveUp?.();
     giveUp = null;
@@ -168,13 +153,6 @@ export function createTraceClient(start: () => Worker, handlers: TraceHandlers, 
     if (isLast) settle();
   }
 
-  function settle(): void {
-    if (running !== null || probing.size > 0) return;
-    const settled = idlers;
-    idlers = [];
-    for (const resolve of settled) resolve();
-  }
-
   return {
     get busy() {
       return running !== null;
@@ -201,8 +179,6 @@ export function createTraceClient(start: () => Worker, handlers: TraceHandlers, 
         post(request);
       });
     },
-    idle() {
-      return running === null && probing.size === 0 ? Promise.resolve() : new Promise((resolve) => idlers.push(resolve));
-    },
+    idle,
   };
 }

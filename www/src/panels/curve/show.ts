@@ -1,9 +1,9 @@
 import { selectKind } from "../../editor/edits.ts";
 import type { EditorState, OverlayId } from "../../editor/editor.ts";
 import { measureCurve } from "../../kernel/measure.ts";
-import { h, setAttribute, setText } from "../dom.ts";
+import { h } from "../dom.ts";
 import { sliderField, toggleField } from "../fields.ts";
-import { glyph } from "../icons.ts";
+import { legendRow } from "../legend.ts";
 import type { Shell } from "../shell.ts";
 import type { Section } from "./curve-panel.ts";
 
@@ -72,11 +72,7 @@ export function showSection(shell: Shell): Section {
 /** The marks and how many there are; a press selects them all. */
 export function legendSection(shell: Shell): Section {
   const { editor } = shell;
-  const rows = ([["point", "Points", "Select every point"], ["cusp", "Cusps", "Select every cusp"]] as const).map(([name, label, about]) => {
-    const number = h("b", { class: "num" });
-    const row = h("button", { class: "legend-row", type: "button", testid: `legend-${name}`, title: about, click: () => selectKind(editor, name) }, glyph(name), h("span", {}, label), number);
-    return { name, row, number };
-  });
+  const rows = ([["point", "Points", "Select every point"], ["cusp", "Cusps", "Select every cusp"]] as const).map(([name, label, about]) => ({ name, ...legendRow(name, label, about, () => selectKind(editor, name)) }));
   const element = h(
     "section",
     { class: "section", "aria-label": "Legend" },
@@ -87,12 +83,7 @@ export function legendSection(shell: Shell): Section {
     element,
     update(state: EditorState) {
       const measures = measureCurve(state.curve);
-      for (const { name, row, number } of rows) {
-        const value = name === "point" ? measures.points : measures.cusps;
-        setText(number, String(value));
-        setAttribute(row, "data-value", String(value));
-        row.disabled = value === 0;
-      }
+      for (const { name, show } of rows) show(name === "point" ? measures.points : measures.cusps);
     },
   };
 }

@@ -3,6 +3,7 @@ import { strokesOf } from "../../document/fit.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { boxOf, openFitSample } from "../../editor/fit/fit-edits.ts";
 import { h, svg } from "../dom.ts";
+import { mountEmptyStage, sampleCards } from "../empty-stage.ts";
 import type { Shell } from "../shell.ts";
 
 /** The sample's points as they are opened. */
@@ -16,32 +17,21 @@ export function fitThumbnail(sample: FitSample): SVGSVGElement {
   return svg("svg", { class: "thumbnail thumbnail-dots", viewBox, "aria-hidden": "true" }, svg("path", { d: path }));
 }
 
-export function fitSampleCards(shell: Shell, done: () => void): HTMLElement[] {
-  const present = shell.editor.state.value.mode === "fit" ? shell.editor.state.value.fit.sample : undefined;
-  return fitSamples.map((sample) =>
-    h("button", { class: "sample", type: "button", testid: `sample-${sample.id}`, title: sample.note, "aria-current": sample.id === present ? "true" : null, click: () => { done(); openFitSample(shell.editor, sample.id); } },
-      fitThumbnail(sample), h("span", { class: "sample-title" }, sample.title), h("span", { class: "sample-note quiet" }, sample.note)));
+export function fitSampleCards({ editor }: Shell, done: () => void, samples: readonly FitSample[] = fitSamples): HTMLElement[] {
+  const { mode, fit } = editor.state.value;
+  return sampleCards(samples, mode === "fit" ? fit.sample : undefined, fitThumbnail, (id) => {
+    done();
+    openFitSample(editor, id);
+  });
 }
 
-/** No points: an invitation to draw, a squiggle as an example, and samples. Presses beside the buttons go through to the stage. */
+/** No points: an invitation to draw, a squiggle as an example, and samples. */
 export function mountEmptyFit(shell: Shell): void {
-  const { editor, regions, until } = shell;
-  let card: HTMLElement | null = null;
-  const build = (): HTMLElement => {
+  const isEmpty = ({ mode, fit, fitView }: EditorState): boolean => mode === "fit" && fit.data.length === 0 && fit.sample === undefined && fitView.stroke.length === 0;
+  mountEmptyStage(shell, isEmpty, () => {
     const squiggle = svg("svg", { class: "empty-squiggle", viewBox: "0 0 240 60", "aria-hidden": "true" }, svg("path", { d: "M8 40C28 4 48 4 64 30S100 62 120 30 158 4 176 30s34 24 56-8" }));
     return h("div", { class: "empty empty-curve empty-fit", testid: "empty-fit" },
       h("h2", {}, "Draw a line here"), squiggle, h("p", { class: "quiet" }, "or paste x,y rows, drop an SVG, or start from a sample"),
-      h("div", { class: "samples" }, ...fitSampleCards(shell, () => undefined).slice(0, 3)));
-  };
-  const update = ({ mode, fit, fitView }: EditorState): void => {
-    const empty = mode === "fit" && fit.data.length === 0 && fit.sample === undefined && fitView.stroke.length === 0;
-    if (!empty) {
-      card?.remove();
-      card = null;
-    } else if (card === null) {
-      card = build();
-      regions.stage.append(card);
-    }
-  };
-  editor.state.subscribe(update, { now: true, until });
+      h("div", { class: "samples" }, ...fitSampleCards(shell, () => undefined, fitSamples.slice(0, 3))));
+  });
 }

@@ -6,7 +6,8 @@ import type { KnotType } from "../../kernel/fit/knots.ts";
 import { h, setAttribute, setText } from "../dom.ts";
 import { selectField, sliderField, toggleField } from "../fields.ts";
 import { formatDeviation } from "../format.ts";
-import { glyph } from "../icons.ts";
+import { holdButton } from "../hold-button.ts";
+import { legendRow } from "../legend.ts";
 import type { Section } from "../curve/curve-panel.ts";
 import type { Shell } from "../shell.ts";
 
@@ -20,11 +21,7 @@ const rows: readonly (readonly [KnotType, string, string])[] = [
 
 export function readingSection(shell: Shell): Section {
   const { editor } = shell;
-  const legend = rows.map(([type, label, about]) => {
-    const number = h("b", { class: "num" });
-    const row = h("button", { class: "legend-row", type: "button", testid: `legend-${type}`, title: about, click: () => chooseKnots(editor, type) }, glyph(type), h("span", {}, label), number);
-    return { type, row, number };
-  });
+  const legend = rows.map(([type, label, about]) => ({ type, ...legendRow(type, label, about, () => chooseKnots(editor, type)) }));
   const reduction = h("p", { class: "fit-reduction num", "aria-live": "off" });
   const errors = h("p", { class: "field-note num" });
   const failure = h("p", { class: "field-error", role: "alert" });
@@ -45,12 +42,7 @@ export function readingSection(shell: Shell): Section {
       h("div", { class: "legend" }, ...legend.map(({ row }) => row)), errors, h("div", { class: "field-row fit-actions" }, edit, cancel)),
     update({ fitRun }: EditorState) {
       const { outcome } = fitRun;
-      for (const { type, row, number } of legend) {
-        const count = outcome?.counts[type] ?? 0;
-        setText(number, String(count));
-        setAttribute(row, "data-value", String(count));
-        row.disabled = count === 0;
-      }
+      for (const { type, show } of legend) show(outcome?.counts[type] ?? 0);
       const total = outcome?.knots.length ?? 0;
       const less = outcome === null || outcome.size === 0 ? 0 : Math.round(100 * (1 - total / outcome.size));
       setText(reduction, outcome === null ? "" : `${outcome.size} → ${total} points (−${less} %)`);
@@ -87,12 +79,7 @@ export function showSection(shell: Shell): Section {
     label: "Split at", testid: "compare-split", about: "Where the stage is divided.", least: 0, most: 100, step: 1, print: (value) => `${value} %`,
     write: (value) => setFitView(editor, { split: value / 100 }),
   });
-  const hold = h("button", { class: "button", type: "button", testid: "compare-hold", title: "Hold to see the points alone (O)" }, h("span", {}, "Hold to see the points"));
-  const only = (on: boolean) => () => editor.patch({ originalOnly: on });
-  hold.addEventListener("pointerdown", only(true));
-  for (const type of ["pointerup", "pointercancel", "pointerleave", "blur"]) hold.addEventListener(type, only(false));
-  hold.addEventListener("keydown", (event) => (event.key === " " || event.key === "Enter") && only(true)());
-  hold.addEventListener("keyup", only(false));
+  const hold = holdButton(shell, "Hold to see the points", "Hold to see the points alone (O)");
   const least = h("span", { class: "num" }, "0");
   const most = h("span", { class: "num" });
   const ramp = h("div", { class: "heat-legend" }, least, h("span", { class: "heat-ramp", "aria-hidden": "true" }), most);

@@ -5,6 +5,7 @@ import type { TraceViewId } from "../../editor/trace/trace-state.ts";
 import type { ShownPicture } from "../../kernel/trace/outcome.ts";
 import { h, setText } from "../dom.ts";
 import { choiceField, sliderField } from "../fields.ts";
+import { holdButton } from "../hold-button.ts";
 import { icon } from "../icons.ts";
 import type { Section } from "../curve/curve-panel.ts";
 import type { Shell } from "../shell.ts";
@@ -29,7 +30,7 @@ export function pictureSection(shell: Shell): Section {
     label: "Opacity", testid: "trace-alpha", about: "How strongly the picture shows under the outlines.", least: 0, most: 100, step: 1, print: (value) => `${value} %`,
     write: (value) => setTraceView(editor, { alpha: value }), reset: () => setTraceView(editor, { alpha: 35 }),
   });
-  const hold = holdButton(shell);
+  const hold = holdButton(shell, "Hold to see the source", "Hold to see the picture alone (O)");
   let drawn: ShownPicture | null = null;
   return {
     element: h("section", { class: "section", "aria-label": "Picture" }, file,
@@ -59,16 +60,6 @@ export function pictureField(shell: Shell, testid = "trace-file"): HTMLElement {
     file.value = "";
   });
   return h("label", { class: "file-drop trace-drop" }, icon("plus"), h("span", {}, "Drop, paste or choose…"), file);
-}
-
-function holdButton({ editor }: Shell): HTMLButtonElement {
-  const hold = h("button", { class: "button", type: "button", testid: "compare-hold", title: "Hold to see the picture alone (O)" }, h("span", {}, "Hold to see the source"));
-  const only = (on: boolean) => () => editor.patch({ originalOnly: on });
-  hold.addEventListener("pointerdown", only(true));
-  for (const type of ["pointerup", "pointercancel", "pointerleave", "blur"]) hold.addEventListener(type, only(false));
-  hold.addEventListener("keydown", (event) => (event.key === " " || event.key === "Enter") && only(true)());
-  hold.addEventListener("keyup", only(false));
-  return hold;
 }
 
 function sizeText({ trace, traceRun }: EditorState): string {

@@ -1,9 +1,9 @@
 import type { EditorState } from "../../editor/editor.ts";
 import { drawingOf } from "../../editor/trace/trace-edits.ts";
 import { cornersIn, pointCount, type TraceOutcome } from "../../kernel/trace/outcome.ts";
-import { h, setAttribute, setText } from "../dom.ts";
+import { h, setText } from "../dom.ts";
 import { formatBytes, formatCount, formatDeviation } from "../format.ts";
-import { glyph } from "../icons.ts";
+import { legendRow } from "../legend.ts";
 import type { Section } from "../curve/curve-panel.ts";
 import type { Shell } from "../shell.ts";
 import { progressText } from "./trace-progress.ts";
@@ -17,7 +17,8 @@ export function resultSection(shell: Shell): Section {
   const run = action("Trace", "trace-run", "Trace the picture once more.");
   const cancel = action("Cancel", "trace-cancel", "Stop; the outlines before stay.");
   const state = h("span", { class: "trace-state num", "aria-hidden": "true" });
-  const [corners, smooth] = (["cusp", "point"] as const).map((kind) => legendRow(shell, kind));
+  const corners = legendRow("cusp", "Corners", "Go to the next corner", () => editor.actions.run("trace-next-corner"));
+  const smooth = legendRow("point", "Smooth", "Go to the next point", () => editor.actions.run("trace-next"));
   const list = h("dl", { class: "trace-numbers num" });
   const edit = action("Edit in Curve", "trace-edit", "Copy the outlines to Curve mode, ready to edit.", "primary");
   const fit = action("Smooth in Fit", "trace-smooth-in-fit", "Copy points along the outlines to Fit mode.");
@@ -27,7 +28,7 @@ export function resultSection(shell: Shell): Section {
   return {
     element: h("section", { class: "section", "aria-label": "Result" },
       h("div", { class: "field-row" }, run, cancel, state),
-      h("div", { class: "legend" }, corners?.row, smooth?.row), list,
+      h("div", { class: "legend" }, corners.row, smooth.row), list,
       h("div", { class: "field-row trace-actions" }, edit, fit, save)),
     update(now) {
       const { trace, traceRun } = now;
@@ -38,26 +39,11 @@ export function resultSection(shell: Shell): Section {
       for (const button of [edit, fit, save]) button.disabled = outcome === null;
       const drawing = drawingOf(now);
       const sharp = drawing === null ? 0 : cornersIn(drawing).length;
-      corners?.show(sharp);
-      smooth?.show(drawing === null ? 0 : pointCount(drawing) - sharp);
+      corners.show(sharp);
+      smooth.show(drawing === null ? 0 : pointCount(drawing) - sharp);
       if (outcome === printed && trace.corners === printedCorners) return;
       [printed, printedCorners] = [outcome, trace.corners];
       list.replaceChildren(...(outcome === null ? [] : rowsOf(outcome, now)));
-    },
-  };
-}
-
-function legendRow({ editor }: Shell, kind: "cusp" | "point"): { readonly row: HTMLElement; show(count: number): void } {
-  const number = h("b", { class: "num" });
-  const step = kind === "cusp" ? "trace-next-corner" : "trace-next";
-  const about = kind === "cusp" ? "Go to the next corner" : "Go to the next point";
-  const row = h("button", { class: "legend-row", type: "button", testid: `legend-${kind}`, title: about, click: () => editor.actions.run(step) }, glyph(kind), h("span", {}, kind === "cusp" ? "Corners" : "Smooth"), number);
-  return {
-    row,
-    show(count) {
-      setText(number, String(count));
-      setAttribute(row, "data-value", String(count));
-      row.disabled = count === 0;
     },
   };
 }
