@@ -3,15 +3,26 @@
 // A panic of this build ends in a trap and nothing prints its message: the face turns the trap into an error with a
 // code and replaces the instance. But the code that would format the message stays linked, and is larger than the
 // mathematics. So the bodies of the functions that begin a panic become one `unreachable`; wasm-opt then drops what
-// only they called. Usage: node snip.mjs IN OUT
+// only they called. So do those of formatting, which is there for panics and for `Debug`: no message is made in the wasm.
+// Usage: node snip.mjs IN OUT
 
 import { readFileSync, writeFileSync } from "node:fs";
 
 import binaryen from "binaryen";
 
 const [, , input, output] = process.argv;
-const PANICS = /core(\[[0-9a-f]+\])?::(panicking|slice::index::slice_\w+_fail|result::unwrap_failed|option::(expect|unwrap)_failed|cell::panic_)|alloc(\[[0-9a-f]+\])?::(raw_vec::handle_error|raw_vec::capacity_overflow|alloc::handle_alloc_error)|rust_begin_unwind|rust_panic|std(\[[0-9a-f]+\])?::panicking|__rustc(\[[0-9a-f]+\])?::(rust_begin_unwind|__rust_alloc_error_handler)|rust_oom/;
-const MESSAGES = /(\/|src\/)[\w./@+-]+?\.rs|index out of bounds: the len is | but the index is /g;
+const PANICS = /core(\[[0-9a-f]+\])?::(panicking|slice::index::slice_\w+_fail|result::unwrap_failed|option::(expect|unwrap)_failed|cell::panic_)|alloc(\[[0-9a-f]+\])?::(raw_vec::handle_error|raw_vec::capacity_overflow|alloc::handle_alloc_error)|rust_begin_unwind|rust_panic|std(\[[0-9a-f]+\])?::panicking|__rustc(\[[0-9a-f]+\])?::(rust_begin_unwind|__rust_alloc_error_handler)|rust_oom|core(\[[0-9a-f]+\])?::fmt::/;
+const PATHS = /(\/|src\/)[\w./@+-]+?\.rs/g;
+const MESSAGES = new RegExp(
+  [
+    "index out of bounds: the len is | but the index is |slice index starts at | but ends at |range (start|end) index ",
+    '" out of range for slice of length |(insertion|removal) index \\(is |\\) should be <=? len \\(is |min > max\\. min = |, max = ',
+    "dest is out of bounds|copy_from_slice: source slice length \\(|\\) does not match destination slice length \\(|mid > len|Matrix index out of bounds\\.|capacity overflow|chunk size must be non-zero",
+    "assertion `left | right` failed(: )?|attempt to divide by zero|attempt to calculate the remainder with a divisor of zero",
+    "0001020304\\d+9899",
+  ].join("|"),
+  "g",
+);
 
 binaryen.setDebugInfo(true); // names stay until wasm-opt, for those who look into what is large
 const wasm = binaryen.readBinary(readFileSync(input));
@@ -26,6 +37,52 @@ for (let i = wasm.getNumFunctions() - 1; i >= 0; i--) {
 if (count === 0) throw new Error("no panic function was found: are the names still in the wasm?");
 // What those messages were made of stays behind in the data: zeros of the same length compress to nothing, and the
 // wasm no longer depends on the folder that it was compiled in.
-const text = Buffer.from(wasm.emitBinary()).toString("latin1");
-writeFileSync(output, Buffer.from(text.replace(MESSAGES, (found) => "\0".repeat(found.length)), "latin1"));
+const bytes = Buffer.from(wasm.emitBinary());
+for (const { start, end, address } of segments(bytes)) {
+  const text = bytes.toString("latin1", start, end);
+  for (const { 0: path, index } of text.matchAll(PATHS)) forgetPlaces(address + index, path.length);
+  for (const { 0: found, index } of [...text.matchAll(PATHS), ...text.matchAll(MESSAGES)]) bytes.fill(0, start + index, start + index + found.length);
+}
+writeFileSync(output, bytes);
 console.log(`${count} functions`);
+
+/** The initial contents of memory: where they are in the file, and where they go. */
+function segments(file) {
+  let at = 8;
+  const number = () => {
+    let value = 0;
+    for (let shift = 0; ; shift += 7) {
+      const byte = file[at++];
+      value += (byte & 127) * 2 ** shift;
+      if (byte < 128) return value;
+    }
+  };
+  while (at < file.length) {
+    const section = file[at++];
+    const length = number();
+    if (section !== 11) {
+      at += length;
+      continue;
+    }
+    return Array.from({ length: number() }, () => {
+      // Active, and at a constant address: 0, i32.const, address, end.
+      if (file[at++] !== 0 || file[at++] !== 0x41) throw new Error("data that is not at a constant address");
+      const address = number();
+      at += 1;
+      const size = number();
+      at += size;
+      return { start: at - size, end: at, address };
+    });
+  }
+  return [];
+}
+
+/** A place in the source is the address and the length of the path, line and column, four bytes each: nobody asks for it any more. */
+function forgetPlaces(address, length) {
+  const place = Buffer.alloc(8);
+  place.writeUInt32LE(address, 0);
+  place.writeUInt32LE(length, 4);
+  for (const { start, end } of segments(bytes)) {
+    for (let at = bytes.indexOf(place, start); at >= 0 && at + 16 <= end; at = bytes.indexOf(place, at + 16)) bytes.fill(0, at, at + 16);
+  }
+}
