@@ -315,7 +315,7 @@ fn placed_knots_are_where_they_are_needed_and_their_score_is_leaving_one_out() {
     assert_eq!(choice.interior, inner.len());
     let near = inner.iter().filter(|&&x| (20.0..40.0).contains(&x)).count();
     assert!(near >= 3 && inner.len() <= near + 3, "{inner:?}");
-    let even = chosen(Method::Local(Rule::Least)).0;
+    let even = chosen(Method::Mean(Rule::Least)).0;
     assert!(choice.score < 0.5 * even.score, "{} against {}", choice.score, even.score);
     let errors = (0..cloud.len()).map(|left_out| {
         let rest: Vec<Point> = (0..120).filter(|&i| i != left_out).map(|i| points[i]).collect();

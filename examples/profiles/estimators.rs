@@ -51,7 +51,6 @@ fn quasi(points: &[Point], length: f64, method: Method) -> Outcome<Followed> {
     let estimate = |cloud: &Cloud| {
         let estimator = match method {
             Method::Mean(_) => Estimator::Mean { k: choice.k.min(cloud.len()) },
-            Method::Local(_) => Estimator::Local { k: choice.k.min(cloud.len()) },
             Method::Placed { .. } => Estimator::Projected { reach: 2 },
         };
         QuasiInterpolant::new(cloud, knots.clone(), estimator, FREE)

@@ -4,6 +4,7 @@ use super::cloud::Cloud;
 use super::knots::Knots;
 use super::metrics::{mean_absolute, root_mean_square};
 use super::parabola::Parabola;
+use super::projection::REACH;
 use super::quasi_interpolant::{End, QuasiInterpolant};
 use super::samples::{line_through, turn, unit};
 use super::selection::{Choice, Method, choose};
@@ -255,7 +256,10 @@ impl Frame {
     }
 
     fn fit(&self, cloud: &Cloud, knots: Knots, method: Method, choice: Choice) -> Result<TubeFit> {
-        let fitted = QuasiInterpolant::new(cloud, knots, method.estimator(choice.k), self.ends)?;
+        let fitted = match method {
+            Method::Mean(_) => QuasiInterpolant::of_means(cloud, knots, choice.k, self.ends)?,
+            Method::Placed { .. } => QuasiInterpolant::projected(cloud, knots, REACH, self.ends)?,
+        };
         let residuals = fitted.residuals(cloud)?;
         let place =
             |(q, &c): (usize, &f64)| self.start + self.along * fitted.knots().greville(q) + self.across * c;

@@ -187,18 +187,18 @@ fn jump(knots: &Knots, i: usize) -> Row {
                     return [0.0; BAND];
                 }
                 let factor = gap * (degree + 1 - order) as f64 / (right - left);
-                for b in 0..degree + 2 {
-                    table[a][b] = factor * (table[a + 1][b] - table[a][b]);
-                }
+                let next = table[a + 1];
+                table[a].iter_mut().zip(next).for_each(|(value, next)| *value = factor * (next - *value));
             }
         }
-        (0..degree + 2).for_each(|b| row[b] += table[0][b]);
+        row.iter_mut().zip(table[0]).for_each(|(value, part)| *value += part);
     }
     row
 }
 
 impl Window {
     /// Adds a row's product with itself, times a weight.
+    #[inline(never)]
     fn add(&mut self, at: usize, row: &[f64], weight: f64) {
         for (a, &value) in row.iter().enumerate() {
             for (entry, &other) in self.matrix[at + a].iter_mut().zip(&row[a..]) {
@@ -259,6 +259,7 @@ impl Window {
     }
 
     /// vᵀ times the inverse times v, for numbers v from coefficient `at` on.
+    #[inline(never)]
     fn form(&self, v: &[f64], at: usize) -> f64 {
         let mut sum = 0.0;
         for (a, &value) in v.iter().enumerate() {

@@ -67,26 +67,40 @@ impl QuasiInterpolant {
     ///
     /// \[RB21, eq. 2\].
     pub fn new(cloud: &Cloud, knots: Knots, estimator: Estimator, ends: [End; 2]) -> Result<Self> {
-        let k = match estimator {
-            Estimator::Mean { k } | Estimator::Local { k } => k,
-            Estimator::Projected { reach } => {
-                check("reach", None, reach as f64, 0.0, MOST_INTERIOR as f64)?;
-                let coefficients = Projection::new(cloud, &knots, reach, ends)?.coefficients()?;
-                return Ok(Self { knots, coefficients });
+        match estimator {
+            Estimator::Mean { k } => Self::of_means(cloud, knots, k, ends),
+            Estimator::Local { k } => {
+                check("neighbours", None, k as f64, 1.0, cloud.len() as f64)?;
+                let mut local = LocalFit::new(k)?;
+                Self::of(knots, ends, &mut |knots, q| local.coefficient(cloud, knots, q))
             }
-        };
+            Estimator::Projected { reach } => Self::projected(cloud, knots, reach, ends),
+        }
+    }
+
+    /// By the mean of the k nearest ordinates. What the package has no use for is only in [`QuasiInterpolant::new`].
+    pub(crate) fn of_means(cloud: &Cloud, knots: Knots, k: usize, ends: [End; 2]) -> Result<Self> {
         check("neighbours", None, k as f64, 1.0, cloud.len() as f64)?;
-        let mut coefficients = with_room(knots.count())?;
         let mut order = with_room(k + 1)?;
-        let mut local = LocalFit::new(k)?;
+        Self::of(knots, ends, &mut |knots, q| {
+            cloud.nearest(knots.greville(q), k, &mut order);
+            order.iter().map(|&i| cloud.y()[i]).sum::<f64>() / k as f64
+        })
+    }
+
+    /// By windows of the spline itself.
+    pub(super) fn projected(cloud: &Cloud, knots: Knots, reach: usize, ends: [End; 2]) -> Result<Self> {
+        check("reach", None, reach as f64, 0.0, MOST_INTERIOR as f64)?;
+        let coefficients = Projection::new(cloud, &knots, reach, ends)?.coefficients()?;
+        Ok(Self { knots, coefficients })
+    }
+
+    fn of(knots: Knots, ends: [End; 2], estimate: &mut dyn FnMut(&Knots, usize) -> f64) -> Result<Self> {
+        let mut coefficients = with_room(knots.count())?;
         for q in 0..knots.count() {
-            coefficients.push(match (held(&knots, q, ends), estimator) {
-                (Some(value), _) => value,
-                (None, Estimator::Mean { k }) => {
-                    cloud.nearest(knots.greville(q), k, &mut order);
-                    order.iter().map(|&i| cloud.y()[i]).sum::<f64>() / k as f64
-                }
-                (None, _) => local.coefficient(cloud, &knots, q),
+            coefficients.push(match held(&knots, q, ends) {
+                Some(value) => value,
+                None => estimate(&knots, q),
             });
         }
         Ok(Self { knots, coefficients })

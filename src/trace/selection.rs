@@ -5,7 +5,6 @@ use super::knots::Knots;
 use super::local::LocalFit;
 use super::metrics::{mean_absolute, root_mean_square};
 use super::placement::Placement;
-use super::projection::REACH;
 use super::quasi_interpolant::{End, Estimator, QuasiInterpolant, held};
 use crate::error::Result;
 use crate::limits::{check, filled, with_room};
@@ -136,8 +135,6 @@ pub fn generalised_cross_validation(
 pub enum Method {
     /// Means of the nearest, chosen by leaving out every point once.
     Mean(Rule),
-    /// Local polynomials, chosen by [`left_out_locally`].
-    Local(Rule),
     /// Projections onto splines whose knots are where they are needed (D 14.11): of all that are tried the ones with the least
     /// ln(max(error, `floor`)) + `price`·knots/points, the error being that of predicting each point from all the others.
     Placed {
@@ -146,17 +143,6 @@ pub enum Method {
         /// Errors below are as good as none, in the unit of the ordinates.
         floor: f64,
     },
-}
-
-impl Method {
-    /// The estimator with some number of neighbours.
-    pub(super) fn estimator(self, k: usize) -> Estimator {
-        match self {
-            Self::Mean(_) => Estimator::Mean { k },
-            Self::Local(_) => Estimator::Local { k },
-            Self::Placed { .. } => Estimator::Projected { reach: REACH },
-        }
-    }
 }
 
 /// The root mean square error of predicting each point from the others by the local estimator, its weights kept: r/(1 − h) with h the share of a
@@ -183,7 +169,7 @@ pub fn left_out_locally(cloud: &Cloud, knots: &Knots, k: usize, ends: [End; 2]) 
 }
 
 /// The knots of a tube and its number of neighbours, by the method's rule: even ones, up to the least of 8 and a third of the points less two, with
-/// 1 … 9 neighbours for means, 7 and more for local polynomials; or placed ones.
+/// 1 … 9 neighbours, for means; or placed ones.
 ///
 /// `None` where there are fewer than 3 points: such a tube is a line.
 ///
@@ -207,7 +193,7 @@ pub fn choose(
     }
     let least = usize::from(ends.iter().all(|end| matches!(end, End::Tangent(_))));
     let rule = match method {
-        Method::Mean(rule) | Method::Local(rule) => rule,
+        Method::Mean(rule) => rule,
         Method::Placed { price, floor } => {
             check("price", None, price, 0.0, f64::MAX)?;
             check("floor", None, floor, 0.0, f64::MAX)?;
@@ -220,11 +206,7 @@ pub fn choose(
     let mut best: Vec<Choice> = with_room(most + 1)?;
     for interior in least..=most {
         let knots = Knots::even(start, end, interior, degree)?;
-        best.push(if matches!(method, Method::Mean(_)) {
-            best_mean(cloud, &knots, interior, ends)?
-        } else {
-            best_local(cloud, &knots, interior, ends)?
-        });
+        best.push(best_mean(cloud, &knots, interior, ends)?);
     }
     let lowest = best.iter().fold(f64::MAX, |lowest, choice| lowest.min(choice.score));
     let limit = match rule {
@@ -246,21 +228,4 @@ fn best_mean(cloud: &Cloud, knots: &Knots, interior: usize, ends: [End; 2]) -> R
         }
     }
     Ok(choice)
-}
-
-/// Numbers of neighbours a factor of about 1.4 apart: more say the same.
-fn best_local(cloud: &Cloud, knots: &Knots, interior: usize, ends: [End; 2]) -> Result<Choice> {
-    let mut k = (knots.degree() + 5).min(cloud.len());
-    let mut choice = Choice { interior, k, score: f64::MAX };
-    loop {
-        let score = left_out_locally(cloud, knots, k, ends)?;
-        if score <= choice.score {
-            choice = Choice { interior, k, score };
-        }
-        // Neighbours beyond two knots say nothing of what is between them.
-        if k >= cloud.len() || k > 24 + 3 * cloud.len() / (interior + 1) {
-            return Ok(choice);
-        }
-        k = (k + k * 2 / 5).min(cloud.len());
-    }
 }

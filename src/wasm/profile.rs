@@ -5,8 +5,8 @@ use super::kernel::{Kernel, run, times};
 use super::record::section;
 use crate::Result;
 use crate::trace::{
-    Chain, Cloud, End, Estimator, Knots, ProfileOptions, QuasiInterpolant, directed_hausdorff, jaccard,
-    leave_one_out, mean_absolute, root_mean_square,
+    Chain, Cloud, End, Knots, ProfileOptions, QuasiInterpolant, directed_hausdorff, jaccard, leave_one_out,
+    mean_absolute, root_mean_square,
 };
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -22,8 +22,7 @@ fn given(kernel: &Kernel, points: u32, knots: u32, degree: u32) -> Result<(Cloud
 pub fn quasi_interpolate(points: u32, knots: u32, degree: u32, neighbours: u32) -> i32 {
     run(&mut |kernel| {
         let (cloud, knots) = given(kernel, points, knots, degree)?;
-        let estimator = Estimator::Mean { k: neighbours as usize };
-        let spline = QuasiInterpolant::new(&cloud, knots, estimator, [End::Free; 2])?;
+        let spline = QuasiInterpolant::of_means(&cloud, knots, neighbours as usize, [End::Free; 2])?;
         Ok(kernel.give(spline.coefficients().to_vec()))
     })
 }
