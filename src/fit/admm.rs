@@ -45,13 +45,9 @@ impl Admm {
         for i in 0..2 * reduced.unknowns {
             reduced.quadratic.add(i, i, hold);
         }
-        let (mut lambdas, mut penalties) = (Vec::new(), Vec::new());
-        for (part, component) in reduced.parts.iter().zip(&data.components) {
-            // A typical jump is a hundredth of the drawing over the time that λ speaks of: ρ = 20λ/jump.
-            let count = part.chosen.len();
-            lambdas.resize(lambdas.len() + count, component.lambda);
-            penalties.resize(penalties.len() + count, component.lambda * component.lambda.max(1.0));
-        }
+        let lambdas = reduced.lambdas(&data);
+        // A typical jump is a hundredth of the drawing over the time that λ speaks of: ρ = 20λ/jump.
+        let penalties = lambdas.iter().map(|lambda| lambda * lambda.max(1.0)).collect();
         let knots = lambdas.len();
         let mut admm = Self {
             unknowns: vec![Vector::zeros(); reduced.unknowns],

@@ -4,13 +4,16 @@
 //! scaled so that its dual curves stay within the unit disc. Here v comes from the residuals of the curve. Everything is
 //! computed anew: the residuals by de Boor's rule, the dual curves by plain integration in 106 bits. (D 12.4), (D 12.8)
 
+mod integral;
+mod refinement;
+
+use self::integral::Integral;
+use self::refinement::Refinement;
 use super::problem::{Norm, Problem};
 use super::solution::{Solution, Spline};
-use super::spline_space::KnotSpace;
 use crate::error::{Error, Result};
 use crate::limits;
 use crate::numerics::Vector;
-use crate::numerics::banded::Bordered;
 use crate::numerics::enclosing_circle::enclosing_circle;
 use crate::numerics::twofold::Twofold;
 
@@ -26,12 +29,6 @@ pub struct Certificate {
     /// By how much the residuals had to be scaled: the longest dual vector of each component.
     pub longest: Vec<f64>,
 }
-
-/// Systems of more unknowns than this are not refined: the bound is then what the residuals as they are give.
-const MOST_DENSE: usize = 1200;
-
-/// A number of 106 bits for each coordinate.
-type Pair = [Twofold; 2];
 
 /// Bounds the objective of a solution from below, and so its distance from the optimum.
 ///
@@ -323,180 +320,4 @@ fn centre(values: &[Vector], norm: Norm) -> Vector {
             (least + most) * 0.5
         }
     }
-}
-
-/// D^{a+1}η = (−1)^{a+1} v/λ at the samples.
-struct Integral<'a> {
-    problem: &'a Problem,
-    degree: usize,
-    lambda: f64,
-    v: &'a [Vector],
-}
-
-impl Integral<'_> {
-    /// From the start to the end of the domain; leaves the values at the places and answers the last state.
-    fn run(&self, start: &[Pair; 6], places: &[f64], values: &mut Vec<Vector>) -> [Pair; 6] {
-        let mut state = *start;
-        let mut here = self.problem.start;
-        let mut places = places.iter().peekable();
-        let mut inverse = if self.degree.is_multiple_of(2) { -1.0 } else { 1.0 } / self.lambda;
-        for i in 2..=self.degree {
-            inverse /= i as f64;
-        }
-        let mut emit = |state: &mut [Pair; 6], here: &mut f64, until: f64, inclusive: bool| {
-            while let Some(&&place) = places.peek() {
-                if place > until || (place >= until && !inclusive) {
-                    break;
-                }
-                self.shift(state, *here, place);
-                *here = place;
-                values.push(Vector::new(state[0][0].value(), state[0][1].value()));
-                places.next();
-            }
-        };
-        for (m, &t) in self.problem.parameters.iter().enumerate() {
-            emit(&mut state, &mut here, t, true);
-            self.shift(&mut state, here, t);
-            here = t;
-            for (term, force) in state[self.degree].iter_mut().zip([self.v[m].x, self.v[m].y]) {
-                *term = term.plus(Twofold::product(force, inverse));
-            }
-        }
-        emit(&mut state, &mut here, self.problem.end, true);
-        self.shift(&mut state, here, self.problem.end);
-        state
-    }
-
-    /// Taylor coefficients at `to` of those at `from`.
-    #[allow(clippy::needless_range_loop, reason = "matrices are written with their indices")]
-    fn shift(&self, state: &mut [Pair; 6], from: f64, to: f64) {
-        let step = Twofold::sum(to, -from);
-        if step.high == 0.0 {
-            return;
-        }
-        for i in 0..self.degree {
-            for j in (i..self.degree).rev() {
-                for axis in 0..2 {
-                    state[j][axis] = state[j][axis].plus(state[j + 1][axis].times(step));
-                }
-            }
-        }
-    }
-
-    /// The state at the start of a periodic η whose run from zero ends in `end`; its constant is zero.
-    #[allow(clippy::needless_range_loop, reason = "matrices are written with their indices")]
-    fn periodic(&self, end: &[Pair; 6]) -> [Pair; 6] {
-        let period = Twofold::sum(self.problem.end, -self.problem.start);
-        let mut state = [[Twofold::ZERO; 2]; 6];
-        for j in (1..=self.degree).rev() {
-            for axis in 0..2 {
-                // Coefficient j − 1 after a period, but for its own term: Σ C(i, j−1) Tⁱ⁻ʲ⁺¹ xᵢ + end = 0.
-                let (mut sum, mut binomial, mut power) = (end[j - 1][axis], j as f64, period);
-                let own = power.times(Twofold::new(binomial));
-                for i in j + 1..=self.degree {
-                    binomial = binomial * i as f64 / (i - j + 1) as f64;
-                    power = power.times(period);
-                    sum = sum.plus(state[i][axis].times(power).times(Twofold::new(binomial)));
-                }
-                state[j][axis] = sum.negative().over(own);
-            }
-        }
-        state
-    }
-}
-
-/// Rounding of the residuals, integrated often, bends the dual curve away from the directions of the jumps. A change of
-/// v by a spline on the knots of the solution takes it back; whatever the change, the bound stays a bound.
-struct Refinement {
-    spaces: Vec<KnotSpace>,
-    targets: Vec<Vec<Vector>>,
-    matrix: Bordered,
-}
-
-impl Refinement {
-    fn new(problem: &Problem, solution: &Solution) -> Result<Option<Self>> {
-        let (mut spaces, mut targets) = (Vec::new(), Vec::new());
-        for spline in &solution.components {
-            spaces.push(solution.space(spline)?);
-            let jumps = spline_jumps(spline, solution.domain);
-            let unit = |v: &Vector| match problem.norm {
-                Norm::L2 => v / size(*v, Norm::L2).max(f64::MIN_POSITIVE),
-                Norm::L1 => Vector::new(sign(v.x), sign(v.y)),
-            };
-            targets.push(jumps.iter().map(unit).collect::<Vec<Vector>>());
-        }
-        let unknowns: usize = spaces.iter().map(KnotSpace::dimension).sum();
-        if problem.norm == Norm::L1 || (spaces.len() > 1 && unknowns > MOST_DENSE) {
-            return Ok(None);
-        }
-        let mut matrix = if spaces.len() == 1 {
-            spaces[0].normal_matrix(&problem.parameters, &problem.weights)?
-        } else {
-            joint_matrix(problem, &spaces, unknowns)?
-        };
-        let _ = matrix.factor(1e-12);
-        Ok(Some(Self { spaces, targets, matrix }))
-    }
-
-    /// Changes v; answers how far the dual curves were off.
-    fn correct(&mut self, problem: &Problem, curves: &[Curve], v: &mut [Vector]) -> f64 {
-        let mut drift = 0.0_f64;
-        let mut right = Vec::new();
-        for (i, space) in self.spaces.iter().enumerate() {
-            let offset = right.len();
-            right.resize(offset + space.dimension(), Vector::zeros());
-            for (k, (target, found)) in self.targets[i].iter().zip(&curves[i].at_knots).enumerate() {
-                let missing = target - found;
-                drift = drift.max(size(missing, Norm::L2));
-                let (first, weights) = space.jump_weights(k, space.degree());
-                for (j, weight) in weights.iter().enumerate().take(space.degree() + 2) {
-                    right[offset + space.coefficient(first + j)] +=
-                        missing * (weight * problem.components[i].lambda);
-                }
-            }
-        }
-        if self.matrix.solve_points(&mut right).is_err() {
-            return 0.0;
-        }
-        for (m, &t) in problem.parameters.iter().enumerate() {
-            let weight = problem.weights.get(m).copied().unwrap_or(1.0);
-            let mut offset = 0;
-            for space in &self.spaces {
-                let (interval, basis) = space.basis(t, 0);
-                for (j, value) in basis.iter().enumerate().take(space.degree() + 1) {
-                    v[m] += right[offset + space.coefficient(interval + j)] * (weight * value);
-                }
-                offset += space.dimension();
-            }
-        }
-        drift
-    }
-}
-
-fn sign(v: f64) -> f64 {
-    if v == 0.0 { 0.0 } else { v.signum() }
-}
-
-/// Gram's matrix of both components together; what they share is held by the floor of the factorisation.
-fn joint_matrix(problem: &Problem, spaces: &[KnotSpace], unknowns: usize) -> Result<Bordered> {
-    let mut matrix = Bordered::new(0, 0, unknowns)?;
-    for (m, &t) in problem.parameters.iter().enumerate() {
-        let weight = problem.weights.get(m).copied().unwrap_or(1.0);
-        let mut entries: Vec<(usize, f64)> = Vec::new();
-        let mut offset = 0;
-        for space in spaces {
-            let (interval, basis) = space.basis(t, 0);
-            for (j, value) in basis.iter().enumerate().take(space.degree() + 1) {
-                entries.push((offset + space.coefficient(interval + j), *value));
-            }
-            offset += space.dimension();
-        }
-        for (p, (i, a)) in entries.iter().enumerate() {
-            for (j, b) in &entries[..=p] {
-                let twice = if i == j && !core::ptr::eq(a, b) { 2.0 } else { 1.0 };
-                matrix.add(*i, *j, twice * weight * a * b);
-            }
-        }
-    }
-    Ok(matrix)
 }

@@ -19,12 +19,7 @@ pub(crate) fn start(data: &Scaled) -> Result<Iterate> {
         })
         .collect();
     let mut reduced = Reduced::new(data, chosen)?;
-    let lambdas: Vec<f64> = reduced
-        .parts
-        .iter()
-        .enumerate()
-        .flat_map(|(i, part)| core::iter::repeat_n(data.components[i].lambda, part.chosen.len()))
-        .collect();
+    let lambdas = reduced.lambdas(data);
     // Stiffnesses of the knots: all forces are at most half of λ when each is λ over twice its jump.
     let mut stiffness: Vec<f64> = lambdas.iter().map(|lambda| lambda * 1e-3).collect();
     let (mut unknowns, mut jumps, mut line) = (Vec::new(), Vec::new(), Vec::new());

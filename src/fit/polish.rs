@@ -271,12 +271,7 @@ fn newton(
     lanes: usize,
     accuracy: f64,
 ) -> Option<Newton> {
-    let lambdas: Vec<f64> = reduced
-        .parts
-        .iter()
-        .enumerate()
-        .flat_map(|(i, part)| core::iter::repeat_n(data.components[i].lambda, part.chosen.len()))
-        .collect();
+    let lambdas = reduced.lambdas(data);
     let largest = start.iter().fold(f64::MIN_POSITIVE, |most, v| most.max(norm(*v)));
     let mut jumps = start.to_vec();
     let (mut unknowns, mut line, mut forces, mut metrics) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());

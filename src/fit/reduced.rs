@@ -2,7 +2,7 @@
 
 use super::cone::Metric;
 use super::interval::{Local, TERMS, polynomials};
-use super::scaled::Scaled;
+use super::scaled::{Scaled, ScaledComponent};
 use super::spline_space::{KnotSpace, ROOM};
 use crate::error::Result;
 use crate::limits;
@@ -83,6 +83,14 @@ impl Reduced {
         reduced.shape()?;
         reduced.assemble(data);
         Ok(reduced)
+    }
+
+    /// λ of every knot in play.
+    pub(crate) fn lambdas(&self, data: &Scaled) -> Vec<f64> {
+        let one = |(part, component): (&Part, &ScaledComponent)| {
+            core::iter::repeat_n(component.lambda, part.chosen.len())
+        };
+        self.parts.iter().zip(&data.components).flat_map(one).collect()
     }
 
     fn make_rows(&mut self) {

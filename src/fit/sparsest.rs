@@ -1,12 +1,15 @@
 //! From located points to the spline with the fewest knots, in steps that each take a few passes over the points.
 
+mod last_knots;
+mod polishing;
+
 use super::bins::averages;
 use super::breaks::Breaks;
 use super::foot_points::{Distances, Spline};
 use super::free_knots::{FreeKnots, Located};
 use super::outcome::FitStatus;
 use super::polyline;
-use super::search::{Price, better, hopes, least, settle, thinner};
+use super::search::{Price, better, least, settle, thinner};
 use super::start;
 
 /// About so many averages of points are looked at while knots are looked for; half as many points more are not averaged.
@@ -19,8 +22,6 @@ const WARMING: usize = 8;
 const MOST_VERTICES: usize = 600;
 /// What a number of the curve costs, in units of the noise's variance.
 const PER_NUMBER: f64 = 3.0;
-/// How often pieces that swing away from the points are taken out.
-const MOST_TAMINGS: usize = 20;
 /// Rounds after which growing, thinning and refining have gone on long enough.
 const MOST_ROUNDS: usize = 400;
 /// The same in work: a round tries about thirty fits, each a pass over the points and some hundred operations a knot.
@@ -309,256 +310,9 @@ impl Sparsest {
             }
         }
     }
-
-    /// The fit with the points' parameters free, on the averages first and then on all points.
-    fn polished(&mut self, rounds: usize) -> Found {
-        let mut spline = Spline::of(&self.fitted);
-        let mut seen = self.seen.clone();
-        for _ in 0..rounds {
-            spline.project(&mut seen, 2);
-            spline.tighten(&seen);
-        }
-        // Free parameters let a curve with many knots wander between the points.
-        let mut wild = spline.strays(&seen, self.slack());
-        if wild.is_some() {
-            spline = Spline::of(&self.fitted);
-            // A piece between sharp knots may have too few points to be held by, and swings as it likes.
-            wild = spline.strays(&self.seen, self.slack());
-        } else {
-            self.seen = seen;
-        }
-        let averaged = self.seen.points.len() < self.full.points.len();
-        let mut located = if averaged { self.full.clone() } else { self.seen.clone() };
-        let mut distances = spline.project(&mut located, 3);
-        if wild.is_some() {
-            distances.largest = f64::INFINITY;
-        }
-        Found { spline, located, distances, wild }
-    }
-
-    /// How many knots are tried when fewer are hardly possible: all of them where that takes little time.
-    fn trials(&self) -> usize {
-        match self.full.points.len() {
-            0..=800 => 40,
-            801..=FEW => 4,
-            _ => 1,
-        }
-    }
-
-    /// How far from the points their curve may be.
-    fn slack(&self) -> f64 {
-        match self.aim {
-            Aim::Noise(noise) => 4.0 * noise,
-            Aim::Tolerance(tolerance) => tolerance,
-            Aim::Squares(_) => f64::INFINITY,
-        }
-    }
-
-    fn polish(&mut self) -> Phase {
-        if let Aim::Squares(target) = self.aim {
-            return self.weigh(target);
-        }
-        let found = self.polished(4);
-        let breaks = found.spline.space.breaks.clone();
-        if let Some(piece) = found.wild
-            && self.tamings < MOST_TAMINGS
-            && breaks.len() > least(&breaks)
-        {
-            self.tamings += 1;
-            self.seen = from_afar(&self.full);
-            self.fitted = FreeKnots::new(without_piece(breaks, piece), &self.seen);
-            return Phase::Refine;
-        }
-        match self.aim {
-            Aim::Noise(_) => {
-                self.repairs += 1;
-                // With the parameters at the feet some knots have become needless.
-                if self.repairs <= 3 && !self.is_tired() {
-                    self.found = Some(found);
-                    self.fitted = FreeKnots::new(breaks, &self.seen);
-                    let trial = better(&self.fitted, &self.seen, self.price);
-                    if let Some(trial) = trial {
-                        self.fitted = trial;
-                        return Phase::Refine;
-                    }
-                    return Phase::Done;
-                }
-                self.found = Some(found);
-                Phase::Done
-            }
-            Aim::Tolerance(tolerance) => self.judge(found, tolerance),
-            Aim::Squares(_) => Phase::Done,
-        }
-    }
-
-    /// Goes on with a higher price while the sum of squares is small enough.
-    fn weigh(&mut self, target: f64) -> Phase {
-        let kept = self.found.as_ref().is_some_and(|found| found.distances.squares <= target);
-        let small = self.fitted.squares <= target;
-        if small || !kept {
-            let distances = Distances { largest: f64::INFINITY, squares: self.fitted.squares };
-            self.found = Some(Found {
-                spline: Spline::of(&self.fitted),
-                located: self.full.clone(),
-                distances,
-                wild: None,
-            });
-        }
-        let breaks = self.fitted.breaks();
-        if small && breaks.len() > least(breaks) && !self.is_tired() {
-            self.price = Price(self.price.0 * 1.6);
-            return Phase::Thin;
-        }
-        if kept { Phase::Last(0) } else { Phase::Done }
-    }
-
-    /// Takes the next of the cheapest knots away from the best fit and lets the others slide.
-    fn lighter(&mut self, next: usize, target: f64) -> Phase {
-        let Some(best) = &self.found else { return Phase::Done };
-        let fitted = FreeKnots::new(best.spline.space.breaks.clone(), &self.seen);
-        let dear = Price(fitted.squares.max(1e-300));
-        let trials = hopes(fitted.breaks(), &fitted.removals(), dear, self.trials());
-        let Some(breaks) = trials.into_iter().nth(next) else { return Phase::Done };
-        let trial = settle(FreeKnots::new(breaks, &self.seen), &self.seen, 1e-4 * target, 12);
-        if trial.squares > target {
-            return Phase::Last(next + 1);
-        }
-        self.fitted = trial;
-        let distances = Distances { largest: f64::INFINITY, squares: self.fitted.squares };
-        self.found = Some(Found {
-            spline: Spline::of(&self.fitted),
-            located: self.full.clone(),
-            distances,
-            wild: None,
-        });
-        Phase::Last(0)
-    }
-
-    /// Goes on with a higher price while the tolerance is kept; repairs a first fit that breaks it.
-    fn judge(&mut self, found: Found, tolerance: f64) -> Phase {
-        let tired = self.is_tired();
-        if found.distances.largest <= tolerance {
-            let breaks = found.spline.space.breaks.clone();
-            let fewer = self.found.as_ref().is_none_or(|best| {
-                best.distances.largest > tolerance || breaks.pieces() <= best.spline.space.breaks.pieces()
-            });
-            if fewer {
-                self.found = Some(found);
-            }
-            if tired || breaks.len() <= least(&breaks) {
-                return Phase::Done;
-            }
-            // At the feet the same price may buy a curve with fewer knots.
-            let few = self.full.points.len() <= FEW;
-            let again = few && self.rounds_at_price < 3 && breaks.pieces() < self.pieces_at_price;
-            (self.rounds_at_price, self.pieces_at_price) =
-                if again { (self.rounds_at_price + 1, breaks.pieces()) } else { (0, usize::MAX) };
-            if !again {
-                self.price = Price(self.price.0 * if few { 2.5 } else { 4.0 });
-            }
-            self.fitted = FreeKnots::new(breaks, &self.seen);
-            return Phase::Thin;
-        }
-        if self.found.as_ref().is_some_and(|best| best.distances.largest <= tolerance) {
-            return Phase::Last(0);
-        }
-        self.repairs += 1;
-        let repaired = start::closer(&found.spline, &self.seen, 0.8 * tolerance);
-        let nearest = self.found.as_ref().is_none_or(|best| found.distances.largest < best.distances.largest);
-        if nearest {
-            self.found = Some(found);
-        }
-        match repaired {
-            Some(breaks) if self.repairs < 40 && !tired => {
-                self.fitted = FreeKnots::new(breaks, &self.seen);
-                Phase::Polish
-            }
-            _ => Phase::Done,
-        }
-    }
-
-    /// Takes the next of the cheapest knots away from the best fit and lets the others make up for it, the farthest
-    /// points weighing most.
-    fn last(&mut self, next: usize) -> Phase {
-        if let Aim::Squares(target) = self.aim {
-            return self.lighter(next, target);
-        }
-        let (Aim::Tolerance(tolerance), Some(best)) = (self.aim, &self.found) else { return Phase::Done };
-        let averaged = self.seen.points.len() < self.full.points.len();
-        let mut seen = if averaged { self.seen.clone() } else { best.located.clone() };
-        let fitted = FreeKnots::new(best.spline.space.breaks.clone(), &seen);
-        let removals = fitted.removals();
-        let dear = Price(fitted.squares.max(1e-300));
-        let trials = hopes(fitted.breaks(), &removals, dear, self.trials());
-        let Some(breaks) = trials.into_iter().nth(next) else { return Phase::Done };
-        let trial = settle(FreeKnots::new(breaks, &seen), &seen, 1e-3 * fitted.squares, 6);
-        let mut spline = Spline::of(&trial);
-        let distances = minimax(&mut spline, &mut seen, tolerance);
-        if distances.largest <= tolerance && spline.strays(&seen, tolerance).is_none() {
-            let mut located = if averaged { self.full.clone() } else { seen };
-            located.weights.clone_from(&self.full.weights);
-            let distances = spline.project(&mut located, 3);
-            if distances.largest <= tolerance {
-                self.found = Some(Found { spline, located, distances, wild: None });
-                return Phase::Last(0);
-            }
-        }
-        Phase::Last(next + 1)
-    }
-}
-
-/// One of the knots at the ends of a piece less: the one that counts less.
-fn without_piece(mut breaks: Breaks, piece: usize) -> Breaks {
-    let count = breaks.len();
-    let (before, after) = if breaks.closed {
-        (piece % count, (piece + 1) % count)
-    } else {
-        (piece.saturating_sub(1), piece.min(count - 1))
-    };
-    let lesser = if breaks.multiplicity[before] < breaks.multiplicity[after] { before } else { after };
-    breaks.remove(lesser);
-    breaks
 }
 
 /// The points, or averages of them where they are many.
 fn from_afar(full: &Located) -> Located {
     if 2 * full.points.len() > 3 * SEEN { averages(full, SEEN) } else { full.clone() }
-}
-
-/// Makes the largest distance smaller: far points weigh more from round to round (Lawson's way). The spline with the
-/// smallest largest distance is kept.
-fn minimax(spline: &mut Spline, data: &mut Located, enough: f64) -> Distances {
-    if data.weights.is_empty() {
-        data.weights = vec![1.0; data.points.len()];
-    }
-    let mut best: Option<(Spline, Distances)> = None;
-    for round in 0..14 {
-        if round > 0 {
-            spline.tighten(data);
-        }
-        let distances = spline.project(data, 2);
-        let before = best.as_ref().map_or(f64::INFINITY, |best| best.1.largest);
-        if distances.largest < before {
-            best = Some((spline.clone(), distances));
-        }
-        if distances.largest <= enough || (round == 6 && before > 2.0 * enough) {
-            break;
-        }
-        if round >= 2 {
-            let mut at = 0;
-            for m in 0..data.points.len() {
-                let (s, t) = spline.space.find(data.parameters[m], at);
-                at = s;
-                let far = (spline.on(s, t, 0) - data.points[m]).norm() / distances.largest;
-                data.weights[m] = (data.weights[m] * (0.4 + far * far)).clamp(1e-3, 1e3);
-            }
-        }
-    }
-    match best {
-        Some((kept, distances)) => {
-            *spline = kept;
-            distances
-        }
-        None => Distances { largest: f64::INFINITY, squares: f64::INFINITY },
-    }
 }
