@@ -1,6 +1,6 @@
 /** The ES module of Hermite curves and path data: the public names, and what the other modules need of it. */
 export { default, initSync, version } from "./engine.js";
-export type { InitOptions } from "./engine.js";
+export type { InitOptions, InitSyncOptions } from "./engine.js";
 export { ExplineError } from "./error.js";
 export type { ErrorCode, ErrorDetails } from "./error.js";
 export type { PointsLike, SpacePointsLike } from "./arguments.js";

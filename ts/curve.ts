@@ -19,6 +19,7 @@ import {
 import { Held } from "./curve-data.js";
 import { ExplineError, degenerate, wrong } from "./error.js";
 import type { CurveKernel } from "./engine.js";
+import type { PathObject } from "./host.js";
 import { call, outputText, result } from "./kernel.js";
 
 /** A rectangle along the axes, in the user's unit; a box for a curve in space. */
@@ -336,7 +337,7 @@ export abstract class MeasuredCurve implements Curve {
    *
    * @throws {ExplineError} E_UNSUPPORTED where there is no `Path2D`.
    */
-  toPath2D(options?: PathOptions): Path2D {
+  toPath2D(options?: PathOptions): PathObject {
     const { d } = this.toPathD(options);
     if (typeof Path2D !== "function") {
       throw new ExplineError("E_UNSUPPORTED", "toPath2D", "there is no Path2D in this environment");

@@ -4,6 +4,7 @@ import { version as builtVersion } from "../build/bindings/version.js";
 import { wasmAddress, wasmBytes } from "../build/bindings/wasm-bytes.js";
 import { options as checkOptions } from "./arguments.js";
 import { ExplineError, shown, wrong } from "./error.js";
+import type { Bytes, CompiledModule } from "./host.js";
 
 /** The version of the package. */
 export const version: string = builtVersion;
@@ -40,10 +41,13 @@ export interface InitOptions {
   /** Where the .wasm file is. */
   wasmUrl?: string | URL;
   /** The bytes of the .wasm file. */
-  bytes?: BufferSource;
+  bytes?: Bytes;
   /** The compiled module, for instance one that another worker sent. */
-  module?: WebAssembly.Module;
+  module?: CompiledModule;
 }
+
+/** Where an engine comes from that starts at once. */
+export type InitSyncOptions = { bytes: Bytes } | { module: CompiledModule };
 
 /** How many curves an instance keeps at once. @internal */
 export const SLOTS = 16;
@@ -207,7 +211,7 @@ async function start<K extends AnyKernel>(engine: Engine<K>, given: unknown): Pr
 }
 
 /** Starts the engine from bytes or from a module, without waiting; changes nothing where one runs already. */
-export function initSync(options: { bytes: BufferSource } | { module: WebAssembly.Module }): void {
+export function initSync(options: InitSyncOptions): void {
   beginSync(core, "initSync", options);
 }
 

@@ -1,7 +1,7 @@
 /** The wasm of fitting: started when something is fitted for the first time, replaced when it dies. */
 import type { InitOutput } from "../build/bindings/expline_fit.js";
 import { wasmAddress, wasmBytes } from "../build/bindings/fit-bytes.js";
-import { type Engine, type InitOptions, begin, beginSync, callOf, instanceOf, peekOf, resultOf, writeTo } from "./core.js";
+import { type Engine, type InitOptions, type InitSyncOptions, begin, beginSync, callOf, instanceOf, peekOf, resultOf, writeTo } from "./core.js";
 import { type Kind, OpenWork } from "./open-work.js";
 
 /** The functions of the wasm that the package calls. @internal */
@@ -21,7 +21,7 @@ export function initFit(options?: InitOptions): Promise<void> {
 }
 
 /** Starts the engine for fitting from bytes or from a module, without waiting; changes nothing where one runs already. */
-export function initFitSync(options: { bytes: BufferSource } | { module: WebAssembly.Module }): void {
+export function initFitSync(options: InitSyncOptions): void {
   beginSync(fits, "initFitSync", options);
 }
 

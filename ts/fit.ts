@@ -1,3 +1,4 @@
+/// <reference lib="esnext.disposable" preserve="true" />
 /** Sparse curves through noisy points: all at once, in short tasks, or again and again for a slider. */
 import { ExplineError, type PointsLike, wrong } from "./core.js";
 import { Resident, initFit } from "./fit-engine.js";

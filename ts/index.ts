@@ -10,6 +10,7 @@ export type {
   HermiteCurveJSON,
   HermiteCurveOptions,
   InitOptions,
+  InitSyncOptions,
   Nearest,
   PathOptions,
   PathWarning,

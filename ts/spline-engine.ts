@@ -1,7 +1,7 @@
 /** The wasm of curves of any roots: started when the first one is made, replaced when it dies. */
 import type { InitOutput } from "../build/bindings/expline_spline.js";
 import { wasmAddress, wasmBytes } from "../build/bindings/spline-bytes.js";
-import { type Engine, type InitOptions, begin, beginSync, doorOf } from "./core.js";
+import { type Engine, type InitOptions, type InitSyncOptions, begin, beginSync, doorOf } from "./core.js";
 
 /** The functions of the wasm that the package calls. @internal */
 export type SplineKernel = InitOutput;
@@ -19,7 +19,7 @@ export function initSpline(options?: InitOptions): Promise<void> {
 }
 
 /** Starts that engine from bytes or from a module, without waiting; changes nothing where one runs already. */
-export function initSplineSync(options: { bytes: BufferSource } | { module: WebAssembly.Module }): void {
+export function initSplineSync(options: InitSyncOptions): void {
   beginSync(splines, "initSplineSync", options);
 }
 

@@ -1,7 +1,7 @@
 /** The wasm of surfaces: started when the first surface is made, replaced when it dies. */
 import type { InitOutput } from "../build/bindings/expline_surface.js";
 import { wasmAddress, wasmBytes } from "../build/bindings/surface-bytes.js";
-import { type Engine, type InitOptions, begin, beginSync, doorOf } from "./core.js";
+import { type Engine, type InitOptions, type InitSyncOptions, begin, beginSync, doorOf } from "./core.js";
 
 /** The functions of the wasm that the package calls. @internal */
 export type SurfaceKernel = InitOutput;
@@ -19,7 +19,7 @@ export function initSurface(options?: InitOptions): Promise<void> {
 }
 
 /** Starts the engine of surfaces from bytes or from a module, without waiting; changes nothing where one runs already. */
-export function initSurfaceSync(options: { bytes: BufferSource } | { module: WebAssembly.Module }): void {
+export function initSurfaceSync(options: InitSyncOptions): void {
   beginSync(surfaces, "initSurfaceSync", options);
 }
 

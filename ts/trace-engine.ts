@@ -1,7 +1,7 @@
 /** The wasm of tracing: started when something is traced for the first time, replaced when it dies. */
 import type { InitOutput } from "../build/bindings/expline_trace.js";
 import { wasmAddress, wasmBytes } from "../build/bindings/trace-bytes.js";
-import { type Engine, type InitOptions, begin, beginSync, callOf, instanceOf, peekOf, resultOf, writeBytesTo, writeTo } from "./core.js";
+import { type Engine, type InitOptions, type InitSyncOptions, begin, beginSync, callOf, instanceOf, peekOf, resultOf, writeBytesTo, writeTo } from "./core.js";
 import { type Kind, OpenWork } from "./open-work.js";
 
 /** The functions of the wasm that the package calls. @internal */
@@ -21,7 +21,7 @@ export function initTrace(options?: InitOptions): Promise<void> {
 }
 
 /** Starts the engine for tracing from bytes or from a module, without waiting; changes nothing where one runs already. */
-export function initTraceSync(options: { bytes: BufferSource } | { module: WebAssembly.Module }): void {
+export function initTraceSync(options: InitSyncOptions): void {
   beginSync(traces, "initTraceSync", options);
 }
 

@@ -134,11 +134,10 @@ test("the declarations hold for a strict project, with every kind of module reso
   `;
   writeFileSync(join(folder, "use.ts"), code);
   const tsc = join(process.cwd(), "node_modules", "typescript", "bin", "tsc");
-  for (const [module, moduleResolution] of [["nodenext", "nodenext"], ["esnext", "bundler"]] as const) {
-    const compilerOptions = {
-      ...{ module, moduleResolution, strict: true, noEmit: true, target: "es2022", lib: ["es2022", "dom", "esnext.disposable"] },
-      ...{ types: [], skipLibCheck: false, exactOptionalPropertyTypes: true },
-    };
+  const node = { types: ["node"], typeRoots: [join(process.cwd(), "node_modules", "@types")], lib: ["es2022"] };
+  // A page, and a program of Node whose libraries know of no browser.
+  for (const [module, moduleResolution, own] of [["esnext", "bundler", { types: [], lib: ["es2022", "dom"] }], ["nodenext", "nodenext", node]] as const) {
+    const compilerOptions = { module, moduleResolution, strict: true, noEmit: true, target: "es2022", skipLibCheck: false, exactOptionalPropertyTypes: true, ...own };
     writeFileSync(join(folder, "tsconfig.json"), JSON.stringify({ compilerOptions, files: ["use.ts"] }));
     assert.equal(spawnSync(process.execPath, [tsc, "-p", folder], { encoding: "utf8" }).stdout, "", moduleResolution);
   }
