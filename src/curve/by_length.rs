@@ -12,7 +12,7 @@
 
 use super::length::{check_tolerance, place_on};
 use super::limits::{MOST_OUTPUT_POINTS, too_many, with_room};
-use super::piece::{Jet, Piece};
+use super::piece::{ANY_ROOTS, Jet, Piece};
 use super::pieces::{AnyPiece, Pieces};
 use super::speed::{ROUNDING, axis_rule, fastest, interval_axis, length_by_rule, piece_length};
 use crate::error::Result;
@@ -74,7 +74,8 @@ impl LengthTable {
     pub fn points(&mut self, curve: &dyn Pieces, count: usize) -> Result<Vec<f64>> {
         self.along(curve, count, curve.dimension(), &mut |piece, y, _, out| match piece {
             AnyPiece::Plane(piece) => out.extend_from_slice(piece.position(y).as_slice()),
-            AnyPiece::Space(piece) => out.extend_from_slice(&piece.position(y)),
+            AnyPiece::Space(piece) if ANY_ROOTS => out.extend_from_slice(&piece.position(y)),
+            AnyPiece::Space(_) => {}
         })
     }
 

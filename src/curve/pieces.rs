@@ -181,7 +181,8 @@ impl<G: Generator> Pieces for SplineCurve<G> {
     }
 }
 
-/// A piece of a curve of either dimension, for measures that look at speeds only.
+/// A piece of a curve of either dimension, for measures that look at speeds only. Where no curve is in space, no piece is,
+/// and what measures them is left out.
 pub(super) enum AnyPiece {
     Plane(Piece),
     Space(SpacePiece),
@@ -196,7 +197,8 @@ impl AnyPiece {
     pub(super) fn speed(&self, y: f64) -> f64 {
         match self {
             Self::Plane(piece) => crate::numerics::plane::norm(piece.jet(y).first),
-            Self::Space(piece) => piece.speed(y),
+            Self::Space(piece) if ANY_ROOTS => piece.speed(y),
+            Self::Space(_) => 0.0,
         }
     }
 
@@ -204,7 +206,8 @@ impl AnyPiece {
     pub(super) fn length(&self, lo: f64, hi: f64, tolerance: f64) -> f64 {
         match self {
             Self::Plane(piece) => super::speed::piece_length(piece, lo, hi, tolerance),
-            Self::Space(piece) => piece.length(lo, hi, tolerance),
+            Self::Space(piece) if ANY_ROOTS => piece.length(lo, hi, tolerance),
+            Self::Space(_) => 0.0,
         }
     }
 }
