@@ -74,6 +74,8 @@ test("DM-031 the second visit needs no network", async (t) => {
   const demo = await open(t);
   const keeps = (): Promise<boolean> => demo.page.evaluate(async () => (await caches.match("./", { ignoreSearch: true })) !== undefined);
   await demo.until(keeps, (kept) => kept, "the page is kept");
+  // What is still on its way when the network goes would be complained of.
+  await demo.page.waitForLoadState("networkidle");
   await demo.page.context().setOffline(true);
   await demo.page.reload();
   await demo.page.evaluate(() => window.explineDemo.ready);

@@ -69,7 +69,7 @@ export class Demo {
 
   constructor(page: Page) {
     this.page = page;
-    page.on("console", (message) => message.type() === "error" && this.complaints.push(message.text()));
+    page.on("console", (message) => message.type() === "error" && this.complaints.push(`${message.text()} ${message.location().url}`));
     page.on("pageerror", (error) => this.complaints.push(String(error)));
   }
 

@@ -28,6 +28,8 @@ export interface ExplineDemo {
   toScreen(x: number, y: number): { x: number; y: number };
   toDoc(x: number, y: number): { x: number; y: number };
   stats(): { frameMs: number[]; lastJobMs: number; wasmBytes: number; bezierError?: number; modelError?: number };
+  /** Takes the page apart, and gives back what puts it together anew. */
+  unmount(): { mount(): ExplineDemo };
 }
 
 declare global {
@@ -67,6 +69,7 @@ export interface ContractOptions {
   readonly editor: Editor;
   readonly frame: Frame;
   readonly ready: Promise<void>;
+  unmount: ExplineDemo["unmount"];
   /** Checks a state from outside; throws when it is none. */
   readState(value: unknown): Promise<DemoState>;
 }
@@ -76,7 +79,7 @@ function withResult<T extends object>(document: T, mode: ModeContract | undefine
   return result === null ? document : { ...document, result };
 }
 
-export function createContract({ editor, frame, ready, readState, parts }: ContractOptions): ExplineDemo {
+export function createContract({ editor, frame, ready, readState, parts, unmount }: ContractOptions): ExplineDemo {
   const working = async (): Promise<void> => {
     await parts.fit?.working();
     await parts.trace?.working();
@@ -84,6 +87,7 @@ export function createContract({ editor, frame, ready, readState, parts }: Contr
   return {
     version: engineVersion,
     ready,
+    unmount,
     async idle() {
       await ready;
       await Promise.all(editor.loading);

@@ -1,4 +1,4 @@
-import { createContract, type ContractParts } from "./contract.ts";
+import { createContract, type ContractParts, type ExplineDemo } from "./contract.ts";
 import { createEditor } from "./editor/create-editor.ts";
 import { listenToStage } from "./editor/dom-input.ts";
 import { createFrame } from "./editor/frame.ts";
@@ -26,46 +26,66 @@ function find(kind: "part" | "region", name: string): HTMLElement {
 const part = (name: string): HTMLElement => find("part", name);
 const region = (name: string): HTMLElement => find("region", name);
 
-const until = new AbortController().signal;
-const editor = createEditor(() => performance.now());
-const frame = createFrame((callback) => requestAnimationFrame(callback), () => performance.now());
-const surface = part("surface");
-const canvas = part("canvas");
+/** The page as index.html has it, before anything is added. */
+const pristine = document.body.querySelector(".app")?.cloneNode(true);
 
-registerStandardActions(editor);
-const input = createPointerInput(editor, createTools(editor));
-listenToStage({ editor, input, frame, surface, until, leaveStage: () => surface.blur() });
-if (!(canvas instanceof HTMLCanvasElement)) throw new Error("index.html has no canvas");
-const stage = createStage(editor, frame, surface, canvas, until);
-createProxies(editor, frame, surface, part("proxies"), until);
-mountHint(editor, part("hint"), until);
-mountZoomBox(editor, part("zoom"), until);
-mountLive(editor, part("live"), part("summary"), until);
-
-const regions = { header: region("header"), rail: region("rail"), panel: region("panel"), status: region("status"), stage: region("stage") };
-const panels = mountPanels({ editor, regions, io: pageIo, frame, until });
-
-async function boot(): Promise<void> {
-  const failure = await startEngine();
-  if (failure !== null) {
-    editor.patch({ engine: { status: "failed", ...failure } });
-    return;
-  }
-  editor.patch({ engine: { status: "ready" } });
-  openRoute(editor, parseRoute(location.hash) ?? { mode: "curve", sample: null });
-  editor.setState(editor.getState(), { fresh: true });
-  connectRoutes(editor, until);
-  await panels.openSession();
-  const shared: ModeParts = { editor, frame, stage, surface, proxies: part("proxies"), panels, contract: parts, until };
-  parts.settled = loadModes(editor, {
-    fit: async () => (await import("./fit-mode.ts")).mountFitMode(shared),
-    trace: async () => (await import("./trace-mode.ts")).mountTraceMode(shared),
-    surface: async () => (await import("./surface-mode.ts")).mountSurfaceMode(shared),
-  }, until).settled;
-  await parts.settled();
-  await frame.idle();
+/** What listens, waits or works ends with the signal; what was drawn goes with its elements. */
+function unmount(life: AbortController): { mount(): ExplineDemo } {
+  life.abort();
+  for (const element of [...document.body.children]) if (element.localName !== "script") element.remove();
+  if (pristine !== undefined) document.body.prepend(pristine.cloneNode(true));
+  return { mount };
 }
 
-const parts: ContractParts = {};
-window.explineDemo = createContract({ editor, frame, ready: boot(), readState: async (value) => (await import("./document/file.ts")).readState(value), parts });
-void window.explineDemo.ready.then(keepForOffline);
+function mount(): ExplineDemo {
+  const life = new AbortController();
+  const until = life.signal;
+  const editor = createEditor(() => performance.now());
+  const frame = createFrame((callback) => requestAnimationFrame(() => until.aborted || callback()), () => performance.now());
+  const surface = part("surface");
+  const canvas = part("canvas");
+
+  registerStandardActions(editor);
+  const input = createPointerInput(editor, createTools(editor));
+  listenToStage({ editor, input, frame, surface, until, leaveStage: () => surface.blur() });
+  if (!(canvas instanceof HTMLCanvasElement)) throw new Error("index.html has no canvas");
+  const stage = createStage(editor, frame, surface, canvas, until);
+  createProxies(editor, frame, surface, part("proxies"), until);
+  mountHint(editor, part("hint"), until);
+  mountZoomBox(editor, part("zoom"), until);
+  mountLive(editor, part("live"), part("summary"), until);
+
+  const regions = { header: region("header"), rail: region("rail"), panel: region("panel"), status: region("status"), stage: region("stage") };
+  const panels = mountPanels({ editor, regions, io: pageIo, frame, until });
+  const parts: ContractParts = {};
+
+  async function boot(): Promise<void> {
+    const failure = await startEngine();
+    if (failure !== null) {
+      editor.patch({ engine: { status: "failed", ...failure } });
+      return;
+    }
+    if (until.aborted) return;
+    editor.patch({ engine: { status: "ready" } });
+    openRoute(editor, parseRoute(location.hash) ?? { mode: "curve", sample: null });
+    editor.setState(editor.getState(), { fresh: true });
+    connectRoutes(editor, until);
+    await panels.openSession();
+    if (until.aborted) return;
+    const shared: ModeParts = { editor, frame, stage, surface, proxies: part("proxies"), panels, contract: parts, until };
+    parts.settled = loadModes(editor, {
+      fit: async () => (await import("./fit-mode.ts")).mountFitMode(shared),
+      trace: async () => (await import("./trace-mode.ts")).mountTraceMode(shared),
+      surface: async () => (await import("./surface-mode.ts")).mountSurfaceMode(shared),
+    }, until).settled;
+    await parts.settled();
+    await frame.idle();
+  }
+
+  return (window.explineDemo = createContract({
+    editor, frame, ready: boot(), parts, unmount: () => unmount(life),
+    readState: async (value) => (await import("./document/file.ts")).readState(value),
+  }));
+}
+
+void mount().ready.then(keepForOffline);

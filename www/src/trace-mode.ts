@@ -7,6 +7,7 @@ import { traceHint, traceSummary } from "./editor/trace/trace-hint.ts";
 import { createTraceRunner } from "./editor/trace/trace-runner.ts";
 import { samplePoints } from "./kernel/samples.ts";
 import { cornersIn } from "./kernel/trace/outcome.ts";
+import { endingWith } from "./kernel/worker-desk.ts";
 import { createTraceClient, pageClock } from "./kernel/trace/trace-client.ts";
 import type { ModeParts } from "./modes.ts";
 import { report } from "./panels/report.ts";
@@ -45,7 +46,7 @@ function resultOf(state: EditorState): object | null {
 /** Trace mode, put together when it is first opened. */
 export function mountTraceMode({ editor, frame, stage, surface, proxies, panels, contract, until }: ModeParts): void {
   const { shell } = panels;
-  const start = (): Worker => new Worker(new URL("./kernel/trace/trace-worker.ts", import.meta.url), { type: "module" });
+  const start = (): Worker => endingWith(until, new Worker(new URL("./kernel/trace/trace-worker.ts", import.meta.url), { type: "module" }));
   const runner = createTraceRunner({
     editor, until, clock: pageClock, now: () => performance.now(),
     connect: (handlers) => createTraceClient(start, handlers),

@@ -13,7 +13,9 @@ export async function keepForOffline(): Promise<void> {
     await navigator.serviceWorker.register("./offline.js");
     await navigator.serviceWorker.ready;
     const loaded = performance.getEntriesByType("resource").map(({ name }) => name);
-    const own = [location.href, ...loaded].map((address) => new URL(address)).filter(({ origin }) => origin === location.origin);
+    // The browser's own errands, as the icon, are not among what was loaded.
+    const named = [...document.querySelectorAll("link")].map(({ href }) => href);
+    const own = [location.href, ...loaded, ...named].map((address) => new URL(address)).filter(({ origin }) => origin === location.origin);
     const addresses = new Set(own.map(({ origin, pathname }) => origin + pathname));
     const cache = await caches.open(kept);
     // What was just loaded comes from the browser's own cache.

@@ -43,6 +43,12 @@ export function createDesk<Request, Answer>(start: () => Worker, { receive, died
   };
 }
 
+/** A worker that ends when its page does. */
+export function endingWith(until: AbortSignal, worker: Worker): Worker {
+  until.addEventListener("abort", () => worker.terminate(), { once: true });
+  return worker;
+}
+
 /** Those who wait until nothing is under way. */
 export interface Waiters {
   /** Resolves at once if nothing is. */

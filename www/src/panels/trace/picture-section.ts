@@ -19,7 +19,7 @@ export function pictureSection(shell: Shell): Section {
   const file = pictureField(shell);
   const name = h("p", { class: "trace-name", testid: "trace-source" });
   const size = h("p", { class: "field-note num" });
-  const preview = h("canvas", { class: "trace-preview", width: 96, height: 72, "aria-hidden": "true" });
+  const preview = h("canvas", { class: "trace-preview", width: 96, height: 72, "aria-hidden": "true", hidden: true });
   const samples = h("button", { class: "button", type: "button", testid: "trace-samples", title: "Pictures to start from", click: () => editor.actions.run("samples") }, h("span", {}, "Samples"));
   const view = choiceField<TraceViewId>({
     label: "View", testid: "trace-view", about: "What is on the stage (W for the next).",
