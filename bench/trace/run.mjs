@@ -5,6 +5,7 @@ import { cpus } from "node:os";
 import { join } from "node:path";
 
 import { LINE_COLUMNS, LINE_GOALS, measuredLines } from "./lib/lines.mjs";
+import { fastEnough, paperTimes } from "./lib/paper.mjs";
 import { kept, strokes } from "./lib/pictures.mjs";
 import { recognised } from "./lib/primitives.mjs";
 import { COLUMNS, LEGEND, behind, measured, table } from "./lib/quality.mjs";
@@ -96,6 +97,17 @@ async function sheets(contestants) {
   }
 }
 
+async function published() {
+  const title = "time, profiles of the paper";
+  if (!title.includes(only)) return;
+  const { fitProfile } = await import("expline");
+  const rows = paperTimes(fitProfile);
+  console.log(`### ${title}\n\n| figure | edge points | printed², ms | method as printed, ms | improved, ms |\n|---|---|---|---|---|`);
+  for (const r of rows) console.log(`| ${r.name} | ${r.points} | ${r.printed.toFixed(0)} | ${r.published.toFixed(1)} | ${r.improved.toFixed(1)} |`);
+  console.log("");
+  verdict(rows.every(fastEnough), `${title}: at most a tenth of what is printed, with the method as printed and improved`);
+}
+
 console.log(`${cpus()[0].model}, ${cpus().length} cores, Node ${process.versions.node}\n\n${LEGEND}\n`);
 const { scored, timed: all, centreLines, close } = await tracers(program);
 try {
@@ -104,8 +116,9 @@ try {
   await lines(centreLines);
   await primitives(scored[0][1]);
   await sheets(all);
+  await published();
 } finally {
   close();
 }
-console.log("¹ recorded on the same pictures by the same definitions, not run now.\n");
+console.log("¹ recorded on the same pictures by the same definitions, not run now.\n² by its authors on their machine; whether edges are found within that time they do not say.\n");
 console.log(verdicts.join("\n"));

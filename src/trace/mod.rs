@@ -34,6 +34,7 @@ mod corners;
 mod coverage;
 mod cubic;
 mod cusps;
+mod discs;
 mod division;
 mod ellipse;
 mod field;
@@ -70,6 +71,7 @@ pub use chain::{Chain, ChainPlace, Joint, Tube, TubeFit, fit_tube, fit_tube_with
 pub use cloud::Cloud;
 pub use contour::{Contour, contours};
 pub use cusps::{Cusp, CuspRule};
+pub use discs::{DiscEnd, DiscRule, DiscTube};
 pub use gray::{Gray, GrayRows, MOST_PIXELS, MOST_SIDE};
 pub use knots::{Knots, MOST_DEGREE, MOST_INTERIOR};
 pub use layer_tracer::{LayerTracer, TracedLayer};
