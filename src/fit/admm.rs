@@ -15,7 +15,7 @@ const HOLD: f64 = 1e-4;
 /// Splits w = Lc; with over-relaxation by 1.6 and penalties balanced by the residuals. Linear convergence at best:
 /// 300 to 2000 iterations for three digits on small problems, and no knot is ever exactly zero in Lc. Two components on
 /// fine grids share curves that the points hardly tell apart, and their systems lose all digits: a proximal term keeps
-/// them regular and leaves the optimum where it is. [FPST13]
+/// them regular and leaves the optimum where it is. \[FPST13\]
 #[derive(Clone, Debug)]
 pub struct Admm {
     data: Scaled,
