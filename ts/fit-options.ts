@@ -79,6 +79,9 @@ const NAMES = [
   ...RUNNING,
 ] as const;
 
+/** Where in the record of options the noise stands. */
+const NOISE = 14;
+
 /** How a run is watched and stopped. @internal */
 export type FitWatch = Watch<FitProgress>;
 
@@ -133,6 +136,19 @@ export function order(op: string, points: unknown, options: unknown): Order {
     deadline: own.deadline === undefined ? undefined : within(op, "deadline", own.deadline, 0, Infinity),
     ...watch(op, own),
   };
+}
+
+/** Whether the level of noise was given. @internal */
+export function knowsNoise({ input: [options] }: Order): boolean {
+  return (options?.[NOISE] ?? -1) >= 0;
+}
+
+/** The same for a level of noise that was found. @internal */
+export function withNoise(job: Order, noise: number): Order {
+  const [options = new Float64Array(0), ...rest] = job.input;
+  const own = Float64Array.from(options);
+  own[NOISE] = noise;
+  return { ...job, input: [own, ...rest] };
 }
 
 /** A change of a fitter's strength, and who watches. @internal */

@@ -2,7 +2,7 @@
 /** Sparse curves through noisy points: all at once, in short tasks, or again and again for a slider. */
 import { ExplineError, type PointsLike, wrong } from "./core.js";
 import { Resident, initFit } from "./fit-engine.js";
-import { type FitProgress, type FitWatch, type Order, type SparseFitOptions, type SparseFitStrength, change, checkNames, order } from "./fit-options.js";
+import { type FitProgress, type FitWatch, type Order, type SparseFitOptions, type SparseFitStrength, change, checkNames, knowsNoise, order, withNoise } from "./fit-options.js";
 import { type SparseFit, readFit } from "./fit-result.js";
 import { checkSignal, inOneGo, inTasks } from "./yielding.js";
 
@@ -59,11 +59,24 @@ function begin(op: string, { input, question }: Order): Resident {
  */
 export function fitSparse(points: PointsLike, options?: SparseFitOptions): SparseFit {
   const op = "fitSparse";
-  const job = order(op, points, options);
+  return one(op, order(op, points, options));
+}
+
+function one(op: string, job: Order): SparseFit {
   checkSignal(op, job.signal);
   const resident = begin(op, job);
   try {
     return run(op, resident, job, job.deadline);
+  } finally {
+    resident.close();
+  }
+}
+
+async function oneAsync(op: string, job: Order): Promise<SparseFit> {
+  checkSignal(op, job.signal);
+  const resident = begin(op, job);
+  try {
+    return await runAsync(op, resident, job, job.deadline);
   } finally {
     resident.close();
   }
@@ -80,23 +93,45 @@ export type SparseFitAllOptions = Omit<SparseFitOptions, "parameters" | "period"
  */
 export function fitSparseAll(contours: readonly PointsLike[], options?: SparseFitAllOptions): SparseFit[] {
   const op = "fitSparseAll";
-  if (!Array.isArray(contours)) throw wrong("E_TYPE", op, "contours", contours, "an array of contours");
-  checkNames(op, options);
-  const noise = options?.noise ?? median(Array.from(contours, (points) => noiseOf(op, points, options)));
-  return Array.from(contours as readonly PointsLike[], (points) => fitSparse(points, noise === undefined ? options : { ...options, noise }));
+  return alike(op, orders(op, contours, options)).map((job) => one(op, job));
 }
 
-function noiseOf(op: string, points: unknown, options: unknown): number {
-  const resident = new Resident(op, order(op, points, options).input);
+/**
+ * {@link fitSparseAll} in short tasks, one contour after the other; `onProgress` and `deadline` are those of each.
+ *
+ * @throws {ExplineError} as fitSparseAll does, by rejecting; E_CANCELLED when the signal was aborted, within a few milliseconds.
+ */
+export async function fitSparseAllAsync(contours: readonly PointsLike[], options?: SparseFitAllOptions): Promise<SparseFit[]> {
+  const op = "fitSparseAllAsync";
+  const jobs = orders(op, contours, options);
+  checkSignal(op, jobs[0]?.signal);
+  await initFit();
+  const fits: SparseFit[] = [];
+  for (const job of alike(op, jobs)) fits.push(await oneAsync(op, job));
+  return fits;
+}
+
+/** What is to be done for each contour; the points are copied. */
+function orders(op: string, contours: unknown, options: unknown): Order[] {
+  if (!Array.isArray(contours)) throw wrong("E_TYPE", op, "contours", contours, "an array of contours");
+  checkNames(op, options);
+  return Array.from(contours, (points) => order(op, points, options));
+}
+
+/** The same with one level of noise: that of the options, or the median of what each contour says alone. */
+function alike(op: string, jobs: readonly Order[]): readonly Order[] {
+  if (jobs.every(knowsNoise)) return jobs;
+  const levels = jobs.map((job) => noiseOf(op, job)).sort((a, b) => a - b);
+  return jobs.map((job) => withNoise(job, levels[levels.length >> 1] ?? 0));
+}
+
+function noiseOf(op: string, { input }: Order): number {
+  const resident = new Resident(op, input);
   try {
     return resident.noise(op);
   } finally {
     resident.close();
   }
-}
-
-function median(values: readonly number[]): number | undefined {
-  return [...values].sort((a, b) => a - b)[values.length >> 1];
 }
 
 /**
@@ -110,13 +145,7 @@ export async function fitSparseAsync(points: PointsLike, options?: SparseFitOpti
   const job = order(op, points, options);
   checkSignal(op, job.signal);
   await initFit();
-  checkSignal(op, job.signal);
-  const resident = begin(op, job);
-  try {
-    return await runAsync(op, resident, job, job.deadline);
-  } finally {
-    resident.close();
-  }
+  return oneAsync(op, job);
 }
 
 /** What a fitter holds; undefined once it was disposed of. */

@@ -114,6 +114,7 @@ const kinds: Record<string, () => Valid[]> = {
     { name: "fitSparse", run: expline.fitSparse, values: [PLACES, { smoothing: 0.5, signal: undefined }] },
     { name: "fitSparseAsync", run: expline.fitSparseAsync, values: [PLACES, { tolerance: 0.5, onProgress: () => undefined }] },
     { name: "fitSparseAll", run: expline.fitSparseAll, values: [[PLACES, PLACES], { noise: 0.1 }] },
+    { name: "fitSparseAllAsync", run: expline.fitSparseAllAsync, values: [[PLACES, PLACES], { noise: 0.1 }] },
     { name: "fitSparseAll of none", run: expline.fitSparseAll, values: [[], { closed: true }] },
     ...constructors({ SparseFitter: [PLACES, { degree: 1 }] }),
     ...methods("SparseFitter", () => new SparseFitter(PLACES), { solve: [{ lambda: [0.1, 0.1] }], solveAsync: [{ smoothing: 0.1 }] }),

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { fitSparse, fitSparseAll } from "expline";
+import { fitSparse, fitSparseAll, fitSparseAllAsync } from "expline";
 
 import { noisyCircle } from "./fit-data.ts";
 
@@ -123,4 +123,22 @@ test("contours of one drawing are fitted with one level of noise", () => {
   given.forEach((fit, i) => assert.deepEqual(fit.knots, fitSparse(contours[i] ?? [], { degree: 3, noise: 0.02 }).knots));
   assert.deepEqual(fitSparseAll([]), []);
   assert.throws(() => fitSparseAll(7 as never), { code: "E_TYPE", arg: "contours" });
+});
+
+test("several contours in short tasks give the same fits, from the points as they were", async () => {
+  const contours = [noisyCircle(120, 0.01, 1), noisyCircle(90, 0.03, 2)];
+  const expected = fitSparseAll(contours, { degree: 3 });
+  const steps: number[] = [];
+  const running = fitSparseAllAsync(contours, { degree: 3, onProgress: ({ iteration }) => steps.push(iteration) });
+  contours[0]?.fill(0);
+  contours.pop();
+  assert.deepEqual(
+    (await running).map(({ knots, sigma }) => ({ knots, sigma })),
+    expected.map(({ knots, sigma }) => ({ knots, sigma })),
+  );
+  assert.ok(steps.length >= 2, "progress of both");
+  const ended = new AbortController();
+  ended.abort();
+  await assert.rejects(fitSparseAllAsync([noisyCircle(90, 0.03, 2)], { signal: ended.signal }), { code: "E_CANCELLED" });
+  assert.deepEqual(await fitSparseAllAsync([]), []);
 });
