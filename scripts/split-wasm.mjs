@@ -8,6 +8,8 @@
 //   a row: how many bytes and 16 times how many items, the bytes as they are, and the numbers of the streams of the items
 //   the streams, the first of which names the row of each operation
 //
+// Where there are more kinds of operations than rows, the rarest are items of the raw stream, as they are.
+//
 // DECODER, in inline-wasm.mjs, puts it together.
 
 /** Items that are LEB128, and items with their length before them. */
@@ -161,13 +163,35 @@ function eachOperationOfOne(reader, row) {
   }
 }
 
-/** The wasm in streams, with the head that says how to put them together. */
-export function splitWasm(wasm) {
+const RAW = " raw";
+const keyOf = (bytes, items) => `${bytes} ${items.map(([stream]) => stream)}`;
+
+/** The operation as it was in the wasm, as one item. */
+function whole(bytes, items) {
+  const modes = new Map(STREAMS);
+  return [["raw", counted([...bytes, ...items.flatMap(([stream, item]) => (modes.get(stream) === COUNTED ? item.slice(1) : item))])]];
+}
+
+/** The kinds of operations that get a row of their own: the most frequent, where there are too many for a byte. */
+function kindsOf(wasm, most) {
+  const uses = new Map();
+  eachOperation(wasm, (bytes, items) => {
+    const key = keyOf(bytes, items);
+    uses.set(key, (uses.get(key) ?? 0) + 1);
+  });
+  const others = [...uses.keys()].filter((key) => key !== RAW).sort((a, b) => uses.get(b) - uses.get(a));
+  return new Set([RAW, ...others.slice(0, most - 1)]);
+}
+
+/** The wasm in streams, with the head that says how to put them together; at `most` so many kinds of operations are told apart. */
+export function splitWasm(wasm, most = 256) {
+  const kinds = kindsOf(wasm, most);
   const streams = new Map(STREAMS.map(([name]) => [name, []]));
   const rows = new Map();
   const operations = [];
-  eachOperation(wasm, (bytes, items) => {
-    const key = `${bytes} ${items.map(([stream]) => stream)}`;
+  eachOperation(wasm, (...operation) => {
+    const [bytes, items] = kinds.has(keyOf(...operation)) ? operation : [[], whole(...operation)];
+    const key = keyOf(bytes, items);
     let row = rows.get(key);
     if (row === undefined) rows.set(key, (row = { bytes, items: items.map(([stream]) => stream), count: 0 }));
     row.count += 1;
@@ -176,7 +200,6 @@ export function splitWasm(wasm) {
   });
   // Frequent ones get low numbers, which are shorter in the text.
   const sorted = [...rows.values()].sort((a, b) => b.count - a.count);
-  if (sorted.length > 256) throw new Error(`${sorted.length} kinds of operations: too many for a byte`);
   sorted.forEach((row, number) => (row.number = number));
   streams.set("operations", operations.map((row) => row.number));
   const names = STREAMS.map(([name]) => name);
