@@ -191,6 +191,73 @@ fn places_by_length_end_at_what_doubles_can_tell_apart() {
     }
 }
 
+/// The largest distance of 4000 points of a curve from a polyline along which they follow each other.
+fn farthest(curve: &HermiteCurve, polyline: &[f64]) -> f64 {
+    let ends: Vec<Point> = polyline.chunks_exact(2).map(|p| Point::new(p[0], p[1])).collect();
+    let (_, end) = curve.domain();
+    let (mut worst, mut near) = (0.0_f64, 0);
+    for k in 0..=4000 {
+        let place = curve.evaluate(end * f64::from(k) / 4000.0, 0).expect("inside");
+        let gap = |i: usize| {
+            let (from, chord) = (ends[i], ends[i + 1] - ends[i]);
+            let share = ((place - from).dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
+            (place - from - chord * share).norm()
+        };
+        // The nearest chord so far, or one soon after it.
+        let last = (near + 3).min(ends.len() - 2);
+        near = (near..=last).min_by(|&a, &b| gap(a).total_cmp(&gap(b))).expect("chords");
+        worst = worst.max(gap(near));
+    }
+    worst
+}
+
+#[test]
+fn nearly_straight_curves_are_as_near_to_their_polylines_as_was_asked() {
+    for turn in 0..24 {
+        let (sin, cos) = (0.26 * f64::from(turn) + 0.1).sin_cos();
+        for bump in [1e-7, 1e-6, 1e-5, 1e-3] {
+            let turned = |x: f64, y: f64| Vector::new(cos * x - sin * y, sin * x + cos * y);
+            let curve = HermiteCurve::new(HermiteOptions {
+                points: vec![turned(0.0, 0.0), turned(1.0, 0.0)],
+                tangents: vec![turned(1.1, 4.0 * bump), turned(0.9, -3.0 * bump)],
+                space: Some(Space::Polynomial),
+                ..HermiteOptions::default()
+            })
+            .expect("a curve");
+            for tolerance in [2e-9, 1e-7, 1e-4] {
+                let (polyline, deviation) = curve.flatten(tolerance).expect("a polyline");
+                let off = farthest(&curve, &polyline);
+                assert!(off <= tolerance + 1e-15, "turn {turn}, bump {bump}: {off} for {tolerance}");
+                assert!(off <= deviation + 1e-15, "turn {turn}, bump {bump}: {off}, said to be {deviation}");
+                let fewest = (6.0 * bump / (8.0 * tolerance)).sqrt();
+                let count = (polyline.len() / 2) as f64;
+                assert!(
+                    count <= 1.2 * fewest + 3.0,
+                    "turn {turn}, bump {bump}: {count} points, {fewest} wanted"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn polylines_of_many_points_hold_and_waste_few() {
+    let mut random = Random::new(5);
+    for case in 0..60 {
+        let curve = random_curve(&mut random, case);
+        let size = curve.bounds().extent();
+        if !(size > 1e-9) {
+            continue;
+        }
+        let (coarse, _) = curve.flatten(1e-4 * size).expect("a polyline");
+        let (fine, deviation) = curve.flatten(1e-6 * size).expect("a polyline");
+        assert!(deviation <= 1e-6 * size, "case {case}");
+        // The number goes with the root of the tolerance.
+        let most = 11.5 * coarse.len() as f64 + 40.0 * curve.segment_count() as f64;
+        assert!((fine.len() as f64) < most, "case {case}: {} after {}", fine.len(), coarse.len());
+    }
+}
+
 #[test]
 fn bad_arguments_are_refused_with_their_names() {
     let circle = circle(1.0, 4);

@@ -3,7 +3,7 @@
 use super::piece::Piece;
 use super::pieces::{Pieces, handles_of, hermite, in_space};
 use super::spatial::SpacePiece;
-use crate::numerics::plane::taxi;
+use crate::numerics::plane::{larger, taxi};
 use crate::numerics::roots::bracketed_root;
 
 /// Intervals below this share of a piece are not halved any more.
@@ -31,7 +31,7 @@ pub struct Bounds {
 impl Bounds {
     /// The largest of width, height and depth.
     pub fn extent(&self) -> f64 {
-        (self.max_x - self.min_x).max(self.max_y - self.min_y).max(self.max_z - self.min_z)
+        larger(larger(self.max_x - self.min_x, self.max_y - self.min_y), self.max_z - self.min_z)
     }
 }
 
@@ -99,11 +99,21 @@ pub(crate) fn hull(curve: &dyn Pieces) -> Bounds {
     if in_space(curve) {
         return bounds(curve);
     }
-    let mut grown = Grown::EMPTY;
-    for i in 0..curve.piece_count() {
-        let [first, second] = curve.handles(i);
-        for point in [curve.start(i), first, second, curve.start(i + 1)] {
-            grown.include(point.as_slice());
+    let (mut grown, own) = (Grown::EMPTY, hermite(curve));
+    let last = curve.piece_count();
+    for i in 0..=last {
+        let start = match own {
+            Some(curve) => curve.points()[if i < curve.points().len() { i } else { 0 }],
+            None => curve.start(i),
+        };
+        grown.include(start.as_slice());
+        if i < last {
+            let [first, second] = match own {
+                Some(curve) => handles_of(&curve.segment(i)),
+                None => curve.handles(i),
+            };
+            grown.include(first.as_slice());
+            grown.include(second.as_slice());
         }
     }
     grown.bounds(2)

@@ -4,13 +4,15 @@
 //! ∫√(|r′ × r″|/|r′|) dy make equal errors: as few as can be. Then every chord is proved, whatever was assumed before.
 
 use super::bounds::{bounds, hull};
-use super::chords::{Chords, Turning};
+use super::chords::mend;
+use super::cubic_chords;
 use super::length::check_tolerance;
-use super::limits::{MOST_OUTPUT_POINTS, too_many};
-use super::piece::Piece;
-use super::pieces::{Pieces, in_space};
+use super::limits::{MOST_OUTPUT_POINTS, filled, too_many, with_room};
+use super::piece::{Piece, cubic_middle};
+use super::pieces::{Pieces, hermite, in_space};
 use super::spatial;
 use crate::error::{Error, Result};
+use crate::numerics::Point;
 use crate::numerics::plane::{cross, norm};
 
 /// Tolerances below this share of the extent are raised to it.
@@ -28,23 +30,53 @@ pub(crate) fn flatten(curve: &dyn Pieces, tolerance: f64) -> Result<(Vec<f64>, f
     if in_space(curve) {
         return spatial::flatten(curve, tolerance, MOST_OUTPUT_POINTS);
     }
-    let mut out = Vec::new();
     let pieces = curve.piece_count();
-    let mut chords = Chords::new(tolerance, pieces)?;
+    let mut out = with_room(32 * pieces)?;
+    let mut deviation = 0.0;
     for i in 0..pieces {
-        let piece = curve.piece(i);
-        let density = Density::new(&piece, tolerance);
-        if density.total > MOST_OUTPUT_POINTS as f64 {
-            return Err(beyond(density.total as usize));
-        }
-        let count = chord_count(density.total * density.margin);
-        chords.cut(piece, curve.start(i), count, |places| density.spread(places))?;
+        let bound = cut_piece(curve, i, tolerance, &mut out)?;
+        deviation = if bound > deviation { bound } else { deviation };
     }
-    let deviation = chords.finish(&mut out)?;
     if !curve.closed() {
         out.extend(curve.start(pieces).as_slice());
     }
     Ok((out, deviation))
+}
+
+/// Appends the start of piece i and the points between its ends; returns the bound of the distance.
+#[inline(always)]
+fn cut_piece(curve: &dyn Pieces, i: usize, tolerance: f64, out: &mut Vec<f64>) -> Result<f64> {
+    let start = curve.start(i);
+    // Cubics are so quick that making a piece of each would show.
+    let middle = match hermite(curve) {
+        Some(curve) => cubic_middle(&curve.segment(i)),
+        None => {
+            let piece = curve.piece(i);
+            piece.is_cubic().then(|| piece.coefficients())
+        }
+    };
+    if let Some(middle) = &middle
+        && let Some(bound) = cubic_chords::cut(middle, start, tolerance, out)?
+    {
+        return Ok(bound);
+    }
+    cut_any(&curve.piece(i), start, tolerance, out)
+}
+
+/// The same for a piece of any kind.
+#[inline(never)]
+fn cut_any(piece: &Piece, start: Point, tolerance: f64, out: &mut Vec<f64>) -> Result<f64> {
+    let density = Density::new(piece, tolerance);
+    let all = density.total + (out.len() / 2) as f64;
+    if all > MOST_OUTPUT_POINTS as f64 {
+        return Err(beyond(all as usize));
+    }
+    let count = chord_count(density.total * MARGIN);
+    let mut places = filled(0.5, count + 1)?;
+    places[0] = -0.5;
+    density.spread(&mut places[1..count]);
+    out.extend(start.as_slice());
+    mend(piece, places, tolerance, out)
 }
 
 /// The tolerance, raised to 1e-9 of the extent where it is below that.
@@ -75,12 +107,10 @@ struct Density {
     /// By how much of their sum the densities at the ends of each cell differ.
     tilts: [f64; MOST_CELLS + 1],
     total: f64,
-    /// By how much the densities may be off: more where they are not smooth, at inflections.
-    margin: f64,
 }
 
-/// What smooth densities may be off, and what those of a piece with an inflection.
-const MARGINS: [f64; 2] = [1.01, 1.05];
+/// What densities may be off.
+const MARGIN: f64 = 1.05;
 
 /// The edges of a cubic's cells.
 const EDGES: [f64; CELLS + 1] = {
@@ -93,50 +123,29 @@ const EDGES: [f64; CELLS + 1] = {
     edges
 };
 
-/// The same in single precision.
-const SINGLE_EDGES: [f32; CELLS + 1] = {
-    let mut edges = [0.5; CELLS + 1];
-    let mut k = 0;
-    while k < CELLS {
-        edges[k] = k as f32 / CELLS as f32 - 0.5;
-        k += 1;
-    }
-    edges
-};
-
 impl Density {
     #[inline]
     fn new(piece: &Piece, tolerance: f64) -> Self {
         let zeros = [0.0; MOST_CELLS + 1];
-        let mut density =
-            Self { cells: CELLS, edges: zeros, before: zeros, tilts: zeros, total: 0.0, margin: MARGINS[1] };
-        if piece.is_cubic() {
-            density.edges[..=CELLS].copy_from_slice(&EDGES);
-            let (roots, share, turns) = cubic_roots(piece, tolerance);
-            density.sum(&roots, share);
-            density.margin = MARGINS[usize::from(turns)];
-            return density;
-        }
+        let mut density = Self { cells: CELLS, edges: zeros, before: zeros, tilts: zeros, total: 0.0 };
         density.cells = edges(piece, &mut density.edges);
         let mut roots = [0.0; MOST_CELLS + 1];
         for (root, &edge) in roots.iter_mut().zip(&density.edges) {
             let jet = piece.jet(edge);
             let bend = cross(jet.first, jet.second).abs() / norm(jet.first).max(f64::MIN_POSITIVE);
-            *root = (bend / (8.0 * tolerance)).sqrt() as f32;
+            *root = (bend / (8.0 * tolerance)).sqrt();
         }
-        density.sum(&roots, 1.0);
+        density.sum(&roots);
         density
     }
 
-    /// Sums densities that are given at the edges, each times `share`.
-    #[inline(never)]
-    fn sum(&mut self, roots: &[f32], share: f64) {
-        let mut from = f64::from(roots[0]);
+    /// Sums densities that are given at the edges.
+    fn sum(&mut self, roots: &[f64]) {
+        let mut from = roots[0];
         for (k, &to) in roots[1..=self.cells].iter().enumerate() {
-            let to = f64::from(to);
             let both = from + to + 1e-30;
             self.tilts[k] = (to - from) / both;
-            self.total += 0.5 * both * share * (self.edges[k + 1] - self.edges[k]);
+            self.total += 0.5 * both * (self.edges[k + 1] - self.edges[k]);
             self.before[k + 1] = self.total;
             from = to;
         }
@@ -148,18 +157,6 @@ impl Density {
         let cells = self.cells;
         spread(&self.edges[..=cells], &self.before[..=cells], &self.tilts[..cells], places);
     }
-}
-
-/// The densities at a cubic's edges, in single precision, which they do not need more of, their common factor, and
-/// whether there is an inflection.
-#[inline]
-fn cubic_roots(piece: &Piece, tolerance: f64) -> ([f32; CELLS + 1], f64, bool) {
-    let turning = Turning::new(piece);
-    let mut roots = [0.0_f32; CELLS + 1];
-    turning.densities(&SINGLE_EDGES, &mut roots);
-    let turn = |y: f32| turning.at(y)[2];
-    let turns = turn(-0.5) * turn(0.5) < 0.0 || turn(-0.5) * turn(0.0) < 0.0;
-    (roots, (turning.size / (8.0 * tolerance)).sqrt(), turns)
 }
 
 /// Fills in the places that divide the chords evenly, of which there are `before` before each edge.

@@ -28,6 +28,7 @@ mod by_length;
 mod chords;
 mod contract;
 mod convert;
+mod cubic_chords;
 mod cubic_fit;
 mod cubics;
 mod curvature;

@@ -4,6 +4,18 @@
 
 use super::Vector;
 
+/// The second number where it is larger than the first. `f64::max` has a rule for what is not a number, and in wasm is a call.
+#[inline(always)]
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
+}
+
+/// The second number where it is smaller than the first.
+#[inline(always)]
+pub(crate) fn smaller(a: f64, b: f64) -> f64 {
+    if b < a { b } else { a }
+}
+
 /// x₁x₂ + y₁y₂.
 #[inline]
 pub(crate) fn dot(u: Vector, v: Vector) -> f64 {
