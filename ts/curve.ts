@@ -203,10 +203,12 @@ export abstract class MeasuredCurve implements Curve {
     const to = out === undefined ? undefined : output(op, out, each * n);
     const slot = data.resident(op);
     const all = to ?? new Float64Array(each * n);
-    for (let first = 0; first < n; first += BLOCK) {
-      const length = Math.min(BLOCK, n - first);
-      data.door.call(op, (kernel) => kernel.sample(slot, n, first, length, both));
-      all.set(data.door.peek(each * length), each * first);
+    for (let at = 0; at < each * n; ) {
+      // As many as the kernel likes to make at a time.
+      const first = at / each;
+      const numbers = data.door.call(op, (kernel) => kernel.sample(slot, n, first, Math.min(BLOCK, n - first), both));
+      all.set(data.door.peek(numbers), at);
+      at += numbers;
     }
     return all;
   }

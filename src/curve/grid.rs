@@ -9,12 +9,23 @@ use super::hermite::HermiteCurve;
 pub(super) struct Grid {
     /// From sample to sample, in t.
     pub(super) step: f64,
+    /// How many samples there are.
+    pub(super) count: usize,
     end: f64,
     steps: f64,
     /// Number of segments, if all have one length.
     even: Option<u64>,
     /// Samples on each of them, if they divide evenly; else 0.
     each: usize,
+}
+
+/// Factor, divisor and offset of places on one segment.
+pub(super) type Run = [f64; 3];
+
+/// Where sample i is, as [`Grid::place`] of twice i.
+#[inline(always)]
+pub(super) fn place([factor, divisor, offset]: Run, i: usize) -> f64 {
+    i as f64 * factor / divisor - offset
 }
 
 impl Grid {
@@ -25,7 +36,7 @@ impl Grid {
         let segments = curve.segment_count() as u64;
         let each =
             if (steps as u64).is_multiple_of(segments) { (steps as u64 / segments) as usize } else { 0 };
-        Self { step: end / steps, end, steps, even, each }
+        Self { step: end / steps, count, end, steps, even, each }
     }
 
     /// The segment of sample i; at a knot the one that starts there.
@@ -68,6 +79,14 @@ impl Grid {
         match self.even {
             Some(segments) => half as f64 * segments as f64 - 2.0 * s as f64 * self.steps,
             None => 0.5 * half as f64 * self.end / self.steps - curve.knots()[s],
+        }
+    }
+
+    /// How places on segment s follow from the number of the sample: [`place`].
+    pub(super) fn run(&self, curve: &HermiteCurve, s: usize) -> Run {
+        match self.even {
+            Some(segments) => [2.0 * segments as f64, 1.0, 2.0 * s as f64 * self.steps],
+            None => [self.end, self.steps, curve.knots()[s]],
         }
     }
 

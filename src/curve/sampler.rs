@@ -13,16 +13,17 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use super::Segment;
-use super::grid::Grid;
+use super::grid::{Grid, Run, place};
 use super::hermite::HermiteCurve;
 use crate::generator::Space;
 use crate::numerics::entire::stumpff;
 use crate::numerics::{Point, Vector};
 
-/// Pairs of points in the largest block: 256 points are 4 kB, and the tables another 4 kB.
-const PAIRS: usize = 128;
-/// Fewer samples than this on a segment are evaluated one by one.
+/// Pairs of points in the largest block: 512 points are 8 kB, and the tables another 8 kB.
+const PAIRS: usize = 256;
+/// Fewer samples than this on a segment are evaluated one by one; of a cubic, which is so quick without tables.
 const FEWEST: usize = 4;
+const FEWEST_OF_CUBIC: usize = 8;
 
 /// Samples curves uniformly and remembers its tables from one call to the next.
 ///
@@ -83,7 +84,7 @@ impl Default for Sampler {
 }
 
 /// Value and three derivatives with respect to t at the middle of a block.
-struct Jet([Vector; 4]);
+struct Jet([[f64; 2]; 4]);
 
 impl Sampler {
     /// Samples `first`, `first + 1`, … of the uniform sampling of `curve` by `count` points, as many as `out` has
@@ -100,21 +101,43 @@ impl Sampler {
     ///
     /// About a nanosecond a point where a segment holds many of them.
     pub fn points(&mut self, curve: &HermiteCurve, count: usize, first: usize, out: &mut [f64]) {
-        self.run(curve, count, first, out, 2);
+        self.run(curve, count, first, out, 2, false);
     }
 
     /// The same with the derivative after each point: x, y, dx/dt, dy/dt.
     pub fn points_and_tangents(&mut self, curve: &HermiteCurve, count: usize, first: usize, out: &mut [f64]) {
-        self.run(curve, count, first, out, 4);
+        self.run(curve, count, first, out, 4, false);
     }
 
-    /// Walks the segments that the range touches, a block at a time; `stride` numbers are written for every sample.
+    /// The same for who wants all samples in ranges of any length: as many as fit without cutting a block in two, which is
+    /// half the work, with derivatives or without. Returns how many; not 0 while there are any and room for 512.
+    pub fn blocks(
+        &mut self,
+        curve: &HermiteCurve,
+        count: usize,
+        first: usize,
+        tangents: bool,
+        out: &mut [f64],
+    ) -> usize {
+        self.run(curve, count, first, out, if tangents { 4 } else { 2 }, true)
+    }
+
+    /// Walks the segments that the range touches, a block at a time; `stride` numbers are written for every sample. Returns
+    /// how many samples were made: where only whole blocks are wanted, those that fit.
     #[inline(never)]
-    fn run(&mut self, curve: &HermiteCurve, count: usize, first: usize, out: &mut [f64], stride: usize) {
+    fn run(
+        &mut self,
+        curve: &HermiteCurve,
+        count: usize,
+        first: usize,
+        out: &mut [f64],
+        stride: usize,
+        whole: bool,
+    ) -> usize {
         let grid = Grid::new(curve, count);
         let end = count.min(first.saturating_add(out.len() / stride));
         if first >= end {
-            return;
+            return 0;
         }
         let (mut i, mut rest) = (first, out);
         let mut s = grid.segment_of(curve, i);
@@ -123,29 +146,35 @@ impl Sampler {
             let stop = if s + 1 == curve.segment_count() { count } else { grid.first_sample(curve, s + 1) };
             let segment = curve.segment(s);
             self.suit(&segment, grid.step);
-            let block = if stop - start < FEWEST || self.pairs == 0 { 1 } else { 2 * self.pairs };
+            let samples = stop - start;
+            let few = samples < FEWEST || self.square == 0.0 && samples < FEWEST_OF_CUBIC;
+            if few || self.pairs == 0 {
+                let number = (stop - i).min(end - i);
+                let (now, later) = rest.split_at_mut(number * stride);
+                self.few(curve, &segment, &grid, (s, i), now, stride);
+                (i, rest) = (i + number, later);
+            }
+            let block = 2 * self.pairs;
             while i < stop.min(end) {
                 let skipped = if i == start { 0 } else { (i - start) % block };
                 let begin = i - skipped;
                 let size = block.min(stop - begin) & !1;
-                // A sample on its own, the odd one at the end of a segment among them.
+                // The odd one at the end of a segment.
                 if skipped >= size {
                     let (now, later) = rest.split_at_mut(stride);
-                    let last = i + 1 == count && i > 0 && !curve.is_closed();
-                    write(
-                        now,
-                        &segment,
-                        if last { 1.0 } else { grid.place(curve, s, 2 * i) / grid.unit(curve, s) },
-                    );
+                    self.few(curve, &segment, &grid, (s, i), now, stride);
                     (i, rest) = (i + 1, later);
                     continue;
+                }
+                let number = (size - skipped).min(end - i);
+                if whole && number < size - skipped && i > first {
+                    return i - first;
                 }
                 let place = grid.place(curve, s, 2 * begin + size - 1);
                 if self.place != place {
                     self.weigh(&segment, place, grid.unit(curve, s));
                 }
-                let jet = self.jet(&segment);
-                let number = (size - skipped).min(end - i);
+                let jet = self.jet(&segment, &self.weights);
                 let (now, later) = rest.split_at_mut(number * stride);
                 if number == size {
                     self.fill(&jet, now, stride);
@@ -162,6 +191,37 @@ impl Sampler {
                 (i, rest) = (i + number, later);
             }
             (s, start) = (s + 1, stop);
+        }
+        end - first
+    }
+
+    /// Samples `i` and those after it on segment `s`, one by one.
+    #[inline(never)]
+    fn few(
+        &self,
+        curve: &HermiteCurve,
+        segment: &Segment,
+        grid: &Grid,
+        (s, i): (usize, usize),
+        out: &mut [f64],
+        stride: usize,
+    ) {
+        let (unit, run) = (grid.unit(curve, s), grid.run(curve, s));
+        if self.square == 0.0 {
+            let jet = self.jet(segment, &self.middle);
+            let middle = [1.0 / unit, segment.length];
+            jet.taylor(middle, run, i, out, stride);
+        } else {
+            for (k, sample) in out.chunks_exact_mut(stride).enumerate() {
+                write(sample, segment, place(run, i + k) / unit);
+            }
+        }
+        if place(run, i) == 0.0 {
+            put(&mut out[..stride], segment.start, segment.leaving);
+        }
+        if i + out.len() / stride == grid.count && grid.count > 1 && !curve.is_closed() {
+            let last = out.len() - stride;
+            put(&mut out[last..], segment.end, segment.arriving);
         }
     }
 
@@ -232,14 +292,19 @@ impl Sampler {
         self.built = places;
     }
 
-    /// Value and derivatives at the middle of a block.
+    /// Value and derivatives at the middle of a block. Loops over numbers: vectors that are handed around wait for memory.
     #[inline(always)]
-    fn jet(&self, segment: &Segment) -> Jet {
-        let chord = segment.end - segment.start;
-        let mut jet = self.weights.map(|[along, leaving, arriving]| {
-            chord * along + (segment.leaving * leaving + segment.arriving * arriving)
-        });
-        jet[0] += segment.start;
+    fn jet(&self, segment: &Segment, weights: &Rows) -> Jet {
+        let mut jet = [[0.0; 2]; 4];
+        for d in 0..2 {
+            let start = segment.start[d];
+            let (chord, leaving, arriving) =
+                (segment.end[d] - start, segment.leaving[d], segment.arriving[d]);
+            for (row, weights) in jet.iter_mut().zip(weights) {
+                row[d] = chord * weights[0] + (leaving * weights[1] + arriving * weights[2]);
+            }
+            jet[0][d] += start;
+        }
         Jet(jet)
     }
 
@@ -249,12 +314,11 @@ impl Sampler {
         if self.built < pairs {
             self.build(pairs);
         }
-        let tables = self.tables.each_ref().map(|table| &table[..pairs.min(PAIRS)]);
         let (left, right) = samples.split_at_mut(pairs * stride);
         if stride == 2 {
-            jet.fill::<2>(tables, left, right);
+            jet.fill::<2>(&self.tables, left, right);
         } else {
-            jet.fill::<4>(tables, left, right);
+            jet.fill::<4>(&self.tables, left, right);
         }
     }
 
@@ -293,13 +357,9 @@ impl Jet {
     /// Compilers make vector code of this loop, two places at a time; it is on its own so that they can see that
     /// nothing overlaps.
     #[inline(never)]
-    fn fill<const N: usize>(
-        &self,
-        [tau, first, second, third]: [&[f64]; 4],
-        left: &mut [f64],
-        right: &mut [f64],
-    ) {
-        let [value, slope, bend, twist] = self.0.map(|v| [v.x, v.y]);
+    fn fill<const N: usize>(&self, tables: &[[f64; PAIRS]; 4], left: &mut [f64], right: &mut [f64]) {
+        let [value, slope, bend, twist] = self.0;
+        let [tau, first, second, third] = tables;
         let tables = tau.iter().zip(first).zip(second).zip(third);
         let (left, right) = (left.as_chunks_mut::<N>().0, right.as_chunks_mut::<N>().0);
         for ((((tau, first), second), third), (left, right)) in tables.zip(left.iter_mut().rev().zip(right)) {
@@ -313,6 +373,26 @@ impl Jet {
                     let even = slope[k] + twist[k] * second;
                     let odd = bend[k] * first;
                     (left[k + 2], right[k + 2]) = (even - odd, even + odd);
+                }
+            }
+        }
+    }
+}
+
+impl Jet {
+    /// Samples from `first` on by Taylor's formula, which ends here for a cubic; this is the jet in the middle of a segment. A
+    /// loop without a call, over which engines would keep nothing in registers.
+    #[inline(never)]
+    fn taylor(&self, [share, length]: [f64; 2], run: Run, first: usize, out: &mut [f64], stride: usize) {
+        let [value, slope, bend, twist] = self.0;
+        for (k, sample) in out.chunks_exact_mut(stride).enumerate() {
+            let t = (place(run, first + k) * share - 0.5) * length;
+            for d in 0..2 {
+                sample[d] = value[d] + (slope[d] + (bend[d] * 0.5 + twist[d] * (t * (1.0 / 6.0))) * t) * t;
+            }
+            if sample.len() == 4 {
+                for d in 0..2 {
+                    sample[d + 2] = slope[d] + (bend[d] + twist[d] * (0.5 * t)) * t;
                 }
             }
         }

@@ -34,8 +34,8 @@ pub fn evaluate_many(slot: u32, count: u32, derivative: u32) -> i32 {
     })
 }
 
-/// Points `first`, … , `first + length − 1` of the uniform sampling by `count`, each followed by its derivative where
-/// `tangents` is not 0.
+/// Points `first`, `first + 1`, … of the uniform sampling by `count`, `length` or a few less, each followed by its derivative
+/// where `tangents` is not 0. There are no fewer than `length` of the last ones, and at least one.
 #[wasm_bindgen]
 pub fn sample(slot: u32, count: u32, first: u32, length: u32, tangents: u32) -> i32 {
     run(&mut |kernel| {
@@ -49,13 +49,12 @@ pub fn sample(slot: u32, count: u32, first: u32, length: u32, tangents: u32) -> 
                 let mut sampler = kernel.sampler.take().unwrap_or_default();
                 let (curve, _, output) = kernel.parts(slot, 0)?;
                 let output = &mut output[..numbers];
-                if let Some(curve) = curve.pieces().as_hermite() {
-                    match tangents {
-                        0 => sampler.points(curve, count, first, output),
-                        _ => sampler.points_and_tangents(curve, count, first, output),
-                    }
-                }
+                let made = curve
+                    .pieces()
+                    .as_hermite()
+                    .map_or(0, |curve| sampler.blocks(curve, count, first, tangents != 0, output));
                 kernel.sampler = Some(sampler);
+                return Ok(made * if tangents == 0 { 2 } else { 4 });
             }
             #[cfg(feature = "wasm-spline")]
             _ => {
