@@ -11,15 +11,17 @@
 //! so that a point costs seven multiplications and no iteration.
 
 use super::length::{check_tolerance, place_on};
-use super::limits::{MOST_OUTPUT_POINTS, too_many, with_room};
+use super::limits::{MOST_OUTPUT_POINTS, filled, too_many, with_room};
 use super::piece::{ANY_ROOTS, Jet, Piece};
 use super::pieces::{AnyPiece, Pieces};
 use super::speed::{ROUNDING, axis_rule, fastest, interval_axis, length_by_rule, piece_length};
 use crate::error::Result;
-use crate::numerics::plane::{dot, norm, square};
+use crate::numerics::plane::{dot, norm, smaller, square};
 
 /// The most intervals that wait to be looked at.
 const STACK: usize = 192;
+/// Points that are placed before they are written.
+const BATCH: usize = 64;
 /// Cells of less than this share of a segment are taken as they are.
 const LEAST_WIDTH: f64 = 1e-14;
 /// The most cells of a piece. Towards a cusp they shrink by a factor each, so that a few hundred are many.
@@ -67,14 +69,22 @@ impl LengthTable {
 
     /// Parameters, as [`super::Curve::sample_by_length`] says; `curve` is the one that was measured.
     pub fn parameters(&mut self, curve: &dyn Pieces, count: usize) -> Result<Vec<f64>> {
-        self.along(curve, count, 1, &mut |_, _, t, out| out.push(t))
+        self.along(curve, count, 1, &mut |_, [from, to], places, out| {
+            for (t, y) in out.iter_mut().zip(places) {
+                *t = smaller(from + (y + 0.5) * (to - from), to);
+            }
+        })
     }
 
     /// The points there: the table knows on which piece they are, so that nothing is looked for.
     pub fn points(&mut self, curve: &dyn Pieces, count: usize) -> Result<Vec<f64>> {
-        self.along(curve, count, curve.dimension(), &mut |piece, y, _, out| match piece {
-            AnyPiece::Plane(piece) => out.extend_from_slice(piece.position(y).as_slice()),
-            AnyPiece::Space(piece) if ANY_ROOTS => out.extend_from_slice(&piece.position(y)),
+        self.along(curve, count, curve.dimension(), &mut |piece, _, places, out| match piece {
+            AnyPiece::Plane(piece) => piece.positions(places, out),
+            AnyPiece::Space(piece) if ANY_ROOTS => {
+                for (point, &y) in out.chunks_exact_mut(3).zip(places) {
+                    point.copy_from_slice(&piece.position(y));
+                }
+            }
             AnyPiece::Space(_) => {}
         })
     }
@@ -86,7 +96,8 @@ impl LengthTable {
         let steps = if curve.closed() { count } else { count.saturating_sub(1) };
         let step = self.total / steps.max(1) as f64;
         let share = share(self.tolerance, self.lengths.len());
-        let mut out = with_room(each * count)?;
+        let mut out = filled(0.0, each * count)?;
+        let mut rest = out.as_mut_slice();
         let (mut passing, mut before, mut done) = (Vec::new(), 0.0, 0);
         for (i, &whole) in self.lengths.iter().enumerate() {
             // The points whose place is on this piece; the last one takes what roundings leave.
@@ -106,19 +117,24 @@ impl LengthTable {
                 let scale = cells.last().map_or(1.0, |cell: &Cell| cell.end / whole);
                 let scale = if scale.is_finite() { scale } else { 0.0 };
                 let mut cell = 0;
-                for k in done..until {
-                    let place = (k as f64 * step - before) * scale;
-                    while cell + 1 < cells.len() && place > cells[cell].end {
-                        cell += 1;
+                // Some at a time: a call for each would cost more than the place.
+                while done < until {
+                    let mut places = [1.0; BATCH];
+                    let number = (until - done).min(BATCH);
+                    for (k, y) in places.iter_mut().enumerate().take(number) {
+                        let place = ((done + k) as f64 * step - before) * scale;
+                        while cell + 1 < cells.len() && place > cells[cell].end {
+                            cell += 1;
+                        }
+                        *y = match cells.get(cell) {
+                            Some(cell) => cell.parameter(place),
+                            None => place_on(&piece, place, whole, share),
+                        };
                     }
-                    let y = match cells.get(cell) {
-                        Some(cell) => cell.parameter(place),
-                        None => place_on(&piece, place, whole, share),
-                    };
-                    let t = from + (y + 0.5) * (to - from);
-                    write(&piece, y, if t < to { t } else { to }, &mut out);
+                    let (now, later) = rest.split_at_mut(each * number);
+                    write(&piece, [from, to], &places[..number], now);
+                    (rest, done) = (later, done + number);
                 }
-                done = until;
             }
             before = end;
         }
@@ -131,8 +147,8 @@ fn share(tolerance: f64, pieces: usize) -> f64 {
     0.125 * tolerance / pieces as f64
 }
 
-/// What is written for a point: of its piece, its place there, its parameter.
-type Write<'a> = &'a mut dyn FnMut(&AnyPiece, f64, f64, &mut Vec<f64>);
+/// What is written for some points: of their piece, its first and last parameter, their places there.
+type Write<'a> = &'a mut dyn FnMut(&AnyPiece, [f64; 2], &[f64], &mut [f64]);
 
 /// A stretch of a piece, and its parameter as a polynomial of the length along it.
 #[derive(Clone, Copy, Debug)]
@@ -176,7 +192,7 @@ impl Cell {
     }
 
     /// The parameter at a length from the start of the piece.
-    #[inline(never)]
+    #[inline(always)]
     fn parameter(&self, place: f64) -> f64 {
         let s = (place - self.start) * self.inverse;
         let s = if s > 0.0 { s } else { 0.0 };

@@ -10,7 +10,7 @@ use super::piece::Piece;
 use super::pieces::Pieces;
 use super::search::{Question, Stiffness, View, search};
 use crate::numerics::Point;
-use crate::numerics::plane::{norm, square};
+use crate::numerics::plane::{norm, smaller, square};
 
 /// Children of a node of the tree.
 const FAN: usize = 16;
@@ -103,7 +103,8 @@ impl Boxes {
     /// The squares of the distances to all.
     #[inline]
     fn distances(&self, place: Point) -> [f64; FAN] {
-        let mut squares = [0.0; FAN];
+        // Zeros would be filled in by a call of the engine's.
+        let mut squares = [f64::INFINITY; FAN];
         for (k, square) in squares.iter_mut().enumerate() {
             let gap = |axis: usize| {
                 let (below, above) = (self.low[axis][k] - place[axis], place[axis] - self.high[axis][k]);
@@ -173,7 +174,7 @@ impl NearestFinder {
         };
         let (from, to) = (self.knots[piece], self.knots[piece + 1]);
         let point = on.position(y);
-        Nearest { t: (from + (y + 0.5) * (to - from)).min(to), point, distance: norm(point - place) }
+        Nearest { t: smaller(from + (y + 0.5) * (to - from), to), point, distance: norm(point - place) }
     }
 
     fn visit(&self, question: &mut Question, level: usize, node: usize) {

@@ -180,6 +180,24 @@ impl Piece {
         self.jet(y).position
     }
 
+    /// The points at many y, x and y in turn.
+    pub(crate) fn positions(&self, places: &[f64], out: &mut [f64]) {
+        let points = out.as_chunks_mut::<2>().0.iter_mut().zip(places);
+        if self.is_cubic() {
+            let [a, b, p, q] = [self.a, self.b, self.p * 0.5, self.q];
+            for (point, &y) in points {
+                for k in 0..2 {
+                    point[k] = a[k] + (b[k] + (p[k] + q[k] * (y / 6.0)) * y) * y;
+                }
+            }
+            return;
+        }
+        for (point, &y) in points {
+            let on = self.position(y);
+            (point[0], point[1]) = (on.x, on.y);
+        }
+    }
+
     /// The point and its first three derivatives at y.
     #[inline(never)]
     pub(crate) fn jet(&self, y: f64) -> Jet {

@@ -26,7 +26,8 @@ impl HermiteCurve {
             let x;
             (i, x) = self.place(t, i);
             let value = self.segment(i).derivative(x, derivative);
-            out.copy_from_slice(value.as_slice());
+            // One by one: of so few, a copy is a call.
+            (out[0], out[1]) = (value.x, value.y);
         }
         Ok(())
     }

@@ -10,7 +10,7 @@
 
 use super::piece::{Jet, Piece};
 use crate::numerics::Point;
-use crate::numerics::plane::{dot, norm, square};
+use crate::numerics::plane::{dot, larger, norm, smaller, square};
 use crate::numerics::roots::bracketed_root;
 
 /// Halley's steps before an arc is halved instead.
@@ -172,8 +172,8 @@ impl Question {
         // Newton's step from here is exact to rounding; what it gains is known without another look at the curve.
         let last = at.first / at.second;
         let inside = y > lo && y < hi && last.abs() <= 1e-9;
-        let distance = (at.square - if inside { last * at.first } else { 0.0 }).max(0.0).sqrt();
-        self.offer(distance, index, if inside { (y - last).max(lo).min(hi) } else { y });
+        let distance = larger(0.0, at.square - if inside { last * at.first } else { 0.0 }).sqrt();
+        self.offer(distance, index, if inside { smaller(larger(y - last, lo), hi) } else { y });
         // At an end the slope must point out of the arc; inside it is zero to rounding.
         let outward = if y <= lo { at.first >= 0.0 } else { at.first <= 0.0 };
         let quartic = stiffness.quartic(distance);
@@ -201,9 +201,9 @@ pub(super) fn search(arc: &dyn Near, index: usize, question: &mut Question, lo: 
         let distance = at.square.sqrt();
         question.offer(distance, index, middle);
         let quartic = arc.stiffness(lo, hi).quartic(distance);
-        let room = at.room(half, quartic).min(at.room(-half, quartic)).min(0.0);
+        let room = smaller(smaller(at.room(half, quartic), at.room(-half, quartic)), 0.0);
         let least = at.square - 2.0 * at.first.abs() * half + room * half * half;
-        let wanted = (question.reach - 2.0 * question.slack).max(0.0);
+        let wanted = larger(0.0, question.reach - 2.0 * question.slack);
         if least >= wanted * wanted {
             continue;
         }

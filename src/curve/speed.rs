@@ -10,7 +10,7 @@
 
 use super::piece::{HERMITE, Jet, Piece, panels};
 use crate::numerics::Vector;
-use crate::numerics::plane::{norm, square, taxi};
+use crate::numerics::plane::{larger, norm, smaller, square, taxi};
 use crate::numerics::quadrature::{EIGHT, Rule, SIXTEEN, THIRTY_TWO, TWELVE, TWENTY, TWENTY_FOUR};
 
 /// The rules, by the index that [`rule_index`] gives.
@@ -42,15 +42,17 @@ pub(super) struct LengthSum {
 
 impl LengthSum {
     /// An empty sum; every piece's length will be within `tolerance`.
+    #[inline(always)]
     pub(super) fn new(tolerance: f64) -> Self {
-        let zeros = [0.0; BLOCK];
+        // Zeros would be filled in by a call of the engine's.
+        let ones = [1.0; BLOCK];
         Self {
             tolerance,
             total: 0.0,
             count: 0,
-            velocity: [zeros; 6],
-            scaled: [[0.0; BLOCK]; 6],
-            sizes: [zeros; 3],
+            velocity: [ones; 6],
+            scaled: [[1.0; BLOCK]; 6],
+            sizes: [ones; 3],
         }
     }
 
@@ -80,7 +82,7 @@ impl LengthSum {
         }
     }
 
-    pub(super) fn finish(mut self) -> f64 {
+    pub(super) fn finish(&mut self) -> f64 {
         self.flush();
         self.total
     }
@@ -95,11 +97,11 @@ impl LengthSum {
         for (k, index) in index.iter_mut().enumerate() {
             let axis = f64::from(axes[k]);
             let largest = self.sizes[0][k] + axis * (self.sizes[1][k] + axis * self.sizes[2][k]);
-            *index = rule_index(axis, largest, 0.5, self.tolerance.max(ROUNDING * largest));
+            *index = rule_index(axis, largest, 0.5, larger(self.tolerance, ROUNDING * largest));
         }
         for pair in 0..self.count.div_ceil(2).min(BLOCK / 2) {
             let (one, two) = (index[2 * pair], index[2 * pair + 1]);
-            let lengths = RULES.get(one.max(two) as usize).map(|rule| self.pair_speeds(pair, rule));
+            let lengths = RULES.get(larger(one, two) as usize).map(|rule| self.pair_speeds(pair, rule));
             for side in 0..2 {
                 let k = 2 * pair + side;
                 if k < self.count {
@@ -150,10 +152,10 @@ pub(super) fn axis_rule(piece: &Piece, lo: f64, hi: f64, axis: f64, tolerance: f
     }
     let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
     let jet = piece.jet(middle);
-    let axis = axis.min(LARGEST_AXIS);
+    let axis = smaller(axis, LARGEST_AXIS);
     let largest = largest_speed(piece, &jet, middle, axis * half);
     RULES
-        .get(rule_index(axis, largest, half, tolerance.max(ROUNDING * half * taxi(jet.first))) as usize)
+        .get(rule_index(axis, largest, half, larger(tolerance, ROUNDING * half * taxi(jet.first))) as usize)
         .copied()
 }
 
@@ -186,7 +188,7 @@ pub(super) fn piece_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f
 fn decaying_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f64 {
     let mut total = 0.0;
     panels(piece, &mut |from, to| {
-        let (from, to) = (from.max(lo), to.min(hi));
+        let (from, to) = (larger(from, lo), smaller(to, hi));
         if from < to {
             total += interval_length(piece, from, to, tolerance / 24.0);
         }
@@ -197,7 +199,7 @@ fn decaying_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f64 {
 fn interval_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f64 {
     let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
     let jet = piece.jet(middle);
-    let tolerance = tolerance.max(ROUNDING * half * taxi(jet.first));
+    let tolerance = larger(tolerance, ROUNDING * half * taxi(jet.first));
     let index =
         if piece.is_straight_on(lo, hi) { 0.0 } else { rule_for(piece, &jet, lo, hi, tolerance, 0.0) };
     match RULES.get(index as usize) {
@@ -209,13 +211,14 @@ fn interval_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f64 {
 /// The same where no rule is good enough: the interval is halved, towards cusps again and again.
 #[cold]
 fn halved_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f64 {
-    let tolerance = tolerance.max(ROUNDING * (hi - lo) * fastest(piece, lo, hi)).max(f64::MIN_POSITIVE);
+    let tolerance =
+        larger(larger(tolerance, ROUNDING * (hi - lo) * fastest(piece, lo, hi)), f64::MIN_POSITIVE);
     let mut total = 0.0;
     let mut stack = [(0.0, 0.0); MOST_HALVINGS];
     stack[0] = (lo, hi);
     let mut open = 1;
     // Half of the tolerance is shared by width, half is kept for the intervals that close in on cusps.
-    let (density, speck) = (0.5 * tolerance / (hi - lo).max(f64::MIN_POSITIVE), tolerance / 16.0);
+    let (density, speck) = (0.5 * tolerance / larger(hi - lo, f64::MIN_POSITIVE), tolerance / 16.0);
     while open > 0 {
         open -= 1;
         let (lo, hi) = stack[open];
@@ -236,7 +239,7 @@ fn halved_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f64 {
 
 /// A bound of the speed, not sharp.
 pub(super) fn fastest(piece: &Piece, lo: f64, hi: f64) -> f64 {
-    taxi(piece.jet(lo).first).max(taxi(piece.jet(hi).first)) + (hi - lo) * piece.bend(lo, hi)
+    larger(taxi(piece.jet(lo).first), taxi(piece.jet(hi).first)) + (hi - lo) * piece.bend(lo, hi)
 }
 
 /// Σ wᵢ|r′(middle + half·xᵢ)|.
@@ -274,7 +277,7 @@ fn rule_for(piece: &Piece, jet: &Jet, lo: f64, hi: f64, tolerance: f64, speck: f
     let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
     let axis = half_axis(piece, jet, middle, half);
     // What is not a number has no singularity.
-    let axis = if axis < LARGEST_AXIS { axis.max(1.0) } else { LARGEST_AXIS };
+    let axis = if axis < LARGEST_AXIS { larger(axis, 1.0) } else { LARGEST_AXIS };
     let largest = largest_speed(piece, jet, middle, axis * half);
     if 2.0 * half * largest <= speck { 0.0 } else { rule_index(axis, largest, half, tolerance) }
 }
@@ -284,7 +287,7 @@ fn rule_for(piece: &Piece, jet: &Jet, lo: f64, hi: f64, tolerance: f64, speck: f
 /// A rule with n nodes is good where ρ²ⁿ is at least `needed`. All comparisons, no branch.
 #[inline]
 pub(super) fn rule_index(axis: f64, largest: f64, half: f64, tolerance: f64) -> f64 {
-    let rho = axis + (axis * axis - 1.0).max(0.0).sqrt();
+    let rho = axis + larger(0.0, axis * axis - 1.0).sqrt();
     let second = rho * rho;
     // The bound, multiplied out: nothing is divided.
     let needed = (64.0 / 15.0) * largest * half * second;
@@ -321,13 +324,19 @@ fn half_axis(piece: &Piece, jet: &Jet, middle: f64, half: f64) -> f64 {
     }
     let [lead, s, constant] = root_parts(b, p, q * 0.5 + b * (0.25 * rate), half);
     let reach = rate.abs().sqrt() * half;
-    axis_of(preimage(s, lead, rate, reach)).min(axis_of(preimage(constant, s, rate, reach)))
+    nearer(axis_of(preimage(s, lead, rate, reach)), axis_of(preimage(constant, s, rate, reach)))
 }
 
 #[inline]
 fn cubic_half_axis(b: Vector, p: Vector, q: Vector, half: f64) -> f64 {
     let [lead, s, constant] = root_parts(b, p, q * 0.5, half);
-    axis_through(s, lead).min(axis_through(constant, s))
+    nearer(axis_through(s, lead), axis_through(constant, s))
+}
+
+/// The smaller half-axis; one that is not a number stands for no singularity.
+#[inline]
+fn nearer(one: f64, two: f64) -> f64 {
+    if one < two || two.is_nan() { one } else { two }
 }
 
 /// A lower bound of the half-axis for b + p·s + q·s² on [−1, 1], in single precision: half the digits, a quarter of the
@@ -339,7 +348,7 @@ fn single_half_axis(b: [f32; 2], p: [f32; 2], q: [f32; 2]) -> f32 {
     let z_x = p[0] * p[0] - p[1] * p[1] - 4.0 * (q[0] * b[0] - q[1] * b[1]);
     let z_y = 2.0 * p[0] * p[1] - 4.0 * (q[0] * b[1] + q[1] * b[0]);
     let large = (0.5 * ((z_x * z_x + z_y * z_y).sqrt() + z_x.abs())).sqrt();
-    let small = 0.5 * z_y / large.max(f32::MIN_POSITIVE);
+    let small = 0.5 * z_y / if large > f32::MIN_POSITIVE { large } else { f32::MIN_POSITIVE };
     let (root_x, root_y) = if z_x >= 0.0 { (large, small) } else { (small, large) };
     let side = if root_x * p[0] + root_y * p[1] < 0.0 { 0.5 } else { -0.5 };
     // −(p ± root)/2 on the side that does not cancel: the roots are s/q and b/s.
@@ -369,14 +378,14 @@ fn root_parts(b: Vector, p: Vector, lead: Vector, half: f64) -> [Vector; 3] {
     let z = product(p, p) - product(lead, constant) * 4.0;
     // A complex square root, on the side of p.
     let large = (0.5 * (norm(z) + z.x.abs())).sqrt();
-    let small = 0.5 * z.y / large.max(f64::MIN_POSITIVE);
+    let small = 0.5 * z.y / larger(f64::MIN_POSITIVE, large);
     let root = if z.x >= 0.0 { Vector::new(large, small) } else { Vector::new(small, large) };
     let side = if root.x * p.x + root.y * p.y < 0.0 { -1.0 } else { 1.0 };
     [lead, (p + root * side) * -0.5, constant]
 }
 
 /// (|z − 1| + |z + 1|)/2 for z = numerator/denominator: the half-axis of the ellipse through z. Not a number where
-/// both vanish, which `min` passes over: there is no singularity then.
+/// both vanish: there is no singularity then.
 #[inline]
 fn axis_through(numerator: Vector, denominator: Vector) -> f64 {
     let scale = 1.0 / square(denominator);

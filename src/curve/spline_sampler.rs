@@ -23,8 +23,8 @@ use crate::limits::{MOST_OUTPUT_POINTS, MOST_ROOTS, check, filled, too_many};
 const PAIRS: usize = 128;
 /// Pairs that are worked on at once.
 const TILE: usize = 4;
-/// Blocks of a piece whose matrices are remembered.
-const SLOTS: usize = 4;
+/// Blocks whose matrices are remembered.
+const SLOTS: usize = 16;
 
 /// Samples curves uniformly and remembers its tables from one call to the next.
 ///
@@ -122,7 +122,8 @@ impl SplineSampler {
         let mut start = fall.first(piece);
         while i < end {
             let stop = fall.first(piece + 1);
-            let mut slot = shape.part_of(piece).1;
+            // Blocks at the same place of their pieces recur: with each piece, or where each has one block after some.
+            let mut slot = if stop - start <= 2 * PAIRS { piece } else { shape.part_of(piece).1 };
             while i < stop.min(end) {
                 let skipped = (i - start) & (2 * PAIRS - 1);
                 let begin = i - skipped;
