@@ -256,16 +256,11 @@ impl Text {
         let Plain { negative, digits, decimals } = number;
         let negative = negative && digits != 0;
         // Below 1, that is: no digit stands before the point.
-        let bare = digits != 0 && decimals <= 22 && digits < 10_u64.saturating_pow(decimals);
-        if self.before.number && !negative && !(bare && self.before.pointed) {
+        let bare = || digits != 0 && decimals <= 22 && number::below_one(digits, decimals);
+        if self.before.number && !negative && !(self.before.pointed && bare()) {
             self.out.push(b' ');
         }
-        let start = self.out.len();
-        number::write(&mut self.out, negative, digits, decimals);
+        self.before.pointed = number::write(&mut self.out, negative, digits, decimals);
         self.before.number = true;
-        self.before.pointed = false;
-        for &b in self.out.iter().skip(start) {
-            self.before.pointed |= b == b'.' || b == b'e';
-        }
     }
 }

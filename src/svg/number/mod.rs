@@ -109,6 +109,16 @@ fn exact_text(digits: &[u8], power: i32) -> f64 {
     big.times_power_of_ten(exponent, kept, dropped)
 }
 
+/// Whether `digits`·10^−`decimals` is below 1, for up to 22 decimals.
+pub(super) fn below_one(digits: u64, decimals: u32) -> bool {
+    // Both are exact there, and a power is quicker looked up than multiplied.
+    if digits < 1 << 53 {
+        (digits as f64) < power(decimals)
+    } else {
+        digits < 10_u64.saturating_pow(decimals)
+    }
+}
+
 /// 10^`decimals` for up to 22 decimals.
 pub(super) fn power(decimals: u32) -> f64 {
     POWERS.get(decimals as usize).copied().unwrap_or(f64::INFINITY)

@@ -3,6 +3,10 @@
 use super::big::Big;
 use super::{decimal, power};
 
+/// Room for twenty digits, twenty-two decimals and a sign.
+const MOST_BYTES: usize = 32;
+const BILLION: u64 = 1_000_000_000;
+
 /// |`value`|·10^`decimals`, rounded to the nearest integer, halves up; clamped to 64 bits.
 pub(in crate::svg) fn scaled(value: f64, decimals: u32) -> u64 {
     let value = value.abs();
@@ -49,33 +53,31 @@ pub(in crate::svg) fn shortest(value: f64) -> (u64, u32) {
 }
 
 /// Appends n·10^−`decimals`: no trailing zeros, no zero before the point, never `-0`; from 23 decimals on as an
-/// integer with an exponent.
-pub(in crate::svg) fn write(out: &mut Vec<u8>, negative: bool, n: u64, decimals: u32) {
+/// integer with an exponent. Returns whether there is a point or an exponent.
+#[inline(never)]
+pub(in crate::svg) fn write(out: &mut Vec<u8>, negative: bool, n: u64, decimals: u32) -> bool {
     if decimals > 22 {
         write(out, negative, n, 0);
         out.extend(b"e-");
-        return write(out, false, u64::from(decimals), 0);
+        write(out, false, u64::from(decimals), 0);
+        return true;
     }
-    let mut reversed = [0_u8; 32];
-    let mut slots = reversed.iter_mut();
-    let mut len = 0;
-    let mut put = |byte: u8| {
-        if let Some(slot) = slots.next() {
-            *slot = byte;
-            len += 1;
-        }
-    };
+    // From the right, so that what is written begins at `at` and ends in the middle.
+    let (mut text, mut at) = ([b'0'; 2 * MOST_BYTES], MOST_BYTES);
     let (mut rest, mut chunk, mut left, mut place, mut started) = (n, 0_u32, 0, 0, false);
-    loop {
+    let mut pointed = false;
+    while at > 1 {
         // Nine digits at a time: 32-bit divisions by a constant are multiplications, 64-bit ones are not.
         if left == 0 {
-            chunk = (rest % 1_000_000_000) as u32;
-            rest /= 1_000_000_000;
+            (chunk, rest) =
+                if rest < BILLION { (rest as u32, 0) } else { ((rest % BILLION) as u32, rest / BILLION) };
             left = 9;
         }
         if place >= decimals {
             if started && place == decimals && decimals > 0 {
-                put(b'.');
+                at -= 1;
+                text[at] = b'.';
+                pointed = true;
             }
             if chunk == 0 && rest == 0 {
                 break;
@@ -86,17 +88,24 @@ pub(in crate::svg) fn write(out: &mut Vec<u8>, negative: bool, n: u64, decimals:
         chunk /= 10;
         left -= 1;
         if started || digit != 0 {
-            put(b'0' + digit);
+            at -= 1;
+            text[at] = b'0' + digit;
             started = true;
         }
         place += 1;
     }
-    if len == 0 {
-        out.push(b'0');
-        return;
+    if at == MOST_BYTES {
+        // Zero: one of those that the list began with.
+        at -= 1;
+    } else if negative {
+        at -= 1;
+        text[at] = b'-';
     }
-    if negative {
-        out.push(b'-');
+    // Of a length that is known, a copy is two instructions; else it is a call of the engine's.
+    let end = out.len() + MOST_BYTES - at;
+    if let Some(text) = text.get(at..).and_then(<[u8]>::first_chunk::<MOST_BYTES>) {
+        out.extend_from_slice(text);
     }
-    out.extend(reversed.iter().take(len).rev());
+    out.truncate(end);
+    pointed
 }
