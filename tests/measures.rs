@@ -241,7 +241,7 @@ fn nearly_straight_curves_are_as_near_to_their_polylines_as_was_asked() {
 }
 
 #[test]
-fn polylines_of_many_points_hold_and_waste_few() {
+fn polylines_have_hardly_more_points_than_chords_of_equal_error_would() {
     let mut random = Random::new(5);
     for case in 0..60 {
         let curve = random_curve(&mut random, case);
@@ -249,12 +249,27 @@ fn polylines_of_many_points_hold_and_waste_few() {
         if !(size > 1e-9) {
             continue;
         }
-        let (coarse, _) = curve.flatten(1e-4 * size).expect("a polyline");
-        let (fine, deviation) = curve.flatten(1e-6 * size).expect("a polyline");
-        assert!(deviation <= 1e-6 * size, "case {case}");
-        // The number goes with the root of the tolerance.
-        let most = 11.5 * coarse.len() as f64 + 40.0 * curve.segment_count() as f64;
-        assert!((fine.len() as f64) < most, "case {case}: {} after {}", fine.len(), coarse.len());
+        // A chord of a short arc is off by κ·ds²/8: the root of that, summed.
+        let (tolerance, steps) = (1e-7 * size, 4000 * curve.segment_count());
+        let step = curve.domain().1 / steps as f64;
+        let chords = |k: usize| {
+            let t = step * (k as f64 + 0.5);
+            let at = |order| curve.evaluate(t, order).expect("inside");
+            let (first, second) = (at(1), at(2));
+            let turn = (first.x * second.y - first.y * second.x).abs();
+            step * (turn / (8.0 * tolerance * first.norm().max(1e-300))).sqrt()
+        };
+        let fewest: f64 = (0..steps).map(chords).sum();
+        let (polyline, deviation) = curve.flatten(tolerance).expect("a polyline");
+        assert!(deviation <= tolerance, "case {case}: {deviation}");
+        let count = (polyline.len() / 2) as f64;
+        // And some where the curve turns round, of which straight ones may consist.
+        let segments = curve.segment_count() as f64;
+        if fewest < 50.0 * segments {
+            continue;
+        }
+        let most = 1.12 * fewest + 24.0 * segments;
+        assert!(count <= most, "case {case}: {count} points, {fewest} would do");
     }
 }
 

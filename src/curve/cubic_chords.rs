@@ -77,9 +77,9 @@ pub(super) fn cut(
         if bound <= tolerance {
             return Ok(Some(bound));
         }
-        // The bound goes with the square of the number.
-        let next = 1.01 * (count as f64 + 0.5) * (bound / tolerance).sqrt();
-        if next > 1.5 * (count as f64 + 2.0) {
+        // The bound goes with the square of the number; where it takes many more, chords of other lengths do with fewer.
+        let next = 1.005 * (count as f64) * (bound / tolerance).sqrt();
+        if next > 1.02 * (count as f64) + 1.0 {
             break;
         }
         wanted = next;
