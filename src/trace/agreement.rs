@@ -1,6 +1,6 @@
 //! How far a curve is from the contour that it follows.
 
-use super::metrics::jaccard;
+use super::metrics::tolerant_jaccard;
 use super::tracer::Metrics;
 use crate::curve::HermiteCurve;
 use crate::error::Result;
@@ -22,7 +22,7 @@ pub(super) fn agreement(curve: &HermiteCurve, contour: &[Point]) -> Result<Metri
     let count = contour.len().max(1) as f64;
     let hausdorff = there.most.max(back.most);
     // Points that are no farther than a pixel are in neighbouring pixels.
-    let share = if hausdorff <= 1.0 { 1.0 } else { jaccard(&pixels(contour), &pixels(&places)).tolerant };
+    let share = if hausdorff <= 1.0 { 1.0 } else { tolerant_jaccard(pixels(contour), pixels(&places)) };
     Ok(Metrics { rmse: (there.square / count).sqrt(), mae: there.sum / count, hausdorff, jaccard: share })
 }
 

@@ -26,10 +26,9 @@ pub(super) fn arcs(outline: &mut Outline) -> Vec<f64> {
             && let Some(arc) = arc(&outline.cubic(i), slides)
         {
             let next = outline.next(i);
-            let handle = arc.radius * arc.turning.abs() / 3.0;
             outline.nodes[i].point = arc.ends[0];
             outline.nodes[next].point = arc.ends[1];
-            let [leaving, arriving] = arc.tangents.map(|tangent| tangent * handle);
+            let [leaving, arriving] = arc.handles();
             outline.pieces[i] = Piece::Cubic { leaving, arriving };
             *angle = arc.turning.abs();
         }
@@ -47,61 +46,74 @@ fn slide(outline: &Outline, i: usize, start: bool) -> f64 {
     }
 }
 
-struct Arc {
-    ends: [Point; 2],
-    tangents: [Vector; 2],
-    radius: f64,
-    turning: f64,
+/// An arc of a circle between two tangents.
+pub(super) struct Arc {
+    pub(super) ends: [Point; 2],
+    pub(super) tangents: [Vector; 2],
+    pub(super) radius: f64,
+    pub(super) turning: f64,
+}
+
+impl Arc {
+    /// The arc that touches both sides of a corner and leaves so much area between them and it, if it turns neither too little nor too much.
+    pub(super) fn in_corner(corner: Point, tangents: [Vector; 2], lost: f64) -> Option<Self> {
+        let turning = turn(tangents[0], tangents[1]);
+        if !(TURNING[0]..=TURNING[1]).contains(&turning.abs()) {
+            return None;
+        }
+        // Between the corner and an arc of tangent length d there is d²(1/k − θ/2k²), k = tan θ/2.
+        let (sin, cos) = crate::numerics::angle::sin_cos(0.5 * turning.abs());
+        let k = sin / cos;
+        let share = 1.0 / k - 0.5 * turning.abs() / (k * k);
+        if lost <= 0.0 || share <= 0.0 {
+            return None;
+        }
+        let length = (lost / share).sqrt();
+        let ends = [corner - tangents[0] * length, corner + tangents[1] * length];
+        Some(Self { ends, tangents, radius: length / k, turning })
+    }
+
+    /// The ways to the control points of the arc as a piece.
+    pub(super) fn handles(&self) -> [Vector; 2] {
+        self.tangents.map(|tangent| tangent * (self.radius * self.turning.abs() / 3.0))
+    }
+
+    /// How far a point is from the arc, which goes on straight beyond its ends.
+    pub(super) fn off(&self, p: Point) -> f64 {
+        let [first, last] = self.tangents;
+        if dot(p - self.ends[0], first) < 0.0 {
+            return cross(first, p - self.ends[0]).abs();
+        }
+        if dot(p - self.ends[1], last) > 0.0 {
+            return cross(last, p - self.ends[1]).abs();
+        }
+        let inward = Vector::new(-first.y, first.x) * self.turning.signum();
+        (norm(p - self.ends[0] - inward * self.radius) - self.radius).abs()
+    }
 }
 
 fn arc(cubic: &Cubic, slides: [f64; 2]) -> Option<Arc> {
     let tangents = [unit(cubic.leaving), unit(cubic.arriving)];
-    let turning = turn(tangents[0], tangents[1]);
-    if !(TURNING[0]..=TURNING[1]).contains(&turning.abs()) {
-        return None;
-    }
     // Where the tangents meet, and how far that is from both ends.
     let chord = cubic.end - cubic.start;
     let sine = cross(tangents[0], tangents[1]);
     let lengths = [cross(chord, tangents[1]) / sine, cross(tangents[0], chord) / sine];
-    if lengths[0] <= 0.0 || lengths[1] <= 0.0 {
+    if lengths[0].is_nan() || lengths[0] <= 0.0 || lengths[1] <= 0.0 {
         return None;
     }
     let corner = cubic.start + tangents[0] * lengths[0];
-    // Between the corner and an arc of tangent length d there is d²(1/k − θ/2k²), k = tan θ/2.
-    let (sin, cos) = crate::numerics::angle::sin_cos(0.5 * turning.abs());
-    let k = sin / cos;
     let lost = 0.5 * cross(corner - cubic.start, cubic.end - corner).abs() - under(cubic).abs();
-    let share = 1.0 / k - 0.5 * turning.abs() / (k * k);
-    if lost <= 0.0 || share <= 0.0 {
+    let arc = Arc::in_corner(corner, tangents, lost)?;
+    let near = (0..2).all(|side| (norm(arc.ends[side] - corner) - lengths[side]).abs() <= slides[side]);
+    if !near || arc.radius < LEAST {
         return None;
     }
-    let length = (lost / share).sqrt();
-    let radius = length / k;
-    let near = (0..2).all(|side| (length - lengths[side]).abs() <= slides[side]);
-    if !near || radius < LEAST {
-        return None;
-    }
-    let ends = [corner - tangents[0] * length, corner + tangents[1] * length];
-    let inward = Vector::new(-tangents[0].y, tangents[0].x) * turning.signum();
-    let center = ends[0] + inward * radius;
-    let off = (0..=16).fold(0.0_f64, |most, i| {
-        let p = cubic.point(f64::from(i) / 16.0);
-        // Beyond its ends the arc goes on straight.
-        let off = if dot(p - ends[0], tangents[0]) < 0.0 {
-            cross(tangents[0], p - ends[0])
-        } else if dot(p - ends[1], tangents[1]) > 0.0 {
-            cross(tangents[1], p - ends[1])
-        } else {
-            norm(p - center) - radius
-        };
-        most.max(off.abs())
-    });
-    (off <= MOST).then_some(Arc { ends, tangents, radius, turning })
+    let off = (0..=16).fold(0.0_f64, |most, i| most.max(arc.off(cubic.point(f64::from(i) / 16.0))));
+    (off <= MOST).then_some(arc)
 }
 
-/// The area between a cubic and its chord.
-fn under(cubic: &Cubic) -> f64 {
+/// The area between a cubic and its chord, positive where it turns from x to y.
+pub(super) fn under(cubic: &Cubic) -> f64 {
     let (chord, first) = (cubic.end - cubic.start, cubic.leaving);
     let second = chord - cubic.arriving;
     // Half the integral of the cross product with the velocity.

@@ -1,7 +1,7 @@
 //! Sharp corners of a contour, and only those.
 
 use super::samples::{Line, Samples, line_through, turn, unit};
-use crate::numerics::plane::{dot, norm};
+use crate::numerics::plane::{dot, norm, square};
 use crate::numerics::{Point, Vector};
 
 /// What a corner is, in pixels and radians.
@@ -39,7 +39,8 @@ pub(super) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<Corner> {
     for rule in rules {
         // What pixels cut off belongs to the corner, by this rule and by those after it.
         let apart = samples.steps((1.8 * rule.gap - 0.7).max(2.2)).max(1);
-        let scores: Vec<f64> = (0..count).map(|i| score(samples, i, rule)).collect();
+        let cosine = crate::numerics::angle::sin_cos(0.6 * rule.angle).1;
+        let scores: Vec<f64> = (0..count).map(|i| score(samples, i, rule, cosine)).collect();
         let known = found.len();
         for i in 0..count {
             let own = scores[i as usize];
@@ -67,7 +68,8 @@ fn sides<'a>(samples: &'a Samples, i: isize, rule: &CornerRule) -> [&'a [Point];
     [samples.stretch(i - far, i - near), samples.stretch(i + near, i + far)]
 }
 
-fn score(samples: &Samples, i: isize, rule: &CornerRule) -> f64 {
+/// How much of a corner a place is; nothing where the cosine of the turning between chords is larger than `cosine`.
+fn score(samples: &Samples, i: isize, rule: &CornerRule, cosine: f64) -> f64 {
     let far = samples.steps(rule.gap + rule.window);
     if 2 * far > samples.len() as isize {
         return 0.0;
@@ -76,8 +78,11 @@ fn score(samples: &Samples, i: isize, rule: &CornerRule) -> f64 {
         return 0.0;
     }
     let here = samples.at(i);
-    let chords = turn(here - samples.at(i - far), samples.at(i + far) - here);
-    if chords.abs() < 0.6 * rule.angle {
+    let (before, after) = (here - samples.at(i - far), samples.at(i + far) - here);
+    let along = dot(before, after);
+    // Of two sides of the inequality with equal signs the squares are compared.
+    let (ours, theirs) = (along * along.abs(), cosine * cosine.abs() * square(before) * square(after));
+    if ours > theirs {
         return 0.0;
     }
     let [before, after] = sides(samples, i, rule);

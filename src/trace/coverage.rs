@@ -42,20 +42,23 @@ pub(super) fn parts(cubic: &Cubic, field: &Field, out: &mut Vec<Part>) {
 }
 
 fn edge(from: Point, to: Point, t: [f64; 2], field: &Field, out: &mut Vec<Part>) {
-    let (columns, rows) = field.size();
     let frame = SIDE as f64;
     let start = [from.x + frame, from.y + frame];
     let way = [to.x - from.x, to.y - from.y];
+    let floors = [start[0].floor(), start[1].floor()];
+    if floors == [(to.x + frame).floor(), (to.y + frame).floor()] {
+        part(start, way, [0.0, 1.0], t, field, out);
+        return;
+    }
     // The next border on each axis, as a share of the edge.
     let (mut next, mut step) = ([2.0; 2], [2.0; 2]);
     for k in 0..2 {
         if way[k].abs() > 1e-12 {
             step[k] = 1.0 / way[k].abs();
-            let floor = start[k].floor();
             let ahead = if way[k] > 0.0 {
-                floor + 1.0 - start[k]
-            } else if floor < start[k] {
-                start[k] - floor
+                floors[k] + 1.0 - start[k]
+            } else if floors[k] < start[k] {
+                start[k] - floors[k]
             } else {
                 1.0
             };
@@ -67,24 +70,7 @@ fn edge(from: Point, to: Point, t: [f64; 2], field: &Field, out: &mut Vec<Part>)
         let until: f64 = if next[0] < next[1] { next[0] } else { next[1] };
         let until = if until < 1.0 { until } else { 1.0 };
         if until > share {
-            let middle = 0.5 * (share + until);
-            let (x, y) = (start[0] + way[0] * middle, start[1] + way[1] * middle);
-            if y >= 0.0 && y < rows as f64 {
-                // Left of the frame it covers whole pixels; right of it nothing that is seen.
-                let column = (x.max(0.0) as usize).min(columns - 1);
-                let right = if x < 0.0 { 1.0 } else { (column as f64 + 1.0 - x).max(0.0) };
-                let row = y as usize;
-                let extent = until - share;
-                out.push(Part {
-                    pixel: if x < 0.0 { NONE } else { field.pixel(column, row) },
-                    row: row as u16,
-                    column: column as u16,
-                    t: (t[0] + (t[1] - t[0]) * middle) as f32,
-                    dx: (way[0] * extent) as f32,
-                    dy: (way[1] * extent) as f32,
-                    right: right as f32,
-                });
-            }
+            part(start, way, [share, until], t, field, out);
         }
         share = until;
         for k in 0..2 {
@@ -95,12 +81,35 @@ fn edge(from: Point, to: Point, t: [f64; 2], field: &Field, out: &mut Vec<Part>)
     }
 }
 
+/// The part of an edge between two shares of it, which lies in one pixel.
+fn part(start: [f64; 2], way: [f64; 2], share: [f64; 2], t: [f64; 2], field: &Field, out: &mut Vec<Part>) {
+    let (columns, rows) = field.size();
+    let (middle, extent) = (0.5 * (share[0] + share[1]), share[1] - share[0]);
+    let (x, y) = (start[0] + way[0] * middle, start[1] + way[1] * middle);
+    if !(y >= 0.0 && y < rows as f64) {
+        return;
+    }
+    // Left of the frame it covers whole pixels; right of it nothing that is seen.
+    let column = (x.max(0.0) as usize).min(columns - 1);
+    let right = if x < 0.0 { 1.0 } else { (column as f64 + 1.0 - x).max(0.0) };
+    let row = y as usize;
+    out.push(Part {
+        pixel: if x < 0.0 { NONE } else { field.pixel(column, row) },
+        row: row as u16,
+        column: column as u16,
+        t: (t[0] + (t[1] - t[0]) * middle) as f32,
+        dx: (way[0] * extent) as f32,
+        dy: (way[1] * extent) as f32,
+        right: right as f32,
+    });
+}
+
 /// Room for one change after another.
 #[derive(Debug, Default)]
 pub(super) struct Sweep {
-    /// Where the parts of each row begin in `order`.
-    starts: Vec<u32>,
-    order: Vec<u32>,
+    /// The last part of each row, and the one before each part in its row.
+    last: Vec<u32>,
+    before: Vec<u32>,
     /// For each column of the row: the area to the right inside the pixel, and the height.
     cells: Vec<[f64; 2]>,
     marks: Vec<u64>,
@@ -110,8 +119,6 @@ impl Sweep {
     /// Takes parts out of the coverage and puts others in. Together they begin and end at the same places.
     /// How much the sum of squares grows, so far as it is known before the field settles.
     pub(super) fn exchange(&mut self, field: &mut Field, removed: &[Part], added: &[Part]) -> f64 {
-        let all = removed.len() + added.len();
-        let part = |i: usize| if i < removed.len() { &removed[i] } else { &added[i - removed.len()] };
         let (mut top, mut bottom) = (u16::MAX, 0);
         for part in removed.iter().chain(added) {
             (top, bottom) = (top.min(part.row), bottom.max(part.row));
@@ -119,40 +126,32 @@ impl Sweep {
         if top > bottom {
             return 0.0;
         }
-        // In the order of the rows, by counting.
-        self.starts.clear();
-        self.starts.resize(usize::from(bottom - top) + 2, 0);
-        for part in removed.iter().chain(added) {
-            self.starts[usize::from(part.row - top) + 1] += 1;
-        }
-        for i in 1..self.starts.len() {
-            self.starts[i] += self.starts[i - 1];
-        }
-        self.order.clear();
-        self.order.resize(all, 0);
-        for i in 0..all {
-            let start = &mut self.starts[usize::from(part(i).row - top)];
-            self.order[*start as usize] = i as u32;
-            *start += 1;
+        self.last.clear();
+        self.last.resize(usize::from(bottom - top) + 1, NONE);
+        self.before.clear();
+        for (i, part) in removed.iter().chain(added).enumerate() {
+            let last = &mut self.last[usize::from(part.row - top)];
+            self.before.push(*last);
+            *last = i as u32;
         }
         let (columns, _) = field.size();
         self.cells.resize(columns, [0.0; 2]);
         self.marks.resize(columns.div_ceil(64), 0);
-        let (mut growth, mut from) = (0.0, 0);
+        let mut growth = 0.0;
         for row in top..=bottom {
-            let until = self.starts[usize::from(row - top)] as usize;
             let (mut least, mut most) = (u16::MAX, 0);
-            for &i in &self.order[from..until] {
-                let part = part(i as usize);
-                let sign = if (i as usize) < removed.len() { -1.0 } else { 1.0 };
+            let mut at = self.last[usize::from(row - top)] as usize;
+            while let Some(&before) = self.before.get(at) {
+                let (part, sign) =
+                    if at < removed.len() { (&removed[at], -1.0) } else { (&added[at - removed.len()], 1.0) };
                 let height = sign * f64::from(part.dy);
                 let cell = &mut self.cells[usize::from(part.column)];
                 cell[0] += height * f64::from(part.right);
                 cell[1] += height;
                 self.marks[usize::from(part.column / 64)] |= 1 << (part.column % 64);
                 (least, most) = (least.min(part.column), most.max(part.column));
+                at = before as usize;
             }
-            from = until;
             if least <= most {
                 growth += self.row(field, usize::from(row), usize::from(least / 64), usize::from(most / 64));
             }

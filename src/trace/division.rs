@@ -5,7 +5,7 @@ use super::cubic::{Cubic, Tangent};
 use super::outline::{Node, Outline, Piece};
 use super::samples::{Line, Samples, line_through, unit};
 use crate::numerics::Point;
-use crate::numerics::plane::norm;
+use crate::numerics::plane::{cross, norm, square};
 
 /// How near is near enough, in pixels.
 #[derive(Clone, Copy, Debug)]
@@ -177,6 +177,13 @@ impl Divider<'_> {
 
     fn straight(&self, first: isize, last: isize) -> bool {
         let points = self.samples.stretch(first, last);
+        // Where all are near a line, the middle is not twice as far from the chord.
+        let (start, middle) = (points[0], points[points.len() / 2]);
+        let chord = points[points.len() - 1] - start;
+        let bend = cross(chord, middle - start);
+        if bend * bend > 4.0 * self.rule.straight * self.rule.straight * square(chord) {
+            return false;
+        }
         let line = line_through(points);
         points.iter().all(|&p| line.offset(p).abs() <= self.rule.straight)
     }

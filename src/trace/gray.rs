@@ -103,7 +103,7 @@ impl Gray {
     ///
     /// # Cost
     ///
-    /// O(pixels), three rows at a time. Of pictures beyond half a million pixels evenly spread rows are looked at for flat places.
+    /// O(pixels), three rows at a time. Of pictures beyond 131,072 pixels evenly spread rows are looked at for flat places.
     ///
     /// # Source
     ///

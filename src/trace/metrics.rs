@@ -108,15 +108,27 @@ pub struct Jaccard {
 /// \[RB21, section 4\]; the tolerant reading is (D 14.3).
 pub fn jaccard(profile: &[(i32, i32)], curve: &[(i32, i32)]) -> Jaccard {
     let (profile, curve) = (set(profile.to_vec()), set(curve.to_vec()));
-    let hit = profile.iter().filter(|&&pixel| near(&curve, pixel)).count();
-    let stray = curve.iter().filter(|&&pixel| !near(&profile, pixel)).count();
     let dilated = set(curve.iter().flat_map(|&pixel| neighbourhood(pixel)).collect());
     let shared = profile.iter().filter(|pixel| dilated.binary_search(pixel).is_ok()).count();
-    let share = |part: usize, whole: usize| if whole == 0 { 1.0 } else { part as f64 / whole as f64 };
     Jaccard {
-        tolerant: share(hit, profile.len() + stray),
+        tolerant: of_sets(&profile, &curve),
         literal: share(shared, profile.len() + dilated.len() - shared),
     }
+}
+
+/// [`Jaccard::tolerant`] alone, at a tenth of the cost.
+pub(super) fn tolerant_jaccard(profile: Vec<(i32, i32)>, curve: Vec<(i32, i32)>) -> f64 {
+    of_sets(&set(profile), &set(curve))
+}
+
+fn of_sets(profile: &[(i32, i32)], curve: &[(i32, i32)]) -> f64 {
+    let hit = profile.iter().filter(|&&pixel| near(curve, pixel)).count();
+    let stray = curve.iter().filter(|&&pixel| !near(profile, pixel)).count();
+    share(hit, profile.len() + stray)
+}
+
+fn share(part: usize, whole: usize) -> f64 {
+    if whole == 0 { 1.0 } else { part as f64 / whole as f64 }
 }
 
 fn set(mut pixels: Vec<(i32, i32)>) -> Vec<(i32, i32)> {
@@ -130,5 +142,7 @@ fn neighbourhood((column, row): (i32, i32)) -> impl Iterator<Item = (i32, i32)> 
 }
 
 fn near(sorted: &[(i32, i32)], pixel: (i32, i32)) -> bool {
-    neighbourhood(pixel).any(|other| sorted.binary_search(&other).is_ok())
+    // Most have the same pixel on the other side.
+    sorted.binary_search(&pixel).is_ok()
+        || neighbourhood(pixel).any(|other| sorted.binary_search(&other).is_ok())
 }

@@ -38,6 +38,7 @@ mod discs;
 mod division;
 mod ellipse;
 mod field;
+mod fillets;
 mod graph;
 mod gray;
 mod ink;

@@ -20,6 +20,8 @@ const ROUNDING: f64 = 2e-6;
 const LONGEST_STEP: f64 = 0.6;
 /// How much of a pixel's side an outline crosses, in the mean by length: between 0.94 and 1 for straight ones.
 const CROSSING: f64 = 0.95;
+/// The share of what is left that a step has to take away for another where most of it is noise.
+pub(super) const NOISY_SHARE: f64 = 5e-4;
 /// Gauss's rule for polynomials of degree 9 on [0, 1]: places and weights.
 const RULE: [[f64; 2]; 5] = [
     [0.046_910_077_030_668, 0.118_463_442_528_095],
@@ -176,9 +178,7 @@ impl Refiner {
     ) -> Result<(Left, f64)> {
         self.unknowns.number(&shape.outline, nodes);
         self.unknowns.pieces(&shape.outline, &mut self.pieces);
-        let mut left = Left::default();
-        self.pieces.iter().for_each(|&i| left.add(&shape.parts[i], field));
-        let step = self.solve(field, shape, damping)?;
+        let (step, left) = self.solve(field, shape, damping)?;
         let saved = self.save(&shape.outline);
         self.unknowns.apply(&mut shape.outline, &step, LONGEST_STEP);
         if self.pieces.iter().any(|&i| leaves(&shape.outline.cubic(i), field)) {
@@ -225,8 +225,8 @@ impl Refiner {
         }
     }
 
-    /// The step of the unknowns that the residuals ask for (D 14.4).
-    fn solve(&mut self, field: &Field, shape: &Shape, damping: f64) -> Result<Vec<f64>> {
+    /// The step of the unknowns that the residuals ask for (D 14.4), and what is left.
+    fn solve(&mut self, field: &Field, shape: &Shape, damping: f64) -> Result<(Vec<f64>, Left)> {
         let count = self.unknowns.end;
         let mut scales = filled(1.0, count)?;
         self.unknowns.scales(&shape.outline, &mut scales);
@@ -246,18 +246,28 @@ impl Refiner {
         let mut factor = Skyline::new(first)?;
         let mut right = filled(0.0, count)?;
         let stiffness = CROSSING * field.stiffness();
+        let mut left = Left::default();
         let mut from = 0;
         for (&i, &end) in self.pieces.iter().zip(&self.ends) {
             let columns = &self.columns[from..end];
             from = end;
+            left.add(&shape.parts[i], field);
             let pull = pull(&shape.parts[i], field.lead());
             let square = square(&shape.outline.cubic(i), stiffness);
             for (unknown, column) in columns {
                 right[*unknown] += column.iter().zip(&pull).map(|(a, b)| a * b).sum::<f64>();
-                let image: [f64; 8] =
-                    core::array::from_fn(|a| (0..8).map(|b| square[a][b] * column[b]).sum::<f64>());
+                let mut image = [0.0; 8];
+                for (row, &amount) in square.iter().zip(column) {
+                    // Most unknowns move one control point or two.
+                    if amount != 0.0 {
+                        image.iter_mut().zip(row).for_each(|(sum, value)| *sum += amount * value);
+                    }
+                }
                 for (other, along) in columns.iter().filter(|(other, _)| other <= unknown) {
-                    let value: f64 = image.iter().zip(along).map(|(a, b)| a * b).sum();
+                    let mut value = 0.0;
+                    for (a, b) in image.iter().zip(along) {
+                        value += a * b;
+                    }
                     factor.add(*unknown, *other, value);
                 }
             }
@@ -267,7 +277,7 @@ impl Refiner {
         }
         factor.factor();
         factor.solve(&mut right);
-        Ok(right)
+        Ok((right, left))
     }
 }
 

@@ -2,9 +2,10 @@
 
 use super::ellipse::ellipse;
 use super::field::{Field, Shading};
+use super::fillets::round_off;
 use super::gray::Gray;
 use super::outline::Outline;
-use super::refine::{Left, Refiner, Shape, leaves};
+use super::refine::{Left, NOISY_SHARE, Refiner, Shape, leaves};
 use super::simplify::{Limits, may_go_on, merge_round};
 use super::tips::sharpen;
 use crate::error::Result;
@@ -105,6 +106,7 @@ impl Refinement {
             self.next_phase();
             return Ok(1.0);
         }
+        let steps = self.steps(STEPS);
         let (i, refiner, field) = (self.at, &mut self.refiner, &mut self.field);
         let shape = &mut self.shapes[i];
         let cost = 0.3 * shape.parts.iter().map(Vec::len).sum::<usize>() as f64;
@@ -112,7 +114,7 @@ impl Refinement {
             Phase::Show => refiner.show(field, shape),
             Phase::First => {
                 let nodes = shape.nodes();
-                refiner.refine(field, shape, &nodes, STEPS)?;
+                refiner.refine(field, shape, &nodes, steps)?;
                 // A circle that was not drawn by exact coverage is still a circle.
                 let whole = ellipse(&shape.outline, self.slack)?.is_some();
                 if !self.noisy && field.stain <= ROUGH && !whole {
@@ -123,7 +125,7 @@ impl Refinement {
                 self.fine.push(shape.outline.clone());
                 refiner.replace(field, shape, rough(i));
                 let nodes = shape.nodes();
-                refiner.refine(field, shape, &nodes, STEPS)?;
+                refiner.refine(field, shape, &nodes, steps)?;
             }
             Phase::Fewer => {
                 if self.round == 0 {
@@ -133,6 +135,7 @@ impl Refinement {
                         return Ok(cost);
                     }
                     sharpen(refiner, field, shape, &self.limits)?;
+                    round_off(refiner, field, shape, &self.limits)?;
                     self.start = Some((shape.outline.clone(), shape.left(field).rms()));
                 }
                 self.round += 1;
@@ -146,6 +149,11 @@ impl Refinement {
         }
         self.at += 1;
         Ok(cost)
+    }
+
+    /// Steps that stop where the picture says no more.
+    fn steps(&self, (most, enough): (usize, f64)) -> (usize, f64) {
+        (most, if self.noisy || self.is_rough() { NOISY_SHARE } else { enough })
     }
 
     fn is_rough(&self) -> bool {
@@ -187,6 +195,7 @@ impl Refinement {
 
     /// Cubics that hardly bend become lines, and a last refinement. An outline that lost its way is as it was before.
     fn last(&mut self) -> Result<()> {
+        let steps = self.steps(LAST_STEPS);
         let (refiner, field, shape) = (&mut self.refiner, &mut self.field, &mut self.shapes[self.at]);
         let mut straight = shape.outline.clone();
         straight.straighten();
@@ -194,13 +203,13 @@ impl Refinement {
             refiner.replace(field, shape, straight);
         }
         let nodes = shape.nodes();
-        refiner.refine(field, shape, &nodes, LAST_STEPS)?;
+        refiner.refine(field, shape, &nodes, steps)?;
         let Some((start, before)) = self.start.take() else { return Ok(()) };
         let lost = (0..shape.outline.len()).any(|i| leaves(&shape.outline.cubic(i), field));
         if lost || shape.left(field).rms() > (1.5 * before).max(2.0 * self.limits.rms) {
             refiner.replace(field, shape, start);
             let nodes = shape.nodes();
-            refiner.refine(field, shape, &nodes, LAST_STEPS)?;
+            refiner.refine(field, shape, &nodes, steps)?;
         }
         Ok(())
     }
@@ -231,7 +240,8 @@ fn halve(refiner: &mut Refiner, field: &mut Field, shape: &mut Shape, limits: &L
                 let mut left = Left::default();
                 left.add(&shape.parts[i], field);
                 !shape.outline.is_line(i)
-                    && left.count > 8.0 && (left.rms() > 1.5 * limits.rms || left.most > 2.0 * limits.most)
+                    && left.count > 8.0
+                    && (left.rms() > 1.5 * limits.rms || left.most > 2.0 * limits.most)
             })
             .collect();
         if !far.contains(&true) {

@@ -4,11 +4,11 @@ use super::coverage::{Part, parts};
 use super::cubic::{Cubic, Tangent};
 use super::field::Field;
 use super::outline::{Outline, Piece};
-use super::refine::{Left, Refiner, Shape};
+use super::refine::{Left, NOISY_SHARE, Refiner, Shape};
 use super::samples::{turn, unit};
 use crate::error::Result;
 use crate::numerics::Point;
-use crate::numerics::plane::dot;
+use crate::numerics::plane::{dot, norm};
 
 /// What a merged piece may leave of the picture.
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +25,8 @@ pub(super) struct Limits {
     pub(super) share: f64,
 }
 
+/// A piece beside a longer straight one that turns by no more, in radians, may be merged with it.
+const STUB: f64 = 0.25;
 /// Rounds of merging.
 const MOST_ROUNDS: usize = 12;
 /// Steps of refinement after which a merged piece is looked at, and after which it has to be good.
@@ -50,7 +52,7 @@ pub(super) fn merge_round(
     let count = shape.outline.len();
     let mut candidates = Vec::new();
     for i in 0..count {
-        if let Some((_, off)) = candidate(&shape.outline, i, limits.off) {
+        if let Some((_, off)) = candidate(&shape.outline, i, limits) {
             candidates.push((i, off));
         }
     }
@@ -65,7 +67,7 @@ pub(super) fn merge_round(
         if around.iter().any(|&j| moved[names[j]]) {
             continue;
         }
-        let Some((piece, _)) = candidate(&shape.outline, i, limits.off) else { continue };
+        let Some((piece, _)) = candidate(&shape.outline, i, limits) else { continue };
         if (Trial { refiner, field, shape, limits }).merge(i, piece)? {
             any = true;
             around.iter().for_each(|&j| moved[names[j]] = true);
@@ -139,9 +141,10 @@ impl Trial<'_> {
 
     /// Refines the merged piece; whether it explains the picture as well as the two did.
     fn settles(&mut self, at: usize, nodes: &[usize], before: &Left, forced: bool) -> Result<bool> {
+        let enough = if self.limits.noise == 0.0 { ENOUGH } else { NOISY_SHARE };
         let mut steps = 0;
         loop {
-            self.refiner.refine(self.field, self.shape, nodes, (FIRST_STEPS, ENOUGH))?;
+            self.refiner.refine(self.field, self.shape, nodes, (FIRST_STEPS, enough))?;
             steps += FIRST_STEPS;
             let mut now = Left::default();
             now.add(&self.shape.parts[at], self.field);
@@ -181,7 +184,7 @@ fn folded(outline: &Outline, i: usize) -> bool {
 }
 
 /// The piece in place of the two at joint i, and how far it is from them.
-fn candidate(outline: &Outline, i: usize, off: f64) -> Option<(Piece, f64)> {
+fn candidate(outline: &Outline, i: usize, limits: &Limits) -> Option<(Piece, f64)> {
     let node = outline.nodes[i];
     let before = outline.before(i);
     let wrong = |piece: usize| stunted(outline, piece) || folded(outline, piece);
@@ -207,6 +210,17 @@ fn candidate(outline: &Outline, i: usize, off: f64) -> Option<(Piece, f64)> {
     let tangent = |at: usize, line: bool, direction| {
         if outline.nodes[at].smooth && !line { Tangent::Along(unit(direction)) } else { Tangent::Free }
     };
+    let lengths = [norm(first.end - first.start), norm(second.end - second.start)];
+    let long = usize::from(outline.is_line(i));
+    if outline.is_line(before) != outline.is_line(i) && lengths[long] > lengths[1 - long] {
+        // What is mostly straight stays so, unless the rest is a stub.
+        let stub = if long == 1 { &first } else { &second };
+        let middle = stub.velocity(0.5);
+        let bends = turn(stub.velocity(0.0), middle).abs() + turn(middle, stub.velocity(1.0)).abs();
+        if bends > STUB && limits.noise == 0.0 {
+            return None;
+        }
+    }
     if outline.is_line(before) && outline.is_line(i) {
         let fitted = Cubic::fit(first.start, second.end, &places, [Tangent::Free; 2]);
         return (bend < 0.1).then_some((Piece::Line, fitted.rms));
@@ -217,5 +231,5 @@ fn candidate(outline: &Outline, i: usize, off: f64) -> Option<(Piece, f64)> {
     ];
     let fitted = Cubic::fit(first.start, second.end, &places, tangents);
     let Cubic { leaving, arriving, .. } = fitted.cubic;
-    (fitted.rms < off || stunted).then_some((Piece::Cubic { leaving, arriving }, fitted.rms))
+    (fitted.rms < limits.off || stunted).then_some((Piece::Cubic { leaving, arriving }, fitted.rms))
 }

@@ -16,7 +16,7 @@ pub struct Tones {
 /// Rows that are looked at in one step.
 const ROWS: usize = 64;
 /// About as many pixels are looked at for flat places.
-const ENOUGH: usize = 524_288;
+const ENOUGH: usize = 131_072;
 
 /// A look at a picture, some rows at a time: first how many pixels have which shade, then flat places.
 #[derive(Debug)]

@@ -1,7 +1,7 @@
 // Coverage of pixels by filled outlines, exactly: each edge adds the area to its right, as signed numbers.
 
 /** How far a chord may be from its curve, in pixels of the raster. */
-const FLAT = 0.02;
+const FLAT = 0.002;
 
 /** Where a Bézier segment is at t, as [x, y]. */
 export function pointAt(p, t) {
