@@ -25,8 +25,9 @@ pub(super) struct Limits {
     pub(super) share: f64,
 }
 
-/// A piece beside a longer straight one that turns by no more, in radians, may be merged with it.
+/// A piece beside a longer straight one that turns by no more, in radians, may be merged with it; beside one shorter than this any piece may.
 const STUB: f64 = 0.25;
+const LONG: f64 = 16.0;
 /// Rounds of merging.
 const MOST_ROUNDS: usize = 12;
 /// Steps of refinement after which a merged piece is looked at, and after which it has to be good.
@@ -212,12 +213,12 @@ fn candidate(outline: &Outline, i: usize, limits: &Limits) -> Option<(Piece, f64
     };
     let lengths = [norm(first.end - first.start), norm(second.end - second.start)];
     let long = usize::from(outline.is_line(i));
-    if outline.is_line(before) != outline.is_line(i) && lengths[long] > lengths[1 - long] {
-        // What is mostly straight stays so, unless the rest is a stub.
-        let stub = if long == 1 { &first } else { &second };
+    if outline.is_line(before) != outline.is_line(i) && lengths[long] > lengths[1 - long].max(LONG) {
+        // What is mostly straight stays so, unless the rest is a stub or leads to a corner.
+        let (stub, far) = if long == 1 { (&first, before) } else { (&second, outline.next(i)) };
         let middle = stub.velocity(0.5);
         let bends = turn(stub.velocity(0.0), middle).abs() + turn(middle, stub.velocity(1.0)).abs();
-        if bends > STUB && limits.noise == 0.0 {
+        if bends > STUB && outline.nodes[far].smooth && limits.noise == 0.0 {
             return None;
         }
     }
