@@ -246,7 +246,7 @@ fn polylines_have_hardly_more_points_than_chords_of_equal_error_would() {
     for case in 0..60 {
         let curve = random_curve(&mut random, case);
         let size = curve.bounds().extent();
-        if !(size > 1e-9) {
+        if size <= 1e-9 {
             continue;
         }
         // A chord of a short arc is off by κ·ds²/8: the root of that, summed.
