@@ -43,7 +43,7 @@ pub fn sample(slot: u32, count: u32, first: u32, length: u32, tangents: u32) -> 
         let dimension = kernel.pieces(slot)?.dimension();
         let numbers = times(length, if tangents == 0 { dimension } else { 2 * dimension });
         grow(&mut kernel.output, numbers, 0.0)?;
-        match kernel.any(slot)? {
+        let made = match kernel.any(slot)? {
             #[cfg(feature = "wasm")]
             AnyCurve::Hermite(_) => {
                 let mut sampler = kernel.sampler.take().unwrap_or_default();
@@ -54,7 +54,7 @@ pub fn sample(slot: u32, count: u32, first: u32, length: u32, tangents: u32) -> 
                     .as_hermite()
                     .map_or(0, |curve| sampler.blocks(curve, count, first, tangents != 0, output));
                 kernel.sampler = Some(sampler);
-                return Ok(made * if tangents == 0 { 2 } else { 4 });
+                made * if tangents == 0 { 2 } else { 4 }
             }
             #[cfg(feature = "wasm-spline")]
             _ => {
@@ -75,9 +75,10 @@ pub fn sample(slot: u32, count: u32, first: u32, length: u32, tangents: u32) -> 
                     }
                 }
                 kernel.spline_sampler = Some(sampler);
+                numbers
             }
-        }
-        Ok(numbers)
+        };
+        Ok(made)
     })
 }
 
