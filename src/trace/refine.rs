@@ -11,9 +11,20 @@ use crate::limits::filled;
 
 /// Weight of staying where it is, in coverage per pixel, squared.
 const DAMPING: f64 = 5e-3;
-/// After a good step it is less by this factor, and never less than this.
-const RELAXING: f64 = 0.25;
-const LEAST_DAMPING: f64 = 1e-4;
+/// How damping falls: after a good step by `factor`, and never below `least`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Relaxing {
+    factor: f64,
+    least: f64,
+}
+
+impl Relaxing {
+    /// Where the picture is of exact coverage, the nearer the better.
+    pub(super) const BOLD: Self = Self { factor: 0.25, least: 1e-4 };
+    /// Where it is not, long steps follow what is noise.
+    pub(super) const CAREFUL: Self = Self { factor: 0.5, least: 1e-3 };
+}
+
 /// The square of what a byte leaves of coverage, with a little more: 1/255 over √12 is 0.0011.
 const ROUNDING: f64 = 2e-6;
 /// Nothing moves farther in one step, in pixels.
@@ -104,8 +115,9 @@ impl Shape {
 }
 
 /// Room for one step after another.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Refiner {
+    relaxing: Relaxing,
     pub(super) sweep: Sweep,
     unknowns: Unknowns,
     pieces: Vec<usize>,
@@ -117,6 +129,20 @@ pub(super) struct Refiner {
 }
 
 impl Refiner {
+    pub(super) fn new(relaxing: Relaxing) -> Self {
+        Self {
+            relaxing,
+            sweep: Sweep::default(),
+            unknowns: Unknowns::default(),
+            pieces: Vec::new(),
+            columns: Vec::new(),
+            ends: Vec::new(),
+            old: Vec::new(),
+            new: Vec::new(),
+            fresh: Vec::new(),
+        }
+    }
+
     /// Puts a shape into the field.
     pub(super) fn show(&mut self, field: &mut Field, shape: &Shape) {
         self.sweep.exchange(field, &[], &shape.all());
@@ -154,7 +180,7 @@ impl Refiner {
         for _ in 0..most {
             let (left, growth) = self.step(field, shape, nodes, damping)?;
             if growth < 0.0 {
-                damping = (RELAXING * damping).max(LEAST_DAMPING);
+                damping = (self.relaxing.factor * damping).max(self.relaxing.least);
                 if -growth < enough * left.square || left.square + growth < ROUNDING * left.count {
                     break;
                 }

@@ -5,7 +5,7 @@ use super::field::{Field, Shading};
 use super::fillets::round_off;
 use super::gray::Gray;
 use super::outline::Outline;
-use super::refine::{Left, NOISY_SHARE, Refiner, Shape, leaves};
+use super::refine::{Left, NOISY_SHARE, Refiner, Relaxing, Shape, leaves};
 use super::simplify::{Limits, may_go_on, merge_round};
 use super::tips::sharpen;
 use crate::error::Result;
@@ -63,11 +63,12 @@ impl Refinement {
         noisy: bool,
     ) -> Result<Self> {
         let field = Field::new(gray, shading, contours, if noisy { 8.0 } else { 2.5 })?;
+        let exact = !noisy && field.stain <= ROUGH;
         let target = noisy.then(|| field.rest.clone());
         let shapes = outlines.into_iter().map(|outline| Shape::new(outline, &field)).collect();
         Ok(Self {
             field,
-            refiner: Refiner::default(),
+            refiner: Refiner::new(if exact { Relaxing::BOLD } else { Relaxing::CAREFUL }),
             shapes,
             phase: Phase::Show,
             at: 0,
