@@ -174,7 +174,9 @@ pub(super) fn turns(
         } else if second.abs() > bend {
             let rising = second > 0.0;
             let (at_lo, at_hi) = (slopes(lo)[0], slopes(hi)[0]);
-            if (at_lo < 0.0) == rising && (at_hi > 0.0) == rising {
+            // A zero where two intervals meet belongs to both.
+            let (below, above) = if rising { (at_lo, at_hi) } else { (at_hi, at_lo) };
+            if below <= 0.0 && above >= 0.0 {
                 found(bracketed_root(lo, hi, rising, middle, &mut |y| {
                     let [first, second, _] = slopes(y);
                     (first, second)
