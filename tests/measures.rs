@@ -36,7 +36,9 @@ fn circle_has_its_length_area_centre_and_curvature() {
 #[test]
 fn bounds_of_an_ellipse_are_its_extremes() {
     // Not turned, its extremes are in the middle of pieces, where halves of an interval meet.
-    for (count, turn) in [2, 3, 4, 7].into_iter().flat_map(|n| [0.0, 0.5 * PI, 0.7, -2.0].map(|turn| (n, turn))) {
+    for (count, turn) in
+        [2, 3, 4, 7].into_iter().flat_map(|n| [0.0, 0.5 * PI, 0.7, -2.0].map(|turn| (n, turn)))
+    {
         let (a, b): (f64, f64) = (5.0, 2.0);
         let ellipse =
             HermiteCurve::ellipse(Point::new(10.0, -4.0), Point::new(a, b), turn, count).expect("an ellipse");

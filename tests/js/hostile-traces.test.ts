@@ -57,7 +57,7 @@ const cases: readonly Case[] = [
   { id: "TR-008", what: "half a column", run: trace({ width: 10.5, height: 10, data: bytes(420) }), refuses: { code: "E_RANGE", arg: "width", bound: "integer" } },
   { id: "TR-009", what: "a width that is not a number", run: trace({ width: NaN, height: 10, data: bytes(40) }), refuses: { code: "E_NOT_FINITE", arg: "width" } },
   { id: "TR-010", what: "pixels that overflow 32 bits", run: trace({ width: 65_536, height: 65_536, data: bytes(0) }), refuses: { code: "E_RANGE", arg: "width" } },
-  { id: "TR-011", what: "a photograph of 24 megapixels", senseless: "for a suite that ends: tests of the engine's memory have it" },
+  { id: "TR-011", what: "a photograph of 24 megapixels", senseless: "in a row: trace-memory.test.ts has it" },
   { id: "TR-011b", what: "noise of 150 × 100", run: () => boundedTrace(photoNoise(150, 100, 1)) ?? 0, gives: (result: Trace | 0) => { if (result !== 0) sound(result); } },
   { id: "TR-013", what: "a checkerboard of a million squares", run: trace(painted(1000, 1000, (x, y) => ((x + y) % 2 === 0 ? 0 : 255)), { blur: 0, speckle: 0 }), refuses: { code: "E_LIMIT", arg: "data" } },
   { id: "TR-015", what: "100 squares in one another", run: trace(rings), gives: (result: Trace) => { sound(result); assert.ok(result.contours.length >= 99, `${result.contours.length}`); } },

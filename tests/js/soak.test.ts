@@ -5,17 +5,9 @@ import { test } from "node:test";
 
 import { HermiteCurve, InterpolatingCurve, fitSparse, fromJSON } from "expline";
 
-/** The memories of all engines that were started: pages only ever become more. */
-const memories: WebAssembly.Memory[] = [];
-const { Instance } = WebAssembly;
-WebAssembly.Instance = class extends Instance {
-  constructor(module: WebAssembly.Module, imports?: WebAssembly.Imports) {
-    super(module, imports);
-    memories.push(this.exports["memory"] as WebAssembly.Memory);
-  }
-};
+import { bytesOfEngines, memories } from "./memories.ts";
 
-const pages = (): number => memories.reduce((sum, { buffer }) => sum + buffer.byteLength / 65_536, 0);
+const pages = (): number => bytesOfEngines() / 65_536;
 
 /** The same numbers in every run. */
 let seed = 7;

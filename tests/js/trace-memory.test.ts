@@ -1,0 +1,48 @@
+// Pictures of 24 megapixels, and how much of the engine's memory they take.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { ExplineError, type ImageLike, traceImage } from "expline";
+
+import { bytesOfEngines } from "./memories.ts";
+import { type Drawn, painted, photoNoise } from "./trace-data.ts";
+
+const WIDTH = 6000;
+const HEIGHT = 4000;
+
+/** A picture of 24 megapixels out of a tile, side by side and below one another. */
+function tiled(tile: Drawn): ImageLike {
+  const data = new Uint8ClampedArray(4 * WIDTH * HEIGHT);
+  const side = 4 * tile.width;
+  for (let y = 0; y < HEIGHT; y += 1) {
+    const row = tile.data.subarray(side * (y % tile.height), side * (y % tile.height) + side);
+    for (let at = 0; at < 4 * WIDTH; at += side) data.set(row, 4 * WIDTH * y + at);
+  }
+  return { data, width: WIDTH, height: HEIGHT };
+}
+
+// First: memory that an engine has had stays its own.
+test("24 megapixels of drawing take at most six bytes of the engine's memory a pixel", (t) => {
+  const tile = painted(500, 500, (x, y) => 255 * Math.min(1, Math.max(0, Math.hypot(x - 249.5, y - 249.5) - 179.8)));
+  const { contours } = traceImage(tiled(tile));
+  const each = bytesOfEngines() / (WIDTH * HEIGHT);
+  t.diagnostic(`${each.toFixed(2)} bytes a pixel`);
+  assert.equal(contours.length, 96);
+  // A disc of shades that fall over one pixel from 179.8 on has its edge at 180.3.
+  for (const { curve } of contours) {
+    const { minX, minY, maxX, maxY } = curve.bounds();
+    for (const radius of [(maxX - minX) / 2, (maxY - minY) / 2]) assert.ok(Math.abs(radius - 180.3) < 0.05, `${radius}`);
+  }
+  assert.ok(each <= 6, `${each}`);
+});
+
+test("a photograph of 24 megapixels is refused with its count, within the 512 MiB that an engine may have", (t) => {
+  const photograph = tiled(photoNoise(600, 500, 1));
+  assert.throws(
+    () => traceImage(photograph),
+    (error) => error instanceof ExplineError && error.code === "E_LIMIT" && error.limit === "maxContours" && (error.actual ?? 0) > 1500,
+  );
+  t.diagnostic(`${(bytesOfEngines() / (WIDTH * HEIGHT)).toFixed(2)} bytes a pixel`);
+  assert.ok(bytesOfEngines() <= 512 * 2 ** 20);
+});
