@@ -27,13 +27,7 @@ impl Sparsest {
             return Phase::Last(next + 1);
         }
         self.fitted = trial;
-        let distances = Distances { largest: f64::INFINITY, squares: self.fitted.squares };
-        self.found = Some(Found {
-            spline: Spline::of(&self.fitted),
-            located: self.full.clone(),
-            distances,
-            wild: None,
-        });
+        self.keep_by_squares();
         Phase::Last(0)
     }
 

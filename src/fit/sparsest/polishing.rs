@@ -74,18 +74,22 @@ impl Sparsest {
         }
     }
 
+    /// Keeps the fit in hand, of which the sum of squares is all that is known.
+    pub(super) fn keep_by_squares(&mut self) {
+        self.found = Some(Found {
+            spline: Spline::of(&self.fitted),
+            located: self.full.clone(),
+            distances: Distances { largest: f64::INFINITY, squares: self.fitted.squares },
+            wild: None,
+        });
+    }
+
     /// Goes on with a higher price while the sum of squares is small enough.
     pub(super) fn weigh(&mut self, target: f64) -> Phase {
         let kept = self.found.as_ref().is_some_and(|found| found.distances.squares <= target);
         let small = self.fitted.squares <= target;
         if small || !kept {
-            let distances = Distances { largest: f64::INFINITY, squares: self.fitted.squares };
-            self.found = Some(Found {
-                spline: Spline::of(&self.fitted),
-                located: self.full.clone(),
-                distances,
-                wild: None,
-            });
+            self.keep_by_squares();
         }
         let breaks = self.fitted.breaks();
         if small && breaks.len() > least(breaks) && !self.is_tired() {
