@@ -111,8 +111,7 @@ fn try_arc(
     refiner.refine(field, shape, &[1, 2], STEPS)?;
     let mut new = Left::default();
     new.add(&shape.parts[1], field);
-    let good = new.square <= old.square + limits.share * limits.noise * limits.noise
-        || new.rms() <= limits.rms && new.most <= limits.most;
+    let good = limits.allow(&new, &old, 1.0);
     if !good {
         refiner.replace(field, shape, saved);
     }

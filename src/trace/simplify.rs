@@ -143,13 +143,15 @@ impl Trial<'_> {
     /// Refines the merged piece; whether it explains the picture as well as the two did.
     fn settles(&mut self, at: usize, nodes: &[usize], before: &Left, forced: bool) -> Result<bool> {
         let enough = if self.limits.noise == 0.0 { ENOUGH } else { NOISY_SHARE };
+        // Joints that slid past each other hide their own cost.
+        let ease = if forced { 3.0 } else { 1.0 };
         let mut steps = 0;
         loop {
             self.refiner.refine(self.field, self.shape, nodes, (FIRST_STEPS, enough))?;
             steps += FIRST_STEPS;
             let mut now = Left::default();
             now.add(&self.shape.parts[at], self.field);
-            if good(&now, before, forced, self.limits) {
+            if self.limits.allow(&now, before, ease) {
                 return Ok(true);
             }
             let clean = self.limits.noise == 0.0 && !forced;
@@ -160,14 +162,12 @@ impl Trial<'_> {
     }
 }
 
-fn good(now: &Left, before: &Left, forced: bool, limits: &Limits) -> bool {
-    if now.square <= before.square + limits.share * limits.noise * limits.noise {
-        return true;
+impl Limits {
+    /// Whether what was put in the place of something explains the picture as well, or well enough. `ease` makes more enough.
+    pub(super) fn allow(&self, now: &Left, before: &Left, ease: f64) -> bool {
+        now.square <= before.square + self.share * self.noise * self.noise
+            || now.rms() <= ease * self.rms && now.most <= ease * self.most
     }
-    let rms = (now.square / now.count.max(1.0)).sqrt();
-    // Joints that slid past each other hide their own cost.
-    let ease = if forced { 3.0 } else { 1.0 };
-    rms <= ease * limits.rms && now.most <= ease * limits.most
 }
 
 /// Whether a piece runs against its own tangents: its joints slid past each other.

@@ -79,8 +79,7 @@ fn try_tip(
     let around = [shape.outline.before(at), at, shape.outline.next(at)];
     refiner.refine(field, shape, &around, STEPS)?;
     let new = left(shape, field, &[around[0], at]);
-    let good = new.square <= old.square + limits.share * limits.noise * limits.noise
-        || new.rms() <= limits.rms && new.most <= limits.most;
+    let good = limits.allow(&new, &old, 1.0);
     if !good {
         refiner.replace(field, shape, saved);
     }
