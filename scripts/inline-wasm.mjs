@@ -62,7 +62,7 @@ const DECODER = `
   (memory (import "" "memory") 0)
   (func (export "decode") (param $end i32) (param $shift i32) (param $out i32) (result i32)
     (local $from i32) (local $to i32) (local $byte i32) (local $i i32) (local $streams i32) (local $mode i32)
-    (local $bytes i32) (local $items i32)
+    (local $bytes i32) (local $items i32) (local $value i32)
     (local.set $from (i32.const ${TEXT}))
     (local.set $to (i32.const ${TEXT}))
     (loop $next
@@ -121,6 +121,25 @@ const DECODER = `
             (local.set $to (i32.add (local.get $to) (i32.const 1)))
             (local.set $i (i32.shl (i32.load8_u (local.get $to)) (i32.const 2)))
             (local.set $mode (i32.load8_u offset=${TEXT + 5} (local.get $i)))
+            (if (i32.eq (local.get $mode) (i32.const 254))
+              (then
+                ;; A number in units of the alignment, which was written last.
+                (local.set $shift (i32.load8_u (i32.sub (local.get $out) (i32.const 1))))
+                (local.set $value (i32.const 0))
+                (loop $read
+                  (local.set $byte (call $next (local.get $i)))
+                  (local.set $value
+                    (i32.or (local.get $value) (i32.shl (i32.and (local.get $byte) (i32.const 127)) (local.get $shift))))
+                  (local.set $shift (i32.add (local.get $shift) (i32.const 7)))
+                  (br_if $read (i32.and (local.get $byte) (i32.const 128))))
+                (loop $write
+                  (local.set $byte (i32.and (local.get $value) (i32.const 127)))
+                  (local.set $value (i32.shr_u (local.get $value) (i32.const 7)))
+                  (if (local.get $value) (then (local.set $byte (i32.or (local.get $byte) (i32.const 128)))))
+                  (i32.store8 (local.get $out) (local.get $byte))
+                  (local.set $out (i32.add (local.get $out) (i32.const 1)))
+                  (br_if $write (local.get $value)))
+                (br $item)))
             (if (i32.eq (local.get $mode) (i32.const 255))
               (then (local.set $mode (call $next (local.get $i)))))
             ;; A LEB128 goes on as long as its bytes say, anything else $mode bytes long.

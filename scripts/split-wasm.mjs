@@ -4,7 +4,8 @@
 // Apart they are an eighth smaller after gzip. What comes out has a head that says how it is put together again:
 //
 //   count of streams, count of rows
-//   a stream: its length in three bytes, and how its items are cut: 0 as LEB128, 255 by a first byte with the length, else so many bytes
+//   a stream: its length in three bytes, and how its items are cut: 0 as LEB128, 254 as LEB128 to be multiplied by 2 to the power of the
+//   byte before it, 255 by a first byte with the length, else so many bytes
 //   a row: how many bytes and 16 times how many items, the bytes as they are, and the numbers of the streams of the items
 //   the streams, the first of which names the row of each operation
 //
@@ -12,16 +13,17 @@
 //
 // DECODER, in inline-wasm.mjs, puts it together.
 
-/** Items that are LEB128, and items with their length before them. */
+/** Items that are LEB128, such in units of the alignment before them, and items with their length before them. */
 const LEB = 0;
+const SCALED = 254;
 const COUNTED = 255;
-const LONGEST_ITEM = 254;
+const LONGEST_ITEM = 253;
 
 /** The streams and how their items are cut; operations come first, what is long before what is short. */
 const STREAMS = [
   ["operations", 1],
   ["local", LEB],
-  ["offset", LEB],
+  ["offset", SCALED],
   ["align", LEB],
   ["double", 8],
   ["integer", LEB],
@@ -99,7 +101,7 @@ class Reader {
     const numbers = { table: 1, locals: 1 }[stream];
     if (numbers === undefined) {
       const mode = STREAMS.find(([name]) => name === stream)[1];
-      if (mode !== LEB) return this.take(mode);
+      if (mode !== LEB && mode !== SCALED) return this.take(mode);
       this.number();
       return this.since(start);
     }
@@ -108,6 +110,11 @@ class Reader {
     for (let i = 0; i <= count; i++) this.number();
     return counted(this.since(start));
   }
+}
+
+/** A number as LEB128. */
+function leb(number) {
+  return number < 128 ? [number] : [(number & 127) | 128, ...leb(Math.floor(number / 128))];
 }
 
 function counted(bytes) {
@@ -157,19 +164,29 @@ function eachOperationOfOne(reader, row) {
     const operands = operandsOf(code, sub);
     if (operands === undefined) throw new Error(`operation ${code} ${sub} is not known`);
     const items = operands.map((stream) => [stream, reader.item(stream)]);
-    // How memory is aligned goes with the operation nearly always: it is a part of it.
-    if (operands[0] === "align") bytes.push(...items.shift()[1]);
-    row(bytes, items);
+    if (operands[0] !== "align") row(bytes, items);
+    else aligned(bytes, items, row);
   }
+}
+
+/**
+ * How memory is aligned goes with the operation nearly always: it is a part of it. Offsets are multiples of it nearly always, and shorter
+ * in its units.
+ */
+function aligned(bytes, [[, [align]], [stream, item], ...rest], row) {
+  const offset = new Reader(item).number();
+  const own = [...bytes, align];
+  if (offset % 2 ** align !== 0) row([], whole(own, [[stream, item], ...rest]));
+  else row(own, [[stream, leb(offset / 2 ** align), item], ...rest]);
 }
 
 const RAW = " raw";
 const keyOf = (bytes, items) => `${bytes} ${items.map(([stream]) => stream)}`;
 
-/** The operation as it was in the wasm, as one item. */
+/** The operation as it was in the wasm, as one item; what is written otherwise in its stream has that as its third part. */
 function whole(bytes, items) {
   const modes = new Map(STREAMS);
-  return [["raw", counted([...bytes, ...items.flatMap(([stream, item]) => (modes.get(stream) === COUNTED ? item.slice(1) : item))])]];
+  return [["raw", counted([...bytes, ...items.flatMap(([stream, item, plain]) => plain ?? (modes.get(stream) === COUNTED ? item.slice(1) : item))])]];
 }
 
 /** The kinds of operations that get a row of their own: the most frequent, where there are too many for a byte. */
