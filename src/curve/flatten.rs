@@ -47,14 +47,9 @@ pub(crate) fn flatten(curve: &dyn Pieces, tolerance: f64) -> Result<(Vec<f64>, f
 #[inline(always)]
 fn cut_piece(curve: &dyn Pieces, i: usize, tolerance: f64, out: &mut Vec<f64>) -> Result<f64> {
     let start = curve.start(i);
-    // Cubics are so quick that making a piece of each would show.
-    let middle = match hermite(curve) {
-        Some(curve) => cubic_middle(&curve.segment(i)),
-        None => {
-            let piece = curve.piece(i);
-            piece.is_cubic().then(|| piece.coefficients())
-        }
-    };
+    // Cubics are so quick that making a piece of each would show. Those of other kinds of curves are made in any case, and
+    // their module does without this code.
+    let middle = hermite(curve).and_then(|curve| cubic_middle(&curve.segment(i)));
     if let Some(middle) = &middle
         && let Some(bound) = cubic_chords::cut(middle, start, tolerance, out)?
     {
