@@ -9,6 +9,7 @@ use crate::limits::{
     LARGEST_COORDINATE, LARGEST_FREQUENCY, LEAST_LENGTH, MOST_POINTS, POLE_MARGIN, check, filled, too_many,
     with_room,
 };
+use crate::numerics::angle::wrapped;
 use crate::numerics::{Point, Vector};
 
 /// Which side of a control point.
@@ -186,12 +187,7 @@ impl HermiteCurve {
     /// [`HermiteCurve::locate`] for a t that is allowed, quick if it lies in segment `guess`.
     pub(super) fn place(&self, t: f64, guess: usize) -> (usize, f64) {
         let (_, end) = self.domain();
-        let t = if self.inner.data.closed && !(0.0..end).contains(&t) {
-            let wrapped = t - end * (t / end).floor();
-            if wrapped >= end || wrapped < 0.0 { 0.0 } else { wrapped }
-        } else {
-            t
-        };
+        let t = if self.inner.data.closed && !(0.0..end).contains(&t) { wrapped(t, end) } else { t };
         let i = match self.inner.knots.get(guess..guess + 2) {
             Some([first, last]) if (*first..*last).contains(&t) => guess,
             _ => {

@@ -35,22 +35,22 @@ impl Twofold {
         Self { high, low: ((a * b - high) + a * b_low + a_low * b) + a_low * b_low }
     }
 
-    /// The sum, to a few units of 2⁻¹⁰⁵.
-    #[inline]
+    /// The sum, to a few units of 2⁻¹⁰⁵. Like product and quotient out of line: these are for preparations, and are large.
+    #[inline(never)]
     pub fn plus(self, other: Self) -> Self {
         let high = Self::sum(self.high, other.high);
         Self::sum(high.high, high.low + self.low + other.low)
     }
 
     /// The product, to a few units of 2⁻¹⁰⁴.
-    #[inline]
+    #[inline(never)]
     pub fn times(self, other: Self) -> Self {
         let high = Self::product(self.high, other.high);
         Self::sum(high.high, high.low + self.high * other.low + self.low * other.high)
     }
 
     /// The quotient, to a few units of 2⁻¹⁰³.
-    #[inline]
+    #[inline(never)]
     pub fn over(self, other: Self) -> Self {
         let first = self.high / other.high;
         let rest = self.plus(other.times(Self::new(-first)));

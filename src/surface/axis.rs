@@ -3,6 +3,7 @@
 use crate::error::{Error, Result};
 use crate::generator::{ExponentialBSpline, Interpolator, Roots};
 use crate::limits::{MOST_SURFACE_POINTS, check, filled, too_many};
+use crate::numerics::angle::wrapped;
 
 /// The finest level: a unit of the parameter then has 4096 points.
 pub(super) const MOST_LEVELS: u32 = 12;
@@ -101,13 +102,13 @@ impl Axis {
     /// The place of a parameter that was checked, or of one that is off the domain by a rounding.
     pub(super) fn nearest_place(&self, t: f64) -> Place {
         let end = self.end();
-        self.place_within(if self.direction.closed { t.rem_euclid(end) } else { t.max(0.0).min(end) })
+        self.place_within(if self.direction.closed { wrapped(t, end) } else { t.max(0.0).min(end) })
     }
 
     /// The place of a parameter of the domain; at a knot the piece to the right of it.
     pub(super) fn place_within(&self, t: f64) -> Place {
         let x = t * self.scale;
-        // A closed direction's `rem_euclid` may round up to the end: it then counts as the end of the last interval.
+        // The end itself belongs to the last interval.
         let interval = (x as usize).min(self.intervals - 1);
         let rest = x - interval as f64;
         if self.halves == 1 {

@@ -7,6 +7,7 @@ use super::tensor::TensorSurface;
 use crate::error::{Error, Result};
 use crate::limits::{LARGEST_COORDINATE, check, filled};
 use crate::numerics::Vector3;
+use crate::numerics::angle::wrapped;
 
 impl TensorSurface {
     /// The same surface with room for detail around (u, v): a patch of finer control points, `levels` doublings beyond the
@@ -171,7 +172,7 @@ fn around(axis: &Axis, t: f64, reach: f64) -> Option<Window> {
         if to - from + 1.0 >= count as f64 {
             return Some(Window { first: 0, count });
         }
-        let start = from.rem_euclid(count as f64) as usize % count;
+        let start = wrapped(from, count as f64) as usize % count;
         return (to >= from).then(|| Window { first: start, count: (to - from) as usize + 1 });
     }
     let (from, to) = (from.max(0.0), to.min((count - 1) as f64));

@@ -185,7 +185,7 @@ pub(super) struct Turn {
 pub(super) fn turn(k: f64, count: usize) -> Turn {
     let quarters = 4.0 * k / count as f64;
     if quarters == quarters.floor() {
-        let (cos, sin) = match quarters.rem_euclid(4.0) as u8 {
+        let (cos, sin) = match quarters as i64 & 3 {
             0 => (1.0, 0.0),
             1 => (0.0, 1.0),
             2 => (-1.0, 0.0),
