@@ -1,6 +1,8 @@
-import { pointAt, segmentCount } from "../document/document.ts";
+import { locate } from "../document/contours.ts";
+import { pointAt, segmentCount, type Contour } from "../document/document.ts";
 import { affectedSegments } from "../document/roots.ts";
 import { measureCurve } from "../kernel/measure.ts";
+import { isStraight } from "./bending.ts";
 import { describe } from "./edits.ts";
 import type { EditorState } from "./editor.ts";
 
@@ -19,7 +21,7 @@ export function hintFor(state: EditorState): string {
     case "hand":
       return "Drag to pan. V goes back to editing.";
     case "draw":
-      return "Freehand drawing arrives with Fit. The pen (P) places points today.";
+      return "Drag to draw by hand: the line becomes a curve with few points, its corners kept.";
     case "select":
       return selectHint(state);
   }
@@ -52,6 +54,13 @@ function penHint(state: EditorState): string {
   return "Click to place the first point, or drag to pull its handles.";
 }
 
+function curveHint(contour: Contour | undefined, t: number): string {
+  if (contour === undefined) return "";
+  if (contour.family === "interpolating") return "Drag to move this segment. Double-click to insert a point; it says how far the curve moves.";
+  const drag = isStraight(contour, locate(contour, t).segment) ? "Drag to move this line, Alt-drag to bend it." : "Drag to bend the curve, Alt-drag to move this segment.";
+  return `${drag} Double-click to insert a point; the curve stays.`;
+}
+
 function selectHint(state: EditorState): string {
   const { hover, modifiers, curve } = state;
   switch (hover.kind) {
@@ -66,9 +75,7 @@ function selectHint(state: EditorState): string {
       return modifiers.alt ? `${name}: drag breaks it into a cusp` : `${name}: drag to turn, Alt breaks, Shift keeps 15° steps`;
     }
     case "curve":
-      return curve.contours[hover.contour]?.family === "interpolating"
-        ? "Double-click to insert a point; it says how far the curve moves. Drag to move this segment."
-        : "Double-click to insert a point without changing the curve. Drag to move this segment.";
+      return curveHint(curve.contours[hover.contour], hover.t);
     case "empty":
       if (curve.contours.length === 0) return "";
       return state.selection.points.length > 0 ? "Drag a point. Alt-drag a handle to make a cusp." : "Drag a point or a handle. Drag across empty space to select.";

@@ -75,6 +75,23 @@ export function contoursOfPath(d: string, space: Space): Contour[] {
   return parsePath(d).map((curve) => contourFrom(curve, space));
 }
 
+/**
+ * How far the place at `x` of a segment goes with a step of one of its leaving handle, and with one of its arriving
+ * handle: a segment is linear in both.
+ */
+export function handleWeights(document: CurveDocument, contour: Contour, segment: number, x: number): readonly [number, number] {
+  const none = { dx: 0, dy: 0 };
+  const probe: Contour = {
+    family: "hermite", closed: false, omega: [omegaOf(document, contour, segment) * lengthOf(contour, segment)], space: contour.space ?? document.space,
+    points: [
+      { x: 0, y: 0, kind: "cusp", in: none, out: { dx: 1, dy: 0 } },
+      { x: 0, y: 0, kind: "cusp", in: { dx: 0, dy: 1 }, out: none },
+    ],
+  };
+  const [leaving = 0, arriving = 0] = curveOf(document, probe)?.evaluate(x) ?? [];
+  return [leaving, arriving];
+}
+
 function spliced(list: readonly number[], at: number, remove: number, ...add: number[]): number[] {
   return [...list.slice(0, at), ...add, ...list.slice(at + remove)];
 }

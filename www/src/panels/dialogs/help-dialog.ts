@@ -8,6 +8,7 @@ const gestures: readonly (readonly [string, string])[] = [
   ["Drag a handle", "turns and stretches it; the other side follows by kind"],
   ["Alt-drag a handle", "breaks it into a cusp, while Alt is held"],
   ["Alt-drag a point", "pulls out fresh handles"],
+  ["Drag the curve", "bends it; a straight line moves, and Alt does the other"],
   ["Shift while dragging", "keeps to the axes, 45° or 15° steps"],
   ["Ctrl while dragging", "switches snapping off"],
   ["Double-click the curve", "inserts a point; the curve stays where it is"],

@@ -1,19 +1,33 @@
-import { movePoints } from "../../document/commands.ts";
-import type { Selection } from "../../document/document.ts";
+import { movePoints, type Command } from "../../document/commands.ts";
+import type { Offset, Selection } from "../../document/document.ts";
+import { bend, isStraight, type Segment } from "../../editor/bending.ts";
 import { nothingSketched } from "../../editor/create-editor.ts";
 import type { Editor } from "../../editor/editor.ts";
 import { constrained } from "../../editor/snapping.ts";
 import type { Drag, PointerSample } from "../../editor/tool.ts";
 
-/** Dragging the curve itself: both points of the segment go along, so that it stays under the pointer. */
-export function dragSegment(editor: Editor, start: PointerSample, selection: Selection): Drag {
-  editor.begin("Move segment");
+/**
+ * Dragging the curve itself. A curved segment bends under the pointer; a straight one, and one without handles, goes
+ * along with both its points. Alt does the other.
+ */
+export function dragSegment(editor: Editor, start: PointerSample, selection: Selection, segment: Segment): Drag {
+  const { curve } = editor.state.value;
+  const contour = curve.contours[segment.contour];
+  const curved = contour !== undefined && !isStraight(contour, segment.index);
+  editor.begin(curved ? "Bend segment" : "Move segment");
   editor.patch({ selection });
+
+  function change(step: Offset, other: boolean): Command {
+    const bent = curved === other ? null : bend(curve, segment, step);
+    return bent ?? { ...movePoints(selection, step.dx, step.dy), name: "Move segment", select: selection };
+  }
+
   return {
     update(sample) {
       let step = { dx: sample.page.x - start.page.x, dy: sample.page.y - start.page.y };
       if (sample.modifiers.shift) step = constrained(step.dx, step.dy);
-      editor.preview({ ...movePoints(selection, step.dx, step.dy), name: "Move segment", select: selection }, { drag: { ...step, snapped: null }, cursor: "move", sketch: { ...nothingSketched, finger: sample.kind === "touch" ? sample.page : null } });
+      const command = change(step, sample.modifiers.alt);
+      editor.preview(command, { drag: { ...step, snapped: null }, cursor: command.name === "Move segment" ? "move" : "grabbing", sketch: { ...nothingSketched, finger: sample.kind === "touch" ? sample.page : null } });
     },
     finish() {
       editor.commit();

@@ -1,6 +1,7 @@
 import { movePoints } from "../../document/commands.ts";
 import { locate } from "../../document/contours.ts";
 import { isSelected, nothingSelected, pointAt, samePoint, type Contour, type Grid, type PointRef, type Selection } from "../../document/document.ts";
+import type { Segment } from "../../editor/bending.ts";
 import { panned, type ScreenPoint } from "../../editor/camera.ts";
 import { insertAt, resetSelectedHandles, toggleCusp } from "../../editor/edits.ts";
 import type { Editor, Modifiers, Target } from "../../editor/editor.ts";
@@ -22,7 +23,7 @@ function cursorFor(target: Target, modifiers: Modifiers): string {
     case "handle":
       return modifiers.alt ? "alias" : "grab";
     case "curve":
-      return "copy";
+      return modifiers.alt ? "move" : "grab";
     case "empty":
       return "default";
   }
@@ -41,6 +42,12 @@ export function createSelectTool(editor: Editor): Tool {
     return { points: [{ contour, index: segment }, { contour, index: (segment + 1) % shape.points.length }], handle: null };
   }
 
+  function segmentAt(contour: number, t: number): Segment {
+    const shape = editor.state.value.curve.contours[contour];
+    const { segment, x } = shape === undefined ? { segment: 0, x: 0 } : locate(shape, t);
+    return { contour, index: segment, x };
+  }
+
   /** Of refined control points, the two whose parameters enclose `t`. */
   function besideOnGrid(contour: number, shape: Contour, grid: Grid, t: number): Selection {
     const count = shape.points.length;
@@ -56,7 +63,7 @@ export function createSelectTool(editor: Editor): Tool {
       case "handle":
         return dragHandle(editor, start, target.handle);
       case "curve":
-        return dragSegment(editor, start, segmentSelection(target.contour, target.t));
+        return dragSegment(editor, start, segmentSelection(target.contour, target.t), segmentAt(target.contour, target.t));
       case "empty":
         return start.kind === "touch" ? panWith(start) : brush(editor, start);
     }
