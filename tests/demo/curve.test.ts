@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { boxDiagonal, directedDistance, radiusError, useBrowser, type Demo } from "./page.ts";
+import { boxDiagonal, directedDistance, radiusError, useBrowser, type Demo, type Pair } from "./page.ts";
 
 const { open } = useBrowser();
 
@@ -158,4 +158,27 @@ test("V11 the marquee chooses, arrows nudge, a drag moves all, and one undo take
   });
   await demo.press("Control+z");
   assert.deepEqual(await demo.points(), nudged);
+});
+
+test("a line drawn by hand becomes a curve of few points beside what is there, and one undo takes it back", async (t) => {
+  const demo = await openWithoutSnap(t, "circle-2");
+  const { page } = demo;
+  await demo.click("tool-draw");
+  const stroke = Array.from({ length: 120 }, (_, i): Pair => [150 + 5 * i, 500 + 50 * Math.sin(i / 12)]);
+  const [start = { x: 0, y: 0 }, ...rest] = await Promise.all(stroke.map(([x, y]) => demo.toScreen(x, y)));
+  await page.mouse.move(start.x, start.y);
+  await page.mouse.down();
+  for (const { x, y } of rest) await page.mouse.move(x, y);
+  await page.mouse.up();
+  await demo.idle();
+  const { contours } = (await demo.state()).curve;
+  assert.equal(contours.length, 2);
+  assert.equal(contours[1]?.closed, false);
+  // A wave and a half: an oracle with knots at its turns needs five points.
+  assert.ok((contours[1]?.points.length ?? 99) <= 10, `${contours[1]?.points.length} points`);
+  const curve = await demo.sample(2000, 1);
+  const away = directedDistance(stroke, curve, false);
+  assert.ok(away <= 2.01, `${away} px of the 2 that are asked for`);
+  await demo.press("Control+z");
+  assert.equal((await demo.state()).curve.contours.length, 1);
 });

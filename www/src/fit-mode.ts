@@ -2,9 +2,8 @@ import { registerFitActions } from "./editor/fit/fit-actions.ts";
 import { boxOf, bringStrokes, chooseFitTool } from "./editor/fit/fit-edits.ts";
 import { fitHint, fitSummary } from "./editor/fit/fit-hint.ts";
 import { createFitRunner } from "./editor/fit/fit-runner.ts";
+import { connectFit } from "./editor/fit/freehand.ts";
 import { editInCurve, fittedDrawing } from "./editor/fit/hand-over.ts";
-import { createFitClient } from "./kernel/fit/fit-client.ts";
-import { endingWith } from "./kernel/worker-desk.ts";
 import { strokesFrom } from "./kernel/fit/as-strokes.ts";
 import { sampleFit } from "./kernel/fit/outcome.ts";
 import type { ModeParts } from "./modes.ts";
@@ -19,8 +18,7 @@ import { createFitTool } from "./tools/fit/fit-tool.ts";
 /** Fit mode, put together when it is first opened. */
 export function mountFitMode({ editor, frame, stage, surface, proxies, panels, contract, until }: ModeParts): void {
   registerFitActions(editor);
-  const start = (): Worker => endingWith(until, new Worker(new URL("./kernel/fit/fit-worker.ts", import.meta.url), { type: "module" }));
-  const runner = createFitRunner(editor, (handlers) => createFitClient(start, handlers), () => performance.now(), until);
+  const runner = createFitRunner(editor, connectFit(until), () => performance.now(), until);
   editor.actions.register({ id: "fit-cancel", label: "Stop the fit", group: "Edit", keys: [], enabled: ({ mode }) => mode === "fit", run: () => runner.cancel() });
   editor.actions.register({ id: "fit-edit", label: "Edit the fit in Curve", group: "Curve", keys: [], enabled: ({ mode, fitRun }) => mode === "fit" && fitRun.outcome !== null, run: editInCurve });
   editor.modes.set("fit", {

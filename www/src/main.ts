@@ -46,7 +46,7 @@ function mount(): ExplineDemo {
   const canvas = part("canvas");
 
   registerStandardActions(editor);
-  const input = createPointerInput(editor, createTools(editor));
+  const input = createPointerInput(editor, createTools(editor, until));
   listenToStage({ editor, input, frame, surface, until, leaveStage: () => surface.blur() });
   if (!(canvas instanceof HTMLCanvasElement)) throw new Error("index.html has no canvas");
   const stage = createStage(editor, frame, surface, canvas, until);

@@ -29,7 +29,7 @@ export class Hand {
   constructor(sample?: string) {
     this.editor = createEditor(() => this.time);
     registerStandardActions(this.editor);
-    this.input = createPointerInput(this.editor, createTools(this.editor, createPenTool(this.editor)));
+    this.input = createPointerInput(this.editor, createTools(this.editor, new AbortController().signal, createPenTool(this.editor)));
     if (sample === undefined) return;
     const found = curveSample(sample);
     assert.ok(found, `no sample named ${sample}`);

@@ -18,7 +18,7 @@ import { startSolid } from "./surface/solid.ts";
 import { createTimeline, type Timeline } from "./timeline.ts";
 import { initialTraceView, noTraceRun } from "./trace/trace-state.ts";
 
-export const nothingSketched: Sketch = { guides: [], marquee: null, rubber: null, finger: null, proposal: null };
+export const nothingSketched: Sketch = { guides: [], marquee: null, rubber: null, stroke: [], finger: null, proposal: null };
 
 export const defaultSettings: Settings = {
   overlays: { handles: true, polygon: false, knots: false, comb: false, subdivision: false, weights: false, fill: true, bezier: false, grid: false },

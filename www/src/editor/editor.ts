@@ -2,7 +2,7 @@ import type { Command } from "../document/commands.ts";
 import type {
   Contour, CurveDocument, DemoState, HandleRef, Mode, PointRef, Selection, View,
 } from "../document/document.ts";
-import type { FitDocument, FitMoment } from "../document/fit.ts";
+import type { FitDocument, FitMoment, Pair } from "../document/fit.ts";
 import type { TraceDocument, TraceMoment } from "../document/trace.ts";
 import type { NetRef, SurfaceDocument, SurfaceMoment } from "../document/surface.ts";
 import type { PagePoint, StageBox } from "./camera.ts";
@@ -67,6 +67,8 @@ export interface Sketch {
   readonly guides: readonly Guide[];
   readonly marquee: Marquee | null;
   readonly rubber: Rubber | null;
+  /** What is being drawn by hand, and what was until its curve is there. */
+  readonly stroke: readonly Pair[];
   /** The finger that drags, for the loupe. */
   readonly finger: PagePoint | null;
   /** What the drawing would become if the user agrees (going down a level that finer edits were made on). */

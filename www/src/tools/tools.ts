@@ -1,7 +1,6 @@
 import type { Editor, ToolId } from "../editor/editor.ts";
 import { lazyTool } from "../editor/loading.ts";
 import type { Tool } from "../editor/tool.ts";
-import { createDrawTool } from "./draw/draw-tool.ts";
 import { createHandTool } from "./hand/hand-tool.ts";
 import { createSelectTool } from "./select/select-tool.ts";
 
@@ -10,9 +9,17 @@ function latePen(editor: Editor): Tool {
   return lazyTool(editor, () => editor.state.value.tool === "pen", async () => (await import("./pen/pen-tool.ts")).createPenTool(editor));
 }
 
+/** Drawing by hand brings the fit with it. */
+function lateDraw(editor: Editor, until: AbortSignal): Tool {
+  return lazyTool(editor, () => editor.state.value.tool === "draw" && editor.state.value.mode === "curve", async () => {
+    const [{ createDrawTool }, { createFreehand, connectFit }] = await Promise.all([import("./draw/draw-tool.ts"), import("../editor/fit/freehand.ts")]);
+    return createDrawTool(editor, createFreehand(editor, connectFit(until)));
+  });
+}
+
 /** Every tool of the rail. Another tool coming up ends what the last one had begun. */
-export function createTools(editor: Editor, pen: Tool = latePen(editor)): Readonly<Record<ToolId, Tool>> {
-  const tools = { select: createSelectTool(editor), pen, draw: createDrawTool(editor), hand: createHandTool(editor) };
+export function createTools(editor: Editor, until: AbortSignal, pen: Tool = latePen(editor), draw: Tool = lateDraw(editor, until)): Readonly<Record<ToolId, Tool>> {
+  const tools = { select: createSelectTool(editor), pen, draw, hand: createHandTool(editor) };
   editor.state.subscribe((state, before) => {
     if (state.tool === before.tool && state.mode === before.mode) return;
     tools[before.tool].finish();

@@ -1,4 +1,4 @@
-import { HermiteCurve, type Curve } from "expline/slim";
+import { fromJSON, HermiteCurve, type Curve } from "expline/slim";
 import type { Contour } from "../../document/document.ts";
 import { contourFrom } from "../contours.ts";
 
@@ -6,4 +6,11 @@ import { contourFrom } from "../contours.ts";
 export function contourFromFit(curve: Curve): Contour {
   if (!(curve instanceof HermiteCurve)) throw new TypeError("a fit of degree 3 is a Hermite curve");
   return contourFrom(curve, "trigonometric");
+}
+
+/** The same of a fit as it comes from the worker. */
+export function contourOfFit(plain: object): Contour {
+  const curve = fromJSON(plain);
+  if (!(curve instanceof HermiteCurve)) throw new TypeError("a fit of degree 3 is a Hermite curve");
+  return contourFromFit(curve);
 }

@@ -1,5 +1,5 @@
 import { cubicsOf } from "../../kernel/paths.ts";
-import { contourPath, inPage, inScreen, onScreen, pathOfCubics, type Scene } from "../scene.ts";
+import { contourPath, inPage, inScreen, onScreen, pathOfCubics, pathOfPoints, type Scene } from "../scene.ts";
 
 /** What tools show while they work: guides, marquee, the pen's next segment, where a point would go in, the loupe. */
 
@@ -7,6 +7,7 @@ export function drawSketch(scene: Scene): void {
   drawProposal(scene);
   drawInsertion(scene);
   drawRubber(scene);
+  drawStroke(scene);
   drawGuides(scene);
   drawMarquee(scene);
 }
@@ -55,6 +56,17 @@ function drawRubber(scene: Scene): void {
   screen.strokeStyle = palette.point;
   screen.lineWidth = 1.5;
   screen.stroke();
+}
+
+function drawStroke(scene: Scene): void {
+  const { state, palette } = scene;
+  const { stroke } = state.sketch;
+  if (stroke.length < 2) return;
+  const context = inPage(scene);
+  context.strokeStyle = palette.point;
+  context.lineWidth = 1.5 / state.view.zoom;
+  context.lineJoin = "round";
+  context.stroke(pathOfPoints(Float64Array.from(stroke.flat()), false));
 }
 
 function drawGuides(scene: Scene): void {

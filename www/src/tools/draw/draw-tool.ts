@@ -1,19 +1,50 @@
-import { refuse } from "../../editor/edits.ts";
+import type { Pair } from "../../document/fit.ts";
+import { nothingSketched } from "../../editor/create-editor.ts";
 import type { Editor } from "../../editor/editor.ts";
-import type { Tool } from "../../editor/tool.ts";
+import type { Freehand } from "../../editor/fit/freehand.ts";
+import { distanceBetween, dragThreshold, type PointerSample, type Tool } from "../../editor/tool.ts";
 
-/** Freehand needs the sparse fit, which this release does not have: the tool says so instead of drawing a bad curve. */
-export function createDrawTool(editor: Editor): Tool {
+/** Draws by hand: while the button is down a line, afterwards a curve. */
+
+/** A hand does not mean two places nearer than this, in CSS pixels. */
+const leastStep = 0.75;
+
+export function createDrawTool(editor: Editor, freehand: Freehand): Tool {
+  let press: { readonly start: PointerSample; readonly stroke: Pair[]; drawing: boolean } | null = null;
+
+  function show(stroke: readonly Pair[]): void {
+    editor.patch({ sketch: { ...nothingSketched, stroke } });
+  }
+
   return {
     hover() {
-      if (editor.state.value.cursor !== "not-allowed") editor.patch({ cursor: "not-allowed", hover: { kind: "empty" } });
+      if (editor.state.value.cursor !== "crosshair") editor.patch({ cursor: "crosshair", hover: { kind: "empty" } });
     },
-    press() {
-      refuse(editor, "Freehand drawing arrives with Fit. The pen (P) places points today.");
+    press(sample) {
+      press = { start: sample, stroke: [[sample.page.x, sample.page.y]], drawing: false };
     },
-    drag: () => undefined,
-    release: () => undefined,
-    cancel: () => false,
+    drag(sample) {
+      if (press === null) return;
+      if (!press.drawing && distanceBetween(press.start.screen, sample.screen) < dragThreshold[sample.kind]) return;
+      press.drawing = true;
+      const least = leastStep / editor.state.value.view.zoom;
+      for (const { x, y } of sample.trail ?? [sample.page]) {
+        const last = press.stroke.at(-1);
+        if (last === undefined || Math.hypot(x - last[0], y - last[1]) >= least) press.stroke.push([x, y]);
+      }
+      show([...press.stroke]);
+    },
+    release() {
+      const done = press;
+      press = null;
+      if (done?.drawing === true) freehand.add(done.stroke);
+    },
+    cancel() {
+      const had = press !== null;
+      press = null;
+      if (had) editor.patch({ sketch: nothingSketched });
+      return had;
+    },
     finish: () => false,
   };
 }

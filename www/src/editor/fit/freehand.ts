@@ -1,0 +1,72 @@
+import { differentPoints, isJoined, type Pair } from "../../document/fit.ts";
+import { contourOfFit } from "../../kernel/fit/as-contour.ts";
+import { createFitClient, type FitClient, type FitHandlers } from "../../kernel/fit/fit-client.ts";
+import type { FitSubject } from "../../kernel/fit/job.ts";
+import { startFitWorker } from "../../kernel/fit/start-worker.ts";
+import { nothingSketched } from "../create-editor.ts";
+import { addContours, refuse } from "../edits.ts";
+import type { Editor } from "../editor.ts";
+import { whileLoading } from "../loading.ts";
+
+/** Strokes drawn by hand in Curve: each becomes the contour with the fewest knots within a pixel or two of it. */
+
+/** CSS pixels that the curve may be away from the hand: less than the hand trembles. */
+const tremble = 2;
+
+export interface Freehand {
+  /** A stroke that was drawn; its contour is added when it is there. */
+  add(stroke: readonly Pair[]): void;
+}
+
+/** Fits in a worker of its own, that starts with the first stroke. */
+export function connectFit(until: AbortSignal): (handlers: FitHandlers) => FitClient {
+  return (handlers) => createFitClient(() => startFitWorker(until), handlers);
+}
+
+export function createFreehand(editor: Editor, connect: (handlers: FitHandlers) => FitClient): Freehand {
+  /** Strokes wait for each other: none is dropped for a later one. */
+  const waiting: { readonly subject: FitSubject; readonly tolerance: number }[] = [];
+
+  const client = connect({
+    fitted(fits) {
+      const contours = fits.map(({ curve }) => contourOfFit(curve));
+      const count = contours.reduce((sum, { points }) => sum + points.length, 0);
+      addContours(editor, "Draw", contours, "add");
+      editor.notify({ kind: "announce", text: `The stroke became a curve of ${count} points` });
+      next();
+    },
+    failed() {
+      refuse(editor, "This stroke could not be made a curve. Draw it again, a little longer.");
+      next();
+    },
+    stopped: () => undefined,
+    chart: () => undefined,
+    restarted: () => undefined,
+  });
+
+  function next(): void {
+    editor.patch({ sketch: nothingSketched });
+    waiting.shift();
+    start();
+  }
+
+  function start(): void {
+    const [first] = waiting;
+    if (first === undefined) return;
+    client.fit(first.subject, { by: "error", tolerance: first.tolerance }, false);
+    void whileLoading(editor, client.idle());
+  }
+
+  return {
+    add(data) {
+      const stroke = { from: 0, to: data.length };
+      if (differentPoints({ data }, stroke, 4) < 4) {
+        editor.patch({ sketch: nothingSketched });
+        return refuse(editor, "Hold and drag to draw.");
+      }
+      const strokes = [{ points: Float64Array.from(data.flat()), closed: isJoined({ data, closing: "auto" }, stroke) }];
+      waiting.push({ subject: { strokes, degree: [1, 3], mix: 0.5, corners: true }, tolerance: tremble / editor.state.value.view.zoom });
+      if (waiting.length === 1) start();
+    },
+  };
+}
