@@ -200,6 +200,26 @@ test("Surface by keyboard alone: points are stepped through, nudged, refined, an
   assert.equal(await demo.byId("stage").getAttribute("aria-label"), "Surface");
 });
 
+test("the weights of the chosen point stand on the surface, the views of a drawing board are buttons, and nothing of either moves it", async (t) => {
+  const demo = await open(t, "#/surface?sample=surf-torus");
+  const before = await mesh(demo);
+  const plain = await picture(demo);
+  await demo.byId("ov-weights").check();
+  await demo.idle();
+  const first = await picture(demo);
+  assert.notDeepEqual(first, plain);
+  await demo.focusStage();
+  await demo.press("]", "]", "]");
+  const other = await picture(demo);
+  await demo.byId("ov-weights").uncheck();
+  await demo.idle();
+  assert.notDeepEqual(await picture(demo), other);
+  await demo.byId("surf-top").click();
+  await demo.idle();
+  assert.ok(((await demo.state()).orbit?.pitch ?? 0) > 1.5);
+  assert.deepEqual(await mesh(demo), before);
+});
+
 test("a surface goes through its file and through a link with every bit", async (t) => {
   const demo = await open(t, "#/surface?sample=surf-cylinder");
   await demo.drag("cp-1-3", 30, 10);

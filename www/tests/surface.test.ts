@@ -8,6 +8,7 @@ import { fittingDistance, projector, stepAlong, stepInView, type Orbit } from ".
 import { chooseNet, ensureSurface, nudgeNet, openSurfaceSample, refineHere, setNetSize, setSurfaceLevels } from "../src/editor/surface/surface-edits.ts";
 import { meshOf, netPoints } from "../src/kernel/surface-mesh.ts";
 import { largestDistance, recurrence } from "../src/kernel/surface-net.ts";
+import { ridgesOf } from "../src/kernel/surface-weights.ts";
 import { deviationOf } from "../src/kernel/surface-truth.ts";
 import { meshPoints } from "../src/kernel/surface.ts";
 
@@ -146,3 +147,26 @@ for (const sample of ["surf-sphere", "surf-torus", "surf-paraboloid", "surf-cyli
     }
   });
 }
+
+test("the generators of a control point are 1 at its own place, 0 at every other on the surface, and the same along both lines", () => {
+  for (const [sample, u, v] of [["surf-torus", 2, 5], ["surf-sphere", 3, 3], ["surf-character", 4, 6]] as const) {
+    const document = surface(opened(sample));
+    const ridges = ridgesOf(document, { u, v });
+    assert.equal(ridges.length, 2);
+    const own = netPoints(document).find(({ ref }) => ref.u === u && ref.v === v);
+    assert.ok(own !== undefined);
+    for (const [k, { weights, places }] of ridges.entries()) {
+      const parameter = own.parameter[k] ?? 0;
+      const perUnit = (weights.length - 1) / (meshOf(document, 4, false)?.size[k] ?? 1);
+      weights.forEach((weight, i) => {
+        if (i % perUnit !== 0) return;
+        const at = i / perUnit;
+        const period = (k === 0 ? document.u : document.v)?.closed === true ? (weights.length - 1) / perUnit : Infinity;
+        const expected = Math.abs(at - parameter) < 1e-9 || Math.abs(Math.abs(at - parameter) - period) < 1e-9 ? 1 : 0;
+        assert.ok(Math.abs(weight - expected) < 1e-9, `${sample} ${k} at ${at}: ${weight}`);
+        if (expected === 1) assert.ok(Math.hypot(...own.at.map((value, c) => value - (places[3 * i + c] ?? 0))) < 1e-9);
+      });
+      assert.ok(weights.some((weight) => weight > 0.3 && weight < 0.7), "it acts between its neighbours, too");
+    }
+  }
+});

@@ -15,6 +15,8 @@ export interface SolidState {
   readonly net: boolean;
   readonly iso: boolean;
   readonly handles: boolean;
+  /** The generators of the chosen point, standing on the surface. */
+  readonly weights: boolean;
   readonly hover: NetRef | null;
   /** What is being dragged, and the axis it is held to. */
   readonly drag: { readonly points: readonly NetRef[]; readonly axis: DragAxis } | null;
@@ -28,5 +30,5 @@ export interface SolidState {
 export const startOrbit: Orbit = { yaw: 0.9, pitch: 0.55, distance: 5, target: [0, 0, 0] };
 
 export const startSolid: SolidState = {
-  orbit: startOrbit, shade: "solid", tessellation: 16, axis: "view", net: true, iso: true, handles: true, hover: null, drag: null, turning: false, shaded: false,
+  orbit: startOrbit, shade: "solid", tessellation: 16, axis: "view", net: true, iso: true, handles: true, weights: false, hover: null, drag: null, turning: false, shaded: false,
 };

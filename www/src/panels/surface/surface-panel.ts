@@ -1,3 +1,4 @@
+import "../../styles/buttons.css";
 import { surfaceSamples, surfaceTitle } from "../../document/surface-samples.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { openSurfaceSample, patchSolid, setNetSize, setSurfaceLevels } from "../../editor/surface/surface-edits.ts";
@@ -98,10 +99,13 @@ function showSection(shell: Shell): Section {
     label: "Tessellation", testid: "surf-tess", about: "Sides of a patch that is drawn; the surface itself is not made of triangles.",
     least: 4, most: 64, step: 1, direction: "smoother", print: String, write: (value) => patchSolid(editor, { tessellation: value }), reset: () => patchSolid(editor, { tessellation: 16 }),
   });
-  const switches = ([["net", "ov-net", "Net", "Lines between neighbouring control points."], ["iso", "ov-iso", "Iso-lines", "Where the segments of the net meet on the surface."], ["handles", "ov-handles", "Points", "The control points themselves."]] as const)
+  const switches = ([["net", "ov-net", "Net", "Lines between neighbouring control points."], ["iso", "ov-iso", "Iso-lines", "Where the segments of the net meet on the surface."], ["handles", "ov-handles", "Points", "The control points themselves."], ["weights", "ov-weights", "Weights", "How strongly the chosen point acts: its generators, standing along the two lines through it."]] as const)
     .map(([name, testid, label, about]) => ({ name, field: toggleField({ label, testid, about, write: (on) => patchSolid(editor, { [name]: on }) }) }));
+  const views = (["front", "side", "top"] as const).map((side) =>
+    h("button", { class: "button", type: "button", testid: `surf-${side}`, title: `Look from the ${side}`, click: () => editor.actions.run(`surface-look-${side}`) }, h("span", {}, side === "front" ? "Front" : side === "side" ? "Side" : "Top")));
   const element = h("section", { class: "section", "aria-label": "Show" },
     h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Show")),
+    h("div", { class: "field surf-views", role: "group", "aria-label": "Look from" }, h("span", { class: "field-label" }, "Look from"), h("span", { class: "button-group" }, ...views)),
     shade.element, note, sides.element, h("div", { class: "toggles" }, ...switches.map(({ field }) => field.element)));
   return {
     element,

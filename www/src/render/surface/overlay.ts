@@ -108,13 +108,15 @@ function drawHandle(scene: Scene, { point, at, away }: Placed): void {
   const last = state.chosen.at(-1);
   const ringed = focused && state.keyboard && last !== undefined && sameNetPoint(last, point.ref);
   const crowded = netPoints(state.surface).length > 300;
-  const radius = (crowded || point.beyond === true ? 3 : point.ref.detail === undefined ? 4.5 : 3.75) + (selected ? 1 : 0);
+  const behind = away && !selected && !hovered;
+  const radius = (crowded || behind || point.beyond === true ? 3 : point.ref.detail === undefined ? 4.5 : 3.75) + (selected ? 1 : 0);
   // On the surface: a disc, as everywhere; near it: a diamond.
   const shape = (size: number): void => (point.on ? disc(context, at, size) : diamond(context, at, size * 1.25));
   const color = point.ref.detail === undefined ? palette.point : palette.handle;
   context.globalAlpha = (away || point.beyond === true) && !selected && !hovered ? 0.55 : 1;
   if (hovered) halo(context, color, () => shape(radius + 5));
-  fillShape(context, shape, radius, away, color, palette);
+  if (behind) ring(context, shape, radius, color);
+  else fillShape(context, shape, radius, away, color, palette);
   if (selected) {
     shape(radius + 3.5);
     context.strokeStyle = color;
@@ -123,6 +125,14 @@ function drawHandle(scene: Scene, { point, at, away }: Placed): void {
   }
   if (ringed) drawFocus(context, at, radius + 5, palette);
   context.globalAlpha = 1;
+}
+
+/** Behind the surface: there, and no more than that. */
+function ring(context: CanvasRenderingContext2D, shape: (size: number) => void, radius: number, color: string): void {
+  shape(radius);
+  context.strokeStyle = color;
+  context.lineWidth = 1;
+  context.stroke();
 }
 
 /** Hollow where the surface turns away from the eye. */

@@ -56,7 +56,8 @@ bool within(float value, float from, float size, float period) {
 void main() {
   vec3 normal = normalize(vNormal);
   vec3 toEye = normalize(eye - vWorld);
-  bool away = dot(normal, toEye) < 0.0;
+  // Along the outline a pixel is shaded a little beyond the edge: what is seen there is still the near side.
+  bool away = dot(normal, toEye) < -0.06;
   if (away) normal = -normal;
   vec3 base = away ? back : front;
 

@@ -5,6 +5,7 @@ import { extentOf, meshOf, netPoints } from "../../kernel/surface-mesh.ts";
 import type { Palette } from "../palette.ts";
 import type { Painter } from "../stage.ts";
 import { drawNet, drawWireframe } from "./overlay.ts";
+import { drawRidges } from "./ridges.ts";
 import type { Colours, Region, ShadedView } from "./shaded-view.ts";
 
 /** The two canvases of the surface: the shaded one beneath, and the ordinary one with the net, or with lines where nothing can shade. */
@@ -91,6 +92,7 @@ export async function createSurfaceStage(editor: Editor, frame: Frame, surface: 
             width: stage.width, height: stage.height,
           });
         }
+        drawRidges(scene);
         drawNet(scene);
       },
     },
