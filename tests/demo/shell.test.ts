@@ -229,3 +229,15 @@ test("V26 keyboard only: choose, nudge, cusp, insert, delete, undo, leave; help 
   assert.equal(await inStage(), true, "the focus is back");
   assert.deepEqual(demo.complaints, []);
 });
+
+test("buttons look like buttons in every mode, whatever was opened before, and the rail is there where it has tools", async (t) => {
+  for (const [hash, id, rail] of [["#/fit", "fit-edit", true], ["#/surface", "surf-refine", false], ["#/trace", "trace-samples", false], ["", "code-copy", true]] as const) {
+    const demo = await open(t, hash);
+    if (hash === "") await demo.byId("btn-code").click();
+    const button = demo.byId(id);
+    await button.waitFor();
+    await demo.still();
+    assert.equal(await button.evaluate((element) => getComputedStyle(element).borderTopWidth), "1px", id);
+    assert.equal(await demo.byId("tool-hand").isVisible(), rail, hash);
+  }
+});

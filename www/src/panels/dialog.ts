@@ -1,3 +1,4 @@
+import "../styles/buttons.css";
 import "../styles/dialogs.css";
 import "../styles/gallery.css";
 import { h, type Child } from "./dom.ts";

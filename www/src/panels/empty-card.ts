@@ -1,3 +1,4 @@
+import "../styles/buttons.css";
 import "../styles/gallery.css";
 import { curveSamples } from "../document/samples.ts";
 import { openSample } from "../editor/route.ts";

@@ -140,7 +140,14 @@ export function sliderField(options: SliderOptions): Field<number> & { readonly 
   };
   input.addEventListener("pointerdown", () => {
     options.gesture?.begin();
-    window.addEventListener("pointerup", () => options.gesture?.commit(), { once: true });
+    // A finger that turns out to scroll the panel ends with a cancel.
+    const over = new AbortController();
+    for (const type of ["pointerup", "pointercancel"]) {
+      window.addEventListener(type, () => {
+        over.abort();
+        options.gesture?.commit();
+      }, { signal: over.signal });
+    }
   });
   input.addEventListener("input", () => {
     options.write(Number(input.value));

@@ -44,3 +44,9 @@ export function parseTyped(text: string, least: number, most: number): number | 
   const value = Number(plain);
   return Number.isFinite(value) && value >= least && value <= most ? value + 0 : null;
 }
+
+/** What is left, as a loss: "−93 %", with a digit more where 100 would be said of what is not all. */
+export function formatChange(left: number): string {
+  const less = 100 * (1 - left);
+  return `−${less > 99 && less < 100 ? Math.min(99.9, Number(less.toFixed(1))) : Math.round(less)} %`;
+}

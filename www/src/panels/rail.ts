@@ -18,9 +18,10 @@ export function mountRail({ editor, regions, until }: Shell): void {
   });
   regions.rail.append(h("div", { class: "tools", role: "toolbar", "aria-label": "Tools", "aria-orientation": "vertical" }, ...buttons));
   editor.state.subscribe((state) => {
+    // The other modes have one tool each: the stage gets the room.
+    regions.rail.hidden = state.mode !== "curve" && state.mode !== "fit";
     buttons.forEach((button, i) => {
       setAttribute(button, "aria-pressed", String(tools[i]?.[0] === state.tool));
-      button.disabled = state.mode !== "curve" && state.mode !== "fit";
     });
   }, { now: true, until });
 }

@@ -1,3 +1,4 @@
+import "../../styles/buttons.css";
 import "../../styles/drawer.css";
 import { h, setAttribute, setText } from "../dom.ts";
 import { icon } from "../icons.ts";

@@ -1,3 +1,4 @@
+import "../../styles/buttons.css";
 import type { FitClosing, FitModel, FitTarget } from "../../document/fit.ts";
 import { fitSample } from "../../document/fit-samples.ts";
 import type { EditorState } from "../../editor/editor.ts";

@@ -5,7 +5,7 @@ import type { Compare, FitOverlay } from "../../editor/fit/fit-state.ts";
 import type { KnotType } from "../../kernel/fit/knots.ts";
 import { h, setAttribute, setText } from "../dom.ts";
 import { selectField, sliderField, toggleField } from "../fields.ts";
-import { formatDeviation } from "../format.ts";
+import { formatChange, formatDeviation } from "../format.ts";
 import { holdButton } from "../hold-button.ts";
 import { legendRow } from "../legend.ts";
 import type { Section } from "../curve/curve-panel.ts";
@@ -44,8 +44,7 @@ export function readingSection(shell: Shell): Section {
       const { outcome } = fitRun;
       for (const { type, show } of legend) show(outcome?.counts[type] ?? 0);
       const total = outcome?.knots.length ?? 0;
-      const less = outcome === null || outcome.size === 0 ? 0 : Math.round(100 * (1 - total / outcome.size));
-      setText(reduction, outcome === null ? "" : `${outcome.size} → ${total} points (−${less} %)`);
+      setText(reduction, outcome === null ? "" : `${outcome.size} → ${total} points (${formatChange(total / Math.max(1, outcome.size))})`);
       setText(errors, outcome === null ? "" : `rms ${formatDeviation(outcome.rms)}, max ${formatDeviation(outcome.max)} px (${formatDeviation((100 * outcome.max) / Math.max(outcome.diagonal, 1e-12))} %)`);
       edit.disabled = outcome === null;
       setText(failure, fitRun.failure === null ? "" : fitRun.failure.id === "points-few"

@@ -1,3 +1,4 @@
+import "../../styles/buttons.css";
 import "../../styles/dialogs.css";
 import "../../styles/gallery.css";
 import "../../styles/trace.css";
