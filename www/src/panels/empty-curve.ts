@@ -10,6 +10,9 @@ function isEmpty(state: EditorState): boolean {
 export function mountEmptyCurve({ editor, regions, until }: Shell): void {
   let card: HTMLElement | null = null;
   const offer = async (): Promise<void> => {
+    // While the page starts, the drawing is empty for a moment: nothing is loaded for that.
+    await Promise.resolve();
+    if (!isEmpty(editor.state.value)) return;
     const { emptyCard } = await import("./empty-card.ts");
     if (card !== null || !isEmpty(editor.state.value)) return;
     card = emptyCard(editor);

@@ -1,12 +1,10 @@
+import { addContours } from "../../document/commands.ts";
 import { differentPoints, isJoined, type Pair } from "../../document/fit.ts";
 import { contourOfFit } from "../../kernel/fit/as-contour.ts";
 import { createFitClient, type FitClient, type FitHandlers } from "../../kernel/fit/fit-client.ts";
 import type { FitSubject } from "../../kernel/fit/job.ts";
 import { startFitWorker } from "../../kernel/fit/start-worker.ts";
-import { nothingSketched } from "../create-editor.ts";
-import { addContours, refuse } from "../edits.ts";
 import type { Editor } from "../editor.ts";
-import { whileLoading } from "../loading.ts";
 
 /** Strokes drawn by hand in Curve: each becomes the contour with the fewest knots within a pixel or two of it. */
 
@@ -31,12 +29,12 @@ export function createFreehand(editor: Editor, connect: (handlers: FitHandlers) 
     fitted(fits) {
       const contours = fits.map(({ curve }) => contourOfFit(curve));
       const count = contours.reduce((sum, { points }) => sum + points.length, 0);
-      addContours(editor, "Draw", contours, "add");
+      editor.dispatch(addContours("Draw", contours, false));
       editor.notify({ kind: "announce", text: `The stroke became a curve of ${count} points` });
       next();
     },
     failed() {
-      refuse(editor, "This stroke could not be made a curve. Draw it again, a little longer.");
+      refuse("This stroke could not be made a curve. Draw it again, a little longer.");
       next();
     },
     stopped: () => undefined,
@@ -44,8 +42,18 @@ export function createFreehand(editor: Editor, connect: (handlers: FitHandlers) 
     restarted: () => undefined,
   });
 
+  function refuse(text: string): void {
+    editor.patch({ hint: text });
+    editor.notify({ kind: "announce", text });
+  }
+
+  /** The line has become a curve, or nothing. */
+  function shown(): void {
+    editor.patch({ sketch: { ...editor.state.value.sketch, stroke: [] } });
+  }
+
   function next(): void {
-    editor.patch({ sketch: nothingSketched });
+    shown();
     waiting.shift();
     start();
   }
@@ -54,15 +62,17 @@ export function createFreehand(editor: Editor, connect: (handlers: FitHandlers) 
     const [first] = waiting;
     if (first === undefined) return;
     client.fit(first.subject, { by: "error", tolerance: first.tolerance }, false);
-    void whileLoading(editor, client.idle());
+    const done = client.idle();
+    editor.loading.add(done);
+    void done.then(() => editor.loading.delete(done));
   }
 
   return {
     add(data) {
       const stroke = { from: 0, to: data.length };
       if (differentPoints({ data }, stroke, 4) < 4) {
-        editor.patch({ sketch: nothingSketched });
-        return refuse(editor, "Hold and drag to draw.");
+        shown();
+        return refuse("Hold and drag to draw.");
       }
       const strokes = [{ points: Float64Array.from(data.flat()), closed: isJoined({ data, closing: "auto" }, stroke) }];
       waiting.push({ subject: { strokes, degree: [1, 3], mix: 0.5, corners: true }, tolerance: tremble / editor.state.value.view.zoom });

@@ -1,5 +1,4 @@
 import type { Pair } from "../../document/fit.ts";
-import { nothingSketched } from "../../editor/create-editor.ts";
 import type { Editor } from "../../editor/editor.ts";
 import type { Freehand } from "../../editor/fit/freehand.ts";
 import { distanceBetween, dragThreshold, type PointerSample, type Tool } from "../../editor/tool.ts";
@@ -13,7 +12,7 @@ export function createDrawTool(editor: Editor, freehand: Freehand): Tool {
   let press: { readonly start: PointerSample; readonly stroke: Pair[]; drawing: boolean } | null = null;
 
   function show(stroke: readonly Pair[]): void {
-    editor.patch({ sketch: { ...nothingSketched, stroke } });
+    editor.patch({ sketch: { ...editor.state.value.sketch, stroke } });
   }
 
   return {
@@ -42,7 +41,7 @@ export function createDrawTool(editor: Editor, freehand: Freehand): Tool {
     cancel() {
       const had = press !== null;
       press = null;
-      if (had) editor.patch({ sketch: nothingSketched });
+      if (had) show([]);
       return had;
     },
     finish: () => false,
