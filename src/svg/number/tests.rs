@@ -192,3 +192,25 @@ fn the_shortest_text_brings_every_double_back_to_the_last_bit() {
         assert!(!text.contains('+') && text.len() <= 25, "{text}");
     }
 }
+
+#[test]
+fn few_digits_are_written_as_many_are() {
+    let mut random = Random(7);
+    for round in 0..30_000_u64 {
+        // Numbers of every length, many of which end in zeros.
+        let n = random.next() % 10_u64.pow(u32::try_from(round % 9 + 1).unwrap_or(1));
+        let n = if round % 3 == 0 { n / 100 * 100 } else { n };
+        let decimals = u32::try_from(random.next() % 10).unwrap_or(0);
+        let mut out = b"M".to_vec();
+        let pointed = write(&mut out, round % 2 == 1, n, decimals);
+        let text = String::from_utf8_lossy(&out[1..]).into_owned();
+        let whole = n / 10_u64.pow(decimals);
+        let part = format!("{:0width$}", n % 10_u64.pow(decimals), width = decimals as usize);
+        let part = if decimals == 0 { "" } else { part.trim_end_matches('0') };
+        let (point, sign) =
+            (if part.is_empty() { "" } else { "." }, if round % 2 == 1 && n > 0 { "-" } else { "" });
+        let whole = if whole == 0 && !part.is_empty() { String::new() } else { whole.to_string() };
+        assert_eq!(text, format!("{sign}{whole}{point}{part}"), "{n} with {decimals} decimals");
+        assert_eq!(pointed, !part.is_empty(), "{text}");
+    }
+}

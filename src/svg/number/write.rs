@@ -52,10 +52,74 @@ pub(in crate::svg) fn shortest(value: f64) -> (u64, u32) {
     }
 }
 
+/// Digits that are made at once, and the numbers that have no more.
+const EIGHT: usize = 8;
+const HUNDRED_MILLION: u64 = 100_000_000;
+/// Two lists of eight digits one behind the other, a point, a sign, and room to copy whole.
+const FEW_BYTES: usize = 18 + MOST_BYTES;
+
 /// Appends n·10^−`decimals`: no trailing zeros, no zero before the point, never `-0`; from 23 decimals on as an
 /// integer with an exponent. Returns whether there is a point or an exponent.
 #[inline(never)]
 pub(in crate::svg) fn write(out: &mut Vec<u8>, negative: bool, n: u64, decimals: u32) -> bool {
+    if n != 0 && n < HUNDRED_MILLION && decimals < EIGHT as u32 {
+        write_few(out, negative, n, decimals)
+    } else {
+        write_many(out, negative, n, decimals)
+    }
+}
+
+/// Eight digits, the first in the lowest byte: 4 + 4, then 2 + 2 twice, then one by one, side by side in one number.
+#[inline(always)]
+fn eight_digits(n: u64) -> u64 {
+    let n = n as u32;
+    let fours = u64::from(n / 10_000) | u64::from(n % 10_000) << 32;
+    // Below 10⁴, 5243/2¹⁹ is 1/100 near enough; below 100, 103/2¹⁰ is 1/10.
+    let hundreds = (fours * 5243 >> 19) & 0x0000_007f_0000_007f;
+    let twos = hundreds | (fours - 100 * hundreds) << 16;
+    let tens = (twos * 103 >> 10) & 0x000f_000f_000f_000f;
+    tens | (twos - 10 * tens) << 8
+}
+
+/// A number of at most eight digits that is not 0, with fewer decimals than that.
+#[inline(always)]
+fn write_few(out: &mut Vec<u8>, negative: bool, n: u64, decimals: u32) -> bool {
+    let digits = eight_digits(n);
+    let (leading, trailing) = (digits.trailing_zeros() as usize / 8, digits.leading_zeros() as usize / 8);
+    let (text, point) = (digits | 0x3030_3030_3030_3030, EIGHT - decimals as usize);
+    // One byte is left free for the sign.
+    let mut bytes = [0; FEW_BYTES];
+    bytes[1..=EIGHT].copy_from_slice(&text.to_le_bytes());
+    let pointed = trailing < decimals as usize;
+    let mut end = 1 + point;
+    if pointed {
+        bytes[end] = b'.';
+        let behind = (text >> (8 * point)).to_le_bytes();
+        bytes[end + 1..=end + EIGHT].copy_from_slice(&behind);
+        end = 2 + EIGHT - trailing;
+    }
+    let mut start = 1 + if leading < point { leading } else { point };
+    if negative {
+        start -= 1;
+        bytes[start] = b'-';
+    }
+    append(out, &bytes, start, end);
+    pointed
+}
+
+/// Of a length that is known, a copy is two instructions; else it is a call of the engine's.
+#[inline(always)]
+fn append(out: &mut Vec<u8>, bytes: &[u8], start: usize, end: usize) {
+    let length = out.len() + end - start;
+    if let Some(text) = bytes.get(start..).and_then(<[u8]>::first_chunk::<MOST_BYTES>) {
+        out.extend_from_slice(text);
+    }
+    out.truncate(length);
+}
+
+/// Any number, digit by digit.
+#[inline(never)]
+fn write_many(out: &mut Vec<u8>, negative: bool, n: u64, decimals: u32) -> bool {
     if decimals > 22 {
         write(out, negative, n, 0);
         out.extend(b"e-");
@@ -101,11 +165,6 @@ pub(in crate::svg) fn write(out: &mut Vec<u8>, negative: bool, n: u64, decimals:
         at -= 1;
         text[at] = b'-';
     }
-    // Of a length that is known, a copy is two instructions; else it is a call of the engine's.
-    let end = out.len() + MOST_BYTES - at;
-    if let Some(text) = text.get(at..).and_then(<[u8]>::first_chunk::<MOST_BYTES>) {
-        out.extend_from_slice(text);
-    }
-    out.truncate(end);
+    append(out, &text, at, MOST_BYTES);
     pointed
 }
