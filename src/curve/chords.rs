@@ -18,15 +18,20 @@ const ATTEMPTS: usize = 3;
 
 /// Appends the points between the ends.
 #[inline(never)]
-fn write(piece: &Piece, places: &[f64], out: &mut Vec<f64>) {
+fn write(piece: &Piece, places: &[f64], out: &mut Vec<[f64; 2]>) {
     for &y in places.get(1..places.len() - 1).unwrap_or_default() {
-        out.extend(piece.position(y).as_slice());
+        out.push(piece.position(y).into());
     }
 }
 
 /// Spreads the points of a piece by the errors that were found, which are a better density than the one before; if all
 /// attempts fail, chords that are not good are halved. Returns the largest bound.
-pub(super) fn mend(piece: &Piece, mut places: Vec<f64>, tolerance: f64, out: &mut Vec<f64>) -> Result<f64> {
+pub(super) fn mend(
+    piece: &Piece,
+    mut places: Vec<f64>,
+    tolerance: f64,
+    out: &mut Vec<[f64; 2]>,
+) -> Result<f64> {
     for attempt in 0..=ATTEMPTS {
         let (mut worst, mut total) = (0.0_f64, 0.0);
         let mut before = vec![total];
@@ -45,8 +50,8 @@ pub(super) fn mend(piece: &Piece, mut places: Vec<f64>, tolerance: f64, out: &mu
         }
         // Evenly is never quite even: a little more makes the next attempt the last.
         let count = chord_count(1.02 * total);
-        if out.len() / 2 + count > MOST_OUTPUT_POINTS {
-            return Err(beyond(out.len() / 2 + count));
+        if out.len() + count > MOST_OUTPUT_POINTS {
+            return Err(beyond(out.len() + count));
         }
         let mut next = vec![0.5; count + 1];
         next[0] = -0.5;
@@ -56,8 +61,7 @@ pub(super) fn mend(piece: &Piece, mut places: Vec<f64>, tolerance: f64, out: &mu
     let mut worst: f64 = 0.0;
     for (k, pair) in places.windows(2).enumerate() {
         if k > 0 {
-            let p = piece.position(pair[0]);
-            out.extend([p.x, p.y]);
+            out.push(piece.position(pair[0]).into());
         }
         worst = worst.max(halve(piece, pair[0], pair[1], tolerance, out)?);
     }
@@ -92,7 +96,7 @@ fn squared_bound(chord: Vector, leaving: Vector, arriving: Vector) -> f64 {
 
 /// Halves a chord until its parts are good, writes the points between and returns the largest bound.
 #[cold]
-fn halve(piece: &Piece, lo: f64, hi: f64, tolerance: f64, out: &mut Vec<f64>) -> Result<f64> {
+fn halve(piece: &Piece, lo: f64, hi: f64, tolerance: f64, out: &mut Vec<[f64; 2]>) -> Result<f64> {
     let mut stack = [(0.0, 0.0); MOST_HALVINGS];
     stack[0] = (lo, hi);
     let (mut open, mut worst) = (1, 0.0_f64);
@@ -109,11 +113,10 @@ fn halve(piece: &Piece, lo: f64, hi: f64, tolerance: f64, out: &mut Vec<f64>) ->
         }
         worst = worst.max(bound);
         if to < hi {
-            if out.len() / 2 >= MOST_OUTPUT_POINTS {
-                return Err(beyond(out.len() / 2 + 1));
+            if out.len() >= MOST_OUTPUT_POINTS {
+                return Err(beyond(out.len() + 1));
             }
-            let p = piece.position(to);
-            out.extend([p.x, p.y]);
+            out.push(piece.position(to).into());
         }
     }
     Ok(worst)

@@ -5,7 +5,7 @@
 
 use super::bounds::{bounds, hull};
 use super::chords::mend;
-use super::cubic_chords;
+use super::cubic_chords::{Cutter, GROUP};
 use super::length::check_tolerance;
 use super::limits::{MOST_OUTPUT_POINTS, filled, too_many, with_room};
 use super::piece::{Piece, cubic_middle};
@@ -31,38 +31,51 @@ pub(crate) fn flatten(curve: &dyn Pieces, tolerance: f64) -> Result<(Vec<f64>, f
         return spatial::flatten(curve, tolerance, MOST_OUTPUT_POINTS);
     }
     let pieces = curve.piece_count();
-    let mut out = with_room(32 * pieces)?;
+    let mut out = with_room(16 * pieces)?;
     let mut deviation = 0.0;
-    for i in 0..pieces {
-        let bound = cut_piece(curve, i, tolerance, &mut out)?;
-        deviation = if bound > deviation { bound } else { deviation };
+    let mut cutter = Cutter::new();
+    let mut i = 0;
+    while i < pieces {
+        let cubics = take_cubics(curve, i, &mut cutter);
+        for lane in 0..cubics.max(1) {
+            let cubic = if lane < cubics { cutter.cut(lane, tolerance, &mut out)? } else { None };
+            let bound = match cubic {
+                Some(bound) => bound,
+                None => cut_any(&curve.piece(i + lane), curve.start(i + lane), tolerance, &mut out)?,
+            };
+            deviation = if bound > deviation { bound } else { deviation };
+        }
+        i += cubics.max(1);
     }
     if !curve.closed() {
-        out.extend(curve.start(pieces).as_slice());
+        out.push(curve.start(pieces).into());
     }
-    Ok((out, deviation))
+    Ok((out.into_flattened(), deviation))
 }
 
-/// Appends the start of piece i and the points between its ends; returns the bound of the distance.
-#[inline(always)]
-fn cut_piece(curve: &dyn Pieces, i: usize, tolerance: f64, out: &mut Vec<f64>) -> Result<f64> {
-    let start = curve.start(i);
-    // Cubics are so quick that making a piece of each would show. Those of other kinds of curves are made in any case, and
-    // their module does without this code.
-    let middle = hermite(curve).and_then(|curve| cubic_middle(&curve.segment(i)));
-    if let Some(middle) = &middle
-        && let Some(bound) = cubic_chords::cut(middle, start, tolerance, out)?
-    {
-        return Ok(bound);
+/// Takes in the cubics from piece i on, up to a group; returns how many. Curves of other kinds, whose pieces are
+/// made in any case, go without, and so does their module.
+fn take_cubics(curve: &dyn Pieces, i: usize, cutter: &mut Cutter) -> usize {
+    let Some(own) = hermite(curve) else { return 0 };
+    let most = GROUP.min(own.segment_count() - i);
+    let mut count = 0;
+    while count < most {
+        let segment = own.segment(i + count);
+        let Some(middle) = cubic_middle(&segment) else { break };
+        cutter.take(count, &middle, segment.start);
+        count += 1;
     }
-    cut_any(&curve.piece(i), start, tolerance, out)
+    if count > 0 {
+        cutter.look(count);
+    }
+    count
 }
 
-/// The same for a piece of any kind.
+/// Appends the start of a piece of any kind and the points between its ends; returns the bound of the distance.
 #[inline(never)]
-fn cut_any(piece: &Piece, start: Point, tolerance: f64, out: &mut Vec<f64>) -> Result<f64> {
+fn cut_any(piece: &Piece, start: Point, tolerance: f64, out: &mut Vec<[f64; 2]>) -> Result<f64> {
     let density = Density::new(piece, tolerance);
-    let all = density.total + (out.len() / 2) as f64;
+    let all = density.total + out.len() as f64;
     if all > MOST_OUTPUT_POINTS as f64 {
         return Err(beyond(all as usize));
     }
@@ -70,7 +83,7 @@ fn cut_any(piece: &Piece, start: Point, tolerance: f64, out: &mut Vec<f64>) -> R
     let mut places = filled(0.5, count + 1)?;
     places[0] = -0.5;
     density.spread(&mut places[1..count]);
-    out.extend(start.as_slice());
+    out.push(start.into());
     mend(piece, places, tolerance, out)
 }
 
