@@ -20,7 +20,7 @@ use crate::error::{Error, Result};
 use crate::limits::{MOST_OUTPUT_POINTS, MOST_ROOTS, check, filled, too_many};
 
 /// Pairs of samples in the largest block.
-const PAIRS: usize = 128;
+const PAIRS: usize = 256;
 /// Pairs that are worked on at once.
 const TILE: usize = 4;
 /// Blocks whose matrices are remembered.
