@@ -1,5 +1,5 @@
 /** Meshes as files that other programs read: Wavefront OBJ and binary glTF 2.0. */
-import type { SurfaceMesh } from "./surface.js";
+import type { SurfaceMesh } from "./surface-mesh.js";
 
 /** How a surface is written to a file. */
 export interface MeshFileOptions {

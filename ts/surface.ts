@@ -1,99 +1,33 @@
 /** Surfaces: a net of points, smooth in both directions, exact for quadrics. */
 import {
-  LARGEST,
-  MAX_EVALUATIONS,
-  MAX_OUTPUT,
   type Floats,
-  type Root,
+  MAX_EVALUATIONS,
   coordinate,
-  count as checkCount,
   finite,
-  flag,
   integer,
-  isFloat64Array,
-  lengthOfArray,
   numbers,
   options as checkOptions,
-  overLimit,
   rootList,
-  rootNumbers,
-  within,
   wrong,
   wrongLength,
 } from "./core.js";
 import { type MeshFileOptions, gltfOf, objOf } from "./mesh-files.js";
-import { type DirectionData, type PatchData, type PatchWindow, SurfaceData, readSurface } from "./surface-data.js";
+import { type Direction, MAX_LEVEL, type SurfacePatch, type TensorSurfaceOptions, checkedSurface, netOf, place } from "./surface-arguments.js";
+import { type DirectionData, type PatchData, SurfaceData, readSurface } from "./surface-data.js";
 import { type SurfaceKernel, call, copy, peek, result, write } from "./surface-engine.js";
 import { type TensorSurfaceJSON, surfaceJSON } from "./surface-json.js";
+import { type MeshRegion, type SurfaceMesh, mend, newMesh, refill, sizes } from "./surface-mesh.js";
 
 export type { MeshFileOptions } from "./mesh-files.js";
+export type { Direction, SurfacePatch, TensorSurfaceOptions } from "./surface-arguments.js";
 export type { PatchWindow } from "./surface-data.js";
 export { initSurface, initSurfaceSync } from "./surface-engine.js";
 export type { DirectionJSON, TensorSurfaceJSON } from "./surface-json.js";
-
-/** How a net runs in one of its two directions. */
-export interface Direction {
-  /** The roots of the generator, per unit of the parameter; closed under conjugation and under negation. */
-  roots: readonly Root[];
-  /** How many points: 3 or more where closed, else 2·n₀ − 2 or more (n₀ at a level above 0). */
-  count: number;
-  /** Whether the last point is followed by the first. */
-  closed: boolean;
-  /** 0, the default: points on the surface, one for each unit. k: B-spline control points near it, 2ᵏ for each unit. At most 12. */
-  level?: number | undefined;
-}
-
-/** A patch of finer control points over a part of a surface, as plain data. */
-export interface SurfacePatch {
-  /** Level of the patch's grid in u, its first row there, and how many rows. */
-  u: PatchWindow;
-  /** The same in v. */
-  v: PatchWindow;
-  /** How far each control point was moved from where the refined net has it: three numbers each, v fastest. */
-  displacements: Float64Array;
-}
-
-/** What a {@link TensorSurface} is made from. */
-export interface TensorSurfaceOptions {
-  /** 3-D points, three numbers each, row by row: v runs fastest. */
-  net: Float64Array | readonly number[];
-  /** From row to row. */
-  u: Direction;
-  /** Along a row. */
-  v: Direction;
-  /** Detail, as `patches` of another surface gives it. */
-  patches?: readonly SurfacePatch[] | undefined;
-}
-
-/** Triangles of a surface. */
-export interface SurfaceMesh {
-  /** Vertices: `rows` in u, `cols` in v. */
-  readonly rows: number;
-  /** Vertices in v. */
-  readonly cols: number;
-  /** Three numbers for each vertex, row by row. */
-  readonly positions: Float64Array | Float32Array;
-  /** Unit normals, ∂u × ∂v; at poles their limit; 0, 0, 0 where the surface has none. */
-  readonly normals: Float64Array | Float32Array;
-  /** Three vertices for each triangle, counterclockwise as seen from where the normals point. */
-  readonly indices: Uint32Array;
-  /** How many vertices have no normal, as their surroundings are a point or a line. */
-  withoutNormal: number;
-}
-
-/** Rows and columns of a mesh, counted round its end where the surface is closed. */
-export interface MeshRegion {
-  /** First row, and how many. */
-  rows: readonly [number, number];
-  /** First column, and how many. */
-  cols: readonly [number, number];
-}
+export type { MeshRegion, SurfaceMesh } from "./surface-mesh.js";
+/** @internal */
+export { checkedSurface } from "./surface-arguments.js";
 
 const NAME = "TensorSurface";
-/** The most points of a net. */
-const MAX_NET = 4_194_304;
-/** The finest level. */
-const MAX_LEVEL = 12;
 
 /** The arrays of a surface, and the proof that it is one. */
 let dataOf: (surface: TensorSurface, op: string) => SurfaceData;
@@ -250,27 +184,7 @@ export class TensorSurface {
     const { out } = checkOptions(op, options, ["out"]);
     const grid = sizes(op, rows, cols);
     const slot = data.resident(op);
-    const numbersOfMesh = 3 * grid[0] * grid[1];
-    if (out !== undefined) {
-      const mesh = asMesh(op, out, grid);
-      const count = call(op, (kernel) => kernel.surface_mesh(slot, ...grid, 0, grid[0], 0, grid[1]));
-      const vertices = peek(count);
-      mesh.positions.set(vertices.subarray(0, numbersOfMesh));
-      mesh.normals.set(vertices.subarray(numbersOfMesh));
-      mesh.withoutNormal = result(0);
-      return mesh;
-    }
-    const indices = triangles(op, slot, grid);
-    const count = call(op, (kernel) => kernel.surface_mesh(slot, ...grid, 0, grid[0], 0, grid[1]));
-    const vertices = peek(count);
-    return {
-      rows: grid[0],
-      cols: grid[1],
-      positions: vertices.slice(0, numbersOfMesh),
-      normals: vertices.slice(numbersOfMesh),
-      indices,
-      withoutNormal: result(0),
-    };
+    return out === undefined ? newMesh(op, slot, grid) : refill(op, slot, grid, out);
   }
 
   /**
@@ -280,27 +194,10 @@ export class TensorSurface {
   remesh(mesh: SurfaceMesh, i: number, j: number, patch?: number): MeshRegion {
     const op = "remesh";
     const data = dataOf(this, op);
-    const target = asMesh(op, mesh);
-    const grid = [target.rows, target.cols] as const;
     const which = patch === undefined ? -1 : integer(op, "patch", patch, 0, data.patches.length - 1);
     const { u, v } = which < 0 ? data : (data.patches[which] as PatchData);
     const [row, col] = place(op, i, j, u.count, v.count);
-    const slot = data.resident(op);
-    call(op, (kernel) => kernel.surface_touched(slot, ...grid, which, row, col));
-    const [first, count, left, across] = [result(0), result(1), result(2), result(3)];
-    const total = call(op, (kernel) => kernel.surface_mesh(slot, ...grid, first, count, left, across));
-    const vertices = peek(total);
-    for (const [array, start] of [[target.positions, 0], [target.normals, total / 2]] as const) {
-      for (let k = 0; k < count; k += 1) {
-        const line = vertices.subarray(start + 3 * across * k, start + 3 * across * (k + 1));
-        const to = 3 * target.cols * ((first + k) % target.rows);
-        // A line that runs across the seam goes on at the beginning of the row.
-        const before = 3 * Math.min(across, target.cols - left);
-        array.set(line.subarray(0, before), to + 3 * left);
-        array.set(line.subarray(before), to);
-      }
-    }
-    return { rows: [first, count], cols: [left, across] };
+    return mend(op, data.resident(op), mesh, which, row, col);
   }
 
   /** Gaussian and mean curvature at the vertices of `mesh(rows, cols)`. */
@@ -419,41 +316,6 @@ function described({ roots, count, closed, level }: DirectionData): Required<Dir
   return { roots: rootList(roots), count, closed, level };
 }
 
-/** A pair of indices within a net or a patch. */
-function place(op: string, i: unknown, j: unknown, rows: number, cols: number): readonly [number, number] {
-  return [integer(op, "i", i, 0, rows - 1), integer(op, "j", j, 0, cols - 1)];
-}
-
-function sizes(op: string, rows: unknown, cols: unknown): readonly [number, number] {
-  const grid = [integer(op, "rows", rows, 2, MAX_OUTPUT), integer(op, "cols", cols, 2, MAX_OUTPUT)] as const;
-  if (grid[0] * grid[1] > MAX_OUTPUT) throw overLimit(op, "rows", "maxOutputPoints", MAX_OUTPUT, grid[0] * grid[1]);
-  return grid;
-}
-
-/** The triangles of a mesh: whole numbers that lie two by two where the kernel has its numbers. */
-function triangles(op: string, slot: number, [rows, cols]: readonly [number, number]): Uint32Array {
-  const places = peek(call(op, (kernel) => kernel.surface_indices(slot, rows, cols)));
-  return new Uint32Array(places.buffer, places.byteOffset, result(0)).slice();
-}
-
-function isFloats(value: unknown): value is Float64Array | Float32Array {
-  return value instanceof Float32Array || isFloat64Array(value);
-}
-
-/** A mesh of ours, or one like it, that is as large as it says. */
-function asMesh(op: string, value: unknown, grid?: readonly [number, number]): SurfaceMesh {
-  const mesh = value as Partial<SurfaceMesh> | null | undefined;
-  const arg = grid === undefined ? "mesh" : "out";
-  if (typeof mesh !== "object" || mesh === null || !isFloats(mesh.positions) || !isFloats(mesh.normals)) {
-    throw wrong("E_TYPE", op, arg, value, "a mesh of this package");
-  }
-  const [rows, cols] = grid ?? sizes(op, mesh.rows, mesh.cols);
-  for (const array of [mesh.positions, mesh.normals]) {
-    if (array.length !== 3 * rows * cols) throw wrongLength(op, arg, array.length, String(3 * rows * cols));
-  }
-  return mesh as SurfaceMesh;
-}
-
 /** The two halves of what the kernel left. */
 function halves(values: Float64Array): { gaussian: Float64Array; mean: Float64Array } {
   return { gaussian: values.slice(0, values.length / 2), mean: values.slice(values.length / 2) };
@@ -501,62 +363,6 @@ function three(name: string, arg: string, value: unknown): [string, unknown][] {
   const given = numbers(op, arg, value, "maxPoints", 3);
   if (given.length !== 3) throw wrongLength(op, arg, given.length, "3");
   return Array.from(given, (number) => [arg, number]);
-}
-
-/** A net's numbers: finite, within ±1e9, as many as there should be. */
-function netOf(op: string, value: unknown, needed: number): Floats {
-  const net = isFloat64Array(value) && lengthOfArray(op, "net", value) !== needed ? value : numbers(op, "net", value, "maxSurfacePoints", 3 * MAX_NET);
-  if (net.length !== needed) throw wrongLength(op, "net", net.length, String(needed));
-  return within(op, "net", net as Floats);
-}
-
-function directionOf(op: string, arg: string, value: unknown): DirectionData {
-  if (value === undefined) throw wrong("E_TYPE", op, arg, value, "an object");
-  const { roots, count, closed, level } = checkOptions(op, value, ["roots", "count", "closed", "level"]);
-  return {
-    roots: rootNumbers(op, roots, `${arg}.roots`),
-    count: checkCount(op, `${arg}.count`, count, 0, "maxSurfacePoints", MAX_NET),
-    closed: flag(op, `${arg}.closed`, closed, true),
-    level: level === undefined ? 0 : integer(op, `${arg}.level`, level, 0, MAX_LEVEL),
-  };
-}
-
-function patchOf(op: string, value: unknown, i: number): PatchData {
-  const arg = `patches[${i}]`;
-  const { u, v, displacements } = checkOptions(op, value, ["u", "v", "displacements"], arg);
-  const windowOf = (name: string, given: unknown): PatchWindow => {
-    const { level, first, count } = checkOptions(op, given, ["level", "first", "count"], `${arg}.${name}`);
-    return {
-      level: integer(op, `${arg}.${name}.level`, level, 1, MAX_LEVEL),
-      first: integer(op, `${arg}.${name}.first`, first, 0, MAX_NET),
-      count: integer(op, `${arg}.${name}.count`, count, 1, MAX_NET),
-    };
-  };
-  const windows = { u: windowOf("u", u), v: windowOf("v", v) };
-  const given = numbers(op, `${arg}.displacements`, displacements, "maxSurfacePoints", 3 * MAX_NET);
-  const needed = 3 * windows.u.count * windows.v.count;
-  if (given.length !== needed) throw wrongLength(op, `${arg}.displacements`, given.length, String(needed));
-  given.forEach((number, k) => {
-    if (!(Math.abs(number) <= 2 * LARGEST)) throw wrong("E_NOT_FINITE", op, `${arg}.displacements`, number, "|x| <= 2e9", k);
-  });
-  return { ...windows, displacements: given };
-}
-
-/** The arrays of a surface that a caller or a file describes, checked. @internal */
-export function checkedSurface(op: string, options: unknown): SurfaceData {
-  const own = checkOptions(op, options, ["net", "u", "v", "patches"]);
-  const [u, v] = [directionOf(op, "u", own.u), directionOf(op, "v", own.v)];
-  const points = u.count * v.count;
-  if (points > MAX_NET) throw overLimit(op, "rows", "maxSurfacePoints", MAX_NET, points);
-  const net = netOf(op, own.net, 3 * points);
-  const patches = own.patches ?? [];
-  if (!Array.isArray(patches)) throw wrong("E_TYPE", op, "patches", patches, "an array");
-  if (patches.length > 4096) throw overLimit(op, "patches", "maxPatches", 4096, patches.length);
-  // Array.from looks at holes, too.
-  const list = Array.from(patches as unknown[], (patch, i) => patchOf(op, patch, i));
-  const data = new SurfaceData(net, u, v, list);
-  data.load(op);
-  return data;
 }
 
 function fileOptions(op: string, options: unknown): { rows: number; cols: number; name: string } {

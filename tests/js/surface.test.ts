@@ -252,7 +252,7 @@ const made = (rows: number, cols: number, net: unknown = grid(rows, cols), close
 /** Hostile inputs, and what each gives. */
 const REFUSED: readonly [string, () => unknown, Partial<ExplineError>][] = [
   ["SU-001 another length", () => made(4, 4, grid(4, 3)), { code: "E_LENGTH", argument: "net", bound: "48" }],
-  ["SU-005 a product that wraps to 0", () => made(65536, 65536, []), { code: "E_LIMIT", argument: "rows", limit: "maxSurfacePoints" }],
+  ["SU-005 a product that wraps to 0", () => made(65536, 65536, []), { code: "E_LIMIT", argument: "net", limit: "maxSurfacePoints" }],
   ["SU-006 NaN", () => made(4, 4, grid(4, 4).fill(NaN, 35, 36)), { code: "E_NOT_FINITE", argument: "net[35]" }],
   ["SU-011 tessellate 1e5 × 1e5", () => made(4, 4).mesh(1e5, 1e5), { code: "E_LIMIT", argument: "rows" }],
   ["SU-013 too many indices", () => made(4, 4).mesh(40000, 40000), { code: "E_LIMIT", argument: "rows" }],
