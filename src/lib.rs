@@ -46,7 +46,7 @@
 //! # Errors and limits
 //!
 //! Everything that can be wrong with a call is an [`Error`] that names the argument, the value and the limit; nothing
-//! panics. Coordinates are finite and at most 1e9 in size.
+//! panics. Coordinates are finite and at most 1e9 in size; below 1e-50 they count as 0.
 
 pub mod curve;
 pub mod error;

@@ -4,6 +4,8 @@ use crate::error::{Error, Result};
 
 /// The largest coordinate, tangent component or parameter length that is accepted: a double keeps 1e-7 units there.
 pub(crate) const LARGEST_COORDINATE: f64 = 1e9;
+/// What is smaller counts as 0: lengths and distances are compared by fourth powers, which would vanish.
+pub(crate) const LEAST_COORDINATE: f64 = 1e-50;
 /// The least parameter length of a segment: knots closer than this count as one.
 pub(crate) const LEAST_LENGTH: f64 = 1e-12;
 /// Trigonometric segments need ω·length below 2π by at least this much: the basis has a pole there.
@@ -55,6 +57,16 @@ pub(crate) fn check(
         Ok(())
     } else {
         Err(Error::unfit(argument, index, value, least, most))
+    }
+}
+
+/// Makes coordinates 0 that are too small to be computed with.
+#[inline(never)]
+pub(crate) fn settle(coordinates: &mut [f64]) {
+    for x in coordinates {
+        if x.abs() < LEAST_COORDINATE {
+            *x = 0.0;
+        }
     }
 }
 

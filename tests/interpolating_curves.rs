@@ -7,7 +7,7 @@ mod support;
 use core::f64::consts::TAU;
 
 use expline::generator::{Root, Roots};
-use expline::{BSplineCurve, Error, InterpolatingCurve};
+use expline::{BSplineCurve, Curve, Error, InterpolatingCurve};
 use support::curves::Random;
 use support::{scale, unboxed};
 
@@ -312,8 +312,9 @@ fn what_is_wrong_is_named() {
     assert!(matches!(unboxed(fine.refine(1, 3, 2)), Err(Error::Degenerate { argument: "m0", .. })));
     assert!(matches!(unboxed(fine.refine(0, 2, 2)), Err(Error::OutOfRange { argument: "levels", .. })));
     assert!(matches!(
+        // What all levels together would need: it is known before the first of them is computed.
         unboxed(fine.refine(24, 2, 2)),
-        Err(Error::LimitExceeded { limit: "maxOutputPoints", .. })
+        Err(Error::LimitExceeded { limit: "maxOutputPoints", needed, .. }) if needed >= 33_554_432.0
     ));
     assert!(matches!(unboxed(fine.refine(3, 2, 0)), Err(Error::OutOfRange { argument: "m", .. })));
     let spline = |step: f64, offset: f64| {
@@ -368,4 +369,31 @@ fn what_was_refined_comes_back_and_what_was_changed_says_by_how_much() {
         InterpolatingCurve::new(points, 2, true, None).expect("finite").refine(1, 2, 2).expect("in range");
     assert!(matches!(unboxed(fine.reduce(3)), Err(Error::Degenerate { argument: "m", .. })));
     assert!(matches!(unboxed(fine.reduce(0)), Err(Error::OutOfRange { argument: "m", .. })));
+}
+
+#[test]
+fn a_curve_of_one_point_becomes_few_cubics_whatever_its_coordinates() {
+    // Their extent is a rounding: a share of that as the tolerance once made this go on without end.
+    for value in [0.1, 1.0 / 3.0, 1e-10, 1e9 / 7.0] {
+        for (degree, closed) in [(4, false), (5, false), (5, true), (15, false)] {
+            let roots = Roots::polynomials(degree).expect("a list");
+            let curve = InterpolatingCurve::new(vec![value; 10], 2, closed, Some(roots)).expect("a curve");
+            let tolerance = (1e-9 * curve.bounds().extent()).max(f64::MIN_POSITIVE);
+            let cubics = curve.to_cubics(tolerance).expect("cubics");
+            assert!(
+                cubics.path.len() <= 8 * 2 * curve.piece_count(),
+                "{value}, {degree}: {}",
+                cubics.path.len() / 8
+            );
+            // Rounding of an interpolator grows with its order, by its Lebesgue constant.
+            let worst = cubics.path.iter().fold(0.0, |worst: f64, x| worst.max((x / value - 1.0).abs()));
+            assert!(worst <= 1e-11, "{value}, {degree}: off by {worst:e}");
+            let (points, _) = curve.flatten(tolerance).expect("a polyline");
+            assert!(
+                points.len() <= 2 * 2 * curve.piece_count(),
+                "{value}, {degree}: {} points",
+                points.len() / 2
+            );
+        }
+    }
 }

@@ -277,6 +277,41 @@ fn polylines_have_hardly_more_points_than_chords_of_equal_error_would() {
 }
 
 #[test]
+fn lengths_scale_with_the_curve_down_to_what_counts_as_nothing() {
+    // Two points in one place with opposite tangents: there and back, with cusps. Once this never came to an end below 1e-85.
+    let made = |space, omega, scale: f64| {
+        HermiteCurve::new(HermiteOptions {
+            points: vec![Point::zeros(); 2],
+            tangents: vec![Vector::new(scale, scale), Vector::new(-scale, -0.5 * scale)],
+            closed: true,
+            space: Some(space),
+            omega: vec![omega],
+            ..HermiteOptions::default()
+        })
+        .expect("a curve")
+    };
+    for (space, omega) in [
+        (Space::Trigonometric, PI),
+        (Space::Hyperbolic, 3.0),
+        (Space::Hyperbolic, 700.0),
+        (Space::Polynomial, 0.0),
+    ] {
+        let whole = made(space, omega, 1.0).length(1e-10).expect("a length");
+        for scale in [1e-20, 1e-40, 1e-49] {
+            let length = made(space, omega, scale).length(1e-10 * scale).expect("a length");
+            assert!(
+                (length - whole * scale).abs() <= 1e-9 * whole * scale,
+                "{space:?} {omega} {scale}: {length}"
+            );
+        }
+        for scale in [1e-51, 1e-100, 1e-160, 1e-308] {
+            let length = made(space, omega, scale).length(1e-10 * scale).expect("a length");
+            assert!(length == 0.0, "{space:?} {omega} {scale}: {length}");
+        }
+    }
+}
+
+#[test]
 fn bad_arguments_are_refused_with_their_names() {
     let circle = circle(1.0, 4);
     for tolerance in [0.0, -1.0] {

@@ -8,7 +8,7 @@ use super::lattice::{Shape, check_points};
 use super::spline_curve::{Generator, SplineCurve};
 use crate::error::{Error, Result};
 use crate::generator::{ExponentialBSpline, Roots};
-use crate::limits::{LARGEST_COORDINATE, LARGEST_ROOT_RE, LEAST_LENGTH, check};
+use crate::limits::{LARGEST_COORDINATE, LARGEST_ROOT_RE, LEAST_LENGTH, check, settle};
 use crate::refine::finer;
 
 /// A curve r(t) = Σ P\[l\] b((t − offset)/step − l) with the exponential B-spline b, divided by its integral, in 2-D or 3-D.
@@ -39,7 +39,7 @@ impl BSplineCurve {
     /// A dimension other than 2 and 3; fewer than 3 points of a closed curve or n₀ of an open one; a number that is not
     /// finite or not within ±1e9; a step below 1e-12; a list of roots that is not symmetric, or with |im|·step ≥ π.
     pub fn new(
-        points: Vec<f64>,
+        mut points: Vec<f64>,
         dimension: usize,
         closed: bool,
         roots: Roots,
@@ -49,6 +49,7 @@ impl BSplineCurve {
         check("step", None, step, LEAST_LENGTH, LARGEST_COORDINATE)?;
         check("offset", None, offset, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
         check_points(&points, dimension, if closed { 3 } else { roots.order() })?;
+        settle(&mut points);
         if !roots.is_symmetric() {
             return Err(Error::degenerate("roots", None, "an opposite is missing"));
         }

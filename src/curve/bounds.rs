@@ -33,6 +33,12 @@ impl Bounds {
     pub fn extent(&self) -> f64 {
         larger(larger(self.max_x - self.min_x, self.max_y - self.min_y), self.max_z - self.min_z)
     }
+
+    /// The largest coordinate, whatever its sign.
+    pub(crate) fn largest(&self) -> f64 {
+        let Self { min_x, min_y, min_z, max_x, max_y, max_z } = *self;
+        [min_x, min_y, min_z, max_x, max_y, max_z].into_iter().fold(0.0, |most, x| larger(most, x.abs()))
+    }
 }
 
 /// A box that grows.

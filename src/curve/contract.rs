@@ -188,7 +188,8 @@ pub trait Curve: Pieces {
     /// # Accuracy
     ///
     /// Both ways: no point of the curve is farther than the bound from the polyline, and no point of the polyline
-    /// farther from the curve. A tolerance below 1e-9 of the extent is raised to that; the bound says so.
+    /// farther from the curve. A tolerance below 1e-9 of the extent or 1e-15 of the largest coordinate is raised to
+    /// that; the bound says so.
     ///
     /// # Errors
     ///
@@ -211,7 +212,7 @@ pub trait Curve: Pieces {
     ///
     /// `deviation` is a proved bound of the distance both ways, everywhere: see the module `cubic_fit`. A quarter of a
     /// circle is off by 1.96e-4 of the radius and proved to be within 2.0e-4. A tolerance below 1e-9 of the extent
-    /// is raised to that; the deviation says so.
+    /// or 1e-15 of the largest coordinate is raised to that; the deviation says so.
     ///
     /// # Errors
     ///

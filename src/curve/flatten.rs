@@ -3,7 +3,7 @@
 //! A chord of parameter width h is κ·ds²/8 away from a short arc, so points that are evenly spread over
 //! ∫√(|r′ × r″|/|r′|) dy make equal errors: as few as can be. Then every chord is proved, whatever was assumed before.
 
-use super::bounds::{bounds, hull};
+use super::bounds::{Bounds, bounds, hull};
 use super::chords::mend;
 use super::cubic_chords::{Cutter, GROUP};
 use super::length::check_tolerance;
@@ -13,10 +13,12 @@ use super::pieces::{Pieces, hermite, in_space};
 use super::spatial;
 use crate::error::{Error, Result};
 use crate::numerics::Point;
-use crate::numerics::plane::{cross, norm};
+use crate::numerics::plane::{cross, larger, norm};
 
 /// Tolerances below this share of the extent are raised to it.
 pub(crate) const LEAST_TOLERANCE: f64 = 1e-9;
+/// So are those below this share of the largest coordinate.
+const LEAST_DIGITS: f64 = 1e-15;
 /// Where the density is looked at on a segment.
 const CELLS: usize = 11;
 /// A long hyperbolic segment bends within so many widths of its layers at both ends.
@@ -87,13 +89,15 @@ fn cut_any(piece: &Piece, start: Point, tolerance: f64, out: &mut Vec<[f64; 2]>)
     mend(piece, places, tolerance, out)
 }
 
-/// The tolerance, raised to 1e-9 of the extent where it is below that.
+/// The tolerance, raised to 1e-9 of the extent, and to the digits that the coordinates have, where it is below that.
 pub(super) fn least_tolerance(curve: &dyn Pieces, tolerance: f64) -> f64 {
+    // A curve of one point has the extent of a rounding: within a share of that nothing can be proved.
+    let least = |box_: Bounds| larger(LEAST_TOLERANCE * box_.extent(), LEAST_DIGITS * box_.largest());
     // The hull is quicker than the exact box, and ordinary tolerances are far above its share.
-    if tolerance >= LEAST_TOLERANCE * hull(curve).extent() {
+    if tolerance >= least(hull(curve)) {
         return tolerance;
     }
-    tolerance.max(LEAST_TOLERANCE * bounds(curve).extent()).max(f64::MIN_POSITIVE)
+    tolerance.max(least(bounds(curve))).max(f64::MIN_POSITIVE)
 }
 
 pub(crate) fn chord_count(total: f64) -> usize {

@@ -6,8 +6,8 @@ use super::Segment;
 use crate::error::{Error, Result};
 use crate::generator::{Basis, Space};
 use crate::limits::{
-    LARGEST_COORDINATE, LARGEST_FREQUENCY, LEAST_LENGTH, MOST_POINTS, POLE_MARGIN, check, filled, too_many,
-    with_room,
+    LARGEST_COORDINATE, LARGEST_FREQUENCY, LEAST_LENGTH, MOST_POINTS, POLE_MARGIN, check, filled, settle,
+    too_many, with_room,
 };
 use crate::numerics::angle::wrapped;
 use crate::numerics::{Point, Vector};
@@ -244,11 +244,11 @@ impl Inner {
     }
 
     /// Checks every number.
-    fn check(&self) -> Result<()> {
-        let data = &self.data;
-        check_vectors("points", &data.points)?;
-        check_vectors("tangents", &data.tangents)?;
-        check_vectors("tangentsIn", &data.tangents_in)?;
+    fn check(&mut self) -> Result<()> {
+        let data = &mut self.data;
+        check_vectors("points", &mut data.points)?;
+        check_vectors("tangents", &mut data.tangents)?;
+        check_vectors("tangentsIn", &mut data.tangents_in)?;
         for (i, (&w, &length)) in data.omega.iter().zip(&data.lengths).enumerate() {
             if (0.0..LEAST_LENGTH).contains(&length) {
                 let (index, reason) = (Some(i), "knots closer than 1e-12");
@@ -288,11 +288,12 @@ impl Inner {
 }
 
 #[inline(never)]
-fn check_vectors(argument: &'static str, vectors: &[Vector]) -> Result<()> {
-    for (i, v) in vectors.iter().enumerate() {
+fn check_vectors(argument: &'static str, vectors: &mut [Vector]) -> Result<()> {
+    for (i, v) in vectors.iter_mut().enumerate() {
         for (k, &value) in v.iter().enumerate() {
             check(argument, Some(2 * i + k), value, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
         }
+        settle(v.as_mut_slice());
     }
     Ok(())
 }

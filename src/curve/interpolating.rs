@@ -8,7 +8,7 @@ use super::lattice::{Shape, check_points};
 use super::spline_curve::{Generator, SplineCurve};
 use crate::error::Result;
 use crate::generator::{Interpolator, Roots};
-use crate::limits::{MOST_LEVELS, check};
+use crate::limits::{MOST_LEVELS, MOST_OUTPUT_POINTS, check, settle, too_many};
 use crate::refine::{extended, from_points};
 
 /// A curve through its points: r(t) = Σ P\[k\] φ(t − k) with the interpolator φ of a list of roots, in 2-D or 3-D.
@@ -70,12 +70,13 @@ impl InterpolatingCurve {
     ///
     /// As [`Self::new`].
     pub fn with_interpolator(
-        points: Vec<f64>,
+        mut points: Vec<f64>,
         dimension: usize,
         closed: bool,
         interpolator: Arc<Interpolator>,
     ) -> Result<Self> {
         check_points(&points, dimension, if closed { 3 } else { 2 })?;
+        settle(&mut points);
         let shape = Arc::new(Shape::of_interpolator(&interpolator));
         Self::lay(points, interpolator, shape, dimension, closed, (0.0, 1.0))
     }
@@ -101,6 +102,12 @@ impl InterpolatingCurve {
     pub fn refine(&self, levels: usize, m0: usize, m: usize) -> Result<BSplineCurve> {
         check("levels", None, levels as f64, 1.0, MOST_LEVELS as f64)?;
         let (dimension, closed) = (self.dimension(), self.is_closed());
+        // Before anything is computed: the last level alone is too large, the others are not.
+        let intervals = self.points.len() / dimension - usize::from(!closed);
+        let needed = (1..levels).fold(intervals.saturating_mul(m0), |count, _| count.saturating_mul(m));
+        if needed > MOST_OUTPUT_POINTS {
+            return Err(too_many("levels", "maxOutputPoints", MOST_OUTPUT_POINTS, needed));
+        }
         let (points, _) = self.generator.acting(&self.points, dimension, closed)?;
         let fine = from_points(&points, dimension, closed, &self.generator, m0)?;
         let mut curve =

@@ -8,7 +8,7 @@ use super::lattice::{Lattice, Shape};
 use super::spline_sampler::SplineSampler;
 use crate::error::{Error, Result};
 use crate::generator::ExponentialBSpline;
-use crate::limits::{LARGEST_COORDINATE, MOST_OUTPUT_POINTS, check, filled, too_many, with_room};
+use crate::limits::{LARGEST_COORDINATE, MOST_OUTPUT_POINTS, check, filled, settle, too_many, with_room};
 
 /// The finest grid of a patch has 2¹² cells in a segment.
 const FINEST: usize = 12;
@@ -167,6 +167,8 @@ impl LocalCurve {
         for (i, &d) in displacements.iter().enumerate() {
             check("displacements", Some(i), d, -size, size)?;
         }
+        let mut displacements = displacements.to_vec();
+        settle(&mut displacements);
         let shape = match self.patches.iter().find(|other| other.level == level) {
             Some(other) => other.lattice.shape.clone(),
             None => {
@@ -174,10 +176,10 @@ impl LocalCurve {
                 Arc::new(Shape::of_b_spline(&ExponentialBSpline::new(&roots)?))
             }
         };
-        let lattice = self.over(shape, (level, first), displacements)?;
+        let lattice = self.over(shape, (level, first), &displacements)?;
         let mut curve = self.clone();
         let at = curve.patches.partition_point(|other| other.level <= level);
-        curve.patches.insert(at, Patch { level, first, displacements: displacements.to_vec(), lattice });
+        curve.patches.insert(at, Patch { level, first, displacements, lattice });
         curve.knots = curve.cut()?;
         Ok(curve)
     }

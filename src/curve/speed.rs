@@ -19,6 +19,8 @@ pub(super) const RULES: [&Rule; 6] = [&EIGHT, &TWELVE, &SIXTEEN, &TWENTY, &TWENT
 pub(super) const ROUNDING: f64 = 1e-15;
 /// Halvings of an interval after which what is left counts as nothing.
 const MOST_HALVINGS: usize = 60;
+/// Intervals of one piece at most: two cusps take some hundred.
+const MOST_INTERVALS: usize = 8192;
 /// How many cubics choose their rules together, as vector code.
 const BLOCK: usize = 8;
 /// Ellipses are not taken larger than this half-axis: fewer than eight nodes are never used.
@@ -216,17 +218,18 @@ fn halved_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f64 {
     let mut total = 0.0;
     let mut stack = [(0.0, 0.0); MOST_HALVINGS];
     stack[0] = (lo, hi);
-    let mut open = 1;
+    let (mut open, mut seen) = (1, 0);
     // Half of the tolerance is shared by width, half is kept for the intervals that close in on cusps.
     let (density, speck) = (0.5 * tolerance / larger(hi - lo, f64::MIN_POSITIVE), tolerance / 16.0);
     while open > 0 {
         open -= 1;
+        seen += 1;
         let (lo, hi) = stack[open];
         let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
         let jet = piece.jet(middle);
         let index = rule_for(piece, &jet, lo, hi, density * (hi - lo), speck);
         match RULES.get(index as usize) {
-            None if open + 2 <= MOST_HALVINGS && middle > lo && middle < hi => {
+            None if open + 2 <= MOST_HALVINGS && seen < MOST_INTERVALS && middle > lo && middle < hi => {
                 stack[open] = (middle, hi);
                 stack[open + 1] = (lo, middle);
                 open += 2;

@@ -8,7 +8,7 @@ use super::lattice::{Lattice, Shape};
 use super::spline_sampler::SplineSampler;
 use crate::error::{Error, Result};
 use crate::generator::Roots;
-use crate::limits::{LARGEST_COORDINATE, check};
+use crate::limits::{LARGEST_COORDINATE, check, settle};
 
 /// What the points of a curve weigh: the roots of an exponential B-spline, or an interpolator.
 pub trait Generator: Clone + Debug {
@@ -156,6 +156,7 @@ pub(super) fn place(points: &mut [f64], dimension: usize, i: usize, point: &[f64
     match points.chunks_exact_mut(dimension).nth(i) {
         Some(old) => {
             old.copy_from_slice(point);
+            settle(old);
             Ok(())
         }
         None => Err(Error::out_of_range("i", None, i as f64, 0.0, count as f64 - 1.0)),
