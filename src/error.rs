@@ -176,6 +176,22 @@ impl Error {
 }
 
 impl Error {
+    /// The same error, said of the argument that the caller knows.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn about(mut self: Box<Self>, name: &'static str) -> Box<Self> {
+        match &mut *self {
+            Self::NotFinite { argument, .. }
+            | Self::OutOfRange { argument, .. }
+            | Self::WrongLength { argument, .. }
+            | Self::TooFewPoints { argument, .. }
+            | Self::Degenerate { argument, .. }
+            | Self::LimitExceeded { argument, .. } => *argument = name,
+            Self::PathSyntax { .. } | Self::OutOfMemory { .. } => {}
+        }
+        self
+    }
+
     /// The stable code of the kind of error; part of semantic versioning.
     pub fn code(&self) -> &'static str {
         match self {

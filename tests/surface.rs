@@ -265,11 +265,15 @@ fn what_is_wrong_with_a_net_is_said_before_anything_is_made() {
     let wrong = made(vec![0.0; 4 * 3 * 3], direction(4, false), direction(4, false));
     assert_eq!(wrong, Err(Error::WrongLength { argument: "net", got: 36, needed: 48 }), "another length");
     let many = made(Vec::new(), direction(65536, false), direction(65536, false));
-    assert!(matches!(many, Err(Error::LimitExceeded { argument: "rows", .. })), "{many:?}");
+    assert!(matches!(many, Err(Error::LimitExceeded { argument: "net", .. })), "{many:?}");
     let few = made(vec![0.0; 24], direction(4, false), direction(2, true));
-    assert_eq!(few, Err(Error::TooFewPoints { argument: "cols", got: 2, needed: 3 }), "two closed columns");
+    assert_eq!(
+        few,
+        Err(Error::TooFewPoints { argument: "v.count", got: 2, needed: 3 }),
+        "two closed columns"
+    );
     let short = made(vec![0.0; 36], direction(3, false), direction(4, false));
-    assert_eq!(short, Err(Error::TooFewPoints { argument: "rows", got: 3, needed: 4 }), "three open rows");
+    assert_eq!(short, Err(Error::TooFewPoints { argument: "u.count", got: 3, needed: 4 }), "three open rows");
     let mut net = vec![0.0; 48];
     net[35] = f64::NAN;
     let nan = made(net, direction(4, false), direction(4, false));

@@ -56,14 +56,15 @@ pub(super) fn surplus(roots: &Roots, level: u32) -> usize {
 }
 
 impl Axis {
-    /// Prepares a direction; `argument` is what errors about its count name.
-    pub(super) fn new(direction: Direction, argument: &'static str) -> Result<Self> {
+    /// Prepares a direction; errors name its count and its roots as the caller knows them.
+    pub(super) fn new(direction: Direction, [argument, of_roots]: [&'static str; 2]) -> Result<Self> {
         let Direction { ref roots, count, closed, level } = direction;
         check("level", None, f64::from(level), 0.0, f64::from(MOST_LEVELS))?;
         if count > MOST_SURFACE_POINTS {
             return Err(too_many(argument, "maxSurfacePoints", MOST_SURFACE_POINTS, count));
         }
-        let generator = if level == 0 { interpolating(roots)? } else { b_spline(roots, level)? };
+        let generator = if level == 0 { interpolating(roots) } else { b_spline(roots, level) };
+        let generator = generator.map_err(|error| error.about(of_roots))?;
         let surplus = surplus(roots, level);
         let least = if closed { 3 } else { surplus + 1 };
         if count < least {

@@ -5,7 +5,7 @@ use super::layer::{Layer, Window};
 use super::refine::{check_levels, doubled, grown};
 use super::tensor::TensorSurface;
 use crate::error::{Error, Result};
-use crate::limits::{LARGEST_COORDINATE, check, filled};
+use crate::limits::{LARGEST_COORDINATE, check, filled, settle};
 use crate::numerics::Vector3;
 use crate::numerics::angle::wrapped;
 
@@ -151,6 +151,7 @@ impl TensorSurface {
         let mut surface = self.with_patch(u, v, rows, columns)?;
         if let Some(layer) = surface.layers.last_mut() {
             layer.net.copy_from_slice(displacements);
+            settle(&mut layer.net);
         }
         Ok(surface)
     }

@@ -20,7 +20,7 @@ fn halved(axis: &Axis) -> Result<Axis> {
     }
     let intervals = axis.intervals / 2;
     let count = if closed { intervals } else { intervals + surplus(roots, level - 1) };
-    Axis::new(Direction { roots: roots.clone(), count, closed, level: level - 1 }, "levels")
+    Axis::new(Direction { roots: roots.clone(), count, closed, level: level - 1 }, ["levels"; 2])
 }
 
 /// The points of the level before whose refinement is nearest, for a net with `inner` numbers a point.

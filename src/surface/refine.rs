@@ -13,7 +13,7 @@ pub(super) fn doubled(axis: &Axis) -> Result<Axis> {
     let Direction { ref roots, closed, level, .. } = axis.direction;
     let intervals = 2 * axis.intervals;
     let count = if closed { intervals } else { intervals + roots.order() - 1 };
-    Axis::new(Direction { roots: roots.clone(), count, closed, level: level + 1 }, "levels")
+    Axis::new(Direction { roots: roots.clone(), count, closed, level: level + 1 }, ["levels"; 2])
 }
 
 /// The points of a net with the direction doubled that runs over `axis`: again and again, each time with `inner` numbers a point.

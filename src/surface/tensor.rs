@@ -3,7 +3,7 @@
 use super::axis::{Axis, Direction};
 use super::layer::{Layer, Scratch, Window};
 use crate::error::{Error, Result};
-use crate::limits::{LARGEST_COORDINATE, MOST_EVALUATIONS, MOST_SURFACE_POINTS, check, too_many};
+use crate::limits::{LARGEST_COORDINATE, MOST_EVALUATIONS, MOST_SURFACE_POINTS, check, settle, too_many};
 use crate::numerics::Vector3;
 
 /// The highest derivative that may be asked for in one direction.
@@ -36,21 +36,22 @@ impl TensorSurface {
     ///
     /// # Errors
     ///
-    /// `TooFewPoints` and `LimitExceeded` for `rows` and `cols`; `WrongLength`, `NotFinite`, `OutOfRange` for `net`; for
-    /// roots those of [`crate::generator::Interpolator::new`].
-    pub fn new(net: Vec<f64>, u: Direction, v: Direction) -> Result<Self> {
+    /// `TooFewPoints` for `u.count` and `v.count`; `LimitExceeded`, `WrongLength`, `NotFinite`, `OutOfRange` for `net`; for
+    /// `u.roots` and `v.roots` those of [`crate::generator::Interpolator::new`].
+    pub fn new(mut net: Vec<f64>, u: Direction, v: Direction) -> Result<Self> {
         let points = u.count.saturating_mul(v.count);
         if points > MOST_SURFACE_POINTS {
-            return Err(too_many("rows", "maxSurfacePoints", MOST_SURFACE_POINTS, points));
+            return Err(too_many("net", "maxSurfacePoints", MOST_SURFACE_POINTS, points));
         }
-        let u = Axis::new(u, "rows")?;
-        let v = if u.direction == v { u.clone() } else { Axis::new(v, "cols")? };
+        let u = Axis::new(u, ["u.count", "u.roots"])?;
+        let v = if u.direction == v { u.clone() } else { Axis::new(v, ["v.count", "v.roots"])? };
         if net.len() != 3 * points {
             return Err(Error::wrong_length("net", net.len(), 3 * points));
         }
         for (i, &number) in net.iter().enumerate() {
             check("net", Some(i), number, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
         }
+        settle(&mut net);
         Ok(Self::from_axes(net, u, v))
     }
 
@@ -130,7 +131,7 @@ impl TensorSurface {
             return Err(Error::wrong_length("v", v.len(), u.len()));
         }
         if u.len() > MOST_EVALUATIONS {
-            return Err(too_many("u", "maxEvaluations", MOST_EVALUATIONS, u.len()));
+            return Err(too_many("u", "maxEvalPoints", MOST_EVALUATIONS, u.len()));
         }
         for (i, (&u, &v)) in u.iter().zip(v).enumerate() {
             self.base().u.check("u", Some(i), u)?;

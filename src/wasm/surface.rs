@@ -42,8 +42,8 @@ fn read(numbers: &[f64]) -> Result<TensorSurface> {
     };
     let header = take(HEADER);
     let number = |i: usize| header.get(i).map_or(0, |n| *n as usize);
-    let mut direction = |at: usize| {
-        let roots = roots_of(take(2 * number(at + 3)))?;
+    let mut direction = |at: usize, name: &'static str| {
+        let roots = roots_of(take(2 * number(at + 3))).map_err(|error| error.about(name))?;
         Ok::<_, Box<Error>>(Direction {
             roots,
             count: number(at),
@@ -51,7 +51,7 @@ fn read(numbers: &[f64]) -> Result<TensorSurface> {
             level: number(at + 2) as u32,
         })
     };
-    let (u, v) = (direction(0)?, direction(4)?);
+    let (u, v) = (direction(0, "u.roots")?, direction(4, "v.roots")?);
     let net = take(u.count.saturating_mul(v.count).saturating_mul(3));
     let mut surface = TensorSurface::new(net.to_vec(), u, v)?;
     for _ in 0..number(8) {
