@@ -1,7 +1,7 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 /** Sparse curves through noisy points: all at once, in short tasks, or again and again for a slider. */
 import { ExplineError, type PointsLike, wrong } from "./core.js";
-import { Resident, initFit } from "./fit-engine.js";
+import { type Question, Resident, initFit } from "./fit-engine.js";
 import { type FitProgress, type FitWatch, type Order, type SparseFitOptions, type SparseFitStrength, change, checkNames, knowsNoise, order, withNoise } from "./fit-options.js";
 import { type SparseFit, readFit } from "./fit-result.js";
 import { checkSignal, inOneGo, inTasks } from "./yielding.js";
@@ -186,15 +186,15 @@ export class SparseFitter {
     this.#state = { held: { resident: new Resident(op, job.input), job, busy: false } };
   }
 
-  /** The fit for another strength; without one, for that of the constructor. */
+  /** The fit for another strength; without one, for that of the constructor. So with `signal` and `onProgress`. */
   solve(strength?: SparseFitStrength & { onProgress?: ((progress: FitProgress) => void) | undefined }): SparseFit {
     const op = "solve";
     const held = take(this, op);
-    const { question = held.job.question, ...watch } = change(op, strength, held.job.degrees.length);
+    const { question, watch } = asked(op, held.job, strength);
     held.busy = true;
     try {
       held.resident.ask(op, question);
-      return run(op, held.resident, watch.onProgress === undefined ? held.job : watch, held.job.deadline);
+      return run(op, held.resident, watch, held.job.deadline);
     } finally {
       held.busy = false;
     }
@@ -206,8 +206,7 @@ export class SparseFitter {
   ): Promise<SparseFit> {
     const op = "solveAsync";
     const held = take(this, op);
-    const { question = held.job.question, ...watch } = change(op, strength, held.job.degrees.length);
-    checkSignal(op, watch.signal);
+    const { question, watch } = asked(op, held.job, strength);
     held.busy = true;
     try {
       held.resident.ask(op, question);
@@ -229,6 +228,13 @@ export class SparseFitter {
   [Symbol.dispose](): void {
     this.dispose();
   }
+}
+
+/** What a solve is asked for, and who watches it: who the fitter was made for, unless the call names others. */
+function asked(op: string, job: Order, strength: unknown): { question: Question; watch: FitWatch } {
+  const { question = job.question, signal = job.signal, onProgress = job.onProgress } = change(op, strength, job.degrees.length);
+  checkSignal(op, signal);
+  return { question, watch: { signal, onProgress } };
 }
 
 /** What a fitter works with, while it has it and nothing else does. */

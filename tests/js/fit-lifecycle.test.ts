@@ -126,6 +126,27 @@ test("LC-007, LC-009: a fitter is busy for its own callback, and usable afterwar
   assert.ok(fitter.solve().knots.length > 0);
 });
 
+test("a fitter tells and obeys those it was made for, unless a solve names others", async () => {
+  let own = 0;
+  let other = 0;
+  using fitter = new SparseFitter(POINTS, { ...OPTIONS, onProgress: () => (own += 1) });
+  fitter.solve();
+  const afterOne = own;
+  await fitter.solveAsync({ smoothing: 0.5 });
+  const afterTwo = own;
+  assert.ok(0 < afterOne && afterOne < afterTwo, "both kinds of solve tell");
+  fitter.solve({ onProgress: () => (other += 1) });
+  await fitter.solveAsync({ onProgress: () => (other += 1) });
+  assert.ok(own === afterTwo && other > 1, "only those who are named");
+
+  const stop = new AbortController();
+  using stopped = new SparseFitter(POINTS, { ...OPTIONS, signal: stop.signal });
+  stop.abort("enough");
+  assert.throws(() => stopped.solve(), { code: "E_CANCELLED", cause: "enough" });
+  await assert.rejects(stopped.solveAsync(), { code: "E_CANCELLED", cause: "enough" });
+  assert.ok((await stopped.solveAsync({ signal: new AbortController().signal })).knots.length > 0, "a signal of its own");
+});
+
 test("a fitter that was disposed of says so, twice if need be", async () => {
   const fitter = new SparseFitter(POINTS, OPTIONS);
   fitter.dispose();
