@@ -1,7 +1,7 @@
 /** The wasm of tracing: started when something is traced for the first time, replaced when it dies. */
 import type { InitOutput } from "../build/bindings/expline_trace.js";
 import { wasmAddress, wasmBytes } from "../build/bindings/trace-bytes.js";
-import { type Engine, type InitOptions, type InitSyncOptions, begin, beginSync, callOf, instanceOf, peekOf, resultOf, writeBytesTo, writeTo } from "./core.js";
+import { type Engine, type InitOptions, type InitSyncOptions, begin, beginSync, callOf, instanceOf, lengthOfArray, peekOf, resultOf, writeBytesTo, writeTo, wrongLength } from "./core.js";
 import { type Kind, OpenWork } from "./open-work.js";
 
 /** The functions of the wasm that the package calls. @internal */
@@ -95,6 +95,9 @@ export class Picture {
     const bytes = width * channels;
     const block = Math.max(1, Math.floor(BLOCK / bytes));
     const end = performance.now() + budget / 1000;
+    // It was all there at first, but it is not ours: its buffer may have been transferred or resized since.
+    const length = lengthOfArray(op, "data", data);
+    if (length < height * bytes) throw wrongLength(op, "data", length, `${height * bytes}, as at first`);
     do {
       const next = Math.min(this.#rows + block, height);
       const count = writeBytesTo(traces, op, data.subarray(this.#rows * bytes, next * bytes));

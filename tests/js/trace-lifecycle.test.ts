@@ -160,6 +160,25 @@ test("an abort ends the trace at its next step, and what a callback throws reach
   assert.equal(traceImage(RING).contours.length, 2);
 });
 
+test("TR-027: bytes that are taken away while they are read are missed with a name", async () => {
+  type Resizable = ArrayBuffer & { resize(bytes: number): void };
+  const transfer = (buffer: Resizable): void => void structuredClone(buffer, { transfer: [buffer] });
+  const shrink = (buffer: Resizable): void => buffer.resize(100);
+  for (const take of [transfer, shrink]) {
+    const buffer = Reflect.construct(ArrayBuffer, [96 * 96, { maxByteLength: 96 * 96 }]) as Resizable;
+    const data = new Uint8Array(buffer);
+    // Nothing is read before the next turn: the engine may have to be compiled.
+    const work = traceImageAsync({ data, width: 96, height: 96 });
+    take(buffer);
+    await assert.rejects(work, (error: ExplineError) => {
+      assert.ok(error instanceof ExplineError && !error.fatal, String(error));
+      assert.ok(error.arg === "data" && (error.code === "E_DETACHED" || error.code === "E_LENGTH"), error.message);
+      return true;
+    });
+  }
+  assert.equal(traceImage(RING).contours.length, 2);
+});
+
 test("traces side by side do not know of one another", async () => {
   const pictures = [RING, discs(100, 9), discs(80, 4)];
   const alone = pictures.map((picture) => bits(traceImage(picture)));
