@@ -8,6 +8,8 @@ import { launch } from "./browser.mjs";
 import { StepError, at, children, endGroup, environment, root, run, sideBySide } from "./steps.mjs";
 
 const TARGET = "wasm32-unknown-unknown";
+/** The bindings that `tests/wasm.rs` calls. */
+const BINDINGS = ["--features", "wasm,wasm-spline"];
 const RUNNER = ["test-runner"];
 /** A page that has said nothing for so long has died. */
 const PATIENCE = 300_000;
@@ -47,7 +49,7 @@ export function testNative() {
 
 /** Compiles the promise tests for wasm: name and file of each, without those that say they are for another host. */
 async function wasmTests(inBrowser) {
-  const parameters = ["test", "--locked", "-p", "expline", "--target", TARGET, "--tests", "--no-run", "--message-format=json"];
+  const parameters = ["test", "--locked", "-p", "expline", "--target", TARGET, ...BINDINGS, "--tests", "--no-run", "--message-format=json"];
   const tests = [];
   for (const line of (await run("cargo", parameters)).split("\n")) {
     if (!line.startsWith("{")) continue;

@@ -58,7 +58,7 @@ async function rust() {
   await check("clippy, host", cargo("clippy", "--locked", "-p", "expline", "--all-targets", "--", "-D", "warnings"));
   // clippy knows #[test] and asks it for no messages, but does not know wasm_bindgen_test.
   const lenient = ["-D", "warnings", "-A", "clippy::missing_assert_message"];
-  await check("clippy, wasm", cargo("clippy", "--locked", "-p", "expline", "--features", "wasm-fit,wasm-spline,wasm-surface,wasm-trace", ...TARGET, "--lib", "--tests", "--", ...lenient));
+  await check("clippy, wasm", cargo("clippy", "--locked", "-p", "expline", "--features", "wasm,wasm-fit,wasm-spline,wasm-surface,wasm-trace", ...TARGET, "--lib", "--tests", "--", ...lenient));
   await check("rustdoc", () =>
     run("cargo", ["doc", "--locked", "-p", "expline", "--no-deps"], { env: { RUSTDOCFLAGS: "-D warnings" } }).then(() => undefined),
   );
