@@ -224,11 +224,17 @@ export function within(op: string, arg: string, array: Coordinates): Coordinates
   return array;
 }
 
+/** So many numbers, finite or not. */
+export function exactly(op: string, arg: string, value: unknown, needed: number): Coordinates {
+  const given = numbers(op, arg, value, "maxPoints", MAX_POINTS);
+  if (given.length !== needed) throw wrongLength(op, arg, given.length, String(needed));
+  return given;
+}
+
 /** Two coordinates. */
 export function twoNumbers(op: string, arg: string, value: unknown): [number, number] {
-  const given = points(op, arg, value, 1);
-  if (given.length !== 2) throw wrongLength(op, arg, given.length, "2");
-  return [given[0] ?? 0, given[1] ?? 0];
+  const [x = 0, y = 0] = within(op, arg, exactly(op, arg, value, 2));
+  return [x, y];
 }
 
 /** Refuses a result array that is too small, has gone, or overlaps an input. */

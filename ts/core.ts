@@ -24,6 +24,7 @@ export {
   MAX_OUTPUT,
   coordinate,
   count,
+  exactly,
   finite,
   flag,
   integer,

@@ -187,8 +187,9 @@ export function degenerate(op: string, arg: string, why: string, index?: number,
   });
 }
 
-/** Fewer points than the operation needs. */
+/** Fewer points, or roots, than the operation needs. */
 export function tooFewPoints(op: string, arg: string, actual: number, least: number): ExplineError {
-  const what = `${arg} has ${actual} ${actual === 1 ? "point" : "points"}; expected at least ${least}`;
+  const things = arg === "points" ? `${actual} ${actual === 1 ? "point" : "points"}` : String(actual);
+  const what = `${arg} ${arg.endsWith("count") ? "is" : "has"} ${things}; expected at least ${least}`;
   return new ExplineError("E_TOO_FEW_POINTS", op, what, { ...place(arg, undefined), actual, bound: `>= ${least}` });
 }

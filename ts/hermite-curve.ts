@@ -5,6 +5,7 @@ import {
   type PointsLike,
   coordinate,
   count as checkCount,
+  exactly,
   finite,
   flag,
   integer,
@@ -263,8 +264,7 @@ export class HermiteCurve extends MeasuredCurve {
   transform(matrix: readonly [number, number, number, number, number, number] | Float64Array): HermiteCurve {
     const op = "transform";
     const data = dataOf(this, op);
-    const given = numbers(op, "matrix", matrix, "maxPoints", MAX_POINTS);
-    if (given.length !== 6) throw wrongLength(op, "matrix", given.length, "6");
+    const given = exactly(op, "matrix", matrix, 6);
     given.forEach((number, i) => finite(op, "matrix", number, i));
     const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = given;
     const slot = data.resident(op);

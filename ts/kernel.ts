@@ -187,10 +187,14 @@ function failure<K extends AnyKernel>(from: Engine<K>, instance: Instance<K>, op
   }
 }
 
+/** The least number above 0 that the engine asks for. */
+const LEAST = 2 ** -1022;
+
 function range(least: number, most: number): string {
   if (least === -most) return `a finite number with |x| <= ${power(most)}`;
   if (least === -Infinity) return `a number <= ${power(most)}`;
-  if (most === Infinity) return `a number >= ${power(least)}`;
+  if (most >= Number.MAX_VALUE) return least === LEAST ? "a number > 0" : `a number >= ${power(least)}`;
+  if (least === LEAST) return `a number in (0, ${power(most)}]`;
   return `a number in [${power(least)}, ${power(most)}]`;
 }
 

@@ -60,6 +60,7 @@ function cloud(op: string, points: unknown, options: unknown): readonly [number,
   const own = checkOptions(op, options, ["degree", "knots", "neighbours"]);
   const degree = integer(op, "degree", own.degree, 1, 9);
   const knots = numbers(op, "knots", own.knots, "maxKnots", MAX_KNOTS);
+  knots.forEach((knot, i) => finite(op, "knots", knot, i));
   const neighbours = integer(op, "neighbours", own.neighbours, 1, MAX_POINTS);
   write(op, given, knots);
   return [given.length / 2, knots.length, degree, neighbours];
@@ -128,9 +129,7 @@ function readProfile(output: Float64Array): ProfileFit {
 
 function residual(op: string, residuals: unknown, which: 0 | 1): number {
   const given = numbers(op, "residuals", residuals, "maxPoints", MAX_POINTS);
-  given.forEach((value, i) => {
-    if (!Number.isFinite(value)) throw wrong("E_NOT_FINITE", op, "residuals", value, "a finite number", i);
-  });
+  given.forEach((value, i) => finite(op, "residuals", value, i));
   write(op, given);
   call(op, (kernel) => kernel.residuals(given.length));
   return result(which);

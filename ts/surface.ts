@@ -3,6 +3,7 @@ import {
   type Floats,
   MAX_EVALUATIONS,
   coordinate,
+  exactly,
   finite,
   integer,
   numbers,
@@ -331,7 +332,9 @@ function pairwise(
 ): Floats {
   const data = dataOf(surface, op);
   const list = (arg: string, value: unknown): Floats => {
-    return typeof value === "number" ? Float64Array.of(value) : numbers(op, arg, value, "maxEvalPoints", MAX_EVALUATIONS);
+    const given = typeof value === "number" ? Float64Array.of(value) : numbers(op, arg, value, "maxEvalPoints", MAX_EVALUATIONS);
+    given.forEach((number, i) => finite(op, arg, number, i));
+    return given;
   };
   const [first, second] = [list("u", u), list("v", v)];
   if (second.length !== first.length) throw wrongLength(op, "v", second.length, String(first.length));
@@ -351,8 +354,7 @@ function shape(
   const [a = 0, b = 0, c = 0] = lengths.map(([arg, value]) => finite(op, arg, value));
   let [m, n] = byDefault;
   if (segments !== undefined) {
-    const given = numbers(op, "segments", segments, "maxPoints", 2);
-    if (given.length !== 2) throw wrongLength(op, "segments", given.length, "2");
+    const given = exactly(op, "segments", segments, 2);
     [m, n] = [integer(op, "segments", given[0], 0, 0xffff), integer(op, "segments", given[1], 0, 0xffff)];
   }
   return derived(call(op, (kernel) => kernel.surface_shape(which, a, b, c, m, n), a));
@@ -360,9 +362,7 @@ function shape(
 
 function three(name: string, arg: string, value: unknown): [string, unknown][] {
   const op = `${NAME}.${name}`;
-  const given = numbers(op, arg, value, "maxPoints", 3);
-  if (given.length !== 3) throw wrongLength(op, arg, given.length, "3");
-  return Array.from(given, (number) => [arg, number]);
+  return Array.from(exactly(op, arg, value, 3), (number) => [arg, number]);
 }
 
 function fileOptions(op: string, options: unknown): { rows: number; cols: number; name: string } {

@@ -326,6 +326,14 @@ const more: Case[] = [
   { id: "EV-119", what: "a map that throws points beyond the bound", run: () => open().transform([1e10, 0, 0, 1, 0, 0]), refuses: { code: "E_RANGE" } },
   { id: "EV-120", what: "sampling no points", run: () => open().sample(0), refuses: { code: "E_RANGE", arg: "count" } },
   { id: "EV-121", what: "sampling five million points", run: () => open().sample(5e6), refuses: { code: "E_LIMIT", arg: "count", limit: "maxOutputPoints" } },
+  { id: "EV-122", what: "a centre of three numbers", run: () => HermiteCurve.ellipse({ center: hostile([0, 0, 0]), radii: [1, 1], count: 4 }), refuses: { code: "E_LENGTH", arg: "center", bound: "2" } },
+  { id: "EV-123", what: "a negative radius", run: () => HermiteCurve.ellipse({ center: [0, 0], radii: [1, -1], count: 4 }), refuses: { code: "E_RANGE", arg: "radii", bound: "(0, 1e9]" } },
+  {
+    id: "EV-124",
+    what: "points of no more than 1e-160, which once kept the length from ending",
+    run: () => new HermiteCurve({ points: [0, 0, 0, 0], tangents: [1e-160, 1e-160, -1e-160, -1e-160] }).length(),
+    gives: (length: number) => assert.ok(length >= 0 && length <= 1e-139),
+  },
 ];
 
 testCases("curves", [...evaluation, ...refinement, ...cubics, ...more]);
