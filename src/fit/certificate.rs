@@ -15,6 +15,7 @@ use crate::error::{Error, Result};
 use crate::limits;
 use crate::numerics::Vector;
 use crate::numerics::enclosing_circle::enclosing_circle;
+use crate::numerics::order::sort_numbers;
 use crate::numerics::twofold::Twofold;
 
 /// What was proved.
@@ -270,7 +271,7 @@ impl Curve {
         let knots = &solution.components[index].knots;
         let mut places = component.grid.clone();
         places.extend_from_slice(knots);
-        places.sort_by(f64::total_cmp);
+        sort_numbers(&mut places);
         places.dedup();
         let (values, longest) = dual_values(problem, component.degree, component.lambda, v, &places);
         let at = |knot: &f64| values[places.partition_point(|place| place < knot)];

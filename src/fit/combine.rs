@@ -3,6 +3,7 @@
 use super::breaks::{Breaks, HIGHEST, Polynomial, Space};
 use super::foot_points::Spline;
 use crate::numerics::Vector;
+use crate::numerics::order::sort_by_number;
 
 /// One spline of a sum: simple knots, and the coefficients of its B-splines counted as [`super::KnotSpace`] counts.
 #[derive(Clone, Debug, Default)]
@@ -46,7 +47,7 @@ pub(super) fn combined(parts: &[Spline]) -> Option<Spline> {
         let breaks = &part.space.breaks;
         marks.extend(breaks.at.iter().zip(&breaks.multiplicity).map(|(&t, &m)| (t, m + raise)));
     }
-    marks.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by_number(&mut marks, &|mark| mark.0);
     let mut breaks = Breaks::even(highest, closed, end, 0);
     for (t, m) in marks {
         match breaks.at.last() {

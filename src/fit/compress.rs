@@ -9,6 +9,8 @@ use super::scaled::Scaled;
 use crate::error::Result;
 use crate::limits;
 use crate::numerics::Vector;
+use crate::numerics::angle::sin_cos;
+use crate::numerics::order::sort_numbers;
 use crate::numerics::roots::bracketed_root;
 
 /// Orthonormal polynomials of the samples of one cell by their three-term recurrence.
@@ -76,7 +78,7 @@ impl Recurrence {
         let mut before = -1.0;
         for (i, node) in nodes.iter_mut().enumerate().take(self.degree + 1) {
             let angle = core::f64::consts::PI * (i as f64 + 0.75) / (self.degree as f64 + 1.5);
-            let mut x = -libm::cos(angle);
+            let mut x = -sin_cos(angle).1;
             let mut settled = false;
             for _ in 0..8 {
                 let (_, value, slope) = self.at(x);
@@ -131,7 +133,7 @@ pub(crate) fn compress(data: &mut Scaled) -> Result<()> {
     bounds.extend(data.components.iter().flat_map(|c| c.grid.iter().copied()));
     bounds.push(0.0);
     bounds.push(data.length);
-    bounds.sort_unstable_by(f64::total_cmp);
+    sort_numbers(&mut bounds);
     bounds.dedup();
     let mut few = [Vec::new(), Vec::new(), Vec::new(), Vec::new()];
     let (mut xs, mut values, mut from) = (Vec::new(), Vec::new(), 0);

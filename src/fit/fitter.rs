@@ -17,6 +17,7 @@ use super::sparsest::{Aim, Plan, Sparsest};
 use crate::error::{Error, Result};
 use crate::limits::{LARGEST_COORDINATE, LARGEST_LAMBDA, check};
 use crate::numerics::Point;
+use crate::numerics::order::{sort_by_number, sort_numbers};
 
 /// More points than this are not fitted a second time with knots that all count twice.
 const MOST_TWICE: usize = 2000;
@@ -96,7 +97,7 @@ pub fn fit_all(contours: &[Vec<Point>], ask: &Ask, options: &Options) -> Result<
         for points in contours {
             levels.push(Fitter::new(points, &options)?.noise());
         }
-        levels.sort_by(f64::total_cmp);
+        sort_numbers(&mut levels);
         options.noise = levels.get(levels.len() / 2).copied();
     }
     contours.iter().map(|points| fit(points, ask.clone(), &options)).collect()
@@ -409,7 +410,7 @@ impl Fitter {
                 match rivals.iter_mut().find(|search| !search.is_thinned()) {
                     Some(search) => search.step(),
                     None => {
-                        rivals.sort_by(|a, b| a.cost().total_cmp(&b.cost()));
+                        sort_by_number(rivals, &|rival| rival.cost());
                         rivals.truncate(1);
                         rivals.append(others);
                         self.run = Run::Search(core::mem::take(rivals));

@@ -3,6 +3,7 @@
 use super::breaks::{HIGHEST, Polynomial, Space, derivative};
 use super::envelope::{Envelope, dot};
 use super::free_knots::{FreeKnots, Located};
+use crate::numerics::order::sort_by_number;
 use crate::numerics::{Point, Vector};
 
 /// How much less a distance along the curve counts than one across it.
@@ -116,7 +117,7 @@ impl Spline {
     pub(super) fn strays(&self, data: &Located, slack: f64) -> Option<usize> {
         let count = data.points.len();
         let mut order: Vec<usize> = (0..count).collect();
-        order.sort_by(|&a, &b| data.parameters[a].total_cmp(&data.parameters[b]));
+        sort_by_number(&mut order, &|&i| data.parameters[i]);
         let closed = self.space.breaks.closed;
         let neighbour = |i: usize, k: usize| {
             let j = i + k;

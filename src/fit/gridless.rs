@@ -9,6 +9,7 @@ use super::solution::Solution;
 use super::solver::{Settings, Solver};
 use crate::error::Result;
 use crate::numerics::Vector;
+use crate::numerics::order::sort_numbers;
 
 /// Places per step of the parameter at which the dual curve is looked at, before it is looked at closely.
 const PLACES: usize = 8;
@@ -149,7 +150,7 @@ fn longest_between(problem: &Problem, degree: usize, lambda: f64, v: &[Vector]) 
         close.extend((0..16).map(|k| places[i] + step * (k as f64 - 8.0) / 16.0));
     }
     close.retain(|t| (problem.start..problem.end).contains(t));
-    close.sort_by(f64::total_cmp);
+    sort_numbers(&mut close);
     close.dedup();
     let (fine, _) = dual_values(problem, degree, lambda, v, &close);
     let sharpest = coarse.iter().zip(&values).fold(0.0_f64, |most, (b, v)| most.max(b - v.norm())) / 256.0;
@@ -185,7 +186,7 @@ fn dual_at(problem: &Problem, v: &[Vector], knots: &[f64]) -> Vec<[Vector; 3]> {
     };
     let mut places: Vec<f64> = knots.iter().flat_map(|&t| [inside(t - STEP), t, inside(t + STEP)]).collect();
     let wanted = places.clone();
-    places.sort_by(f64::total_cmp);
+    sort_numbers(&mut places);
     places.dedup();
     let (values, _) = dual_values(problem, component.degree, component.lambda, v, &places);
     let at = |t: f64| values[places.partition_point(|&place| place < t).min(values.len() - 1)];
@@ -241,7 +242,7 @@ fn slide(problem: &Problem, solution: &Solution, damping: &mut f64) -> Result<Op
                 *t -= period;
             }
         }
-        moved.sort_by(f64::total_cmp);
+        sort_numbers(&mut moved);
         if let Some(slid) = on_knots(problem, &moved)?
             && slid.objective < solution.objective
         {

@@ -1,6 +1,7 @@
 //! How noisy points are, found from the points alone.
 
 use super::samples::Samples;
+use crate::numerics::order::{nth, sort_numbers};
 use crate::numerics::{Point, Vector};
 
 /// The fourth difference: what it leaves of a cubic is nothing, of white noise √70 times its size.
@@ -27,8 +28,8 @@ pub fn is_regular(samples: &Samples) -> bool {
     let points = &samples.points;
     let mut steps: Vec<f64> = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
     let middle = steps.len() / 2;
-    let (_, median, _) = steps.select_nth_unstable_by(middle, f64::total_cmp);
-    points.len() >= 9 && along <= 1.3 * across + 0.02 * *median
+    let median = nth(&mut steps, middle);
+    points.len() >= 9 && along <= 1.3 * across + 0.02 * median
 }
 
 /// Standard deviations across and along the curve.
@@ -43,9 +44,9 @@ fn levels(samples: &Samples) -> [f64; 2] {
     [0, 1].map(|part| {
         let mut sizes: Vec<f64> = sizes.iter().map(|size| size[part]).collect();
         let middle = sizes.len() / 2;
-        let (_, median, _) = sizes.select_nth_unstable_by(middle, f64::total_cmp);
+        let median = nth(&mut sizes, middle);
         // The median of |N(0, 1)| is 0.6745, and 70 is the sum of the squared weights.
-        *median / (0.674_489_750_196_081_7 * 70.0_f64.sqrt())
+        median / (0.674_489_750_196_081_7 * 70.0_f64.sqrt())
     })
 }
 
@@ -91,13 +92,13 @@ pub(super) fn sober_weights(samples: &Samples, noise: f64) -> Vec<f64> {
         let middle = |pick: &dyn Fn(Point) -> f64| {
             let mut values: Vec<f64> =
                 (0..=2 * AROUND).filter(|k| *k != AROUND).map(|k| pick(near(k))).collect();
-            values.sort_by(f64::total_cmp);
+            sort_numbers(&mut values);
             0.5 * (values[AROUND - 1] + values[AROUND])
         };
         let center = Point::new(middle(&|p| p.x), middle(&|p| p.y));
         let mut apart: Vec<f64> =
             (0..=2 * AROUND).filter(|k| *k != AROUND).map(|k| (near(k) - center).norm()).collect();
-        apart.sort_by(f64::total_cmp);
+        sort_numbers(&mut apart);
         // The sixth of eight: up to two of the neighbours may be outliers themselves.
         if (points[m] - center).norm() > 6.0 * noise + 1.5 * apart[AROUND + 1] { LITTLE } else { 1.0 }
     };

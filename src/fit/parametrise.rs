@@ -3,6 +3,7 @@
 use super::samples::Samples;
 use crate::error::{Error, Result};
 use crate::numerics::Point;
+use crate::numerics::order::nth;
 
 /// How parameters are given to points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -87,9 +88,9 @@ fn window(samples: &Samples, noise: f64) -> usize {
     let points = &samples.points;
     let mut steps: Vec<f64> = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
     let middle = steps.len() / 2;
-    let (_, median, _) = steps.select_nth_unstable_by(middle, f64::total_cmp);
+    let median = nth(&mut steps, middle);
     // Noise makes steps longer; what is left without it is a guess for the spacing.
-    let clean = (*median * *median - 2.0 * noise * noise).max(0.04 * *median * *median).sqrt();
+    let clean = (median * median - 2.0 * noise * noise).max(0.04 * median * median).sqrt();
     let wanted = 5.0 * noise / clean.max(1e-300);
     (wanted as usize).min(points.len() / 20).min(40)
 }

@@ -6,6 +6,7 @@ use super::solver::{Iterate, Pair, Solver, lanes, seen};
 use crate::error::Result;
 use crate::limits;
 use crate::numerics::Vector;
+use crate::numerics::order::nth;
 
 impl Solver {
     /// Puts the places where the dual curve is longest into play.
@@ -109,7 +110,7 @@ pub(crate) fn median(mut values: Vec<f64>) -> f64 {
         return 0.0;
     }
     let middle = values.len() / 2;
-    *values.select_nth_unstable_by(middle, f64::total_cmp).1
+    nth(&mut values, middle)
 }
 
 /// The same functions on more knots.

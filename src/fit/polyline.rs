@@ -4,6 +4,7 @@ use super::breaks::Breaks;
 use super::foot_points::Spline;
 use super::free_knots::{FreeKnots, Located};
 use crate::numerics::Point;
+use crate::numerics::order::sort_in_place;
 
 /// Numbers of the points that a polyline goes through so that no point is farther from it than `tolerance`: Ramer's and
 /// Douglas and Peucker's way, without recursion. O(M log M) on drawings, O(M²) at worst for `most` vertices; `None`
@@ -44,7 +45,7 @@ pub(super) fn vertices(points: &[Point], closed: bool, tolerance: f64, most: usi
             }
         }
     }
-    kept.sort_unstable();
+    sort_in_place(&mut kept);
     kept.dedup();
     Some(kept)
 }

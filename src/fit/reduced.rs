@@ -8,6 +8,7 @@ use crate::error::Result;
 use crate::limits;
 use crate::numerics::Vector;
 use crate::numerics::banded::Bordered;
+use crate::numerics::order::{sort_by_number, sort_numbers};
 
 /// The jump of the highest derivative at one knot: weights of its coefficients, and where these stand.
 #[derive(Clone, Debug)]
@@ -389,7 +390,7 @@ fn order_unknowns(parts: &mut [Part]) -> usize {
             centres.push((centre, p, j));
         }
     }
-    centres.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by_number(&mut centres, &|centre| centre.0);
     for part in parts.iter_mut() {
         part.order.clear();
         part.order.resize(part.space.dimension(), 0);
@@ -406,7 +407,7 @@ fn elements(data: &Scaled, parts: &[Part]) -> (Vec<Element>, Vec<(usize, Local)>
     for part in parts {
         breaks.extend((0..part.space.knot_count()).map(|k| part.space.knot(k)));
     }
-    breaks.sort_unstable_by(f64::total_cmp);
+    sort_numbers(&mut breaks);
     breaks.dedup();
     let mut elements = Vec::with_capacity(breaks.len());
     let mut locals = Vec::with_capacity(breaks.len() * parts.len());

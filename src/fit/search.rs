@@ -3,6 +3,7 @@
 
 use super::breaks::Breaks;
 use super::free_knots::{FreeKnots, Located, Removal, in_order};
+use crate::numerics::order::{sort_by_number, sort_in_place};
 
 /// What one number of the curve costs in the sum of squares: a knot has its place and two numbers per multiplicity.
 #[derive(Clone, Copy, Debug)]
@@ -51,7 +52,7 @@ pub(super) fn thinner(fitted: &FreeKnots, data: &Located, price: Price) -> Optio
     let removals = fitted.removals();
     let mut order: Vec<usize> =
         (0..breaks.len()).filter(|&k| removals[k].whole < price.of(breaks.multiplicity[k])).collect();
-    order.sort_by(|&a, &b| removals[a].whole.total_cmp(&removals[b].whole));
+    sort_by_number(&mut order, &|&k| removals[k].whole);
     let most = (breaks.len() / 3).max(1).min(breaks.len().saturating_sub(least(breaks)));
     let doomed = apart(&order, breaks.len(), most);
     if doomed.is_empty() {
@@ -74,7 +75,7 @@ fn apart(order: &[usize], count: usize, most: usize) -> Vec<usize> {
             chosen.push(k);
         }
     }
-    chosen.sort_unstable();
+    sort_in_place(&mut chosen);
     chosen
 }
 
@@ -177,7 +178,7 @@ fn sure(fitted: &FreeKnots, removals: &[Removal], price: Price) -> Vec<Change> {
             changes.push(best);
         }
     }
-    changes.sort_by(|a, b| a.effect.total_cmp(&b.effect));
+    sort_by_number(&mut changes, &|change| change.effect);
     changes
 }
 
@@ -208,7 +209,7 @@ pub(super) fn hopes(breaks: &Breaks, removals: &[Removal], price: Price, most: u
             found.push((closeness, one));
         }
     }
-    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by_number(&mut found, &|one| one.0);
     found.truncate(most);
     found.into_iter().map(|(_, breaks)| breaks).collect()
 }
@@ -225,7 +226,7 @@ fn corners(fitted: &FreeKnots, price: Price) -> Vec<Breaks> {
             found.push((gain / cost, k));
         }
     }
-    found.sort_by(|a, b| b.0.total_cmp(&a.0));
+    sort_by_number(&mut found, &|one| -one.0);
     found.truncate(3);
     let corner = |(_, k): (f64, usize)| {
         let mut corner = breaks.clone();
@@ -252,7 +253,7 @@ fn clusters(breaks: &Breaks, points: usize) -> Vec<Breaks> {
             }
         }
     }
-    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by_number(&mut found, &|one| one.0);
     found.truncate(MOST_CLUSTERS);
     let corner = |(_, k, last): (f64, usize, usize)| {
         let mut one = breaks.clone();

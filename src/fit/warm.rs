@@ -8,6 +8,7 @@ use super::solver::{Iterate, Pair, Solver, lanes, seen};
 use crate::error::{Error, Result};
 use crate::limits;
 use crate::numerics::Vector;
+use crate::numerics::order::sort_in_place;
 
 /// An iterate on the way, far enough from the boundary to start from again.
 #[derive(Clone, Debug)]
@@ -150,7 +151,7 @@ impl Solver {
         if set.len() < 2 * least {
             set.extend((0..least.min(places)).map(|k| k * places / least.min(places)));
         }
-        set.sort_unstable();
+        sort_in_place(&mut set);
         set.dedup();
         let lambda = middle.lambdas[i];
         let typical = middle.slack / middle.cones.len().max(1) as f64;

@@ -5,6 +5,7 @@ pub mod banded;
 pub(crate) mod dense;
 pub mod enclosing_circle;
 pub mod entire;
+pub(crate) mod order;
 pub(crate) mod plane;
 pub(crate) mod quadrature;
 pub(crate) mod roots;

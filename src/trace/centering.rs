@@ -5,6 +5,7 @@ use super::chain::Chain;
 use super::samples::{line_through, unit};
 use crate::error::Result;
 use crate::limits::with_room;
+use crate::numerics::order::{sort_by_number, sort_in_place};
 use crate::numerics::plane::{cross, dot, norm, square};
 use crate::numerics::{Point, Vector};
 
@@ -86,7 +87,7 @@ impl Spine {
     /// The line's points from its evidence, and which ends have a cap.
     fn moved(&self, evidence: &Evidence, half_width: f64) -> (Vec<Point>, [bool; 2]) {
         let mut beside = evidence.beside.clone();
-        beside.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by_number(&mut beside, &|near| near.0);
         let mut points: Vec<Point> = Vec::new();
         for near in beside.chunk_by(|a, b| a.0.floor() == b.0.floor()) {
             let mut sum = Point::zeros();
@@ -131,7 +132,7 @@ impl Spine {
             return None;
         }
         let angle = |p: &Point| libm::atan2(p.y - middle.y, p.x - middle.x);
-        centres.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
+        sort_by_number(&mut centres, &angle);
         Some(centres)
     }
 
@@ -164,7 +165,7 @@ fn gather(spines: &[Spine], sides: &[Side], half_width: f64) -> Result<Vec<Evide
             index.push((x, y, k as u32, i as u32));
         }
     }
-    index.sort_unstable();
+    sort_in_place(&mut index);
     let mut evidence = vec![Evidence::default(); spines.len()];
     for side in sides {
         let (x, y) = cell(side.centre);

@@ -9,6 +9,7 @@ use super::samples::{Samples, unit};
 use super::strands::{StrandRule, join};
 use crate::error::Result;
 use crate::limits::with_room;
+use crate::numerics::order::{sort_in_place, sort_numbers};
 use crate::numerics::{Point, Vector};
 
 /// Centre lines, and half the width of most strokes.
@@ -105,7 +106,7 @@ fn skeleton(ink: &Ink) -> Result<(Bitmap, f64)> {
     let depth = depths(&lines)?;
     let mut order: Vec<(u16, u32)> = with_room(lines.count())?;
     order.extend(lines.pixels().map(|(c, r)| (depth[r * width + c], (r * width + c) as u32)));
-    order.sort_unstable();
+    sort_in_place(&mut order);
     let mut layer: Vec<(u32, u32)> = Vec::new();
     for same in order.chunk_by(|a, b| a.0 == b.0) {
         layer.clear();
@@ -157,7 +158,7 @@ fn sides(ink: &Ink, contours: &[Contour], deepest: f64) -> Result<(Vec<Side>, f6
         }
     }
     let mut widths: Vec<f64> = places.iter().map(|place| place.2).collect();
-    widths.sort_by(f64::total_cmp);
+    sort_numbers(&mut widths);
     let middle = 0.5 * widths.get(widths.len() / 2).copied().unwrap_or(2.0);
     let usual = |width: f64| (0.5 * width - middle).abs() < (0.08 * middle).max(0.25);
     let even = 2 * widths.iter().filter(|&&width| usual(width)).count() > widths.len();

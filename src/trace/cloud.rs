@@ -3,6 +3,7 @@
 use crate::error::{Error, Result};
 use crate::limits::{LARGEST_COORDINATE, MOST_POINTS, check, too_many, with_room};
 use crate::numerics::Point;
+use crate::numerics::order::sort_by_number;
 
 /// Abscissae and ordinates, sorted by abscissa; equal abscissae keep the order in which they were given.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,7 +31,7 @@ impl Cloud {
         }
         let mut order: Vec<usize> = with_room(points.len())?;
         order.extend(0..points.len());
-        order.sort_by(|&i, &j| points[i].x.total_cmp(&points[j].x).then(i.cmp(&j)));
+        sort_by_number(&mut order, &|&i| points[i].x);
         let (x, y) = order.iter().map(|&i| (points[i].x + 0.0, points[i].y)).unzip();
         Ok(Self { x, y })
     }

@@ -1,6 +1,7 @@
 //! Sharp corners of a contour, and only those.
 
 use super::samples::{Line, Samples, line_through, turn, unit};
+use crate::numerics::order::sort_by_keys;
 use crate::numerics::plane::{dot, norm, square};
 use crate::numerics::{Point, Vector};
 
@@ -59,7 +60,7 @@ pub(super) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<Corner> {
             }
         }
     }
-    found.sort_by_key(|corner| corner.index);
+    sort_by_keys(&mut found, &|corner| [corner.index as u64, 0]);
     found
 }
 

@@ -6,6 +6,7 @@ use super::samples::{Line, line_through, turn};
 use crate::error::Result;
 use crate::limits::{LARGEST_COORDINATE, check, with_room};
 use crate::numerics::Point;
+use crate::numerics::order::sort_numbers;
 use crate::numerics::plane::norm;
 
 /// What a cusp of a chain is, in pixels and radians.
@@ -162,7 +163,7 @@ impl Chain {
                 squares.push(off * off);
             }
         }
-        squares.sort_by(f64::total_cmp);
+        sort_numbers(&mut squares);
         squares.truncate(squares.len() - squares.len() / 20);
         (squares.iter().sum::<f64>() / (1.5 * squares.len().max(1) as f64)).sqrt()
     }

@@ -6,6 +6,7 @@ use super::chain::Chain;
 use super::samples::{line_through, turn};
 use crate::error::Result;
 use crate::limits::{LARGEST_COORDINATE, check, with_room};
+use crate::numerics::order::{sort_by_number, sort_in_place};
 use crate::numerics::plane::{dot, norm};
 use crate::numerics::{Point, Vector};
 
@@ -53,7 +54,7 @@ impl DiscTube {
             let from = chain.points()[i] - self.ends[0];
             places.push((dot(from, along), along.x * from.y - along.y * from.x));
         }
-        places.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by_number(&mut places, &|place| place.0);
         places.windows(2).all(|pair| (pair[1].1 - pair[0].1).abs() <= 2.0 + 2.0 * (pair[1].0 - pair[0].0))
     }
 }
@@ -134,7 +135,7 @@ impl Ground<'_> {
                 }
             }
         }
-        points.sort_unstable();
+        sort_in_place(&mut points);
         points
     }
 
@@ -204,7 +205,7 @@ impl Chain {
             }
         }
         let mut sorted: Vec<usize> = (0..points.len()).collect();
-        sorted.sort_by(|&a, &b| points[a].x.total_cmp(&points[b].x).then(a.cmp(&b)));
+        sort_by_number(&mut sorted, &|&i| points[i].x);
         let mut least = length;
         for (k, &a) in sorted.iter().enumerate() {
             for &b in &sorted[k + 1..] {
@@ -243,7 +244,7 @@ impl Chain {
         check("start", None, start as f64, 0.0, points.len() as f64 - 1.0)?;
         let mut sorted = with_room(points.len())?;
         sorted.extend(0..points.len());
-        sorted.sort_by(|&a: &usize, &b| points[a].x.total_cmp(&points[b].x).then(a.cmp(&b)));
+        sort_by_number(&mut sorted, &|&i: &usize| points[i].x);
         let [seen, owned] = [vec![false; points.len()], vec![false; points.len()]];
         let mut ground = Ground { points, sorted, seen, owned, second: None };
         let first = points[start];

@@ -5,6 +5,7 @@ use super::gray::Gray;
 use crate::error::Result;
 use crate::limits::with_room;
 use crate::numerics::Point;
+use crate::numerics::order::sort_in_place;
 
 /// Pixels along a tile's side, and around the picture: one tile of paper.
 pub(super) const SIDE: usize = 8;
@@ -244,7 +245,7 @@ impl Field {
                 }
             }
         }
-        found.sort_unstable();
+        sort_in_place(&mut found);
         found.dedup();
         found
     }

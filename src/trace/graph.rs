@@ -3,6 +3,7 @@
 use super::bitmap::Bitmap;
 use crate::error::Result;
 use crate::limits::with_room;
+use crate::numerics::order::sort_in_place;
 
 /// A pixel (column, row).
 pub(super) type Pixel = (u32, u32);
@@ -97,7 +98,7 @@ impl Builder<'_> {
             owner.extend(node.iter().map(|&pixel| (self.number(pixel), self.graph.nodes.len())));
             self.graph.nodes.push(node);
         }
-        owner.sort_unstable();
+        sort_in_place(&mut owner);
         self.owner = owner;
         Ok(())
     }

@@ -15,6 +15,7 @@ use super::samples::Samples;
 use super::tones::{ToneScan, Tones};
 use super::tracer::{Progress, Stage, Trace, TraceOptions, TracedContour, Work};
 use crate::error::{Error, Result};
+use crate::numerics::order::sort_by_number;
 
 /// Noise above which pictures are blurred before they are followed, as a share of the way from ink to paper.
 const NOISY: f64 = 3.0 / 255.0;
@@ -113,7 +114,7 @@ impl InkWork {
         if found.len() > self.options.most_contours {
             let most = self.options.most_contours;
             let mut areas: Vec<f64> = found.iter().map(|contour| contour.area.abs()).collect();
-            areas.sort_unstable_by(|a, b| b.total_cmp(a));
+            sort_by_number(&mut areas, &|area| -area);
             self.offer = areas.get(most).map(|area| area * (1.0 + 1e-9) + 1e-9);
             return Err(Error::limit("data", "maxContours", most, found.len() as f64));
         }

@@ -1,8 +1,7 @@
 //! How far a curve is from the points and pixels that it was made from.
 
-use core::cmp::Ordering;
-
 use crate::numerics::Point;
+use crate::numerics::order::{key_of, sort_by_keys, sort_in_place};
 use crate::numerics::plane::{cross, norm};
 
 /// The root of the mean square of some residuals; 0 for none.
@@ -26,7 +25,7 @@ pub fn mean_absolute(residuals: impl Iterator<Item = f64>) -> f64 {
 /// O((M + N) log N) for points along a curve: `to` is sorted by x, and the search stops where x alone is farther.
 pub fn directed_hausdorff(from: &[Point], to: &[Point]) -> f64 {
     let mut sorted = to.to_vec();
-    sorted.sort_by(|p, q| by_place(*p, *q));
+    sort_by_keys(&mut sorted, &|p| [key_of(p.x), key_of(p.y)]);
     if sorted.is_empty() {
         return 0.0;
     }
@@ -52,10 +51,6 @@ fn nearest_distance(point: Point, sorted: &[Point]) -> f64 {
     best
 }
 
-fn by_place(p: Point, q: Point) -> Ordering {
-    p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y))
-}
-
 /// The largest distance between two of the points: measured between corners of the convex hull.
 ///
 /// # Cost
@@ -63,7 +58,7 @@ fn by_place(p: Point, q: Point) -> Ordering {
 /// O(N log N), and the square of the number of the hull's corners.
 pub fn diameter(points: &[Point]) -> f64 {
     let mut sorted = points.to_vec();
-    sorted.sort_by(|p, q| by_place(*p, *q));
+    sort_by_keys(&mut sorted, &|p| [key_of(p.x), key_of(p.y)]);
     let mut hull: Vec<Point> = Vec::new();
     // The lower side left to right, then the upper side back.
     for back in [false, true] {
@@ -132,7 +127,7 @@ fn share(part: usize, whole: usize) -> f64 {
 }
 
 fn set(mut pixels: Vec<(i32, i32)>) -> Vec<(i32, i32)> {
-    pixels.sort_unstable();
+    sort_in_place(&mut pixels);
     pixels.dedup();
     pixels
 }

@@ -10,6 +10,7 @@ use crate::curve::{HermiteCurve, HermiteOptions};
 use crate::error::Result;
 use crate::generator::Space;
 use crate::limits::{check, with_room};
+use crate::numerics::order::sort_by_keys;
 use crate::numerics::plane::{dot, norm};
 use crate::numerics::{Point, Vector};
 
@@ -114,7 +115,7 @@ impl Chain {
         let count = chain.points().len();
         let mut cusps: Vec<Cusp> =
             found.iter().map(|c| Cusp { index: (c.index + count - start) % count, ..*c }).collect();
-        cusps.sort_by_key(|cusp| cusp.index);
+        sort_by_keys(&mut cusps, &|cusp| [cusp.index as u64, 0]);
         let indices: Vec<usize> = cusps.iter().map(|cusp| cusp.index).collect();
         let tubes = chain.tubes(&indices, options.angle, window)?;
         let (fits, joints) = (with_room(tubes.len())?, with_room(tubes.len())?);

@@ -8,6 +8,7 @@ use super::refine::{Left, NOISY_SHARE, Refiner, Shape};
 use super::samples::{turn, unit};
 use crate::error::Result;
 use crate::numerics::Point;
+use crate::numerics::order::sort_by_number;
 use crate::numerics::plane::{dot, norm};
 
 /// What a merged piece may leave of the picture.
@@ -57,7 +58,7 @@ pub(super) fn merge_round(
             candidates.push((i, off));
         }
     }
-    candidates.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+    sort_by_number(&mut candidates, &|one| one.1);
     // Nodes keep their names while others go.
     let mut names: Vec<usize> = (0..count).collect();
     let mut moved = vec![false; count];

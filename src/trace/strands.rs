@@ -7,6 +7,7 @@ use super::graph::{Graph, Pixel, graph};
 use super::samples::{turn, unit};
 use crate::error::Result;
 use crate::limits::with_room;
+use crate::numerics::order::{key_of, sort_by_keys, sort_by_number};
 use crate::numerics::plane::norm;
 use crate::numerics::{Point, Vector};
 
@@ -121,7 +122,7 @@ fn prune(strands: &mut Vec<Strand>, ends: &mut Vec<[usize; 2]>, nodes: usize, sp
             order.push((long, i));
         }
     }
-    order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    sort_by_number(&mut order, &|one| one.0);
     let mut gone = vec![false; strands.len()];
     for (_, i) in order {
         if ends[i].iter().any(|&node| degree[node] >= 3) {
@@ -175,7 +176,7 @@ fn continuations(
                 pairs.push((turn(out, -other).abs(), a, b));
             }
         }
-        pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        sort_by_keys(&mut pairs, &|&(angle, a, b)| [key_of(angle), (a as u64) << 32 | b as u64]);
         for (angle, a, b) in pairs {
             let bend = meeting.len() == 2;
             if (bend || angle < rule.straight) && partners[a].is_none() && partners[b].is_none() {
@@ -195,7 +196,7 @@ fn bridges(strands: &[Strand], rule: &StrandRule) -> Vec<Option<usize>> {
         loose.push((strand.points[0], leaving(strand, false, rule), 2 * i));
         loose.push((strand.points[n - 1], leaving(strand, true, rule), 2 * i + 1));
     }
-    loose.sort_by(|a, b| a.0.x.total_cmp(&b.0.x).then(a.2.cmp(&b.2)));
+    sort_by_number(&mut loose, &|end| end.0.x);
     let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
     for (k, (p, out, a)) in loose.iter().enumerate() {
         for (q, other, b) in loose[k + 1..].iter().take_while(|(q, _, _)| q.x - p.x <= rule.gap) {
@@ -207,7 +208,7 @@ fn bridges(strands: &[Strand], rule: &StrandRule) -> Vec<Option<usize>> {
             }
         }
     }
-    pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+    sort_by_keys(&mut pairs, &|&(gap, a, b)| [key_of(gap), (a as u64) << 32 | b as u64]);
     for (_, a, b) in pairs {
         if partners[a].is_none() && partners[b].is_none() {
             (partners[a], partners[b]) = (Some(b), Some(a));

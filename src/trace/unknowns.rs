@@ -2,6 +2,7 @@
 
 use super::outline::{Node, Outline, Piece};
 use super::samples::unit;
+use crate::numerics::order::sort_in_place;
 use crate::numerics::plane::{dot, norm};
 use crate::numerics::{Point, Vector};
 
@@ -88,7 +89,7 @@ impl Unknowns {
                 pieces.push(outline.before(before));
             }
         }
-        pieces.sort_unstable();
+        sort_in_place(pieces);
         pieces.dedup();
     }
 

@@ -12,6 +12,7 @@ use super::super::sparsest::Sparsest;
 use super::{Fitter, Run};
 use crate::error::{Error, Result};
 use crate::numerics::Point;
+use crate::numerics::order::sort_by_number;
 
 impl Fitter {
     pub(super) fn described(&self) -> Result<Fit> {
@@ -99,7 +100,7 @@ impl Fitter {
             let center = if last { self.samples.center } else { Point::zeros() };
             fit.parts.push(report::part(&frame, spline, center)?);
         }
-        fit.knots.sort_by(|a, b| a.t.total_cmp(&b.t));
+        sort_by_number(&mut fit.knots, &|knot| knot.t);
         Ok(fit)
     }
 
