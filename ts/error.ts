@@ -28,7 +28,7 @@ export type ErrorCode =
   | "E_UNSUPPORTED"
   /** The buffer of an array was transferred or resized away. */
   | "E_DETACHED"
-  /** The engine could not be started; `reason` is one of csp, network, mime, compile, version, unsupported. */
+  /** The engine could not be started; `reason` is one of csp, network, mime, compile, version, memory, unsupported. */
   | "E_INIT"
   /** `expline/slim` was used before `init`, or its fitting before `initFit`. */
   | "E_NOT_READY"

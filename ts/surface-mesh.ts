@@ -80,10 +80,12 @@ export function newMesh(op: string, slot: number, grid: Grid): SurfaceMesh & { p
 /** Fills a mesh of the same size again; its triangles stay. @internal */
 export function refill(op: string, slot: number, grid: Grid, out: unknown): SurfaceMesh {
   const target = targetOf(op, "out", out, grid);
+  const mesh = out as SurfaceMesh;
+  // One that is frozen is refused before anything is written.
+  if (!Reflect.set(mesh, "withoutNormal", mesh.withoutNormal)) throw wrong("E_TYPE", op, "out", out, "a mesh that can be written to");
   const { positions, normals } = vertices(op, slot, grid);
   target.positions.set(positions);
   target.normals.set(normals);
-  const mesh = out as SurfaceMesh;
   mesh.withoutNormal = result(0);
   return mesh;
 }

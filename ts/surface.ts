@@ -8,6 +8,7 @@ import {
   integer,
   numbers,
   options as checkOptions,
+  overLimit,
   rootList,
   wrong,
   wrongLength,
@@ -29,6 +30,8 @@ export type { MeshRegion, SurfaceMesh } from "./surface-mesh.js";
 export { checkedSurface } from "./surface-arguments.js";
 
 const NAME = "TensorSurface";
+/** The most vertices of a text: about 250 MB, half of what engines allow. */
+const MAX_WRITTEN = 1_000_000;
 
 /** The arrays of a surface, and the proof that it is one. */
 let dataOf: (surface: TensorSurface, op: string) => SurfaceData;
@@ -297,7 +300,9 @@ export class TensorSurface {
 
   /** A mesh as a Wavefront OBJ file, with normals. `rows` and `cols` default to 64, `name` to "surface". */
   toObj(options?: MeshFileOptions): string {
-    const { rows, cols, name } = fileOptions("toObj", options);
+    const op = "toObj";
+    const { rows, cols, name } = fileOptions(op, options);
+    if (rows * cols > MAX_WRITTEN) throw overLimit(op, "rows", "maxWrittenVertices", MAX_WRITTEN, rows * cols);
     return objOf(this.mesh(rows, cols), name);
   }
 

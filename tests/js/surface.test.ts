@@ -167,7 +167,7 @@ test("curvatures of a torus are the closed forms, in bulk as one by one", () => 
   }
 });
 
-test("an OBJ file reads back as the mesh to the last bit", () => {
+test("SU-018: an OBJ file reads back as the mesh to the last bit, and a name in it is no line", () => {
   const surface = TensorSurface.character();
   const mesh = surface.mesh(16, 12);
   const lines = surface.toObj({ rows: 16, cols: 12, name: "a\nf 1 2 3" }).split("\n");
@@ -276,6 +276,8 @@ const REFUSED: readonly [string, () => unknown, Partial<ExplineError>][] = [
   ["a patch that is not there", () => TensorSurface.sphere(1).patchPoints(0), { code: "E_RANGE", argument: "patch" }],
   ["a mesh of someone else", () => TensorSurface.sphere(1).remesh({ rows: 4, cols: 4 } as never, 1, 1), { code: "E_TYPE", argument: "mesh" }],
   ["a mesh that lies about its size", () => TensorSurface.sphere(1).remesh({ ...TensorSurface.sphere(1).mesh(5, 5), rows: 50 }, 1, 1), { code: "E_LENGTH", argument: "mesh" }],
+  ["a mesh to be filled again that is frozen", () => TensorSurface.sphere(1).mesh(5, 5, { out: Object.freeze({ ...TensorSurface.sphere(1).mesh(5, 5) }) }), { code: "E_TYPE", argument: "out" }],
+  ["a text longer than an engine's", () => TensorSurface.sphere(1).toObj({ rows: 2000, cols: 2000 }), { code: "E_LIMIT", limit: "maxWrittenVertices" }],
   ["a forged this", () => Object.getOwnPropertyDescriptor(TensorSurface.prototype, "net")?.get?.call({}), { code: "E_TYPE", argument: "this" }],
   ["a file without a net", () => fromJSON({ type: "TensorSurface", version: 1, u: {}, v: {} }), { code: "E_SCHEMA", path: "$.net" }],
   ["a file with a short net", () => fromJSON({ ...shapes.torus.toJSON(), net: [1, 2, 3] }), { code: "E_SCHEMA", path: "$.net" }],
