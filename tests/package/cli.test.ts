@@ -101,9 +101,14 @@ test("flat colours become layers", () => {
 test("points become an SVG within the tolerance, and one line says what came of it", () => {
   const { status, out, error } = expline(["fit", "square.csv", "--tolerance", "0.5", "-o", "out.svg"]);
   assert.deepEqual([status, error], [0, ""]);
-  assert.match(out, /^out\.svg: 40 points, \d+ knots, largest distance [\d.e-]+, certified gap/);
+  assert.match(out, /^out\.svg: 40 points, \d+ knots, largest distance [\d.e-]+\n$/);
   const svg = readFileSync(join(folder, "out.svg"), "utf8");
   assert.match(svg, /^<svg xmlns="http:\/\/www\.w3\.org\/2000\/svg" viewBox="[-\d. ]+"><path [^>]*d="M[^"]+"\/><\/svg>\n$/);
+});
+
+test("a fit by smoothing also says how near to the optimum it is proved to be", () => {
+  const { out } = expline(["fit", "square.csv", "--smoothing", "0.3", "-o", "smooth.svg"]);
+  assert.match(out, /^smooth\.svg: 40 points, \d+ knots, largest distance [\d.e-]+, certified gap \d+e-\d+\n$/);
 });
 
 test("standard input and output: the path alone, from points in rows", () => {
