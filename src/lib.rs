@@ -47,6 +47,11 @@
 //!
 //! Everything that can be wrong with a call is an [`Error`] that names the argument, the value and the limit; nothing
 //! panics. Coordinates are finite and at most 1e9 in size; below 1e-50 they count as 0.
+//!
+//! # In WebAssembly
+//!
+//! The crate compiles for wasm32 as it is, and gives the same bits there. Its features are the bindings of the npm
+//! package: a Rust program wants none of them.
 
 pub mod curve;
 pub mod error;

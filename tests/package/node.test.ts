@@ -65,7 +65,7 @@ test("a program that was carried off without its wasm file says what to do", () 
   assert.equal(node(code).trim(), JSON.stringify(["E_NOT_READY", true, true]));
 });
 
-test("the import alone touches neither WebAssembly, nor the network, nor the global object", () => {
+test("LC-024: the import alone touches neither WebAssembly, nor the network, nor the global object", () => {
   const said = node(`
     for (const name of ["Module", "Instance"]) WebAssembly[name] = class { constructor() { throw new Error("used " + name); } };
     for (const name of ["compile", "instantiate", "instantiateStreaming", "compileStreaming"]) {
