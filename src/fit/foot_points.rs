@@ -1,10 +1,14 @@
 //! Distances from points to a spline, and the spline that makes them small: the parameters of the points are free.
 
-use super::breaks::{HIGHEST, Polynomial, Space, derivative};
+use super::breaks::{HIGHEST, Polynomial, Space};
 use super::envelope::{Envelope, dot};
 use super::free_knots::{FreeKnots, Located};
 use crate::numerics::order::sort_by_number;
+use crate::numerics::plane::larger;
 use crate::numerics::{Point, Vector};
+
+/// One piece of a curve: a polynomial in ascending powers.
+pub(super) type Piece = [Vector; HIGHEST + 1];
 
 /// How much less a distance along the curve counts than one across it.
 const ALONG: f64 = 0.05;
@@ -30,26 +34,28 @@ impl Spline {
         Self { space: fitted.space.clone(), x: fitted.x.clone(), y: fitted.y.clone() }
     }
 
-    fn pieces(&self) -> Vec<(Polynomial, Polynomial)> {
-        let piece = |s| (self.space.piece(s, &self.x), self.space.piece(s, &self.y));
-        (0..self.space.spans.len()).map(piece).collect()
+    /// The curve's polynomials, piece by piece.
+    pub(super) fn pieces(&self) -> Vec<Piece> {
+        (0..self.space.spans.len()).map(|s| self.piece(s)).collect()
     }
 
-    /// The point at t, or a derivative.
-    pub(super) fn evaluate(&self, t: f64, order: usize) -> Vector {
-        let (s, t) = self.space.find(t, 0);
-        self.on(s, t, order)
+    fn piece(&self, s: usize) -> Piece {
+        let mut sum = [Vector::zeros(); HIGHEST + 1];
+        for (i, basis) in self.space.basis[s].iter().enumerate().take(self.space.breaks.degree + 1) {
+            let index = self.space.index(s, i);
+            let coefficient = Vector::new(self.x[index], self.y[index]);
+            for (sum, b) in sum.iter_mut().zip(basis) {
+                *sum += coefficient * *b;
+            }
+        }
+        sum
     }
 
     /// The point at t, or a derivative, by the polynomials of piece s.
     pub(super) fn on(&self, s: usize, t: f64, order: usize) -> Vector {
-        let (span, degree) = (&self.space.spans[s], self.space.breaks.degree);
+        let span = &self.space.spans[s];
         let u = (t - span.middle) / span.half;
-        let (px, py) = (self.space.piece(s, &self.x), self.space.piece(s, &self.y));
-        Vector::new(
-            derivative(&px, degree, u, span.half, order),
-            derivative(&py, degree, u, span.half, order),
-        )
+        derivative_of(&self.piece(s), self.space.breaks.degree, u, span.half, order)
     }
 
     /// Moves every parameter towards the foot of its point, by at most `rounds` steps that each come nearer, and says
@@ -63,12 +69,21 @@ impl Spline {
 
     /// [`Spline::project`] for parameters that are kept apart from the points.
     pub(super) fn feet(&self, data: &Located, feet: &mut [f64], rounds: usize) -> Distances {
+        match self.space.breaks.degree {
+            1 => self.feet_of::<2>(data, feet, rounds),
+            2 | 3 => self.feet_of::<4>(data, feet, rounds),
+            _ => self.feet_of::<{ HIGHEST + 1 }>(data, feet, rounds),
+        }
+    }
+
+    /// The same for degrees below T.
+    fn feet_of<const T: usize>(&self, data: &Located, feet: &mut [f64], rounds: usize) -> Distances {
         let pieces = self.pieces();
         let reach = 0.02 * self.space.breaks.end;
         let mut found = Distances::default();
         let mut s = 0;
         for (m, (target, foot)) in data.points.iter().zip(feet).enumerate() {
-            let mut here = self.look(&pieces, *foot, &mut s, *target);
+            let mut here = self.look::<T>(&pieces, *foot, &mut s, *target);
             for _ in 0..rounds {
                 let half = self.space.spans[here.piece].half;
                 let (step, gain) = here.newton();
@@ -76,12 +91,13 @@ impl Spline {
                 if gain < 1e-6 * here.square {
                     break;
                 }
-                let u = here.u + step.max(-reach / half).min(reach / half);
+                let most = reach / half;
+                let u = here.u + if step > most { most } else { larger(step, -most) };
                 let there = if u.abs() <= 1.0 {
-                    Look::new(&pieces[here.piece], self.space.breaks.degree, here.piece, u, *target)
+                    Look::new::<T>(&pieces[here.piece], here.piece, u, *target)
                 } else {
                     let t = self.within(self.space.spans[here.piece].middle + u * half);
-                    self.look(&pieces, t, &mut s, *target)
+                    self.look::<T>(&pieces, t, &mut s, *target)
                 };
                 if there.square >= here.square {
                     break;
@@ -92,7 +108,7 @@ impl Spline {
             }
             s = here.piece;
             found.squares += data.weight(m) * here.square;
-            found.largest = found.largest.max(here.square);
+            found.largest = larger(found.largest, here.square);
         }
         found.largest = found.largest.sqrt();
         found
@@ -102,7 +118,9 @@ impl Spline {
     pub(super) fn distances(&self, data: &Located) -> Vec<f64> {
         let pieces = self.pieces();
         let mut s = 0;
-        let one = |(point, &t): (&Point, &f64)| self.look(&pieces, t, &mut s, *point).square.sqrt();
+        let one = |(point, &t): (&Point, &f64)| {
+            self.look::<{ HIGHEST + 1 }>(&pieces, t, &mut s, *point).square.sqrt()
+        };
         data.points.iter().zip(&data.parameters).map(one).collect()
     }
 
@@ -165,12 +183,13 @@ impl Spline {
         t.max(0.0).min(end)
     }
 
-    fn look(&self, pieces: &[(Polynomial, Polynomial)], t: f64, s: &mut usize, target: Point) -> Look {
+    #[inline]
+    fn look<const T: usize>(&self, pieces: &[Piece], t: f64, s: &mut usize, target: Point) -> Look {
         let (found, t) = self.space.find(t, *s);
         *s = found;
         let span = &self.space.spans[found];
         let u = (t - span.middle) / span.half;
-        Look::new(&pieces[found], self.space.breaks.degree, found, u, target)
+        Look::new::<T>(&pieces[found], found, u, target)
     }
 
     /// One Gauss–Newton step of the distances across the curve; those along it count little, for points may slide
@@ -229,9 +248,8 @@ impl Spline {
             at = s;
             let span = &self.space.spans[s];
             let u = (t - span.middle) / span.half;
-            let (x, y) = (taylor(&pieces[s].0, degree, u), taylor(&pieces[s].1, degree, u));
-            let rest = point - Point::new(x[0], y[0]);
-            let along = Vector::new(x[1], y[1]);
+            let [place, along, _] = taylor::<{ HIGHEST + 1 }>(&pieces[s], u);
+            let rest = point - place;
             let square = along.norm_squared();
             let w = data.weight(m);
             // W = 1 − (1 − ALONG)·ttᵀ for the unit tangent t.
@@ -259,10 +277,9 @@ struct Look {
 
 impl Look {
     #[inline]
-    fn new((px, py): &(Polynomial, Polynomial), degree: usize, piece: usize, u: f64, target: Point) -> Self {
-        let (x, y) = (taylor(px, degree, u), taylor(py, degree, u));
-        let way = Vector::new(x[0], y[0]) - target;
-        let (first, second) = (Vector::new(x[1], y[1]), Vector::new(x[2], y[2]));
+    fn new<const T: usize>(polynomial: &Piece, piece: usize, u: f64, target: Point) -> Self {
+        let [place, first, second] = taylor::<T>(polynomial, u);
+        let way = place - target;
         Self { piece, u, square: way.norm_squared(), way, first, second }
     }
 
@@ -277,6 +294,19 @@ impl Look {
         let step = if slope > 0.0 { -along / slope } else { 0.0 };
         (step, -step * along)
     }
+}
+
+/// Derivative of some order of a piece, by the parameter: `half` is half its length there.
+pub(super) fn derivative_of(piece: &Piece, degree: usize, u: f64, half: f64, order: usize) -> Vector {
+    let mut sum = Vector::zeros();
+    for k in (order..=degree).rev() {
+        let factor: f64 = ((k - order + 1)..=k).map(|i| i as f64).product();
+        sum = sum * u + piece[k] * factor;
+    }
+    for _ in 0..order {
+        sum /= half;
+    }
+    sum
 }
 
 /// Moments with a matrix for a weight.
@@ -314,13 +344,14 @@ impl Across {
     }
 }
 
-/// A polynomial and its first two derivatives at u.
-fn taylor(p: &Polynomial, degree: usize, u: f64) -> [f64; 3] {
-    let [mut value, mut first, mut second] = [0.0; 3];
-    for &c in p[..=degree].iter().rev() {
+/// A polynomial of degree below T and its first two derivatives at u.
+#[inline]
+fn taylor<const T: usize>(p: &Piece, u: f64) -> [Vector; 3] {
+    let [mut value, mut first, mut second] = [Vector::zeros(); 3];
+    for c in p[..T].iter().rev() {
         second = second * u + first;
         first = first * u + value;
         value = value * u + c;
     }
-    [value, first, 2.0 * second]
+    [value, first, second * 2.0]
 }

@@ -37,15 +37,25 @@ impl Local {
 /// De Boor's recursion with polynomials in place of values. `knots` are the 2·degree + 2 around the interval; the
 /// interval itself lies between the two in the middle. [deB78, X (4)]
 pub(crate) fn polynomials(knots: &[f64], degree: usize, middle: f64, half: f64) -> Local {
-    let mut rows = [[0.0; TERMS]; TERMS];
+    let rows = match degree {
+        1 => recursion::<2>(knots, degree, middle, half),
+        3 => recursion::<4>(knots, degree, middle, half),
+        _ => recursion::<TERMS>(knots, degree, middle, half),
+    };
+    Local { degree, middle, half, rows }
+}
+
+/// The recursion for a degree below T; where T is one more, its loops are of known length.
+fn recursion<const T: usize>(knots: &[f64], degree: usize, middle: f64, half: f64) -> [[f64; TERMS]; TERMS] {
+    let mut rows = [[0.0; T]; T];
     rows[0][0] = 1.0;
-    if half.is_nan() || half <= 0.0 {
-        return Local { degree, middle, half, rows };
-    }
-    for d in 1..=degree {
+    for d in 1..T {
+        if d > degree || half.is_nan() || half <= 0.0 {
+            break;
+        }
         // Function i of degree d starts at knot degree − d + i; it takes part of functions i − 1 and i of degree d − 1.
         let lower = rows;
-        rows = [[0.0; TERMS]; TERMS];
+        rows = [[0.0; T]; T];
         for i in 0..d {
             let first = degree + 1 - d + i;
             let (start, width) = (knots[first], knots[first + d] - knots[first]);
@@ -60,5 +70,9 @@ pub(crate) fn polynomials(knots: &[f64], degree: usize, middle: f64, half: f64) 
             }
         }
     }
-    Local { degree, middle, half, rows }
+    let mut all = [[0.0; TERMS]; TERMS];
+    for (row, own) in all.iter_mut().zip(&rows) {
+        row[..T].copy_from_slice(own);
+    }
+    all
 }

@@ -1,7 +1,6 @@
 //! What a fit gives back.
 
-use super::breaks::derivative;
-use super::foot_points::Spline;
+use super::foot_points::{Spline, derivative_of};
 use crate::curve::{HermiteCurve, HermiteOptions};
 use crate::error::Result;
 use crate::generator::Space as Kind;
@@ -47,7 +46,7 @@ pub struct Part {
 /// What one step after the convex problem changed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Changed {
-    /// The step: `merge`, `slide`, `debias`, `prune` or `search`.
+    /// The step: `extreme`, `merge`, `slide`, `debias`, `prune` or `search`.
     pub step: &'static str,
     /// Knots before and after.
     pub knots: (usize, usize),
@@ -140,14 +139,10 @@ impl Spline {
         let mut before: Option<Vector> = None;
         // One knot or none makes a closed curve of one piece; it is cut in two, for a curve has two points.
         let cuts = if spans == 1 { cuts.max(2) } else { cuts };
-        for (s, span) in self.space.spans.iter().enumerate() {
-            let (px, py) = (self.space.piece(s, &self.x), self.space.piece(s, &self.y));
+        for (s, (span, piece)) in self.space.spans.iter().zip(self.pieces()).enumerate() {
             let at = |u: f64, order: usize| {
                 let rate = if order == 1 { scale / unit } else { scale };
-                Vector::new(
-                    derivative(&px, degree, u, span.half, order),
-                    derivative(&py, degree, u, span.half, order),
-                ) * rate
+                derivative_of(&piece, degree, u, span.half, order) * rate
             };
             for cut in 0..cuts {
                 let u = 2.0 * cut as f64 / cuts as f64 - 1.0;
@@ -176,14 +171,16 @@ impl Spline {
     pub(super) fn knots(&self, center: Point, scale: f64) -> Vec<Knot> {
         let breaks = &self.space.breaks;
         let shift = if breaks.closed && !breaks.is_empty() { breaks.at[0] } else { 0.0 };
+        let pieces = self.pieces();
         (0..breaks.len())
             .map(|k| {
                 let degree = breaks.degree + 1 - breaks.multiplicity[k];
                 let (before, after) = self.space.sides(k);
-                let (b, a) = (self.space.spans[before], self.space.spans[after]);
-                let jump =
-                    self.on(after, a.middle - a.half, degree) - self.on(before, b.middle + b.half, degree);
-                let point = center + self.on(after, a.middle - a.half, 0) * scale;
+                let side = |s: usize, u: f64, order: usize| {
+                    derivative_of(&pieces[s], breaks.degree, u, self.space.spans[s].half, order)
+                };
+                let jump = side(after, -1.0, degree) - side(before, 1.0, degree);
+                let point = center + side(after, -1.0, 0) * scale;
                 Knot { t: breaks.at[k] - shift, point, degree, jump: jump * scale }
             })
             .collect()

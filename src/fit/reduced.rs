@@ -49,7 +49,7 @@ pub(crate) struct Reduced {
     /// Unknown points in the band and coupling reach among them; the others are the border.
     banded: usize,
     reach: usize,
-    /// 2 Σ w B B′ and the gauge, for both coordinates.
+    /// 2 Σ w B B′ and the gauge: the same for both coordinates.
     pub(crate) quadratic: Bordered,
     /// 2 Σ w B p.
     pub(crate) linear: Vec<Vector>,
@@ -144,8 +144,8 @@ impl Reduced {
             (border, reach) = (count, 0);
         }
         (self.banded, self.reach) = (count - border, reach);
-        self.quadratic = Bordered::new(2 * self.banded, 2 * reach + 1, 2 * border)?;
-        self.system = self.quadratic.clone();
+        self.quadratic = Bordered::new(self.banded, reach, border)?;
+        self.system = self.quadratic.of_points()?;
         Ok(())
     }
 
@@ -153,20 +153,40 @@ impl Reduced {
     fn assemble(&mut self, data: &Scaled) {
         self.linear.clear();
         self.linear.resize(self.unknowns, Vector::zeros());
-        let most = 2 * self.parts[self.parts.len() - 1].space.degree();
+        match self.highest() {
+            1 => self.assemble_of::<2>(data),
+            2 | 3 => self.assemble_of::<4>(data),
+            _ => self.assemble_of::<TERMS>(data),
+        }
+        if self.parts.len() == 2 {
+            self.hold_gauge(data);
+        }
+    }
+
+    /// The highest degree of the parts.
+    fn highest(&self) -> usize {
+        self.parts[self.parts.len() - 1].space.degree()
+    }
+
+    /// The forms, for degrees below T: polynomials of lower degree have zeros for what they lack.
+    #[allow(clippy::needless_range_loop, reason = "matrices are written with their indices")]
+    fn assemble_of<const T: usize>(&mut self, data: &Scaled) {
         for (element, locals) in self.elements.iter().zip(self.locals.chunks_exact(self.parts.len())) {
-            let (powers, values) = moments(data, element, most);
+            let (powers, values) = moments::<T>(data, element);
             for (p, (part, (first, local))) in self.parts.iter().zip(locals).enumerate() {
                 for i in 0..=local.degree {
-                    let (row, own) = (part.order[part.space.coefficient(first + i)], &local.rows[i]);
-                    for (value, factor) in values.iter().zip(&own[..=local.degree]) {
-                        self.linear[row] += value * (2.0 * factor);
-                    }
+                    let row = part.order[part.space.coefficient(first + i)];
+                    let own = leading::<T, f64>(&local.rows[i]);
                     // Gram's matrix with the functions of this part up to i, and with all of the parts before.
-                    let mut image = [0.0; TERMS];
-                    for (power, value) in image.iter_mut().enumerate().take(local.degree + 1) {
-                        *value = product(&own[..=local.degree], &powers[power..]);
+                    let mut image = [0.0; T];
+                    let mut linear = Vector::zeros();
+                    for k in 0..T {
+                        linear += values[k] * (2.0 * own[k]);
+                        for power in 0..T {
+                            image[power] += own[k] * powers[power + k];
+                        }
                     }
+                    self.linear[row] += linear;
                     for (q, (before, (other_first, other))) in
                         self.parts.iter().zip(locals).enumerate().take(p + 1)
                     {
@@ -174,15 +194,13 @@ impl Reduced {
                         for j in 0..=last {
                             let column = before.order[before.space.coefficient(other_first + j)];
                             let twice = if row == column && (i != j || q != p) { 4.0 } else { 2.0 };
-                            let value = twice * product(&other.rows[j][..=other.degree], &image);
-                            self.quadratic.add_block(row, column, [value, 0.0, value]);
+                            let other = leading::<T, f64>(&other.rows[j]);
+                            let value: f64 = other.iter().zip(&image).map(|(a, b)| a * b).sum();
+                            self.quadratic.add(row, column, twice * value);
                         }
                     }
                 }
             }
-        }
-        if self.parts.len() == 2 {
-            self.hold_gauge(data);
         }
     }
 
@@ -197,10 +215,7 @@ impl Reduced {
                     let row = part.order[part.space.coefficient(first + i)];
                     let column = part.order[part.space.coefficient(first + j)];
                     let twice = if row == column && i != j { 2.0 } else { 1.0 };
-                    for axis in 0..2 {
-                        let value = twice * strength * basis[i] * basis[j];
-                        self.quadratic.add(2 * row + axis, 2 * column + axis, value);
-                    }
+                    self.quadratic.add(row, column, twice * strength * basis[i] * basis[j]);
                 }
             }
         }
@@ -208,12 +223,23 @@ impl Reduced {
 
     /// Quadratic form plus Σ (row)′ metric (row), factored. `metrics` run through the knots of the parts.
     pub(crate) fn factor(&mut self, metrics: &[Metric]) -> usize {
-        self.system.copy_from(&self.quadratic);
+        self.factor_above(metrics, 1e-14)
+    }
+
+    /// The same, with pivots of at most `floor` of their diagonal held at zero; answers how many those are.
+    pub(crate) fn factor_above(&mut self, metrics: &[Metric], floor: f64) -> usize {
+        self.quadratic.copy_to_points(&mut self.system);
         let mut metrics = metrics.iter();
         for part in &self.parts {
             let count = part.space.degree() + 2;
             for row in &part.rows {
                 let Some(metric) = metrics.next() else { break };
+                // Where the coefficients stand in a row, so do their columns.
+                let first = row.unknowns[0];
+                let straight = row.unknowns[..count].iter().enumerate().all(|(i, at)| *at == first + i);
+                if straight && self.system.add_outer(first, &row.weights[..count], *metric) {
+                    continue;
+                }
                 for i in 0..count {
                     for j in 0..=i {
                         let (a, b) = (row.unknowns[i], row.unknowns[j]);
@@ -225,7 +251,7 @@ impl Reduced {
                 }
             }
         }
-        self.system.factor(1e-14)
+        self.system.factor(floor)
     }
 
     /// Solves the system that was factored last, in place.
@@ -289,35 +315,51 @@ impl Reduced {
         out: &mut [Vector],
         moments: &mut Vec<[Vector; TERMS]>,
     ) -> f64 {
-        let mut total = data.beyond;
-        let highest = self.parts[self.parts.len() - 1].space.degree();
         moments.clear();
         moments.resize(self.elements.len(), [Vector::zeros(); TERMS]);
+        match self.highest() {
+            1 => self.residuals_of::<2>(data, unknowns, out, moments),
+            2 | 3 => self.residuals_of::<4>(data, unknowns, out, moments),
+            _ => self.residuals_of::<TERMS>(data, unknowns, out, moments),
+        }
+    }
+
+    /// The same for degrees below T.
+    fn residuals_of<const T: usize>(
+        &self,
+        data: &Scaled,
+        unknowns: &[Vector],
+        out: &mut [Vector],
+        moments: &mut [[Vector; TERMS]],
+    ) -> f64 {
+        let mut total = data.beyond;
         let locals = self.locals.chunks_exact(self.parts.len());
         for ((element, locals), moments) in self.elements.iter().zip(locals).zip(moments) {
             let (from, to) = element.samples;
             if from == to {
                 continue;
             }
-            let terms = self.polynomial(locals, unknowns);
+            let terms: [Vector; T] = leading(&self.polynomial(locals, unknowns));
+            let mut sums = [Vector::zeros(); T];
             let inverse = 1.0 / element.half;
             let points = data.x[from..to].iter().zip(&data.y[from..to]);
             let times = data.t[from..to].iter().zip(&data.w[from..to]);
             for (((t, w), (x, y)), out) in times.zip(points).zip(&mut out[from..to]) {
                 let s = (t - element.middle) * inverse;
-                let mut value = terms[highest];
-                for term in terms[..highest].iter().rev() {
+                let mut value = terms[T - 1];
+                for term in terms[..T - 1].iter().rev() {
                     value = value * s + term;
                 }
                 let error = Vector::new(x - value.x, y - value.y);
                 let mut force = error * *w;
                 total += force.x * error.x + force.y * error.y;
                 *out = force;
-                for moment in &mut moments[..=highest] {
-                    *moment += force;
+                for sum in &mut sums {
+                    *sum += force;
                     force *= s;
                 }
             }
+            moments[..T].copy_from_slice(&sums);
         }
         total
     }
@@ -347,29 +389,36 @@ pub(crate) fn gauge_places(degree: usize, length: f64, closed: bool) -> Vec<f64>
     if closed { vec![0.0] } else { (0..=degree).map(|i| length * (i as f64 / degree as f64)).collect() }
 }
 
+/// The first T of some numbers or vectors.
 #[inline]
-fn product(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+fn leading<const T: usize, V: Copy>(of: &[V; TERMS]) -> [V; T] {
+    core::array::from_fn(|i| of[i])
 }
 
-/// Σ w xʲ for j up to `most`, and Σ w xʲ p, over the samples of an element.
-fn moments(data: &Scaled, element: &Element, most: usize) -> ([f64; 2 * TERMS], [Vector; TERMS]) {
-    let (mut powers, mut values) = ([0.0; 2 * TERMS], [Vector::zeros(); TERMS]);
+/// Σ w xʲ for j up to 2T − 2, and Σ w xʲ p for j below T, over the samples of an element.
+#[inline]
+fn moments<const T: usize>(data: &Scaled, element: &Element) -> ([f64; 2 * TERMS], [Vector; T]) {
+    let (mut powers, mut values) = ([0.0; 2 * TERMS], [Vector::zeros(); T]);
+    let (mut low, mut high) = ([0.0; T], [0.0; T]);
     let inverse = 1.0 / element.half;
-    for m in element.samples.0..element.samples.1 {
-        let x = (data.t[m] - element.middle) * inverse;
-        let point = Vector::new(data.x[m], data.y[m]);
-        let mut power = data.w[m];
-        for value in values.iter_mut().zip(&mut powers).take(most / 2 + 1) {
-            *value.0 += point * power;
-            *value.1 += power;
-            power *= x;
-        }
-        for sum in &mut powers[most / 2 + 1..=most] {
+    let (from, to) = element.samples;
+    let points = data.x[from..to].iter().zip(&data.y[from..to]);
+    for ((t, w), (x, y)) in data.t[from..to].iter().zip(&data.w[from..to]).zip(points) {
+        let s = (t - element.middle) * inverse;
+        let point = Vector::new(*x, *y);
+        let mut power = *w;
+        for (sum, value) in low.iter_mut().zip(&mut values) {
+            *value += point * power;
             *sum += power;
-            power *= x;
+            power *= s;
+        }
+        for sum in &mut high[..T - 1] {
+            *sum += power;
+            power *= s;
         }
     }
+    powers[..T].copy_from_slice(&low);
+    powers[T..2 * T].copy_from_slice(&high);
     (powers, values)
 }
 

@@ -1,7 +1,7 @@
 //! From splines near unit size to what the caller sees, in the caller's units.
 
 use super::breaks::HIGHEST;
-use super::foot_points::Spline;
+use super::foot_points::{Spline, derivative_of};
 use super::free_knots::Located;
 use super::outcome::{Fit, FitStatus, Joints, Knot, Part};
 use super::samples::Samples;
@@ -198,10 +198,15 @@ pub(super) fn knots(frame: &Frame<'_>, spline: &Spline) -> Vec<Knot> {
 pub(super) fn simple_knots(frame: &Frame<'_>, part: &Spline, whole: &Spline, shift: f64) -> Vec<Knot> {
     let samples = frame.samples;
     let mut knots = part.knots(Vector::zeros(), samples.scale);
-    let breaks = &part.space.breaks;
+    let (breaks, pieces, mut at) = (&part.space.breaks, whole.pieces(), 0);
     for (knot, &t) in knots.iter_mut().zip(&breaks.at) {
         knot.t = if t < shift { t - shift + breaks.end } else { t - shift };
-        knot.point = samples.center + whole.evaluate(t, 0) * samples.scale;
+        let (s, inner) = whole.space.find(t, at);
+        at = s;
+        let span = &whole.space.spans[s];
+        let u = (inner - span.middle) / span.half;
+        let place = derivative_of(&pieces[s], whole.space.breaks.degree, u, span.half, 0);
+        knot.point = samples.center + place * samples.scale;
         outwards(knot, frame.unit);
     }
     knots

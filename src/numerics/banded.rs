@@ -1,6 +1,8 @@
 //! Symmetric positive definite systems whose matrix is a band with a border: splines on a line have the band,
 //! splines on a circle the border too.
 
+mod known_shape;
+
 use super::Vector;
 use crate::error::Result;
 use crate::limits;
@@ -70,10 +72,66 @@ impl Bordered {
         self.corner.fill(0.0);
     }
 
-    /// Copies the entries of a matrix of the same shape.
-    pub fn copy_from(&mut self, other: &Self) {
-        self.columns.copy_from_slice(&other.columns);
-        self.corner.copy_from_slice(&other.corner);
+    /// The zero matrix for both coordinates of points that couple as the unknowns of this one do: rows 2i and 2i + 1
+    /// belong to point i.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub(crate) fn of_points(&self) -> Result<Self> {
+        Self::new(2 * self.band, 2 * self.half + 1, 2 * self.border)
+    }
+
+    /// Every entry of the matrix of one coordinate, for both of them; the shape is that of [`Bordered::of_points`].
+    pub(crate) fn copy_to_points(&self, points: &mut Self) {
+        let (single, double) = (self.stride(), points.stride());
+        let columns = self.columns.chunks_exact(single).zip(points.columns.chunks_exact_mut(2 * double));
+        for (column, pair) in columns {
+            let (x, y) = pair.split_at_mut(double);
+            let (band, border) = column.split_at(1 + self.half);
+            let (x_band, x_border) = x.split_at_mut(1 + points.half);
+            let (y_band, y_border) = y.split_at_mut(1 + points.half);
+            for ((x, y), &value) in x_band.chunks_exact_mut(2).zip(y_band.chunks_exact_mut(2)).zip(band) {
+                (x[0], x[1], y[0], y[1]) = (value, 0.0, value, 0.0);
+            }
+            for ((x, y), &value) in x_border.chunks_exact_mut(2).zip(y_border.chunks_exact_mut(2)).zip(border)
+            {
+                (x[0], x[1], y[0], y[1]) = (value, 0.0, 0.0, value);
+            }
+        }
+        for j in 0..self.border {
+            for i in j..self.border {
+                let (value, row) = (self.corner[j * self.border + i], points.border);
+                let place = 2 * j * row + 2 * i;
+                points.corner[place..place + 2].copy_from_slice(&[value, 0.0]);
+                points.corner[place + row..place + row + 2].copy_from_slice(&[0.0, value]);
+            }
+        }
+    }
+
+    /// Adds weightsᵢ weightsⱼ times a symmetric 2 × 2 matrix (xx, xy, yy) for the points from `first` on, all in the band
+    /// and within its width of one another. Answers whether they are; nothing is added otherwise.
+    #[inline]
+    pub(crate) fn add_outer(&mut self, first: usize, weights: &[f64], [xx, xy, yy]: [f64; 3]) -> bool {
+        let (count, stride) = (weights.len(), self.stride());
+        if 2 * (first + count) > self.band || 2 * count > 1 + self.half {
+            return false;
+        }
+        let pairs = self.columns[2 * first * stride..].chunks_exact_mut(2 * stride);
+        for (b, (pair, &own)) in pairs.zip(weights).enumerate() {
+            let (x, y) = pair.split_at_mut(stride);
+            let (along_x, across, along_y) = (own * xx, own * xy, own * yy);
+            for (place, &weight) in x.chunks_exact_mut(2).zip(&weights[b..]) {
+                place[0] += weight * along_x;
+                place[1] += weight * across;
+            }
+            y[0] += own * along_y;
+            for (place, &weight) in y[1..].chunks_exact_mut(2).zip(&weights[b + 1..]) {
+                place[0] += weight * across;
+                place[1] += weight * along_y;
+            }
+        }
+        true
     }
 
     /// Adds to the entries (i, j) and (j, i), which are one; i = j counts once. Entries outside the shape are ignored.
@@ -129,12 +187,35 @@ impl Bordered {
 
     /// Cholesky's factors, in place. A pivot of at most `floor` times what stood on the diagonal holds its unknown at
     /// zero; how many did is the answer. O(n·(half + border)²).
-    #[allow(clippy::needless_range_loop, reason = "matrices are written with their indices")]
     pub fn factor(&mut self, floor: f64) -> usize {
-        let (stride, half, border) = (self.stride(), self.half, self.border);
+        let border = self.border;
         let diagonal: Vec<f64> = (0..border).map(|i| self.corner[i * border + i]).collect();
-        let mut least: Vec<f64> = self.columns.iter().step_by(stride).map(|d| d * floor).collect();
-        least.resize(self.band, 0.0);
+        let mut held = match self.shape() {
+            (5, 4) => known_shape::factor::<5, 4, 10>(&mut self.columns, &mut self.corner, floor),
+            (9, 8) => known_shape::factor::<9, 8, 18>(&mut self.columns, &mut self.corner, floor),
+            _ => self.factor_band(floor),
+        };
+        for j in 0..border {
+            let (head, rest) = self.corner[j * border..].split_at_mut(border);
+            held += usize::from(scale_by_pivot(head, j, diagonal[j] * floor));
+            for (k, column) in rest.chunks_exact_mut(border).enumerate() {
+                let first = j + 1 + k;
+                subtract(&mut column[first..], head[first], &head[first..]);
+            }
+        }
+        held
+    }
+
+    /// Width of the band and size of the border, where there are code for their loops and as many columns as it needs.
+    fn shape(&self) -> (usize, usize) {
+        if self.band.is_multiple_of(2) { (self.half, self.border) } else { (0, 0) }
+    }
+
+    /// The elimination of the band, for any shape.
+    #[allow(clippy::needless_range_loop, reason = "matrices are written with their indices")]
+    fn factor_band(&mut self, floor: f64) -> usize {
+        let (stride, half, border) = (self.stride(), self.half, self.border);
+        let least = least_pivots(&self.columns, stride, floor);
         let mut held = 0;
         // Two columns at a time: what they take from those behind them is taken in one pass.
         let mut j = 0;
@@ -179,26 +260,16 @@ impl Bordered {
             }
             j += 2;
         }
-        for j in 0..border {
-            let (head, rest) = self.corner[j * border..].split_at_mut(border);
-            held += usize::from(scale_by_pivot(head, j, diagonal[j] * floor));
-            for (k, column) in rest.chunks_exact_mut(border).enumerate() {
-                let first = j + 1 + k;
-                subtract(&mut column[first..], head[first], &head[first..]);
-            }
-        }
         held
     }
 
     /// Solves with the factors, in place. O(n·(half + border)).
     pub fn solve(&self, right: &mut [f64]) {
-        let (stride, half) = (self.stride(), self.half);
         let (band, border) = right.split_at_mut(self.band);
-        for (j, column) in self.columns.chunks_exact(stride).enumerate() {
-            let value = band[j] / column[0];
-            band[j] = value;
-            subtract(&mut band[j + 1..], value, &column[1..=half]);
-            subtract(border, value, &column[half + 1..]);
+        match self.shape() {
+            (5, 4) => known_shape::forward::<5, 4, 10>(&self.columns, band, border),
+            (9, 8) => known_shape::forward::<9, 8, 18>(&self.columns, band, border),
+            _ => self.forward(band, border),
         }
         for j in 0..self.border {
             let column = &self.corner[j * self.border..][..self.border];
@@ -210,9 +281,50 @@ impl Bordered {
             let column = &self.corner[j * self.border..][..self.border];
             border[j] = (border[j] - dot(&border[j + 1..], &column[j + 1..])) / column[j];
         }
-        for (j, column) in self.columns.chunks_exact(stride).enumerate().rev() {
-            let known = dot(&band[j + 1..], &column[1..=half]) + dot(border, &column[half + 1..]);
+        match self.shape() {
+            (5, 4) => known_shape::backward::<5, 4, 10>(&self.columns, band, border),
+            (9, 8) => known_shape::backward::<9, 8, 18>(&self.columns, band, border),
+            _ => self.backward(band, border),
+        }
+    }
+
+    fn forward(&self, band: &mut [f64], border: &mut [f64]) {
+        for (j, column) in self.columns.chunks_exact(self.stride()).enumerate() {
+            let value = band[j] / column[0];
+            band[j] = value;
+            subtract(&mut band[j + 1..], value, &column[1..=self.half]);
+            subtract(border, value, &column[self.half + 1..]);
+        }
+    }
+
+    fn backward(&self, band: &mut [f64], border: &[f64]) {
+        for (j, column) in self.columns.chunks_exact(self.stride()).enumerate().rev() {
+            let known = dot(&band[j + 1..], &column[1..=self.half]) + dot(border, &column[self.half + 1..]);
             band[j] = (band[j] - known) / column[0];
+        }
+    }
+
+    /// Adds the matrix times a list of points, before it is factored. O(n·(half + border)).
+    pub fn times(&self, points: &[Vector], sum: &mut [Vector]) {
+        let mut add = |i: usize, j: usize, value: f64| {
+            sum[i] += points[j] * value;
+            if i != j {
+                sum[j] += points[i] * value;
+            }
+        };
+        for (j, column) in self.columns.chunks_exact(self.stride()).enumerate() {
+            let (band, border) = column.split_at(1 + self.half);
+            for (i, value) in (j..self.band).zip(band) {
+                add(i, j, *value);
+            }
+            for (i, value) in (self.band..).zip(border) {
+                add(i, j, *value);
+            }
+        }
+        for j in 0..self.border {
+            for i in j..self.border {
+                add(self.band + i, self.band + j, self.corner[j * self.border + i]);
+            }
         }
     }
 
@@ -232,6 +344,11 @@ impl Bordered {
         }
         Ok(())
     }
+}
+
+/// What the pivot of each column has to exceed.
+fn least_pivots(columns: &[f64], stride: usize, floor: f64) -> Vec<f64> {
+    columns.iter().step_by(stride).map(|diagonal| diagonal * floor).collect()
 }
 
 /// Divides a column by the root of its pivot, or holds the unknown where the pivot is not above `least`.

@@ -98,7 +98,13 @@ impl Fitter {
             // The last one carries the place.
             let last = fit.parts.len() + 1 == splines.len();
             let center = if last { self.samples.center } else { Point::zeros() };
-            fit.parts.push(report::part(&frame, spline, center)?);
+            let part = if splines.len() > 1 {
+                report::part(&frame, spline, center)?
+            } else {
+                let coefficients = report::coefficients(&frame, spline);
+                Part { degree: spline.space.breaks.degree, curve: fit.curve.clone(), coefficients }
+            };
+            fit.parts.push(part);
         }
         sort_by_number(&mut fit.knots, &|knot| knot.t);
         Ok(fit)
