@@ -25,6 +25,8 @@ pub(crate) const GLIMPSE: f64 = 1e-3;
 const MOST_FOLLOWING: usize = 5;
 /// Where jumps are not wanted more accurately than this, rounding does not matter.
 const ROUGH: f64 = 1e-5;
+/// One in so many knots may turn out to be none.
+const MOST_TURNED: usize = 5;
 /// The most steps of Newton's method on one set.
 const MOST_NEWTON: usize = 5;
 
@@ -58,8 +60,16 @@ impl Solver {
         if let Some(fixed) = &self.finished {
             return Ok(self.in_units_of_the_caller(fixed));
         }
+        Ok(self.in_units_of_the_caller(&self.best()?))
+    }
+
+    /// The same in units of the solver.
+    pub(crate) fn best(&self) -> Result<Fixed> {
+        if let Some(fixed) = &self.finished {
+            return Ok(fixed.clone());
+        }
         let tried = if self.tried || self.is_hurried() { None } else { self.polished()? };
-        let fixed = match tried {
+        Ok(match tried {
             Some((fixed, _)) if fixed.measure.gap <= self.measure.gap => fixed,
             _ => Fixed {
                 reduced: self.iterate.reduced.clone(),
@@ -67,8 +77,7 @@ impl Solver {
                 jumps: self.iterate.jumps.clone(),
                 measure: self.measure,
             },
-        };
-        Ok(self.in_units_of_the_caller(&fixed))
+        })
     }
 
     /// The least objective on the knots that the iterate singles out, and on those that the dual curve then asks for.
@@ -115,7 +124,12 @@ impl Solver {
             let start: Vec<Vector> = sets.iter().flatten().map(|(_, jump)| *jump).collect();
             let reduced = Reduced::new(&self.data, chosen)?;
             let Some(newton) = newton(&self.data, reduced, &start, lanes, accuracy) else { break };
-            if lanes == 1 && turned(&newton.jumps, &start) {
+            let turned = if lanes == 1 { turned(&newton.jumps, &start) } else { 0 };
+            // Where many of the knots that were singled out on a fine grid are none, others are missing as well.
+            if self.is_fine() && best.is_none() && MOST_TURNED * turned > start.len() {
+                break;
+            }
+            if turned > 0 {
                 let mut pairs = newton.jumps.iter().zip(&start);
                 for set in &mut sets {
                     set.retain(|_| pairs.next().is_some_and(|(a, b)| dot(*a, *b) > 0.0));
@@ -175,7 +189,7 @@ impl Solver {
         (Fixed { reduced, unknowns, jumps, measure }, curves)
     }
 
-    fn in_units_of_the_caller(&self, fixed: &Fixed) -> Solution {
+    pub(crate) fn in_units_of_the_caller(&self, fixed: &Fixed) -> Solution {
         let data = &self.data;
         let (factor, lanes) = (data.objective_factor(), lanes(data.norm));
         let mut knot = 0;
@@ -258,9 +272,9 @@ fn wanted(eta: Vector, lanes: usize) -> Vector {
     Vector::new(beyond(eta.x), beyond(eta.y))
 }
 
-/// Whether any jump has turned round or vanished.
-fn turned(after: &[Vector], before: &[Vector]) -> bool {
-    !after.iter().zip(before).all(|(a, b)| dot(*a, *b) > 0.0)
+/// How many jumps have turned round or vanished.
+fn turned(after: &[Vector], before: &[Vector]) -> usize {
+    after.iter().zip(before).filter(|(a, b)| dot(**a, **b).is_nan() || dot(**a, **b) <= 0.0).count()
 }
 
 /// Newton's method for the objective on fixed knots, from directions and lengths of their jumps.
@@ -299,7 +313,7 @@ fn newton(
         } else {
             let before = change;
             change = next.iter().zip(&jumps).fold(0.0_f64, |most, (a, b)| most.max(norm(a - b) / norm(*a)));
-            change < accuracy || (change < 1e-9 && change >= before) || turned(&next, start)
+            change < accuracy || (change < 1e-9 && change >= before) || turned(&next, start) > 0
         };
         settled = stop;
         if stop {

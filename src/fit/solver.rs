@@ -21,6 +21,12 @@ pub(crate) const LEAST_LAMBDA: f64 = 1e-10;
 
 /// The gap from which on the knots are looked for that stay.
 const FIRST_FINISH: f64 = 1e-3;
+/// The same for smooth splines on a grid that is finer than their knots: neighbours are told apart late.
+const FIRST_FINE: f64 = 1e-5;
+/// So many iterations more than the gap needs are made for true knots.
+const MOST_FOR_KNOTS: usize = 12;
+/// Below this share of the asked gap more iterations would tell no more.
+const LEAST_FOR_KNOTS: f64 = 1e-4;
 
 /// When to stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -109,6 +115,8 @@ pub struct Solver {
     pub(crate) tried: bool,
     /// The gap below which to look for it again.
     next_finish: f64,
+    /// Iterations since the asked gap was reached, on the way to true knots.
+    beyond: usize,
     /// Whether this run has left out the knots that its first iterations brought in vain.
     thinned: bool,
     /// Jump and slack of every cone before the last step, when that was a long one.
@@ -195,6 +203,7 @@ impl Solver {
             finished: None,
             tried: false,
             next_finish: FIRST_FINISH,
+            beyond: 0,
             thinned: false,
             before: Vec::new(),
             idle: (0, f64::INFINITY),
@@ -216,6 +225,7 @@ impl Solver {
         self.finished = None;
         self.tried = false;
         self.next_finish = FIRST_FINISH;
+        self.beyond = 0;
         self.before.clear();
         self.idle = (0, f64::INFINITY);
         self.look();
@@ -232,7 +242,7 @@ impl Solver {
             return Ok(self.status);
         }
         if self.iteration >= self.settings.most_iterations {
-            self.status = Status::IterationLimit;
+            self.status = self.given_up(Status::IterationLimit);
             return Ok(self.status);
         }
         if !self.thinned && self.middle.is_some() {
@@ -250,12 +260,27 @@ impl Solver {
             (self.iterate.unknowns, self.iterate.cones, self.measure) = before;
             self.iterate.reduced.jumps(&self.iterate.unknowns, &mut self.iterate.jumps);
             self.look();
-            self.status = Status::Stalled;
+            self.status = self.given_up(Status::Stalled);
             return Ok(self.status);
         }
         self.settle();
         self.try_to_finish()?;
         Ok(self.status)
+    }
+
+    /// How a run stands that ends before its knots are told apart.
+    fn given_up(&self, why: Status) -> Status {
+        if self.measure.gap <= self.settings.gap { Status::Converged } else { why }
+    }
+
+    /// Whether there is one spline, without corners.
+    fn is_smooth(&self) -> bool {
+        matches!(&self.data.components[..], [component] if component.degree > 1)
+    }
+
+    /// Whether it could have its knots in many more places than it has some.
+    pub(crate) fn is_fine(&self) -> bool {
+        self.is_smooth() && 2 * self.knots_in_play() < self.data.components[0].grid.len()
     }
 
     /// Whether the knots are not told apart: on fine grids that takes longer than a glimpse of the curve may.
@@ -270,10 +295,12 @@ impl Solver {
         }
         // Two components couple widely on few knots: there it costs more than an iteration, and is tried later.
         let dear = if self.data.components.len() > 1 { 0.1 } else { 1.0 };
-        if self.measure.gap > dear * self.next_finish || self.iteration == 0 {
+        let late = if self.is_fine() { FIRST_FINE.max(self.settings.gap) } else { f64::INFINITY };
+        if self.measure.gap > (dear * self.next_finish).min(late) || self.iteration == 0 {
             return Ok(());
         }
-        self.next_finish = 0.1 * self.measure.gap / dear;
+        // Beyond the asked gap nothing else is waited for.
+        self.next_finish = if self.beyond > 0 { 0.7 } else { 0.1 } * self.measure.gap / dear;
         match self.polished()? {
             Some((fixed, eta)) if fixed.measure.gap <= self.settings.gap => self.end_with(fixed, eta),
             Some((fixed, _)) => self.tried = fixed.measure.gap > self.measure.gap,
@@ -340,7 +367,13 @@ impl Solver {
             });
         }
         if gap <= self.settings.gap {
-            self.status = Status::Converged;
+            // The curve is good enough; its knots may still stand beside the true ones.
+            let enough = self.beyond >= MOST_FOR_KNOTS || gap <= LEAST_FOR_KNOTS * self.settings.gap;
+            let over = enough || self.is_hurried() || !self.is_smooth() || self.iteration == 0;
+            self.beyond += 1;
+            if over {
+                self.status = Status::Converged;
+            }
         } else if gap < 0.9 * self.idle.1 {
             self.idle = (0, gap);
         } else {
