@@ -3,8 +3,9 @@
 
 mod support;
 
+use expline::fit::certificate::verify;
 use expline::fit::gridless::gridless;
-use expline::fit::{Problem, Settings, Solver};
+use expline::fit::{Ask, Finish, Norm, Options, Problem, Settings, Solver, fit};
 use expline::numerics::Point;
 use serde::Deserialize;
 use support::golden;
@@ -53,5 +54,68 @@ fn three_slides_certify_the_continuous_optimum() {
         assert!(found.solution.objective >= least, "{}: {}", case.name, found.solution.objective);
         let (got, expected) = (found.solution.knot_count(), case.knots.len());
         assert!(got.abs_diff(expected) <= 1, "{}: {got} knots for {expected}", case.name);
+    }
+}
+
+/// A regular hexagon, `side` points on each side; its corners lie in the middle between two points.
+fn hexagon(side: usize) -> Vec<Point> {
+    let corner = |k: usize| {
+        let angle = core::f64::consts::TAU * k as f64 / 6.0;
+        Point::new(100.0 * angle.cos(), 100.0 * angle.sin())
+    };
+    let place = |i: usize| {
+        let along = ((i % side) as f64 + 0.5) / side as f64;
+        corner(i / side) * (1.0 - along) + corner(i / side + 1) * along
+    };
+    (0..6 * side).map(place).collect()
+}
+
+#[test]
+fn an_extreme_point_is_as_good_with_no_more_knots_than_points_can_tell_apart() {
+    let points = hexagon(8);
+    for norm in [Norm::L2, Norm::L1] {
+        // Four places between two points: where a corner is a jump at several of them is as good as at one or two.
+        let mut problem =
+            Problem::of_points(&points, true, &[(1, 30.0, 4 * points.len())]).expect("it is fine");
+        problem.norm = norm;
+        let mut solver =
+            Solver::new(&problem, Settings { gap: 1e-7, most_iterations: 200 }).expect("the problem is fine");
+        solver.run().expect("there is memory");
+        let (any, extreme) = (solver.solution().expect("memory"), solver.extreme().expect("memory"));
+        assert!(extreme.knot_count() <= any.knot_count(), "{} of {}", extreme.knot_count(), any.knot_count());
+        let off = (extreme.objective / any.objective - 1.0).abs();
+        assert!(off <= 1e-8, "{norm:?}: the objective changed by {off:e} of it");
+        let proof = verify(&problem, &extreme).expect("the problem is fine");
+        assert!(proof.gap <= 1e-6, "{norm:?}: certified {:e}", proof.gap);
+        for m in 0..points.len() {
+            let between = |t: &&f64| (m as f64..(m + 1) as f64).contains(*t);
+            let count = extreme.components[0].knots.iter().filter(between).count();
+            assert!(count <= 2, "{norm:?}: {count} knots between points {m} and {}", m + 1);
+        }
+        let (before, after) = (
+            any.evaluate(&problem.parameters, 0).expect("inside"),
+            extreme.evaluate(&problem.parameters, 0).expect("inside"),
+        );
+        let moved = before.iter().zip(&after).fold(0.0_f64, |most, (a, b)| most.max((a - b).norm()));
+        assert!(moved <= 1e-4, "{norm:?}: the curve at the points moved by {moved:e}");
+    }
+}
+
+#[test]
+fn every_step_after_the_optimum_says_what_it_changed() {
+    let points = points("smooth400_snr45");
+    let finish = Finish { extreme: true, merge: true, slide: true, debias: true, prune: false };
+    let options = Options { degrees: vec![3], closed: Some(true), finish, ..Options::default() };
+    let fitted = fit(&points, Ask::Lambda(vec![5000.0]), &options).expect("it can be fitted");
+    let steps: Vec<&str> = fitted.changes.iter().map(|change| change.step).collect();
+    assert_eq!(steps, ["extreme", "merge", "slide", "debias"], "in this order");
+    let (extreme, merge) = (&fitted.changes[0], &fitted.changes[1]);
+    // As many places as points: the optimum is the only one.
+    assert_eq!(extreme.knots.0, extreme.knots.1, "nothing can be exchanged");
+    assert!(merge.knots.1 < merge.knots.0, "{} of {} knots are left", merge.knots.1, merge.knots.0);
+    for pair in fitted.changes.windows(2) {
+        assert_eq!(pair[0].knots.1, pair[1].knots.0, "a step begins with what the one before left");
+        let off = (pair[0].qfe.1 / pair[1].qfe.0 - 1.0).abs();
+        assert!(off <= 1e-9, "the mean square after {} is not that before {}", pair[0].step, pair[1].step);
     }
 }

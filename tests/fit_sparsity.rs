@@ -225,12 +225,12 @@ fn a_hundred_cusps_stay_a_hundred_cusps() {
 fn finishing_takes_knots_away_and_says_so() {
     let points = contour("smooth400_snr45");
     let plain = fit(&points, Ask::Lambda(vec![5000.0]), &closed(3)).expect("it can be fitted");
-    let finish = Finish { merge: true, slide: true, debias: true, prune: true };
+    let finish = Finish { merge: true, slide: true, debias: true, prune: true, ..Finish::default() };
     let fitted =
         fit(&points, Ask::Lambda(vec![5000.0]), &Options { finish, ..closed(3) }).expect("it can be fitted");
     assert!(fitted.qfe <= plain.qfe * (1.0 + 1e-9), "{} for {}", fitted.qfe, plain.qfe);
     let steps: Vec<&str> = fitted.changes.iter().map(|change| change.step).collect();
-    assert_eq!(steps, ["slide", "debias", "prune"], "what was done");
+    assert_eq!(steps, ["merge", "slide", "debias", "prune"], "what was done");
     assert!(fitted.gap <= 1e-4, "the gap to the problem without a grid: {}", fitted.gap);
     assert_eq!(fitted.changes[0].knots.0, plain.knots.len(), "the first step begins with the solver's knots");
     let (grid, left) = (plain.knots.len(), fitted.knots.len());

@@ -21,6 +21,19 @@ export interface SparseFitStrength {
   tolerance?: number | undefined;
 }
 
+/** A step after the optimum on the grid is found. */
+export type FitStep =
+  /** Knots that others can stand for go: neither the curve at the points nor the objective changes. Only grids finer than the points have such. */
+  | "extreme"
+  /** Neighbours on the grid that stand for one knot in between are joined. */
+  | "merge"
+  /** Knots slide between the places of the grid, to the optimum without one. */
+  | "slide"
+  /** The points are fitted again with the knots kept, without the price that pulls the curve inwards. */
+  | "debias"
+  /** Knots go, and the others move, while the mean square stays what it was; with "debias". */
+  | "prune";
+
 /** What {@link fitSparse} can be told. */
 export interface SparseFitOptions extends SparseFitStrength {
   /** 1 to 5; a pair fits the sum of two splines, straight pieces with corners and smooth ones. Default [1, 3]. */
@@ -41,9 +54,10 @@ export interface SparseFitOptions extends SparseFitStrength {
   noise?: number | undefined;
   /**
    * What is made of the optimum: "none" leaves it as it is, on its grid; "gridless" joins neighbouring knots and moves them between the places
-   * of the grid, to the optimum that no grid limits; "full", the default, also takes the bias out and drops knots that the error allows.
+   * of the grid, to the optimum that no grid limits; "full", the default, also takes the bias out and drops knots that the error allows. Or the
+   * steps one by one, in whatever order: they are taken in that of {@link FitStep}. What each of them changed is in `changes`.
    */
-  finish?: "none" | "gridless" | "full" | undefined;
+  finish?: "none" | "gridless" | "full" | readonly FitStep[] | undefined;
   /** Increasing parameters of the points, one each. Default: as long as the way between them. */
   parameters?: Float64Array | readonly number[] | undefined;
   /** Length of the parameter's period of a closed fit with `parameters`; beyond the last of them. */
@@ -69,7 +83,9 @@ const MAX_GRID = 65_536;
 const MAX_LAMBDA = 1e12;
 const MAX_ITERATIONS = 100_000;
 
-const FINISHES = ["none", "gridless", "full"] as const;
+/** The steps, each a bit of what the engine is told. @internal */
+export const STEPS = ["extreme", "merge", "slide", "debias", "prune"] as const satisfies readonly FitStep[];
+const FINISHES = { none: 0, gridless: 6, full: 30 } as const;
 const STRENGTHS = ["lambda", "smoothing", "tolerance"] as const;
 const RUNNING = ["signal", "onProgress"] as const;
 const NAMES = [
@@ -119,7 +135,7 @@ export function order(op: string, points: unknown, options: unknown): Order {
     flag(op, "closed", own.closed, true) ? 1 : 0,
     flag(op, "corners", own.corners, true) ? 1 : 0,
     flag(op, "robust", own.robust, false) ? 1 : 0,
-    own.finish === undefined ? 2 : FINISHES.indexOf(word(op, "finish", own.finish, FINISHES)),
+    own.finish === undefined ? FINISHES.full : finishOf(op, own.finish),
     optional(own.gap, "gap", 0, 1),
     own.maxIterations === undefined ? -1 : integer(op, "maxIterations", own.maxIterations, 0, MAX_ITERATIONS),
     optional(own.mix, "mix", 0, 1),
@@ -163,6 +179,13 @@ function within(op: string, name: string, value: unknown, least: number, most: n
   const bound = most === Infinity ? `a number >= ${least}` : `a number in [${least}, ${most === MAX_LAMBDA ? "1e12" : most}]`;
   if (!(number >= least && number <= most)) throw wrong("E_RANGE", op, name, number, bound);
   return number;
+}
+
+function finishOf(op: string, value: unknown): number {
+  if (!Array.isArray(value)) return FINISHES[word(op, "finish", value, ["none", "gridless", "full"])];
+  const steps = value as readonly unknown[];
+  if (steps.length > STEPS.length) throw wrongLength(op, "finish", steps.length, `at most ${STEPS.length}`);
+  return steps.reduce<number>((bits, step) => bits | (1 << STEPS.indexOf(word(op, "finish", step, STEPS))), 0);
 }
 
 function degreesOf(op: string, value: unknown): readonly number[] {

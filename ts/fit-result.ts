@@ -1,5 +1,6 @@
 /** What a fit gives, read from what the engine leaves. */
 import { type Curve, type HermiteCurve, curveOf, curvesIn } from "./core.js";
+import { type FitStep, STEPS } from "./fit-options.js";
 
 /** A place where the spline's derivative of order `degree` jumps. */
 export interface SparseKnot {
@@ -13,6 +14,17 @@ export interface SparseKnot {
   degree: number;
   /** By how much the derivative of that order jumps. */
   jump: [number, number];
+}
+
+/** What one step after the optimum changed; "search" is the whole way to the fewest knots where no λ was involved. */
+export interface FitChange {
+  step: FitStep | "search";
+  /** Knots before and after. */
+  knots: [before: number, after: number];
+  /** Mean square of the distances at the points' parameters, before and after. */
+  qfe: [before: number, after: number];
+  /** The relative duality gap to the problem without a grid, where the step certified one. */
+  gap?: number;
 }
 
 /** How a fit ended; none of these is an error. */
@@ -67,14 +79,16 @@ export interface SparseFit {
   sigma: number;
   /** Indices of the points whose distance cannot be noise, with `robust`. */
   outliers: number[];
+  /** What was done after the optimum was found, step by step. */
+  changes: FitChange[];
   /** How it ended: "converged" unless something was in the way. */
   status: FitStatus;
 }
 
 const STATUSES: readonly FitStatus[] = ["converged", "max_iterations", "stalled"];
 
-/** Numbers of one knot. */
-const KNOT = 6;
+/** Numbers of one knot, and of one change. */
+const RECORD = 6;
 
 /** Reads a fit: sections, each with its length in front. @internal */
 export function readFit(numbers: Float64Array, late: boolean): SparseFit {
@@ -95,13 +109,15 @@ export function readFit(numbers: Float64Array, late: boolean): SparseFit {
     parts.push(curveFrom(section()));
     coefficients.push(section());
   }
-  const knots = knotsFrom(section());
+  const knots = records(section(), knotFrom);
   const parameters = section();
   const outliers = Array.from(section());
+  const changes = records(section(), changeFrom);
   return {
     ...{ curve, parts, coefficients, knots, parameters, outliers, objective, dataTerm, regularizer, gap, qfe, maxError, rms, deviation, iterations, lambda },
     ...(smoothing < 0 ? {} : { smoothing }),
     sigma,
+    changes,
     status: late ? "deadline" : (STATUSES[status] ?? "stalled"),
   };
 }
@@ -111,9 +127,14 @@ function curveFrom(numbers: Float64Array): HermiteCurve {
   return curveOf(data as NonNullable<typeof data>);
 }
 
-function knotsFrom(numbers: Float64Array): SparseKnot[] {
-  return Array.from({ length: numbers.length / KNOT }, (_, i) => {
-    const [t = 0, x = 0, y = 0, degree = 0, dx = 0, dy = 0] = numbers.subarray(KNOT * i, KNOT * i + KNOT);
-    return { t, x, y, degree, jump: [dx, dy] };
-  });
+function records<R>(numbers: Float64Array, read: (record: Float64Array) => R): R[] {
+  return Array.from({ length: numbers.length / RECORD }, (_, i) => read(numbers.subarray(RECORD * i, RECORD * i + RECORD)));
+}
+
+function knotFrom([t = 0, x = 0, y = 0, degree = 0, dx = 0, dy = 0]: Float64Array): SparseKnot {
+  return { t, x, y, degree, jump: [dx, dy] };
+}
+
+function changeFrom([step = 0, before = 0, after = 0, qfe = 0, now = 0, gap = 0]: Float64Array): FitChange {
+  return { step: STEPS[step] ?? "search", knots: [before, after], qfe: [qfe, now], ...(gap < 0 ? {} : { gap }) };
 }

@@ -7,8 +7,8 @@ import { type SparseFit, readFit } from "./fit-result.js";
 import { checkSignal, inOneGo, inTasks } from "./yielding.js";
 
 export { initFit, initFitSync } from "./fit-engine.js";
-export type { FitProgress, SparseFitOptions, SparseFitStrength } from "./fit-options.js";
-export type { FitStatus, SparseFit, SparseKnot } from "./fit-result.js";
+export type { FitProgress, FitStep, SparseFitOptions, SparseFitStrength } from "./fit-options.js";
+export type { FitChange, FitStatus, SparseFit, SparseKnot } from "./fit-result.js";
 
 /** Work of one call into the engine, in microseconds or so. */
 const BUDGET = 4000;

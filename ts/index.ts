@@ -20,7 +20,7 @@ export type {
   SpacePointsLike,
 } from "./core.js";
 export { SparseFitter, fitSparse, fitSparseAll, fitSparseAllAsync, fitSparseAsync, initFit, initFitSync } from "./fit.js";
-export type { FitProgress, FitStatus, SparseFit, SparseFitOptions, SparseFitStrength, SparseKnot } from "./fit.js";
+export type { FitChange, FitProgress, FitStatus, FitStep, SparseFit, SparseFitOptions, SparseFitStrength, SparseKnot } from "./fit.js";
 export { fromJSON } from "./json.js";
 export type { JSONWarning, ReadOptions } from "./json.js";
 export {

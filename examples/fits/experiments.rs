@@ -22,7 +22,7 @@ const LAMBDA: f64 = 700.0;
 /// The deviation of the noise in each coordinate at 47, 40 and 35 dB, for a contour of this size.
 const DEVIATIONS: [f64; 3] = [1.27, 2.93, 5.2];
 
-const PRUNED: Finish = Finish { merge: true, slide: true, debias: true, prune: true };
+const PRUNED: Finish = Finish { extreme: false, merge: true, slide: true, debias: true, prune: true };
 
 fn castle(deviation: f64) -> Result<(Vec<Point>, Vec<Point>)> {
     let places = along(CASTLE, COUNT, 1.0)?;

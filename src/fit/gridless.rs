@@ -64,18 +64,38 @@ pub fn merge(knots: &[f64], jumps: &[Vector], step: f64) -> Vec<f64> {
 ///
 /// Those of [`Solver::new`]; none for a problem that was solved.
 pub fn gridless(problem: &Problem, solution: &Solution, target: f64, most: usize) -> Result<Gridless> {
-    let mut best = Gridless { gap: gap(problem, solution)?, solution: solution.clone(), slides: 0 };
-    let (Some(component), Some(spline)) = (problem.components.first(), solution.components.first()) else {
-        return Ok(best);
-    };
-    if component.degree < 2 || problem.components.len() > 1 || spline.knots.len() > MOST_SLIDING {
-        return Ok(best);
+    slid(problem, merged(problem, solution)?, target, most)
+}
+
+/// Whether the knots of a solution may leave the grid.
+fn may_leave(problem: &Problem, solution: &Solution) -> bool {
+    let (degree, count) = (problem.components.first(), solution.components.first());
+    problem.components.len() == 1
+        && degree.is_some_and(|component| component.degree > 1)
+        && count.is_some_and(|spline| spline.knots.len() <= MOST_SLIDING)
+}
+
+/// The optimum on the knots of a solution, neighbours of like jumps joined.
+pub(super) fn merged(problem: &Problem, solution: &Solution) -> Result<Gridless> {
+    let whole = Gridless { gap: gap(problem, solution)?, solution: solution.clone(), slides: 0 };
+    if !may_leave(problem, solution) {
+        return Ok(whole);
     }
+    let (component, spline) = (&problem.components[0], &solution.components[0]);
     let step = (problem.end - problem.start) / component.grid.len().max(1) as f64;
     let joined = on_knots(problem, &merge(&spline.knots, &spline.jumps, step))?;
     // Joining may cost a little, which sliding then wins back.
-    if let Some(joined) = joined.filter(|joined| joined.objective <= 1.001 * solution.objective) {
-        best = Gridless { gap: gap(problem, &joined)?, solution: joined, slides: 0 };
+    match joined.filter(|joined| joined.objective <= 1.001 * solution.objective) {
+        Some(joined) => Ok(Gridless { gap: gap(problem, &joined)?, solution: joined, slides: 0 }),
+        None => Ok(whole),
+    }
+}
+
+/// The same with all knots free to slide.
+pub(super) fn slid(problem: &Problem, from: Gridless, target: f64, most: usize) -> Result<Gridless> {
+    let mut best = from;
+    if !may_leave(problem, &best.solution) {
+        return Ok(best);
     }
     let mut damping = 1e-9;
     while best.slides < most && best.gap > target {

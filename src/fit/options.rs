@@ -25,6 +25,9 @@ pub enum Ask {
 /// What is done after the convex problem is solved; nothing by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Finish {
+    /// Goes to an extreme point of the set of optima: no knots that others can stand for. It changes neither the curve at
+    /// the points nor the objective; on a grid that is not finer than the points the optimum is one already.
+    pub extreme: bool,
     /// Joins neighbouring knots of the grid that stand for one knot in between.
     pub merge: bool,
     /// Slides knots off the grid to the optimum of the problem without one.

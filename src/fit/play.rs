@@ -114,7 +114,7 @@ pub(crate) fn median(mut values: Vec<f64>) -> f64 {
 }
 
 /// The same functions on more knots.
-fn transfer(from: &Reduced, to: &mut Reduced, unknowns: &[Vector]) -> Vec<Vector> {
+pub(crate) fn transfer(from: &Reduced, to: &mut Reduced, unknowns: &[Vector]) -> Vec<Vector> {
     let mut result = vec![Vector::zeros(); to.unknowns];
     let mut fine = Vec::new();
     for (old, new) in from.parts.iter().zip(&to.parts) {

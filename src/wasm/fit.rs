@@ -11,6 +11,9 @@ use crate::fit::{Ask, Finish, Fit, FitStatus, Fitter, Norm, Options};
 use crate::{Error, Result};
 use wasm_bindgen::prelude::wasm_bindgen;
 
+/// What comes after the convex problem, by the bits of `finish`; the last one is no part of it.
+const STEPS: [&str; 6] = ["extreme", "merge", "slide", "debias", "prune", "search"];
+
 /// Numbers of the record of options that comes before the points.
 const OPTIONS: usize = 18;
 
@@ -45,8 +48,9 @@ pub fn fit_open(count: u32) -> i32 {
             ..Options::default()
         };
         let finish = head.count();
+        let step = |bit: usize| finish & bit != 0;
         options.finish =
-            Finish { merge: finish > 0, slide: finish > 0, debias: finish > 1, prune: finish > 1 };
+            Finish { extreme: step(1), merge: step(2), slide: step(4), debias: step(8), prune: step(16) };
         options.gap = head.optional().unwrap_or(options.gap);
         options.most_iterations = head.optional().map_or(options.most_iterations, |most| most as usize);
         options.mix = head.optional().unwrap_or(options.mix);
@@ -150,6 +154,15 @@ fn written(fit: &Fit) -> Vec<f64> {
     });
     section(output, &mut |to| to.extend_from_slice(&fit.parameters));
     section(output, &mut |to| to.extend(fit.outliers.iter().map(|&i| i as f64)));
+    section(output, &mut |to| {
+        for change in &fit.changes {
+            let step = STEPS.iter().position(|&step| step == change.step).unwrap_or(STEPS.len());
+            let (before, after) = change.knots;
+            let knots = [step, before, after].map(|n| n as f64);
+            to.extend_from_slice(&knots);
+            to.extend_from_slice(&[change.qfe.0, change.qfe.1, change.gap.unwrap_or(-1.0)]);
+        }
+    });
     core::mem::take(output)
 }
 

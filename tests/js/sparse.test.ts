@@ -114,6 +114,26 @@ test("a curve that was made shorter carries the certificate of the optimum that 
   }
 });
 
+test("what comes after the optimum can be named step by step, and every step says what it changed", () => {
+  const points = Float64Array.from(golden.sets["smooth400_snr45"] ?? []);
+  const options = { degree: 3, lambda: 5000 };
+  const plain = fitSparse(points, { ...options, finish: "none" });
+  assert.deepEqual(plain.changes, []);
+  assert.deepEqual(fitSparse(points, { ...options, finish: [] }).knots, plain.knots);
+  const full = fitSparse(points, { ...options, finish: "full" });
+  assert.deepEqual(full.changes.map(({ step }) => step), ["merge", "slide", "debias", "prune"]);
+  assert.deepEqual(fitSparse(points, { ...options, finish: ["prune", "debias", "merge", "slide"] }).changes, full.changes);
+  assert.deepEqual(fitSparse(points, { ...options, finish: "gridless" }).changes, full.changes.slice(0, 2));
+  assert.equal(full.changes[0]?.knots[0], plain.knots.length);
+  assert.equal(full.changes[3]?.knots[1], full.knots.length);
+  assert.ok((full.changes[1]?.gap ?? 1) <= 1e-4, "the gap to the problem without a grid");
+  const extreme = fitSparse(points, { ...options, finish: ["extreme"] });
+  assert.deepEqual(extreme.changes.map(({ step, knots }) => [step, ...knots]), [["extreme", plain.knots.length, plain.knots.length]]);
+  assert.equal(fitSparse(points, { degree: 3, tolerance: 8 }).changes[0]?.step, "search");
+  assert.throws(() => fitSparse(points, { finish: ["slide", "bend" as never] }), { code: "E_RANGE", arg: "finish" });
+  assert.throws(() => fitSparse(points, { finish: Array.from({ length: 6 }, () => "merge" as const) }), { code: "E_LENGTH", arg: "finish" });
+});
+
 test("contours of one drawing are fitted with one level of noise", () => {
   const contours = [noisyCircle(300, 0.01, 1), noisyCircle(200, 0.01, 2), noisyCircle(250, 0.05, 3)];
   const fits = fitSparseAll(contours, { degree: 3 });

@@ -3,7 +3,7 @@
 use super::super::combine::combined;
 use super::super::foot_points::Spline;
 use super::super::free_knots::FreeKnots;
-use super::super::gridless::gridless;
+use super::super::gridless::{merged, slid};
 use super::super::outcome::{Changed, Fit};
 use super::super::report;
 use super::super::solution::Solution;
@@ -45,7 +45,7 @@ impl Finishing {
 }
 
 impl Fitter {
-    /// Merging and sliding at once; debiasing and pruning get ready.
+    /// Exchanges, merging and sliding at once; debiasing and pruning get ready.
     pub(super) fn finishing(&self, solver: Box<Solver>) -> Result<Finishing> {
         let finish = self.options.finish;
         let convex = solver.solution()?;
@@ -53,16 +53,29 @@ impl Fitter {
         let mut changes = Vec::new();
         let total = report::weight(&self.located);
         let unit = self.samples.scale * self.samples.scale / total;
+        let changed = |step, before: &Solution, after: &Solution, gap| Changed {
+            step,
+            knots: (before.knot_count(), after.knot_count()),
+            qfe: (before.data_term * unit, after.data_term * unit),
+            gap,
+        };
+        if finish.extreme {
+            let found = solver.extreme()?;
+            changes.push(changed("extreme", &solution, &found, None));
+            solution = found;
+        }
         if let Some(problem) = self.problem.as_ref().filter(|_| finish.merge || finish.slide) {
-            let most = if finish.slide { MOST_SLIDES } else { 0 };
-            let found = gridless(problem, &solution, GRIDLESS_GAP, most)?;
-            changes.push(Changed {
-                step: if finish.slide { "slide" } else { "merge" },
-                knots: (solution.knot_count(), found.solution.knot_count()),
-                qfe: (solution.data_term * unit, found.solution.data_term * unit),
-                gap: Some(found.gap),
-            });
-            if found.slides > 0 || found.solution.knot_count() != convex.knot_count() {
+            let before = solution.knot_count();
+            let mut found = merged(problem, &solution)?;
+            if finish.merge {
+                changes.push(changed("merge", &solution, &found.solution, Some(found.gap)));
+            }
+            if finish.slide {
+                let joined = if finish.merge { found.solution.clone() } else { solution.clone() };
+                found = slid(problem, found, GRIDLESS_GAP, MOST_SLIDES)?;
+                changes.push(changed("slide", &joined, &found.solution, Some(found.gap)));
+            }
+            if found.slides > 0 || found.solution.knot_count() != before {
                 // It is certified beyond the grid then.
                 solution = Solution { gap: found.gap, ..found.solution };
             }
