@@ -195,9 +195,9 @@ impl Bordered {
             (9, 8) => known_shape::factor::<9, 8, 18>(&mut self.columns, &mut self.corner, floor),
             _ => self.factor_band(floor),
         };
-        for j in 0..border {
+        for (j, own) in diagonal.iter().enumerate() {
             let (head, rest) = self.corner[j * border..].split_at_mut(border);
-            held += usize::from(scale_by_pivot(head, j, diagonal[j] * floor));
+            held += usize::from(scale_by_pivot(head, j, own * floor));
             for (k, column) in rest.chunks_exact_mut(border).enumerate() {
                 let first = j + 1 + k;
                 subtract(&mut column[first..], head[first], &head[first..]);
