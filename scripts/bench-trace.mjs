@@ -1,10 +1,8 @@
 // npm run bench:trace: tracers side by side on pictures whose outlines are known; `npm run bench:trace -- "outlines, c256"` prints one part.
 
-import { spawn } from "node:child_process";
-
 import { buildPackage } from "./package.mjs";
 import { setUp } from "./setup.mjs";
-import { StepError, at, door, environment, root, run, step } from "./steps.mjs";
+import { at, door, run, show, step } from "./steps.mjs";
 
 const SOURCES = ["bench/peers", "src", "Cargo.toml", "Cargo.lock", "rust-toolchain.toml", ".cargo/config.toml"];
 const PROGRAM = "target/release/expline-trace";
@@ -16,7 +14,5 @@ await door(async () => {
     await run("cargo", ["build", "--locked", "--release", "-p", "expline-peers", "--bin", "expline-trace"]);
   });
   const parameters = [at("bench/trace/run.mjs"), at(PROGRAM), ...process.argv.slice(2)];
-  const child = spawn("node", parameters, { cwd: root, env: environment(), stdio: "inherit" });
-  const status = await new Promise((resolve) => child.on("close", resolve));
-  if (status !== 0) throw new StepError("the benchmark did not finish");
+  await show("node", parameters, "the benchmark did not finish");
 });

@@ -1,10 +1,8 @@
 // npm run bench: the package beside its peers, in one run on one curve, results checked against each other.
 
-import { spawn } from "node:child_process";
-
 import { buildPackage } from "./package.mjs";
 import { setUp } from "./setup.mjs";
-import { StepError, at, door, environment, root, run, step } from "./steps.mjs";
+import { at, door, run, show, step } from "./steps.mjs";
 
 const PEERS = ["bench/peers", "src", "Cargo.toml", "Cargo.lock", "rust-toolchain.toml", ".cargo/config.toml"];
 const PROGRAM = "target/release/expline-peers";
@@ -23,7 +21,5 @@ await door(async () => {
     await run("node", [at("node_modules/binaryen/bin/wasm-opt"), "-O3", "--all-features", at(WASM), "-o", at(KURBO)]);
   });
   const parameters = [at("bench/run.mjs"), at(PROGRAM), at(KURBO), ...process.argv.slice(2)];
-  const child = spawn("node", parameters, { cwd: root, env: environment(), stdio: "inherit" });
-  const status = await new Promise((resolve) => child.on("close", resolve));
-  if (status !== 0) throw new StepError("the benchmark did not finish");
+  await show("node", parameters, "the benchmark did not finish");
 });

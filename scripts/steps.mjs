@@ -120,6 +120,13 @@ export function run(command, parameters, { env = {}, cwd = root, limit = 0 } = {
   });
 }
 
+/** Runs a command whose output goes straight to the terminal; a status other than 0 is a StepError with this message. */
+export async function show(command, parameters, message) {
+  const child = spawn(command, parameters, { cwd: root, env: environment(), stdio: "inherit" });
+  const status = await new Promise((resolve) => child.on("close", resolve));
+  if (status !== 0) throw new StepError(message);
+}
+
 /** Does `work` for every item, as many at once as there are cores; gives back the results in the order of the items. */
 export async function sideBySide(items, work) {
   const results = [];
