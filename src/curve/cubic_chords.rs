@@ -121,7 +121,9 @@ impl Cutter {
     /// Looks at the densities of the first `count` cubics.
     pub(super) fn look(&mut self, count: usize) {
         let count = count.next_multiple_of(LANES).min(GROUP);
-        self.turnings.begin(&mut self.sums, count);
+        // What comes before the first edge is no cell.
+        self.turnings.add(&mut self.sums, &mut self.cells[0], -0.5, count);
+        self.sums.total = [0.0; GROUP];
         for (k, cell) in self.cells.iter_mut().enumerate() {
             self.turnings.add(&mut self.sums, cell, (k + 1) as f32 / CELLS as f32 - 0.5, count);
         }
@@ -205,19 +207,11 @@ impl Turnings {
         (turn.abs() / ((x * x + y * y).sqrt() + 1e-12)).sqrt()
     }
 
-    /// The densities at the start.
-    #[inline(never)]
-    fn begin(&self, sums: &mut Sums, count: usize) {
-        for lane in 0..count.min(GROUP) {
-            sums.root[lane] = self.density(lane, -0.5);
-            sums.total[lane] = 0.0;
-        }
-    }
-
     /// The cells that end at y, which go on from the last ones.
     #[inline(never)]
     fn add(&self, sums: &mut Sums, cell: &mut Cell, y: f32, count: usize) {
-        for lane in 0..count.min(GROUP) {
+        // A whole number of lanes, as compilers can see.
+        for lane in 0..count.min(GROUP) / LANES * LANES {
             let (from, to) = (sums.root[lane], self.density(lane, y));
             let sum = from + to + LEAST_DENSITY;
             let inverse = 1.0 / sum;
