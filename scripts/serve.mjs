@@ -32,6 +32,17 @@ function fileOf(folder, url) {
   return file.startsWith(folder + sep) ? file : undefined;
 }
 
+/** What was compressed before, by file: a page of a test asks for the same as the one before it. */
+const compressed = new Map();
+
+function gzipped(file, body) {
+  const known = compressed.get(file);
+  if (known?.body.equals(body)) return known.gzip;
+  const gzip = gzipSync(body);
+  compressed.set(file, { body, gzip });
+  return gzip;
+}
+
 async function answer(folder, policy, request, response) {
   if (request.method !== "GET" && request.method !== "HEAD") {
     response.writeHead(405, { Allow: "GET, HEAD" }).end();
@@ -51,7 +62,7 @@ async function answer(folder, policy, request, response) {
   if (policy && type.startsWith("text/html")) headers["Content-Security-Policy"] = policy;
   if (/\bgzip\b/.test(request.headers["accept-encoding"] ?? "") && !/^image\/png/.test(type)) {
     headers["Content-Encoding"] = "gzip";
-    body = gzipSync(body);
+    body = gzipped(file, body);
   }
   headers["Content-Length"] = body.length;
   response.writeHead(200, headers).end(request.method === "HEAD" ? undefined : body);

@@ -54,7 +54,7 @@ test("a drag goes on over the panel and outside the window", async (t) => {
   assert.ok(Math.abs(after.x - before.x - (1400 - from.x)) <= 0.5 && Math.abs(after.y - before.y - (900 - from.y)) <= 0.5);
 });
 
-test("events made by a script, with no pointer to capture, drag as a hand does", async (t) => {
+test("DM-014 events made by a script, without pressure, places between and a pointer to capture, drag as a hand does", async (t) => {
   const demo = await open(t, "#/curve?sample=circle-8");
   await demo.withoutSnap();
   const before = await demo.point(1);
@@ -123,10 +123,8 @@ test("DM-015 a stage of no size draws nothing and comes back", async (t) => {
 
 test("DM-016 zooming out and in far beyond the limits leaves a view of numbers", async (t) => {
   const demo = await open(t, "#/curve?sample=circle-8");
-  await demo.page.mouse.move(640, 420);
-  for (let i = 0; i < 200; i += 1) await demo.page.mouse.wheel(0, 120);
-  for (let i = 0; i < 200; i += 1) await demo.page.mouse.wheel(0, -120);
-  await demo.idle();
+  await demo.wheel({ x: 640, y: 420 }, -200);
+  await demo.wheel({ x: 640, y: 420 }, 200);
   const { view } = await demo.state();
   assert.ok([view.zoom, view.x, view.y].every(Number.isFinite));
   assert.deepEqual(demo.complaints, []);
