@@ -13,7 +13,7 @@ export function fitHint(state: EditorState): string {
     case "draw":
       return state.fit.data.length === 0 ? "" : "Drag to draw another stroke. Press a knot to choose it.";
     case "points":
-      return "Click to add points; a double-click or Enter ends the stroke.";
+      return state.touch ? "Tap to add points; a double tap ends the stroke." : "Click to add points; a double-click or Enter ends the stroke.";
     case "erase":
       return "Drag over points to erase them.";
   }

@@ -1,7 +1,8 @@
-import { emptyCurve, nothingSelected, type Contour, type CurveDocument } from "../../document/document.ts";
+import { emptyCurve, type Contour, type CurveDocument } from "../../document/document.ts";
 import { contourFromFit } from "../../kernel/fit/as-contour.ts";
 import type { FitOutcome } from "../../kernel/fit/outcome.ts";
 import type { Editor, EditorState } from "../editor.ts";
+import { openInCurve } from "../open-in-curve.ts";
 
 const contoursOf = ({ strokes }: FitOutcome): Contour[] => strokes.map(({ curve }) => contourFromFit(curve));
 
@@ -15,16 +16,5 @@ export function fittedDrawing({ fit, fitRun }: EditorState): CurveDocument | nul
 export function editInCurve(editor: Editor): void {
   const { outcome } = editor.state.value.fitRun;
   if (outcome === null) return;
-  const contours = contoursOf(outcome);
-  const { view } = editor.state.value;
-  editor.patch({ mode: "curve", tool: "select" });
-  editor.dispatch({
-    name: "Edit the fit",
-    apply: ({ sample: _gone, ...curve }) => ({ ...curve, space: "trigonometric", omega: "auto", level: 0, contours }),
-    select: nothingSelected,
-  });
-  editor.setOverlay("bezier", false);
-  editor.patch({ view, hint: "" });
-  const count = contours.reduce((sum, contour) => sum + contour.points.length, 0);
-  editor.notify({ kind: "toast", text: `The fit is in Curve, ${count} points. The data stay in Fit.` });
+  openInCurve(editor, "Edit the fit", contoursOf(outcome), (count) => `The fit is in Curve, ${count} points. The data stay in Fit.`);
 }

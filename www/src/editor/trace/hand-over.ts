@@ -1,9 +1,10 @@
-import { nothingSelected, type Contour, type CurveDocument } from "../../document/document.ts";
+import type { CurveDocument } from "../../document/document.ts";
 import type { Pair } from "../../document/fit.ts";
 import { placesAlong } from "../../kernel/trace/as-strokes.ts";
 import { byColor } from "../../kernel/trace/outcome.ts";
 import type { Editor, EditorState } from "../editor.ts";
 import { bringStrokes } from "../fit/fit-edits.ts";
+import { openInCurve } from "../open-in-curve.ts";
 import { drawingOf } from "./trace-edits.ts";
 
 /** From outlines to points that are fitted, and to a drawing that is edited: copies, both times. */
@@ -35,16 +36,5 @@ export function smoothInFit(editor: Editor): void {
 export function editTraceInCurve(editor: Editor): void {
   const drawing = drawingOf(editor.state.value);
   if (drawing === null) return;
-  const contours: readonly Contour[] = drawing.contours;
-  const { view } = editor.state.value;
-  editor.patch({ mode: "curve", tool: "select" });
-  editor.dispatch({
-    name: "Edit the trace",
-    apply: ({ sample: _gone, ...curve }) => ({ ...curve, space: "trigonometric", omega: "auto", level: 0, contours }),
-    select: nothingSelected,
-  });
-  editor.setOverlay("bezier", false);
-  editor.patch({ view, hint: "" });
-  const count = contours.reduce((sum, { points }) => sum + points.length, 0);
-  editor.notify({ kind: "toast", text: `The outlines are in Curve, ${count} points. The picture stays in Trace.` });
+  openInCurve(editor, "Edit the trace", drawing.contours, (count) => `The outlines are in Curve, ${count} points. The picture stays in Trace.`);
 }

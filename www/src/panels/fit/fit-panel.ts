@@ -9,6 +9,7 @@ import { choiceField, numberField, selectField, sliderField, toggleField } from 
 import type { Section } from "../curve/curve-panel.ts";
 import type { ModePanel } from "../panel.ts";
 import type { Shell } from "../shell.ts";
+import { stackedPanel } from "../stacked-panel.ts";
 import { chartSection } from "./fit-chart.ts";
 import { readingSection, showSection } from "./fit-show.ts";
 
@@ -16,14 +17,7 @@ import { readingSection, showSection } from "./fit-show.ts";
 export function fitPanel(shell: Shell): ModePanel {
   const smoothing = smoothingSection(shell);
   const sections = [dataSection(shell), smoothing, modelSection(shell), readingSection(shell), showSection(shell)];
-  return {
-    element: h("div", { class: "fit-panel" }, ...sections.map((section) => section.element)),
-    peek: smoothing.slider,
-    note: ({ fit }) => fitSample(fit.sample ?? "")?.title ?? "",
-    update(state) {
-      for (const section of sections) section.update(state);
-    },
-  };
+  return stackedPanel("fit-panel", sections, { peek: smoothing.slider, note: ({ fit }) => fitSample(fit.sample ?? "")?.title ?? "" });
 }
 
 function dataSection(shell: Shell): Section {

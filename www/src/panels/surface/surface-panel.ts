@@ -9,6 +9,7 @@ import type { Shade } from "../../editor/surface/solid.ts";
 import { glyph } from "../icons.ts";
 import type { ModePanel } from "../panel.ts";
 import type { Shell } from "../shell.ts";
+import { stackedPanel } from "../stacked-panel.ts";
 import type { Section } from "../curve/curve-panel.ts";
 import { netInspector } from "./net-inspector.ts";
 
@@ -16,15 +17,7 @@ import { netInspector } from "./net-inspector.ts";
 export function surfacePanel(shell: Shell): ModePanel {
   const shape = shapeSection(shell);
   const sections = [shape, netInspector(shell), showSection(shell), legendSection()];
-  const element = h("div", {}, ...sections.map((section) => section.element));
-  return {
-    element,
-    peek: shape.level,
-    note: ({ surface }) => surfaceTitle(surface.sample),
-    update(state) {
-      if (state.surface.net.length > 0) for (const section of sections) section.update(state);
-    },
-  };
+  return stackedPanel("surface-panel", sections, { peek: shape.level, note: ({ surface }) => surfaceTitle(surface.sample), ready: ({ surface }) => surface.net.length > 0 });
 }
 
 function shapeSection(shell: Shell): Section & { readonly level: HTMLElement } {

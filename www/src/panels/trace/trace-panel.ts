@@ -9,6 +9,7 @@ import { formatDeviation } from "../format.ts";
 import type { Section } from "../curve/curve-panel.ts";
 import type { ModePanel } from "../panel.ts";
 import type { Shell } from "../shell.ts";
+import { stackedPanel } from "../stacked-panel.ts";
 import { colorSection } from "./color-section.ts";
 import { imageSection } from "./image-section.ts";
 import { pictureSection } from "./picture-section.ts";
@@ -19,14 +20,7 @@ import { area, settingSlider } from "./setting-slider.ts";
 export function tracePanel(shell: Shell): ModePanel {
   const settings = settingsSection(shell);
   const sections = [pictureSection(shell), settings, colorSection(shell), resultSection(shell), imageSection(shell)];
-  return {
-    element: h("div", { class: "trace-panel" }, ...sections.map((section) => section.element)),
-    peek: settings.detail,
-    note: ({ trace }) => traceSample(trace.sample ?? "")?.title ?? "",
-    update(state) {
-      for (const section of sections) section.update(state);
-    },
-  };
+  return stackedPanel("trace-panel", sections, { peek: settings.detail, note: ({ trace }) => traceSample(trace.sample ?? "")?.title ?? "" });
 }
 
 function settingsSection(shell: Shell): Section & { readonly detail: HTMLElement } {

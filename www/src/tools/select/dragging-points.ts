@@ -4,6 +4,7 @@ import { nothingSketched } from "../../editor/create-editor.ts";
 import type { DragReadout, Editor, EditorPatch, Guide } from "../../editor/editor.ts";
 import { constrained, snapHandle, snapPlace, turnedBySteps } from "../../editor/snapping.ts";
 import type { Drag, PointerSample } from "../../editor/tool.ts";
+import { curveDrag } from "./curve-drag.ts";
 
 /** Moving points; with Alt, pulling fresh symmetric handles out of the point that was pressed. */
 export function dragPoints(editor: Editor, start: PointerSample, pressed: PointRef): Drag {
@@ -53,18 +54,8 @@ export function dragPoints(editor: Editor, start: PointerSample, pressed: PointR
     return { drag, cursor, sketch: { ...nothingSketched, guides, finger: sample.kind === "touch" ? sample.page : null } };
   }
 
-  return {
-    update(sample) {
-      if (sample.modifiers.alt && !plain) pull(sample);
-      else move(sample);
-    },
-    finish() {
-      editor.commit();
-      editor.patch({ drag: null, sketch: nothingSketched });
-    },
-    cancel() {
-      editor.bail();
-      editor.patch({ drag: null, sketch: nothingSketched });
-    },
-  };
+  return curveDrag(editor, (sample) => {
+    if (sample.modifiers.alt && !plain) pull(sample);
+    else move(sample);
+  });
 }

@@ -5,6 +5,7 @@ import { nothingSketched } from "../../editor/create-editor.ts";
 import type { Editor } from "../../editor/editor.ts";
 import { constrained } from "../../editor/snapping.ts";
 import type { Drag, PointerSample } from "../../editor/tool.ts";
+import { curveDrag } from "./curve-drag.ts";
 
 /**
  * Dragging the curve itself. A curved segment bends under the pointer; a straight one, and one without handles, goes
@@ -22,20 +23,10 @@ export function dragSegment(editor: Editor, start: PointerSample, selection: Sel
     return bent ?? { ...movePoints(selection, step.dx, step.dy), name: "Move segment", select: selection };
   }
 
-  return {
-    update(sample) {
-      let step = { dx: sample.page.x - start.page.x, dy: sample.page.y - start.page.y };
-      if (sample.modifiers.shift) step = constrained(step.dx, step.dy);
-      const command = change(step, sample.modifiers.alt);
-      editor.preview(command, { drag: { ...step, snapped: null }, cursor: command.name === "Move segment" ? "move" : "grabbing", sketch: { ...nothingSketched, finger: sample.kind === "touch" ? sample.page : null } });
-    },
-    finish() {
-      editor.commit();
-      editor.patch({ drag: null, sketch: nothingSketched });
-    },
-    cancel() {
-      editor.bail();
-      editor.patch({ drag: null, sketch: nothingSketched });
-    },
-  };
+  return curveDrag(editor, (sample) => {
+    let step = { dx: sample.page.x - start.page.x, dy: sample.page.y - start.page.y };
+    if (sample.modifiers.shift) step = constrained(step.dx, step.dy);
+    const command = change(step, sample.modifiers.alt);
+    editor.preview(command, { drag: { ...step, snapped: null }, cursor: command.name === "Move segment" ? "move" : "grabbing", sketch: { ...nothingSketched, finger: sample.kind === "touch" ? sample.page : null } });
+  });
 }

@@ -1,0 +1,15 @@
+import type { EditorState } from "../editor/editor.ts";
+import type { Section } from "./curve/curve-panel.ts";
+import { h } from "./dom.ts";
+import type { ModePanel } from "./panel.ts";
+
+/** A mode's panel of sections, one below the other. */
+export function stackedPanel(name: string, sections: readonly Section[], { peek, note, ready }: Pick<ModePanel, "note"> & { readonly peek: HTMLElement; ready?(state: EditorState): boolean }): ModePanel {
+  return {
+    element: h("div", { class: name }, ...sections.map((section) => section.element)),
+    peek, note,
+    update(state) {
+      if (ready?.(state) !== false) for (const section of sections) section.update(state);
+    },
+  };
+}
