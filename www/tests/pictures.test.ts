@@ -3,6 +3,7 @@ import { test } from "node:test";
 import { Problem } from "../src/document/problem.ts";
 import { traceSample, traceSamples } from "../src/document/trace-samples.ts";
 import { checkPicture, headerSize } from "../src/io/picture-file.ts";
+import { pixelsOf } from "../src/kernel/trace/picture.ts";
 import { coverage, drawSample } from "../src/kernel/trace/raster.ts";
 import { blurred, foundThreshold, inkOf, pieceAreas, shadesOf, steepness } from "../src/kernel/trace/shades.ts";
 
@@ -122,4 +123,30 @@ test("DM-020 a small file that claims 900 megapixels is refused before anything 
     return true;
   });
   await checkPicture(new Blob(["no picture at all"]), "text.png");
+});
+
+/** A browser whose canvas gives back what it is told to. */
+async function readThrough(columns: number, rows: number, byte: number): Promise<Awaited<ReturnType<typeof pixelsOf>>> {
+  const before = [Reflect.get(globalThis, "createImageBitmap"), Reflect.get(globalThis, "OffscreenCanvas")] as const;
+  class Canvas {
+    constructor(readonly width: number, readonly height: number) {}
+    getContext(): object {
+      return { drawImage: () => undefined, getImageData: () => ({ data: new Uint8ClampedArray(4 * this.width * this.height).fill(byte) }) };
+    }
+  }
+  Reflect.set(globalThis, "createImageBitmap", () => Promise.resolve({ width: columns, height: rows, close: () => undefined }));
+  Reflect.set(globalThis, "OffscreenCanvas", Canvas);
+  try {
+    return await pixelsOf({ kind: "file", key: "1", content: new Blob([]) }, 2048);
+  } finally {
+    Reflect.set(globalThis, "createImageBitmap", before[0]);
+    Reflect.set(globalThis, "OffscreenCanvas", before[1]);
+  }
+}
+
+test("DM-026 a canvas that gives back nothing at all, as some do beyond an area, is no black picture but an error", async () => {
+  await assert.rejects(readThrough(1200, 1000, 0), { name: "PictureError", code: "E_BLANK" });
+  assert.equal((await readThrough(1200, 1000, 255)).columns, 1200);
+  // So small a canvas is read everywhere: a black and clear picture is what it is.
+  assert.equal((await readThrough(120, 100, 0)).data.length, 48_000);
 });

@@ -56,6 +56,7 @@ const initialState: EditorState = {
   stage: { left: 0, top: 0, width: 800, height: 600 },
   hint: "",
   keyboard: false,
+  touch: false,
   cursor: "default",
   originalOnly: false,
   engine: { status: "booting", progress: null },

@@ -24,6 +24,7 @@ function modifiersOf(event: MouseEvent | KeyboardEvent): Modifiers {
 }
 
 export function listenToStage(options: Options): void {
+  options.editor.patch({ touch: matchMedia("(pointer: coarse)").matches });
   listenToPointers(options);
   listenToWheel(options);
   listenToKeys(options);

@@ -129,6 +129,8 @@ export interface EditorState {
   readonly hint: string;
   /** The last thing that moved the selection was the keyboard: the focus ring shows. */
   readonly keyboard: boolean;
+  /** Fingers work the stage: hints speak of them. */
+  readonly touch: boolean;
   /** CSS cursor of the stage. */
   readonly cursor: string;
   /** Held O: only the original is shown. */

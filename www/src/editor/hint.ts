@@ -50,7 +50,7 @@ function fixed(value: number): string {
 
 function penHint(state: EditorState): string {
   if (state.sketch.rubber?.closing === true) return "Click to close the contour.";
-  if (state.sketch.rubber !== null) return "Click for a corner, drag for a smooth point. Enter finishes, Esc drops the segment.";
+  if (state.sketch.rubber !== null) return `${state.touch ? "Tap" : "Click"} for a corner, drag for a smooth point. ${state.touch ? "A double tap finishes." : "Enter finishes, Esc drops the segment."}`;
   return "Click to place the first point, or drag to pull its handles.";
 }
 
@@ -78,6 +78,7 @@ function selectHint(state: EditorState): string {
       return curveHint(curve.contours[hover.contour], hover.t);
     case "empty":
       if (curve.contours.length === 0) return "";
+      if (state.touch) return "Drag a point or a handle. Drag elsewhere to move the view, two fingers to zoom.";
       return state.selection.points.length > 0 ? "Drag a point. Alt-drag a handle to make a cusp." : "Drag a point or a handle. Drag across empty space to select.";
   }
 }

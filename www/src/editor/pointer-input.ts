@@ -173,7 +173,7 @@ export function createPointerInput(editor: Editor, tools: Readonly<Record<ToolId
         if (anotherFinger(record)) return;
       }
       if (activity.kind !== "none" || !works() || (record.button === 2 && own()?.view === undefined)) return;
-      editor.patch({ keyboard: false, modifiers: record.modifiers, ...(editor.state.value.hint === "" ? {} : { hint: "" }) });
+      editor.patch({ keyboard: false, touch: record.kind === "touch", modifiers: record.modifiers, ...(editor.state.value.hint === "" ? {} : { hint: "" }) });
       if (pansWith(record)) {
         activity = { kind: "pan", id: record.id, last: record.screen, since: record.time };
         editor.patch({ cursor: "grabbing" });

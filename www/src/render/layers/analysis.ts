@@ -1,4 +1,4 @@
-import type { Contour } from "../../document/document.ts";
+import type { Contour, CurveDocument } from "../../document/document.ts";
 import { bezierPolygon, combOf, documentBounds, subdivided } from "../../kernel/samples.ts";
 import { drawKnot } from "../markers.ts";
 import { inPage, inScreen, onScreen, pathOfPoints, type Scene } from "../scene.ts";
@@ -15,8 +15,9 @@ export function drawComb(scene: Scene): void {
   const { zoom } = state.view;
   context.strokeStyle = palette.handle;
   const half = halfExtent(scene);
+  const scale = state.settings.combScale * combScale(scene.origin, half);
   for (const contour of state.curve.contours) {
-    const { teeth, envelope } = combPaths(scene, contour, half);
+    const { teeth, envelope } = combPaths(scene, contour, half, scale);
     context.globalAlpha = 0.55;
     context.lineWidth = 1 / zoom;
     context.stroke(teeth);
@@ -41,9 +42,24 @@ function halfExtent({ state }: Scene): number {
   return box === null ? 0 : Math.max(box.maxX - box.minX, box.maxY - box.minY) / 2;
 }
 
-function combPaths({ state }: Scene, contour: Contour, half: number): CombPaths {
-  // On a circle a tooth is three tenths of the radius at scale 1, however large the circle.
-  const scale = state.settings.combScale * 0.3 * half * half;
+const scales = new WeakMap<CurveDocument, number>();
+/** Places that tell how curved a contour is, and contours that tell it of a drawing. */
+const [looksPerSegment, mostLookedAt] = [8, 64];
+
+/**
+ * Tooth per curvature at which nine teeth of ten are at most three tenths of the drawing's half: on a circle, of its
+ * radius. Of the drawing as it was when a drag began, so that the scale stands still while it lasts.
+ */
+function combScale(document: CurveDocument, half: number): number {
+  const known = scales.get(document);
+  if (known !== undefined) return known;
+  const bends = document.contours.slice(0, mostLookedAt).flatMap((contour) => Array.from(combOf(document, contour, looksPerSegment)?.curvature ?? [], Math.abs)).filter((bend) => bend < Infinity).sort((a, b) => a - b);
+  const scale = (0.3 * half) / Math.max(1 / half, bends[Math.floor(0.9 * bends.length)] ?? 0);
+  scales.set(document, scale);
+  return scale;
+}
+
+function combPaths({ state }: Scene, contour: Contour, half: number, scale: number): CombPaths {
   const known = combs.get(contour);
   if (known !== undefined && known.scale === scale) return known;
   const [teeth, envelope] = [new Path2D(), new Path2D()];

@@ -102,18 +102,18 @@ function drawOutlines(scene: Scene, drawing: CurveDocument, thin: boolean): void
     context.fill(closed, "evenodd");
     context.globalAlpha = 1;
   }
-  if (!thin && !alone) drawRim(scene, path, inColor ? 3 : 4);
+  if (!thin && !alone) drawRim(scene, path, inColor ? 3 : 4, inColor ? 0.35 : 0.7 * (state.traceView.alpha / 100));
   context.strokeStyle = thin ? palette.cusp : palette.curve;
   context.lineWidth = (thin || inColor ? 1.25 : 2) / state.view.zoom;
   context.stroke(path);
 }
 
-/** A rim of paper keeps a line in sight over dark pixels. */
-function drawRim(scene: Scene, path: Path2D, width: number): void {
+/** A rim of paper keeps a line in sight over dark pixels: as strongly as they are seen. */
+function drawRim(scene: Scene, path: Path2D, width: number, strength: number): void {
   const context = inPage(scene);
   context.strokeStyle = scene.palette.canvas;
   context.lineWidth = width / scene.state.view.zoom;
-  context.globalAlpha = 0.7;
+  context.globalAlpha = strength;
   context.stroke(path);
   context.globalAlpha = 1;
 }
