@@ -72,7 +72,10 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
     else context.fillRect(0, 0, canvas.width, canvas.height);
     // A stage of no size (a hidden tab, a folded phone) has nothing to draw on.
     if (canvas.width === 0 || canvas.height === 0) return;
+    // Every picture begins with the same pens, whatever the last one left, or the canvas forgot when it was resized.
+    context.save();
     painter?.paint(scene);
+    context.restore();
   }
 
   const recolour = (): void => {
