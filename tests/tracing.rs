@@ -4,7 +4,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use expline::curve::Curve;
 use expline::numerics::Point;
-use expline::trace::{Gray, Progress, Trace, TraceOptions, Tracer, trace};
+use expline::trace::{Gray, Progress, Source, Trace, TraceOptions, Tracer, trace};
 use expline::{Error, HermiteCurve};
 
 /// Places per pixel and axis at which a test picture asks whether there is ink: coverage to a few thousandths.
@@ -467,4 +467,67 @@ fn who_sees_too_many_contours_is_told_what_to_leave_out() {
     assert_eq!(refused.argument(), Some("data"));
     let speckle = tracer.offer().expect("an offer");
     assert_eq!(trace(gray, &options(speckle)).expect("a drawing").contours.len(), 2);
+}
+
+#[test]
+fn corners_three_pixels_apart_are_all_found() {
+    // Slanted strokes with ends that are as short as corners are far from each other.
+    let slant = [(6.3, 40.2), (10.1, 8.4), (13.2, 8.1), (9.4, 39.9)];
+    let strokes: Vec<Vec<(f64, f64)>> = (0..4)
+        .map(|k| slant.iter().map(|&(x, y)| (x + 12.37 * f64::from(k), y + 0.21 * f64::from(k))).collect())
+        .collect();
+    let drawn = |x: f64, y: f64| strokes.iter().any(|stroke| inside(stroke, x, y));
+    let drawing = traced(64, 48, &draw(64, 48, &drawn));
+    assert_eq!(drawing.contours.len(), 4, "one outline for each stroke");
+    for (k, stroke) in strokes.iter().enumerate() {
+        let near = |p: &(f64, f64)| {
+            let cusps = drawing.contours.iter().flat_map(|contour| &contour.cusps);
+            cusps.map(|c| (c.x - p.0).hypot(c.y - p.1)).fold(f64::MAX, f64::min)
+        };
+        // Within a twentieth of a pixel, as all corners of exact coverage (V21).
+        let most = stroke.iter().map(near).fold(0.0, f64::max);
+        assert!(most < 0.05, "stroke {k}: a corner is {most} px away");
+    }
+    assert!(drawing.contours.iter().all(|contour| contour.cusps.len() == 4), "and no others");
+}
+
+#[test]
+fn a_corner_too_blunt_for_what_is_asked_is_none() {
+    let rhombus = [(6.0, 32.0), (32.0, 8.0), (58.0, 32.0), (32.0, 56.0)];
+    let bytes = draw(64, 64, &|x, y| inside(&rhombus, x, y));
+    let gray = Gray::from_bytes(64, 64, &bytes).expect("valid");
+    for (corner, cusps) in [(0.49, 4), (core::f64::consts::PI, 0)] {
+        let options = TraceOptions { corner, ..TraceOptions::default() };
+        let drawing = trace(gray.clone(), &options).expect("a drawing");
+        assert_eq!(drawing.contours[0].cusps.len(), cusps, "corners of {corner} and more");
+    }
+}
+
+#[test]
+fn who_sees_too_many_edges_is_told_what_to_leave_out() {
+    let bytes = draw(96, 32, &|x, y| {
+        [4.0_f64, 6.0, 8.0, 11.0]
+            .iter()
+            .enumerate()
+            .any(|(i, r)| (x - 12.0 - 24.0 * i as f64).hypot(y - 16.0) < *r)
+    });
+    let gray = Gray::from_bytes(96, 32, &bytes).expect("valid");
+    let options = |speckle| TraceOptions {
+        source: Source::Edges,
+        speckle,
+        most_contours: 2,
+        ..TraceOptions::default()
+    };
+    let mut tracer = Tracer::new(gray.clone(), &options(0.0)).expect("options in range");
+    let refused = loop {
+        match tracer.step(1000.0) {
+            Ok(progress) => assert!(!progress.done, "four rings are too many"),
+            Err(error) => break error,
+        }
+    };
+    assert_eq!(refused.argument(), Some("data"));
+    let speckle = tracer.offer().expect("an offer");
+    // The square that the third ring goes round: (2π·6/4)², edges are within a pixel of it.
+    assert!((60.0..120.0).contains(&speckle), "{speckle}");
+    assert_eq!(trace(gray, &options(speckle)).expect("edges").contours.len(), 2);
 }

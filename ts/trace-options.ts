@@ -42,7 +42,7 @@ export interface TraceOptions {
   blur?: number | undefined;
   /** Light ink on dark paper. Default false. */
   invert?: boolean | undefined;
-  /** Contours that enclose fewer square pixels are left out. Default 2. */
+  /** Contours that enclose fewer square pixels are left out, and edges shorter than the outline of a square of so many. Default 2. */
   speckle?: number | undefined;
   /** The least turning of a corner, in radians, above 0 up to π: π knows no corners. Default 0.49, 28°. */
   corner?: number | undefined;

@@ -17,6 +17,7 @@ use super::tones::{ToneScan, Tones};
 use super::tracer::{Model, Progress, Source, Stage, Trace, TraceOptions, TracedContour, Work};
 use crate::curve::Curve;
 use crate::error::{Error, Result};
+use crate::numerics::order::sort_by_number;
 use crate::numerics::plane::norm;
 
 /// Pixels of one bit of work.
@@ -33,6 +34,7 @@ pub(super) struct ChainWork {
     /// How far corners are rounded by the blur or the width of lines, in pixels.
     rounding: f64,
     trace: Trace,
+    offer: Option<f64>,
 }
 
 /// What is done next.
@@ -57,6 +59,7 @@ impl ChainWork {
             chains: Vec::new(),
             rounding: 1.0,
             trace: Trace { contours: Vec::new(), tones, residual: 0.0 },
+            offer: None,
         }
     }
 
@@ -85,9 +88,13 @@ impl ChainWork {
     }
 
     fn found(&mut self, mut chains: Vec<Chain>) -> Result<()> {
-        chains.retain(has_extent);
+        let edges = self.options.source == Source::Edges;
+        chains.retain(|chain| has_extent(chain) && !(edges && span(chain) < self.options.speckle));
         let most = self.options.most_contours;
         if chains.len() > most {
+            if edges {
+                self.offer = speckle_for(most, chains.iter().map(span).collect());
+            }
             return Err(Error::limit("data", "maxContours", most, chains.len() as f64));
         }
         self.chains = chains;
@@ -99,6 +106,10 @@ impl ChainWork {
 
     /// Contours are the chains, or the outlines of the lines that are.
     fn contoured(&mut self, contours: &[Contour]) -> Result<()> {
+        if self.options.source == Source::Brightness {
+            let areas = contours.iter().map(|contour| contour.area.abs()).collect();
+            self.offer = speckle_for(self.options.most_contours, areas);
+        }
         let chains = if self.options.source == Source::Lines {
             let lines = centre_lines(&self.gray, self.level(), self.options.inverted, contours)?;
             self.rounding = (0.15 * lines.half_width).max(1.0);
@@ -131,6 +142,24 @@ impl ChainWork {
 fn has_extent(chain: &Chain) -> bool {
     let first = chain.points()[0];
     chain.points().iter().any(|p| norm(p - first) > 0.05)
+}
+
+/// The area of the square that an edge would just go round, in square pixels: what speckle says of edges, which need not enclose anything.
+fn span(chain: &Chain) -> f64 {
+    let mut length = 0.0;
+    for pair in chain.points().windows(2) {
+        length += norm(pair[1] - pair[0]);
+    }
+    if let (true, [first, .., last]) = (chain.is_closed(), chain.points()) {
+        length += norm(first - last);
+    }
+    length * length / 16.0
+}
+
+/// The least speckle that leaves no more than `most` of such areas; nothing where there are no more.
+pub(super) fn speckle_for(most: usize, mut areas: Vec<f64>) -> Option<f64> {
+    sort_by_number(&mut areas, &|area| -area);
+    areas.get(most).map(|area| area * (1.0 + 1e-9) + 1e-9)
 }
 
 /// A chain as splines on placed knots, tube by tube.
@@ -220,5 +249,9 @@ impl Work for ChainWork {
 
     fn trace(&self) -> Option<&Trace> {
         self.progress.done.then_some(&self.trace)
+    }
+
+    fn offer(&self) -> Option<f64> {
+        self.offer
     }
 }

@@ -3,6 +3,7 @@
 use super::agreement::agreement;
 use super::arcs::arcs;
 use super::blur::Blurring;
+use super::chain_work::speckle_for;
 use super::contour::{Contour, ContourScan};
 use super::corners::{Corner, CornerRule, corners};
 use super::division::{DivisionRule, divide};
@@ -15,7 +16,6 @@ use super::samples::Samples;
 use super::tones::{ToneScan, Tones};
 use super::tracer::{Progress, Stage, Trace, TraceOptions, TracedContour, Work};
 use crate::error::{Error, Result};
-use crate::numerics::order::sort_by_number;
 
 /// Noise above which pictures are blurred before they are followed, as a share of the way from ink to paper.
 const NOISY: f64 = 3.0 / 255.0;
@@ -113,9 +113,7 @@ impl InkWork {
     fn scanned(&mut self, found: Vec<Contour>) -> Result<()> {
         if found.len() > self.options.most_contours {
             let most = self.options.most_contours;
-            let mut areas: Vec<f64> = found.iter().map(|contour| contour.area.abs()).collect();
-            sort_by_number(&mut areas, &|area| -area);
-            self.offer = areas.get(most).map(|area| area * (1.0 + 1e-9) + 1e-9);
+            self.offer = speckle_for(most, found.iter().map(|contour| contour.area.abs()).collect());
             return Err(Error::limit("data", "maxContours", most, found.len() as f64));
         }
         self.smoothed = None;
@@ -158,7 +156,7 @@ impl InkWork {
         let outlines = core::mem::take(&mut self.outlines);
         let noisy = self.quality == Quality::Noisy;
         let mut refinement = Refinement::new(&self.gray, &shading, outlines, contours, noisy)?;
-        refinement.allow(self.options.tolerance);
+        refinement.allow(self.options.tolerance, self.options.corner);
         let total = refinement.total() + self.found.len();
         self.enter(Phase::Refinement(Box::new(refinement)), Stage::Refinement, total);
         Ok(())

@@ -21,6 +21,7 @@
 
 mod agreement;
 mod arcs;
+mod bends;
 mod bitmap;
 mod blur;
 mod canny;
@@ -59,6 +60,8 @@ mod refine;
 mod refinement;
 mod samples;
 mod selection;
+mod settling;
+mod sides;
 mod simplify;
 mod skyline;
 mod strands;

@@ -1,11 +1,13 @@
 //! All outlines of a picture refined against it, one after another: first as they are, then with fewer and fewer joints.
 
+use super::bends::BendRule;
 use super::ellipse::ellipse;
 use super::field::{Field, Shading};
 use super::fillets::round_off;
 use super::gray::Gray;
 use super::outline::Outline;
 use super::refine::{Left, NOISY_SHARE, Refiner, Relaxing, Shape, leaves};
+use super::settling::settle_bends;
 use super::simplify::{Limits, may_go_on, merge_round};
 use super::tips::sharpen;
 use crate::error::Result;
@@ -32,6 +34,9 @@ pub(super) struct Refinement {
     at: usize,
     /// Rounds of merging that this outline has had.
     round: usize,
+    /// Whether its bends are settled, and what they are.
+    settled: bool,
+    bends: BendRule,
     /// What the outlines were before the rough ones, and what they left.
     fine: Vec<Outline>,
     left: f64,
@@ -73,6 +78,12 @@ impl Refinement {
             phase: Phase::Show,
             at: 0,
             round: 0,
+            settled: false,
+            bends: BendRule {
+                window: if noisy { 5.0 } else { 3.0 },
+                margin: if noisy { 1.0 } else { 0.5 },
+                corner: 0.49,
+            },
             fine: Vec::new(),
             left: 0.0,
             limits: Limits { rms: 0.012, most: 0.055, off: 0.4, noise: 0.0, share: 12.0 },
@@ -83,8 +94,9 @@ impl Refinement {
         })
     }
 
-    /// Joints may go that leave so much more as the tolerance, in pixels, is above the usual one.
-    pub(super) fn allow(&mut self, tolerance: f64) {
+    /// Joints may go that leave so much more as the tolerance, in pixels, is above the usual one; corners turn by at least an angle.
+    pub(super) fn allow(&mut self, tolerance: f64, corner: f64) {
+        self.bends.corner = corner;
         let scale = (tolerance / USUAL).max(1.0);
         self.limits.rms *= scale;
         self.limits.most *= scale;
@@ -143,8 +155,15 @@ impl Refinement {
                 if may_go_on(self.round) && merge_round(refiner, field, shape, &self.limits)? {
                     return Ok(2.0 * cost);
                 }
+                if !core::mem::replace(&mut self.settled, true) {
+                    settle_bends(refiner, field, shape, &self.limits, &self.bends)?;
+                    round_off(refiner, field, shape, &self.limits)?;
+                    // There may be more to take away now.
+                    self.round = 1;
+                    return Ok(2.0 * cost);
+                }
                 self.last()?;
-                self.round = 0;
+                (self.round, self.settled) = (0, false);
             }
             Phase::Done => {}
         }

@@ -42,7 +42,7 @@ pub struct TraceOptions {
     pub blur: Option<f64>,
     /// Light ink on dark paper.
     pub inverted: bool,
-    /// Contours that enclose fewer square pixels are left out.
+    /// Contours that enclose fewer square pixels are left out, and edges that are shorter than the outline of a square of so many.
     pub speckle: f64,
     /// The least turning of a corner, in radians.
     pub corner: f64,
@@ -215,7 +215,8 @@ impl Tracer {
         Ok(progress)
     }
 
-    /// After a step was refused for too many contours: the least speckle, in square pixels, that leaves as many as are allowed.
+    /// After a step was refused for too many contours: the least speckle, in square pixels, that leaves as many as are allowed. There is none for
+    /// centre lines.
     pub fn offer(&self) -> Option<f64> {
         self.work.offer()
     }
