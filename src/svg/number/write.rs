@@ -75,9 +75,9 @@ fn eight_digits(n: u64) -> u64 {
     let n = n as u32;
     let fours = u64::from(n / 10_000) | u64::from(n % 10_000) << 32;
     // Below 10⁴, 5243/2¹⁹ is 1/100 near enough; below 100, 103/2¹⁰ is 1/10.
-    let hundreds = (fours * 5243 >> 19) & 0x0000_007f_0000_007f;
+    let hundreds = ((fours * 5243) >> 19) & 0x0000_007f_0000_007f;
     let twos = hundreds | (fours - 100 * hundreds) << 16;
-    let tens = (twos * 103 >> 10) & 0x000f_000f_000f_000f;
+    let tens = ((twos * 103) >> 10) & 0x000f_000f_000f_000f;
     tens | (twos - 10 * tens) << 8
 }
 
