@@ -4,21 +4,25 @@ use super::metrics::tolerant_jaccard;
 use super::tracer::Metrics;
 use crate::curve::HermiteCurve;
 use crate::error::Result;
-use crate::numerics::Point;
-use crate::numerics::plane::{dot, norm, square};
+use crate::limits::with_room;
+use crate::numerics::plane::{dot, larger, norm, smaller, square};
+use crate::numerics::{Point, Vector};
 
 /// How far ahead the nearest place is looked for, in pixels: contours and their curves run side by side.
 const AHEAD: f64 = 4.0;
-/// Chords of a curve are about this long, in pixels.
-const CHORD: f64 = 0.75;
+/// The pixels of a polyline are looked for at about this distance.
+const PIXEL: f64 = 0.75;
+/// Chords of a curve are about this long, in pixels: a parabola over each is as good as the curve.
+const CHORD: f64 = 1.5;
 
 /// Compares a curve with a contour that turns the same way, both closed or both open, in pixels.
 ///
 /// Both are walked side by side, so the time is that of one walk.
 pub(super) fn agreement(curve: &HermiteCurve, contour: &[Point]) -> Result<Metrics> {
-    let places = flattened(curve)?;
     let closed = curve.is_closed();
-    let (there, back) = (Offs::of(contour, &places, closed), Offs::of(&places, contour, closed));
+    let Flat { chords, places } = Flat::of(curve);
+    let there = Offs::of(contour, &chords, closed);
+    let back = Offs::of(&places, &Chord::along(contour, closed)?, closed);
     let count = contour.len().max(1) as f64;
     let hausdorff = there.most.max(back.most);
     // Points that are no farther than a pixel are in neighbouring pixels.
@@ -31,7 +35,7 @@ fn pixels(points: &[Point]) -> Vec<(i32, i32)> {
     let mut pixels = Vec::new();
     for (i, &from) in points.iter().enumerate() {
         let to = points[if i + 1 == points.len() { 0 } else { i + 1 }];
-        let steps = (norm(to - from) / CHORD).ceil().clamp(1.0, 40_000.0) as usize;
+        let steps = (norm(to - from) / PIXEL).ceil().clamp(1.0, 40_000.0) as usize;
         for step in 0..steps {
             let p = from + (to - from) * (step as f64 / steps as f64);
             pixels.push((p.x.floor() as i32, p.y.floor() as i32));
@@ -40,28 +44,85 @@ fn pixels(points: &[Point]) -> Vec<(i32, i32)> {
     pixels
 }
 
-/// Places along the curve, close enough that chords are as good as it.
-fn flattened(curve: &HermiteCurve) -> Result<Vec<Point>> {
-    let mut places = Vec::new();
-    for i in 0..curve.segment_count() {
-        let knots = curve.knots();
-        let (first, last) = (knots[i], knots[i + 1]);
-        let chord = norm(curve.evaluate(last, 0)? - curve.evaluate(first, 0)?);
-        let middle = curve.evaluate(0.5 * (first + last), 0)?;
-        let length = chord.max(norm(middle - curve.evaluate(first, 0)?) * 2.0);
-        let steps = if curve.segment(i).as_line(1e-9) {
-            1
-        } else {
-            (length / CHORD).ceil().clamp(4.0, 20_000.0) as usize
-        };
-        for step in 0..steps {
-            places.push(curve.evaluate(first + (last - first) * step as f64 / steps as f64, 0)?);
+/// A stretch of a curve, and how far its middle is from the chord's.
+#[derive(Clone, Copy, Debug)]
+struct Chord {
+    from: Point,
+    way: Vector,
+    bow: Vector,
+    length: f64,
+    /// One over the square of the length; 0 for no length.
+    inverse: f64,
+}
+
+impl Chord {
+    fn new(from: Point, to: Point, bow: Vector) -> Self {
+        let way = to - from;
+        let square = square(way);
+        let inverse = if square > 0.0 { 1.0 / square } else { 0.0 };
+        Self { from, way, bow, length: square.sqrt(), inverse }
+    }
+
+    /// The chords of a polyline.
+    fn along(points: &[Point], closed: bool) -> Result<Vec<Self>> {
+        let mut chords = with_room(points.len())?;
+        for pair in points.windows(2) {
+            chords.push(Self::new(pair[0], pair[1], Vector::zeros()));
         }
+        if let (Some(&first), Some(&last)) = (points.first(), points.last())
+            && (closed || chords.is_empty())
+        {
+            chords.push(Self::new(last, first, Vector::zeros()));
+        }
+        Ok(chords)
     }
-    if !curve.is_closed() {
-        places.push(curve.evaluate(curve.domain().1, 0)?);
+
+    /// The squared distance of a point from the chord, and the share of the chord at which it is nearest.
+    #[inline]
+    fn off(&self, p: Point) -> (f64, f64) {
+        let off = p - self.from;
+        let share = dot(off, self.way) * self.inverse;
+        let share = smaller(larger(share, 0.0), 1.0);
+        (square(off - self.way * share), share)
     }
-    Ok(places)
+
+    /// The distance of a point from the parabola over the chord, near a share of it.
+    fn distance(&self, p: Point, share: f64) -> f64 {
+        norm(p - self.from - self.way * share - self.bow * (4.0 * share * (1.0 - share)))
+    }
+}
+
+/// A curve as chords, and places on it: ends and middles of chords.
+struct Flat {
+    chords: Vec<Chord>,
+    places: Vec<Point>,
+}
+
+impl Flat {
+    fn of(curve: &HermiteCurve) -> Self {
+        let (mut chords, mut places) = (Vec::new(), Vec::new());
+        for segment in curve.segments() {
+            let (start, end) = (segment.start, segment.end);
+            let middle = segment.position(0.5);
+            let length = larger(norm(end - start), 2.0 * norm(middle - start));
+            let straight = segment.as_line(1e-9);
+            let steps = if straight { 1.0 } else { (length / CHORD).ceil().clamp(2.0, 20_000.0) };
+            let count = steps as usize;
+            let mut from = start;
+            for step in 0..count {
+                let x = (step as f64 + 0.5) / steps;
+                let to = if step + 1 == count { end } else { segment.position((step + 1) as f64 / steps) };
+                let middle = if straight { (start + end) * 0.5 } else { segment.position(x) };
+                chords.push(Chord::new(from, to, middle - (from + to) * 0.5));
+                places.extend([from, middle]);
+                from = to;
+            }
+        }
+        if !curve.is_closed() {
+            places.extend(curve.points().last());
+        }
+        Self { chords, places }
+    }
 }
 
 struct Offs {
@@ -71,52 +132,44 @@ struct Offs {
 }
 
 impl Offs {
-    /// The distances of points from a polyline that runs beside them.
-    fn of(points: &[Point], polyline: &[Point], closed: bool) -> Self {
+    /// The distances of points from chords that run beside them.
+    fn of(points: &[Point], chords: &[Chord], closed: bool) -> Self {
         let mut offs = Self { sum: 0.0, square: 0.0, most: 0.0 };
-        let count = polyline.len();
-        let Some(&first) = points.first() else { return offs };
-        if count == 0 {
-            return offs;
+        let (Some(&first), Some(_)) = (points.first(), chords.first()) else { return offs };
+        let mut at = 0;
+        let mut best = f64::MAX;
+        for (i, chord) in chords.iter().enumerate() {
+            let (here, _) = chord.off(first);
+            if here < best {
+                (best, at) = (here, i);
+            }
         }
-        let next = |i: usize| if i + 1 == count { 0 } else { i + 1 };
-        let off = |p: Point, i: usize| {
-            let last = !closed && i + 1 == count;
-            from_chord(p, polyline[i], polyline[if last { i } else { next(i) }])
-        };
-        let mut at =
-            (0..count).fold(0, |best, i| if off(first, i).0 < off(first, best).0 { i } else { best });
         let mut last = first;
         for &p in points {
-            // A contour is not much longer than a chord of its curve.
-            let ahead = AHEAD + 2.0 * norm(p - last);
+            let (mut best, mut share) = chords[at].off(p);
+            // A contour is not much longer than the chords of its curve. What is left of this chord, and then chord by chord.
+            let mut ahead = AHEAD + 2.0 * norm(p - last) + best.sqrt() - (1.0 - share) * chords[at].length;
             last = p;
-            let (mut best, share) = off(p, at);
-            // What is left of this chord, and then chord by chord.
-            let mut travelled = (1.0 - share) * norm(polyline[next(at)] - polyline[at]);
-            let mut i = next(at);
-            let start = at;
-            while travelled < ahead + best.sqrt() && i != start {
-                let (here, _) = off(p, i);
-                if here < best {
-                    (best, at) = (here, i);
+            let (start, mut i) = (at, at);
+            while ahead > 0.0 {
+                i += 1;
+                if i == chords.len() {
+                    i = 0;
                 }
-                travelled += norm(polyline[next(i)] - polyline[i]).max(1e-3);
-                i = next(i);
+                if i == start || (i == 0 && !closed) {
+                    break;
+                }
+                let (here, place) = chords[i].off(p);
+                if here < best {
+                    (best, share, at) = (here, place, i);
+                }
+                ahead -= chords[i].length;
             }
-            offs.square += best;
-            let distance = best.sqrt();
+            let distance = chords[at].distance(p, share);
+            offs.square += distance * distance;
             offs.sum += distance;
-            offs.most = offs.most.max(distance);
+            offs.most = larger(offs.most, distance);
         }
         offs
     }
-}
-
-/// The squared distance of a point from a chord, and the share of the chord at which it is nearest.
-fn from_chord(p: Point, from: Point, to: Point) -> (f64, f64) {
-    let (way, off) = (to - from, p - from);
-    let length = square(way);
-    let share = if length > 0.0 { (dot(off, way) / length).clamp(0.0, 1.0) } else { 0.0 };
-    (square(off - way * share), share)
 }

@@ -15,6 +15,9 @@ pub struct Contour {
     pub area: f64,
 }
 
+/// Cells that are looked at together.
+const BLOCK: usize = 8;
+
 /// No crossing yet.
 const NONE: u32 = u32::MAX;
 
@@ -65,6 +68,8 @@ pub(super) struct ContourScan {
     /// Which pixels of the rows above and below are ink, with the frame.
     above: Vec<u8>,
     below: Vec<u8>,
+    /// Which cells are partly ink: whole blocks.
+    mixed: Vec<u8>,
     /// The crossing on the upper side of each cell. Where there is none, anything.
     upper: Vec<u32>,
 }
@@ -81,6 +86,7 @@ impl ContourScan {
             line: 0,
             above: vec![0; size],
             below: vec![0; size],
+            mixed: vec![0; size.next_multiple_of(BLOCK)],
             upper: vec![NONE; size],
         }
     }
@@ -106,16 +112,16 @@ impl ContourScan {
         } else {
             self.below.fill(0);
         }
-        let mut cell = 0;
+        mix(&self.above, &self.below, &mut self.mixed);
         let mut on_left = NONE;
-        while cell <= width {
-            let sum = self.above[cell] + self.above[cell + 1] + self.below[cell] + self.below[cell + 1];
-            if sum == 0 || sum == 4 {
-                cell += uniform(&self.above[cell..], &self.below[cell..]);
-                continue;
+        for block in 0..self.mixed.len() / BLOCK {
+            // The lowest byte that is not 0 is the first mixed cell of the block.
+            let mut cells = u64::from_le_bytes(self.mixed.as_chunks::<BLOCK>().0[block]);
+            while cells != 0 {
+                let first = cells.trailing_zeros() as usize / 8;
+                on_left = self.cell(gray, BLOCK * block + first, on_left)?;
+                cells &= !(255 << (8 * first));
             }
-            on_left = self.cell(gray, cell, on_left)?;
-            cell += 1;
         }
         core::mem::swap(&mut self.above, &mut self.below);
         self.line += 1;
@@ -158,12 +164,12 @@ impl ContourScan {
     }
 }
 
-/// How many cells in a row have one tone, at least one; both lists begin with a pixel of such a cell.
-fn uniform(above: &[u8], below: &[u8]) -> usize {
-    const STEP: usize = 8;
-    let tone = [above[0]; STEP];
-    let blocks = above[1..].chunks_exact(STEP).zip(below[1..].chunks_exact(STEP));
-    (STEP * blocks.take_while(|(a, b)| **a == tone && **b == tone).count()).max(1)
+/// Marks the cells whose four pixels are not of one tone.
+fn mix(above: &[u8], below: &[u8], mixed: &mut [u8]) {
+    let pairs = above.iter().zip(&above[1..]).zip(below.iter().zip(&below[1..]));
+    for (mixed, ((a, b), (c, d))) in mixed.iter_mut().zip(pairs) {
+        *mixed = (a ^ b) | (c ^ d) | (a ^ c);
+    }
 }
 
 /// Where between two centres the level lies; half-way to the paper beyond the border.

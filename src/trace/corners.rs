@@ -40,8 +40,8 @@ pub(super) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<Corner> {
     for rule in rules {
         // What pixels cut off belongs to the corner, by this rule and by those after it.
         let apart = samples.steps((1.8 * rule.gap - 0.7).max(2.2)).max(1);
-        let cosine = crate::numerics::angle::sin_cos(0.6 * rule.angle).1;
-        let scores: Vec<f64> = (0..count).map(|i| score(samples, i, rule, cosine)).collect();
+        let cosines = [0.6 * rule.angle, rule.angle].map(|angle| crate::numerics::angle::sin_cos(angle).1);
+        let scores: Vec<f64> = (0..count).map(|i| score(samples, i, rule, cosines)).collect();
         let known = found.len();
         for i in 0..count {
             let own = scores[i as usize];
@@ -69,8 +69,8 @@ fn sides<'a>(samples: &'a Samples, i: isize, rule: &CornerRule) -> [&'a [Point];
     [samples.stretch(i - far, i - near), samples.stretch(i + near, i + far)]
 }
 
-/// How much of a corner a place is; nothing where the cosine of the turning between chords is larger than `cosine`.
-fn score(samples: &Samples, i: isize, rule: &CornerRule, cosine: f64) -> f64 {
+/// How much of a corner a place is; nothing where the cosine of the turning is larger than one of two: between chords, between lines.
+fn score(samples: &Samples, i: isize, rule: &CornerRule, [cosine, least]: [f64; 2]) -> f64 {
     let far = samples.steps(rule.gap + rule.window);
     if 2 * far > samples.len() as isize {
         return 0.0;
@@ -88,17 +88,20 @@ fn score(samples: &Samples, i: isize, rule: &CornerRule, cosine: f64) -> f64 {
     }
     let [before, after] = sides(samples, i, rule);
     let (first, second) = (line_through(before), line_through(after));
+    // Less than a corner is nothing: most curves end here.
+    if dot(first.direction, second.direction) > least {
+        return 0.0;
+    }
     let lines = turn(first.direction, second.direction);
-    let tangents = turn(end_tangent(before, here, 1.0), end_tangent(after, here, -1.0));
+    let tangents = turn(end_tangent(before, &first, here, 1.0), end_tangent(after, &second, here, -1.0));
     if lines * tangents < 0.0 && lines.abs() < 2.0 {
         return 0.0;
     }
     lines.abs().min(1.6 * tangents.abs())
 }
 
-/// The tangent at the place that a side leads to, by a parabola over the side's own axis.
-fn end_tangent(side: &[Point], here: Point, sign: f64) -> Vector {
-    let line = line_through(side);
+/// The tangent at the place that a side leads to, by a parabola over the side's own axis, the line through it.
+fn end_tangent(side: &[Point], line: &Line, here: Point, sign: f64) -> Vector {
     let normal = Vector::new(-line.direction.y, line.direction.x);
     // Least squares of y = a + bx + cx² about the middle, where Σx = 0.
     let (mut x2, mut x3, mut x4, mut y0, mut y1, mut y2) = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0);

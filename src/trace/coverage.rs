@@ -1,8 +1,8 @@
 //! Which part of every pixel near an outline it covers, exactly, and how that changes with its control points.
 
 use super::cubic::Cubic;
-use super::field::{Field, NONE, SIDE};
-use crate::numerics::Point;
+use super::field::{AREA, Change, Field, NONE, SIDE};
+use crate::numerics::plane::{larger, smaller};
 
 /// A part of a piece inside one pixel.
 #[derive(Clone, Copy, Debug)]
@@ -27,175 +27,233 @@ const FINENESS: f64 = 100.0;
 pub(super) fn parts(cubic: &Cubic, field: &Field, out: &mut Vec<Part>) {
     out.clear();
     let middle = cubic.end - cubic.start - cubic.leaving - cubic.arriving;
-    let bend = (middle - cubic.leaving).norm().max((cubic.arriving - middle).norm());
+    let (second, third) = ((middle - cubic.leaving) * 3.0, cubic.arriving - middle * 2.0 + cubic.leaving);
+    let bend = larger((middle - cubic.leaving).norm(), (cubic.arriving - middle).norm());
     let steps = (bend * FINENESS).sqrt().ceil().clamp(1.0, 4000.0);
-    let mut before = cubic.start;
     // A chord lies inside its arc, by h²|p″|/12 in the mean: its ends are moved outwards by as much, but for those of the piece.
-    let outwards = -1.0 / (12.0 * steps * steps);
-    for step in 0..steps as usize {
-        let (first, last) = (step as f64 / steps, (step + 1) as f64 / steps);
-        let after =
-            if last < 1.0 { cubic.point(last) + cubic.acceleration(last) * outwards } else { cubic.end };
-        edge(before, after, [first, last], field, out);
-        before = after;
+    let outwards = -1.0 / (6.0 * steps * steps);
+    let first = cubic.leaving * 3.0 + third * (3.0 * outwards);
+    let base = cubic.start + second * outwards;
+    let frame = SIDE as f64;
+    let place = |x: f64, y: f64| [x + frame, y + frame];
+    let (length, count) = (1.0 / steps, steps as usize);
+    let mut pen = Pen { field, size: field.size(), out };
+    let mut from = place(cubic.start.x, cubic.start.y);
+    for step in 1..=count {
+        let t = step as f64 * length;
+        let to = if step < count {
+            let p = base + (first + (second + third * t) * t) * t;
+            place(p.x, p.y)
+        } else {
+            place(cubic.end.x, cubic.end.y)
+        };
+        pen.edge(from, to, [t - length, length]);
+        from = to;
     }
 }
 
-fn edge(from: Point, to: Point, t: [f64; 2], field: &Field, out: &mut Vec<Part>) {
-    let frame = SIDE as f64;
-    let start = [from.x + frame, from.y + frame];
-    let way = [to.x - from.x, to.y - from.y];
-    let floors = [start[0].floor(), start[1].floor()];
-    if floors == [(to.x + frame).floor(), (to.y + frame).floor()] {
-        part(start, way, [0.0, 1.0], t, field, out);
-        return;
+/// What writes parts down.
+struct Pen<'a> {
+    field: &'a Field,
+    /// Columns and rows of the field.
+    size: (usize, usize),
+    out: &'a mut Vec<Part>,
+}
+
+/// A straight edge in the field's frame.
+#[derive(Clone, Copy)]
+struct Edge {
+    start: [f64; 2],
+    way: [f64; 2],
+    /// Its first parameter, and the length of its range.
+    t: [f64; 2],
+}
+
+impl Edge {
+    /// The place at a share of the edge.
+    fn at(&self, share: f64) -> [f64; 2] {
+        [self.start[0] + self.way[0] * share, self.start[1] + self.way[1] * share]
     }
-    // The next border on each axis, as a share of the edge.
-    let (mut next, mut step) = ([2.0; 2], [2.0; 2]);
-    for k in 0..2 {
-        if way[k].abs() > 1e-12 {
-            step[k] = 1.0 / way[k].abs();
-            let ahead = if way[k] > 0.0 {
-                floors[k] + 1.0 - start[k]
-            } else if floors[k] < start[k] {
-                start[k] - floors[k]
-            } else {
-                1.0
-            };
-            next[k] = ahead * step[k];
+}
+
+impl Pen<'_> {
+    fn edge(&mut self, from: [f64; 2], to: [f64; 2], t: [f64; 2]) {
+        let edge = Edge { start: from, way: [to[0] - from[0], to[1] - from[1]], t };
+        let (columns, rows) = (self.size.0 as f64, self.size.1 as f64);
+        let inside = |p: [f64; 2]| p[0] >= 0.0 && p[1] >= 0.0 && p[0] < columns && p[1] < rows;
+        if !(inside(from) && inside(to)) {
+            return self.edge_beyond(&edge);
         }
-    }
-    let mut share = 0.0;
-    while share < 1.0 {
-        let until: f64 = if next[0] < next[1] { next[0] } else { next[1] };
-        let until = if until < 1.0 { until } else { 1.0 };
-        if until > share {
-            part(start, way, [share, until], t, field, out);
+        let (mut cell, last) = (from.map(|v| v as i32), to.map(|v| v as i32));
+        if cell == last {
+            return self.part(&edge, [0.0, 1.0], cell);
         }
-        share = until;
+        // Borders that are still to be crossed on each axis, and where the next one is, as a share of the edge.
+        let mut left = [last[0] - cell[0], last[1] - cell[1]];
+        let (mut next, mut step) = ([2.0; 2], [0.0; 2]);
         for k in 0..2 {
-            if next[k] <= until {
-                next[k] += step[k];
+            if left[k] != 0 {
+                let border = f64::from(cell[k] + i32::from(left[k] > 0));
+                let inverse = 1.0 / edge.way[k];
+                next[k] = (border - from[k]) * inverse;
+                step[k] = inverse.abs();
             }
         }
+        let mut share = 0.0;
+        loop {
+            let k = usize::from(next[1] < next[0]);
+            let until = smaller(next[k], 1.0);
+            if until > share {
+                self.part(&edge, [share, until], cell);
+                share = until;
+            }
+            if left == [0, 0] {
+                return;
+            }
+            let ahead = left[k].signum();
+            cell[k] += ahead;
+            left[k] -= ahead;
+            next[k] = if left[k] == 0 { 2.0 } else { next[k] + step[k] };
+        }
+    }
+
+    /// The part of an edge between two shares of it, which lies in one pixel of the frame.
+    #[inline]
+    fn part(&mut self, edge: &Edge, share: [f64; 2], cell: [i32; 2]) {
+        let [x, _] = edge.at(0.5 * (share[0] + share[1]));
+        let right = f64::from(cell[0] + 1) - x;
+        let pixel = self.field.pixel(cell[0] as usize, cell[1] as usize);
+        self.write(edge, share, cell, (pixel, right));
+    }
+
+    #[inline]
+    fn write(&mut self, edge: &Edge, share: [f64; 2], cell: [i32; 2], (pixel, right): (u32, f64)) {
+        let (middle, extent) = (0.5 * (share[0] + share[1]), share[1] - share[0]);
+        self.out.push(Part {
+            pixel,
+            row: cell[1] as u16,
+            column: cell[0] as u16,
+            t: (edge.t[0] + edge.t[1] * middle) as f32,
+            dx: (edge.way[0] * extent) as f32,
+            dy: (edge.way[1] * extent) as f32,
+            right: right as f32,
+        });
+    }
+
+    /// An edge that leaves the frame: left of it it covers whole pixels; right of it, above and below nothing that is seen.
+    fn edge_beyond(&mut self, edge: &Edge) {
+        let [columns, rows] = [self.size.0 as f64, self.size.1 as f64];
+        let mut share = 0.0;
+        while share < 1.0 {
+            // The next border on any axis; never the one where this part begins.
+            let mut until = 1.0;
+            let at = edge.at(share + 1e-9);
+            for k in 0..2 {
+                let border = if edge.way[k] > 0.0 { at[k].floor() + 1.0 } else { at[k].ceil() - 1.0 };
+                let there = (border - edge.start[k]) / edge.way[k];
+                if there > share && there < until {
+                    until = there;
+                }
+            }
+            let [x, y] = edge.at(0.5 * (share + until));
+            if y >= 0.0 && y < rows {
+                let column = smaller(larger(x, 0.0), columns - 1.0) as i32;
+                let cell = [column, y as i32];
+                if x < 0.0 {
+                    self.write(edge, [share, until], cell, (NONE, 1.0));
+                } else if x < columns {
+                    self.part(edge, [share, until], cell);
+                }
+            }
+            share = until;
+        }
     }
 }
 
-/// The part of an edge between two shares of it, which lies in one pixel.
-fn part(start: [f64; 2], way: [f64; 2], share: [f64; 2], t: [f64; 2], field: &Field, out: &mut Vec<Part>) {
-    let (columns, rows) = field.size();
-    let (middle, extent) = (0.5 * (share[0] + share[1]), share[1] - share[0]);
-    let (x, y) = (start[0] + way[0] * middle, start[1] + way[1] * middle);
-    if !(y >= 0.0 && y < rows as f64) {
-        return;
-    }
-    // Left of the frame it covers whole pixels; right of it nothing that is seen.
-    let column = (x.max(0.0) as usize).min(columns - 1);
-    let right = if x < 0.0 { 1.0 } else { (column as f64 + 1.0 - x).max(0.0) };
-    let row = y as usize;
-    out.push(Part {
-        pixel: if x < 0.0 { NONE } else { field.pixel(column, row) },
-        row: row as u16,
-        column: column as u16,
-        t: (t[0] + (t[1] - t[0]) * middle) as f32,
-        dx: (way[0] * extent) as f32,
-        dy: (way[1] * extent) as f32,
-        right: right as f32,
-    });
+/// Changes of height of an edge where no pixel is: they count for the pixels to the right.
+#[derive(Clone, Copy, Debug)]
+struct Stray {
+    place: u32,
+    row: usize,
+    height: f32,
 }
 
-/// Room for one change after another.
+/// What parts change, tile by tile, until it is settled.
 #[derive(Debug, Default)]
 pub(super) struct Sweep {
-    /// The last part of each row, and the one before each part in its row.
-    last: Vec<u32>,
-    before: Vec<u32>,
-    /// For each column of the row: the area to the right inside the pixel, and the height.
-    cells: Vec<[f64; 2]>,
-    marks: Vec<u64>,
+    changes: Vec<Change>,
+    /// The change of each tile of the field, or none.
+    known: Vec<u32>,
+    /// Places of tiles with a change or a stray.
+    touched: Vec<u32>,
+    strays: Vec<Stray>,
 }
 
 impl Sweep {
     /// Takes parts out of the coverage and puts others in. Together they begin and end at the same places.
     /// How much the sum of squares grows, so far as it is known before the field settles.
     pub(super) fn exchange(&mut self, field: &mut Field, removed: &[Part], added: &[Part]) -> f64 {
-        let (mut top, mut bottom) = (u16::MAX, 0);
-        for part in removed.iter().chain(added) {
-            (top, bottom) = (top.min(part.row), bottom.max(part.row));
-        }
-        if top > bottom {
-            return 0.0;
-        }
-        self.last.clear();
-        self.last.resize(usize::from(bottom - top) + 1, NONE);
-        self.before.clear();
-        for (i, part) in removed.iter().chain(added).enumerate() {
-            let last = &mut self.last[usize::from(part.row - top)];
-            self.before.push(*last);
-            *last = i as u32;
-        }
-        let (columns, _) = field.size();
-        self.cells.resize(columns, [0.0; 2]);
-        self.marks.resize(columns.div_ceil(64), 0);
-        let mut growth = 0.0;
-        for row in top..=bottom {
-            let (mut least, mut most) = (u16::MAX, 0);
-            let mut at = self.last[usize::from(row - top)] as usize;
-            while let Some(&before) = self.before.get(at) {
-                let (part, sign) =
-                    if at < removed.len() { (&removed[at], -1.0) } else { (&added[at - removed.len()], 1.0) };
-                let height = sign * f64::from(part.dy);
-                let cell = &mut self.cells[usize::from(part.column)];
-                cell[0] += height * f64::from(part.right);
-                cell[1] += height;
-                self.marks[usize::from(part.column / 64)] |= 1 << (part.column % 64);
-                (least, most) = (least.min(part.column), most.max(part.column));
-                at = before as usize;
-            }
-            if least <= most {
-                growth += self.row(field, usize::from(row), usize::from(least / 64), usize::from(most / 64));
-            }
-        }
-        growth
+        self.note(field, removed, -1.0);
+        self.note(field, added, 1.0);
+        self.cover(field)
     }
 
-    /// Sums up one row, from one word of marks to another.
-    fn row(&mut self, field: &mut Field, row: usize, first: usize, last: usize) -> f64 {
+    /// Notes that parts come, with the sign 1, or go, with −1.
+    pub(super) fn note(&mut self, field: &Field, parts: &[Part], sign: f32) {
+        self.known.resize(field.tiles(), NONE);
+        for part in parts {
+            let height = sign * part.dy;
+            if part.pixel == NONE {
+                let place = field.place_at(usize::from(part.column), usize::from(part.row));
+                self.strays.push(Stray { place, row: usize::from(part.row) % SIDE, height });
+                self.touched.push(place);
+                continue;
+            }
+            let (slot, within) = (part.pixel as usize / AREA, part.pixel as usize % AREA);
+            let mut at = self.known[slot];
+            if at == NONE {
+                at = self.changes.len() as u32;
+                self.known[slot] = at;
+                self.changes.push(Change::default());
+                self.touched.push(field.place(slot));
+            }
+            let change = &mut self.changes[at as usize];
+            change.areas[within] += height * part.right;
+            change.heights[within] += height;
+        }
+    }
+
+    /// Covers what has been noted, tile by tile from the left: every tile goes on with the heights that those before it leave.
+    pub(super) fn cover(&mut self, field: &mut Field) -> f64 {
         // Heights cancel to rounding behind what has changed.
-        const NOTHING: f64 = 1e-5;
-        let (mut running, mut growth, mut next) = (0.0_f64, 0.0, 0);
-        for word in first..=last {
-            let mut marks = core::mem::take(&mut self.marks[word]);
-            while marks != 0 {
-                let column = 64 * word + marks.trailing_zeros() as usize;
-                marks &= marks - 1;
-                if running.abs() > NOTHING {
-                    growth += fill(field, row, next, column, running);
+        const NOTHING: f32 = 1e-5;
+        self.touched.sort_unstable();
+        self.touched.dedup();
+        let unchanged = Change::default();
+        let (mut running, mut growth, mut before) = ([0.0_f32; SIDE], 0.0, 0);
+        for &place in &self.touched {
+            if field.tile_row(place) != field.tile_row(before) {
+                running = [0.0; SIDE];
+            } else if running.iter().any(|height| height.abs() > NOTHING) {
+                for between in before + 1..place {
+                    if let Some(slot) = field.slot(between) {
+                        growth += field.cover(slot, &unchanged, &mut running);
+                    }
                 }
-                let [area, height] = core::mem::take(&mut self.cells[column]);
-                let pixel = field.pixel(column, row);
-                if pixel != NONE {
-                    growth += field.cover(pixel, -(running + area));
-                }
-                running += height;
-                next = column + 1;
+            }
+            before = place;
+            for stray in self.strays.iter().filter(|stray| stray.place == place) {
+                running[stray.row] += stray.height;
+            }
+            if let Some(slot) = field.slot(place) {
+                let at = core::mem::replace(&mut self.known[slot], NONE);
+                let change = self.changes.get(at as usize).unwrap_or(&unchanged);
+                growth += field.cover(slot, change, &mut running);
             }
         }
+        self.changes.clear();
+        self.touched.clear();
+        self.strays.clear();
         growth
     }
-}
-
-/// Covers whole pixels between two columns.
-fn fill(field: &mut Field, row: usize, from: usize, to: usize, height: f64) -> f64 {
-    let (mut growth, mut column) = (0.0, from);
-    while column < to {
-        let pixel = field.pixel(column, row);
-        if pixel == NONE {
-            column = (column / SIDE + 1) * SIDE;
-            continue;
-        }
-        growth += field.cover(pixel, -height);
-        column += 1;
-    }
-    growth
 }

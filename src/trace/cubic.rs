@@ -1,7 +1,7 @@
 //! One cubic through two given points, as near as it can to places between them.
 
 use super::samples::unit;
-use crate::numerics::plane::{cross, dot, norm, square};
+use crate::numerics::plane::{cross, dot, larger, norm, square};
 use crate::numerics::{Point, Vector};
 
 /// A cubic by its ends and the way from each end to its control point.
@@ -71,29 +71,33 @@ impl Cubic {
 
     /// Fits the ways to the control points to `places` between `start` and `end`.
     pub(super) fn fit(start: Point, end: Point, places: &[Point], tangents: [Tangent; 2]) -> Fitted {
-        let stride = places.len().div_ceil(MOST_PLACES).max(1);
-        let mut points: Vec<Point> = places.iter().copied().step_by(stride).collect();
-        if points.is_empty() {
-            points.push((start + end) * 0.5);
+        let mut chosen = [(start + end) * 0.5; MOST_PLACES];
+        let mut count = 0;
+        for &place in places.iter().step_by(places.len().div_ceil(MOST_PLACES).max(1)) {
+            chosen[count] = place;
+            count += 1;
         }
-        let mut parameters = chord_parameters(start, end, &points);
-        let chord = norm(end - start).max(length(start, end, &points) / core::f64::consts::PI);
+        let points = &chosen[..count.max(1)];
+        let mut places = [0.0; MOST_PLACES];
+        let parameters = &mut places[..points.len()];
+        let total = chord_parameters(start, end, points, parameters);
+        let chord = norm(end - start).max(total / core::f64::consts::PI);
         let mut cubic = Self { start, leaving: Vector::zeros(), arriving: Vector::zeros(), end };
         for round in 0..ROUNDS {
-            cubic.solve(&points, &parameters, tangents, chord);
-            if round + 1 < ROUNDS {
-                for (t, &p) in parameters.iter_mut().zip(&points) {
+            if round > 0 {
+                for (t, &p) in parameters.iter_mut().zip(points) {
                     *t = cubic.foot(p, *t);
                 }
             }
+            cubic.solve(points, parameters, tangents, chord);
         }
         let (mut most, mut sum) = (0.0_f64, 0.0);
-        for (&t, &p) in parameters.iter().zip(&points) {
+        for (&t, &p) in parameters.iter().zip(points) {
             // Across the curve: along it places may slip.
             let (off, velocity) = (p - cubic.point(t), cubic.velocity(t));
             let across = cross(velocity, off);
-            let off = across * across / square(velocity).max(1e-18);
-            most = most.max(off);
+            let off = across * across / larger(square(velocity), 1e-18);
+            most = larger(most, off);
             sum += off;
         }
         Fitted { cubic, most: most.sqrt(), rms: (sum / points.len() as f64).sqrt() }
@@ -101,6 +105,18 @@ impl Cubic {
 
     /// Least squares for up to four unknowns: a length along a known tangent, both coordinates else.
     fn solve(&mut self, points: &[Point], parameters: &[f64], tangents: [Tangent; 2], chord: f64) {
+        // What the places say to both ways, whatever is known of their directions.
+        let (mut squares, mut asked) = ([0.0; 3], [Vector::zeros(); 2]);
+        let way = self.end - self.start;
+        for (&t, &p) in parameters.iter().zip(points) {
+            let [_, b, c, d] = Self::bernstein(t);
+            let off = p - self.start - way * (c + d);
+            squares[0] += b * b;
+            squares[1] -= b * c;
+            squares[2] += c * c;
+            asked[0] += off * b;
+            asked[1] -= off * c;
+        }
         let mut unknowns = [(0, Vector::zeros()); 4];
         let mut count = 0;
         for (side, tangent) in tangents.iter().enumerate() {
@@ -114,18 +130,13 @@ impl Cubic {
             }
         }
         let mut normal = [[0.0; 5]; 4];
-        for (&t, &p) in parameters.iter().zip(points) {
-            let [_, b, c, d] = Self::bernstein(t);
-            let weights = [b, -c];
-            let off = p - self.start - (self.end - self.start) * (c + d);
-            for i in 0..count {
-                let (side, direction) = unknowns[i];
-                for j in 0..=i {
-                    let (other, along) = unknowns[j];
-                    normal[i][j] += weights[side] * weights[other] * dot(direction, along);
-                }
-                normal[i][4] += weights[side] * dot(direction, off);
+        for i in 0..count {
+            let (side, direction) = unknowns[i];
+            for j in 0..=i {
+                let (other, along) = unknowns[j];
+                normal[i][j] = squares[side + other] * dot(direction, along);
             }
+            normal[i][4] = dot(direction, asked[side]);
         }
         // A third of the chord is what a straight piece has; hardly determined lengths stay near it.
         let usual = unit(self.end - self.start) * (chord / 3.0);
@@ -167,24 +178,16 @@ fn solve_small(rows: &mut [[f64; 5]; 4], count: usize) -> [f64; 4] {
     x
 }
 
-fn length(start: Point, end: Point, points: &[Point]) -> f64 {
-    let mut sum = norm(points[0] - start) + norm(end - points[points.len() - 1]);
-    for pair in points.windows(2) {
-        sum += norm(pair[1] - pair[0]);
+/// The share of the way from the start at every point, and the length of the way.
+fn chord_parameters(start: Point, end: Point, points: &[Point], parameters: &mut [f64]) -> f64 {
+    let (mut travelled, mut last) = (0.0, start);
+    for (t, &p) in parameters.iter_mut().zip(points) {
+        travelled += norm(p - last);
+        last = p;
+        *t = travelled;
     }
-    sum
-}
-
-fn chord_parameters(start: Point, end: Point, points: &[Point]) -> Vec<f64> {
-    let total = length(start, end, points).max(1e-12);
-    let mut travelled = 0.0;
-    let mut last = start;
-    points
-        .iter()
-        .map(|&p| {
-            travelled += norm(p - last);
-            last = p;
-            travelled / total
-        })
-        .collect()
+    let total = travelled + norm(end - last);
+    let scale = 1.0 / larger(total, 1e-12);
+    parameters.iter_mut().for_each(|t| *t *= scale);
+    total
 }

@@ -6,6 +6,7 @@ use crate::error::Result;
 use crate::limits::with_room;
 use crate::numerics::Point;
 use crate::numerics::order::sort_in_place;
+use crate::numerics::plane::larger;
 
 /// Pixels along a tile's side, and around the picture: one tile of paper.
 pub(super) const SIDE: usize = 8;
@@ -26,7 +27,20 @@ pub(super) struct Shading {
     pub(super) inverted: bool,
 }
 
-/// Tiles of pixels near the outlines.
+/// What an exchange of parts does to one tile: areas to the right of them inside pixels, and heights, in the order of the pixels.
+#[derive(Clone, Debug)]
+pub(super) struct Change {
+    pub(super) areas: [f32; AREA],
+    pub(super) heights: [f32; AREA],
+}
+
+impl Default for Change {
+    fn default() -> Self {
+        Self { areas: [0.0; AREA], heights: [0.0; AREA] }
+    }
+}
+
+/// Tiles of pixels near the outlines, column by column: what runs through a row is done for all rows of a tile at once.
 #[derive(Debug)]
 pub(super) struct Field {
     /// Tiles in a row.
@@ -57,14 +71,14 @@ struct Blur {
 }
 
 impl Shading {
-    /// Piecewise linear: ink is 1, the level ½, paper 0.
-    fn coverage(&self, shade: f64) -> f64 {
-        let dark = if shade < self.level {
-            1.0 - 0.5 * (shade - self.ink) / (self.level - self.ink).max(1.0)
-        } else {
-            0.5 * (self.paper - shade) / (self.paper - self.level).max(1.0)
-        };
-        if self.inverted { 1.0 - dark } else { dark }
+    /// The coverage of a shade, piecewise linear: ink is 1, the level ½, paper 0.
+    fn coverage(&self) -> impl Fn(f64) -> f64 {
+        let Self { ink, paper, level, inverted } = *self;
+        let (dark, light) = (0.5 / larger(level - ink, 1.0), 0.5 / larger(paper - level, 1.0));
+        move |shade| {
+            let cover = if shade < level { 1.0 - (shade - ink) * dark } else { (paper - shade) * light };
+            if inverted { 1.0 - cover } else { cover }
+        }
     }
 }
 
@@ -98,14 +112,15 @@ impl Field {
         }
         let mut rest: Vec<f32> = with_room(AREA * places.len())?;
         let paper = if shading.inverted { shading.ink } else { shading.paper };
+        let coverage = shading.coverage();
         for &place in &places {
             let (row, column) = (place as usize / across * SIDE, place as usize % across * SIDE);
-            for y in row..row + SIDE {
-                for x in column..column + SIDE {
+            for x in column..column + SIDE {
+                for y in row..row + SIDE {
                     let inside =
                         x >= SIDE && y >= SIDE && x - SIDE < gray.width() && y - SIDE < gray.height();
                     let shade = if inside { gray.shade(x - SIDE, y - SIDE) } else { paper };
-                    rest.push(shading.coverage(shade) as f32);
+                    rest.push(coverage(shade) as f32);
                 }
             }
         }
@@ -134,24 +149,59 @@ impl Field {
     /// The pixel at a column and a row, counted from the frame's corner.
     pub(super) fn pixel(&self, x: usize, y: usize) -> u32 {
         let slot = self.slots[y / SIDE * self.across + x / SIDE];
-        if slot == NONE { NONE } else { slot * AREA as u32 + (y % SIDE * SIDE + x % SIDE) as u32 }
+        if slot == NONE { NONE } else { slot * AREA as u32 + (x % SIDE * SIDE + y % SIDE) as u32 }
     }
 
-    /// The outlines cover more of a pixel; how much the sum of squares grows, if that is known at once.
-    pub(super) fn cover(&mut self, pixel: u32, more: f64) -> f64 {
-        let at = pixel as usize;
-        if let Some(blur) = &mut self.blur {
-            blur.cover[at] += more as f32;
-            let slot = pixel / AREA as u32;
-            if blur.changed.last() != Some(&slot) {
-                blur.changed.push(slot);
+    /// How many tiles there are.
+    pub(super) fn tiles(&self) -> usize {
+        self.places.len()
+    }
+
+    /// The place of a tile, of the tile at a column and a row, and which tile is there.
+    pub(super) fn place(&self, slot: usize) -> u32 {
+        self.places[slot]
+    }
+
+    pub(super) fn place_at(&self, x: usize, y: usize) -> u32 {
+        (y / SIDE * self.across + x / SIDE) as u32
+    }
+
+    pub(super) fn slot(&self, place: u32) -> Option<usize> {
+        let slot = self.slots[place as usize];
+        (slot != NONE).then_some(slot as usize)
+    }
+
+    /// The row of tiles that a place is in.
+    pub(super) fn tile_row(&self, place: u32) -> usize {
+        place as usize / self.across
+    }
+
+    /// The outlines cover more or less of the pixels of a tile, with heights that run in from the left and on to the right; how much the sum
+    /// of squares grows, if that is known at once.
+    pub(super) fn cover(&mut self, slot: usize, change: &Change, running: &mut [f32; SIDE]) -> f64 {
+        let from = slot * AREA;
+        let (plane, sign) = match &mut self.blur {
+            Some(blur) => {
+                blur.changed.push(slot as u32);
+                (&mut blur.cover, -1.0)
             }
-            return 0.0;
+            None => (&mut self.rest, 1.0),
+        };
+        let pixels = &mut plane[from..from + AREA];
+        let mut growth = [0.0_f32; SIDE];
+        for (column, pixels) in pixels.as_chunks_mut::<SIDE>().0.iter_mut().enumerate() {
+            let (areas, heights) =
+                (&change.areas.as_chunks::<SIDE>().0[column], &change.heights.as_chunks::<SIDE>().0[column]);
+            for k in 0..SIDE {
+                let less = running[k] + areas[k];
+                let before = pixels[k];
+                let after = before + sign * less;
+                pixels[k] = after;
+                growth[k] += (after - before) * (after + before);
+                running[k] += heights[k];
+            }
         }
-        let before = self.rest[at];
-        let after = before - more as f32;
-        self.rest[at] = after;
-        f64::from(after) * f64::from(after) - f64::from(before) * f64::from(before)
+        if sign < 0.0 { 0.0 } else { growth.iter().map(|&part| f64::from(part)).sum() }
     }
 
     /// Takes what has changed into account; how much the sum of squares has grown by it.
@@ -267,7 +317,7 @@ impl Field {
                     plane[pixel as usize]
                 } else if own {
                     let inner = |d: usize| d.clamp(REACH, REACH + SIDE - 1) - REACH;
-                    plane[slot as usize * AREA + inner(dy) * SIDE + inner(dx)].round()
+                    plane[slot as usize * AREA + inner(dx) * SIDE + inner(dy)].round()
                 } else {
                     0.0
                 };
@@ -281,7 +331,7 @@ impl Field {
             }
         }
         core::array::from_fn(|at| {
-            let (y, x) = (REACH + at / SIDE, at % SIDE);
+            let (y, x) = (REACH + at % SIDE, at / SIDE);
             let mut sum = half[0] * along[y][x];
             for (d, weight) in half.iter().enumerate().take(reach + 1).skip(1) {
                 sum += weight * (along[y - d][x] + along[y + d][x]);

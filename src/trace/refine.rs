@@ -8,6 +8,7 @@ use super::skyline::Skyline;
 use super::unknowns::{Column, Unknowns};
 use crate::error::Result;
 use crate::limits::filled;
+use crate::numerics::plane::larger;
 
 /// Weight of staying where it is, in coverage per pixel, squared.
 const DAMPING: f64 = 5e-3;
@@ -68,13 +69,16 @@ impl Left {
                 continue;
             }
             last = part.pixel;
-            let value = f64::from(field.rest[last as usize]).abs();
-            self.square += value * value;
-            self.count += 1.0;
-            if value > self.most {
-                self.most = value;
-            }
+            self.see(field.rest[last as usize]);
         }
+    }
+
+    /// One pixel more.
+    fn see(&mut self, rest: f32) {
+        let value = f64::from(rest).abs();
+        self.square += value * value;
+        self.count += 1.0;
+        self.most = larger(self.most, value);
     }
 
     pub(super) fn rms(&self) -> f64 {
@@ -95,10 +99,6 @@ impl Shape {
         for (i, own) in self.parts.iter_mut().enumerate() {
             parts(&self.outline.cubic(i), field, own);
         }
-    }
-
-    pub(super) fn all(&self) -> Vec<Part> {
-        self.parts.concat()
     }
 
     /// All nodes, from both ends of the list in turn: what is near around the outline is near in the list.
@@ -123,8 +123,6 @@ pub(super) struct Refiner {
     pieces: Vec<usize>,
     columns: Vec<Column>,
     ends: Vec<usize>,
-    old: Vec<Part>,
-    new: Vec<Part>,
     fresh: Vec<Vec<Part>>,
 }
 
@@ -137,23 +135,22 @@ impl Refiner {
             pieces: Vec::new(),
             columns: Vec::new(),
             ends: Vec::new(),
-            old: Vec::new(),
-            new: Vec::new(),
             fresh: Vec::new(),
         }
     }
 
     /// Puts a shape into the field.
     pub(super) fn show(&mut self, field: &mut Field, shape: &Shape) {
-        self.sweep.exchange(field, &[], &shape.all());
+        shape.parts.iter().for_each(|parts| self.sweep.note(field, parts, 1.0));
+        self.sweep.cover(field);
     }
 
     /// Replaces an outline by another.
     pub(super) fn replace(&mut self, field: &mut Field, shape: &mut Shape, outline: Outline) {
-        let old = shape.all();
+        shape.parts.iter().for_each(|parts| self.sweep.note(field, parts, -1.0));
         shape.outline = outline;
         shape.walk(field);
-        self.sweep.exchange(field, &old, &shape.all());
+        self.show(field, shape);
         field.settle();
     }
 
@@ -211,22 +208,23 @@ impl Refiner {
             self.restore(&mut shape.outline, &saved);
             return Ok((left, f64::INFINITY));
         }
-        self.old.clear();
-        self.new.clear();
         self.fresh.resize(self.pieces.len().max(self.fresh.len()), Vec::new());
         for (&i, fresh) in self.pieces.iter().zip(&mut self.fresh) {
             parts(&shape.outline.cubic(i), field, fresh);
-            self.old.extend_from_slice(&shape.parts[i]);
-            self.new.extend_from_slice(fresh);
+            self.sweep.note(field, &shape.parts[i], -1.0);
+            self.sweep.note(field, fresh, 1.0);
         }
-        let mut growth = self.sweep.exchange(field, &self.old, &self.new);
-        growth += field.settle();
+        let growth = self.sweep.cover(field) + field.settle();
         if growth < 0.0 {
             for (&i, fresh) in self.pieces.iter().zip(&mut self.fresh) {
                 core::mem::swap(&mut shape.parts[i], fresh);
             }
         } else {
-            self.sweep.exchange(field, &self.new, &self.old);
+            for (&i, fresh) in self.pieces.iter().zip(&self.fresh) {
+                self.sweep.note(field, fresh, -1.0);
+                self.sweep.note(field, &shape.parts[i], 1.0);
+            }
+            self.sweep.cover(field);
             field.settle();
             self.restore(&mut shape.outline, &saved);
         }
@@ -277,8 +275,7 @@ impl Refiner {
         for (&i, &end) in self.pieces.iter().zip(&self.ends) {
             let columns = &self.columns[from..end];
             from = end;
-            left.add(&shape.parts[i], field);
-            let pull = pull(&shape.parts[i], field.lead());
+            let pull = pull(&shape.parts[i], field, &mut left);
             let square = square(&shape.outline.cubic(i), stiffness);
             for (unknown, column) in columns {
                 right[*unknown] += column.iter().zip(&pull).map(|(a, b)| a * b).sum::<f64>();
@@ -312,18 +309,33 @@ pub(super) fn leaves(cubic: &Cubic, field: &Field) -> bool {
     (0..=LOOKS).any(|k| field.is_beyond(cubic.point(f64::from(k) / f64::from(LOOKS))))
 }
 
-/// What the pixels say to the control points of one piece.
-fn pull(parts: &[Part], lead: &[f32]) -> [f64; 8] {
-    let mut sum = [0.0_f64; 8];
+/// What the pixels say to the control points of one piece; `left` sees what is left in them.
+fn pull(parts: &[Part], field: &Field, left: &mut Left) -> [f64; 8] {
+    // Moments of the parameter: x and y in turn.
+    let (mut moments, mut last) = ([[0.0_f64; 2]; 4], NONE);
+    let lead = field.lead();
     for part in parts.iter().filter(|part| part.pixel != NONE) {
         let value = lead[part.pixel as usize];
-        let (up, along) = (f64::from(part.dy * value), f64::from(part.dx * value));
-        for (pair, weight) in sum.chunks_exact_mut(2).zip(Cubic::bernstein(f64::from(part.t))) {
-            pair[0] += weight * up;
-            pair[1] -= weight * along;
+        let t = f64::from(part.t);
+        let mut moment = [f64::from(part.dy * value), f64::from(part.dx * value)];
+        for sum in &mut moments {
+            for k in 0..2 {
+                sum[k] += moment[k];
+                moment[k] *= t;
+            }
+        }
+        if part.pixel != last {
+            last = part.pixel;
+            left.see(field.rest[part.pixel as usize]);
         }
     }
-    sum
+    let [a, b, c, d] = moments;
+    let weights = |k: usize| {
+        let last = 3.0 * (c[k] - d[k]);
+        [a[k] - d[k] - 3.0 * (b[k] - c[k]), 3.0 * (b[k] - c[k]) - last, last, d[k]]
+    };
+    let (up, along) = (weights(0), weights(1));
+    core::array::from_fn(|i| if i % 2 == 0 { up[i / 2] } else { -along[i / 2] })
 }
 
 /// The normal matrix of one piece's control points: the integral of n nᵀ B B over its length.

@@ -18,6 +18,9 @@ const ROWS: usize = 64;
 /// About as many pixels are looked at for flat places.
 const ENOUGH: usize = 131_072;
 
+/// Pixels that are looked at together.
+const BLOCK: usize = 32;
+
 /// A look at a picture, some rows at a time: first how many pixels have which shade, then flat places.
 #[derive(Debug)]
 pub(super) struct ToneScan {
@@ -35,8 +38,6 @@ struct Flat {
     histogram: [[u32; 256]; 2],
     sum: u64,
     count: u64,
-    /// Which pixels of three rows are light, row r at r modulo 3.
-    light: [Vec<u8>; 3],
 }
 
 impl ToneScan {
@@ -51,10 +52,7 @@ impl ToneScan {
         let Some(flat) = &mut self.flat else {
             let last = (self.row + ROWS).min(height);
             for row in self.row..last {
-                // Equal shades come in runs: counts in turn do not wait for each other.
-                for (i, &value) in gray.row(row).iter().enumerate() {
-                    self.shades[i % 4][usize::from(value >> 8)] += 1;
-                }
+                count_shades(&mut self.shades, gray.row(row));
             }
             self.row = last;
             if last < height {
@@ -71,7 +69,7 @@ impl ToneScan {
                 return Some(Tones { ink, paper, noise: 0.0 });
             }
             let threshold = self.given.unwrap_or_else(|| otsu(&self.shades[0]));
-            self.flat = Some(Box::new(Flat::new(threshold, gray.width())));
+            self.flat = Some(Box::new(Flat { threshold, histogram: [[0; 256]; 2], sum: 0, count: 0 }));
             return None;
         };
         // Every so many rows: noise and tones are the same everywhere.
@@ -122,35 +120,62 @@ impl ToneScan {
     }
 }
 
-impl Flat {
-    fn new(threshold: usize, width: usize) -> Self {
-        let light = [vec![2; width], vec![2; width], vec![2; width]];
-        Self { threshold, histogram: [[0; 256]; 2], sum: 0, count: 0, light }
+/// How many pixels have which shade. Most lie in rows of one shade, which are counted at once.
+fn count_shades(shades: &mut [[u32; 256]; 4], row: &[u16]) {
+    let (blocks, rest) = row.as_chunks::<BLOCK>();
+    for block in blocks {
+        if alike(block, block[0]) {
+            shades[0][usize::from(block[0] >> 8)] += BLOCK as u32;
+            continue;
+        }
+        // Equal shades come in runs: counts in turn do not wait for each other.
+        for (i, &value) in block.iter().enumerate() {
+            shades[i % 4][usize::from(value >> 8)] += 1;
+        }
     }
+    for &value in rest {
+        shades[0][usize::from(value >> 8)] += 1;
+    }
+}
 
+/// Whether all pixels have one shade.
+fn alike(pixels: &[u16], shade: u16) -> bool {
+    pixels.iter().fold(0, |off, &value| off | (value ^ shade)) == 0
+}
+
+impl Flat {
+    /// Looks at one row, which has one above and one below.
     fn look(&mut self, gray: &Gray, row: usize) {
         let rows = [gray.row(row - 1), gray.row(row), gray.row(row + 1)];
         let most = ((self.threshold << 8) | 255) as u16;
-        for (light, shades) in self.light.iter_mut().zip(rows) {
-            for (light, &shade) in light.iter_mut().zip(shades) {
-                *light = u8::from(shade > most);
+        let end = gray.width().saturating_sub(1);
+        let mut at = 1;
+        while at < end {
+            let last = (at + BLOCK - 2).min(end);
+            let around = rows.map(|row| &row[at - 1..=last]);
+            let shade = around[1][0];
+            if around.iter().all(|row| alike(row, shade)) {
+                self.histogram[usize::from(shade > most)][usize::from(shade >> 8)] += (last - at) as u32;
+                self.count += (last - at) as u64;
+            } else {
+                self.mixed(around, most);
             }
+            at = last;
         }
-        let [above, here, below] = &self.light;
-        let column = |at: usize| above[at] + here[at] + below[at];
-        let width = here.len();
-        if width < 3 {
-            return;
-        }
+    }
+
+    /// Looks at the middle row of some columns, but for the first and the last.
+    fn mixed(&mut self, rows: [&[u16]; 3], most: u16) {
+        let column = |at: usize| rows.iter().map(|row| u8::from(row[at] > most)).sum::<u8>();
         let (mut before, mut middle) = (column(0), column(1));
-        for at in 1..width - 1 {
+        for at in 1..rows[1].len() - 1 {
             let after = column(at + 1);
             let sum = before + middle + after;
             (before, middle) = (middle, after);
             if sum != 0 && sum != 9 {
                 continue;
             }
-            self.histogram[usize::from(here[at])][usize::from(rows[1][at] >> 8)] += 1;
+            self.histogram[usize::from(sum == 9)][usize::from(rows[1][at] >> 8)] += 1;
             let value = |r: usize, c: usize| i64::from(rows[r][at + c - 1]);
             let corners = value(0, 0) + value(0, 2) + value(2, 0) + value(2, 2);
             let sides = value(0, 1) + value(1, 0) + value(1, 2) + value(2, 1);
