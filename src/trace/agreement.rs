@@ -92,7 +92,7 @@ impl Chord {
     }
 }
 
-/// A curve as chords, and places on it: ends and middles of chords.
+/// A curve as chords, and their ends.
 struct Flat {
     chords: Vec<Chord>,
     places: Vec<Point>,
@@ -114,7 +114,7 @@ impl Flat {
                 let to = if step + 1 == count { end } else { segment.position((step + 1) as f64 / steps) };
                 let middle = if straight { (start + end) * 0.5 } else { segment.position(x) };
                 chords.push(Chord::new(from, to, middle - (from + to) * 0.5));
-                places.extend([from, middle]);
+                places.push(from);
                 from = to;
             }
         }

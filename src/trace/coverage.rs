@@ -37,8 +37,7 @@ pub(super) fn parts(cubic: &Cubic, field: &Field, out: &mut Vec<Part>) {
     let frame = SIDE as f64;
     let place = |x: f64, y: f64| [x + frame, y + frame];
     let (length, count) = (1.0 / steps, steps as usize);
-    let mut pen = Pen { field, size: field.size(), out };
-    let mut from = place(cubic.start.x, cubic.start.y);
+    let mut pen = Pen::new(field, place(cubic.start.x, cubic.start.y), out);
     for step in 1..=count {
         let t = step as f64 * length;
         let to = if step < count {
@@ -47,8 +46,7 @@ pub(super) fn parts(cubic: &Cubic, field: &Field, out: &mut Vec<Part>) {
         } else {
             place(cubic.end.x, cubic.end.y)
         };
-        pen.edge(from, to, [t - length, length]);
-        from = to;
+        pen.draw_to(to, [t - length, length]);
     }
 }
 
@@ -56,7 +54,10 @@ pub(super) fn parts(cubic: &Cubic, field: &Field, out: &mut Vec<Part>) {
 struct Pen<'a> {
     field: &'a Field,
     /// Columns and rows of the field.
-    size: (usize, usize),
+    size: [f64; 2],
+    /// Where it is, in the field's frame, and in which pixel if that is one of the field's.
+    at: [f64; 2],
+    cell: Option<[i32; 2]>,
     out: &'a mut Vec<Part>,
 }
 
@@ -76,15 +77,28 @@ impl Edge {
     }
 }
 
-impl Pen<'_> {
-    fn edge(&mut self, from: [f64; 2], to: [f64; 2], t: [f64; 2]) {
+impl<'a> Pen<'a> {
+    fn new(field: &'a Field, at: [f64; 2], out: &'a mut Vec<Part>) -> Self {
+        let (columns, rows) = field.size();
+        let mut pen = Self { field, size: [columns as f64, rows as f64], at, cell: None, out };
+        pen.cell = pen.cell_of(at);
+        pen
+    }
+
+    fn cell_of(&self, at: [f64; 2]) -> Option<[i32; 2]> {
+        let inside = at[0] >= 0.0 && at[1] >= 0.0 && at[0] < self.size[0] && at[1] < self.size[1];
+        inside.then(|| at.map(|v| v as i32))
+    }
+
+    /// A straight edge from where the pen is; `t` is its first parameter and the length of its range.
+    fn draw_to(&mut self, to: [f64; 2], t: [f64; 2]) {
+        let from = self.at;
         let edge = Edge { start: from, way: [to[0] - from[0], to[1] - from[1]], t };
-        let (columns, rows) = (self.size.0 as f64, self.size.1 as f64);
-        let inside = |p: [f64; 2]| p[0] >= 0.0 && p[1] >= 0.0 && p[0] < columns && p[1] < rows;
-        if !(inside(from) && inside(to)) {
+        let cells = (self.cell, self.cell_of(to));
+        (self.at, self.cell) = (to, cells.1);
+        let (Some(mut cell), Some(last)) = cells else {
             return self.edge_beyond(&edge);
-        }
-        let (mut cell, last) = (from.map(|v| v as i32), to.map(|v| v as i32));
+        };
         if cell == last {
             return self.part(&edge, [0.0, 1.0], cell);
         }
@@ -142,7 +156,7 @@ impl Pen<'_> {
 
     /// An edge that leaves the frame: left of it it covers whole pixels; right of it, above and below nothing that is seen.
     fn edge_beyond(&mut self, edge: &Edge) {
-        let [columns, rows] = [self.size.0 as f64, self.size.1 as f64];
+        let [columns, rows] = self.size;
         let mut share = 0.0;
         while share < 1.0 {
             // The next border on any axis; never the one where this part begins.
@@ -201,26 +215,40 @@ impl Sweep {
     /// Notes that parts come, with the sign 1, or go, with −1.
     pub(super) fn note(&mut self, field: &Field, parts: &[Part], sign: f32) {
         self.known.resize(field.tiles(), NONE);
+        // Parts of one tile mostly follow each other.
+        let (mut slot, mut at) = (usize::MAX, 0);
         for part in parts {
             let height = sign * part.dy;
             if part.pixel == NONE {
-                let place = field.place_at(usize::from(part.column), usize::from(part.row));
-                self.strays.push(Stray { place, row: usize::from(part.row) % SIDE, height });
-                self.touched.push(place);
+                self.stray(field, part, height);
                 continue;
             }
-            let (slot, within) = (part.pixel as usize / AREA, part.pixel as usize % AREA);
-            let mut at = self.known[slot];
-            if at == NONE {
-                at = self.changes.len() as u32;
-                self.known[slot] = at;
-                self.changes.push(Change::default());
-                self.touched.push(field.place(slot));
+            if part.pixel as usize / AREA != slot {
+                slot = part.pixel as usize / AREA;
+                at = self.open(field, slot);
             }
-            let change = &mut self.changes[at as usize];
-            change.areas[within] += height * part.right;
-            change.heights[within] += height;
+            let within = part.pixel as usize % AREA;
+            if let Some(change) = self.changes.get_mut(at) {
+                change.areas[within] += height * part.right;
+                change.heights[within] += height;
+            }
         }
+    }
+
+    /// The change of a tile; a new one, if it has none yet.
+    fn open(&mut self, field: &Field, slot: usize) -> usize {
+        if self.known[slot] == NONE {
+            self.known[slot] = self.changes.len() as u32;
+            self.changes.push(Change::default());
+            self.touched.push(field.place(slot));
+        }
+        self.known[slot] as usize
+    }
+
+    fn stray(&mut self, field: &Field, part: &Part, height: f32) {
+        let place = field.place_at(usize::from(part.column), usize::from(part.row));
+        self.strays.push(Stray { place, row: usize::from(part.row) % SIDE, height });
+        self.touched.push(place);
     }
 
     /// Covers what has been noted, tile by tile from the left: every tile goes on with the heights that those before it leave.

@@ -34,6 +34,8 @@ const LONGEST_STEP: f64 = 0.6;
 const CROSSING: f64 = 0.95;
 /// The share of what is left that a step has to take away for another where most of it is noise.
 pub(super) const NOISY_SHARE: f64 = 5e-4;
+/// A step is tried if the equations promise this share of what would be enough: they know what they promise to a third or so.
+const PROMISE: f64 = 0.5;
 /// Gauss's rule for polynomials of degree 9 on [0, 1]: places and weights.
 const RULE: [[f64; 2]; 5] = [
     [0.046_910_077_030_668, 0.118_463_442_528_095],
@@ -175,7 +177,7 @@ impl Refiner {
     ) -> Result<()> {
         let mut damping = DAMPING;
         for _ in 0..most {
-            let (left, growth) = self.step(field, shape, nodes, damping)?;
+            let Some((left, growth)) = self.step(field, shape, nodes, (damping, enough))? else { break };
             if growth < 0.0 {
                 damping = (self.relaxing.factor * damping).max(self.relaxing.least);
                 if -growth < enough * left.square || left.square + growth < ROUNDING * left.count {
@@ -191,22 +193,26 @@ impl Refiner {
         Ok(())
     }
 
-    /// One step: what was left before it and how much it has grown; if it would grow, nothing moves.
+    /// One step: what was left before it and how much it has grown; if it would grow, nothing moves. `None` where no step promises
+    /// enough to be tried.
     fn step(
         &mut self,
         field: &mut Field,
         shape: &mut Shape,
         nodes: &[usize],
-        damping: f64,
-    ) -> Result<(Left, f64)> {
+        (damping, enough): (f64, f64),
+    ) -> Result<Option<(Left, f64)>> {
         self.unknowns.number(&shape.outline, nodes);
         self.unknowns.pieces(&shape.outline, &mut self.pieces);
-        let (step, left) = self.solve(field, shape, damping)?;
+        let (step, left, promised) = self.solve(field, shape, damping)?;
+        if promised < PROMISE * enough * left.square || left.square < ROUNDING * left.count {
+            return Ok(None);
+        }
         let saved = self.save(&shape.outline);
         self.unknowns.apply(&mut shape.outline, &step, LONGEST_STEP);
         if self.pieces.iter().any(|&i| leaves(&shape.outline.cubic(i), field)) {
             self.restore(&mut shape.outline, &saved);
-            return Ok((left, f64::INFINITY));
+            return Ok(Some((left, f64::INFINITY)));
         }
         self.fresh.resize(self.pieces.len().max(self.fresh.len()), Vec::new());
         for (&i, fresh) in self.pieces.iter().zip(&mut self.fresh) {
@@ -228,7 +234,7 @@ impl Refiner {
             field.settle();
             self.restore(&mut shape.outline, &saved);
         }
-        Ok((left, growth))
+        Ok(Some((left, growth)))
     }
 
     fn save(&self, outline: &Outline) -> Outline {
@@ -249,8 +255,8 @@ impl Refiner {
         }
     }
 
-    /// The step of the unknowns that the residuals ask for (D 14.4), and what is left.
-    fn solve(&mut self, field: &Field, shape: &Shape, damping: f64) -> Result<(Vec<f64>, Left)> {
+    /// The step of the unknowns that the residuals ask for (D 14.4), what is left, and by how much the step promises to make that less.
+    fn solve(&mut self, field: &Field, shape: &Shape, damping: f64) -> Result<(Vec<f64>, Left, f64)> {
         let count = self.unknowns.end;
         let mut scales = filled(1.0, count)?;
         self.unknowns.scales(&shape.outline, &mut scales);
@@ -277,21 +283,11 @@ impl Refiner {
             from = end;
             let pull = pull(&shape.parts[i], field, &mut left);
             let square = square(&shape.outline.cubic(i), stiffness);
-            for (unknown, column) in columns {
-                right[*unknown] += column.iter().zip(&pull).map(|(a, b)| a * b).sum::<f64>();
-                let mut image = [0.0; 8];
-                for (row, &amount) in square.iter().zip(column) {
-                    // Most unknowns move one control point or two.
-                    if amount != 0.0 {
-                        image.iter_mut().zip(row).for_each(|(sum, value)| *sum += amount * value);
-                    }
-                }
-                for (other, along) in columns.iter().filter(|(other, _)| other <= unknown) {
-                    let mut value = 0.0;
-                    for (a, b) in image.iter().zip(along) {
-                        value += a * b;
-                    }
-                    factor.add(*unknown, *other, value);
+            for (k, (unknown, column)) in columns.iter().enumerate() {
+                right[*unknown] += product(column, &pull);
+                let image = image(&square, column);
+                for (other, along) in &columns[..=k] {
+                    factor.add((*unknown).max(*other), (*unknown).min(*other), product(&image, along));
                 }
             }
         }
@@ -299,13 +295,42 @@ impl Refiner {
             factor.add(i, i, damping * scale.max(1e-6));
         }
         factor.factor();
-        factor.solve(&mut right);
-        Ok((right, left))
+        let mut step = right.clone();
+        factor.solve(&mut step);
+        let promised = step.iter().zip(&right).map(|(a, b)| a * b).sum();
+        Ok((step, left, promised))
     }
+}
+
+fn product(a: &[f64; 8], b: &[f64; 8]) -> f64 {
+    // In pairs, as two of them fit into one register.
+    let mut sums = [0.0; 2];
+    for k in 0..4 {
+        sums[0] += a[2 * k] * b[2 * k];
+        sums[1] += a[2 * k + 1] * b[2 * k + 1];
+    }
+    sums[0] + sums[1]
+}
+
+/// The matrix times a column, most of which is 0.
+fn image(square: &[[f64; 8]; 8], column: &[f64; 8]) -> [f64; 8] {
+    let mut image = [0.0; 8];
+    for i in 0..8 {
+        if column[i] != 0.0 {
+            for k in 0..8 {
+                image[k] += column[i] * square[i][k];
+            }
+        }
+    }
+    image
 }
 
 /// Whether a piece goes where no pixel would call it back.
 pub(super) fn leaves(cubic: &Cubic, field: &Field) -> bool {
+    let corners = [cubic.start, cubic.start + cubic.leaving, cubic.end - cubic.arriving, cubic.end];
+    if !corners.iter().any(|&corner| field.is_beyond(corner)) {
+        return false;
+    }
     (0..=LOOKS).any(|k| field.is_beyond(cubic.point(f64::from(k) / f64::from(LOOKS))))
 }
 
@@ -340,26 +365,36 @@ fn pull(parts: &[Part], field: &Field, left: &mut Left) -> [f64; 8] {
 
 /// The normal matrix of one piece's control points: the integral of n nᵀ B B over its length.
 fn square(cubic: &Cubic, stiffness: f64) -> [[f64; 8]; 8] {
-    let mut square = [[0.0; 8]; 8];
+    // For each pair of control points xx, xy and yy.
+    let mut blocks = [[0.0; 3]; 10];
     for [t, weight] in RULE {
         let velocity = cubic.velocity(t);
-        let speed = velocity.norm().max(1e-9);
-        let b = Cubic::bernstein(t);
-        let scale = weight * stiffness / speed;
+        let scale = weight * stiffness / larger(velocity.norm(), 1e-9);
         let (x, y) = (velocity.y, -velocity.x);
-        let (xx, xy, yy) = (scale * x * x, scale * x * y, scale * y * y);
+        let normal = [scale * x * x, scale * x * y, scale * y * y];
+        let b = Cubic::bernstein(t);
+        let mut at = 0;
         for i in 0..4 {
             for j in 0..=i {
                 let both = b[i] * b[j];
-                square[2 * i][2 * j] += both * xx;
-                square[2 * i + 1][2 * j] += both * xy;
-                square[2 * i][2 * j + 1] += both * xy;
-                square[2 * i + 1][2 * j + 1] += both * yy;
+                for k in 0..3 {
+                    blocks[at][k] += both * normal[k];
+                }
+                at += 1;
             }
         }
     }
-    // The lower half of pairs is there.
-    core::array::from_fn(|i| {
-        core::array::from_fn(|j| if i / 2 < j / 2 { square[j][i] } else { square[i][j] })
-    })
+    let mut square = [[0.0; 8]; 8];
+    let mut at = 0;
+    for i in 0..4 {
+        for j in 0..=i {
+            let [xx, xy, yy] = blocks[at];
+            for (i, j) in [(2 * i, 2 * j), (2 * j, 2 * i)] {
+                (square[i][j], square[i][j + 1]) = (xx, xy);
+                (square[i + 1][j], square[i + 1][j + 1]) = (xy, yy);
+            }
+            at += 1;
+        }
+    }
+    square
 }

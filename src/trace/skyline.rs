@@ -35,21 +35,19 @@ impl Skyline {
 
     /// Cholesky's factor in place. A pivot that is lost is replaced by one: its unknown stays where it is.
     pub(super) fn factor(&mut self) {
-        for i in 0..self.first.len() {
-            for j in self.first[i]..=i {
-                let from = self.first[i].max(self.first[j]);
-                let known: f64 =
-                    self.row(i, from, j).iter().zip(self.row(j, from, j)).map(|(a, b)| a * b).sum();
-                let at = (self.base[i] + j as isize) as usize;
-                let rest = self.values[at] - known;
-                self.values[at] = if j < i {
-                    rest / self.values[(self.base[j] + j as isize) as usize]
-                } else if rest > 1e-14 {
-                    rest.sqrt()
-                } else {
-                    1.0
-                };
+        for (i, &first) in self.first.iter().enumerate() {
+            let (before, rest) = self.values.split_at_mut((self.base[i] + first as isize) as usize);
+            let row = &mut rest[..=i - first];
+            for j in first..i {
+                let other = self.first[j];
+                let from = first.max(other);
+                let start = (self.base[j] + from as isize) as usize;
+                let above = &before[start..=start + j - from];
+                let known = product(&row[from - first..j - first], above);
+                row[j - first] = (row[j - first] - known) / above[j - from];
             }
+            let own = row[i - first] - product(&row[..i - first], &row[..i - first]);
+            row[i - first] = if own > 1e-14 { own.sqrt() } else { 1.0 };
         }
     }
 
@@ -69,4 +67,13 @@ impl Skyline {
             }
         }
     }
+}
+
+/// The scalar product of a row with the beginning of another.
+fn product(a: &[f64], b: &[f64]) -> f64 {
+    let mut sum = 0.0;
+    for (a, b) in a.iter().zip(b) {
+        sum += a * b;
+    }
+    sum
 }
