@@ -10,7 +10,7 @@ use crate::numerics::{Point, Vector};
 
 /// How far ahead the nearest place is looked for, in pixels: contours and their curves run side by side.
 const AHEAD: f64 = 4.0;
-/// The pixels of a polyline are looked for at about this distance.
+/// The pixels of a polyline are looked for at about this distance, in pixels.
 const PIXEL: f64 = 0.75;
 /// Chords of a curve are about this long, in pixels: a parabola over each is as good as the curve.
 const CHORD: f64 = 1.5;
@@ -26,18 +26,29 @@ pub(super) fn agreement(curve: &HermiteCurve, contour: &[Point]) -> Result<Metri
     let count = contour.len().max(1) as f64;
     let hausdorff = there.most.max(back.most);
     // Points that are no farther than a pixel are in neighbouring pixels.
-    let share = if hausdorff <= 1.0 { 1.0 } else { tolerant_jaccard(pixels(contour), pixels(&places)) };
+    let share = if hausdorff <= 1.0 { 1.0 } else { jaccard(contour, &places) };
     Ok(Metrics { rmse: (there.square / count).sqrt(), mae: there.sum / count, hausdorff, jaccard: share })
 }
 
+/// The share of the pixels of two closed polylines that are next to each other. Pixels of polylines of more than a million grow.
+fn jaccard(contour: &[Point], places: &[Point]) -> f64 {
+    let length = |points: &[Point]| edges(points).map(|(from, to)| norm(to - from)).sum::<f64>();
+    let pixel = larger(larger(length(contour), length(places)) / 1e6, 1.0);
+    tolerant_jaccard(pixels(contour, pixel), pixels(places, pixel))
+}
+
+fn edges(points: &[Point]) -> impl Iterator<Item = (Point, Point)> {
+    let after = points.iter().skip(1).chain(points.first());
+    points.iter().copied().zip(after.copied())
+}
+
 /// The pixels of a closed polyline.
-fn pixels(points: &[Point]) -> Vec<(i32, i32)> {
+fn pixels(points: &[Point], pixel: f64) -> Vec<(i32, i32)> {
     let mut pixels = Vec::new();
-    for (i, &from) in points.iter().enumerate() {
-        let to = points[if i + 1 == points.len() { 0 } else { i + 1 }];
-        let steps = (norm(to - from) / PIXEL).ceil().clamp(1.0, 40_000.0) as usize;
+    for (from, to) in edges(points) {
+        let steps = (norm(to - from) / (PIXEL * pixel)).ceil().clamp(1.0, 2e6) as usize;
         for step in 0..steps {
-            let p = from + (to - from) * (step as f64 / steps as f64);
+            let p = (from + (to - from) * (step as f64 / steps as f64)) / pixel;
             pixels.push((p.x.floor() as i32, p.y.floor() as i32));
         }
     }

@@ -205,7 +205,9 @@ impl Refiner {
         self.unknowns.number(&shape.outline, nodes);
         self.unknowns.pieces(&shape.outline, &mut self.pieces);
         let (step, left, promised) = self.solve(field, shape, damping)?;
-        if promised < PROMISE * enough * left.square || left.square < ROUNDING * left.count {
+        // What bytes round is not worth a step.
+        let noise = ROUNDING * left.count;
+        if promised < larger(PROMISE * enough * left.square, noise) || left.square < noise {
             return Ok(None);
         }
         let saved = self.save(&shape.outline);

@@ -37,7 +37,7 @@ const LAST_STEPS: usize = 6;
 /// The share of what is left that a step has to take away for another.
 const ENOUGH: f64 = 0.01;
 /// A merged piece that leaves so many times as much as it may will not get good.
-const HOPELESS: f64 = 5.0;
+const HOPELESS: f64 = 3.0;
 
 /// Takes joints away while the picture stays as well explained as `limits` say. Only what is next to a joint moves.
 /// Returns whether anything was taken away: then there may be more.
