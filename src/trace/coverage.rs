@@ -2,6 +2,7 @@
 
 use super::cubic::Cubic;
 use super::field::{AREA, Change, Field, NONE, SIDE};
+use crate::numerics::order::sort_in_place;
 use crate::numerics::plane::{larger, smaller};
 
 /// A part of a piece inside one pixel.
@@ -161,9 +162,8 @@ impl<'a> Pen<'a> {
         while share < 1.0 {
             // The next border on any axis; never the one where this part begins.
             let mut until = 1.0;
-            let at = edge.at(share + 1e-9);
-            for k in 0..2 {
-                let border = if edge.way[k] > 0.0 { at[k].floor() + 1.0 } else { at[k].ceil() - 1.0 };
+            for (k, at) in edge.at(share + 1e-9).into_iter().enumerate() {
+                let border = if edge.way[k] > 0.0 { at.floor() + 1.0 } else { at.ceil() - 1.0 };
                 let there = (border - edge.start[k]) / edge.way[k];
                 if there > share && there < until {
                     until = there;
@@ -255,7 +255,7 @@ impl Sweep {
     pub(super) fn cover(&mut self, field: &mut Field) -> f64 {
         // Heights cancel to rounding behind what has changed.
         const NOTHING: f32 = 1e-5;
-        self.touched.sort_unstable();
+        sort_in_place(&mut self.touched);
         self.touched.dedup();
         let unchanged = Change::default();
         let (mut running, mut growth, mut before) = ([0.0_f32; SIDE], 0.0, 0);

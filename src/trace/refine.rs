@@ -34,6 +34,8 @@ const LONGEST_STEP: f64 = 0.6;
 const CROSSING: f64 = 0.95;
 /// The share of what is left that a step has to take away for another where most of it is noise.
 pub(super) const NOISY_SHARE: f64 = 5e-4;
+/// The share of what bytes round that a step has to promise.
+const WORTH: f64 = 0.3;
 /// A step is tried if the equations promise this share of what would be enough: they know what they promise to a third or so.
 const PROMISE: f64 = 0.5;
 /// Gauss's rule for polynomials of degree 9 on [0, 1]: places and weights.
@@ -205,9 +207,8 @@ impl Refiner {
         self.unknowns.number(&shape.outline, nodes);
         self.unknowns.pieces(&shape.outline, &mut self.pieces);
         let (step, left, promised) = self.solve(field, shape, damping)?;
-        // What bytes round is not worth a step.
         let noise = ROUNDING * left.count;
-        if promised < larger(PROMISE * enough * left.square, noise) || left.square < noise {
+        if promised < larger(PROMISE * enough * left.square, WORTH * noise) || left.square < noise {
             return Ok(None);
         }
         let saved = self.save(&shape.outline);
@@ -317,10 +318,10 @@ fn product(a: &[f64; 8], b: &[f64; 8]) -> f64 {
 /// The matrix times a column, most of which is 0.
 fn image(square: &[[f64; 8]; 8], column: &[f64; 8]) -> [f64; 8] {
     let mut image = [0.0; 8];
-    for i in 0..8 {
-        if column[i] != 0.0 {
-            for k in 0..8 {
-                image[k] += column[i] * square[i][k];
+    for (row, &amount) in square.iter().zip(column) {
+        if amount != 0.0 {
+            for (sum, value) in image.iter_mut().zip(row) {
+                *sum += amount * value;
             }
         }
     }
@@ -379,8 +380,8 @@ fn square(cubic: &Cubic, stiffness: f64) -> [[f64; 8]; 8] {
         for i in 0..4 {
             for j in 0..=i {
                 let both = b[i] * b[j];
-                for k in 0..3 {
-                    blocks[at][k] += both * normal[k];
+                for (sum, part) in blocks[at].iter_mut().zip(&normal) {
+                    *sum += both * part;
                 }
                 at += 1;
             }
