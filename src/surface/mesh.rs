@@ -2,7 +2,7 @@
 //!
 //! The weights of a row and of a column are worked out once each. A row of the mesh first combines the rows of the net
 //! into one row of points and derivatives in u, and every vertex then combines `width` of those: 36 multiplications for
-//! generators of three roots. Columns between the same points do so side by side.
+//! generators of three roots.
 
 use core::ops::Range;
 
@@ -16,11 +16,6 @@ use crate::numerics::Vector3;
 
 /// A vertex whose ∂ᵤσ × ∂ᵥσ is below this part of the size squared asks [`TensorSurface::normal_at`].
 const DOUBTFUL: f64 = 1e-9;
-
-/// Columns that are worked on at a time: their sums stay in the nearest cache.
-const RUN: usize = 256;
-/// x, y and z of position, ∂ᵤ and ∂ᵥ of so many vertices.
-type Sums = [[f64; RUN]; 9];
 
 /// A grid of parameters: `rows` of them in u, `cols` in v.
 ///
@@ -96,8 +91,6 @@ struct Combined<'a> {
     layer: &'a Layer,
     rows: Table,
     columns: Table,
-    /// The weights of columns once more: those of the first of each one's points for all columns, then how they grow; then the second's.
-    lanes: Vec<f64>,
     /// For every place that columns meet, the position in the layer's window, or one beyond it.
     places: Vec<usize>,
     /// Point and ∂ᵤ, and ∂ᵤᵤ where curvatures are wanted, at every place that columns meet.
@@ -112,18 +105,10 @@ impl<'a> Combined<'a> {
         let Layer { v, columns, .. } = layer;
         let mut places = with_room(v.run())?;
         places.extend((0..v.run()).map(|at| columns.position(v, v.row(at)).unwrap_or(columns.count)));
-        let columns = Table::new(&layer.v, &region.cols, grid.cols)?;
-        let mut lanes = with_room(columns.weights.len().saturating_mul(2))?;
-        for k in 0..v.width {
-            for derivative in 0..2 {
-                lanes.extend(columns.weights.chunks_exact(v.width).map(|weights| weights[k][derivative]));
-            }
-        }
         Ok(Self {
             layer,
             rows: Table::new(&layer.u, &region.rows, grid.rows)?,
-            columns,
-            lanes,
+            columns: Table::new(&layer.v, &region.cols, grid.cols)?,
             places,
             row: filled(0.0, v.run().saturating_mul(stride))?,
             stride,
@@ -160,22 +145,23 @@ impl<'a> Combined<'a> {
         (&self.row[self.stride * interval..self.stride * (interval + width)], weights)
     }
 
-    /// Adds position, ∂ᵤ and ∂ᵥ at columns from `first` on, as many as `count`: run by run of those between the same points.
-    fn add_tangents(&self, first: usize, count: usize, sums: &mut Sums) {
-        let all = self.columns.intervals.len();
-        let intervals = &self.columns.intervals[first..first + count];
-        let mut from = 0;
-        for run in intervals.chunk_by(|a, b| a == b) {
-            let to = from + run.len();
-            let points = self.row[self.stride * run[0]..].as_chunks::<6>().0;
-            let weights = self.lanes.chunks_exact(2 * all);
-            for (point, lanes) in points.iter().zip(weights) {
-                let (values, slopes) = lanes.split_at(all);
-                let columns = first + from..first + to;
-                add_point(point, &values[columns.clone()], &slopes[columns], sums, from);
-            }
-            from = to;
+    /// Adds position, ∂ᵤ and ∂ᵥ at column c. One number at a time, written out: this is where the time goes.
+    #[inline(always)]
+    fn add_tangents(&self, c: usize, sums: &mut [f64; 9]) {
+        let (points, weights) = self.column(c);
+        let [mut x, mut y, mut z, mut ux, mut uy, mut uz, mut vx, mut vy, mut vz] = *sums;
+        for (&[px, py, pz, qx, qy, qz], &[w, dw, _]) in points.as_chunks::<6>().0.iter().zip(weights) {
+            x += w * px;
+            y += w * py;
+            z += w * pz;
+            ux += w * qx;
+            uy += w * qy;
+            uz += w * qz;
+            vx += dw * px;
+            vy += dw * py;
+            vz += dw * pz;
         }
+        *sums = [x, y, z, ux, uy, uz, vx, vy, vz];
     }
 
     /// Adds ∂ᵤ, ∂ᵥ, ∂ᵤᵤ, ∂ᵤᵥ and ∂ᵥᵥ at column c.
@@ -189,38 +175,6 @@ impl<'a> Combined<'a> {
             jet.uv += by_u * w1;
             jet.vv += p * w2;
         }
-    }
-}
-
-/// Adds what a point and its ∂ᵤ weigh at a run of columns. Compilers make vector code of it: it is on its own so that they see that
-/// nothing overlaps.
-#[inline(never)]
-fn add_point(point: &[f64; 6], values: &[f64], slopes: &[f64], sums: &mut Sums, from: usize) {
-    let [a, b, c, d, e, f] = *point;
-    let (by_value, by_slope) = sums.split_at_mut(6);
-    let (positions, by_u) = by_value.split_at_mut(3);
-    for (sums, [x, y, z], weights) in
-        [(positions, [a, b, c], values), (by_u, [d, e, f], values), (by_slope, [a, b, c], slopes)]
-    {
-        let [xs, ys, zs] = sums else { return };
-        let sums = xs[from..].iter_mut().zip(&mut ys[from..]).zip(&mut zs[from..]);
-        for (weight, ((xs, ys), zs)) in weights.iter().zip(sums) {
-            *xs += weight * x;
-            *ys += weight * y;
-            *zs += weight * z;
-        }
-    }
-}
-
-/// Makes unit normals of ∂ᵤ and ∂ᵥ, in the place of ∂ᵤ, and leaves the square of what their length was in the place of the first of ∂ᵥ.
-#[inline(never)]
-fn normalize(sums: &mut Sums, count: usize) {
-    let [_, _, _, a, b, c, d, e, f] = sums;
-    for k in 0..count.min(RUN) {
-        let (p, q, r) = (b[k] * f[k] - c[k] * e[k], c[k] * d[k] - a[k] * f[k], a[k] * e[k] - b[k] * d[k]);
-        let square = p * p + q * q + r * r;
-        let scale = 1.0 / square.sqrt();
-        (a[k], b[k], c[k], d[k]) = (p * scale, q * scale, r * scale, square);
     }
 }
 
@@ -302,35 +256,31 @@ impl TensorSurface {
         let size = self.size();
         let doubtful = (DOUBTFUL * size * size) * (DOUBTFUL * size * size);
         let (mut scratch, mut without) = (Scratch::default(), 0);
-        let across = region.cols.len();
-        let mut sums = [[0.0; RUN]; 9];
-        let rows = positions.chunks_exact_mut(3 * across).zip(normals.chunks_exact_mut(3 * across));
-        for (i, (positions, normals)) in rows.enumerate() {
+        for i in 0..region.rows.len() {
             for layer in &mut layers {
                 layer.prepare(i);
             }
-            let runs = positions.chunks_mut(3 * RUN).zip(normals.chunks_mut(3 * RUN));
-            for (first, (positions, normals)) in (0..across).step_by(RUN).zip(runs) {
-                let count = positions.len() / 3;
-                for sums in &mut sums {
-                    sums[..count].fill(0.0);
-                }
-                for layer in layers.iter().filter(|layer| layer.active) {
-                    layer.add_tangents(first, count, &mut sums);
-                }
-                normalize(&mut sums, count);
-                let [x, y, z, p, q, r, square, ..] = &sums;
-                let vertices =
-                    positions.as_chunks_mut::<3>().0.iter_mut().zip(normals.as_chunks_mut::<3>().0);
-                for (j, (position, normal)) in vertices.enumerate().take(RUN) {
-                    *position = [x[j], y[j], z[j]];
-                    *normal = [p[j], q[j], r[j]];
-                    if square[j] <= doubtful {
-                        let (u, v) = self.vertex(grid, region.rows.start + i, region.cols.start + first + j);
-                        let limit = self.normal_at(u, v, size, &mut scratch);
-                        without += usize::from(limit == Vector3::zeros());
-                        *normal = limit.into();
+            for j in 0..region.cols.len() {
+                let mut sums = [0.0; 9];
+                for layer in &layers {
+                    if layer.active {
+                        layer.add_tangents(j, &mut sums);
                     }
+                }
+                let [x, y, z, a, b, c, d, e, f] = sums;
+                let (p, q, r) = (b * f - c * e, c * d - a * f, a * e - b * d);
+                let square = p * p + q * q + r * r;
+                let at = 3 * (i * region.cols.len() + j);
+                let (position, normal) = (&mut positions[at..at + 3], &mut normals[at..at + 3]);
+                (position[0], position[1], position[2]) = (x, y, z);
+                if square > doubtful {
+                    let scale = 1.0 / square.sqrt();
+                    (normal[0], normal[1], normal[2]) = (p * scale, q * scale, r * scale);
+                } else {
+                    let (u, v) = self.vertex(grid, region.rows.start + i, region.cols.start + j);
+                    let limit = self.normal_at(u, v, size, &mut scratch);
+                    without += usize::from(limit == Vector3::zeros());
+                    normal.copy_from_slice(limit.as_slice());
                 }
             }
         }
