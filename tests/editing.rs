@@ -199,6 +199,18 @@ fn healing_keeps_directions_and_the_far_side_of_the_neighbours() {
     let turned = healed.tangents_in()[2].perp(&curve.tangents_in()[3]);
     assert!(turned.abs() < 1e-12, "the direction that arrives at the point after stays");
     assert!((healed.domain().1 - curve.domain().1).abs() < 1e-15, "the parameter range stays");
+
+    // What changed lies between the neighbours; the deviation is the larger of both directed distances there.
+    let places = |of: &HermiteCurve| -> Vec<Point> {
+        (0..=2000).map(|k| of.evaluate(1.0 + 3.25 * f64::from(k) / 2000.0, 0).expect("closed")).collect()
+    };
+    let (old, new) = (places(&curve), places(&healed));
+    let directed = |from: &[Point], to: &[Point]| {
+        let nearest = |p: &Point| to.iter().map(|q| (p - q).norm_squared()).fold(f64::INFINITY, f64::min);
+        from.iter().step_by(3).map(nearest).fold(0.0, f64::max).sqrt()
+    };
+    let measured = directed(&old, &new).max(directed(&new, &old));
+    assert!((deviation - measured).abs() <= 0.01 * measured, "said {deviation}, measured {measured}");
 }
 
 #[test]

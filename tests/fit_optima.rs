@@ -89,6 +89,31 @@ fn golden_problems_are_solved_and_the_certificate_proves_it() {
 }
 
 #[test]
+fn a_certificate_promises_no_more_than_is_true_however_early_a_run_stops() {
+    let golden = golden_data();
+    for case in &golden.cases {
+        let problem = problem(case, &vectors(&golden.sets[&case.source]));
+        // How well the optimum is known, as above.
+        let known = if case.loose.is_empty() { 1e-12 } else { 1e-7 };
+        for asked in [0.3, 1e-2, 1e-5] {
+            let solution = solved(&problem, asked);
+            let proof = verify(&problem, &solution).expect("a solution of this problem");
+            let share = (proof.objective - proof.bound) / proof.objective;
+            assert!(
+                (proof.gap - share).abs() <= 1e-14,
+                "{}: a gap of {:e} is {share:e}",
+                case.name,
+                proof.gap
+            );
+            let above = proof.bound / case.objective - 1.0;
+            assert!(above <= known, "{}, {asked}: the bound is {above:e} above the optimum", case.name);
+            let below = solution.objective / case.objective - 1.0;
+            assert!(below >= -known, "{}, {asked}: the objective is {below:e} of the optimum's", case.name);
+        }
+    }
+}
+
+#[test]
 fn knots_are_exactly_where_the_optimum_has_them() {
     let golden = golden_data();
     for case in golden.cases.iter().filter(|case| case.loose.is_empty()) {
