@@ -286,13 +286,11 @@ pub(super) fn derivative(p: &Polynomial, degree: usize, u: f64, half: f64, order
     sum
 }
 
-/// a ← a + (slope·u + offset)·b.
-fn add_linear(a: &mut Polynomial, b: &Polynomial, offset: f64, slope: f64) {
-    for k in 0..=HIGHEST {
-        a[k] += offset * b[k];
-        if k > 0 {
-            a[k] += slope * b[k - 1];
-        }
+/// a ← a + (slope·u + offset)·b, for b with so many terms.
+fn add_linear(a: &mut Polynomial, b: &Polynomial, terms: usize, offset: f64, slope: f64) {
+    for (k, b) in b.iter().enumerate().take(terms.min(HIGHEST)) {
+        a[k] += offset * b;
+        a[k + 1] += slope * b;
     }
 }
 
@@ -307,8 +305,8 @@ fn triangle(degree: usize, local: &[f64], middle: f64, half: f64) -> [Polynomial
             // Function r of degree p − 1 lives on knots from degree − p + r to degree + r of the local list.
             let (lo, hi) = (local[degree - p + r], local[degree + r]);
             let scale = 1.0 / (hi - lo);
-            add_linear(&mut next[r], &basis[r], (hi - middle) * scale, -half * scale);
-            add_linear(&mut next[r + 1], &basis[r], (middle - lo) * scale, half * scale);
+            add_linear(&mut next[r], &basis[r], p, (hi - middle) * scale, -half * scale);
+            add_linear(&mut next[r + 1], &basis[r], p, (middle - lo) * scale, half * scale);
         }
         basis = next;
     }
@@ -320,17 +318,18 @@ fn window_piece(degree: usize, window: &[f64], q: usize, middle: f64, half: f64)
     let mut level = [[0.0; HIGHEST + 1]; HIGHEST + 1];
     level[q][0] = 1.0;
     for p in 1..=degree {
-        for i in 0..=degree - p {
+        // Functions that start behind the piece or end before it are 0 there.
+        for i in q.saturating_sub(p)..=q.min(degree - p) {
             let mut sum = [0.0; HIGHEST + 1];
             let (lo, hi) = (window[i], window[i + p]);
             if hi > lo {
                 let scale = 1.0 / (hi - lo);
-                add_linear(&mut sum, &level[i], (middle - lo) * scale, half * scale);
+                add_linear(&mut sum, &level[i], p, (middle - lo) * scale, half * scale);
             }
             let (lo, hi) = (window[i + 1], window[i + p + 1]);
             if hi > lo {
                 let scale = 1.0 / (hi - lo);
-                add_linear(&mut sum, &level[i + 1], (hi - middle) * scale, -half * scale);
+                add_linear(&mut sum, &level[i + 1], p, (hi - middle) * scale, -half * scale);
             }
             level[i] = sum;
         }

@@ -59,6 +59,8 @@ pub struct Fitter {
     located: Located,
     /// Whether that was an ask for λ; `None` before the first.
     located_by: Option<bool>,
+    /// Whether points follow one another so evenly that their index is their parameter.
+    even: bool,
     end: f64,
     /// One unit of the inner parameter in the caller's.
     unit: f64,
@@ -125,6 +127,7 @@ impl Fitter {
             samples,
             located: Located::default(),
             located_by: None,
+            even: false,
             end: 0.0,
             unit: 1.0,
             noise,
@@ -225,8 +228,10 @@ impl Fitter {
             weights =
                 sober.iter().enumerate().map(|(m, w)| w * given.get(m).copied().unwrap_or(1.0)).collect();
         }
+        let automatic = self.options.parametrisation == Parametrisation::Auto;
+        self.even = automatic && !by_lambda && self.options.parameters.is_empty() && is_regular(samples);
         let kind = match self.options.parametrisation {
-            Parametrisation::Auto if by_lambda || is_regular(samples) => Parametrisation::Index,
+            Parametrisation::Auto if by_lambda || self.even => Parametrisation::Index,
             kind => kind,
         };
         let (parameters, end) = if self.options.parameters.is_empty() {
@@ -345,6 +350,7 @@ impl Fitter {
             smoothest,
             closed: self.samples.closed,
             end: self.end,
+            even: false,
         };
         let start =
             |located: &Located, smoothest| Sparsest::new(located.clone(), plan(smoothest), aim, self.noise);
@@ -358,6 +364,10 @@ impl Fitter {
             let corners = Sparsest::from_corners(self.located.clone(), plan(1), aim, self.noise);
             let apart = matches!(aim, Aim::Tolerance(_)) && self.located.points.len() <= MOST_TWICE;
             if apart { others.extend(corners) } else { rivals.extend(corners) }
+        }
+        if self.even && degree > 1 && matches!(aim, Aim::Noise(_)) {
+            let free = Plan { even: true, ..plan(1) };
+            rivals.push(Sparsest::new(self.located.clone(), free, aim, self.noise));
         }
         self.run = Run::Choice(rivals, others);
     }

@@ -207,9 +207,11 @@ impl Spline {
                 let row = self.space.index(s, p);
                 right[2 * row] += dot(&basis[p][..=degree], &sums.right[0][..=degree]);
                 right[2 * row + 1] += dot(&basis[p][..=degree], &sums.right[1][..=degree]);
-                for q in 0..=degree {
+                let weighted = sums.weighted(degree, &basis[p]);
+                for (q, basis) in basis[..=degree].iter().enumerate() {
                     let other = self.space.index(s, q);
-                    let [xx, xy, yy] = sums.product(degree, &basis[p], &basis[q]);
+                    let [xx, xy, yy] =
+                        weighted.each_ref().map(|weighted| dot(&weighted[..=degree], &basis[..=degree]));
                     equations.add(2 * row, 2 * other, xx);
                     equations.add(2 * row + 1, 2 * other + 1, yy);
                     equations.add(2 * row + 1, 2 * other, xy);
@@ -331,16 +333,17 @@ impl Across {
         }
     }
 
-    fn product(&self, degree: usize, a: &Polynomial, b: &Polynomial) -> [f64; 3] {
-        let mut sum = [0.0; 3];
-        for (i, a) in a.iter().take(degree + 1).enumerate() {
-            for (j, b) in b.iter().take(degree + 1).enumerate() {
-                for (sum, power) in sum.iter_mut().zip(self.powers[i + j]) {
-                    *sum += a * b * power;
+    /// Σ W·a(u)·uʲ for all j, entry by entry of W.
+    fn weighted(&self, degree: usize, a: &Polynomial) -> [Polynomial; 3] {
+        let mut sums = [[0.0; HIGHEST + 1]; 3];
+        for (i, a) in a[..=degree].iter().enumerate() {
+            for j in 0..=degree {
+                for (sums, power) in sums.iter_mut().zip(self.powers[i + j]) {
+                    sums[j] += a * power;
                 }
             }
         }
-        sum
+        sums
     }
 }
 

@@ -34,15 +34,15 @@ pub(super) struct Moments {
 }
 
 impl Moments {
-    /// Σ w·a(u)·b(u).
-    fn product(&self, degree: usize, a: &Polynomial, b: &Polynomial) -> f64 {
-        let mut sum = 0.0;
-        for (i, a) in a.iter().take(degree + 1).enumerate() {
-            for (j, b) in b.iter().take(degree + 1).enumerate() {
-                sum += a * b * self.powers[i + j];
+    /// Σ w·a(u)·uʲ for all j: with the coefficients of another polynomial its scalar product is Σ w·a(u)·b(u).
+    fn weighted(&self, degree: usize, a: &Polynomial) -> Polynomial {
+        let mut sums = [0.0; HIGHEST + 1];
+        for (i, a) in a[..=degree].iter().enumerate() {
+            for (sum, power) in sums[..=degree].iter_mut().zip(&self.powers[i..]) {
+                *sum += a * power;
             }
         }
-        sum
+        sums
     }
 }
 
@@ -80,11 +80,49 @@ impl Part {
     }
 }
 
+/// A function outside the space: its pieces, these weighted by the points, its products with the basis, left-solved, and
+/// with the residuals of both coordinates.
+#[derive(Clone, Debug)]
+struct Bump {
+    pieces: Vec<(usize, Polynomial)>,
+    weighted: Vec<Polynomial>,
+    column: Part,
+    along: [f64; 2],
+}
+
 /// What it costs, in the sum of squares, to make a knot smoother by one and to take it away.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Removal {
     pub(super) one: f64,
     pub(super) whole: f64,
+}
+
+/// The equations of one Gauss–Newton step of all knots.
+#[derive(Clone, Debug)]
+pub(super) struct Sliding {
+    equations: Envelope,
+    right: Vec<f64>,
+}
+
+impl Sliding {
+    fn steps(&self, damping: f64) -> Vec<f64> {
+        let mut equations = self.equations.clone();
+        let count = self.right.len();
+        let floor = (0..count).map(|j| equations.diagonal(j)).sum::<f64>() * 1e-9 / count.max(1) as f64;
+        for j in 0..count {
+            let more = damping * equations.diagonal(j) + floor;
+            equations.add(j, j, more);
+        }
+        let mut steps = self.right.clone();
+        equations.factor();
+        equations.solve(&mut steps);
+        steps
+    }
+
+    /// By how much the sum of squares would fall if it were a parabola of the knots' places.
+    pub(super) fn promise(&self) -> f64 {
+        dot(&self.steps(1e-3), &self.right)
+    }
 }
 
 impl FreeKnots {
@@ -104,8 +142,9 @@ impl FreeKnots {
                 let row = space.index(s, p);
                 x[row] += dot(&basis[p][..=degree], &sums.x[..=degree]);
                 y[row] += dot(&basis[p][..=degree], &sums.y[..=degree]);
+                let weighted = sums.weighted(degree, &basis[p]);
                 for q in 0..=p {
-                    let (other, value) = (space.index(s, q), sums.product(degree, &basis[p], &basis[q]));
+                    let (other, value) = (space.index(s, q), dot(&weighted[..=degree], &basis[q][..=degree]));
                     // Two functions of a piece may be one and the same where a closed curve has few knots.
                     let twice = if p != q && row == other { 2.0 } else { 1.0 };
                     factor.add(row.max(other), row.min(other), twice * value);
@@ -147,7 +186,8 @@ impl FreeKnots {
         let (degree, sums) = (self.space.breaks.degree, &self.moments[s]);
         let (px, py) = self.piece(s);
         let twice = dot(&px[..=degree], &sums.x[..=degree]) + dot(&py[..=degree], &sums.y[..=degree]);
-        sums.square - 2.0 * twice + sums.product(degree, &px, &px) + sums.product(degree, &py, &py)
+        let whole = |p: &Polynomial| dot(&sums.weighted(degree, p)[..=degree], &p[..=degree]);
+        sums.square - 2.0 * twice + whole(&px) + whole(&py)
     }
 
     /// The point at t, or a derivative of it. O(pieces).
@@ -187,12 +227,10 @@ impl FreeKnots {
         let (hb, ha) = (self.space.spans[before].half, self.space.spans[after].half);
         let scale = hb.min(ha);
         let (mut lowest, mut highest) = (self.space.count, 0);
-        let mut jumps = [[0.0; 2]; HIGHEST];
-        for r in 0..m {
+        for (r, row) in rows.iter_mut().enumerate().take(m) {
             let order = degree + 1 - m + r;
             // In units of the shorter piece: the rows are then of one size.
             let unit = (0..order).fold(1.0, |unit, _| unit * scale);
-            let row = &mut rows[r];
             for i in 0..=degree {
                 let (a, b) = (self.space.index(after, i), self.space.index(before, i));
                 row[a] += unit * derivative(&self.space.basis[after][i], degree, -1.0, ha, order);
@@ -200,10 +238,18 @@ impl FreeKnots {
                 lowest = lowest.min(a).min(b);
                 highest = highest.max(a).max(b);
             }
-            jumps[r] = [
-                dot(&row[lowest..=highest], &self.x[lowest..=highest]),
-                dot(&row[lowest..=highest], &self.y[lowest..=highest]),
-            ];
+        }
+        self.forced(&mut rows[..m], lowest, highest)
+    }
+
+    /// What it costs to have the products of coefficients with the first of some rows vanish, and with all of them. The
+    /// rows have entries from `lowest` to `highest`, and are left empty.
+    fn forced(&self, rows: &mut [Vec<f64>], lowest: usize, highest: usize) -> Removal {
+        let m = rows.len();
+        let mut jumps = [[0.0; 2]; HIGHEST];
+        for (row, jump) in rows.iter_mut().zip(&mut jumps) {
+            let entries = &row[lowest..=highest];
+            *jump = [dot(entries, &self.x[lowest..=highest]), dot(entries, &self.y[lowest..=highest])];
             self.factor.forward_near(row, lowest, highest + DECAYED);
         }
         let end = (highest + DECAYED).min(self.space.count);
@@ -225,39 +271,42 @@ impl FreeKnots {
         Removal { one, whole }
     }
 
-    /// The column of a function that is not in the space: its products with the basis, left-solved, and with the
-    /// residuals of both coordinates.
-    fn column(&self, pieces: &[(usize, Polynomial)]) -> (Part, [f64; 2]) {
+    /// A function that is not in the space, with all that is asked of it.
+    fn bump(&self, k: usize, more: usize) -> (Bump, f64) {
         let degree = self.space.breaks.degree;
+        let (pieces, jump) = self.space.bump(k, more);
         let mut along = [0.0; 2];
         let indices = || pieces.iter().flat_map(|(s, _)| (0..=degree).map(|i| self.space.index(*s, i)));
         let from = indices().min().unwrap_or(0);
         let to = (indices().max().unwrap_or(0) + DECAYED).min(self.space.count);
         let mut column = vec![0.0; to];
-        for (s, polynomial) in pieces {
+        let mut weighted = Vec::with_capacity(pieces.len());
+        for (s, polynomial) in &pieces {
             let sums = &self.moments[*s];
+            let own = sums.weighted(degree, polynomial);
+            along[0] += dot(&polynomial[..=degree], &sums.x[..=degree]);
+            along[1] += dot(&polynomial[..=degree], &sums.y[..=degree]);
             for i in 0..=degree {
                 let row = self.space.index(*s, i);
-                column[row] += sums.product(degree, &self.space.basis[*s][i], polynomial);
+                let product = dot(&self.space.basis[*s][i][..=degree], &own[..=degree]);
+                column[row] += product;
+                along[0] -= product * self.x[row];
+                along[1] -= product * self.y[row];
             }
-            let (px, py) = self.piece(*s);
-            along[0] +=
-                dot(&polynomial[..=degree], &sums.x[..=degree]) - sums.product(degree, polynomial, &px);
-            along[1] +=
-                dot(&polynomial[..=degree], &sums.y[..=degree]) - sums.product(degree, polynomial, &py);
+            weighted.push(own);
         }
         self.factor.forward_near(&mut column, from, to);
         column.drain(..from);
-        (Part { from, values: column }, along)
+        (Bump { pieces, weighted, column: Part { from, values: column }, along }, jump)
     }
 
-    /// Σ w·a·b of two functions given by their pieces.
-    fn overlap(&self, a: &[(usize, Polynomial)], b: &[(usize, Polynomial)]) -> f64 {
+    /// Σ w·a·b of two functions, less what the space has of it.
+    fn across(&self, a: &Bump, b: &Bump) -> f64 {
         let degree = self.space.breaks.degree;
-        let mut sum = 0.0;
-        for (s, p) in a {
-            for (_, q) in b.iter().filter(|(other, _)| other == s) {
-                sum += self.moments[*s].product(degree, p, q);
+        let mut sum = -a.column.dot(&b.column);
+        for ((s, _), weighted) in a.pieces.iter().zip(&a.weighted) {
+            for (_, q) in b.pieces.iter().filter(|(other, _)| other == s) {
+                sum += dot(&weighted[..=degree], &q[..=degree]);
             }
         }
         sum
@@ -265,19 +314,17 @@ impl FreeKnots {
 
     /// Exactly what the sum of squares would lose if knot k counted `more` times more (D 13.2).
     pub(super) fn gain(&self, k: usize, more: usize) -> f64 {
-        let bumps: Vec<_> = (1..=more).map(|i| self.space.bump(k, i).0).collect();
-        let columns: Vec<_> = bumps.iter().map(|pieces| self.column(pieces)).collect();
+        let bumps: Vec<_> = (1..=more).map(|i| self.bump(k, i).0).collect();
         let mut gram = Envelope::new(vec![0; more]);
         for p in 0..more {
             for q in 0..=p {
-                let whole = self.overlap(&bumps[p], &bumps[q]);
-                gram.add(p, q, whole - columns[p].0.dot(&columns[q].0));
+                gram.add(p, q, self.across(&bumps[p], &bumps[q]));
             }
         }
         gram.factor();
         let mut gain = 0.0;
         for c in 0..2 {
-            let mut w: Vec<f64> = columns.iter().map(|column| column.1[c]).collect();
+            let mut w: Vec<f64> = bumps.iter().map(|bump| bump.along[c]).collect();
             gram.forward(&mut w, 0);
             gain += dot(&w, &w);
         }
@@ -287,9 +334,13 @@ impl FreeKnots {
     /// The knots moved by one Gauss–Newton step of the sum of squares as a function of the knots alone (variable
     /// projection, \[GP73\], in the form (D 13.3)); `None` where no step makes it smaller. `damping` is Levenberg's.
     pub fn slide(&self, data: &Located, damping: &mut f64) -> Option<Self> {
-        let steps = self.slide_equations();
+        self.slid(&self.slide_equations(), data, damping)
+    }
+
+    /// One step by equations that are known.
+    pub(super) fn slid(&self, equations: &Sliding, data: &Located, damping: &mut f64) -> Option<Self> {
         for _ in 0..3 {
-            let moved = self.moved(&steps, *damping);
+            let moved = self.moved(equations, *damping);
             let fitted = Self::new(moved, data);
             if fitted.squares < self.squares {
                 *damping = (*damping * 0.2).max(1e-6);
@@ -300,16 +351,15 @@ impl FreeKnots {
         None
     }
 
-    fn slide_equations(&self) -> (Envelope, Vec<f64>) {
+    /// The equations of [`FreeKnots::slide`].
+    pub(super) fn slide_equations(&self) -> Sliding {
         let breaks = &self.space.breaks;
         let (degree, count) = (breaks.degree, breaks.len());
         let mut bumps = Vec::with_capacity(count);
         for k in 0..count {
-            let (pieces, jump) = self.space.bump(k, 1);
+            let (bump, jump) = self.bump(k, 1);
             let order = degree + 1 - breaks.multiplicity[k];
-            let direction = -self.jump(k, order) / jump;
-            let (column, along) = self.column(&pieces);
-            bumps.push((pieces, direction, column, along));
+            bumps.push((bump, -self.jump(k, order) / jump));
         }
         // Far knots hardly know of one another.
         let reach = if count <= 40 { count } else { 5 };
@@ -318,29 +368,20 @@ impl FreeKnots {
         let mut equations = Envelope::new(first);
         let mut right = vec![0.0; count];
         for j in 0..count {
-            let (pieces, direction, column, along) = &bumps[j];
-            right[j] = direction.x * along[0] + direction.y * along[1];
+            let (bump, direction) = &bumps[j];
+            right[j] = direction.x * bump.along[0] + direction.y * bump.along[1];
             let from = if j >= border { 0 } else { j.saturating_sub(reach) };
-            for (k, (others, towards, other, _)) in bumps.iter().enumerate().take(j + 1).skip(from) {
-                let plain = self.overlap(pieces, others) - column.dot(other);
-                equations.add(j, k, direction.dot(towards) * plain);
+            for (k, (other, towards)) in bumps.iter().enumerate().take(j + 1).skip(from) {
+                equations.add(j, k, direction.dot(towards) * self.across(bump, other));
             }
         }
-        (equations, right)
+        Sliding { equations, right }
     }
 
-    fn moved(&self, (equations, right): &(Envelope, Vec<f64>), damping: f64) -> Breaks {
+    fn moved(&self, sliding: &Sliding, damping: f64) -> Breaks {
         let mut breaks = self.space.breaks.clone();
-        let mut equations = equations.clone();
         let count = breaks.len();
-        let floor = (0..count).map(|j| equations.diagonal(j)).sum::<f64>() * 1e-9 / count.max(1) as f64;
-        for j in 0..count {
-            let more = damping * equations.diagonal(j) + floor;
-            equations.add(j, j, more);
-        }
-        let mut steps = right.clone();
-        equations.factor();
-        equations.solve(&mut steps);
+        let steps = sliding.steps(damping);
         // Knots that want to be closer than points are want to be one.
         let closest = breaks.end / self.points().max(1) as f64;
         let room = |gap: f64| (0.3 * gap).min(0.5 * (gap - closest)).max(0.0);
@@ -376,8 +417,16 @@ pub(super) fn in_order(breaks: &mut Breaks) {
 
 /// The sums of every piece, in one pass.
 fn gather(space: &Space, data: &Located) -> Vec<Moments> {
+    // Loops of a length that is known are unrolled.
+    match space.breaks.degree {
+        3 => gathered(space, data, 3),
+        degree => gathered(space, data, degree),
+    }
+}
+
+#[inline(always)]
+fn gathered(space: &Space, data: &Located, degree: usize) -> Vec<Moments> {
     let mut moments = vec![Moments::default(); space.spans.len()];
-    let degree = space.breaks.degree;
     let mut at = 0;
     for (m, (point, &t)) in data.points.iter().zip(&data.parameters).enumerate() {
         let (s, t) = space.find(t, at);

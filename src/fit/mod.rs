@@ -36,6 +36,7 @@ mod compress;
 mod cone;
 mod dual;
 mod envelope;
+mod even;
 mod extreme;
 mod fitter;
 mod foot_points;

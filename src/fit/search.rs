@@ -16,6 +16,9 @@ const CORNER: f64 = 3.0;
 const NEAR: f64 = 20.0;
 const MOST_CLUSTERS: usize = 6;
 
+/// How many times what one step of all knots promises a trial may lack.
+const HOPE: f64 = 3.0;
+
 impl Price {
     /// The price of a knot that counts so often.
     pub(super) fn of(self, multiplicity: usize) -> f64 {
@@ -29,7 +32,12 @@ impl Price {
 
     /// Squares and prices together.
     pub(super) fn total(self, fitted: &FreeKnots) -> f64 {
-        fitted.squares + fitted.breaks().multiplicity.iter().map(|&m| self.of(m)).sum::<f64>()
+        fitted.squares + self.whole(fitted.breaks())
+    }
+
+    /// The price of all knots.
+    pub(super) fn whole(self, breaks: &Breaks) -> f64 {
+        breaks.multiplicity.iter().map(|&m| self.of(m)).sum()
     }
 
     /// The same, corners counting for more: for the choice between fits that began differently.
@@ -66,7 +74,7 @@ pub(super) fn thinner(fitted: &FreeKnots, data: &Located, price: Price) -> Optio
 }
 
 /// The first `most` of a list of knots of which none is beside another, in ascending order.
-fn apart(order: &[usize], count: usize, most: usize) -> Vec<usize> {
+pub(super) fn apart(order: &[usize], count: usize, most: usize) -> Vec<usize> {
     let mut taken = vec![false; count];
     let mut chosen = Vec::new();
     for &k in order {
@@ -136,14 +144,14 @@ pub(super) fn better(fitted: &FreeKnots, data: &Located, price: Price) -> Option
             if price.total(&trial) < now {
                 return Some(settle(trial, data, worth, 1));
             }
-            let before = trial.squares;
-            match trial.slide(data, &mut damping) {
+            let sliding = trial.slide_equations();
+            // It will not get there.
+            if HOPE * sliding.promise() < price.total(&trial) - now {
+                break;
+            }
+            match trial.slid(&sliding, data, &mut damping) {
                 Some(moved) => trial = moved,
                 None => break,
-            }
-            // It will not get there at this pace.
-            if 8.0 * (before - trial.squares) < price.total(&trial) - now {
-                break;
             }
         }
         if price.total(&trial) < now {
@@ -237,7 +245,7 @@ fn corners(fitted: &FreeKnots, price: Price) -> Vec<Breaks> {
 }
 
 /// Neighbouring knots within a few points that together cost no less than a corner, which they may be; the closest first.
-fn clusters(breaks: &Breaks, points: usize) -> Vec<Breaks> {
+pub(super) fn clusters(breaks: &Breaks, points: usize) -> Vec<Breaks> {
     let reach = NEAR * breaks.end / points.max(1) as f64;
     let mut found: Vec<(f64, usize, usize)> = Vec::new();
     for k in 0..breaks.len() {

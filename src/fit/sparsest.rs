@@ -1,8 +1,10 @@
 //! From located points to the spline with the fewest knots, in steps that each take a few passes over the points.
 
+mod evening;
 mod last_knots;
 mod polishing;
 
+use self::evening::Free;
 use super::bins::averages;
 use super::breaks::Breaks;
 use super::foot_points::{Distances, Spline};
@@ -18,6 +20,8 @@ const SEEN: usize = 450;
 const FEW: usize = 2000;
 /// Rounds of refinement before searches that began differently are compared.
 const WARMING: usize = 8;
+/// How many numbers' worth a fit whose points were free must be ahead of the others: free points round small corners.
+const AHEAD: f64 = 20.0;
 /// The most corners to begin with.
 const MOST_VERTICES: usize = 600;
 /// What a number of the curve costs, in units of the noise's variance.
@@ -49,12 +53,15 @@ pub(super) struct Plan {
     pub(super) closed: bool,
     /// The parameter runs from 0 to here.
     pub(super) end: f64,
+    /// Whether points follow one another evenly, and are free to slide while knots go.
+    pub(super) even: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Phase {
     Grow,
     Thin,
+    Lighten,
     Refine,
     Polish,
     Last(usize),
@@ -78,6 +85,10 @@ pub(super) struct Sparsest {
     /// The same points, or averages of them.
     seen: Located,
     aim: Aim,
+    /// Whether points follow one another evenly, and where they are known to belong.
+    even: bool,
+    /// How often a knot may count in the end.
+    sharpest: usize,
     price: Price,
     fitted: FreeKnots,
     phase: Phase,
@@ -93,6 +104,10 @@ pub(super) struct Sparsest {
     rounds_at_price: usize,
     pieces_at_price: usize,
     found: Option<Found>,
+    /// The fit while knots are taken from it and points are free to slide.
+    free: Option<Free>,
+    /// Whether that is over.
+    placed: bool,
 }
 
 impl Sparsest {
@@ -100,6 +115,7 @@ impl Sparsest {
     /// for: knots that only follow noise are then not begun with.
     pub(super) fn new(full: Located, plan: Plan, aim: Aim, noise: f64) -> Self {
         let whole = matches!(aim, Aim::Squares(_));
+        let even = plan.even;
         let seen = if whole { full.clone() } else { from_afar(&full) };
         let price = match aim {
             Aim::Noise(noise) => PER_NUMBER * noise * noise,
@@ -107,12 +123,15 @@ impl Sparsest {
             Aim::Squares(target) => 1e-3 * target,
         };
         let mut breaks = start::even(plan.degree, plan.closed, plan.end, seen.points.len(), plan.smoothest);
-        breaks.sharpest = plan.sharpest;
+        // Sharper knots are cheap ways to bend; smooth ones are to come first.
+        breaks.sharpest = if even { plan.smoothest } else { plan.sharpest };
         let fitted = FreeKnots::new(breaks, &seen);
         Self {
+            sharpest: plan.sharpest,
             full,
             seen,
             aim,
+            even,
             price: Price(price),
             fitted,
             phase: Phase::Grow,
@@ -125,6 +144,8 @@ impl Sparsest {
             rounds_at_price: 0,
             pieces_at_price: usize::MAX,
             found: None,
+            free: None,
+            placed: false,
         }
     }
 
@@ -169,8 +190,10 @@ impl Sparsest {
             seen: full.clone(),
             full,
             aim: Aim::Squares(target),
+            even: false,
             price: Price(1e-3 * target),
             fitted,
+            sharpest: 1,
             phase: Phase::Thin,
             rounds: 0,
             work: 0.0,
@@ -181,24 +204,32 @@ impl Sparsest {
             rounds_at_price: 0,
             pieces_at_price: usize::MAX,
             found: None,
+            free: None,
+            placed: false,
         }
     }
 
     /// Whether needless knots are gone, and needless corners round, so that searches can be compared.
     pub(super) fn is_thinned(&self) -> bool {
         match self.phase {
-            Phase::Grow | Phase::Thin => false,
-            Phase::Refine => self.warming == 0,
+            Phase::Grow | Phase::Thin | Phase::Lighten => false,
+            Phase::Refine => self.warming == 0 && (!self.even || self.placed),
+            Phase::Polish => !self.even || self.placed,
             _ => true,
         }
     }
 
     /// Sum of squares and prices, on all points: averages hide what they average.
     pub(super) fn cost(&self) -> f64 {
-        if self.seen.points.len() == self.full.points.len() {
-            return self.price.rank(&self.fitted);
+        let more = if self.even { AHEAD * self.price.0 } else { 0.0 };
+        if self.placed && !self.even {
+            // Free points leave smaller squares than any others, whatever the knots are.
+            return f64::INFINITY;
         }
-        self.price.rank(&FreeKnots::new(self.fitted.breaks().clone(), &self.full))
+        if self.seen.points.len() == self.full.points.len() {
+            return self.price.rank(&self.fitted) + more;
+        }
+        self.price.rank(&FreeKnots::new(self.fitted.breaks().clone(), &self.full)) + more
     }
 
     /// How many pieces the best curve has, and how far it is from the points.
@@ -264,8 +295,10 @@ impl Sparsest {
                 }
                 None => {
                     let worth = 0.1 * self.price.0;
-                    self.fitted = settle(self.fitted.clone(), &self.seen, worth, 6);
-                    Phase::Refine
+                    let smooth = self.fitted.breaks().sharpest < self.sharpest;
+                    let most = if smooth { 4 } else { 6 };
+                    self.fitted = settle(self.fitted.clone(), &self.seen, worth, most);
+                    if smooth { Phase::Lighten } else { Phase::Refine }
                 }
             },
             Phase::Refine if !tired => match better(&self.fitted, &self.seen, self.price) {
@@ -276,10 +309,11 @@ impl Sparsest {
                 }
                 None => Phase::Polish,
             },
+            Phase::Lighten if !tired => self.lighten(),
             Phase::Polish => self.polish(),
             Phase::Last(next) if !tired => self.last(next),
             Phase::Last(_) | Phase::Done => Phase::Done,
-            Phase::Grow | Phase::Thin | Phase::Refine => Phase::Polish,
+            Phase::Grow | Phase::Thin | Phase::Lighten | Phase::Refine => Phase::Polish,
         };
     }
 

@@ -41,7 +41,15 @@ impl Sparsest {
         if let Aim::Squares(target) = self.aim {
             return self.weigh(target);
         }
+        if self.even {
+            return self.evened();
+        }
         let found = self.polished(4);
+        self.concluded(found)
+    }
+
+    /// What follows from a fit.
+    pub(super) fn concluded(&mut self, found: Found) -> Phase {
         let breaks = found.spline.space.breaks.clone();
         if let Some(piece) = found.wild
             && self.tamings < MOST_TAMINGS
@@ -56,7 +64,7 @@ impl Sparsest {
             Aim::Noise(_) => {
                 self.repairs += 1;
                 // With the parameters at the feet some knots have become needless.
-                if self.repairs <= 3 && !self.is_tired() {
+                if !self.even && self.repairs <= 3 && !self.is_tired() {
                     self.found = Some(found);
                     self.fitted = FreeKnots::new(breaks, &self.seen);
                     let trial = better(&self.fitted, &self.seen, self.price);

@@ -1,0 +1,147 @@
+//! Points that are equally far apart along their curve: the curve says where they belong.
+//!
+//! Feet alone use nothing of what points say along the curve, and half of what they say is along it. Where they follow one
+//! another evenly, the length of the curve gives them their parameters back, and all that they say counts (D 13.9).
+
+use super::foot_points::Spline;
+use super::free_knots::{Located, in_order};
+
+/// Parts of a piece on which the length is a cubic of the parameter.
+const PARTS: usize = 8;
+
+/// The length from the first place of a curve to others.
+struct Lengths {
+    at: Vec<f64>,
+    to: Vec<f64>,
+    speed: Vec<f64>,
+}
+
+impl Lengths {
+    /// Simpson's rule on the parts of every piece.
+    fn new(spline: &Spline) -> Self {
+        let spans = &spline.space.spans;
+        let mut lengths = Self { at: Vec::new(), to: Vec::new(), speed: Vec::new() };
+        let mut sum = 0.0;
+        for (s, span) in spans.iter().enumerate() {
+            let speed = |t: f64| spline.on(s, t, 1).norm();
+            let step = 2.0 * span.half / PARTS as f64;
+            let mut before = speed(span.middle - span.half);
+            for part in 0..PARTS {
+                let t = span.middle - span.half + part as f64 * step;
+                let after = speed(t + step);
+                lengths.at.push(t);
+                lengths.to.push(sum);
+                lengths.speed.push(before);
+                sum += step / 6.0 * (before + 4.0 * speed(t + 0.5 * step) + after);
+                before = after;
+            }
+            if s + 1 == spans.len() {
+                lengths.at.push(span.middle + span.half);
+                lengths.to.push(sum);
+                lengths.speed.push(before);
+            }
+        }
+        lengths
+    }
+
+    fn total(&self) -> f64 {
+        self.to[self.to.len() - 1]
+    }
+
+    /// The length to t, looked for from part `guess` on.
+    fn length(&self, t: f64, guess: &mut usize) -> f64 {
+        let i = place(&self.at, t, guess);
+        let step = self.at[i + 1] - self.at[i];
+        self.cubic(i, if step > 0.0 { (t - self.at[i]) / step } else { 0.0 }).0
+    }
+
+    /// The parameter at a length.
+    fn parameter(&self, length: f64, guess: &mut usize) -> f64 {
+        let i = place(&self.to, length, guess);
+        let (step, rise) = (self.at[i + 1] - self.at[i], self.to[i + 1] - self.to[i]);
+        let mut u = if rise > 0.0 { ((length - self.to[i]) / rise).clamp(0.0, 1.0) } else { 0.0 };
+        for _ in 0..2 {
+            let (value, slope) = self.cubic(i, u);
+            if slope > 0.3 * rise {
+                u = (u + (length - value) / slope).clamp(0.0, 1.0);
+            }
+        }
+        self.at[i] + u * step
+    }
+
+    /// The length at u in [0, 1] of part i, and its derivative.
+    fn cubic(&self, i: usize, u: f64) -> (f64, f64) {
+        let step = self.at[i + 1] - self.at[i];
+        let (start, rise) = (self.to[i], self.to[i + 1] - self.to[i]);
+        let (first, last) = (step * self.speed[i], step * self.speed[i + 1]);
+        let (square, cube) = (3.0 * rise - 2.0 * first - last, first + last - 2.0 * rise);
+        let value = start + u * (first + u * (square + u * cube));
+        (value, first + u * (2.0 * square + u * 3.0 * cube))
+    }
+}
+
+/// The part of an ascending list that a value is in.
+fn place(list: &[f64], value: f64, guess: &mut usize) -> usize {
+    let last = list.len() - 2;
+    let mut i = (*guess).min(last);
+    while i < last && value >= list[i + 1] {
+        i += 1;
+    }
+    while i > 0 && value < list[i] {
+        i -= 1;
+    }
+    *guess = i;
+    i
+}
+
+/// Parameters that are equally far apart along the curve, ascending from 0, and the breaks that belong to them: on closed
+/// curves all parameters are shifted, so that the first point has 0. `located` has the feet of the points.
+pub(super) fn by_length(spline: &Spline, located: &Located) -> Option<(Vec<f64>, super::breaks::Breaks)> {
+    let lengths = Lengths::new(spline);
+    let (total, count) = (lengths.total(), located.points.len());
+    if !(total > 0.0 && total.is_finite()) || count < 3 {
+        return None;
+    }
+    let mut breaks = spline.space.breaks.clone();
+    let (end, mut guess) = (breaks.end, 0);
+    if !breaks.closed {
+        let step = total / (count - 1) as f64;
+        let at = |m: usize| lengths.parameter(step * m as f64, &mut guess).clamp(0.0, end);
+        return Some(((0..count).map(at).collect(), breaks));
+    }
+    let (step, first) = (total / count as f64, lengths.at[0]);
+    // How far the points are ahead of their number, about the first one's lead.
+    let (mut lead, mut sum) = (0.0, 0.0);
+    for (m, &foot) in located.parameters.iter().enumerate() {
+        let t = if foot < first { foot + end } else { foot };
+        let ahead = lengths.length(t, &mut guess) - step * m as f64;
+        if m == 0 {
+            lead = ahead;
+        }
+        let off = ahead - lead;
+        sum += off - total * libm::round(off / total);
+    }
+    let lead = lead + sum / count as f64;
+    let around = |length: f64| length - total * libm::floor(length / total);
+    let start = lengths.parameter(around(lead), &mut guess);
+    let mut before = 0.0_f64;
+    let parameters = (0..count).map(|m| {
+        let t = lengths.parameter(around(lead + step * m as f64), &mut guess) - start;
+        let t = if m == 0 {
+            0.0
+        } else if t < 0.0 {
+            t + end
+        } else {
+            t
+        };
+        // Rounding must not turn two of them round.
+        before = before.max(t).min(end * (1.0 - f64::EPSILON));
+        before
+    });
+    let parameters = parameters.collect();
+    for t in &mut breaks.at {
+        *t -= start;
+    }
+    in_order(&mut breaks);
+    Some((parameters, breaks))
+}
