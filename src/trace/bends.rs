@@ -105,10 +105,9 @@ pub(super) fn bends(outline: &Outline, rule: &BendRule) -> Vec<Bend> {
             end += 1;
         }
         let turning = sums[end + 1] - sums[start];
-        if best.is_some_and(|(_, _, last)| start > last) || turning < LEAST {
-            if let Some((_, first, last)) = best.take() {
-                found.extend(bend(&places, (first, last), round, rule));
-            }
+        let left = turning < LEAST || best.is_some_and(|(_, _, last)| start > last);
+        if left && let Some((_, first, last)) = best.take() {
+            found.extend(bend(&places, (first, last), round, rule));
         }
         if turning >= LEAST && best.is_none_or(|(most, _, _)| turning > most) {
             best = Some((turning, start, end));

@@ -226,8 +226,8 @@ impl Trial<'_> {
             back[at] = own;
             at = saved.next(at);
         }
-        for i in fresh..outline.len() {
-            let mut own = core::mem::take(&mut all[i]);
+        for (i, own) in all.iter_mut().enumerate().skip(fresh) {
+            let mut own = core::mem::take(own);
             if outline.cubic(i) != saved.cubic(at) {
                 now.extend_from_slice(&own);
                 parts(&saved.cubic(at), self.field, &mut own);
