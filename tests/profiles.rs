@@ -159,3 +159,16 @@ fn noise_is_what_was_put_in() {
         Chain::new(vec![Point::new(0.0, 0.0), Point::new(9.0, 0.0)], false).expect("a chain").window();
     assert!((window - 3.0).abs() < 1e-12, "no noise, the least window");
 }
+
+#[test]
+fn a_chain_across_all_coordinates_is_compared_with_its_curve_in_bounded_work() {
+    let points = vec![Point::new(0.0, 0.0), Point::new(1e9, 0.0), Point::new(0.0, 1e9)];
+    let chain = Chain::new(points, false).expect("a chain");
+    for options in [ProfileOptions::printed(), ProfileOptions::default()] {
+        let metrics = chain.follow(&options).and_then(|profile| profile.metrics());
+        if let Ok(metrics) = metrics {
+            let finite = metrics.rmse.is_finite() && metrics.hausdorff.is_finite();
+            assert!(finite && (0.0..=1.0).contains(&metrics.jaccard), "{metrics:?}");
+        }
+    }
+}

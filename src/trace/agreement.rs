@@ -30,10 +30,10 @@ pub(super) fn agreement(curve: &HermiteCurve, contour: &[Point]) -> Result<Metri
     Ok(Metrics { rmse: (there.square / count).sqrt(), mae: there.sum / count, hausdorff, jaccard: share })
 }
 
-/// The share of the pixels of two closed polylines that are next to each other. Pixels of polylines of more than a million grow.
+/// The share of the pixels of two closed polylines that are next to each other. Pixels of polylines of more than 400,000 grow.
 fn jaccard(contour: &[Point], places: &[Point]) -> f64 {
     let length = |points: &[Point]| edges(points).map(|(from, to)| norm(to - from)).sum::<f64>();
-    let pixel = larger(larger(length(contour), length(places)) / 1e6, 1.0);
+    let pixel = larger(larger(length(contour), length(places)) / 4e5, 1.0);
     tolerant_jaccard(pixels(contour, pixel), pixels(places, pixel))
 }
 
@@ -46,7 +46,7 @@ fn edges(points: &[Point]) -> impl Iterator<Item = (Point, Point)> {
 fn pixels(points: &[Point], pixel: f64) -> Vec<(i32, i32)> {
     let mut pixels = Vec::new();
     for (from, to) in edges(points) {
-        let steps = (norm(to - from) / (PIXEL * pixel)).ceil().clamp(1.0, 2e6) as usize;
+        let steps = (norm(to - from) / (PIXEL * pixel)).ceil().clamp(1.0, 1e6) as usize;
         for step in 0..steps {
             let p = (from + (to - from) * (step as f64 / steps as f64)) / pixel;
             pixels.push((p.x.floor() as i32, p.y.floor() as i32));
