@@ -143,8 +143,8 @@ impl FreeKnots {
                 x[row] += dot(&basis[p][..=degree], &sums.x[..=degree]);
                 y[row] += dot(&basis[p][..=degree], &sums.y[..=degree]);
                 let weighted = sums.weighted(degree, &basis[p]);
-                for q in 0..=p {
-                    let (other, value) = (space.index(s, q), dot(&weighted[..=degree], &basis[q][..=degree]));
+                for (q, basis) in basis[..=p].iter().enumerate() {
+                    let (other, value) = (space.index(s, q), dot(&weighted[..=degree], &basis[..=degree]));
                     // Two functions of a piece may be one and the same where a closed curve has few knots.
                     let twice = if p != q && row == other { 2.0 } else { 1.0 };
                     factor.add(row.max(other), row.min(other), twice * value);
