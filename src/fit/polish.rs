@@ -27,6 +27,8 @@ const MOST_FOLLOWING: usize = 5;
 const ROUGH: f64 = 1e-5;
 /// One in so many knots may turn out to be none.
 const MOST_TURNED: usize = 5;
+/// So few may all be none, as they are beyond the price at which no knot is left.
+const FEW: usize = 24;
 /// The most steps of Newton's method on one set.
 const MOST_NEWTON: usize = 5;
 
@@ -126,7 +128,8 @@ impl Solver {
             let Some(newton) = newton(&self.data, reduced, &start, lanes, accuracy) else { break };
             let turned = if lanes == 1 { turned(&newton.jumps, &start) } else { 0 };
             // Where many of the knots that were singled out on a fine grid are none, others are missing as well.
-            if self.is_fine() && best.is_none() && MOST_TURNED * turned > start.len() {
+            let many = start.len() > FEW && MOST_TURNED * turned > start.len();
+            if self.is_fine() && best.is_none() && many {
                 break;
             }
             if turned > 0 {
