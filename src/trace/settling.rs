@@ -282,7 +282,7 @@ impl Want {
         }
         match self {
             Self::Sharp => limits.allow(&new[0], &old[0], 1.0) && new[1].square < beside,
-            Self::Smooth => new[0].square < old[0].square,
+            Self::Smooth => new[0].square < old[0].square && new[1].square < 1.5 * beside,
             Self::Tidy => {
                 let enough = new[1].square < 1.5 * beside || new[0].square < old[0].square;
                 limits.allow(&new[0], &old[0], 1.0) && enough
