@@ -159,26 +159,48 @@ test("V23 what is no picture is refused by name, and the result before stays", a
   assert.equal(await demo.byId("stage").isVisible(), true);
 });
 
+/** A picture of 40 × 40 black squares on white, as a file's bytes. */
+function squares(demo: Demo, step: number, side: number): Promise<number[]> {
+  return demo.page.evaluate(
+    async ([step, side]) => {
+      const canvas = new OffscreenCanvas(40 * step, 40 * step);
+      const context = canvas.getContext("2d");
+      if (context === null) return [];
+      context.fillStyle = "white";
+      context.fillRect(0, 0, 40 * step, 40 * step);
+      context.fillStyle = "black";
+      for (let i = 0; i < 1600; i += 1) context.fillRect(step * (i % 40) + 1, step * Math.floor(i / 40) + 1, side, side);
+      return [...new Uint8Array(await (await canvas.convertToBlob({ type: "image/png" })).arrayBuffer())];
+    },
+    [step, side] as const,
+  );
+}
+
 test("a photograph is refused with an offer, and traced when somebody wants it", async (t) => {
   const demo = await open(t, "#/trace");
-  const content = await demo.page.evaluate(async () => {
-    const canvas = new OffscreenCanvas(200, 200);
-    const context = canvas.getContext("2d");
-    if (context === null) return [];
-    context.fillStyle = "white";
-    context.fillRect(0, 0, 200, 200);
-    context.fillStyle = "black";
-    // 1,600 dots of nine pixels each.
-    for (let i = 0; i < 1600; i += 1) context.fillRect(5 * (i % 40) + 1, 5 * Math.floor(i / 40) + 1, 3, 3);
-    return [...new Uint8Array(await (await canvas.convertToBlob({ type: "image/png" })).arrayBuffer())];
-  });
-  await bring(demo, "drop", "photo.png", "image/png", content);
+  await bring(demo, "drop", "photo.png", "image/png", await squares(demo, 5, 3));
   await demo.page.waitForFunction(() => document.querySelector('[data-testid="trace-source"]')?.textContent === "photo.png");
   await demo.idle();
   await demo.slide("trace-speckle", 0);
   const error = demo.page.locator('[data-testid="error"][data-error="trace-photo"]');
   await error.waitFor();
   assert.match((await error.textContent()) ?? "", /photograph: 160[0-9] contours/u);
+  await demo.byId("offer-speckle").click();
+  await demo.idle();
+  assert.equal(await error.count(), 0);
+});
+
+test("what looks like a photograph by its edges is refused with an offer that helps", async (t) => {
+  const demo = await open(t, "#/trace");
+  await bring(demo, "drop", "squares.png", "image/png", await squares(demo, 10, 5));
+  await demo.page.waitForFunction(() => document.querySelector('[data-testid="trace-source"]')?.textContent === "squares.png");
+  await demo.idle();
+  await demo.byId("trace-mode").locator('[value="edges"]').check();
+  await demo.idle();
+  await demo.slide("trace-speckle", 0);
+  await demo.idle();
+  const error = demo.page.locator('[data-testid="error"][data-error="trace-photo"]');
+  await error.waitFor();
   await demo.byId("offer-speckle").click();
   await demo.idle();
   assert.equal(await error.count(), 0);
