@@ -137,8 +137,6 @@ export const fitSamples: readonly FitSample[] = [
     () => [coastline(4000)]),
 ];
 
-export const firstFitSample = "fit-star";
-
 export function fitSample(id: string): FitSample | undefined {
   return fitSamples.find((each) => each.id === id);
 }

@@ -40,8 +40,11 @@ export const fitDefaults = {
   starts: [], model: "hybrid", smoothing: 40, mix: 50, corners: true, closing: "auto", target: "off", targetKnots: 12, targetError: 2, noise: 0, seed: 1,
 } as const satisfies Omit<FitDocument, "data">;
 
-/** What Fit opens with: the sample that shows corners and smooth parts best, still to be opened. */
-export const emptyFit: FitDocument = { ...fitDefaults, sample: "fit-star", data: [] };
+/** The sample that shows corners and smooth parts best. */
+export const firstFitSample = "fit-signature";
+
+/** What Fit opens with, still to be opened. */
+export const emptyFit: FitDocument = { ...fitDefaults, sample: firstFitSample, data: [] };
 
 /** What an entry of Fit's history brings back. */
 export interface FitMoment {
