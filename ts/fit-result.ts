@@ -18,6 +18,7 @@ export interface SparseKnot {
 
 /** What one step after the optimum changed; "search" is the whole way to the fewest knots where no λ was involved. */
 export interface FitChange {
+  /** What was done: a step of `finish`, or the search for the fewest knots. */
   step: FitStep | "search";
   /** Knots before and after. */
   knots: [before: number, after: number];
