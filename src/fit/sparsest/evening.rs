@@ -6,6 +6,7 @@ use super::super::foot_points::Spline;
 use super::super::free_knots::{FreeKnots, Located};
 use super::super::search::{apart, clusters, least, settle};
 use super::{Found, Phase, Sparsest, from_afar};
+use crate::numerics::order::sort_by_number;
 
 /// Steps towards a curve whose points are free to slide, before knots are taken from it.
 const ROUNDS: usize = 2;
@@ -77,7 +78,7 @@ impl Sparsest {
         let breaks = fitted.breaks();
         let removals = fitted.removals();
         let mut cheapest: Vec<usize> = (0..breaks.len()).collect();
-        cheapest.sort_by(|&a, &b| removals[a].whole.total_cmp(&removals[b].whole));
+        sort_by_number(&mut cheapest, &|&k| removals[k].whole);
         let room = breaks.len().saturating_sub(least(breaks));
         let mut doomed = Vec::new();
         for share in [4, 8] {
