@@ -9,7 +9,7 @@ import { StepError, at, run } from "./steps.mjs";
  * Face and wasm of each kind of work in bytes, gzipped: what may not be exceeded today. The aim is 60,000 for curves and surfaces
  * together; docs/DESIGN.md says what was tried.
  */
-const LIMITS = { "core.js": 71_000, "spline.js": 72_500, "surface.js": 50_000, "fit.js": 140_500, "trace.js": 146_000 };
+const LIMITS = { "core.js": 70_500, "spline.js": 70_500, "surface.js": 47_000, "fit.js": 138_000, "trace.js": 136_500 };
 
 /** What is printed, and the files of the package. */
 const FILES = [
