@@ -531,3 +531,22 @@ fn who_sees_too_many_edges_is_told_what_to_leave_out() {
     assert!((60.0..120.0).contains(&speckle), "{speckle}");
     assert_eq!(trace(gray, &options(speckle)).expect("edges").contours.len(), 2);
 }
+
+/// 32,000 corners: comparing each with all others took thirty times as long as all the rest.
+#[test]
+fn one_outline_may_have_any_number_of_corners() {
+    let side = 1024;
+    let ink = |x: usize, y: usize| y % 16 < 8 || (y % 16 < 12 && x % 8 < 4) || x < 12;
+    let inner = |k: usize| (4..side - 4).contains(&k);
+    let shade = |i: usize| {
+        let (x, y) = (i % side, i / side);
+        if inner(x) && inner(y) && ink(x, y) { 0 } else { 255 }
+    };
+    let bytes: Vec<u8> = (0..side * side).map(shade).collect();
+    let gray = Gray::from_bytes(side, side, &bytes).expect("a valid picture");
+    let options = TraceOptions { refined: false, ..TraceOptions::default() };
+    let found = trace(gray, &options).expect("a drawing");
+    assert_eq!(found.contours.len(), 1);
+    let points = found.contours[0].curve.points().len();
+    assert!(points > 32_000, "{points} points");
+}

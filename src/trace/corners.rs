@@ -25,18 +25,19 @@ pub(super) struct Corner {
     pub(super) index: isize,
     /// Where both sides meet.
     pub(super) point: Point,
-    /// No other corner is as near, in places.
-    apart: isize,
 }
 
 /// All corners in the order of the places: those by the first rule, then those that another rule finds between them.
+/// O(places).
 ///
 /// Both sides of a place are followed by a line and by a parabola, from the gap on. The turning between the lines is that of a
 /// corner or of an arc; the turning between the parabolas' tangents at the place is small for arcs (D 14.5).
 pub(super) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<Corner> {
     let count = samples.len() as isize;
-    let distance = |i: isize, j: isize| (i - j).rem_euclid(count).min((j - i).rem_euclid(count));
+    let around = |i: isize| i.rem_euclid(count) as usize;
     let mut found: Vec<Corner> = Vec::new();
+    // Places near corners of the rules before.
+    let mut taken = vec![false; samples.len()];
     for rule in rules {
         // What pixels cut off belongs to the corner, by this rule and by those after it.
         let apart = samples.steps((1.8 * rule.gap - 0.7).max(2.2)).max(1);
@@ -45,19 +46,16 @@ pub(super) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<Corner> {
         let known = found.len();
         for i in 0..count {
             let own = scores[i as usize];
-            if own < rule.angle
-                || found[..known].iter().any(|corner| distance(corner.index, i) < corner.apart)
-            {
+            if own < rule.angle || taken[i as usize] {
                 continue;
             }
-            let highest = (1..=apart).all(|d| {
-                let before = scores[(i - d).rem_euclid(count) as usize];
-                let after = scores[(i + d).rem_euclid(count) as usize];
-                own > before && own >= after
-            });
+            let highest = (1..=apart).all(|d| own > scores[around(i - d)] && own >= scores[around(i + d)]);
             if highest && let Some(point) = place(samples, i, rule) {
-                found.push(Corner { index: i, point, apart });
+                found.push(Corner { index: i, point });
             }
+        }
+        for corner in &found[known..] {
+            (1 - apart..apart).for_each(|d| taken[around(corner.index + d)] = true);
         }
     }
     sort_by_keys(&mut found, &|corner| [corner.index as u64, 0]);
