@@ -3,12 +3,11 @@
 use super::bends::{Bend, BendRule, bends};
 use super::coverage::{Part, parts};
 use super::cubic::Cubic;
-use super::field::Field;
 use super::outline::Outline;
-use super::refine::{Left, Refiner, Shape};
+use super::refine::{Left, Shape};
 use super::samples::turn;
 use super::sides::{Change, Sides, sides};
-use super::simplify::Limits;
+use super::simplify::{Limits, Trial};
 use crate::error::Result;
 use crate::numerics::Point;
 use crate::numerics::plane::{dot, square};
@@ -30,44 +29,52 @@ const LONG: f64 = 6.0;
 /// A root mean square beside a bend that asks for nothing better.
 const ENOUGH: f64 = 0.0065;
 
-/// Replaces bends by corners, or corners by bends, where the picture is explained better, or as well by less.
-/// Returns whether anything changed.
-///
-/// # Cost
-///
-/// O(length of the outline), and O(length of its sides) for each bend that is tried.
-pub(super) fn settle_bends(
-    refiner: &mut Refiner,
-    field: &mut Field,
-    shape: &mut Shape,
-    limits: &Limits,
-    rule: &BendRule,
-) -> Result<bool> {
-    let mut any = false;
-    for window in [rule.window, 0.55 * rule.window] {
-        let rule = BendRule { window, ..*rule };
-        let mut tried: Vec<Point> = Vec::new();
-        let mut found = bends(&shape.outline, &rule);
-        while let Some(bend) = found.pop() {
-            if tried.iter().any(|&p| square(p - bend.middle) < SAME * SAME) {
-                continue;
-            }
-            tried.push(bend.middle);
-            let mut trial = Trial { refiner, field, shape, limits };
-            if trial.corner(&bend, &rule)? || trial.smooth(&bend, &rule)? {
-                any = true;
-                found = bends(&shape.outline, &rule);
-            }
-        }
-    }
-    Ok(any)
+/// The bends of an outline, tried one by one.
+#[derive(Clone, Debug)]
+pub(super) struct Settling {
+    /// Wide bends and then narrow ones.
+    rules: [BendRule; 2],
+    /// The rule that is next.
+    at: usize,
+    /// Where this rule's trials were.
+    tried: Vec<Point>,
+    /// Bends that wait; nothing where the outline has changed.
+    found: Option<Vec<Bend>>,
 }
 
-struct Trial<'a> {
-    refiner: &'a mut Refiner,
-    field: &'a mut Field,
-    shape: &'a mut Shape,
-    limits: &'a Limits,
+impl Settling {
+    pub(super) fn new(rule: &BendRule) -> Self {
+        let narrow = BendRule { window: 0.55 * rule.window, ..*rule };
+        Self { rules: [*rule, narrow], at: 0, tried: Vec::new(), found: None }
+    }
+
+    pub(super) fn is_done(&self) -> bool {
+        self.at == self.rules.len()
+    }
+
+    /// Tries the next bend: it becomes a corner, or a corner a bend, where the picture is explained better, or as well by
+    /// less.
+    ///
+    /// # Cost
+    ///
+    /// O(pieces of the outline), and O(length of the outline) where it changes.
+    pub(super) fn step(&mut self, mut trial: Trial) -> Result<()> {
+        let Some(rule) = self.rules.get(self.at) else { return Ok(()) };
+        let found = self.found.get_or_insert_with(|| bends(&trial.shape.outline, rule));
+        while let Some(bend) = found.pop() {
+            if self.tried.iter().any(|&p| square(p - bend.middle) < SAME * SAME) {
+                continue;
+            }
+            self.tried.push(bend.middle);
+            if trial.corner(&bend, rule)? || trial.smooth(&bend, rule)? {
+                self.found = None;
+            }
+            return Ok(());
+        }
+        (self.found, self.at) = (None, self.at + 1);
+        self.tried.clear();
+        Ok(())
+    }
 }
 
 impl Trial<'_> {

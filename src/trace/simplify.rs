@@ -86,11 +86,12 @@ pub(super) fn may_go_on(round: usize) -> bool {
     round < MOST_ROUNDS
 }
 
-struct Trial<'a> {
-    refiner: &'a mut Refiner,
-    field: &'a mut Field,
-    shape: &'a mut Shape,
-    limits: &'a Limits,
+/// What changes an outline on trial, and what has to hold afterwards.
+pub(super) struct Trial<'a> {
+    pub(super) refiner: &'a mut Refiner,
+    pub(super) field: &'a mut Field,
+    pub(super) shape: &'a mut Shape,
+    pub(super) limits: &'a Limits,
 }
 
 impl Trial<'_> {
