@@ -155,6 +155,31 @@ fn a_disc_on_top_is_a_circle_of_its_own_and_leaves_no_hole_below() {
     }
 }
 
+/// Coverage of what lies below a wave, to an 8000th: exact along columns, sixteen of them in each pixel.
+fn below_a_wave(column: usize, row: usize) -> f64 {
+    let height = |x: f64| 60.0 + 14.0 * (x / 29.0).sin() + 5.0 * (x / 61.0).cos();
+    let strip = |k: usize| row as f64 + 1.0 - height(column as f64 + (k as f64 + 0.5) / 16.0);
+    (0..16).map(|k| strip(k).clamp(0.0, 1.0)).sum::<f64>() / 16.0
+}
+
+#[test]
+fn an_edge_between_pale_colours_is_the_one_between_black_and_white() {
+    let segments = |[above, below]: [Color; 2]| {
+        let mix = |at: usize| {
+            let share = below_a_wave(at % 200, at / 200);
+            let channel = |k: usize| f64::from(above[k]) * (1.0 - share) + f64::from(below[k]) * share;
+            [channel(0).round() as u8, channel(1).round() as u8, channel(2).round() as u8, 255]
+        };
+        let bytes: Vec<u8> = (0..200 * 120).flat_map(mix).collect();
+        let layers = traced(200, 120, &bytes, &[above, below]);
+        layers[1].contours[0].curve.points().len()
+    };
+    let clear = segments([WHITE, [0, 0, 0]]);
+    // Roundings of the channels are three times as large beside the way from one colour to the other: one joint for them.
+    let pale = segments([[144, 205, 232], [240, 214, 166]]);
+    assert!(clear <= 10 && pale <= clear + 1, "{pale} points where black and white have {clear}");
+}
+
 #[test]
 fn three_colours_that_meet_leave_no_gap() {
     let paint = |x: f64, y: f64| {

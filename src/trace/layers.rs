@@ -31,8 +31,10 @@ struct Line {
     pixels: Vec<Premultiplied>,
     /// The colour that a pixel has, or none.
     labels: Vec<u8>,
-    /// Whether its neighbours have it too.
+    /// Whether enough of its neighbours have it too.
     flat: Vec<bool>,
+    /// Whether all of them have.
+    inner: Vec<bool>,
 }
 
 /// A picture of flat colours that is being given row by row.
@@ -171,8 +173,10 @@ impl LayerRows {
             line.pixels.push(pixel);
             line.labels.push(before.1);
         }
-        line.flat.clear();
-        line.flat.resize(line.labels.len(), false);
+        for list in [&mut line.flat, &mut line.inner] {
+            list.clear();
+            list.resize(line.labels.len(), false);
+        }
     }
 
     /// The rows of the picture around one.
@@ -180,30 +184,29 @@ impl LayerRows {
         row.saturating_sub(reach)..=(row + reach).min(self.given.min(self.height) - 1)
     }
 
-    /// Says which pixels of a row are flat: those around it have come.
+    /// Says which pixels of a row are flat, and which are inside: those around it have come.
     fn flatten(&mut self, row: usize) {
         if row >= self.height {
             return;
         }
         let width = self.layers.width;
-        let mut flat = core::mem::take(&mut self.window[row % KEPT].flat);
-        for (column, flat) in flat.iter_mut().enumerate() {
+        for column in 0..width {
             let label = self.window[row % KEPT].labels[column];
             if label == NONE {
                 continue;
             }
             let columns = column.saturating_sub(1)..=(column + 1).min(width - 1);
-            let mut seen = 0;
-            let mut alike = 0;
+            let (mut seen, mut alike) = (0, 0);
             for near in self.around(row, 1) {
                 let labels = &self.window[near % KEPT].labels[columns.clone()];
                 seen += labels.len();
                 alike += labels.iter().filter(|&&other| other == label).count();
             }
-            // Beyond the border all is as it is here.
-            *flat = alike - 1 + (9 - seen) >= ALIKE;
+            // Beyond the border all is as it is here. The pixel itself counts too.
+            alike += 9 - seen;
+            let line = &mut self.window[row % KEPT];
+            (line.flat[column], line.inner[column]) = (alike > ALIKE, alike == 9);
         }
-        self.window[row % KEPT].flat = flat;
     }
 
     /// Says what the pixels of a row are made of.
@@ -215,7 +218,7 @@ impl LayerRows {
             let line = &self.window[row % KEPT];
             let label = line.labels[column];
             let (first, second, share) =
-                if line.flat[column] { (label, label, 0.0) } else { self.mixture(row, column) };
+                if line.inner[column] { (label, label, 0.0) } else { self.mixture(row, column) };
             let (first, second, share) =
                 if share > 0.5 { (second, first, 1.0 - share) } else { (first, second, share) };
             self.layers.areas[usize::from(first)] += 1;
@@ -225,7 +228,7 @@ impl LayerRows {
         }
     }
 
-    /// The two colours of an edge's pixel and the share of the second: two that lie flat nearby, or else any.
+    /// The two colours of an edge's pixel and the share of the second: its own and one that lies flat nearby, two that do, or any.
     fn mixture(&self, row: usize, column: usize) -> (u8, u8, f64) {
         let line = &self.window[row % KEPT];
         let (pixel, label) = (&line.pixels[column], line.labels[column]);
@@ -243,6 +246,11 @@ impl LayerRows {
             }
         }
         let near = &near[..count];
+        if line.flat[column] {
+            // A tenth of another colour tells where the edge is as well as a half does.
+            let mut pairs = near.iter().map(|&other| (label, other));
+            return self.nearest_mixture(pixel, f64::INFINITY, &mut pairs).unwrap_or((label, label, 0.0));
+        }
         let mut pairs = near.iter().enumerate().flat_map(|(i, &a)| near[i..].iter().map(move |&b| (a, b)));
         if let Some(best) = self.nearest_mixture(pixel, MIXED, &mut pairs) {
             return best;
