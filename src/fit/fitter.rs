@@ -5,7 +5,7 @@ mod finishing;
 
 use self::finishing::Finishing;
 use super::free_knots::Located;
-use super::noise::{is_regular, noise, sober_weights};
+use super::noise::{is_regular_at, levels, sober_weights};
 use super::options::{Ask, Finish, Options};
 use super::outcome::Fit;
 use super::parametrise::{Parametrisation, given, parametrise};
@@ -65,6 +65,8 @@ pub struct Fitter {
     /// One unit of the inner parameter in the caller's.
     unit: f64,
     noise: f64,
+    /// How far points scatter across and along the curve, where that has been looked at.
+    levels: Option<[f64; 2]>,
     ask: Ask,
     lambdas: Vec<f64>,
     run: Run,
@@ -118,9 +120,10 @@ impl Fitter {
             || !options.weights.is_empty()
             || options.parametrisation == Parametrisation::Index;
         let samples = Samples::new(points, options.closed, keep)?;
-        let noise = match options.noise {
-            Some(noise) => noise / samples.scale,
-            None => noise(&samples),
+        let levels = options.noise.is_none().then(|| levels(&samples));
+        let noise = match (options.noise, levels) {
+            (Some(noise), _) => noise / samples.scale,
+            (None, levels) => levels.map_or(0.0, |[across, _]| across),
         };
         Ok(Self {
             options: options.clone(),
@@ -131,6 +134,7 @@ impl Fitter {
             end: 0.0,
             unit: 1.0,
             noise,
+            levels,
             ask: Ask::Noise,
             lambdas: Vec::new(),
             run: Run::Idle,
@@ -229,7 +233,10 @@ impl Fitter {
                 sober.iter().enumerate().map(|(m, w)| w * given.get(m).copied().unwrap_or(1.0)).collect();
         }
         let automatic = self.options.parametrisation == Parametrisation::Auto;
-        self.even = automatic && !by_lambda && self.options.parameters.is_empty() && is_regular(samples);
+        self.even = automatic && !by_lambda && self.options.parameters.is_empty() && {
+            let known = self.levels.unwrap_or_else(|| levels(samples));
+            is_regular_at(samples, known)
+        };
         let kind = match self.options.parametrisation {
             Parametrisation::Auto if by_lambda || self.even => Parametrisation::Index,
             kind => kind,

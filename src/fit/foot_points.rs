@@ -1,10 +1,11 @@
 //! Distances from points to a spline, and the spline that makes them small: the parameters of the points are free.
+//! (Where they go is in `feet`.)
 
 use super::breaks::{HIGHEST, Polynomial, Space};
 use super::envelope::{Envelope, dot};
+use super::feet::Look;
 use super::free_knots::{FreeKnots, Located};
 use crate::numerics::order::sort_by_number;
-use crate::numerics::plane::larger;
 use crate::numerics::{Point, Vector};
 
 /// One piece of a curve: a polynomial in ascending powers.
@@ -58,68 +59,15 @@ impl Spline {
         derivative_of(&self.piece(s), self.space.breaks.degree, u, span.half, order)
     }
 
-    /// Moves every parameter towards the foot of its point, by at most `rounds` steps that each come nearer, and says
-    /// how far the points then are. What it says is never too small: the nearest point is no farther.
-    pub(super) fn project(&self, data: &mut Located, rounds: usize) -> Distances {
-        let mut feet = core::mem::take(&mut data.parameters);
-        let distances = self.feet(data, &mut feet, rounds);
-        data.parameters = feet;
-        distances
-    }
-
-    /// [`Spline::project`] for parameters that are kept apart from the points.
-    pub(super) fn feet(&self, data: &Located, feet: &mut [f64], rounds: usize) -> Distances {
-        match self.space.breaks.degree {
-            1 => self.feet_of::<2>(data, feet, rounds),
-            2 | 3 => self.feet_of::<4>(data, feet, rounds),
-            _ => self.feet_of::<{ HIGHEST + 1 }>(data, feet, rounds),
-        }
-    }
-
-    /// The same for degrees below T.
-    fn feet_of<const T: usize>(&self, data: &Located, feet: &mut [f64], rounds: usize) -> Distances {
-        let pieces = self.pieces();
-        let reach = 0.02 * self.space.breaks.end;
-        let mut found = Distances::default();
-        let mut s = 0;
-        for (m, (target, foot)) in data.points.iter().zip(feet).enumerate() {
-            let mut here = self.look::<T>(&pieces, *foot, &mut s, *target);
-            for _ in 0..rounds {
-                let half = self.space.spans[here.piece].half;
-                let (step, gain) = here.newton();
-                // What is left to win is not worth a step.
-                if gain < 1e-6 * here.square {
-                    break;
-                }
-                let most = reach / half;
-                let u = here.u + if step > most { most } else { larger(step, -most) };
-                let there = if u.abs() <= 1.0 {
-                    Look::new::<T>(&pieces[here.piece], here.piece, u, *target)
-                } else {
-                    let t = self.within(self.space.spans[here.piece].middle + u * half);
-                    self.look::<T>(&pieces, t, &mut s, *target)
-                };
-                if there.square >= here.square {
-                    break;
-                }
-                here = there;
-                let span = &self.space.spans[here.piece];
-                *foot = self.within(span.middle + here.u * span.half);
-            }
-            s = here.piece;
-            found.squares += data.weight(m) * here.square;
-            found.largest = larger(found.largest, here.square);
-        }
-        found.largest = found.largest.sqrt();
-        found
-    }
-
     /// The distance of every point from the curve at its parameter.
     pub(super) fn distances(&self, data: &Located) -> Vec<f64> {
         let pieces = self.pieces();
         let mut s = 0;
         let one = |(point, &t): (&Point, &f64)| {
-            self.look::<{ HIGHEST + 1 }>(&pieces, t, &mut s, *point).square.sqrt()
+            let (found, t) = self.space.find(t, s);
+            s = found;
+            let span = &self.space.spans[s];
+            Look::new::<{ HIGHEST + 1 }>(&pieces[s], (t - span.middle) / span.half, *point).square.sqrt()
         };
         data.points.iter().zip(&data.parameters).map(one).collect()
     }
@@ -165,31 +113,6 @@ impl Spline {
             }
         }
         None
-    }
-
-    /// t in the domain.
-    fn within(&self, t: f64) -> f64 {
-        let end = self.space.breaks.end;
-        if !self.space.breaks.closed {
-            return t.max(0.0).min(end);
-        }
-        let t = if t < 0.0 {
-            t + end
-        } else if t >= end {
-            t - end
-        } else {
-            t
-        };
-        t.max(0.0).min(end)
-    }
-
-    #[inline]
-    fn look<const T: usize>(&self, pieces: &[Piece], t: f64, s: &mut usize, target: Point) -> Look {
-        let (found, t) = self.space.find(t, *s);
-        *s = found;
-        let span = &self.space.spans[found];
-        let u = (t - span.middle) / span.half;
-        Look::new::<T>(&pieces[found], found, u, target)
     }
 
     /// One Gauss–Newton step of the distances across the curve; those along it count little, for points may slide
@@ -267,37 +190,6 @@ impl Spline {
     }
 }
 
-/// The curve at one place of a piece, seen from a point; derivatives by the piece's own variable.
-struct Look {
-    piece: usize,
-    u: f64,
-    square: f64,
-    way: Vector,
-    first: Vector,
-    second: Vector,
-}
-
-impl Look {
-    #[inline]
-    fn new<const T: usize>(polynomial: &Piece, piece: usize, u: f64, target: Point) -> Self {
-        let [place, first, second] = taylor::<T>(polynomial, u);
-        let way = place - target;
-        Self { piece, u, square: way.norm_squared(), way, first, second }
-    }
-
-    /// Newton's step to where the way is across the curve, Gauss's where that would lead to the farthest point, and by
-    /// how much the square of the distance should fall.
-    #[inline]
-    fn newton(&self) -> (f64, f64) {
-        let speed = self.first.norm_squared();
-        let bend = speed + self.way.dot(&self.second);
-        let slope = if bend > 0.3 * speed { bend } else { speed };
-        let along = self.way.dot(&self.first);
-        let step = if slope > 0.0 { -along / slope } else { 0.0 };
-        (step, -step * along)
-    }
-}
-
 /// Derivative of some order of a piece, by the parameter: `half` is half its length there.
 pub(super) fn derivative_of(piece: &Piece, degree: usize, u: f64, half: f64, order: usize) -> Vector {
     let mut sum = Vector::zeros();
@@ -349,7 +241,7 @@ impl Across {
 
 /// A polynomial of degree below T and its first two derivatives at u.
 #[inline]
-fn taylor<const T: usize>(p: &Piece, u: f64) -> [Vector; 3] {
+pub(super) fn taylor<const T: usize>(p: &Piece, u: f64) -> [Vector; 3] {
     let [mut value, mut first, mut second] = [Vector::zeros(); 3];
     for c in p[..T].iter().rev() {
         second = second * u + first;

@@ -38,6 +38,7 @@ mod dual;
 mod envelope;
 mod even;
 mod extreme;
+mod feet;
 mod fitter;
 mod foot_points;
 mod free;

@@ -8,6 +8,8 @@ use crate::numerics::{Point, Vector};
 const FOURTH: [f64; 5] = [1.0, -4.0, 6.0, -4.0, 1.0];
 /// Half the length of the chord that tells which way is across.
 const REACH: usize = 5;
+/// So many places tell a median to half a per cent: of more points, evenly chosen ones are looked at.
+const ENOUGH: usize = 20_000;
 
 /// The standard deviation of the noise across the curve, in the unit of the samples, from the median size of fourth
 /// differences: corners and outliers are too few to move a median.
@@ -24,7 +26,11 @@ pub fn noise(samples: &Samples) -> f64 {
 /// Whether the points follow one another so evenly that their index is a parameter: along the curve they scatter hardly
 /// more than across it. O(M log M).
 pub fn is_regular(samples: &Samples) -> bool {
-    let [across, along] = levels(samples);
+    is_regular_at(samples, levels(samples))
+}
+
+/// The same where the standard deviations are known.
+pub(super) fn is_regular_at(samples: &Samples, [across, along]: [f64; 2]) -> bool {
     let points = &samples.points;
     let mut steps: Vec<f64> = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
     let middle = steps.len() / 2;
@@ -33,14 +39,15 @@ pub fn is_regular(samples: &Samples) -> bool {
 }
 
 /// Standard deviations across and along the curve.
-fn levels(samples: &Samples) -> [f64; 2] {
+pub(super) fn levels(samples: &Samples) -> [f64; 2] {
     let points = &samples.points;
     let count = points.len();
     if count < 9 {
         return [0.0; 2];
     }
     let centers = if samples.closed { 0..count } else { 2..count - 2 };
-    let sizes: Vec<[f64; 2]> = centers.map(|m| parts(points, samples.closed, m)).collect();
+    let sizes: Vec<[f64; 2]> =
+        centers.step_by(count.div_ceil(ENOUGH)).map(|m| parts(points, samples.closed, m)).collect();
     [0, 1].map(|part| {
         let mut sizes: Vec<f64> = sizes.iter().map(|size| size[part]).collect();
         let middle = sizes.len() / 2;
@@ -55,8 +62,10 @@ fn parts(points: &[Point], closed: bool, m: usize) -> [f64; 2] {
     let count = points.len();
     let at = |steps: usize, back: bool| {
         let i = match (closed, back) {
-            (true, true) => (m + count - steps % count) % count,
-            (true, false) => (m + steps) % count,
+            (true, true) if m < steps => m + count - steps,
+            (true, false) if m + steps >= count => m + steps - count,
+            (true, true) => m - steps,
+            (true, false) => m + steps,
             (false, true) => m.saturating_sub(steps),
             (false, false) => (m + steps).min(count - 1),
         };

@@ -24,7 +24,7 @@ const FIRST_FINISH: f64 = 1e-3;
 /// The same for smooth splines on a grid that is finer than their knots: neighbours are told apart late.
 const FIRST_FINE: f64 = 1e-5;
 /// So many iterations more than the gap needs are made for true knots.
-const MOST_FOR_KNOTS: usize = 12;
+const MOST_FOR_KNOTS: usize = 4;
 /// Below this share of the asked gap more iterations would tell no more.
 const LEAST_FOR_KNOTS: f64 = 1e-4;
 
