@@ -204,14 +204,6 @@ pub(super) struct Sweep {
 }
 
 impl Sweep {
-    /// Takes parts out of the coverage and puts others in. Together they begin and end at the same places.
-    /// How much the sum of squares grows, so far as it is known before the field settles.
-    pub(super) fn exchange(&mut self, field: &mut Field, removed: &[Part], added: &[Part]) -> f64 {
-        self.note(field, removed, -1.0);
-        self.note(field, added, 1.0);
-        self.cover(field)
-    }
-
     /// Notes that parts come, with the sign 1, or go, with −1.
     pub(super) fn note(&mut self, field: &Field, parts: &[Part], sign: f32) {
         self.known.resize(field.tiles(), NONE);

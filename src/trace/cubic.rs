@@ -38,7 +38,7 @@ const MOST_PLACES: usize = 16;
 const ROUNDS: usize = 3;
 
 impl Cubic {
-    pub(super) fn bernstein(t: f64) -> [f64; 4] {
+    pub(super) const fn bernstein(t: f64) -> [f64; 4] {
         let u = 1.0 - t;
         [u * u * u, 3.0 * u * u * t, 3.0 * u * t * t, t * t * t]
     }

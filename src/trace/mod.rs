@@ -69,6 +69,7 @@ mod tips;
 mod tones;
 mod tracer;
 mod unknowns;
+mod window;
 
 pub use canny::{EdgeOptions, EdgePoint, Edges, edges};
 pub use chain::{Chain, ChainPlace, Joint, Tube, TubeFit, fit_tube, fit_tube_with};

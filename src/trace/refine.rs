@@ -46,6 +46,25 @@ const RULE: [[f64; 2]; 5] = [
     [0.769_234_655_052_842, 0.239_314_335_249_683],
     [0.953_089_922_969_332, 0.118_463_442_528_095],
 ];
+/// Products of two of Bernstein's polynomials at the rule's places, with their weights.
+const PRODUCTS: [[f64; 10]; 5] = {
+    let mut products = [[0.0; 10]; 5];
+    let mut at = 0;
+    while at < RULE.len() {
+        let b = Cubic::bernstein(RULE[at][0]);
+        let (mut i, mut pair) = (0, 0);
+        while i < 4 {
+            let mut j = 0;
+            while j <= i {
+                products[at][pair] = RULE[at][1] * b[i] * b[j];
+                (j, pair) = (j + 1, pair + 1);
+            }
+            i += 1;
+        }
+        at += 1;
+    }
+    products
+};
 
 /// Places of a piece that are looked at to know whether it leaves the picture.
 const LOOKS: u8 = 16;
@@ -105,6 +124,13 @@ impl Shape {
         }
     }
 
+    /// The same outline from another node on.
+    pub(super) fn begin_at(&mut self, first: usize) {
+        self.outline.nodes.rotate_left(first);
+        self.outline.pieces.rotate_left(first);
+        self.parts.rotate_left(first);
+    }
+
     /// All nodes, from both ends of the list in turn: what is near around the outline is near in the list.
     pub(super) fn nodes(&self) -> Vec<usize> {
         let count = self.outline.len();
@@ -156,13 +182,6 @@ impl Refiner {
         shape.walk(field);
         self.show(field, shape);
         field.settle();
-    }
-
-    /// Pieces that a move of the nodes changes.
-    pub(super) fn touched(&mut self, outline: &Outline, nodes: &[usize]) -> &[usize] {
-        self.unknowns.number(outline, nodes);
-        self.unknowns.pieces(outline, &mut self.pieces);
-        &self.pieces
     }
 
     /// Moves nodes by at most so many steps, until a step takes no more than the share `enough` of what is left, or nothing but what bytes round.
@@ -320,8 +339,8 @@ fn image(square: &[[f64; 8]; 8], column: &[f64; 8]) -> [f64; 8] {
     let mut image = [0.0; 8];
     for (row, &amount) in square.iter().zip(column) {
         if amount != 0.0 {
-            for (sum, value) in image.iter_mut().zip(row) {
-                *sum += amount * value;
+            for k in 0..8 {
+                image[k] += amount * row[k];
             }
         }
     }
@@ -369,32 +388,25 @@ fn pull(parts: &[Part], field: &Field, left: &mut Left) -> [f64; 8] {
 /// The normal matrix of one piece's control points: the integral of n nᵀ B B over its length.
 fn square(cubic: &Cubic, stiffness: f64) -> [[f64; 8]; 8] {
     // For each pair of control points xx, xy and yy.
-    let mut blocks = [[0.0; 3]; 10];
-    for [t, weight] in RULE {
-        let velocity = cubic.velocity(t);
-        let scale = weight * stiffness / larger(velocity.norm(), 1e-9);
+    let (mut xx, mut xy, mut yy) = ([0.0; 10], [0.0; 10], [0.0; 10]);
+    for ([t, _], products) in RULE.iter().zip(&PRODUCTS) {
+        let velocity = cubic.velocity(*t);
+        let scale = stiffness / larger(velocity.norm(), 1e-9);
         let (x, y) = (velocity.y, -velocity.x);
-        let normal = [scale * x * x, scale * x * y, scale * y * y];
-        let b = Cubic::bernstein(t);
-        let mut at = 0;
-        for i in 0..4 {
-            for j in 0..=i {
-                let both = b[i] * b[j];
-                for (sum, part) in blocks[at].iter_mut().zip(&normal) {
-                    *sum += both * part;
-                }
-                at += 1;
-            }
+        let (a, b, c) = (scale * x * x, scale * x * y, scale * y * y);
+        for k in 0..10 {
+            xx[k] += a * products[k];
+            xy[k] += b * products[k];
+            yy[k] += c * products[k];
         }
     }
     let mut square = [[0.0; 8]; 8];
     let mut at = 0;
     for i in 0..4 {
         for j in 0..=i {
-            let [xx, xy, yy] = blocks[at];
             for (i, j) in [(2 * i, 2 * j), (2 * j, 2 * i)] {
-                (square[i][j], square[i][j + 1]) = (xx, xy);
-                (square[i + 1][j], square[i + 1][j + 1]) = (xy, yy);
+                (square[i][j], square[i][j + 1]) = (xx[at], xy[at]);
+                (square[i + 1][j], square[i + 1][j + 1]) = (xy[at], yy[at]);
             }
             at += 1;
         }

@@ -1,15 +1,17 @@
 //! Tight bends settled: a corner or a smooth way round, whichever the picture says.
 
 use super::bends::{Bend, BendRule, bends};
-use super::coverage::{Part, parts};
+use super::coverage::Part;
 use super::cubic::Cubic;
-use super::outline::Outline;
+use super::field::Field;
 use super::refine::{Left, Shape};
 use super::samples::turn;
 use super::sides::{Change, Sides, sides};
 use super::simplify::{Limits, Trial};
+use super::window::{Stretch, Window};
 use crate::error::Result;
 use crate::numerics::Point;
+use crate::numerics::order::sort_by_number;
 use crate::numerics::plane::{dot, square};
 use core::cmp::Ordering;
 
@@ -17,6 +19,10 @@ use core::cmp::Ordering;
 const MOST: f64 = 1.2;
 /// Turning to and fro, or beside a corner, that no bend needs, in radians.
 const NEEDLESS: f64 = 0.35;
+/// An outline of so many pieces is looked through to its end before bends are found anew, and that at most so often. A shorter one
+/// begins with its last change: so what has been changed comes last.
+const MANY: usize = 256;
+const MOST_ROUNDS: usize = 12;
 /// Bends this near each other are one, in pixels.
 const SAME: f64 = 0.6;
 /// How far from a bend the picture says most of it, in pixels.
@@ -26,6 +32,8 @@ const STEPS: [(usize, f64); 2] = [(3, 5e-4), (5, 5e-4)];
 const HOPELESS: f64 = 6.0;
 /// Pieces longer than this may turn back, in pixels.
 const LONG: f64 = 6.0;
+/// The mean square beside a corner that nothing could be nearer than: bytes round off about two thirds of it.
+const EXACT: f64 = 3e-6;
 /// A root mean square beside a bend that asks for nothing better.
 const ENOUGH: f64 = 0.0065;
 
@@ -36,16 +44,28 @@ pub(super) struct Settling {
     rules: [BendRule; 2],
     /// The rule that is next.
     at: usize,
-    /// Where this rule's trials were.
+    /// How often this rule has gone through the outline.
+    round: usize,
+    /// Where this rule's trials were: in the rounds before in order, and in this one.
     tried: Vec<Point>,
-    /// Bends that wait; nothing where the outline has changed.
+    fresh: Vec<Point>,
+    /// Bends that wait: those before a piece, where the outline has changed since they were found.
     found: Option<Vec<Bend>>,
+    until: usize,
 }
 
 impl Settling {
     pub(super) fn new(rule: &BendRule) -> Self {
         let narrow = BendRule { window: 0.55 * rule.window, ..*rule };
-        Self { rules: [*rule, narrow], at: 0, tried: Vec::new(), found: None }
+        Self {
+            rules: [*rule, narrow],
+            at: 0,
+            round: 0,
+            tried: Vec::new(),
+            fresh: Vec::new(),
+            found: None,
+            until: usize::MAX,
+        }
     }
 
     pub(super) fn is_done(&self) -> bool {
@@ -57,24 +77,49 @@ impl Settling {
     ///
     /// # Cost
     ///
-    /// O(pieces of the outline), and O(length of the outline) where it changes.
+    /// O(length of the pieces beside the bend), and O(pieces of the outline) where that changes and at the start of a round.
     pub(super) fn step(&mut self, mut trial: Trial) -> Result<()> {
         let Some(rule) = self.rules.get(self.at) else { return Ok(()) };
         let found = self.found.get_or_insert_with(|| bends(&trial.shape.outline, rule));
         while let Some(bend) = found.pop() {
-            if self.tried.iter().any(|&p| square(p - bend.middle) < SAME * SAME) {
+            let [(first, _), (last, _)] = bend.sides;
+            if first.max(last) >= self.until || is_known(&self.tried, bend.middle) {
                 continue;
             }
-            self.tried.push(bend.middle);
+            self.fresh.push(bend.middle);
+            let inside = first <= last && last + 1 < trial.shape.outline.len();
             if trial.corner(&bend, rule)? || trial.smooth(&bend, rule)? {
-                self.found = None;
+                // Pieces well before the bend keep their numbers.
+                self.until = if inside { first.saturating_sub(2) } else { 0 };
+                if trial.shape.outline.len() < MANY {
+                    self.look_again();
+                }
             }
             return Ok(());
         }
-        (self.found, self.at) = (None, self.at + 1);
-        self.tried.clear();
+        self.round += 1;
+        let over = self.until == usize::MAX || self.round == MOST_ROUNDS;
+        self.look_again();
+        if over {
+            (self.at, self.round) = (self.at + 1, 0);
+            self.tried.clear();
+        }
         Ok(())
     }
+
+    /// Bends are to be found anew.
+    fn look_again(&mut self) {
+        (self.found, self.until) = (None, usize::MAX);
+        self.tried.append(&mut self.fresh);
+        sort_by_number(&mut self.tried, &|place| place.y);
+    }
+}
+
+/// Whether one of the places, which are sorted by y, is as good as the same.
+fn is_known(places: &[Point], place: Point) -> bool {
+    let from = places.partition_point(|known| known.y <= place.y - SAME);
+    let near = places[from..].iter().take_while(|known| known.y < place.y + SAME);
+    near.into_iter().any(|&known| square(known - place) < SAME * SAME)
 }
 
 impl Trial<'_> {
@@ -136,15 +181,6 @@ impl Trial<'_> {
         (sharp, beside)
     }
 
-    /// What a piece leaves, and what of it is near a bend.
-    fn add(&self, piece: usize, bend: Point, left: &mut [Left; 2]) {
-        let (cubic, parts) = (self.shape.outline.cubic(piece), &self.shape.parts[piece]);
-        left[0].add(parts, self.field);
-        let is_near = |part: &Part| square(cubic.point(f64::from(part.t)) - bend) < NEAR * NEAR;
-        let near: Vec<Part> = parts.iter().copied().filter(is_near).collect();
-        left[1].add(&near, self.field);
-    }
-
     /// Changes the outline: the sides are its first and last new pieces. If that is not better, all is as it was.
     /// Whether it was better, and whether it was at least as wanted and nearer to the picture beside the bend.
     fn exchange(
@@ -154,100 +190,67 @@ impl Trial<'_> {
         want: Want,
         rule: &BendRule,
     ) -> Result<(bool, bool)> {
-        let saved = self.shape.outline.clone();
         let (fresh, corner) = (change.pieces.len(), change.corner);
         let bend = change.between[change.between.len() / 2].point;
+        let outline = &self.shape.outline;
         let mut old = [Left::default(); 2];
-        let mut piece = saved.before(sides.pieces[0]);
-        for _ in 0..(sides.count + 2).min(saved.len()) {
-            self.add(piece, bend, &mut old);
-            piece = saved.next(piece);
+        let mut piece = outline.before(sides.pieces[0]);
+        for _ in 0..(sides.count + 2).min(outline.len()) {
+            add(self.shape, self.field, piece, bend, &mut old);
+            piece = outline.next(piece);
         }
-        let gone = self.apply(sides, change);
+        if want == Want::Smooth && self.limits.noise == 0.0 && old[1].square <= EXACT * old[1].count {
+            return Ok((false, false));
+        }
+        let stretch = Stretch {
+            first: sides.pieces[0],
+            count: sides.count,
+            pieces: change.pieces,
+            between: change.between,
+        };
+        let mut window = Window::open(self.refiner, self.field, self.shape, stretch);
+        window.shape.outline.nodes[0].kept = false;
+        window.shape.outline.nodes[fresh].kept = false;
         let nodes: Vec<usize> = (0..=fresh).collect();
         let mut new = old;
         for steps in STEPS {
-            self.refiner.refine(self.field, self.shape, &nodes, steps)?;
+            self.refiner.refine(self.field, &mut window.shape, &nodes, steps)?;
             new = [Left::default(); 2];
-            let count = self.shape.outline.len();
+            let count = window.shape.outline.len();
             // The last piece leads to the first.
             for piece in (0..=fresh).chain((fresh + 1).max(count - 1)..count) {
-                self.add(piece, bend, &mut new);
+                add(&window.shape, self.field, piece, bend, &mut new);
             }
             if new[0].square > HOPELESS * old[0].square.max(limit_of(&new[0], self.limits)) {
                 break;
             }
         }
-        let outline = &self.shape.outline;
+        let outline = &window.shape.outline;
         let turning =
             |i: usize| turn(outline.cubic(i - 1).velocity(1.0), outline.cubic(i).velocity(0.0)).abs();
         let turns = corner.is_none_or(|i| turning(i) > rule.corner);
         let good = turns
             && want.is_met(&new, &old, (sides.count, fresh), self.limits)
             && (0..fresh).all(|i| is_plain(&outline.cubic(i)));
-        if !good {
-            self.restore(sides, saved, gone, fresh);
+        if good {
+            let first = window.keep(self.shape);
+            if self.shape.outline.len() < MANY {
+                self.shape.begin_at(first);
+            }
+        } else {
+            window.close(self.refiner, self.field, self.shape);
         }
         Ok((good, turns && new[1].square < old[1].square))
     }
+}
 
-    /// The changed outline, the first side first; the parts of the pieces that are gone.
-    fn apply(&mut self, sides: &Sides, change: Change) -> Vec<Vec<Part>> {
-        let outline = &self.shape.outline;
-        let first = sides.pieces[0];
-        let mut gone = Vec::with_capacity(sides.count);
-        let mut at = first;
-        for _ in 0..sides.count {
-            gone.push(core::mem::take(&mut self.shape.parts[at]));
-            at = outline.next(at);
-        }
-        let Change { between, pieces, .. } = change;
-        let fresh = pieces.len();
-        let mut changed = Outline { nodes: vec![outline.nodes[first]], pieces };
-        changed.nodes.extend(between);
-        let mut all: Vec<Vec<Part>> = vec![Vec::new(); fresh];
-        while at != first {
-            changed.nodes.push(outline.nodes[at]);
-            changed.pieces.push(outline.pieces[at]);
-            all.push(core::mem::take(&mut self.shape.parts[at]));
-            at = outline.next(at);
-        }
-        changed.nodes[0].kept = false;
-        changed.nodes[fresh].kept = false;
-        for (i, own) in all.iter_mut().enumerate().take(fresh) {
-            parts(&changed.cubic(i), self.field, own);
-        }
-        self.refiner.sweep.exchange(self.field, &gone.concat(), &all[..fresh].concat());
-        self.field.settle();
-        self.shape.outline = changed;
-        self.shape.parts = all;
-        gone
-    }
-
-    fn restore(&mut self, sides: &Sides, saved: Outline, gone: Vec<Vec<Part>>, fresh: usize) {
-        let Shape { outline, parts: all } = &mut *self.shape;
-        let (mut now, mut then) = (all[..fresh].concat(), gone.concat());
-        let mut back: Vec<Vec<Part>> = vec![Vec::new(); saved.len()];
-        let mut at = sides.pieces[0];
-        for own in gone {
-            back[at] = own;
-            at = saved.next(at);
-        }
-        for (i, own) in all.iter_mut().enumerate().skip(fresh) {
-            let mut own = core::mem::take(own);
-            if outline.cubic(i) != saved.cubic(at) {
-                now.extend_from_slice(&own);
-                parts(&saved.cubic(at), self.field, &mut own);
-                then.extend_from_slice(&own);
-            }
-            back[at] = own;
-            at = saved.next(at);
-        }
-        self.refiner.sweep.exchange(self.field, &now, &then);
-        self.field.settle();
-        *outline = saved;
-        *all = back;
-    }
+/// What a piece leaves, and what of it is near a bend.
+fn add(shape: &Shape, field: &Field, piece: usize, bend: Point, left: &mut [Left; 2]) {
+    let (cubic, parts) = (shape.outline.cubic(piece), &shape.parts[piece]);
+    left[0].add(parts, field);
+    let is_near = |part: &Part| square(cubic.point(f64::from(part.t)) - bend) < NEAR * NEAR;
+    let near: Vec<Part> = parts.iter().copied().filter(is_near).collect();
+    left[1].add(&near, field);
 }
 
 /// What may be left of so many pixels, squared.

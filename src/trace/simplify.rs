@@ -1,11 +1,11 @@
 //! Fewer pieces: joints that the picture does not ask for are taken away.
 
-use super::coverage::{Part, parts};
 use super::cubic::{Cubic, Tangent};
 use super::field::Field;
 use super::outline::{Outline, Piece};
 use super::refine::{Left, NOISY_SHARE, Refiner, Shape};
 use super::samples::{turn, unit};
+use super::window::{Stretch, Window};
 use crate::error::Result;
 use crate::numerics::Point;
 use crate::numerics::order::sort_by_number;
@@ -99,60 +99,35 @@ impl Trial<'_> {
     fn merge(&mut self, i: usize, piece: Piece) -> Result<bool> {
         let before = self.shape.outline.before(i);
         let forced = stunted(&self.shape.outline, before) || stunted(&self.shape.outline, i);
-        let saved = self.shape.outline.clone();
         let mut left = Left::default();
         left.add(&self.shape.parts[before], self.field);
         left.add(&self.shape.parts[i], self.field);
-        self.shape.outline.nodes.remove(i);
-        self.shape.outline.pieces.remove(i);
-        let gone = self.shape.parts.remove(i);
-        let at = if before > i { before - 1 } else { before };
-        self.shape.outline.pieces[at] = piece;
-        let mut merged = Vec::new();
-        parts(&self.shape.outline.cubic(at), self.field, &mut merged);
-        let halves = [core::mem::replace(&mut self.shape.parts[at], merged), gone];
-        let old: Vec<Part> = halves.concat();
-        self.refiner.sweep.exchange(self.field, &old, &self.shape.parts[at]);
-        self.field.settle();
-
-        let nodes = [at, self.shape.outline.next(at)];
-        let touched: Vec<usize> = self.refiner.touched(&self.shape.outline, &nodes).to_vec();
-        let others: Vec<(usize, Vec<Part>)> =
-            touched.iter().filter(|&&j| j != at).map(|&j| (j, self.shape.parts[j].clone())).collect();
-        if self.settles(at, &nodes, &left, forced)? {
-            for j in nodes {
+        let stretch = Stretch { first: before, count: 2, pieces: vec![piece], between: Vec::new() };
+        let mut window = Window::open(self.refiner, self.field, self.shape, stretch);
+        let good = self.settles(&mut window.shape, &left, forced)?;
+        if good {
+            for node in 0..2 {
                 // What is longer now may grow further.
-                self.shape.outline.nodes[j].kept = false;
+                window.shape.outline.nodes[node].kept = false;
             }
-            return Ok(true);
+            window.keep(self.shape);
+        } else {
+            window.close(self.refiner, self.field, self.shape);
         }
-        let mut now = self.shape.parts[at].clone();
-        let mut then = old;
-        for (j, parts) in others {
-            now.extend_from_slice(&self.shape.parts[j]);
-            then.extend_from_slice(&parts);
-            self.shape.parts[j] = parts;
-        }
-        self.refiner.sweep.exchange(self.field, &now, &then);
-        self.field.settle();
-        let [first, second] = halves;
-        self.shape.parts[at] = first;
-        self.shape.parts.insert(i, second);
-        self.shape.outline = saved;
-        Ok(false)
+        Ok(good)
     }
 
-    /// Refines the merged piece; whether it explains the picture as well as the two did.
-    fn settles(&mut self, at: usize, nodes: &[usize], before: &Left, forced: bool) -> Result<bool> {
+    /// Refines the merged piece, the first of some; whether it explains the picture as well as the two did.
+    fn settles(&mut self, shape: &mut Shape, before: &Left, forced: bool) -> Result<bool> {
         let enough = if self.limits.noise == 0.0 { ENOUGH } else { NOISY_SHARE };
         // Joints that slid past each other hide their own cost.
         let ease = if forced { 3.0 } else { 1.0 };
         let mut steps = 0;
         loop {
-            self.refiner.refine(self.field, self.shape, nodes, (FIRST_STEPS, enough))?;
+            self.refiner.refine(self.field, shape, &[0, 1], (FIRST_STEPS, enough))?;
             steps += FIRST_STEPS;
             let mut now = Left::default();
-            now.add(&self.shape.parts[at], self.field);
+            now.add(&shape.parts[0], self.field);
             if self.limits.allow(&now, before, ease) {
                 return Ok(true);
             }

@@ -56,7 +56,7 @@ impl Skyline {
         let diagonal = |i: usize| self.values[(self.base[i] + i as isize) as usize];
         for i in 0..x.len() {
             let from = self.first[i];
-            let known: f64 = self.row(i, from, i).iter().zip(&x[from..i]).map(|(a, b)| a * b).sum();
+            let known = product(self.row(i, from, i), &x[from..i]);
             x[i] = (x[i] - known) / diagonal(i);
         }
         for i in (0..x.len()).rev() {
@@ -69,11 +69,14 @@ impl Skyline {
     }
 }
 
-/// The scalar product of a row with the beginning of another.
+/// The scalar product of a row with the beginning of another: in pairs, as two numbers fit into one register.
 fn product(a: &[f64], b: &[f64]) -> f64 {
-    let mut sum = 0.0;
-    for (a, b) in a.iter().zip(b) {
-        sum += a * b;
+    let ((pairs, rest), (others, last)) = (a.as_chunks::<2>(), b[..a.len()].as_chunks::<2>());
+    let mut sums = [0.0; 2];
+    for (a, b) in pairs.iter().zip(others) {
+        sums[0] += a[0] * b[0];
+        sums[1] += a[1] * b[1];
     }
-    sum
+    let sum = sums[0] + sums[1];
+    if let ([a], [b]) = (rest, last) { sum + a * b } else { sum }
 }
