@@ -8,7 +8,7 @@ use super::gray::Gray;
 use super::outline::Outline;
 use super::refine::{Left, NOISY_SHARE, Refiner, Relaxing, Shape, leaves};
 use super::settling::Settling;
-use super::simplify::{Limits, Trial, may_go_on, merge_round};
+use super::simplify::{Limits, Merging, Trial, may_go_on};
 use super::tips::sharpen;
 use crate::error::Result;
 use crate::numerics::Point;
@@ -22,6 +22,8 @@ const HALVINGS: usize = 2;
 /// Steps of all nodes at first and at last, and the share of what is left that a step has to take away for another.
 const STEPS: (usize, f64) = (6, 0.02);
 const LAST_STEPS: (usize, f64) = (8, 4e-3);
+/// Nodes of a long outline that move together.
+const BLOCK: usize = 512;
 
 /// Refinement on its way.
 #[derive(Debug)]
@@ -32,8 +34,13 @@ pub(super) struct Refinement {
     phase: Phase,
     /// The outline that is next.
     at: usize,
-    /// Rounds of merging that this outline has had.
+    /// The node of a long outline that moves next.
+    block: usize,
+    /// How often the pieces of this outline have been halved.
+    halvings: usize,
+    /// Rounds of merging that this outline has had, and the one that it is in.
     round: usize,
+    merging: Option<Merging>,
     /// Its bends, when all that may be merged is, and what they are.
     settling: Option<Settling>,
     bends: BendRule,
@@ -77,7 +84,10 @@ impl Refinement {
             shapes,
             phase: Phase::Show,
             at: 0,
+            block: 0,
+            halvings: 0,
             round: 0,
+            merging: None,
             settling: None,
             bends: BendRule {
                 window: if noisy { 5.0 } else { 3.0 },
@@ -125,26 +135,24 @@ impl Refinement {
             self.next_phase();
             return Ok(1.0);
         }
-        let steps = self.steps(STEPS);
-        let (i, refiner, field) = (self.at, &mut self.refiner, &mut self.field);
-        let shape = &mut self.shapes[i];
-        let cost = 0.3 * shape.parts.iter().map(Vec::len).sum::<usize>() as f64;
+        let cost = 0.3 * self.shapes[self.at].parts.iter().map(Vec::len).sum::<usize>() as f64;
         match self.phase {
-            Phase::Show => refiner.show(field, shape),
+            Phase::Show => self.refiner.show(&mut self.field, &self.shapes[self.at]),
             Phase::First => {
-                let nodes = shape.nodes();
-                refiner.refine(field, shape, &nodes, steps)?;
-                // A circle that was not drawn by exact coverage is still a circle.
-                let whole = ellipse(&shape.outline, self.slack)?.is_some();
-                if !self.noisy && field.stain <= ROUGH && !whole {
-                    halve(refiner, field, shape, &self.limits)?;
+                if !self.refine_on(STEPS)? || self.is_halved()? {
+                    return Ok(cost);
                 }
+                self.halvings = 0;
             }
             Phase::Rough => {
-                self.fine.push(shape.outline.clone());
-                refiner.replace(field, shape, rough(i));
-                let nodes = shape.nodes();
-                refiner.refine(field, shape, &nodes, steps)?;
+                let shape = &mut self.shapes[self.at];
+                if self.fine.len() == self.at {
+                    self.fine.push(shape.outline.clone());
+                    self.refiner.replace(&mut self.field, shape, rough(self.at));
+                }
+                if !self.refine_on(STEPS)? {
+                    return Ok(cost);
+                }
             }
             Phase::Fewer => {
                 if let Some(cost) = self.fewer(cost)? {
@@ -170,26 +178,75 @@ impl Refinement {
             }
             return Ok(Some(100.0 + 0.1 * pieces));
         }
-        if self.round == 0 {
-            // Nothing is to be taken away from an ellipse.
-            if ellipse(&shape.outline, self.slack)?.is_some() {
-                return Ok(None);
+        if self.block == 0 && self.merging.is_none() {
+            if self.round == 0 {
+                // Nothing is to be taken away from an ellipse.
+                if ellipse(&shape.outline, self.slack)?.is_some() {
+                    return Ok(None);
+                }
+                sharpen(refiner, field, shape, &self.limits)?;
+                round_off(refiner, field, shape, &self.limits)?;
+                self.start = Some((shape.outline.clone(), shape.left(field).rms()));
             }
-            sharpen(refiner, field, shape, &self.limits)?;
-            round_off(refiner, field, shape, &self.limits)?;
-            self.start = Some((shape.outline.clone(), shape.left(field).rms()));
+            self.round += 1;
+            self.merging = may_go_on(self.round).then(|| Merging::new(&shape.outline, &self.limits));
         }
-        self.round += 1;
-        if may_go_on(self.round) && merge_round(refiner, field, shape, &self.limits)? {
-            return Ok(Some(2.0 * cost));
+        if let Some(merging) = &mut self.merging {
+            if merging.step(Trial { refiner, field, shape, limits: &self.limits })? {
+                return Ok(Some(100.0));
+            }
+            let any = merging.any;
+            self.merging = None;
+            if any {
+                return Ok(Some(cost));
+            }
         }
         if self.settling.is_none() {
             self.settling = Some(Settling::new(&self.bends));
             return Ok(Some(1.0));
         }
-        self.last()?;
+        if !self.last()? {
+            return Ok(Some(cost));
+        }
         (self.round, self.settling) = (0, None);
         Ok(None)
+    }
+
+    /// Moves all nodes of the outline, or the next ones of a long one; whether these were the last.
+    fn refine_on(&mut self, steps: (usize, f64)) -> Result<bool> {
+        let steps = self.steps(steps);
+        let (refiner, field, shape) = (&mut self.refiner, &mut self.field, &mut self.shapes[self.at]);
+        let count = shape.outline.len();
+        if count <= 2 * BLOCK {
+            let nodes = shape.nodes();
+            refiner.refine(field, shape, &nodes, steps)?;
+            return Ok(true);
+        }
+        let end = (self.block + BLOCK).min(count);
+        let nodes: Vec<usize> = (self.block..end).collect();
+        refiner.refine(field, shape, &nodes, steps)?;
+        self.block = if end == count { 0 } else { end };
+        Ok(end == count)
+    }
+
+    /// Halves pieces that explain the picture worse than joints are taken away for; whether there were any.
+    fn is_halved(&mut self) -> Result<bool> {
+        let shape = &mut self.shapes[self.at];
+        if self.noisy || self.field.stain > ROUGH || self.halvings == HALVINGS {
+            return Ok(false);
+        }
+        // A circle that was not drawn by exact coverage is still a circle.
+        if self.halvings == 0 && ellipse(&shape.outline, self.slack)?.is_some() {
+            return Ok(false);
+        }
+        let far = far(shape, &self.field, &self.limits);
+        let any = far.contains(&true);
+        if any {
+            let halved = shape.outline.halved(&far);
+            self.refiner.replace(&mut self.field, shape, halved);
+            self.halvings += 1;
+        }
+        Ok(any)
     }
 
     /// Steps that stop where the picture says no more.
@@ -234,25 +291,30 @@ impl Refinement {
         };
     }
 
-    /// Cubics that hardly bend become lines, and a last refinement. An outline that lost its way is as it was before.
-    fn last(&mut self) -> Result<()> {
+    /// Cubics that hardly bend become lines, and a last refinement, of a long outline bit by bit; whether that was the last bit. An
+    /// outline that lost its way is as it was before.
+    fn last(&mut self) -> Result<bool> {
+        let shape = &mut self.shapes[self.at];
+        if self.block == 0 {
+            let mut straight = shape.outline.clone();
+            straight.straighten();
+            if straight != shape.outline {
+                self.refiner.replace(&mut self.field, shape, straight);
+            }
+        }
+        if !self.refine_on(LAST_STEPS)? {
+            return Ok(false);
+        }
+        let Some((start, before)) = self.start.take() else { return Ok(true) };
         let steps = self.steps(LAST_STEPS);
         let (refiner, field, shape) = (&mut self.refiner, &mut self.field, &mut self.shapes[self.at]);
-        let mut straight = shape.outline.clone();
-        straight.straighten();
-        if straight != shape.outline {
-            refiner.replace(field, shape, straight);
-        }
-        let nodes = shape.nodes();
-        refiner.refine(field, shape, &nodes, steps)?;
-        let Some((start, before)) = self.start.take() else { return Ok(()) };
         let lost = (0..shape.outline.len()).any(|i| leaves(&shape.outline.cubic(i), field));
         if lost || shape.left(field).rms() > (1.5 * before).max(2.0 * self.limits.rms) {
             refiner.replace(field, shape, start);
             let nodes = shape.nodes();
             refiner.refine(field, shape, &nodes, steps)?;
         }
-        Ok(())
+        Ok(true)
     }
 
     /// Whether all is done.
@@ -273,25 +335,14 @@ impl Refinement {
     }
 }
 
-/// Halves pieces that explain the picture worse than joints are taken away for, as long as that helps.
-fn halve(refiner: &mut Refiner, field: &mut Field, shape: &mut Shape, limits: &Limits) -> Result<()> {
-    for _ in 0..HALVINGS {
-        let far: Vec<bool> = (0..shape.outline.len())
-            .map(|i| {
-                let mut left = Left::default();
-                left.add(&shape.parts[i], field);
-                !shape.outline.is_line(i)
-                    && left.count > 8.0
-                    && (left.rms() > 1.5 * limits.rms || left.most > 2.0 * limits.most)
-            })
-            .collect();
-        if !far.contains(&true) {
-            break;
-        }
-        let halved = shape.outline.halved(&far);
-        refiner.replace(field, shape, halved);
-        let nodes = shape.nodes();
-        refiner.refine(field, shape, &nodes, STEPS)?;
-    }
-    Ok(())
+/// Which pieces leave more of the picture than joints are taken away for.
+fn far(shape: &Shape, field: &Field, limits: &Limits) -> Vec<bool> {
+    let is_far = |i: usize| {
+        let mut left = Left::default();
+        left.add(&shape.parts[i], field);
+        !shape.outline.is_line(i)
+            && left.count > 8.0
+            && (left.rms() > 1.5 * limits.rms || left.most > 2.0 * limits.most)
+    };
+    (0..shape.outline.len()).map(is_far).collect()
 }

@@ -39,46 +39,63 @@ const ENOUGH: f64 = 0.01;
 /// A merged piece that leaves so many times as much as it may will not get good.
 const HOPELESS: f64 = 3.0;
 
-/// Takes joints away while the picture stays as well explained as `limits` say. Only what is next to a joint moves.
-/// Returns whether anything was taken away: then there may be more.
-///
-/// # Cost
-///
-/// O(length of the outline) for each round, of which there are few.
-pub(super) fn merge_round(
-    refiner: &mut Refiner,
-    field: &mut Field,
-    shape: &mut Shape,
-    limits: &Limits,
-) -> Result<bool> {
-    let count = shape.outline.len();
-    let mut candidates = Vec::new();
-    for i in 0..count {
-        if let Some((_, off)) = candidate(&shape.outline, i, limits) {
-            candidates.push((i, off));
+/// A round of taking joints away, one by one, while the picture stays as well explained as `limits` say. Only what is next to a joint moves.
+#[derive(Debug)]
+pub(super) struct Merging {
+    /// Joints and how far what would take the place of their pieces is from them; the nearest first.
+    candidates: Vec<(usize, f64)>,
+    at: usize,
+    /// Nodes keep their names while others go.
+    names: Vec<usize>,
+    moved: Vec<bool>,
+    /// Whether anything was taken away: then there may be more.
+    pub(super) any: bool,
+}
+
+impl Merging {
+    /// Looks for joints that may go.
+    ///
+    /// # Cost
+    ///
+    /// O(nodes of the outline).
+    pub(super) fn new(outline: &Outline, limits: &Limits) -> Self {
+        let count = outline.len();
+        let mut candidates = Vec::new();
+        for i in 0..count {
+            if let Some((_, off)) = candidate(outline, i, limits) {
+                candidates.push((i, off));
+            }
         }
+        sort_by_number(&mut candidates, &|one| one.1);
+        Self { candidates, at: 0, names: (0..count).collect(), moved: vec![false; count], any: false }
     }
-    sort_by_number(&mut candidates, &|one| one.1);
-    // Nodes keep their names while others go.
-    let mut names: Vec<usize> = (0..count).collect();
-    let mut moved = vec![false; count];
-    let mut any = false;
-    for (name, _) in candidates {
-        let Ok(i) = names.binary_search(&name) else { continue };
-        let around = [shape.outline.before(i), i, shape.outline.next(i)];
-        if around.iter().any(|&j| moved[names[j]]) {
-            continue;
+
+    /// Tries the next joint; whether there was one.
+    ///
+    /// # Cost
+    ///
+    /// O(length of the pieces beside the joint), and O(nodes of the outline) where one goes.
+    pub(super) fn step(&mut self, mut trial: Trial) -> Result<bool> {
+        while let Some(&(name, _)) = self.candidates.get(self.at) {
+            self.at += 1;
+            let Ok(i) = self.names.binary_search(&name) else { continue };
+            let outline = &trial.shape.outline;
+            let around = [outline.before(i), i, outline.next(i)];
+            if around.iter().any(|&j| self.moved[self.names[j]]) {
+                continue;
+            }
+            let Some((piece, _)) = candidate(outline, i, trial.limits) else { continue };
+            if trial.merge(i, piece)? {
+                self.any = true;
+                around.iter().for_each(|&j| self.moved[self.names[j]] = true);
+                self.names.remove(i);
+            } else {
+                trial.shape.outline.nodes[i].kept = true;
+            }
+            return Ok(true);
         }
-        let Some((piece, _)) = candidate(&shape.outline, i, limits) else { continue };
-        if (Trial { refiner, field, shape, limits }).merge(i, piece)? {
-            any = true;
-            around.iter().for_each(|&j| moved[names[j]] = true);
-            names.remove(i);
-        } else {
-            shape.outline.nodes[i].kept = true;
-        }
+        Ok(false)
     }
-    Ok(any)
 }
 
 /// Whether there may be another round.

@@ -1,13 +1,14 @@
 //! Tips that pixels have cut off: two corners with a short piece between become the one where their sides meet.
 
 use super::field::Field;
-use super::outline::{Outline, Piece};
+use super::outline::{Node, Outline, Piece};
 use super::refine::{Left, Refiner, Shape};
 use super::samples::{turn, unit};
 use super::simplify::Limits;
+use super::window::{Stretch, Window};
 use crate::error::Result;
-use crate::numerics::Point;
 use crate::numerics::plane::{cross, norm};
+use crate::numerics::{Point, Vector};
 
 /// The longest piece that a tip is cut off by, and the farthest that the tip may be from it, in pixels.
 const LONGEST: f64 = 5.0;
@@ -20,7 +21,7 @@ const STEPS: (usize, f64) = (8, 5e-4);
 ///
 /// # Cost
 ///
-/// O(nodes), and O(length of the outline) for each tip that is tried.
+/// O(nodes), and O(length of the pieces beside it) for each tip that is tried.
 pub(super) fn sharpen(
     refiner: &mut Refiner,
     field: &mut Field,
@@ -64,42 +65,40 @@ fn try_tip(
     limits: &Limits,
     (i, tip): (usize, Point),
 ) -> Result<()> {
-    let (before, next) = (shape.outline.before(i), shape.outline.next(i));
-    let old = left(shape, field, &[before, i, next]);
-    let saved = shape.outline.clone();
-    let mut sharp = saved.clone();
-    sharp.nodes[next].point = tip;
-    sharp.nodes.remove(i);
-    sharp.pieces.remove(i);
-    let at = if next > i { i } else { next };
-    let side = sharp.before(at);
-    calm(&mut sharp, side);
-    calm(&mut sharp, at);
-    refiner.replace(field, shape, sharp);
-    let around = [shape.outline.before(at), at, shape.outline.next(at)];
-    refiner.refine(field, shape, &around, STEPS)?;
-    let new = left(shape, field, &[around[0], at]);
-    let good = limits.allow(&new, &old, 1.0);
-    if !good {
-        refiner.replace(field, shape, saved);
+    let outline = &shape.outline;
+    let (before, next) = (outline.before(i), outline.next(i));
+    let mut old = Left::default();
+    for piece in [before, i, next] {
+        old.add(&shape.parts[piece], field);
+    }
+    let side = |piece: usize, from: Point, to: Point| calm(outline.pieces[piece], norm(to - from) / 3.0);
+    let pieces = vec![
+        side(before, outline.nodes[before].point, tip),
+        side(next, tip, outline.nodes[outline.next(next)].point),
+    ];
+    let between = vec![Node { point: tip, ..outline.nodes[next] }];
+    let mut window =
+        Window::open(refiner, field, shape, Stretch { first: before, count: 3, pieces, between });
+    refiner.refine(field, &mut window.shape, &[0, 1, 2], STEPS)?;
+    let mut new = Left::default();
+    for piece in 0..2 {
+        new.add(&window.shape.parts[piece], field);
+    }
+    if limits.allow(&new, &old, 1.0) {
+        window.keep(shape);
+    } else {
+        window.close(refiner, field, shape);
     }
     Ok(())
 }
 
 /// Control points that went far to reach round a tip come back to a third of the way.
-fn calm(outline: &mut Outline, piece: usize) {
-    let third = norm(outline.nodes[outline.next(piece)].point - outline.nodes[piece].point) / 3.0;
-    if let Piece::Cubic { leaving, arriving } = &mut outline.pieces[piece] {
-        for way in [leaving, arriving] {
-            if norm(*way) > third {
-                *way = unit(*way) * third;
-            }
+fn calm(piece: Piece, third: f64) -> Piece {
+    let back = |way: Vector| if norm(way) > third { unit(way) * third } else { way };
+    match piece {
+        Piece::Line => Piece::Line,
+        Piece::Cubic { leaving, arriving } => {
+            Piece::Cubic { leaving: back(leaving), arriving: back(arriving) }
         }
     }
-}
-
-fn left(shape: &Shape, field: &Field, pieces: &[usize]) -> Left {
-    let mut left = Left::default();
-    pieces.iter().for_each(|&piece| left.add(&shape.parts[piece], field));
-    left
 }
