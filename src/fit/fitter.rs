@@ -366,15 +366,14 @@ impl Fitter {
         if matches!(aim, Aim::Tolerance(_)) && sharpest > 1 && self.located.points.len() <= MOST_TWICE {
             others.push(start(&self.located, 2));
         }
-        let mut rivals = vec![start(&self.located, 1)];
+        // Points that follow one another evenly are placed along the curve once smooth knots are thinned out.
+        let even = self.even && degree > 1 && matches!(aim, Aim::Noise(_));
+        let smooth = Plan { even, ..plan(1) };
+        let mut rivals = vec![Sparsest::new(self.located.clone(), smooth, aim, self.noise)];
         if self.options.corners {
             let corners = Sparsest::from_corners(self.located.clone(), plan(1), aim, self.noise);
             let apart = matches!(aim, Aim::Tolerance(_)) && self.located.points.len() <= MOST_TWICE;
             if apart { others.extend(corners) } else { rivals.extend(corners) }
-        }
-        if self.even && degree > 1 && matches!(aim, Aim::Noise(_)) {
-            let free = Plan { even: true, ..plan(1) };
-            rivals.push(Sparsest::new(self.located.clone(), free, aim, self.noise));
         }
         self.run = Run::Choice(rivals, others);
     }

@@ -222,10 +222,6 @@ impl Sparsest {
     /// Sum of squares and prices, on all points: averages hide what they average.
     pub(super) fn cost(&self) -> f64 {
         let more = if self.even { AHEAD * self.price.0 } else { 0.0 };
-        if self.placed && !self.even {
-            // Free points leave smaller squares than any others, whatever the knots are.
-            return f64::INFINITY;
-        }
         if self.seen.points.len() == self.full.points.len() {
             return self.price.rank(&self.fitted) + more;
         }

@@ -5,7 +5,7 @@ use super::super::even::by_length;
 use super::super::foot_points::Spline;
 use super::super::free_knots::{FreeKnots, Located};
 use super::super::search::{apart, clusters, least, settle};
-use super::{Found, Phase, Sparsest, from_afar};
+use super::{Found, Phase, Sparsest, WARMING, from_afar};
 use crate::numerics::order::sort_by_number;
 
 /// Steps towards a curve whose points are free to slide, before knots are taken from it.
@@ -104,7 +104,7 @@ impl Sparsest {
     }
 
     /// Gives the points of a fit parameters again: evenly along the curve or by their numbers, whichever explains them
-    /// better. Where neither does, they stay free.
+    /// better. Where neither does, the search goes on as one among knots by number.
     fn place(&mut self, mut free: Free) {
         self.placed = true;
         free.ease(EASED);
@@ -127,9 +127,8 @@ impl Sparsest {
         if self.price.total(&best.2) < self.price.total(&self.fitted) {
             (self.full, self.seen, self.fitted) = best;
         } else {
-            self.even = false;
-            self.fitted = FreeKnots::new(breaks, &free.feet);
-            (self.full, self.seen) = (full, free.feet);
+            (self.even, self.warming) = (false, WARMING);
+            self.fitted = FreeKnots::new(self.sharpening(self.fitted.breaks()), &self.seen);
         }
     }
 }
