@@ -86,6 +86,11 @@ pub(super) struct Left {
 
 impl Left {
     pub(super) fn add(&mut self, parts: &[Part], field: &Field) {
+        self.add_some(parts.iter(), field);
+    }
+
+    /// Only some parts.
+    pub(super) fn add_some<'a>(&mut self, parts: impl Iterator<Item = &'a Part>, field: &Field) {
         let mut last = NONE;
         for part in parts {
             if part.pixel == last || part.pixel == NONE {

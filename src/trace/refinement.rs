@@ -135,12 +135,11 @@ impl Refinement {
             self.next_phase();
             return Ok(1.0);
         }
-        let cost = 0.3 * self.shapes[self.at].parts.iter().map(Vec::len).sum::<usize>() as f64;
         match self.phase {
             Phase::Show => self.refiner.show(&mut self.field, &self.shapes[self.at]),
             Phase::First => {
                 if !self.refine_on(STEPS)? || self.is_halved()? {
-                    return Ok(cost);
+                    return Ok(self.cost());
                 }
                 self.halvings = 0;
             }
@@ -151,22 +150,29 @@ impl Refinement {
                     self.refiner.replace(&mut self.field, shape, rough(self.at));
                 }
                 if !self.refine_on(STEPS)? {
-                    return Ok(cost);
+                    return Ok(self.cost());
                 }
             }
             Phase::Fewer => {
-                if let Some(cost) = self.fewer(cost)? {
+                if let Some(cost) = self.fewer()? {
                     return Ok(cost);
                 }
             }
             Phase::Done => {}
         }
+        let cost = self.cost();
         self.at += 1;
         Ok(cost)
     }
 
+    /// About how many microseconds it takes to move all nodes of the outline, or as many as are moved together.
+    fn cost(&self) -> f64 {
+        let parts = &self.shapes[self.at].parts;
+        0.3 * parts.iter().take(2 * BLOCK).map(Vec::len).sum::<usize>() as f64
+    }
+
     /// A bit of taking joints away, which costs in microseconds what it returns; nothing when the outline has as few as it may.
-    fn fewer(&mut self, cost: f64) -> Result<Option<f64>> {
+    fn fewer(&mut self) -> Result<Option<f64>> {
         let (refiner, field, shape) = (&mut self.refiner, &mut self.field, &mut self.shapes[self.at]);
         if let Some(settling) = self.settling.as_mut().filter(|settling| !settling.is_done()) {
             let pieces = shape.outline.len() as f64;
@@ -198,7 +204,7 @@ impl Refinement {
             let any = merging.any;
             self.merging = None;
             if any {
-                return Ok(Some(cost));
+                return Ok(Some(self.cost()));
             }
         }
         if self.settling.is_none() {
@@ -206,7 +212,7 @@ impl Refinement {
             return Ok(Some(1.0));
         }
         if !self.last()? {
-            return Ok(Some(cost));
+            return Ok(Some(self.cost()));
         }
         (self.round, self.settling) = (0, None);
         Ok(None)

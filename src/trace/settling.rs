@@ -248,9 +248,8 @@ impl Trial<'_> {
 fn add(shape: &Shape, field: &Field, piece: usize, bend: Point, left: &mut [Left; 2]) {
     let (cubic, parts) = (shape.outline.cubic(piece), &shape.parts[piece]);
     left[0].add(parts, field);
-    let is_near = |part: &Part| square(cubic.point(f64::from(part.t)) - bend) < NEAR * NEAR;
-    let near: Vec<Part> = parts.iter().copied().filter(is_near).collect();
-    left[1].add(&near, field);
+    let is_near = |part: &&Part| square(cubic.point(f64::from(part.t)) - bend) < NEAR * NEAR;
+    left[1].add_some(parts.iter().filter(is_near), field);
 }
 
 /// What may be left of so many pixels, squared.
