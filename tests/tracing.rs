@@ -492,6 +492,37 @@ fn corners_three_pixels_apart_are_all_found() {
 }
 
 #[test]
+fn narrow_ends_keep_both_corners_and_a_narrow_tip_is_one() {
+    // An H whose strokes are two pixels wide, and a wedge of which pixels cut off the tip.
+    let letter = [
+        (3.9, 6.3),
+        (5.8, 6.3),
+        (5.8, 12.5),
+        (10.1, 12.5),
+        (10.1, 6.3),
+        (12.0, 6.3),
+        (12.0, 19.4),
+        (10.1, 19.4),
+        (10.1, 14.6),
+        (5.8, 14.6),
+        (5.8, 19.4),
+        (3.9, 19.4),
+    ];
+    let wedge = [(36.59, 10.7), (6.78, 106.81), (45.5, 106.81), (55.94, 73.82)];
+    let cases: [(&[(f64, f64)], usize, usize); 2] = [(&letter, 16, 24), (&wedge, 64, 116)];
+    for (corners, width, height) in cases {
+        let drawing = traced(width, height, &draw(width, height, &|x, y| inside(corners, x, y)));
+        let contour = &drawing.contours[0];
+        assert_eq!((drawing.contours.len(), contour.cusps.len()), (1, corners.len()), "{:?}", contour.cusps);
+        for &(x, y) in corners {
+            let nearest =
+                contour.cusps.iter().map(|p| (p - Point::new(x, y)).norm()).fold(f64::MAX, f64::min);
+            assert!(nearest < 0.06, "corner {x}, {y} is off by {nearest}");
+        }
+    }
+}
+
+#[test]
 fn a_corner_too_blunt_for_what_is_asked_is_none() {
     let rhombus = [(6.0, 32.0), (32.0, 8.0), (58.0, 32.0), (32.0, 56.0)];
     let bytes = draw(64, 64, &|x, y| inside(&rhombus, x, y));

@@ -13,6 +13,8 @@ pub(super) struct BendRule {
     pub(super) margin: f64,
     /// The least turning of a corner.
     pub(super) corner: f64,
+    /// By how many squares of the noise a new corner has to explain more.
+    pub(super) evidence: f64,
 }
 
 /// The least turning of a bend, in radians.

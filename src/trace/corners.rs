@@ -5,6 +5,16 @@ use crate::numerics::order::sort_by_keys;
 use crate::numerics::plane::{dot, norm, square};
 use crate::numerics::{Point, Vector};
 
+/// Corners this near each other, in pixels, may be one.
+const DOUBLE: f64 = 1.5;
+const DETOUR: f64 = 1.8;
+
+/// The cosine of the least turning at a narrow end, its least and largest width and how far its corners may be from the contour, in pixels.
+const BACK: f64 = -0.75;
+const BLUNT: f64 = 1.4;
+const WIDEST: f64 = 5.0;
+const CUT: f64 = 0.6;
+
 /// What a corner is, in pixels and radians.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CornerRule {
@@ -50,7 +60,12 @@ pub(super) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<Corner> {
                 continue;
             }
             let highest = (1..=apart).all(|d| own > scores[around(i - d)] && own >= scores[around(i + d)]);
-            if highest && let Some(point) = place(samples, i, rule) {
+            if !highest {
+                continue;
+            }
+            if let Some(ends) = blunt(samples, i, rule) {
+                found.extend(ends);
+            } else if let Some(point) = place(samples, i, rule) {
                 found.push(Corner { index: i, point });
             }
         }
@@ -59,7 +74,23 @@ pub(super) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<Corner> {
         }
     }
     sort_by_keys(&mut found, &|corner| [corner.index as u64, 0]);
-    found
+    without_doubles(found, samples)
+}
+
+/// Corners less those that are near the one before, though the contour goes a long way from one to the other: round a tip that
+/// pixels cut off both sides of it meet twice.
+fn without_doubles(found: Vec<Corner>, samples: &Samples) -> Vec<Corner> {
+    let mut kept: Vec<Corner> = Vec::with_capacity(found.len());
+    for corner in found {
+        let twice = kept.last().is_some_and(|last| {
+            let apart = norm(corner.point - last.point);
+            apart < DOUBLE && corner.index - last.index > samples.steps(DETOUR * apart)
+        });
+        if !twice {
+            kept.push(corner);
+        }
+    }
+    kept
 }
 
 fn sides<'a>(samples: &'a Samples, i: isize, rule: &CornerRule) -> [&'a [Point]; 2] {
@@ -135,4 +166,43 @@ fn place(samples: &Samples, i: isize, rule: &CornerRule) -> Option<Point> {
     let (sine, cosine) = crate::numerics::angle::sin_cos(half);
     let reach = rule.reach * (0.5 + 0.5 * sine / cosine.max(0.15));
     (norm(point - samples.at(i)) <= reach).then_some(point)
+}
+
+/// The two corners of a narrow end that is cut off straight, where the contour turns back at place i.
+fn blunt(samples: &Samples, i: isize, rule: &CornerRule) -> Option<[Corner; 2]> {
+    let near = samples.steps(rule.gap);
+    let (mut gap, mut width) = (near, 0.0);
+    let mut lines = None;
+    for _ in 0..2 {
+        let far = gap + samples.steps(rule.window);
+        if 2 * far > samples.len() as isize || !samples.closed {
+            return None;
+        }
+        let first = line_through(samples.stretch(i - far, i - gap));
+        let second = line_through(samples.stretch(i + gap, i + far));
+        if dot(first.direction, second.direction) > BACK {
+            return None;
+        }
+        let here = samples.at(i);
+        width = first.offset(here).abs() + second.offset(here).abs();
+        if !(BLUNT..=WIDEST).contains(&width) {
+            return None;
+        }
+        gap = near + samples.steps(0.5 * width);
+        lines = Some((first, second));
+    }
+    let (first, second) = lines?;
+    let middle = samples.steps(0.25 * width).max(1);
+    let end = line_through(samples.stretch(i - middle, i + middle));
+    let points = [first.meets(&end)?, end.meets(&second)?];
+    let half = samples.steps(0.5 * width).max(2);
+    // A round end keeps away from such corners.
+    let off = |point: Point| {
+        (-2 * half..=2 * half).fold(f64::MAX, |least, d| least.min(square(point - samples.at(i + d)))).sqrt()
+    };
+    let count = samples.len() as isize;
+    (off(points[0]) < CUT && off(points[1]) < CUT).then(|| {
+        let corner = |index: isize, point| Corner { index: index.rem_euclid(count), point };
+        [corner(i - half, points[0]), corner(i + half, points[1])]
+    })
 }

@@ -4,8 +4,11 @@ use super::cubic::Cubic;
 use super::samples::{turn, unit};
 use crate::curve::{HermiteCurve, HermiteOptions};
 use crate::error::Result;
-use crate::numerics::plane::{cross, norm};
+use crate::numerics::plane::{cross, larger, norm};
 use crate::numerics::{Point, Vector};
+
+/// How far neighbours of a piece that becomes straight may move, in pixels.
+const SWING: f64 = 0.1;
 
 /// What leads from one node to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -122,7 +125,8 @@ impl Outline {
         halved
     }
 
-    /// Makes lines of cubics that hardly bend: by less than a twentieth of a pixel between corners, a fiftieth beside a smooth joint.
+    /// Makes lines of cubics that hardly bend: by less than a twentieth of a pixel between corners, a fiftieth beside a smooth joint,
+    /// if the neighbours that turn with them hardly move either.
     pub(super) fn straighten(&mut self) {
         for i in 0..self.len() {
             let next = self.next(i);
@@ -132,11 +136,24 @@ impl Outline {
             let bend = 0.75 * cross(across, leaving).abs().max(cross(across, arriving).abs());
             let corners = !self.nodes[i].smooth && !self.nodes[next].smooth;
             let short = norm(leaving) + norm(arriving) < 1.2 * norm(chord);
-            if short && bend < if corners { 0.05 } else { 0.02 } {
+            let swing = self.swing(i, leaving, across) + self.swing(next, arriving, across);
+            if short && swing < SWING && bend < if corners { 0.05 } else { 0.02 } {
                 self.pieces[i] = Piece::Line;
             }
         }
         self.align();
+    }
+
+    /// How far control points move if the tangent at joint i turns from one direction to another.
+    fn swing(&self, i: usize, from: Vector, to: Vector) -> f64 {
+        if !self.nodes[i].smooth {
+            return 0.0;
+        }
+        let reach = |piece: usize| match self.pieces[piece] {
+            Piece::Cubic { leaving, arriving } => norm(if piece == i { leaving } else { arriving }),
+            Piece::Line => 0.0,
+        };
+        cross(unit(from), to).abs() * larger(reach(self.before(i)), reach(i))
     }
 
     /// The outline without its last piece, which only closes it.

@@ -9,7 +9,7 @@ use super::outline::Outline;
 use super::refine::{Left, NOISY_SHARE, Refiner, Relaxing, Shape, leaves};
 use super::settling::Settling;
 use super::simplify::{Limits, Merging, Trial, may_go_on};
-use super::tips::sharpen;
+use super::tips::{sharpen, unfold};
 use crate::error::Result;
 use crate::numerics::Point;
 
@@ -36,6 +36,9 @@ pub(super) struct Refinement {
     at: usize,
     /// The node of a long outline that moves next.
     block: usize,
+    /// Whether cubics that hardly bend are lines by now, and what the outline was before and left.
+    straightened: bool,
+    bent: Option<(Outline, Left)>,
     /// How often the pieces of this outline have been halved.
     halvings: usize,
     /// Rounds of merging that this outline has had, and the one that it is in.
@@ -85,6 +88,8 @@ impl Refinement {
             phase: Phase::Show,
             at: 0,
             block: 0,
+            straightened: false,
+            bent: None,
             halvings: 0,
             round: 0,
             merging: None,
@@ -93,6 +98,8 @@ impl Refinement {
                 window: if noisy { 5.0 } else { 3.0 },
                 margin: if noisy { 1.0 } else { 0.5 },
                 corner: 0.49,
+                // What compression leaves looks like corners more often than noise of single pixels does.
+                evidence: if noisy { 0.0 } else { 6.0 },
             },
             fine: Vec::new(),
             left: 0.0,
@@ -178,6 +185,7 @@ impl Refinement {
             let pieces = shape.outline.len() as f64;
             settling.step(Trial { refiner, field, shape, limits: &self.limits })?;
             if settling.is_done() {
+                unfold(refiner, field, shape, &self.limits)?;
                 round_off(refiner, field, shape, &self.limits)?;
                 // There may be more to take away now.
                 self.round = 1;
@@ -190,6 +198,7 @@ impl Refinement {
                 if ellipse(&shape.outline, self.slack)?.is_some() {
                     return Ok(None);
                 }
+                unfold(refiner, field, shape, &self.limits)?;
                 sharpen(refiner, field, shape, &self.limits)?;
                 round_off(refiner, field, shape, &self.limits)?;
                 self.start = Some((shape.outline.clone(), shape.left(field).rms()));
@@ -301,16 +310,27 @@ impl Refinement {
     /// outline that lost its way is as it was before.
     fn last(&mut self) -> Result<bool> {
         let shape = &mut self.shapes[self.at];
-        if self.block == 0 {
+        if !self.straightened {
+            self.straightened = true;
             let mut straight = shape.outline.clone();
             straight.straighten();
             if straight != shape.outline {
+                self.bent = Some((shape.outline.clone(), shape.left(&self.field)));
                 self.refiner.replace(&mut self.field, shape, straight);
             }
         }
         if !self.refine_on(LAST_STEPS)? {
             return Ok(false);
         }
+        let shape = &mut self.shapes[self.at];
+        if let Some((bent, old)) = self.bent.take()
+            && !self.limits.allow(&shape.left(&self.field), &old, 1.0)
+        {
+            // What turned with the straight pieces did not come back.
+            self.refiner.replace(&mut self.field, shape, bent);
+            return Ok(false);
+        }
+        self.straightened = false;
         let Some((start, before)) = self.start.take() else { return Ok(true) };
         let steps = self.steps(LAST_STEPS);
         let (refiner, field, shape) = (&mut self.refiner, &mut self.field, &mut self.shapes[self.at]);

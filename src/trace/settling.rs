@@ -4,6 +4,7 @@ use super::bends::{Bend, BendRule, bends};
 use super::coverage::Part;
 use super::cubic::Cubic;
 use super::field::Field;
+use super::outline::Outline;
 use super::refine::{Left, Shape};
 use super::samples::turn;
 use super::sides::{Change, Sides, sides};
@@ -202,6 +203,7 @@ impl Trial<'_> {
         if want == Want::Smooth && self.limits.noise == 0.0 && old[1].square <= EXACT * old[1].count {
             return Ok((false, false));
         }
+        let then = turning(outline, sides.pieces[0], sides.count);
         let stretch = Stretch {
             first: sides.pieces[0],
             count: sides.count,
@@ -226,11 +228,13 @@ impl Trial<'_> {
             }
         }
         let outline = &window.shape.outline;
-        let turning =
+        let turning_at =
             |i: usize| turn(outline.cubic(i - 1).velocity(1.0), outline.cubic(i).velocity(0.0)).abs();
-        let turns = corner.is_none_or(|i| turning(i) > rule.corner);
+        let turns = corner.is_none_or(|i| turning_at(i) > rule.corner);
+        let calm = turning(outline, 0, fresh) < then + NEEDLESS;
         let good = turns
-            && want.is_met(&new, &old, (sides.count, fresh), self.limits)
+            && calm
+            && want.is_met(&new, &old, (sides.count, fresh), (self.limits, rule.evidence))
             && (0..fresh).all(|i| is_plain(&outline.cubic(i)));
         if good {
             let first = window.keep(self.shape);
@@ -250,6 +254,22 @@ fn add(shape: &Shape, field: &Field, piece: usize, bend: Point, left: &mut [Left
     left[0].add(parts, field);
     let is_near = |part: &&Part| square(cubic.point(f64::from(part.t)) - bend) < NEAR * NEAR;
     left[1].add_some(parts.iter().filter(is_near), field);
+}
+
+/// How much so many pieces turn, to and fro, and the joints between them.
+fn turning(outline: &Outline, first: usize, count: usize) -> f64 {
+    let (mut sum, mut piece) = (0.0, first);
+    let mut way = outline.cubic(first).velocity(0.0);
+    for _ in 0..count {
+        let cubic = outline.cubic(piece);
+        for k in 0..=4 {
+            let next = cubic.velocity(0.25 * f64::from(k));
+            sum += turn(way, next).abs();
+            way = next;
+        }
+        piece = outline.next(piece);
+    }
+    sum
 }
 
 /// What may be left of so many pixels, squared.
@@ -275,7 +295,7 @@ impl Want {
         new: &[Left; 2],
         old: &[Left; 2],
         (count, fresh): (usize, usize),
-        limits: &Limits,
+        (limits, evidence): (&Limits, f64),
     ) -> bool {
         let noise = limits.noise * limits.noise;
         // As few pieces as before may leave a little more; more pieces have to leave much less.
@@ -286,7 +306,7 @@ impl Want {
         };
         if noise > 0.0 {
             // A smooth joint has less that noise could move.
-            let share = if self == Self::Sharp { 0.0 } else { 6.0 };
+            let share = if self == Self::Sharp { -evidence } else { 6.0 };
             return new[0].square < old[0].square + share * noise;
         }
         match self {
