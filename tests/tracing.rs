@@ -3,7 +3,7 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use expline::curve::Curve;
-use expline::numerics::Point;
+use expline::numerics::{Point, Vector};
 use expline::trace::{Gray, Progress, Source, Trace, TraceOptions, Tracer, trace};
 use expline::{Error, HermiteCurve};
 
@@ -180,6 +180,47 @@ fn circles_that_were_not_drawn_by_exact_coverage_are_circles_too() {
     for (contour, radius) in traced(96, 96, &bytes).contours.iter().zip([38.4, 19.2]) {
         let circle = contour.curve.as_ellipse(1e-6).expect("one circle");
         assert!((circle.radii.x - radius).abs() < 0.02, "{circle:?}");
+    }
+}
+
+/// As browsers and many programs draw edges: four rows of four samples in each pixel, which tell where an edge is to 1/16 of a pixel or so.
+fn draw_by_samples(side: usize, ink: &dyn Fn(f64, f64) -> bool) -> Vec<u8> {
+    draw_finely(side, side, 4, ink)
+}
+
+#[test]
+fn circles_and_ellipses_drawn_by_a_few_samples_a_pixel_are_circles_and_ellipses() {
+    for radius in [7.3, 26.6, 95.9] {
+        let side = 2 * (radius as usize + 4);
+        let middle = 0.5 * side as f64 + 0.13;
+        let bytes = draw_by_samples(side, &|x, y| (x - middle).hypot(y - middle) <= radius);
+        let circle = traced(side, side, &bytes).contours[0].curve.as_ellipse(1e-6).expect("a circle");
+        assert!((circle.radii - Vector::new(radius, radius)).norm() < 0.15, "{circle:?}");
+    }
+    let (sin, cos) = 0.35_f64.sin_cos();
+    let bytes = draw_by_samples(128, &|x, y| {
+        let (x, y) = (x - 63.7, y - 64.2);
+        ((x * cos + y * sin) / 55.0).hypot((y * cos - x * sin) / 32.0) <= 1.0
+    });
+    let ellipse = traced(128, 128, &bytes).contours[0].curve.as_ellipse(1e-6).expect("an ellipse");
+    assert!((ellipse.radii - Vector::new(55.0, 32.0)).norm() < 0.15, "{ellipse:?}");
+}
+
+#[test]
+fn outlines_drawn_by_a_few_samples_a_pixel_have_as_few_points_as_exact_ones() {
+    let wave = |x: f64, y: f64| y > 80.0 + 20.0 * (x / 37.0).sin() + 7.0 * (x / 61.0).cos();
+    let rounded = |x: f64, y: f64| {
+        let (x, y) = ((x - 80.3).abs() - 40.0, (y - 79.6).abs() - 25.0);
+        x.max(0.0).hypot(y.max(0.0)) <= 15.0
+    };
+    let shapes: [&dyn Fn(f64, f64) -> bool; 2] = [&wave, &rounded];
+    for ink in shapes {
+        let points = |fine: usize| {
+            let drawing = traced(160, 160, &draw_finely(160, 160, fine, ink));
+            drawing.contours.iter().map(|contour| contour.curve.points().len()).sum::<usize>()
+        };
+        let (exact, sampled) = (points(16), points(4));
+        assert!(sampled <= exact + 2, "{sampled} points, of exact coverage {exact}");
     }
 }
 

@@ -17,7 +17,7 @@ const LEAST: f64 = 1.5;
 
 /// Makes exact arcs of the pieces that are arcs as far as pixels tell; the angle of each piece, 0 where it is none.
 ///
-/// An arc has the tangents of its piece and takes as much of the corner between them: then it covers the same area (D 14.20).
+/// An arc has the tangents of its piece and takes as much of the corner between them: then it covers the same area (D 14.22).
 pub(super) fn arcs(outline: &mut Outline) -> Vec<f64> {
     let mut angles = vec![0.0; outline.len()];
     for (i, angle) in angles.iter_mut().enumerate() {

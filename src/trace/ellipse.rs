@@ -23,21 +23,28 @@ const PLACES: usize = 256;
 ///
 /// Moments are means over all that is inside: they are far better known than any one point of the outline (D 14.6).
 pub(super) fn ellipse(outline: &Outline, slack: f64) -> Result<Option<HermiteCurve>> {
-    let smooth = (0..outline.len()).all(|i| outline.nodes[i].smooth && !outline.is_line(i));
-    if !smooth {
-        return Ok(None);
-    }
-    let mut places = Vec::with_capacity(PLACES * outline.len());
-    for i in 0..outline.len() {
-        let cubic = outline.cubic(i);
-        places.extend((0..PLACES).map(|k| cubic.point(k as f64 / PLACES as f64)));
-    }
+    let Some(places) = places_on(outline) else { return Ok(None) };
     let Some((arc, area)) = moments(&places) else { return Ok(None) };
     if !is_near(&arc, &places, slack * MOST, slack * RMS) {
         return Ok(None);
     }
     let curve = HermiteCurve::ellipse(arc.center, arc.radii, arc.rotation, 2)?;
     Ok(Some(if area < 0.0 { curve.reversed() } else { curve }))
+}
+
+/// Places on an outline without corners and lines.
+fn places_on(outline: &Outline) -> Option<Vec<Point>> {
+    let smooth = (0..outline.len()).all(|i| outline.nodes[i].smooth && !outline.is_line(i));
+    let mut places = Vec::with_capacity(if smooth { PLACES * outline.len() } else { 0 });
+    for cubic in (0..outline.len()).filter(|_| smooth).map(|i| outline.cubic(i)) {
+        places.extend((0..PLACES).map(|k| cubic.point(k as f64 / PLACES as f64)));
+    }
+    smooth.then_some(places)
+}
+
+/// The ellipse that an outline is nowhere farther from than `most`.
+pub(super) fn rounded(outline: &Outline, most: f64) -> Option<Outline> {
+    round(&places_on(outline)?, most)
 }
 
 /// A first outline for places that are nowhere farther than `most` from an ellipse.

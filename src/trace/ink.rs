@@ -35,6 +35,8 @@ pub(super) struct InkWork {
     progress: Progress,
     tones: Tones,
     quality: Quality,
+    /// How many times farther than in a picture of exact coverage an outline may be from an ellipse that it is.
+    slack: f64,
     smoothed: Option<Gray>,
     found: Vec<Contour>,
     samples: Vec<Samples>,
@@ -68,6 +70,7 @@ impl InkWork {
             progress: Progress { done: false, stage: Stage::Edges, completed: 0, total },
             tones,
             quality: Quality::Clean,
+            slack: Quality::Clean.slack(),
             smoothed: None,
             found: Vec::new(),
             samples: Vec::new(),
@@ -166,7 +169,7 @@ impl InkWork {
     fn curve(&mut self, i: usize) -> Result<f64> {
         let (outline, contour) = (&mut self.outlines[i], &self.found[i]);
         let cusps = outline.cusps(self.options.corner);
-        let whole = if self.options.refined { ellipse(outline, self.quality.slack())? } else { None };
+        let whole = if self.options.refined { ellipse(outline, self.slack)? } else { None };
         let curve = match whole {
             Some(curve) => curve,
             None => {
@@ -249,10 +252,14 @@ impl Work for InkWork {
             Phase::Refinement(refinement) => {
                 let (samples, rule) = (&self.samples, Quality::Rough.division_rule(&self.options));
                 let corner_rules = Quality::Rough.corner_rules(self.options.corner);
-                let rough = |i: usize| divide(&samples[i], &corners(&samples[i], &corner_rules), &rule);
+                let rough = |i: usize| {
+                    round(samples[i].places(), ROUND * Quality::Rough.slack())
+                        .unwrap_or_else(|| divide(&samples[i], &corners(&samples[i], &corner_rules), &rule))
+                };
                 let cost = refinement.step(&rough)?;
                 self.progress.completed = refinement.completed();
                 if refinement.is_done() {
+                    self.slack = refinement.slack();
                     (self.outlines, self.trace.residual) = refinement.finish();
                     self.phase = Phase::Curves;
                 }
@@ -299,7 +306,11 @@ enum Quality {
 impl Quality {
     /// How many times farther than in a clean picture things may be from what they are.
     fn slack(self) -> f64 {
-        if self == Self::Clean { 1.0 } else { 4.0 }
+        match self {
+            Self::Clean => 1.0,
+            Self::Rough => 1.5,
+            Self::Noisy => 4.0,
+        }
     }
 
     /// Corners, then corners close to others.

@@ -40,6 +40,7 @@ mod division;
 mod ellipse;
 mod field;
 mod fillets;
+mod grain;
 mod graph;
 mod gray;
 mod ink;

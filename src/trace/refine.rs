@@ -101,6 +101,12 @@ impl Left {
         }
     }
 
+    pub(super) fn join(&mut self, other: &Self) {
+        self.square += other.square;
+        self.count += other.count;
+        self.most = larger(self.most, other.most);
+    }
+
     /// One pixel more.
     fn see(&mut self, rest: f32) {
         let value = f64::from(rest).abs();

@@ -1,9 +1,10 @@
 //! All outlines of a picture refined against it, one after another: first as they are, then with fewer and fewer joints.
 
 use super::bends::BendRule;
-use super::ellipse::ellipse;
+use super::ellipse::{ellipse, rounded};
 use super::field::{Field, Shading};
 use super::fillets::round_off;
+use super::grain::grain;
 use super::gray::Gray;
 use super::outline::Outline;
 use super::refine::{Left, NOISY_SHARE, Refiner, Relaxing, Shape, leaves};
@@ -12,9 +13,20 @@ use super::simplify::{Limits, Merging, Trial, may_go_on};
 use super::tips::{sharpen, unfold};
 use crate::error::Result;
 use crate::numerics::Point;
+use crate::numerics::plane::larger;
 
 /// The share of pixels beside outlines that are off their tone from which on a picture is not one of exact coverage.
 const ROUGH: f64 = 0.2;
+/// The grain from which on pixels are not covered as exactly as bytes tell: edges that a few samples a pixel were drawn by have 0.01 to 0.04.
+const GRAINY: f64 = 8e-3;
+/// How many times as much as fine outlines rough ones may leave for the rest to be none of the drawing, root mean squares: where flat places
+/// are not flat, and where they are. There fine outlines follow the grain, which has the period of their pieces.
+const ROUGHER: [f64; 2] = [1.25, 2.2];
+/// How far an outline in a rough picture may be from an ellipse that it is, in pixels, and how many times as much that may leave.
+const NEARLY: f64 = 0.3;
+const NEARLY_AS_WELL: f64 = 1.2;
+/// Outlines follow some of the grain, so that what is known of it is this share of what it is at most.
+const KNOWN: f64 = 4.0;
 /// The tolerance at which outlines are as near as pixels tell.
 const USUAL: f64 = 0.22;
 /// How often pieces are halved.
@@ -47,9 +59,15 @@ pub(super) struct Refinement {
     /// Its bends, when all that may be merged is, and what they are.
     settling: Option<Settling>,
     bends: BendRule,
-    /// What the outlines were before the rough ones, and what they left.
+    /// What the outlines were before pieces were halved, and what they left.
     fine: Vec<Outline>,
-    left: f64,
+    left: Left,
+    /// Outlines that rough ones took the place of.
+    replaced: usize,
+    /// Whether its pixels do not say exactly where edges are, although flat places are flat.
+    rough: bool,
+    /// What no outline explains in a pixel of a rough picture.
+    grain: f64,
     limits: Limits,
     /// The outline before joints were taken away, and what it left.
     start: Option<(Outline, f64)>,
@@ -78,7 +96,8 @@ impl Refinement {
         noisy: bool,
     ) -> Result<Self> {
         let field = Field::new(gray, shading, contours, if noisy { 8.0 } else { 2.5 })?;
-        let exact = !noisy && field.stain <= ROUGH;
+        let rough = !noisy && field.stain > ROUGH;
+        let exact = !noisy && !rough;
         let target = noisy.then(|| field.rest.clone());
         let shapes = outlines.into_iter().map(|outline| Shape::new(outline, &field)).collect();
         Ok(Self {
@@ -102,7 +121,10 @@ impl Refinement {
                 evidence: if noisy { 0.0 } else { 6.0 },
             },
             fine: Vec::new(),
-            left: 0.0,
+            left: Left::default(),
+            replaced: 0,
+            rough,
+            grain: 0.0,
             limits: Limits {
                 rms: 0.012,
                 most: 0.055,
@@ -145,16 +167,23 @@ impl Refinement {
         match self.phase {
             Phase::Show => self.refiner.show(&mut self.field, &self.shapes[self.at]),
             Phase::First => {
-                if !self.refine_on(STEPS)? || self.is_halved()? {
+                if !self.refine_on(STEPS)? {
+                    return Ok(self.cost());
+                }
+                if self.fine.len() == self.at {
+                    let shape = &self.shapes[self.at];
+                    self.fine.push(shape.outline.clone());
+                    self.left.join(&shape.left(&self.field));
+                }
+                if self.is_halved()? {
                     return Ok(self.cost());
                 }
                 self.halvings = 0;
             }
             Phase::Rough => {
-                let shape = &mut self.shapes[self.at];
-                if self.fine.len() == self.at {
-                    self.fine.push(shape.outline.clone());
-                    self.refiner.replace(&mut self.field, shape, rough(self.at));
+                if self.replaced == self.at {
+                    self.refiner.replace(&mut self.field, &mut self.shapes[self.at], rough(self.at));
+                    self.replaced += 1;
                 }
                 if !self.refine_on(STEPS)? {
                     return Ok(self.cost());
@@ -194,6 +223,9 @@ impl Refinement {
         }
         if self.block == 0 && self.merging.is_none() {
             if self.round == 0 {
+                if self.rough {
+                    make_round(refiner, field, shape, KNOWN * self.grain);
+                }
                 // Nothing is to be taken away from an ellipse.
                 if ellipse(&shape.outline, self.slack)?.is_some() {
                     return Ok(None);
@@ -247,7 +279,7 @@ impl Refinement {
     /// Halves pieces that explain the picture worse than joints are taken away for; whether there were any.
     fn is_halved(&mut self) -> Result<bool> {
         let shape = &mut self.shapes[self.at];
-        if self.noisy || self.field.stain > ROUGH || self.halvings == HALVINGS {
+        if self.noisy || self.rough || self.halvings == HALVINGS {
             return Ok(false);
         }
         // A circle that was not drawn by exact coverage is still a circle.
@@ -266,11 +298,7 @@ impl Refinement {
 
     /// Steps that stop where the picture says no more.
     fn steps(&self, (most, enough): (usize, f64)) -> (usize, f64) {
-        (most, if self.noisy || self.is_rough() { NOISY_SHARE } else { enough })
-    }
-
-    fn is_rough(&self) -> bool {
-        !self.noisy && self.field.stain > ROUGH
+        (most, if self.noisy || self.rough { NOISY_SHARE } else { enough })
     }
 
     fn next_phase(&mut self) {
@@ -283,18 +311,27 @@ impl Refinement {
                 Phase::First
             }
             Phase::First => {
-                let left = self.field.left();
-                self.left = left;
+                self.grain = grain(&self.shapes, &self.field);
                 if self.noisy {
-                    self.limits.noise = left;
+                    self.limits.noise = self.field.left();
+                } else if !self.rough && self.grain > GRAINY {
+                    self.rough = true;
+                    self.slack = 3.0;
+                    self.refiner = Refiner::new(Relaxing::CAREFUL);
+                    self.limits.off *= 1.6;
                 }
-                if self.is_rough() { Phase::Rough } else { Phase::Fewer }
+                if self.rough {
+                    Phase::Rough
+                } else {
+                    self.fine = Vec::new();
+                    Phase::Fewer
+                }
             }
             Phase::Rough => {
-                let left = self.field.left();
+                let left = self.crossed();
                 // If fewer pieces explain the picture as well, the rest is not in the drawing.
-                if left < 1.25 * self.left {
-                    self.limits.noise = left;
+                if left.rms() < ROUGHER[usize::from(self.field.stain <= ROUGH)] * self.left.rms() {
+                    self.limits.noise = left.rms();
                 } else {
                     for (shape, outline) in self.shapes.iter_mut().zip(core::mem::take(&mut self.fine)) {
                         self.refiner.replace(&mut self.field, shape, outline);
@@ -304,6 +341,20 @@ impl Refinement {
             }
             Phase::Fewer | Phase::Done => Phase::Done,
         };
+    }
+
+    /// What is left in the pixels that outlines cross.
+    fn crossed(&self) -> Left {
+        let mut left = Left::default();
+        for shape in &self.shapes {
+            left.join(&shape.left(&self.field));
+        }
+        left
+    }
+
+    /// How many times farther than in a picture of exact coverage an outline may be from an ellipse that it is.
+    pub(super) fn slack(&self) -> f64 {
+        self.slack
     }
 
     /// Cubics that hardly bend become lines, and a last refinement, of a long outline bit by bit; whether that was the last bit. An
@@ -350,14 +401,19 @@ impl Refinement {
 
     /// The outlines, and the root mean square of what they leave in the pixels that they cross.
     pub(super) fn finish(&mut self) -> (Vec<Outline>, f64) {
-        let mut left = Left::default();
-        for shape in &self.shapes {
-            let own = shape.left(&self.field);
-            left.square += own.square;
-            left.count += own.count;
-        }
+        let left = self.crossed();
         let outlines = core::mem::take(&mut self.shapes).into_iter().map(|shape| shape.outline).collect();
         (outlines, left.rms())
+    }
+}
+
+/// Puts an ellipse in the place of an outline that is one as far as the picture tells.
+fn make_round(refiner: &mut Refiner, field: &mut Field, shape: &mut Shape, enough: f64) {
+    let Some(round) = rounded(&shape.outline, NEARLY) else { return };
+    let (before, old) = (shape.left(field).rms(), shape.outline.clone());
+    refiner.replace(field, shape, round);
+    if shape.left(field).rms() > larger(NEARLY_AS_WELL * before, enough) {
+        refiner.replace(field, shape, old);
     }
 }
 
