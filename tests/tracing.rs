@@ -4,7 +4,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use expline::curve::Curve;
 use expline::numerics::{Point, Vector};
-use expline::trace::{Gray, Progress, Source, Trace, TraceOptions, Tracer, trace};
+use expline::trace::{Gray, Progress, Source, Stage, Trace, TraceOptions, Tracer, trace};
 use expline::{Error, HermiteCurve};
 
 /// Places per pixel and axis at which a test picture asks whether there is ink: coverage to a few thousandths.
@@ -621,4 +621,26 @@ fn one_outline_may_have_any_number_of_corners() {
     assert_eq!(found.contours.len(), 1);
     let points = found.contours[0].curve.points().len();
     assert!(points > 32_000, "{points} points");
+}
+
+/// A round of taking joints away was one step, which took seconds where an outline has tens of thousands of them.
+#[test]
+fn joints_are_tried_step_by_step() {
+    let waves = |x: f64, y: f64| {
+        let (right, down) = (x - 210.0, y - 210.0);
+        right.hypot(down) < 200.0 + 3.0 * (40.0 * down.atan2(right)).sin()
+    };
+    let gray = Gray::from_bytes(420, 420, &draw_finely(420, 420, 4, &waves)).expect("a valid picture");
+    // So much may be off that every joint may go.
+    let options = TraceOptions { tolerance: 2.0, ..TraceOptions::default() };
+    let mut tracer = Tracer::new(gray, &options).expect("options in range");
+    let mut steps = 0;
+    loop {
+        let progress = tracer.step(0.0).expect("a drawing");
+        steps += usize::from(progress.stage == Stage::Refinement);
+        if progress.done {
+            break;
+        }
+    }
+    assert!(steps > 60, "{steps} steps");
 }

@@ -71,12 +71,13 @@ impl Skyline {
 
 /// The scalar product of a row with the beginning of another: in pairs, as two numbers fit into one register.
 fn product(a: &[f64], b: &[f64]) -> f64 {
-    let ((pairs, rest), (others, last)) = (a.as_chunks::<2>(), b[..a.len()].as_chunks::<2>());
-    let mut sums = [0.0; 2];
-    for (a, b) in pairs.iter().zip(others) {
-        sums[0] += a[0] * b[0];
-        sums[1] += a[1] * b[1];
+    let b = &b[..a.len()];
+    let (mut sums, mut k) = ([0.0; 2], 0);
+    while k + 1 < a.len() {
+        sums[0] += a[k] * b[k];
+        sums[1] += a[k + 1] * b[k + 1];
+        k += 2;
     }
     let sum = sums[0] + sums[1];
-    if let ([a], [b]) = (rest, last) { sum + a * b } else { sum }
+    if k < a.len() { sum + a[k] * b[k] } else { sum }
 }
