@@ -40,7 +40,7 @@ impl Admm {
         problem.check()?;
         let data = Scaled::new(problem)?;
         let all = data.components.iter().map(|c| (0..c.grid.len()).collect()).collect();
-        let mut reduced = Reduced::new(&data, all)?;
+        let mut reduced = Reduced::new(&data, all, &[])?;
         let hold = if reduced.parts.len() > 1 { HOLD } else { 0.0 };
         for i in 0..reduced.unknowns {
             reduced.quadratic.add(i, i, hold);

@@ -18,7 +18,7 @@ pub(crate) fn start(data: &Scaled) -> Result<Iterate> {
             (0..count).map(|k| k * places / count).collect()
         })
         .collect();
-    let mut reduced = Reduced::new(data, chosen)?;
+    let mut reduced = Reduced::new(data, chosen, &[])?;
     let lambdas = reduced.lambdas(data);
     // Stiffnesses of the knots: all forces are at most half of λ when each is λ over twice its jump.
     let mut stiffness: Vec<f64> = lambdas.iter().map(|lambda| lambda * 1e-3).collect();

@@ -79,7 +79,7 @@ fn exchanged(data: &Scaled, fixed: &mut Fixed) -> Result<Option<Fixed>> {
         knot += part.chosen.len();
         part.chosen.iter().enumerate().filter(|(k, _)| kept(first + k)).map(|(_, &place)| place).collect()
     });
-    let mut reduced = Reduced::new(data, chosen.collect())?;
+    let mut reduced = Reduced::new(data, chosen.collect(), &[])?;
     let unknowns = transfer(&fixed.reduced, &mut reduced, &unknowns);
     let mut jumps = Vec::new();
     reduced.jumps(&unknowns, &mut jumps);

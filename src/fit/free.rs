@@ -28,7 +28,7 @@ impl Solver {
 
 fn least_squares(data: &Scaled) -> Result<Fixed> {
     let all = data.components.iter().map(|component| (0..component.grid.len()).collect()).collect();
-    let mut reduced = Reduced::new(data, all)?;
+    let mut reduced = Reduced::new(data, all, &[])?;
     let knots: usize = reduced.parts.iter().map(|part| part.rows.len()).sum();
     let metrics: Vec<Metric> = vec![[HOLD, 0.0, HOLD]; knots];
     let _ = reduced.factor(&metrics);

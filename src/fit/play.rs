@@ -37,7 +37,7 @@ impl Solver {
         let old = &self.iterate;
         let rank = old.cones.len().max(1) as f64;
         let mean = old.cones.iter().map(|pair| pair.s.dot(pair.z)).sum::<f64>() / rank;
-        let mut reduced = Reduced::new(&self.data, sets)?;
+        let mut reduced = Reduced::new(&self.data, sets, &old.reduced.elements)?;
         let unknowns = transfer(&old.reduced, &mut reduced, &old.unknowns);
         let mut cones =
             limits::with_room(lanes * reduced.parts.iter().map(|p| p.chosen.len()).sum::<usize>())?;

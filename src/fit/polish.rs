@@ -115,6 +115,7 @@ impl Solver {
         // An error of δ in the jumps' directions costs about δ² of the objective.
         let accuracy = (0.03 * self.settings.gap.sqrt()).max(1e-13);
         let mut best: Option<(Fixed, Vec<Vec<Vector>>)> = None;
+        let mut known = self.iterate.reduced.elements.clone();
         for _ in 0..most {
             for set in &mut sets {
                 // The jumps of a closed curve sum to zero: one alone is none.
@@ -124,7 +125,8 @@ impl Solver {
             }
             let chosen = sets.iter().map(|set| set.iter().map(|(place, _)| *place).collect()).collect();
             let start: Vec<Vector> = sets.iter().flatten().map(|(_, jump)| *jump).collect();
-            let reduced = Reduced::new(&self.data, chosen)?;
+            let reduced = Reduced::new(&self.data, chosen, &known)?;
+            known.clone_from(&reduced.elements);
             let Some(newton) = newton(&self.data, reduced, &start, lanes, accuracy) else { break };
             let turned = if lanes == 1 { turned(&newton.jumps, &start) } else { 0 };
             // Where many of the knots that were singled out on a fine grid are none, others are missing as well.

@@ -1,14 +1,18 @@
 //! The problem on the knots that are in play: its spaces, its quadratic form, its linear systems.
 
+mod squares;
+
+pub(crate) use self::squares::Element;
+use self::squares::elements;
 use super::cone::Metric;
-use super::interval::{Local, TERMS, polynomials};
+use super::interval::Local;
 use super::scaled::{Scaled, ScaledComponent};
 use super::spline_space::{KnotSpace, ROOM};
 use crate::error::Result;
 use crate::limits;
 use crate::numerics::Vector;
 use crate::numerics::banded::Bordered;
-use crate::numerics::order::{sort_by_number, sort_numbers};
+use crate::numerics::order::sort_by_number;
 
 /// The jump of the highest derivative at one knot: weights of its coefficients, and where these stand.
 #[derive(Clone, Debug)]
@@ -27,14 +31,6 @@ pub(crate) struct Part {
     pub(crate) rows: Vec<Row>,
     /// Place of each coefficient among the unknown points.
     pub(crate) order: Vec<usize>,
-}
-
-/// A stretch between neighbouring knots of any part: all parts are polynomials there.
-#[derive(Clone, Debug)]
-pub(crate) struct Element {
-    pub(crate) samples: (usize, usize),
-    pub(crate) middle: f64,
-    pub(crate) half: f64,
 }
 
 /// The least-squares part of the problem on the knots in play.
@@ -58,8 +54,9 @@ pub(crate) struct Reduced {
 }
 
 impl Reduced {
-    /// The problem on these knots; `chosen` names places of each component's grid.
-    pub(crate) fn new(data: &Scaled, chosen: Vec<Vec<usize>>) -> Result<Self> {
+    /// The problem on these knots; `chosen` names places of each component's grid. `known` are elements of the same data
+    /// on other knots: what they have in common is not summed again.
+    pub(crate) fn new(data: &Scaled, chosen: Vec<Vec<usize>>, known: &[Element]) -> Result<Self> {
         let mut parts = Vec::new();
         for (component, chosen) in data.components.iter().zip(chosen) {
             let mut knots = limits::with_room(chosen.len())?;
@@ -68,7 +65,7 @@ impl Reduced {
             parts.push(Part { space, chosen, rows: Vec::new(), order: Vec::new() });
         }
         let unknowns = order_unknowns(&mut parts);
-        let (elements, locals) = elements(data, &parts);
+        let (elements, locals) = elements(data, &parts, known);
         let mut reduced = Self {
             parts,
             elements,
@@ -149,78 +146,6 @@ impl Reduced {
         Ok(())
     }
 
-    /// The quadratic form and the linear one, element by element, from moments of the samples.
-    fn assemble(&mut self, data: &Scaled) {
-        self.linear.clear();
-        self.linear.resize(self.unknowns, Vector::zeros());
-        match self.highest() {
-            1 => self.assemble_of::<2>(data),
-            2 | 3 => self.assemble_of::<4>(data),
-            _ => self.assemble_of::<TERMS>(data),
-        }
-        if self.parts.len() == 2 {
-            self.hold_gauge(data);
-        }
-    }
-
-    /// The highest degree of the parts.
-    fn highest(&self) -> usize {
-        self.parts[self.parts.len() - 1].space.degree()
-    }
-
-    /// The forms, for degrees below T: polynomials of lower degree have zeros for what they lack.
-    #[allow(clippy::needless_range_loop, reason = "matrices are written with their indices")]
-    fn assemble_of<const T: usize>(&mut self, data: &Scaled) {
-        for (element, locals) in self.elements.iter().zip(self.locals.chunks_exact(self.parts.len())) {
-            let (powers, values) = moments::<T>(data, element);
-            for (p, (part, (first, local))) in self.parts.iter().zip(locals).enumerate() {
-                for i in 0..=local.degree {
-                    let row = part.order[part.space.coefficient(first + i)];
-                    let own = leading::<T, f64>(&local.rows[i]);
-                    // Gram's matrix with the functions of this part up to i, and with all of the parts before.
-                    let mut image = [0.0; T];
-                    let mut linear = Vector::zeros();
-                    for k in 0..T {
-                        linear += values[k] * (2.0 * own[k]);
-                        for power in 0..T {
-                            image[power] += own[k] * powers[power + k];
-                        }
-                    }
-                    self.linear[row] += linear;
-                    for (q, (before, (other_first, other))) in
-                        self.parts.iter().zip(locals).enumerate().take(p + 1)
-                    {
-                        let last = if q == p { i } else { other.degree };
-                        for j in 0..=last {
-                            let column = before.order[before.space.coefficient(other_first + j)];
-                            let twice = if row == column && (i != j || q != p) { 4.0 } else { 2.0 };
-                            let other = leading::<T, f64>(&other.rows[j]);
-                            let value: f64 = other.iter().zip(&image).map(|(a, b)| a * b).sum();
-                            self.quadratic.add(row, column, twice * value);
-                        }
-                    }
-                }
-            }
-        }
-    }
-
-    /// What both parts could represent belongs to the second: the first is drawn to zero at places enough.
-    fn hold_gauge(&mut self, data: &Scaled) {
-        let part = &self.parts[0];
-        let strength = 0.2 * data.t.len() as f64;
-        for t in gauge_places(part.space.degree(), data.length, data.closed) {
-            let (first, basis) = part.space.basis(t, 0);
-            for i in 0..=part.space.degree() {
-                for j in 0..=i {
-                    let row = part.order[part.space.coefficient(first + i)];
-                    let column = part.order[part.space.coefficient(first + j)];
-                    let twice = if row == column && i != j { 2.0 } else { 1.0 };
-                    self.quadratic.add(row, column, twice * strength * basis[i] * basis[j]);
-                }
-            }
-        }
-    }
-
     /// Quadratic form plus Σ (row)′ metric (row), factored. `metrics` run through the knots of the parts.
     pub(crate) fn factor(&mut self, metrics: &[Metric]) -> usize {
         self.factor_above(metrics, 1e-14)
@@ -292,134 +217,6 @@ impl Reduced {
             }
         }
     }
-
-    /// The polynomial of the whole sum on an element, given by its functions there, in ascending powers of its variable.
-    fn polynomial(&self, locals: &[(usize, Local)], unknowns: &[Vector]) -> [Vector; TERMS] {
-        let mut sum = [Vector::zeros(); TERMS];
-        for (part, (first, local)) in self.parts.iter().zip(locals) {
-            for i in 0..=local.degree {
-                let coefficient = unknowns[part.order[part.space.coefficient(first + i)]];
-                for (term, row) in sum.iter_mut().zip(&local.rows[i][..=local.degree]) {
-                    *term += coefficient * *row;
-                }
-            }
-        }
-        sum
-    }
-
-    /// Weighted residuals w(p − r) of all samples, their moments Σ w(p − r)xʲ on every element, and Σ w |p − r|².
-    pub(crate) fn residuals(
-        &self,
-        data: &Scaled,
-        unknowns: &[Vector],
-        out: &mut [Vector],
-        moments: &mut Vec<[Vector; TERMS]>,
-    ) -> f64 {
-        moments.clear();
-        moments.resize(self.elements.len(), [Vector::zeros(); TERMS]);
-        match self.highest() {
-            1 => self.residuals_of::<2>(data, unknowns, out, moments),
-            2 | 3 => self.residuals_of::<4>(data, unknowns, out, moments),
-            _ => self.residuals_of::<TERMS>(data, unknowns, out, moments),
-        }
-    }
-
-    /// The same for degrees below T.
-    fn residuals_of<const T: usize>(
-        &self,
-        data: &Scaled,
-        unknowns: &[Vector],
-        out: &mut [Vector],
-        moments: &mut [[Vector; TERMS]],
-    ) -> f64 {
-        let mut total = data.beyond;
-        let locals = self.locals.chunks_exact(self.parts.len());
-        for ((element, locals), moments) in self.elements.iter().zip(locals).zip(moments) {
-            let (from, to) = element.samples;
-            if from == to {
-                continue;
-            }
-            let terms: [Vector; T] = leading(&self.polynomial(locals, unknowns));
-            let mut sums = [Vector::zeros(); T];
-            let inverse = 1.0 / element.half;
-            let points = data.x[from..to].iter().zip(&data.y[from..to]);
-            let times = data.t[from..to].iter().zip(&data.w[from..to]);
-            for (((t, w), (x, y)), out) in times.zip(points).zip(&mut out[from..to]) {
-                let s = (t - element.middle) * inverse;
-                let mut value = terms[T - 1];
-                for term in terms[..T - 1].iter().rev() {
-                    value = value * s + term;
-                }
-                let error = Vector::new(x - value.x, y - value.y);
-                let mut force = error * *w;
-                total += force.x * error.x + force.y * error.y;
-                *out = force;
-                for sum in &mut sums {
-                    *sum += force;
-                    force *= s;
-                }
-            }
-            moments[..T].copy_from_slice(&sums);
-        }
-        total
-    }
-
-    /// The gradient of the least-squares part, Q c − b, from the moments of the residuals; without the gauge, which is
-    /// met.
-    pub(crate) fn gradient(&self, moments: &[[Vector; TERMS]], sum: &mut Vec<Vector>) {
-        sum.clear();
-        sum.resize(self.unknowns, Vector::zeros());
-        for (locals, moments) in self.locals.chunks_exact(self.parts.len()).zip(moments) {
-            for (part, (first, local)) in self.parts.iter().zip(locals) {
-                for i in 0..=local.degree {
-                    let unknown = part.order[part.space.coefficient(first + i)];
-                    let mut force = Vector::zeros();
-                    for (row, moment) in local.rows[i].iter().zip(moments).take(local.degree + 1) {
-                        force += moment * *row;
-                    }
-                    sum[unknown] -= force * 2.0;
-                }
-            }
-        }
-    }
-}
-
-/// Where the first of two components is held at zero.
-pub(crate) fn gauge_places(degree: usize, length: f64, closed: bool) -> Vec<f64> {
-    if closed { vec![0.0] } else { (0..=degree).map(|i| length * (i as f64 / degree as f64)).collect() }
-}
-
-/// The first T of some numbers or vectors.
-#[inline]
-fn leading<const T: usize, V: Copy>(of: &[V; TERMS]) -> [V; T] {
-    core::array::from_fn(|i| of[i])
-}
-
-/// Σ w xʲ for j up to 2T − 2, and Σ w xʲ p for j below T, over the samples of an element.
-#[inline]
-fn moments<const T: usize>(data: &Scaled, element: &Element) -> ([f64; 2 * TERMS], [Vector; T]) {
-    let (mut powers, mut values) = ([0.0; 2 * TERMS], [Vector::zeros(); T]);
-    let (mut low, mut high) = ([0.0; T], [0.0; T]);
-    let inverse = 1.0 / element.half;
-    let (from, to) = element.samples;
-    let points = data.x[from..to].iter().zip(&data.y[from..to]);
-    for ((t, w), (x, y)) in data.t[from..to].iter().zip(&data.w[from..to]).zip(points) {
-        let s = (t - element.middle) * inverse;
-        let point = Vector::new(*x, *y);
-        let mut power = *w;
-        for (sum, value) in low.iter_mut().zip(&mut values) {
-            *value += point * power;
-            *sum += power;
-            power *= s;
-        }
-        for sum in &mut high[..T - 1] {
-            *sum += power;
-            power *= s;
-        }
-    }
-    powers[..T].copy_from_slice(&low);
-    powers[T..2 * T].copy_from_slice(&high);
-    (powers, values)
 }
 
 /// Orders the coefficients of all parts along the curve, by the middles of their supports.
@@ -448,32 +245,4 @@ fn order_unknowns(parts: &mut [Part]) -> usize {
         parts[p].order[j] = place;
     }
     centres.len()
-}
-
-/// The stretches between all knots, from start to end, and what the parts are there.
-fn elements(data: &Scaled, parts: &[Part]) -> (Vec<Element>, Vec<(usize, Local)>) {
-    let mut breaks = vec![0.0, data.length];
-    for part in parts {
-        breaks.extend((0..part.space.knot_count()).map(|k| part.space.knot(k)));
-    }
-    sort_numbers(&mut breaks);
-    breaks.dedup();
-    let mut elements = Vec::with_capacity(breaks.len());
-    let mut locals = Vec::with_capacity(breaks.len() * parts.len());
-    let mut sample = 0;
-    for pair in breaks.windows(2) {
-        let (middle, half) = (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]));
-        let from = sample;
-        let last = pair[1] >= data.length;
-        while sample < data.t.len() && (last || data.t[sample] < pair[1]) {
-            sample += 1;
-        }
-        for part in parts {
-            let (interval, moved) = part.space.locate(middle);
-            let knots = part.space.around(interval);
-            locals.push((interval, polynomials(knots, part.space.degree(), moved, half)));
-        }
-        elements.push(Element { samples: (from, sample), middle, half });
-    }
-    (elements, locals)
 }

@@ -86,7 +86,7 @@ impl Solver {
             knot += middle.chosen[i].len();
         }
         let chosen = seeds.iter().map(|set| set.iter().map(|seed| seed.place).collect()).collect();
-        let mut reduced = Reduced::new(&self.data, chosen)?;
+        let mut reduced = Reduced::new(&self.data, chosen, &self.iterate.reduced.elements)?;
         let all: Vec<&Seed> = seeds.iter().flatten().collect();
         let metrics: Vec<Metric> = all.iter().map(|seed| seed.metric).collect();
         let _ = reduced.factor(&metrics);
