@@ -14,6 +14,9 @@ use super::polyline;
 use super::search::{Price, better, least, settle, thinner};
 use super::start;
 
+/// How many times the price rises at once where points are many, and how many of these go back when that was too much.
+const LEAP: f64 = 16.0;
+const BACK: f64 = 4.0;
 /// About so many averages of points are looked at while knots are looked for; half as many points more are not averaged.
 const SEEN: usize = 450;
 /// More points than this are searched in a hurry.
@@ -103,6 +106,8 @@ pub(super) struct Sparsest {
     /// How often the present price was tried again, and how many pieces there were then.
     rounds_at_price: usize,
     pieces_at_price: usize,
+    /// How many times the price rises at once where points are many.
+    leap: f64,
     found: Option<Found>,
     /// The fit while knots are taken from it and points are free to slide.
     free: Option<Free>,
@@ -143,6 +148,7 @@ impl Sparsest {
             at_first: 0,
             rounds_at_price: 0,
             pieces_at_price: usize::MAX,
+            leap: LEAP,
             found: None,
             free: None,
             placed: false,
@@ -203,6 +209,7 @@ impl Sparsest {
             at_first,
             rounds_at_price: 0,
             pieces_at_price: usize::MAX,
+            leap: LEAP,
             found: None,
             free: None,
             placed: false,

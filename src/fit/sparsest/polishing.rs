@@ -5,7 +5,7 @@ use super::super::foot_points::{Distances, Spline};
 use super::super::free_knots::FreeKnots;
 use super::super::search::{Price, better, least};
 use super::super::start;
-use super::{Aim, FEW, Found, Phase, Sparsest, from_afar};
+use super::{Aim, BACK, FEW, Found, LEAP, Phase, Sparsest, from_afar};
 
 /// How often pieces that swing away from the points are taken out.
 const MOST_TAMINGS: usize = 20;
@@ -127,13 +127,20 @@ impl Sparsest {
             (self.rounds_at_price, self.pieces_at_price) =
                 if again { (self.rounds_at_price + 1, breaks.pieces()) } else { (0, usize::MAX) };
             if !again {
-                self.price = Price(self.price.0 * if few { 2.5 } else { 4.0 });
+                self.price = Price(self.price.0 * if few { 2.5 } else { self.leap });
             }
             self.fitted = FreeKnots::new(breaks, &self.seen);
             return Phase::Thin;
         }
-        if self.found.as_ref().is_some_and(|best| best.distances.largest <= tolerance) {
-            return Phase::Last(0);
+        if let Some(best) = self.found.as_ref().filter(|best| best.distances.largest <= tolerance) {
+            if self.full.points.len() <= FEW || self.leap < LEAP || tired {
+                return Phase::Last(0);
+            }
+            // The price rose too fast: from the best curve on, it rises again, more slowly.
+            self.price = Price(self.price.0 / BACK);
+            self.leap = LEAP / BACK;
+            self.fitted = FreeKnots::new(best.spline.space.breaks.clone(), &self.seen);
+            return Phase::Thin;
         }
         self.repairs += 1;
         let repaired = start::closer(&found.spline, &self.seen, 0.8 * tolerance);
