@@ -36,7 +36,10 @@ export type FitStep =
 
 /** What {@link fitSparse} can be told. */
 export interface SparseFitOptions extends SparseFitStrength {
-  /** 1 to 5; a pair fits the sum of two splines, straight pieces with corners and smooth ones. Default [1, 3]. */
+  /**
+   * 1 to 5; a pair fits the sum of two splines, straight pieces with corners and smooth ones. Default [1, 3]. The curve of a degree above 3 is
+   * written as cubics, see `deviation` of the result.
+   */
   degree?: number | readonly [number, number] | undefined;
   /** Of a pair of degrees with `smoothing` or `tolerance`: 0 prefers straight pieces, 1 smooth ones. Default 0.5. */
   mix?: number | undefined;
@@ -77,7 +80,7 @@ export interface SparseFitOptions extends SparseFitStrength {
 }
 
 /** The most points that one fit takes. */
-const MAX_SAMPLES = 200_000;
+const MAX_SAMPLES = 500_000;
 /** The most places where knots may begin. */
 const MAX_GRID = 65_536;
 const MAX_LAMBDA = 1e12;

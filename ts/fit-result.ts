@@ -41,9 +41,12 @@ export type FitStatus =
 
 /** A curve through noisy points with few knots, and what is proved about it. */
 export interface SparseFit {
-  /** The spline itself, exact. */
+  /**
+   * The spline itself, exact up to degree 3. Splines of degree 4 and 5 come as cubics, as a rule within a billionth of the drawing's size;
+   * `deviation` is how far, and `coefficients` are the spline's own.
+   */
   curve: Curve;
-  /** Each component as a curve of its own; their sum is `curve`. One where there is one degree. */
+  /** Each component as a curve of its own, degrees 4 and 5 as cubics; their sum is `curve`. One where there is one degree. */
   parts: Curve[];
   /** B-spline coefficients of each component on its knots, x and y in turn. */
   coefficients: Float64Array[];
@@ -68,7 +71,7 @@ export interface SparseFit {
   maxError: number;
   /** Root of the mean square of the distances between points and curve. */
   rms: number;
-  /** How far `curve` may be from the spline: 0 up to degree 3. */
+  /** How far `curve` may be from the spline: 0 up to degree 3, proved above. `maxError` has it in it. */
   deviation: number;
   /** Steps of the solver. */
   iterations: number;

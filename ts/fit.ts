@@ -55,7 +55,7 @@ function begin(op: string, { input, question }: Order): Resident {
  * Of `lambda`, `smoothing` and `tolerance` one says how much to simplify; without any, the noise of the points is estimated and taken out. The result
  * is the same to the last bit wherever and whenever it is computed.
  *
- * @throws {ExplineError} E_TOO_FEW_POINTS below two points, three of a closed curve, E_DEGENERATE where all are the same, E_LIMIT above 200,000 points.
+ * @throws {ExplineError} E_TOO_FEW_POINTS below two points, three of a closed curve, E_DEGENERATE where all are the same, E_LIMIT above 500,000 points.
  */
 export function fitSparse(points: PointsLike, options?: SparseFitOptions): SparseFit {
   const op = "fitSparse";
