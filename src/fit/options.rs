@@ -41,7 +41,8 @@ pub struct Finish {
 /// How to fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// One degree, or two ascending ones for the sum of two splines; 1 to 5.
+    /// One degree, or two ascending ones for the sum of two splines; 1 to 5. Curves of degree 4 and 5 come as cubics, see
+    /// [`Fit::deviation`](super::Fit::deviation).
     pub degrees: Vec<usize>,
     /// Whether the curve is closed; `None` where ends that are close belong together.
     pub closed: Option<bool>,
