@@ -137,7 +137,15 @@ impl Space {
     fn knot(&self, i: isize) -> f64 {
         let n = self.flat.len() as isize;
         if self.breaks.closed {
-            self.flat[i.rem_euclid(n) as usize] + self.breaks.end * i.div_euclid(n) as f64
+            // Hardly ever more than once round, and divisions take long.
+            let (mut i, mut rounds) = (i, 0.0);
+            while i < 0 {
+                (i, rounds) = (i + n, rounds - 1.0);
+            }
+            while i >= n {
+                (i, rounds) = (i - n, rounds + 1.0);
+            }
+            self.flat[i as usize] + self.breaks.end * rounds
         } else {
             self.flat[i.clamp(0, n - 1) as usize]
         }

@@ -2,9 +2,9 @@
 //! (Where they go is in `feet`.)
 
 use super::breaks::{HIGHEST, Polynomial, Space};
-use super::envelope::{Envelope, dot};
+use super::envelope::Envelope;
 use super::feet::Look;
-use super::free_knots::{FreeKnots, Located};
+use super::free_knots::{FreeKnots, Located, product};
 use crate::numerics::order::sort_by_number;
 use crate::numerics::{Point, Vector};
 
@@ -119,7 +119,8 @@ impl Spline {
     /// (D 13.4), [WPL06]. O(M·degree + K·degree²).
     pub(super) fn tighten(&mut self, data: &Located) {
         let degree = self.space.breaks.degree;
-        let sums = self.across(data);
+        // Loops of a length that is known are unrolled.
+        let sums = if degree < 4 { self.across::<4>(data) } else { self.across::<{ HIGHEST + 1 }>(data) };
         let n = self.space.count;
         let mut equations = self.doubled();
         let mut right = vec![0.0; 2 * n];
@@ -128,13 +129,15 @@ impl Spline {
             let basis = &self.space.basis[s];
             for p in 0..=degree {
                 let row = self.space.index(s, p);
-                right[2 * row] += dot(&basis[p][..=degree], &sums.right[0][..=degree]);
-                right[2 * row + 1] += dot(&basis[p][..=degree], &sums.right[1][..=degree]);
+                right[2 * row] += product(&basis[p], &sums.right[0]);
+                right[2 * row + 1] += product(&basis[p], &sums.right[1]);
                 let weighted = sums.weighted(degree, &basis[p]);
                 for (q, basis) in basis[..=degree].iter().enumerate() {
                     let other = self.space.index(s, q);
-                    let [xx, xy, yy] =
-                        weighted.each_ref().map(|weighted| dot(&weighted[..=degree], &basis[..=degree]));
+                    if other > row {
+                        continue;
+                    }
+                    let [xx, xy, yy] = weighted.each_ref().map(|weighted| product(weighted, basis));
                     equations.add(2 * row, 2 * other, xx);
                     equations.add(2 * row + 1, 2 * other + 1, yy);
                     equations.add(2 * row + 1, 2 * other, xy);
@@ -163,9 +166,8 @@ impl Spline {
         Envelope::new(first)
     }
 
-    fn across(&self, data: &Located) -> Vec<Across> {
+    fn across<const T: usize>(&self, data: &Located) -> Vec<Across> {
         let pieces = self.pieces();
-        let degree = self.space.breaks.degree;
         let mut sums = vec![Across::default(); pieces.len()];
         let mut at = 0;
         for (m, (point, &t)) in data.points.iter().zip(&data.parameters).enumerate() {
@@ -173,7 +175,7 @@ impl Spline {
             at = s;
             let span = &self.space.spans[s];
             let u = (t - span.middle) / span.half;
-            let [place, along, _] = taylor::<{ HIGHEST + 1 }>(&pieces[s], u);
+            let [place, along, _] = taylor::<T>(&pieces[s], u);
             let rest = point - place;
             let square = along.norm_squared();
             let w = data.weight(m);
@@ -184,7 +186,7 @@ impl Spline {
                 -w * less * along.x * along.y,
                 w * (1.0 - less * along.y * along.y),
             ];
-            sums[s].take(degree, u, [xx, xy, yy], [xx * rest.x + xy * rest.y, xy * rest.x + yy * rest.y]);
+            sums[s].take::<T>(u, [xx, xy, yy], [xx * rest.x + xy * rest.y, xy * rest.x + yy * rest.y]);
         }
         sums
     }
@@ -211,13 +213,14 @@ struct Across {
 }
 
 impl Across {
-    fn take(&mut self, degree: usize, u: f64, weight: [f64; 3], rest: [f64; 2]) {
+    #[inline(always)]
+    fn take<const T: usize>(&mut self, u: f64, weight: [f64; 3], rest: [f64; 2]) {
         let mut power = 1.0;
-        for (k, sums) in self.powers.iter_mut().enumerate().take(2 * degree + 1) {
+        for (k, sums) in self.powers[..2 * T - 1].iter_mut().enumerate() {
             for (sum, w) in sums.iter_mut().zip(weight) {
                 *sum += power * w;
             }
-            if k <= degree {
+            if k < T {
                 self.right[0][k] += power * rest[0];
                 self.right[1][k] += power * rest[1];
             }
@@ -227,9 +230,14 @@ impl Across {
 
     /// Σ W·a(u)·uʲ for all j, entry by entry of W.
     fn weighted(&self, degree: usize, a: &Polynomial) -> [Polynomial; 3] {
+        if degree < 4 { self.weighted_of::<4>(a) } else { self.weighted_of::<{ HIGHEST + 1 }>(a) }
+    }
+
+    #[inline(always)]
+    fn weighted_of<const T: usize>(&self, a: &Polynomial) -> [Polynomial; 3] {
         let mut sums = [[0.0; HIGHEST + 1]; 3];
-        for (i, a) in a[..=degree].iter().enumerate() {
-            for j in 0..=degree {
+        for (i, a) in a[..T].iter().enumerate() {
+            for j in 0..T {
                 for (sums, power) in sums.iter_mut().zip(self.powers[i + j]) {
                     sums[j] += a * power;
                 }

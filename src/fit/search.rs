@@ -1,7 +1,7 @@
 //! The fewest knots that explain the points: knots go, come together, sharpen and slide for as long as the sum of
 //! squares and a price for every number that the curve needs go down together.
 
-use super::breaks::Breaks;
+use super::breaks::{Breaks, HIGHEST};
 use super::free_knots::{FreeKnots, Located, Removal, in_order};
 use crate::numerics::order::{sort_by_number, sort_in_place};
 
@@ -18,6 +18,9 @@ const MOST_CLUSTERS: usize = 6;
 
 /// How many times what one step of all knots promises a trial may lack.
 const HOPE: f64 = 3.0;
+
+/// What a knot would gain that counted once more, twice more and so on.
+type Gains = [f64; HIGHEST];
 
 impl Price {
     /// The price of a knot that counts so often.
@@ -121,7 +124,9 @@ pub(super) fn better(fitted: &FreeKnots, data: &Located, price: Price) -> Option
     let worth = 0.05 * price.0;
     let now = price.total(fitted);
     let removals = fitted.removals();
-    let changes = sure(fitted, &removals, price);
+    let more = |(k, m): (usize, &usize)| fitted.gains(k, fitted.breaks().sharpest.saturating_sub(*m));
+    let gains: Vec<Gains> = fitted.breaks().multiplicity.iter().enumerate().map(more).collect();
+    let changes = sure(fitted, &removals, &gains, price);
     for all in [true, false] {
         let order: Vec<usize> = changes.iter().map(|change| change.knot).collect();
         let chosen = apart(&order, fitted.breaks().len(), if all { usize::MAX } else { 1 });
@@ -135,7 +140,7 @@ pub(super) fn better(fitted: &FreeKnots, data: &Located, price: Price) -> Option
         }
     }
     let mut trials = hopes(fitted.breaks(), &removals, price, 6);
-    trials.extend(corners(fitted, price));
+    trials.extend(corners(fitted, &gains, price));
     trials.extend(clusters(fitted.breaks(), fitted.points()));
     for breaks in trials {
         let mut trial = FreeKnots::new(breaks, data);
@@ -162,7 +167,7 @@ pub(super) fn better(fitted: &FreeKnots, data: &Located, price: Price) -> Option
 }
 
 /// Changes that are known to pay, the best one of every knot, the best first.
-fn sure(fitted: &FreeKnots, removals: &[Removal], price: Price) -> Vec<Change> {
+fn sure(fitted: &FreeKnots, removals: &[Removal], gains: &[Gains], price: Price) -> Vec<Change> {
     let breaks = fitted.breaks();
     let mut changes = Vec::new();
     for (k, removal) in removals.iter().enumerate() {
@@ -180,7 +185,7 @@ fn sure(fitted: &FreeKnots, removals: &[Removal], price: Price) -> Vec<Change> {
             offer(m - 1, removal.one + price.change(m, m - 1));
         }
         for more in 1..=breaks.sharpest.saturating_sub(m) {
-            offer(m + more, price.change(m, m + more) - fitted.gain(k, more));
+            offer(m + more, price.change(m, m + more) - gains[k][more - 1]);
         }
         if best.multiplicity != m {
             changes.push(best);
@@ -223,13 +228,12 @@ pub(super) fn hopes(breaks: &Breaks, removals: &[Removal], price: Price, most: u
 }
 
 /// Knots that nearly pay as corners where they are, and may where they slide to; those that say most first.
-fn corners(fitted: &FreeKnots, price: Price) -> Vec<Breaks> {
+fn corners(fitted: &FreeKnots, gains: &[Gains], price: Price) -> Vec<Breaks> {
     let breaks = fitted.breaks();
     let mut found: Vec<(f64, usize)> = Vec::new();
     for (k, &m) in breaks.multiplicity.iter().enumerate().filter(|(_, m)| **m < breaks.sharpest) {
-        let more = breaks.sharpest - m;
         let cost = price.change(m, breaks.sharpest);
-        let gain = fitted.gain(k, more);
+        let gain = gains[k][breaks.sharpest - m - 1];
         if gain > 0.3 * cost {
             found.push((gain / cost, k));
         }
