@@ -3,12 +3,11 @@
 //! The standard library's conversions are exact too, but they carry tables and formatting machinery that
 //! weigh more than all the rest of path reading and writing together.
 
-mod big;
+mod exact;
 #[cfg(test)]
 mod tests;
 mod write;
 
-use big::Big;
 pub(super) use write::{scaled, shortest, write};
 
 /// 10⁰ … 10²²: the powers of ten that an `f64` holds exactly.
@@ -18,8 +17,6 @@ const POWERS: [f64; 23] = [
 ];
 /// Below this, one more decimal digit still fits in a `u64`.
 const ROOM_FOR_A_DIGIT: u64 = u64::MAX / 10 - 1;
-/// No midpoint between two `f64` has more significant digits than 767: later ones only say "a bit more".
-const MOST_DIGITS: i32 = 800;
 /// The number whose text starts at `at`, and the offset behind it; `None` where no number starts.
 ///
 /// ```text
@@ -59,7 +56,7 @@ pub(super) fn read(text: &[u8], at: usize) -> Option<(f64, usize)> {
     let digits = text.get(first..i).unwrap_or(&[]);
     let (power, end) = read_exponent(text, i);
     let magnitude =
-        if full { exact_text(digits, power) } else { decimal(mantissa, exponent.saturating_add(power)) };
+        if full { exact::read(digits, power) } else { decimal(mantissa, exponent.saturating_add(power)) };
     Some((if negative && magnitude != 0.0 { -magnitude } else { magnitude }, end))
 }
 
@@ -87,26 +84,12 @@ pub(super) fn decimal(mantissa: u64, exponent: i32) -> f64 {
         let m = mantissa as f64;
         return if exponent < 0 { m / power } else { m * power };
     }
-    let big = Big::from(mantissa);
-    big.times_power_of_ten(exponent, 20, false)
-}
-
-/// More digits than a `u64` holds.
-fn exact_text(digits: &[u8], power: i32) -> f64 {
-    let (mut big, mut exponent, mut kept, mut dropped, mut behind_point) = (Big::new(), power, 0, false, 0);
-    for &b in digits {
-        if b == b'.' {
-            behind_point = 1;
-        } else if kept < MOST_DIGITS {
-            big.multiply_add(10, u32::from(b - b'0'));
-            kept += i32::from(!big.is_zero());
-            exponent -= behind_point;
-        } else {
-            dropped |= b != b'0';
-            exponent = exponent.saturating_add(1 - behind_point);
-        }
+    let (mut digits, mut rest) = ([b'0'; 20], mantissa);
+    for digit in digits.iter_mut().rev() {
+        *digit += (rest % 10) as u8;
+        rest /= 10;
     }
-    big.times_power_of_ten(exponent, kept, dropped)
+    exact::read(&digits, exponent)
 }
 
 /// Whether `digits`·10^−`decimals` is below 1, for up to 22 decimals.

@@ -1,7 +1,6 @@
 //! `f64` → decimal text.
 
-use super::big::Big;
-use super::{decimal, power};
+use super::{decimal, exact, power};
 
 /// Room for twenty digits, twenty-two decimals and a sign.
 const MOST_BYTES: usize = 32;
@@ -18,18 +17,7 @@ pub(in crate::svg) fn scaled(value: f64, decimals: u32) -> u64 {
             return nearest as u64;
         }
     }
-    exactly_scaled(value, decimals)
-}
-
-#[inline(never)]
-fn exactly_scaled(value: f64, decimals: u32) -> u64 {
-    let bits = value.to_bits();
-    let (exponent, fraction) = ((bits >> 52) as i32, bits & ((1 << 52) - 1));
-    let mut big = Big::from(if exponent == 0 { fraction } else { fraction | 1 << 52 });
-    for _ in 0..decimals {
-        big.multiply_add(10, 0);
-    }
-    big.shifted(exponent.max(1) - 1075)
+    exact::scaled(value, decimals)
 }
 
 /// Fewest decimals that bring `value` back to the last bit: (n, p) with |value| = n·10⁻ᵖ after reading.
