@@ -14,12 +14,14 @@ use super::length::{check_tolerance, place_on};
 use super::limits::{MOST_OUTPUT_POINTS, filled, too_many, with_room};
 use super::piece::{ANY_ROOTS, Jet, Piece};
 use super::pieces::{AnyPiece, Pieces};
-use super::speed::{ROUNDING, axis_rule, fastest, interval_axis, length_by_rule, piece_length};
+use super::speed::{ROUNDING, fastest, piece_length};
 use crate::error::Result;
 use crate::numerics::plane::{dot, norm, smaller, square};
 
-/// The most intervals that wait to be looked at.
-const STACK: usize = 192;
+/// The most intervals that wait to be looked at: halves of halves down to the least width.
+const STACK: usize = 64;
+/// Where the first intervals end, from the last one on.
+const START: [f64; 4] = [0.5, 0.25, 0.0, -0.25];
 /// Points that are placed before they are written.
 const BATCH: usize = 64;
 /// Cells of less than this share of a segment are taken as they are.
@@ -230,28 +232,21 @@ fn tabulate(piece: &Piece, tolerance: f64, share: f64, cells: &mut Vec<Cell>) {
     cells.clear();
     // Places that a rounding of the parameter moves by more cannot be told apart: smaller cells would not help.
     let tolerance = tolerance.max(4.0 * ROUNDING * fastest(piece, -0.5, 0.5));
-    let mut total = 0.0;
-    let mut stack = [(-0.5, 0.5, 1.0); STACK];
-    let mut open = 0;
-    push_parts(&mut stack, &mut open, -0.5, 0.5, 4, interval_axis(piece, -0.5, 0.5));
-    let mut from = Node::new(piece, -0.5);
+    let (mut total, mut from) = (0.0, Node::new(piece, -0.5));
+    // Where the intervals end that wait to be looked at, the next one last. Four at first: in the middle of a symmetric piece
+    // any polynomial is right.
+    let (mut ends, mut open) = ([0.5; STACK], START.len());
+    ends[..open].copy_from_slice(&START);
     while open > 0 {
-        open -= 1;
-        let (lo, hi, axis) = stack[open];
-        let rule = axis_rule(piece, lo, hi, axis, 0.25 * share);
-        let length_to = |y: f64| match rule {
-            Some(rule) => length_by_rule(piece, lo, y, rule),
-            None => piece_length(piece, lo, y, 0.25 * share),
-        };
-        let to = Node::new(piece, hi);
-        let length = length_to(hi);
+        let (lo, hi) = (from.y, ends[open - 1]);
+        let length_to = |y: f64| piece_length(piece, lo, y, 0.25 * share);
+        let (to, length) = (Node::new(piece, hi), length_to(hi));
         let mut cell = Cell::new(&from, &to, length);
         let off = (length_to(cell.parameter(0.5 * length)) - 0.5 * length).abs();
-        let dividable = hi - lo > LEAST_WIDTH && open + 2 < STACK && cells.len() < MOST_CELLS;
+        let dividable = hi - lo > LEAST_WIDTH && open < STACK && cells.len() < MOST_CELLS;
         if off > tolerance && length > tolerance && dividable {
-            // The error is of the eighth order.
-            let parts = (1.1 * (off / tolerance).sqrt().sqrt().sqrt()).ceil().clamp(2.0, 6.0) as usize;
-            push_parts(&mut stack, &mut open, lo, hi, parts, axis);
+            ends[open] = 0.5 * (lo + hi);
+            open += 1;
             continue;
         }
         cell.start = total;
@@ -259,23 +254,6 @@ fn tabulate(piece: &Piece, tolerance: f64, share: f64, cells: &mut Vec<Cell>) {
         cell.end = total;
         cells.push(cell);
         from = to;
-    }
-}
-
-/// An interval to be looked at, and the half-axis of an ellipse around it in which the speed is analytic.
-type Part = (f64, f64, f64);
-
-/// Pushes the parts of an interval, the first one on top.
-fn push_parts(stack: &mut [Part; STACK], open: &mut usize, lo: f64, hi: f64, parts: usize, axis: f64) {
-    let parts = parts.min(STACK - *open);
-    // A part's foci are nearer to each other by the factor, and no farther from a singularity than that allows.
-    let axis = 1.0 + parts as f64 * (axis - 1.0);
-    let step = (hi - lo) / parts as f64;
-    let mut end = hi;
-    for k in (0..parts).rev() {
-        let start = if k == 0 { lo } else { lo + step * k as f64 };
-        stack[*open] = (start, end, axis);
-        *open += 1;
-        end = start;
+        open -= 1;
     }
 }

@@ -141,26 +141,6 @@ impl LengthSum {
     }
 }
 
-/// The larger half-axis of the ellipse around an interval in which the speed is analytic, in units of half its width.
-pub(super) fn interval_axis(piece: &Piece, lo: f64, hi: f64) -> f64 {
-    let middle = 0.5 * (lo + hi);
-    half_axis(piece, &piece.jet(middle), middle, 0.5 * (hi - lo)).clamp(1.0, 1e3)
-}
-
-/// The rule that is good enough for an interval around which the speed is analytic so far; none where there is none.
-pub(super) fn axis_rule(piece: &Piece, lo: f64, hi: f64, axis: f64, tolerance: f64) -> Option<&'static Rule> {
-    if piece.is_decaying() {
-        return None;
-    }
-    let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-    let jet = piece.jet(middle);
-    let axis = smaller(axis, LARGEST_AXIS);
-    let largest = largest_speed(piece, &jet, middle, axis * half);
-    RULES
-        .get(rule_index(axis, largest, half, larger(tolerance, ROUNDING * half * taxi(jet.first))) as usize)
-        .copied()
-}
-
 /// A bound of the speed within `reach` of the jet, complex parameters included; for cubics one without square roots.
 #[inline]
 fn largest_speed(piece: &Piece, jet: &Jet, at: f64, reach: f64) -> f64 {
@@ -168,12 +148,6 @@ fn largest_speed(piece: &Piece, jet: &Jet, at: f64, reach: f64) -> f64 {
         return taxi(jet.first) + reach * (taxi(jet.second) + 0.5 * reach * taxi(jet.third));
     }
     piece.within(jet, at, reach)[1]
-}
-
-/// The length of an interval by a rule that is known to do.
-pub(super) fn length_by_rule(piece: &Piece, lo: f64, hi: f64, rule: &Rule) -> f64 {
-    let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-    half * speeds(piece, &piece.jet(middle), half, middle, rule)
 }
 
 /// The length of a piece between two parameters, within `tolerance`.
