@@ -37,14 +37,11 @@ pub(super) fn deviation_of(from: &[Segment], to: &[Segment]) -> f64 {
 /// `PLACES` on each of one or two segments, its ends among them.
 #[inline(never)]
 fn places(segments: &[Segment]) -> [Point; 2 * PLACES] {
-    let mut places = [Point::zeros(); 2 * PLACES];
-    for (k, point) in places.iter_mut().enumerate() {
-        let segment = if k < PLACES { segments.first() } else { segments.get(1) };
-        if let Some(segment) = segment {
-            *point = segment.position(place(k));
-        }
-    }
-    places
+    // Made from what is computed: a list of zeros would be two hundred instructions.
+    core::array::from_fn(|k| match segments.get(k / PLACES) {
+        Some(segment) => segment.position(place(k)),
+        None => Point::zeros(),
+    })
 }
 
 fn place(k: usize) -> f64 {
