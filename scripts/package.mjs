@@ -44,6 +44,12 @@ const MODULES = [
 ];
 
 /**
+ * No object lies below address 1024, where the stack ends, so an address and what is added to it never overflow: the sum is the
+ * offset of a load or a store.
+ */
+const ADDRESSES = "--low-memory-unused";
+
+/**
  * wasm-opt, too, leaves functions functions there. Those of one room next to each other, which is the order of their names, are
  * less after compression: gzip looks back 32 kB only.
  */
@@ -77,7 +83,9 @@ async function buildWasm() {
     await sideBySide(MODULES, async (module) => {
       const env = { CARGO_ENCODED_RUSTFLAGS: flags(module.slim).join("\x1f"), CARGO_TARGET_DIR: at(module.target) };
       const features = ["--no-default-features", "--features", module.feature];
-      await run("cargo", ["build", "--locked", "-p", "expline", "--lib", "--release", "--target", "wasm32-unknown-unknown", ...features], { env });
+      // Of the wasm alone, without the library for Rust beside it: more is known to be called from one place only.
+      const kind = ["--lib", "--crate-type", "cdylib"];
+      await run("cargo", ["rustc", "--locked", "-p", "expline", ...kind, "--release", "--target", "wasm32-unknown-unknown", ...features], { env });
     });
   });
 }
@@ -94,7 +102,7 @@ async function buildBindings(module) {
     await run("node", [at("scripts/snip.mjs"), at(BOUND, `${name}_bg.wasm`), at(BOUND, `${name}_snipped.wasm`)]);
     await run("node", [
       at("node_modules/binaryen/bin/wasm-opt"),
-      ...["-O3", ...(module.slim ? NOT_INLINED : []), "--reorder-functions-by-name", ...FEATURES, "--strip-debug", "--strip-producers", "--strip-target-features"],
+      ...["-O3", ADDRESSES, ...(module.slim ? NOT_INLINED : []), "--reorder-functions-by-name", ...FEATURES, "--strip-debug", "--strip-producers", "--strip-target-features"],
       ...[at(BOUND, `${name}_snipped.wasm`), "-o", at(BINDINGS, `${name}_bg.wasm`)],
     ]);
     const { code, declarations, text } = await inlineModule(readFileSync(at(BINDINGS, `${name}_bg.wasm`)));
