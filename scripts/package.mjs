@@ -83,9 +83,9 @@ async function buildWasm() {
     await sideBySide(MODULES, async (module) => {
       const env = { CARGO_ENCODED_RUSTFLAGS: flags(module.slim).join("\x1f"), CARGO_TARGET_DIR: at(module.target) };
       const features = ["--no-default-features", "--features", module.feature];
-      // Of the wasm alone, without the library for Rust beside it: more is known to be called from one place only.
-      const kind = ["--lib", "--crate-type", "cdylib"];
-      await run("cargo", ["rustc", "--locked", "-p", "expline", ...kind, "--release", "--target", "wasm32-unknown-unknown", ...features], { env });
+      // Of a wasm alone, without the library for Rust beside it, the compiler knows more to be called from one place only.
+      const kind = module.slim ? ["rustc", "--lib", "--crate-type", "cdylib"] : ["build", "--lib"];
+      await run("cargo", [...kind, "--locked", "-p", "expline", "--release", "--target", "wasm32-unknown-unknown", ...features], { env });
     });
   });
 }
