@@ -83,16 +83,28 @@ const KINDS = {
   },
 };
 
+/** How pictures come about, by the first letter of their condition. */
 const MAKE = {
-  c: (picture) => picture,
-  n: (picture, seed) => noisy(picture, 1, 16, seed),
-  j: (picture) => compressed(picture, 40),
+  c: drawn,
+  s: sampled,
+  n: (shape, size, seed) => noisy(drawn(shape, size), 1, 16, seed),
+  j: (shape, size) => compressed(drawn(shape, size), 40),
 };
+
+const inked = (size, coverage) => ({ width: size, height: size, pixels: Uint8Array.from(coverage, (c) => Math.round(255 * (1 - c))) });
 
 /** A shape's picture with exact coverage. */
 export function drawn(shape, size) {
-  const coverage = new Raster(size, size).add(shape.contours, size).coverage();
-  return { width: size, height: size, pixels: Uint8Array.from(coverage, (c) => Math.round(255 * (1 - c))) };
+  return inked(size, new Raster(size, size).add(shape.contours, size).coverage());
+}
+
+/** A shape's picture as browsers and many programs draw it: four rows of four samples in each pixel. */
+function sampled(shape, size) {
+  const fine = 4 * size;
+  const samples = new Raster(fine, fine).add(shape.contours, fine).coverage();
+  const hits = new Float64Array(size * size);
+  samples.forEach((c, i) => (hits[Math.floor(i / fine / 4) * size + Math.floor((i % fine) / 4)] += c >= 0.5 ? 1 / 16 : 0));
+  return inked(size, hits);
 }
 
 export function unseen() {
@@ -100,6 +112,6 @@ export function unseen() {
   const among = (least, most) => least + (most - least) * next();
   const own = Object.entries(KINDS).flatMap(([kind, make]) => [1, 2].map((n) => outlined(`${kind}-${n}`, make(among), 100, 0)));
   const shapes = [...ICONS.map(icon), ...own];
-  const picture = (shape, condition) => MAKE[condition[0]](drawn(shape, Number(condition.slice(1))), 1 + shapes.indexOf(shape));
-  return { conditions: ["c64", "c256", "c1024", "n256", "j256"], shapes, picture };
+  const picture = (shape, condition) => MAKE[condition[0]](shape, Number(condition.slice(1)), 1 + shapes.indexOf(shape));
+  return { conditions: ["c64", "c256", "c1024", "s64", "s256", "n256", "j256"], shapes, picture };
 }
