@@ -4,7 +4,7 @@ use super::arcs::{Arc, under};
 use super::field::Field;
 use super::outline::{Node, Outline, Piece};
 use super::refine::{Left, Refiner, Shape};
-use super::samples::unit;
+use super::samples::{turn, unit};
 use super::simplify::Limits;
 use crate::error::Result;
 use crate::numerics::Point;
@@ -14,11 +14,13 @@ use crate::numerics::plane::{cross, dot};
 const NEAR: f64 = 0.35;
 /// The most pieces of one rounded corner: more are something else.
 const MOST_PIECES: usize = 8;
+/// Joints within a rounded corner turn by less, in radians.
+const GENTLE: f64 = 0.35;
 /// What is left of a straight piece is at least so long, in pixels.
 const LEAST: f64 = 0.5;
 const STEPS: (usize, f64) = (6, 0.01);
 
-/// Makes one piece of each run of smooth pieces between two straight ones that is an arc of a circle, as long as the picture is explained
+/// Makes one piece of each run of pieces without sharp corners between two straight ones that is an arc of a circle, as long as the picture is explained
 /// as well as before or as `limits` say.
 ///
 /// # Cost
@@ -48,13 +50,13 @@ fn rounding(outline: &Outline, i: usize) -> Option<(usize, Arc)> {
     let first = outline.next(i);
     let (mut at, mut count, mut area) = (first, 0, 0.0);
     let start = outline.nodes[first].point;
-    while !outline.is_line(at) && outline.nodes[at].smooth && count < MOST_PIECES {
+    while !outline.is_line(at) && is_gentle(outline, at) && count < MOST_PIECES {
         let cubic = outline.cubic(at);
         area += under(&cubic) + 0.5 * cross(cubic.start - start, cubic.end - start);
         at = outline.next(at);
         count += 1;
     }
-    if !outline.is_line(i) || !outline.is_line(at) || !outline.nodes[at].smooth || count < 2 || at == i {
+    if !outline.is_line(i) || !outline.is_line(at) || !is_gentle(outline, at) || count < 2 || at == i {
         return None;
     }
     let (before, after) = (outline.nodes[i].point, outline.nodes[outline.next(at)].point);
@@ -78,6 +80,12 @@ fn rounding(outline: &Outline, i: usize) -> Option<(usize, Arc)> {
         piece = outline.next(piece);
     }
     (room[0] >= LEAST && room[1] >= LEAST).then_some((count, arc))
+}
+
+/// Whether the outline turns by little at joint i.
+fn is_gentle(outline: &Outline, i: usize) -> bool {
+    let ways = (outline.cubic(outline.before(i)).velocity(1.0), outline.cubic(i).velocity(0.0));
+    outline.nodes[i].smooth || turn(ways.0, ways.1).abs() < GENTLE
 }
 
 /// Puts the arc in place of `count` pieces after straight piece i; if that is not good, all is as it was. Whether it was good.
