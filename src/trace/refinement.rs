@@ -385,6 +385,8 @@ impl Refinement {
         let Some((start, before)) = self.start.take() else { return Ok(true) };
         let steps = self.steps(LAST_STEPS);
         let (refiner, field, shape) = (&mut self.refiner, &mut self.field, &mut self.shapes[self.at]);
+        // Between pieces that are straight only now there may be arcs.
+        round_off(refiner, field, shape, &self.limits)?;
         let lost = (0..shape.outline.len()).any(|i| leaves(&shape.outline.cubic(i), field));
         if lost || shape.left(field).rms() > (1.5 * before).max(2.0 * self.limits.rms) {
             refiner.replace(field, shape, start);
