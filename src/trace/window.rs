@@ -129,6 +129,11 @@ fn splice<T>(list: &mut Vec<T>, (first, count): (usize, usize), mut things: Vec<
     things.truncate(fresh);
     let end = first + count;
     let past = end.saturating_sub(list.len());
-    list.splice(first..end - past, things);
-    list.drain(..past);
+    let mut rest = list.split_off(end - past);
+    list.truncate(first);
+    list.append(&mut things);
+    list.append(&mut rest);
+    if past > 0 {
+        *list = list.split_off(past);
+    }
 }
