@@ -550,8 +550,7 @@ fn narrow_ends_keep_both_corners_and_a_narrow_tip_is_one() {
         (3.9, 19.4),
     ];
     let wedge = [(36.59, 10.7), (6.78, 106.81), (45.5, 106.81), (55.94, 73.82)];
-    let cases: [(&[(f64, f64)], usize, usize); 2] = [(&letter, 16, 24), (&wedge, 64, 116)];
-    for (corners, width, height) in cases {
+    for (corners, width, height) in [(letter.as_slice(), 16, 24), (wedge.as_slice(), 64, 116)] {
         let drawing = traced(width, height, &draw(width, height, &|x, y| inside(corners, x, y)));
         let contour = &drawing.contours[0];
         assert_eq!((drawing.contours.len(), contour.cusps.len()), (1, corners.len()), "{:?}", contour.cusps);
