@@ -1,0 +1,103 @@
+//! Corners of drawings are found where they are, all of them and no others.
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use expline::numerics::Point;
+use expline::trace::{Gray, Trace, TraceOptions, trace};
+
+/// Places per pixel and axis at which a test picture asks whether there is ink.
+const FINE: usize = 16;
+
+/// Draws a shape with anti-aliasing, dark on white.
+fn draw(width: usize, height: usize, ink: &dyn Fn(f64, f64) -> bool) -> Vec<u8> {
+    let mut bytes = Vec::with_capacity(width * height);
+    for row in 0..height {
+        for column in 0..width {
+            let place = |start: usize, k: usize| start as f64 + (k as f64 + 0.5) / FINE as f64;
+            let hits =
+                (0..FINE * FINE).filter(|k| ink(place(column, k % FINE), place(row, k / FINE))).count();
+            bytes.push((255.0 * (1.0 - hits as f64 / (FINE * FINE) as f64)).round() as u8);
+        }
+    }
+    bytes
+}
+
+fn traced(width: usize, height: usize, bytes: &[u8]) -> Trace {
+    let gray = Gray::from_bytes(width, height, bytes).expect("a valid picture");
+    trace(gray, &TraceOptions::default()).expect("a drawing")
+}
+
+fn inside(corners: &[(f64, f64)], x: f64, y: f64) -> bool {
+    let mut within = false;
+    for (i, &(x0, y0)) in corners.iter().enumerate() {
+        let (x1, y1) = corners[(i + 1) % corners.len()];
+        if (y0 > y) != (y1 > y) && x < x0 + (x1 - x0) * (y - y0) / (y1 - y0) {
+            within = !within;
+        }
+    }
+    within
+}
+
+#[test]
+fn corners_three_pixels_apart_are_all_found() {
+    // Slanted strokes with ends that are as short as corners are far from each other.
+    let slant = [(6.3, 40.2), (10.1, 8.4), (13.2, 8.1), (9.4, 39.9)];
+    let strokes: Vec<Vec<(f64, f64)>> = (0..4)
+        .map(|k| slant.iter().map(|&(x, y)| (x + 12.37 * f64::from(k), y + 0.21 * f64::from(k))).collect())
+        .collect();
+    let drawn = |x: f64, y: f64| strokes.iter().any(|stroke| inside(stroke, x, y));
+    let drawing = traced(64, 48, &draw(64, 48, &drawn));
+    assert_eq!(drawing.contours.len(), 4, "one outline for each stroke");
+    for (k, stroke) in strokes.iter().enumerate() {
+        let near = |p: &(f64, f64)| {
+            let cusps = drawing.contours.iter().flat_map(|contour| &contour.cusps);
+            cusps.map(|c| (c.x - p.0).hypot(c.y - p.1)).fold(f64::MAX, f64::min)
+        };
+        // Within a twentieth of a pixel, as all corners of exact coverage (V21).
+        let most = stroke.iter().map(near).fold(0.0, f64::max);
+        assert!(most < 0.05, "stroke {k}: a corner is {most} px away");
+    }
+    assert!(drawing.contours.iter().all(|contour| contour.cusps.len() == 4), "and no others");
+}
+
+#[test]
+fn narrow_ends_keep_both_corners_and_a_narrow_tip_is_one() {
+    // An H whose strokes are two pixels wide, and a wedge of which pixels cut off the tip.
+    let letter = [
+        (3.9, 6.3),
+        (5.8, 6.3),
+        (5.8, 12.5),
+        (10.1, 12.5),
+        (10.1, 6.3),
+        (12.0, 6.3),
+        (12.0, 19.4),
+        (10.1, 19.4),
+        (10.1, 14.6),
+        (5.8, 14.6),
+        (5.8, 19.4),
+        (3.9, 19.4),
+    ];
+    let wedge = [(36.59, 10.7), (6.78, 106.81), (45.5, 106.81), (55.94, 73.82)];
+    for (corners, width, height) in [(letter.as_slice(), 16, 24), (wedge.as_slice(), 64, 116)] {
+        let drawing = traced(width, height, &draw(width, height, &|x, y| inside(corners, x, y)));
+        let contour = &drawing.contours[0];
+        assert_eq!((drawing.contours.len(), contour.cusps.len()), (1, corners.len()), "{:?}", contour.cusps);
+        for &(x, y) in corners {
+            let nearest =
+                contour.cusps.iter().map(|p| (p - Point::new(x, y)).norm()).fold(f64::MAX, f64::min);
+            assert!(nearest < 0.06, "corner {x}, {y} is off by {nearest}");
+        }
+    }
+}
+
+#[test]
+fn a_corner_too_blunt_for_what_is_asked_is_none() {
+    let rhombus = [(6.0, 32.0), (32.0, 8.0), (58.0, 32.0), (32.0, 56.0)];
+    let bytes = draw(64, 64, &|x, y| inside(&rhombus, x, y));
+    let gray = Gray::from_bytes(64, 64, &bytes).expect("valid");
+    for (corner, cusps) in [(0.49, 4), (core::f64::consts::PI, 0)] {
+        let options = TraceOptions { corner, ..TraceOptions::default() };
+        let drawing = trace(gray.clone(), &options).expect("a drawing");
+        assert_eq!(drawing.contours[0].cusps.len(), cusps, "corners of {corner} and more");
+    }
+}
