@@ -213,15 +213,34 @@ fn outlines_drawn_by_a_few_samples_a_pixel_have_as_few_points_as_exact_ones() {
         let (x, y) = ((x - 80.3).abs() - 40.0, (y - 79.6).abs() - 25.0);
         x.max(0.0).hypot(y.max(0.0)) <= 15.0
     };
-    let shapes: [&dyn Fn(f64, f64) -> bool; 2] = [&wave, &rounded];
-    for ink in shapes {
+    // Grain is in longer waves where a shape is larger.
+    let large = |x: f64, y: f64| rounded(0.4 * x, 0.4 * y);
+    let shapes: [(usize, &dyn Fn(f64, f64) -> bool); 3] = [(160, &wave), (160, &rounded), (400, &large)];
+    for (side, ink) in shapes {
         let points = |fine: usize| {
-            let drawing = traced(160, 160, &draw_finely(160, 160, fine, ink));
+            let drawing = traced(side, side, &draw_finely(side, side, fine, ink));
             drawing.contours.iter().map(|contour| contour.curve.points().len()).sum::<usize>()
         };
         let (exact, sampled) = (points(16), points(4));
-        assert!(sampled <= exact + 2, "{sampled} points, of exact coverage {exact}");
+        assert!(sampled <= exact + 2, "{sampled} points at {side} pixels, of exact coverage {exact}");
     }
+}
+
+#[test]
+fn ink_whose_shade_lies_between_two_bytes_is_as_clean_as_black() {
+    let blue = [0x11, 0x44, 0xaa];
+    let share = draw(64, 64, &|x, y| (x - 31.7).hypot(y - 32.2) <= 20.6);
+    let channel = |paper: u8, k: usize| {
+        let (ink, paper) = (f64::from(blue[k]), f64::from(paper) / 255.0);
+        (ink + (255.0 - ink) * paper).round() as u8
+    };
+    let pixel = |&paper: &u8| [channel(paper, 0), channel(paper, 1), channel(paper, 2), 255];
+    let bytes: Vec<u8> = share.iter().flat_map(pixel).collect();
+    let gray = Gray::from_rgba(64, 64, &bytes).expect("a valid picture");
+    let drawing = trace(gray, &TraceOptions::default()).expect("a drawing");
+    assert!(drawing.tones.ink % 256.0 > 1.0, "or it is no such ink: {}", drawing.tones.ink);
+    // All of it seemed stained, by the fraction of a byte, and a disc had fifteen points.
+    drawing.contours[0].curve.as_ellipse(1e-6).expect("a circle");
 }
 
 #[test]

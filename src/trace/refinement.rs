@@ -330,7 +330,9 @@ impl Refinement {
             Phase::Rough => {
                 let left = self.crossed();
                 // If fewer pieces explain the picture as well, the rest is not in the drawing.
-                if left.rms() < ROUGHER[usize::from(self.field.stain <= ROUGH)] * self.left.rms() {
+                let is_grainy = self.field.stain <= ROUGH;
+                let enough = if is_grainy { KNOWN * self.grain } else { 0.0 };
+                if left.rms() < larger(ROUGHER[usize::from(is_grainy)] * self.left.rms(), enough) {
                     self.limits.noise = left.rms();
                 } else {
                     for (shape, outline) in self.shapes.iter_mut().zip(core::mem::take(&mut self.fine)) {

@@ -36,6 +36,8 @@ pub(super) struct ToneScan {
 struct Flat {
     threshold: usize,
     histogram: [[u32; 256]; 2],
+    /// What the shades of each bin exceed it by, together.
+    excess: [[u64; 256]; 2],
     sum: u64,
     count: u64,
 }
@@ -69,7 +71,13 @@ impl ToneScan {
                 return Some(Tones { ink, paper, noise: 0.0 });
             }
             let threshold = self.given.unwrap_or_else(|| otsu(&self.shades[0]));
-            self.flat = Some(Box::new(Flat { threshold, histogram: [[0; 256]; 2], sum: 0, count: 0 }));
+            self.flat = Some(Box::new(Flat {
+                threshold,
+                histogram: [[0; 256]; 2],
+                excess: [[0; 256]; 2],
+                sum: 0,
+                count: 0,
+            }));
             return None;
         };
         // Every so many rows: noise and tones are the same everywhere.
@@ -113,7 +121,9 @@ impl ToneScan {
                 below += n;
                 2 * below >= total
             });
-            (middle.unwrap_or(extreme(side)) << 8) as f64
+            let Some(bin) = middle else { return (extreme(side) << 8) as f64 };
+            // Colours have shades between those of bytes.
+            (bin << 8) as f64 + (flat.excess[side][bin] as f64 / f64::from(bins[bin])).round()
         };
         let (ink, paper) = (tone(0), tone(1).max(tone(0) + 256.0));
         Tones { ink, paper, noise: roughness / (paper - ink) }
@@ -155,13 +165,20 @@ impl Flat {
             let around = rows.map(|row| &row[at - 1..=last]);
             let shade = around[1][0];
             if around.iter().all(|row| alike(row, shade)) {
-                self.histogram[usize::from(shade > most)][usize::from(shade >> 8)] += (last - at) as u32;
+                self.note(usize::from(shade > most), shade, (last - at) as u32);
                 self.count += (last - at) as u64;
             } else {
                 self.mixed(around, most);
             }
             at = last;
         }
+    }
+
+    /// So many pixels have a shade.
+    fn note(&mut self, side: usize, shade: u16, pixels: u32) {
+        let bin = usize::from(shade >> 8);
+        self.histogram[side][bin] += pixels;
+        self.excess[side][bin] += u64::from(shade & 0xff) * u64::from(pixels);
     }
 
     /// Looks at the middle row of some columns, but for the first and the last.
@@ -175,7 +192,7 @@ impl Flat {
             if sum != 0 && sum != 9 {
                 continue;
             }
-            self.histogram[usize::from(sum == 9)][usize::from(rows[1][at] >> 8)] += 1;
+            self.note(usize::from(sum == 9), rows[1][at], 1);
             let value = |r: usize, c: usize| i64::from(rows[r][at + c - 1]);
             let corners = value(0, 0) + value(0, 2) + value(2, 0) + value(2, 2);
             let sides = value(0, 1) + value(1, 0) + value(1, 2) + value(2, 1);
