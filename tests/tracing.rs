@@ -2,36 +2,13 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
+mod support;
+
 use expline::curve::Curve;
-use expline::numerics::{Point, Vector};
+use expline::numerics::Point;
 use expline::trace::{Gray, Progress, Source, Stage, Trace, TraceOptions, Tracer, trace};
 use expline::{Error, HermiteCurve};
-
-/// Places per pixel and axis at which a test picture asks whether there is ink: coverage to a few thousandths.
-const FINE: usize = 16;
-
-/// Draws a shape with anti-aliasing, dark on white.
-fn draw(width: usize, height: usize, ink: &dyn Fn(f64, f64) -> bool) -> Vec<u8> {
-    draw_finely(width, height, FINE, ink)
-}
-
-fn draw_finely(width: usize, height: usize, fine: usize, ink: &dyn Fn(f64, f64) -> bool) -> Vec<u8> {
-    let mut bytes = Vec::with_capacity(width * height);
-    for row in 0..height {
-        for column in 0..width {
-            let place = |start: usize, k: usize| start as f64 + (k as f64 + 0.5) / fine as f64;
-            let hits =
-                (0..fine * fine).filter(|k| ink(place(column, k % fine), place(row, k / fine))).count();
-            bytes.push((255.0 * (1.0 - hits as f64 / (fine * fine) as f64)).round() as u8);
-        }
-    }
-    bytes
-}
-
-fn traced(width: usize, height: usize, bytes: &[u8]) -> Trace {
-    let gray = Gray::from_bytes(width, height, bytes).expect("a valid picture");
-    trace(gray, &TraceOptions::default()).expect("a drawing")
-}
+use support::pictures::{draw, draw_finely, inside, traced};
 
 /// The largest and the mean value of a distance along a curve.
 fn along(curve: &HermiteCurve, distance: &dyn Fn(Point) -> f64) -> (f64, f64) {
@@ -58,17 +35,6 @@ impl Noise {
     fn normal(&mut self) -> f64 {
         (0..12).map(|_| self.unit()).sum::<f64>() - 6.0
     }
-}
-
-fn inside(corners: &[(f64, f64)], x: f64, y: f64) -> bool {
-    let mut within = false;
-    for (i, &(x0, y0)) in corners.iter().enumerate() {
-        let (x1, y1) = corners[(i + 1) % corners.len()];
-        if (y0 > y) != (y1 > y) && x < x0 + (x1 - x0) * (y - y0) / (y1 - y0) {
-            within = !within;
-        }
-    }
-    within
 }
 
 const STAR: [(f64, f64); 10] = [
@@ -181,66 +147,6 @@ fn circles_that_were_not_drawn_by_exact_coverage_are_circles_too() {
         let circle = contour.curve.as_ellipse(1e-6).expect("one circle");
         assert!((circle.radii.x - radius).abs() < 0.02, "{circle:?}");
     }
-}
-
-/// As browsers and many programs draw edges: four rows of four samples in each pixel, which tell where an edge is to 1/16 of a pixel or so.
-fn draw_by_samples(side: usize, ink: &dyn Fn(f64, f64) -> bool) -> Vec<u8> {
-    draw_finely(side, side, 4, ink)
-}
-
-#[test]
-fn circles_and_ellipses_drawn_by_a_few_samples_a_pixel_are_circles_and_ellipses() {
-    for radius in [7.3, 26.6, 95.9] {
-        let side = 2 * (radius as usize + 4);
-        let middle = 0.5 * side as f64 + 0.13;
-        let bytes = draw_by_samples(side, &|x, y| (x - middle).hypot(y - middle) <= radius);
-        let circle = traced(side, side, &bytes).contours[0].curve.as_ellipse(1e-6).expect("a circle");
-        assert!((circle.radii - Vector::new(radius, radius)).norm() < 0.15, "{circle:?}");
-    }
-    let (sin, cos) = 0.35_f64.sin_cos();
-    let bytes = draw_by_samples(128, &|x, y| {
-        let (x, y) = (x - 63.7, y - 64.2);
-        ((x * cos + y * sin) / 55.0).hypot((y * cos - x * sin) / 32.0) <= 1.0
-    });
-    let ellipse = traced(128, 128, &bytes).contours[0].curve.as_ellipse(1e-6).expect("an ellipse");
-    assert!((ellipse.radii - Vector::new(55.0, 32.0)).norm() < 0.15, "{ellipse:?}");
-}
-
-#[test]
-fn outlines_drawn_by_a_few_samples_a_pixel_have_as_few_points_as_exact_ones() {
-    let wave = |x: f64, y: f64| y > 80.0 + 20.0 * (x / 37.0).sin() + 7.0 * (x / 61.0).cos();
-    let rounded = |x: f64, y: f64| {
-        let (x, y) = ((x - 80.3).abs() - 40.0, (y - 79.6).abs() - 25.0);
-        x.max(0.0).hypot(y.max(0.0)) <= 15.0
-    };
-    // Grain is in longer waves where a shape is larger.
-    let large = |x: f64, y: f64| rounded(0.4 * x, 0.4 * y);
-    let shapes: [(usize, &dyn Fn(f64, f64) -> bool); 3] = [(160, &wave), (160, &rounded), (400, &large)];
-    for (side, ink) in shapes {
-        let points = |fine: usize| {
-            let drawing = traced(side, side, &draw_finely(side, side, fine, ink));
-            drawing.contours.iter().map(|contour| contour.curve.points().len()).sum::<usize>()
-        };
-        let (exact, sampled) = (points(16), points(4));
-        assert!(sampled <= exact + 2, "{sampled} points at {side} pixels, of exact coverage {exact}");
-    }
-}
-
-#[test]
-fn ink_whose_shade_lies_between_two_bytes_is_as_clean_as_black() {
-    let blue = [0x11, 0x44, 0xaa];
-    let share = draw(64, 64, &|x, y| (x - 31.7).hypot(y - 32.2) <= 20.6);
-    let channel = |paper: u8, k: usize| {
-        let (ink, paper) = (f64::from(blue[k]), f64::from(paper) / 255.0);
-        (ink + (255.0 - ink) * paper).round() as u8
-    };
-    let pixel = |&paper: &u8| [channel(paper, 0), channel(paper, 1), channel(paper, 2), 255];
-    let bytes: Vec<u8> = share.iter().flat_map(pixel).collect();
-    let gray = Gray::from_rgba(64, 64, &bytes).expect("a valid picture");
-    let drawing = trace(gray, &TraceOptions::default()).expect("a drawing");
-    assert!(drawing.tones.ink % 256.0 > 1.0, "or it is no such ink: {}", drawing.tones.ink);
-    // All of it seemed stained, by the fraction of a byte, and a disc had fifteen points.
-    drawing.contours[0].curve.as_ellipse(1e-6).expect("a circle");
 }
 
 #[test]

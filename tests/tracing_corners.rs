@@ -2,41 +2,11 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
+mod support;
+
 use expline::numerics::Point;
-use expline::trace::{Gray, Trace, TraceOptions, trace};
-
-/// Places per pixel and axis at which a test picture asks whether there is ink.
-const FINE: usize = 16;
-
-/// Draws a shape with anti-aliasing, dark on white.
-fn draw(width: usize, height: usize, ink: &dyn Fn(f64, f64) -> bool) -> Vec<u8> {
-    let mut bytes = Vec::with_capacity(width * height);
-    for row in 0..height {
-        for column in 0..width {
-            let place = |start: usize, k: usize| start as f64 + (k as f64 + 0.5) / FINE as f64;
-            let hits =
-                (0..FINE * FINE).filter(|k| ink(place(column, k % FINE), place(row, k / FINE))).count();
-            bytes.push((255.0 * (1.0 - hits as f64 / (FINE * FINE) as f64)).round() as u8);
-        }
-    }
-    bytes
-}
-
-fn traced(width: usize, height: usize, bytes: &[u8]) -> Trace {
-    let gray = Gray::from_bytes(width, height, bytes).expect("a valid picture");
-    trace(gray, &TraceOptions::default()).expect("a drawing")
-}
-
-fn inside(corners: &[(f64, f64)], x: f64, y: f64) -> bool {
-    let mut within = false;
-    for (i, &(x0, y0)) in corners.iter().enumerate() {
-        let (x1, y1) = corners[(i + 1) % corners.len()];
-        if (y0 > y) != (y1 > y) && x < x0 + (x1 - x0) * (y - y0) / (y1 - y0) {
-            within = !within;
-        }
-    }
-    within
-}
+use expline::trace::{Gray, TraceOptions, trace};
+use support::pictures::{draw, inside, traced};
 
 #[test]
 fn corners_three_pixels_apart_are_all_found() {

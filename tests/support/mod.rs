@@ -5,6 +5,7 @@
 pub(crate) mod curves;
 pub(crate) mod drawing;
 pub(crate) mod golden;
+pub(crate) mod pictures;
 pub(crate) mod tolerance;
 
 use expline::generator::{HermiteGenerators, Root, Roots, Space};

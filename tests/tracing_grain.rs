@@ -1,0 +1,69 @@
+//! Pictures whose edges were not drawn by exact coverage are traced as well as those that were. Browsers and many programs take four rows of
+//! four samples in each pixel, which tell where an edge is to 1/16 of a pixel or so.
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod support;
+
+use expline::numerics::Vector;
+use expline::trace::{Gray, TraceOptions, trace};
+use support::pictures::{Ink, draw, draw_finely, traced};
+
+fn draw_by_samples(side: usize, ink: Ink) -> Vec<u8> {
+    draw_finely(side, side, 4, ink)
+}
+
+#[test]
+fn circles_and_ellipses_drawn_by_a_few_samples_a_pixel_are_circles_and_ellipses() {
+    for radius in [7.3, 26.6, 95.9] {
+        let side = 2 * (radius as usize + 4);
+        let middle = 0.5 * side as f64 + 0.13;
+        let bytes = draw_by_samples(side, &|x, y| (x - middle).hypot(y - middle) <= radius);
+        let circle = traced(side, side, &bytes).contours[0].curve.as_ellipse(1e-6).expect("a circle");
+        assert!((circle.radii - Vector::new(radius, radius)).norm() < 0.15, "{circle:?}");
+    }
+    let (sin, cos) = 0.35_f64.sin_cos();
+    let bytes = draw_by_samples(128, &|x, y| {
+        let (x, y) = (x - 63.7, y - 64.2);
+        ((x * cos + y * sin) / 55.0).hypot((y * cos - x * sin) / 32.0) <= 1.0
+    });
+    let ellipse = traced(128, 128, &bytes).contours[0].curve.as_ellipse(1e-6).expect("an ellipse");
+    assert!((ellipse.radii - Vector::new(55.0, 32.0)).norm() < 0.15, "{ellipse:?}");
+}
+
+#[test]
+fn outlines_drawn_by_a_few_samples_a_pixel_have_as_few_points_as_exact_ones() {
+    let wave = |x: f64, y: f64| y > 80.0 + 20.0 * (x / 37.0).sin() + 7.0 * (x / 61.0).cos();
+    let rounded = |x: f64, y: f64| {
+        let (x, y) = ((x - 80.3).abs() - 40.0, (y - 79.6).abs() - 25.0);
+        x.max(0.0).hypot(y.max(0.0)) <= 15.0
+    };
+    // Grain is in longer waves where a shape is larger.
+    let large = |x: f64, y: f64| rounded(0.4 * x, 0.4 * y);
+    let shapes: [(usize, Ink); 3] = [(160, &wave), (160, &rounded), (400, &large)];
+    for (side, ink) in shapes {
+        let points = |fine: usize| {
+            let drawing = traced(side, side, &draw_finely(side, side, fine, ink));
+            drawing.contours.iter().map(|contour| contour.curve.points().len()).sum::<usize>()
+        };
+        let (exact, sampled) = (points(16), points(4));
+        assert!(sampled <= exact + 2, "{sampled} points at {side} pixels, of exact coverage {exact}");
+    }
+}
+
+#[test]
+fn ink_whose_shade_lies_between_two_bytes_is_as_clean_as_black() {
+    let blue = [0x11, 0x44, 0xaa];
+    let share = draw(64, 64, &|x, y| (x - 31.7).hypot(y - 32.2) <= 20.6);
+    let channel = |paper: u8, k: usize| {
+        let (ink, paper) = (f64::from(blue[k]), f64::from(paper) / 255.0);
+        (ink + (255.0 - ink) * paper).round() as u8
+    };
+    let pixel = |&paper: &u8| [channel(paper, 0), channel(paper, 1), channel(paper, 2), 255];
+    let bytes: Vec<u8> = share.iter().flat_map(pixel).collect();
+    let gray = Gray::from_rgba(64, 64, &bytes).expect("a valid picture");
+    let drawing = trace(gray, &TraceOptions::default()).expect("a drawing");
+    assert!(drawing.tones.ink % 256.0 > 1.0, "or it is no such ink: {}", drawing.tones.ink);
+    // All of it seemed stained, by the fraction of a byte, and a disc had fifteen points.
+    drawing.contours[0].curve.as_ellipse(1e-6).expect("a circle");
+}
