@@ -16,6 +16,8 @@ pub(super) const AREA: usize = SIDE * SIDE;
 pub(super) const NONE: u32 = u32::MAX;
 /// The farthest that a blur reaches, in pixels: tiles next to each other.
 const REACH: usize = SIDE;
+/// Pixels along the side of a tile with those around it.
+const WIDE: usize = SIDE + 2 * REACH;
 
 /// How shades become coverage.
 #[derive(Clone, Copy, Debug)]
@@ -207,7 +209,9 @@ impl Field {
     /// Takes what has changed into account; how much the sum of squares has grown by it.
     pub(super) fn settle(&mut self) -> f64 {
         let Some(mut blur) = self.blur.take() else { return 0.0 };
-        let changed = core::mem::take(&mut blur.changed);
+        let mut changed = core::mem::take(&mut blur.changed);
+        sort_in_place(&mut changed);
+        changed.dedup();
         let near = self.around(&changed);
         let mut growth = 0.0;
         for &slot in &near {
@@ -302,41 +306,57 @@ impl Field {
 
     /// The pixels of one tile, blurred. Where no tile is, the nearest pixel's own side counts, or nothing.
     fn blurred(&self, plane: &[f32], slot: u32, half: &[f32], own: bool) -> [f32; AREA] {
-        const WIDE: usize = SIDE + 2 * REACH;
         let reach = (half.len() - 1).min(REACH);
-        let place = self.places[slot as usize] as usize;
-        let (row, column) = (place / self.across * SIDE, place % self.across * SIDE);
-        let mut along = [[0.0_f32; SIDE]; WIDE];
-        for (dy, out) in along.iter_mut().enumerate().take(REACH + SIDE + reach).skip(REACH - reach) {
-            let mut line = [0.0_f32; WIDE];
-            for (dx, value) in line.iter_mut().enumerate().take(REACH + SIDE + reach).skip(REACH - reach) {
-                let (y, x) = ((row + dy).wrapping_sub(REACH), (column + dx).wrapping_sub(REACH));
-                let known = y < self.down * SIDE && x < self.across * SIDE;
-                let pixel = if known { self.pixel(x, y) } else { NONE };
-                *value = if pixel != NONE {
-                    plane[pixel as usize]
-                } else if own {
-                    let inner = |d: usize| d.clamp(REACH, REACH + SIDE - 1) - REACH;
-                    plane[slot as usize * AREA + inner(dx) * SIDE + inner(dy)].round()
-                } else {
-                    0.0
-                };
+        let block = self.block(plane, slot, own);
+        let mut out = [0.0; AREA];
+        for (x, out) in out.as_chunks_mut::<SIDE>().0.iter_mut().enumerate() {
+            let column = |at: usize| block[REACH + at].as_flattened();
+            let mut along = [0.0; WIDE];
+            weigh(&mut along, half[0], [column(x), &[0.0; WIDE]]);
+            for (d, &weight) in half.iter().enumerate().take(reach + 1).skip(1) {
+                weigh(&mut along, weight, [block[REACH + x - d].as_flattened(), column(x + d)]);
             }
-            for (i, value) in out.iter_mut().enumerate() {
-                let mut sum = half[0] * line[REACH + i];
-                for (d, weight) in half.iter().enumerate().take(reach + 1).skip(1) {
-                    sum += weight * (line[REACH + i - d] + line[REACH + i + d]);
-                }
-                *value = sum;
+            weigh(out, half[0], [&along[REACH..REACH + SIDE], &[0.0; SIDE]]);
+            for (d, &weight) in half.iter().enumerate().take(reach + 1).skip(1) {
+                weigh(out, weight, [&along[REACH - d..][..SIDE], &along[REACH + d..][..SIDE]]);
             }
         }
-        core::array::from_fn(|at| {
-            let (y, x) = (REACH + at % SIDE, at / SIDE);
-            let mut sum = half[0] * along[y][x];
-            for (d, weight) in half.iter().enumerate().take(reach + 1).skip(1) {
-                sum += weight * (along[y - d][x] + along[y + d][x]);
+        out
+    }
+
+    /// A tile and the eight around it, column by column.
+    fn block(&self, plane: &[f32], slot: u32, own: bool) -> [[[f32; SIDE]; 3]; WIDE] {
+        let columns = |slot: u32| &plane.as_chunks::<SIDE>().0[slot as usize * SIDE..][..SIDE];
+        let middle = columns(slot);
+        let place = self.places[slot as usize] as usize;
+        let mut block = [[[0.0; SIDE]; 3]; WIDE];
+        for k in 0..9 {
+            let (right, below) = (k % 3, k / 3);
+            let (column, row) = (place % self.across + right, place / self.across + below);
+            let inside = column > 0 && row > 0 && column <= self.across && row <= self.down;
+            let other = if inside { self.slots[(row - 1) * self.across + column - 1] } else { NONE };
+            if other != NONE {
+                for (x, from) in columns(other).iter().enumerate() {
+                    block[right * SIDE + x][below] = *from;
+                }
+            } else if own {
+                let nearest = |at: usize, side: usize| [0, at, SIDE - 1][side];
+                for x in 0..SIDE {
+                    for y in 0..SIDE {
+                        let value = middle[nearest(x, right)][nearest(y, below)];
+                        block[right * SIDE + x][below][y] = value.round();
+                    }
+                }
             }
-            sum
-        })
+        }
+        block
+    }
+}
+
+/// Adds the weighted sums of two lists of the same length.
+#[inline(always)]
+fn weigh(sums: &mut [f32], weight: f32, [a, b]: [&[f32]; 2]) {
+    for ((sum, a), b) in sums.iter_mut().zip(a).zip(b) {
+        *sum += weight * (a + b);
     }
 }
