@@ -1,7 +1,7 @@
 // The package: Rust → wasm modules → bindings → ES modules with the wasm inside, and their declarations.
 //
 // Hermite curves, curves of any roots, surfaces, fitting and tracing are a wasm and an ES module each; reading plain data is an ES module over
-// curves and surfaces.
+// curves and surfaces, what a pointer does to curves one over curves.
 // `expline.js` only names what they offer, so that a bundler leaves out those of which nothing is used.
 
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -164,7 +164,7 @@ const FACES = [
 async function entry(prefix) {
   const { build } = await import("esbuild");
   const setup = (bundler) =>
-    bundler.onResolve({ filter: /^\.\/(core|fit|json|spline|surface|trace)\.js$/ }, ({ path }) => ({ path: path.replace("./", `./${prefix}`), external: true }));
+    bundler.onResolve({ filter: /^\.\/(core|edit|fit|json|spline|surface|trace)\.js$/ }, ({ path }) => ({ path: path.replace("./", `./${prefix}`), external: true }));
   const options = { entryPoints: [at("ts/index.ts")], write: false, bundle: true, format: "esm", minify: true, logLevel: "error" };
   const { outputFiles } = await build({ ...options, plugins: [{ name: "editions", setup }] });
   return outputFiles[0].text;
@@ -219,7 +219,7 @@ async function buildDecoder() {
 
 async function buildFace() {
   const inputs = ["ts", "cli", BINDINGS, "tsconfig.base.json", "package.json", "package-lock.json", "Cargo.lock", "scripts"];
-  const files = [...FACES.flatMap(({ name, file }) => [`${name}.js`, `slim-${name}.js`, `${file}_bg.wasm`]), "json.js", "slim-json.js", "expline.js", "slim.js", "node.js", "cli.js", "types/index.d.ts"];
+  const files = [...FACES.flatMap(({ name, file }) => [`${name}.js`, `slim-${name}.js`, `${file}_bg.wasm`]), "edit.js", "slim-edit.js", "json.js", "slim-json.js", "expline.js", "slim.js", "node.js", "cli.js", "types/index.d.ts"];
   const outputs = [...files.map((file) => `pkg/${file}`), "THIRD_PARTY_LICENSES"];
   await step("face", { inputs, outputs }, async () => {
     rmSync(at("pkg"), { recursive: true, force: true });
@@ -234,7 +234,7 @@ async function buildFace() {
       cpSync(at(BINDINGS, `${file}_bg.wasm`), at(`pkg/${file}_bg.wasm`));
     }
     for (const [out, prefix] of [["expline", ""], ["slim", "slim-"]]) {
-      writeFileSync(at(`pkg/${prefix}json.js`), await bundleFace("ts/json.ts", "", `./${prefix}`));
+      for (const name of ["edit", "json"]) writeFileSync(at(`pkg/${prefix}${name}.js`), await bundleFace(`ts/${name}.ts`, "", `./${prefix}`));
       writeFileSync(at(`pkg/${out}.js`), await entry(prefix));
     }
     await bundleNode();

@@ -7,7 +7,7 @@ import { StepError, at, run, step } from "./steps.mjs";
 
 const CONSUMER = "build/consumer";
 /** What the tarball must hold besides package.json, README.md and the declarations. */
-const EXPECTED = ["pkg/expline.js", "pkg/core.js", "pkg/slim.js", "pkg/slim-core.js", "pkg/node.js", "pkg/expline_bg.wasm", "pkg/json.js", "pkg/slim-json.js", "pkg/spline.js", "pkg/slim-spline.js", "pkg/expline_spline_bg.wasm", "pkg/surface.js", "pkg/slim-surface.js", "pkg/expline_surface_bg.wasm", "pkg/fit.js", "pkg/slim-fit.js", "pkg/expline_fit_bg.wasm", "pkg/trace.js", "pkg/slim-trace.js", "pkg/expline_trace_bg.wasm", "pkg/types/index.d.ts", "LICENSE-MIT", "LICENSE-APACHE", "THIRD_PARTY_LICENSES"];
+const EXPECTED = ["pkg/expline.js", "pkg/core.js", "pkg/slim.js", "pkg/slim-core.js", "pkg/node.js", "pkg/expline_bg.wasm", "pkg/edit.js", "pkg/slim-edit.js", "pkg/json.js", "pkg/slim-json.js", "pkg/spline.js", "pkg/slim-spline.js", "pkg/expline_spline_bg.wasm", "pkg/surface.js", "pkg/slim-surface.js", "pkg/expline_surface_bg.wasm", "pkg/fit.js", "pkg/slim-fit.js", "pkg/expline_fit_bg.wasm", "pkg/trace.js", "pkg/slim-trace.js", "pkg/expline_trace_bg.wasm", "pkg/types/index.d.ts", "LICENSE-MIT", "LICENSE-APACHE", "THIRD_PARTY_LICENSES"];
 
 /** Packs the package and installs the tarball with npm. */
 export async function installPacked() {

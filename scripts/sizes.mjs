@@ -16,6 +16,7 @@ const FILES = [
   ["core.js (curves, paths)", "core.js"],
   ["… the face alone", "slim-core.js"],
   ["… expline_bg.wasm", "expline_bg.wasm"],
+  ["edit.js (pointers)", "edit.js"],
   ["spline.js (any roots)", "spline.js"],
   ["… the face alone", "slim-spline.js"],
   ["… expline_spline_bg.wasm", "expline_spline_bg.wasm"],

@@ -228,6 +228,16 @@ test("V26 keyboard only: choose, nudge, cusp, insert, delete, undo, leave; help 
   assert.deepEqual(demo.complaints, []);
 });
 
+test("the help lists the gestures of the mode that it is opened in, and those of all modes", async (t) => {
+  for (const [hash, own, other] of [["#/curve", "Drag a handle", "draws a stroke"], ["#/fit", "draws a stroke", "Drag a handle"]] as const) {
+    const demo = await open(t, hash);
+    await demo.byId("btn-help").click();
+    const said = await demo.textOf("help-dialog");
+    assert.ok(said.includes(own) && said.includes("zooms at the pointer"), `${hash} lacks its gestures`);
+    assert.ok(!said.includes(other), `${hash} has those of another mode`);
+  }
+});
+
 test("buttons look like buttons in every mode, whatever was opened before, and the rail is there where it has tools", async (t) => {
   for (const [hash, id, rail] of [["#/fit", "fit-edit", true], ["#/surface", "surf-refine", false], ["#/trace", "trace-samples", false], ["", "code-copy", true]] as const) {
     const demo = await open(t, hash);

@@ -33,7 +33,12 @@ const strange = (): unknown[] => [
 type Path = readonly (string | number)[];
 type Tree = Record<string | number, unknown>;
 
-const isTree = (value: unknown): value is Tree => typeof value === "object" && value !== null && !ArrayBuffer.isView(value);
+/** Lists and plain objects; curves and the like are values of their own. */
+function isTree(value: unknown): value is Tree {
+  if (typeof value !== "object" || value === null) return false;
+  const prototype: unknown = Object.getPrototypeOf(value);
+  return Array.isArray(value) || prototype === Object.prototype || prototype === null;
+}
 
 /** Every place in a tree of arguments: of lists the first two, of options also a name that is not known. */
 function* places(value: unknown, path: Path = []): Generator<Path> {

@@ -40,6 +40,7 @@ export function bend(document: CurveDocument, { contour: c, index, x }: Segment,
   const [from, to] = endsOf(contour, index);
   const [first, second] = handleWeights(document, contour, index, Math.min(1 - reach, Math.max(reach, x)));
   const hold = first * first + second * second;
+  if (hold === 0) return null;
   const [a, b]: [PointRef, PointRef] = [{ contour: c, index: from }, { contour: c, index: to }];
   const select: Selection = { points: [a, b], handle: null };
   const turn = (ref: PointRef, side: Side, weight: number): Command => {

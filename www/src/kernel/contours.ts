@@ -1,4 +1,4 @@
-import { parsePath, type HermiteCurve } from "expline/slim";
+import { parsePath, tangentWeights, type HermiteCurve } from "expline/slim";
 import {
   domainLength, lengthOf, omegaOf, segmentCount, type Contour, type ControlPoint, type CurveDocument, type Space,
 } from "../document/document.ts";
@@ -75,21 +75,16 @@ export function contoursOfPath(d: string, space: Space): Contour[] {
   return parsePath(d).map((curve) => contourFrom(curve, space));
 }
 
-/**
- * How far the place at `x` of a segment goes with a step of one of its leaving handle, and with one of its arriving
- * handle: a segment is linear in both.
- */
+/** How far the place at `x` of a segment goes with a step of one of its leaving handle, and with one of its arriving handle. */
 export function handleWeights(document: CurveDocument, contour: Contour, segment: number, x: number): readonly [number, number] {
-  const none = { dx: 0, dy: 0 };
-  const probe: Contour = {
-    family: "hermite", closed: false, omega: [omegaOf(document, contour, segment) * lengthOf(contour, segment)], space: contour.space ?? document.space,
-    points: [
-      { x: 0, y: 0, kind: "cusp", in: none, out: { dx: 1, dy: 0 } },
-      { x: 0, y: 0, kind: "cusp", in: { dx: 0, dy: 1 }, out: none },
-    ],
-  };
-  const [leaving = 0, arriving = 0] = curveOf(document, probe)?.evaluate(x) ?? [];
-  return [leaving, arriving];
+  const curve = hermiteOf(document, contour);
+  if (curve === null) return [0, 0];
+  let start = 0;
+  for (let i = 0; i < segment; i += 1) start += lengthOf(contour, i);
+  const length = lengthOf(contour, segment);
+  const [leaving, arriving] = tangentWeights(curve, start + x * length);
+  // A handle is a third of its tangent over the length of the segment, and the arriving one points back.
+  return [(3 * leaving) / length, (-3 * arriving) / length];
 }
 
 function spliced(list: readonly number[], at: number, remove: number, ...add: number[]): number[] {

@@ -1,0 +1,98 @@
+/** The two sides of a point: where their handles end, and what they become when one of them is turned. */
+import { HermiteCurve, coordinate, integer, wrong } from "./core.js";
+
+/** The side of a point: where the curve arrives, or where it leaves. */
+export type HandleSide = "in" | "out";
+
+/** How the other handle of a point follows: turned into one line, made its mirror image, or left where it is. */
+export type Joint = "smooth" | "symmetric" | "cusp";
+
+/** Handles end at a third of the tangent: for cubics, at the control points of the Bézier. */
+export const THIRD = 1 / 3;
+/** Handles whose directions differ by less than this, in radians, are one line. */
+const ONE_LINE = 1e-9;
+
+/** A place of the plane, or a step in it. */
+export type Place = [number, number];
+
+/** One side of a point: its tangent, and the length of its segment where it has one. */
+interface SideOfPoint {
+  readonly tangent: Place;
+  readonly length: number | undefined;
+}
+
+/** A point with both its sides. */
+export interface PointOfCurve {
+  readonly index: number;
+  readonly at: Place;
+  readonly in: SideOfPoint;
+  readonly out: SideOfPoint;
+}
+
+/** Every point of a curve, by its number; a number that is not one throws. The curve's lists are copied once for all of them. */
+export function pointsOf(op: string, curve: HermiteCurve): (i: unknown, arg?: string) => PointOfCurve {
+  if (!(curve instanceof HermiteCurve)) throw wrong("E_TYPE", op, "curve", curve, "a HermiteCurve");
+  const { points, tangents, tangentsIn, lengths, closed } = curve;
+  const last = points.length / 2 - 1;
+  return (i, arg = "i") => {
+    const index = integer(op, arg, i, 0, last);
+    const before = closed ? (index + last) % (last + 1) : index - 1;
+    return {
+      index,
+      at: pair(points, index),
+      in: { tangent: pair(tangentsIn, index), length: lengths[before] },
+      out: { tangent: pair(tangents, index), length: lengths[index] },
+    };
+  };
+}
+
+/** Where the handle of a side ends; undefined at the free end of an open curve. */
+export function handleOf(point: PointOfCurve, side: HandleSide): Place | undefined {
+  const { tangent, length } = point[side];
+  return length === undefined ? undefined : moved(point.at, tangent, (side === "in" ? -length : length) * THIRD);
+}
+
+/** What a point is now: smooth where its two sides are one line, and else a corner. */
+export function jointOf(point: PointOfCurve): Joint {
+  const [[a, b], [c, d]] = [point.in.tangent, point.out.tangent];
+  const size = Math.hypot(a, b) * Math.hypot(c, d);
+  return size > 0 && a * c + b * d > 0 && Math.abs(a * d - b * c) <= ONE_LINE * size ? "smooth" : "cusp";
+}
+
+/** Gives sides of points new tangents, their other sides what the joints ask; nothing is set before all of it has been checked. */
+export function turn(op: string, curve: HermiteCurve, changes: readonly (readonly [PointOfCurve, HandleSide, Place, Joint])[]): void {
+  const tangents: [number, Place, HandleSide][] = [];
+  for (const [point, side, tangent, joint] of changes) {
+    const other = side === "in" ? "out" : "in";
+    tangents.push([point.index, tangent, side]);
+    const follows = followed(point, side, tangent, joint);
+    if (follows !== undefined) tangents.push([point.index, follows, other]);
+  }
+  for (const [, tangent] of tangents) for (const part of tangent) coordinate(op, "tangent", part);
+  for (const [index, [dx, dy], side] of tangents) curve.setTangent(index, dx, dy, side);
+}
+
+/** The tangent of the other side; undefined where it stays. */
+function followed(point: PointOfCurve, side: HandleSide, tangent: Place, joint: Joint): Place | undefined {
+  const [mine, other] = side === "in" ? [point.in, point.out] : [point.out, point.in];
+  if (joint === "cusp") return undefined;
+  // Handles are mirror images where tangents times lengths are the same.
+  if (joint === "symmetric") return scaled(tangent, (mine.length ?? 1) / (other.length ?? mine.length ?? 1));
+  const size = Math.hypot(...tangent);
+  return size > 0 ? scaled(tangent, Math.hypot(...other.tangent) / size) : undefined;
+}
+
+/** A step, so many times as long. */
+export function scaled([x, y]: Place, factor: number): Place {
+  return [factor * x, factor * y];
+}
+
+/** A place, so many steps on. */
+export function moved([x, y]: Place, [dx, dy]: Place, factor: number): Place {
+  return [x + factor * dx, y + factor * dy];
+}
+
+/** Place i of a list of numbers. */
+export function pair(list: Float64Array, i: number): Place {
+  return [list[2 * i] ?? 0, list[2 * i + 1] ?? 0];
+}
