@@ -5,9 +5,10 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod support;
 
+use expline::curve::HermiteCurve;
 use expline::numerics::Vector;
 use expline::trace::{Gray, TraceOptions, trace};
-use support::pictures::{Ink, draw, draw_finely, traced};
+use support::pictures::{Ink, draw, draw_finely, inside, traced};
 
 fn draw_by_samples(side: usize, ink: Ink) -> Vec<u8> {
     draw_finely(side, side, 4, ink)
@@ -66,4 +67,58 @@ fn ink_whose_shade_lies_between_two_bytes_is_as_clean_as_black() {
     assert!(drawing.tones.ink % 256.0 > 1.0, "or it is no such ink: {}", drawing.tones.ink);
     // All of it seemed stained, by the fraction of a byte, and a disc had fifteen points.
     drawing.contours[0].curve.as_ellipse(1e-6).expect("a circle");
+}
+
+/// How many segments are straight, and how many are not.
+fn straight_and_bent(curve: &HermiteCurve) -> (usize, usize) {
+    let straight = |i: usize| {
+        let next = (i + 1) % curve.points().len();
+        let chord = curve.points()[next] - curve.points()[i];
+        let across = |way: Vector| (chord.x * way.y - chord.y * way.x).abs() / (chord.norm() * way.norm());
+        across(curve.tangents()[i]) < 1e-9 && across(curve.tangents_in()[next]) < 1e-9
+    };
+    let lines = (0..curve.segment_count()).filter(|&i| straight(i)).count();
+    (lines, curve.segment_count() - lines)
+}
+
+#[test]
+fn straight_sides_drawn_by_a_few_samples_a_pixel_are_lines_however_long() {
+    // Between round corners.
+    for (side, turn) in [(64, 0.12), (160, 0.12), (160, 0.53), (400, 0.12), (400, 0.785)] {
+        let scale = side as f64 / 160.0;
+        let (sin, cos) = f64::sin_cos(turn);
+        let bytes = draw_by_samples(side, &|x, y| {
+            let (x, y) = (x / scale - 80.3, y / scale - 79.6);
+            let (x, y) = ((x * cos + y * sin).abs() - 30.0, (y * cos - x * sin).abs() - 25.0);
+            x.max(0.0).hypot(y.max(0.0)) <= 20.0
+        });
+        let (lines, bent) = straight_and_bent(&traced(side, side, &bytes).contours[0].curve);
+        assert!(
+            lines == 4 && bent <= 8,
+            "{lines} lines and {bent} others at {side} pixels, turned by {turn}"
+        );
+    }
+    // Between sharp ones.
+    for side in [32, 80, 300] {
+        let scale = side as f64 / 100.0;
+        let corners = [(12.0, 20.0), (88.0, 31.0), (84.0, 71.0), (47.0, 55.0), (20.0, 83.0)];
+        let corners = corners.map(|(x, y)| (x * scale, y * scale));
+        let bytes = draw_by_samples(side, &|x, y| inside(&corners, x, y));
+        let drawing = traced(side, side, &bytes);
+        assert_eq!(straight_and_bent(&drawing.contours[0].curve), (5, 0), "at {side} pixels");
+    }
+}
+
+#[test]
+fn a_shallow_arc_drawn_by_a_few_samples_a_pixel_is_no_line() {
+    for (side, sagitta) in [(100, 0.8), (300, 1.2)] {
+        let (start, length) = (10.3, side as f64 - 20.0);
+        let bytes = draw_by_samples(side, &|x, y| {
+            let along = (x - start) / length;
+            let top = 10.2 + 0.25 * x - 4.0 * sagitta * along * (1.0 - along);
+            (0.0..=1.0).contains(&along) && y >= top && y <= side as f64 - 20.0
+        });
+        let (lines, bent) = straight_and_bent(&traced(side, side, &bytes).contours[0].curve);
+        assert!(lines == 3 && (1..=2).contains(&bent), "{lines} lines and {bent} others at {side} pixels");
+    }
 }

@@ -10,6 +10,8 @@ use crate::numerics::{Point, Vector};
 const MOST: f64 = 0.05;
 /// How far an end may slide along a straight piece, along another curve, and at a corner.
 const SLIDES: [f64; 3] = [1.5, 0.08, 0.02];
+/// The share of a straight piece that its end may slide along it.
+const ROOM: f64 = 0.45;
 /// Arcs turn by so much, in radians: less is hardly seen, more has no corner between its tangents.
 const TURNING: [f64; 2] = [0.3, 2.9];
 /// The least radius, in pixels.
@@ -18,12 +20,12 @@ const LEAST: f64 = 1.5;
 /// Makes exact arcs of the pieces that are arcs as far as pixels tell; the angle of each piece, 0 where it is none.
 ///
 /// An arc has the tangents of its piece and takes as much of the corner between them: then it covers the same area (D 14.22).
-pub(super) fn arcs(outline: &mut Outline) -> Vec<f64> {
+pub(super) fn arcs(outline: &mut Outline, slack: f64) -> Vec<f64> {
     let mut angles = vec![0.0; outline.len()];
     for (i, angle) in angles.iter_mut().enumerate() {
-        let slides = [slide(outline, i, true), slide(outline, i, false)];
+        let slides = [slide(outline, i, true, slack), slide(outline, i, false, slack)];
         if !outline.is_line(i)
-            && let Some(arc) = arc(&outline.cubic(i), slides)
+            && let Some(arc) = arc(&outline.cubic(i), slides, slack * MOST)
         {
             let next = outline.next(i);
             outline.nodes[i].point = arc.ends[0];
@@ -37,10 +39,12 @@ pub(super) fn arcs(outline: &mut Outline) -> Vec<f64> {
 }
 
 /// How far an end of piece i may move along its tangent.
-fn slide(outline: &Outline, i: usize, start: bool) -> f64 {
+fn slide(outline: &Outline, i: usize, start: bool, slack: f64) -> f64 {
     let (node, other) = if start { (i, outline.before(i)) } else { (outline.next(i), outline.next(i)) };
     match (outline.nodes[node].smooth, outline.is_line(other)) {
-        (true, true) => SLIDES[0],
+        (true, true) => {
+            (slack * SLIDES[0]).min(ROOM * norm(outline.cubic(other).end - outline.cubic(other).start))
+        }
         (true, false) => SLIDES[1],
         _ => SLIDES[2],
     }
@@ -92,7 +96,7 @@ impl Arc {
     }
 }
 
-fn arc(cubic: &Cubic, slides: [f64; 2]) -> Option<Arc> {
+fn arc(cubic: &Cubic, slides: [f64; 2], most: f64) -> Option<Arc> {
     let tangents = [unit(cubic.leaving), unit(cubic.arriving)];
     // Where the tangents meet, and how far that is from both ends.
     let chord = cubic.end - cubic.start;
@@ -109,7 +113,7 @@ fn arc(cubic: &Cubic, slides: [f64; 2]) -> Option<Arc> {
         return None;
     }
     let off = (0..=16).fold(0.0_f64, |most, i| most.max(arc.off(cubic.point(f64::from(i) / 16.0))));
-    (off <= MOST).then_some(arc)
+    (off <= most).then_some(arc)
 }
 
 /// The area between a cubic and its chord, positive where it turns from x to y.

@@ -119,6 +119,7 @@ fn try_arc(
     refiner.refine(field, shape, &[1, 2], STEPS)?;
     let mut new = Left::default();
     new.add(&shape.parts[1], field);
+    old.square += limits.grain * limits.grain * new.count;
     let good = limits.allow(&new, &old, 1.0);
     if !good {
         refiner.replace(field, shape, saved);

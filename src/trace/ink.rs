@@ -173,7 +173,7 @@ impl InkWork {
         let curve = match whole {
             Some(curve) => curve,
             None => {
-                let angles = if self.options.refined { arcs(outline) } else { vec![0.0; outline.len()] };
+                let angles = if self.options.refined { arcs(outline, self.slack) } else { vec![0.0; outline.len()] };
                 outline.to_curve(angles)?
             }
         };

@@ -65,6 +65,7 @@ mod settling;
 mod sides;
 mod simplify;
 mod skyline;
+mod straight;
 mod strands;
 mod tips;
 mod tones;

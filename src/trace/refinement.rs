@@ -10,6 +10,7 @@ use super::outline::Outline;
 use super::refine::{Left, NOISY_SHARE, Refiner, Relaxing, Shape, leaves};
 use super::settling::Settling;
 use super::simplify::{Limits, Merging, Trial, may_go_on};
+use super::straight::Straightening;
 use super::tips::{sharpen, unfold};
 use crate::error::Result;
 use crate::numerics::Point;
@@ -27,6 +28,8 @@ const NEARLY: f64 = 0.3;
 const NEARLY_AS_WELL: f64 = 1.2;
 /// Outlines follow some of the grain, so that what is known of it is this share of what it is at most.
 const KNOWN: f64 = 4.0;
+/// More than this no pixels in a row are wrong by, however large the grain is: the limits of what is straight.
+const GRAINIEST: f64 = 0.05;
 /// The tolerance at which outlines are as near as pixels tell.
 const USUAL: f64 = 0.22;
 /// How often pieces are halved.
@@ -59,6 +62,8 @@ pub(super) struct Refinement {
     /// Its bends, when all that may be merged is, and what they are.
     settling: Option<Settling>,
     bends: BendRule,
+    /// Its sides, where pixels do not tell a shallow curve from a line.
+    straightening: Option<Straightening>,
     /// What the outlines were before pieces were halved, and what they left.
     fine: Vec<Outline>,
     left: Left,
@@ -113,6 +118,7 @@ impl Refinement {
             round: 0,
             merging: None,
             settling: None,
+            straightening: None,
             bends: BendRule {
                 window: if noisy { 5.0 } else { 3.0 },
                 margin: if noisy { 1.0 } else { 0.5 },
@@ -131,6 +137,7 @@ impl Refinement {
                 off: if exact { 0.25 } else { 0.4 },
                 noise: 0.0,
                 share: 12.0,
+                grain: 0.0,
             },
             start: None,
             noisy,
@@ -252,10 +259,16 @@ impl Refinement {
             self.settling = Some(Settling::new(&self.bends));
             return Ok(Some(1.0));
         }
+        if self.limits.noise > 0.0 {
+            let straightening = self.straightening.get_or_insert_default();
+            if straightening.step(Trial { refiner, field, shape, limits: &self.limits })? {
+                return Ok(Some(100.0));
+            }
+        }
         if !self.last()? {
             return Ok(Some(self.cost()));
         }
-        (self.round, self.settling) = (0, None);
+        (self.round, self.settling, self.straightening) = (0, None, None);
         Ok(None)
     }
 
@@ -332,6 +345,7 @@ impl Refinement {
                 // If fewer pieces explain the picture as well, the rest is not in the drawing.
                 let is_grainy = self.field.stain <= ROUGH;
                 let enough = if is_grainy { KNOWN * self.grain } else { 0.0 };
+                self.limits.grain = (KNOWN * self.grain).min(GRAINIEST);
                 if left.rms() < larger(ROUGHER[usize::from(is_grainy)] * self.left.rms(), enough) {
                     self.limits.noise = left.rms();
                 } else {

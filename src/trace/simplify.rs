@@ -24,6 +24,8 @@ pub(super) struct Limits {
     pub(super) noise: f64,
     /// How much the sum of squares may grow, in squares of the noise.
     pub(super) share: f64,
+    /// What pixels in a row may all be wrong by where few samples or compression made them.
+    pub(super) grain: f64,
 }
 
 /// A piece beside a longer straight one that turns by no more, in radians, may be merged with it; beside one shorter than this any piece may.
@@ -212,7 +214,7 @@ fn candidate(outline: &Outline, i: usize, limits: &Limits) -> Option<(Piece, f64
         let (stub, far) = if long == 1 { (&first, before) } else { (&second, outline.next(i)) };
         let middle = stub.velocity(0.5);
         let bends = turn(stub.velocity(0.0), middle).abs() + turn(middle, stub.velocity(1.0)).abs();
-        if bends > STUB && outline.nodes[far].smooth && limits.noise == 0.0 {
+        if bends > STUB && outline.nodes[far].smooth && (limits.noise == 0.0 || limits.grain > 0.0) {
             return None;
         }
     }
