@@ -17,19 +17,20 @@ const BOUND = "build/bound";
 const BINDINGS = "build/bindings";
 
 /**
- * The wasm modules: feature of the crate, target folder, name of the bindings, name of the module with the bytes, and whether
- * it is to be small. There, small functions stay functions unless they say `#[inline]`: that is a tenth less to
- * download, and hot loops say so. A solver is hot loops all over.
+ * The wasm modules: feature of the crate, target folder, name of the bindings, name of the module with the bytes, and how large
+ * a function may be that the compiler copies to where it is called. 0 in the small ones: functions stay functions unless they
+ * say `#[inline]`, which is a tenth less to download, and hot loops say so. A solver is hot loops all over: there the
+ * compiler decides. Tracing is between them: 8 kB less than the compiler would make of it, and as fast within 3 %.
  */
 const MODULES = [
-  { title: "bindings", feature: "wasm", target: "target", name: "expline", bytes: "wasm-bytes", slim: true },
+  { title: "bindings", feature: "wasm", target: "target", name: "expline", bytes: "wasm-bytes", inline: 0 },
   {
     title: "bindings for splines",
     feature: "wasm-spline",
     target: "target/spline",
     name: "expline_spline",
     bytes: "spline-bytes",
-    slim: true,
+    inline: 0,
   },
   {
     title: "bindings for surfaces",
@@ -37,10 +38,10 @@ const MODULES = [
     target: "target/surface",
     name: "expline_surface",
     bytes: "surface-bytes",
-    slim: true,
+    inline: 0,
   },
-  { title: "bindings for fitting", feature: "wasm-fit", target: "target/fit", name: "expline_fit", bytes: "fit-bytes", slim: false },
-  { title: "bindings for tracing", feature: "wasm-trace", target: "target/trace", name: "expline_trace", bytes: "trace-bytes", slim: false },
+  { title: "bindings for fitting", feature: "wasm-fit", target: "target/fit", name: "expline_fit", bytes: "fit-bytes" },
+  { title: "bindings for tracing", feature: "wasm-trace", target: "target/trace", name: "expline_trace", bytes: "trace-bytes", inline: 100 },
 ];
 
 /**
@@ -70,10 +71,10 @@ export async function buildXtask() {
   });
 }
 
-/** The flags of .cargo/config.toml, and those of a small module. */
-function flags(slim) {
+/** The flags of .cargo/config.toml, and those of a module. */
+function flags({ inline }) {
   const [, list = ""] = /^rustflags = \[([^\]]*)\]/m.exec(readFileSync(at(".cargo/config.toml"), "utf8")) ?? [];
-  return [...JSON.parse(`[${list.replace(/,\s*$/, "")}]`), ...(slim ? ["-C", "llvm-args=-inline-threshold=0"] : [])];
+  return [...JSON.parse(`[${list.replace(/,\s*$/, "")}]`), ...(inline === undefined ? [] : ["-C", `llvm-args=-inline-threshold=${inline}`])];
 }
 
 /** All modules, side by side: the last part of each build, the longest, uses one core only. */
@@ -81,10 +82,10 @@ async function buildWasm() {
   const inputs = [...RUST, "scripts/package.mjs"];
   await step("wasm", { inputs, outputs: MODULES.map(raw) }, async () => {
     await sideBySide(MODULES, async (module) => {
-      const env = { CARGO_ENCODED_RUSTFLAGS: flags(module.slim).join("\x1f"), CARGO_TARGET_DIR: at(module.target) };
+      const env = { CARGO_ENCODED_RUSTFLAGS: flags(module).join("\x1f"), CARGO_TARGET_DIR: at(module.target) };
       const features = ["--no-default-features", "--features", module.feature];
       // Of a wasm alone, without the library for Rust beside it, the compiler knows more to be called from one place only.
-      const kind = module.slim ? ["rustc", "--lib", "--crate-type", "cdylib"] : ["build", "--lib"];
+      const kind = ["rustc", "--lib", "--crate-type", "cdylib"];
       await run("cargo", [...kind, "--locked", "-p", "expline", "--release", "--target", "wasm32-unknown-unknown", ...features], { env });
     });
   });
@@ -102,7 +103,7 @@ async function buildBindings(module) {
     await run("node", [at("scripts/snip.mjs"), at(BOUND, `${name}_bg.wasm`), at(BOUND, `${name}_snipped.wasm`)]);
     await run("node", [
       at("node_modules/binaryen/bin/wasm-opt"),
-      ...["-O3", ADDRESSES, ...(module.slim ? NOT_INLINED : []), "--reorder-functions-by-name", ...FEATURES, "--strip-debug", "--strip-producers", "--strip-target-features"],
+      ...["-O3", ADDRESSES, ...(module.inline === 0 ? NOT_INLINED : []), "--reorder-functions-by-name", ...FEATURES, "--strip-debug", "--strip-producers", "--strip-target-features"],
       ...[at(BOUND, `${name}_snipped.wasm`), "-o", at(BINDINGS, `${name}_bg.wasm`)],
     ]);
     const { code, declarations, text } = await inlineModule(readFileSync(at(BINDINGS, `${name}_bg.wasm`)));
