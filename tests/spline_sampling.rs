@@ -139,6 +139,26 @@ fn neither_ranges_nor_what_was_sampled_before_change_a_bit() {
 }
 
 #[test]
+fn whole_blocks_are_the_same_samples() {
+    let points: Vec<f64> = (0..14).map(|k| (f64::from(k) * 1.3).cos()).collect();
+    let curve = InterpolatingCurve::new(points, 2, true, None).expect("finite");
+    for (count, room) in [(20_000, 1500), (997, 512), (40, 600)] {
+        for derivative in 0..2 {
+            let whole = curve.sample(count, derivative).expect("in range");
+            let (mut sampler, mut first) = (SplineSampler::new(), 0);
+            while first < count {
+                let mut part = vec![f64::NAN; 2 * room];
+                let made = sampler.blocks(&curve, count, first, derivative, &mut part).expect("in range");
+                assert!(made > 0 && made <= room, "{made} of {count} from {first}");
+                assert_eq!(part[..2 * made], whole[2 * first..2 * (first + made)], "{count} {first}");
+                first += made;
+            }
+            assert_eq!(sampler.blocks(&curve, count, first, derivative, &mut [0.0; 2]), Ok(0));
+        }
+    }
+}
+
+#[test]
 fn too_much_is_refused_and_nothing_is_fine() {
     let points = vec![0.0, 0.0, 1.0, 0.0, 0.0, 1.0];
     let curve = InterpolatingCurve::new(points, 2, true, None).expect("finite");

@@ -61,28 +61,30 @@ pub fn sample(slot: u32, count: u32, first: u32, length: u32, tangents: u32) -> 
                 let mut sampler = kernel.spline_sampler.take().unwrap_or_default();
                 let (curve, _, output) = kernel.parts(slot, 0)?;
                 let output = &mut output[..numbers];
-                if tangents == 0 {
-                    spread(&mut sampler, curve, (count, first), 0, output)?;
+                let made = if tangents == 0 {
+                    spread(&mut sampler, curve, (count, first), 0, output)?
                 } else {
                     let mut values = vec![0.0; numbers];
                     let (points, slopes) = values.split_at_mut(numbers / 2);
-                    spread(&mut sampler, curve, (count, first), 0, points)?;
+                    let made = spread(&mut sampler, curve, (count, first), 0, points)?;
                     spread(&mut sampler, curve, (count, first), 1, slopes)?;
                     let pairs = points.chunks_exact(dimension).zip(slopes.chunks_exact(dimension));
                     for (sample, (point, slope)) in output.chunks_exact_mut(2 * dimension).zip(pairs) {
                         sample[..dimension].copy_from_slice(point);
                         sample[dimension..].copy_from_slice(slope);
                     }
-                }
+                    2 * made
+                };
                 kernel.spline_sampler = Some(sampler);
-                numbers
+                made * dimension
             }
         };
         Ok(made)
     })
 }
 
-/// Points or derivatives of a curve on a grid: as many samples from `first` on as there is room for, of `count`.
+/// Points or derivatives of a curve on a grid: as many samples from `first` on as there is room for, of `count`, or a few less,
+/// so that no block is cut in two. Returns how many.
 #[cfg(feature = "wasm-spline")]
 fn spread(
     sampler: &mut SplineSampler,
@@ -90,17 +92,18 @@ fn spread(
     (count, first): (usize, usize),
     derivative: usize,
     out: &mut [f64],
-) -> Result<()> {
+) -> Result<usize> {
     match curve {
-        AnyCurve::Interpolating(curve) => sampler.points(curve, count, first, derivative, out),
-        AnyCurve::BSpline(curve) => sampler.points(curve, count, first, derivative, out),
+        AnyCurve::Interpolating(curve) => sampler.blocks(curve, count, first, derivative, out),
+        AnyCurve::BSpline(curve) => sampler.blocks(curve, count, first, derivative, out),
         _ => {
             let curve = curve.pieces();
             let (start, end) = (curve.knot(0), curve.knot(curve.piece_count()));
             let steps = if curve.closed() { count } else { count.saturating_sub(1) }.max(1) as f64;
             let place = |i: usize| (start + (end - start) * ((first + i) as f64 / steps)).min(end);
             let parameters: Vec<f64> = (0..out.len() / curve.dimension()).map(place).collect();
-            curve.values(&parameters, derivative, out)
+            curve.values(&parameters, derivative, out)?;
+            Ok(parameters.len())
         }
     }
 }
