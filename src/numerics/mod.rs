@@ -6,6 +6,7 @@ pub(crate) mod dense;
 pub mod enclosing_circle;
 pub mod entire;
 pub(crate) mod order;
+pub(crate) mod pair;
 pub(crate) mod plane;
 pub(crate) mod quadrature;
 pub(crate) mod roots;

@@ -13,6 +13,7 @@ use super::tensor::TensorSurface;
 use crate::error::{Error, Result};
 use crate::limits::{MOST_OUTPUT_POINTS, check, filled, too_many, with_room};
 use crate::numerics::Vector3;
+use crate::numerics::pair::Pair;
 
 /// A vertex whose ∂ᵤσ × ∂ᵥσ is below this part of the size squared asks [`TensorSurface::normal_at`].
 const DOUBTFUL: f64 = 1e-9;
@@ -93,6 +94,9 @@ struct Combined<'a> {
     columns: Table,
     /// For every place that columns meet, the position in the layer's window, or one beyond it.
     places: Vec<usize>,
+    /// The `width` rows of the net that weigh on an interval, along those places, and which interval.
+    lines: Vec<f64>,
+    interval: usize,
     /// Point and ∂ᵤ, and ∂ᵤᵤ where curvatures are wanted, at every place that columns meet.
     row: Vec<f64>,
     stride: usize,
@@ -110,6 +114,8 @@ impl<'a> Combined<'a> {
             rows: Table::new(&layer.u, &region.rows, grid.rows)?,
             columns: Table::new(&layer.v, &region.cols, grid.cols)?,
             places,
+            lines: filled(0.0, v.run().saturating_mul(3 * layer.u.width))?,
+            interval: usize::MAX,
             row: filled(0.0, v.run().saturating_mul(stride))?,
             stride,
             active: false,
@@ -118,22 +124,18 @@ impl<'a> Combined<'a> {
 
     /// Combines the net's rows for row i of the region.
     fn prepare(&mut self, i: usize) {
-        let Layer { u, rows, columns, net, .. } = self.layer;
-        let (interval, weights) = self.rows.at(i, u.width);
+        let (interval, weights) = self.rows.at(i, self.layer.u.width);
+        if self.interval != interval {
+            self.interval = interval;
+            self.active = lay(self.layer, interval, &self.places, &mut self.lines);
+        }
+        if !self.active {
+            return;
+        }
         self.row.fill(0.0);
-        self.active = false;
-        for (a, weights) in weights.iter().enumerate() {
-            let Some(position) = rows.position(u, u.row(interval + a)) else { continue };
-            self.active = true;
-            let points = &net[3 * columns.count * position..3 * columns.count * (position + 1)];
-            for (&j, sums) in self.places.iter().zip(self.row.chunks_exact_mut(self.stride)) {
-                let Some(point) = points.get(3 * j..3 * j + 3) else { continue };
-                for (weight, sums) in weights.iter().zip(sums.chunks_exact_mut(3)) {
-                    for (sum, number) in sums.iter_mut().zip(point) {
-                        *sum += weight * number;
-                    }
-                }
-            }
+        let length = 3 * self.places.len();
+        for (weights, line) in weights.iter().zip(self.lines.chunks_exact(length)) {
+            add_line(line, weights, &mut self.row, self.stride);
         }
     }
 
@@ -145,12 +147,17 @@ impl<'a> Combined<'a> {
         (&self.row[self.stride * interval..self.stride * (interval + width)], weights)
     }
 
-    /// Adds position, ∂ᵤ and ∂ᵥ at column c. One number at a time, written out: this is where the time goes.
+    /// Adds position, ∂ᵤ and ∂ᵥ at two columns of one interval. Number by number, written out: this is where the time goes.
     #[inline(always)]
-    fn add_tangents(&self, c: usize, sums: &mut [f64; 9]) {
-        let (points, weights) = self.column(c);
+    fn add_tangents(&self, [c, beside]: [usize; 2], sums: &mut [Pair; 9]) {
+        let ((points, weights), (_, others)) = (self.column(c), self.column(beside));
         let [mut x, mut y, mut z, mut ux, mut uy, mut uz, mut vx, mut vy, mut vz] = *sums;
-        for (&[px, py, pz, qx, qy, qz], &[w, dw, _]) in points.as_chunks::<6>().0.iter().zip(weights) {
+        let weights = weights.iter().zip(others);
+        for (point, (&[w, dw, _], &[other, d_other, _])) in points.as_chunks::<6>().0.iter().zip(weights) {
+            let &[px, py, pz, qx, qy, qz] = point;
+            let (w, dw) = (Pair::new(w, other), Pair::new(dw, d_other));
+            let (px, py, pz) = (Pair::twice(px), Pair::twice(py), Pair::twice(pz));
+            let (qx, qy, qz) = (Pair::twice(qx), Pair::twice(qy), Pair::twice(qz));
             x += w * px;
             y += w * py;
             z += w * pz;
@@ -176,6 +183,79 @@ impl<'a> Combined<'a> {
             jet.vv += p * w2;
         }
     }
+}
+
+/// Lays the rows of the net that weigh on an interval out along the places that columns meet: zeros beyond a layer's window.
+/// Whether any row is within it.
+#[inline(never)]
+fn lay(layer: &Layer, interval: usize, places: &[usize], lines: &mut [f64]) -> bool {
+    let Layer { u, rows, columns, net, .. } = layer;
+    let mut any = false;
+    for (a, line) in lines.chunks_exact_mut(3 * places.len()).enumerate() {
+        let position = rows.position(u, u.row(interval + a));
+        any |= position.is_some();
+        for (&j, point) in places.iter().zip(line.as_chunks_mut::<3>().0) {
+            let inside = position.filter(|_| j < columns.count).map(|i| 3 * (i * columns.count + j));
+            *point = inside.and_then(|at| net[at..].first_chunk()).copied().unwrap_or([0.0; 3]);
+        }
+    }
+    any
+}
+
+/// Adds a line of points, and what the derivatives of their weight make of them, to a row of `stride` numbers a place.
+#[inline(never)]
+fn add_line(line: &[f64], weights: &[f64; 3], row: &mut [f64], stride: usize) {
+    for (point, sums) in line.as_chunks::<3>().0.iter().zip(row.chunks_exact_mut(stride)) {
+        for (weight, sums) in weights.iter().zip(sums.as_chunks_mut::<3>().0) {
+            for (sum, number) in sums.iter_mut().zip(point) {
+                *sum += weight * number;
+            }
+        }
+    }
+}
+
+/// Positions and normals of a row of vertices. A normal whose square is not above `doubtful` begins with NaN; whether there is none.
+///
+/// It calls nothing, and works on two vertices at a time where they lie between the same points.
+#[inline(never)]
+fn fill_row(
+    layers: &[Combined<'_>],
+    doubtful: f64,
+    positions: &mut [[f64; 3]],
+    normals: &mut [[f64; 3]],
+) -> bool {
+    let (across, mut certain, mut j) = (positions.len().min(normals.len()), true, 0);
+    while j < across {
+        let mut beside = usize::from(j + 1 < across);
+        for Combined { columns, .. } in layers.iter().filter(|layer| layer.active) {
+            if columns.intervals[j] != columns.intervals[j + beside] {
+                beside = 0;
+            }
+        }
+        let mut sums = [Pair::twice(0.0); 9];
+        for layer in layers.iter().filter(|layer| layer.active) {
+            layer.add_tangents([j, j + beside], &mut sums);
+        }
+        let [x, y, z, a, b, c, d, e, f] = sums;
+        let (p, q, r) = (b * f - c * e, c * d - a * f, a * e - b * d);
+        let square = p * p + q * q + r * r;
+        let scale = Pair::twice(1.0) / square.sqrt();
+        let (p, q, r) = (p * scale, q * scale, r * scale);
+        // The second is the first where it is alone.
+        positions[j + beside] = [x.second(), y.second(), z.second()];
+        normals[j + beside] = [p.second(), q.second(), r.second()];
+        positions[j] = [x.first(), y.first(), z.first()];
+        normals[j] = [p.first(), q.first(), r.first()];
+        for (k, square) in [(j, square.first()), (j + beside, square.second())] {
+            if square > doubtful {
+                continue;
+            }
+            normals[k][0] = f64::NAN;
+            certain = false;
+        }
+        j += 1 + beside;
+    }
+    certain
 }
 
 impl TensorSurface {
@@ -253,35 +333,25 @@ impl TensorSurface {
         if needed == 0 {
             return Ok(0);
         }
-        let size = self.size();
+        let (positions, normals) = (positions.as_chunks_mut::<3>().0, normals.as_chunks_mut::<3>().0);
+        let (across, size) = (region.cols.len(), self.size());
         let doubtful = (DOUBTFUL * size * size) * (DOUBTFUL * size * size);
         let (mut scratch, mut without) = (Scratch::default(), 0);
         for i in 0..region.rows.len() {
             for layer in &mut layers {
                 layer.prepare(i);
             }
-            for j in 0..region.cols.len() {
-                let mut sums = [0.0; 9];
-                for layer in &layers {
-                    if layer.active {
-                        layer.add_tangents(j, &mut sums);
-                    }
-                }
-                let [x, y, z, a, b, c, d, e, f] = sums;
-                let (p, q, r) = (b * f - c * e, c * d - a * f, a * e - b * d);
-                let square = p * p + q * q + r * r;
-                let at = 3 * (i * region.cols.len() + j);
-                let (position, normal) = (&mut positions[at..at + 3], &mut normals[at..at + 3]);
-                (position[0], position[1], position[2]) = (x, y, z);
-                if square > doubtful {
-                    let scale = 1.0 / square.sqrt();
-                    (normal[0], normal[1], normal[2]) = (p * scale, q * scale, r * scale);
-                } else {
-                    let (u, v) = self.vertex(grid, region.rows.start + i, region.cols.start + j);
-                    let limit = self.normal_at(u, v, size, &mut scratch);
-                    without += usize::from(limit == Vector3::zeros());
-                    normal.copy_from_slice(limit.as_slice());
-                }
+            let vertices = i * across..(i + 1) * across;
+            if fill_row(&layers, doubtful, &mut positions[vertices.clone()], &mut normals[vertices.clone()]) {
+                continue;
+            }
+            for (j, normal) in
+                normals[vertices].iter_mut().enumerate().filter(|(_, normal)| normal[0].is_nan())
+            {
+                let (u, v) = self.vertex(grid, region.rows.start + i, region.cols.start + j);
+                let limit = self.normal_at(u, v, size, &mut scratch);
+                without += usize::from(limit == Vector3::zeros());
+                normal.copy_from_slice(limit.as_slice());
             }
         }
         Ok(without)
