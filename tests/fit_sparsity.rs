@@ -186,8 +186,9 @@ fn corners_and_smooth_sides_are_both_kept() {
         };
         assert!(rms <= 0.165, "outline {seed}: rms {rms}");
         assert!(fitted.curve.segment_count() <= 12, "outline {seed}: {}", fitted.curve.segment_count());
-        for corner in &corners[..2] {
-            assert!(off(corner) < 0.8, "outline {seed}: corner {corner} is off by {}", off(corner));
+        // Two straight sides tell where they meet; the end of a cubic on fifty points is known to 4σ/√50 = 0.28.
+        for (corner, most) in corners.iter().zip([0.6, 0.9]) {
+            assert!(off(corner) < most, "outline {seed}: corner {corner} is off by {}", off(corner));
         }
         // The third corner turns little and runs into a tight bend: sharp or not, the curve goes past it closely.
         let past = sampled(&fitted.curve, 1500)

@@ -7,6 +7,8 @@ use super::envelope::Envelope;
 
 /// The largest degree.
 pub(crate) const HIGHEST: usize = 5;
+/// How much more bending costs on pieces that are to be straight than what points say.
+pub(super) const STIFF: f64 = 1e5;
 /// Coefficients of one polynomial, in ascending powers.
 pub(super) type Polynomial = [f64; HIGHEST + 1];
 
@@ -27,6 +29,8 @@ pub struct Breaks {
     pub sharpest: usize,
     /// How often a knot counts at least.
     pub smoothest: usize,
+    /// Which pieces are to be straight; empty where none is.
+    pub(super) straight: Vec<bool>,
 }
 
 impl Breaks {
@@ -35,7 +39,13 @@ impl Breaks {
         let steps = if closed { count } else { count + 1 };
         let shift = if closed { 0.5 } else { 1.0 };
         let at = (0..count).map(|i| (i as f64 + shift) * end / steps as f64).collect();
-        Self { degree, closed, end, at, multiplicity: vec![1; count], sharpest: degree, smoothest: 1 }
+        Self::simple(degree, closed, end, at)
+    }
+
+    /// Simple knots at these places.
+    pub(super) fn simple(degree: usize, closed: bool, end: f64, at: Vec<f64>) -> Self {
+        let multiplicity = vec![1; at.len()];
+        Self { degree, closed, end, at, multiplicity, sharpest: degree, smoothest: 1, straight: Vec::new() }
     }
 
     /// How many knots there are, each counted once.
@@ -59,10 +69,21 @@ impl Breaks {
         if self.closed { inner } else { inner + self.degree + 1 }
     }
 
-    /// Takes knot k away.
+    /// Takes knot k away: what it parted stays straight if both were.
     pub fn remove(&mut self, k: usize) {
+        if !self.straight.is_empty() {
+            let after = if self.closed { k } else { k + 1 };
+            let before = if after > 0 { after - 1 } else { self.straight.len() - 1 };
+            self.straight[before] &= self.straight[after];
+            self.straight.remove(after);
+        }
         self.at.remove(k);
         self.multiplicity.remove(k);
+    }
+
+    /// Whether piece s is to be straight.
+    pub(super) fn is_straight(&self, s: usize) -> bool {
+        self.straight.get(s) == Some(&true)
     }
 
     /// The distance from knot k to the next one; the last knot's is to the first one or to the end.
@@ -200,6 +221,31 @@ impl Space {
             }
         }
         first
+    }
+
+    /// Adds to the equations of both coordinates a price for what bends pieces that are to be straight, `stiff` times what
+    /// the coefficients of their polynomials are, and to their right side what the price asks of these coefficients.
+    pub(super) fn stiffen(
+        &self,
+        equations: &mut Envelope,
+        right: &mut [f64],
+        [x, y]: [&[f64]; 2],
+        stiff: f64,
+    ) {
+        let degree = self.breaks.degree;
+        for s in (0..self.spans.len()).filter(|&s| self.breaks.is_straight(s)) {
+            let basis = &self.basis[s];
+            for p in 0..=degree {
+                for q in 0..=degree {
+                    let (row, other) = (self.index(s, p), self.index(s, q));
+                    let bend: f64 = stiff * (2..=degree).map(|k| basis[p][k] * basis[q][k]).sum::<f64>();
+                    for (lane, c) in [x, y].into_iter().enumerate() {
+                        equations.add(2 * row + lane, 2 * other + lane, bend);
+                        right[2 * row + lane] -= bend * c[other];
+                    }
+                }
+            }
+        }
     }
 
     /// Zeros in the shape of the equations.

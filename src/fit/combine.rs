@@ -18,10 +18,8 @@ impl Summand {
     pub(super) fn spline(&self, closed: bool, end: f64) -> Spline {
         // A closed spline without knots has one where nothing jumps.
         let at = if closed && self.knots.is_empty() { vec![0.0] } else { self.knots.clone() };
-        let multiplicity = vec![1; at.len()];
         let degree = self.degree;
-        let breaks = Breaks { degree, closed, end, at, multiplicity, sharpest: degree, smoothest: 1 };
-        let space = Space::new(breaks);
+        let space = Space::new(Breaks::simple(degree, closed, end, at));
         let count = self.coefficients.len().max(1);
         // On circles the first function here starts at the first knot, there it ends its first piece.
         let shift = if closed { degree } else { 0 };

@@ -357,6 +357,7 @@ impl Fitter {
             smoothest,
             closed: self.samples.closed,
             end: self.end,
+            spaced: self.even,
             even: false,
         };
         let start =

@@ -1,7 +1,7 @@
 //! Distances from points to a spline, and the spline that makes them small: the parameters of the points are free.
 //! (Where they go is in `feet`.)
 
-use super::breaks::{HIGHEST, Polynomial, Space};
+use super::breaks::{HIGHEST, Polynomial, STIFF, Space};
 use super::envelope::Envelope;
 use super::feet::Look;
 use super::free_knots::{FreeKnots, Located, product};
@@ -151,11 +151,28 @@ impl Spline {
         for i in 0..2 * n {
             equations.add(i, i, 1e-9 * size + 1e-280);
         }
+        self.moved(equations, right, STIFF * size);
+    }
+
+    /// Moves the coefficients by the solution of some equations, and keeps pieces straight that are to be.
+    fn moved(&mut self, mut equations: Envelope, mut right: Vec<f64>, stiff: f64) {
+        if !self.space.breaks.straight.is_empty() {
+            self.space.stiffen(&mut equations, &mut right, [&self.x, &self.y], stiff);
+        }
         equations.factor();
         equations.solve(&mut right);
-        for i in 0..n {
-            self.x[i] += right[2 * i];
-            self.y[i] += right[2 * i + 1];
+        for (i, by) in right.chunks_exact(2).enumerate() {
+            self.x[i] += by[0];
+            self.y[i] += by[1];
+        }
+    }
+
+    /// Makes pieces that are to be straight as straight as numbers can be.
+    pub(super) fn straighten(&mut self) {
+        for _ in 0..3 {
+            let mut equations = self.doubled();
+            (0..2 * self.space.count).for_each(|i| equations.add(i, i, 1.0));
+            self.moved(equations, vec![0.0; 2 * self.space.count], STIFF);
         }
     }
 

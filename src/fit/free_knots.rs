@@ -8,7 +8,7 @@ pub(super) use self::moments::product;
 use self::moments::{Moments, gather};
 use self::sliding::DECAYED;
 pub(super) use self::sliding::in_order;
-use super::breaks::{Breaks, HIGHEST, Polynomial, Space, derivative};
+use super::breaks::{Breaks, HIGHEST, Polynomial, STIFF, Space, derivative};
 use super::envelope::{Envelope, dot};
 use crate::numerics::Point;
 
@@ -59,7 +59,7 @@ impl FreeKnots {
         let mut factor = space.equations();
         let (mut x, mut y) = (vec![0.0; space.count], vec![0.0; space.count]);
         for (s, sums) in moments.iter().enumerate() {
-            if sums.count == 0 {
+            if sums.count == 0 && sums.stiff <= 0.0 {
                 continue;
             }
             let basis = &space.basis[s];
@@ -76,7 +76,8 @@ impl FreeKnots {
                 }
             }
         }
-        anchor(&mut factor, space.breaks.closed);
+        let stiff = if space.breaks.straight.is_empty() { 1.0 } else { STIFF };
+        anchor(&mut factor, space.breaks.closed, 1e-11 / stiff);
         let (right_x, right_y) = (x.clone(), y.clone());
         factor.factor();
         factor.solve(&mut x);
@@ -154,6 +155,25 @@ impl FreeKnots {
         self.forced(&mut rows[..m], lowest, highest)
     }
 
+    /// For every piece exactly what the sum of squares would grow by if it were straight: (D 13.1) with the higher
+    /// coefficients of the piece for jumps. O(K·degree³).
+    pub(super) fn straightenings(&self) -> Vec<f64> {
+        let degree = self.space.breaks.degree;
+        let mut rows = vec![vec![0.0; self.space.count]; degree - 1];
+        let one = |s: usize| {
+            let (mut lowest, mut highest) = (self.space.count, 0);
+            for i in 0..=degree {
+                let at = self.space.index(s, i);
+                for (row, term) in rows.iter_mut().zip(&self.space.basis[s][i][2..]) {
+                    row[at] += term;
+                }
+                (lowest, highest) = (lowest.min(at), highest.max(at));
+            }
+            self.forced(&mut rows, lowest, highest).whole
+        };
+        (0..self.space.spans.len()).map(one).collect()
+    }
+
     /// What it costs to have the products of coefficients with the first of some rows vanish, and with all of them. The
     /// rows have entries from `lowest` to `highest`, and are left empty.
     fn forced(&self, rows: &mut [Vec<f64>], lowest: usize, highest: usize) -> Removal {
@@ -185,9 +205,9 @@ impl FreeKnots {
 }
 
 /// A faint pull between neighbouring coefficients: where there are no points, there is still one solution.
-fn anchor(equations: &mut Envelope, closed: bool) {
+fn anchor(equations: &mut Envelope, closed: bool, share: f64) {
     let n = equations.size();
-    let pull = (0..n).map(|i| equations.diagonal(i)).sum::<f64>() * 1e-11 / n as f64 + 1e-280;
+    let pull = (0..n).map(|i| equations.diagonal(i)).sum::<f64>() * share / n as f64 + 1e-280;
     for i in 0..n {
         let next = if i + 1 < n { i + 1 } else { 0 };
         if next == i || (next == 0 && !closed) {

@@ -288,10 +288,7 @@ impl Newton {
         let (degree, lambda) = (spline.degree, problem.components[0].lambda);
         let knots = &spline.knots;
         let at: Vec<f64> = knots.iter().map(|t| t - problem.start).collect();
-        let multiplicity = vec![1; at.len()];
-        let end = problem.end - problem.start;
-        let breaks =
-            Breaks { degree, closed: problem.closed, end, at, multiplicity, sharpest: degree, smoothest: 1 };
+        let breaks = Breaks::simple(degree, problem.closed, problem.end - problem.start, at);
         let room: Vec<f64> =
             (0..knots.len()).map(|k| 0.3 * breaks.gap_before(k).min(breaks.gap_after(k)).min(6.0)).collect();
         let space = Space::new(breaks);

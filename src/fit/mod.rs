@@ -64,6 +64,7 @@ pub mod solver;
 mod sparsest;
 pub mod spline_space;
 mod start;
+mod straight;
 mod warm;
 
 pub use breaks::Breaks;

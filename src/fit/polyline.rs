@@ -54,6 +54,7 @@ pub(super) fn vertices(points: &[Point], closed: bool, tolerance: f64, most: usi
 pub(super) fn corners(vertices: &[usize], located: &Located, like: &Breaks) -> Breaks {
     let mut breaks = like.clone();
     breaks.at.clear();
+    breaks.straight.clear();
     let least = if breaks.closed { -1.0 } else { 0.0 };
     let mut last = least;
     for &m in vertices {

@@ -38,9 +38,11 @@ impl Price {
         fitted.squares + self.whole(fitted.breaks())
     }
 
-    /// The price of all knots.
+    /// The price of all knots, less that of the numbers that straight pieces do without.
     pub(super) fn whole(self, breaks: &Breaks) -> f64 {
-        breaks.multiplicity.iter().map(|&m| self.of(m)).sum()
+        let straight = breaks.straight.iter().filter(|straight| **straight).count();
+        let spared = self.0 * (2 * straight * (breaks.degree - 1)) as f64;
+        breaks.multiplicity.iter().map(|&m| self.of(m)).sum::<f64>() - spared
     }
 
     /// The same, corners counting for more: for the choice between fits that began differently.
@@ -48,7 +50,13 @@ impl Price {
         let breaks = fitted.breaks();
         let corners =
             breaks.multiplicity.iter().filter(|m| **m == breaks.degree && breaks.degree > 1).count();
-        self.total(fitted) + CORNER * self.0 * corners as f64
+        // A piece that may be straight does without some numbers.
+        let spare = self.0 * (2 * (breaks.degree - 1)) as f64;
+        let straight: f64 = match breaks.degree {
+            1 => 0.0,
+            _ => fitted.straightenings().iter().map(|cost| (spare - cost).max(0.0)).sum(),
+        };
+        self.total(fitted) + CORNER * self.0 * corners as f64 - straight
     }
 }
 
@@ -271,8 +279,7 @@ pub(super) fn clusters(breaks: &Breaks, points: usize) -> Vec<Breaks> {
         let mut one = breaks.clone();
         one.at[k] = 0.5 * (breaks.at[k] + breaks.at[last]);
         one.multiplicity[k] = breaks.sharpest;
-        one.at.drain(k + 1..=last);
-        one.multiplicity.drain(k + 1..=last);
+        (k..last).for_each(|_| one.remove(k + 1));
         one
     };
     found.into_iter().map(corner).collect()

@@ -3,6 +3,7 @@
 mod evening;
 mod last_knots;
 mod polishing;
+mod straight;
 
 use self::evening::Free;
 use super::bins::averages;
@@ -56,7 +57,9 @@ pub(super) struct Plan {
     pub(super) closed: bool,
     /// The parameter runs from 0 to here.
     pub(super) end: f64,
-    /// Whether points follow one another evenly, and are free to slide while knots go.
+    /// Whether points follow one another evenly.
+    pub(super) spaced: bool,
+    /// Whether they do, and are free to slide while knots go.
     pub(super) even: bool,
 }
 
@@ -68,6 +71,7 @@ enum Phase {
     Refine,
     Polish,
     Last(usize),
+    Straighten,
     Done,
 }
 
@@ -88,11 +92,15 @@ pub(super) struct Sparsest {
     /// The same points, or averages of them.
     seen: Located,
     aim: Aim,
-    /// Whether points follow one another evenly, and where they are known to belong.
+    /// Whether points follow one another evenly.
+    spaced: bool,
+    /// Whether they do, and where they belong is known.
     even: bool,
     /// How often a knot may count in the end.
     sharpest: usize,
     price: Price,
+    /// What is known of the points, whatever was asked for.
+    noise: f64,
     fitted: FreeKnots,
     phase: Phase,
     rounds: usize,
@@ -113,6 +121,8 @@ pub(super) struct Sparsest {
     free: Option<Free>,
     /// Whether that is over.
     placed: bool,
+    /// Whether straight pieces were looked for.
+    straightened: bool,
 }
 
 impl Sparsest {
@@ -136,8 +146,10 @@ impl Sparsest {
             full,
             seen,
             aim,
+            spaced: plan.spaced,
             even,
             price: Price(price),
+            noise,
             fitted,
             phase: Phase::Grow,
             rounds: 0,
@@ -152,6 +164,7 @@ impl Sparsest {
             found: None,
             free: None,
             placed: false,
+            straightened: false,
         }
     }
 
@@ -189,15 +202,17 @@ impl Sparsest {
     }
 
     /// A search for fewer knots than those of `breaks` with a sum of squares that is not larger than `target`.
-    pub(super) fn pruning(full: Located, breaks: Breaks, target: f64) -> Self {
+    pub(super) fn pruning(full: Located, breaks: Breaks, target: f64, noise: f64) -> Self {
         let at_first = breaks.len();
         let fitted = FreeKnots::new(breaks, &full);
         Self {
             seen: full.clone(),
             full,
             aim: Aim::Squares(target),
+            spaced: false,
             even: false,
             price: Price(1e-3 * target),
+            noise,
             fitted,
             sharpest: 1,
             phase: Phase::Thin,
@@ -213,6 +228,7 @@ impl Sparsest {
             found: None,
             free: None,
             placed: false,
+            straightened: false,
         }
     }
 
@@ -315,9 +331,13 @@ impl Sparsest {
             Phase::Lighten if !tired => self.lighten(),
             Phase::Polish => self.polish(),
             Phase::Last(next) if !tired => self.last(next),
+            Phase::Straighten => self.straighten(),
             Phase::Last(_) | Phase::Done => Phase::Done,
             Phase::Grow | Phase::Thin | Phase::Lighten | Phase::Refine => Phase::Polish,
         };
+        if self.phase == Phase::Done && !self.straightened {
+            self.phase = Phase::Straighten;
+        }
     }
 
     fn grow(&mut self) -> Phase {

@@ -87,6 +87,7 @@ pub(super) fn closer(spline: &Spline, data: &Located, tolerance: f64) -> Option<
 
 /// Adds simple knots.
 fn insert(breaks: &mut Breaks, added: &[f64]) {
+    breaks.straight.clear();
     for &t in added {
         let t = if t >= breaks.end { t - breaks.end } else { t };
         let place = breaks.at.partition_point(|&other| other < t);

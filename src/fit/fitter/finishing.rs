@@ -98,7 +98,8 @@ impl Fitter {
         });
         if finish.prune {
             let target = before.max(fitted.squares());
-            finishing.search = Some(Sparsest::pruning(self.located.clone(), breaks.clone(), target));
+            finishing.search =
+                Some(Sparsest::pruning(self.located.clone(), breaks.clone(), target, self.noise));
         }
         finishing.spline = Some(Spline::of(&fitted));
         Ok(finishing)

@@ -1,6 +1,6 @@
 //! Sums over the points of every piece: all that least squares needs to know of them.
 
-use super::super::breaks::{HIGHEST, Polynomial, Space};
+use super::super::breaks::{HIGHEST, Polynomial, STIFF, Space};
 use super::Located;
 
 /// Sums over the points of one piece.
@@ -11,10 +11,14 @@ pub(in super::super) struct Moments {
     pub(super) x: Polynomial,
     pub(super) y: Polynomial,
     pub(super) square: f64,
+    /// What the square of every coefficient above the second costs: more than points would ever pay, on pieces that are
+    /// to be straight.
+    pub(super) stiff: f64,
 }
 
 impl Moments {
-    /// Σ w·a(u)·uʲ for all j: with the coefficients of another polynomial its scalar product is Σ w·a(u)·b(u).
+    /// Σ w·a(u)·uʲ for all j: with the coefficients of another polynomial its scalar product is Σ w·a(u)·b(u), and what
+    /// bending costs.
     pub(super) fn weighted(&self, degree: usize, a: &Polynomial) -> Polynomial {
         // Loops of a length that is known are unrolled.
         if degree < 4 { self.weighted_of::<4>(a) } else { self.weighted_of::<{ HIGHEST + 1 }>(a) }
@@ -26,6 +30,11 @@ impl Moments {
         for (i, a) in a[..T].iter().enumerate() {
             for (sum, power) in sums[..T].iter_mut().zip(&self.powers[i..i + T]) {
                 *sum += a * power;
+            }
+        }
+        if self.stiff > 0.0 {
+            for (sum, a) in sums[2..T].iter_mut().zip(&a[2..T]) {
+                *sum += self.stiff * a;
             }
         }
         sums
@@ -40,10 +49,17 @@ pub(in super::super) fn product(a: &Polynomial, b: &Polynomial) -> f64 {
 
 /// The sums of every piece, in one pass.
 pub(super) fn gather(space: &Space, data: &Located) -> Vec<Moments> {
-    match space.breaks.degree {
+    let mut moments = match space.breaks.degree {
         3 => gathered(space, data, 3),
         degree => gathered(space, data, degree),
+    };
+    if !space.breaks.straight.is_empty() {
+        let whole: f64 = moments.iter().map(|sums| sums.powers[0]).sum();
+        let stiff = STIFF * whole / moments.len() as f64;
+        let straight = (0..moments.len()).filter(|&s| space.breaks.is_straight(s));
+        straight.for_each(|s| moments[s].stiff = stiff);
     }
+    moments
 }
 
 #[inline(always)]

@@ -222,11 +222,21 @@ pub(in super::super) fn in_order(breaks: &mut Breaks) {
         let (t, m) = (breaks.at.remove(0) + breaks.end, breaks.multiplicity.remove(0));
         breaks.at.push(t);
         breaks.multiplicity.push(m);
+        turn(&mut breaks.straight, 1);
     }
     while breaks.at[breaks.at.len() - 1] >= breaks.end {
         let last = breaks.at.len() - 1;
         let (t, m) = (breaks.at.remove(last) - breaks.end, breaks.multiplicity.remove(last));
         breaks.at.insert(0, t.max(0.0));
         breaks.multiplicity.insert(0, m);
+        let last = breaks.straight.len().saturating_sub(1);
+        turn(&mut breaks.straight, last);
+    }
+}
+
+/// The list from another place on, if it has any.
+fn turn(list: &mut [bool], by: usize) {
+    if by < list.len() {
+        list.rotate_left(by);
     }
 }

@@ -1,0 +1,117 @@
+//! Straight sides come out straight where noise explains what a line leaves, and curves stay curves.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod support;
+
+use expline::fit::{Ask, Finish, Fit, Options, fit};
+use expline::numerics::Point;
+use support::curves::Random;
+
+/// Normally distributed (Box and Muller), tails included.
+fn normal(random: &mut Random) -> f64 {
+    let radius = (-2.0 * random.unit().max(1e-300).ln()).sqrt();
+    radius * (core::f64::consts::TAU * random.unit()).cos()
+}
+
+/// Points evenly along a closed polygon with sides of one length, noise added.
+fn along(corners: &[Point], count: usize, sigma: f64, seed: u64) -> Vec<Point> {
+    let mut random = Random::new(seed);
+    let sides = corners.len();
+    let place = |i: usize| {
+        let at = i as f64 * sides as f64 / count as f64;
+        let (side, share) = (at as usize, at.fract());
+        corners[side] * (1.0 - share) + corners[(side + 1) % sides] * share
+    };
+    (0..count).map(|i| place(i) + Point::new(normal(&mut random), normal(&mut random)) * sigma).collect()
+}
+
+fn star() -> Vec<Point> {
+    (0..10)
+        .map(|j| {
+            let angle = core::f64::consts::PI * (f64::from(j) / 5.0 - 0.5);
+            Point::new(angle.cos(), angle.sin()) * if j % 2 == 0 { 180.0 } else { 75.0 }
+        })
+        .collect()
+}
+
+/// Lines of the curve; what rounding bends is none.
+fn lines(fitted: &Fit) -> usize {
+    fitted.curve.segments().filter(|segment| segment.as_line(1e-10)).count()
+}
+
+fn farthest(fitted: &Fit, corners: &[Point]) -> f64 {
+    let off = |corner: &Point| {
+        fitted.knots.iter().map(|knot| (knot.point - corner).norm()).fold(f64::INFINITY, f64::min)
+    };
+    corners.iter().map(off).fold(0.0, f64::max)
+}
+
+#[test]
+fn the_sides_of_noisy_stars_are_straight() {
+    let corners = star();
+    let (mut straight, stars) = (0, 8);
+    for seed in 0..stars {
+        let points = along(&corners, 300, 1.5, 70 + seed);
+        let fitted = fit(&points, Ask::Noise, &Options::default()).expect("it can be fitted");
+        let (pieces, own) = (fitted.curve.segment_count(), lines(&fitted));
+        straight += usize::from((pieces, own) == (10, 10));
+        assert!(pieces <= 11 && own >= 8, "star {seed}: {own} lines of {pieces} pieces");
+        // Thirty points of noise 1.5 on each of two sides tell to about one where they meet.
+        let off = farthest(&fitted, &corners);
+        assert!(off < 3.0, "star {seed}: a corner is off by {off}");
+    }
+    assert!(straight >= 6, "{straight} of {stars} have ten lines and nothing else");
+}
+
+#[test]
+fn smoothing_a_star_by_corners_and_curves_leaves_straight_sides() {
+    let corners = star();
+    let finish = Finish { merge: true, slide: true, debias: true, prune: true, ..Finish::default() };
+    let options = Options { degrees: vec![1, 3], finish, closed: Some(true), ..Options::default() };
+    let points = along(&corners, 300, 1.5, 5);
+    let convex = fit(&points, Ask::Smoothing(0.4), &Options { finish: Finish::default(), ..options.clone() })
+        .expect("it can be fitted");
+    let fitted = fit(&points, Ask::Smoothing(0.4), &options).expect("it can be fitted");
+    assert_eq!((fitted.curve.segment_count(), lines(&fitted)), (10, 10));
+    assert!(fitted.qfe <= convex.qfe, "{} for {}", fitted.qfe, convex.qfe);
+    assert!(farthest(&fitted, &corners) < 3.0, "{}", farthest(&fitted, &corners));
+}
+
+#[test]
+fn arcs_stay_curved() {
+    // A circle of 200: an eighth of it is 15 beside its chord, noise 1.
+    let mut random = Random::new(3);
+    let points: Vec<Point> = (0..600)
+        .map(|i| {
+            let angle = core::f64::consts::TAU * f64::from(i) / 600.0;
+            Point::new(angle.cos(), angle.sin()) * 200.0
+                + Point::new(normal(&mut random), normal(&mut random))
+        })
+        .collect();
+    for ask in [Ask::Noise, Ask::Tolerance(4.0), Ask::Tolerance(8.0)] {
+        let fitted = fit(&points, ask.clone(), &Options::default()).expect("it can be fitted");
+        assert_eq!(lines(&fitted), 0, "{ask:?}");
+    }
+}
+
+#[test]
+fn a_half_disc_has_one_straight_side() {
+    let mut random = Random::new(8);
+    let arc = 200.0 * core::f64::consts::PI;
+    let step = (arc + 400.0) / 500.0;
+    let points: Vec<Point> = (0..500)
+        .map(|i| {
+            let along = f64::from(i) * step;
+            let place = if along < arc {
+                Point::new((along / 200.0).cos(), (along / 200.0).sin()) * 200.0
+            } else {
+                Point::new(along - arc - 200.0, 0.0)
+            };
+            place + Point::new(normal(&mut random), normal(&mut random)) * 0.5
+        })
+        .collect();
+    let fitted = fit(&points, Ask::Noise, &Options::default()).expect("it can be fitted");
+    assert_eq!(lines(&fitted), 1, "of {} pieces", fitted.curve.segment_count());
+    let corners = [Point::new(200.0, 0.0), Point::new(-200.0, 0.0)];
+    assert!(farthest(&fitted, &corners) < 0.5, "{}", farthest(&fitted, &corners));
+}
