@@ -77,9 +77,15 @@ impl Arc {
         Some(Self { ends, tangents, radius: length / k, turning })
     }
 
-    /// The ways to the control points of the arc as a piece.
+    /// The ways to the control points of the arc as a segment that knows its angle.
     pub(super) fn handles(&self) -> [Vector; 2] {
         self.tangents.map(|tangent| tangent * (self.radius * self.turning.abs() / 3.0))
+    }
+
+    /// The same for the plain cubic that is nearest to the arc.
+    pub(super) fn cubic_handles(&self) -> [Vector; 2] {
+        let (sin, cos) = crate::numerics::angle::sin_cos(0.25 * self.turning.abs());
+        self.tangents.map(|tangent| tangent * (4.0 / 3.0 * self.radius * sin / cos))
     }
 
     /// How far a point is from the arc, which goes on straight beyond its ends.

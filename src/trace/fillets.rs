@@ -104,7 +104,7 @@ fn try_arc(
         old.add(&shape.parts[piece], field);
     }
     let smooth = |point: Point| Node { point, smooth: true, kept: false };
-    let [leaving, arriving] = arc.handles();
+    let [leaving, arriving] = arc.cubic_handles();
     let mut rounded = Outline {
         nodes: vec![saved.nodes[i], smooth(arc.ends[0]), smooth(arc.ends[1])],
         pieces: vec![Piece::Line, Piece::Cubic { leaving, arriving }, Piece::Line],

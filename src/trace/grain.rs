@@ -9,6 +9,11 @@ use crate::numerics::order::nth;
 const WINDOW: usize = 8;
 /// Where an outline runs along rows or columns within so many pixels, all pixels say the same, right or wrong.
 const LEVEL: f32 = 1.0;
+/// Pixels of an outline that runs nearly along rows or columns are looked at together until it has gone so far the other way: several of the steps
+/// that samples make of it. More pixels than this hold more than a parabola.
+const STEPS: f32 = 1.5;
+const FEWEST: usize = 12;
+const MOST: usize = 96;
 /// The median of a sum of squares over its freedoms, of which a window has two less than pixels.
 const MEDIAN: f64 = 0.891;
 
@@ -26,74 +31,118 @@ struct Crossing {
 /// O(length of the outlines).
 pub(super) fn grain(shapes: &[Shape], field: &Field) -> f64 {
     let mut squares = Vec::new();
-    for shape in shapes {
-        let mut window = Window::default();
-        for (piece, parts) in shape.parts.iter().enumerate() {
-            if !shape.outline.nodes[piece].smooth {
-                window = Window::default();
-            }
-            for part in parts {
-                window.see(part, field, &mut squares);
-            }
-        }
-    }
+    shapes.iter().for_each(|shape| windows(shape, field, false, &mut squares));
+    middle(&mut squares)
+}
+
+/// The same from the mean squares of windows.
+pub(super) fn middle(squares: &mut [f64]) -> f64 {
     if squares.is_empty() {
         return 0.0;
     }
     let middle = squares.len() / 2;
-    (nth(&mut squares, middle) / MEDIAN).sqrt()
+    (nth(squares, middle) / MEDIAN).sqrt()
+}
+
+/// What is left in windows where the outline runs nearly along rows or columns, beyond what moving, turning and bending it would explain.
+///
+/// # Cost
+///
+/// O(length of the outline).
+pub(super) fn level(shape: &Shape, field: &Field, squares: &mut Vec<f64>) {
+    windows(shape, field, true, squares);
+}
+
+fn windows(shape: &Shape, field: &Field, level: bool, squares: &mut Vec<f64>) {
+    let mut window = Window::default();
+    for (piece, parts) in shape.parts.iter().enumerate() {
+        if !shape.outline.nodes[piece].smooth {
+            window.clear();
+        }
+        for part in parts {
+            if part.pixel == NONE {
+                window.clear();
+                continue;
+            }
+            if window.last != Some(part.pixel) {
+                if window.is_full(level) {
+                    if window.tells(level) {
+                        squares.push(window.square(if level { 3 } else { 2 }));
+                    }
+                    window.clear();
+                }
+                window
+                    .pixels
+                    .push(Crossing { rest: f64::from(field.rest[part.pixel as usize]), length: 0.0 });
+                window.last = Some(part.pixel);
+            }
+            window.see(part);
+        }
+    }
 }
 
 /// Pixels that follow each other.
 #[derive(Default)]
 struct Window {
-    pixels: [Crossing; WINDOW],
-    count: usize,
+    pixels: Vec<Crossing>,
     last: Option<u32>,
     /// How far they reach along rows and columns.
     reach: [f32; 2],
 }
 
 impl Window {
-    /// One part more; with the first of a ninth pixel the eight before have their say.
-    fn see(&mut self, part: &Part, field: &Field, squares: &mut Vec<f64>) {
-        if part.pixel == NONE {
-            *self = Self::default();
-            return;
+    fn clear(&mut self) {
+        self.pixels.clear();
+        (self.last, self.reach) = (None, [0.0; 2]);
+    }
+
+    /// One part more of the last pixel.
+    fn see(&mut self, part: &Part) {
+        if let Some(pixel) = self.pixels.last_mut() {
+            pixel.length += f64::from(part.dx * part.dx + part.dy * part.dy).sqrt();
         }
-        if self.last != Some(part.pixel) {
-            if self.count == WINDOW {
-                if self.reach.iter().all(|&way| way.abs() > LEVEL) {
-                    squares.push(self.square());
-                }
-                *self = Self::default();
-            }
-            self.pixels[self.count] =
-                Crossing { rest: f64::from(field.rest[part.pixel as usize]), length: 0.0 };
-            self.count += 1;
-            self.last = Some(part.pixel);
-        }
-        self.pixels[self.count - 1].length += f64::from(part.dx * part.dx + part.dy * part.dy).sqrt();
         self.reach = [self.reach[0] + part.dx, self.reach[1] + part.dy];
     }
 
-    /// What is left for each freedom when the outline is moved and turned as is best.
-    fn square(&self) -> f64 {
-        let (mut all, mut by) = (0.0, [0.0; 2]);
-        let mut moments = [0.0; 3];
-        for (i, pixel) in self.pixels.iter().enumerate() {
-            let place = i as f64 - 0.5 * (WINDOW - 1) as f64;
-            let weight = pixel.length * pixel.length;
-            for (k, moment) in moments.iter_mut().enumerate() {
-                *moment += weight * [1.0, place, place * place][k];
-            }
-            all += pixel.rest * pixel.rest;
-            by[0] += pixel.rest * pixel.length;
-            by[1] += pixel.rest * pixel.length * place;
-        }
-        let [a, b, c] = moments;
-        let size = a * c - b * b;
-        let explained = (by[0] * by[0] * c - 2.0 * by[0] * by[1] * b + by[1] * by[1] * a) / size;
-        if size > 0.0 { (all - explained).max(0.0) / (WINDOW - 2) as f64 } else { 0.0 }
+    fn reaches(&self, far: f32) -> bool {
+        self.reach.iter().all(|&way| way.abs() > far)
     }
+
+    fn is_full(&self, level: bool) -> bool {
+        let count = self.pixels.len();
+        if level { count >= MOST || self.reaches(STEPS) } else { count == WINDOW }
+    }
+
+    /// Whether a full window says anything.
+    fn tells(&self, level: bool) -> bool {
+        if level { self.pixels.len() >= FEWEST && self.reaches(STEPS) } else { self.reaches(LEVEL) }
+    }
+
+    /// What is left for each freedom when the outline is moved by the best polynomial with so many coefficients.
+    fn square(&self, freedoms: usize) -> f64 {
+        let half = 0.5 * (self.pixels.len() as f64 - 1.0);
+        let mut rest: Vec<f64> = self.pixels.iter().map(|pixel| pixel.rest).collect();
+        let mut basis: Vec<Vec<f64>> = Vec::new();
+        for power in 0..freedoms {
+            let place = |i: usize| (i as f64 - half) / half;
+            let raise = |(i, pixel): (usize, &Crossing)| {
+                pixel.length * (0..power).fold(1.0, |product, _| product * place(i))
+            };
+            let mut column: Vec<f64> = self.pixels.iter().enumerate().map(raise).collect();
+            basis.iter().for_each(|other| take_away(&mut column, other));
+            let size = column.iter().map(|x| x * x).sum::<f64>().sqrt();
+            if size > 0.0 {
+                column.iter_mut().for_each(|x| *x /= size);
+                take_away(&mut rest, &column);
+                basis.push(column);
+            }
+        }
+        rest.iter().map(|x| x * x).sum::<f64>() / (self.pixels.len() - freedoms) as f64
+    }
+}
+
+/// Takes away what of some numbers lies along others, the squares of which sum to 1.
+fn take_away(from: &mut [f64], along: &[f64]) {
+    let share: f64 = from.iter().zip(along).map(|(a, b)| a * b).sum();
+    from.iter_mut().zip(along).for_each(|(a, b)| *a -= share * b);
 }

@@ -4,7 +4,7 @@ use super::bends::BendRule;
 use super::ellipse::{ellipse, rounded};
 use super::field::{Field, Shading};
 use super::fillets::round_off;
-use super::grain::grain;
+use super::grain::{grain, level, middle};
 use super::gray::Gray;
 use super::outline::Outline;
 use super::refine::{Left, NOISY_SHARE, Refiner, Relaxing, Shape, leaves};
@@ -20,6 +20,10 @@ use crate::numerics::plane::larger;
 const ROUGH: f64 = 0.2;
 /// The grain from which on pixels are not covered as exactly as bytes tell: edges that a few samples a pixel were drawn by have 0.01 to 0.04.
 const GRAINY: f64 = 8e-3;
+/// And what is left from which on where edges are nearly level: four rows of samples a pixel leave 0.07 there.
+const UNEVEN: f64 = 0.04;
+/// Stretches that have to say so.
+const ENOUGH: usize = 3;
 /// How many times as much as fine outlines rough ones may leave for the rest to be none of the drawing, root mean squares: where flat places
 /// are not flat, and where they are. There fine outlines follow the grain, which has the period of their pieces.
 const ROUGHER: [f64; 2] = [1.25, 2.2];
@@ -73,6 +77,8 @@ pub(super) struct Refinement {
     rough: bool,
     /// What no outline explains in a pixel of a rough picture.
     grain: f64,
+    /// What is left before pieces are halved where outlines run nearly along rows or columns.
+    level: Vec<f64>,
     limits: Limits,
     /// The outline before joints were taken away, and what it left.
     start: Option<(Outline, f64)>,
@@ -131,6 +137,7 @@ impl Refinement {
             replaced: 0,
             rough,
             grain: 0.0,
+            level: Vec::new(),
             limits: Limits {
                 rms: 0.012,
                 most: 0.055,
@@ -181,6 +188,7 @@ impl Refinement {
                     let shape = &self.shapes[self.at];
                     self.fine.push(shape.outline.clone());
                     self.left.join(&shape.left(&self.field));
+                    level(shape, &self.field, &mut self.level);
                 }
                 if self.is_halved()? {
                     return Ok(self.cost());
@@ -325,6 +333,10 @@ impl Refinement {
             }
             Phase::First => {
                 self.grain = grain(&self.shapes, &self.field);
+                let level = middle(&mut self.level);
+                if self.level.len() >= ENOUGH && level > UNEVEN {
+                    self.grain = larger(self.grain, level);
+                }
                 if self.noisy {
                     self.limits.noise = self.field.left();
                 } else if !self.rough && self.grain > GRAINY {

@@ -1,7 +1,7 @@
 //! Sides that are straight as far as a picture of sampled or compressed edges tells (D 14.23).
 
 use super::outline::{Node, Outline, Piece};
-use super::refine::{Left, Shape};
+use super::refine::Left;
 use super::samples::{turn, unit};
 use super::simplify::Trial;
 use super::window::{Stretch, Window};
