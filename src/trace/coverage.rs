@@ -3,7 +3,7 @@
 use super::cubic::Cubic;
 use super::field::{AREA, Change, Field, NONE, SIDE};
 use crate::numerics::order::sort_in_place;
-use crate::numerics::plane::{larger, smaller};
+use crate::numerics::plane::{larger, norm, smaller, taxi};
 
 /// A part of a piece inside one pixel.
 #[derive(Clone, Copy, Debug)]
@@ -23,14 +23,19 @@ pub(super) struct Part {
 
 /// Chords are nowhere farther from their curve than 1/200 of a pixel, and in the mean not at all: b·6/(12n²) with the larger second difference b.
 const FINENESS: f64 = 100.0;
+/// Room for more parts than this is made when they come.
+const MOST_WAYS: f64 = 4096.0;
 
 /// Parts a piece at the borders of the pixels, rows and columns alike.
 pub(super) fn parts(cubic: &Cubic, field: &Field, out: &mut Vec<Part>) {
     out.clear();
     let middle = cubic.end - cubic.start - cubic.leaving - cubic.arriving;
     let (second, third) = ((middle - cubic.leaving) * 3.0, cubic.arriving - middle * 2.0 + cubic.leaving);
-    let bend = larger((middle - cubic.leaving).norm(), (cubic.arriving - middle).norm());
+    let bend = larger(norm(middle - cubic.leaving), norm(cubic.arriving - middle));
     let steps = (bend * FINENESS).sqrt().ceil().clamp(1.0, 4000.0);
+    // Every chord is one part, and every border that is crossed begins another.
+    let ways = taxi(cubic.leaving) + taxi(middle) + taxi(cubic.arriving);
+    out.reserve((steps + smaller(ways, MOST_WAYS)) as usize + 2);
     // A chord lies inside its arc, by h²|p″|/12 in the mean: its ends are moved outwards by as much, but for those of the piece.
     let outwards = -1.0 / (6.0 * steps * steps);
     let first = cubic.leaving * 3.0 + third * (3.0 * outwards);
@@ -78,6 +83,36 @@ impl Edge {
     }
 }
 
+/// The borders that an edge crosses on one axis.
+#[derive(Clone, Copy)]
+struct Crossings {
+    /// The pixel that the edge is in, the last one, and the way from one to the next.
+    at: i32,
+    last: i32,
+    ahead: i32,
+    /// The next border as a share of the edge, beyond its end if there is none, and how far it is from one to the next.
+    next: f64,
+    step: f64,
+}
+
+impl Crossings {
+    #[inline(always)]
+    fn new(at: i32, last: i32, from: f64, way: f64) -> Self {
+        if at == last {
+            return Self { at, last, ahead: 0, next: 2.0, step: 0.0 };
+        }
+        let (inverse, up) = (1.0 / way, last > at);
+        let next = (f64::from(at + i32::from(up)) - from) * inverse;
+        Self { at, last, ahead: if up { 1 } else { -1 }, next, step: inverse.abs() }
+    }
+
+    #[inline(always)]
+    fn cross(&mut self) {
+        self.at += self.ahead;
+        self.next = if self.at == self.last { 2.0 } else { self.next + self.step };
+    }
+}
+
 impl<'a> Pen<'a> {
     fn new(field: &'a Field, at: [f64; 2], out: &'a mut Vec<Part>) -> Self {
         let (columns, rows) = field.size();
@@ -86,54 +121,42 @@ impl<'a> Pen<'a> {
         pen
     }
 
+    #[inline(always)]
     fn cell_of(&self, at: [f64; 2]) -> Option<[i32; 2]> {
         let inside = at[0] >= 0.0 && at[1] >= 0.0 && at[0] < self.size[0] && at[1] < self.size[1];
         inside.then(|| at.map(|v| v as i32))
     }
 
     /// A straight edge from where the pen is; `t` is its first parameter and the length of its range.
+    #[inline(always)]
     fn draw_to(&mut self, to: [f64; 2], t: [f64; 2]) {
         let from = self.at;
         let edge = Edge { start: from, way: [to[0] - from[0], to[1] - from[1]], t };
         let cells = (self.cell, self.cell_of(to));
         (self.at, self.cell) = (to, cells.1);
-        let (Some(mut cell), Some(last)) = cells else {
+        let (Some(cell), Some(last)) = cells else {
             return self.edge_beyond(&edge);
         };
-        if cell == last {
-            return self.part(&edge, [0.0, 1.0], cell);
-        }
-        // Borders that are still to be crossed on each axis, and where the next one is, as a share of the edge.
-        let mut left = [last[0] - cell[0], last[1] - cell[1]];
-        let (mut next, mut step) = ([2.0; 2], [0.0; 2]);
-        for k in 0..2 {
-            if left[k] != 0 {
-                let border = f64::from(cell[k] + i32::from(left[k] > 0));
-                let inverse = 1.0 / edge.way[k];
-                next[k] = (border - from[k]) * inverse;
-                step[k] = inverse.abs();
-            }
-        }
+        let mut across = Crossings::new(cell[0], last[0], from[0], edge.way[0]);
+        let mut down = Crossings::new(cell[1], last[1], from[1], edge.way[1]);
         let mut share = 0.0;
-        loop {
-            let k = usize::from(next[1] < next[0]);
-            let until = smaller(next[k], 1.0);
+        while across.at != last[0] || down.at != last[1] {
+            let cell = [across.at, down.at];
+            let sideways = !(down.next < across.next);
+            let until = smaller(if sideways { across.next } else { down.next }, 1.0);
+            if sideways { across.cross() } else { down.cross() }
             if until > share {
                 self.part(&edge, [share, until], cell);
                 share = until;
             }
-            if left == [0, 0] {
-                return;
-            }
-            let ahead = left[k].signum();
-            cell[k] += ahead;
-            left[k] -= ahead;
-            next[k] = if left[k] == 0 { 2.0 } else { next[k] + step[k] };
+        }
+        if share < 1.0 {
+            self.part(&edge, [share, 1.0], last);
         }
     }
 
     /// The part of an edge between two shares of it, which lies in one pixel of the frame.
-    #[inline]
+    #[inline(always)]
     fn part(&mut self, edge: &Edge, share: [f64; 2], cell: [i32; 2]) {
         let [x, _] = edge.at(0.5 * (share[0] + share[1]));
         let right = f64::from(cell[0] + 1) - x;
@@ -141,7 +164,7 @@ impl<'a> Pen<'a> {
         self.write(edge, share, cell, (pixel, right));
     }
 
-    #[inline]
+    #[inline(always)]
     fn write(&mut self, edge: &Edge, share: [f64; 2], cell: [i32; 2], (pixel, right): (u32, f64)) {
         let (middle, extent) = (0.5 * (share[0] + share[1]), share[1] - share[0]);
         self.out.push(Part {
@@ -156,6 +179,8 @@ impl<'a> Pen<'a> {
     }
 
     /// An edge that leaves the frame: left of it it covers whole pixels; right of it, above and below nothing that is seen.
+    #[cold]
+    #[inline(never)]
     fn edge_beyond(&mut self, edge: &Edge) {
         let [columns, rows] = self.size;
         let mut share = 0.0;
@@ -207,22 +232,24 @@ impl Sweep {
     /// Notes that parts come, with the sign 1, or go, with −1.
     pub(super) fn note(&mut self, field: &Field, parts: &[Part], sign: f32) {
         self.known.resize(field.tiles(), NONE);
-        // Parts of one tile mostly follow each other.
-        let (mut slot, mut at) = (usize::MAX, 0);
-        for part in parts {
-            let height = sign * part.dy;
-            if part.pixel == NONE {
-                self.stray(field, part, height);
+        let mut rest = parts;
+        while let Some(first) = rest.first() {
+            // Parts of one tile mostly follow each other.
+            let slot = first.pixel / AREA as u32;
+            let count = rest.iter().position(|part| part.pixel / AREA as u32 != slot).unwrap_or(rest.len());
+            let (run, others) = rest.split_at(count);
+            rest = others;
+            if first.pixel == NONE {
+                run.iter().for_each(|part| self.stray(field, part, sign * part.dy));
                 continue;
             }
-            if part.pixel as usize / AREA != slot {
-                slot = part.pixel as usize / AREA;
-                at = self.open(field, slot);
-            }
-            let within = part.pixel as usize % AREA;
-            if let Some(change) = self.changes.get_mut(at) {
-                change.areas[within] += height * part.right;
-                change.heights[within] += height;
+            let at = self.open(field, slot as usize);
+            if let Some(Change { areas, heights }) = self.changes.get_mut(at) {
+                for part in run {
+                    let (within, height) = (part.pixel as usize % AREA, sign * part.dy);
+                    areas[within] += height * part.right;
+                    heights[within] += height;
+                }
             }
         }
     }
