@@ -79,6 +79,16 @@ pub(crate) fn with_room<T>(count: usize) -> Result<Vec<T>> {
     }
 }
 
+/// Makes a vector one of equal values, or an error where the allocator says no.
+pub(crate) fn refill<T: Copy>(values: &mut Vec<T>, value: T, count: usize) -> Result<()> {
+    values.clear();
+    if values.try_reserve(count).is_err() {
+        return Err(Error::memory(count.saturating_mul(size_of::<T>())));
+    }
+    values.resize(count, value);
+    Ok(())
+}
+
 /// A vector of equal values, or an error where the allocator says no.
 pub(crate) fn filled(value: f64, count: usize) -> Result<Vec<f64>> {
     let mut values = with_room(count)?;

@@ -38,6 +38,7 @@ mod cusps;
 mod discs;
 mod division;
 mod ellipse;
+mod equations;
 mod field;
 mod fillets;
 mod grain;

@@ -1,83 +1,84 @@
-//! Symmetric positive definite systems whose rows begin late: only the entries from a row's first on are kept.
+//! Symmetric positive definite systems whose rows end early: only the entries up to a row's last are kept.
 
 use crate::error::Result;
-use crate::limits::{filled, with_room};
+use crate::limits::refill;
 
-/// The lower triangle, row by row from each row's first entry to the diagonal.
-#[derive(Debug)]
+/// The upper triangle, row by row from the diagonal to each row's last entry; room that is used for one system after another.
+#[derive(Debug, Default)]
 pub(super) struct Skyline {
-    first: Vec<usize>,
-    /// Where row i would have its entry 0: its entry j is at `base[i] + j`.
-    base: Vec<isize>,
+    last: Vec<usize>,
+    /// Where each row begins, at its diagonal.
+    start: Vec<usize>,
     values: Vec<f64>,
+    /// One over each pivot.
+    inverse: Vec<f64>,
 }
 
 impl Skyline {
-    /// Zeros, with the first column of every row.
-    pub(super) fn new(first: Vec<usize>) -> Result<Self> {
-        let mut base = with_room(first.len())?;
-        let mut size = 0;
-        for (i, &start) in first.iter().enumerate() {
-            base.push(size as isize - start as isize);
-            size += i + 1 - start;
-        }
-        Ok(Self { first, base, values: filled(0.0, size)? })
+    /// Begins a system of so many unknowns. The last column of every row is to be written into what this returns: each is its own so far.
+    pub(super) fn begin(&mut self, count: usize) -> Result<&mut [usize]> {
+        refill(&mut self.last, 0, count)?;
+        self.last.iter_mut().enumerate().for_each(|(i, last)| *last = i);
+        Ok(&mut self.last)
     }
 
-    /// Adds to entry (row, column), column ≤ row.
+    /// Makes room: all entries are 0.
+    pub(super) fn lay_out(&mut self) -> Result<()> {
+        refill(&mut self.start, 0, self.last.len())?;
+        let (mut size, mut most) = (0, 0);
+        for (i, (last, start)) in self.last.iter_mut().zip(&mut self.start).enumerate() {
+            // What a row has, those that it takes part in will have: ends never fall.
+            most = most.max(*last);
+            *last = most;
+            *start = size;
+            size += most + 1 - i;
+        }
+        refill(&mut self.inverse, 1.0, self.last.len())?;
+        refill(&mut self.values, 0.0, size)
+    }
+
+    /// Adds to entry (row, column), row ≤ column.
     pub(super) fn add(&mut self, row: usize, column: usize, value: f64) {
-        self.values[(self.base[row] + column as isize) as usize] += value;
+        self.values[self.start[row] + column - row] += value;
     }
 
-    fn row(&self, i: usize, from: usize, to: usize) -> &[f64] {
-        &self.values[(self.base[i] + from as isize) as usize..(self.base[i] + to as isize) as usize]
-    }
-
-    /// Cholesky's factor in place. A pivot that is lost is replaced by one: its unknown stays where it is.
+    /// Gauss's elimination in place. A pivot that is lost is replaced by one: its unknown stays where it is.
     pub(super) fn factor(&mut self) {
-        for (i, &first) in self.first.iter().enumerate() {
-            let (before, rest) = self.values.split_at_mut((self.base[i] + first as isize) as usize);
-            let row = &mut rest[..=i - first];
-            for j in first..i {
-                let other = self.first[j];
-                let from = first.max(other);
-                let start = (self.base[j] + from as isize) as usize;
-                let above = &before[start..=start + j - from];
-                let known = product(&row[from - first..j - first], above);
-                row[j - first] = (row[j - first] - known) / above[j - from];
+        for (i, &start) in self.start.iter().enumerate() {
+            let width = self.last[i] + 1 - i;
+            let (done, below) = self.values.split_at_mut(start + width);
+            let row = &mut done[start..];
+            if row[0] <= 1e-14 {
+                row[0] = 1.0;
             }
-            let own = row[i - first] - product(&row[..i - first], &row[..i - first]);
-            row[i - first] = if own > 1e-14 { own.sqrt() } else { 1.0 };
+            let inverse = 1.0 / row[0];
+            self.inverse[i] = inverse;
+            for k in 1..width {
+                let share = row[k] * inverse;
+                let from = self.start[i + k] - (start + width);
+                let other = &mut below[from..from + width - k];
+                for (entry, above) in other.iter_mut().zip(&row[k..]) {
+                    *entry -= share * above;
+                }
+            }
         }
     }
 
-    /// Solves with the factor, in place.
+    /// Solves after the elimination, in place.
     pub(super) fn solve(&self, x: &mut [f64]) {
-        let diagonal = |i: usize| self.values[(self.base[i] + i as isize) as usize];
+        let row = |i: usize| &self.values[self.start[i]..][1..=self.last[i] - i];
         for i in 0..x.len() {
-            let from = self.first[i];
-            let known = product(self.row(i, from, i), &x[from..i]);
-            x[i] = (x[i] - known) / diagonal(i);
-        }
-        for i in (0..x.len()).rev() {
-            x[i] /= diagonal(i);
-            let (value, from) = (x[i], self.first[i]);
-            for (entry, below) in self.row(i, from, i).iter().zip(&mut x[from..i]) {
+            let value = x[i] * self.inverse[i];
+            x[i] = value;
+            let row = row(i);
+            // Below, a row's share of what is above it.
+            for (entry, below) in row.iter().zip(&mut x[i + 1..]) {
                 *below -= entry * value;
             }
         }
+        for i in (0..x.len()).rev() {
+            let known: f64 = row(i).iter().zip(&x[i + 1..]).map(|(entry, value)| entry * value).sum();
+            x[i] -= known * self.inverse[i];
+        }
     }
-}
-
-/// The scalar product of a row with the beginning of another: in pairs, as two numbers fit into one register.
-fn product(a: &[f64], b: &[f64]) -> f64 {
-    let b = &b[..a.len()];
-    let (mut sums, mut k) = ([0.0; 2], 0);
-    while k + 1 < a.len() {
-        sums[0] += a[k] * b[k];
-        sums[1] += a[k + 1] * b[k + 1];
-        k += 2;
-    }
-    let sum = sums[0] + sums[1];
-    if k < a.len() { sum + a[k] * b[k] } else { sum }
 }

@@ -3,11 +3,48 @@
 use super::outline::{Node, Outline, Piece};
 use super::samples::unit;
 use crate::numerics::order::sort_in_place;
-use crate::numerics::plane::{dot, norm};
+use crate::numerics::plane::{larger, norm};
 use crate::numerics::{Point, Vector};
 
-/// How the eight coordinates of a piece's control points change with one unknown.
-pub(super) type Column = (usize, [f64; 8]);
+/// How one of the four vectors of a piece (its start, the way leaving, the way arriving, its end) changes with one unknown or two.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Term {
+    /// Which vector.
+    pub(super) slot: usize,
+    unknowns: [usize; 2],
+    count: usize,
+    /// How it changes with each.
+    pub(super) ways: [Vector; 2],
+}
+
+const START: usize = 0;
+const LEAVING: usize = 1;
+const ARRIVING: usize = 2;
+const END: usize = 3;
+
+impl Term {
+    /// The unknowns of the first ways.
+    pub(super) fn unknowns(&self) -> impl Iterator<Item = usize> + Clone + use<> {
+        let unknowns = self.unknowns;
+        (0..self.count).map(move |k| unknowns[k])
+    }
+
+    /// A vector that is two unknowns.
+    fn own(slot: usize, first: usize) -> Self {
+        let ways = [Vector::new(1.0, 0.0), Vector::new(0.0, 1.0)];
+        Self { slot, unknowns: [first, first + 1], count: 2, ways }
+    }
+
+    /// A vector whose length is an unknown.
+    fn length(slot: usize, unknown: usize, way: Vector) -> Self {
+        Self { slot, unknowns: [unknown; 2], count: 1, ways: [unit(way), Vector::zeros()] }
+    }
+
+    /// A vector whose angle and length are unknowns.
+    fn polar(slot: usize, unknowns: [usize; 2], way: Vector) -> Self {
+        Self { slot, unknowns, count: 2, ways: [turned(way), unit(way)] }
+    }
+}
 
 /// The numbering of the unknowns of some nodes of one outline; the other nodes stay where they are.
 ///
@@ -34,8 +71,6 @@ enum Joint {
     AfterLine,
     /// A cubic arrives, a straight piece leaves.
     BeforeLine,
-    /// It stays where it is.
-    Fixed,
 }
 
 fn joint(outline: &Outline, i: usize) -> Joint {
@@ -65,7 +100,6 @@ impl Unknowns {
             self.end += 2 + match joint(outline, node) {
                 Joint::Free => 3,
                 Joint::AfterLine | Joint::BeforeLine => 1,
-                Joint::Fixed => 0,
                 Joint::Corner => {
                     2 * usize::from(!outline.is_line(node))
                         + 2 * usize::from(!outline.is_line(outline.before(node)))
@@ -93,65 +127,44 @@ impl Unknowns {
         pieces.dedup();
     }
 
-    /// The columns of piece i.
-    pub(super) fn columns(&self, outline: &Outline, i: usize, columns: &mut Vec<Column>) {
-        columns.clear();
+    /// Adds the terms of piece i.
+    pub(super) fn terms(&self, outline: &Outline, i: usize, terms: &mut Vec<Term>) {
         let next = outline.next(i);
         let (start, end) = (self.base[i], self.base[next]);
-        let line = outline.is_line(i);
-        let (far, near) = if line { (2.0 / 3.0, 1.0 / 3.0) } else { (1.0, 0.0) };
         if start != FIXED {
-            columns.push((start, [1.0, 0.0, far, 0.0, near, 0.0, 0.0, 0.0]));
-            columns.push((start + 1, [0.0, 1.0, 0.0, far, 0.0, near, 0.0, 0.0]));
+            terms.push(Term::own(START, start));
         }
         if end != FIXED {
-            columns.push((end, [0.0, 0.0, near, 0.0, far, 0.0, 1.0, 0.0]));
-            columns.push((end + 1, [0.0, 0.0, 0.0, near, 0.0, far, 0.0, 1.0]));
+            terms.push(Term::own(END, end));
         }
         let Piece::Cubic { leaving, arriving } = outline.pieces[i] else { return };
-        let moves = |base: usize, joint: Joint| match joint {
-            Joint::AfterLine | Joint::BeforeLine => joint,
-            _ if base == FIXED => Joint::Fixed,
-            _ => joint,
-        };
-        match moves(start, joint(outline, i)) {
-            Joint::Fixed => {}
-            Joint::Corner => {
-                add(columns, start + 2, 2, Vector::new(1.0, 0.0));
-                add(columns, start + 3, 2, Vector::new(0.0, 1.0));
-            }
-            Joint::Free => {
-                add(columns, start + 2, 2, turned(leaving));
-                add(columns, start + 3, 2, unit(leaving));
-            }
-            _ => {
+        match joint(outline, i) {
+            Joint::AfterLine | Joint::BeforeLine => {
                 if start != FIXED {
-                    add(columns, start + 2, 2, unit(leaving));
+                    terms.push(Term::length(LEAVING, start + 2, leaving));
                 }
                 let before = outline.before(i);
-                let from = outline.nodes[before].point;
-                follow(columns, [start, self.base[before]], 2, leaving, outline.nodes[i].point - from, 1.0);
+                let line = outline.nodes[i].point - outline.nodes[before].point;
+                follow(terms, [start, self.base[before]], (LEAVING, leaving), line);
             }
+            _ if start == FIXED => {}
+            Joint::Corner => terms.push(Term::own(LEAVING, start + 2)),
+            Joint::Free => terms.push(Term::polar(LEAVING, [start + 2, start + 3], leaving)),
         }
-        match moves(end, joint(outline, next)) {
-            Joint::Fixed => {}
-            Joint::Corner => {
-                let at = end + 2 + 2 * usize::from(!outline.is_line(next));
-                add(columns, at, 4, Vector::new(-1.0, 0.0));
-                add(columns, at + 1, 4, Vector::new(0.0, -1.0));
-            }
-            Joint::Free => {
-                add(columns, end + 2, 4, -turned(arriving));
-                add(columns, end + 4, 4, -unit(arriving));
-            }
-            _ => {
+        match joint(outline, next) {
+            Joint::AfterLine | Joint::BeforeLine => {
                 if end != FIXED {
-                    add(columns, end + 2, 4, -unit(arriving));
+                    terms.push(Term::length(ARRIVING, end + 2, arriving));
                 }
                 let after = outline.next(next);
-                let to = outline.nodes[after].point;
-                follow(columns, [self.base[after], end], 4, arriving, to - outline.nodes[next].point, -1.0);
+                let line = outline.nodes[after].point - outline.nodes[next].point;
+                follow(terms, [self.base[after], end], (ARRIVING, arriving), line);
             }
+            _ if end == FIXED => {}
+            Joint::Corner => {
+                terms.push(Term::own(ARRIVING, end + 2 + 2 * usize::from(!outline.is_line(next))));
+            }
+            Joint::Free => terms.push(Term::polar(ARRIVING, [end + 2, end + 4], arriving)),
         }
     }
 
@@ -237,36 +250,19 @@ fn turned(v: Vector) -> Vector {
     Vector::new(-v.y, v.x)
 }
 
-/// Adds to the column of an unknown what it does to the control point whose coordinates begin at `place`.
-fn add(columns: &mut Vec<Column>, unknown: usize, place: usize, way: Vector) {
-    let at = columns.iter().position(|column| column.0 == unknown).unwrap_or_else(|| {
-        columns.push((unknown, [0.0; 8]));
-        columns.len() - 1
-    });
-    columns[at].1[place] += way.x;
-    columns[at].1[place + 1] += way.y;
-}
-
 /// A tangent that follows a straight piece turns when the ends of that piece move across it.
-fn follow(
-    columns: &mut Vec<Column>,
-    [to, from]: [usize; 2],
-    place: usize,
-    tangent: Vector,
-    line: Vector,
-    sign: f64,
-) {
-    let length = norm(line).max(0.05);
+fn follow(terms: &mut Vec<Term>, [to, from]: [usize; 2], (slot, tangent): (usize, Vector), line: Vector) {
     let along = unit(line);
-    let scale = sign * norm(tangent) / length;
-    for k in 0..2 {
-        let axis = Vector::new(f64::from(k == 0), f64::from(k == 1));
-        let across = (axis - along * dot(axis, along)) * scale;
-        if to != FIXED {
-            add(columns, to + k, place, across);
-        }
-        if from != FIXED {
-            add(columns, from + k, place, -across);
-        }
+    let scale = norm(tangent) / larger(norm(line), 0.05);
+    // What is across the line, of x and of y.
+    let across = [
+        Vector::new(1.0 - along.x * along.x, -along.x * along.y) * scale,
+        Vector::new(-along.x * along.y, 1.0 - along.y * along.y) * scale,
+    ];
+    if to != FIXED {
+        terms.push(Term { slot, unknowns: [to, to + 1], count: 2, ways: across });
+    }
+    if from != FIXED {
+        terms.push(Term { slot, unknowns: [from, from + 1], count: 2, ways: across.map(|way| -way) });
     }
 }
