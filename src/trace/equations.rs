@@ -148,7 +148,11 @@ fn add(terms: &[Term], pull: &[Vector; 4], matrix: &Matrix, right: &mut [f64], f
                     let value = dot(images[i], *way);
                     // Terms of one unknown meet twice on the diagonal.
                     let twice = k != l && unknown == along;
-                    factor.add(unknown.min(along), unknown.max(along), if twice { value + value } else { value });
+                    factor.add(
+                        unknown.min(along),
+                        unknown.max(along),
+                        if twice { value + value } else { value },
+                    );
                 }
             }
         }
