@@ -115,3 +115,53 @@ fn a_half_disc_has_one_straight_side() {
     let corners = [Point::new(200.0, 0.0), Point::new(-200.0, 0.0)];
     assert!(farthest(&fitted, &corners) < 0.5, "{}", farthest(&fitted, &corners));
 }
+
+/// A way as a hand draws it on a screen: it wanders, and its places are whole numbers.
+fn by_hand(way: &[Point], seed: u64) -> Vec<Point> {
+    let (mut random, mut astray, mut points) = (Random::new(seed), Point::zeros(), Vec::new());
+    for pair in way.windows(2) {
+        let steps = ((pair[1] - pair[0]).norm() / 6.0).round().max(1.0);
+        for k in 0..steps as usize {
+            astray = astray * 0.85 + Point::new(normal(&mut random), normal(&mut random)) * 0.5;
+            let place = pair[0] + (pair[1] - pair[0]) * (k as f64 / steps) + astray;
+            points.push(Point::new(place.x.round(), place.y.round()));
+        }
+    }
+    points
+}
+
+/// How much the curve turns at each of its corners.
+fn turns(fitted: &Fit) -> Vec<f64> {
+    let segments: Vec<_> = fitted.curve.segments().collect();
+    let turn = |(before, after): (usize, usize)| {
+        let (a, b) = (segments[before].arriving, segments[after].leaving);
+        (a.x * b.y - a.y * b.x).atan2(a.dot(&b)).abs()
+    };
+    let last = segments.len() - 1;
+    let seam = fitted.curve.is_closed().then_some((last, 0));
+    // What rounding turns is none.
+    (0..last).map(|i| (i, i + 1)).chain(seam).map(turn).filter(|turn| *turn > 1e-6).collect()
+}
+
+#[test]
+fn a_curve_turns_at_corners_by_no_less_than_is_asked_for() {
+    let turn_of = |i: usize| core::f64::consts::TAU * i as f64 / 70.0;
+    let wave = (0..80).map(|i| Point::new(8.0 * f64::from(i), 90.0 * (f64::from(i) / 10.0).sin())).collect();
+    let oval = (0..=70).map(|i| Point::new(180.0 * turn_of(i).cos(), 90.0 * turn_of(i).sin())).collect();
+    let zigzag = (0..6).map(|i| Point::new(100.0 * f64::from(i), 200.0 * f64::from(i % 2))).collect();
+    let ways: [(&str, Vec<Point>, bool, usize); 3] =
+        [("wave", wave, false, 0), ("oval", oval, true, 0), ("zigzag", zigzag, false, 4)];
+    for (name, way, closed, corners) in ways {
+        let points = by_hand(&way, 11);
+        for ask in [Ask::Tolerance(2.0), Ask::Tolerance(1.5), Ask::Noise] {
+            let options = Options { closed: Some(closed), least_turn: 0.5, ..Options::default() };
+            let fitted = fit(&points, ask.clone(), &options).expect("it can be fitted");
+            let turns = turns(&fitted);
+            assert!(turns.iter().all(|turn| *turn >= 0.5), "{name}, {ask:?}: {turns:?}");
+            assert_eq!(turns.len(), corners, "{name}, {ask:?}: {turns:?}");
+            if let Ask::Tolerance(tolerance) = ask {
+                assert!(fitted.max_error <= tolerance, "{name}, {ask:?}: {}", fitted.max_error);
+            }
+        }
+    }
+}

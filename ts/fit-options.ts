@@ -49,8 +49,11 @@ export interface SparseFitOptions extends SparseFitStrength {
   norm?: "l2" | "l1" | undefined;
   /** Whether the last point is followed by the first. Default true. */
   closed?: boolean | undefined;
-  /** Whether sharp corners of the data are kept as they are. Default true. */
-  corners?: boolean | undefined;
+  /**
+   * Whether sharp corners of the data are kept as they are. Default true: wherever a corner spares a knot. A number is the least turn of a corner,
+   * in radians: with `tolerance`, or neither that nor λ nor `smoothing`, the curve is smooth where it turns less, for a knot or two more.
+   */
+  corners?: boolean | number | undefined;
   /** Whether points far off the curve count for little: they are named in `outliers`. Default false. */
   robust?: boolean | undefined;
   /** Standard deviation of the noise, in the unit of the points. Default: estimated from them. */
@@ -136,7 +139,7 @@ export function order(op: string, points: unknown, options: unknown): Order {
     own.gridSize === undefined ? -1 : count(op, "gridSize", own.gridSize, 1, "maxKnotGrid", MAX_GRID),
     own.norm === undefined || word(op, "norm", own.norm, ["l2", "l1"]) === "l2" ? 0 : 1,
     flag(op, "closed", own.closed, true) ? 1 : 0,
-    flag(op, "corners", own.corners, true) ? 1 : 0,
+    typeof own.corners === "number" || flag(op, "corners", own.corners, true) ? 1 : 0,
     flag(op, "robust", own.robust, false) ? 1 : 0,
     own.finish === undefined ? FINISHES.full : finishOf(op, own.finish),
     optional(own.gap, "gap", 0, 1),
@@ -146,7 +149,7 @@ export function order(op: string, points: unknown, options: unknown): Order {
     optional(own.noise, "noise", 0, 1e9),
     parameters.length,
     weights.length,
-    0,
+    typeof own.corners === "number" ? within(op, "corners", own.corners, 0, Math.PI) : 0,
   );
   return {
     input: [record, given, parameters, weights],

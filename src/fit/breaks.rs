@@ -69,6 +69,17 @@ impl Breaks {
         if self.closed { inner } else { inner + self.degree + 1 }
     }
 
+    /// Adds knots as smooth as they may be. No piece is straight then.
+    pub(super) fn add(&mut self, added: &[f64]) {
+        self.straight.clear();
+        for &t in added {
+            let t = if t >= self.end { t - self.end } else { t };
+            let place = self.at.partition_point(|&other| other < t);
+            self.at.insert(place, t);
+            self.multiplicity.insert(place, self.smoothest);
+        }
+    }
+
     /// Takes knot k away: what it parted stays straight if both were.
     pub fn remove(&mut self, k: usize) {
         if !self.straight.is_empty() {

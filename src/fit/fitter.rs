@@ -356,6 +356,7 @@ impl Fitter {
             sharpest,
             smoothest,
             closed: self.samples.closed,
+            least_turn: self.options.least_turn,
             end: self.end,
             spaced: self.even,
             even: false,

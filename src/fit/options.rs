@@ -62,6 +62,9 @@ pub struct Options {
     pub mix: f64,
     /// Whether corners are kept where fewest knots are asked for.
     pub corners: bool,
+    /// By how much a corner turns at least, in radians, where fewest knots are asked for: at slighter ones the curve is smooth,
+    /// for a knot or two more. 0 to π; 0, the default, keeps every corner that spares a knot.
+    pub least_turn: f64,
     /// Whether points far off the curve are to count for little.
     pub robust: bool,
     /// The noise's standard deviation in each coordinate; `None` has it estimated.
@@ -95,6 +98,7 @@ impl Options {
             check("weights", Some(i), weight, 1e-6, 1e6)?;
         }
         check("mix", None, options.mix, 0.0, 1.0)?;
+        check("corners", None, options.least_turn, 0.0, core::f64::consts::PI)?;
         check("gap", None, options.gap, 0.0, 1.0)?;
         if let Some(noise) = options.noise {
             check("noise", None, noise, 0.0, LARGEST_COORDINATE)?;
@@ -116,6 +120,7 @@ impl Default for Options {
             norm: Norm::L2,
             mix: 0.5,
             corners: true,
+            least_turn: 0.0,
             robust: false,
             noise: None,
             gap: 1e-6,

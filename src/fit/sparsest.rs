@@ -3,6 +3,7 @@
 mod evening;
 mod last_knots;
 mod polishing;
+mod rounding;
 mod straight;
 
 use self::evening::Free;
@@ -55,6 +56,8 @@ pub(super) struct Plan {
     /// How often a knot counts at least.
     pub(super) smoothest: usize,
     pub(super) closed: bool,
+    /// By how much a corner turns at least.
+    pub(super) least_turn: f64,
     /// The parameter runs from 0 to here.
     pub(super) end: f64,
     /// Whether points follow one another evenly.
@@ -71,6 +74,7 @@ enum Phase {
     Refine,
     Polish,
     Last(usize),
+    RoundOff,
     Straighten,
     Done,
 }
@@ -121,6 +125,9 @@ pub(super) struct Sparsest {
     free: Option<Free>,
     /// Whether that is over.
     placed: bool,
+    /// By how much a corner turns at least, and how often slighter ones were made smooth.
+    least_turn: f64,
+    roundings: usize,
     /// Whether straight pieces were looked for.
     straightened: bool,
 }
@@ -164,6 +171,8 @@ impl Sparsest {
             found: None,
             free: None,
             placed: false,
+            least_turn: plan.least_turn,
+            roundings: 0,
             straightened: false,
         }
     }
@@ -228,6 +237,8 @@ impl Sparsest {
             found: None,
             free: None,
             placed: false,
+            least_turn: 0.0,
+            roundings: 0,
             straightened: false,
         }
     }
@@ -304,8 +315,8 @@ impl Sparsest {
         let fits = if matches!(self.phase, Phase::Refine | Phase::Last(_)) { 30.0 } else { 2.0 };
         let knots = self.fitted.breaks().coefficients() as f64;
         self.work += fits * (self.seen.points.len() as f64 + 40.0 * knots);
-        let tired = self.is_tired();
-        self.phase = match self.phase {
+        let (tired, was) = (self.is_tired(), self.phase);
+        self.phase = match was {
             Phase::Grow if !tired => self.grow(),
             Phase::Thin if !tired => match thinner(&self.fitted, &self.seen, self.price) {
                 Some(fitted) => {
@@ -331,12 +342,14 @@ impl Sparsest {
             Phase::Lighten if !tired => self.lighten(),
             Phase::Polish => self.polish(),
             Phase::Last(next) if !tired => self.last(next),
+            Phase::RoundOff => self.round_off(),
             Phase::Straighten => self.straighten(),
             Phase::Last(_) | Phase::Done => Phase::Done,
             Phase::Grow | Phase::Thin | Phase::Lighten | Phase::Refine => Phase::Polish,
         };
         if self.phase == Phase::Done && !self.straightened {
-            self.phase = Phase::Straighten;
+            let rounded = was == Phase::RoundOff || self.least_turn <= 0.0;
+            self.phase = if rounded { Phase::Straighten } else { Phase::RoundOff };
         }
     }
 

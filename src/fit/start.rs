@@ -34,7 +34,7 @@ pub(super) fn denser(fitted: &FreeKnots, data: &Located, square: f64) -> Option<
     if added.is_empty() || breaks.len() + added.len() > MOST_KNOTS {
         return None;
     }
-    insert(&mut breaks, &added);
+    breaks.add(&added);
     Some(FreeKnots::new(breaks, data))
 }
 
@@ -81,17 +81,6 @@ pub(super) fn closer(spline: &Spline, data: &Located, tolerance: f64) -> Option<
         return None;
     }
     changed |= !added.is_empty();
-    insert(&mut breaks, &added);
+    breaks.add(&added);
     changed.then_some(breaks)
-}
-
-/// Adds simple knots.
-fn insert(breaks: &mut Breaks, added: &[f64]) {
-    breaks.straight.clear();
-    for &t in added {
-        let t = if t >= breaks.end { t - breaks.end } else { t };
-        let place = breaks.at.partition_point(|&other| other < t);
-        breaks.at.insert(place, t);
-        breaks.multiplicity.insert(place, breaks.smoothest);
-    }
 }

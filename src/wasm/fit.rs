@@ -30,7 +30,7 @@ fn fitter(kernel: &mut Kernel, number: u32) -> Result<&mut Fitter> {
 /// Opens a fit of what lies in the first `count` numbers of the input, and returns its number.
 ///
 /// Input: number of points, of degrees, two degrees, steps of the grid, norm, closed, corners, robust, finish, gap, iterations,
-/// mix, period, noise, parameters, weights, a spare; then points, parameters, weights. Negative stands for the default.
+/// mix, period, noise, parameters, weights, the least turn of a corner; then points, parameters, weights. Negative stands for the default.
 #[wasm_bindgen]
 pub fn fit_open(count: u32) -> i32 {
     run(&mut |kernel| {
@@ -57,6 +57,7 @@ pub fn fit_open(count: u32) -> i32 {
         options.period = head.optional();
         options.noise = head.optional();
         let (parameters, weights) = (head.count(), head.count());
+        options.least_turn = head.optional().unwrap_or(0.0);
         let points = pairs(numbers.take(times(points as u32, 2)));
         options.parameters = numbers.take(parameters).to_vec();
         options.weights = numbers.take(weights).to_vec();

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { fitSparse, fitSparseAll, fitSparseAllAsync } from "expline";
+import { HermiteCurve, fitSparse, fitSparseAll, fitSparseAllAsync } from "expline";
 
 import { noisyCircle } from "./fit-data.ts";
 
@@ -161,4 +161,22 @@ test("several contours in short tasks give the same fits, from the points as the
   ended.abort();
   await assert.rejects(fitSparseAllAsync([noisyCircle(90, 0.03, 2)], { signal: ended.signal }), { code: "E_CANCELLED" });
   assert.deepEqual(await fitSparseAllAsync([]), []);
+});
+
+test("corners turn by no less than is asked for, and the tolerance is kept", () => {
+  const wave = Float64Array.from({ length: 240 }, (_, i) => {
+    const k = i >> 1;
+    return Math.round(i % 2 === 0 ? 6 * k : 90 * Math.sin((6 * k) / 80) + 1.2 * Math.sin(37 * k * k));
+  });
+  const least = 0.5;
+  const fit = fitSparse(wave, { tolerance: 2, closed: false, corners: least });
+  assert.ok(fit.maxError <= 2, `within ${fit.maxError}`);
+  assert.ok(fit.curve instanceof HermiteCurve);
+  const { tangents, tangentsIn } = fit.curve;
+  const at = (list: Float64Array, i: number): number => Math.atan2(list[2 * i + 1] ?? 0, list[2 * i] ?? 0);
+  for (let i = 1; i + 1 < tangents.length / 2; i++) {
+    const turn = Math.abs(((at(tangents, i) - at(tangentsIn, i) + 9 * Math.PI) % (2 * Math.PI)) - Math.PI);
+    assert.ok(turn < 1e-6 || turn >= least, `a corner of ${turn}`);
+  }
+  assert.throws(() => fitSparse(wave, { tolerance: 2, corners: 4 }), { code: "E_RANGE" });
 });

@@ -88,8 +88,13 @@ impl Sparsest {
         spline.straighten();
         let mut feet = located.parameters.clone();
         let distances = spline.feet(&located, &mut feet, 3);
-        let stray = spline.strays(&located, self.slack()).is_some();
+        let stray = self.is_spoiled(&spline, &located);
         if stray { best } else { Found { spline, located, distances, wild: None } }
+    }
+
+    /// Whether a curve leaves the way of its points, or has a corner that is too slight.
+    fn is_spoiled(&self, spline: &Spline, located: &Located) -> bool {
+        spline.strays(located, self.slack()).is_some() || !self.slight_corners(spline).is_empty()
     }
 
     /// The fit with these pieces straight as well, if it still keeps what was asked for.
@@ -148,7 +153,7 @@ impl Sparsest {
             Aim::Squares(target) => fitted.squares <= target,
         };
         let worth_it = kept && distances.squares - best.distances.squares <= worth;
-        let stray = worth_it && spline.strays(&located, self.slack()).is_some();
+        let stray = worth_it && self.is_spoiled(&spline, &located);
         (worth_it && !stray).then_some(Found { spline, located, distances, wild: None })
     }
 }
