@@ -188,6 +188,7 @@ impl Space {
     }
 
     /// Number of the coefficient of basis function i of a piece.
+    #[inline(always)]
     pub(super) fn index(&self, span: usize, i: usize) -> usize {
         let index = self.spans[span].first + i;
         if index < self.count { index } else { index % self.count }

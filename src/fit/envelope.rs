@@ -98,7 +98,7 @@ impl Envelope {
 }
 
 /// The scalar product of two lists of one length.
-#[inline]
+#[inline(always)]
 pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -265,7 +265,7 @@ impl Across {
 }
 
 /// A polynomial of degree below T and its first two derivatives at u.
-#[inline]
+#[inline(always)]
 pub(super) fn taylor<const T: usize>(p: &Piece, u: f64) -> [Vector; 3] {
     let [mut value, mut first, mut second] = [Vector::zeros(); 3];
     for c in p[..T].iter().rev() {
