@@ -40,36 +40,76 @@ struct Run {
 struct Divider<'a> {
     samples: &'a Samples,
     rule: &'a DivisionRule,
-    outline: Outline,
+    outline: &'a mut Outline,
     longest: isize,
+}
+
+/// Stretches between corners that are divided in one step.
+const STRETCHES: usize = 512;
+
+/// A contour that is being divided.
+#[derive(Debug)]
+pub(super) struct Division {
+    outline: Outline,
+    /// The corner that is next.
+    at: usize,
+}
+
+impl Division {
+    pub(super) fn new() -> Self {
+        Self { outline: Outline { nodes: Vec::new(), pieces: Vec::new() }, at: 0 }
+    }
+
+    /// Some stretches more; the outline, when they were the last.
+    ///
+    /// # Cost
+    ///
+    /// O(places of the stretches), and O(nodes) at last.
+    pub(super) fn step(
+        &mut self,
+        samples: &Samples,
+        corners: &[Corner],
+        rule: &DivisionRule,
+    ) -> Option<Outline> {
+        let count = samples.len() as isize;
+        let mut divider = Divider { samples, rule, outline: &mut self.outline, longest: count / 2 };
+        let end = (self.at + STRETCHES).min(corners.len());
+        for (corner, i) in corners[self.at..end].iter().zip(self.at + 1..) {
+            let (next, wrap) = if i < corners.len() { (&corners[i], 0) } else { (&corners[0], count) };
+            let start = Anchor { index: corner.index, point: corner.point, tangent: Tangent::Free };
+            let end = Anchor { index: next.index + wrap, point: next.point, tangent: Tangent::Free };
+            let gap = samples.steps(rule.gap);
+            let runs = divider.runs(start.index + gap, end.index - gap, true);
+            divider.stretch(start, end, &runs);
+        }
+        if corners.is_empty() {
+            divider.round();
+        }
+        self.at = end;
+        if end < corners.len() {
+            return None;
+        }
+        let mut outline = core::mem::replace(self, Self::new()).outline;
+        outline.align();
+        Some(outline)
+    }
 }
 
 /// Divides a contour at its corners, finds straight runs, and follows the rest by cubics.
 pub(super) fn divide(samples: &Samples, corners: &[Corner], rule: &DivisionRule) -> Outline {
-    let count = samples.len() as isize;
-    let outline = Outline { nodes: Vec::new(), pieces: Vec::new() };
-    let mut divider = Divider { samples, rule, outline, longest: count / 2 };
-    for (i, corner) in corners.iter().enumerate() {
-        let (next, wrap) = if i + 1 < corners.len() { (&corners[i + 1], 0) } else { (&corners[0], count) };
-        let start = Anchor { index: corner.index, point: corner.point, tangent: Tangent::Free };
-        let end = Anchor { index: next.index + wrap, point: next.point, tangent: Tangent::Free };
-        let gap = samples.steps(rule.gap);
-        let runs = divider.runs(start.index + gap, end.index - gap, true);
-        divider.stretch(start, end, &runs);
+    let mut division = Division::new();
+    loop {
+        if let Some(outline) = division.step(samples, corners, rule) {
+            return outline;
+        }
     }
-    if corners.is_empty() {
-        divider.round();
-    }
-    let mut outline = divider.outline;
-    outline.align();
-    outline
 }
 
 /// Divides an open line at its corners as [`divide`] does. A straight piece that leads from its end to its start closes the outline.
 pub(super) fn divide_open(samples: &Samples, corners: &[Corner], rule: &DivisionRule) -> Outline {
-    let outline = Outline { nodes: Vec::new(), pieces: Vec::new() };
+    let mut outline = Outline { nodes: Vec::new(), pieces: Vec::new() };
     let last = samples.len() as isize - 1;
-    let mut divider = Divider { samples, rule, outline, longest: last };
+    let mut divider = Divider { samples, rule, outline: &mut outline, longest: last };
     let free = |index: isize, point: Point| Anchor { index, point, tangent: Tangent::Free };
     let mut start = free(0, samples.at(0));
     let ends = corners.iter().map(|corner| free(corner.index, corner.point));
@@ -80,7 +120,6 @@ pub(super) fn divide_open(samples: &Samples, corners: &[Corner], rule: &Division
         start = end;
     }
     divider.emit(start, Piece::Line);
-    let mut outline = divider.outline;
     outline.align();
     outline
 }

@@ -6,7 +6,7 @@ use super::blur::Blurring;
 use super::chain_work::speckle_for;
 use super::contour::{Contour, ContourScan};
 use super::corners::{Corner, CornerRule, corners};
-use super::division::{DivisionRule, divide};
+use super::division::{Division, DivisionRule, divide};
 use super::ellipse::{ellipse, round};
 use super::field::Shading;
 use super::gray::Gray;
@@ -41,6 +41,8 @@ pub(super) struct InkWork {
     found: Vec<Contour>,
     samples: Vec<Samples>,
     corners: Vec<Vec<Corner>>,
+    /// The contour whose first outline is on its way.
+    division: Option<Division>,
     outlines: Vec<Outline>,
     trace: Trace,
     offer: Option<f64>,
@@ -75,6 +77,7 @@ impl InkWork {
             found: Vec::new(),
             samples: Vec::new(),
             corners: Vec::new(),
+            division: None,
             outlines: Vec::new(),
             trace: Trace { contours: Vec::new(), tones, residual: 0.0 },
             offer: None,
@@ -134,13 +137,21 @@ impl InkWork {
         cost
     }
 
-    /// The first outline of one contour.
-    fn spline(&mut self, i: usize) -> f64 {
+    /// A bit of the first outline of one contour: its cost, and whether it was the last.
+    fn spline(&mut self, i: usize) -> (f64, bool) {
         let samples = &self.samples[i];
-        let whole =
-            if self.options.refined { round(samples.places(), ROUND * self.quality.slack()) } else { None };
+        let cost = 0.5 * samples.len() as f64;
+        let whole = if self.options.refined && self.division.is_none() {
+            round(samples.places(), ROUND * self.quality.slack())
+        } else {
+            None
+        };
         let rule = self.quality.division_rule(&self.options);
-        let mut outline = whole.unwrap_or_else(|| divide(samples, &self.corners[i], &rule));
+        let division = self.division.get_or_insert_with(Division::new);
+        let Some(mut outline) = whole.or_else(|| division.step(samples, &self.corners[i], &rule)) else {
+            return (cost, false);
+        };
+        self.division = None;
         let (width, height) = (self.gray.width() as f64, self.gray.height() as f64);
         for node in &mut outline.nodes {
             // Sides of what the frame cuts off may meet outside; there is no ink there.
@@ -148,7 +159,7 @@ impl InkWork {
             node.point.y = node.point.y.max(0.0).min(height);
         }
         self.outlines.push(outline);
-        0.5 * self.samples[i].len() as f64
+        (cost, true)
     }
 
     fn refinement(&mut self) -> Result<()> {
@@ -183,15 +194,15 @@ impl InkWork {
         Ok(0.5 * contour.points.len() as f64)
     }
 
-    /// One contour more in this phase: its cost, and whether it was the last.
-    fn advance(&mut self, work: &dyn Fn(&mut Self, usize) -> Result<f64>) -> Result<(f64, bool)> {
+    /// A bit of one contour more in this phase, which says what it cost and whether it was the contour's last; whether it was the last of all.
+    fn advance(&mut self, work: &dyn Fn(&mut Self, usize) -> (f64, bool)) -> (f64, bool) {
         let i = self.progress.completed;
         if i >= self.found.len() {
-            return Ok((0.0, true));
+            return (0.0, true);
         }
-        let cost = work(self, i)?;
-        self.progress.completed += 1;
-        Ok((cost, i + 1 == self.found.len()))
+        let (cost, done) = work(self, i);
+        self.progress.completed += usize::from(done);
+        (cost, done && i + 1 == self.found.len())
     }
 }
 
@@ -233,7 +244,7 @@ impl Work for InkWork {
                 self.progress.completed = scan.rows().min(height);
             }
             Phase::Corners => {
-                let (cost, last) = self.advance(&|work, i| Ok(work.corner(i)))?;
+                let (cost, last) = self.advance(&|work, i| (work.corner(i), true));
                 if last {
                     let again = if self.options.refined { 1 } else { 2 };
                     self.enter(Phase::Splines, Stage::Splines, again * self.found.len());
@@ -241,7 +252,7 @@ impl Work for InkWork {
                 return Ok(cost);
             }
             Phase::Splines => {
-                let (cost, last) = self.advance(&|work, i| Ok(work.spline(i)))?;
+                let (cost, last) = self.advance(&|work, i| work.spline(i));
                 if last && self.options.refined {
                     self.refinement()?;
                 } else if last {
