@@ -483,6 +483,27 @@ fn one_outline_may_have_any_number_of_corners() {
     assert!(points > 32_000, "{points} points");
 }
 
+/// Dividing one contour was one step, however many corners it has.
+#[test]
+fn a_contour_of_thousands_of_corners_is_divided_step_by_step() {
+    let comb = |x: f64, y: f64| {
+        let inside = x > 12.0 && y > 12.0 && x < 396.0 && y < 396.0;
+        let (along, across) = (x % 12.0, y % 24.0);
+        inside && (x < 24.0 || across < 12.0 || across < 18.0 && along < 6.0)
+    };
+    let gray = Gray::from_bytes(408, 408, &draw_finely(408, 408, 1, &comb)).expect("a valid picture");
+    let mut tracer = Tracer::new(gray, &TraceOptions::default()).expect("options in range");
+    let mut steps = 0;
+    loop {
+        let progress = tracer.step(0.0).expect("a drawing");
+        steps += usize::from(progress.stage == Stage::Splines);
+        if progress.stage > Stage::Splines {
+            break;
+        }
+    }
+    assert!(steps >= 4, "{steps} steps");
+}
+
 /// A round of taking joints away was one step, which took seconds where an outline has tens of thousands of them.
 #[test]
 fn joints_are_tried_step_by_step() {

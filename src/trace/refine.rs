@@ -7,6 +7,7 @@ use super::field::{Field, NONE};
 use super::outline::{Node, Outline, Piece};
 use crate::error::Result;
 use crate::numerics::plane::larger;
+use core::ops::Range;
 
 /// Weight of staying where it is, in coverage per pixel, squared.
 const DAMPING: f64 = 5e-3;
@@ -90,17 +91,8 @@ impl Left {
 
 impl Shape {
     /// The outline, not yet in the field.
-    pub(super) fn new(outline: Outline, field: &Field) -> Self {
-        let mut shape = Self { parts: Vec::new(), outline };
-        shape.walk(field);
-        shape
-    }
-
-    fn walk(&mut self, field: &Field) {
-        self.parts.resize(self.outline.len(), Vec::new());
-        for (i, own) in self.parts.iter_mut().enumerate() {
-            parts(&self.outline.cubic(i), field, own);
-        }
+    pub(super) fn new(outline: Outline) -> Self {
+        Self { parts: vec![Vec::new(); outline.len()], outline }
     }
 
     /// The same outline from another node on.
@@ -145,18 +137,24 @@ impl Refiner {
         }
     }
 
-    /// Puts a shape into the field.
-    pub(super) fn show(&mut self, field: &mut Field, shape: &Shape) {
-        shape.parts.iter().for_each(|parts| self.sweep.note(field, parts, 1.0));
-        self.sweep.cover(field);
+    /// Puts some pieces of a new shape into the field. They are there once the last of its pieces is.
+    pub(super) fn show(&mut self, field: &mut Field, shape: &mut Shape, pieces: Range<usize>) {
+        let last = pieces.end == shape.outline.len();
+        for i in pieces {
+            parts(&shape.outline.cubic(i), field, &mut shape.parts[i]);
+            self.sweep.note(field, &shape.parts[i], 1.0);
+        }
+        if last {
+            self.sweep.cover(field);
+        }
     }
 
     /// Replaces an outline by another.
     pub(super) fn replace(&mut self, field: &mut Field, shape: &mut Shape, outline: Outline) {
         shape.parts.iter().for_each(|parts| self.sweep.note(field, parts, -1.0));
         shape.outline = outline;
-        shape.walk(field);
-        self.show(field, shape);
+        shape.parts.resize(shape.outline.len(), Vec::new());
+        self.show(field, shape, 0..shape.outline.len());
         field.settle();
     }
 

@@ -110,7 +110,7 @@ impl Refinement {
         let rough = !noisy && field.stain > ROUGH;
         let exact = !noisy && !rough;
         let target = noisy.then(|| field.rest.clone());
-        let shapes = outlines.into_iter().map(|outline| Shape::new(outline, &field)).collect();
+        let shapes = outlines.into_iter().map(Shape::new).collect();
         Ok(Self {
             field,
             refiner: Refiner::new(if exact { Relaxing::BOLD } else { Relaxing::CAREFUL }),
@@ -179,7 +179,11 @@ impl Refinement {
             return Ok(1.0);
         }
         match self.phase {
-            Phase::Show => self.refiner.show(&mut self.field, &self.shapes[self.at]),
+            Phase::Show => {
+                if !self.show_on() {
+                    return Ok(self.cost());
+                }
+            }
             Phase::First => {
                 if !self.refine_on(STEPS)? {
                     return Ok(self.cost());
@@ -278,6 +282,16 @@ impl Refinement {
         }
         (self.round, self.settling, self.straightening) = (0, None, None);
         Ok(None)
+    }
+
+    /// Puts the outline into the field, or the next pieces of a long one; whether these were the last.
+    fn show_on(&mut self) -> bool {
+        let shape = &mut self.shapes[self.at];
+        let count = shape.outline.len();
+        let end = (self.block + 2 * BLOCK).min(count);
+        self.refiner.show(&mut self.field, shape, self.block..end);
+        self.block = if end == count { 0 } else { end };
+        end == count
     }
 
     /// Moves all nodes of the outline, or the next ones of a long one; whether these were the last.
