@@ -142,9 +142,9 @@ impl<'a> Pen<'a> {
         let mut share = 0.0;
         while across.at != last[0] || down.at != last[1] {
             let cell = [across.at, down.at];
-            let sideways = !(down.next < across.next);
-            let until = smaller(if sideways { across.next } else { down.next }, 1.0);
-            if sideways { across.cross() } else { down.cross() }
+            let downwards = down.next < across.next;
+            let until = smaller(if downwards { down.next } else { across.next }, 1.0);
+            if downwards { down.cross() } else { across.cross() }
             if until > share {
                 self.part(&edge, [share, until], cell);
                 share = until;
