@@ -74,7 +74,7 @@ export async function buildXtask() {
 /** The flags of .cargo/config.toml, and those of a module. */
 function flags({ inline }) {
   const [, list = ""] = /^rustflags = \[([^\]]*)\]/m.exec(readFileSync(at(".cargo/config.toml"), "utf8")) ?? [];
-  return [...JSON.parse(`[${list.replace(/,\s*$/, "")}]`), ...(inline === undefined ? [] : ["-C", `llvm-args=-inline-threshold=${inline}`])];
+  return [...JSON.parse(`[${list.replace(/,\s*$/, "")}]`), "-C", `llvm-args=-inline-threshold=${inline}`];
 }
 
 /** All modules, side by side: the last part of each build, the longest, uses one core only. */
