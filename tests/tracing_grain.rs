@@ -23,6 +23,16 @@ fn circles_and_ellipses_drawn_by_a_few_samples_a_pixel_are_circles_and_ellipses(
         let circle = traced(side, side, &bytes).contours[0].curve.as_ellipse(1e-6).expect("a circle");
         assert!((circle.radii - Vector::new(radius, radius)).norm() < 0.15, "{circle:?}");
     }
+    // Programs draw curves as chords: these are a quarter of a pixel off in their middle.
+    let (radius, side) = (140.0, 300);
+    let chord = 2.0 * (1.0_f64 - 0.25 / radius).acos();
+    let bytes = draw_by_samples(side, &|x, y| {
+        let (x, y) = (x - 149.8, y - 150.3);
+        let angle = y.atan2(x).rem_euclid(chord) - 0.5 * chord;
+        x.hypot(y) * angle.cos() <= radius * (0.5 * chord).cos()
+    });
+    let circle = traced(side, side, &bytes).contours[0].curve.as_ellipse(1e-6).expect("a circle");
+    assert!((circle.radii - Vector::new(radius, radius)).norm() < 0.4, "{circle:?}");
     let (sin, cos) = 0.35_f64.sin_cos();
     let bytes = draw_by_samples(128, &|x, y| {
         let (x, y) = (x - 63.7, y - 64.2);

@@ -12,8 +12,15 @@ const MOST: f64 = 0.045;
 /// And its root mean square.
 const RMS: f64 = 0.015;
 
+/// No outline may be farther from its ellipse than so many times that, and so much more for each pixel of its longer half axis.
+const FREE: f64 = 4.0;
+const LARGER: f64 = 0.035;
+
 /// What the places next to a tip may lack of it, in pixels.
 const TIP: f64 = 0.3;
+
+/// How much less than this half axes differ that are one radius, in pixels.
+const EVEN: f64 = 0.02;
 
 /// Places on each piece: chords of a quarter turn lack 3e-6 of the area.
 const PLACES: usize = 256;
@@ -24,7 +31,8 @@ const PLACES: usize = 256;
 /// Moments are means over all that is inside: they are far better known than any one point of the outline (D 14.6).
 pub(super) fn ellipse(outline: &Outline, slack: f64) -> Result<Option<HermiteCurve>> {
     let Some(places) = places_on(outline) else { return Ok(None) };
-    let Some((arc, area)) = moments(&places) else { return Ok(None) };
+    let Some((arc, area)) = moments(&places, slack * EVEN) else { return Ok(None) };
+    let slack = slack.min(FREE + LARGER * arc.radii.x);
     if !is_near(&arc, &places, slack * MOST, slack * RMS) {
         return Ok(None);
     }
@@ -49,7 +57,7 @@ pub(super) fn rounded(outline: &Outline, most: f64) -> Option<Outline> {
 
 /// A first outline for places that are nowhere farther than `most` from an ellipse.
 pub(super) fn round(places: &[Point], most: f64) -> Option<Outline> {
-    let (arc, area) = moments(places)?;
+    let (arc, area) = moments(places, EVEN)?;
     if !is_near(&arc, places, most, 0.4 * most) {
         return None;
     }
@@ -99,8 +107,8 @@ fn is_near(arc: &EllipseArc, places: &[Point], most: f64, rms: f64) -> bool {
     near && arc.radii.x - reach <= most + TIP && square <= rms * rms * places.len() as f64
 }
 
-/// The ellipse with the moments of a polygon, and the polygon's area. Half axes that differ by less than a hundredth of a pixel are one radius.
-fn moments(places: &[Point]) -> Option<(EllipseArc, f64)> {
+/// The ellipse with the moments of a polygon, and the polygon's area. Half axes that differ by less than `even` pixels are one radius.
+fn moments(places: &[Point], even: f64) -> Option<(EllipseArc, f64)> {
     let origin = places[0];
     let (mut area, mut first) = (0.0, Vector::zeros());
     let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
@@ -126,7 +134,7 @@ fn moments(places: &[Point]) -> Option<(EllipseArc, f64)> {
     }
     let (mut long, mut short) = (2.0 * (mean + gap).sqrt(), 2.0 * (mean - gap).sqrt());
     let mut rotation = 0.5 * libm::atan2(2.0 * xy, xx - yy);
-    if long - short < 0.02 {
+    if long - short < even {
         (long, short) = (0.5 * (long + short), 0.5 * (long + short));
         rotation = 0.0;
     }

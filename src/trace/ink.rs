@@ -23,6 +23,8 @@ const NOISY: f64 = 3.0 / 255.0;
 const NEAR: f64 = 0.18;
 /// How far the contour of an ellipse may be from it, in pixels.
 const ROUND: f64 = 0.16;
+/// And at most so many times farther from an arc of a circle, with which less of it could be compared.
+const BENT: f64 = 4.0;
 /// Pixels of one bit of work.
 const BIT: usize = 131_072;
 
@@ -184,7 +186,11 @@ impl InkWork {
         let curve = match whole {
             Some(curve) => curve,
             None => {
-                let angles = if self.options.refined { arcs(outline, self.slack) } else { vec![0.0; outline.len()] };
+                let angles = if self.options.refined {
+                    arcs(outline, self.slack.min(BENT))
+                } else {
+                    vec![0.0; outline.len()]
+                };
                 outline.to_curve(angles)?
             }
         };

@@ -30,6 +30,9 @@ const ROUGHER: [f64; 2] = [1.25, 2.2];
 /// How far an outline in a rough picture may be from an ellipse that it is, in pixels, and how many times as much that may leave.
 const NEARLY: f64 = 0.3;
 const NEARLY_AS_WELL: f64 = 1.2;
+/// How many times farther than in a picture of exact coverage a large outline may be from an ellipse that it is: what draws by samples draws chords that
+/// are up to a third of a pixel off.
+const FLATTENED: f64 = 7.5;
 /// Outlines follow some of the grain, so that what is known of it is this share of what it is at most.
 const KNOWN: f64 = 4.0;
 /// More than this no pixels in a row are wrong by, however large the grain is: the limits of what is straight.
@@ -355,7 +358,7 @@ impl Refinement {
                     self.limits.noise = self.field.left();
                 } else if !self.rough && self.grain > GRAINY {
                     self.rough = true;
-                    self.slack = 3.0;
+                    self.slack = FLATTENED;
                     self.refiner = Refiner::new(Relaxing::CAREFUL);
                     self.limits.off *= 1.6;
                 }
