@@ -57,7 +57,7 @@ export type {
   TensorSurfaceJSON,
   TensorSurfaceOptions,
 } from "./surface.js";
-export { fitProfile, initTrace, initTraceSync, looScore, metrics, quasiInterpolate, traceImage, traceImageAsync } from "./trace.js";
+export { evenLight, fitProfile, initTrace, initTraceSync, looScore, metrics, quasiInterpolate, traceImage, traceImageAsync } from "./trace.js";
 export type {
   ImageLike,
   ProfileFit,

@@ -54,6 +54,11 @@ const enum Answer {
 /** About so many bytes cross at once: rows of 64 kB take some 50 microseconds. */
 const BLOCK = 1 << 16;
 
+/** How many rows of so many bytes cross at once. */
+function rowsOf(bytes: number): number {
+  return Math.max(1, Math.floor(BLOCK / bytes));
+}
+
 const TRACE: Kind<TraceKernel> = { engine: traces, close: (kernel, number) => kernel.trace_close(number) };
 
 /**
@@ -90,10 +95,26 @@ export class Picture {
     return { done: answer === Answer.Done, stage: resultOf(instance, 0), completed: resultOf(instance, 1), total: resultOf(instance, 2) };
   }
 
+  /** Its shades in even light; undefined where light is even already, or is none on paper. Instead of tracing. */
+  inEvenLight(op: string): Uint8Array<ArrayBuffer> | undefined {
+    const number = this.#work.number(op);
+    this.#fill(op, number, Infinity);
+    if (callOf(traces, op, (kernel) => kernel.trace_even_light(number)) === 0) return undefined;
+    const { width, height } = this.#pixels;
+    const shades = new Uint8Array(width * height);
+    const rows = rowsOf(width);
+    for (let row = 0; row < height; row += rows) {
+      const count = callOf(traces, op, (kernel) => kernel.trace_shades(number, row, Math.min(rows, height - row)));
+      const { kernel } = instanceOf(traces);
+      shades.set(new Uint8Array(kernel.memory.buffer, kernel.text_address(count) >>> 0, count), row * width);
+    }
+    return shades;
+  }
+
   #fill(op: string, number: number, budget: number): void {
     const { data, width, height, channels } = this.#pixels;
     const bytes = width * channels;
-    const block = Math.max(1, Math.floor(BLOCK / bytes));
+    const block = rowsOf(bytes);
     const end = performance.now() + budget / 1000;
     // It was all there at first, but it is not ours: its buffer may have been transferred or resized since.
     const length = lengthOfArray(op, "data", data);

@@ -86,3 +86,22 @@ export async function traceImageAsync(image: ImageLike, options?: TraceOptions):
     picture.close();
   }
 }
+
+/**
+ * A picture of dark ink on paper as if as much light fell on all of it: shades from 0, black, to 255, white, a byte each. Undefined where the
+ * light is even already, or where most of the picture is not paper. {@link traceImage} does this by itself, unless a threshold is given; here it is
+ * for showing what is traced.
+ *
+ * @throws {ExplineError} as traceImage does for its image.
+ */
+export function evenLight(image: ImageLike): { width: number; height: number; data: Uint8Array<ArrayBuffer> } | undefined {
+  const op = "evenLight";
+  const { pixels, record } = traceOrder(op, image, undefined);
+  const picture = new Picture(op, pixels, record);
+  try {
+    const data = picture.inEvenLight(op);
+    return data === undefined ? undefined : { width: pixels.width, height: pixels.height, data };
+  } finally {
+    picture.close();
+  }
+}

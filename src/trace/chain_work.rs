@@ -9,6 +9,7 @@ use super::corners::{CornerRule, corners};
 use super::cusps::CuspRule;
 use super::division::{DivisionRule, divide, divide_open};
 use super::gray::Gray;
+use super::light::Evening;
 use super::maxima::MaximaScan;
 use super::profile::ProfileOptions;
 use super::samples::Samples;
@@ -40,6 +41,7 @@ pub(super) struct ChainWork {
 /// What is done next.
 #[derive(Debug)]
 enum Phase {
+    Light(Evening),
     Tones(Box<ToneScan>),
     Maxima(MaximaScan, f64),
     Contours(ContourScan),
@@ -47,20 +49,24 @@ enum Phase {
 }
 
 impl ChainWork {
-    pub(super) fn new(gray: Gray, options: TraceOptions) -> Self {
-        let given = options.threshold.map(|shade| shade as usize);
+    pub(super) fn new(gray: Gray, options: TraceOptions) -> Result<Self> {
         let tones = Tones { ink: 0.0, paper: 65_280.0, noise: 0.0 };
         let total = gray.height();
-        Self {
+        let phase = if options.finds_light() {
+            Phase::Light(Evening::new(&gray)?)
+        } else {
+            Phase::Tones(Box::new(ToneScan::new(options.threshold.map(|shade| shade as usize))))
+        };
+        Ok(Self {
             gray,
             options,
-            phase: Phase::Tones(Box::new(ToneScan::new(given))),
+            phase,
             progress: Progress { done: false, stage: Stage::Edges, completed: 0, total },
             chains: Vec::new(),
             rounding: 1.0,
             trace: Trace { contours: Vec::new(), tones, residual: 0.0 },
             offer: None,
-        }
+        })
     }
 
     fn edge_options(&self) -> EdgeOptions {
@@ -206,6 +212,12 @@ impl Work for ChainWork {
         let options = self.edge_options();
         let rows = (BIT / self.gray.width()).max(1);
         match &mut self.phase {
+            Phase::Light(evening) => {
+                if evening.step(&mut self.gray) {
+                    self.phase = Phase::Tones(Box::new(ToneScan::new(None)));
+                }
+                return Ok(0.2 * (self.gray.width() as f64));
+            }
             Phase::Tones(scan) => {
                 if let Some(tones) = scan.step(&self.gray) {
                     self.toned(tones)?;

@@ -1,5 +1,6 @@
 //! A picture as shades of one quantity.
 
+use super::light::Evening;
 use super::tones::{ToneScan, Tones};
 use crate::error::{Error, Result};
 use crate::limits::{check, with_room};
@@ -97,6 +98,35 @@ impl Gray {
     /// One row of shades.
     pub(super) fn row(&self, row: usize) -> &[u16] {
         &self.values[row * self.width..(row + 1) * self.width]
+    }
+
+    /// One row of shades, to be changed.
+    pub(super) fn row_mut(&mut self, row: usize) -> &mut [u16] {
+        &mut self.values[row * self.width..(row + 1) * self.width]
+    }
+
+    /// Makes the shades what they were if as much light fell on all of the paper; whether that changed anything. A picture that is not dark
+    /// ink on paper, most of it paper, and one in even light stay as they are (D 14.24). [`super::trace`] does this by itself.
+    ///
+    /// # Errors
+    ///
+    /// No memory, for less than a thousand numbers.
+    ///
+    /// # Cost
+    ///
+    /// O(pixels).
+    pub fn even_light(&mut self) -> Result<bool> {
+        let mut evening = Evening::new(self)?;
+        while !evening.step(self) {}
+        Ok(evening.is_needed())
+    }
+
+    /// Shades of some rows as bytes: 0 is black, 255 white.
+    pub fn bytes(&self, rows: core::ops::Range<usize>) -> impl Iterator<Item = u8> + '_ {
+        let last = rows.end.min(self.height);
+        self.values[rows.start.min(last) * self.width..last * self.width]
+            .iter()
+            .map(|&value| (value >> 8) as u8)
     }
 
     /// Finds the two tones and the noise. A picture of one tone is all ink or all paper, as it is dark or light.

@@ -10,6 +10,7 @@ use super::division::{Division, DivisionRule, divide};
 use super::ellipse::{ellipse, round};
 use super::field::Shading;
 use super::gray::Gray;
+use super::light::Evening;
 use super::outline::Outline;
 use super::refinement::Refinement;
 use super::samples::Samples;
@@ -53,6 +54,7 @@ pub(super) struct InkWork {
 /// What is done next.
 #[derive(Debug)]
 enum Phase {
+    Light(Evening),
     Tones(ToneScan),
     Smooth(Blurring),
     Contours(ContourScan),
@@ -63,14 +65,18 @@ enum Phase {
 }
 
 impl InkWork {
-    pub(super) fn new(gray: Gray, options: TraceOptions) -> Self {
-        let given = options.threshold.map(|shade| shade as usize);
+    pub(super) fn new(gray: Gray, options: TraceOptions) -> Result<Self> {
         let tones = Tones { ink: 0.0, paper: 65_280.0, noise: 0.0 };
         let total = gray.height();
-        Self {
+        let phase = if options.finds_light() {
+            Phase::Light(Evening::new(&gray)?)
+        } else {
+            Phase::Tones(ToneScan::new(options.threshold.map(|shade| shade as usize)))
+        };
+        Ok(Self {
             gray,
             options,
-            phase: Phase::Tones(ToneScan::new(given)),
+            phase,
             progress: Progress { done: false, stage: Stage::Edges, completed: 0, total },
             tones,
             quality: Quality::Clean,
@@ -83,7 +89,7 @@ impl InkWork {
             outlines: Vec::new(),
             trace: Trace { contours: Vec::new(), tones, residual: 0.0 },
             offer: None,
-        }
+        })
     }
 
     fn enter(&mut self, phase: Phase, stage: Stage, total: usize) {
@@ -217,6 +223,12 @@ impl Work for InkWork {
         let (width, height) = (self.gray.width(), self.gray.height());
         let rows = (BIT / width).max(1);
         match &mut self.phase {
+            Phase::Light(evening) => {
+                if evening.step(&mut self.gray) {
+                    self.phase = Phase::Tones(ToneScan::new(None));
+                }
+                return Ok(0.2 * (width as f64));
+            }
             Phase::Tones(scan) => {
                 if let Some(tones) = scan.step(&self.gray) {
                     self.toned(tones)?;

@@ -48,6 +48,7 @@ mod ink;
 mod knots;
 mod layer_tracer;
 mod layers;
+mod light;
 mod local;
 mod maxima;
 mod metrics;

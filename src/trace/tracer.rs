@@ -36,7 +36,8 @@ pub struct TraceOptions {
     pub source: Source,
     /// By which spline.
     pub model: Model,
-    /// The shade between ink and paper, 0 … 255; found if it is not given.
+    /// The shade between ink and paper, 0 … 255; found if it is not given, and dark ink on paper in uneven light is then followed as if
+    /// the light were even (D 14.24).
     pub threshold: Option<f64>,
     /// The deviation in pixels of the Gaussian that the picture is blurred by before contours are looked for; found if it is not given.
     pub blur: Option<f64>,
@@ -72,6 +73,11 @@ impl Default for TraceOptions {
 }
 
 impl TraceOptions {
+    /// Whether paper is looked for, and the light that falls on it: edges need none, and on a dark ground there is little to see.
+    pub(super) fn finds_light(&self) -> bool {
+        self.source != Source::Edges && self.threshold.is_none() && !self.inverted
+    }
+
     fn check(&self) -> Result<()> {
         if let Some(threshold) = self.threshold {
             check("threshold", None, threshold, 0.0, 255.0)?;
@@ -189,8 +195,8 @@ impl Tracer {
     pub fn new(gray: Gray, options: &TraceOptions) -> Result<Self> {
         options.check()?;
         let work: Box<dyn Work> = match (options.source, options.model) {
-            (Source::Brightness, Model::Sparse) => Box::new(InkWork::new(gray, *options)),
-            _ => Box::new(ChainWork::new(gray, *options)),
+            (Source::Brightness, Model::Sparse) => Box::new(InkWork::new(gray, *options)?),
+            _ => Box::new(ChainWork::new(gray, *options)?),
         };
         Ok(Self { work })
     }

@@ -43,6 +43,8 @@ enum State {
     Colors(LayerRows),
     Tracing(Tracer),
     Layers(Box<LayerTracer>),
+    /// The picture in even light, to be read.
+    Shades(Gray),
     /// The rows could not be made a picture.
     Failed,
 }
@@ -145,6 +147,35 @@ pub fn trace_rows(number: u32, bytes: u32) -> i32 {
         let rows = text.get(..bytes as usize).unwrap_or_default();
         job(traces, number)?.push(rows)?;
         Ok(0)
+    })
+}
+
+/// Makes the light of a picture even, once all rows are there; 1 if that changed it.
+#[wasm_bindgen]
+pub fn trace_even_light(number: u32) -> i32 {
+    run(&mut |kernel| {
+        let job = job(&mut kernel.traces, number)?;
+        let State::Ink(rows) = core::mem::replace(&mut job.state, State::Failed) else {
+            return Err(Box::new(NOT_OPEN));
+        };
+        let mut picture = rows.finish()?;
+        let changed = picture.even_light()?;
+        job.state = State::Shades(picture);
+        Ok(usize::from(changed))
+    })
+}
+
+/// Leaves some rows of such a picture in the text buffer, a byte for each pixel, and returns how many bytes that are.
+#[wasm_bindgen]
+pub fn trace_shades(number: u32, first: u32, count: u32) -> i32 {
+    run(&mut |kernel| {
+        let Kernel { traces, text, .. } = kernel;
+        let State::Shades(picture) = &job(traces, number)?.state else {
+            return Err(Box::new(NOT_OPEN));
+        };
+        text.clear();
+        text.extend(picture.bytes(first as usize..(first + count) as usize));
+        Ok(text.len())
     })
 }
 

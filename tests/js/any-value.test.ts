@@ -137,6 +137,7 @@ const kinds: Record<string, () => Valid[]> = {
     },
     { name: "traceImage in colours", run: traceImage, values: [IMAGE, { colors: ["#fff", "#000"] }] },
     { name: "traceImageAsync", run: expline.traceImageAsync, values: [IMAGE, { signal: undefined, onProgress: () => undefined }] },
+    { name: "evenLight", run: expline.evenLight, values: [IMAGE] },
     ...methods("Trace", () => traceImage(IMAGE), { toSvg: [{ tolerance: 0.1, decimals: 2 }] }),
     ...functions(expline, "expline", {
       quasiInterpolate: [PLACES, { degree: 1, knots: [0, 0, 1, 1], neighbours: 2 }],

@@ -1,7 +1,7 @@
 /** The worker that traces: one picture at a time, the newest request first. */
 import init, { ExplineError } from "expline/slim";
 import wasmUrl from "expline/expline_bg.wasm?url";
-import { startTraceEngine, tracePixels } from "./engine.ts";
+import { shadesInEvenLight, startTraceEngine, tracePixels } from "./engine.ts";
 import { traceStages, type TraceAnswer, type TraceHow, type TraceRequest, type TraceStage } from "./job.ts";
 import { measured } from "./measured.ts";
 import { imageOf } from "./raster.ts";
@@ -11,7 +11,16 @@ import { blurred, foundThreshold, inkOf, pieceAreas, shadesOf, steepness, type S
 const ready = Promise.all([init({ wasmUrl }), startTraceEngine()]);
 
 /** The picture that was looked at last: a slider asks for the same one again and again. */
-let last: { readonly key: string; readonly size: number; readonly pixels: Pixels; readonly shades: Shades } | null = null;
+let last: Looked | null = null;
+
+interface Looked {
+  readonly key: string;
+  readonly size: number;
+  readonly pixels: Pixels;
+  readonly shades: Shades;
+  /** The shades as if the light on the paper were even. */
+  readonly even: Shades;
+}
 
 /** Ends whatever is under way. */
 let under = new AbortController();
@@ -37,11 +46,13 @@ function progressOf(id: number): (stage: string, done: number, total: number) =>
   };
 }
 
-async function looked(request: Extract<TraceRequest, { kind: "trace" }>): Promise<NonNullable<typeof last>> {
+async function looked(request: Extract<TraceRequest, { kind: "trace" }>): Promise<Looked> {
   const { picture, how } = request;
   if (last !== null && last.key === picture.key && last.size === how.size) return last;
   const pixels = await pixelsOf(picture, how.size);
-  return (last = { key: picture.key, size: how.size, pixels, shades: shadesOf(pixels) });
+  const shades = shadesOf(pixels);
+  const values = shadesInEvenLight(pixels);
+  return (last = { key: picture.key, size: how.size, pixels, shades, even: values === null ? shades : { ...shades, values } });
 }
 
 /** A breath in which a request that has come meanwhile is heard; true when one has ended this job. */
@@ -55,10 +66,12 @@ async function trace(request: Extract<TraceRequest, { kind: "trace" }>, signal: 
   const start = performance.now();
   const report = progressOf(id);
   report("decoding", 0, 1);
-  const { pixels, shades } = await looked(request);
+  const { pixels, shades, even } = await looked(request);
   report("decoding", 1, 1);
   if (await ended(signal)) return answer({ kind: "stopped", id });
-  const soft = how.blur === "auto" ? shades : blurred(shades, how.blur);
+  // The tracer does the same: a threshold that is given is meant for the shades as they are.
+  const seen = how.threshold === "auto" && !how.invert && how.source !== "edges" ? even : shades;
+  const soft = how.blur === "auto" ? seen : blurred(seen, how.blur);
   const threshold = how.threshold === "auto" ? foundThreshold(soft) : how.threshold;
   const ink = inkOf(soft, threshold, how.invert);
   await show(id, pixels, how.source !== "brightness" ? steepness(soft) : ink.map((on) => 255 * (1 - on)), threshold);
