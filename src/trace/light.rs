@@ -17,6 +17,8 @@ const EVERY: usize = 4;
 const TILES: usize = 24;
 /// Fewer tiles along a side say too little of the light.
 const FEWEST: usize = 6;
+/// The first look finds the light, the second finds it without what it varies by within a tile.
+const LOOKS: usize = 2;
 /// Rounds of fitting from above, then of leaving out.
 const ROUNDS: usize = 8;
 /// What a tile below the light counts beside one above it: ink darkens, nothing brightens.
@@ -40,6 +42,8 @@ struct Light {
     terms: [f64; TERMS],
     /// The most there is in the picture.
     most: f64,
+    /// From −1 to 1 in so many pixels along each side: as many as whole tiles have.
+    size: [usize; 2],
 }
 
 /// A picture whose light is looked at, and made even where it is not: some rows at a time.
@@ -54,6 +58,8 @@ pub(super) struct Evening {
     rows: usize,
     brightest: Vec<f64>,
     row: usize,
+    /// How often all rows were looked at.
+    looks: usize,
     light: Option<Light>,
 }
 
@@ -64,7 +70,7 @@ impl Evening {
         let tile = longer.div_ceil(TILES * RUN).max(2) * RUN;
         let (columns, rows) = (gray.width() / tile, gray.height() / tile);
         let brightest = if columns.min(rows) < FEWEST { Vec::new() } else { filled(0.0, columns * rows)? };
-        Ok(Self { tile, columns, rows, brightest, row: 0, light: None })
+        Ok(Self { tile, columns, rows, brightest, row: 0, looks: 0, light: None })
     }
 
     /// Some rows more; whether they were the last.
@@ -74,21 +80,25 @@ impl Evening {
             return true;
         }
         let last = (self.row + ROWS).min(gray.height());
-        if let Some(light) = self.light {
-            for row in self.row..last {
-                light.even(gray, row);
+        for row in self.row..last {
+            if self.looks == LOOKS {
+                self.light.iter().for_each(|light| light.even(gray, row));
+            } else if row % EVERY == 0 {
+                self.look(gray.row(row), row);
             }
-            self.row = last;
-            return last == gray.height();
         }
-        for row in (self.row..last).filter(|row| row % EVERY == 0) {
-            self.look(gray.row(row), row);
-        }
-        self.row = last;
-        if last < gray.height() {
+        self.row = last % gray.height();
+        if self.row > 0 {
             return false;
         }
-        (self.light, self.row) = (self.found(), 0);
+        if self.looks == LOOKS {
+            return true;
+        }
+        self.light = self.found();
+        self.looks += 1;
+        if self.looks < LOOKS {
+            self.brightest.fill(0.0);
+        }
         self.light.is_none()
     }
 
@@ -100,16 +110,26 @@ impl Evening {
     #[inline(never)]
     fn look(&mut self, shades: &[u16], row: usize) {
         let first = (row / self.tile).min(self.rows - 1) * self.columns;
+        let [width, height] = self.size();
+        let v = across(row, height);
         for (i, run) in shades.as_chunks::<RUN>().0.iter().enumerate() {
-            let mean = run.iter().map(|&shade| f64::from(shade)).sum::<f64>() / RUN as f64;
+            let mut mean = run.iter().map(|&shade| f64::from(shade)).sum::<f64>() / RUN as f64;
             let tile = first + (i * RUN / self.tile).min(self.columns - 1);
+            // The brightest place of a tile is where most light falls; with a first light known, it is as if it were in the middle.
+            if let Some(Light { terms, .. }) = &self.light {
+                let u = across(i * RUN + RUN / 2, width);
+                mean *= value(terms, self.place(tile)) / value(terms, [u, v]);
+            }
             self.brightest[tile] = self.brightest[tile].max(mean);
         }
     }
 
+    fn size(&self) -> [usize; 2] {
+        [self.columns * self.tile, self.rows * self.tile]
+    }
+
     /// The middle of a tile, from −1 to 1 on both axes.
     fn place(&self, tile: usize) -> [f64; 2] {
-        let across = |i: usize, count: usize| (2 * i + 1) as f64 / count as f64 - 1.0;
         [across(tile % self.columns, self.columns), across(tile / self.columns, self.rows)]
     }
 
@@ -152,7 +172,11 @@ impl Evening {
             && spread <= SMOOTH * least
             && brighter as f64 <= BRIGHTER * count as f64
             && self.is_paper_everywhere(&weights);
-        (is_light && least < EVEN * most).then_some(Light { terms, most: most.min(65_280.0) })
+        (is_light && least < EVEN * most).then_some(Light {
+            terms,
+            most: most.min(65_280.0),
+            size: self.size(),
+        })
     }
 
     /// Whether most tiles are paper, and a good part of them in every ninth of the picture.
@@ -184,8 +208,8 @@ impl Light {
     /// One row as if there were as much light everywhere as there is at the most.
     #[inline(never)]
     fn even(&self, gray: &mut Gray, row: usize) {
-        let (width, height) = (gray.width(), gray.height());
-        let v = (2 * row + 1) as f64 / height as f64 - 1.0;
+        let [width, height] = self.size;
+        let v = across(row, height);
         let [one, x, y, xx, xy, yy] = self.terms;
         let [constant, linear] = [one + v * (y + v * yy), x + v * xy];
         let step = 2.0 / width as f64;
@@ -197,6 +221,11 @@ impl Light {
             *shade = (even.min(65_280.0) + 0.5) as u16;
         }
     }
+}
+
+/// The middle of part i of so many, from −1 to 1.
+fn across(i: usize, count: usize) -> f64 {
+    (2 * i + 1) as f64 / count as f64 - 1.0
 }
 
 fn powers([u, v]: [f64; 2]) -> [f64; TERMS] {

@@ -159,6 +159,30 @@ test("V23 what is no picture is refused by name, and the result before stays", a
   assert.equal(await demo.byId("stage").isVisible(), true);
 });
 
+test("a drawing on paper in uneven light has its own outlines, and the numbers beside it are of the paper in even light", async (t) => {
+  const demo = await open(t, "#/trace");
+  const content = await demo.page.evaluate(async () => {
+    const canvas = new OffscreenCanvas(240, 240);
+    const context = canvas.getContext("2d");
+    if (context === null) return [];
+    const light = context.createLinearGradient(0, 0, 240, 240);
+    light.addColorStop(0, "#e8e4da");
+    light.addColorStop(1, "#66625b");
+    context.fillStyle = light;
+    context.fillRect(0, 0, 240, 240);
+    context.lineWidth = 6;
+    context.strokeStyle = "#15151d";
+    context.beginPath();
+    context.arc(120, 120, 80, 0, 2 * Math.PI);
+    context.stroke();
+    return [...new Uint8Array(await (await canvas.convertToBlob({ type: "image/png" })).arrayBuffer())];
+  });
+  await bring(demo, "drop", "sheet.png", "image/png", content);
+  await traced(demo, "sheet.png");
+  const overlap = Number((await demo.textOf("m-iou")).match(/[\d.]+/u)?.[0]);
+  assert.ok(overlap > 0.95, `IoU ${overlap}`);
+});
+
 /** A picture of 40 × 40 black squares on white, as a file's bytes. */
 function squares(demo: Demo, step: number, side: number): Promise<number[]> {
   return demo.page.evaluate(
