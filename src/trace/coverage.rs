@@ -144,7 +144,11 @@ impl<'a> Pen<'a> {
             let cell = [across.at, down.at];
             let downwards = down.next < across.next;
             let until = smaller(if downwards { down.next } else { across.next }, 1.0);
-            if downwards { down.cross() } else { across.cross() }
+            if downwards {
+                down.cross()
+            } else {
+                across.cross()
+            }
             if until > share {
                 self.part(&edge, [share, until], cell);
                 share = until;
