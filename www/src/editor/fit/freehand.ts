@@ -8,8 +8,10 @@ import type { Editor } from "../editor.ts";
 
 /** Strokes drawn by hand in Curve: each becomes the contour with the fewest knots within a pixel or two of it. */
 
-/** CSS pixels that the curve may be away from the hand: less than the hand trembles. */
-const tremble = 2;
+/** CSS pixels that the curve may be away from the hand: about as far as a hand trembles. */
+const tremble = 1.5;
+/** What turns by less is no corner but a hand that went on: radians. */
+const leastCorner = 0.5;
 
 export interface Freehand {
   /** A stroke that was drawn; its contour is added when it is there. */
@@ -75,7 +77,7 @@ export function createFreehand(editor: Editor, connect: (handlers: FitHandlers) 
         return refuse("Hold and drag to draw.");
       }
       const strokes = [{ points: Float64Array.from(data.flat()), closed: isJoined({ data, closing: "auto" }, stroke) }];
-      waiting.push({ subject: { strokes, degree: [1, 3], mix: 0.5, corners: true }, tolerance: tremble / editor.state.value.view.zoom });
+      waiting.push({ subject: { strokes, degree: [1, 3], mix: 0.5, corners: leastCorner }, tolerance: tremble / editor.state.value.view.zoom });
       if (waiting.length === 1) start();
     },
   };

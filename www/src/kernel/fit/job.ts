@@ -14,7 +14,8 @@ export interface FitSubject {
   readonly degree: 1 | 3 | readonly [1, 3];
   /** 0 … 1 */
   readonly mix: number;
-  readonly corners: boolean;
+  /** Whether there are corners; a number: the least angle in radians that they turn by. */
+  readonly corners: boolean | number;
 }
 
 export type FitStrength =
