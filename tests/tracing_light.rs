@@ -20,8 +20,11 @@ fn ink(x: f64, y: f64) -> bool {
     ring || (house(2.5) && !house(-2.5)) || (x - 178.2).hypot(y - 182.7) < 21.4
 }
 
-/// The drawing, ink of a tenth of the paper's shade, in a light from 0 to 1.
-fn lit(light: &dyn Fn(f64, f64) -> f64) -> Vec<u8> {
+/// How much light falls on a place of the unit square, from 0 to 1.
+type Light<'a> = &'a dyn Fn(f64, f64) -> f64;
+
+/// The drawing, ink of a tenth of the paper's shade, in a light.
+fn lit(light: Light) -> Vec<u8> {
     let paper = draw(SIDE, SIDE, &ink);
     let shade = |i: usize| {
         let (x, y) = ((i % SIDE) as f64 / SIDE as f64, (i / SIDE) as f64 / SIDE as f64);
@@ -34,7 +37,7 @@ fn lit(light: &dyn Fn(f64, f64) -> f64) -> Vec<u8> {
 fn a_drawing_in_uneven_light_has_the_outlines_of_the_drawing_in_even_light() {
     let even = traced(SIDE, SIDE, &lit(&|_, _| 1.0));
     assert_eq!(even.contours.len(), 5);
-    let lights: [(&str, &dyn Fn(f64, f64) -> f64); 3] = [
+    let lights: [(&str, Light); 3] = [
         ("from the left", &|x, _| 0.95 - 0.6 * x),
         ("from a corner", &|x, y| 0.4 + 0.35 * x + 0.25 * y),
         ("of a lamp above the sheet", &|x, y| 0.97 - 0.8 * ((x - 0.45).powi(2) + (y - 0.4).powi(2))),
