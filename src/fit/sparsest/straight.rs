@@ -12,6 +12,9 @@ use super::{Aim, Found, PER_NUMBER, Phase, Sparsest};
 const MOST_ALONE: usize = 12;
 /// The share of a tolerance's square that a number is worth at least.
 const SHARE: f64 = 0.01;
+/// A piece that would cost so many times what its numbers are worth, knots where they are, is not tried alone: knots that
+/// slide seldom make up for more.
+const HOPELESS: f64 = 1.5;
 /// Steps to a fit with other straight pieces, and the share of a number's price that makes another one.
 const FEW_SLIDES: usize = 3;
 const EASILY: f64 = 0.1;
@@ -41,7 +44,9 @@ impl Sparsest {
         if let Some(found) = self.with_straight(&best, &order, worth) {
             best = found;
         } else if order.len() > 1 {
-            for &piece in order.iter().take(MOST_ALONE) {
+            let costs = FreeKnots::new(best.spline.space.breaks.clone(), &best.located).straightenings();
+            let hopeful = order.iter().filter(|&&piece| costs[piece] <= HOPELESS * worth);
+            for &piece in hopeful.take(MOST_ALONE) {
                 best = self.with_straight(&best, &[piece], worth).unwrap_or(best);
             }
         }
