@@ -15,6 +15,12 @@ const consumer = join(process.cwd(), "build", "consumer");
 const pages = join(consumer, "pages");
 const entry = join(consumer, "app.mjs");
 
+/** Finds the package for Rollup, which leaves that to plugins. */
+const resolve = {
+  name: "resolve",
+  resolveId: (id: string) => (/^expline(?:\/|$)/.test(id) ? join(consumer, "node_modules/expline/pkg", `${id.split("/")[1] ?? "expline"}.js`) : null),
+};
+
 /** Puts the radius error of a two-point circle and a path's round trip into the page's title. */
 const APP = `
 import { HermiteCurve, parsePath } from "expline";
@@ -104,6 +110,7 @@ function parts(file: string): string[] {
 
 for (const [name, code, expected] of [
   ["curves", 'import { HermiteCurve } from "expline"; document.title = String(HermiteCurve.through([0, 0, 1, 1, 2, 0]).closed);', []],
+  ["pointers", 'import { HermiteCurve } from "expline"; import { hitTest } from "expline/edit"; const circle = HermiteCurve.ellipse({ center: [0, 0], radii: [9, 9], count: 2 }); document.title = String(hitTest([circle], 9.5, 0, { reach: 1 }).kind === "point");', []],
   ["fits", 'import { fitSparse } from "expline"; document.title = String(fitSparse([0, 0, 4, 0, 4, 4, 0, 4]).curve.closed);', ["fitting"]],
   ["surfaces", 'import { TensorSurface } from "expline"; document.title = String(TensorSurface.torus(3, 1).u.closed);', ["surfaces"]],
   ["traces", 'import { traceImage } from "expline"; document.title = String(traceImage({ width: 4, height: 4, data: new Uint8Array(16) }).contours[0].closed);', ["tracing"]],
@@ -119,7 +126,6 @@ for (const [name, code, expected] of [
     assert.equal(await titleOf(folder, POLICY), "true");
 
     const { rollup } = await import("@rollup/wasm-node");
-    const resolve = { name: "resolve", resolveId: (id: string) => (id === "expline" ? join(consumer, "node_modules/expline/pkg/expline.js") : null) };
     // What the plugin that resolves packages reads in package.json: nothing of the package has side effects.
     const treeshake = { moduleSideEffects: (id: string) => !id.includes("node_modules") };
     const bundle = await rollup({ input: source, plugins: [resolve], treeshake, onwarn: (warning) => assert.fail(warning.message) });
@@ -166,7 +172,6 @@ test("Vite", async () => {
 test("Rollup", async () => {
   const { rollup } = await import("@rollup/wasm-node");
   const folder = page("rollup", MODULE);
-  const resolve = { name: "resolve", resolveId: (id: string) => (id === "expline" ? join(consumer, "node_modules/expline/pkg/expline.js") : null) };
   const bundle = await rollup({ input: entry, plugins: [resolve], onwarn: (warning) => assert.fail(warning.message) });
   await bundle.write({ file: join(folder, "bundle.js"), format: "es" });
   await bundle.close();
