@@ -1,10 +1,12 @@
 //! All outlines of a picture refined against it, one after another: first as they are, then with fewer and fewer joints.
 
+mod phases;
+
 use super::bends::BendRule;
 use super::ellipse::{ellipse, rounded};
 use super::field::{Field, Shading};
 use super::fillets::round_off;
-use super::grain::{grain, level, middle};
+use super::grain::level;
 use super::gray::Gray;
 use super::outline::Outline;
 use super::refine::{Left, NOISY_SHARE, Refiner, Relaxing, Shape, leaves};
@@ -18,25 +20,11 @@ use crate::numerics::plane::larger;
 
 /// The share of pixels beside outlines that are off their tone from which on a picture is not one of exact coverage.
 const ROUGH: f64 = 0.2;
-/// The grain from which on pixels are not covered as exactly as bytes tell: edges that a few samples a pixel were drawn by have 0.01 to 0.04.
-const GRAINY: f64 = 8e-3;
-/// And what is left from which on where edges are nearly level: four rows of samples a pixel leave 0.07 there.
-const UNEVEN: f64 = 0.04;
-/// Stretches that have to say so.
-const ENOUGH: usize = 3;
-/// How many times as much as fine outlines rough ones may leave for the rest to be none of the drawing, root mean squares: where flat places
-/// are not flat, and where they are. There fine outlines follow the grain, which has the period of their pieces.
-const ROUGHER: [f64; 2] = [1.25, 2.2];
 /// How far an outline in a rough picture may be from an ellipse that it is, in pixels, and how many times as much that may leave.
 const NEARLY: f64 = 0.3;
 const NEARLY_AS_WELL: f64 = 1.2;
-/// How many times farther than in a picture of exact coverage a large outline may be from an ellipse that it is: what draws by samples draws chords that
-/// are up to a third of a pixel off.
-const FLATTENED: f64 = 7.5;
 /// Outlines follow some of the grain, so that what is known of it is this share of what it is at most.
 const KNOWN: f64 = 4.0;
-/// More than this no pixels in a row are wrong by, however large the grain is: the limits of what is straight.
-const GRAINIEST: f64 = 0.05;
 /// The tolerance at which outlines are as near as pixels tell.
 const USUAL: f64 = 0.22;
 /// How often pieces are halved.
@@ -337,64 +325,6 @@ impl Refinement {
     /// Steps that stop where the picture says no more.
     fn steps(&self, (most, enough): (usize, f64)) -> (usize, f64) {
         (most, if self.noisy || self.rough { NOISY_SHARE } else { enough })
-    }
-
-    fn next_phase(&mut self) {
-        self.at = 0;
-        self.phase = match self.phase {
-            Phase::Show => {
-                if let Some(target) = self.target.take() {
-                    self.field.find_blur(target);
-                }
-                Phase::First
-            }
-            Phase::First => {
-                self.grain = grain(&self.shapes, &self.field);
-                let level = middle(&mut self.level);
-                if self.level.len() >= ENOUGH && level > UNEVEN {
-                    self.grain = larger(self.grain, level);
-                }
-                if self.noisy {
-                    self.limits.noise = self.field.left();
-                } else if !self.rough && self.grain > GRAINY {
-                    self.rough = true;
-                    self.slack = FLATTENED;
-                    self.refiner = Refiner::new(Relaxing::CAREFUL);
-                    self.limits.off *= 1.6;
-                }
-                if self.rough {
-                    Phase::Rough
-                } else {
-                    self.fine = Vec::new();
-                    Phase::Fewer
-                }
-            }
-            Phase::Rough => {
-                let left = self.crossed();
-                // If fewer pieces explain the picture as well, the rest is not in the drawing.
-                let is_grainy = self.field.stain <= ROUGH;
-                let enough = if is_grainy { KNOWN * self.grain } else { 0.0 };
-                self.limits.grain = (KNOWN * self.grain).min(GRAINIEST);
-                if left.rms() < larger(ROUGHER[usize::from(is_grainy)] * self.left.rms(), enough) {
-                    self.limits.noise = left.rms();
-                } else {
-                    for (shape, outline) in self.shapes.iter_mut().zip(core::mem::take(&mut self.fine)) {
-                        self.refiner.replace(&mut self.field, shape, outline);
-                    }
-                }
-                Phase::Fewer
-            }
-            Phase::Fewer | Phase::Done => Phase::Done,
-        };
-    }
-
-    /// What is left in the pixels that outlines cross.
-    fn crossed(&self) -> Left {
-        let mut left = Left::default();
-        for shape in &self.shapes {
-            left.join(&shape.left(&self.field));
-        }
-        left
     }
 
     /// How many times farther than in a picture of exact coverage an outline may be from an ellipse that it is.
