@@ -1,21 +1,22 @@
 //! The one door to fits: points in, a curve out, in steps that a caller can show, hurry or stop.
 
+mod asking;
 mod description;
 mod finishing;
 
 use self::finishing::Finishing;
 use super::free_knots::Located;
-use super::noise::{is_regular_at, levels, sober_weights};
+use super::noise::levels;
 use super::options::{Ask, Finish, Options};
 use super::outcome::Fit;
-use super::parametrise::{Parametrisation, given, parametrise};
+use super::parametrise::Parametrisation;
 use super::problem::{Component, Problem, interpolating_grid, uniform_grid};
 use super::report;
 use super::samples::Samples;
 use super::solver::{Settings, Solver, Status};
 use super::sparsest::{Aim, Plan, Sparsest};
 use crate::error::{Error, Result};
-use crate::limits::{LARGEST_COORDINATE, LARGEST_LAMBDA, check};
+use crate::limits::LARGEST_LAMBDA;
 use crate::numerics::Point;
 use crate::numerics::order::{sort_by_number, sort_numbers};
 
@@ -152,138 +153,6 @@ impl Fitter {
     /// Whether the curve is closed: as given or as found.
     pub fn is_closed(&self) -> bool {
         self.samples.closed
-    }
-
-    /// Starts a run; what an earlier one knew is used.
-    ///
-    /// # Errors
-    ///
-    /// λ not from 0 to 1e12 or not one per degree (all 0 for two), smoothing not from 0 to 1, a tolerance that is negative.
-    pub fn ask(&mut self, ask: Ask) -> Result<()> {
-        match core::mem::replace(&mut self.run, Run::Idle) {
-            Run::Convex(solver) => self.warm = Some(solver),
-            Run::Finish(finishing) => self.warm = Some(finishing.solver),
-            _ => {}
-        }
-        match &ask {
-            Ask::Lambda(lambdas) => {
-                if lambdas.len() != self.options.degrees.len() {
-                    let (got, needed) = (lambdas.len(), self.options.degrees.len());
-                    return Err(Error::wrong_length("lambda", got, needed));
-                }
-                for (i, &lambda) in lambdas.iter().enumerate() {
-                    check("lambda", Some(i), lambda, 0.0, 1e12)?;
-                }
-                if lambdas.len() == 2 && lambdas.iter().sum::<f64>() <= 0.0 {
-                    return Err(Error::out_of_range("lambda", Some(0), 0.0, f64::MIN_POSITIVE, 1e12));
-                }
-                self.locate(true)?;
-                self.lambdas.clone_from(lambdas);
-                self.solve()?;
-            }
-            Ask::Smoothing(smoothing) => {
-                check("smoothing", None, *smoothing, 0.0, 1.0)?;
-                self.locate(false)?;
-                self.lambdas = self.lambdas_of(*smoothing);
-                self.solve()?;
-            }
-            Ask::Tolerance(tolerance) => {
-                check("tolerance", None, *tolerance, 0.0, LARGEST_COORDINATE)?;
-                self.locate(false)?;
-                self.search(Aim::Tolerance(tolerance / self.samples.scale));
-            }
-            Ask::MeanSquare(square) => {
-                check("meanSquare", None, *square, 0.0, LARGEST_COORDINATE * LARGEST_COORDINATE)?;
-                self.locate(true)?;
-                let unit = self.samples.scale * self.samples.scale;
-                self.search(Aim::Squares(square * report::weight(&self.located) / unit));
-            }
-            Ask::Noise => {
-                self.locate(false)?;
-                // What is less than a ten-thousandth of the drawing is not worth a knot.
-                self.search(Aim::Noise(self.noise.max(1e-4)));
-            }
-        }
-        self.ask = ask;
-        Ok(())
-    }
-
-    /// Gives the points their parameters; λ alone means the papers' own, the index.
-    fn locate(&mut self, by_lambda: bool) -> Result<()> {
-        if self.located_by == Some(by_lambda) {
-            return Ok(());
-        }
-        if self.located_by.is_some() {
-            // Other parameters are another problem.
-            self.warm = None;
-        }
-        let samples = &self.samples;
-        let weights = if !self.options.weights.is_empty() {
-            self.options.weights.clone()
-        } else if samples.is_weighted() {
-            samples.weights.clone()
-        } else {
-            Vec::new()
-        };
-        let mut weights = weights;
-        if self.options.robust {
-            let sober = sober_weights(samples, self.noise);
-            let given = weights.clone();
-            weights =
-                sober.iter().enumerate().map(|(m, w)| w * given.get(m).copied().unwrap_or(1.0)).collect();
-        }
-        let automatic = self.options.parametrisation == Parametrisation::Auto;
-        self.even = automatic && !by_lambda && self.options.parameters.is_empty() && {
-            let known = self.levels.unwrap_or_else(|| levels(samples));
-            is_regular_at(samples, known)
-        };
-        let kind = match self.options.parametrisation {
-            Parametrisation::Auto if by_lambda || self.even => Parametrisation::Index,
-            kind => kind,
-        };
-        let (parameters, end) = if self.options.parameters.is_empty() {
-            self.unit = 1.0;
-            parametrise(samples, kind, self.noise)
-        } else {
-            let (parameters, end) =
-                given(&self.options.parameters, samples.points.len(), samples.closed, self.options.period)?;
-            // Inside, one step is about 1.
-            self.unit = end / samples.points.len() as f64;
-            let unit = self.unit;
-            (parameters.iter().map(|t| t / unit).collect(), end / unit)
-        };
-        self.located = Located { points: samples.points.clone(), parameters, weights };
-        self.end = end;
-        self.located_by = Some(by_lambda);
-        Ok(())
-    }
-
-    /// λ for each degree from the slider: ℓ from 2 points to all of them, the first of two degrees a part of it.
-    fn lambdas_of(&self, smoothing: f64) -> Vec<f64> {
-        let count = self.samples.points.len() as f64;
-        let detail = 2.0 * libm::pow((0.5 * count).max(1.0), smoothing);
-        let size = report::size(&self.samples);
-        let ratio = 6.0 - 3.5 * self.options.mix;
-        let degrees = &self.options.degrees;
-        let part = |i: usize| if degrees.len() == 2 && i == 0 { detail / ratio } else { detail };
-        degrees.iter().enumerate().map(|(i, &degree)| size * report::power(part(i), degree)).collect()
-    }
-
-    /// The slider's place of the last degree's λ.
-    fn smoothing_of(&self) -> Option<f64> {
-        let (degree, lambda) = (*self.options.degrees.last()?, *self.lambdas.last()?);
-        let count = self.samples.points.len() as f64;
-        if lambda <= 0.0 || count <= 2.0 {
-            return None;
-        }
-        let root = libm::log(lambda / report::size(&self.samples)) / (degree + 1) as f64;
-        let detail = libm::exp(root) * core::f64::consts::TAU;
-        Some((libm::log(0.5 * detail) / libm::log(0.5 * count)).clamp(0.0, 1.0))
-    }
-
-    /// Whether nothing is paid for knots: the curve goes through the points.
-    fn is_free(&self) -> bool {
-        self.lambdas.iter().all(|lambda| *lambda <= 0.0)
     }
 
     fn solve(&mut self) -> Result<()> {
