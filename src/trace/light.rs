@@ -46,6 +46,17 @@ struct Light {
     size: [usize; 2],
 }
 
+/// What tiles say, paper or not.
+struct Paper {
+    terms: [f64; TERMS],
+    /// 1 for tiles that are paper, 0 for others.
+    weights: Vec<f64>,
+    /// How far paper is from the polynomial, as a standard deviation.
+    spread: f64,
+    /// How many tiles are brighter than paper.
+    brighter: usize,
+}
+
 /// A picture whose light is looked at, and made even where it is not: some rows at a time.
 ///
 /// Every tile's brightest run of pixels is what paper looks like there. A quadratic polynomial is fitted to them from above, then without the
@@ -143,6 +154,24 @@ impl Evening {
         if alike as f64 >= PAPER * count as f64 {
             return None;
         }
+        let paper = self.paper()?;
+        let lights = (0..count).map(|tile| value(&paper.terms, self.place(tile)));
+        let (least, most) = lights.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
+        let is_light = least > DARK * most
+            && paper.spread <= SMOOTH * least
+            && paper.brighter as f64 <= BRIGHTER * count as f64
+            && self.is_paper_everywhere(&paper.weights);
+        (is_light && least < EVEN * most).then_some(Light {
+            terms: paper.terms,
+            most: most.min(65_280.0),
+            size: self.size(),
+        })
+    }
+
+    /// Fits a polynomial from above, so that ink counts little, then without the tiles that are far from it, which are not paper.
+    #[inline(never)]
+    fn paper(&self) -> Option<Paper> {
+        let count = self.brightest.len();
         let mut weights = vec![1.0; count];
         let mut rests = vec![0.0; count];
         let mut spread = 0.0;
@@ -165,18 +194,8 @@ impl Evening {
             weights.iter_mut().zip(&rests).for_each(|(w, &rest)| *w = is_paper(rest));
         }
         let terms = self.fitted(&weights)?;
-        let lights = (0..count).map(|tile| value(&terms, self.place(tile)));
-        let (least, most) = lights.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
         let brighter = rests.iter().filter(|&&rest| rest > FAR * spread).count();
-        let is_light = least > DARK * most
-            && spread <= SMOOTH * least
-            && brighter as f64 <= BRIGHTER * count as f64
-            && self.is_paper_everywhere(&weights);
-        (is_light && least < EVEN * most).then_some(Light {
-            terms,
-            most: most.min(65_280.0),
-            size: self.size(),
-        })
+        Some(Paper { terms, weights, spread, brighter })
     }
 
     /// Whether most tiles are paper, and a good part of them in every ninth of the picture.
@@ -247,7 +266,8 @@ fn add_square(system: &mut [f64], list: &[f64], weight: f64) {
     }
 }
 
-/// Solves `n` positive definite equations, the right sides in the last column, by elimination; false if they are not.
+/// Solves `n` positive definite equations, the right sides in the last column, by elimination; false if they are not. For six unknowns once a
+/// picture; nalgebra's decompositions would be 3 kB of the tracer's wasm.
 #[inline(never)]
 fn solve(system: &mut [f64], n: usize) -> bool {
     let width = n + 1;
