@@ -313,11 +313,11 @@ impl Field {
             let column = |at: usize| block[REACH + at].as_flattened();
             let mut along = [0.0; WIDE];
             weigh(&mut along, half[0], [column(x), &[0.0; WIDE]]);
-            for (d, &weight) in half.iter().enumerate().take(reach + 1).skip(1) {
+            for (d, &weight) in (1..).zip(&half[1..=reach]) {
                 weigh(&mut along, weight, [block[REACH + x - d].as_flattened(), column(x + d)]);
             }
             weigh(out, half[0], [&along[REACH..REACH + SIDE], &[0.0; SIDE]]);
-            for (d, &weight) in half.iter().enumerate().take(reach + 1).skip(1) {
+            for (d, &weight) in (1..).zip(&half[1..=reach]) {
                 weigh(out, weight, [&along[REACH - d..][..SIDE], &along[REACH + d..][..SIDE]]);
             }
         }

@@ -234,7 +234,7 @@ pub(in super::super) fn in_order(breaks: &mut Breaks) {
     }
 }
 
-/// The list from another place on, if it has any.
+/// Begins the list at another of its places; the list of a curve without straight pieces is empty.
 fn turn(list: &mut [bool], by: usize) {
     if by < list.len() {
         list.rotate_left(by);
