@@ -54,9 +54,30 @@ export function panned(view: View, dx: number, dy: number): View {
   return { ...view, x: view.x - dx / view.zoom, y: view.y - dy / view.zoom };
 }
 
-/** A view that shows the whole box with a margin on every side; never closer than `most`. */
-export function fitted(box: { minX: number; minY: number; maxX: number; maxY: number }, stage: StageBox, margin: number, most: number): View {
+interface Box {
+  readonly minX: number;
+  readonly minY: number;
+  readonly maxX: number;
+  readonly maxY: number;
+}
+
+/** What views were made to show. */
+const fittings = new WeakMap<View, readonly [box: Box, most: number, share: number]>();
+
+/** A view that shows the whole box, never closer than `most`; handles and what lies over the stage have a share of it on every side. */
+export function fitted(box: Box, stage: StageBox, most: number, share = 0.1): View {
+  const margin = Math.max(24, Math.min(stage.width, stage.height) * share);
+  // The hint and the zoom box, and on a phone the tools, are above and below.
+  const above = Math.max(margin, stage.width < 600 ? 64 : 48);
   const wide = Math.max(1, stage.width - 2 * margin) / Math.max(1e-9, box.maxX - box.minX);
-  const high = Math.max(1, stage.height - 2 * margin) / Math.max(1e-9, box.maxY - box.minY);
-  return { zoom: clampZoom(Math.min(wide, high, most)), x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2 };
+  const high = Math.max(1, stage.height - 2 * above) / Math.max(1e-9, box.maxY - box.minY);
+  const view = { zoom: clampZoom(Math.min(wide, high, most)), x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2 };
+  fittings.set(view, [box, most, share]);
+  return view;
+}
+
+/** A view for a stage of another size: what was fitted stays in sight, what somebody has moved stays where it was put. */
+export function resized(view: View, stage: StageBox): View {
+  const [box, most, share] = fittings.get(view) ?? [];
+  return box === undefined || most === undefined ? view : fitted(box, stage, most, share);
 }

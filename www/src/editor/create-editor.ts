@@ -1,6 +1,6 @@
 import type { Command } from "../document/commands.ts";
 import {
-  emptyCurve, nothingSelected, pointAt, stateVersion, type Contour, type CurveDocument, type DemoState, type Mode, type Selection,
+  emptyCurve, nothingSelected, pointAt, stateVersion, type Contour, type CurveDocument, type DemoState, type Mode, type Selection, type View,
 } from "../document/document.ts";
 import { emptyFit, type FitMoment } from "../document/fit.ts";
 import { othersOf } from "../document/others.ts";
@@ -11,6 +11,7 @@ import { translationOf } from "../document/contours.ts";
 import { curveOf } from "../kernel/curve-cache.ts";
 import { settled } from "../kernel/fine-places.ts";
 import { createActions } from "./actions.ts";
+import { resized } from "./camera.ts";
 import type { Editor, EditorPatch, EditorState, Notice, Settings, Sketch } from "./editor.ts";
 import { initialFitView, noFitRun } from "./fit/fit-state.ts";
 import { createSignal } from "./signal.ts";
@@ -112,6 +113,8 @@ export function createEditor(now: () => number): Editor {
   let history: History<Moment> = emptyHistory();
   /** What the open file holds beside this page's own fields: somebody else's, and written again as it was. */
   let others: Record<string, unknown> = {};
+  /** Where the modes that are not on the stage were looked at. */
+  const views = new Map<Mode, View>();
   let gesture: { name: string; start: Moment; changed: boolean } | null = null;
 
   const moment = (): Moment => ({ curve: state.value.curve, selection: state.value.selection });
@@ -246,8 +249,13 @@ export function createEditor(now: () => number): Editor {
       else timeline.redo();
     },
     patch(change) {
-      const moves = change.mode !== undefined && change.mode !== state.value.mode ? travels(change.mode) : {};
-      state.set({ ...state.value, ...change, ...moves });
+      const { mode, view, stage } = state.value;
+      if (change.mode === undefined || change.mode === mode) return state.set({ ...state.value, ...change });
+      views.set(mode, view);
+      const known = views.get(change.mode);
+      state.set({ ...state.value, view: resized(known ?? view, stage), ...change, ...travels(change.mode) });
+      // A drawing that came with a file or a link has not been looked at yet.
+      if (known === undefined && change.mode === "curve") actions.run("zoom-fit");
     },
     setSettings(change) {
       editor.patch({ settings: { ...state.value.settings, ...change } });
@@ -274,6 +282,7 @@ export function createEditor(now: () => number): Editor {
       fitEdits.bail();
       traceEdits.bail();
       others = othersOf(next);
+      views.clear();
       if (options.fresh === true) {
         history = emptyHistory();
         state.set({ ...state.value, surface, chosen: noNetPoints, fit, trace });

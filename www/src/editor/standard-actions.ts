@@ -51,9 +51,7 @@ export function fitView(editor: Editor, most = mostZoom): void {
   const parts = editor.modes.get(mode);
   const box = parts?.box === undefined ? documentBounds(curve) : parts.box(editor.state.value);
   if (box === null) return editor.patch({ view: { zoom: 1, x: 400, y: 300 } });
-  // Handles reach beyond the curve; a tenth of the stage leaves them room.
-  const margin = Math.max(24, Math.min(stage.width, stage.height) * 0.1);
-  editor.patch({ view: fitted(box, stage, margin, most) });
+  editor.patch({ view: fitted(box, stage, most) });
 }
 
 const tools: readonly [ToolId, string, string][] = [

@@ -1,4 +1,5 @@
 import type { Mode } from "../document/document.ts";
+import { resized } from "../editor/camera.ts";
 import type { Editor } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
 import { drawComb, drawKnots, drawPolygon, drawSubdivision } from "./layers/analysis.ts";
@@ -45,7 +46,8 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
 
   function measure(): void {
     const box = surface.getBoundingClientRect();
-    editor.patch({ stage: { left: box.left, top: box.top, width: box.width, height: box.height } });
+    const stage = { left: box.left, top: box.top, width: box.width, height: box.height };
+    editor.patch({ stage, view: resized(editor.state.value.view, stage) });
     ratio = canvasRatio(box.width, box.height, window.devicePixelRatio);
     const [width, height] = [Math.floor(box.width * ratio), Math.floor(box.height * ratio)];
     if (canvas.width !== width) canvas.width = width;

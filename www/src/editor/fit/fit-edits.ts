@@ -97,7 +97,7 @@ export function showData(editor: Editor, most: number): void {
   const { fit, stage } = editor.state.value;
   const box = boxOf(fit.data);
   if (box === null) return editor.patch({ view: { zoom: 1, x: 400, y: 300 } });
-  editor.patch({ view: fittedView(box, stage, Math.max(24, Math.min(stage.width, stage.height) * 0.1), most) });
+  editor.patch({ view: fittedView(box, stage, most) });
 }
 
 export function boxOf(data: readonly Pair[]): { minX: number; minY: number; maxX: number; maxY: number } | null {

@@ -119,6 +119,5 @@ const mostZoom = 6;
 /** The whole picture in view, with room around. */
 export function showBox(editor: Editor, { width, height }: { readonly width: number; readonly height: number }): void {
   const { stage } = editor.state.value;
-  const margin = Math.max(24, Math.min(stage.width, stage.height) * 0.06);
-  editor.patch({ view: fitted({ minX: 0, minY: 0, maxX: width, maxY: height }, stage, margin, mostZoom) });
+  editor.patch({ view: fitted({ minX: 0, minY: 0, maxX: width, maxY: height }, stage, mostZoom, 0.06) });
 }

@@ -1,0 +1,56 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { fitted, panned, resized, toScreen, zoomedAt, type StageBox } from "../src/editor/camera.ts";
+import { Hand } from "./harness.ts";
+
+const desk: StageBox = { left: 40, top: 48, width: 936, height: 720 };
+const phone: StageBox = { left: 0, top: 48, width: 390, height: 655 };
+const halfPhone: StageBox = { ...phone, height: 310 };
+const box = { minX: 240, minY: 140, maxX: 560, maxY: 460 };
+
+/** How far the box stays from the stage's sides, the least of all four; negative where it is cut off. */
+function room(view: Parameters<typeof toScreen>[0], stage: StageBox): number {
+  const [first, last] = [toScreen(view, stage, { x: box.minX, y: box.minY }), toScreen(view, stage, { x: box.maxX, y: box.maxY })];
+  return Math.min(first.x, first.y, stage.width - last.x, stage.height - last.y);
+}
+
+test("what was fitted stays in sight on a stage of another size, and comes back to where it was", () => {
+  for (const stage of [desk, phone]) {
+    const view = fitted(box, stage, 1);
+    const small = resized(view, halfPhone);
+    assert.ok(room(view, stage) >= 24 && room(small, halfPhone) >= 24, `${room(small, halfPhone)} px`);
+    assert.deepEqual(resized(small, stage), view);
+  }
+});
+
+test("a view that somebody has moved stays where it was put", () => {
+  const moved = panned(fitted(box, desk, 1), 30, 0);
+  assert.equal(resized(moved, phone), moved);
+  const zoomed = zoomedAt(fitted(box, desk, 1), desk, { x: 10, y: 10 }, 2);
+  assert.equal(resized(zoomed, phone), zoomed);
+});
+
+test("each mode is looked at from where it was left", () => {
+  const { editor } = new Hand("heart");
+  const own = { zoom: 3, x: 380, y: 250 };
+  editor.patch({ view: own });
+  editor.patch({ mode: "trace" });
+  editor.patch({ view: { zoom: 0.5, x: 1024, y: 1024 } });
+  editor.patch({ mode: "fit" });
+  editor.patch({ mode: "curve" });
+  assert.deepEqual(editor.state.value.view, own);
+  editor.patch({ mode: "trace" });
+  assert.deepEqual(editor.state.value.view, { zoom: 0.5, x: 1024, y: 1024 });
+});
+
+test("a drawing that came with a file opened in another mode is in sight when it is first looked at", () => {
+  const { editor } = new Hand("heart");
+  editor.patch({ stage: desk });
+  editor.setState({ ...editor.getState(), mode: "trace", view: { zoom: 0.3, x: 4000, y: 4000 } });
+  editor.patch({ mode: "curve" });
+  const { view, curve } = editor.state.value;
+  for (const point of curve.contours[0]?.points ?? []) {
+    const { x, y } = toScreen(view, desk, point);
+    assert.ok(x > 0 && y > 0 && x < desk.width && y < desk.height, `${x}, ${y}`);
+  }
+});
