@@ -160,3 +160,15 @@ test("a shared link holds the sample by its name, its noise and its seed", async
   const other = await open(t, hash);
   assert.deepEqual((await other.state()).fit.data, data);
 });
+
+test("the empty stage leaves room to draw on, first thing after the page was opened", async (t) => {
+  const demo = await open(t, "#/fit");
+  await demo.byId("btn-clear").click();
+  await demo.idle();
+  const card = await demo.byId("empty-fit").boundingBox();
+  const stage = await demo.byId("stage").boundingBox();
+  assert.ok(card !== null && stage !== null && card.height < stage.height / 2 && card.width < stage.width * 0.7, `${card?.width} by ${card?.height} px`);
+  assert.ok(card.y > stage.y && card.y + card.height < stage.y + stage.height);
+  await demo.dragFrom({ x: stage.x + 60, y: card.y + card.height / 2 }, 120, 40, 30);
+  assert.ok((await demo.state()).fit.data.length > 20);
+});

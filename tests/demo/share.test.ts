@@ -259,3 +259,70 @@ test("DM-006 two tabs keep their drawings side by side; neither writes over the 
   await first.load("");
   assert.equal((await first.state()).curve.sample, "circle-8", "the newest work opens");
 });
+
+/** The same page once more, as by the browser's button. */
+async function reload(demo: Demo): Promise<void> {
+  await demo.page.reload();
+  await demo.page.evaluate(() => window.explineDemo.ready);
+  await demo.idle();
+}
+
+test("DM-001 in every mode the page that is loaded again shows what was worked on, and the other modes keep theirs", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  await demo.withoutSnap();
+  await demo.drag("pt-0-1", 30, 0);
+  const { curve } = await demo.state();
+  await demo.byId("tab-fit").click();
+  await demo.idle();
+  await demo.byId("btn-clear").click();
+  await demo.dragFrom({ x: 300, y: 300 }, 200, 60, 40);
+  await demo.until(() => demo.keptTexts(), (all) => all.some(({ text }) => text.includes('"mode":"fit"') && !text.includes('"data":[]')), "the stroke is kept");
+  const { fit } = await demo.state();
+  assert.ok(fit.data.length >= 4, `${fit.data.length} points`);
+  await reload(demo);
+  assert.equal((await demo.state()).mode, "fit");
+  assertSame((await demo.state()).fit.data, fit.data);
+  assertSame((await demo.state()).curve, curve);
+  await demo.byId("tab-surface").click();
+  await demo.idle();
+  await demo.byId("surf-level-u").fill("1");
+  await demo.idle();
+  await demo.until(() => demo.keptTexts(), (all) => all.some(({ text }) => text.includes('"levelU":1')), "the surface is kept");
+  await reload(demo);
+  assert.equal((await demo.state()).mode, "surface");
+  assert.equal((await demo.state()).surface.levelU, 1);
+  assertSame((await demo.state()).fit.data, fit.data);
+});
+
+test("a tab that is loaded again shows its own work, whatever another tab has kept since", async (t) => {
+  const shared = await context(t);
+  const first = new Demo(await shared.newPage());
+  await first.load("#/curve?sample=heart");
+  await first.withoutSnap();
+  await first.drag("pt-0-1", 30, 0);
+  const kept = await first.kept();
+  const second = new Demo(await shared.newPage());
+  await second.load("#/curve?sample=circle-8");
+  await second.withoutSnap();
+  await second.drag("pt-0-1", 0, 30);
+  await second.kept();
+  await reload(first);
+  assertSame((await first.state()).curve, kept);
+});
+
+test("a link to a sample shows the sample, whatever was kept, and a shared drawing is still there when the page is loaded again", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart", { permissions: ["clipboard-read", "clipboard-write"] });
+  await demo.withoutSnap();
+  await demo.drag("pt-0-1", 30, 0);
+  await demo.kept();
+  const link = await demo.copied(() => demo.byId("btn-share").click());
+  const { curve } = await demo.state();
+  await demo.page.goto("about:blank");
+  await demo.load("#/curve?sample=circle-8");
+  assert.equal((await demo.points()).length, 8);
+  const other = new Demo(await (await context(t)).newPage());
+  await other.load(new URL(link).hash);
+  assertSame((await other.state()).curve, curve);
+  await reload(other);
+  assertSame((await other.state()).curve, curve);
+});

@@ -64,7 +64,7 @@ export function routeOf(editor: Editor): Route {
 }
 
 /** Goes where the address says. A sample that is being worked on is not opened over the work. */
-function follow(editor: Editor, route: Route): void {
+export function follow(editor: Editor, route: Route): void {
   const { curve, fit, trace, surface } = editor.state.value;
   if (route.sample !== null) {
     if (route.mode === "curve" && curve.sample !== route.sample && !openSample(editor, route.sample)) {

@@ -7,6 +7,7 @@ import { writeState } from "../document/file/write.ts";
 import type { KeptText } from "./database.ts";
 import { keep, keepAtOnce, makeRoom } from "./keeping.ts";
 import { seal } from "./sealed.ts";
+import { rememberTab } from "./store.ts";
 
 const delayMs = 1000;
 
@@ -47,6 +48,7 @@ export function createAutosave({ read, busy, failing, until }: AutosaveOptions):
     timer = null;
     if (busy()) return touch();
     generation += 1;
+    rememberTab(session);
     waiting = seal({ session, generation, time: Date.now(), json: writeState(read()) });
     // A page that is being left may not live until the database has answered.
     if (leaving) keepAtOnce(waiting);

@@ -13,10 +13,10 @@ export interface Kept {
   readonly damaged?: { readonly text: string; forget(): Promise<void> };
 }
 
-/** The newest drawing of the newest session of which a generation can still be read; null where there is none. */
-export async function newestKept(): Promise<Kept | null> {
+/** The newest drawing of which a generation can still be read, of one session before all others; null where there is none. */
+export async function newestKept(own: string | null): Promise<Kept | null> {
   const all = await allKept();
-  const whole = all.flatMap((kept) => unseal(kept) ?? []).sort(byAge);
+  const whole = all.flatMap((kept) => unseal(kept) ?? []).sort((a, b) => Number(b.session === own) - Number(a.session === own) || byAge(a, b));
   for (const sealed of whole) {
     const { state } = read(sealed.json) ?? {};
     if (state === undefined) continue;

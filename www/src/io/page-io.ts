@@ -8,7 +8,7 @@ import { copyText, download } from "./download.ts";
 import { listenForIncoming, readIncoming } from "./incoming.ts";
 import { isShareLink } from "./link.ts";
 import { pngSize } from "./png-size.ts";
-import { hasKept, localStore } from "./store.ts";
+import { hasKept, localStore, rememberTab, tabShows } from "./store.ts";
 
 /** Keeping begins with the first change; until then there is nothing to keep. */
 function createAutosave(options: AutosaveOptions): Autosave {
@@ -21,8 +21,9 @@ function createAutosave(options: AutosaveOptions): Autosave {
 
 /** Everything the panels are handed of this room. What a visit may never need is loaded when it is first asked for. */
 export const pageIo = {
-  copyText, createAutosave, download, isShareLink, listenForIncoming, pngSize, readIncoming,
-  newestKept: async (): Promise<Kept | null> => (!hasKept(localStore()) ? null : (await import("./kept.ts")).newestKept()),
+  copyText, createAutosave, download, isShareLink, listenForIncoming, pngSize, readIncoming, rememberTab, tabShows,
+  hasKept: (): boolean => hasKept(localStore()),
+  newestKept: async (own: string | null): Promise<Kept | null> => (await import("./kept.ts")).newestKept(own),
   readImport: async (text: string, space: Space): Promise<Imported> => (await import("./import.ts")).readImport(text, space),
   shareHash: async (state: DemoState): Promise<string> => (await import("./share.ts")).shareHash(state),
   readShareHash: async (hash: string): Promise<DemoState> => (await import("./share.ts")).readShareHash(hash),

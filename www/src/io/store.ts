@@ -29,6 +29,25 @@ export function markKept(storage: Storage | null): void {
   }
 }
 
+const tabKey = "expline.tab";
+
+/** What this tab shows, for when it is loaded again: the session that keeps its work, or the link that it was opened with. */
+export function rememberTab(what: string): void {
+  try {
+    sessionStorage.setItem(tabKey, what);
+  } catch {
+    // Then the newest work of all opens.
+  }
+}
+
+export function tabShows(): string | null {
+  try {
+    return sessionStorage.getItem(tabKey);
+  } catch {
+    return null;
+  }
+}
+
 /** The page's local store, or null where the browser keeps none. */
 export function localStore(): Storage | null {
   try {

@@ -1,3 +1,4 @@
+import "../styles/gallery.css";
 import type { EditorState } from "../editor/editor.ts";
 import { h } from "./dom.ts";
 import type { Shell } from "./shell.ts";

@@ -24,7 +24,13 @@ export interface PageIo {
     failing(failed: boolean): void;
     until: AbortSignal;
   }): { touch(): void };
-  newestKept(): Promise<{ readonly state: DemoState; readonly damaged?: { readonly text: string; forget(): Promise<void> } } | null>;
+  /** What this tab showed before it was loaded again: a session, or a link. */
+  tabShows(): string | null;
+  rememberTab(what: string): void;
+  /** Whether there may be anything that was kept. */
+  hasKept(): boolean;
+  /** Of a session, if it is still kept, else of all. */
+  newestKept(own: string | null): Promise<{ readonly state: DemoState; readonly damaged?: { readonly text: string; forget(): Promise<void> } } | null>;
 }
 
 export interface IncomingHandlers {

@@ -1,7 +1,8 @@
+import type { EditorState } from "../editor/editor.ts";
+import { follow, parseRoute } from "../editor/route.ts";
 import { errorText } from "./errors.ts";
 import { h } from "./dom.ts";
 import { icon } from "./icons.ts";
-import { openState, report } from "./report.ts";
 import type { Shell } from "./shell.ts";
 
 /**
@@ -9,39 +10,23 @@ import type { Shell } from "./shell.ts";
  * the stage, so that "ready" means ready.
  */
 export async function openSession(shell: Shell, address: string): Promise<void> {
-  window.addEventListener("hashchange", () => void openLink(shell, window.location.hash), { signal: shell.until });
-  if (isPlainAddress(address)) await restore(shell);
-  else await openLink(shell, address);
+  const { io, until } = shell;
+  window.addEventListener("hashchange", () => io.isShareLink(window.location.hash) && void openLink(shell, window.location.hash), { signal: until });
+  const route = parseRoute(address);
+  // Who loads the page again, or comes back to it, wants what this tab showed; who follows a link to a sample wants the sample.
+  const [visit] = performance.getEntriesByType("navigation");
+  const own = visit instanceof PerformanceNavigationTiming && visit.type !== "navigate" ? io.tabShows() : null;
+  const link = [address, own ?? ""].find(io.isShareLink);
+  if (link !== undefined) await openLink(shell, link);
+  else if ((own !== null || route?.sample === null) && io.hasKept()) await (await reopening()).restore(shell, own, route !== null && /^#\/./u.test(address) ? route.mode : null);
+  if (own !== null && route !== null) follow(shell.editor, route);
   startKeeping(shell);
 }
 
-function isPlainAddress(hash: string): boolean {
-  return hash === "" || hash === "#" || hash === "#/" || hash === "#/curve";
-}
+const reopening = (): Promise<typeof import("./reopening.ts")> => import("./reopening.ts");
 
-async function openLink(shell: Shell, hash: string): Promise<void> {
-  if (!shell.io.isShareLink(hash)) return;
-  try {
-    openState(shell, await shell.io.readShareHash(hash), true);
-  } catch (error) {
-    report(shell, error);
-  }
-}
-
-async function restore(shell: Shell): Promise<void> {
-  const { editor, io, toasts } = shell;
-  const last = await io.newestKept();
-  if (last === null) return;
-  const fresh = editor.getState();
-  if (!openState(shell, last.state, true)) return;
-  toasts.say("Restored your last session.", { label: "Start fresh", run: () => openState(shell, fresh, true) });
-  const { damaged } = last;
-  if (damaged === undefined) return;
-  const save = (): void => {
-    io.download("damaged.txt", new Blob([damaged.text], { type: "text/plain" }));
-    void damaged.forget();
-  };
-  toasts.say("The newest copy of your work was damaged; the one before it is open.", { label: "Download the damaged copy", run: save });
+async function openLink(shell: Shell, link: string): Promise<void> {
+  await (await reopening()).openLink(shell, link);
 }
 
 function startKeeping(shell: Shell): void {
@@ -54,10 +39,13 @@ function startKeeping(shell: Shell): void {
     until,
   });
   // A drag changes the curve first and the history when it ends; only what the history knows is worth keeping.
-  let seen = [editor.state.value.curve, editor.state.value.surface, editor.state.value.fit, editor.state.value.trace, editor.state.value.traceRun.outcome] as const;
+  const partsOf = ({ curve, surface, fit, trace, traceRun, mode }: EditorState): readonly unknown[] => [curve, surface, fit, trace, traceRun.outcome, mode];
+  let seen = partsOf(editor.state.value);
+  let worked = false;
   editor.state.subscribe((state) => {
-    const now = [state.curve, state.surface, state.fit, state.trace, state.traceRun.outcome] as const;
-    if (now.every((part, i) => part === seen[i]) || !(state.canUndo || state.canRedo)) return;
+    const now = partsOf(state);
+    worked ||= state.canUndo || state.canRedo;
+    if (!worked || now.every((part, i) => part === seen[i])) return;
     seen = now;
     keeping.touch();
   }, { until });
