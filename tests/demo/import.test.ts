@@ -241,3 +241,36 @@ test("an imported logo keeps its corners and can be edited at once", async (t) =
   assert.ok(Math.abs(moved.x - (40 + 20 / zoom)) < 0.5 / zoom && Math.abs(moved.y - (40 + 10 / zoom)) < 0.5 / zoom);
   assert.equal(moved.kind, "cusp");
 });
+
+test("what draws nothing is refused and leaves the drawing; rows under a heading are points", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  const { curve } = await demo.state();
+  for (const text of ["M10 10", "M10 10 M20 20", "   "]) {
+    assert.equal((await refused(demo, text)).id, "paste-unknown", text);
+    assertSame((await demo.state()).curve, curve);
+  }
+  assert.match((await refused(demo, "M 0 0 L")).text, /character 8, where it ends/);
+  await imported(demo, "x,y\n10,20\n30,45\n80,20\n");
+  assert.deepEqual((await demo.points()).map(({ x, y }) => [x, y]), [[10, 20], [30, 45], [80, 20]]);
+});
+
+test("a path of 20,000 points has names for those around the chosen one; one of 150,000 is too large", async (t) => {
+  const demo = await open(t);
+  const paste = (count: number): Promise<void> => demo.page.evaluate((n) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData("text/plain", `M1 1${Array.from({ length: n - 1 }, (_, i) => `L${i % 1000} ${(i * 7) % 777}`).join("")}`);
+    document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+  }, count);
+  await paste(20_000);
+  await demo.until(() => demo.metric("m-points"), (points) => points === 20_000, "the path is there");
+  const buttons = (): Promise<number> => demo.page.locator(".stage-proxies button").count();
+  assert.ok(await buttons() <= 256, `${await buttons()} buttons`);
+  await demo.focusStage();
+  await demo.press("End");
+  await demo.byId("pt-0-19999").waitFor({ state: "attached" });
+  assert.ok(await buttons() <= 256 + 4, `${await buttons()} buttons`);
+  await paste(150_000);
+  await demo.byId("error").waitFor();
+  assert.equal(await demo.byId("error").getAttribute("data-error"), "d-big");
+  assert.equal(await demo.metric("m-points"), 20_000);
+});

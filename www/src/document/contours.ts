@@ -121,7 +121,7 @@ export function joined(contour: Contour): Contour {
   const last = contour.points.at(-1);
   if (contour.closed || contour.points.length < 3 || first === undefined || last === undefined) return contour;
   // Relative commands come back to the start with a rounding or two on the way.
-  const rounding = 1e-12 * Math.max(...contour.points.map((point) => Math.max(Math.abs(point.x), Math.abs(point.y))));
+  const rounding = 1e-12 * contour.points.reduce((most, { x, y }) => Math.max(most, Math.abs(x), Math.abs(y)), 0);
   if (Math.hypot(first.x - last.x, first.y - last.y) > rounding) return contour;
   const seam = { in: last.in, out: first.out };
   return { ...contour, closed: true, points: [{ ...first, ...seam, kind: kindOf(seam) }, ...contour.points.slice(1, -1)] };

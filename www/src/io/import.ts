@@ -11,17 +11,27 @@ export type ImportKind = "svg" | "path" | "points" | "json";
 
 const mostPoints = 100_000;
 
+/** Two words above numbers: the names of the columns. */
+const heading = /^["']?[a-z]\w*["']?\s*[,;\t]\s*["']?[a-z]\w*["']?\s*\n\s*[-+.\d]/iu;
+
 /** What a text seems to be, or null when it is nothing that can be drawn. */
 export function kindOfText(text: string): ImportKind | null {
   const start = text.replace(/^[\uFEFF\s]+/u, "").slice(0, 200);
   if (start.startsWith("<")) return "svg";
+  if (heading.test(start)) return "points";
   if (start.startsWith("{") || start.startsWith("[")) return "json";
   if (/^[a-z]/iu.test(start)) return /^[mM]/u.test(start) || /^[a-zA-Z]\s*[-+.\d]/u.test(start) ? "path" : null;
   return /^[-+.\d]/u.test(start) ? "points" : null;
 }
 
-/** @throws Problem; a JSON `null` or list is refused as the file it fails to be, not as unknown text. */
+/** @throws Problem, also where nothing came of it; a JSON `null` or list is refused as the file it fails to be, not as unknown text. */
 export function readImport(text: string, space: Space): Imported {
+  const imported = readAs(text, space);
+  if (imported.kind !== "json" && imported.contours.length === 0) throw imported.broken ?? new Problem("paste-unknown");
+  return imported;
+}
+
+function readAs(text: string, space: Space): Imported {
   const kind = text.trim() === "null" ? "json" : kindOfText(text);
   switch (kind) {
     case "json":
@@ -29,7 +39,7 @@ export function readImport(text: string, space: Space): Imported {
     case "svg":
       return readDrawing(text, space);
     case "path":
-      return { kind, notes: [], ...importPath(text.trim(), space) };
+      return readPath(text.trim(), space);
     case "points":
       return readPoints(text, space);
     case null:
@@ -45,9 +55,15 @@ function readJson(text: string): Imported {
   } catch (error) {
     if (!(error instanceof FileError)) throw error;
     if (error.code === "E_UNSUPPORTED") throw new Problem("json-version", { version: error.detail.version ?? 0 });
-    const what = error.message.replace(/ \[E_[A-Z_]+\]$/u, "").replace(/^\$\.?/u, "").trim();
+    const what = error.message.replace(/ \[E_[A-Z_]+\]$/u, "").replace(/^\$\.?/u, "").trim().replace(/^is /u, "it is ");
     throw new Problem(error.code === "E_LIMIT" ? "json-big" : "json-broken", { field: what, code: error.code });
   }
+}
+
+function readPath(d: string, space: Space): Imported {
+  const path = importPath(d, space);
+  if (path.contours.reduce((sum, { points }) => sum + points.length, 0) > mostPoints) throw new Problem("d-big");
+  return { kind: "path", notes: [], ...path };
 }
 
 function readDrawing(text: string, space: Space): Imported {
@@ -59,9 +75,11 @@ function readDrawing(text: string, space: Space): Imported {
   for (const shape of file.shapes) {
     const part = importPath(shape.d, space, shape.transform);
     broken ??= part.broken;
-    for (const contour of part.contours) points += contour.points.length;
+    for (const contour of part.contours) {
+      points += contour.points.length;
+      contours.push(contour);
+    }
     if (points > mostPoints) throw new Problem("svg-big", { field: "points", most: mostPoints });
-    contours.push(...part.contours);
   }
   return { kind: "svg", contours, notes: notesOf(file), broken };
 }
@@ -99,7 +117,7 @@ function readPoints(text: string, space: Space): Imported {
   const rows = text.split(/\r?\n/u);
   const points: [number, number][] = [];
   rows.forEach((row, i) => {
-    if (row.trim() === "") return;
+    if (row.trim() === "" || (points.length === 0 && heading.test(`${row.trim()}\n0`))) return;
     const [x, y, ...rest] = row.trim().split(/\s*[,;\t]\s*|\s+/u).map(Number);
     if (x === undefined || y === undefined || rest.length > 0 || !(Math.abs(x) <= 1e9 && Math.abs(y) <= 1e9)) throw new Problem("points-rows", { line: i + 1 });
     const last = points.at(-1);

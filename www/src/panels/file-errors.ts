@@ -16,7 +16,7 @@ const farMessages: Readonly<Record<FarProblem, (d: ProblemDetails) => string>> =
   "svg-big": (d) => `The SVG is too large to read here (${d.field ?? "size"}: the limit is ${d.most ?? 0}). Simplify it and try again.`,
   "svg-range": () => "The SVG has coordinates beyond 1 000 000 000. Scale it down and try again.",
   "svg-nopath": () => "This SVG has no path, circle, ellipse, line or polygon.",
-  "d-broken": (d) => `The path stops making sense at character ${d.at ?? 0}: “${d.excerpt ?? ""}”. Everything before it was read.`,
+  "d-broken": (d) => `The path stops making sense at character ${d.at ?? 0}${d.excerpt === "" ? ", where it ends" : `: “${d.excerpt ?? ""}”`}. Everything before it was read.`,
   "d-range": () => "The path has coordinates beyond 1 000 000 000. Scale it down and try again.",
   "d-big": () => "The path is too large to read here. Simplify it and try again.",
   "points-rows": (d) => `Line ${d.line ?? 1} is not two numbers. Write one point a line, as 120,80.`,

@@ -51,7 +51,7 @@ export async function share(shell: Shell): Promise<void> {
 
 /** Text from a paste or a drop: added to the drawing, or opened when it is a whole file. */
 export async function receiveText(shell: Shell, text: string): Promise<void> {
-  if (text.trim() === "" || shell.editor.state.value.engine.status !== "ready") return;
+  if (shell.editor.state.value.engine.status !== "ready") return;
   const imported = await readOrReport(shell, text);
   if (imported === null) return;
   try {

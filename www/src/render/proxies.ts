@@ -36,6 +36,12 @@ function proxiedContours(curve: CurveDocument, state: EditorState): ReadonlySet<
   return new Set([state.selection.points[0]?.contour ?? 0]);
 }
 
+/** Of a long contour, the points around the chosen one: the keys that step from point to point bring the others. */
+function isNear(index: number, chosen: number, count: number): boolean {
+  const away = Math.abs(index - chosen);
+  return count <= mostProxies || Math.min(away, count - away) < mostProxies / 2;
+}
+
 function wantedProxies(state: EditorState): Wanted[] {
   if (state.mode !== "curve") return [];
   const { curve, view, stage } = state;
@@ -44,7 +50,9 @@ function wantedProxies(state: EditorState): Wanted[] {
   const list: Wanted[] = [];
   curve.contours.forEach((contour, c) => {
     if (!shown.has(c)) return;
+    const chosen = state.selection.points.filter((ref) => ref.contour === c).at(-1)?.index ?? 0;
     contour.points.forEach((point, index) => {
+      if (!isNear(index, chosen, contour.points.length)) return;
       const ref = { contour: c, index };
       list.push({ id: `pt-${c}-${index}`, label: describe(curve, ref), ref, side: null, ...toScreen(view, stage, point) });
       for (const handle of handles) if (handle.contour === c && handle.index === index) list.push(handleProxy(state, handle));
