@@ -123,6 +123,7 @@ export function connectRoutes(editor: Editor, until: AbortSignal): void {
 export function openRoute(editor: Editor, route: Route): boolean {
   const found = route.mode !== "curve" || route.sample === null || curveSample(route.sample) !== undefined;
   openSample(editor, route.mode === "curve" && found ? route.sample ?? landingSample : landingSample);
+  if (!found) editor.notify({ kind: "toast", text: `There is no sample named ${route.sample}.` });
   follow(editor, found ? route : { ...route, sample: null });
   return found;
 }

@@ -44,10 +44,13 @@ export function numberField(options: NumberOptions): Field<number> & { readonly 
   const format = options.format ?? formatCoordinate;
   const input = h("input", { id, class: "number", testid: options.testid, type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", title: options.about });
   const message = h("p", { class: "field-error", role: "alert" });
+  const unit = options.unit === undefined ? null : h("span", { class: options.unit.length > 1 ? "unit unit-wide" : "unit", "aria-hidden": "true" }, options.unit);
   let shown: number | null = null;
   let printed = "";
 
   const print = (): void => {
+    // A word has no unit.
+    if (unit !== null) unit.textContent = Number.isNaN(shown) ? "" : (options.unit ?? "");
     if (shown === null) printed = "";
     else printed = Number.isNaN(shown) ? (options.word ?? "") : format(shown);
     input.value = printed;
@@ -96,7 +99,6 @@ export function numberField(options: NumberOptions): Field<number> & { readonly 
     print();
   });
 
-  const unit = options.unit === undefined ? null : h("span", { class: options.unit.length > 1 ? "unit unit-wide" : "unit", "aria-hidden": "true" }, options.unit);
   const element = h("div", { class: "field field-number" }, labelFor(id, options), h("span", { class: "number-box" }, input, unit), message);
   return {
     element,

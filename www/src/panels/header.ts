@@ -33,7 +33,12 @@ export function mountHeader(shell: Shell, theme: ThemeControl): void {
     toggle,
   );
   // A choice closes the phone's menu; so does a press anywhere else.
-  menu.addEventListener("click", (event) => event.target instanceof Element && event.target.closest("[data-stays]") === null && closeMenu(menu, toggle));
+  menu.addEventListener("click", (event) => {
+    if (menu.dataset["open"] !== "true" || !(event.target instanceof Element) || event.target.closest("[data-stays]") !== null) return;
+    closeMenu(menu, toggle);
+    // A dialog that it opens gives the focus back to what is still there then.
+    toggle.focus();
+  });
   document.addEventListener("pointerdown", (event) => {
     if (event.target instanceof Node && !menu.contains(event.target) && !toggle.contains(event.target)) closeMenu(menu, toggle);
   }, { signal: shell.until });

@@ -15,9 +15,9 @@ const spaces: readonly (readonly [Space, string])[] = [
 ];
 
 const orders: readonly (readonly ["3" | "4" | "5", string])[] = [
-  ["3", "3 roots, tangent continuous"],
-  ["4", "4 roots, curvature continuous"],
-  ["5", "5 roots, C³; two harmonics"],
+  ["3", "Tangent, 3 roots"],
+  ["4", "Curvature, 4 roots"],
+  ["5", "C³, 5 roots"],
 ];
 
 /** What each space draws exactly: the reason to choose it. */
@@ -56,7 +56,7 @@ export function curveSection(shell: Shell): Section & { readonly level: HTMLElem
     ],
     write: (value) => edits(({ setFamily }) => setFamily(editor, value)),
   });
-  const order = selectField({ label: "Smoothness", testid: "order", about: "Roots of the generator: one more is one more continuous derivative, and one more segment that a point acts on.", options: orders, write: (value) => edits(({ setOrder }) => setOrder(editor, value === "3" ? 3 : value === "4" ? 4 : 5)), reset: () => edits(({ setOrder }) => setOrder(editor, 3)) });
+  const order = selectField({ label: "Smoothness", testid: "order", about: "What is continuous along the curve. One more root of the generator is one more derivative, and one more segment that a point acts on; 5 have two harmonics.", options: orders, write: (value) => edits(({ setOrder }) => setOrder(editor, value === "3" ? 3 : value === "4" ? 4 : 5)), reset: () => edits(({ setOrder }) => setOrder(editor, 3)) });
   const space = selectField({ label: "Space", testid: "space", about: "The functions that segments are made of, and so the shapes that are exact.", options: spaces, write: (value) => setSpace(editor, value), reset: () => setSpace(editor, "trigonometric") });
   const exact = h("p", { class: "field-note" });
   const omega = numberField({

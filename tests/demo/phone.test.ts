@@ -1,0 +1,75 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { useBrowser, type Demo, type Place } from "./page.ts";
+
+const { open } = useBrowser();
+
+const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true } as const;
+const smallest = { ...phone, viewport: { width: 320, height: 568 } } as const;
+
+/** Whether a finger there would touch the stage, and nothing that lies over it. */
+function isOnStage(demo: Demo, { x, y }: Place): Promise<boolean> {
+  return demo.page.evaluate(([left, top]) => document.elementFromPoint(left, top)?.closest("[data-part=surface]") != null, [x, y] as const);
+}
+
+test("on every phone both ends of every handle of the first circle can be touched, with the sheet down and half up", async (t) => {
+  for (const options of [phone, smallest]) {
+    const demo = await open(t, "", options);
+    for (const raised of [false, true]) {
+      if (raised) await demo.byId("sheet-up").click();
+      await demo.still();
+      const { width, height } = options.viewport;
+      for (const id of ["pt-0-0", "pt-0-1", "hin-0-0", "hout-0-0", "hin-0-1", "hout-0-1"]) {
+        assert.ok(await isOnStage(demo, await demo.centre(id)), `${id} on ${width} × ${height}, ${raised ? "half up" : "down"}`);
+      }
+    }
+  }
+});
+
+test("a sheet that goes up and down again leaves the view as it was; a view that was moved stays", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart", phone);
+  const before = (await demo.state()).view;
+  await demo.byId("sheet-up").click();
+  await demo.still();
+  assert.ok((await demo.state()).view.zoom < before.zoom);
+  await demo.byId("sheet-down").click();
+  await demo.still();
+  assert.deepEqual((await demo.state()).view, before);
+  await demo.byId("zoom-in").click();
+  await demo.idle();
+  const moved = (await demo.state()).view;
+  await demo.byId("sheet-up").click();
+  await demo.still();
+  assert.deepEqual((await demo.state()).view, moved);
+});
+
+test("a dialog opened from the phone's menu gives the focus back to the menu's button", async (t) => {
+  const demo = await open(t, "", phone);
+  for (const [id, dialog] of [["btn-samples", "samples-dialog"], ["btn-import", "import-dialog"], ["btn-export", "export-dialog"], ["btn-help", "help-dialog"]] as const) {
+    await demo.byId("btn-menu").click();
+    await demo.byId(id).click();
+    await demo.byId(dialog).waitFor();
+    await demo.page.keyboard.press("Escape");
+    await demo.byId(dialog).waitFor({ state: "detached" });
+    assert.equal(await demo.page.evaluate(() => (document.activeElement as HTMLElement).dataset["testid"]), "btn-menu", id);
+  }
+});
+
+test("the number that the page opens with, and the Bézier's beside it, are in sight without scrolling", async (t) => {
+  const demo = await open(t, "", phone);
+  await demo.still();
+  for (const id of ["m-points", "m-error", "m-bezier"]) {
+    const box = await demo.byId(id).boundingBox();
+    assert.ok(box !== null && box.x >= 0 && box.x + box.width <= phone.viewport.width, `${id}: ${JSON.stringify(box)}`);
+  }
+});
+
+test("the hint is there to its last word, at any size of text", async (t) => {
+  for (const [viewport, size] of [[{ width: 1280, height: 800 }, "200%"], [{ width: 720, height: 450 }, "100%"], [{ width: 320, height: 568 }, "100%"]] as const) {
+    const demo = await open(t, "", { viewport });
+    await demo.page.evaluate((text) => { document.documentElement.style.fontSize = text; }, size);
+    await demo.still();
+    const cut = await demo.byId("hint").evaluate((hint) => ({ across: hint.scrollWidth - hint.clientWidth, down: hint.scrollHeight - hint.clientHeight, top: hint.getBoundingClientRect().top }));
+    assert.ok(cut.across <= 0 && cut.down <= 1 && cut.top > 48, `${viewport.width} px, ${size}: ${JSON.stringify(cut)}`);
+  }
+});
