@@ -1,17 +1,18 @@
 //! Everything that every curve can do, whatever it is made from.
 
-use super::bounds::{self, Bounds};
-use super::by_length::LengthTable;
+use super::HermiteCurve;
 use super::convert;
-use super::cubics::{self, Cubics};
-use super::curvature;
-use super::flatten;
-use super::length;
-use super::nearest::{Nearest, NearestFinder};
+use super::measures::area;
+use super::measures::bounds::{self, Bounds};
+use super::measures::by_length::LengthTable;
+use super::measures::cubics::{self, Cubics};
+use super::measures::curvature;
+use super::measures::flatten;
+use super::measures::length;
+use super::measures::nearest::{Nearest, NearestFinder};
+use super::measures::spatial::{self, SpaceNearest};
 use super::pieces::Pieces;
-use super::spatial::{self, SpaceNearest};
 use super::spline_curve::{Generator, SplineCurve};
-use super::{HermiteCurve, area};
 use crate::error::Result;
 use crate::numerics::Point;
 

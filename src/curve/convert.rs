@@ -1,7 +1,7 @@
 //! Curves of other kinds as Hermite curves: exactly where the roots allow it, else as cubics within a tolerance.
 
-use super::cubics::to_cubics;
 use super::hermite::{HermiteCurve, HermiteOptions};
+use super::measures::cubics::to_cubics;
 use super::pieces::{Pieces, hermite, in_space};
 use crate::error::{Error, Result};
 use crate::generator::{Roots, Space};

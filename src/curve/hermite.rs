@@ -1,5 +1,18 @@
 //! Hermite exponential curves: points on the curve, with the derivatives that arrive and leave.
 
+mod cut;
+mod deviation;
+mod edit;
+mod ellipse;
+mod grid;
+mod heal;
+pub(super) mod recognise;
+pub(super) mod refine;
+pub(super) mod sample;
+pub(super) mod sampler;
+pub(super) mod subdivide;
+mod through;
+
 use core::f64::consts::TAU;
 
 use super::Segment;

@@ -1,8 +1,8 @@
 //! A curve as the measures see it: one smooth piece after another.
 
-use super::lattice::Place;
+use super::measures::spatial::SpacePiece;
 use super::piece::{ANY_ROOTS, HERMITE, Piece};
-use super::spatial::SpacePiece;
+use super::spline_curve::lattice::Place;
 use super::spline_curve::{Generator, SplineCurve};
 use super::{HermiteCurve, Segment};
 use crate::error::Result;

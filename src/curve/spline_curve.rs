@@ -1,11 +1,21 @@
 //! What interpolating curves and B-spline curves have in common: points that weigh the shifts of one function.
 
+pub(super) mod b_spline;
+mod fall;
+pub(super) mod interpolating;
+pub(super) mod lattice;
+pub(super) mod local;
+mod local_pieces;
+mod reduce;
+pub(super) mod spline_sampler;
+mod taylor;
+
 use core::fmt::Debug;
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use super::lattice::{Lattice, Shape};
-use super::spline_sampler::SplineSampler;
+use self::lattice::{Lattice, Shape};
+use self::spline_sampler::SplineSampler;
 use crate::error::{Error, Result};
 use crate::generator::Roots;
 use crate::limits::{LARGEST_COORDINATE, check, settle};

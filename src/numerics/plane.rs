@@ -2,7 +2,7 @@
 //!
 //! `f64::sqrt` is one correctly rounded instruction on every target, so lengths are the same bits everywhere.
 
-use super::Vector;
+use super::{Point, Vector};
 
 /// The second number where it is larger than the first. `f64::max` has a rule for what is not a number, and in wasm is a call.
 #[inline(always)]
@@ -44,4 +44,10 @@ pub(crate) fn norm(v: Vector) -> f64 {
 #[inline]
 pub(crate) fn taxi(v: Vector) -> f64 {
     v.x.abs() + v.y.abs()
+}
+
+/// Adds a point to a list of numbers.
+#[inline(never)]
+pub(crate) fn append(values: &mut Vec<f64>, point: Point) {
+    values.extend_from_slice(point.as_slice());
 }

@@ -8,12 +8,12 @@ use super::trace::Job;
 use crate::HermiteCurve;
 #[cfg(feature = "wasm-surface")]
 use crate::TensorSurface;
+#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
+use crate::curve::Pieces;
 #[cfg(feature = "wasm")]
 use crate::curve::Sampler;
 #[cfg(feature = "wasm-spline")]
 use crate::curve::SplineSampler;
-#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
-use crate::curve::measures::Pieces;
 #[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 use crate::curve::{LengthTable, NearestFinder};
 #[cfg(feature = "wasm-fit")]

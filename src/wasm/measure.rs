@@ -7,7 +7,7 @@ use super::describe::give;
 use super::kernel::{grow, run, times};
 use crate::Result;
 use crate::curve::check_parameters;
-use crate::curve::measures::{self, Pieces, in_space};
+use crate::curve::{Pieces, in_space, measures};
 use crate::numerics::Point;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -180,7 +180,7 @@ pub fn as_ellipse(slot: u32, tolerance: f64) -> i32 {
 pub fn to_hermite(slot: u32, tolerance: f64) -> i32 {
     run(&mut |kernel| {
         let curve = kernel.pieces(slot)?;
-        let (curve, deviation) = measures::to_hermite(curve, tolerance_of(curve, tolerance, FINE))?;
+        let (curve, deviation) = crate::curve::to_hermite(curve, tolerance_of(curve, tolerance, FINE))?;
         kernel.record([deviation]);
         give(kernel, &[curve])
     })

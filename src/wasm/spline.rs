@@ -3,7 +3,7 @@
 use super::describe::give;
 use super::kernel::{AnyCurve, Kernel, run, times};
 use super::roots::{push_roots, roots_of};
-use crate::curve::measures::to_hermite;
+use crate::curve::to_hermite;
 use crate::svg::PrintOptions;
 use crate::{BSplineCurve, Error, InterpolatingCurve, LocalCurve, Result};
 use wasm_bindgen::prelude::wasm_bindgen;

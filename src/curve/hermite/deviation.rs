@@ -1,0 +1,66 @@
+//! How far apart one or two segments are, by foot points: for small edits, not for whole drawings.
+
+use crate::curve::Segment;
+use crate::numerics::Point;
+
+/// Places on every segment from which the distance is measured, and among which a foot point is looked for.
+const PLACES: usize = 97;
+
+/// The larger of the two directed distances.
+pub(super) fn two_way_deviation(first: &[Segment], second: &[Segment]) -> f64 {
+    deviation_of(first, second).max(deviation_of(second, first))
+}
+
+/// The largest distance of a place on `from` to the nearest place on `to`.
+#[inline(never)]
+pub(super) fn deviation_of(from: &[Segment], to: &[Segment]) -> f64 {
+    let mut largest = 0.0_f64;
+    let (lattice, targets) = (places(to), places(from));
+    for target in &targets[..from.len() * PLACES] {
+        let (mut best, mut least) = (0, f64::INFINITY);
+        for (k, point) in lattice[..to.len() * PLACES].iter().enumerate() {
+            let square = (point - target).norm_squared();
+            if square < least {
+                (best, least) = (k, square);
+            }
+        }
+        let (segment, mut x) = (&to[best / PLACES], place(best));
+        for _ in 0..4 {
+            x = segment.foot(*target, x);
+        }
+        let foot = (segment.position(x) - target).norm();
+        largest = largest.max(foot.min(least.sqrt()));
+    }
+    largest
+}
+
+/// `PLACES` on each of one or two segments, its ends among them.
+#[inline(never)]
+fn places(segments: &[Segment]) -> [Point; 2 * PLACES] {
+    // Made from what is computed: a list of zeros would be two hundred instructions.
+    core::array::from_fn(|k| match segments.get(k / PLACES) {
+        Some(segment) => segment.position(place(k)),
+        None => Point::zeros(),
+    })
+}
+
+fn place(k: usize) -> f64 {
+    (k % PLACES) as f64 / (PLACES - 1) as f64
+}
+
+impl Segment<'_> {
+    /// One step of Newton's method from x towards the foot of the perpendicular from `target`.
+    #[inline(never)]
+    pub(super) fn foot(&self, target: Point, x: f64) -> f64 {
+        let offset = self.position(x) - target;
+        let (velocity, acceleration) = (self.velocity(x), self.acceleration(x));
+        let square = velocity.norm_squared();
+        // Where the curve bends away, the step of a straight line is the safe one.
+        let curved = square + offset.dot(&acceleration);
+        let slope = if curved > 0.25 * square { curved } else { square };
+        if slope == 0.0 {
+            return x;
+        }
+        (x - offset.dot(&velocity) / (slope * self.length)).clamp(0.0, 1.0)
+    }
+}
