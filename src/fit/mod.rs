@@ -26,58 +26,32 @@
 //! # Ok::<(), expline::Error>(())
 //! ```
 
-pub mod admm;
-mod bins;
-mod breaks;
-pub mod certificate;
-mod cold;
-mod combine;
-mod compress;
-mod cone;
-mod dual;
-mod envelope;
-mod even;
-mod extreme;
-mod feet;
+mod convex;
 mod fitter;
-mod foot_points;
-mod free;
-mod free_knots;
-pub mod gridless;
-mod interval;
+mod interior;
+mod knots;
 mod noise;
 mod options;
 mod outcome;
 mod parametrise;
-mod play;
-mod polish;
-mod polyline;
-pub mod price;
-pub mod problem;
-mod reduced;
 mod report;
 mod samples;
-mod scaled;
-mod search;
-pub mod solution;
-pub mod solver;
-mod sparsest;
-pub mod spline_space;
-mod start;
-mod straight;
-mod warm;
 
-pub use breaks::Breaks;
+pub use convex::interval::Local;
+pub use convex::price::{
+    detail_of_lambda, detail_of_smoothing, lambda_max, lambda_of_detail, smoothing_of_detail,
+};
+pub use convex::problem::{Component, Norm, Problem, uniform_grid};
+pub use convex::solution::{Solution, Spline, Status};
+pub use convex::spline_space::KnotSpace;
+pub use convex::{certificate, price, problem, solution, spline_space};
 pub use fitter::{Fitter, Progress, fit, fit_all};
-pub use free_knots::{FreeKnots, Located};
-pub use interval::Local;
+pub use interior::solver::{Settings, Solver};
+pub use interior::{admm, gridless, solver};
+pub use knots::breaks::Breaks;
+pub use knots::free_knots::{FreeKnots, Located};
 pub use noise::{is_regular, noise};
 pub use options::{Ask, Finish, Options};
 pub use outcome::{Changed, Fit, FitStatus, Knot, Part};
 pub use parametrise::{Parametrisation, given, parametrise};
-pub use price::{detail_of_lambda, detail_of_smoothing, lambda_max, lambda_of_detail, smoothing_of_detail};
-pub use problem::{Component, Norm, Problem, uniform_grid};
 pub use samples::{MOST_SAMPLES, Samples};
-pub use solution::{Solution, Spline};
-pub use solver::{Settings, Solver, Status};
-pub use spline_space::KnotSpace;

@@ -1,7 +1,7 @@
 //! What may be asked of a fit.
 
+use super::convex::problem::Norm;
 use super::parametrise::Parametrisation;
-use super::problem::Norm;
 use crate::error::{Error, Result};
 use crate::limits::{LARGEST_COORDINATE, check};
 

@@ -2,12 +2,12 @@
 
 use super::{Fitter, Run};
 use crate::error::{Error, Result};
-use crate::fit::free_knots::Located;
+use crate::fit::knots::free_knots::Located;
+use crate::fit::knots::sparsest::Aim;
 use crate::fit::noise::{is_regular_at, levels, sober_weights};
 use crate::fit::options::Ask;
 use crate::fit::parametrise::{Parametrisation, given, parametrise};
 use crate::fit::report;
-use crate::fit::sparsest::Aim;
 use crate::limits::{LARGEST_COORDINATE, check};
 
 impl Fitter {

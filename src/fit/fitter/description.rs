@@ -1,16 +1,17 @@
 //! The best curve of a run so far, and what is known of it.
 
-use super::super::combine::{Summand, combined};
-use super::super::foot_points::Spline;
 use super::super::options::Ask;
 use super::super::outcome::{Changed, Fit, FitStatus, Part};
-use super::super::polish::GLIMPSE;
 use super::super::report;
-use super::super::solution::{self, Solution};
-use super::super::solver::{Solver, Status};
-use super::super::sparsest::Sparsest;
 use super::{Fitter, Run};
 use crate::error::{Error, Result};
+use crate::fit::convex::solution::Status;
+use crate::fit::convex::solution::{self, Solution};
+use crate::fit::interior::polish::GLIMPSE;
+use crate::fit::interior::solver::Solver;
+use crate::fit::knots::combine::{Summand, combined};
+use crate::fit::knots::foot_points::Spline;
+use crate::fit::knots::sparsest::Sparsest;
 use crate::numerics::Point;
 use crate::numerics::order::sort_by_number;
 

@@ -1,16 +1,16 @@
 //! From the convex optimum to fewer knots: what is joined, moved, weighed anew and dropped.
 
-use super::super::combine::combined;
-use super::super::foot_points::Spline;
-use super::super::free_knots::FreeKnots;
-use super::super::gridless::{merged, slid};
 use super::super::outcome::{Changed, Fit};
 use super::super::report;
-use super::super::solution::Solution;
-use super::super::solver::Solver;
-use super::super::sparsest::Sparsest;
 use super::Fitter;
 use crate::error::Result;
+use crate::fit::convex::solution::Solution;
+use crate::fit::interior::gridless::{merged, slid};
+use crate::fit::interior::solver::Solver;
+use crate::fit::knots::combine::combined;
+use crate::fit::knots::foot_points::Spline;
+use crate::fit::knots::free_knots::FreeKnots;
+use crate::fit::knots::sparsest::Sparsest;
 
 /// Slides of the knots off the grid, and the gap to the continuous problem at which they stop.
 const MOST_SLIDES: usize = 6;

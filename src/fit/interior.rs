@@ -1,0 +1,15 @@
+//! The interior point on the knots in play, from its start to exact knots, the way off the grid, and ADMM beside it to be compared with.
+
+pub mod admm;
+mod cold;
+mod compress;
+mod cone;
+mod dual;
+mod extreme;
+mod free;
+pub mod gridless;
+mod play;
+pub(super) mod polish;
+mod reduced;
+pub mod solver;
+mod warm;

@@ -1,0 +1,248 @@
+//! The problem on the knots that are in play: its spaces, its quadratic form, its linear systems.
+
+mod squares;
+
+pub(crate) use self::squares::Element;
+use self::squares::elements;
+use super::cone::Metric;
+use crate::error::Result;
+use crate::fit::convex::interval::Local;
+use crate::fit::convex::scaled::{Scaled, ScaledComponent};
+use crate::fit::convex::spline_space::{KnotSpace, ROOM};
+use crate::limits;
+use crate::numerics::Vector;
+use crate::numerics::banded::Bordered;
+use crate::numerics::order::sort_by_number;
+
+/// The jump of the highest derivative at one knot: weights of its coefficients, and where these stand.
+#[derive(Clone, Debug)]
+pub(crate) struct Row {
+    pub(crate) weights: [f64; ROOM],
+    /// Their places among the unknown points, in the order of the linear system.
+    pub(crate) unknowns: [usize; ROOM],
+}
+
+/// One spline of the sum on its knots in play.
+#[derive(Clone, Debug)]
+pub(crate) struct Part {
+    pub(crate) space: KnotSpace,
+    /// The knots in play, as indices of the grid, ascending.
+    pub(crate) chosen: Vec<usize>,
+    pub(crate) rows: Vec<Row>,
+    /// Place of each coefficient among the unknown points.
+    pub(crate) order: Vec<usize>,
+}
+
+/// The least-squares part of the problem on the knots in play.
+#[derive(Clone, Debug)]
+pub(crate) struct Reduced {
+    pub(crate) parts: Vec<Part>,
+    pub(crate) elements: Vec<Element>,
+    /// For each element and each part, in turn, its interval and its basis functions in the element's variable.
+    locals: Vec<(usize, Local)>,
+    /// How many unknown points there are.
+    pub(crate) unknowns: usize,
+    /// Unknown points in the band and coupling reach among them; the others are the border.
+    banded: usize,
+    reach: usize,
+    /// 2 Σ w B B′ and the gauge: the same for both coordinates.
+    pub(crate) quadratic: Bordered,
+    /// 2 Σ w B p.
+    pub(crate) linear: Vec<Vector>,
+    /// The system of one iteration.
+    pub(crate) system: Bordered,
+}
+
+impl Reduced {
+    /// The problem on these knots; `chosen` names places of each component's grid. `known` are elements of the same data
+    /// on other knots: what they have in common is not summed again.
+    pub(crate) fn new(data: &Scaled, chosen: Vec<Vec<usize>>, known: &[Element]) -> Result<Self> {
+        let mut parts = Vec::new();
+        for (component, chosen) in data.components.iter().zip(chosen) {
+            let mut knots = limits::with_room(chosen.len())?;
+            knots.extend(chosen.iter().map(|&k| component.grid[k]));
+            let space = KnotSpace::new(component.degree, &knots, 0.0, data.length, data.closed)?;
+            parts.push(Part { space, chosen, rows: Vec::new(), order: Vec::new() });
+        }
+        let unknowns = order_unknowns(&mut parts);
+        let (elements, locals) = elements(data, &parts, known);
+        let mut reduced = Self {
+            parts,
+            elements,
+            locals,
+            unknowns,
+            banded: 0,
+            reach: 0,
+            quadratic: Bordered::default(),
+            linear: Vec::new(),
+            system: Bordered::default(),
+        };
+        reduced.make_rows();
+        reduced.shape()?;
+        reduced.assemble(data);
+        Ok(reduced)
+    }
+
+    /// λ of every knot in play.
+    pub(crate) fn lambdas(&self, data: &Scaled) -> Vec<f64> {
+        let one = |(part, component): (&Part, &ScaledComponent)| {
+            core::iter::repeat_n(component.lambda, part.chosen.len())
+        };
+        self.parts.iter().zip(&data.components).flat_map(one).collect()
+    }
+
+    fn make_rows(&mut self) {
+        for part in &mut self.parts {
+            let degree = part.space.degree();
+            part.rows.clear();
+            for k in 0..part.chosen.len() {
+                let (first, weights) = part.space.jump_weights(k, degree);
+                let mut unknowns = [0; ROOM];
+                for (i, unknown) in unknowns.iter_mut().enumerate().take(degree + 2) {
+                    *unknown = part.order[part.space.coefficient(first + i)];
+                }
+                part.rows.push(Row { weights, unknowns });
+            }
+        }
+    }
+
+    /// Finds how far unknowns couple, and how many of the last have to be the border.
+    fn shape(&mut self) -> Result<()> {
+        let (count, mut reach, mut border) = (self.unknowns, 0, 0);
+        let mut couple = |set: &mut dyn Iterator<Item = usize>| {
+            let (mut low, mut high, mut late) = (count, 0, count);
+            let (mut first, mut last) = (count, 0);
+            for unknown in set {
+                (first, last) = (first.min(unknown), last.max(unknown));
+                if 2 * unknown >= count {
+                    late = late.min(unknown);
+                } else {
+                    (low, high) = (low.min(unknown), high.max(unknown));
+                }
+            }
+            if first < count && 2 * (last - first) > count {
+                border = border.max(count - late);
+                reach = reach.max(high.saturating_sub(low));
+            } else {
+                reach = reach.max(last.saturating_sub(first));
+            }
+        };
+        for part in &self.parts {
+            for row in &part.rows {
+                couple(&mut row.unknowns[..part.space.degree() + 2].iter().copied());
+            }
+        }
+        for locals in self.locals.chunks_exact(self.parts.len()) {
+            couple(&mut self.parts.iter().zip(locals).flat_map(|(part, (first, local))| {
+                (*first..=first + local.degree).map(|j| part.order[part.space.coefficient(j)])
+            }));
+        }
+        if 2 * border > count || 2 * reach > count {
+            (border, reach) = (count, 0);
+        }
+        (self.banded, self.reach) = (count - border, reach);
+        self.quadratic = Bordered::new(self.banded, reach, border)?;
+        self.system = self.quadratic.of_points()?;
+        Ok(())
+    }
+
+    /// Quadratic form plus Σ (row)′ metric (row), factored. `metrics` run through the knots of the parts.
+    pub(crate) fn factor(&mut self, metrics: &[Metric]) -> usize {
+        self.factor_above(metrics, 1e-14)
+    }
+
+    /// The same, with pivots of at most `floor` of their diagonal held at zero; answers how many those are.
+    pub(crate) fn factor_above(&mut self, metrics: &[Metric], floor: f64) -> usize {
+        self.quadratic.copy_to_points(&mut self.system);
+        let mut metrics = metrics.iter();
+        for part in &self.parts {
+            let count = part.space.degree() + 2;
+            for row in &part.rows {
+                let Some(metric) = metrics.next() else { break };
+                // Where the coefficients stand in a row, so do their columns.
+                let first = row.unknowns[0];
+                let straight = row.unknowns[..count].iter().enumerate().all(|(i, at)| *at == first + i);
+                if straight && self.system.add_outer(first, &row.weights[..count], *metric) {
+                    continue;
+                }
+                for i in 0..count {
+                    for j in 0..=i {
+                        let (a, b) = (row.unknowns[i], row.unknowns[j]);
+                        let twice = if a == b && i != j { 2.0 } else { 1.0 };
+                        let product = row.weights[i] * row.weights[j] * twice;
+                        let block = [product * metric[0], product * metric[1], product * metric[2]];
+                        self.system.add_block(a, b, block);
+                    }
+                }
+            }
+        }
+        self.system.factor(floor)
+    }
+
+    /// Solves the system that was factored last, in place.
+    pub(crate) fn solve(&self, right: &mut [Vector], buffer: &mut Vec<f64>) {
+        buffer.clear();
+        buffer.extend(right.iter().flat_map(|v| [v.x, v.y]));
+        self.system.solve(buffer);
+        for (v, pair) in right.iter_mut().zip(buffer.chunks_exact(2)) {
+            *v = Vector::new(pair[0], pair[1]);
+        }
+    }
+
+    /// The jumps at all knots in play.
+    pub(crate) fn jumps(&self, unknowns: &[Vector], jumps: &mut Vec<Vector>) {
+        jumps.clear();
+        for part in &self.parts {
+            let count = part.space.degree() + 2;
+            jumps.extend(part.rows.iter().map(|row| {
+                let mut jump = Vector::zeros();
+                for (weight, unknown) in row.weights.iter().zip(row.unknowns).take(count) {
+                    jump += unknowns[unknown] * *weight;
+                }
+                jump
+            }));
+        }
+    }
+
+    /// Adds the transpose of the jumps: forces at knots become forces at coefficients.
+    pub(crate) fn pull(&self, forces: &[Vector], sum: &mut [Vector]) {
+        let mut forces = forces.iter();
+        for part in &self.parts {
+            let count = part.space.degree() + 2;
+            for row in &part.rows {
+                let Some(force) = forces.next() else { break };
+                for (weight, unknown) in row.weights.iter().zip(row.unknowns).take(count) {
+                    sum[unknown] += force * *weight;
+                }
+            }
+        }
+    }
+}
+
+/// Orders the coefficients of all parts along the curve, by the middles of their supports.
+fn order_unknowns(parts: &mut [Part]) -> usize {
+    let mut centres = Vec::new();
+    for (p, part) in parts.iter().enumerate() {
+        let (start, end) = part.space.domain();
+        for j in 0..part.space.dimension() {
+            let (from, to) = part.space.support(j);
+            let mut centre = 0.5 * (from + to);
+            if part.space.is_closed() && centre < start {
+                centre += end - start;
+            }
+            if part.space.is_closed() && centre >= end {
+                centre -= end - start;
+            }
+            centres.push((centre, p, j));
+        }
+    }
+    sort_by_number(&mut centres, &|centre| centre.0);
+    for part in parts.iter_mut() {
+        part.order.clear();
+        part.order.resize(part.space.dimension(), 0);
+    }
+    for (place, &(_, p, j)) in centres.iter().enumerate() {
+        parts[p].order[j] = place;
+    }
+    centres.len()
+}

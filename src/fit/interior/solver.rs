@@ -1,0 +1,418 @@
+//! The solver: an interior-point method on the knots in play, which are found on the way.
+
+mod newton_step;
+
+use super::cold::start;
+use super::compress::compress;
+use super::cone::{Lorentz, Metric, Scaling, dot, norm};
+use super::dual::dual_curve;
+use super::polish::{Fixed, GLIMPSE};
+use super::reduced::Reduced;
+use super::warm::Middle;
+use crate::error::Result;
+use crate::fit::convex::interval::TERMS;
+use crate::fit::convex::problem::{Norm, Problem};
+use crate::fit::convex::scaled::Scaled;
+use crate::fit::convex::solution::Status;
+use crate::limits;
+use crate::numerics::Vector;
+
+/// λ in scaled units is not less than this: the curve goes through the points to within 1e-10 of the drawing then.
+pub(crate) const LEAST_LAMBDA: f64 = 1e-10;
+
+/// The gap from which on the knots are looked for that stay.
+const FIRST_FINISH: f64 = 1e-3;
+/// The same for smooth splines on a grid that is finer than their knots: neighbours are told apart late.
+const FIRST_FINE: f64 = 1e-5;
+/// So many iterations more than the gap needs are made for true knots.
+const MOST_FOR_KNOTS: usize = 4;
+/// Below this share of the asked gap more iterations would tell no more.
+const LEAST_FOR_KNOTS: f64 = 1e-4;
+
+/// When to stop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// The relative duality gap to reach.
+    pub gap: f64,
+    /// The most iterations of one run.
+    pub most_iterations: usize,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { gap: 1e-6, most_iterations: 120 }
+    }
+}
+
+/// A point of the method: coefficients, and one cone per knot (two where jumps are measured by |x| + |y|).
+#[derive(Clone, Debug)]
+pub(crate) struct Iterate {
+    pub(crate) reduced: Reduced,
+    pub(crate) unknowns: Vec<Vector>,
+    pub(crate) jumps: Vec<Vector>,
+    pub(crate) cones: Vec<Pair>,
+}
+
+/// The primal and the dual vector of one cone, and its λ.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pair {
+    pub(crate) s: Lorentz,
+    pub(crate) z: Lorentz,
+    pub(crate) lambda: f64,
+}
+
+impl Pair {
+    /// The jump, and by how much the dual vector is short of λ.
+    pub(crate) fn sizes(&self) -> (f64, f64) {
+        (norm(self.s.plane), (self.z.height - norm(self.z.plane)).max(f64::MIN_POSITIVE))
+    }
+}
+
+/// What one look at the whole problem tells.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Measure {
+    pub(crate) data_term: f64,
+    pub(crate) primal: f64,
+    pub(crate) dual: f64,
+    /// The longest dual vector anywhere on the grids.
+    pub(crate) longest: f64,
+    pub(crate) gap: f64,
+}
+
+/// Solves a [`Problem`] step by step; λ may be changed between runs, which then start warm.
+///
+/// Every iteration has a dual that is feasible on all places for knots once it is scaled, so that [`Solver::gap`] bounds
+/// how far the objective is from the optimum. Not reaching the asked gap is a status. One iteration is O(M + N) and
+/// O(K) for the K knots in play. (D 12.4), (D 12.6).
+#[derive(Clone, Debug)]
+pub struct Solver {
+    pub(crate) data: Scaled,
+    pub(crate) settings: Settings,
+    pub(crate) iterate: Iterate,
+    pub(crate) eta: Vec<Vec<Vector>>,
+    pub(crate) weighted: Vec<Vector>,
+    pub(crate) measure: Measure,
+    pub(crate) middle: Option<Middle>,
+    pub(crate) status: Status,
+    pub(crate) iteration: usize,
+    /// Whether every λ is 0.
+    pub(crate) free: bool,
+    /// The optimum on true knots, where the run has found it.
+    pub(crate) finished: Option<Fixed>,
+    /// Whether it was looked for at the iterate as it is, and not found.
+    pub(crate) tried: bool,
+    /// The gap below which to look for it again.
+    next_finish: f64,
+    /// Iterations since the asked gap was reached, on the way to true knots.
+    beyond: usize,
+    /// Whether this run has left out the knots that its first iterations brought in vain.
+    thinned: bool,
+    /// Jump and slack of every cone before the last step, when that was a long one.
+    pub(crate) before: Vec<(f64, f64)>,
+    /// Iterations since the gap last fell by a tenth, and the gap then.
+    idle: (usize, f64),
+    pub(crate) buffers: Buffers,
+}
+
+/// Memory that iterations share.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Buffers {
+    scalings: Vec<Scaling>,
+    metrics: Vec<Metric>,
+    residual: Vec<Vector>,
+    constants: Vec<Vector>,
+    forces: Vec<Vector>,
+    direction: Vec<Vector>,
+    jump_direction: Vec<Vector>,
+    steps: Vec<(Lorentz, Lorentz)>,
+    complements: Vec<Lorentz>,
+    line: Vec<f64>,
+    known: Vec<Vector>,
+    pub(crate) element_forces: Vec<[Vector; TERMS]>,
+}
+
+/// How many cones a knot has.
+pub(crate) fn lanes(norm: Norm) -> usize {
+    match norm {
+        Norm::L2 => 1,
+        Norm::L1 => 2,
+    }
+}
+
+/// The part of a vector that a cone sees: all of it, or one coordinate.
+#[inline]
+pub(crate) fn seen(v: Vector, lane: usize, lanes: usize) -> Vector {
+    match (lanes, lane) {
+        (1, _) => v,
+        (_, 0) => Vector::new(v.x, 0.0),
+        _ => Vector::new(0.0, v.y),
+    }
+}
+
+/// The length of a dual vector in the norm that its cones ask for.
+#[inline]
+pub(crate) fn dual_length(v: Vector, lanes: usize) -> f64 {
+    if lanes == 1 { norm(v) } else { v.x.abs().max(v.y.abs()) }
+}
+
+/// The size of a jump.
+#[inline]
+pub(crate) fn jump_length(v: Vector, lanes: usize) -> f64 {
+    if lanes == 1 { norm(v) } else { v.x.abs() + v.y.abs() }
+}
+
+impl Solver {
+    /// Starts a run.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Problem::check`], and `OutOfMemory`.
+    pub fn new(problem: &Problem, settings: Settings) -> Result<Self> {
+        problem.check()?;
+        let mut data = Scaled::new(problem)?;
+        compress(&mut data)?;
+        for component in &mut data.components {
+            component.lambda = component.lambda.max(LEAST_LAMBDA);
+        }
+        let mut weighted = limits::with_room(data.t.len())?;
+        weighted.resize(data.t.len(), Vector::zeros());
+        let iterate = start(&data)?;
+        let mut solver = Self {
+            eta: vec![Vec::new(); data.components.len()],
+            data,
+            settings,
+            iterate,
+            weighted,
+            measure: Measure::default(),
+            middle: None,
+            status: Status::Running,
+            iteration: 0,
+            free: problem.components.iter().all(|component| component.lambda <= 0.0),
+            finished: None,
+            tried: false,
+            next_finish: FIRST_FINISH,
+            beyond: 0,
+            thinned: false,
+            before: Vec::new(),
+            idle: (0, f64::INFINITY),
+            buffers: Buffers::default(),
+        };
+        solver.restart(false);
+        if solver.free {
+            solver.solve_for_free()?;
+        }
+        Ok(solver)
+    }
+
+    /// A new run from the iterate as it is.
+    pub(crate) fn restart(&mut self, warm: bool) {
+        self.status = Status::Running;
+        self.iteration = 0;
+        // A warm start is thin already.
+        self.thinned = warm;
+        self.finished = None;
+        self.tried = false;
+        self.next_finish = FIRST_FINISH;
+        self.beyond = 0;
+        self.before.clear();
+        self.idle = (0, f64::INFINITY);
+        self.look();
+        self.settle();
+    }
+
+    /// One iteration; nothing when the run is over. Answers how it stands then.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfMemory` only.
+    pub fn step(&mut self) -> Result<Status> {
+        if self.status != Status::Running {
+            return Ok(self.status);
+        }
+        if self.iteration >= self.settings.most_iterations {
+            self.status = self.given_up(Status::IterationLimit);
+            return Ok(self.status);
+        }
+        if !self.thinned && self.middle.is_some() {
+            self.thinned = true;
+            self.leave_knots_out()?;
+        }
+        self.tried = false;
+        self.insert_knots()?;
+        self.iteration += 1;
+        let before = (self.iterate.unknowns.clone(), self.iterate.cones.clone(), self.measure);
+        let moved = self.advance();
+        self.look();
+        if !moved || !self.measure.gap.is_finite() {
+            // Rounding has the last word: back to the last good point.
+            (self.iterate.unknowns, self.iterate.cones, self.measure) = before;
+            self.iterate.reduced.jumps(&self.iterate.unknowns, &mut self.iterate.jumps);
+            self.look();
+            self.status = self.given_up(Status::Stalled);
+            return Ok(self.status);
+        }
+        self.settle();
+        self.try_to_finish()?;
+        Ok(self.status)
+    }
+
+    /// How a run stands that ends before its knots are told apart.
+    fn given_up(&self, why: Status) -> Status {
+        if self.measure.gap <= self.settings.gap { Status::Converged } else { why }
+    }
+
+    /// Whether there is one spline, without corners.
+    fn is_smooth(&self) -> bool {
+        matches!(&self.data.components[..], [component] if component.degree > 1)
+    }
+
+    /// Whether it could have its knots in many more places than it has some.
+    pub(crate) fn is_fine(&self) -> bool {
+        self.is_smooth() && 2 * self.knots_in_play() < self.data.components[0].grid.len()
+    }
+
+    /// Whether the knots are not told apart: on fine grids that takes longer than a glimpse of the curve may.
+    pub(crate) fn is_hurried(&self) -> bool {
+        self.settings.gap >= GLIMPSE && self.data.components.iter().any(|component| component.degree > 1)
+    }
+
+    /// Where the knots may already be told apart, finds the optimum on them: when its own gap is small, that is the end.
+    fn try_to_finish(&mut self) -> Result<()> {
+        if self.is_hurried() {
+            return Ok(());
+        }
+        // Two components couple widely on few knots: there it costs more than an iteration, and is tried later.
+        let dear = if self.data.components.len() > 1 { 0.1 } else { 1.0 };
+        let late = if self.is_fine() { FIRST_FINE.max(self.settings.gap) } else { f64::INFINITY };
+        if self.measure.gap > (dear * self.next_finish).min(late) || self.iteration == 0 {
+            return Ok(());
+        }
+        // Beyond the asked gap nothing else is waited for.
+        self.next_finish = if self.beyond > 0 { 0.7 } else { 0.1 } * self.measure.gap / dear;
+        match self.polished()? {
+            Some((fixed, eta)) if fixed.measure.gap <= self.settings.gap => self.end_with(fixed, eta),
+            Some((fixed, _)) => self.tried = fixed.measure.gap > self.measure.gap,
+            None => self.tried = true,
+        }
+        Ok(())
+    }
+
+    /// The run is over with the optimum on true knots.
+    pub(crate) fn end_with(&mut self, fixed: Fixed, eta: Vec<Vec<Vector>>) {
+        self.measure = fixed.measure;
+        self.eta = eta;
+        self.finished = Some(fixed);
+        self.status = Status::Converged;
+    }
+
+    /// Iterates until the run is over.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfMemory` only.
+    pub fn run(&mut self) -> Result<Status> {
+        while self.step()? == Status::Running {}
+        Ok(self.status)
+    }
+
+    /// How the run stands.
+    pub fn status(&self) -> Status {
+        self.status
+    }
+
+    /// Iterations of this run.
+    pub fn iterations(&self) -> usize {
+        self.iteration
+    }
+
+    /// The relative duality gap: (objective − bound)/objective.
+    pub fn gap(&self) -> f64 {
+        self.measure.gap
+    }
+
+    /// The objective at the iterate, in the caller's units.
+    pub fn objective(&self) -> f64 {
+        self.measure.primal * self.data.objective_factor()
+    }
+
+    /// How many knots are in play.
+    pub fn knots_in_play(&self) -> usize {
+        self.iterate.reduced.parts.iter().map(|part| part.chosen.len()).sum()
+    }
+
+    /// Decides whether the run goes on, and remembers what a warm start will need.
+    fn settle(&mut self) {
+        let gap = self.measure.gap;
+        if gap < 3e-2 && self.measure.longest < 1.02 && self.middle.is_none() {
+            let parts = &self.iterate.reduced.parts;
+            self.middle = Some(Middle {
+                chosen: parts.iter().map(|part| part.chosen.clone()).collect(),
+                jumps: self.iterate.jumps.clone(),
+                cones: self.iterate.cones.clone(),
+                eta: self.eta.clone(),
+                lambdas: self.data.components.iter().map(|c| c.lambda).collect(),
+                slack: self.measure.primal - self.measure.dual,
+            });
+        }
+        if gap <= self.settings.gap {
+            // The curve is good enough; its knots may still stand beside the true ones.
+            let enough = self.beyond >= MOST_FOR_KNOTS || gap <= LEAST_FOR_KNOTS * self.settings.gap;
+            let over = enough || self.is_hurried() || !self.is_smooth() || self.iteration == 0;
+            self.beyond += 1;
+            if over {
+                self.status = Status::Converged;
+            }
+        } else if gap < 0.9 * self.idle.1 {
+            self.idle = (0, gap);
+        } else {
+            self.idle.0 += 1;
+            if self.idle.0 > 25 {
+                self.status = Status::Stalled;
+            }
+        }
+    }
+
+    /// Residuals, dual curves, objective and bound at the iterate.
+    pub(crate) fn look(&mut self) {
+        let lanes = lanes(self.data.norm);
+        let iterate = &self.iterate;
+        let data_term = iterate.reduced.residuals(
+            &self.data,
+            &iterate.unknowns,
+            &mut self.weighted,
+            &mut self.buffers.element_forces,
+        );
+        let (mut regularizer, mut work, mut longest) = (0.0, 0.0, 0.0_f64);
+        let mut knot = 0;
+        for (i, part) in iterate.reduced.parts.iter().enumerate() {
+            let component = &self.data.components[i];
+            self.buffers.known.clear();
+            for jump in &iterate.jumps[knot..knot + part.chosen.len()] {
+                let mut pull = Vector::zeros();
+                for pair in &iterate.cones[knot * lanes..(knot + 1) * lanes] {
+                    pull -= pair.z.plane;
+                }
+                regularizer += component.lambda * jump_length(*jump, lanes);
+                work += dot(pull, *jump);
+                self.buffers.known.push(pull / component.lambda);
+                knot += 1;
+            }
+            let known = &self.buffers.known;
+            dual_curve(&self.data, component, &part.chosen, &self.weighted, known, &mut self.eta[i]);
+            longest = self.eta[i].iter().fold(longest, |most, v| most.max(dual_length(*v, lanes)));
+        }
+        self.measure = measure(data_term, regularizer, work, longest);
+    }
+}
+
+/// Objective, bound and gap. The dual vector of residuals is feasible when scaled by 1/longest; a shorter scale that is
+/// better is taken. (D 12.4)
+pub(crate) fn measure(data_term: f64, regularizer: f64, work: f64, longest: f64) -> Measure {
+    let primal = data_term + regularizer;
+    let along = 2.0 * data_term + work;
+    let scale = if data_term > 0.0 { along / (2.0 * data_term) } else { 1.0 };
+    let scale = scale.min(1.0 / longest.max(f64::MIN_POSITIVE)).max(0.0);
+    let dual = scale * along - scale * scale * data_term;
+    let gap = if primal > 0.0 { (primal - dual) / primal } else { 0.0 };
+    Measure { data_term, primal, dual, longest, gap }
+}

@@ -1,0 +1,15 @@
+//! The fewest knots within an asked error: splines with knots anywhere, what their points say of each knot, and the search.
+
+mod bins;
+pub(super) mod breaks;
+pub(super) mod combine;
+pub(super) mod envelope;
+mod even;
+mod feet;
+pub(super) mod foot_points;
+pub(super) mod free_knots;
+mod polyline;
+mod search;
+pub(super) mod sparsest;
+mod start;
+mod straight;

@@ -1,0 +1,248 @@
+//! The feet of points on a spline: parameters at which it is near them, by Newton's method.
+//!
+//! Points that follow one another on one piece are looked at together, in loops without branches, which become vector
+//! instructions. A point whose foot leaves the piece goes its way alone.
+
+use super::foot_points::{Distances, Piece, Spline, taylor};
+use super::free_knots::Located;
+use crate::numerics::plane::{larger, smaller};
+use crate::numerics::{Point, Vector};
+
+/// The most points that are looked at together.
+const TOGETHER: usize = 64;
+/// A step that wins less than this share of the square of the distance is not made.
+const WORTH: f64 = 1e-6;
+
+impl Spline {
+    /// Moves every parameter towards the foot of its point, by at most `rounds` steps that each come nearer, and says
+    /// how far the points then are. What it says is never too small: the nearest point is no farther.
+    pub(super) fn project(&self, data: &mut Located, rounds: usize) -> Distances {
+        let mut feet = core::mem::take(&mut data.parameters);
+        let distances = self.feet(data, &mut feet, rounds);
+        data.parameters = feet;
+        distances
+    }
+
+    /// [`Spline::project`] for parameters that are kept apart from the points.
+    pub(in crate::fit) fn feet(&self, data: &Located, feet: &mut [f64], rounds: usize) -> Distances {
+        match self.space.breaks.degree {
+            1 => self.feet_of::<2>(data, feet, rounds),
+            2 | 3 => self.feet_of::<4>(data, feet, rounds),
+            _ => self.feet_of::<6>(data, feet, rounds),
+        }
+    }
+
+    /// The same for degrees below T.
+    fn feet_of<const T: usize>(&self, data: &Located, feet: &mut [f64], rounds: usize) -> Distances {
+        let pieces = self.pieces();
+        let mut found = Distances::default();
+        let mut group = Group::new();
+        let (mut s, mut from) = (0, 0);
+        while from < feet.len() {
+            s = self.space.find(feet[from], s).0;
+            let count = self.gathered(&mut group, s, &feet[from..], &data.points[from..]);
+            let span = &self.space.spans[s];
+            group.move_to_feet::<T>(&pieces[s], count, rounds, self.reach() / span.half);
+            let points = &data.points[from..from + count];
+            for (i, (foot, target)) in feet[from..from + count].iter_mut().zip(points).enumerate() {
+                if group.u[i] != group.start[i] {
+                    *foot = self.within(span.middle + group.u[i] * span.half);
+                }
+                let mut square = group.square[i];
+                if group.left[i] > 0 {
+                    let t = self.within(span.middle + group.beyond[i] * span.half);
+                    square = self.onward::<T>(&pieces, (foot, square), (s, t), *target, group.left[i]);
+                }
+                found.squares += data.weight(from + i) * square;
+                found.largest = larger(found.largest, square);
+            }
+            from += count;
+        }
+        found.largest = found.largest.sqrt();
+        found
+    }
+
+    /// How far one step may go.
+    fn reach(&self) -> f64 {
+        0.02 * self.space.breaks.end
+    }
+
+    /// Takes points as long as their parameters lie on piece s; the first one does. Answers how many.
+    fn gathered(&self, group: &mut Group, s: usize, feet: &[f64], points: &[Point]) -> usize {
+        let breaks = &self.space.breaks;
+        let (span, spans) = (&self.space.spans[s], self.space.spans.len());
+        let low = if s == 0 { f64::NEG_INFINITY } else { span.middle - span.half };
+        let high = if s + 1 == spans { f64::INFINITY } else { span.middle + span.half };
+        let turn = match breaks.at.first() {
+            Some(first) if breaks.closed => *first,
+            _ => f64::NEG_INFINITY,
+        };
+        let mut count = 0;
+        for (&t, point) in feet.iter().zip(points).take(TOGETHER) {
+            let t = if t < turn { t + breaks.end } else { t };
+            if count > 0 && !(t >= low && t < high) {
+                break;
+            }
+            group.start[count] = (t - span.middle) / span.half;
+            (group.x[count], group.y[count]) = (point.x, point.y);
+            count += 1;
+        }
+        count
+    }
+
+    /// Goes on with a point whose step leads to t, off piece s: its foot so far, how far that is (squared) and how many
+    /// steps are left, this one included. Answers the square of the distance.
+    fn onward<const T: usize>(
+        &self,
+        pieces: &[Piece],
+        (foot, mut square): (&mut f64, f64),
+        (mut s, mut t): (usize, f64),
+        target: Point,
+        rounds: usize,
+    ) -> f64 {
+        for _ in 0..rounds {
+            let (found, own) = self.space.find(t, s);
+            let span = &self.space.spans[found];
+            let look = Look::new::<T>(&pieces[found], (own - span.middle) / span.half, target);
+            if look.square >= square {
+                break;
+            }
+            (*foot, square, s) = (t, look.square, found);
+            let (step, gain) = look.newton();
+            if gain < WORTH * square {
+                break;
+            }
+            let most = self.reach() / span.half;
+            let u = look.u + larger(smaller(step, most), -most);
+            t = self.within(span.middle + u * span.half);
+        }
+        square
+    }
+
+    /// t in the domain.
+    fn within(&self, t: f64) -> f64 {
+        let end = self.space.breaks.end;
+        if !self.space.breaks.closed {
+            return t.max(0.0).min(end);
+        }
+        let t = if t < 0.0 {
+            t + end
+        } else if t >= end {
+            t - end
+        } else {
+            t
+        };
+        t.max(0.0).min(end)
+    }
+}
+
+/// Points on one piece; places are in its own variable.
+struct Group {
+    x: [f64; TOGETHER],
+    y: [f64; TOGETHER],
+    /// Where each began.
+    start: [f64; TOGETHER],
+    /// The nearest place so far, and the square of the distance from there.
+    u: [f64; TOGETHER],
+    square: [f64; TOGETHER],
+    /// The place to look at next.
+    next: [f64; TOGETHER],
+    /// Where a step led off the piece, and how many steps were left, that one included; 0 where none did.
+    beyond: [f64; TOGETHER],
+    left: [usize; TOGETHER],
+}
+
+impl Group {
+    fn new() -> Self {
+        let none = [0.0; TOGETHER];
+        let left = [0; TOGETHER];
+        Self { x: none, y: none, start: none, u: none, square: none, next: none, beyond: none, left }
+    }
+
+    /// Up to `rounds` steps of the first `count` points, each at most `most`.
+    fn move_to_feet<const T: usize>(&mut self, piece: &Piece, count: usize, rounds: usize, most: f64) {
+        self.u[..count].copy_from_slice(&self.start[..count]);
+        self.next[..count].copy_from_slice(&self.start[..count]);
+        self.square[..count].fill(f64::INFINITY);
+        self.left[..count].fill(0);
+        for round in 0..rounds {
+            self.step::<T>(piece, count, most);
+            let mut any = false;
+            for i in 0..count {
+                if self.next[i].abs() > 1.0 {
+                    (self.left[i], self.beyond[i]) = (rounds - round, self.next[i]);
+                    self.next[i] = self.u[i];
+                }
+                any |= self.next[i] != self.u[i];
+            }
+            if !any {
+                return;
+            }
+        }
+        self.last::<T>(piece, count);
+    }
+
+    /// Takes the places that are nearer than those before, and finds the next ones.
+    fn step<const T: usize>(&mut self, piece: &Piece, count: usize, most: f64) {
+        let group = self.x[..count].iter().zip(&self.y[..count]).zip(&mut self.u[..count]);
+        let found = self.square[..count].iter_mut().zip(&mut self.next[..count]);
+        for (((x, y), u), (square, next)) in group.zip(found) {
+            let look = Look::new::<T>(piece, *next, Point::new(*x, *y));
+            let here = look.square;
+            let (step, gain) = look.newton();
+            let nearer = here < *square;
+            *square = if nearer { here } else { *square };
+            *u = if nearer { *next } else { *u };
+            let further = look.u + larger(smaller(step, most), -most);
+            *next = if nearer & (gain >= WORTH * here) { further } else { *u };
+        }
+    }
+
+    /// Takes the places that are nearer than those before.
+    fn last<const T: usize>(&mut self, piece: &Piece, count: usize) {
+        let group = self.x[..count].iter().zip(&self.y[..count]).zip(&mut self.u[..count]);
+        let found = self.square[..count].iter_mut().zip(&self.next[..count]);
+        for (((x, y), u), (square, next)) in group.zip(found) {
+            let mut place = Vector::zeros();
+            for c in piece[..T].iter().rev() {
+                place = place * *next + c;
+            }
+            let (a, b) = (place.x - x, place.y - y);
+            let here = a * a + b * b;
+            let nearer = here < *square;
+            *square = if nearer { here } else { *square };
+            *u = if nearer { *next } else { *u };
+        }
+    }
+}
+
+/// The curve at one place of a piece, seen from a point; derivatives by the piece's own variable.
+pub(super) struct Look {
+    u: f64,
+    pub(super) square: f64,
+    way: Vector,
+    first: Vector,
+    second: Vector,
+}
+
+impl Look {
+    #[inline(always)]
+    pub(super) fn new<const T: usize>(polynomial: &Piece, u: f64, target: Point) -> Self {
+        let [place, first, second] = taylor::<T>(polynomial, u);
+        let way = Vector::new(place.x - target.x, place.y - target.y);
+        Self { u, square: way.x * way.x + way.y * way.y, way, first, second }
+    }
+
+    /// Newton's step to where the way is across the curve, Gauss's where that would lead to the farthest point, and by
+    /// how much the square of the distance should fall.
+    #[inline(always)]
+    fn newton(&self) -> (f64, f64) {
+        let (way, first, second) = (self.way, self.first, self.second);
+        let speed = first.x * first.x + first.y * first.y;
+        let bend = speed + (way.x * second.x + way.y * second.y);
+        let slope = if bend > 0.3 * speed { bend } else { speed };
+        let along = way.x * first.x + way.y * first.y;
+        let step = if slope > 0.0 { -along / slope } else { 0.0 };
+        (step, -step * along)
+    }
+}

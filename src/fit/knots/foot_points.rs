@@ -1,0 +1,277 @@
+//! Distances from points to a spline, and the spline that makes them small: the parameters of the points are free.
+//! (Where they go is in `feet`.)
+
+use super::breaks::{HIGHEST, Polynomial, STIFF, Space};
+use super::envelope::Envelope;
+use super::feet::Look;
+use super::free_knots::{FreeKnots, Located, product};
+use crate::numerics::order::sort_by_number;
+use crate::numerics::{Point, Vector};
+
+/// One piece of a curve: a polynomial in ascending powers.
+pub(super) type Piece = [Vector; HIGHEST + 1];
+
+/// How much less a distance along the curve counts than one across it.
+const ALONG: f64 = 0.05;
+
+/// A spline: a space and coefficients.
+#[derive(Clone, Debug)]
+pub(in crate::fit) struct Spline {
+    pub(in crate::fit) space: Space,
+    pub(in crate::fit) x: Vec<f64>,
+    pub(in crate::fit) y: Vec<f64>,
+}
+
+/// What the distances of all points come to.
+#[derive(Clone, Copy, Debug, Default)]
+pub(in crate::fit) struct Distances {
+    pub(in crate::fit) largest: f64,
+    /// The weighted sum of squares.
+    pub(in crate::fit) squares: f64,
+}
+
+impl Spline {
+    pub(in crate::fit) fn of(fitted: &FreeKnots) -> Self {
+        Self { space: fitted.space.clone(), x: fitted.x.clone(), y: fitted.y.clone() }
+    }
+
+    /// The curve's polynomials, piece by piece.
+    pub(in crate::fit) fn pieces(&self) -> Vec<Piece> {
+        (0..self.space.spans.len()).map(|s| self.piece(s)).collect()
+    }
+
+    fn piece(&self, s: usize) -> Piece {
+        let mut sum = [Vector::zeros(); HIGHEST + 1];
+        for (i, basis) in self.space.basis[s].iter().enumerate().take(self.space.breaks.degree + 1) {
+            let index = self.space.index(s, i);
+            let coefficient = Vector::new(self.x[index], self.y[index]);
+            for (sum, b) in sum.iter_mut().zip(basis) {
+                *sum += coefficient * *b;
+            }
+        }
+        sum
+    }
+
+    /// The point at t, or a derivative, by the polynomials of piece s.
+    pub(super) fn on(&self, s: usize, t: f64, order: usize) -> Vector {
+        let span = &self.space.spans[s];
+        let u = (t - span.middle) / span.half;
+        derivative_of(&self.piece(s), self.space.breaks.degree, u, span.half, order)
+    }
+
+    /// The distance of every point from the curve at its parameter.
+    pub(in crate::fit) fn distances(&self, data: &Located) -> Vec<f64> {
+        let pieces = self.pieces();
+        let mut s = 0;
+        let one = |(point, &t): (&Point, &f64)| {
+            let (found, t) = self.space.find(t, s);
+            s = found;
+            let span = &self.space.spans[s];
+            Look::new::<{ HIGHEST + 1 }>(&pieces[s], (t - span.middle) / span.half, *point).square.sqrt()
+        };
+        data.points.iter().zip(&data.parameters).map(one).collect()
+    }
+
+    /// The weighted sum of squares at the points' parameters.
+    pub(in crate::fit) fn squares(&self, data: &Located) -> f64 {
+        let square = |(m, d): (usize, f64)| data.weight(m) * d * d;
+        self.distances(data).into_iter().enumerate().map(square).sum()
+    }
+
+    /// A piece on which the curve leaves the way of the points: farther from all points around than `slack` and their
+    /// distances from one another. O(M log M).
+    pub(super) fn strays(&self, data: &Located, slack: f64) -> Option<usize> {
+        let count = data.points.len();
+        let mut order: Vec<usize> = (0..count).collect();
+        sort_by_number(&mut order, &|&i| data.parameters[i]);
+        let closed = self.space.breaks.closed;
+        let neighbour = |i: usize, k: usize| {
+            let j = i + k;
+            let j = if closed { (j + count - 2) % count } else { j.saturating_sub(2).min(count - 1) };
+            data.points[order[j]]
+        };
+        let mut i = 0;
+        for (s, span) in self.space.spans.iter().enumerate() {
+            for part in 0..6 {
+                let t = span.middle + span.half * ((part as f64 + 0.5) / 3.0 - 1.0);
+                let inner = if closed && t >= self.space.breaks.end { t - self.space.breaks.end } else { t };
+                if i >= count || data.parameters[order[i]] > inner {
+                    i = 0;
+                }
+                while i + 1 < count && data.parameters[order[i + 1]] <= inner {
+                    i += 1;
+                }
+                let place = self.on(s, t, 0);
+                let (mut nearest, mut apart) = (f64::INFINITY, 0.0_f64);
+                for k in 0..6 {
+                    nearest = nearest.min((neighbour(i, k) - place).norm());
+                    apart = apart.max((neighbour(i, k + 1) - neighbour(i, k)).norm());
+                }
+                if nearest > slack + apart {
+                    return Some(s);
+                }
+            }
+        }
+        None
+    }
+
+    /// One Gauss–Newton step of the distances across the curve; those along it count little, for points may slide
+    /// (D 13.4), [WPL06]. O(M·degree + K·degree²).
+    pub(super) fn tighten(&mut self, data: &Located) {
+        let degree = self.space.breaks.degree;
+        // Loops of a length that is known are unrolled.
+        let sums = if degree < 4 { self.across::<4>(data) } else { self.across::<{ HIGHEST + 1 }>(data) };
+        let n = self.space.count;
+        let mut equations = self.doubled();
+        let mut right = vec![0.0; 2 * n];
+        let mut size = 0.0_f64;
+        for (s, sums) in sums.iter().enumerate() {
+            let basis = &self.space.basis[s];
+            for p in 0..=degree {
+                let row = self.space.index(s, p);
+                right[2 * row] += product(&basis[p], &sums.right[0]);
+                right[2 * row + 1] += product(&basis[p], &sums.right[1]);
+                let weighted = sums.weighted(degree, &basis[p]);
+                for (q, basis) in basis[..=degree].iter().enumerate() {
+                    let other = self.space.index(s, q);
+                    if other > row {
+                        continue;
+                    }
+                    let [xx, xy, yy] = weighted.each_ref().map(|weighted| product(weighted, basis));
+                    equations.add(2 * row, 2 * other, xx);
+                    equations.add(2 * row + 1, 2 * other + 1, yy);
+                    equations.add(2 * row + 1, 2 * other, xy);
+                    if row != other {
+                        equations.add(2 * row, 2 * other + 1, xy);
+                    }
+                    size = size.max(xx).max(yy);
+                }
+            }
+        }
+        for i in 0..2 * n {
+            equations.add(i, i, 1e-9 * size + 1e-280);
+        }
+        self.moved(equations, right, STIFF * size);
+    }
+
+    /// Moves the coefficients by the solution of some equations, and keeps pieces straight that are to be.
+    fn moved(&mut self, mut equations: Envelope, mut right: Vec<f64>, stiff: f64) {
+        if !self.space.breaks.straight.is_empty() {
+            self.space.stiffen(&mut equations, &mut right, [&self.x, &self.y], stiff);
+        }
+        equations.factor();
+        equations.solve(&mut right);
+        for (i, by) in right.chunks_exact(2).enumerate() {
+            self.x[i] += by[0];
+            self.y[i] += by[1];
+        }
+    }
+
+    /// Makes pieces that are to be straight as straight as numbers can be.
+    pub(super) fn straighten(&mut self) {
+        for _ in 0..3 {
+            let mut equations = self.doubled();
+            (0..2 * self.space.count).for_each(|i| equations.add(i, i, 1.0));
+            self.moved(equations, vec![0.0; 2 * self.space.count], STIFF);
+        }
+    }
+
+    /// The shape of the equations of both coordinates together.
+    fn doubled(&self) -> Envelope {
+        let single = self.space.reaches();
+        let first = single.iter().flat_map(|&f| [2 * f, 2 * f]).collect();
+        Envelope::new(first)
+    }
+
+    fn across<const T: usize>(&self, data: &Located) -> Vec<Across> {
+        let pieces = self.pieces();
+        let mut sums = vec![Across::default(); pieces.len()];
+        let mut at = 0;
+        for (m, (point, &t)) in data.points.iter().zip(&data.parameters).enumerate() {
+            let (s, t) = self.space.find(t, at);
+            at = s;
+            let span = &self.space.spans[s];
+            let u = (t - span.middle) / span.half;
+            let [place, along, _] = taylor::<T>(&pieces[s], u);
+            let rest = point - place;
+            let square = along.norm_squared();
+            let w = data.weight(m);
+            // W = 1 − (1 − ALONG)·ttᵀ for the unit tangent t.
+            let less = if square > 0.0 { (1.0 - ALONG) / square } else { 0.0 };
+            let [xx, xy, yy] = [
+                w * (1.0 - less * along.x * along.x),
+                -w * less * along.x * along.y,
+                w * (1.0 - less * along.y * along.y),
+            ];
+            sums[s].take::<T>(u, [xx, xy, yy], [xx * rest.x + xy * rest.y, xy * rest.x + yy * rest.y]);
+        }
+        sums
+    }
+}
+
+/// Derivative of some order of a piece, by the parameter: `half` is half its length there.
+pub(in crate::fit) fn derivative_of(piece: &Piece, degree: usize, u: f64, half: f64, order: usize) -> Vector {
+    let mut sum = Vector::zeros();
+    for k in (order..=degree).rev() {
+        let factor: f64 = ((k - order + 1)..=k).map(|i| i as f64).product();
+        sum = sum * u + piece[k] * factor;
+    }
+    for _ in 0..order {
+        sum /= half;
+    }
+    sum
+}
+
+/// Moments with a matrix for a weight.
+#[derive(Clone, Copy, Debug, Default)]
+struct Across {
+    powers: [[f64; 3]; 2 * HIGHEST + 1],
+    right: [Polynomial; 2],
+}
+
+impl Across {
+    #[inline(always)]
+    fn take<const T: usize>(&mut self, u: f64, weight: [f64; 3], rest: [f64; 2]) {
+        let mut power = 1.0;
+        for (k, sums) in self.powers[..2 * T - 1].iter_mut().enumerate() {
+            for (sum, w) in sums.iter_mut().zip(weight) {
+                *sum += power * w;
+            }
+            if k < T {
+                self.right[0][k] += power * rest[0];
+                self.right[1][k] += power * rest[1];
+            }
+            power *= u;
+        }
+    }
+
+    /// Σ W·a(u)·uʲ for all j, entry by entry of W.
+    fn weighted(&self, degree: usize, a: &Polynomial) -> [Polynomial; 3] {
+        if degree < 4 { self.weighted_of::<4>(a) } else { self.weighted_of::<{ HIGHEST + 1 }>(a) }
+    }
+
+    #[inline(always)]
+    fn weighted_of<const T: usize>(&self, a: &Polynomial) -> [Polynomial; 3] {
+        let mut sums = [[0.0; HIGHEST + 1]; 3];
+        for (i, a) in a[..T].iter().enumerate() {
+            for j in 0..T {
+                for (sums, power) in sums.iter_mut().zip(self.powers[i + j]) {
+                    sums[j] += a * power;
+                }
+            }
+        }
+        sums
+    }
+}
+
+/// A polynomial of degree below T and its first two derivatives at u.
+#[inline(always)]
+pub(super) fn taylor<const T: usize>(p: &Piece, u: f64) -> [Vector; 3] {
+    let [mut value, mut first, mut second] = [Vector::zeros(); 3];
+    for c in p[..T].iter().rev() {
+        second = second * u + first;
+        first = first * u + value;
+        value = value * u + c;
+    }
+    [value, first, second * 2.0]
+}

@@ -1,0 +1,161 @@
+//! Points that follow one another evenly: where along the curve they belong is known, not only which way is across.
+
+use super::{Found, Phase, Sparsest, WARMING, from_afar};
+use crate::fit::knots::breaks::Breaks;
+use crate::fit::knots::even::by_length;
+use crate::fit::knots::foot_points::Spline;
+use crate::fit::knots::free_knots::{FreeKnots, Located};
+use crate::fit::knots::search::{apart, clusters, least, settle};
+use crate::numerics::order::sort_by_number;
+
+/// Steps towards a curve whose points are free to slide, before knots are taken from it.
+const ROUNDS: usize = 2;
+/// Steps before the points are placed again.
+const EASED: usize = 4;
+/// Steps of a trial, and how many times what one brings may be missing afterwards.
+const MOST_STEPS: usize = 5;
+const PACE: f64 = 2.0;
+/// The cheapest knots that are tried one by one.
+const SINGLES: usize = 4;
+
+/// A spline whose points are free to slide along it: only their distances count.
+#[derive(Clone, Debug)]
+pub(super) struct Free {
+    spline: Spline,
+    feet: Located,
+    squares: f64,
+}
+
+impl Free {
+    /// So many steps to smaller distances.
+    fn ease(&mut self, steps: usize) {
+        for _ in 0..steps {
+            self.spline.tighten(&self.feet);
+            self.squares = self.spline.project(&mut self.feet, 2).squares;
+        }
+    }
+}
+
+impl Sparsest {
+    /// Ends the search, after a look at it with points that are free to slide.
+    pub(super) fn evened(&mut self) -> Phase {
+        if !self.placed && !self.is_tired() {
+            return Phase::Lighten;
+        }
+        let spline = Spline::of(&FreeKnots::new(self.fitted.breaks().clone(), &self.full));
+        let wild = spline.strays(&self.seen, self.slack());
+        let mut located = self.full.clone();
+        let distances = spline.project(&mut located, 3);
+        located.parameters.clone_from(&self.full.parameters);
+        self.concluded(Found { spline, located, distances, wild })
+    }
+
+    /// Takes knots away from a fit whose points are free to slide along it, many at a time, and one by one at last. The
+    /// parameters that points have by their numbers, or by length, ask for knots where the speed of the sparsest curve
+    /// changes: with free points there is nothing to ask for.
+    pub(super) fn lighten(&mut self) -> Phase {
+        let free = match self.free.take() {
+            Some(free) => free,
+            None => freed(&self.fitted, self.seen.clone()),
+        };
+        let fitted = FreeKnots::new(free.spline.space.breaks.clone(), &free.feet);
+        let now = free.squares + self.price.whole(fitted.breaks());
+        for breaks in self.fewer(&fitted) {
+            let trial = FreeKnots::new(breaks, &free.feet);
+            let trial = settle(trial, &free.feet, 0.1 * self.price.0, 2);
+            let enough = now - self.price.whole(trial.breaks());
+            if let Some(lighter) = freed_to(&trial, free.feet.clone(), enough) {
+                self.free = Some(lighter);
+                return Phase::Lighten;
+            }
+        }
+        self.place(free);
+        Phase::Refine
+    }
+
+    /// Knots to try, the boldest first: many gone, few gone, one gone, some joined to a corner.
+    fn fewer(&self, fitted: &FreeKnots) -> Vec<Breaks> {
+        let breaks = fitted.breaks();
+        let removals = fitted.removals();
+        let mut cheapest: Vec<usize> = (0..breaks.len()).collect();
+        sort_by_number(&mut cheapest, &|&k| removals[k].whole);
+        let room = breaks.len().saturating_sub(least(breaks));
+        let mut doomed = Vec::new();
+        for share in [4, 8] {
+            let most = (breaks.len() / share).min(room);
+            if most > 1 {
+                doomed.push(apart(&cheapest, breaks.len(), most));
+            }
+        }
+        doomed.extend(cheapest.iter().take(SINGLES.min(room)).map(|&k| vec![k]));
+        let without = |doomed: &Vec<usize>| {
+            let mut fewer = breaks.clone();
+            doomed.iter().rev().for_each(|&k| fewer.remove(k));
+            fewer
+        };
+        let mut trials: Vec<Breaks> = doomed.iter().map(without).collect();
+        trials.extend(clusters(&self.sharpening(breaks), self.full.points.len()));
+        trials
+    }
+
+    /// The same knots, which may become as sharp as was planned.
+    fn sharpening(&self, breaks: &Breaks) -> Breaks {
+        Breaks { sharpest: self.sharpest, ..breaks.clone() }
+    }
+
+    /// Gives the points of a fit parameters again: evenly along the curve or by their numbers, whichever explains them
+    /// better. Where neither does, the search goes on as one among knots by number.
+    fn place(&mut self, mut free: Free) {
+        self.placed = true;
+        free.ease(EASED);
+        let worth = 0.1 * self.price.0;
+        let breaks = self.sharpening(&free.spline.space.breaks);
+        let numbered = settle(FreeKnots::new(breaks.clone(), &self.seen), &self.seen, worth, 2);
+        let mut best = (self.full.clone(), self.seen.clone(), numbered);
+        let mut full = self.full.clone();
+        free.spline.project(&mut full, 6);
+        if free.spline.strays(&free.feet, self.slack()).is_none()
+            && let Some((parameters, breaks)) = by_length(&free.spline, &full)
+        {
+            let full = Located { parameters, ..self.full.clone() };
+            let seen = from_afar(&full);
+            let fitted = settle(FreeKnots::new(self.sharpening(&breaks), &seen), &seen, worth, 2);
+            if fitted.squares < best.2.squares {
+                best = (full, seen, fitted);
+            }
+        }
+        if self.price.total(&best.2) < self.price.total(&self.fitted) {
+            (self.full, self.seen, self.fitted) = best;
+        } else {
+            (self.even, self.warming) = (false, WARMING);
+            self.fitted = FreeKnots::new(self.sharpening(self.fitted.breaks()), &self.seen);
+        }
+    }
+}
+
+/// The fit after some steps with its points free to slide.
+fn freed(fitted: &FreeKnots, mut feet: Located) -> Free {
+    let spline = Spline::of(fitted);
+    let squares = spline.project(&mut feet, 2).squares;
+    let mut free = Free { spline, feet, squares };
+    free.ease(ROUNDS);
+    free
+}
+
+/// The same until the squares are below `enough`; `None` where they will not be.
+fn freed_to(fitted: &FreeKnots, mut feet: Located, enough: f64) -> Option<Free> {
+    let mut spline = Spline::of(fitted);
+    let mut squares = spline.project(&mut feet, 2).squares;
+    for step in 0..MOST_STEPS {
+        let before = squares;
+        spline.tighten(&feet);
+        squares = spline.project(&mut feet, 2).squares;
+        if squares < enough {
+            return Some(Free { spline, feet, squares });
+        }
+        if step > 0 && PACE * (before - squares) < squares - enough {
+            break;
+        }
+    }
+    None
+}

@@ -1,0 +1,100 @@
+//! The last knots: one of the cheapest is taken away, and the others are to make up for it.
+
+use super::{Aim, FEW, Found, Phase, Sparsest};
+use crate::fit::knots::foot_points::{Distances, Spline};
+use crate::fit::knots::free_knots::{FreeKnots, Located};
+use crate::fit::knots::search::{Price, hopes, settle};
+
+impl Sparsest {
+    /// How many knots are tried when fewer are hardly possible: all of them where that takes little time.
+    pub(super) fn trials(&self) -> usize {
+        match self.full.points.len() {
+            0..=800 => 40,
+            801..=FEW => 4,
+            _ => 1,
+        }
+    }
+
+    /// Takes the next of the cheapest knots away from the best fit and lets the others slide.
+    pub(super) fn lighter(&mut self, next: usize, target: f64) -> Phase {
+        let Some(best) = &self.found else { return Phase::Done };
+        let fitted = FreeKnots::new(best.spline.space.breaks.clone(), &self.seen);
+        let dear = Price(fitted.squares.max(1e-300));
+        let trials = hopes(fitted.breaks(), &fitted.removals(), dear, self.trials());
+        let Some(breaks) = trials.into_iter().nth(next) else { return Phase::Done };
+        let trial = settle(FreeKnots::new(breaks, &self.seen), &self.seen, 1e-4 * target, 12);
+        if trial.squares > target {
+            return Phase::Last(next + 1);
+        }
+        self.fitted = trial;
+        self.keep_by_squares();
+        Phase::Last(0)
+    }
+
+    /// Takes the next of the cheapest knots away from the best fit and lets the others make up for it, the farthest
+    /// points weighing most.
+    pub(super) fn last(&mut self, next: usize) -> Phase {
+        if let Aim::Squares(target) = self.aim {
+            return self.lighter(next, target);
+        }
+        let (Aim::Tolerance(tolerance), Some(best)) = (self.aim, &self.found) else { return Phase::Done };
+        let averaged = self.seen.points.len() < self.full.points.len();
+        let mut seen = if averaged { self.seen.clone() } else { best.located.clone() };
+        let fitted = FreeKnots::new(best.spline.space.breaks.clone(), &seen);
+        let removals = fitted.removals();
+        let dear = Price(fitted.squares.max(1e-300));
+        let trials = hopes(fitted.breaks(), &removals, dear, self.trials());
+        let Some(breaks) = trials.into_iter().nth(next) else { return Phase::Done };
+        let trial = settle(FreeKnots::new(breaks, &seen), &seen, 1e-3 * fitted.squares, 6);
+        let mut spline = Spline::of(&trial);
+        let distances = minimax(&mut spline, &mut seen, tolerance);
+        if distances.largest <= tolerance && spline.strays(&seen, tolerance).is_none() {
+            let mut located = if averaged { self.full.clone() } else { seen };
+            located.weights.clone_from(&self.full.weights);
+            let distances = spline.project(&mut located, 3);
+            if distances.largest <= tolerance {
+                self.found = Some(Found { spline, located, distances, wild: None });
+                return Phase::Last(0);
+            }
+        }
+        Phase::Last(next + 1)
+    }
+}
+
+/// Makes the largest distance smaller: far points weigh more from round to round (Lawson's way). The spline with the
+/// smallest largest distance is kept.
+fn minimax(spline: &mut Spline, data: &mut Located, enough: f64) -> Distances {
+    if data.weights.is_empty() {
+        data.weights = vec![1.0; data.points.len()];
+    }
+    let mut best: Option<(Spline, Distances)> = None;
+    for round in 0..14 {
+        if round > 0 {
+            spline.tighten(data);
+        }
+        let distances = spline.project(data, 2);
+        let before = best.as_ref().map_or(f64::INFINITY, |best| best.1.largest);
+        if distances.largest < before {
+            best = Some((spline.clone(), distances));
+        }
+        if distances.largest <= enough || (round == 6 && before > 2.0 * enough) {
+            break;
+        }
+        if round >= 2 {
+            let mut at = 0;
+            for m in 0..data.points.len() {
+                let (s, t) = spline.space.find(data.parameters[m], at);
+                at = s;
+                let far = (spline.on(s, t, 0) - data.points[m]).norm() / distances.largest;
+                data.weights[m] = (data.weights[m] * (0.4 + far * far)).clamp(1e-3, 1e3);
+            }
+        }
+    }
+    match best {
+        Some((kept, distances)) => {
+            *spline = kept;
+            distances
+        }
+        None => Distances { largest: f64::INFINITY, squares: f64::INFINITY },
+    }
+}
