@@ -1,21 +1,21 @@
 //! Chains on their way to curves: edges, centre lines, and outlines that quasi-interpolants follow.
 
 use super::agreement::agreement;
-use super::canny::EdgeOptions;
-use super::centre::centre_lines;
-use super::chain::Chain;
-use super::contour::{Contour, ContourScan};
-use super::corners::{CornerRule, corners};
-use super::cusps::CuspRule;
-use super::division::{DivisionRule, divide, divide_open};
-use super::gray::Gray;
-use super::light::Evening;
-use super::maxima::MaximaScan;
+use super::edges::canny::EdgeOptions;
+use super::edges::centre::centre_lines;
+use super::edges::maxima::MaximaScan;
+use super::edges::strands::profiles;
+use super::outline::corners::{CornerRule, corners};
+use super::outline::division::{DivisionRule, divide, divide_open};
+use super::picture::contour::{Contour, ContourScan};
+use super::picture::gray::Gray;
+use super::picture::light::Evening;
+use super::picture::tones::{ToneScan, Tones};
 use super::profile::ProfileOptions;
 use super::samples::Samples;
-use super::strands::profiles;
-use super::tones::{ToneScan, Tones};
 use super::tracer::{Model, Progress, Source, Stage, Trace, TraceOptions, TracedContour, Work};
+use super::tubes::chain::Chain;
+use super::tubes::cusps::CuspRule;
 use crate::curve::Curve;
 use crate::error::{Error, Result};
 use crate::numerics::order::sort_by_number;

@@ -1,20 +1,20 @@
 //! Logos and drawings: outlines of ink, as few pieces as their coverage allows.
 
 use super::agreement::agreement;
-use super::arcs::arcs;
-use super::blur::Blurring;
 use super::chain_work::speckle_for;
-use super::contour::{Contour, ContourScan};
-use super::corners::{Corner, CornerRule, corners};
-use super::division::{Division, DivisionRule, divide};
-use super::ellipse::{ellipse, round};
-use super::field::Shading;
-use super::gray::Gray;
-use super::light::Evening;
 use super::outline::Outline;
+use super::outline::arcs::arcs;
+use super::outline::corners::{Corner, CornerRule, corners};
+use super::outline::division::{Division, DivisionRule, divide};
+use super::outline::ellipse::{ellipse, round};
+use super::picture::blur::Blurring;
+use super::picture::contour::{Contour, ContourScan};
+use super::picture::gray::Gray;
+use super::picture::light::Evening;
+use super::picture::tones::{ToneScan, Tones};
 use super::refinement::Refinement;
+use super::refinement::field::Shading;
 use super::samples::Samples;
-use super::tones::{ToneScan, Tones};
 use super::tracer::{Progress, Stage, Trace, TraceOptions, TracedContour, Work};
 use crate::error::{Error, Result};
 

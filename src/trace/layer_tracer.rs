@@ -1,8 +1,8 @@
 //! Pictures of a few flat colours: the shape of each layer, traced like ink.
 
-use super::gray::Gray;
-use super::layers::{Layers, Shape, drawn};
-use super::palette::Color;
+use super::picture::gray::Gray;
+use super::picture::layers::{Layers, Shape, drawn};
+use super::picture::palette::Color;
 use super::tracer::{Source, TraceOptions, TracedContour, Tracer};
 use crate::error::{Error, Result};
 

@@ -20,80 +20,39 @@
 //! Coordinates: x to the right, y down; pixel (column, row) covers [column, column + 1] × [row, row + 1].
 
 mod agreement;
-mod arcs;
-mod bends;
-mod bitmap;
-mod blur;
-mod canny;
-mod centering;
-mod centre;
-mod chain;
 mod chain_work;
-mod cloud;
-mod contour;
-mod corners;
-mod coverage;
-mod cubic;
-mod cusps;
-mod discs;
-mod division;
-mod ellipse;
-mod equations;
-mod field;
-mod fillets;
-mod grain;
-mod graph;
-mod gray;
+mod edges;
 mod ink;
-mod knots;
 mod layer_tracer;
-mod layers;
-mod light;
-mod local;
-mod maxima;
 mod metrics;
 mod outline;
-mod palette;
-mod parabola;
-mod placement;
+mod picture;
 mod profile;
-mod projection;
 mod quasi_interpolant;
-mod refine;
 mod refinement;
 mod samples;
-mod selection;
-mod settling;
-mod sides;
-mod simplify;
-mod skyline;
-mod straight;
-mod strands;
-mod tips;
-mod tones;
 mod tracer;
-mod unknowns;
-mod window;
+mod tubes;
 
-pub use canny::{EdgeOptions, EdgePoint, Edges, edges};
-pub use chain::{Chain, ChainPlace, Joint, Tube, TubeFit, fit_tube, fit_tube_with};
-pub use cloud::Cloud;
-pub use contour::{Contour, contours};
-pub use cusps::{Cusp, CuspRule};
-pub use discs::{DiscEnd, DiscRule, DiscTube};
-pub use gray::{Gray, GrayRows, MOST_PIXELS, MOST_SIDE};
-pub use knots::{Knots, MOST_DEGREE, MOST_INTERIOR};
+pub use edges::canny::{EdgeOptions, EdgePoint, Edges, edges};
+pub use edges::strands::profiles;
 pub use layer_tracer::{LayerTracer, TracedLayer};
-pub use layers::{LayerRows, Layers};
 pub use metrics::{Jaccard, diameter, directed_hausdorff, jaccard, mean_absolute, root_mean_square};
-pub use palette::{Census, Color, MOST_COLORS};
+pub use picture::contour::{Contour, contours};
+pub use picture::gray::{Gray, GrayRows, MOST_PIXELS, MOST_SIDE};
+pub use picture::layers::{LayerRows, Layers};
+pub use picture::palette::{Census, Color, MOST_COLORS};
+pub use picture::tones::Tones;
 pub use profile::{Profile, ProfileOptions};
-pub use quasi_interpolant::{End, Estimator, QuasiInterpolant};
-pub use selection::{
+pub use quasi_interpolant::cloud::Cloud;
+pub use quasi_interpolant::knots::{Knots, MOST_DEGREE, MOST_INTERIOR};
+pub use quasi_interpolant::selection::{
     Choice, Method, Rule, Score, choose, generalised_cross_validation, leave_one_out, left_out_locally,
 };
-pub use strands::profiles;
-pub use tones::Tones;
+pub use quasi_interpolant::{End, Estimator, QuasiInterpolant};
 pub use tracer::{
     Metrics, Model, Progress, Source, Stage, Trace, TraceOptions, TracedContour, Tracer, trace,
 };
+pub use tubes::chain::{Chain, ChainPlace, Joint, Tube, TubeFit, fit_tube, fit_tube_with};
+pub use tubes::cusps::{Cusp, CuspRule};
+pub use tubes::discs::{DiscEnd, DiscRule, DiscTube};

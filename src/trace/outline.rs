@@ -1,6 +1,12 @@
 //! A closed outline as few pieces: nodes, straight pieces and cubics, smooth where it says so.
 
-use super::cubic::Cubic;
+pub(super) mod arcs;
+pub(super) mod corners;
+pub(super) mod cubic;
+pub(super) mod division;
+pub(super) mod ellipse;
+
+use self::cubic::Cubic;
 use super::samples::{turn, unit};
 use crate::curve::{HermiteCurve, HermiteOptions};
 use crate::error::Result;

@@ -1,11 +1,11 @@
 //! A profile from its chain to one curve: cusps, tubes, a spline for each, joined.
 
 use super::agreement::agreement;
-use super::chain::{Chain, Joint, Tube, TubeFit, fit_tube};
-use super::cusps::{Cusp, CuspRule};
+use super::quasi_interpolant::selection::{Method, Rule};
 use super::samples::unit;
-use super::selection::{Method, Rule};
 use super::tracer::Metrics;
+use super::tubes::chain::{Chain, Joint, Tube, TubeFit, fit_tube};
+use super::tubes::cusps::{Cusp, CuspRule};
 use crate::curve::{HermiteCurve, HermiteOptions};
 use crate::error::Result;
 use crate::generator::Space;

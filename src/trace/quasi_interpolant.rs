@@ -1,9 +1,16 @@
 //! The weighted quasi-interpolant of a cloud: means of nearest neighbours as coefficients of B-splines.
 
-use super::cloud::Cloud;
-use super::knots::{Knots, MOST_DEGREE, MOST_INTERIOR};
-use super::local::LocalFit;
-use super::projection::Projection;
+pub(super) mod cloud;
+pub(super) mod knots;
+mod local;
+mod placement;
+pub(super) mod projection;
+pub(super) mod selection;
+
+use self::cloud::Cloud;
+use self::knots::{Knots, MOST_DEGREE, MOST_INTERIOR};
+use self::local::LocalFit;
+use self::projection::Projection;
 use crate::error::Result;
 use crate::limits::{check, filled, with_room};
 use crate::numerics::Point;

@@ -1,19 +1,34 @@
 //! All outlines of a picture refined against it, one after another: first as they are, then with fewer and fewer joints.
 
+mod bends;
+mod coverage;
+mod equations;
+pub(super) mod field;
+mod fillets;
+mod grain;
 mod phases;
+mod refine;
+mod settling;
+mod sides;
+mod simplify;
+mod skyline;
+mod straight;
+mod tips;
+mod unknowns;
+mod window;
 
-use super::bends::BendRule;
-use super::ellipse::{ellipse, rounded};
-use super::field::{Field, Shading};
-use super::fillets::round_off;
-use super::grain::level;
-use super::gray::Gray;
+use self::bends::BendRule;
+use self::field::{Field, Shading};
+use self::fillets::round_off;
+use self::grain::level;
+use self::refine::{Left, NOISY_SHARE, Refiner, Relaxing, Shape, leaves};
+use self::settling::Settling;
+use self::simplify::{Limits, Merging, Trial, may_go_on};
+use self::straight::Straightening;
+use self::tips::{sharpen, unfold};
 use super::outline::Outline;
-use super::refine::{Left, NOISY_SHARE, Refiner, Relaxing, Shape, leaves};
-use super::settling::Settling;
-use super::simplify::{Limits, Merging, Trial, may_go_on};
-use super::straight::Straightening;
-use super::tips::{sharpen, unfold};
+use super::outline::ellipse::{ellipse, rounded};
+use super::picture::gray::Gray;
 use crate::error::Result;
 use crate::numerics::Point;
 use crate::numerics::plane::larger;

@@ -1,9 +1,9 @@
 //! The door to tracing: a picture and options in, curves out, a few milliseconds at a time.
 
 use super::chain_work::ChainWork;
-use super::gray::Gray;
 use super::ink::InkWork;
-use super::tones::Tones;
+use super::picture::gray::Gray;
+use super::picture::tones::Tones;
 use crate::curve::HermiteCurve;
 use crate::error::{Error, Result};
 use crate::limits::check;

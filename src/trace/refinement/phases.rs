@@ -2,8 +2,8 @@
 
 use super::{KNOWN, Phase, ROUGH, Refinement};
 use crate::numerics::plane::larger;
-use crate::trace::grain::{grain, middle};
-use crate::trace::refine::{Left, Refiner, Relaxing};
+use crate::trace::refinement::grain::{grain, middle};
+use crate::trace::refinement::refine::{Left, Refiner, Relaxing};
 
 /// The grain from which on pixels are not covered as exactly as bytes tell: edges that a few samples a pixel were drawn by have 0.01 to 0.04.
 const GRAINY: f64 = 8e-3;

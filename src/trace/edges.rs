@@ -1,0 +1,8 @@
+//! Edges of photographs and centre lines of thin strokes, as chains of points.
+
+pub(super) mod canny;
+mod centering;
+pub(super) mod centre;
+mod graph;
+pub(super) mod maxima;
+pub(super) mod strands;

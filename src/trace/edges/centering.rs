@@ -1,0 +1,270 @@
+//! Lines of a skeleton moved to where the outlines on both sides say that the centre is.
+
+use super::centre::Side;
+use crate::error::Result;
+use crate::limits::with_room;
+use crate::numerics::order::{sort_by_number, sort_in_place};
+use crate::numerics::plane::{cross, dot, norm, square};
+use crate::numerics::{Point, Vector};
+use crate::trace::samples::{line_through, unit};
+use crate::trace::tubes::chain::Chain;
+
+/// A skeleton line: smoothed points, tangents, distances along it.
+struct Spine {
+    points: Vec<Point>,
+    tangents: Vec<Vector>,
+    travelled: Vec<f64>,
+    closed: bool,
+}
+
+/// What the outlines say of a line: centres beside it by their distance along it, and those of its two ends.
+#[derive(Clone, Default)]
+struct Evidence {
+    beside: Vec<(f64, Point)>,
+    ends: [Vec<(Point, Vector)>; 2],
+}
+
+/// Every line where the outlines have it: means of the centres along it, out to the middles of round ends and to where lines meet.
+pub(super) fn centred(lines: &[Chain], sides: &[Side], half_width: f64) -> Result<Vec<Chain>> {
+    let spines: Vec<Spine> = lines.iter().map(|line| Spine::new(line, half_width)).collect();
+    let evidence = gather(&spines, sides, half_width)?;
+    let mut found: Vec<(Vec<Point>, [bool; 2])> = with_room(lines.len())?;
+    for (spine, evidence) in spines.iter().zip(&evidence) {
+        found.push(spine.moved(evidence, half_width));
+    }
+    // Ends without a cap are on another line.
+    let known: Vec<Vec<Point>> = found.iter().map(|(points, _)| points.clone()).collect();
+    let mut chains = with_room(lines.len())?;
+    for (i, (mut points, capped)) in found.into_iter().enumerate() {
+        let spine = &spines[i];
+        if let Some(ring) = spine.filled_ring(&evidence[i], half_width) {
+            chains.push(Chain::new(ring, true)?);
+            continue;
+        }
+        if !spine.closed {
+            for last in [false, true] {
+                if !capped[usize::from(last)] {
+                    let node = if last { spine.points[spine.points.len() - 1] } else { spine.points[0] };
+                    reach_out(&mut points, last, node, i, &known, half_width);
+                }
+            }
+        }
+        if points.len() < 2 || norm(points[points.len() - 1] - points[0]) < 0.05 && points.len() == 2 {
+            let dot = points.first().copied().unwrap_or(spine.points[0]);
+            points = vec![dot, dot + Vector::new(0.1, 0.0)];
+        }
+        chains.push(Chain::new(points, spine.closed)?);
+    }
+    Ok(chains)
+}
+
+impl Spine {
+    fn new(line: &Chain, half_width: f64) -> Self {
+        let window = half_width.clamp(3.0, 8.0);
+        let count = line.points().len();
+        let (mut points, mut tangents, mut travelled) = (Vec::new(), Vec::new(), Vec::new());
+        let mut sum = 0.0;
+        for i in 0..count {
+            let place = line.place(i, window);
+            let end = !line.is_closed() && (i == 0 || i + 1 == count);
+            let point = if end { line.points()[i] } else { place.point };
+            if let Some(&before) = points.last() {
+                sum += norm(point - before);
+            }
+            points.push(point);
+            tangents.push(place.tangent);
+            travelled.push(sum);
+        }
+        Self { points, tangents, travelled, closed: line.is_closed() && count > 2 }
+    }
+
+    fn length(&self) -> f64 {
+        let last = self.points.len() - 1;
+        let close = if self.closed { norm(self.points[0] - self.points[last]) } else { 0.0 };
+        self.travelled[last] + close
+    }
+
+    /// The line's points from its evidence, and which ends have a cap.
+    fn moved(&self, evidence: &Evidence, half_width: f64) -> (Vec<Point>, [bool; 2]) {
+        let mut beside = evidence.beside.clone();
+        sort_by_number(&mut beside, &|near| near.0);
+        let mut points: Vec<Point> = Vec::new();
+        for near in beside.chunk_by(|a, b| a.0.floor() == b.0.floor()) {
+            let mut sum = Point::zeros();
+            near.iter().for_each(|(_, p)| sum += p);
+            points.push(sum / near.len() as f64);
+        }
+        let mut capped = [false; 2];
+        if self.closed {
+            return (points, capped);
+        }
+        for last in [false, true] {
+            let centres = &evidence.ends[usize::from(last)];
+            if (centres.len() as f64) < half_width.max(3.0) {
+                continue;
+            }
+            capped[usize::from(last)] = true;
+            let end = cap(centres, self.outward(last), half_width);
+            let outward = self.outward(last);
+            points.retain(|p| dot(p - end, outward) < -0.5 || norm(p - end) > 2.0 * half_width);
+            if last {
+                points.push(end);
+            } else {
+                points.insert(0, end);
+            }
+        }
+        (points, capped)
+    }
+
+    /// A disc wider than the strokes is a ring whose hole is filled: its centre line is a circle. `None` for other lines.
+    fn filled_ring(&self, evidence: &Evidence, half_width: f64) -> Option<Vec<Point>> {
+        let ends = evidence.ends.iter().flatten().map(|&(centre, _)| centre);
+        let mut centres: Vec<Point> = ends.chain(evidence.beside.iter().map(|&(_, p)| p)).collect();
+        if self.length() > 0.4 * half_width + 3.0 || centres.len() < 16 {
+            return None;
+        }
+        let count = centres.len() as f64;
+        let mut middle = Point::zeros();
+        centres.iter().for_each(|p| middle += p / count);
+        let radius = centres.iter().map(|p| norm(p - middle)).sum::<f64>() / count;
+        let round = centres.iter().all(|p| (norm(p - middle) - radius).abs() < 0.25 * radius);
+        if radius < 0.1 * half_width + 0.4 || !round {
+            return None;
+        }
+        let angle = |p: &Point| libm::atan2(p.y - middle.y, p.x - middle.x);
+        sort_by_number(&mut centres, &angle);
+        Some(centres)
+    }
+
+    fn outward(&self, last: bool) -> Vector {
+        if last { self.tangents[self.tangents.len() - 1] } else { -self.tangents[0] }
+    }
+}
+
+/// The middle of a round end, or the middle of a flat one.
+fn cap(centres: &[(Point, Vector)], outward: Vector, half_width: f64) -> Point {
+    let (mut sum, mut flat, mut facing) = (Point::zeros(), Point::zeros(), 0.0);
+    for (centre, inward) in centres {
+        sum += centre;
+        flat += centre - inward * half_width;
+        facing -= dot(*inward, outward);
+    }
+    let count = centres.len() as f64;
+    // A round end seen over ±40° faces outwards by 0.91 on average, a flat one by 1.
+    if facing > 0.985 * count { flat / count } else { sum / count }
+}
+
+/// Gives every place of an outline to the nearest line.
+fn gather(spines: &[Spine], sides: &[Side], half_width: f64) -> Result<Vec<Evidence>> {
+    let reach = 0.7 * half_width + 2.0;
+    let mut index: Vec<(i32, i32, u32, u32)> = Vec::new();
+    let cell = |p: Point| ((p.x / reach).floor() as i32, (p.y / reach).floor() as i32);
+    for (k, spine) in spines.iter().enumerate() {
+        for (i, &p) in spine.points.iter().enumerate() {
+            let (x, y) = cell(p);
+            index.push((x, y, k as u32, i as u32));
+        }
+    }
+    sort_in_place(&mut index);
+    let mut evidence = vec![Evidence::default(); spines.len()];
+    for side in sides {
+        let (x, y) = cell(side.centre);
+        let mut best = (reach * reach, 0, 0);
+        for column in x - 1..=x + 1 {
+            let from = index.partition_point(|entry| (entry.0, entry.1) < (column, y - 1));
+            for &(c, r, k, i) in &index[from..] {
+                if (c, r) > (column, y + 1) {
+                    break;
+                }
+                let off = square(spines[k as usize].points[i as usize] - side.centre);
+                if off < best.0 {
+                    best = (off, k as usize, i as usize + 1);
+                }
+            }
+        }
+        if best.2 > 0 {
+            place(&spines[best.1], best.2 - 1, side, half_width, &mut evidence[best.1]);
+        }
+    }
+    Ok(evidence)
+}
+
+fn place(spine: &Spine, i: usize, side: &Side, half_width: f64, evidence: &mut Evidence) {
+    let tangent = spine.tangents[i];
+    let length = spine.length();
+    if !spine.closed {
+        for last in [false, true] {
+            let from_end = if last { length - spine.travelled[i] } else { spine.travelled[i] };
+            if from_end < half_width + 3.0 && dot(side.inward, spine.outward(last)) < -0.75 {
+                evidence.ends[usize::from(last)].push((side.centre, side.inward));
+                return;
+            }
+        }
+    }
+    if dot(side.inward, tangent).abs() < 0.6 {
+        let mut s = spine.travelled[i] + dot(side.centre - spine.points[i], tangent);
+        if spine.closed {
+            s -= length * (s / length).floor();
+        }
+        evidence.beside.push((s, side.centre));
+    }
+}
+
+/// Lengthens a line straight on to the line that it meets, or to the skeleton's junction.
+fn reach_out(
+    points: &mut Vec<Point>,
+    last: bool,
+    node: Point,
+    own: usize,
+    known: &[Vec<Point>],
+    half_width: f64,
+) {
+    let count = points.len();
+    let tail = ((1.2 * half_width) as usize + 5).min(count);
+    if count < 2 {
+        points.push(node);
+        return;
+    }
+    let stretch: Vec<Point> =
+        if last { points[count - tail..].to_vec() } else { points[..tail].iter().rev().copied().collect() };
+    let line = line_through(&stretch);
+    let end = stretch[tail - 1];
+    let mut best = (3.0 * half_width + 3.0, None);
+    for (k, other) in known.iter().enumerate() {
+        let skip = if k == own { 2 * tail } else { 0 };
+        let within = match (skip, last) {
+            (0, _) => &other[..],
+            (skip, true) => &other[..other.len().saturating_sub(skip)],
+            (skip, false) => &other[skip.min(other.len())..],
+        };
+        for pair in within.windows(2) {
+            if let Some((ahead, point)) = crossing(end, line.direction, pair[0], pair[1])
+                && ahead > -half_width
+                && ahead.abs() < best.0
+            {
+                best = (ahead.abs(), Some(point));
+            }
+        }
+    }
+    let target = best.1.unwrap_or(node);
+    if norm(target - end) > 3.5 * half_width + 3.0 {
+        return;
+    }
+    let outward = unit(line.direction);
+    points.retain(|p| dot(p - target, outward) < -0.3 || norm(p - target) > 2.0 * half_width);
+    if last {
+        points.push(target);
+    } else {
+        points.insert(0, target);
+    }
+}
+
+/// Where a ray meets a segment, and how far ahead.
+fn crossing(from: Point, direction: Vector, a: Point, b: Point) -> Option<(f64, Point)> {
+    let (side, other) = (cross(direction, a - from), cross(direction, b - from));
+    if side * other > 0.0 || side == other {
+        return None;
+    }
+    let point = a + (b - a) * (side / (side - other));
+    Some((dot(point - from, direction), point))
+}

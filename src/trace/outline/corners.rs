@@ -1,0 +1,208 @@
+//! Sharp corners of a contour, and only those.
+
+use crate::numerics::order::sort_by_keys;
+use crate::numerics::plane::{dot, norm, square};
+use crate::numerics::{Point, Vector};
+use crate::trace::samples::{Line, Samples, line_through, turn, unit};
+
+/// Corners this near each other, in pixels, may be one.
+const DOUBLE: f64 = 1.5;
+const DETOUR: f64 = 1.8;
+
+/// The cosine of the least turning at a narrow end, its least and largest width and how far its corners may be from the contour, in pixels.
+const BACK: f64 = -0.75;
+const BLUNT: f64 = 1.4;
+const WIDEST: f64 = 5.0;
+const CUT: f64 = 0.6;
+
+/// What a corner is, in pixels and radians.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::trace) struct CornerRule {
+    /// How much of both sides next to the place is not looked at: the pixels round it.
+    pub(in crate::trace) gap: f64,
+    /// How much of both sides is looked at.
+    pub(in crate::trace) window: f64,
+    /// The least turning.
+    pub(in crate::trace) angle: f64,
+    /// How far the corner may be from the contour.
+    pub(in crate::trace) reach: f64,
+}
+
+/// A corner between places of a contour.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::trace) struct Corner {
+    /// The index of the place nearest to it.
+    pub(super) index: isize,
+    /// Where both sides meet.
+    pub(in crate::trace) point: Point,
+}
+
+/// All corners in the order of the places: those by the first rule, then those that another rule finds between them.
+/// O(places).
+///
+/// Both sides of a place are followed by a line and by a parabola, from the gap on. The turning between the lines is that of a
+/// corner or of an arc; the turning between the parabolas' tangents at the place is small for arcs (D 14.5).
+pub(in crate::trace) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<Corner> {
+    let count = samples.len() as isize;
+    let around = |i: isize| i.rem_euclid(count) as usize;
+    let mut found: Vec<Corner> = Vec::new();
+    // Places near corners of the rules before.
+    let mut taken = vec![false; samples.len()];
+    for rule in rules {
+        // What pixels cut off belongs to the corner, by this rule and by those after it.
+        let apart = samples.steps((1.8 * rule.gap - 0.7).max(2.2)).max(1);
+        let cosines = [0.6 * rule.angle, rule.angle].map(|angle| crate::numerics::angle::sin_cos(angle).1);
+        let scores: Vec<f64> = (0..count).map(|i| score(samples, i, rule, cosines)).collect();
+        let known = found.len();
+        for i in 0..count {
+            let own = scores[i as usize];
+            if own < rule.angle || taken[i as usize] {
+                continue;
+            }
+            let highest = (1..=apart).all(|d| own > scores[around(i - d)] && own >= scores[around(i + d)]);
+            if !highest {
+                continue;
+            }
+            if let Some(ends) = blunt(samples, i, rule) {
+                found.extend(ends);
+            } else if let Some(point) = place(samples, i, rule) {
+                found.push(Corner { index: i, point });
+            }
+        }
+        for corner in &found[known..] {
+            (1 - apart..apart).for_each(|d| taken[around(corner.index + d)] = true);
+        }
+    }
+    sort_by_keys(&mut found, &|corner| [corner.index as u64, 0]);
+    without_doubles(found, samples)
+}
+
+/// Corners less those that are near the one before, though the contour goes a long way from one to the other: round a tip that
+/// pixels cut off both sides of it meet twice.
+fn without_doubles(found: Vec<Corner>, samples: &Samples) -> Vec<Corner> {
+    let mut kept: Vec<Corner> = Vec::with_capacity(found.len());
+    for corner in found {
+        let twice = kept.last().is_some_and(|last| {
+            let apart = norm(corner.point - last.point);
+            apart < DOUBLE && corner.index - last.index > samples.steps(DETOUR * apart)
+        });
+        if !twice {
+            kept.push(corner);
+        }
+    }
+    kept
+}
+
+fn sides<'a>(samples: &'a Samples, i: isize, rule: &CornerRule) -> [&'a [Point]; 2] {
+    let (near, far) = (samples.steps(rule.gap), samples.steps(rule.gap + rule.window));
+    [samples.stretch(i - far, i - near), samples.stretch(i + near, i + far)]
+}
+
+/// How much of a corner a place is; nothing where the cosine of the turning is larger than one of two: between chords, between lines.
+fn score(samples: &Samples, i: isize, rule: &CornerRule, [cosine, least]: [f64; 2]) -> f64 {
+    let far = samples.steps(rule.gap + rule.window);
+    if 2 * far > samples.len() as isize {
+        return 0.0;
+    }
+    if !samples.closed && (i < far || i + far >= samples.len() as isize) {
+        return 0.0;
+    }
+    let here = samples.at(i);
+    let (before, after) = (here - samples.at(i - far), samples.at(i + far) - here);
+    let along = dot(before, after);
+    // Of two sides of the inequality with equal signs the squares are compared.
+    let (ours, theirs) = (along * along.abs(), cosine * cosine.abs() * square(before) * square(after));
+    if ours > theirs {
+        return 0.0;
+    }
+    let [before, after] = sides(samples, i, rule);
+    let (first, second) = (line_through(before), line_through(after));
+    // Less than a corner is nothing: most curves end here.
+    if dot(first.direction, second.direction) > least {
+        return 0.0;
+    }
+    let lines = turn(first.direction, second.direction);
+    let tangents = turn(end_tangent(before, &first, here, 1.0), end_tangent(after, &second, here, -1.0));
+    if lines * tangents < 0.0 && lines.abs() < 2.0 {
+        return 0.0;
+    }
+    lines.abs().min(1.6 * tangents.abs())
+}
+
+/// The tangent at the place that a side leads to, by a parabola over the side's own axis, the line through it.
+fn end_tangent(side: &[Point], line: &Line, here: Point, sign: f64) -> Vector {
+    let normal = Vector::new(-line.direction.y, line.direction.x);
+    // Least squares of y = a + bx + cx² about the middle, where Σx = 0.
+    let (mut x2, mut x3, mut x4, mut y0, mut y1, mut y2) = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    for p in side {
+        let (x, y) = (dot(p - line.middle, line.direction), dot(p - line.middle, normal));
+        x2 += x * x;
+        x3 += x * x * x;
+        x4 += x * x * x * x;
+        y0 += y;
+        y1 += x * y;
+        y2 += x * x * y;
+    }
+    let n = side.len() as f64;
+    // From a = (y0 − c·x2)/n: [x2 x3; x3 x4 − x2²/n]·(b, c) = (y1, y2 − x2·y0/n).
+    let (d, e) = (x4 - x2 * x2 / n, y2 - x2 * y0 / n);
+    let determinant = x2 * d - x3 * x3;
+    if determinant.abs() < 1e-9 {
+        return line.direction;
+    }
+    let (b, c) = ((y1 * d - e * x3) / determinant, (x2 * e - x3 * y1) / determinant);
+    // Extrapolated to the place, which is no farther than the side is long.
+    let reach = norm(side[side.len() - 1] - side[0]);
+    let x = sign * (sign * dot(here - line.middle, line.direction)).max(0.0).min(1.2 * reach);
+    unit(line.direction + normal * (b + 2.0 * c * x))
+}
+
+fn place(samples: &Samples, i: isize, rule: &CornerRule) -> Option<Point> {
+    let [before, after] = sides(samples, i, rule);
+    let (first, second): (Line, Line) = (line_through(before), line_through(after));
+    let point = first.meets(&second)?;
+    // The pixels cut more off a sharp tip than off a right angle.
+    let half = 0.5 * turn(first.direction, second.direction).abs();
+    let (sine, cosine) = crate::numerics::angle::sin_cos(half);
+    let reach = rule.reach * (0.5 + 0.5 * sine / cosine.max(0.15));
+    (norm(point - samples.at(i)) <= reach).then_some(point)
+}
+
+/// The two corners of a narrow end that is cut off straight, where the contour turns back at place i.
+fn blunt(samples: &Samples, i: isize, rule: &CornerRule) -> Option<[Corner; 2]> {
+    let near = samples.steps(rule.gap);
+    let (mut gap, mut width) = (near, 0.0);
+    let mut lines = None;
+    for _ in 0..2 {
+        let far = gap + samples.steps(rule.window);
+        if 2 * far > samples.len() as isize || !samples.closed {
+            return None;
+        }
+        let first = line_through(samples.stretch(i - far, i - gap));
+        let second = line_through(samples.stretch(i + gap, i + far));
+        if dot(first.direction, second.direction) > BACK {
+            return None;
+        }
+        let here = samples.at(i);
+        width = first.offset(here).abs() + second.offset(here).abs();
+        if !(BLUNT..=WIDEST).contains(&width) {
+            return None;
+        }
+        gap = near + samples.steps(0.5 * width);
+        lines = Some((first, second));
+    }
+    let (first, second) = lines?;
+    let middle = samples.steps(0.25 * width).max(1);
+    let end = line_through(samples.stretch(i - middle, i + middle));
+    let points = [first.meets(&end)?, end.meets(&second)?];
+    let half = samples.steps(0.5 * width).max(2);
+    // A round end keeps away from such corners.
+    let off = |point: Point| {
+        (-2 * half..=2 * half).fold(f64::MAX, |least, d| least.min(square(point - samples.at(i + d)))).sqrt()
+    };
+    let count = samples.len() as isize;
+    (off(points[0]) < CUT && off(points[1]) < CUT).then(|| {
+        let corner = |index: isize, point| Corner { index: index.rem_euclid(count), point };
+        [corner(i - half, points[0]), corner(i + half, points[1])]
+    })
+}

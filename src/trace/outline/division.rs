@@ -1,0 +1,382 @@
+//! A first outline: straight runs as lines, what is between them as few smooth cubics.
+
+use super::corners::Corner;
+use super::cubic::{Cubic, Tangent};
+use super::{Node, Outline, Piece};
+use crate::numerics::Point;
+use crate::numerics::plane::{cross, norm, square};
+use crate::trace::samples::{Line, Samples, line_through, unit};
+
+/// How near is near enough, in pixels.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::trace) struct DivisionRule {
+    /// The contour next to a corner that is not looked at.
+    pub(in crate::trace) gap: f64,
+    /// The largest deviation of a straight run.
+    pub(in crate::trace) straight: f64,
+    /// The least length of a straight run that begins or ends at a corner; others are up to five times as long.
+    pub(in crate::trace) least_run: f64,
+    /// The largest deviation of a cubic, and its root mean square.
+    pub(in crate::trace) most: f64,
+    pub(in crate::trace) rms: f64,
+    /// How much on both sides a tangent is taken from.
+    pub(in crate::trace) reach: f64,
+}
+
+/// Where a stretch begins or ends.
+#[derive(Clone, Copy, Debug)]
+struct Anchor {
+    index: isize,
+    point: Point,
+    tangent: Tangent,
+}
+
+struct Run {
+    first: isize,
+    last: isize,
+    line: Line,
+}
+
+struct Divider<'a> {
+    samples: &'a Samples,
+    rule: &'a DivisionRule,
+    outline: &'a mut Outline,
+    longest: isize,
+}
+
+/// Stretches between corners that are divided in one step.
+const STRETCHES: usize = 512;
+
+/// A contour that is being divided.
+#[derive(Debug)]
+pub(in crate::trace) struct Division {
+    outline: Outline,
+    /// The corner that is next.
+    at: usize,
+}
+
+impl Division {
+    pub(in crate::trace) fn new() -> Self {
+        Self { outline: Outline { nodes: Vec::new(), pieces: Vec::new() }, at: 0 }
+    }
+
+    /// Some stretches more; the outline, when they were the last.
+    ///
+    /// # Cost
+    ///
+    /// O(places of the stretches), and O(nodes) at last.
+    pub(in crate::trace) fn step(
+        &mut self,
+        samples: &Samples,
+        corners: &[Corner],
+        rule: &DivisionRule,
+    ) -> Option<Outline> {
+        let count = samples.len() as isize;
+        let mut divider = Divider { samples, rule, outline: &mut self.outline, longest: count / 2 };
+        let end = (self.at + STRETCHES).min(corners.len());
+        for (corner, i) in corners[self.at..end].iter().zip(self.at + 1..) {
+            let (next, wrap) = if i < corners.len() { (&corners[i], 0) } else { (&corners[0], count) };
+            let start = Anchor { index: corner.index, point: corner.point, tangent: Tangent::Free };
+            let end = Anchor { index: next.index + wrap, point: next.point, tangent: Tangent::Free };
+            let gap = samples.steps(rule.gap);
+            let runs = divider.runs(start.index + gap, end.index - gap, true);
+            divider.stretch(start, end, &runs);
+        }
+        if corners.is_empty() {
+            divider.round();
+        }
+        self.at = end;
+        if end < corners.len() {
+            return None;
+        }
+        let mut outline = core::mem::replace(self, Self::new()).outline;
+        outline.align();
+        Some(outline)
+    }
+}
+
+/// Divides a contour at its corners, finds straight runs, and follows the rest by cubics.
+pub(in crate::trace) fn divide(samples: &Samples, corners: &[Corner], rule: &DivisionRule) -> Outline {
+    let mut division = Division::new();
+    loop {
+        if let Some(outline) = division.step(samples, corners, rule) {
+            return outline;
+        }
+    }
+}
+
+/// Divides an open line at its corners as [`divide`] does. A straight piece that leads from its end to its start closes the outline.
+pub(in crate::trace) fn divide_open(samples: &Samples, corners: &[Corner], rule: &DivisionRule) -> Outline {
+    let mut outline = Outline { nodes: Vec::new(), pieces: Vec::new() };
+    let last = samples.len() as isize - 1;
+    let mut divider = Divider { samples, rule, outline: &mut outline, longest: last };
+    let free = |index: isize, point: Point| Anchor { index, point, tangent: Tangent::Free };
+    let mut start = free(0, samples.at(0));
+    let ends = corners.iter().map(|corner| free(corner.index, corner.point));
+    for end in ends.chain([free(last, samples.at(last))]) {
+        let gap = samples.steps(rule.gap);
+        let runs = divider.runs(start.index + gap, end.index - gap, true);
+        divider.stretch(start, end, &runs);
+        start = end;
+    }
+    divider.emit(start, Piece::Line);
+    outline.align();
+    outline
+}
+
+impl Divider<'_> {
+    /// A contour without corners begins with a straight run, or where it is flattest.
+    fn round(&mut self) {
+        let count = self.samples.len() as isize;
+        let reach = self.samples.steps(3.0).clamp(1, count / 4);
+        let bend = |i: isize| self.samples.curvature(i, reach).abs();
+        let (mut sharpest, mut flattest) = ((0, -1.0), (0, f64::MAX));
+        for i in 0..count {
+            let bend = bend(i);
+            if bend > sharpest.1 {
+                sharpest = (i, bend);
+            }
+            if bend < flattest.1 {
+                flattest = (i, bend);
+            }
+        }
+        let runs = self.runs(sharpest.0, sharpest.0 + count, false);
+        if let Some(run) = runs.first() {
+            let start = self.on_line(run.first, &run.line);
+            let end = Anchor { index: start.index + count, ..start };
+            self.stretch(start, end, &runs);
+            return;
+        }
+        let start = self.smooth(flattest.0, count / 4);
+        let end = Anchor { index: start.index + count, ..start };
+        self.curve(start, end);
+    }
+
+    fn smooth(&self, index: isize, room: isize) -> Anchor {
+        let most = self.samples.steps(8.0 * self.rule.reach).min(room);
+        let (point, direction) =
+            self.samples.smoothed(index, self.samples.steps(self.rule.reach).min(room), most);
+        Anchor { index, point, tangent: Tangent::Along(direction) }
+    }
+
+    fn on_line(&self, index: isize, line: &Line) -> Anchor {
+        let point = line.nearest(self.samples.at(index));
+        Anchor { index, point, tangent: Tangent::Along(line.direction) }
+    }
+
+    /// Straight runs in a stretch, which may be between `corners`.
+    fn runs(&self, first: isize, last: isize, corners: bool) -> Vec<Run> {
+        let mut runs = Vec::new();
+        let least = self.samples.steps(self.rule.least_run).max(4);
+        let most = (self.samples.len() as isize / 12).min(5 * least).max(least);
+        let near = self.samples.steps(1.2);
+        let mut i = first;
+        while i + least <= last {
+            if !self.straight(i, i + least) {
+                i += 1;
+                continue;
+            }
+            // Doubling and halving: the longest run from here.
+            let (mut good, mut step) = (i + least, least);
+            while good + step <= last && self.straight(i, good + step) {
+                good += step;
+                step *= 2;
+            }
+            while step > 0 {
+                if good + step <= last && self.straight(i, good + step) {
+                    good += step;
+                }
+                step /= 2;
+            }
+            let trim = (good - i) / 8;
+            let core = self.samples.stretch(i + trim, good - trim);
+            if self.sagitta(core).abs() < 0.3 * self.rule.straight {
+                // The ends of the longest run lean into what follows.
+                let line = line_through(core);
+                let fits = |i: isize| line.offset(self.samples.at(i)).abs() < 0.5 * self.rule.straight;
+                let (mut from, mut to) = (i, good);
+                while from < i + trim && !fits(from) {
+                    from += 1;
+                }
+                while to > good - trim && !fits(to) {
+                    to -= 1;
+                }
+                // On a curve the contour is straight for a while by chance; beside a corner there is nothing else to go by.
+                let beside = corners && (from - first <= near || last - to <= near);
+                if beside || to - from >= most {
+                    runs.push(Run { first: from, last: to, line });
+                }
+                i = good + 1;
+            } else {
+                i += ((good - i) / 4).max(1);
+            }
+        }
+        runs
+    }
+
+    fn straight(&self, first: isize, last: isize) -> bool {
+        let points = self.samples.stretch(first, last);
+        // Where all are near a line, the middle is not twice as far from the chord.
+        let (start, middle) = (points[0], points[points.len() / 2]);
+        let chord = points[points.len() - 1] - start;
+        let bend = cross(chord, middle - start);
+        if bend * bend > 4.0 * self.rule.straight * self.rule.straight * square(chord) {
+            return false;
+        }
+        let line = line_through(points);
+        points.iter().all(|&p| line.offset(p).abs() <= self.rule.straight)
+    }
+
+    /// How far the middle of some places bends away from the line through them, by least squares of a parabola.
+    fn sagitta(&self, points: &[Point]) -> f64 {
+        let line = line_through(points);
+        let n = points.len() as f64;
+        let (mut moment, mut fourth) = (0.0, 0.0);
+        for (i, &p) in points.iter().enumerate() {
+            let x = (i as f64 + 0.5) / n * 2.0 - 1.0;
+            let bowl = x * x - 1.0 / 3.0;
+            moment += bowl * line.offset(p);
+            fourth += bowl * bowl;
+        }
+        moment / fourth
+    }
+
+    /// One stretch between two anchors, with the straight runs in it.
+    fn stretch(&mut self, start: Anchor, end: Anchor, runs: &[Run]) {
+        let near = self.samples.steps(self.rule.gap + 1.2);
+        if start.tangent == Tangent::Free && self.is_line(start, end) {
+            self.emit(start, Piece::Line);
+            return;
+        }
+        let mut at = start;
+        for (i, run) in runs.iter().enumerate() {
+            let mut first = self.on_line(run.first, &run.line);
+            if at.tangent == Tangent::Free && run.first - at.index <= near {
+                first = at;
+            } else if at.index < first.index {
+                self.curve(at, first);
+            }
+            let mut last = self.on_line(run.last, &run.line);
+            if end.tangent == Tangent::Free && end.index - run.last <= near {
+                last = end;
+            } else if let Some(next) = runs.get(i + 1)
+                && next.first - run.last <= near + near
+                && let Some(point) = run.line.meets(&next.line)
+                && norm(point - self.samples.at(middle_of(run.last, next.first))) < 0.8
+            {
+                let index = middle_of(run.last, next.first);
+                last = Anchor { index, point, tangent: Tangent::Free };
+            }
+            self.emit(first, Piece::Line);
+            at = last;
+        }
+        if at.index < end.index {
+            self.curve(at, end);
+        }
+    }
+
+    fn is_line(&self, start: Anchor, end: Anchor) -> bool {
+        let gap = self.samples.steps(self.rule.gap);
+        let direction = unit(end.point - start.point);
+        let line = Line { middle: start.point, direction };
+        let (first, last) = (start.index + gap, end.index - gap);
+        if end.index - start.index >= self.longest * 2 {
+            return false;
+        }
+        let off = |i: isize| line.offset(self.samples.at(i));
+        let most = (first..=last).fold(0.0_f64, |most, i| most.max(off(i).abs()));
+        if most > 1.5 * self.rule.straight {
+            return false;
+        }
+        last - first < 6 || self.sagitta(self.samples.stretch(first, last)).abs() < 0.4 * self.rule.straight
+    }
+
+    fn emit(&mut self, anchor: Anchor, piece: Piece) {
+        self.outline.nodes.push(Node {
+            point: anchor.point,
+            smooth: anchor.tangent != Tangent::Free,
+            kept: false,
+        });
+        self.outline.pieces.push(piece);
+    }
+
+    /// Cubics from one anchor to the next: as few as the tolerance allows, of about equal deviation.
+    fn curve(&mut self, start: Anchor, end: Anchor) {
+        for (anchor, cubic) in self.greedy(start, end) {
+            self.emit(anchor, Piece::Cubic { leaving: cubic.leaving, arriving: cubic.arriving });
+        }
+    }
+
+    /// The longest cubic that is near enough, then the next.
+    fn greedy(&self, start: Anchor, end: Anchor) -> Vec<(Anchor, Cubic)> {
+        let mut pieces = Vec::new();
+        let mut at = start;
+        let mut span = self.samples.steps(4.0).max(4);
+        while at.index < end.index {
+            let least = 4.min(end.index - at.index);
+            let furthest = end.index.min(at.index + self.longest);
+            let mut good = at.index + least;
+            let mut found = self.fit(at, self.anchor(good, at, end));
+            // The whole way is tried first, if it may not be too long.
+            let whole = at.index == start.index || furthest - at.index <= 4 * span;
+            let all = whole.then(|| self.fit(at, self.anchor(furthest, at, end)));
+            if let Some(all) = all
+                && self.near(&all)
+            {
+                (good, found) = (furthest, all);
+            } else {
+                // Pieces are about as long as the one before: double from there, then halve.
+                let mut step = span;
+                let mut grows = true;
+                while step > 0 {
+                    let wish = good + step;
+                    let fitted = (wish < furthest).then(|| self.fit(at, self.anchor(wish, at, end)));
+                    match fitted {
+                        Some(fitted) if self.near(&fitted) => {
+                            (good, found) = (wish, fitted);
+                            step = if grows { 2 * step } else { step / 2 };
+                        }
+                        _ => {
+                            grows = false;
+                            step /= 2;
+                        }
+                    }
+                }
+            }
+            span = ((good - at.index) / 2).max(least);
+            let next = self.anchor(good, at, end);
+            pieces.push((at, found.cubic));
+            at = next;
+        }
+        pieces
+    }
+
+    /// The anchor at a place between two others: smooth, its tangent from its side of both.
+    fn anchor(&self, index: isize, start: Anchor, end: Anchor) -> Anchor {
+        if index >= end.index {
+            return end;
+        }
+        let gap = |anchor: Anchor| {
+            if anchor.tangent == Tangent::Free { self.samples.steps(self.rule.gap) } else { 0 }
+        };
+        let room = (index - start.index - gap(start)).min(end.index - index - gap(end));
+        self.smooth(index, room.max(2))
+    }
+
+    fn near(&self, fitted: &super::cubic::Fitted) -> bool {
+        fitted.most <= self.rule.most && fitted.rms <= self.rule.rms
+    }
+
+    fn fit(&self, start: Anchor, end: Anchor) -> super::cubic::Fitted {
+        let gap = |anchor: Anchor| {
+            if anchor.tangent == Tangent::Free { self.samples.steps(self.rule.gap) } else { 1 }
+        };
+        let (first, last) = (start.index + gap(start), end.index - gap(end));
+        let places = if first <= last { self.samples.stretch(first, last) } else { &[] };
+        Cubic::fit(start.point, end.point, places, [start.tangent, end.tangent])
+    }
+}
+
+fn middle_of(first: isize, last: isize) -> isize {
+    first + (last - first) / 2
+}

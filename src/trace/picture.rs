@@ -1,0 +1,10 @@
+//! Pictures and what is seen in them without curves: shades, light, tones, the iso-contours of ink, marks of single pixels, colours in layers.
+
+pub(super) mod bitmap;
+pub(super) mod blur;
+pub(super) mod contour;
+pub(super) mod gray;
+pub(super) mod layers;
+pub(super) mod light;
+pub(super) mod palette;
+pub(super) mod tones;

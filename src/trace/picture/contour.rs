@@ -1,0 +1,244 @@
+//! Iso-contours between pixel centres: closed polylines with the ink on one side.
+
+use super::gray::Gray;
+use crate::error::{Error, Result};
+use crate::limits::with_room;
+use crate::numerics::Point;
+use crate::numerics::plane::cross;
+
+/// A closed polyline; ink lies on the right as x goes right and y down, so that ink has a positive area.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contour {
+    /// Where the contour crosses the lines between neighbouring pixel centres.
+    pub points: Vec<Point>,
+    /// The area inside in square pixels; negative for holes.
+    pub area: f64,
+}
+
+/// Cells that are looked at together.
+const BLOCK: usize = 8;
+
+/// No crossing yet.
+const NONE: u32 = u32::MAX;
+
+/// Links of crossings: every crossing has one before and one after it.
+#[derive(Debug)]
+struct Crossings {
+    places: Vec<[f32; 2]>,
+    next: Vec<u32>,
+    most: usize,
+}
+
+impl Crossings {
+    fn add(&mut self, x: f64, y: f64) -> Result<u32> {
+        if self.places.len() >= self.most {
+            return Err(Error::limit("data", "maxContourPoints", self.most, self.places.len() as f64 + 1.0));
+        }
+        self.places.push([x as f32, y as f32]);
+        self.next.push(NONE);
+        Ok(self.places.len() as u32 - 1)
+    }
+}
+
+/// All contours at `level` between `dark` ink and light paper (or light ink, if `inverted`) that enclose at least `speckle` square pixels.
+///
+/// The picture is taken to lie on paper: ink at its border is closed along the border. Where two diagonal pixels are ink,
+/// the mean of the four decides whether they are joined.
+///
+/// # Errors
+///
+/// A picture with more contour points than half of its pixels and 65,536: not a drawing.
+///
+/// # Cost
+///
+/// O(pixels), in two rows; 12 bytes for each point.
+pub fn contours(gray: &Gray, level: f64, inverted: bool, speckle: f64) -> Result<Vec<Contour>> {
+    let mut scan = ContourScan::new(gray, level, inverted);
+    while scan.step(gray)? {}
+    scan.contours(speckle)
+}
+
+/// A walk over all cells between four pixel centres, two rows at a time, with a frame of paper around.
+#[derive(Debug)]
+pub(in crate::trace) struct ContourScan {
+    crossings: Crossings,
+    level: f64,
+    sign: f64,
+    line: usize,
+    /// Which pixels of the rows above and below are ink, with the frame.
+    above: Vec<u8>,
+    below: Vec<u8>,
+    /// Which cells are partly ink: whole blocks.
+    mixed: Vec<u8>,
+    /// The crossing on the upper side of each cell. Where there is none, anything.
+    upper: Vec<u32>,
+}
+
+impl ContourScan {
+    pub(in crate::trace) fn new(gray: &Gray, level: f64, inverted: bool) -> Self {
+        let most = gray.width() * gray.height() / 2 + 65_536;
+        let crossings = Crossings { places: Vec::new(), next: Vec::new(), most };
+        let size = gray.width() + 2;
+        Self {
+            crossings,
+            level,
+            sign: if inverted { -1.0 } else { 1.0 },
+            line: 0,
+            above: vec![0; size],
+            below: vec![0; size],
+            mixed: vec![0; size.next_multiple_of(BLOCK)],
+            upper: vec![NONE; size],
+        }
+    }
+
+    /// Rows that are done.
+    pub(in crate::trace) fn rows(&self) -> usize {
+        self.line
+    }
+
+    /// One row of cells; whether there are more.
+    pub(in crate::trace) fn step(&mut self, gray: &Gray) -> Result<bool> {
+        let (width, height, line) = (gray.width(), gray.height(), self.line);
+        if line < height {
+            let below = &mut self.below[1..=width];
+            // Shades are whole numbers: being beyond the level is a comparison of whole numbers.
+            if self.sign > 0.0 {
+                let bound = self.level.ceil().max(0.0) as u16;
+                below.iter_mut().zip(gray.row(line)).for_each(|(ink, &v)| *ink = u8::from(v < bound));
+            } else {
+                let bound = self.level.floor().max(0.0) as u16;
+                below.iter_mut().zip(gray.row(line)).for_each(|(ink, &v)| *ink = u8::from(v > bound));
+            }
+        } else {
+            self.below.fill(0);
+        }
+        mix(&self.above, &self.below, &mut self.mixed);
+        let mut on_left = NONE;
+        for block in 0..self.mixed.len() / BLOCK {
+            // The lowest byte that is not 0 is the first mixed cell of the block.
+            let mut cells = u64::from_le_bytes(self.mixed.as_chunks::<BLOCK>().0[block]);
+            while cells != 0 {
+                let first = cells.trailing_zeros() as usize / 8;
+                on_left = self.cell(gray, BLOCK * block + first, on_left)?;
+                cells &= !(255 << (8 * first));
+            }
+        }
+        core::mem::swap(&mut self.above, &mut self.below);
+        self.line += 1;
+        Ok(self.line <= height)
+    }
+
+    /// The crossings on the right and the lower side of a mixed cell, joined with the others; the one on the right.
+    fn cell(&mut self, gray: &Gray, cell: usize, on_left: u32) -> Result<u32> {
+        let (x, y) = (cell as f64 - 0.5, self.line as f64 - 0.5);
+        // Positive is ink. Paper beyond the border is as far from the level as ink is.
+        let value = |column: usize, row: usize| {
+            if column == 0 || row == 0 || column > gray.width() || row > gray.height() {
+                f64::NAN
+            } else {
+                self.sign * (self.level - gray.shade(column - 1, row - 1))
+            }
+        };
+        let (row, next) = (self.line, self.line + 1);
+        let corners = [value(cell, row), value(cell + 1, row), value(cell + 1, next), value(cell, next)];
+        let ink = [self.above[cell], self.above[cell + 1], self.below[cell + 1], self.below[cell]];
+        let ink = ink.map(|ink| ink != 0);
+        let right = if ink[1] == ink[2] {
+            NONE
+        } else {
+            self.crossings.add(x + 1.0, y + between(corners[1], corners[2]))?
+        };
+        let bottom = if ink[3] == ink[2] {
+            NONE
+        } else {
+            self.crossings.add(x + between(corners[3], corners[2]), y + 1.0)?
+        };
+        join(&mut self.crossings, corners, ink, [self.upper[cell], right, bottom, on_left]);
+        self.upper[cell] = bottom;
+        Ok(right)
+    }
+
+    /// The contours, once all rows are done.
+    pub(in crate::trace) fn contours(&mut self, speckle: f64) -> Result<Vec<Contour>> {
+        walk(&mut self.crossings, speckle)
+    }
+}
+
+/// Marks the cells whose four pixels are not of one tone.
+fn mix(above: &[u8], below: &[u8], mixed: &mut [u8]) {
+    let pairs = above.iter().zip(&above[1..]).zip(below.iter().zip(&below[1..]));
+    for (mixed, ((a, b), (c, d))) in mixed.iter_mut().zip(pairs) {
+        *mixed = (a ^ b) | (c ^ d) | (a ^ c);
+    }
+}
+
+/// Where between two centres the level lies; half-way to the paper beyond the border.
+fn between(first: f64, second: f64) -> f64 {
+    if first.is_nan() || second.is_nan() { 0.5 } else { first / (first - second) }
+}
+
+/// Joins the crossings on a cell's four sides, with the ink on the right.
+fn join(crossings: &mut Crossings, corners: [f64; 4], ink: [bool; 4], sides: [u32; 4]) {
+    // Side i runs from corner i to corner i + 1 around the cell. Contours enter where ink ends, and leave where it begins.
+    let mut link = |from: usize, to: usize| crossings.next[sides[from] as usize] = sides[to];
+    let enters = |i: usize| ink[i] && !ink[(i + 1) % 4];
+    let leaves = |i: usize| !ink[i] && ink[(i + 1) % 4];
+    let count = (0..4).filter(|&i| enters(i)).count();
+    if count == 2 {
+        // A saddle: the four together say whether the ink is joined through the middle; where they are even, it is.
+        let mean = corners.iter().filter(|value| !value.is_nan()).sum::<f64>();
+        let joined = mean >= 0.0;
+        for from in (0..4).filter(|&i| enters(i)) {
+            link(from, if joined { (from + 1) % 4 } else { (from + 3) % 4 });
+        }
+        return;
+    }
+    if let (Some(from), Some(to)) = ((0..4).find(|&i| enters(i)), (0..4).find(|&i| leaves(i))) {
+        link(from, to);
+    }
+}
+
+/// Follows the links, round by round, in the order in which the crossings were met.
+fn walk(crossings: &mut Crossings, speckle: f64) -> Result<Vec<Contour>> {
+    let mut found = Vec::new();
+    for start in 0..crossings.next.len() {
+        if crossings.next[start] == NONE {
+            continue;
+        }
+        let mut count = 0;
+        let mut area = 0.0;
+        let mut at = start;
+        let place =
+            |i: usize| Point::new(f64::from(crossings.places[i][0]), f64::from(crossings.places[i][1]));
+        let first = place(start);
+        loop {
+            let next = crossings.next[at] as usize;
+            area += 0.5 * cross(place(at) - first, place(next) - first);
+            count += 1;
+            at = next;
+            if at == start {
+                break;
+            }
+        }
+        let mut points: Vec<Point> = Vec::new();
+        let kept = area.abs() >= speckle && count >= 4;
+        if kept {
+            points = with_room(count)?;
+        }
+        loop {
+            if kept {
+                points.push(place(at));
+            }
+            let next = crossings.next[at] as usize;
+            crossings.next[at] = NONE;
+            at = next;
+            if at == start {
+                break;
+            }
+        }
+        if kept {
+            found.push(Contour { points, area });
+        }
+    }
+    Ok(found)
+}

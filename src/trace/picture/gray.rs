@@ -1,0 +1,261 @@
+//! A picture as shades of one quantity.
+
+use super::light::Evening;
+use super::tones::{ToneScan, Tones};
+use crate::error::{Error, Result};
+use crate::limits::{check, with_room};
+
+/// The most columns or rows of a picture.
+pub const MOST_SIDE: usize = 16_384;
+/// The most pixels of a picture.
+pub const MOST_PIXELS: usize = 67_108_864;
+
+/// Pixels that are read together; the sum of their shades has room in 32 bits.
+const BLOCK: usize = 4096;
+
+/// Shades from 0 (black) to 65,280 (white): two bytes for every pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gray {
+    width: usize,
+    height: usize,
+    values: Vec<u16>,
+}
+
+/// A picture that is being given row by row, so that nobody holds all of its colours at once.
+///
+/// The shade is the luma of Rec. 709. Where something is transparent, that is paper: white under dark ink, black under light ink.
+/// Which ink it is shows at the end only, so opacity is kept until then, from the first transparent pixel on.
+#[derive(Clone, Debug)]
+pub struct GrayRows {
+    width: usize,
+    height: usize,
+    /// Luma, as if on black where `opacity` is kept.
+    values: Vec<u16>,
+    opacity: Vec<u8>,
+    light: u64,
+    opaque: u64,
+}
+
+impl Gray {
+    /// Begins a picture that is given row by row.
+    ///
+    /// # Errors
+    ///
+    /// A side of 0 or beyond 16,384, more than 67,108,864 pixels, no memory.
+    pub fn begin(width: usize, height: usize) -> Result<GrayRows> {
+        let values = with_room(count(width, height)?)?;
+        Ok(GrayRows { width, height, values, opacity: Vec::new(), light: 0, opaque: 0 })
+    }
+
+    /// A picture from one byte per pixel, row by row.
+    ///
+    /// # Errors
+    ///
+    /// As [`Gray::begin`], and a list of another length.
+    pub fn from_bytes(width: usize, height: usize, bytes: &[u8]) -> Result<Self> {
+        let mut rows = Self::begin(width, height)?;
+        if bytes.len() != width * height {
+            return Err(Error::wrong_length("data", bytes.len(), width * height));
+        }
+        rows.push_gray_rows(bytes)?;
+        rows.finish()
+    }
+
+    /// A picture from red, green, blue and opacity, a byte each: see [`GrayRows`].
+    ///
+    /// # Errors
+    ///
+    /// As [`Gray::from_bytes`].
+    pub fn from_rgba(width: usize, height: usize, bytes: &[u8]) -> Result<Self> {
+        let mut rows = Self::begin(width, height)?;
+        if bytes.len() != 4 * width * height {
+            return Err(Error::wrong_length("data", bytes.len(), 4 * width * height));
+        }
+        rows.push_rgba_rows(bytes)?;
+        rows.finish()
+    }
+
+    /// Shades of a picture that somebody else made.
+    pub(super) fn from_values(width: usize, height: usize, values: Vec<u16>) -> Self {
+        Self { width, height, values }
+    }
+
+    /// Columns.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Rows.
+    pub fn height(&self) -> usize {
+        self.height
+    }
+
+    /// The shade of a pixel.
+    pub(in crate::trace) fn shade(&self, column: usize, row: usize) -> f64 {
+        f64::from(self.values[row * self.width + column])
+    }
+
+    /// One row of shades.
+    pub(in crate::trace) fn row(&self, row: usize) -> &[u16] {
+        &self.values[row * self.width..(row + 1) * self.width]
+    }
+
+    /// One row of shades, to be changed.
+    pub(super) fn row_mut(&mut self, row: usize) -> &mut [u16] {
+        &mut self.values[row * self.width..(row + 1) * self.width]
+    }
+
+    /// Makes the shades what they were if as much light fell on all of the paper; whether that changed anything. A picture that is not dark
+    /// ink on paper, most of it paper, and one in even light stay as they are (D 14.24). [`crate::trace::trace`] does this by itself.
+    ///
+    /// # Errors
+    ///
+    /// No memory, for less than a thousand numbers.
+    ///
+    /// # Cost
+    ///
+    /// O(pixels).
+    pub fn even_light(&mut self) -> Result<bool> {
+        let mut evening = Evening::new(self)?;
+        while !evening.step(self) {}
+        Ok(evening.is_needed())
+    }
+
+    /// Shades of some rows as bytes: 0 is black, 255 white.
+    pub fn bytes(&self, rows: core::ops::Range<usize>) -> impl Iterator<Item = u8> + '_ {
+        let last = rows.end.min(self.height);
+        self.values[rows.start.min(last) * self.width..last * self.width]
+            .iter()
+            .map(|&value| (value >> 8) as u8)
+    }
+
+    /// Finds the two tones and the noise. A picture of one tone is all ink or all paper, as it is dark or light.
+    ///
+    /// Otsu's threshold parts the shades; pixels whose eight neighbours are on the same side are flat. The medians of the flat ones are
+    /// the tones, their means where there is noise. A drawing so thin that nothing is flat has its extreme shades.
+    ///
+    /// # Cost
+    ///
+    /// O(pixels), three rows at a time. Of pictures beyond 131,072 pixels evenly spread rows are looked at for flat places.
+    ///
+    /// # Source
+    ///
+    /// \[Ots79\]; the noise is measured with the mask of \[Imm96\].
+    pub fn tones(&self) -> Tones {
+        let mut scan = ToneScan::new(None);
+        loop {
+            if let Some(tones) = scan.step(self) {
+                return tones;
+            }
+        }
+    }
+}
+
+impl GrayRows {
+    /// More rows, from red, green, blue and opacity, a byte each.
+    ///
+    /// # Errors
+    ///
+    /// A list that is not whole rows, or more rows than the picture has; nothing is taken then.
+    pub fn push_rgba_rows(&mut self, bytes: &[u8]) -> Result<()> {
+        self.room(bytes.len(), 4)?;
+        for block in bytes.chunks(4 * BLOCK) {
+            if self.opacity.capacity() == 0 && is_opaque(block) {
+                self.push_opaque(block);
+            } else {
+                self.push_clear(block)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Some pixels without transparency: the most usual ones.
+    fn push_opaque(&mut self, pixels: &[u8]) {
+        let start = self.values.len();
+        self.values.extend(pixels.as_chunks::<4>().0.iter().map(|&pixel| luma(pixel) as u16));
+        let sum: u32 = self.values[start..].iter().map(|&value| u32::from(value)).sum();
+        self.light += u64::from(sum) * 255;
+        self.opaque += (self.values.len() - start) as u64 * 255;
+    }
+
+    fn push_clear(&mut self, pixels: &[u8]) -> Result<()> {
+        for &pixel in pixels.as_chunks::<4>().0 {
+            let (luma, alpha) = (luma(pixel), u32::from(pixel[3]));
+            self.light += u64::from(luma * alpha);
+            self.opaque += u64::from(alpha);
+            if alpha < 255 && self.opacity.is_empty() {
+                self.opacity = with_room(self.width * self.height)?;
+                self.opacity.resize(self.values.len(), 255);
+            }
+            if self.opacity.capacity() > 0 {
+                self.opacity.push(pixel[3]);
+            }
+            self.values.push(((luma * alpha + 127) / 255) as u16);
+        }
+        Ok(())
+    }
+
+    /// More rows, from one byte per pixel: 0 is black.
+    ///
+    /// # Errors
+    ///
+    /// As [`GrayRows::push_rgba_rows`].
+    pub fn push_gray_rows(&mut self, bytes: &[u8]) -> Result<()> {
+        self.room(bytes.len(), 1)?;
+        self.values.extend(bytes.iter().map(|&byte| u16::from(byte) << 8));
+        if self.opacity.capacity() > 0 {
+            self.opacity.resize(self.values.len(), 255);
+        }
+        self.opaque += 255 * bytes.len() as u64;
+        self.light += bytes.iter().map(|&byte| u64::from(byte)).sum::<u64>() * 65_280;
+        Ok(())
+    }
+
+    /// The picture, once all rows are there.
+    ///
+    /// # Errors
+    ///
+    /// Missing rows.
+    pub fn finish(mut self) -> Result<Gray> {
+        let pixels = self.width * self.height;
+        if self.values.len() != pixels {
+            return Err(Error::wrong_length("data", self.values.len(), pixels));
+        }
+        // Light ink lies on black: what is there already.
+        let dark = self.light <= self.opaque * 32_640;
+        if dark {
+            for (value, &alpha) in self.values.iter_mut().zip(&self.opacity) {
+                *value += (u16::from(255 - alpha)) << 8;
+            }
+        }
+        Ok(Gray { width: self.width, height: self.height, values: self.values })
+    }
+
+    fn room(&self, bytes: usize, each: usize) -> Result<()> {
+        let (row, rest) = (each * self.width, self.width * self.height - self.values.len());
+        if !bytes.is_multiple_of(row) || bytes / each > rest {
+            return Err(Error::wrong_length("data", bytes, (bytes / row * row).min(each * rest)));
+        }
+        Ok(())
+    }
+}
+
+/// 54 + 183 + 19 = 256: 0.2126, 0.7152 and 0.0722 to a thousandth.
+#[inline]
+fn luma([red, green, blue, _]: [u8; 4]) -> u32 {
+    54 * u32::from(red) + 183 * u32::from(green) + 19 * u32::from(blue)
+}
+
+fn is_opaque(pixels: &[u8]) -> bool {
+    pixels.as_chunks::<4>().0.iter().fold(255, |all, pixel| all & pixel[3]) == 255
+}
+
+fn count(width: usize, height: usize) -> Result<usize> {
+    check("width", None, width as f64, 1.0, MOST_SIDE as f64)?;
+    check("height", None, height as f64, 1.0, MOST_SIDE as f64)?;
+    let pixels = width * height;
+    if pixels > MOST_PIXELS {
+        return Err(Error::limit("data", "maxPixels", MOST_PIXELS, pixels as f64));
+    }
+    Ok(pixels)
+}

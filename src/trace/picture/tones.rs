@@ -1,0 +1,227 @@
+//! What can be said of a picture before any outline is known: ink, paper, noise.
+
+use super::gray::Gray;
+
+/// What tells ink from paper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tones {
+    /// The shade of full coverage.
+    pub ink: f64,
+    /// The shade of no coverage.
+    pub paper: f64,
+    /// The standard deviation of the shades in flat places, in units of `paper − ink`.
+    pub noise: f64,
+}
+
+/// Rows that are looked at in one step.
+const ROWS: usize = 64;
+/// About as many pixels are looked at for flat places.
+const ENOUGH: usize = 131_072;
+
+/// Pixels that are looked at together.
+const BLOCK: usize = 32;
+
+/// A look at a picture, some rows at a time: first how many pixels have which shade, then flat places.
+#[derive(Debug)]
+pub(in crate::trace) struct ToneScan {
+    /// The shade up to which pixels are dark, if it was given.
+    given: Option<usize>,
+    row: usize,
+    shades: Box<[[u32; 256]; 4]>,
+    flat: Option<Box<Flat>>,
+}
+
+/// Flat places on both sides of a threshold.
+#[derive(Debug)]
+struct Flat {
+    threshold: usize,
+    histogram: [[u32; 256]; 2],
+    /// What the shades of each bin exceed it by, together.
+    excess: [[u64; 256]; 2],
+    sum: u64,
+    count: u64,
+}
+
+impl ToneScan {
+    /// `threshold` is the shade, 0 … 255, up to which pixels are dark; found if it is not given.
+    pub(in crate::trace) fn new(threshold: Option<usize>) -> Self {
+        Self { given: threshold, row: 0, shades: Box::new([[0; 256]; 4]), flat: None }
+    }
+
+    /// Some rows more; the tones, when they are the last.
+    pub(in crate::trace) fn step(&mut self, gray: &Gray) -> Option<Tones> {
+        let height = gray.height();
+        let Some(flat) = &mut self.flat else {
+            let last = (self.row + ROWS).min(height);
+            for row in self.row..last {
+                count_shades(&mut self.shades, gray.row(row));
+            }
+            self.row = last;
+            if last < height {
+                return None;
+            }
+            self.row = 1;
+            for shade in 0..256 {
+                self.shades[0][shade] = self.shades.iter().map(|counts| counts[shade]).sum();
+            }
+            let (least, most) = self.extremes();
+            if most - least < 8 {
+                let shade = (least << 8) as f64;
+                let (ink, paper) = if least < 128 { (shade, 65_280.0) } else { (0.0, shade) };
+                return Some(Tones { ink, paper, noise: 0.0 });
+            }
+            let threshold = self.given.unwrap_or_else(|| otsu(&self.shades[0]));
+            self.flat = Some(Box::new(Flat {
+                threshold,
+                histogram: [[0; 256]; 2],
+                excess: [[0; 256]; 2],
+                sum: 0,
+                count: 0,
+            }));
+            return None;
+        };
+        // Every so many rows: noise and tones are the same everywhere.
+        let stride = (gray.width() * height).div_ceil(ENOUGH);
+        for _ in 0..ROWS.div_ceil(stride) {
+            if self.row + 1 >= height {
+                return Some(self.tones());
+            }
+            flat.look(gray, self.row);
+            self.row += stride;
+        }
+        None
+    }
+
+    fn extremes(&self) -> (usize, usize) {
+        let least = self.shades[0].iter().position(|&n| n > 0).unwrap_or(0);
+        (least, self.shades[0].iter().rposition(|&n| n > 0).unwrap_or(255))
+    }
+
+    fn tones(&self) -> Tones {
+        let (least, most) = self.extremes();
+        let extreme = |side: usize| if side == 0 { least } else { most };
+        let Some(flat) = &self.flat else {
+            return Tones { ink: 0.0, paper: 65_280.0, noise: 0.0 };
+        };
+        // The mask's answer to noise of deviation σ has the deviation 6σ, its absolute value the mean 6σ√(2/π).
+        let mean = flat.sum as f64 / flat.count.max(1) as f64;
+        let roughness = mean * core::f64::consts::FRAC_PI_2.sqrt() / 6.0;
+        let tone = |side: usize| {
+            let bins = &flat.histogram[side];
+            let total: u32 = bins.iter().sum();
+            if total == 0 {
+                return (extreme(side) << 8) as f64;
+            }
+            if roughness > 768.0 {
+                let moment: f64 = bins.iter().enumerate().map(|(i, &n)| (i << 8) as f64 * f64::from(n)).sum();
+                return moment / f64::from(total);
+            }
+            let mut below = 0;
+            let middle = bins.iter().position(|&n| {
+                below += n;
+                2 * below >= total
+            });
+            let Some(bin) = middle else { return (extreme(side) << 8) as f64 };
+            // Colours have shades between those of bytes.
+            (bin << 8) as f64 + (flat.excess[side][bin] as f64 / f64::from(bins[bin])).round()
+        };
+        let (ink, paper) = (tone(0), tone(1).max(tone(0) + 256.0));
+        Tones { ink, paper, noise: roughness / (paper - ink) }
+    }
+}
+
+/// How many pixels have which shade. Most lie in rows of one shade, which are counted at once.
+fn count_shades(shades: &mut [[u32; 256]; 4], row: &[u16]) {
+    let (blocks, rest) = row.as_chunks::<BLOCK>();
+    for block in blocks {
+        if alike(block, block[0]) {
+            shades[0][usize::from(block[0] >> 8)] += BLOCK as u32;
+            continue;
+        }
+        // Equal shades come in runs: counts in turn do not wait for each other.
+        for (i, &value) in block.iter().enumerate() {
+            shades[i % 4][usize::from(value >> 8)] += 1;
+        }
+    }
+    for &value in rest {
+        shades[0][usize::from(value >> 8)] += 1;
+    }
+}
+
+/// Whether all pixels have one shade.
+fn alike(pixels: &[u16], shade: u16) -> bool {
+    pixels.iter().fold(0, |off, &value| off | (value ^ shade)) == 0
+}
+
+impl Flat {
+    /// Looks at one row, which has one above and one below.
+    fn look(&mut self, gray: &Gray, row: usize) {
+        let rows = [gray.row(row - 1), gray.row(row), gray.row(row + 1)];
+        let most = ((self.threshold << 8) | 255) as u16;
+        let end = gray.width().saturating_sub(1);
+        let mut at = 1;
+        while at < end {
+            let last = (at + BLOCK - 2).min(end);
+            let around = rows.map(|row| &row[at - 1..=last]);
+            let shade = around[1][0];
+            if around.iter().all(|row| alike(row, shade)) {
+                self.note(usize::from(shade > most), shade, (last - at) as u32);
+                self.count += (last - at) as u64;
+            } else {
+                self.mixed(around, most);
+            }
+            at = last;
+        }
+    }
+
+    /// So many pixels have a shade.
+    fn note(&mut self, side: usize, shade: u16, pixels: u32) {
+        let bin = usize::from(shade >> 8);
+        self.histogram[side][bin] += pixels;
+        self.excess[side][bin] += u64::from(shade & 0xff) * u64::from(pixels);
+    }
+
+    /// Looks at the middle row of some columns, but for the first and the last.
+    fn mixed(&mut self, rows: [&[u16]; 3], most: u16) {
+        let column = |at: usize| rows.iter().map(|row| u8::from(row[at] > most)).sum::<u8>();
+        let (mut before, mut middle) = (column(0), column(1));
+        for at in 1..rows[1].len() - 1 {
+            let after = column(at + 1);
+            let sum = before + middle + after;
+            (before, middle) = (middle, after);
+            if sum != 0 && sum != 9 {
+                continue;
+            }
+            self.note(usize::from(sum == 9), rows[1][at], 1);
+            let value = |r: usize, c: usize| i64::from(rows[r][at + c - 1]);
+            let corners = value(0, 0) + value(0, 2) + value(2, 0) + value(2, 2);
+            let sides = value(0, 1) + value(1, 0) + value(1, 2) + value(2, 1);
+            self.sum += (corners - 2 * sides + 4 * value(1, 1)).unsigned_abs();
+            self.count += 1;
+        }
+    }
+}
+
+/// The shade up to which pixels are dark: the variance between both sides is largest.
+pub(in crate::trace) fn otsu(histogram: &[u32; 256]) -> usize {
+    let total: f64 = histogram.iter().map(|&n| f64::from(n)).sum();
+    let moment: f64 = histogram.iter().enumerate().map(|(i, &n)| i as f64 * f64::from(n)).sum();
+    let (mut below, mut sum) = (0.0, 0.0);
+    let mut best = (0.0, 0, 0);
+    for (i, &n) in histogram.iter().enumerate() {
+        below += f64::from(n);
+        sum += i as f64 * f64::from(n);
+        if below == 0.0 || below >= total {
+            continue;
+        }
+        let gap = sum / below - (moment - sum) / (total - below);
+        let variance = below * (total - below) * gap * gap;
+        if variance > best.0 {
+            best = (variance, i, i);
+        } else if variance == best.0 {
+            best.2 = i;
+        }
+    }
+    // Between two lone tones every threshold is as good: the one half-way.
+    best.1.midpoint(best.2)
+}

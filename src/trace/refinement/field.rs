@@ -1,0 +1,362 @@
+//! The pixels near outlines, in tiles: what the picture shows of their coverage that the outlines do not explain.
+
+use crate::error::Result;
+use crate::limits::with_room;
+use crate::numerics::Point;
+use crate::numerics::order::sort_in_place;
+use crate::numerics::plane::larger;
+use crate::trace::picture::blur::half_gaussian;
+use crate::trace::picture::gray::Gray;
+
+/// Pixels along a tile's side, and around the picture: one tile of paper.
+pub(super) const SIDE: usize = 8;
+/// Pixels of a tile.
+pub(super) const AREA: usize = SIDE * SIDE;
+/// No tile, no pixel.
+pub(super) const NONE: u32 = u32::MAX;
+/// The farthest that a blur reaches, in pixels: tiles next to each other.
+const REACH: usize = SIDE;
+/// Pixels along the side of a tile with those around it.
+const WIDE: usize = SIDE + 2 * REACH;
+
+/// How shades become coverage.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::trace) struct Shading {
+    pub(in crate::trace) ink: f64,
+    pub(in crate::trace) paper: f64,
+    /// The shade of half coverage.
+    pub(in crate::trace) level: f64,
+    pub(in crate::trace) inverted: bool,
+}
+
+/// What an exchange of parts does to one tile: areas to the right of them inside pixels, and heights, in the order of the pixels.
+#[derive(Clone, Debug)]
+pub(super) struct Change {
+    pub(super) areas: [f32; AREA],
+    pub(super) heights: [f32; AREA],
+}
+
+impl Default for Change {
+    fn default() -> Self {
+        Self { areas: [0.0; AREA], heights: [0.0; AREA] }
+    }
+}
+
+/// Tiles of pixels near the outlines, column by column: what runs through a row is done for all rows of a tile at once.
+#[derive(Debug)]
+pub(super) struct Field {
+    /// Tiles in a row.
+    across: usize,
+    down: usize,
+    /// Columns and rows of the picture.
+    extent: [f64; 2],
+    slots: Vec<u32>,
+    /// Where each tile is.
+    places: Vec<u32>,
+    /// What is left: what the picture shows less what the outlines cover, blurred like the picture.
+    pub(super) rest: Vec<f32>,
+    /// Of the pixels that are nearly ink or nearly paper, the share that is neither: strong compression leaves most of them so.
+    pub(super) stain: f64,
+    blur: Option<Blur>,
+}
+
+/// A picture that is blurred.
+#[derive(Debug)]
+struct Blur {
+    half: Vec<f32>,
+    target: Vec<f32>,
+    cover: Vec<f32>,
+    /// What is left, blurred once more: what it says to the outlines.
+    lead: Vec<f32>,
+    /// Tiles whose coverage has changed.
+    changed: Vec<u32>,
+}
+
+impl Shading {
+    /// The coverage of a shade, piecewise linear: ink is 1, the level ½, paper 0.
+    fn coverage(&self) -> impl Fn(f64) -> f64 {
+        let Self { ink, paper, level, inverted } = *self;
+        let (dark, light) = (0.5 / larger(level - ink, 1.0), 0.5 / larger(paper - level, 1.0));
+        move |shade| {
+            let cover = if shade < level { 1.0 - (shade - ink) * dark } else { (paper - shade) * light };
+            if inverted { 1.0 - cover } else { cover }
+        }
+    }
+}
+
+impl Field {
+    /// The tiles within `reach` pixels of the polylines; nothing covers them yet.
+    pub(super) fn new<'a>(
+        gray: &Gray,
+        shading: &Shading,
+        polylines: impl Iterator<Item = &'a [Point]>,
+        reach: f64,
+    ) -> Result<Self> {
+        let (across, down) = (gray.width().div_ceil(SIDE) + 2, gray.height().div_ceil(SIDE) + 2);
+        let mut slots: Vec<u32> = with_room(across * down)?;
+        slots.resize(across * down, NONE);
+        let mut places = Vec::new();
+        let side = SIDE as f64;
+        for polyline in polylines {
+            for p in polyline {
+                let tile = |v: f64, most: usize| (((v + side) / side).max(0.0) as usize).min(most - 1);
+                let (left, right) = (tile(p.x - reach, across), tile(p.x + reach, across));
+                for row in tile(p.y - reach, down)..=tile(p.y + reach, down) {
+                    let first = row * across + left;
+                    for (slot, place) in slots[first..=row * across + right].iter_mut().zip(first..) {
+                        if *slot == NONE {
+                            *slot = places.len() as u32;
+                            places.push(place as u32);
+                        }
+                    }
+                }
+            }
+        }
+        let mut rest: Vec<f32> = with_room(AREA * places.len())?;
+        let paper = if shading.inverted { shading.ink } else { shading.paper };
+        let coverage = shading.coverage();
+        for &place in &places {
+            let (row, column) = (place as usize / across * SIDE, place as usize % across * SIDE);
+            for x in column..column + SIDE {
+                for y in row..row + SIDE {
+                    let inside =
+                        x >= SIDE && y >= SIDE && x - SIDE < gray.width() && y - SIDE < gray.height();
+                    let shade = if inside { gray.shade(x - SIDE, y - SIDE) } else { paper };
+                    rest.push(coverage(shade) as f32);
+                }
+            }
+        }
+        let (mut near, mut off) = (0_usize, 0_usize);
+        for value in &rest {
+            let from_tone = value.abs().min((1.0 - value).abs());
+            near += usize::from(from_tone < 0.08);
+            off += usize::from(from_tone < 0.08 && from_tone > 0.003);
+        }
+        let stain = off as f64 / near.max(1) as f64;
+        let extent = [gray.width() as f64, gray.height() as f64];
+        Ok(Self { across, down, extent, slots, places, rest, stain, blur: None })
+    }
+
+    /// Whether a point is so far outside the picture that no pixel speaks of it.
+    pub(super) fn is_beyond(&self, point: Point) -> bool {
+        let [width, height] = self.extent;
+        !(point.x > -1.0 && point.y > -1.0 && point.x < width + 1.0 && point.y < height + 1.0)
+    }
+
+    /// Pixels in a row, and rows.
+    pub(super) fn size(&self) -> (usize, usize) {
+        (self.across * SIDE, self.down * SIDE)
+    }
+
+    /// The pixel at a column and a row, counted from the frame's corner.
+    pub(super) fn pixel(&self, x: usize, y: usize) -> u32 {
+        let slot = self.slots[y / SIDE * self.across + x / SIDE];
+        if slot == NONE { NONE } else { slot * AREA as u32 + (x % SIDE * SIDE + y % SIDE) as u32 }
+    }
+
+    /// How many tiles there are.
+    pub(super) fn tiles(&self) -> usize {
+        self.places.len()
+    }
+
+    /// The place of a tile, of the tile at a column and a row, and which tile is there.
+    pub(super) fn place(&self, slot: usize) -> u32 {
+        self.places[slot]
+    }
+
+    pub(super) fn place_at(&self, x: usize, y: usize) -> u32 {
+        (y / SIDE * self.across + x / SIDE) as u32
+    }
+
+    pub(super) fn slot(&self, place: u32) -> Option<usize> {
+        let slot = self.slots[place as usize];
+        (slot != NONE).then_some(slot as usize)
+    }
+
+    /// The row of tiles that a place is in.
+    pub(super) fn tile_row(&self, place: u32) -> usize {
+        place as usize / self.across
+    }
+
+    /// The outlines cover more or less of the pixels of a tile, with heights that run in from the left and on to the right; how much the sum
+    /// of squares grows, if that is known at once.
+    pub(super) fn cover(&mut self, slot: usize, change: &Change, running: &mut [f32; SIDE]) -> f64 {
+        let from = slot * AREA;
+        let (plane, sign) = match &mut self.blur {
+            Some(blur) => {
+                blur.changed.push(slot as u32);
+                (&mut blur.cover, -1.0)
+            }
+            None => (&mut self.rest, 1.0),
+        };
+        let pixels = &mut plane[from..from + AREA];
+        let mut growth = [0.0_f32; SIDE];
+        for (column, pixels) in pixels.as_chunks_mut::<SIDE>().0.iter_mut().enumerate() {
+            let (areas, heights) =
+                (&change.areas.as_chunks::<SIDE>().0[column], &change.heights.as_chunks::<SIDE>().0[column]);
+            for k in 0..SIDE {
+                let less = running[k] + areas[k];
+                let before = pixels[k];
+                let after = before + sign * less;
+                pixels[k] = after;
+                growth[k] += (after - before) * (after + before);
+                running[k] += heights[k];
+            }
+        }
+        if sign < 0.0 { 0.0 } else { growth.iter().map(|&part| f64::from(part)).sum() }
+    }
+
+    /// Takes what has changed into account; how much the sum of squares has grown by it.
+    pub(super) fn settle(&mut self) -> f64 {
+        let Some(mut blur) = self.blur.take() else { return 0.0 };
+        let mut changed = core::mem::take(&mut blur.changed);
+        sort_in_place(&mut changed);
+        changed.dedup();
+        let near = self.around(&changed);
+        let mut growth = 0.0;
+        for &slot in &near {
+            let blurred = self.blurred(&blur.cover, slot, &blur.half, true);
+            let from = slot as usize * AREA;
+            for (i, value) in blurred.iter().enumerate() {
+                let (before, after) = (self.rest[from + i], blur.target[from + i] - value);
+                self.rest[from + i] = after;
+                growth += f64::from(after) * f64::from(after) - f64::from(before) * f64::from(before);
+            }
+        }
+        for slot in self.around(&near) {
+            let from = slot as usize * AREA;
+            let blurred = self.blurred(&self.rest, slot, &blur.half, false);
+            blur.lead[from..from + AREA].copy_from_slice(&blurred);
+        }
+        self.blur = Some(blur);
+        growth
+    }
+
+    /// What every pixel says to the outlines.
+    pub(super) fn lead(&self) -> &[f32] {
+        self.blur.as_ref().map_or(&self.rest, |blur| &blur.lead)
+    }
+
+    /// How much of the sharp picture's stiffness is left after the blur.
+    pub(super) fn stiffness(&self) -> f64 {
+        let Some(blur) = &self.blur else { return 1.0 };
+        // Across an edge a pixel's box and the blur leave about the sum of squares of the blur's weights.
+        let one = f64::from(blur.half[0]);
+        one * one + 2.0 * blur.half[1..].iter().map(|&w| f64::from(w) * f64::from(w)).sum::<f64>()
+    }
+
+    /// The root mean square of what is left.
+    pub(super) fn left(&self) -> f64 {
+        let square: f64 = self.rest.iter().map(|&r| f64::from(r) * f64::from(r)).sum();
+        (square / self.rest.len().max(1) as f64).sqrt()
+    }
+
+    /// The picture is found to be blurred by as much as makes the outlines, which are rendered, most like it.
+    pub(super) fn find_blur(&mut self, target: Vec<f32>) {
+        const STEP: f64 = 0.25;
+        let cover: Vec<f32> = target.iter().zip(&self.rest).map(|(t, r)| t - r).collect();
+        let square = |field: &Self, sigma: f64| {
+            let half: Vec<f32> = half_gaussian(sigma).iter().map(|&w| w as f32).collect();
+            let mut sum = 0.0;
+            for slot in 0..field.places.len() {
+                let blurred = field.blurred(&cover, slot as u32, &half, true);
+                for (value, target) in blurred.iter().zip(&target[slot * AREA..]) {
+                    sum += f64::from(target - value) * f64::from(target - value);
+                }
+            }
+            sum
+        };
+        let squares: [f64; 9] = core::array::from_fn(|i| square(self, STEP * i as f64));
+        let best = (0..squares.len()).fold(0, |best, i| if squares[i] < squares[best] { i } else { best });
+        if best == 0 {
+            return;
+        }
+        let mut sigma = STEP * best as f64;
+        if best + 1 < squares.len() {
+            let (before, after) = (squares[best - 1] - squares[best], squares[best + 1] - squares[best]);
+            sigma += STEP * 0.5 * (before - after) / (before + after).max(1e-12);
+        }
+        let half = half_gaussian(sigma).iter().map(|&w| w as f32).collect();
+        let changed = (0..self.places.len() as u32).collect();
+        let lead = self.rest.clone();
+        self.blur = Some(Blur { half, target, cover, lead, changed });
+        self.settle();
+    }
+
+    /// Tiles and those next to them, each once.
+    fn around(&self, slots: &[u32]) -> Vec<u32> {
+        let mut found = Vec::with_capacity(slots.len() * 3);
+        for &slot in slots {
+            let place = self.places[slot as usize] as usize;
+            for dy in 0..3 {
+                for dx in 0..3 {
+                    let at = (place + dy * self.across + dx).checked_sub(self.across + 1);
+                    if let Some(&other) = at.and_then(|at| self.slots.get(at))
+                        && other != NONE
+                    {
+                        found.push(other);
+                    }
+                }
+            }
+        }
+        sort_in_place(&mut found);
+        found.dedup();
+        found
+    }
+
+    /// The pixels of one tile, blurred. Where no tile is, the nearest pixel's own side counts, or nothing.
+    fn blurred(&self, plane: &[f32], slot: u32, half: &[f32], own: bool) -> [f32; AREA] {
+        let reach = (half.len() - 1).min(REACH);
+        let block = self.block(plane, slot, own);
+        let mut out = [0.0; AREA];
+        for (x, out) in out.as_chunks_mut::<SIDE>().0.iter_mut().enumerate() {
+            let column = |at: usize| block[REACH + at].as_flattened();
+            let mut along = [0.0; WIDE];
+            weigh(&mut along, half[0], [column(x), &[0.0; WIDE]]);
+            for (d, &weight) in (1..).zip(&half[1..=reach]) {
+                weigh(&mut along, weight, [block[REACH + x - d].as_flattened(), column(x + d)]);
+            }
+            weigh(out, half[0], [&along[REACH..REACH + SIDE], &[0.0; SIDE]]);
+            for (d, &weight) in (1..).zip(&half[1..=reach]) {
+                weigh(out, weight, [&along[REACH - d..][..SIDE], &along[REACH + d..][..SIDE]]);
+            }
+        }
+        out
+    }
+
+    /// A tile and the eight around it, column by column.
+    fn block(&self, plane: &[f32], slot: u32, own: bool) -> [[[f32; SIDE]; 3]; WIDE] {
+        let columns = |slot: u32| &plane.as_chunks::<SIDE>().0[slot as usize * SIDE..][..SIDE];
+        let middle = columns(slot);
+        let place = self.places[slot as usize] as usize;
+        let mut block = [[[0.0; SIDE]; 3]; WIDE];
+        for k in 0..9 {
+            let (right, below) = (k % 3, k / 3);
+            let (column, row) = (place % self.across + right, place / self.across + below);
+            let inside = column > 0 && row > 0 && column <= self.across && row <= self.down;
+            let other = if inside { self.slots[(row - 1) * self.across + column - 1] } else { NONE };
+            if other != NONE {
+                for (x, from) in columns(other).iter().enumerate() {
+                    block[right * SIDE + x][below] = *from;
+                }
+            } else if own {
+                let nearest = |at: usize, side: usize| [0, at, SIDE - 1][side];
+                for x in 0..SIDE {
+                    for y in 0..SIDE {
+                        let value = middle[nearest(x, right)][nearest(y, below)];
+                        block[right * SIDE + x][below][y] = value.round();
+                    }
+                }
+            }
+        }
+        block
+    }
+}
+
+/// Adds the weighted sums of two lists of the same length.
+#[inline(always)]
+fn weigh(sums: &mut [f32], weight: f32, [a, b]: [&[f32]; 2]) {
+    for ((sum, a), b) in sums.iter_mut().zip(a).zip(b) {
+        *sum += weight * (a + b);
+    }
+}

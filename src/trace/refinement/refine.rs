@@ -1,0 +1,262 @@
+//! Outlines moved until the coverage that they have is the coverage that the picture shows.
+
+use super::coverage::{Part, Sweep, parts};
+use super::equations::Equations;
+use super::field::{Field, NONE};
+use crate::error::Result;
+use crate::numerics::plane::larger;
+use crate::trace::outline::cubic::Cubic;
+use crate::trace::outline::{Node, Outline, Piece};
+use core::ops::Range;
+
+/// Weight of staying where it is, in coverage per pixel, squared.
+const DAMPING: f64 = 5e-3;
+/// How damping falls: after a good step by `factor`, and never below `least`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Relaxing {
+    factor: f64,
+    least: f64,
+}
+
+impl Relaxing {
+    /// Where the picture is of exact coverage, the nearer the better.
+    pub(super) const BOLD: Self = Self { factor: 0.25, least: 1e-4 };
+    /// Where it is not, long steps follow what is noise.
+    pub(super) const CAREFUL: Self = Self { factor: 0.5, least: 1e-3 };
+}
+
+/// The square of what a byte leaves of coverage, with a little more: 1/255 over √12 is 0.0011.
+const ROUNDING: f64 = 2e-6;
+/// Nothing moves farther in one step, in pixels.
+const LONGEST_STEP: f64 = 0.6;
+/// The share of what is left that a step has to take away for another where most of it is noise.
+pub(super) const NOISY_SHARE: f64 = 5e-4;
+/// The share of what bytes round that a step has to promise.
+const WORTH: f64 = 0.3;
+/// A step is tried if the equations promise this share of what would be enough: they know what they promise to a third or so.
+const PROMISE: f64 = 0.5;
+/// Places of a piece that are looked at to know whether it leaves the picture.
+const LOOKS: u8 = 16;
+
+/// An outline and the parts of its pieces, which the field knows.
+#[derive(Debug)]
+pub(super) struct Shape {
+    pub(super) outline: Outline,
+    pub(super) parts: Vec<Vec<Part>>,
+}
+
+/// What is left of the picture in the pixels of some pieces.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Left {
+    pub(super) square: f64,
+    pub(super) count: f64,
+    pub(super) most: f64,
+}
+
+impl Left {
+    pub(super) fn add(&mut self, parts: &[Part], field: &Field) {
+        self.add_some(parts.iter(), field);
+    }
+
+    /// Only some parts.
+    pub(super) fn add_some<'a>(&mut self, parts: impl Iterator<Item = &'a Part>, field: &Field) {
+        let mut last = NONE;
+        for part in parts {
+            if part.pixel == last || part.pixel == NONE {
+                continue;
+            }
+            last = part.pixel;
+            self.see(field.rest[last as usize]);
+        }
+    }
+
+    pub(super) fn join(&mut self, other: &Self) {
+        self.square += other.square;
+        self.count += other.count;
+        self.most = larger(self.most, other.most);
+    }
+
+    /// One pixel more.
+    pub(super) fn see(&mut self, rest: f32) {
+        let value = f64::from(rest).abs();
+        self.square += value * value;
+        self.count += 1.0;
+        self.most = larger(self.most, value);
+    }
+
+    pub(super) fn rms(&self) -> f64 {
+        (self.square / self.count.max(1.0)).sqrt()
+    }
+}
+
+impl Shape {
+    /// The outline, not yet in the field.
+    pub(super) fn new(outline: Outline) -> Self {
+        Self { parts: vec![Vec::new(); outline.len()], outline }
+    }
+
+    /// The same outline from another node on.
+    pub(super) fn begin_at(&mut self, first: usize) {
+        self.outline.nodes.rotate_left(first);
+        self.outline.pieces.rotate_left(first);
+        self.parts.rotate_left(first);
+    }
+
+    /// All nodes, from both ends of the list in turn: what is near around the outline is near in the list.
+    pub(super) fn nodes(&self) -> Vec<usize> {
+        let count = self.outline.len();
+        (0..count).map(|step| if step % 2 == 0 { step / 2 } else { count - 1 - step / 2 }).collect()
+    }
+
+    pub(super) fn left(&self, field: &Field) -> Left {
+        let mut left = Left::default();
+        self.parts.iter().for_each(|parts| left.add(parts, field));
+        left
+    }
+}
+
+/// Room for one step after another.
+#[derive(Debug)]
+pub(super) struct Refiner {
+    relaxing: Relaxing,
+    pub(super) sweep: Sweep,
+    equations: Equations,
+    /// The parts of the pieces after a step, and their ends before it.
+    fresh: Vec<Vec<Part>>,
+    saved: Vec<Saved>,
+}
+
+impl Refiner {
+    pub(super) fn new(relaxing: Relaxing) -> Self {
+        Self {
+            relaxing,
+            sweep: Sweep::default(),
+            equations: Equations::default(),
+            fresh: Vec::new(),
+            saved: Vec::new(),
+        }
+    }
+
+    /// Puts some pieces of a new shape into the field. They are there once the last of its pieces is.
+    pub(super) fn show(&mut self, field: &mut Field, shape: &mut Shape, pieces: Range<usize>) {
+        let last = pieces.end == shape.outline.len();
+        for i in pieces {
+            parts(&shape.outline.cubic(i), field, &mut shape.parts[i]);
+            self.sweep.note(field, &shape.parts[i], 1.0);
+        }
+        if last {
+            self.sweep.cover(field);
+        }
+    }
+
+    /// Replaces an outline by another.
+    pub(super) fn replace(&mut self, field: &mut Field, shape: &mut Shape, outline: Outline) {
+        shape.parts.iter().for_each(|parts| self.sweep.note(field, parts, -1.0));
+        shape.outline = outline;
+        shape.parts.resize(shape.outline.len(), Vec::new());
+        self.show(field, shape, 0..shape.outline.len());
+        field.settle();
+    }
+
+    /// Moves nodes by at most so many steps, until a step takes no more than the share `enough` of what is left, or nothing but what bytes round.
+    ///
+    /// # Cost
+    ///
+    /// O(length of the pieces beside the nodes) for each step.
+    pub(super) fn refine(
+        &mut self,
+        field: &mut Field,
+        shape: &mut Shape,
+        nodes: &[usize],
+        (most, enough): (usize, f64),
+    ) -> Result<()> {
+        let mut damping = DAMPING;
+        for _ in 0..most {
+            let Some((left, growth)) = self.step(field, shape, nodes, (damping, enough))? else { break };
+            if growth < 0.0 {
+                damping = (self.relaxing.factor * damping).max(self.relaxing.least);
+                if -growth < enough * left.square || left.square + growth < ROUNDING * left.count {
+                    break;
+                }
+            } else {
+                damping *= 8.0;
+                if damping > 1e3 * DAMPING {
+                    break;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// One step: what was left before it and how much it has grown; if it would grow, nothing moves. `None` where no step promises
+    /// enough to be tried.
+    fn step(
+        &mut self,
+        field: &mut Field,
+        shape: &mut Shape,
+        nodes: &[usize],
+        (damping, enough): (f64, f64),
+    ) -> Result<Option<(Left, f64)>> {
+        let equations = &mut self.equations;
+        equations.begin(&shape.outline, nodes);
+        let (left, promised) = equations.solve(field, &shape.outline, &shape.parts, damping)?;
+        let noise = ROUNDING * left.count;
+        if promised < larger(PROMISE * enough * left.square, WORTH * noise) || left.square < noise {
+            return Ok(None);
+        }
+        let Equations { unknowns, pieces, step, .. } = equations;
+        save(&shape.outline, pieces, &mut self.saved);
+        unknowns.apply(&mut shape.outline, step, LONGEST_STEP);
+        if pieces.iter().any(|&i| leaves(&shape.outline.cubic(i), field)) {
+            restore(&mut shape.outline, pieces, &self.saved);
+            return Ok(Some((left, f64::INFINITY)));
+        }
+        self.fresh.resize(pieces.len().max(self.fresh.len()), Vec::new());
+        for (&i, fresh) in pieces.iter().zip(&mut self.fresh) {
+            parts(&shape.outline.cubic(i), field, fresh);
+            self.sweep.note(field, &shape.parts[i], -1.0);
+            self.sweep.note(field, fresh, 1.0);
+        }
+        let growth = self.sweep.cover(field) + field.settle();
+        if growth < 0.0 {
+            for (&i, fresh) in pieces.iter().zip(&mut self.fresh) {
+                core::mem::swap(&mut shape.parts[i], fresh);
+            }
+        } else {
+            for (&i, fresh) in pieces.iter().zip(&self.fresh) {
+                self.sweep.note(field, fresh, -1.0);
+                self.sweep.note(field, &shape.parts[i], 1.0);
+            }
+            self.sweep.cover(field);
+            field.settle();
+            restore(&mut shape.outline, pieces, &self.saved);
+        }
+        Ok(Some((left, growth)))
+    }
+}
+
+/// A piece and the nodes at its ends.
+type Saved = ([Node; 2], Piece);
+
+/// Keeps what a step moves.
+fn save(outline: &Outline, pieces: &[usize], saved: &mut Vec<Saved>) {
+    saved.clear();
+    let both = |i: usize| [outline.nodes[i], outline.nodes[outline.next(i)]];
+    saved.extend(pieces.iter().map(|&i| (both(i), outline.pieces[i])));
+}
+
+fn restore(outline: &mut Outline, pieces: &[usize], saved: &[Saved]) {
+    for (&i, &([node, after], piece)) in pieces.iter().zip(saved) {
+        let next = outline.next(i);
+        (outline.nodes[i], outline.nodes[next], outline.pieces[i]) = (node, after, piece);
+    }
+}
+
+/// Whether a piece goes where no pixel would call it back.
+pub(super) fn leaves(cubic: &Cubic, field: &Field) -> bool {
+    let corners = [cubic.start, cubic.start + cubic.leaving, cubic.end - cubic.arriving, cubic.end];
+    if !corners.iter().any(|&corner| field.is_beyond(corner)) {
+        return false;
+    }
+    (0..=LOOKS).any(|k| field.is_beyond(cubic.point(f64::from(k) / f64::from(LOOKS))))
+}

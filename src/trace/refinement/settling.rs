@@ -1,0 +1,328 @@
+//! Tight bends settled: a corner or a smooth way round, whichever the picture says.
+
+use super::bends::{Bend, BendRule, bends};
+use super::coverage::Part;
+use super::field::Field;
+use super::refine::{Left, Shape};
+use super::sides::{Change, Sides, sides};
+use super::simplify::{Limits, Trial};
+use super::window::{Stretch, Window};
+use crate::error::Result;
+use crate::numerics::Point;
+use crate::numerics::order::sort_by_number;
+use crate::numerics::plane::{dot, square};
+use crate::trace::outline::Outline;
+use crate::trace::outline::cubic::Cubic;
+use crate::trace::samples::turn;
+use core::cmp::Ordering;
+
+/// The most turning that a smooth piece takes the place of a corner for, in radians.
+const MOST: f64 = 1.2;
+/// Turning to and fro, or beside a corner, that no bend needs, in radians.
+const NEEDLESS: f64 = 0.35;
+/// An outline of so many pieces is looked through to its end before bends are found anew, and that at most so often. A shorter one
+/// begins with its last change: so what has been changed comes last.
+const MANY: usize = 256;
+const MOST_ROUNDS: usize = 12;
+/// Bends this near each other are one, in pixels.
+const SAME: f64 = 0.6;
+/// How far from a bend the picture says most of it, in pixels.
+const NEAR: f64 = 2.5;
+const STEPS: [(usize, f64); 2] = [(3, 5e-4), (5, 5e-4)];
+/// What leaves so many times as much after the first steps will not get good.
+const HOPELESS: f64 = 6.0;
+/// Pieces longer than this may turn back, in pixels.
+const LONG: f64 = 6.0;
+/// The mean square beside a corner that nothing could be nearer than: bytes round off about two thirds of it.
+const EXACT: f64 = 3e-6;
+/// A root mean square beside a bend that asks for nothing better.
+const ENOUGH: f64 = 0.0065;
+
+/// The bends of an outline, tried one by one.
+#[derive(Clone, Debug)]
+pub(super) struct Settling {
+    /// Wide bends and then narrow ones.
+    rules: [BendRule; 2],
+    /// The rule that is next.
+    at: usize,
+    /// How often this rule has gone through the outline.
+    round: usize,
+    /// Where this rule's trials were: in the rounds before in order, and in this one.
+    tried: Vec<Point>,
+    fresh: Vec<Point>,
+    /// Bends that wait: those before a piece, where the outline has changed since they were found.
+    found: Option<Vec<Bend>>,
+    until: usize,
+}
+
+impl Settling {
+    pub(super) fn new(rule: &BendRule) -> Self {
+        let narrow = BendRule { window: 0.55 * rule.window, ..*rule };
+        Self {
+            rules: [*rule, narrow],
+            at: 0,
+            round: 0,
+            tried: Vec::new(),
+            fresh: Vec::new(),
+            found: None,
+            until: usize::MAX,
+        }
+    }
+
+    pub(super) fn is_done(&self) -> bool {
+        self.at == self.rules.len()
+    }
+
+    /// Tries the next bend: it becomes a corner, or a corner a bend, where the picture is explained better, or as well by
+    /// less.
+    ///
+    /// # Cost
+    ///
+    /// O(length of the pieces beside the bend), and O(pieces of the outline) where that changes and at the start of a round.
+    pub(super) fn step(&mut self, mut trial: Trial) -> Result<()> {
+        let Some(rule) = self.rules.get(self.at) else { return Ok(()) };
+        let found = self.found.get_or_insert_with(|| bends(&trial.shape.outline, rule));
+        while let Some(bend) = found.pop() {
+            let [(first, _), (last, _)] = bend.sides;
+            if first.max(last) >= self.until || is_known(&self.tried, bend.middle) {
+                continue;
+            }
+            self.fresh.push(bend.middle);
+            let inside = first <= last && last + 1 < trial.shape.outline.len();
+            if trial.corner(&bend, rule)? || trial.smooth(&bend, rule)? {
+                // Pieces well before the bend keep their numbers.
+                self.until = if inside { first.saturating_sub(2) } else { 0 };
+                if trial.shape.outline.len() < MANY {
+                    self.look_again();
+                }
+            }
+            return Ok(());
+        }
+        self.round += 1;
+        let over = self.until == usize::MAX || self.round == MOST_ROUNDS;
+        self.look_again();
+        if over {
+            (self.at, self.round) = (self.at + 1, 0);
+            self.tried.clear();
+        }
+        Ok(())
+    }
+
+    /// Bends are to be found anew.
+    fn look_again(&mut self) {
+        (self.found, self.until) = (None, usize::MAX);
+        self.tried.append(&mut self.fresh);
+        sort_by_number(&mut self.tried, &|place| place.y);
+    }
+}
+
+/// Whether one of the places, which are sorted by y, is as good as the same.
+fn is_known(places: &[Point], place: Point) -> bool {
+    let from = places.partition_point(|known| known.y <= place.y - SAME);
+    let near = places[from..].iter().take_while(|known| known.y < place.y + SAME);
+    near.into_iter().any(|&known| square(known - place) < SAME * SAME)
+}
+
+impl Trial<'_> {
+    /// A corner in place of the bend; whether it was better.
+    fn corner(&mut self, bend: &Bend, rule: &BendRule) -> Result<bool> {
+        let outline = &self.shape.outline;
+        let Some(sides) = sides(outline, bend) else { return Ok(false) };
+        let turning = turn(sides.tangents[0], sides.tangents[1]).abs();
+        let Some(point) = sides.meet().filter(|_| turning > rule.corner) else { return Ok(false) };
+        let (sharp, beside) = self.within(&sides);
+        if sharp == 1 && sides.count == 2 && beside < NEEDLESS {
+            return Ok(false);
+        }
+        let needless = bend.total - bend.net.abs() > NEEDLESS || sharp > 1;
+        let want = if needless { Want::Tidy } else { Want::Sharp };
+        let (good, nearer) = self.exchange(&sides, sides.corner(outline, point), want, rule)?;
+        if good || !nearer || self.limits.noise > 0.0 {
+            return Ok(good);
+        }
+        let change = sides.led_corner(&self.shape.outline, point);
+        Ok(self.exchange(&sides, change, want, rule)?.0)
+    }
+
+    /// A smooth joint in place of the bend; whether it was better.
+    fn smooth(&mut self, bend: &Bend, rule: &BendRule) -> Result<bool> {
+        let outline = &self.shape.outline;
+        let Some(sides) = sides(outline, bend) else { return Ok(false) };
+        let (sharp, _) = self.within(&sides);
+        let needless = bend.total - bend.net.abs() > NEEDLESS || sides.count > 4;
+        if turn(sides.tangents[0], sides.tangents[1]).abs() > MOST || (sharp == 0 && !needless) {
+            return Ok(false);
+        }
+        // A bridge has more that noise could move.
+        let change = if self.limits.noise > 0.0 { sides.joint(outline) } else { sides.bridge(outline) };
+        Ok(self.exchange(&sides, change, if needless { Want::Tidy } else { Want::Smooth }, rule)?.0)
+    }
+
+    /// How many corners there are between the sides, and how much the pieces there turn besides.
+    fn within(&self, sides: &Sides) -> (usize, f64) {
+        let outline = &self.shape.outline;
+        let (mut sharp, mut piece) = (0, sides.pieces[0]);
+        let mut beside = 0.0;
+        let turning = |cubic: &Cubic| {
+            let middle = cubic.velocity(0.5);
+            turn(cubic.velocity(0.0), middle).abs() + turn(middle, cubic.velocity(1.0)).abs()
+        };
+        let whole = |piece: usize| turning(&outline.cubic(piece));
+        beside += whole(sides.pieces[0]) - turning(&sides.cubics[0]);
+        for step in 1..sides.count {
+            piece = outline.next(piece);
+            sharp += usize::from(!outline.nodes[piece].smooth);
+            if step + 1 < sides.count {
+                beside += whole(piece);
+            }
+        }
+        if sides.count > 1 {
+            beside += whole(sides.pieces[1]) - turning(&sides.cubics[1]);
+        }
+        (sharp, beside)
+    }
+
+    /// Changes the outline: the sides are its first and last new pieces. If that is not better, all is as it was.
+    /// Whether it was better, and whether it was at least as wanted and nearer to the picture beside the bend.
+    fn exchange(
+        &mut self,
+        sides: &Sides,
+        change: Change,
+        want: Want,
+        rule: &BendRule,
+    ) -> Result<(bool, bool)> {
+        let (fresh, corner) = (change.pieces.len(), change.corner);
+        let bend = change.between[change.between.len() / 2].point;
+        let outline = &self.shape.outline;
+        let mut old = [Left::default(); 2];
+        let mut piece = outline.before(sides.pieces[0]);
+        for _ in 0..(sides.count + 2).min(outline.len()) {
+            add(self.shape, self.field, piece, bend, &mut old);
+            piece = outline.next(piece);
+        }
+        if want == Want::Smooth && self.limits.noise == 0.0 && old[1].square <= EXACT * old[1].count {
+            return Ok((false, false));
+        }
+        let then = turning(outline, sides.pieces[0], sides.count);
+        let stretch = Stretch {
+            first: sides.pieces[0],
+            count: sides.count,
+            pieces: change.pieces,
+            between: change.between,
+        };
+        let mut window = Window::open(self.refiner, self.field, self.shape, stretch);
+        window.shape.outline.nodes[0].kept = false;
+        window.shape.outline.nodes[fresh].kept = false;
+        let nodes: Vec<usize> = (0..=fresh).collect();
+        let mut new = old;
+        for steps in STEPS {
+            self.refiner.refine(self.field, &mut window.shape, &nodes, steps)?;
+            new = [Left::default(); 2];
+            let count = window.shape.outline.len();
+            // The last piece leads to the first.
+            for piece in (0..=fresh).chain((fresh + 1).max(count - 1)..count) {
+                add(&window.shape, self.field, piece, bend, &mut new);
+            }
+            if new[0].square > HOPELESS * old[0].square.max(limit_of(&new[0], self.limits)) {
+                break;
+            }
+        }
+        let outline = &window.shape.outline;
+        let turning_at =
+            |i: usize| turn(outline.cubic(i - 1).velocity(1.0), outline.cubic(i).velocity(0.0)).abs();
+        let turns = corner.is_none_or(|i| turning_at(i) > rule.corner);
+        let calm = turning(outline, 0, fresh) < then + NEEDLESS;
+        let good = turns
+            && calm
+            && want.is_met(&new, &old, (sides.count, fresh), (self.limits, rule.evidence))
+            && (0..fresh).all(|i| is_plain(&outline.cubic(i)));
+        if good {
+            let first = window.keep(self.shape);
+            if self.shape.outline.len() < MANY {
+                self.shape.begin_at(first);
+            }
+        } else {
+            window.close(self.refiner, self.field, self.shape);
+        }
+        Ok((good, turns && new[1].square < old[1].square))
+    }
+}
+
+/// What a piece leaves, and what of it is near a bend.
+fn add(shape: &Shape, field: &Field, piece: usize, bend: Point, left: &mut [Left; 2]) {
+    let (cubic, parts) = (shape.outline.cubic(piece), &shape.parts[piece]);
+    left[0].add(parts, field);
+    let is_near = |part: &&Part| square(cubic.point(f64::from(part.t)) - bend) < NEAR * NEAR;
+    left[1].add_some(parts.iter().filter(is_near), field);
+}
+
+/// How much so many pieces turn, to and fro, and the joints between them.
+fn turning(outline: &Outline, first: usize, count: usize) -> f64 {
+    let (mut sum, mut piece) = (0.0, first);
+    let mut way = outline.cubic(first).velocity(0.0);
+    for _ in 0..count {
+        let cubic = outline.cubic(piece);
+        for k in 0..=4 {
+            let next = cubic.velocity(0.25 * f64::from(k));
+            sum += turn(way, next).abs();
+            way = next;
+        }
+        piece = outline.next(piece);
+    }
+    sum
+}
+
+/// What may be left of so many pixels, squared.
+fn limit_of(left: &Left, limits: &Limits) -> f64 {
+    limits.rms * limits.rms * left.count
+}
+
+/// What a change is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Want {
+    /// A corner where there was none.
+    Sharp,
+    /// No corner where there was one.
+    Smooth,
+    /// Less turning.
+    Tidy,
+}
+
+impl Want {
+    /// Whether what is left, of the pieces and near the bend, is as it has to be where so many pieces are replaced by so many.
+    fn is_met(
+        self,
+        new: &[Left; 2],
+        old: &[Left; 2],
+        (count, fresh): (usize, usize),
+        (limits, evidence): (&Limits, f64),
+    ) -> bool {
+        let noise = limits.noise * limits.noise;
+        // As few pieces as before may leave a little more; more pieces have to leave much less.
+        let beside = match count.cmp(&fresh) {
+            Ordering::Less => 0.5 * old[1].square,
+            Ordering::Equal => old[1].square.max(ENOUGH * ENOUGH * new[1].count),
+            Ordering::Greater => (1.5 * old[1].square).max(ENOUGH * ENOUGH * new[1].count),
+        };
+        if noise > 0.0 {
+            // A smooth joint has less that noise could move.
+            let share = if self == Self::Sharp { -evidence } else { 6.0 };
+            return new[0].square < old[0].square + share * noise;
+        }
+        match self {
+            Self::Sharp => limits.allow(&new[0], &old[0], 1.0) && new[1].square < beside,
+            Self::Smooth => new[0].square < old[0].square && new[1].square < 1.5 * beside,
+            Self::Tidy => {
+                let enough = new[1].square < 1.5 * beside || new[0].square < old[0].square;
+                limits.allow(&new[0], &old[0], 1.0) && enough
+            }
+        }
+    }
+}
+
+/// Whether a piece does not run against its own tangents; long ones may turn back.
+fn is_plain(cubic: &Cubic) -> bool {
+    let chord = cubic.end - cubic.start;
+    let along = [cubic.leaving, cubic.velocity(0.5), cubic.arriving];
+    square(chord) > LONG * LONG || along.iter().all(|&way| dot(way, chord) >= 0.0)
+}

@@ -1,0 +1,232 @@
+//! Fewer pieces: joints that the picture does not ask for are taken away.
+
+use super::field::Field;
+use super::refine::{Left, NOISY_SHARE, Refiner, Shape};
+use super::window::{Stretch, Window};
+use crate::error::Result;
+use crate::numerics::Point;
+use crate::numerics::order::sort_by_number;
+use crate::numerics::plane::{dot, norm};
+use crate::trace::outline::cubic::{Cubic, Tangent};
+use crate::trace::outline::{Outline, Piece};
+use crate::trace::samples::{turn, unit};
+
+/// What a merged piece may leave of the picture.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limits {
+    /// The root mean square of coverage that is always allowed.
+    pub(super) rms: f64,
+    /// The largest difference of coverage in a pixel that is always allowed.
+    pub(super) most: f64,
+    /// The largest distance of a merged piece from the two, before it is refined: root mean square, in pixels.
+    pub(super) off: f64,
+    /// The noise of one pixel; 0 for a clean picture.
+    pub(super) noise: f64,
+    /// How much the sum of squares may grow, in squares of the noise.
+    pub(super) share: f64,
+    /// What pixels in a row may all be wrong by where few samples or compression made them.
+    pub(super) grain: f64,
+}
+
+/// A piece beside a longer straight one that turns by no more, in radians, may be merged with it; beside one shorter than this any piece may.
+const STUB: f64 = 0.25;
+const LONG: f64 = 16.0;
+/// Rounds of merging.
+const MOST_ROUNDS: usize = 12;
+/// Steps of refinement after which a merged piece is looked at, and after which it has to be good.
+const FIRST_STEPS: usize = 2;
+const LAST_STEPS: usize = 6;
+/// The share of what is left that a step has to take away for another.
+const ENOUGH: f64 = 0.01;
+/// A merged piece that leaves so many times as much as it may will not get good.
+const HOPELESS: f64 = 3.0;
+
+/// A round of taking joints away, one by one, while the picture stays as well explained as `limits` say. Only what is next to a joint moves.
+#[derive(Debug)]
+pub(super) struct Merging {
+    /// Joints and how far what would take the place of their pieces is from them; the nearest first.
+    candidates: Vec<(usize, f64)>,
+    at: usize,
+    /// Nodes keep their names while others go.
+    names: Vec<usize>,
+    moved: Vec<bool>,
+    /// Whether anything was taken away: then there may be more.
+    pub(super) any: bool,
+}
+
+impl Merging {
+    /// Looks for joints that may go.
+    ///
+    /// # Cost
+    ///
+    /// O(nodes of the outline).
+    pub(super) fn new(outline: &Outline, limits: &Limits) -> Self {
+        let count = outline.len();
+        let mut candidates = Vec::new();
+        for i in 0..count {
+            if let Some((_, off)) = candidate(outline, i, limits) {
+                candidates.push((i, off));
+            }
+        }
+        sort_by_number(&mut candidates, &|one| one.1);
+        Self { candidates, at: 0, names: (0..count).collect(), moved: vec![false; count], any: false }
+    }
+
+    /// Tries the next joint; whether there was one.
+    ///
+    /// # Cost
+    ///
+    /// O(length of the pieces beside the joint), and O(nodes of the outline) where one goes.
+    pub(super) fn step(&mut self, mut trial: Trial) -> Result<bool> {
+        while let Some(&(name, _)) = self.candidates.get(self.at) {
+            self.at += 1;
+            let Ok(i) = self.names.binary_search(&name) else { continue };
+            let outline = &trial.shape.outline;
+            let around = [outline.before(i), i, outline.next(i)];
+            if around.iter().any(|&j| self.moved[self.names[j]]) {
+                continue;
+            }
+            let Some((piece, _)) = candidate(outline, i, trial.limits) else { continue };
+            if trial.merge(i, piece)? {
+                self.any = true;
+                around.iter().for_each(|&j| self.moved[self.names[j]] = true);
+                self.names.remove(i);
+            } else {
+                trial.shape.outline.nodes[i].kept = true;
+            }
+            return Ok(true);
+        }
+        Ok(false)
+    }
+}
+
+/// Whether there may be another round.
+pub(super) fn may_go_on(round: usize) -> bool {
+    round < MOST_ROUNDS
+}
+
+/// What changes an outline on trial, and what has to hold afterwards.
+pub(super) struct Trial<'a> {
+    pub(super) refiner: &'a mut Refiner,
+    pub(super) field: &'a mut Field,
+    pub(super) shape: &'a mut Shape,
+    pub(super) limits: &'a Limits,
+}
+
+impl Trial<'_> {
+    /// Merges the pieces at node i; if that is not good, all is as it was. Whether it was good.
+    fn merge(&mut self, i: usize, piece: Piece) -> Result<bool> {
+        let before = self.shape.outline.before(i);
+        let forced = stunted(&self.shape.outline, before) || stunted(&self.shape.outline, i);
+        let mut left = Left::default();
+        left.add(&self.shape.parts[before], self.field);
+        left.add(&self.shape.parts[i], self.field);
+        let stretch = Stretch { first: before, count: 2, pieces: vec![piece], between: Vec::new() };
+        let mut window = Window::open(self.refiner, self.field, self.shape, stretch);
+        let good = self.settles(&mut window.shape, &left, forced)?;
+        if good {
+            for node in 0..2 {
+                // What is longer now may grow further.
+                window.shape.outline.nodes[node].kept = false;
+            }
+            window.keep(self.shape);
+        } else {
+            window.close(self.refiner, self.field, self.shape);
+        }
+        Ok(good)
+    }
+
+    /// Refines the merged piece, the first of some; whether it explains the picture as well as the two did.
+    fn settles(&mut self, shape: &mut Shape, before: &Left, forced: bool) -> Result<bool> {
+        let enough = if self.limits.noise == 0.0 { ENOUGH } else { NOISY_SHARE };
+        // Joints that slid past each other hide their own cost.
+        let ease = if forced { 3.0 } else { 1.0 };
+        let mut steps = 0;
+        loop {
+            self.refiner.refine(self.field, shape, &[0, 1], (FIRST_STEPS, enough))?;
+            steps += FIRST_STEPS;
+            let mut now = Left::default();
+            now.add(&shape.parts[0], self.field);
+            if self.limits.allow(&now, before, ease) {
+                return Ok(true);
+            }
+            let clean = self.limits.noise == 0.0 && !forced;
+            if steps >= LAST_STEPS || (clean && now.rms() > HOPELESS * self.limits.rms) {
+                return Ok(false);
+            }
+        }
+    }
+}
+
+impl Limits {
+    /// Whether what was put in the place of something explains the picture as well, or well enough. `ease` makes more enough.
+    pub(super) fn allow(&self, now: &Left, before: &Left, ease: f64) -> bool {
+        now.square <= before.square + self.share * self.noise * self.noise
+            || now.rms() <= ease * self.rms && now.most <= ease * self.most
+    }
+}
+
+/// Whether a piece runs against its own tangents: its joints slid past each other.
+fn stunted(outline: &Outline, i: usize) -> bool {
+    let Cubic { start, leaving, arriving, end } = outline.cubic(i);
+    let chord = end - start;
+    let smooth = outline.nodes[i].smooth && outline.nodes[outline.next(i)].smooth;
+    smooth && dot(chord, leaving) < 0.0 && dot(chord, arriving) < 0.0
+}
+
+/// Whether a piece goes back on its way: its control points are past each other, far beyond its ends.
+fn folded(outline: &Outline, i: usize) -> bool {
+    let cubic = outline.cubic(i);
+    dot(cubic.velocity(0.5), cubic.end - cubic.start) < 0.0
+}
+
+/// The piece in place of the two at joint i, and how far it is from them.
+fn candidate(outline: &Outline, i: usize, limits: &Limits) -> Option<(Piece, f64)> {
+    let node = outline.nodes[i];
+    let before = outline.before(i);
+    let wrong = |piece: usize| stunted(outline, piece) || folded(outline, piece);
+    let stunted = node.smooth && (wrong(before) || wrong(i));
+    if (node.kept && !stunted) || outline.len() <= 2 {
+        return None;
+    }
+    let (first, second) = (outline.cubic(before), outline.cubic(i));
+    let bend = turn(first.velocity(1.0), second.velocity(0.0)).abs();
+    if !node.smooth && bend > 0.2 {
+        return None;
+    }
+    let whole = turn(unit(first.velocity(0.0)), unit(first.velocity(0.5))).abs()
+        + turn(unit(first.velocity(0.5)), unit(second.velocity(0.5))).abs()
+        + turn(unit(second.velocity(0.5)), unit(second.velocity(1.0))).abs();
+    if whole > 2.6 && !stunted {
+        return None;
+    }
+    let mut places: Vec<Point> = Vec::with_capacity(32);
+    for cubic in [first, second] {
+        places.extend((0..16).map(|k| cubic.point((f64::from(k) + 0.5) / 16.0)));
+    }
+    let tangent = |at: usize, line: bool, direction| {
+        if outline.nodes[at].smooth && !line { Tangent::Along(unit(direction)) } else { Tangent::Free }
+    };
+    let lengths = [norm(first.end - first.start), norm(second.end - second.start)];
+    let long = usize::from(outline.is_line(i));
+    if outline.is_line(before) != outline.is_line(i) && lengths[long] > lengths[1 - long].max(LONG) {
+        // What is mostly straight stays so, unless the rest is a stub or leads to a corner.
+        let (stub, far) = if long == 1 { (&first, before) } else { (&second, outline.next(i)) };
+        let middle = stub.velocity(0.5);
+        let bends = turn(stub.velocity(0.0), middle).abs() + turn(middle, stub.velocity(1.0)).abs();
+        if bends > STUB && outline.nodes[far].smooth && (limits.noise == 0.0 || limits.grain > 0.0) {
+            return None;
+        }
+    }
+    if outline.is_line(before) && outline.is_line(i) {
+        let fitted = Cubic::fit(first.start, second.end, &places, [Tangent::Free; 2]);
+        return (bend < 0.1).then_some((Piece::Line, fitted.rms));
+    }
+    let tangents = [
+        tangent(before, outline.is_line(before), first.velocity(0.0)),
+        tangent(outline.next(i), outline.is_line(i), second.velocity(1.0)),
+    ];
+    let fitted = Cubic::fit(first.start, second.end, &places, tangents);
+    let Cubic { leaving, arriving, .. } = fitted.cubic;
+    (fitted.rms < limits.off || stunted).then_some((Piece::Cubic { leaving, arriving }, fitted.rms))
+}

@@ -1,0 +1,181 @@
+//! Tips that pixels have cut off: two corners with a short piece between become the one where their sides meet.
+
+use super::field::Field;
+use super::refine::{Left, Refiner, Shape};
+use super::simplify::Limits;
+use super::window::{Stretch, Window};
+use crate::error::Result;
+use crate::numerics::plane::{cross, norm};
+use crate::numerics::{Point, Vector};
+use crate::trace::outline::{Node, Outline, Piece};
+use crate::trace::samples::{turn, unit};
+
+/// The longest piece that a tip is cut off by, and the farthest that the tip may be from it, in pixels.
+const LONGEST: f64 = 5.0;
+const FARTHEST: f64 = 12.0;
+/// The least turning at a tip, in radians: less is a corner that was cut on purpose.
+const LEAST: f64 = 1.9;
+/// The longest piece of a fold, in pixels, and the least turning at its end.
+const FOLD: f64 = 6.0;
+const BACK: f64 = 2.6;
+const STEPS: (usize, f64) = (8, 5e-4);
+
+/// Puts tips where their sides meet, as long as the picture is explained as well as before or as `limits` say.
+///
+/// # Cost
+///
+/// O(nodes), and O(length of the pieces beside it) for each tip that is tried.
+pub(super) fn sharpen(
+    refiner: &mut Refiner,
+    field: &mut Field,
+    shape: &mut Shape,
+    limits: &Limits,
+) -> Result<()> {
+    let mut i = 0;
+    while i < shape.outline.len() {
+        if let Some(tip) = tip(&shape.outline, i) {
+            try_tip(refiner, field, shape, limits, (i, tip))?;
+        }
+        i += 1;
+    }
+    Ok(())
+}
+
+/// Takes away corners at which the outline turns back on its own way for a short while, as long as the picture is explained as well as
+/// before or as `limits` say.
+///
+/// # Cost
+///
+/// O(nodes), and O(length of the pieces beside it) for each fold that is tried.
+pub(super) fn unfold(
+    refiner: &mut Refiner,
+    field: &mut Field,
+    shape: &mut Shape,
+    limits: &Limits,
+) -> Result<()> {
+    let mut i = 0;
+    while i < shape.outline.len() {
+        if !is_fold(&shape.outline, i) || !try_without(refiner, field, shape, limits, i)? {
+            i += 1;
+        }
+    }
+    Ok(())
+}
+
+/// Whether the outline turns back at node i, where a short piece begins or ends.
+fn is_fold(outline: &Outline, i: usize) -> bool {
+    let before = outline.before(i);
+    if outline.len() < 4 || outline.nodes[i].smooth {
+        return false;
+    }
+    let (first, second) = (outline.cubic(before), outline.cubic(i));
+    let short = norm(first.end - first.start).min(norm(second.end - second.start));
+    short < FOLD && turn(first.velocity(1.0), second.velocity(0.0)).abs() > BACK
+}
+
+/// One piece in place of the two at node i; if that is not good, all is as it was. Whether it was good.
+fn try_without(
+    refiner: &mut Refiner,
+    field: &mut Field,
+    shape: &mut Shape,
+    limits: &Limits,
+    i: usize,
+) -> Result<bool> {
+    let outline = &shape.outline;
+    let (before, next) = (outline.before(i), outline.next(i));
+    let mut old = Left::default();
+    for piece in [outline.before(before), before, i, next] {
+        old.add(&shape.parts[piece], field);
+    }
+    let [start, end] = [outline.nodes[before], outline.nodes[next]];
+    let third = (end.point - start.point) / 3.0;
+    let straight = outline.is_line(before) || outline.is_line(i);
+    let piece = if straight && !start.smooth && !end.smooth {
+        Piece::Line
+    } else {
+        let way = |node: Node, tangent: Vector| {
+            if node.smooth { unit(tangent) * norm(third) } else { third }
+        };
+        let (leaving, arriving) = (outline.cubic(before).leaving, outline.cubic(i).arriving);
+        Piece::Cubic { leaving: way(start, leaving), arriving: way(end, arriving) }
+    };
+    let stretch = Stretch { first: before, count: 2, pieces: vec![piece], between: Vec::new() };
+    let mut window = Window::open(refiner, field, shape, stretch);
+    refiner.refine(field, &mut window.shape, &[0, 1], STEPS)?;
+    let mut new = Left::default();
+    for piece in [window.shape.outline.before(0), 0, 1] {
+        new.add(&window.shape.parts[piece], field);
+    }
+    let good = limits.allow(&new, &old, 1.0);
+    if good {
+        window.keep(shape);
+    } else {
+        window.close(refiner, field, shape);
+    }
+    Ok(good)
+}
+
+/// Where the pieces before and after piece i meet, if that is a tip that it cuts off.
+fn tip(outline: &Outline, i: usize) -> Option<Point> {
+    let (before, next) = (outline.before(i), outline.next(i));
+    let [start, end] = [outline.nodes[i], outline.nodes[next]];
+    if outline.len() < 4 || start.smooth || end.smooth || norm(end.point - start.point) > LONGEST {
+        return None;
+    }
+    let (side, short, other) = (outline.cubic(before), outline.cubic(i), outline.cubic(next));
+    let (there, back) = (unit(side.velocity(1.0)), unit(other.velocity(0.0)));
+    let (first, second) = (turn(there, short.velocity(0.0)), turn(short.velocity(1.0), back));
+    if first * second <= 0.0 || turn(there, back).abs() < LEAST {
+        return None;
+    }
+    let (gap, across) = (end.point - start.point, cross(there, back));
+    // start + ahead · there = end − behind · back; sides that run alongside meet nowhere near.
+    let (ahead, behind) = (cross(gap, back) / across, cross(there, gap) / across);
+    let near = |way: f64| way > 0.0 && way < FARTHEST;
+    (near(ahead) && near(behind)).then(|| start.point + there * ahead)
+}
+
+fn try_tip(
+    refiner: &mut Refiner,
+    field: &mut Field,
+    shape: &mut Shape,
+    limits: &Limits,
+    (i, tip): (usize, Point),
+) -> Result<()> {
+    let outline = &shape.outline;
+    let (before, next) = (outline.before(i), outline.next(i));
+    let mut old = Left::default();
+    for piece in [before, i, next] {
+        old.add(&shape.parts[piece], field);
+    }
+    let side = |piece: usize, from: Point, to: Point| calm(outline.pieces[piece], norm(to - from) / 3.0);
+    let pieces = vec![
+        side(before, outline.nodes[before].point, tip),
+        side(next, tip, outline.nodes[outline.next(next)].point),
+    ];
+    let between = vec![Node { point: tip, ..outline.nodes[next] }];
+    let mut window =
+        Window::open(refiner, field, shape, Stretch { first: before, count: 3, pieces, between });
+    refiner.refine(field, &mut window.shape, &[0, 1, 2], STEPS)?;
+    let mut new = Left::default();
+    for piece in 0..2 {
+        new.add(&window.shape.parts[piece], field);
+    }
+    if limits.allow(&new, &old, 1.0) {
+        window.keep(shape);
+    } else {
+        window.close(refiner, field, shape);
+    }
+    Ok(())
+}
+
+/// Control points that went far to reach round a tip come back to a third of the way.
+fn calm(piece: Piece, third: f64) -> Piece {
+    let back = |way: Vector| if norm(way) > third { unit(way) * third } else { way };
+    match piece {
+        Piece::Line => Piece::Line,
+        Piece::Cubic { leaving, arriving } => {
+            Piece::Cubic { leaving: back(leaving), arriving: back(arriving) }
+        }
+    }
+}

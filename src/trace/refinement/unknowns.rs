@@ -1,0 +1,268 @@
+//! What may move in outlines so that smooth joints stay smooth: points, directions and lengths of tangents.
+
+use crate::numerics::order::sort_in_place;
+use crate::numerics::plane::{larger, norm};
+use crate::numerics::{Point, Vector};
+use crate::trace::outline::{Node, Outline, Piece};
+use crate::trace::samples::unit;
+
+/// How one of the four vectors of a piece (its start, the way leaving, the way arriving, its end) changes with one unknown or two.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Term {
+    /// Which vector.
+    pub(super) slot: usize,
+    unknowns: [usize; 2],
+    count: usize,
+    /// How it changes with each.
+    pub(super) ways: [Vector; 2],
+}
+
+const START: usize = 0;
+const LEAVING: usize = 1;
+const ARRIVING: usize = 2;
+const END: usize = 3;
+
+impl Term {
+    /// The unknowns of the first ways.
+    pub(super) fn unknowns(&self) -> impl Iterator<Item = usize> + Clone + use<> {
+        let unknowns = self.unknowns;
+        (0..self.count).map(move |k| unknowns[k])
+    }
+
+    /// A vector that is two unknowns.
+    fn own(slot: usize, first: usize) -> Self {
+        let ways = [Vector::new(1.0, 0.0), Vector::new(0.0, 1.0)];
+        Self { slot, unknowns: [first, first + 1], count: 2, ways }
+    }
+
+    /// A vector whose length is an unknown.
+    fn length(slot: usize, unknown: usize, way: Vector) -> Self {
+        Self { slot, unknowns: [unknown; 2], count: 1, ways: [unit(way), Vector::zeros()] }
+    }
+
+    /// A vector whose angle and length are unknowns.
+    fn polar(slot: usize, unknowns: [usize; 2], way: Vector) -> Self {
+        Self { slot, unknowns, count: 2, ways: [turned(way), unit(way)] }
+    }
+}
+
+/// The numbering of the unknowns of some nodes of one outline; the other nodes stay where they are.
+///
+/// A node has its two coordinates; at a corner both coordinates of the way to the control point of each cubic beside it; between
+/// two cubics that meet smoothly the angle of the tangent and two lengths; beside a straight piece one length, for the straight piece has the direction.
+#[derive(Debug, Default)]
+pub(super) struct Unknowns {
+    /// The first unknown of every node.
+    base: Vec<usize>,
+    nodes: Vec<usize>,
+    pub(super) end: usize,
+}
+
+/// The node stays.
+const FIXED: usize = usize::MAX;
+
+/// How much a unit of each unknown moves, squared: what damping is measured with.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Joint {
+    Corner,
+    /// Two cubics.
+    Free,
+    /// A straight piece arrives, a cubic leaves.
+    AfterLine,
+    /// A cubic arrives, a straight piece leaves.
+    BeforeLine,
+}
+
+fn joint(outline: &Outline, i: usize) -> Joint {
+    let Node { smooth, .. } = outline.nodes[i];
+    match (smooth, outline.is_line(outline.before(i)), outline.is_line(i)) {
+        (true, false, false) => Joint::Free,
+        (true, true, false) => Joint::AfterLine,
+        (true, false, true) => Joint::BeforeLine,
+        _ => Joint::Corner,
+    }
+}
+
+impl Unknowns {
+    /// Numbers the unknowns of `nodes`, in their order: what is near around the outline is to be near in the list.
+    pub(super) fn number(&mut self, outline: &Outline, nodes: &[usize]) {
+        for &node in &self.nodes {
+            if let Some(base) = self.base.get_mut(node) {
+                *base = FIXED;
+            }
+        }
+        self.base.resize(outline.len(), FIXED);
+        self.nodes.clear();
+        self.nodes.extend_from_slice(nodes);
+        self.end = 0;
+        for &node in nodes {
+            self.base[node] = self.end;
+            self.end += 2 + match joint(outline, node) {
+                Joint::Free => 3,
+                Joint::AfterLine | Joint::BeforeLine => 1,
+                Joint::Corner => {
+                    2 * usize::from(!outline.is_line(node))
+                        + 2 * usize::from(!outline.is_line(outline.before(node)))
+                }
+            };
+        }
+    }
+
+    /// The pieces that change when the nodes move, in order.
+    pub(super) fn pieces(&self, outline: &Outline, pieces: &mut Vec<usize>) {
+        pieces.clear();
+        for &node in &self.nodes {
+            let before = outline.before(node);
+            pieces.push(before);
+            pieces.push(node);
+            // Tangents follow straight pieces.
+            if outline.is_line(node) && outline.nodes[outline.next(node)].smooth {
+                pieces.push(outline.next(node));
+            }
+            if outline.is_line(before) && outline.nodes[before].smooth {
+                pieces.push(outline.before(before));
+            }
+        }
+        sort_in_place(pieces);
+        pieces.dedup();
+    }
+
+    /// Adds the terms of piece i.
+    pub(super) fn terms(&self, outline: &Outline, i: usize, terms: &mut Vec<Term>) {
+        let next = outline.next(i);
+        let (start, end) = (self.base[i], self.base[next]);
+        if start != FIXED {
+            terms.push(Term::own(START, start));
+        }
+        if end != FIXED {
+            terms.push(Term::own(END, end));
+        }
+        let Piece::Cubic { leaving, arriving } = outline.pieces[i] else { return };
+        match joint(outline, i) {
+            Joint::AfterLine | Joint::BeforeLine => {
+                if start != FIXED {
+                    terms.push(Term::length(LEAVING, start + 2, leaving));
+                }
+                let before = outline.before(i);
+                let line = outline.nodes[i].point - outline.nodes[before].point;
+                follow(terms, [start, self.base[before]], (LEAVING, leaving), line);
+            }
+            _ if start == FIXED => {}
+            Joint::Corner => terms.push(Term::own(LEAVING, start + 2)),
+            Joint::Free => terms.push(Term::polar(LEAVING, [start + 2, start + 3], leaving)),
+        }
+        match joint(outline, next) {
+            Joint::AfterLine | Joint::BeforeLine => {
+                if end != FIXED {
+                    terms.push(Term::length(ARRIVING, end + 2, arriving));
+                }
+                let after = outline.next(next);
+                let line = outline.nodes[after].point - outline.nodes[next].point;
+                follow(terms, [self.base[after], end], (ARRIVING, arriving), line);
+            }
+            _ if end == FIXED => {}
+            Joint::Corner => {
+                terms.push(Term::own(ARRIVING, end + 2 + 2 * usize::from(!outline.is_line(next))));
+            }
+            Joint::Free => terms.push(Term::polar(ARRIVING, [end + 2, end + 4], arriving)),
+        }
+    }
+
+    /// How far one unit of every unknown moves things, squared, from `first` on.
+    pub(super) fn scales(&self, outline: &Outline, scales: &mut [f64]) {
+        for &i in &self.nodes {
+            let base = self.base[i];
+            if joint(outline, i) == Joint::Free {
+                let arriving = outline.cubic(outline.before(i)).arriving;
+                let leaving = outline.cubic(i).leaving;
+                scales[base + 2] = norm(arriving).powi(2) + norm(leaving).powi(2);
+            }
+        }
+    }
+
+    /// Moves the outline by a step of the unknowns; nothing moves farther than `most`.
+    pub(super) fn apply(&self, outline: &mut Outline, step: &[f64], most: f64) {
+        let limit = |value: f64| if value.is_finite() { value.max(-most).min(most) } else { 0.0 };
+        for &i in &self.nodes {
+            let joint = joint(outline, i);
+            let (base, before) = (self.base[i], outline.before(i));
+            outline.nodes[i].point += Vector::new(limit(step[base]), limit(step[base + 1]));
+            let least = 0.05;
+            let stretch = |v: Vector, by: f64| unit(v) * (norm(v) + limit(by)).max(least);
+            let turn_by = |v: Vector, angle: f64| {
+                let (sin, cos) = crate::numerics::angle::sin_cos(angle);
+                Vector::new(v.x * cos - v.y * sin, v.x * sin + v.y * cos)
+            };
+            let angle = if joint == Joint::Free {
+                let longest = norm(outline.cubic(i).leaving).max(norm(outline.cubic(before).arriving));
+                let most_angle = (most / longest.max(least)).min(0.3);
+                let wish = step[base + 2];
+                if wish.is_finite() { wish.max(-most_angle).min(most_angle) } else { 0.0 }
+            } else {
+                0.0
+            };
+            if let Piece::Cubic { leaving, .. } = &mut outline.pieces[i] {
+                *leaving = match joint {
+                    Joint::Corner => *leaving + Vector::new(limit(step[base + 2]), limit(step[base + 3])),
+                    Joint::Free => stretch(turn_by(*leaving, angle), step[base + 3]),
+                    _ => stretch(*leaving, step[base + 2]),
+                };
+            }
+            let at = base + 2 + 2 * usize::from(!outline.is_line(i));
+            if let Piece::Cubic { arriving, .. } = &mut outline.pieces[before] {
+                *arriving = match joint {
+                    Joint::Corner => *arriving + Vector::new(limit(step[at]), limit(step[at + 1])),
+                    Joint::Free => stretch(turn_by(*arriving, angle), step[base + 4]),
+                    _ => stretch(*arriving, step[base + 2]),
+                };
+            }
+        }
+        for &node in &self.nodes {
+            for i in [outline.before(node), node, outline.next(node)] {
+                follow_line(outline, i);
+            }
+        }
+    }
+}
+
+/// Turns the tangent at a smooth joint beside a straight piece with that piece.
+fn follow_line(outline: &mut Outline, i: usize) {
+    let before = outline.before(i);
+    let here: Point = outline.nodes[i].point;
+    match joint(outline, i) {
+        Joint::AfterLine => {
+            let along = unit(here - outline.nodes[before].point);
+            if let Piece::Cubic { leaving, .. } = &mut outline.pieces[i] {
+                *leaving = along * norm(*leaving);
+            }
+        }
+        Joint::BeforeLine => {
+            let along = unit(outline.nodes[outline.next(i)].point - here);
+            if let Piece::Cubic { arriving, .. } = &mut outline.pieces[before] {
+                *arriving = along * norm(*arriving);
+            }
+        }
+        _ => {}
+    }
+}
+
+fn turned(v: Vector) -> Vector {
+    Vector::new(-v.y, v.x)
+}
+
+/// A tangent that follows a straight piece turns when the ends of that piece move across it.
+fn follow(terms: &mut Vec<Term>, [to, from]: [usize; 2], (slot, tangent): (usize, Vector), line: Vector) {
+    let along = unit(line);
+    let scale = norm(tangent) / larger(norm(line), 0.05);
+    // What is across the line, of x and of y.
+    let across = [
+        Vector::new(1.0 - along.x * along.x, -along.x * along.y) * scale,
+        Vector::new(-along.x * along.y, 1.0 - along.y * along.y) * scale,
+    ];
+    if to != FIXED {
+        terms.push(Term { slot, unknowns: [to, to + 1], count: 2, ways: across });
+    }
+    if from != FIXED {
+        terms.push(Term { slot, unknowns: [from, from + 1], count: 2, ways: across.map(|way| -way) });
+    }
+}
