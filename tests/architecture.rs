@@ -23,6 +23,22 @@ const DRAWING: [(&str, &[&str]); 11] = [
     ),
 ];
 
+/// Rooms within rooms, and the neighbours that each may import; what stands beside them in the same room is open to all.
+const INNER: [(&str, &[&str]); 12] = [
+    ("curve/hermite", &[]),
+    ("curve/spline_curve", &[]),
+    ("curve/measures", &[]),
+    ("fit/convex", &[]),
+    ("fit/knots", &["convex"]),
+    ("fit/interior", &["convex", "knots"]),
+    ("trace/picture", &[]),
+    ("trace/outline", &[]),
+    ("trace/refinement", &["picture", "outline"]),
+    ("trace/quasi_interpolant", &[]),
+    ("trace/tubes", &["quasi_interpolant"]),
+    ("trace/edges", &["picture", "tubes"]),
+];
+
 /// Names that the crate's root gives again, and the rooms that they come from.
 const ROOT_NAMES: [(&str, &str); 10] = [
     ("Error", "error"),
@@ -75,8 +91,9 @@ fn identifier(text: &str) -> &str {
     &text[..end]
 }
 
-/// The names that follow `crate::` or a chain of `super::` that ends at the crate's root.
-fn names_at_root(source: &Source) -> Vec<String> {
+/// The names that follow `crate::`, the path of the module that encloses a source in so many steps from the root, or a chain of `super::` that
+/// ends there.
+fn names_in(source: &Source, steps: usize) -> Vec<String> {
     let code = source.code().collect::<Vec<_>>().join("\n");
     let mut names = Vec::new();
     let mut push = |rest: &str| match rest.strip_prefix('{') {
@@ -99,10 +116,12 @@ fn names_at_root(source: &Source) -> Vec<String> {
             }
         }
     };
-    for (i, _) in code.match_indices("crate::") {
-        push(&code[i + "crate::".len()..]);
+    let module = source.module();
+    let prefix: String = ["crate"].iter().chain(&module[..steps]).map(|part| format!("{part}::")).collect();
+    for (i, _) in code.match_indices(&prefix) {
+        push(&code[i + prefix.len()..]);
     }
-    let climb = "super::".repeat(source.module().len());
+    let climb = "super::".repeat(module.len() - steps);
     if !climb.is_empty() {
         for (i, _) in code.match_indices(&climb) {
             if !code[..i].ends_with("super::") {
@@ -126,7 +145,7 @@ fn import_violations(source: &Source) -> Vec<String> {
         return vec![format!("{}: {room} is not a room of the drawing", source.path)];
     };
     let mut found = Vec::new();
-    for name in names_at_root(source) {
+    for name in names_in(source, 0) {
         match room_of(&name) {
             Some(target) if target == room || allowed.contains(&target) => {}
             Some(target) => found.push(format!("{}: {room} -> {target}", source.path)),
@@ -144,6 +163,18 @@ fn import_violations(source: &Source) -> Vec<String> {
         }
     }
     found
+}
+
+/// Neighbours within a room that the drawing does not allow.
+fn inner_violations(source: &Source) -> Vec<String> {
+    let module = source.module();
+    let [room, inner, ..] = module[..] else { return Vec::new() };
+    let rooms = |name: &str| INNER.iter().find(|(path, _)| *path == format!("{room}/{name}"));
+    let Some((_, allowed)) = rooms(inner) else { return Vec::new() };
+    let names = names_in(source, 1).into_iter();
+    let barred =
+        names.filter(|name| name != inner && rooms(name).is_some() && !allowed.contains(&name.as_str()));
+    barred.map(|name| format!("{}: {room}/{inner} -> {room}/{name}", source.path)).collect()
 }
 
 fn shape_violations(source: &Source) -> Vec<String> {
@@ -239,6 +270,11 @@ fn imports_follow_the_drawing() {
     assert!(sources.len() > 20, "the sources were found");
     let found: Vec<_> = sources.iter().flat_map(import_violations).collect();
     assert!(found.is_empty(), "{}", found.join("\n"));
+    for (path, _) in INNER {
+        assert!(sources.iter().any(|source| source.path.starts_with(&format!("{path}/"))), "{path} is there");
+    }
+    let found: Vec<_> = sources.iter().flat_map(inner_violations).collect();
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 #[test]
@@ -298,6 +334,27 @@ fn a_planted_import_is_found() {
         found("wasm/mod.rs", "use crate::svg::parse_path;\nuse wasm_bindgen::JsValue;").is_empty(),
         "wasm may"
     );
+}
+
+#[test]
+fn a_planted_import_within_a_room_is_found() {
+    let found = |path: &str, text: &str| inner_violations(&Source::new(path, text)).len();
+    let judge = "fit/convex/certificate.rs";
+    assert_eq!(
+        found(judge, "use crate::fit::interior::solver::Solver;"),
+        1,
+        "the certificate and the solver"
+    );
+    assert_eq!(found(judge, "use super::super::interior::cone::dot;"), 1, "by way of super");
+    assert_eq!(found(judge, "use crate::fit::{knots::breaks::Breaks, samples::Samples};"), 1, "a list");
+    assert_eq!(found("fit/knots.rs", "use super::interior::polish::Fixed;"), 1, "the door of a room");
+    assert_eq!(
+        found("trace/tubes/chain.rs", "use crate::trace::quasi_interpolant::cloud::Cloud;"),
+        0,
+        "an arrow"
+    );
+    assert_eq!(found(judge, "use super::problem::Problem;\nuse crate::fit::samples::Samples;"), 0, "at home");
+    assert_eq!(found("fit/report.rs", "use super::knots::breaks::HIGHEST;"), 0, "beside the rooms");
 }
 
 #[test]
