@@ -191,3 +191,22 @@ test("numbers of the status bar are copied by a press", async (t) => {
   const length = await copied(demo, "m-length");
   assert.ok(Math.abs(Number(length) - 320 * Math.PI) < 1e-6, length);
 });
+
+test("the code leaves the drawing in sight, follows the sliders of every mode, and gives the focus back", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  await demo.byId("btn-code").click();
+  const drawer = demo.byId("code-drawer");
+  await drawer.waitFor();
+  await demo.still();
+  const top = (await drawer.boundingBox())?.y ?? 0;
+  for (let i = 0; i < 6; i += 1) assert.ok((await demo.centre(`pt-0-${i}`)).y < top, `point ${i} is above the code`);
+  await demo.press("Escape");
+  assert.equal(await demo.page.evaluate(() => (document.activeElement as HTMLElement).dataset["testid"]), "btn-code");
+  await demo.byId("tab-trace").click();
+  await demo.byId("empty-trace").getByRole("button", { name: "Logo" }).click();
+  await demo.idle();
+  await demo.byId("btn-code").click();
+  const before = await demo.textOf("code-listing");
+  await demo.slide("trace-detail", 80);
+  assert.notEqual(await demo.textOf("code-listing"), before);
+});

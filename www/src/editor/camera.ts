@@ -68,7 +68,7 @@ const fittings = new WeakMap<View, readonly [box: Box, most: number, share: numb
 export function fitted(box: Box, stage: StageBox, most: number, share = 0.1): View {
   const margin = Math.max(24, Math.min(stage.width, stage.height) * share);
   // The hint and the zoom box, and on a phone the tools, are above and below.
-  const above = Math.max(margin, stage.width < 600 ? 72 : 48);
+  const above = Math.max(margin, Math.min(stage.width < 600 ? 72 : 48, stage.height * 0.35));
   const wide = Math.max(1, stage.width - 2 * margin) / Math.max(1e-9, box.maxX - box.minX);
   const high = Math.max(1, stage.height - 2 * above) / Math.max(1e-9, box.maxY - box.minY);
   const view = { zoom: clampZoom(Math.min(wide, high, most)), x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2 };

@@ -44,9 +44,11 @@ export function mountCodeDrawer(shell: Shell, changed: (open: boolean) => void):
     refresh();
   };
   const set = (open: boolean): void => {
+    const inside = drawer.contains(document.activeElement);
     drawer.hidden = !open;
     changed(open);
     refresh();
+    if (inside && !open) regions.panel.querySelector<HTMLElement>("[data-testid=btn-code]")?.focus();
     if (open) tabs.find((tab) => tab.getAttribute("aria-selected") === "true")?.focus();
   };
   list.addEventListener("keydown", (event) => {
@@ -69,7 +71,7 @@ export function mountCodeDrawer(shell: Shell, changed: (open: boolean) => void):
   });
   const soon = inNextFrame(shell.frame, refresh);
   editor.state.subscribe((state, before) => {
-    if (!drawer.hidden && (state.curve !== before.curve || state.fit !== before.fit || state.mode !== before.mode)) soon.request();
+    if (!drawer.hidden && (state.curve !== before.curve || state.fit !== before.fit || state.trace !== before.trace || state.traceRun !== before.traceRun || state.mode !== before.mode)) soon.request();
   }, { until });
   choose(active);
   return { toggle: () => set(drawer.hidden), isOpen: () => !drawer.hidden };
