@@ -172,3 +172,15 @@ test("the empty stage leaves room to draw on, first thing after the page was ope
   await demo.dragFrom({ x: stage.x + 60, y: card.y + card.height / 2 }, 120, 40, 30);
   assert.ok((await demo.state()).fit.data.length > 20);
 });
+
+test("V18 knots that have vanished are gone from the picture, without a touch of the stage", async (t) => {
+  const demo = await open(t, "#/fit?sample=fit-star");
+  // While the chart is being filled, every column of it is a new picture anyway.
+  await demo.until(() => demo.page.locator("[data-testid=fit-chart] rect").count(), (columns) => columns === 21, "the chart is filled");
+  await demo.slide("fit-smoothing", 85);
+  const after = await demo.pixels();
+  await demo.byId("tab-curve").click();
+  await demo.byId("tab-fit").click();
+  await demo.idle();
+  assert.equal(await demo.changedPixels(after, await demo.pixels()), 0);
+});

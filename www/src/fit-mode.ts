@@ -27,7 +27,7 @@ export function mountFitMode({ editor, frame, stage, surface, proxies, panels, c
     bring: (drawing, contours, kind) => bringStrokes(editor, "Import", strokesFrom(drawing, contours, kind === "points")),
   });
   panels.shell.samples.set("fit", (done) => fitSampleCards(panels.shell, done));
-  stage.painters.set("fit", createFitPainter(frame, () => performance.now()));
+  stage.painters.set("fit", createFitPainter(stage.repaint, () => performance.now()));
   createKnotProxies(editor, frame, surface, proxies, until);
   panels.addMode("fit", { panel: fitPanel(panels.shell), metrics: fitMetrics });
   mountEmptyFit(panels.shell);

@@ -72,7 +72,7 @@ function smoothingSection(shell: Shell): Section & { readonly slider: HTMLElemen
   const chart = chartSection(shell);
   const target = selectField<FitTarget>({
     label: "Target", testid: "fit-target", about: "Lets a number of knots or an error drive the smoothing.",
-    options: [["off", "Off"], ["knots", "At most so many knots"], ["error", "Error at most"]],
+    options: [["off", "Off"], ["knots", "Number of knots"], ["error", "Largest error"]],
     write: (value) => setTarget(editor, value), reset: () => setTarget(editor, "off"),
   });
   const most = numberField({

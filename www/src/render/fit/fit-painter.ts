@@ -1,4 +1,3 @@
-import type { Frame } from "../../editor/frame.ts";
 import type { FitOutcome } from "../../kernel/fit/outcome.ts";
 import type { ShownKnot } from "../../kernel/fit/knots.ts";
 import { drawGrid } from "../layers/grid.ts";
@@ -19,7 +18,8 @@ interface Fading {
   readonly since: number;
 }
 
-export function createFitPainter(frame: Frame, now: () => number): Painter {
+/** `again` asks for another picture after this one. */
+export function createFitPainter(again: () => void, now: () => number): Painter {
   let shown: FitOutcome | null = null;
   let fading: Fading | null = null;
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
@@ -44,7 +44,7 @@ export function createFitPainter(frame: Frame, now: () => number): Painter {
         context.globalAlpha = left;
         for (const knot of fading.knots) drawKnotMark(context, onScreen(scene, knot), knot.type, { over: false, chosen: false, focused: false }, palette);
         context.globalAlpha = 1;
-        if (fading.knots.length > 0) frame.request();
+        if (fading.knots.length > 0) again();
       } else {
         fading = null;
       }
