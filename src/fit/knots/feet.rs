@@ -17,23 +17,40 @@ impl Spline {
     /// Moves every parameter towards the foot of its point, by at most `rounds` steps that each come nearer, and says
     /// how far the points then are. What it says is never too small: the nearest point is no farther.
     pub(super) fn project(&self, data: &mut Located, rounds: usize) -> Distances {
+        self.project_beyond(data, rounds, 0.0)
+    }
+
+    /// The same, but points that are nearer than `enough` stay where they are: whether all are takes one look at most of
+    /// them.
+    pub(super) fn project_beyond(&self, data: &mut Located, rounds: usize, enough: f64) -> Distances {
         let mut feet = core::mem::take(&mut data.parameters);
-        let distances = self.feet(data, &mut feet, rounds);
+        let distances = self.feet_beyond(data, &mut feet, rounds, enough);
         data.parameters = feet;
         distances
     }
 
     /// [`Spline::project`] for parameters that are kept apart from the points.
     pub(in crate::fit) fn feet(&self, data: &Located, feet: &mut [f64], rounds: usize) -> Distances {
+        self.feet_beyond(data, feet, rounds, 0.0)
+    }
+
+    fn feet_beyond(&self, data: &Located, feet: &mut [f64], rounds: usize, enough: f64) -> Distances {
+        let enough = enough * enough;
         match self.space.breaks.degree {
-            1 => self.feet_of::<2>(data, feet, rounds),
-            2 | 3 => self.feet_of::<4>(data, feet, rounds),
-            _ => self.feet_of::<6>(data, feet, rounds),
+            1 => self.feet_of::<2>(data, feet, rounds, enough),
+            2 | 3 => self.feet_of::<4>(data, feet, rounds, enough),
+            _ => self.feet_of::<6>(data, feet, rounds, enough),
         }
     }
 
-    /// The same for degrees below T.
-    fn feet_of<const T: usize>(&self, data: &Located, feet: &mut [f64], rounds: usize) -> Distances {
+    /// The same for degrees below T and the square of what is near enough.
+    fn feet_of<const T: usize>(
+        &self,
+        data: &Located,
+        feet: &mut [f64],
+        rounds: usize,
+        enough: f64,
+    ) -> Distances {
         let pieces = self.pieces();
         let mut found = Distances::default();
         let mut group = Group::new();
@@ -42,7 +59,7 @@ impl Spline {
             s = self.space.find(feet[from], s).0;
             let count = self.gathered(&mut group, s, &feet[from..], &data.points[from..]);
             let span = &self.space.spans[s];
-            group.move_to_feet::<T>(&pieces[s], count, rounds, self.reach() / span.half);
+            group.move_to_feet::<T>(&pieces[s], count, rounds, [self.reach() / span.half, enough]);
             let points = &data.points[from..from + count];
             for (i, (foot, target)) in feet[from..from + count].iter_mut().zip(points).enumerate() {
                 if group.u[i] != group.start[i] {
@@ -159,14 +176,20 @@ impl Group {
         Self { x: none, y: none, start: none, u: none, square: none, next: none, beyond: none, left }
     }
 
-    /// Up to `rounds` steps of the first `count` points, each at most `most`.
-    fn move_to_feet<const T: usize>(&mut self, piece: &Piece, count: usize, rounds: usize, most: f64) {
+    /// Up to `rounds` steps of the first `count` points, each at most `most`; squares that are `enough` need no step.
+    fn move_to_feet<const T: usize>(
+        &mut self,
+        piece: &Piece,
+        count: usize,
+        rounds: usize,
+        [most, enough]: [f64; 2],
+    ) {
         self.u[..count].copy_from_slice(&self.start[..count]);
         self.next[..count].copy_from_slice(&self.start[..count]);
         self.square[..count].fill(f64::INFINITY);
         self.left[..count].fill(0);
         for round in 0..rounds {
-            self.step::<T>(piece, count, most);
+            self.step::<T>(piece, count, most, enough);
             let mut any = false;
             for i in 0..count {
                 if self.next[i].abs() > 1.0 {
@@ -183,7 +206,7 @@ impl Group {
     }
 
     /// Takes the places that are nearer than those before, and finds the next ones.
-    fn step<const T: usize>(&mut self, piece: &Piece, count: usize, most: f64) {
+    fn step<const T: usize>(&mut self, piece: &Piece, count: usize, most: f64, enough: f64) {
         let group = self.x[..count].iter().zip(&self.y[..count]).zip(&mut self.u[..count]);
         let found = self.square[..count].iter_mut().zip(&mut self.next[..count]);
         for (((x, y), u), (square, next)) in group.zip(found) {
@@ -194,7 +217,7 @@ impl Group {
             *square = if nearer { here } else { *square };
             *u = if nearer { *next } else { *u };
             let further = look.u + larger(smaller(step, most), -most);
-            *next = if nearer & (gain >= WORTH * here) { further } else { *u };
+            *next = if nearer & (gain >= WORTH * here) & (here > enough) { further } else { *u };
         }
     }
 

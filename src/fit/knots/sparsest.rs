@@ -202,7 +202,7 @@ impl Sparsest {
         if let Aim::Tolerance(tolerance) = aim {
             let spline = polyline::through(&vertices, &search.full, breaks);
             let mut located = search.full.clone();
-            let distances = spline.project(&mut located, 3);
+            let distances = spline.project_beyond(&mut located, 3, search.near());
             if distances.largest <= tolerance {
                 search.found = Some(Found { spline, located, distances, wild: None });
             }
@@ -256,7 +256,7 @@ impl Sparsest {
     /// Sum of squares and prices, on all points: averages hide what they average.
     pub(in crate::fit) fn cost(&self) -> f64 {
         let more = if self.even { AHEAD * self.price.0 } else { 0.0 };
-        if self.seen.points.len() == self.full.points.len() {
+        if !self.is_averaged() {
             return self.price.rank(&self.fitted) + more;
         }
         self.price.rank(&FreeKnots::new(self.fitted.breaks().clone(), &self.full)) + more

@@ -38,7 +38,7 @@ impl Sparsest {
             return self.lighter(next, target);
         }
         let (Aim::Tolerance(tolerance), Some(best)) = (self.aim, &self.found) else { return Phase::Done };
-        let averaged = self.seen.points.len() < self.full.points.len();
+        let averaged = self.is_averaged();
         let mut seen = if averaged { self.seen.clone() } else { best.located.clone() };
         let fitted = FreeKnots::new(best.spline.space.breaks.clone(), &seen);
         let removals = fitted.removals();
@@ -49,9 +49,9 @@ impl Sparsest {
         let mut spline = Spline::of(&trial);
         let distances = minimax(&mut spline, &mut seen, tolerance);
         if distances.largest <= tolerance && spline.strays(&seen, tolerance).is_none() {
-            let mut located = if averaged { self.full.clone() } else { seen };
+            let mut located = if averaged { self.following() } else { seen };
             located.weights.clone_from(&self.full.weights);
-            let distances = spline.project(&mut located, 3);
+            let distances = spline.project_beyond(&mut located, 3, self.near());
             if distances.largest <= tolerance {
                 self.found = Some(Found { spline, located, distances, wild: None });
                 return Phase::Last(0);

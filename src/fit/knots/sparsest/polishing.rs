@@ -1,9 +1,10 @@
 //! A fit whose points' parameters are free, and what follows from how near it comes.
 
-use super::{Aim, BACK, FEW, Found, LEAP, Phase, Sparsest, from_afar};
+use super::{Aim, BACK, FEW, Found, LEAP, Phase, SEEN, Sparsest, from_afar};
+use crate::fit::knots::bins::followed;
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::foot_points::{Distances, Spline};
-use crate::fit::knots::free_knots::FreeKnots;
+use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::search::{Price, better, least};
 use crate::fit::knots::start;
 
@@ -28,9 +29,8 @@ impl Sparsest {
         } else {
             self.seen = seen;
         }
-        let averaged = self.seen.points.len() < self.full.points.len();
-        let mut located = if averaged { self.full.clone() } else { self.seen.clone() };
-        let mut distances = spline.project(&mut located, 3);
+        let mut located = if self.is_averaged() { self.following() } else { self.seen.clone() };
+        let mut distances = spline.project_beyond(&mut located, 3, self.near());
         if wild.is_some() {
             distances.largest = f64::INFINITY;
         }
@@ -154,6 +154,28 @@ impl Sparsest {
                 Phase::Polish
             }
             _ => Phase::Done,
+        }
+    }
+
+    /// All points, moved along the curve as their averages were.
+    pub(super) fn following(&self) -> Located {
+        let (full, breaks) = (&self.full, self.fitted.breaks());
+        let parameters = [&from_afar(full).parameters[..], &self.seen.parameters];
+        let parameters = followed(full, SEEN, parameters, (breaks.closed, breaks.end));
+        Located { parameters, points: full.points.clone(), weights: full.weights.clone() }
+    }
+
+    /// Whether averages are looked at while knots are looked for.
+    pub(super) fn is_averaged(&self) -> bool {
+        self.seen.points.len() < self.full.points.len()
+    }
+
+    /// Of points that are no farther no more needs to be known before the search ends: many of them are only asked
+    /// whether they keep the tolerance.
+    pub(super) fn near(&self) -> f64 {
+        match self.aim {
+            Aim::Tolerance(tolerance) if self.is_averaged() => tolerance,
+            _ => 0.0,
         }
     }
 

@@ -33,7 +33,7 @@ impl Sparsest {
         self.roundings += 1;
         self.sharpest = best.spline.space.breaks.degree - 1;
         let breaks = without_corners(&best.spline.space.breaks, &slight);
-        if self.seen.points.len() == self.full.points.len() {
+        if !self.is_averaged() {
             self.seen = best.located.clone();
         } else {
             self.seen = from_afar(&self.full);

@@ -30,6 +30,9 @@ impl Sparsest {
     pub(super) fn straighten(&mut self) -> Phase {
         self.straightened = true;
         let Some(mut best) = self.found.take() else { return Phase::Done };
+        if self.near() > 0.0 {
+            best.distances = best.spline.project(&mut best.located, 3);
+        }
         let degree = best.spline.space.breaks.degree;
         if degree < 2 || best.wild.is_some() {
             self.found = Some(best);
