@@ -6,11 +6,11 @@ mod sliding;
 
 pub(super) use self::moments::product;
 use self::moments::{Moments, gather};
-use self::sliding::DECAYED;
 pub(super) use self::sliding::in_order;
 use super::breaks::{Breaks, HIGHEST, Polynomial, STIFF, Space, derivative};
 use super::envelope::{Envelope, dot};
 use crate::numerics::Point;
+use crate::numerics::pair::Pair;
 
 /// Points with the parameters that they belong to, and their weights (empty: all one).
 #[derive(Clone, Debug, Default)]
@@ -57,7 +57,7 @@ impl FreeKnots {
         let moments = gather(&space, data);
         let degree = space.breaks.degree;
         let mut factor = space.equations();
-        let (mut x, mut y) = (vec![0.0; space.count], vec![0.0; space.count]);
+        let (mut right_x, mut right_y) = (vec![0.0; space.count], vec![0.0; space.count]);
         for (s, sums) in moments.iter().enumerate() {
             if sums.count == 0 && sums.stiff <= 0.0 {
                 continue;
@@ -65,8 +65,8 @@ impl FreeKnots {
             let basis = &space.basis[s];
             for p in 0..=degree {
                 let row = space.index(s, p);
-                x[row] += product(&basis[p], &sums.x);
-                y[row] += product(&basis[p], &sums.y);
+                right_x[row] += product(&basis[p], &sums.x);
+                right_y[row] += product(&basis[p], &sums.y);
                 let weighted = sums.weighted(degree, &basis[p]);
                 for (q, basis) in basis[..=p].iter().enumerate() {
                     let (other, value) = (space.index(s, q), product(&weighted, basis));
@@ -78,10 +78,11 @@ impl FreeKnots {
         }
         let stiff = if space.breaks.straight.is_empty() { 1.0 } else { STIFF };
         anchor(&mut factor, space.breaks.closed, 1e-11 / stiff);
-        let (right_x, right_y) = (x.clone(), y.clone());
         factor.factor();
-        factor.solve(&mut x);
-        factor.solve(&mut y);
+        let mut both: Vec<Pair> = right_x.iter().zip(&right_y).map(|(x, y)| Pair::new(*x, *y)).collect();
+        factor.solve_both(&mut both);
+        let x: Vec<f64> = both.iter().map(|both| both.first()).collect();
+        let y: Vec<f64> = both.iter().map(|both| both.second()).collect();
         let whole: f64 = moments.iter().map(|sums| sums.square).sum();
         let squares = (whole - dot(&x, &right_x) - dot(&y, &right_y)).max(0.0);
         Self { space, moments, factor, x, y, squares }
@@ -179,19 +180,24 @@ impl FreeKnots {
     fn forced(&self, rows: &mut [Vec<f64>], lowest: usize, highest: usize) -> Removal {
         let m = rows.len();
         let mut jumps = [[0.0; 2]; HIGHEST];
+        let (border, mut end) = (self.factor.border(), 0);
         for (row, jump) in rows.iter_mut().zip(&mut jumps) {
             let entries = &row[lowest..=highest];
             *jump = [dot(entries, &self.x[lowest..=highest]), dot(entries, &self.y[lowest..=highest])];
-            self.factor.forward_near(row, lowest, highest + DECAYED);
+            end = end.max(self.factor.forward_near(row, lowest, highest));
         }
-        let end = (highest + DECAYED).min(self.space.count);
+        let lowest = lowest.min(end);
         let mut gram = Envelope::new(vec![0; m]);
         for p in 0..m {
             for q in 0..=p {
-                gram.add(p, q, dot(&rows[p][lowest..end], &rows[q][lowest..end]));
+                let near = dot(&rows[p][lowest..end], &rows[q][lowest..end]);
+                gram.add(p, q, near + dot(&rows[p][border..], &rows[q][border..]));
             }
         }
-        rows.iter_mut().for_each(|row| row[lowest..end].fill(0.0));
+        for row in rows {
+            row[lowest..end].fill(0.0);
+            row[border..].fill(0.0);
+        }
         let one = (jumps[0][0] * jumps[0][0] + jumps[0][1] * jumps[0][1]) / gram.diagonal(0).max(1e-300);
         gram.factor();
         let mut whole = 0.0;

@@ -6,24 +6,24 @@ use crate::fit::knots::breaks::{Breaks, HIGHEST, Polynomial, derivative};
 use crate::fit::knots::envelope::{Envelope, dot};
 use crate::numerics::Point;
 
-/// Behind the last entry of a right side a solution falls by a factor of about 4 for every coefficient.
-pub(super) const DECAYED: usize = 40;
-
-/// A part of a list of coefficients; all others are 0.
+/// A part of a list of coefficients, and those of the border; all others are 0.
 #[derive(Clone, Debug)]
 struct Part {
     from: usize,
+    to: usize,
+    /// Those of the part, then those of the border.
     values: Vec<f64>,
 }
 
 impl Part {
     fn dot(&self, other: &Self) -> f64 {
-        let from = self.from.max(other.from);
-        let to = (self.from + self.values.len()).min(other.from + other.values.len());
+        let (from, to) = (self.from.max(other.from), self.to.min(other.to));
+        let border = dot(&self.values[self.to - self.from..], &other.values[other.to - other.from..]);
         if from >= to {
-            return 0.0;
+            return border;
         }
-        dot(&self.values[from - self.from..to - self.from], &other.values[from - other.from..to - other.from])
+        let near = &self.values[from - self.from..to - self.from];
+        border + dot(near, &other.values[from - other.from..to - other.from])
     }
 }
 
@@ -66,41 +66,48 @@ impl Sliding {
 }
 
 impl FreeKnots {
-    /// A function that is not in the space, with all that is asked of it.
-    fn bump(&self, k: usize, more: usize) -> (Bump, f64) {
+    /// A function that is not in the space, with all that is asked of it. The room is for as many numbers as there are
+    /// coefficients, all 0, and is left so.
+    fn bump(&self, k: usize, more: usize, room: &mut [f64]) -> (Bump, f64) {
         let degree = self.space.breaks.degree;
         let (pieces, jump) = self.space.bump(k, more);
         let mut along = [0.0; 2];
-        let indices = || pieces.iter().flat_map(|(s, _)| (0..=degree).map(|i| self.space.index(*s, i)));
-        let from = indices().min().unwrap_or(0);
-        let to = (indices().max().unwrap_or(0) + DECAYED).min(self.space.count);
-        let mut column = vec![0.0; to];
+        let (mut from, mut last) = (self.space.count, 0);
         let mut weighted = Vec::with_capacity(pieces.len());
         for (s, polynomial) in &pieces {
             let sums = &self.moments[*s];
             let own = sums.weighted(degree, polynomial);
             along[0] += product(polynomial, &sums.x);
             along[1] += product(polynomial, &sums.y);
-            for i in 0..=degree {
+            for (i, basis) in self.space.basis[*s].iter().enumerate().take(degree + 1) {
                 let row = self.space.index(*s, i);
-                let value = product(&self.space.basis[*s][i], &own);
-                column[row] += value;
+                let value = product(basis, &own);
+                room[row] += value;
                 along[0] -= value * self.x[row];
                 along[1] -= value * self.y[row];
+                (from, last) = (from.min(row), last.max(row));
             }
             weighted.push(own);
         }
-        self.factor.forward_near(&mut column, from, to);
-        column.drain(..from);
-        (Bump { pieces, weighted, column: Part { from, values: column }, along }, jump)
+        let border = self.factor.border();
+        let to = self.factor.forward_near(room, from, last);
+        let from = from.min(to);
+        let mut values = Vec::with_capacity(to - from + room.len() - border);
+        values.extend_from_slice(&room[from..to]);
+        values.extend_from_slice(&room[border..]);
+        room[from..to].fill(0.0);
+        room[border..].fill(0.0);
+        (Bump { pieces, weighted, column: Part { from, to, values }, along }, jump)
     }
 
     /// Σ w·a·b of two functions, less what the space has of it.
     fn across(&self, a: &Bump, b: &Bump) -> f64 {
         let mut sum = -a.column.dot(&b.column);
         for ((s, _), weighted) in a.pieces.iter().zip(&a.weighted) {
-            for (_, q) in b.pieces.iter().filter(|(other, _)| other == s) {
-                sum += product(weighted, q);
+            for (other, q) in &b.pieces {
+                if other == s {
+                    sum += product(weighted, q);
+                }
             }
         }
         sum
@@ -108,7 +115,8 @@ impl FreeKnots {
 
     /// Exactly what the sum of squares would lose if knot k counted once more, twice more and so on (D 13.2).
     pub(in super::super) fn gains(&self, k: usize, most: usize) -> [f64; HIGHEST] {
-        let bumps: Vec<_> = (1..=most).map(|i| self.bump(k, i).0).collect();
+        let mut room = vec![0.0; self.space.count];
+        let bumps: Vec<_> = (1..=most).map(|i| self.bump(k, i, &mut room).0).collect();
         let mut gram = Envelope::new(vec![0; most]);
         for p in 0..most {
             for q in 0..=p {
@@ -172,8 +180,9 @@ impl FreeKnots {
         let (degree, count) = (breaks.degree, breaks.len());
         let pieces: Vec<_> = (0..self.space.spans.len()).map(|s| self.piece(s)).collect();
         let mut bumps = Vec::with_capacity(count);
+        let mut room = vec![0.0; self.space.count];
         for k in 0..count {
-            let (bump, jump) = self.bump(k, 1);
+            let (bump, jump) = self.bump(k, 1, &mut room);
             let order = degree + 1 - breaks.multiplicity[k];
             bumps.push((bump, -self.jump(&pieces, k, order) / jump));
         }
