@@ -15,6 +15,8 @@ const EASED: usize = 4;
 /// Steps of a trial, and how many times what one brings may be missing afterwards.
 const MOST_STEPS: usize = 5;
 const PACE: f64 = 2.0;
+/// A trial is given up at once whose squares are missing, for every knot less, so many times what they were with it.
+const HOPELESS: f64 = 20.0;
 /// The cheapest knots that are tried one by one.
 const SINGLES: usize = 4;
 
@@ -62,8 +64,12 @@ impl Sparsest {
         let now = free.squares + self.price.whole(fitted.breaks());
         for breaks in self.fewer(&fitted) {
             let trial = FreeKnots::new(breaks, &free.feet);
-            let trial = settle(trial, &free.feet, 0.1 * self.price.0, 2);
             let enough = now - self.price.whole(trial.breaks());
+            let gone = fitted.breaks().len() - trial.breaks().len();
+            if trial.squares - enough > HOPELESS * gone as f64 * free.squares {
+                continue;
+            }
+            let trial = settle(trial, &free.feet, 0.1 * self.price.0, 2);
             if let Some(lighter) = freed_to(&trial, free.feet.clone(), enough) {
                 self.free = Some(lighter);
                 return Phase::Lighten;
