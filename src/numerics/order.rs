@@ -8,6 +8,8 @@ pub(crate) type Key = [u64; 2];
 
 /// Lists to this length are sorted by insertion.
 const SHORT: usize = 16;
+/// Moves for each element after which a list is too far from sorted for insertion.
+const FEW_MOVES: usize = 8;
 /// Rounds of partition after which a list is sorted instead.
 const MOST_ROUNDS: usize = 64;
 
@@ -74,10 +76,10 @@ pub(crate) fn sort_by_keys<T>(list: &mut [T], key: &dyn Fn(&T) -> Key) {
 /// Sorts a list of numbers of any kind in place, without more memory; equal ones cannot be told apart. O(n log n).
 #[inline(never)]
 pub(crate) fn sort_in_place<T: Copy + PartialOrd>(list: &mut [T]) {
-    if list.is_sorted() {
+    let count = list.len();
+    if insert(list) {
         return;
     }
-    let count = list.len();
     // A heap is made from its middle, and then taken apart from its end.
     for step in 0..count / 2 + count {
         let (top, end) = if step < count / 2 {
@@ -102,6 +104,24 @@ pub(crate) fn sort_in_place<T: Copy + PartialOrd>(list: &mut [T]) {
         }
         list[at] = moved;
     }
+}
+
+/// Sorts a short or nearly sorted list by moving each element to its place; gives up, and says so, where that is too far.
+fn insert<T: Copy + PartialOrd>(list: &mut [T]) -> bool {
+    let mut moves = FEW_MOVES * list.len();
+    for i in 1..list.len() {
+        let (value, mut k) = (list[i], i);
+        while k > 0 && value < list[k - 1] {
+            list[k] = list[k - 1];
+            k -= 1;
+        }
+        list[k] = value;
+        if i - k > moves {
+            return false;
+        }
+        moves -= i - k;
+    }
+    true
 }
 
 /// The element that is number k of the sorted list; the list is left in another order. O(n), after 64 rounds O(n log n).

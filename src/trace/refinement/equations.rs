@@ -116,10 +116,12 @@ impl Equations {
         for &i in &self.pieces {
             let from = self.terms.len();
             self.unknowns.terms(outline, i, &mut self.terms);
-            let own = self.terms[from..].iter().flat_map(Term::unknowns);
-            let most = own.clone().fold(0, |most, unknown| most.max(unknown));
-            for unknown in own {
-                last[unknown] = last[unknown].max(most);
+            let own = &self.terms[from..];
+            let most = own
+                .iter()
+                .fold(0, |most, term| term.unknowns().iter().fold(most, |most, &own| most.max(own)));
+            for term in own {
+                term.unknowns().iter().for_each(|&unknown| last[unknown] = last[unknown].max(most));
             }
             self.ends.push(self.terms.len());
         }
@@ -134,25 +136,23 @@ struct Matrix([[f64; PAIRS]; 3]);
 fn add(terms: &[Term], pull: &[Vector; 4], matrix: &Matrix, right: &mut [f64], factor: &mut Skyline) {
     let Matrix([xx, xy, yy]) = matrix;
     for (k, term) in terms.iter().enumerate() {
-        for (way, unknown) in term.ways.iter().zip(term.unknowns()) {
+        let own = term.unknowns();
+        for (way, &unknown) in term.ways.iter().zip(own) {
             right[unknown] += dot(*way, pull[term.slot]);
         }
         for (l, other) in terms[..=k].iter().enumerate() {
             let (high, low) = (term.slot.max(other.slot), term.slot.min(other.slot));
             let pair = high * (high + 1) / 2 + low;
             let (a, b, c) = (xx[pair], xy[pair], yy[pair]);
-            let images = term.ways.map(|way| Vector::new(a * way.x + b * way.y, b * way.x + c * way.y));
-            for (i, unknown) in term.unknowns().enumerate() {
-                let most = if k == l { i + 1 } else { 2 };
-                for (way, along) in other.ways.iter().zip(other.unknowns()).take(most) {
-                    let value = dot(images[i], *way);
+            let image = |way: Vector| Vector::new(a * way.x + b * way.y, b * way.x + c * way.y);
+            for (i, &unknown) in own.iter().enumerate() {
+                let image = image(term.ways[i]);
+                let others = if k == l { &own[..=i] } else { other.unknowns() };
+                for (way, &along) in other.ways.iter().zip(others) {
+                    let value = dot(image, *way);
                     // Terms of one unknown meet twice on the diagonal.
                     let twice = k != l && unknown == along;
-                    factor.add(
-                        unknown.min(along),
-                        unknown.max(along),
-                        if twice { value + value } else { value },
-                    );
+                    factor.add(unknown, along, if twice { value + value } else { value });
                 }
             }
         }
@@ -164,8 +164,10 @@ fn pull(parts: &[Part], field: &Field, line: bool, left: &mut Left) -> [Vector; 
     // Moments of the parameter: x and y in turn.
     let (mut moments, mut last) = ([[0.0_f64; 2]; 4], NONE);
     let lead = field.lead();
-    for part in parts.iter().filter(|part| part.pixel != NONE) {
-        let value = lead[part.pixel as usize];
+    let mut seen = *left;
+    for part in parts {
+        // No pixel is not among them.
+        let Some(&value) = lead.get(part.pixel as usize) else { continue };
         let t = f64::from(part.t);
         let mut moment = [f64::from(part.dy * value), f64::from(part.dx * value)];
         for sum in &mut moments {
@@ -176,9 +178,10 @@ fn pull(parts: &[Part], field: &Field, line: bool, left: &mut Left) -> [Vector; 
         }
         if part.pixel != last {
             last = part.pixel;
-            left.see(field.rest[part.pixel as usize]);
+            seen.see(field.rest[part.pixel as usize]);
         }
     }
+    *left = seen;
     let [a, b, c, d] = moments.map(|[x, y]| Vector::new(x, -y));
     if line {
         return [a - b, Vector::zeros(), Vector::zeros(), b];

@@ -3,6 +3,7 @@
 use crate::error::Result;
 use crate::limits::with_room;
 use crate::numerics::Point;
+use crate::numerics::four::Four;
 use crate::numerics::order::sort_in_place;
 use crate::numerics::plane::larger;
 use crate::trace::picture::blur::half_gaussian;
@@ -30,15 +31,20 @@ pub(in crate::trace) struct Shading {
 }
 
 /// What an exchange of parts does to one tile: areas to the right of them inside pixels, and heights, in the order of the pixels.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Change {
-    pub(super) areas: [f32; AREA],
-    pub(super) heights: [f32; AREA],
+    areas: [[f32; 4]; AREA / 4],
+    heights: [[f32; 4]; AREA / 4],
+    /// What the tile was before.
+    before: [[f32; 4]; AREA / 4],
 }
 
-impl Default for Change {
-    fn default() -> Self {
-        Self { areas: [0.0; AREA], heights: [0.0; AREA] }
+impl Change {
+    /// What one part adds in a pixel of the tile.
+    #[inline(always)]
+    pub(super) fn add(&mut self, pixel: usize, area: f32, height: f32) {
+        self.areas.as_flattened_mut()[pixel % AREA] += area;
+        self.heights.as_flattened_mut()[pixel % AREA] += height;
     }
 }
 
@@ -173,37 +179,42 @@ impl Field {
         (slot != NONE).then_some(slot as usize)
     }
 
-    /// The row of tiles that a place is in.
-    pub(super) fn tile_row(&self, place: u32) -> usize {
-        place as usize / self.across
+    /// The first place behind the row of tiles that a place is in.
+    pub(super) fn row_end(&self, place: u32) -> u32 {
+        let across = self.across as u32;
+        (place / across + 1) * across
     }
 
     /// The outlines cover more or less of the pixels of a tile, with heights that run in from the left and on to the right; how much the sum
-    /// of squares grows, if that is known at once.
-    pub(super) fn cover(&mut self, slot: usize, change: &Change, running: &mut [f32; SIDE]) -> f64 {
-        let from = slot * AREA;
-        let (plane, sign) = match &mut self.blur {
+    /// of squares grows, if that is known at once. The change is used up, but for what takes it back.
+    pub(super) fn cover(&mut self, slot: usize, change: &mut Change, running: &mut [f32; SIDE]) -> f64 {
+        let sign = if self.blur.is_some() { -1.0 } else { 1.0 };
+        let pixels = self.covered(slot);
+        let mut growth = 0.0;
+        for (half, running) in running.as_chunks_mut().0.iter_mut().enumerate() {
+            let part = cover_half(pixels, change, half, (running, sign));
+            growth = part.into_iter().fold(growth, |sum, part| sum + f64::from(part));
+        }
+        if sign < 0.0 { 0.0 } else { growth }
+    }
+
+    /// A tile is again what it was before a change that covered it.
+    pub(super) fn take_back(&mut self, slot: usize, change: &Change) {
+        for (pixels, before) in self.covered(slot).iter_mut().zip(&change.before) {
+            *pixels = *before;
+        }
+    }
+
+    /// The pixels of a tile that are about to be covered, or no longer.
+    fn covered(&mut self, slot: usize) -> &mut [[f32; 4]] {
+        let plane = match &mut self.blur {
             Some(blur) => {
                 blur.changed.push(slot as u32);
-                (&mut blur.cover, -1.0)
+                &mut blur.cover
             }
-            None => (&mut self.rest, 1.0),
+            None => &mut self.rest,
         };
-        let pixels = &mut plane[from..from + AREA];
-        let mut growth = [0.0_f32; SIDE];
-        for (column, pixels) in pixels.as_chunks_mut::<SIDE>().0.iter_mut().enumerate() {
-            let (areas, heights) =
-                (&change.areas.as_chunks::<SIDE>().0[column], &change.heights.as_chunks::<SIDE>().0[column]);
-            for k in 0..SIDE {
-                let less = running[k] + areas[k];
-                let before = pixels[k];
-                let after = before + sign * less;
-                pixels[k] = after;
-                growth[k] += (after - before) * (after + before);
-                running[k] += heights[k];
-            }
-        }
-        if sign < 0.0 { 0.0 } else { growth.iter().map(|&part| f64::from(part)).sum() }
+        plane[slot * AREA..(slot + 1) * AREA].as_chunks_mut().0
     }
 
     /// Takes what has changed into account; how much the sum of squares has grown by it.
@@ -351,6 +362,29 @@ impl Field {
         }
         block
     }
+}
+
+/// Covers the upper or the lower half of a tile's rows, column by column; how much the sum of squares grows in each row.
+#[inline(always)]
+fn cover_half(
+    pixels: &mut [[f32; 4]],
+    change: &mut Change,
+    half: usize,
+    (running, sign): (&mut [f32; 4], f32),
+) -> [f32; 4] {
+    let (mut heights, sign) = (Four::new(*running), Four::equal(sign));
+    let mut growth = Four::equal(0.0);
+    for column in 0..SIDE {
+        let at = 2 * column + half;
+        let before = Four::new(pixels[at]);
+        let after = before + sign * (heights + Four::new(change.areas[at]));
+        pixels[at] = after.each();
+        growth = growth + (after - before) * (after + before);
+        heights = heights + Four::new(change.heights[at]);
+        (change.areas[at], change.heights[at], change.before[at]) = ([0.0; 4], [0.0; 4], before.each());
+    }
+    *running = heights.each();
+    growth.each()
 }
 
 /// Adds the weighted sums of two lists of the same length.

@@ -223,11 +223,7 @@ impl Refiner {
                 core::mem::swap(&mut shape.parts[i], fresh);
             }
         } else {
-            for (&i, fresh) in pieces.iter().zip(&self.fresh) {
-                self.sweep.note(field, fresh, -1.0);
-                self.sweep.note(field, &shape.parts[i], 1.0);
-            }
-            self.sweep.cover(field);
+            self.sweep.take_back(field);
             field.settle();
             restore(&mut shape.outline, pieces, &self.saved);
         }

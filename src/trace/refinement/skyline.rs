@@ -37,9 +37,11 @@ impl Skyline {
         refill(&mut self.values, 0.0, size)
     }
 
-    /// Adds to entry (row, column), row ≤ column.
-    pub(super) fn add(&mut self, row: usize, column: usize, value: f64) {
-        self.values[self.start[row] + column - row] += value;
+    /// Adds to the entry of two unknowns.
+    #[inline(always)]
+    pub(super) fn add(&mut self, one: usize, other: usize, value: f64) {
+        let (row, further) = (one.min(other), one.abs_diff(other));
+        self.values[self.start[row] + further] += value;
     }
 
     /// Gauss's elimination in place. A pivot that is lost is replaced by one: its unknown stays where it is.

@@ -24,9 +24,9 @@ const END: usize = 3;
 
 impl Term {
     /// The unknowns of the first ways.
-    pub(super) fn unknowns(&self) -> impl Iterator<Item = usize> + Clone + use<> {
-        let unknowns = self.unknowns;
-        (0..self.count).map(move |k| unknowns[k])
+    #[inline(always)]
+    pub(super) fn unknowns(&self) -> &[usize] {
+        if self.count == 2 { &self.unknowns } else { &self.unknowns[..1] }
     }
 
     /// A vector that is two unknowns.
