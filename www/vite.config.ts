@@ -4,9 +4,21 @@ import { defineConfig } from "vite";
 
 const wasm = fileURLToPath(new URL("../pkg/expline_bg.wasm", import.meta.url));
 
+/** The names of all files that the page is made of, for visits without a network. */
+const parts = {
+  name: "parts",
+  generateBundle: {
+    order: "post" as const,
+    handler(this: { emitFile(file: { type: "asset"; fileName: string; source: string }): void }, _: unknown, bundle: object) {
+      this.emitFile({ type: "asset", fileName: "parts.json", source: JSON.stringify(Object.keys(bundle).filter((name) => name.startsWith("assets/"))) });
+    },
+  },
+};
+
 export default defineConfig({
   root: import.meta.dirname,
   base: "./",
+  plugins: [parts],
   define: { __WASM_BYTES__: JSON.stringify(statSync(wasm).size) },
   // Assets are never inlined as data: URLs: the page's Content Security Policy has none for scripts and styles.
   build: { outDir: "dist", emptyOutDir: true, target: "es2022", assetsInlineLimit: 0, modulePreload: { polyfill: false }, chunkSizeWarningLimit: 600 },

@@ -84,6 +84,41 @@ test("DM-031 the second visit needs no network", async (t) => {
   assert.deepEqual(demo.complaints, []);
 });
 
+test("who has come back has every part of the page without a network: modes, dialogs, the pen", async (t) => {
+  const demo = await open(t);
+  const { page } = demo;
+  const keeps = (part: string): Promise<boolean> => page.evaluate(async (name) => (await (await caches.open("expline")).keys()).some(({ url }) => url.includes(name)), part);
+  await demo.until(() => keeps("index-"), (kept) => kept, "the page is kept");
+  assert.equal(await keeps("fit-mode"), false, "a first visit loads what it shows and no more");
+  await page.evaluate(async () => (await caches.open("expline")).put(new URL("./assets/of-an-earlier-version.js", location.href), new Response("")));
+  await page.reload();
+  const parts = await page.evaluate(async () => (await (await fetch("./parts.json")).json()) as string[]);
+  assert.ok(parts.length > 40 && parts.some((part) => part.endsWith(".wasm")));
+  await demo.until(async () => (await Promise.all(parts.map(keeps))).every((kept) => kept), (all) => all, "every part is kept");
+  assert.equal(await keeps("of-an-earlier-version"), false);
+  await page.context().setOffline(true);
+  await page.reload();
+  await page.evaluate(() => window.explineDemo.ready);
+  for (const mode of ["fit", "trace", "surface"] as const) {
+    await demo.byId(`tab-${mode}`).click();
+    await demo.idle();
+    if (mode === "fit") assert.ok(await demo.metric("m-knots") > 0, "the engine that fits is there");
+    await demo.byId({ fit: "fit-smoothing", trace: "trace-detail", surface: "surf-sample" }[mode]).first().waitFor();
+  }
+  await demo.byId("btn-help").click();
+  await demo.byId("help-dialog").waitFor();
+  assert.deepEqual(demo.complaints, []);
+});
+
+test("a part that cannot be loaded is said", async (t) => {
+  // Kept parts would come from the worker, past the route.
+  const demo = await open(t, "", { serviceWorkers: "block" });
+  await demo.page.route(/help-dialog/u, (route) => route.abort());
+  await demo.byId("btn-help").click();
+  await demo.byId("error").waitFor();
+  assert.match(await demo.textOf("error"), /could not be loaded/);
+});
+
 test("an idle page asks for no frames", async (t) => {
   const demo = await open(t);
   await demo.page.waitForTimeout(500);

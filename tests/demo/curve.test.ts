@@ -182,3 +182,20 @@ test("a line drawn by hand becomes a curve of few points beside what is there, a
   await demo.press("Control+z");
   assert.equal((await demo.state()).curve.contours.length, 1);
 });
+
+test("the grid has the step that is typed, and points snap to it", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  assert.equal(await demo.byId("grid-step").isVisible(), false);
+  await demo.byId("ov-grid").check();
+  const before = await demo.pixels();
+  await demo.byId("grid-step").fill("25");
+  await demo.press("Enter");
+  assert.ok(await demo.changedPixels(before, await demo.pixels()) > 100);
+  await demo.drag("pt-0-2", 71, 33);
+  const { x, y } = await demo.point(2);
+  assert.deepEqual([x % 25, y % 25], [0, 0], `${x}, ${y}`);
+  await demo.byId("grid-step").fill("0");
+  await demo.press("Enter");
+  assert.equal(await demo.byId("error").getAttribute("data-error"), "number");
+  assert.equal(await demo.byId("grid-step").inputValue(), "25");
+});

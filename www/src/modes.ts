@@ -33,7 +33,7 @@ export function loadModes(editor: Editor, loaders: Partial<Record<Mode, () => Pr
       // The next visit tries again: a connection may have been lost for a moment.
       asked.delete(mode);
       const text = error instanceof Error ? error.message : String(error);
-      editor.notify({ kind: "error", id: "engine", text: `This mode could not be loaded: ${text}` });
+      editor.notify({ kind: "error", id: "engine", text: `This mode could not be loaded (${text}). Check the connection, then open it again.` });
     }));
   };
   editor.state.subscribe(({ mode, engine }, before) => {

@@ -9,6 +9,7 @@ const kept = "expline";
  */
 export async function keepForOffline(): Promise<void> {
   if (!window.isSecureContext || !("serviceWorker" in navigator)) return;
+  const returning = navigator.serviceWorker.controller !== null;
   try {
     await navigator.serviceWorker.register("./offline.js");
     await navigator.serviceWorker.ready;
@@ -20,6 +21,7 @@ export async function keepForOffline(): Promise<void> {
     const cache = await caches.open(kept);
     // What was just loaded comes from the browser's own cache.
     await cache.addAll([...addresses].map((address) => new Request(address, { cache: "force-cache" })));
+    if (returning && navigator.onLine) await (await import("./offline-parts.ts")).keepEveryPart(cache);
   } catch {
     // Not kept.
   }

@@ -1,9 +1,9 @@
 import type { Mode } from "../document/document.ts";
 import { resized } from "../editor/camera.ts";
-import type { Editor } from "../editor/editor.ts";
+import type { Editor, EditorState } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
+import { whileLoading } from "../editor/loading.ts";
 import { drawComb, drawKnots, drawPolygon, drawSubdivision } from "./layers/analysis.ts";
-import { drawWeights } from "./layers/weights.ts";
 import { drawBefore, drawBezier, drawCurves, drawFill, drawSpans } from "./layers/curves.ts";
 import { drawGrid } from "./layers/grid.ts";
 import { drawHandles, drawPoints } from "./layers/points.ts";
@@ -42,7 +42,7 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
   let palette = readPalette(document.documentElement);
   let ratio = 1;
   let dirty = true;
-  const painters = new Map<Mode, Painter>([["curve", { paint: (scene) => { for (const layer of layers) layer(scene); } }]]);
+  const painters = new Map<Mode, Painter>([["curve", { paint: (scene) => { for (const layer of below) layer(scene); drawWeights?.(scene); for (const layer of above) layer(scene); } }]]);
 
   function measure(): void {
     const box = surface.getBoundingClientRect();
@@ -56,6 +56,18 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
     canvas.style.width = `${width / ratio}px`;
     canvas.style.height = `${height / ratio}px`;
     repaint();
+  }
+
+  /** Few ever look at the weights: they come when they are first to be shown. */
+  let drawWeights: ((scene: Scene) => void) | null = null;
+  let asked = false;
+  function bringWeights({ settings }: EditorState): void {
+    if (asked || !settings.overlays.weights) return;
+    asked = true;
+    void whileLoading(editor, import("./layers/weights.ts").then((loaded) => {
+      ({ drawWeights } = loaded);
+      repaint();
+    }));
   }
 
   function repaint(): void {
@@ -85,6 +97,7 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
     repaint();
   };
   editor.state.subscribe(repaint, { until });
+  editor.state.subscribe(bringWeights, { until, now: true });
   const observer = new ResizeObserver(measure);
   observer.observe(surface);
   until.addEventListener("abort", () => observer.disconnect(), { once: true });
@@ -100,7 +113,6 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
   return { repaint, painters };
 }
 
-/** From the paper up. */
-const layers: readonly ((scene: Scene) => void)[] = [
-  drawGrid, drawFill, drawBefore, drawBezier, drawSubdivision, drawPolygon, drawComb, drawWeights, drawSpans, drawCurves, drawKnots, drawHandles, drawPoints, drawSketch, drawLoupe,
-];
+/** From the paper up, below and above the weights. */
+const below: readonly ((scene: Scene) => void)[] = [drawGrid, drawFill, drawBefore, drawBezier, drawSubdivision, drawPolygon, drawComb];
+const above: readonly ((scene: Scene) => void)[] = [drawSpans, drawCurves, drawKnots, drawHandles, drawPoints, drawSketch, drawLoupe];

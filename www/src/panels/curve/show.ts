@@ -2,7 +2,7 @@ import { selectKind } from "../../editor/edits.ts";
 import type { EditorState, OverlayId } from "../../editor/editor.ts";
 import { measureCurve } from "../../kernel/measure.ts";
 import { h } from "../dom.ts";
-import { sliderField, toggleField } from "../fields.ts";
+import { numberField, sliderField, toggleField } from "../fields.ts";
 import { legendRow } from "../legend.ts";
 import type { Shell } from "../shell.ts";
 import type { Section } from "./curve-panel.ts";
@@ -49,12 +49,24 @@ export function showSection(shell: Shell): Section {
     },
     reset: () => editor.setSettings({ subdivisionSteps: 0 }),
   });
+  const grid = numberField({
+    label: "Grid step",
+    testid: "grid-step",
+    about: "Distance between the lines of the grid, 1 to 100 units; points snap to them.",
+    least: 1,
+    most: 100,
+    step: 1,
+    format: String,
+    write: (value) => value !== null && editor.setSettings({ gridStep: value }),
+    reset: () => editor.setSettings({ gridStep: 10 }),
+  });
   const element = h(
     "section",
     { class: "section", "aria-label": "Show" },
     h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Show")),
     h("div", { class: "toggles" }, ...toggles.map(({ field }) => field.element), snap.element),
     comb.element,
+    grid.element,
     subdivision.element,
   );
   return {
@@ -64,6 +76,8 @@ export function showSection(shell: Shell): Section {
       snap.show(settings.snap);
       comb.show(Math.log10(settings.combScale));
       comb.element.hidden = !settings.overlays.comb;
+      grid.show(settings.gridStep);
+      grid.element.hidden = !settings.overlays.grid;
       subdivision.show(settings.subdivisionSteps);
     },
   };
