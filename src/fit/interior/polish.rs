@@ -70,7 +70,7 @@ impl Solver {
         if let Some(fixed) = &self.finished {
             return Ok(fixed.clone());
         }
-        let tried = if self.tried || self.is_hurried() { None } else { self.polished()? };
+        let tried = if self.tried || self.is_hurried() { None } else { self.polished(false)? };
         Ok(match tried {
             Some((fixed, _)) if fixed.measure.gap <= self.measure.gap => fixed,
             _ => Fixed {
@@ -83,14 +83,15 @@ impl Solver {
     }
 
     /// The least objective on the knots that the iterate singles out, and on those that the dual curve then asks for.
-    pub(crate) fn polished(&self) -> Result<Option<(Fixed, Vec<Vec<Vector>>)>> {
+    /// `on_the_way` there is a next time: what looks bad is given up at once.
+    pub(crate) fn polished(&self, on_the_way: bool) -> Result<Option<(Fixed, Vec<Vec<Vector>>)>> {
         let mut sets = Vec::new();
         let mut knot = 0;
         for (i, part) in self.iterate.reduced.parts.iter().enumerate() {
             sets.push(self.active(i, knot));
             knot += part.chosen.len();
         }
-        self.improved(sets, MOST_ROUNDS)
+        self.improved(sets, MOST_ROUNDS, on_the_way)
     }
 
     /// The optimum of the last run, followed to the λ that are in force now; `None` where it does not come within the
@@ -100,7 +101,7 @@ impl Solver {
         let mut jumps = last.jumps.iter();
         let of_part = |part: &Part| part.chosen.iter().copied().zip(jumps.by_ref().copied()).collect();
         let sets: Vec<Vec<(usize, Vector)>> = last.reduced.parts.iter().map(of_part).collect();
-        let found = self.improved(sets, MOST_FOLLOWING)?;
+        let found = self.improved(sets, MOST_FOLLOWING, false)?;
         Ok(found.filter(|(fixed, _)| fixed.measure.gap <= self.settings.gap))
     }
 
@@ -110,6 +111,7 @@ impl Solver {
         &self,
         mut sets: Vec<Vec<(usize, Vector)>>,
         most: usize,
+        on_the_way: bool,
     ) -> Result<Option<(Fixed, Vec<Vec<Vector>>)>> {
         let lanes = lanes(self.data.norm);
         // An error of δ in the jumps' directions costs about δ² of the objective.
@@ -131,7 +133,8 @@ impl Solver {
             let turned = if lanes == 1 { turned(&newton.jumps, &start) } else { 0 };
             // Where many of the knots that were singled out on a fine grid are none, others are missing as well.
             let many = start.len() > FEW && MOST_TURNED * turned > start.len();
-            if self.is_fine() && best.is_none() && many {
+            let hasty = on_the_way || self.data.components.len() == 1;
+            if hasty && self.is_fine() && best.is_none() && many {
                 break;
             }
             if turned > 0 {

@@ -266,9 +266,10 @@ impl Solver {
         matches!(&self.data.components[..], [component] if component.degree > 1)
     }
 
-    /// Whether it could have its knots in many more places than it has some.
+    /// Whether splines without corners could have their knots in many more places than there are some.
     pub(crate) fn is_fine(&self) -> bool {
-        self.is_smooth() && 2 * self.knots_in_play() < self.data.components[0].grid.len()
+        let smooth = self.data.components.iter().filter(|component| component.degree > 1);
+        2 * self.knots_in_play() < smooth.map(|component| component.grid.len()).sum()
     }
 
     /// Whether the knots are not told apart: on fine grids that takes longer than a glimpse of the curve may.
@@ -283,16 +284,21 @@ impl Solver {
         }
         // Two components couple widely on few knots: there it costs more than an iteration, and is tried later.
         let dear = if self.data.components.len() > 1 { 0.1 } else { 1.0 };
-        let late = if self.is_fine() { FIRST_FINE.max(self.settings.gap) } else { f64::INFINITY };
+        let late = if self.is_smooth() && self.is_fine() {
+            FIRST_FINE.max(self.settings.gap)
+        } else {
+            f64::INFINITY
+        };
         if self.measure.gap > (dear * self.next_finish).min(late) || self.iteration == 0 {
             return Ok(());
         }
         // Beyond the asked gap nothing else is waited for.
         self.next_finish = if self.beyond > 0 { 0.7 } else { 0.1 } * self.measure.gap / dear;
-        match self.polished()? {
+        match self.polished(true)? {
             Some((fixed, eta)) if fixed.measure.gap <= self.settings.gap => self.end_with(fixed, eta),
             Some((fixed, _)) => self.tried = fixed.measure.gap > self.measure.gap,
-            None => self.tried = true,
+            // Of two splines a trial ends early here; the last one, for the curve that is asked for, does not.
+            None => self.tried = self.data.components.len() == 1,
         }
         Ok(())
     }
