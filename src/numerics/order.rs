@@ -8,8 +8,8 @@ pub(crate) type Key = [u64; 2];
 
 /// Lists to this length are sorted by insertion.
 const SHORT: usize = 16;
-/// Moves for each element after which a list is too far from sorted for insertion.
-const FEW_MOVES: usize = 8;
+/// And lists of small elements to this one, where no other memory is to be used.
+const BRIEF: usize = 48;
 /// Rounds of partition after which a list is sorted instead.
 const MOST_ROUNDS: usize = 64;
 
@@ -77,7 +77,10 @@ pub(crate) fn sort_by_keys<T>(list: &mut [T], key: &dyn Fn(&T) -> Key) {
 #[inline(never)]
 pub(crate) fn sort_in_place<T: Copy + PartialOrd>(list: &mut [T]) {
     let count = list.len();
-    if insert(list) {
+    if count <= BRIEF {
+        return insert(list);
+    }
+    if list.is_sorted() {
         return;
     }
     // A heap is made from its middle, and then taken apart from its end.
@@ -106,9 +109,8 @@ pub(crate) fn sort_in_place<T: Copy + PartialOrd>(list: &mut [T]) {
     }
 }
 
-/// Sorts a short or nearly sorted list by moving each element to its place; gives up, and says so, where that is too far.
-fn insert<T: Copy + PartialOrd>(list: &mut [T]) -> bool {
-    let mut moves = FEW_MOVES * list.len();
+/// Sorts a short list by moving each element to its place.
+fn insert<T: Copy + PartialOrd>(list: &mut [T]) {
     for i in 1..list.len() {
         let (value, mut k) = (list[i], i);
         while k > 0 && value < list[k - 1] {
@@ -116,12 +118,7 @@ fn insert<T: Copy + PartialOrd>(list: &mut [T]) -> bool {
             k -= 1;
         }
         list[k] = value;
-        if i - k > moves {
-            return false;
-        }
-        moves -= i - k;
     }
-    true
 }
 
 /// The element that is number k of the sorted list; the list is left in another order. O(n), after 64 rounds O(n log n).

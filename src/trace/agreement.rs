@@ -1,6 +1,6 @@
 //! How far a curve is from the contour that it follows.
 
-use super::metrics::tolerant_jaccard;
+use super::metrics::{one_number, tolerant_jaccard};
 use super::tracer::Metrics;
 use crate::curve::HermiteCurve;
 use crate::error::Result;
@@ -42,14 +42,18 @@ fn edges(points: &[Point]) -> impl Iterator<Item = (Point, Point)> {
     points.iter().copied().zip(after.copied())
 }
 
-/// The pixels of a closed polyline.
-fn pixels(points: &[Point], pixel: f64) -> Vec<(i32, i32)> {
-    let mut pixels = Vec::new();
+/// The pixels of a closed polyline, none twice in a row.
+fn pixels(points: &[Point], pixel: f64) -> Vec<u64> {
+    let (mut pixels, mut last) = (Vec::with_capacity(points.len()), None);
     for (from, to) in edges(points) {
         let steps = (norm(to - from) / (PIXEL * pixel)).ceil().clamp(1.0, 1e6) as usize;
         for step in 0..steps {
             let p = (from + (to - from) * (step as f64 / steps as f64)) / pixel;
-            pixels.push((p.x.floor() as i32, p.y.floor() as i32));
+            let here = one_number((p.x.floor() as i32, p.y.floor() as i32));
+            if last != Some(here) {
+                pixels.push(here);
+                last = Some(here);
+            }
         }
     }
     pixels

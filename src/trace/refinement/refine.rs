@@ -124,7 +124,12 @@ pub(super) struct Refiner {
     /// The parts of the pieces after a step, and their ends before it.
     fresh: Vec<Vec<Part>>,
     saved: Vec<Saved>,
+    /// Lists of parts that nobody uses: allocating takes longer than copying.
+    spare: Vec<Vec<Part>>,
 }
+
+/// So many lists are kept.
+const SPARE: usize = 32;
 
 impl Refiner {
     pub(super) fn new(relaxing: Relaxing) -> Self {
@@ -134,6 +139,20 @@ impl Refiner {
             equations: Equations::default(),
             fresh: Vec::new(),
             saved: Vec::new(),
+            spare: Vec::new(),
+        }
+    }
+
+    /// An empty list of parts.
+    pub(super) fn list(&mut self) -> Vec<Part> {
+        self.spare.pop().unwrap_or_default()
+    }
+
+    /// Lists that are no longer used.
+    pub(super) fn give_back(&mut self, lists: Vec<Vec<Part>>) {
+        for mut list in lists.into_iter().take(SPARE - self.spare.len().min(SPARE)) {
+            list.clear();
+            self.spare.push(list);
         }
     }
 

@@ -4,7 +4,6 @@ use super::field::Field;
 use super::refine::{Left, NOISY_SHARE, Refiner, Shape};
 use super::window::{Stretch, Window};
 use crate::error::Result;
-use crate::numerics::Point;
 use crate::numerics::order::sort_by_number;
 use crate::numerics::plane::{dot, norm};
 use crate::trace::outline::cubic::{Cubic, Tangent};
@@ -200,9 +199,10 @@ fn candidate(outline: &Outline, i: usize, limits: &Limits) -> Option<(Piece, f64
     if whole > 2.6 && !stunted {
         return None;
     }
-    let mut places: Vec<Point> = Vec::with_capacity(32);
-    for cubic in [first, second] {
-        places.extend((0..16).map(|k| cubic.point((f64::from(k) + 0.5) / 16.0)));
+    let mut places = [node.point; 32];
+    for (k, place) in places.iter_mut().enumerate() {
+        let cubic = if k < 16 { &first } else { &second };
+        *place = cubic.point(((k % 16) as f64 + 0.5) / 16.0);
     }
     let tangent = |at: usize, line: bool, direction| {
         if outline.nodes[at].smooth && !line { Tangent::Along(unit(direction)) } else { Tangent::Free }

@@ -46,15 +46,16 @@ impl Window {
         let mut small = Outline { nodes: vec![outline.nodes[first]], pieces };
         small.nodes.extend(between);
         let fresh = small.pieces.len();
-        let small = Shape { outline: small, parts: vec![Vec::new(); fresh] };
+        let lists = (0..fresh).map(|_| refiner.list()).collect();
+        let small = Shape { outline: small, parts: lists };
         let mut window = Self { shape: small, fresh, first, count, all, whole };
         let behind = if whole { all - count } else { BESIDE };
-        (0..behind).for_each(|k| window.take(shape, (first + count + k) % all));
+        (0..behind).for_each(|k| window.take(refiner, shape, (first + count + k) % all));
         if !whole {
             window.shape.outline.nodes.push(outline.nodes[(first + count + BESIDE) % all]);
             window.shape.outline.pieces.push(Piece::Line);
             window.shape.parts.push(Vec::new());
-            (0..BESIDE).for_each(|k| window.take(shape, (first + all - BESIDE + k) % all));
+            (0..BESIDE).for_each(|k| window.take(refiner, shape, (first + all - BESIDE + k) % all));
         }
         for k in 0..count {
             refiner.sweep.note(field, &shape.parts[(first + k) % all], -1.0);
@@ -68,10 +69,12 @@ impl Window {
         window
     }
 
-    fn take(&mut self, shape: &Shape, piece: usize) {
+    fn take(&mut self, refiner: &mut Refiner, shape: &Shape, piece: usize) {
         self.shape.outline.nodes.push(shape.outline.nodes[piece]);
         self.shape.outline.pieces.push(shape.outline.pieces[piece]);
-        self.shape.parts.push(shape.parts[piece].clone());
+        let mut list = refiner.list();
+        list.extend_from_slice(&shape.parts[piece]);
+        self.shape.parts.push(list);
     }
 
     /// The pieces beside the stretch: here, and in the outline.
@@ -101,6 +104,7 @@ impl Window {
         }
         refiner.sweep.cover(field);
         field.settle();
+        refiner.give_back(self.shape.parts);
     }
 
     /// The outline has the stretch now; the number of its first piece. Pieces before it keep their numbers, unless the stretch led past
