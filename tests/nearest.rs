@@ -7,7 +7,7 @@ mod support;
 
 use expline::curve::NearestFinder;
 use expline::numerics::Point;
-use expline::{Curve, HermiteCurve, HermiteOptions};
+use expline::{Curve, HermiteCurve, HermiteOptions, InterpolatingCurve};
 use support::curves::{Random, random_curve};
 use support::tolerance::NEAREST;
 
@@ -88,4 +88,28 @@ fn curve_that_is_one_point_is_answered_with_that_point() {
     .expect("a degenerate curve");
     let found = curve.nearest(Point::new(7.0, 9.0));
     assert!(found.t == 0.0 && found.point == p && found.distance == 5.0, "{found:?}");
+}
+
+#[test]
+fn a_curve_smaller_than_its_rounding_far_from_the_origin_is_asked_without_end_of_halving() {
+    let (v, count) = (-434_798_886.533_826_6, 37);
+    // Sixteen roundings of the coordinates.
+    let within = 16.0 * f64::EPSILON * -v;
+    let speck = HermiteCurve::new(HermiteOptions {
+        points: vec![Point::new(v, v); count],
+        tangents: vec![Point::new(1e-9, 1e-9); count],
+        closed: false,
+        omega: vec![1.0],
+        ..HermiteOptions::default()
+    })
+    .expect("a speck");
+    let finder = NearestFinder::new(&speck);
+    let in_space = InterpolatingCurve::new(vec![v; 3 * count], 3, false, None).expect("a speck");
+    for (dx, dy) in [(0.0, 0.0), (0.0, 1e-3), (1.0, -2.0), (1e4, 0.0), (-v, -v)] {
+        let place = Point::new(v + dx, v + dy);
+        let truth = (place - Point::new(v, v)).norm();
+        assert!((finder.nearest(place).distance - truth).abs() <= within, "{dx}, {dy}");
+        let found = in_space.nearest_in_space([v + dx, v + dy, v]);
+        assert!((found.distance - truth).abs() <= within, "{dx}, {dy} in space");
+    }
 }

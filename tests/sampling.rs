@@ -100,6 +100,32 @@ fn bulk_sampling_agrees_with_evaluation_one_by_one() {
 }
 
 #[test]
+fn segments_too_short_for_a_sample_of_their_own_are_passed_over() {
+    for (closed, lengths) in [
+        (true, [1e9, 1e-12, 1e9]),
+        (false, [1e9, 1e-12, 1e9]),
+        (false, [1e9, 1e9, 1e-12]),
+        (true, [1.0, 1e-12, 1e3]),
+    ] {
+        for space in [Space::Polynomial, Space::Hyperbolic] {
+            let curve = curve(if closed { 3 } else { 4 }, closed, space, &[1e-9], &lengths);
+            for count in 2..200 {
+                let mut all = vec![f64::NAN; 2 * count];
+                Sampler::default().points(&curve, count, 0, &mut all);
+                for (i, found) in all.chunks_exact(2).enumerate() {
+                    let end = !closed && i + 1 == count;
+                    let (k, x) = if end { (2, 1.0) } else { place(&curve, count, i) };
+                    let segment = curve.segment(k);
+                    let size = 1e2 * (1.0 + segment.length);
+                    let error = (Point::new(found[0], found[1]) - segment.position(x)).norm();
+                    assert!(error <= 64.0 * f64::EPSILON * size, "{lengths:?} {count} {i}: {error}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn tangents_come_with_the_same_points() {
     for curve in curves() {
         for count in COUNTS {

@@ -336,6 +336,14 @@ fn radii_that_are_too_small_grow_until_they_reach() {
 }
 
 #[test]
+fn an_arc_whose_chord_counts_as_0_is_nothing() {
+    for chord in ["1e-300 0", "1e-170 1e-170", "0 -1e-60", "0 0"] {
+        assert_eq!(bits(&format!("M0 0A5 5 0 0 1 {chord}L3 3")), bits("M0 0L3 3"), "{chord}");
+        assert_eq!(bits(&format!("M0 0a5 5 0 1 0 {chord}L3 3")), bits("M0 0L3 3"), "{chord}");
+    }
+}
+
+#[test]
 fn flat_arcs_of_huge_circles_keep_their_digits() {
     let curve = only("M0 0A1e8 1e8 0 0 1 10 10");
     assert!(curve.segment_count() <= 64, "an arc of a hundred million takes few segments");
@@ -410,10 +418,12 @@ fn numbers_beyond_the_range_are_refused_by_name_and_place() {
         ("M9e8 0Q-9e8 0 0 0", 7),
         ("M0 0C1e9 0 0 0 0 0", 5),
         ("M0 0A1e-300 1 0 0 1 10 10", 5),
+        ("M0 0A8e-301 90 0 1 0 3 -5", 5),
     ] {
         match unboxed(parse_path(d)) {
-            Err(Error::OutOfRange { argument: "d", index: Some(index), most: 1e9, .. }) => {
+            Err(Error::OutOfRange { argument: "d", index: Some(index), value, most: 1e9, .. }) => {
                 assert_eq!(index, place, "{d:?}");
+                assert!(value.abs() > 1e9, "{d:?}: {value} is named");
             }
             other => panic!("{d:?} gives {other:?}"),
         }

@@ -5,7 +5,7 @@ use super::number;
 use super::subpath::Subpath;
 use crate::curve::HermiteCurve;
 use crate::error::{Error, Result};
-use crate::limits::{LARGEST_COORDINATE, too_many};
+use crate::limits::{LARGEST_COORDINATE, LEAST_COORDINATE, too_many};
 use crate::numerics::{Point, Vector};
 
 /// The longest path text that is read, in bytes.
@@ -274,7 +274,7 @@ impl Reader<'_> {
             return self.bezier(end - start, start, end, 1.0);
         }
         self.subpath.set_control(start, 0.0);
-        if end == start {
+        if end == start || chord.amax() < LEAST_COORDINATE {
             return Some(());
         }
         let arc = Arc::new(start, chord, command, 4.0 * f64::EPSILON * (1.0 + size / chord.norm()));
@@ -365,6 +365,8 @@ impl Reader<'_> {
             return Some(());
         }
         let (least, most) = (-LARGEST_COORDINATE, LARGEST_COORDINATE);
+        // What is left of a radius that grew beyond all numbers.
+        let value = if value.is_nan() { f64::INFINITY } else { value };
         self.failed(Error::out_of_range("d", Some(self.group), value, least, most))
     }
 

@@ -22,6 +22,9 @@ const STRAIGHT: f64 = 1e-13;
 /// Segments this close to an ellipse, relative to the extent, are arcs of it.
 const ELLIPTIC: f64 = 1e-8;
 
+/// Bézier points more tangents away than this say nothing about how large the curve is: beyond a turn of 4.5 radians.
+const FAR: f64 = 1.0;
+
 /// Once around, and a little for rounding.
 const FULL_TURN: f64 = core::f64::consts::TAU + 1e-6;
 /// Longer arcs are written in two: their ends are so close that rounding them would turn the ellipse.
@@ -419,8 +422,13 @@ fn grid_for(tolerance: f64, largest: f64) -> Grid {
     if grid.decimals() == Some(decimals) { grid } else { Grid::EXACT }
 }
 
-/// Extent and largest coordinate of the points and their generalised Bézier points, in whose hull the curve lies.
+/// Extent and largest coordinate of the points and their generalised Bézier points, in whose hull the curve lies; of nearly full turns,
+/// whose Bézier points lie anywhere out there, those of the curve itself.
 fn size(curve: &HermiteCurve) -> (f64, f64) {
+    if curve.segments().any(|segment| segment.basis.kappa() > FAR) {
+        let b = curve.bounds();
+        return (Vector::new(b.max_x - b.min_x, b.max_y - b.min_y).norm(), b.largest());
+    }
     let first = curve.points()[0];
     let (mut low, mut high) = (first, first);
     for segment in curve.segments() {

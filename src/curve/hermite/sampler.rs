@@ -144,6 +144,11 @@ impl Sampler {
         let mut start = grid.first_sample(curve, s);
         while i < end {
             let stop = if s + 1 == curve.segment_count() { count } else { grid.first_sample(curve, s + 1) };
+            // A short one between long ones, or one whose knots are the same number.
+            if start == stop {
+                s += 1;
+                continue;
+            }
             let segment = curve.segment(s);
             self.suit(&segment, grid.step);
             let samples = stop - start;

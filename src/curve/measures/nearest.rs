@@ -10,7 +10,7 @@ use super::search::{Question, Stiffness, View, search};
 use crate::curve::piece::Piece;
 use crate::curve::pieces::Pieces;
 use crate::numerics::Point;
-use crate::numerics::plane::{norm, smaller, square};
+use crate::numerics::plane::{larger, norm, smaller, square};
 
 /// Children of a node of the tree.
 const FAN: usize = 16;
@@ -143,6 +143,12 @@ fn least(values: &[f64]) -> f64 {
     values.iter().fold(f64::INFINITY, |a, &b| if b < a { b } else { a })
 }
 
+/// Distances that differ by no more than this count as equal: less than the curve's points are rounded by cannot be told apart,
+/// and looking for it would halve arcs without end.
+pub(super) fn tie(bounds: &bounds::Bounds) -> f64 {
+    larger(TIE * bounds.extent(), 4.0 * f64::EPSILON * bounds.largest())
+}
+
 impl NearestFinder {
     /// Prepares a curve. O(segments), about 0.15 µs for each.
     pub fn new(curve: &dyn Pieces) -> Self {
@@ -174,7 +180,7 @@ impl NearestFinder {
         }
         levels.push(level);
         let center = Point::new(0.5 * (bounds.min_x + bounds.max_x), 0.5 * (bounds.min_y + bounds.max_y));
-        Self { pieces, knots, groups, levels, center, slack: TIE * extent }
+        Self { pieces, knots, groups, levels, center, slack: tie(&bounds) }
     }
 
     /// The point of the curve that is nearest to `place`; see [`Curve::nearest`](crate::curve::Curve::nearest).

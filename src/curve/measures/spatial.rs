@@ -5,6 +5,7 @@
 
 use super::bounds::turns;
 use super::cubics::Cubics;
+use super::nearest::tie;
 use super::search::{Near, Question, Slopes, Stiffness, search};
 use crate::curve::pieces::Pieces;
 use crate::curve::speed::{ROUNDING, RULES, rule_index};
@@ -198,7 +199,7 @@ impl Near for View<'_> {
 
 pub(crate) fn nearest(curve: &dyn Pieces, place: Triple) -> SpaceNearest {
     let far = place.iter().map(|x| x.abs()).fold(0.0, f64::max);
-    let slack = 1e-13 * super::bounds::hull(curve).extent() + 4.0 * f64::EPSILON * far;
+    let slack = tie(&super::bounds::hull(curve)) + 4.0 * f64::EPSILON * far;
     let mut question = Question::new(Point::zeros(), slack);
     for i in 0..curve.piece_count() {
         search(&View { piece: &SpacePiece::new(curve, i), place }, i, &mut question, -0.5, 0.5);
