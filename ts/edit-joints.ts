@@ -4,6 +4,9 @@ import { HermiteCurve, coordinate, integer, wrong } from "./core.js";
 /** The side of a point: where the curve arrives, or where it leaves. */
 export type HandleSide = "in" | "out";
 
+/** Both sides of a point. */
+export const SIDES = ["in", "out"] as const;
+
 /** How the other handle of a point follows: turned into one line, made its mirror image, or left where it is. */
 export type Joint = "smooth" | "symmetric" | "cusp";
 
@@ -59,8 +62,40 @@ export function jointOf(point: PointOfCurve): Joint {
   return size > 0 && a * c + b * d > 0 && Math.abs(a * d - b * c) <= ONE_LINE * size ? "smooth" : "cusp";
 }
 
+/** A side of a point with its new tangent, and how the other side of it follows. */
+type Turn = readonly [PointOfCurve, HandleSide, Place, Joint];
+
+/** What becomes of the tangents at both ends of the straight segments beside a point when it moves. */
+export function keptStraight(op: string, curve: HermiteCurve, point: PointOfCurve, to: Place): Turn[] {
+  const at = pointsOf(op, curve);
+  const count = curve.points.length / 2;
+  /** The point at the other end of a side's segment. */
+  const across = ({ index }: PointOfCurve, side: HandleSide): PointOfCurve => at((index + (side === "in" ? count - 1 : 1)) % count);
+  const isLine = (from: PointOfCurve, side: HandleSide): boolean => from[side].length !== undefined && straight(from, side, across(from, side));
+  return SIDES.filter((side) => isLine(point, side)).flatMap((side) => {
+    const [end, other] = [across(point, side), opposite(side)];
+    const [before, after] = [moved(end.at, point.at, -1), moved(end.at, to, -1)];
+    const turned = ([x, y]: Place): Place => scaled(after, (x * before[0] + y * before[1]) / (before[0] * before[0] + before[1] * before[1]));
+    // Two lines at one point are each as straight as before, whatever the angle between them.
+    const follows = (at: PointOfCurve, own: HandleSide): Joint => (isLine(at, opposite(own)) ? "cusp" : jointOf(at));
+    return [
+      [point, side, turned(point[side].tangent), follows(point, side)],
+      [end, other, turned(end[other].tangent), follows(end, other)],
+    ] satisfies Turn[];
+  });
+}
+
+const opposite = (side: HandleSide): HandleSide => (side === "in" ? "out" : "in");
+
+/** Whether a segment is a straight line: both its tangents run along its chord. */
+function straight(from: PointOfCurve, side: HandleSide, end: PointOfCurve): boolean {
+  const [x, y] = moved(end.at, from.at, -1);
+  const along = ([dx, dy]: Place): boolean => Math.abs(dx * y - dy * x) <= ONE_LINE * Math.hypot(dx, dy) * Math.hypot(x, y);
+  return (x !== 0 || y !== 0) && along(from[side].tangent) && along(end[opposite(side)].tangent);
+}
+
 /** Gives sides of points new tangents, their other sides what the joints ask; nothing is set before all of it has been checked. */
-export function turn(op: string, curve: HermiteCurve, changes: readonly (readonly [PointOfCurve, HandleSide, Place, Joint])[]): void {
+export function turn(op: string, curve: HermiteCurve, changes: readonly Turn[]): void {
   const tangents: [number, Place, HandleSide][] = [];
   for (const [point, side, tangent, joint] of changes) {
     const other = side === "in" ? "out" : "in";
@@ -93,6 +128,6 @@ export function moved([x, y]: Place, [dx, dy]: Place, factor: number): Place {
 }
 
 /** Place i of a list of numbers. */
-export function pair(list: Float64Array, i: number): Place {
+function pair(list: Float64Array, i: number): Place {
   return [list[2 * i] ?? 0, list[2 * i + 1] ?? 0];
 }

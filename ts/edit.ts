@@ -1,6 +1,6 @@
 /** What an editor's pointer does to curves: what lies under it, handles that turn, a curve that bends. */
-import { type Curve, HermiteCurve, MeasuredCurve, coordinate, dataOf, finite, numbers, options as checkOptions, word, wrong } from "./core.js";
-import { type HandleSide, type Joint, THIRD, type Place, handleOf, jointOf, moved, pair, pointsOf, scaled, turn } from "./edit-joints.js";
+import { type Curve, type CurveData, HermiteCurve, MeasuredCurve, coordinate, dataOf, finite, integer, numbers, options as checkOptions, word, wrong } from "./core.js";
+import { type HandleSide, type Joint, SIDES, THIRD, type Place, handleOf, jointOf, keptStraight, moved, pointsOf, scaled, turn } from "./edit-joints.js";
 
 export type { HandleSide, Joint } from "./edit-joints.js";
 
@@ -38,15 +38,10 @@ export function hitTest(curves: readonly Curve[], x: number, y: number, options:
   const { reach, curveReach, handles } = checkOptions(op, options, ["reach", "curveReach", "handles"]);
   const far = distance(op, "reach", reach);
   const near = curveReach === undefined ? CURVE_REACH * far : distance(op, "curveReach", curveReach);
-  let best: Hit | undefined;
-  const look = (hit: Hit): void => {
-    if (hit.distance <= far && !(best !== undefined && best.distance <= hit.distance)) best = hit;
-  };
-  list.forEach((curve, c) => everyPoint(curve, at, (index, away) => look({ kind: "point", curve: c, index, distance: away })));
-  list.forEach((curve, c) => {
-    for (const [index, side, place] of shownHandles(op, curve, handles, c)) look({ kind: "handle", curve: c, index, side, distance: between(place, at) });
-  });
-  return best ?? nearestCurve(list, at, near);
+  const best: Best = { hit: undefined, distance: far };
+  list.forEach((curve, c) => everyPoint(curve, at, best, c));
+  list.forEach((curve, c) => everyHandle(op, curve, handles, at, best, c));
+  return best.hit ?? nearestCurve(list, at, near);
 }
 
 /**
@@ -58,6 +53,18 @@ export function handlesOf(curve: HermiteCurve, i: number): { in?: [number, numbe
   const point = pointsOf(op, curve)(i);
   const [into, out] = [handleOf(point, "in"), handleOf(point, "out")];
   return { ...(into === undefined ? {} : { in: into }), ...(out === undefined ? {} : { out }) };
+}
+
+/**
+ * Moves point i, and its handles with it. Straight segments beside it stay straight: the corner of a polygon is moved, its sides are not bent.
+ * Where such a segment runs smoothly into a curve, the curve's handle turns with it.
+ */
+export function movePoint(curve: HermiteCurve, i: number, x: number, y: number): void {
+  const op = "movePoint";
+  const point = pointsOf(op, curve)(i);
+  const place: Place = [coordinate(op, "x", x), coordinate(op, "y", y)];
+  turn(op, curve, keptStraight(op, curve, point, place));
+  curve.setPoint(point.index, ...place);
 }
 
 /** Puts the end of a handle of point i at a place; the other handle follows as the joint asks. Point and neighbours stay. */
@@ -128,9 +135,27 @@ function planeCurve(op: string, curve: unknown, i: number): MeasuredCurve {
   return curve;
 }
 
-function everyPoint(curve: MeasuredCurve, at: Place, visit: (index: number, away: number) => void): void {
+/** The nearest so far; of several as near the first. */
+interface Best {
+  hit: Hit | undefined;
+  distance: number;
+}
+
+/** How far a place is from another, where that may be nearer than the best: nearly all are refused by two comparisons. */
+function nearer({ hit, distance: least }: Best, [x, y]: Place, u: number, v: number): number | undefined {
+  if (!(Math.abs(u - x) <= least && Math.abs(v - y) <= least)) return undefined;
+  const away = between([u, v], [x, y]);
+  return away < least || (away === least && hit === undefined) ? away : undefined;
+}
+
+function everyPoint(curve: MeasuredCurve, at: Place, best: Best, c: number): void {
   const { points } = dataOf(curve, "hitTest");
-  for (let i = 0; 2 * i < points.length; i += 1) visit(i, between(pair(points, i), at));
+  for (let i = 0; i < points.length; i += 2) {
+    const away = nearer(best, at, points[i] ?? 0, points[i + 1] ?? 0);
+    if (away === undefined) continue;
+    best.distance = away;
+    best.hit = { kind: "point", curve: c, index: i / 2, distance: away };
+  }
 }
 
 function nearestCurve(curves: readonly MeasuredCurve[], at: Place, reach: number): Hit | undefined {
@@ -145,19 +170,34 @@ function nearestCurve(curves: readonly MeasuredCurve[], at: Place, reach: number
 }
 
 /** The handles of curve c that are shown and do not lie in their point. */
-function* shownHandles(op: string, curve: MeasuredCurve, shown: unknown, c: number): Generator<[number, HandleSide, Place]> {
+function everyHandle(op: string, curve: MeasuredCurve, shown: unknown, at: Place, best: Best, c: number): void {
   if (shown === undefined || !(curve instanceof HermiteCurve)) return;
   if (shown !== "all" && !Array.isArray(shown)) throw wrong("E_TYPE", op, "handles", shown, '"all" or a list of indices for each curve');
-  const at = pointsOf(op, curve);
-  const { length: count } = dataOf(curve, op).points;
-  const ours: unknown = shown === "all" ? undefined : (shown[c] ?? []);
-  const indices = ours === undefined ? Array.from({ length: count / 2 }, (_, i) => i) : Array.from(numbers(op, `handles[${c}]`, ours, "maxPoints", count));
-  for (const index of indices) {
-    const point = at(index, `handles[${c}]`);
-    for (const side of ["in", "out"] as const) {
-      const end = handleOf(point, side);
-      if (end !== undefined && between(end, point.at) > 0) yield [index, side, end];
-    }
+  const data = dataOf<CurveData>(curve, op);
+  const { count } = data;
+  if (shown === "all") {
+    for (let index = 0; index < count; index += 1) bothHandles(data, index, at, best, c);
+    return;
+  }
+  const arg = `handles[${c}]`;
+  for (const index of numbers(op, arg, shown[c] ?? [], "maxPoints", 2 * count)) bothHandles(data, integer(op, arg, index, 0, count - 1), at, best, c);
+}
+
+/** The two handles of a point, from the curve's own lists: with every handle of every curve shown, copies of them are what takes the time. */
+function bothHandles({ points, tangents, tangentsIn, lengths, segments, closed }: CurveData, index: number, at: Place, best: Best, c: number): void {
+  const arriving = tangentsIn.length === 0 ? tangents : tangentsIn;
+  const [x = 0, y = 0] = [points[2 * index], points[2 * index + 1]];
+  for (const side of SIDES) {
+    const into = side === "in";
+    const segment = !into ? index : index > 0 || !closed ? index - 1 : segments - 1;
+    if (segment < 0 || segment >= segments) continue;
+    const list = into ? arriving : tangents;
+    const reach = (into ? -THIRD : THIRD) * (lengths.length === 0 ? 1 : (lengths[lengths.length === 1 ? 0 : segment] ?? 1));
+    const [u, v] = [x + (list[2 * index] ?? 0) * reach, y + (list[2 * index + 1] ?? 0) * reach];
+    const away = u === x && v === y ? undefined : nearer(best, at, u, v);
+    if (away === undefined) continue;
+    best.distance = away;
+    best.hit = { kind: "handle", curve: c, index, side, distance: away };
   }
 }
 

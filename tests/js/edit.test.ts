@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { ExplineError, HermiteCurve, InterpolatingCurve, bendCurve, handlesOf, hitTest, moveHandle, parsePath, tangentWeights } from "expline";
+import { ExplineError, HermiteCurve, InterpolatingCurve, bendCurve, handlesOf, hitTest, moveHandle, movePoint, parsePath, tangentWeights } from "expline";
 import * as edit from "expline/edit";
 
 /** A few ulp of places below 100, times the weights of a drag, which are below 100. */
@@ -52,6 +52,24 @@ test("the nearest point or handle within reach is found, a point before a handle
   assert.equal(hitTest([curve], 31, 20, { reach: 5, handles: [[1]] })?.kind, "handle");
   assert.equal(hitTest([curve], x, y + 1, { reach: 5, curveReach: 0.5 }), undefined);
   assert.equal(hitTest([], 0, 0, { reach: 5 }), undefined);
+});
+
+test("among many curves what is found is the nearest of all points, and then of all handles that are shown", () => {
+  const curves = Object.values(CURVES).map((make) => make());
+  const shown = curves.map((curve, c) => Array.from({ length: curve.points.length / 2 }, (_, i) => i).filter((i) => (i + c) % 2 === 0));
+  for (let k = 0; k < 400; k += 1) {
+    const [x, y] = [((37 * k) % 110) - 10, ((53 * k) % 97) - 30];
+    let expected: { kind: string; curve: number; index: number; distance: number } | undefined;
+    const look = (kind: string, curve: number, index: number, [u, v]: readonly [number, number]): void => {
+      const distance = Math.hypot(u - x, v - y);
+      if (distance <= 9 && distance < (expected?.distance ?? Infinity)) expected = { kind, curve, index, distance };
+    };
+    curves.forEach((curve, c) => curve.points.forEach((px, i) => i % 2 === 0 && look("point", c, i / 2, [px, curve.points[i + 1] ?? 0])));
+    curves.forEach((curve, c) => shown[c]?.forEach((i) => Object.values(handlesOf(curve, i)).forEach((end) => look("handle", c, i, end))));
+    const hit = hitTest(curves, x, y, { reach: 9, curveReach: 0, handles: shown });
+    if (expected === undefined) assert.ok(hit === undefined || hit.kind === "curve");
+    else assert.deepEqual([hit?.kind, hit?.curve, hit?.kind === "curve" ? -1 : hit?.index, hit?.distance], Object.values(expected), `${x}, ${y}`);
+  }
 });
 
 test("of several curves, of whatever kind, the nearest is found by its place in the list", () => {
@@ -139,6 +157,31 @@ test("of all pulls that take the curve there, the tangents change least", () => 
   for (const [out, into] of change) assert.ok(Math.abs(out * arriving - into * leaving) <= EXACT, `${out}, ${into}`);
 });
 
+test("a point that is moved takes its handles along, and straight sides stay straight", () => {
+  const moved = (d: string, i: number, x: number, y: number): HermiteCurve => {
+    const curve = only(d);
+    movePoint(curve, i, x, y);
+    return curve;
+  };
+  const drawn = (curve: HermiteCurve): string => curve.toPathD({ tolerance: 1e-6 }).d;
+  assert.equal(drawn(moved("M0 0H100V80H0Z", 2, 130, 95)), drawn(only("M0 0L100 0L130 95L0 80Z")), "the corner of a rectangle");
+  assert.equal(drawn(moved("M0 0H50H100V80Z", 1, 50, -30)), drawn(only("M0 0L50 -30L100 0V80Z")), "a point on a side");
+  assert.equal(drawn(moved("M0 0L10 0L20 5", 0, -5, -5)), drawn(only("M-5 -5L10 0L20 5")), "an open end");
+  assert.equal(drawn(moved("M0 0C3 3 6 6 30 30L30 0", 1, 50, 10)), drawn(only("M0 0C5 1 10 2 50 10L30 0")), "a cubic along its chord keeps its pace");
+  const cubics = "M0 0C10 20 30 20 40 0C50 -20 70 -20 80 0";
+  const plain = only(cubics);
+  plain.setPoint(1, 44, 5);
+  assert.deepEqual(moved(cubics, 1, 44, 5).toJSON(), plain.toJSON(), "no side is straight");
+  const rounded = moved("M10 10H90V50A20 20 0 0 1 70 70H10Z", 1, 110, 0);
+  assert.ok([2, 3].every((i) => isSmooth(rounded, i)), "the arc goes on as the side that leads to it");
+  assert.match(drawn(rounded), /^M10 10 110 0 90 50C[\d. ]+H10Z$/);
+  const twoPoints = moved("M0 0L10 0Z", 1, 10, 10);
+  assert.equal(drawn(twoPoints), drawn(only("M0 0L10 10Z")));
+  const back = moved("M0 0H100V80Z", 1, 0, 0);
+  movePoint(back, 1, 100, 0);
+  assert.ok(back.flatten(1e-9).length === 6 && back.area() === 4000, "a side without length is straight again");
+});
+
 test("near a point the curve follows by a part of the way, and no tangent grows beyond measure", () => {
   const curve = HermiteCurve.ellipse({ center: [0, 0], radii: [10, 10], count: 4 });
   bendCurve(curve, 1 + 1e-6, 0, 30);
@@ -162,6 +205,9 @@ test("a call that throws says which argument is wrong, and changes nothing", () 
     [() => moveHandle(line, 0, "in", 0, 0), "E_RANGE", "side"],
     [() => moveHandle(line, 1, "out", 0, 0), "E_RANGE", "side"],
     [() => handlesOf(curve, -1), "E_RANGE", "i"],
+    [() => movePoint(curve, 4, 0, 0), "E_RANGE", "i"],
+    [() => movePoint(line, 0, 0, Number.NaN), "E_NOT_FINITE", "y"],
+    [() => movePoint(new InterpolatingCurve({ points: [0, 0, 1, 0, 1, 1] }) as unknown as HermiteCurve, 0, 0, 0), "E_TYPE", "curve"],
     [() => tangentWeights(curve, "1" as unknown as number), "E_TYPE", "t"],
     [() => hitTest(curve as unknown as HermiteCurve[], 0, 0, reach), "E_TYPE", "curves"],
     [() => hitTest([curve, {} as HermiteCurve], 0, 0, reach), "E_TYPE", "curves[1]"],
@@ -173,6 +219,7 @@ test("a call that throws says which argument is wrong, and changes nothing", () 
     assert.throws(run, (error) => error instanceof ExplineError && error.code === code && error.argument === argument, `${code} ${argument}`);
   }
   assert.equal(JSON.stringify(curve), before);
+  assert.deepEqual(line.toJSON(), only("M0 0L10 0").toJSON());
 });
 
 test("expline/edit has the same functions, and loads no wasm of its own", () => {
