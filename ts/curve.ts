@@ -87,25 +87,37 @@ export interface Curve {
   /** 2 for a curve of the plane, 3 in space. */
   readonly dimension: 2 | 3;
   /** Points, or derivatives by the parameter, at one or many t: all coordinates in turn. An open curve refuses t outside its domain. */
-  evaluate(t: number | Float64Array, derivative?: number): Float64Array;
+  evaluate(t: number | Float64Array | readonly number[], derivative?: number, out?: Float64Array): Float64Array;
   /** `count` points evenly over the parameter; an open curve's last one is its end. */
-  sample(count: number): Float64Array;
+  sample(count: number, options?: { out?: Float64Array | undefined; tangents?: boolean | undefined }): Float64Array;
+  /** `count` points at equal distances along the curve. */
+  sampleByLength(count: number, options?: { tolerance?: number | undefined }): Float64Array;
   /** A polyline that is nowhere farther from the curve than `tolerance`, in the user's unit. */
   flatten(tolerance: number): Float64Array;
   /** Cubic Béziers within `tolerance`, 8 numbers each (12 in space); `maxError` is proved. */
   toCubics(tolerance: number): { path: Float64Array; maxError: number };
   /** SVG path data; `maxError` is how far what is written is from the curve. */
   toPathD(options?: PathOptions): { d: string; maxError: number };
+  /** The same as a `Path2D`, in browsers. */
+  toPath2D(options?: PathOptions): PathObject;
+  /** The ellipse, or the arc of one, that the curve follows within `tolerance`, if it does. */
+  asEllipse(tolerance?: number): Ellipse | undefined;
   /** Its length, to an absolute tolerance; default 1e-9 of its size. */
   length(tolerance?: number): number;
+  /** The parameter up to which the curve has the given length. */
+  parameterAtLength(length: number, tolerance?: number): number;
   /** The signed area of a closed curve of the plane. */
   area(): number;
+  /** The centre of gravity of that area. */
+  centroid(): { x: number; y: number };
   /** The smallest box around the curve itself. */
   bounds(): Bounds;
   /** The point of the curve that is nearest to a place. */
   nearest(x: number, y: number, z?: number): Nearest;
+  /** The nearest point to each of many places: t, the point, and the distance in turn. */
+  nearestAll(places: PointsLike | SpacePointsLike): Float64Array;
   /** The signed curvature, in 1 per unit. */
-  curvature(t: number | Float64Array): Float64Array;
+  curvature(t: number | Float64Array | readonly number[]): Float64Array;
   /** Plain data, of which `fromJSON` makes the same curve to the last bit. */
   toJSON(): object;
 }

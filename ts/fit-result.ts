@@ -1,5 +1,5 @@
 /** What a fit gives, read from what the engine leaves. */
-import { type Curve, type HermiteCurve, curveOf, curvesIn } from "./core.js";
+import { type HermiteCurve, curveOf, curvesIn } from "./core.js";
 import { type FitStep, STEPS } from "./fit-options.js";
 
 /** A place where the spline's derivative of order `degree` jumps. */
@@ -45,9 +45,9 @@ export interface SparseFit {
    * The spline itself, exact up to degree 3. Splines of degree 4 and 5 come as cubics, as a rule within a billionth of the drawing's size;
    * `deviation` is how far, and `coefficients` are the spline's own.
    */
-  curve: Curve;
+  curve: HermiteCurve;
   /** Each component as a curve of its own, degrees 4 and 5 as cubics; their sum is `curve`. One where there is one degree. */
-  parts: Curve[];
+  parts: HermiteCurve[];
   /** B-spline coefficients of each component on its knots, x and y in turn. */
   coefficients: Float64Array[];
   /** Where the components change, in the order of t. */
@@ -107,7 +107,7 @@ export function readFit(numbers: Float64Array, late: boolean): SparseFit {
   const [rms = 0, iterations = 0, status = 0, smoothing = -1, sigma = 0, deviation = 0] = rest;
   const lambda = Array.from(section());
   const curve = curveFrom(section());
-  const parts: Curve[] = [];
+  const parts: HermiteCurve[] = [];
   const coefficients: Float64Array[] = [];
   for (let i = 0; i < components; i += 1) {
     parts.push(curveFrom(section()));

@@ -1,5 +1,5 @@
 /** The tools of the weighted quasi-interpolant: splines of clouds, what they miss, and the whole way from a profile's points to its curve. */
-import { type Curve, type PointsLike, curveOf, curvesIn, doorOf, finite, flag, integer, numbers, options as checkOptions, points as checkPoints, word, wrong } from "./core.js";
+import { type HermiteCurve, type PointsLike, curveOf, curvesIn, doorOf, finite, flag, integer, numbers, options as checkOptions, points as checkPoints, tooFewPoints, word, wrong } from "./core.js";
 import { traces } from "./trace-engine.js";
 import type { TraceMetrics } from "./trace-result.js";
 
@@ -40,7 +40,7 @@ export interface ProfileTube {
 /** A profile's curve. */
 export interface ProfileFit {
   /** Smooth but for its cusps; closed as it was asked for. */
-  curve: Curve;
+  curve: HermiteCurve;
   /** Where the tangent jumps. */
   cusps: [number, number][];
   /** Its parts, in their order. */
@@ -137,6 +137,7 @@ function residual(op: string, residuals: unknown, which: 0 | 1): number {
 
 function comparison(op: string, from: unknown, to: unknown, which: 0 | 1 | 2): number {
   const [first, second] = [checkPoints(op, "from", from, MAX_POINTS), checkPoints(op, "to", to, MAX_POINTS)];
+  if (which === 0 && first.length > 0 && second.length === 0) throw tooFewPoints(op, "to", 0, 1);
   write(op, first, second);
   call(op, (kernel) => kernel.compare(first.length / 2, second.length / 2));
   return result(which);
@@ -144,11 +145,11 @@ function comparison(op: string, from: unknown, to: unknown, which: 0 | 1 | 2): n
 
 /** The metrics of the paper. */
 export const metrics = {
-  /** Root of the mean square. */
+  /** Root of the mean square; 0 where there is nothing. */
   rmse: (residuals: Float64Array | readonly number[]): number => residual("rmse", residuals, 0),
-  /** Mean of the absolute values. */
+  /** Mean of the absolute values; 0 where there is nothing. */
   mae: (residuals: Float64Array | readonly number[]): number => residual("mae", residuals, 1),
-  /** The largest distance of a point of `from` from its nearest one of `to`. */
+  /** The largest distance of a point of `from` from its nearest one of `to`, which has one at least; 0 where there is nothing to be near. */
   directedHausdorff: (from: PointsLike, to: PointsLike): number => comparison("directedHausdorff", from, to, 0),
   /**
    * Of the pixels that hold points of a profile and of a curve, the share of those that are next to one of the other side: 1 is best. With

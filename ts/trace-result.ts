@@ -1,5 +1,5 @@
 /** What a trace gives, read from what the engine leaves. */
-import { type Curve, type HermiteCurve, curveOf, curvesIn, finite, integer, options as checkOptions, pathsOf, wrong } from "./core.js";
+import { type HermiteCurve, curveOf, curvesIn, finite, integer, options as checkOptions, pathsOf, wrong } from "./core.js";
 import type { TraceStage } from "./trace-options.js";
 
 /** How far a curve is from the sub-pixel contour that it follows, in pixels. */
@@ -17,7 +17,7 @@ export interface TraceMetrics {
 /** One contour of a picture. */
 export interface TracedContour {
   /** In pixels: (0, 0) is the outer corner of the first one, its centre is at (0.5, 0.5), y goes down. */
-  curve: Curve;
+  curve: HermiteCurve;
   /** A stroke's centre line, or an edge that ends, is not; it is drawn as a line and not filled. */
   closed: boolean;
   /** Whether it bounds a hole. Ink is run around one way and holes the other, so that both rules of filling give the same. */
@@ -103,7 +103,7 @@ interface Path {
 
 function pathsToWrite(contours: readonly TracedContour[], layers: readonly TraceLayer[]): Path[] {
   const curvesOf = (layer: number, closed: boolean): HermiteCurve[] =>
-    contours.filter((contour) => contour.layer === layer && contour.closed === closed).map(({ curve }) => curve as HermiteCurve);
+    contours.filter((contour) => contour.layer === layer && contour.closed === closed).map(({ curve }) => curve);
   const colors = layers.length === 0 ? [""] : layers.map(({ color }) => (color === "#000000" ? "" : ` fill="${short(color)}"`));
   const paths = colors.map((attributes, i) => ({ attributes, curves: curvesOf(i, true) }));
   paths.push({ attributes: ' fill="none" stroke="#000"', curves: curvesOf(0, false) });

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { fitProfile, looScore, metrics, quasiInterpolate } from "expline";
+import { ExplineError, fitProfile, looScore, metrics, quasiInterpolate } from "expline";
 
 interface Case {
   p: number;
@@ -52,6 +52,11 @@ test("metrics are the golden ones", () => {
   close(metrics.directedHausdorff(hausdorff.B, hausdorff.A), hausdorff.directed_B_to_A, "back");
   close(metrics.jaccard(jaccard.P, jaccard.C), jaccard.J_tol1, "Jaccard");
   close(metrics.jaccard(jaccard.P, jaccard.C, { literal: true }), jaccard.J_literal_dilated, "as printed");
+});
+
+test("of nothing the metrics are 0, but nothing is near to nothing", () => {
+  assert.deepEqual([metrics.rmse([]), metrics.mae([]), metrics.directedHausdorff([], [1, 2])], [0, 0, 0]);
+  assert.throws(() => metrics.directedHausdorff([1, 2], []), (error) => error instanceof ExplineError && error.code === "E_TOO_FEW_POINTS" && error.arg === "to");
 });
 
 test("a profile becomes tubes that hold all of its points, and a curve near them", () => {
