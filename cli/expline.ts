@@ -4,7 +4,7 @@ import { writeSync } from "node:fs";
 
 import { ExplineError, version } from "expline";
 
-import { Failure, INPUT, USAGE } from "./failure.ts";
+import { Failure, USAGE, statusOf } from "./failure.ts";
 import { fit } from "./fit.ts";
 import { trace } from "./trace.ts";
 
@@ -51,16 +51,10 @@ function print(text: string): void {
   }
 }
 
-/** An option out of range is a matter of the call; whatever is wrong with the points, of the input. */
-function statusOf(error: unknown): number {
-  if (error instanceof Failure) return error.status;
-  const ofOptions = error instanceof ExplineError && error.arg !== "points" && error.arg !== "image" && ["E_TYPE", "E_RANGE", "E_LENGTH", "E_NOT_FINITE"].includes(error.code);
-  return ofOptions ? USAGE : INPUT;
-}
-
 try {
   print(run(process.argv.slice(2)));
 } catch (error) {
+  if (error instanceof Failure) print(error.done);
   const known = error instanceof Failure || error instanceof ExplineError;
   const line = error instanceof Error ? error.message.replace(/\s+/gu, " ") : String(error);
   process.stderr.write(`expline: ${known ? line : `something went wrong here: ${line}`}\n`);

@@ -1,5 +1,5 @@
 /** Where input comes from and output goes. */
-import { writeFileSync } from "node:fs";
+import { mkdirSync, statSync, writeFileSync } from "node:fs";
 
 import { Failure, INPUT } from "./failure.ts";
 
@@ -13,11 +13,28 @@ export function unreadable(file: string, error: unknown): Failure {
   return new Failure(INPUT, `${sourceName(file)}: ${why}`);
 }
 
+function unwritable(file: string, error: unknown): Failure {
+  return new Failure(INPUT, `${file}: it cannot be written (${(error as { code?: string }).code ?? "unknown"})`);
+}
+
 /** Writes a text to a file. */
 export function writeText(file: string, text: string): void {
   try {
     writeFileSync(file, text);
   } catch (error) {
-    throw new Failure(INPUT, `${file}: it cannot be written (${(error as { code?: string }).code ?? "unknown"})`);
+    throw unwritable(file, error);
+  }
+}
+
+export function isFolder(path: string): boolean {
+  return statSync(path, { throwIfNoEntry: false })?.isDirectory() === true;
+}
+
+/** Makes a folder where there is none. */
+export function makeFolder(path: string): void {
+  try {
+    mkdirSync(path, { recursive: true });
+  } catch (error) {
+    throw unwritable(path, error);
   }
 }

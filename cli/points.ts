@@ -23,11 +23,12 @@ export function readText(file: string): string {
 }
 
 /**
- * Rows of x and y with a comma, a semicolon, a tab or blanks between them. A first row of words is a heading, `#` begins a comment, an empty
+ * Rows of x and y with a comma, a semicolon, a tab or blanks between them. A first row of words, after comments, is a heading, `#` begins a comment, an empty
  * row begins another contour.
  */
 export function readPoints(text: string, file: string): Stroke[] {
   const strokes: number[][] = [[]];
+  let heading = true;
   text.replace(/^\uFEFF/u, "").split(/\r\n|\n|\r/u).forEach((line, i) => {
     const row = line.replace(/#.*$/u, "").trim();
     const stroke = strokes.at(-1) ?? [];
@@ -35,8 +36,11 @@ export function readPoints(text: string, file: string): Stroke[] {
       if (line.trim() === "" && stroke.length > 0) strokes.push([]);
       return;
     }
-    const cells = row.split(/\s*[,;\t]\s*|\s+/u);
-    if (i === 0 && cells.every((cell) => cell === "" || Number.isNaN(Number(cell)))) return;
+    // Between semicolons a comma belongs to a number as some countries write it; it is not read as two.
+    const cells = row.split(row.includes(";") ? /\s*[;\t]\s*|\s+/u : /\s*[,\t]\s*|\s+/u);
+    const first = heading;
+    heading = false;
+    if (first && cells.every((cell) => !/\d/u.test(cell[0] ?? "") && (cell === "" || Number.isNaN(Number(cell))))) return;
     if (cells.length < 2) throw new Failure(INPUT, `${sourceName(file)}:${i + 1}: ${shown(row)} is not two numbers`);
     for (const cell of cells.slice(0, 2)) stroke.push(coordinate(cell, `${sourceName(file)}:${i + 1}`));
   });

@@ -1,10 +1,10 @@
 /** `expline trace`: pictures in, their outlines out. */
 import { basename, dirname, extname, join } from "node:path";
 
-import { type HermiteCurve, type Trace, type TraceOptions, traceImage } from "expline";
+import { type Trace, type TraceOptions, traceImage } from "expline";
 
-import { Failure, USAGE } from "./failure.ts";
-import { writeText } from "./files.ts";
+import { Failure, INPUT, USAGE, statusOf } from "./failure.ts";
+import { isFolder, makeFolder, sourceName, writeText } from "./files.ts";
 import { type Flag, type Given, describeFlags, numberOf, readFlags } from "./flags.ts";
 import { type Picture, readPicture } from "./picture.ts";
 
@@ -48,7 +48,23 @@ export function trace(words: readonly string[]): string {
   if (decimals !== undefined && !(Number.isInteger(decimals) && decimals >= 0 && decimals <= 17)) {
     throw new Failure(USAGE, `--decimals is ${decimals}; expected an integer in [0, 17]`);
   }
-  return files.map((file) => one(file, target(file, given, format, files.length > 1), options, format, decimals)).join("");
+  return each(files, targets(files, given, format), (file, output) => one(file, output, options, format, decimals));
+}
+
+/** All pictures, one after the other: one that cannot be traced does not keep the others from it. */
+function each(files: readonly string[], outputs: readonly (string | undefined)[], work: (file: string, output: string | undefined) => string): string {
+  const [done, failed]: [string[], string[]] = [[], []];
+  files.forEach((file, i) => {
+    try {
+      done.push(work(file, outputs[i]));
+    } catch (error) {
+      if (statusOf(error) !== INPUT || !(error instanceof Error)) throw error;
+      failed.push(error instanceof Failure ? error.message : `${sourceName(file)}: ${error.message}`);
+    }
+  });
+  const [first, ...more] = failed;
+  if (first === undefined) return done.join("");
+  throw new Failure(INPUT, more.length === 0 ? first : `${first}; nor could ${more.length} more`, done.join(""));
 }
 
 function one(file: string, output: string | undefined, options: TraceOptions, format: Format, decimals: number | undefined): string {
@@ -60,13 +76,23 @@ function one(file: string, output: string | undefined, options: TraceOptions, fo
   return `${output}: ${summary(picture, traced)}\n`;
 }
 
-/** Where the result of a picture goes; undefined for standard output. */
-function target(file: string, { values }: Given, format: Format, several: boolean): string | undefined {
+/** Where the result of each picture goes; undefined for standard output. */
+function targets(files: readonly string[], { values }: Given, format: Format): (string | undefined)[] {
   const asked = values.get("output");
-  if (!several) return asked === "-" ? undefined : asked;
-  if (asked === "-") throw new Failure(USAGE, "several pictures cannot all go to standard output");
-  if (file === "-") return join(asked ?? ".", `picture.${format}`);
-  return join(asked ?? dirname(file), `${basename(file, extname(file))}.${format}`);
+  const several = files.length > 1;
+  if (several && asked === "-") throw new Failure(USAGE, "several pictures cannot all go to standard output");
+  if (!several && (asked === undefined || asked === "-" || !isFolder(asked))) return [asked === "-" ? undefined : asked];
+  if (asked !== undefined) makeFolder(asked);
+  const taken = new Set<string>();
+  return files.map((file) => {
+    const name = file === "-" ? "picture" : basename(file, extname(file));
+    const folder = asked ?? (file === "-" ? "." : dirname(file));
+    // Pictures of the same name do not take each other's place.
+    let path = join(folder, `${name}.${format}`);
+    for (let k = 2; taken.has(path); k += 1) path = join(folder, `${name}-${k}.${format}`);
+    taken.add(path);
+    return path;
+  });
 }
 
 function optionsOf(given: Given): TraceOptions {
@@ -109,7 +135,7 @@ function asData({ width, height, contours }: Trace): object {
 }
 
 function summary({ width, height }: Picture, { contours }: Trace): string {
-  const points = contours.reduce((sum, { curve }) => sum + (curve as HermiteCurve).points.length / 2, 0);
+  const points = contours.reduce((sum, { curve }) => sum + curve.points.length / 2, 0);
   const farthest = Math.max(0, ...contours.map(({ metrics }) => metrics.hausdorff));
   return `${width} × ${height} pixels, ${contours.length} ${contours.length === 1 ? "contour" : "contours"}, ${points} points, largest distance ${Number(farthest.toPrecision(3))}`;
 }

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { before, test } from "node:test";
 import { join } from "node:path";
 
@@ -92,6 +92,31 @@ test("several pictures: each beside itself, or all in a folder", () => {
   assert.equal(data.contours[0]?.curve.type, "HermiteCurve");
 });
 
+test("a folder that is not there is made, pictures of one name stay apart, and a bad one does not keep the others from it", () => {
+  rmSync(join(folder, "fresh"), { recursive: true, force: true });
+  const { status, out, error } = expline(["trace", "square.png", "broken.png", "square.jpg", "nowhere.png", "-o", "fresh"]);
+  assert.equal(status, 1);
+  assert.match(error, /^expline: broken\.png: this PNG cannot be read \([^\n]+\); nor could 1 more\n$/);
+  assert.match(out, /^fresh\/square\.svg: 40 × 32 pixels, [^\n]+\nfresh\/square-2\.svg: 40 × 32 pixels, [^\n]+\n$/);
+  assert.deepEqual(readdirSync(join(folder, "fresh")).sort(), ["square-2.svg", "square.svg"]);
+  const single = expline(["trace", "square.png", "-o", "fresh", "--format", "json"]);
+  assert.match(single.out, /^fresh\/square\.json: /, "one picture goes into a folder, too");
+});
+
+test("a picture that is refused is named", () => {
+  const noise = encodePng({ width: 64, height: 64, channels: 1, data: Uint8Array.from({ length: 4096 }, (_, i) => (Math.imul(i + 1, 0x9e3779b1) >>> 24) & 255) });
+  writeFileSync(join(folder, "noise.png"), noise);
+  const { status, error } = expline(["trace", "noise.png", "--max-contours", "2", "--blur", "0"]);
+  assert.equal(status, 1);
+  assert.match(error, /^expline: noise\.png: traceImage: the image has \d+ contours, [^\n]+\n$/);
+});
+
+test("a heading may follow comments, and semicolons leave commas to the numbers", () => {
+  const { status, out } = expline(["fit", "-", "--tolerance", "0.5", "--format", "path"], `# of a square\n\nx;y\n${SQUARE.replaceAll(",", ";")}`);
+  assert.equal(status, 0);
+  assert.equal(out, expline(["fit", "-", "--tolerance", "0.5", "--format", "path"], SQUARE).out);
+});
+
 test("flat colours become layers", () => {
   const { status, out } = expline(["trace", "square.png", "--colors", "#fff,#000"]);
   assert.equal(status, 0);
@@ -152,6 +177,7 @@ for (const [what, parameters, status, words, input] of [
   ["a file that is not there", ["fit", "nowhere.csv"], 1, /nowhere\.csv: there is no such file/],
   ["a folder", ["fit", "."], 1, /it is a folder/],
   ["a row that is no point", ["fit", "-"], 1, /standard input:2: "abc" is not a number/, "1,2\nabc,3\n"],
+  ["numbers with a comma in them", ["fit", "-"], 1, /standard input:1: "1,5" is not a number/, "1,5;2,5\n3,5;4,5\n"],
   ["a single number in a row", ["fit", "-"], 1, /standard input:1: "7" is not two numbers/, "7\n"],
   ["no picture", ["trace"], 2, /needs a PNG or JPEG file/],
   ["a picture that is not there", ["trace", "nowhere.png"], 1, /nowhere\.png: there is no such file/],
