@@ -4,8 +4,10 @@ use super::describe::give;
 use super::kernel::{AnyCurve, Kernel, run, times};
 use super::roots::{push_roots, roots_of};
 use crate::curve::to_hermite;
+use crate::generator::{Interpolator, Roots};
 use crate::svg::PrintOptions;
 use crate::{BSplineCurve, Error, InterpolatingCurve, LocalCurve, Result};
+use std::sync::Arc;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The kinds, as the face numbers them.
@@ -41,7 +43,10 @@ pub fn load_spline(
             AnyCurve::BSpline(BSplineCurve::new(points, dimension, closed, roots, step, offset)?)
         } else {
             let roots = if roots == 0 { None } else { Some(roots_of(given_roots)?) };
-            let base = InterpolatingCurve::new(points, dimension, closed, roots)?;
+            let base = match roots.as_ref().and_then(|roots| known(kernel, roots)) {
+                Some(known) => InterpolatingCurve::with_interpolator(points, dimension, closed, known)?,
+                None => InterpolatingCurve::new(points, dimension, closed, roots)?,
+            };
             if kind == LOCAL {
                 AnyCurve::Local(with_patches(LocalCurve::new(base), patches, rest)?)
             } else {
@@ -57,6 +62,18 @@ pub fn load_spline(
         kernel.record(ends);
         kernel.keep(slot, curve);
         Ok(kernel.output.len())
+    })
+}
+
+/// The interpolator of these roots, where a resident curve has it: as a rule the one that is loaded again because a point has moved.
+fn known(kernel: &Kernel, roots: &Roots) -> Option<Arc<Interpolator>> {
+    kernel.slots.iter().flatten().find_map(|resident| {
+        let curve = match &resident.curve {
+            AnyCurve::Interpolating(curve) => curve,
+            AnyCurve::Local(curve) => curve.base(),
+            _ => return None,
+        };
+        (curve.roots() == roots).then(|| Arc::clone(curve.interpolator()))
     })
 }
 

@@ -32,6 +32,20 @@ test("after a trap curves of every kind from before give the bits that they gave
   }
 });
 
+test("a curve whose point was moved is to the bit what an engine that knows nothing makes of its points", () => {
+  const points = [0, 0, 4, 1, 5, 6, -1, 3, -4, 1];
+  const lists = [undefined, [0, 0, 0, 0], [0, { re: 0, im: 1 }, { re: 0, im: -1 }], [0, 0, 0, 0, 0, 0], [0, 0.5, -0.5]];
+  const curves = lists.flatMap((roots) => [true, false].map((closed) => new InterpolatingCurve({ points, closed, ...(roots === undefined ? {} : { roots }) })));
+  const all = [...curves, ...curves.slice(0, 3).map((curve) => curve.refineAt(1.2))];
+  const moved = (): Float64Array[] => all.map((curve) => curve.sample(60));
+  moved();
+  all.forEach((curve, i) => curve.setPoint(1, 3, 0.25 * i));
+  const kept = moved();
+  const fine = new InterpolatingCurve({ points }).refine(1);
+  assert.throws(() => fine.reduce(), ExplineError);
+  assert.deepEqual(moved(), kept);
+});
+
 test("the path and the ellipse of a curve through points are those of its Hermite curve", () => {
   const place = (k: number): [number, number] => [3 + 2 * Math.cos((2 * Math.PI * k) / 7), 1 + 5 * Math.sin((2 * Math.PI * k) / 7)];
   const curve = new InterpolatingCurve({ points: [0, 1, 2, 3, 4, 5, 6].map(place) });
