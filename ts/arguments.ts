@@ -12,18 +12,18 @@ export const MAX_OUTPUT = 4_000_000;
 
 const BOUND = "|x| <= 1e9";
 
-/** Points as they may be given: interleaved, as pairs, or as objects with x and y. */
+/** Points as they may be given: interleaved, as pairs, which need not be tuples for the compiler, or as objects with x and y. */
 export type PointsLike =
   | Float64Array
   | readonly number[]
-  | readonly (readonly [number, number])[]
+  | readonly (readonly number[])[]
   | readonly { readonly x: number; readonly y: number }[];
 
 /** Points in space as they may be given: interleaved, as triples, or as objects with x, y and z. */
 export type SpacePointsLike =
   | Float64Array
   | readonly number[]
-  | readonly (readonly [number, number, number])[]
+  | readonly (readonly number[])[]
   | readonly { readonly x: number; readonly y: number; readonly z: number }[];
 
 /** Points as kept: two or three numbers each in an array that nobody else holds. */

@@ -122,13 +122,20 @@ test("the declarations hold for a strict project, with every kind of module reso
   const folder = join(consumer, "typed");
   mkdirSync(folder, { recursive: true });
   const code = `
-    import init, { ExplineError, HermiteCurve, initSync, parsePath, version } from "expline";
+    import init, { ExplineError, HermiteCurve, InterpolatingCurve, fitSparse, initSync, parsePath, traceImage, version } from "expline";
+    import type { Curve } from "expline";
     await init();
     const curve: HermiteCurve = HermiteCurve.ellipse({ center: [0, 0], radii: [2, 1], count: 3 });
     const point: Float64Array = curve.evaluate(0.5, 1);
     const { d, maxError }: { d: string; maxError: number } = curve.toPathD({ tolerance: 0.01, arcs: true });
     const first: HermiteCurve | undefined = parsePath(d)[0];
     export const all = [point, maxError, first, version, initSync, new Error() instanceof ExplineError];
+    // What map makes of points, and GeoJSON has, is number[][].
+    const places: number[][] = [[0, 0], [4, 1], [9, 9]].map(([x = 0, y = 0]) => [y, x]);
+    const traced: HermiteCurve[] = traceImage({ width: 1, height: 1, data: new Uint8Array(1) }).contours.map((contour) => contour.curve);
+    const fitted: HermiteCurve = fitSparse(places, { closed: false }).curve.insert(0.5);
+    const lengths = (curve: Curve): Float64Array => curve.sampleByLength(Math.round(curve.parameterAtLength(1)));
+    export const more = [HermiteCurve.through(places), traced, fitted, lengths(new InterpolatingCurve({ points: places }))];
     // @ts-expect-error a radius is not a word
     HermiteCurve.ellipse({ center: [0, 0], radii: ["2", 1], count: 3 });
   `;
