@@ -137,8 +137,9 @@ export function options<K extends string>(
   for (const name of Object.keys(value)) {
     const known = names.find((n) => n === name);
     if (known === undefined) {
-      const argument = name.slice(0, 40);
-      const what = `option ${shown(name)} is not known; expected ${names.join(", ")}`;
+      const inside = arg === "options" ? "" : `${arg}.`;
+      const argument = inside + name.slice(0, 40);
+      const what = `${inside || "option "}${shown(name)} is not known; expected ${names.join(", ")}`;
       throw new ExplineError("E_TYPE", op, what, { arg: argument, argument, bound: names.join(", ") });
     }
     own[known] = (value as Record<string, unknown>)[name];

@@ -261,6 +261,8 @@ const REFUSED: readonly [string, () => unknown, Partial<ExplineError>][] = [
   ["SU-017 refine 1000 × 1000 by 6 levels", () => made(1000, 1000).refine(6, 6), { code: "E_LIMIT", argument: "levels", limit: "maxSurfacePoints" }],
   ["no options", () => new TensorSurface(undefined as never), { code: "E_TYPE" }],
   ["an option that is not known", () => new TensorSurface({ net: [], u: {}, v: {}, w: 1 } as never), { code: "E_TYPE", argument: "w" }],
+  ["an option of a direction that is not known", () => new TensorSurface({ net: [], u: { root: [] }, v: {} } as never), { code: "E_TYPE", argument: "u.root" }],
+  ["a field of a direction that is not known", () => fromJSON({ ...shapes.torus.toJSON(), u: { ...shapes.torus.toJSON().u, note: 1 } }), { code: "E_SCHEMA", path: "$.u.note" }],
   ["no direction", () => new TensorSurface({ net: grid(4, 4) } as never), { code: "E_TYPE", argument: "u" }],
   ["a root without its conjugate", () => new TensorSurface({ net: grid(4, 4), u: { roots: [0, { re: 0, im: 1 }, 0], count: 4, closed: true }, v: { roots: THREE, count: 4, closed: true } }), { code: "E_DEGENERATE", argument: "u.roots[1]" }],
   ["a root that is too fast", () => new TensorSurface({ net: grid(4, 4), u: { roots: [0, { re: 0, im: 4 }, { re: 0, im: -4 }], count: 4, closed: true }, v: { roots: THREE, count: 4, closed: true } }), { code: "E_RANGE", argument: "u.roots[1]" }],
