@@ -5,6 +5,8 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod support;
 
+use core::f64::consts::FRAC_PI_2;
+
 use expline::curve::HermiteCurve;
 use expline::numerics::Vector;
 use expline::trace::{Gray, TraceOptions, trace};
@@ -132,4 +134,27 @@ fn a_shallow_arc_drawn_by_a_few_samples_a_pixel_is_no_line() {
         let (lines, bent) = straight_and_bent(&traced(side, side, &bytes).contours[0].curve);
         assert_eq!((lines, bent), (3, 1), "at {side} pixels, falling by {fall}");
     }
+}
+
+/// Places on an arc about a centre, which are the ends of chords that are `off` from it in their middle.
+fn arc_by_chords(center: (f64, f64), radius: f64, [from, to]: [f64; 2], off: f64) -> Vec<(f64, f64)> {
+    let count = ((to - from).abs() / (2.0 * (1.0 - off / radius).acos())).ceil();
+    let angle = |k: f64| from + (to - from) * k / count;
+    let place = |angle: f64| (center.0 + radius * angle.cos(), center.1 + radius * angle.sin());
+    (0..=count as usize).map(|k| place(angle(k as f64))).collect()
+}
+
+#[test]
+fn a_lens_drawn_as_chords_of_exact_coverage_has_few_pieces_and_two_corners() {
+    let (side, off) = (256, 0.25);
+    let scale = side as f64 / 100.0;
+    let radius = 55.0 * scale;
+    let half = (42.0_f64 / 55.0).asin();
+    let (x, y, up) = (50.13 * scale, 49.7 * scale, radius * half.cos());
+    let mut lens = arc_by_chords((x, y + up), radius, [-FRAC_PI_2 - half, -FRAC_PI_2 + half], off);
+    lens.extend(arc_by_chords((x, y - up), radius, [FRAC_PI_2 - half, FRAC_PI_2 + half], off));
+    let bytes = draw_finely(side, side, 8, &|x, y| inside(&lens, x, y));
+    let contour = &traced(side, side, &bytes).contours[0];
+    assert!(contour.curve.segment_count() <= 12, "{} pieces", contour.curve.segment_count());
+    assert_eq!(contour.cusps.len(), 2);
 }

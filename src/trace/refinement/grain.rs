@@ -24,15 +24,16 @@ struct Crossing {
     length: f64,
 }
 
-/// The standard deviation of coverage in the pixels that outlines cross, beyond what moving and turning them would explain (D 14.21).
+/// The standard deviation of coverage in the pixels that outlines cross, beyond what moving and turning them would explain (D 14.21), and how many
+/// windows say so.
 ///
 /// # Cost
 ///
 /// O(length of the outlines).
-pub(super) fn grain(shapes: &[Shape], field: &Field) -> f64 {
+pub(super) fn grain(shapes: &[Shape], field: &Field) -> (f64, usize) {
     let mut squares = Vec::new();
     shapes.iter().for_each(|shape| windows(shape, field, false, &mut squares));
-    middle(&mut squares)
+    (middle(&mut squares), squares.len())
 }
 
 /// The same from the mean squares of windows.
