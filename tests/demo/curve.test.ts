@@ -199,3 +199,22 @@ test("the grid has the step that is typed, and points snap to it", async (t) => 
   assert.equal(await demo.byId("error").getAttribute("data-error"), "number");
   assert.equal(await demo.byId("grid-step").inputValue(), "25");
 });
+
+test("the cursor announces what a press would do", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  const cursorAt = async (x: number, y: number): Promise<string> => {
+    await demo.page.mouse.move(x, y);
+    await demo.idle();
+    return demo.page.evaluate(([left, top]) => getComputedStyle(document.elementFromPoint(left, top) ?? document.body).cursor, [x, y] as const);
+  };
+  const { x, y } = await demo.centre("pt-0-2");
+  assert.equal(await cursorAt(x, y), "move");
+  await demo.page.keyboard.down("Alt");
+  assert.equal(await cursorAt(x, y), "crosshair");
+  await demo.page.keyboard.up("Alt");
+  const on = await demo.toScreen(400 + 160 * Math.cos(0.4), 300 + 160 * Math.sin(0.4));
+  assert.equal(await cursorAt(on.x, on.y), "grab");
+  assert.equal(await cursorAt(x, y + 100), "default");
+  await demo.byId("tool-hand").click();
+  assert.equal(await cursorAt(x, y), "grab");
+});

@@ -167,3 +167,21 @@ test("routes are read and printed, and what is no route is none", () => {
   assert.equal(parseRoute("#/nonsense"), null);
   assert.equal(parseRoute("#s=abc"), null);
 });
+
+test("over a point or a handle the cursor says what a press would do, and changes with Alt alone", () => {
+  const hand = new Hand("circle-8");
+  const cursor = (): string => hand.editor.state.value.cursor;
+  hand.moveTo(hand.point(2).x, hand.point(2).y);
+  assert.equal(cursor(), "move");
+  hand.keys({ alt: true });
+  assert.equal(cursor(), "crosshair");
+  hand.keys({});
+  assert.equal(cursor(), "move");
+  hand.click(hand.point(2).x, hand.point(2).y);
+  const end = hand.handle(2, "out");
+  hand.moveTo(end.x, end.y).keys({ alt: true });
+  assert.equal(cursor(), "alias");
+  // Away from everything a key changes nothing.
+  hand.keys({}).moveTo(400, 300).keys({ alt: true });
+  assert.equal(cursor(), "default");
+});

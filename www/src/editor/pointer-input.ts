@@ -67,6 +67,8 @@ export function createPointerInput(editor: Editor, tools: Readonly<Record<ToolId
   /** Places of the pointer since the last flush. */
   let trail: ScreenPoint[] = [];
   let lastPress: { screen: ScreenPoint; time: number } | null = null;
+  /** Where a pointer is that is not pressed. */
+  let above: PointerRecord | null = null;
   let spaceHeld = false;
   let penSeen = false;
 
@@ -121,7 +123,8 @@ export function createPointerInput(editor: Editor, tools: Readonly<Record<ToolId
     if (finger !== undefined) finger.screen = record.screen;
     switch (activity.kind) {
       case "none":
-        if (record.kind !== "touch") tool().hover(sample(record));
+        above = record.kind === "touch" ? null : record;
+        if (above !== null) tool().hover(sample(above));
         return;
       case "tool":
         if (record.id !== activity.id) return;
@@ -226,6 +229,8 @@ export function createPointerInput(editor: Editor, tools: Readonly<Record<ToolId
       if (old.shift === modifiers.shift && old.alt === modifiers.alt && old.mod === modifiers.mod) return;
       flush();
       editor.patch({ modifiers });
+      // What a press would do has changed, and the cursor says so.
+      if (activity.kind === "none" && above !== null && editor.state.value.hover.kind !== "empty") tool().hover(sample({ ...above, modifiers }));
       if (activity.kind === "tool") activity.tool.drag(sampleAt(editor.state.value, activity.screen, activity.pointer, modifiers, activity.clicks));
     },
     space(held) {

@@ -65,6 +65,7 @@ export function mountPanel(shell: Shell, metrics: HTMLElement): PanelHost {
     else if (!shown) part.remove();
   };
   const update = (state: EditorState): void => {
+    if (title.textContent !== titles[state.mode]) scroll.scrollTop = 0;
     setText(title, titles[state.mode]);
     const own = built.get(state.mode);
     setText(sample, state.mode === "curve" ? (curveSample(state.curve.sample ?? "")?.title ?? "") : (own?.note(state) ?? ""));

@@ -97,6 +97,9 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
     repaint();
   };
   editor.state.subscribe(repaint, { until });
+  editor.state.subscribe(({ cursor }) => {
+    if (surface.style.cursor !== cursor) surface.style.cursor = cursor;
+  }, { until });
   editor.state.subscribe(bringWeights, { until, now: true });
   const observer = new ResizeObserver(measure);
   observer.observe(surface);
