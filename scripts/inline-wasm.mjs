@@ -201,7 +201,7 @@ export async function inlineModule(bytes) {
   const { text, shift } = smallestLiteral(splitWasm(bytes));
   const { decoder } = await decoderModule();
   if (!decoded(decoder, text, shift).equals(bytes)) throw new Error("the inlined wasm is not what it was");
-  const code = `import { decoded } from "./decode.ts";
+  const code = `import { decoded } from "./core/decode.ts";
 
 export const wasmAddress = undefined;
 

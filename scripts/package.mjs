@@ -5,6 +5,7 @@
 // `expline.js` only names what they offer, so that a bundler leaves out those of which nothing is used.
 
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { basename } from "node:path";
 
 import { PLACEHOLDER, decoderModule, inlineModule } from "./inline-wasm.mjs";
 import { printSizes } from "./sizes.mjs";
@@ -125,7 +126,7 @@ async function bundleFace(entry, contents, prefix) {
   const { build } = await import("esbuild");
   const setup = (bundler) => {
     bundler.onLoad({ filter: /-bytes\.js$/ }, () => ({ contents, resolveDir: at("ts") }));
-    bundler.onResolve({ filter: /\/(core|spline|surface)\.js$/ }, ({ path }) => ({ path: path.replace("./", prefix), external: true }));
+    bundler.onResolve({ filter: /\/(core|spline|surface)\.js$/ }, ({ path }) => ({ path: `${prefix}${basename(path)}`, external: true }));
     // The core has the decoder of inlined text already.
     if (prefix !== "./") bundler.onLoad({ filter: /\/decode\.ts$/ }, () => ({ contents: "export const decoded = undefined;" }));
     if (entry !== "ts/core.ts") bundler.onResolve({ filter: /\/decode\.ts$/ }, () => ({ path: `${prefix}core.js`, external: true }));
@@ -146,7 +147,7 @@ async function bundleFace(entry, contents, prefix) {
 
 /** What the slim entry has where the other has the wasm. */
 const nothingInside = (file, start) => `
-  import { ExplineError } from "${file === "expline" ? "./error.js" : "./core.js"}";
+  import { ExplineError } from "${file === "expline" ? "./core/error.js" : "./core.js"}";
   export const wasmAddress = () => new URL("${file}_bg.wasm", import.meta.url);
   export function wasmBytes() {
     throw new ExplineError("E_NOT_READY", "engine", "expline/slim has no engine inside; await ${start}() first");
@@ -173,7 +174,7 @@ async function entry(prefix) {
 
 /** What Node has instead: it reads the file when the engine is first asked for. Nothing waits, and nothing is parsed that is not used. */
 const fileBeside = (file, start) => `
-  import { ExplineError } from "./error.js";
+  import { ExplineError } from "./core/error.js";
   export const wasmAddress = () => new URL("${file}_bg.wasm", import.meta.url);
   export function wasmBytes() {
     try {

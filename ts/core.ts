@@ -1,22 +1,22 @@
 /** The ES module of Hermite curves and path data: the public names, and what the other modules need of it. */
-export { default, initSync, version } from "./engine.js";
-export type { InitOptions, InitSyncOptions } from "./engine.js";
-export { ExplineError } from "./error.js";
-export type { ErrorCode, ErrorDetails } from "./error.js";
-export type { PointsLike, SpacePointsLike } from "./arguments.js";
-export type { Space } from "./curve-data.js";
-export type { Bounds, Curve, Ellipse, Nearest, PathOptions } from "./curve.js";
-export { HermiteCurve } from "./hermite-curve.js";
-export type { EllipseOptions, HermiteCurveJSON, HermiteCurveOptions } from "./hermite-curve.js";
-export { HermiteGenerators } from "./hermite-generators.js";
-export type { Root } from "./root-lists.js";
-export { parsePath } from "./svg.js";
-export type { PathWarning } from "./svg.js";
+export { default, initSync, version } from "./core/engine.js";
+export type { InitOptions, InitSyncOptions } from "./core/engine.js";
+export { ExplineError } from "./core/error.js";
+export type { ErrorCode, ErrorDetails } from "./core/error.js";
+export type { PointsLike, SpacePointsLike } from "./core/arguments.js";
+export type { Space } from "./core/curve-data.js";
+export type { Bounds, Curve, Ellipse, Nearest, PathOptions } from "./core/curve.js";
+export { HermiteCurve } from "./core/hermite-curve.js";
+export type { EllipseOptions, HermiteCurveJSON, HermiteCurveOptions } from "./core/hermite-curve.js";
+export { HermiteGenerators } from "./core/hermite-generators.js";
+export type { Root } from "./core/root-lists.js";
+export { parsePath } from "./core/svg.js";
+export type { PathWarning } from "./core/svg.js";
 
 /** @internal */
-export { begin, beginSync, instanceOf } from "./engine.js";
+export { begin, beginSync, instanceOf } from "./core/engine.js";
 /** @internal */
-export type { AnyKernel, CurveKernel, Engine, Instance } from "./engine.js";
+export type { AnyKernel, CurveKernel, Engine, Instance } from "./core/engine.js";
 /** @internal */
 export {
   LARGEST,
@@ -37,23 +37,23 @@ export {
   tolerance,
   within,
   word,
-} from "./arguments.js";
+} from "./core/arguments.js";
 /** @internal */
-export { Held, curvesIn } from "./curve-data.js";
+export { Held, curvesIn } from "./core/curve-data.js";
 /** @internal */
-export type { CurveData } from "./curve-data.js";
+export type { CurveData } from "./core/curve-data.js";
 /** @internal */
-export { dataOf, pathsOf } from "./curve.js";
-export { MeasuredCurve } from "./curve.js";
+export { dataOf, pathsOf } from "./core/curve.js";
+export { MeasuredCurve } from "./core/curve.js";
 /** @internal */
-export { overLimit, shown, tooFewPoints, wrong, wrongLength } from "./error.js";
+export { overLimit, shown, tooFewPoints, wrong, wrongLength } from "./core/error.js";
 /** @internal */
-export { checked, curveOf } from "./hermite-curve.js";
+export { checked, curveOf } from "./core/hermite-curve.js";
 /** @internal */
-export { MAX_ROOTS, rootList, rootNumbers } from "./root-lists.js";
+export { MAX_ROOTS, rootList, rootNumbers } from "./core/root-lists.js";
 /** @internal */
-export { callOf, doorOf, peekOf, resultOf, writeBytesTo, writeTo } from "./kernel.js";
+export { callOf, doorOf, peekOf, resultOf, writeBytesTo, writeTo } from "./core/kernel.js";
 /** @internal */
-export type { Door, Floats } from "./kernel.js";
+export type { Door, Floats } from "./core/kernel.js";
 /** @internal */
-export { decoded } from "./decode.js";
+export { decoded } from "./core/decode.js";

@@ -1,8 +1,8 @@
 /** What an editor's pointer does to curves: what lies under it, handles that turn, a curve that bends. */
 import { type Curve, type CurveData, HermiteCurve, MeasuredCurve, coordinate, dataOf, finite, integer, numbers, options as checkOptions, word, wrong } from "./core.js";
-import { type HandleSide, type Joint, SIDES, THIRD, type Place, handleOf, jointOf, keptStraight, moved, pointsOf, scaled, turn } from "./edit-joints.js";
+import { type HandleSide, type Joint, SIDES, THIRD, type Place, handleOf, jointOf, keptStraight, moved, pointsOf, scaled, turn } from "./edit/edit-joints.js";
 
-export type { HandleSide, Joint } from "./edit-joints.js";
+export type { HandleSide, Joint } from "./edit/edit-joints.js";
 
 /** How far from the pointer something may lie, in the curve's unit: pixels divided by the zoom. */
 export interface HitOptions {

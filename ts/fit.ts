@@ -1,14 +1,14 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 /** Sparse curves through noisy points: all at once, in short tasks, or again and again for a slider. */
 import { ExplineError, type PointsLike, wrong } from "./core.js";
-import { type Question, Resident, initFit } from "./fit-engine.js";
-import { type FitProgress, type FitWatch, type Order, type SparseFitOptions, type SparseFitStrength, change, checkNames, knowsNoise, order, withNoise } from "./fit-options.js";
-import { type SparseFit, readFit } from "./fit-result.js";
-import { checkSignal, inOneGo, inTasks } from "./yielding.js";
+import { type Question, Resident, initFit } from "./fit/fit-engine.js";
+import { type FitProgress, type FitWatch, type Order, type SparseFitOptions, type SparseFitStrength, change, checkNames, knowsNoise, order, withNoise } from "./fit/fit-options.js";
+import { type SparseFit, readFit } from "./fit/fit-result.js";
+import { checkSignal, inOneGo, inTasks } from "./tasks/yielding.js";
 
-export { initFit, initFitSync } from "./fit-engine.js";
-export type { FitProgress, FitStep, SparseFitOptions, SparseFitStrength } from "./fit-options.js";
-export type { FitChange, FitStatus, SparseFit, SparseKnot } from "./fit-result.js";
+export { initFit, initFitSync } from "./fit/fit-engine.js";
+export type { FitProgress, FitStep, SparseFitOptions, SparseFitStrength } from "./fit/fit-options.js";
+export type { FitChange, FitStatus, SparseFit, SparseKnot } from "./fit/fit-result.js";
 
 /** Work of one call into the engine, in microseconds or so. */
 const BUDGET = 4000;

@@ -12,7 +12,7 @@ import {
   shown,
   wrong,
 } from "./core.js";
-import { scan } from "./json-text.js";
+import { scan } from "./json/json-text.js";
 import {
   type BSplineCurve,
   type BSplineCurveJSON,

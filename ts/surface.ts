@@ -13,21 +13,21 @@ import {
   wrong,
   wrongLength,
 } from "./core.js";
-import { type MeshFileOptions, gltfOf, objOf } from "./mesh-files.js";
-import { type Direction, MAX_LEVEL, type SurfacePatch, type TensorSurfaceOptions, checkedSurface, netOf, place } from "./surface-arguments.js";
-import { type DirectionData, type PatchData, SurfaceData, readSurface } from "./surface-data.js";
-import { type SurfaceKernel, call, copy, peek, result, write } from "./surface-engine.js";
-import { type TensorSurfaceJSON, surfaceJSON } from "./surface-json.js";
-import { type MeshRegion, type SurfaceMesh, mend, newMesh, refill, sizes } from "./surface-mesh.js";
+import { type MeshFileOptions, gltfOf, objOf } from "./surface/mesh-files.js";
+import { type Direction, MAX_LEVEL, type SurfacePatch, type TensorSurfaceOptions, checkedSurface, netOf, place } from "./surface/surface-arguments.js";
+import { type DirectionData, type PatchData, SurfaceData, readSurface } from "./surface/surface-data.js";
+import { type SurfaceKernel, call, copy, peek, result, write } from "./surface/surface-engine.js";
+import { type TensorSurfaceJSON, surfaceJSON } from "./surface/surface-json.js";
+import { type MeshRegion, type SurfaceMesh, mend, newMesh, refill, sizes } from "./surface/surface-mesh.js";
 
-export type { MeshFileOptions } from "./mesh-files.js";
-export type { Direction, SurfacePatch, TensorSurfaceOptions } from "./surface-arguments.js";
-export type { PatchWindow } from "./surface-data.js";
-export { initSurface, initSurfaceSync } from "./surface-engine.js";
-export type { DirectionJSON, TensorSurfaceJSON } from "./surface-json.js";
-export type { MeshRegion, SurfaceMesh } from "./surface-mesh.js";
+export type { MeshFileOptions } from "./surface/mesh-files.js";
+export type { Direction, SurfacePatch, TensorSurfaceOptions } from "./surface/surface-arguments.js";
+export type { PatchWindow } from "./surface/surface-data.js";
+export { initSurface, initSurfaceSync } from "./surface/surface-engine.js";
+export type { DirectionJSON, TensorSurfaceJSON } from "./surface/surface-json.js";
+export type { MeshRegion, SurfaceMesh } from "./surface/surface-mesh.js";
 /** @internal */
-export { checkedSurface } from "./surface-arguments.js";
+export { checkedSurface } from "./surface/surface-arguments.js";
 
 const NAME = "TensorSurface";
 /** The most vertices of a text: about 250 MB, half of what engines allow. */

@@ -1,15 +1,15 @@
 /** From a picture to few curves: all at once, or in short tasks. */
 import { ExplineError } from "./core.js";
-import { Picture, type Step, initTrace } from "./trace-engine.js";
-import { type ImageLike, STAGES, type TraceOptions, type TraceOrder, type TraceStage, traceOrder } from "./trace-options.js";
-import { type Trace, readTrace } from "./trace-result.js";
-import { checkSignal, inOneGo, inTasks } from "./yielding.js";
+import { Picture, type Step, initTrace } from "./trace/trace-engine.js";
+import { type ImageLike, STAGES, type TraceOptions, type TraceOrder, type TraceStage, traceOrder } from "./trace/trace-options.js";
+import { type Trace, readTrace } from "./trace/trace-result.js";
+import { checkSignal, inOneGo, inTasks } from "./tasks/yielding.js";
 
-export { fitProfile, looScore, metrics, quasiInterpolate } from "./profile.js";
-export type { ProfileFit, ProfileOptions, ProfileTube, QuasiInterpolantOptions } from "./profile.js";
-export { initTrace, initTraceSync } from "./trace-engine.js";
-export type { ImageLike, TraceOptions, TraceProgress, TraceStage } from "./trace-options.js";
-export type { Trace, TraceLayer, TraceMetrics, TraceSvgOptions, TracedContour } from "./trace-result.js";
+export { fitProfile, looScore, metrics, quasiInterpolate } from "./trace/profile.js";
+export type { ProfileFit, ProfileOptions, ProfileTube, QuasiInterpolantOptions } from "./trace/profile.js";
+export { initTrace, initTraceSync } from "./trace/trace-engine.js";
+export type { ImageLike, TraceOptions, TraceProgress, TraceStage } from "./trace/trace-options.js";
+export type { Trace, TraceLayer, TraceMetrics, TraceSvgOptions, TracedContour } from "./trace/trace-result.js";
 
 /** Work of one call into the engine, in microseconds or so. */
 const BUDGET = 4000;

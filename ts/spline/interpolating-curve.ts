@@ -1,6 +1,6 @@
 /** Curves through their points, smooth to any order, on which every point acts near by only. */
 import { type BSplineCurve, bSplineOf } from "./b-spline-curve.js";
-import { type Root, flag, integer, options as checkOptions, rootList, rootNumbers } from "./core.js";
+import { type Root, flag, integer, options as checkOptions, rootList, rootNumbers } from "../core.js";
 import { type LocalCurve, refinedAt } from "./local-curve.js";
 import { type AnyPointsLike, SplineCurve, anyPoints, splineOf } from "./spline-curve.js";
 import { SplineData, SplineKind, readSpline } from "./spline-data.js";

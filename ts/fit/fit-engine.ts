@@ -1,8 +1,8 @@
 /** The wasm of fitting: started when something is fitted for the first time, replaced when it dies. */
-import type { InitOutput } from "../build/bindings/expline_fit.js";
-import { wasmAddress, wasmBytes } from "../build/bindings/fit-bytes.js";
-import { type Engine, type InitOptions, type InitSyncOptions, begin, beginSync, callOf, instanceOf, peekOf, resultOf, writeTo } from "./core.js";
-import { type Kind, OpenWork } from "./open-work.js";
+import type { InitOutput } from "../../build/bindings/expline_fit.js";
+import { wasmAddress, wasmBytes } from "../../build/bindings/fit-bytes.js";
+import { type Engine, type InitOptions, type InitSyncOptions, begin, beginSync, callOf, instanceOf, peekOf, resultOf, writeTo } from "../core.js";
+import { type Kind, OpenWork } from "../tasks/open-work.js";
 
 /** The functions of the wasm that the package calls. @internal */
 export type FitKernel = InitOutput;

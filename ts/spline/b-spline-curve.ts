@@ -1,5 +1,5 @@
 /** B-spline curves of any roots: control points near the curve, as many as are wanted. */
-import { MAX_OUTPUT, type Root, finite, flag, integer, options as checkOptions, rootList, rootNumbers } from "./core.js";
+import { MAX_OUTPUT, type Root, finite, flag, integer, options as checkOptions, rootList, rootNumbers } from "../core.js";
 import { type AnyPointsLike, SplineCurve, anyPoints, splineOf } from "./spline-curve.js";
 import { SplineData, SplineKind, readSpline } from "./spline-data.js";
 import { call, result } from "./spline-engine.js";

@@ -1,5 +1,5 @@
 /** Exponential B-splines and the interpolators made of them, for any list of roots. */
-import { type Floats, MAX_EVALUATIONS, type Root, flag, integer, numbers, options as checkOptions, rootList, rootNumbers, wrong } from "./core.js";
+import { type Floats, MAX_EVALUATIONS, type Root, flag, integer, numbers, options as checkOptions, rootList, rootNumbers, wrong } from "../core.js";
 import { roots as named } from "./roots.js";
 import { type SplineKernel, call, copy, result, write } from "./spline-engine.js";
 

@@ -1,5 +1,5 @@
 /** Work that an engine keeps open under a number, for as long as somebody here needs it. */
-import { type AnyKernel, type Engine, callOf, instanceOf } from "./core.js";
+import { type AnyKernel, type Engine, callOf, instanceOf } from "../core.js";
 
 /** How work is opened and closed in its engine. @internal */
 export interface Kind<K extends AnyKernel> {

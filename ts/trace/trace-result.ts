@@ -1,5 +1,5 @@
 /** What a trace gives, read from what the engine leaves. */
-import { type HermiteCurve, curveOf, curvesIn, finite, integer, options as checkOptions, pathsOf, wrong } from "./core.js";
+import { type HermiteCurve, curveOf, curvesIn, finite, integer, options as checkOptions, pathsOf, wrong } from "../core.js";
 import type { TraceStage } from "./trace-options.js";
 
 /** How far a curve is from the sub-pixel contour that it follows, in pixels. */

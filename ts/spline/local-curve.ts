@@ -13,7 +13,7 @@ import {
   rootNumbers,
   wrong,
   wrongLength,
-} from "./core.js";
+} from "../core.js";
 import { type AnyPointsLike, SplineCurve, anyPoints, splineOf } from "./spline-curve.js";
 import { type Patch, SplineData, SplineKind, readSpline } from "./spline-data.js";
 import { call, copy } from "./spline-engine.js";

@@ -1,5 +1,5 @@
 /** The inlined wasm, from text back to bytes. */
-import { TEXT, decoder } from "../build/bindings/wasm-decoder.js";
+import { TEXT, decoder } from "../../build/bindings/wasm-decoder.js";
 
 /** What the decoder offers. */
 interface Decoder {

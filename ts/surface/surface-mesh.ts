@@ -1,5 +1,5 @@
 /** Meshes of surfaces as they are handed out, filled again, and mended where a point has moved. */
-import { type Floats, MAX_OUTPUT, integer, isFloat64Array, overLimit, wrong, wrongLength } from "./core.js";
+import { type Floats, MAX_OUTPUT, integer, isFloat64Array, overLimit, wrong, wrongLength } from "../core.js";
 import { call, peek, result } from "./surface-engine.js";
 
 /** Triangles of a surface. */

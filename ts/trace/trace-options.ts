@@ -1,7 +1,7 @@
 /** What can be asked of a trace, checked and written down as the engine reads it. */
-import { count, finite, flag, integer, isBytes, lengthOfArray, options as checkOptions, overLimit, word, wrong, wrongLength } from "./core.js";
+import { count, finite, flag, integer, isBytes, lengthOfArray, options as checkOptions, overLimit, word, wrong, wrongLength } from "../core.js";
 import type { Pixels } from "./trace-engine.js";
-import { type Watch, watch } from "./yielding.js";
+import { type Watch, watch } from "../tasks/yielding.js";
 
 /**
  * What a trace is doing: reading pixels, finding edges, following contours, looking for corners, fitting splines, refining them; with `colors` all

@@ -1,7 +1,7 @@
 /** What can be asked of a fit, checked and written down as the engine reads it. */
-import { count, finite, flag, integer, numbers, options as checkOptions, points as checkPoints, word, wrong, wrongLength } from "./core.js";
+import { count, finite, flag, integer, numbers, options as checkOptions, points as checkPoints, word, wrong, wrongLength } from "../core.js";
 import { Asked, type Question } from "./fit-engine.js";
-import { type Watch, watch } from "./yielding.js";
+import { type Watch, watch } from "../tasks/yielding.js";
 
 /** How far a fit has come. */
 export interface FitProgress {

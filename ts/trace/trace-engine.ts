@@ -1,8 +1,8 @@
 /** The wasm of tracing: started when something is traced for the first time, replaced when it dies. */
-import type { InitOutput } from "../build/bindings/expline_trace.js";
-import { wasmAddress, wasmBytes } from "../build/bindings/trace-bytes.js";
-import { type Engine, type InitOptions, type InitSyncOptions, begin, beginSync, callOf, instanceOf, lengthOfArray, peekOf, resultOf, writeBytesTo, writeTo, wrongLength } from "./core.js";
-import { type Kind, OpenWork } from "./open-work.js";
+import type { InitOutput } from "../../build/bindings/expline_trace.js";
+import { wasmAddress, wasmBytes } from "../../build/bindings/trace-bytes.js";
+import { type Engine, type InitOptions, type InitSyncOptions, begin, beginSync, callOf, instanceOf, lengthOfArray, peekOf, resultOf, writeBytesTo, writeTo, wrongLength } from "../core.js";
+import { type Kind, OpenWork } from "../tasks/open-work.js";
 
 /** The functions of the wasm that the package calls. @internal */
 export type TraceKernel = InitOutput;

@@ -1,7 +1,7 @@
 /** The wasm modules and the one living instance of each: started at the first call, replaced when it dies. */
-import type { InitOutput } from "../build/bindings/expline.js";
-import { version as builtVersion } from "../build/bindings/version.js";
-import { wasmAddress, wasmBytes } from "../build/bindings/wasm-bytes.js";
+import type { InitOutput } from "../../build/bindings/expline.js";
+import { version as builtVersion } from "../../build/bindings/version.js";
+import { wasmAddress, wasmBytes } from "../../build/bindings/wasm-bytes.js";
 import { options as checkOptions } from "./arguments.js";
 import { ExplineError, shown, wrong } from "./error.js";
 import type { Bytes, CompiledModule } from "./host.js";

@@ -1,5 +1,5 @@
 /** What a curve on a grid is made of. */
-import { type CurveData, type CurveKernel, type Door, type Floats, Held, curvesIn } from "./core.js";
+import { type CurveData, type CurveKernel, type Door, type Floats, Held, curvesIn } from "../core.js";
 import { door } from "./spline-engine.js";
 
 /** The one curve with points and tangents that the engine has left in its output. @internal */

@@ -1,5 +1,5 @@
 /** Surfaces as plain data. */
-import { type Root, rootList } from "./core.js";
+import { type Root, rootList } from "../core.js";
 import type { DirectionData, PatchWindow, SurfaceData } from "./surface-data.js";
 
 /** One direction of a net as plain data. */

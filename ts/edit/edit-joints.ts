@@ -1,5 +1,5 @@
 /** The two sides of a point: where their handles end, and what they become when one of them is turned. */
-import { HermiteCurve, coordinate, integer, wrong } from "./core.js";
+import { HermiteCurve, coordinate, integer, wrong } from "../core.js";
 
 /** The side of a point: where the curve arrives, or where it leaves. */
 export type HandleSide = "in" | "out";

@@ -1,5 +1,5 @@
 /** What a fit gives, read from what the engine leaves. */
-import { type HermiteCurve, curveOf, curvesIn } from "./core.js";
+import { type HermiteCurve, curveOf, curvesIn } from "../core.js";
 import { type FitStep, STEPS } from "./fit-options.js";
 
 /** A place where the spline's derivative of order `degree` jumps. */

@@ -1,5 +1,5 @@
 /** What JSON.parse does not refuse, although it should: brackets without end, and two values under one name. */
-import { ExplineError } from "./core.js";
+import { ExplineError } from "../core.js";
 
 const QUOTE = 0x22;
 

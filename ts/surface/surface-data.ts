@@ -1,5 +1,5 @@
 /** What a surface is made of, owned here; the kernel only ever holds a copy of it in one of its places. */
-import type { Floats } from "./kernel.js";
+import type { Floats } from "../core/kernel.js";
 import { call, engine, peek, result, write } from "./surface-engine.js";
 
 /** How many surfaces an instance keeps at once. */

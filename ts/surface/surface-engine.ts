@@ -1,7 +1,7 @@
 /** The wasm of surfaces: started when the first surface is made, replaced when it dies. */
-import type { InitOutput } from "../build/bindings/expline_surface.js";
-import { wasmAddress, wasmBytes } from "../build/bindings/surface-bytes.js";
-import { type Engine, type InitOptions, type InitSyncOptions, begin, beginSync, doorOf } from "./core.js";
+import type { InitOutput } from "../../build/bindings/expline_surface.js";
+import { wasmAddress, wasmBytes } from "../../build/bindings/surface-bytes.js";
+import { type Engine, type InitOptions, type InitSyncOptions, begin, beginSync, doorOf } from "../core.js";
 
 /** The functions of the wasm that the package calls. @internal */
 export type SurfaceKernel = InitOutput;

@@ -1,5 +1,5 @@
 /** The tools of the weighted quasi-interpolant: splines of clouds, what they miss, and the whole way from a profile's points to its curve. */
-import { type HermiteCurve, type PointsLike, curveOf, curvesIn, doorOf, finite, flag, integer, numbers, options as checkOptions, points as checkPoints, tooFewPoints, word, wrong } from "./core.js";
+import { type HermiteCurve, type PointsLike, curveOf, curvesIn, doorOf, finite, flag, integer, numbers, options as checkOptions, points as checkPoints, tooFewPoints, word, wrong } from "../core.js";
 import { traces } from "./trace-engine.js";
 import type { TraceMetrics } from "./trace-result.js";
 

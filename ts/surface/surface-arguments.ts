@@ -15,7 +15,7 @@ import {
   within,
   wrong,
   wrongLength,
-} from "./core.js";
+} from "../core.js";
 import { type DirectionData, type PatchData, type PatchWindow, SurfaceData } from "./surface-data.js";
 
 /** How a net runs in one of its two directions. */

@@ -1,5 +1,5 @@
 /** Lists of roots: what an exponential spline is made of, and what it keeps exact. */
-import { type Floats, MAX_ROOTS, type Root, finite, integer, rootList, rootNumbers } from "./core.js";
+import { type Floats, MAX_ROOTS, type Root, finite, integer, rootList, rootNumbers } from "../core.js";
 import { type SplineKernel, call, copy, write } from "./spline-engine.js";
 
 function listed(op: string, body: (kernel: SplineKernel) => number): Root[] {

@@ -1,5 +1,5 @@
 /** Long work in short tasks. */
-import { ExplineError, wrong } from "./core.js";
+import { ExplineError, wrong } from "../core.js";
 
 /** What of the host is asked for: Node's own way to the next turn, which browsers have not. */
 interface Host {

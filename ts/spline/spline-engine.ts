@@ -1,7 +1,7 @@
 /** The wasm of curves of any roots: started when the first one is made, replaced when it dies. */
-import type { InitOutput } from "../build/bindings/expline_spline.js";
-import { wasmAddress, wasmBytes } from "../build/bindings/spline-bytes.js";
-import { type Engine, type InitOptions, type InitSyncOptions, begin, beginSync, doorOf } from "./core.js";
+import type { InitOutput } from "../../build/bindings/expline_spline.js";
+import { wasmAddress, wasmBytes } from "../../build/bindings/spline-bytes.js";
+import { type Engine, type InitOptions, type InitSyncOptions, begin, beginSync, doorOf } from "../core.js";
 
 /** The functions of the wasm that the package calls. @internal */
 export type SplineKernel = InitOutput;

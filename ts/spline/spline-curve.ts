@@ -14,7 +14,7 @@ import {
   rootList,
   tolerance as checkTolerance,
   wrongLength,
-} from "./core.js";
+} from "../core.js";
 import { SplineData, hermiteData } from "./spline-data.js";
 import { call, result } from "./spline-engine.js";
 
