@@ -19,14 +19,20 @@ use crate::fit::outcome::FitStatus;
 /// How many times the price rises at once where points are many, and how many of these go back when that was too much.
 const LEAP: f64 = 16.0;
 const BACK: f64 = 4.0;
-/// About so many averages of points are looked at while knots are looked for; half as many points more are not averaged.
+/// About so many averages of points are looked at at first; half as many points more are not averaged.
 const SEEN: usize = 450;
+/// How many averages a knot needs, of those that the search begins with, and how many times as many are looked at where that is too few, or
+/// where they hid something.
+const PER_KNOT: usize = 3;
+const CLOSER: usize = 4;
 /// More points than this are searched in a hurry.
 const FEW: usize = 2000;
 /// Rounds of refinement before searches that began differently are compared.
 const WARMING: usize = 8;
 /// How many numbers' worth a fit whose points were free must be ahead of the others: free points round small corners.
 const AHEAD: f64 = 20.0;
+/// Rounds of adding knots in a row.
+const MOST_GROWTH: usize = 60;
 /// The most corners to begin with.
 const MOST_VERTICES: usize = 600;
 /// What a number of the curve costs, in units of the noise's variance.
@@ -93,8 +99,13 @@ pub(in crate::fit) struct Found {
 #[derive(Clone, Debug)]
 pub(in crate::fit) struct Sparsest {
     full: Located,
-    /// The same points, or averages of them.
+    /// The same points, or averages of them, and about how many these are.
     seen: Located,
+    averages: usize,
+    /// What was found with fewer averages, which hid something.
+    coarse: Option<Found>,
+    /// The round before knots were added last.
+    grown: usize,
     aim: Aim,
     /// Whether points follow one another evenly.
     spaced: bool,
@@ -138,7 +149,7 @@ impl Sparsest {
     pub(in crate::fit) fn new(full: Located, plan: Plan, aim: Aim, noise: f64) -> Self {
         let whole = matches!(aim, Aim::Squares(_));
         let even = plan.even;
-        let seen = if whole { full.clone() } else { from_afar(&full) };
+        let seen = if whole { full.clone() } else { from_afar(&full, SEEN) };
         let price = match aim {
             Aim::Noise(noise) => PER_NUMBER * noise * noise,
             Aim::Tolerance(tolerance) => (0.05 * tolerance * tolerance).max(PER_NUMBER * noise * noise),
@@ -152,6 +163,9 @@ impl Sparsest {
             sharpest: plan.sharpest,
             full,
             seen,
+            averages: SEEN,
+            coarse: None,
+            grown: 0,
             aim,
             spaced: plan.spaced,
             even,
@@ -216,6 +230,9 @@ impl Sparsest {
         let fitted = FreeKnots::new(breaks, &full);
         Self {
             seen: full.clone(),
+            averages: SEEN,
+            coarse: None,
+            grown: 0,
             full,
             aim: Aim::Squares(target),
             spaced: false,
@@ -353,6 +370,20 @@ impl Sparsest {
         }
     }
 
+    /// The points as they are looked at before anything moved them.
+    fn seen_from_afar(&self) -> Located {
+        from_afar(&self.full, self.averages)
+    }
+
+    /// Goes on with more averages.
+    fn look_closer(&mut self, breaks: Breaks) -> Phase {
+        self.averages = CLOSER * self.seen.points.len();
+        self.seen = self.seen_from_afar();
+        self.fitted = FreeKnots::new(breaks, &self.seen);
+        (self.grown, self.repairs, self.even) = (self.rounds, 0, false);
+        Phase::Grow
+    }
+
     fn grow(&mut self) -> Phase {
         let denser = match self.aim {
             Aim::Noise(noise) => start::denser(&self.fitted, &self.seen, 2.0 * noise * noise),
@@ -369,9 +400,12 @@ impl Sparsest {
             }
         };
         match denser {
-            Some(fitted) if self.rounds < 60 => {
+            Some(fitted) if self.rounds < self.grown + MOST_GROWTH => {
                 self.fitted = fitted;
                 Phase::Grow
+            }
+            _ if self.is_averaged() && PER_KNOT * self.fitted.breaks().len() > self.seen.points.len() => {
+                self.look_closer(self.fitted.breaks().clone())
             }
             _ => {
                 self.fitted = FreeKnots::new(self.fitted.breaks().clone(), &self.seen);
@@ -383,6 +417,6 @@ impl Sparsest {
 }
 
 /// The points, or averages of them where they are many.
-fn from_afar(full: &Located) -> Located {
-    if 2 * full.points.len() > 3 * SEEN { averages(full, SEEN) } else { full.clone() }
+fn from_afar(full: &Located, count: usize) -> Located {
+    if 2 * full.points.len() > 3 * count { averages(full, count) } else { full.clone() }
 }

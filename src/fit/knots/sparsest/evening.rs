@@ -124,7 +124,7 @@ impl Sparsest {
             && let Some((parameters, breaks)) = by_length(&free.spline, &full)
         {
             let full = Located { parameters, ..self.full.clone() };
-            let seen = from_afar(&full);
+            let seen = from_afar(&full, self.averages);
             let fitted = settle(FreeKnots::new(self.sharpening(&breaks), &seen), &seen, worth, 2);
             if fitted.squares < best.2.squares {
                 best = (full, seen, fitted);

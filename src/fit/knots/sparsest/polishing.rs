@@ -1,6 +1,6 @@
 //! A fit whose points' parameters are free, and what follows from how near it comes.
 
-use super::{Aim, BACK, FEW, Found, LEAP, Phase, SEEN, Sparsest, from_afar};
+use super::{Aim, BACK, FEW, Found, LEAP, Phase, Sparsest};
 use crate::fit::knots::bins::followed;
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::foot_points::{Distances, Spline};
@@ -10,6 +10,9 @@ use crate::fit::knots::start;
 
 /// How often pieces that swing away from the points are taken out.
 const MOST_TAMINGS: usize = 20;
+
+/// How many times the variance of the noise points may be away from a curve, in the mean of squares, for nothing to be hidden.
+const EXPLAINED: f64 = 1.3;
 
 impl Sparsest {
     /// The fit with the points' parameters free, on the averages first and then on all points.
@@ -56,30 +59,59 @@ impl Sparsest {
             && breaks.len() > least(&breaks)
         {
             self.tamings += 1;
-            self.seen = from_afar(&self.full);
+            self.seen = self.seen_from_afar();
             self.fitted = FreeKnots::new(without_piece(breaks, piece), &self.seen);
             return Phase::Refine;
         }
         match self.aim {
-            Aim::Noise(_) => {
-                self.repairs += 1;
-                // With the parameters at the feet some knots have become needless.
-                if !self.even && self.repairs <= 3 && !self.is_tired() {
-                    self.found = Some(found);
-                    self.fitted = FreeKnots::new(breaks, &self.seen);
-                    let trial = better(&self.fitted, &self.seen, self.price);
-                    if let Some(trial) = trial {
-                        self.fitted = trial;
-                        return Phase::Refine;
-                    }
-                    return Phase::Done;
-                }
-                self.found = Some(found);
-                Phase::Done
-            }
+            Aim::Noise(noise) => self.settled(found, noise),
             Aim::Tolerance(tolerance) => self.judge(found, tolerance),
             Aim::Squares(_) => Phase::Done,
         }
+    }
+
+    /// What follows from a fit to points that are noisy by so much.
+    fn settled(&mut self, found: Found, noise: f64) -> Phase {
+        let breaks = found.spline.space.breaks.clone();
+        if self.is_averaged() && !self.is_tired() && found.distances.squares > self.explained(noise) {
+            self.keep_cheaper(found);
+            self.coarse = self.found.take();
+            return self.look_closer(Breaks { sharpest: self.sharpest, ..breaks });
+        }
+        self.repairs += 1;
+        let mut trial = None;
+        // With the parameters at the feet some knots have become needless.
+        if !self.even && self.repairs <= 3 && !self.is_tired() {
+            self.fitted = FreeKnots::new(breaks, &self.seen);
+            trial = better(&self.fitted, &self.seen, self.price);
+        }
+        match trial {
+            Some(trial) => {
+                self.found = Some(found);
+                self.fitted = trial;
+                Phase::Refine
+            }
+            None => {
+                self.keep_cheaper(found);
+                Phase::Done
+            }
+        }
+    }
+
+    /// More than this noise does not leave of all points. A curve that averages show is as near to each of them as to their mean; what they hide
+    /// is a shape between them (D 13.11).
+    fn explained(&self, noise: f64) -> f64 {
+        let count: f64 = (0..self.full.points.len()).map(|m| self.full.weight(m)).sum();
+        EXPLAINED * noise * noise * count
+    }
+
+    /// Keeps a fit, or what was found from farther away where that is cheaper.
+    fn keep_cheaper(&mut self, found: Found) {
+        let cost = |found: &Found| found.distances.squares + self.price.whole(&found.spline.space.breaks);
+        self.found = match self.coarse.take() {
+            Some(coarse) if cost(&coarse) < cost(&found) => Some(coarse),
+            _ => Some(found),
+        };
     }
 
     /// Keeps the fit in hand, of which the sum of squares is all that is known.
@@ -160,8 +192,8 @@ impl Sparsest {
     /// All points, moved along the curve as their averages were.
     pub(super) fn following(&self) -> Located {
         let (full, breaks) = (&self.full, self.fitted.breaks());
-        let parameters = [&from_afar(full).parameters[..], &self.seen.parameters];
-        let parameters = followed(full, SEEN, parameters, (breaks.closed, breaks.end));
+        let parameters = [&self.seen_from_afar().parameters[..], &self.seen.parameters];
+        let parameters = followed(full, self.averages, parameters, (breaks.closed, breaks.end));
         Located { parameters, points: full.points.clone(), weights: full.weights.clone() }
     }
 

@@ -1,6 +1,6 @@
 //! Corners that turn by less than is asked for become smooth, and knots beside them make up for it.
 
-use super::{Aim, Phase, Sparsest, from_afar};
+use super::{Aim, Phase, Sparsest};
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::FreeKnots;
@@ -36,7 +36,7 @@ impl Sparsest {
         if !self.is_averaged() {
             self.seen = best.located.clone();
         } else {
-            self.seen = from_afar(&self.full);
+            self.seen = self.seen_from_afar();
         }
         self.fitted = FreeKnots::new(breaks, &self.seen);
         if matches!(self.aim, Aim::Noise(_)) {

@@ -96,7 +96,9 @@ impl Sparsest {
         spline.straighten();
         let mut feet = located.parameters.clone();
         let distances = spline.feet(&located, &mut feet, 3);
-        let stray = self.is_spoiled(&spline, &located);
+        // Another fit to the same noise is about as near, to what its numbers are worth; points that are not even after all are not.
+        let farther = distances.squares - best.distances.squares > self.price.whole(&spline.space.breaks);
+        let stray = farther || self.is_spoiled(&spline, &located);
         if stray { best } else { Found { spline, located, distances, wild: None } }
     }
 
