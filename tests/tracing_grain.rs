@@ -5,7 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod support;
 
-use core::f64::consts::FRAC_PI_2;
+use core::f64::consts::{FRAC_PI_2, PI};
 
 use expline::curve::HermiteCurve;
 use expline::numerics::Vector;
@@ -157,4 +157,45 @@ fn a_lens_drawn_as_chords_of_exact_coverage_has_few_pieces_and_two_corners() {
     let contour = &traced(side, side, &bytes).contours[0];
     assert!(contour.curve.segment_count() <= 12, "{} pieces", contour.curve.segment_count());
     assert_eq!(contour.cusps.len(), 2);
+}
+
+/// How many segments are lines, arcs and others.
+fn kinds(curve: &HermiteCurve) -> [usize; 3] {
+    let lines = straight_and_bent(curve).0;
+    let arcs = curve.omega().iter().filter(|&&angle| angle > 0.0).count();
+    [lines, arcs, curve.segment_count() - lines - arcs]
+}
+
+#[test]
+fn arcs_between_corners_drawn_as_chords_are_arcs() {
+    for (side, off) in [(160, 0.15), (256, 0.25), (420, 0.3)] {
+        let scale = side as f64 / 100.0;
+        let radius = 55.0 * scale;
+        let half = (42.0_f64 / 55.0).asin();
+        let (x, up) = (50.13 * scale, radius * half.cos());
+        let mut lens =
+            arc_by_chords((x, 49.7 * scale + up), radius, [-FRAC_PI_2 - half, -FRAC_PI_2 + half], off);
+        lens.extend(arc_by_chords((x, 49.7 * scale - up), radius, [FRAC_PI_2 - half, FRAC_PI_2 + half], off));
+        let drawing = traced(side, side, &draw_by_samples(side, &|x, y| inside(&lens, x, y)));
+        let curve = &drawing.contours[0].curve;
+        assert_eq!(kinds(curve), [0, 2, 0], "a lens at {side} pixels");
+        for k in 0..=200 {
+            let place = curve.evaluate(0.01 * f64::from(k), 0).expect("a place");
+            let down = (place.y - 49.7 * scale).abs();
+            let far = (place.x - x).hypot(down + up) - radius;
+            assert!(far.abs() < off + 0.05, "{far} at {side} pixels");
+        }
+    }
+}
+
+#[test]
+fn half_a_disc_is_an_arc_and_a_line() {
+    for (side, off) in [(100, 0.0), (100, 0.1), (256, 0.25), (400, 0.25)] {
+        let scale = side as f64 / 100.0;
+        // Chords as short as can be are as good as the arc itself.
+        let (off, fine) = if off == 0.0 { (1e-4, 16) } else { (off, 4) };
+        let disc = arc_by_chords((50.2 * scale, 60.3 * scale), 41.0 * scale, [PI, 2.0 * PI], off);
+        let drawing = traced(side, side, &draw_finely(side, side, fine, &|x, y| inside(&disc, x, y)));
+        assert_eq!(kinds(&drawing.contours[0].curve), [1, 1, 0], "at {side} pixels");
+    }
 }

@@ -194,6 +194,7 @@ fn sparse(chain: &Chain, options: &TraceOptions, rounding: f64) -> Result<Traced
         most,
         rms: 0.41 * most,
         reach: 4.0,
+        chords: false,
     };
     let outline =
         if closed { divide(&samples, &corners, &rule) } else { divide_open(&samples, &corners, &rule) };

@@ -7,6 +7,7 @@ use super::outline::arcs::arcs;
 use super::outline::corners::{Corner, CornerRule, corners};
 use super::outline::division::{Division, DivisionRule, divide};
 use super::outline::ellipse::{ellipse, round};
+use super::outline::rounds::rounds;
 use super::picture::blur::Blurring;
 use super::picture::contour::{Contour, ContourScan};
 use super::picture::gray::Gray;
@@ -40,6 +41,8 @@ pub(super) struct InkWork {
     quality: Quality,
     /// How many times farther than in a picture of exact coverage an outline may be from an ellipse that it is.
     slack: f64,
+    /// How far from an arc that it is a piece may be, in pixels.
+    bow: f64,
     smoothed: Option<Gray>,
     found: Vec<Contour>,
     samples: Vec<Samples>,
@@ -81,6 +84,7 @@ impl InkWork {
             tones,
             quality: Quality::Clean,
             slack: Quality::Clean.slack(),
+            bow: 0.0,
             smoothed: None,
             found: Vec::new(),
             samples: Vec::new(),
@@ -192,11 +196,12 @@ impl InkWork {
         let curve = match whole {
             Some(curve) => curve,
             None => {
-                let angles = if self.options.refined {
-                    arcs(outline, self.slack.min(BENT))
-                } else {
-                    vec![0.0; outline.len()]
-                };
+                let mut angles = vec![0.0; outline.len()];
+                if self.options.refined {
+                    let slack = self.slack.min(BENT);
+                    angles = rounds(outline, self.bow);
+                    arcs(outline, &mut angles, slack);
+                }
                 outline.to_curve(angles)?
             }
         };
@@ -279,7 +284,9 @@ impl Work for InkWork {
                 return Ok(cost);
             }
             Phase::Refinement(refinement) => {
-                let (samples, rule) = (&self.samples, Quality::Rough.division_rule(&self.options));
+                let rough = Quality::Rough.division_rule(&self.options);
+                let rule = DivisionRule { chords: refinement.is_grainy(), ..rough };
+                let samples = &self.samples;
                 let corner_rules = Quality::Rough.corner_rules(self.options.corner);
                 let rough = |i: usize| {
                     round(samples[i].places(), ROUND * Quality::Rough.slack())
@@ -288,7 +295,7 @@ impl Work for InkWork {
                 let cost = refinement.step(&rough)?;
                 self.progress.completed = refinement.completed();
                 if refinement.is_done() {
-                    self.slack = refinement.slack();
+                    (self.slack, self.bow) = (refinement.slack(), refinement.bow());
                     (self.outlines, self.trace.residual) = refinement.finish();
                     self.phase = Phase::Curves;
                 }
@@ -370,6 +377,7 @@ impl Quality {
             most: most * scale,
             rms: 0.41 * most * scale,
             reach: 3.0 * scale,
+            chords: false,
         }
     }
 }

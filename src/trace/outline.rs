@@ -5,6 +5,7 @@ pub(super) mod corners;
 pub(super) mod cubic;
 pub(super) mod division;
 pub(super) mod ellipse;
+pub(super) mod rounds;
 
 use self::cubic::Cubic;
 use super::samples::{turn, unit};
@@ -47,6 +48,12 @@ pub(super) struct Outline {
 impl Outline {
     pub(super) fn len(&self) -> usize {
         self.nodes.len()
+    }
+
+    /// Drops all nodes but the first ones, and their pieces.
+    fn truncate(&mut self, count: usize) {
+        self.nodes.truncate(count);
+        self.pieces.truncate(count);
     }
 
     pub(super) fn next(&self, i: usize) -> usize {

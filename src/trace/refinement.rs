@@ -38,6 +38,8 @@ const ROUGH: f64 = 0.2;
 /// How far an outline in a rough picture may be from an ellipse that it is, in pixels, and how many times as much that may leave.
 const NEARLY: f64 = 0.3;
 const NEARLY_AS_WELL: f64 = 1.2;
+/// How far pieces may be from an arc that they are, in pixels: in a picture of exact coverage, a compressed, a noisy and one that samples and chords made.
+const BOWS: [f64; 4] = [0.01, 0.05, 0.075, 0.15];
 /// Outlines follow some of the grain, so that what is known of it is this share of what it is at most.
 const KNOWN: f64 = 4.0;
 /// The tolerance at which outlines are as near as pixels tell.
@@ -342,9 +344,23 @@ impl Refinement {
         (most, if self.noisy || self.rough { NOISY_SHARE } else { enough })
     }
 
+    /// Whether flat places are flat, so that a rough picture is one of edges that samples or chords made.
+    pub(super) fn is_grainy(&self) -> bool {
+        self.field.stain <= ROUGH
+    }
+
     /// How many times farther than in a picture of exact coverage an outline may be from an ellipse that it is.
     pub(super) fn slack(&self) -> f64 {
         self.slack
+    }
+
+    /// How far pieces may be from an arc that they are, in pixels: where programs drew chords farthest.
+    pub(super) fn bow(&self) -> f64 {
+        match (self.noisy, self.rough) {
+            (true, _) => BOWS[2],
+            (_, false) => BOWS[0],
+            _ => BOWS[if self.is_grainy() { 3 } else { 1 }],
+        }
     }
 
     /// Cubics that hardly bend become lines, and a last refinement, of a long outline bit by bit; whether that was the last bit. An

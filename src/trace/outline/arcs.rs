@@ -20,11 +20,16 @@ const LEAST: f64 = 1.5;
 /// Makes exact arcs of the pieces that are arcs as far as pixels tell; the angle of each piece, 0 where it is none.
 ///
 /// An arc has the tangents of its piece and takes as much of the corner between them: then it covers the same area (D 14.22).
-pub(in crate::trace) fn arcs(outline: &mut Outline, slack: f64) -> Vec<f64> {
-    let mut angles = vec![0.0; outline.len()];
+pub(in crate::trace) fn arcs(outline: &mut Outline, angles: &mut [f64], slack: f64) {
+    let whole = angles.to_vec();
     for (i, angle) in angles.iter_mut().enumerate() {
-        let slides = [slide(outline, i, true, slack), slide(outline, i, false, slack)];
+        // Whole arcs stay where they are.
+        let beside = [outline.before(i), outline.next(i)].map(|other| whole[other] > 0.0);
+        let room =
+            |start: bool| if beside[usize::from(!start)] { 0.0 } else { slide(outline, i, start, slack) };
+        let slides = [room(true), room(false)];
         if !outline.is_line(i)
+            && *angle == 0.0
             && let Some(arc) = arc(&outline.cubic(i), slides, slack * MOST)
         {
             let next = outline.next(i);
@@ -35,7 +40,6 @@ pub(in crate::trace) fn arcs(outline: &mut Outline, slack: f64) -> Vec<f64> {
             *angle = arc.turning.abs();
         }
     }
-    angles
 }
 
 /// How far an end of piece i may move along its tangent.

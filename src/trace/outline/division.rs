@@ -2,10 +2,12 @@
 
 use super::corners::Corner;
 use super::cubic::{Cubic, Tangent};
+use super::rounds::Arc;
 use super::{Node, Outline, Piece};
 use crate::numerics::Point;
+use crate::numerics::angle::sin_cos;
 use crate::numerics::plane::{cross, norm, square};
-use crate::trace::samples::{Line, Samples, line_through, unit};
+use crate::trace::samples::{Line, Samples, line_through, turn, unit};
 
 /// How near is near enough, in pixels.
 #[derive(Clone, Copy, Debug)]
@@ -21,6 +23,8 @@ pub(in crate::trace) struct DivisionRule {
     pub(in crate::trace) rms: f64,
     /// How much on both sides a tangent is taken from.
     pub(in crate::trace) reach: f64,
+    /// Whether straight runs may be the chords that a curve was drawn by.
+    pub(in crate::trace) chords: bool,
 }
 
 /// Where a stretch begins or ends.
@@ -43,6 +47,21 @@ struct Divider<'a> {
     outline: &'a mut Outline,
     longest: isize,
 }
+
+/// How far a curve is from the chords that it was drawn by, and its root mean square, as shares of what a cubic may be off by.
+const CHORDS: [f64; 2] = [0.8, 0.75];
+
+/// How many times as much of a contour a tangent is taken from where it may be of chords.
+const SEVERAL: f64 = 2.5;
+
+/// How many straight pieces a cubic costs.
+const CUBIC: usize = 2;
+
+/// What may be chords of an arc costs more than a cubic, and what may be those of other curves more than this.
+const MANY: usize = 4;
+
+/// Places that tell an arc.
+const FEWEST: isize = 6;
 
 /// Stretches between corners that are divided in one step.
 const STRETCHES: usize = 512;
@@ -144,12 +163,15 @@ impl Divider<'_> {
         if let Some(run) = runs.first() {
             let start = self.on_line(run.first, &run.line);
             let end = Anchor { index: start.index + count, ..start };
-            self.stretch(start, end, &runs);
-            return;
+            self.straight_first(start, end, &runs);
         }
         let start = self.smooth(flattest.0, count / 4);
         let end = Anchor { index: start.index + count, ..start };
-        self.curve(start, end);
+        if runs.is_empty() {
+            self.curve(start, end);
+        } else {
+            self.fewer(0, start, end);
+        }
     }
 
     fn smooth(&self, index: isize, room: isize) -> Anchor {
@@ -243,11 +265,70 @@ impl Divider<'_> {
 
     /// One stretch between two anchors, with the straight runs in it.
     fn stretch(&mut self, start: Anchor, end: Anchor, runs: &[Run]) {
-        let near = self.samples.steps(self.rule.gap + 1.2);
         if start.tangent == Tangent::Free && self.is_line(start, end) {
             self.emit(start, Piece::Line);
             return;
         }
+        let first = self.outline.len();
+        self.straight_first(start, end, runs);
+        self.fewer(first, start, end);
+    }
+
+    /// Puts one arc or far fewer cubics in place of pieces that may be their chords, from the first of these on.
+    #[inline(never)]
+    fn fewer(&mut self, first: usize, start: Anchor, end: Anchor) {
+        let pieces = &self.outline.pieces[first..];
+        let lines = pieces.iter().filter(|&piece| *piece == Piece::Line).count();
+        let limit = CUBIC * pieces.len() - (CUBIC - 1) * lines;
+        if !self.rule.chords || limit <= CUBIC {
+            return;
+        }
+        let [most, rms] = [CHORDS[0] * self.rule.most, CHORDS[1] * self.rule.rms];
+        if let Some(arc) = self.arc(start, end, (most, rms)) {
+            self.outline.truncate(first);
+            return self.emit_arc(start, &arc);
+        }
+        if limit <= MANY {
+            return;
+        }
+        let rule = DivisionRule { most, rms, reach: SEVERAL * self.rule.reach, ..*self.rule };
+        let mut none = Outline { nodes: Vec::new(), pieces: Vec::new() };
+        let cubics = Divider { rule: &rule, outline: &mut none, ..*self }.greedy(start, end);
+        if 3 * CUBIC * cubics.len() <= 2 * limit {
+            self.outline.truncate(first);
+            self.emit_cubics(cubics);
+        }
+    }
+
+    /// The arc of a circle that a whole stretch between corners is on.
+    fn arc(&self, start: Anchor, end: Anchor, within: (f64, f64)) -> Option<Arc> {
+        let gap = self.samples.steps(self.rule.gap);
+        let (first, last) = (start.index + gap, end.index - gap);
+        let sharp = start.tangent == Tangent::Free && end.tangent == Tangent::Free;
+        if !sharp || last - first < FEWEST || end.index - start.index >= 2 * self.longest {
+            return None;
+        }
+        let places = self.samples.stretch(first, last);
+        let Arc { circle, turning } = Arc::near(places, within)?;
+        let way = |place: Point| place - circle.center;
+        let before = turn(way(start.point), way(places[0]));
+        let after = turn(way(places[places.len() - 1]), way(end.point));
+        Some(Arc { circle, turning: before + turning + after })
+    }
+
+    /// An arc from corner to corner as cubics of a quarter turn at most.
+    fn emit_arc(&mut self, start: Anchor, &Arc { circle, turning }: &Arc) {
+        let count = (turning.abs() / core::f64::consts::FRAC_PI_2).ceil().max(1.0) as usize;
+        let angle = turning / count as f64;
+        let (sin, cos) = sin_cos(0.25 * angle);
+        let from = unit(start.point - circle.center) * circle.radius;
+        let node = Node { point: start.point, smooth: false, kept: false };
+        circle.follow(self.outline, node, from, (angle, count), 4.0 / 3.0 * sin / cos);
+    }
+
+    /// The straight runs of a stretch, and curves between them.
+    fn straight_first(&mut self, start: Anchor, end: Anchor, runs: &[Run]) {
+        let near = self.samples.steps(self.rule.gap + 1.2);
         let mut at = start;
         for (i, run) in runs.iter().enumerate() {
             let mut first = self.on_line(run.first, &run.line);
@@ -302,7 +383,11 @@ impl Divider<'_> {
 
     /// Cubics from one anchor to the next: as few as the tolerance allows, of about equal deviation.
     fn curve(&mut self, start: Anchor, end: Anchor) {
-        for (anchor, cubic) in self.greedy(start, end) {
+        self.emit_cubics(self.greedy(start, end));
+    }
+
+    fn emit_cubics(&mut self, cubics: Vec<(Anchor, Cubic)>) {
+        for (anchor, cubic) in cubics {
             self.emit(anchor, Piece::Cubic { leaving: cubic.leaving, arriving: cubic.arriving });
         }
     }

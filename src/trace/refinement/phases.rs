@@ -1,6 +1,6 @@
 //! What all outlines together say of the picture, and what is done with them next.
 
-use super::{KNOWN, Phase, ROUGH, Refinement};
+use super::{KNOWN, Phase, Refinement};
 use crate::numerics::plane::larger;
 use crate::trace::refinement::grain::{grain, middle};
 use crate::trace::refinement::refine::{Left, Refiner, Relaxing};
@@ -59,7 +59,7 @@ impl Refinement {
             Phase::Rough => {
                 let left = self.crossed();
                 // If fewer pieces explain the picture as well, the rest is not in the drawing.
-                let is_grainy = self.field.stain <= ROUGH;
+                let is_grainy = self.is_grainy();
                 let enough = if is_grainy { KNOWN * self.grain } else { 0.0 };
                 self.limits.grain = (KNOWN * self.grain).min(GRAINIEST);
                 if left.rms() < larger(ROUGHER[usize::from(is_grainy)] * self.left.rms(), enough) {
