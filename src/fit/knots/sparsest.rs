@@ -159,23 +159,33 @@ impl Sparsest {
         // Sharper knots are cheap ways to bend; smooth ones are to come first.
         breaks.sharpest = if even { plan.smoothest } else { plan.sharpest };
         let fitted = FreeKnots::new(breaks, &seen);
+        let mut search = Self::begun(full, seen, fitted, (aim, price), noise);
+        (search.spaced, search.even) = (plan.spaced, even);
+        (search.sharpest, search.least_turn) = (plan.sharpest, plan.least_turn);
+        search.warming = if matches!(aim, Aim::Noise(_)) { WARMING } else { 0 };
+        search
+    }
+
+    /// A search that begins with a fit, before anything was done.
+    #[inline(never)]
+    fn begun(full: Located, seen: Located, fitted: FreeKnots, (aim, price): (Aim, f64), noise: f64) -> Self {
         Self {
-            sharpest: plan.sharpest,
             full,
             seen,
             averages: SEEN,
             coarse: None,
             grown: 0,
             aim,
-            spaced: plan.spaced,
-            even,
+            spaced: false,
+            even: false,
+            sharpest: 1,
             price: Price(price),
             noise,
             fitted,
             phase: Phase::Grow,
             rounds: 0,
             work: 0.0,
-            warming: if matches!(aim, Aim::Noise(_)) { WARMING } else { 0 },
+            warming: 0,
             repairs: 0,
             tamings: 0,
             at_first: 0,
@@ -185,7 +195,7 @@ impl Sparsest {
             found: None,
             free: None,
             placed: false,
-            least_turn: plan.least_turn,
+            least_turn: 0.0,
             roundings: 0,
             straightened: false,
         }
@@ -228,36 +238,10 @@ impl Sparsest {
     pub(in crate::fit) fn pruning(full: Located, breaks: Breaks, target: f64, noise: f64) -> Self {
         let at_first = breaks.len();
         let fitted = FreeKnots::new(breaks, &full);
-        Self {
-            seen: full.clone(),
-            averages: SEEN,
-            coarse: None,
-            grown: 0,
-            full,
-            aim: Aim::Squares(target),
-            spaced: false,
-            even: false,
-            price: Price(1e-3 * target),
-            noise,
-            fitted,
-            sharpest: 1,
-            phase: Phase::Thin,
-            rounds: 0,
-            work: 0.0,
-            warming: 0,
-            repairs: 0,
-            tamings: 0,
-            at_first,
-            rounds_at_price: 0,
-            pieces_at_price: usize::MAX,
-            leap: LEAP,
-            found: None,
-            free: None,
-            placed: false,
-            least_turn: 0.0,
-            roundings: 0,
-            straightened: false,
-        }
+        let aim = (Aim::Squares(target), 1e-3 * target);
+        let mut search = Self::begun(full.clone(), full, fitted, aim, noise);
+        (search.phase, search.at_first) = (Phase::Thin, at_first);
+        search
     }
 
     /// Whether needless knots are gone, and needless corners round, so that searches can be compared.
@@ -376,6 +360,7 @@ impl Sparsest {
     }
 
     /// Goes on with more averages.
+    #[inline(never)]
     fn look_closer(&mut self, breaks: Breaks) -> Phase {
         self.averages = CLOSER * self.seen.points.len();
         self.seen = self.seen_from_afar();

@@ -7,6 +7,7 @@ use crate::fit::knots::foot_points::{Distances, Spline};
 use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::search::{Price, better, least};
 use crate::fit::knots::start;
+use crate::fit::report::weight;
 
 /// How often pieces that swing away from the points are taken out.
 const MOST_TAMINGS: usize = 20;
@@ -101,11 +102,11 @@ impl Sparsest {
     /// More than this noise does not leave of all points. A curve that averages show is as near to each of them as to their mean; what they hide
     /// is a shape between them (D 13.11).
     fn explained(&self, noise: f64) -> f64 {
-        let count: f64 = (0..self.full.points.len()).map(|m| self.full.weight(m)).sum();
-        EXPLAINED * noise * noise * count
+        EXPLAINED * noise * noise * weight(&self.full)
     }
 
     /// Keeps a fit, or what was found from farther away where that is cheaper.
+    #[inline(never)]
     fn keep_cheaper(&mut self, found: Found) {
         let cost = |found: &Found| found.distances.squares + self.price.whole(&found.spline.space.breaks);
         self.found = match self.coarse.take() {
