@@ -1,13 +1,15 @@
 //! A first outline: straight runs as lines, what is between them as few smooth cubics.
 
+mod chords;
+mod runs;
+
+use self::runs::Run;
 use super::corners::Corner;
 use super::cubic::{Cubic, Tangent};
-use super::rounds::Arc;
 use super::{Node, Outline, Piece};
 use crate::numerics::Point;
-use crate::numerics::angle::sin_cos;
-use crate::numerics::plane::{cross, norm, square};
-use crate::trace::samples::{Line, Samples, line_through, turn, unit};
+use crate::numerics::plane::norm;
+use crate::trace::samples::{Line, Samples};
 
 /// How near is near enough, in pixels.
 #[derive(Clone, Copy, Debug)]
@@ -35,33 +37,12 @@ struct Anchor {
     tangent: Tangent,
 }
 
-struct Run {
-    first: isize,
-    last: isize,
-    line: Line,
-}
-
 struct Divider<'a> {
     samples: &'a Samples,
     rule: &'a DivisionRule,
     outline: &'a mut Outline,
     longest: isize,
 }
-
-/// How far a curve is from the chords that it was drawn by, and its root mean square, as shares of what a cubic may be off by.
-const CHORDS: [f64; 2] = [0.8, 0.75];
-
-/// How many times as much of a contour a tangent is taken from where it may be of chords.
-const SEVERAL: f64 = 2.5;
-
-/// How many straight pieces a cubic costs.
-const CUBIC: usize = 2;
-
-/// What may be chords of an arc costs more than a cubic, and what may be those of other curves more than this.
-const MANY: usize = 4;
-
-/// Places that tell an arc.
-const FEWEST: isize = 6;
 
 /// Stretches between corners that are divided in one step.
 const STRETCHES: usize = 512;
@@ -186,83 +167,6 @@ impl Divider<'_> {
         Anchor { index, point, tangent: Tangent::Along(line.direction) }
     }
 
-    /// Straight runs in a stretch, which may be between `corners`.
-    fn runs(&self, first: isize, last: isize, corners: bool) -> Vec<Run> {
-        let mut runs = Vec::new();
-        let least = self.samples.steps(self.rule.least_run).max(4);
-        let most = (self.samples.len() as isize / 12).min(5 * least).max(least);
-        let near = self.samples.steps(1.2);
-        let mut i = first;
-        while i + least <= last {
-            if !self.straight(i, i + least) {
-                i += 1;
-                continue;
-            }
-            // Doubling and halving: the longest run from here.
-            let (mut good, mut step) = (i + least, least);
-            while good + step <= last && self.straight(i, good + step) {
-                good += step;
-                step *= 2;
-            }
-            while step > 0 {
-                if good + step <= last && self.straight(i, good + step) {
-                    good += step;
-                }
-                step /= 2;
-            }
-            let trim = (good - i) / 8;
-            let core = self.samples.stretch(i + trim, good - trim);
-            if self.sagitta(core).abs() < 0.3 * self.rule.straight {
-                // The ends of the longest run lean into what follows.
-                let line = line_through(core);
-                let fits = |i: isize| line.offset(self.samples.at(i)).abs() < 0.5 * self.rule.straight;
-                let (mut from, mut to) = (i, good);
-                while from < i + trim && !fits(from) {
-                    from += 1;
-                }
-                while to > good - trim && !fits(to) {
-                    to -= 1;
-                }
-                // On a curve the contour is straight for a while by chance; beside a corner there is nothing else to go by.
-                let beside = corners && (from - first <= near || last - to <= near);
-                if beside || to - from >= most {
-                    runs.push(Run { first: from, last: to, line });
-                }
-                i = good + 1;
-            } else {
-                i += ((good - i) / 4).max(1);
-            }
-        }
-        runs
-    }
-
-    fn straight(&self, first: isize, last: isize) -> bool {
-        let points = self.samples.stretch(first, last);
-        // Where all are near a line, the middle is not twice as far from the chord.
-        let (start, middle) = (points[0], points[points.len() / 2]);
-        let chord = points[points.len() - 1] - start;
-        let bend = cross(chord, middle - start);
-        if bend * bend > 4.0 * self.rule.straight * self.rule.straight * square(chord) {
-            return false;
-        }
-        let line = line_through(points);
-        points.iter().all(|&p| line.offset(p).abs() <= self.rule.straight)
-    }
-
-    /// How far the middle of some places bends away from the line through them, by least squares of a parabola.
-    fn sagitta(&self, points: &[Point]) -> f64 {
-        let line = line_through(points);
-        let n = points.len() as f64;
-        let (mut moment, mut fourth) = (0.0, 0.0);
-        for (i, &p) in points.iter().enumerate() {
-            let x = (i as f64 + 0.5) / n * 2.0 - 1.0;
-            let bowl = x * x - 1.0 / 3.0;
-            moment += bowl * line.offset(p);
-            fourth += bowl * bowl;
-        }
-        moment / fourth
-    }
-
     /// One stretch between two anchors, with the straight runs in it.
     fn stretch(&mut self, start: Anchor, end: Anchor, runs: &[Run]) {
         if start.tangent == Tangent::Free && self.is_line(start, end) {
@@ -272,58 +176,6 @@ impl Divider<'_> {
         let first = self.outline.len();
         self.straight_first(start, end, runs);
         self.fewer(first, start, end);
-    }
-
-    /// Puts one arc or far fewer cubics in place of pieces that may be their chords, from the first of these on.
-    #[inline(never)]
-    fn fewer(&mut self, first: usize, start: Anchor, end: Anchor) {
-        let pieces = &self.outline.pieces[first..];
-        let lines = pieces.iter().filter(|&piece| *piece == Piece::Line).count();
-        let limit = CUBIC * pieces.len() - (CUBIC - 1) * lines;
-        if !self.rule.chords || limit <= CUBIC {
-            return;
-        }
-        let [most, rms] = [CHORDS[0] * self.rule.most, CHORDS[1] * self.rule.rms];
-        if let Some(arc) = self.arc(start, end, (most, rms)) {
-            self.outline.truncate(first);
-            return self.emit_arc(start, &arc);
-        }
-        if limit <= MANY {
-            return;
-        }
-        let rule = DivisionRule { most, rms, reach: SEVERAL * self.rule.reach, ..*self.rule };
-        let mut none = Outline { nodes: Vec::new(), pieces: Vec::new() };
-        let cubics = Divider { rule: &rule, outline: &mut none, ..*self }.greedy(start, end);
-        if 3 * CUBIC * cubics.len() <= 2 * limit {
-            self.outline.truncate(first);
-            self.emit_cubics(cubics);
-        }
-    }
-
-    /// The arc of a circle that a whole stretch between corners is on.
-    fn arc(&self, start: Anchor, end: Anchor, within: (f64, f64)) -> Option<Arc> {
-        let gap = self.samples.steps(self.rule.gap);
-        let (first, last) = (start.index + gap, end.index - gap);
-        let sharp = start.tangent == Tangent::Free && end.tangent == Tangent::Free;
-        if !sharp || last - first < FEWEST || end.index - start.index >= 2 * self.longest {
-            return None;
-        }
-        let places = self.samples.stretch(first, last);
-        let Arc { circle, turning } = Arc::near(places, within)?;
-        let way = |place: Point| place - circle.center;
-        let before = turn(way(start.point), way(places[0]));
-        let after = turn(way(places[places.len() - 1]), way(end.point));
-        Some(Arc { circle, turning: before + turning + after })
-    }
-
-    /// An arc from corner to corner as cubics of a quarter turn at most.
-    fn emit_arc(&mut self, start: Anchor, &Arc { circle, turning }: &Arc) {
-        let count = (turning.abs() / core::f64::consts::FRAC_PI_2).ceil().max(1.0) as usize;
-        let angle = turning / count as f64;
-        let (sin, cos) = sin_cos(0.25 * angle);
-        let from = unit(start.point - circle.center) * circle.radius;
-        let node = Node { point: start.point, smooth: false, kept: false };
-        circle.follow(self.outline, node, from, (angle, count), 4.0 / 3.0 * sin / cos);
     }
 
     /// The straight runs of a stretch, and curves between them.
@@ -354,22 +206,6 @@ impl Divider<'_> {
         if at.index < end.index {
             self.curve(at, end);
         }
-    }
-
-    fn is_line(&self, start: Anchor, end: Anchor) -> bool {
-        let gap = self.samples.steps(self.rule.gap);
-        let direction = unit(end.point - start.point);
-        let line = Line { middle: start.point, direction };
-        let (first, last) = (start.index + gap, end.index - gap);
-        if end.index - start.index >= self.longest * 2 {
-            return false;
-        }
-        let off = |i: isize| line.offset(self.samples.at(i));
-        let most = (first..=last).fold(0.0_f64, |most, i| most.max(off(i).abs()));
-        if most > 1.5 * self.rule.straight {
-            return false;
-        }
-        last - first < 6 || self.sagitta(self.samples.stretch(first, last)).abs() < 0.4 * self.rule.straight
     }
 
     fn emit(&mut self, anchor: Anchor, piece: Piece) {

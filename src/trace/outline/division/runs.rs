@@ -1,0 +1,109 @@
+//! Where a contour is straight.
+
+use super::{Anchor, Divider};
+use crate::numerics::Point;
+use crate::numerics::plane::{cross, square};
+use crate::trace::samples::{Line, line_through, unit};
+
+/// A straight run of a contour.
+pub(super) struct Run {
+    pub(super) first: isize,
+    pub(super) last: isize,
+    pub(super) line: Line,
+}
+
+impl Divider<'_> {
+    /// Straight runs in a stretch, which may be between `corners`.
+    pub(super) fn runs(&self, first: isize, last: isize, corners: bool) -> Vec<Run> {
+        let mut runs = Vec::new();
+        let least = self.samples.steps(self.rule.least_run).max(4);
+        let most = (self.samples.len() as isize / 12).min(5 * least).max(least);
+        let near = self.samples.steps(1.2);
+        let mut i = first;
+        while i + least <= last {
+            if !self.straight(i, i + least) {
+                i += 1;
+                continue;
+            }
+            // Doubling and halving: the longest run from here.
+            let (mut good, mut step) = (i + least, least);
+            while good + step <= last && self.straight(i, good + step) {
+                good += step;
+                step *= 2;
+            }
+            while step > 0 {
+                if good + step <= last && self.straight(i, good + step) {
+                    good += step;
+                }
+                step /= 2;
+            }
+            let trim = (good - i) / 8;
+            let core = self.samples.stretch(i + trim, good - trim);
+            if self.sagitta(core).abs() < 0.3 * self.rule.straight {
+                // The ends of the longest run lean into what follows.
+                let line = line_through(core);
+                let fits = |i: isize| line.offset(self.samples.at(i)).abs() < 0.5 * self.rule.straight;
+                let (mut from, mut to) = (i, good);
+                while from < i + trim && !fits(from) {
+                    from += 1;
+                }
+                while to > good - trim && !fits(to) {
+                    to -= 1;
+                }
+                // On a curve the contour is straight for a while by chance; beside a corner there is nothing else to go by.
+                let beside = corners && (from - first <= near || last - to <= near);
+                if beside || to - from >= most {
+                    runs.push(Run { first: from, last: to, line });
+                }
+                i = good + 1;
+            } else {
+                i += ((good - i) / 4).max(1);
+            }
+        }
+        runs
+    }
+
+    fn straight(&self, first: isize, last: isize) -> bool {
+        let points = self.samples.stretch(first, last);
+        // Where all are near a line, the middle is not twice as far from the chord.
+        let (start, middle) = (points[0], points[points.len() / 2]);
+        let chord = points[points.len() - 1] - start;
+        let bend = cross(chord, middle - start);
+        if bend * bend > 4.0 * self.rule.straight * self.rule.straight * square(chord) {
+            return false;
+        }
+        let line = line_through(points);
+        points.iter().all(|&p| line.offset(p).abs() <= self.rule.straight)
+    }
+
+    /// How far the middle of some places bends away from the line through them, by least squares of a parabola.
+    fn sagitta(&self, points: &[Point]) -> f64 {
+        let line = line_through(points);
+        let n = points.len() as f64;
+        let (mut moment, mut fourth) = (0.0, 0.0);
+        for (i, &p) in points.iter().enumerate() {
+            let x = (i as f64 + 0.5) / n * 2.0 - 1.0;
+            let bowl = x * x - 1.0 / 3.0;
+            moment += bowl * line.offset(p);
+            fourth += bowl * bowl;
+        }
+        moment / fourth
+    }
+
+    /// Whether a stretch is one line.
+    pub(super) fn is_line(&self, start: Anchor, end: Anchor) -> bool {
+        let gap = self.samples.steps(self.rule.gap);
+        let direction = unit(end.point - start.point);
+        let line = Line { middle: start.point, direction };
+        let (first, last) = (start.index + gap, end.index - gap);
+        if end.index - start.index >= self.longest * 2 {
+            return false;
+        }
+        let off = |i: isize| line.offset(self.samples.at(i));
+        let most = (first..=last).fold(0.0_f64, |most, i| most.max(off(i).abs()));
+        if most > 1.5 * self.rule.straight {
+            return false;
+        }
+        last - first < 6 || self.sagitta(self.samples.stretch(first, last)).abs() < 0.4 * self.rule.straight
+    }
+}
