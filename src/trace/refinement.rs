@@ -14,18 +14,18 @@ mod simplify;
 mod skyline;
 mod straight;
 mod tips;
+mod trial;
 mod unknowns;
 mod window;
 
 use self::bends::BendRule;
 use self::field::{Field, Shading};
-use self::fillets::round_off;
 use self::grain::level;
 use self::refine::{Left, NOISY_SHARE, Refiner, Relaxing, Shape, leaves};
 use self::settling::Settling;
-use self::simplify::{Limits, Merging, Trial, may_go_on};
+use self::simplify::{Merging, may_go_on};
 use self::straight::Straightening;
-use self::tips::{sharpen, unfold};
+use self::trial::{Limits, Trial};
 use super::outline::Outline;
 use super::outline::ellipse::{ellipse, rounded};
 use super::picture::gray::Gray;
@@ -236,13 +236,18 @@ impl Refinement {
 
     /// A bit of taking joints away, which costs in microseconds what it returns; nothing when the outline has as few as it may.
     fn fewer(&mut self) -> Result<Option<f64>> {
-        let (refiner, field, shape) = (&mut self.refiner, &mut self.field, &mut self.shapes[self.at]);
+        let trial = &mut Trial {
+            refiner: &mut self.refiner,
+            field: &mut self.field,
+            shape: &mut self.shapes[self.at],
+            limits: &self.limits,
+        };
         if let Some(settling) = self.settling.as_mut().filter(|settling| !settling.is_done()) {
-            let pieces = shape.outline.len() as f64;
-            settling.step(Trial { refiner, field, shape, limits: &self.limits })?;
+            let pieces = trial.shape.outline.len() as f64;
+            settling.step(trial)?;
             if settling.is_done() {
-                unfold(refiner, field, shape, &self.limits)?;
-                round_off(refiner, field, shape, &self.limits)?;
+                trial.unfold()?;
+                trial.round_off()?;
                 // There may be more to take away now.
                 self.round = 1;
             }
@@ -251,22 +256,22 @@ impl Refinement {
         if self.block == 0 && self.merging.is_none() {
             if self.round == 0 {
                 if self.rough {
-                    make_round(refiner, field, shape, KNOWN * self.grain);
+                    make_round(trial.refiner, trial.field, trial.shape, KNOWN * self.grain);
                 }
                 // Nothing is to be taken away from an ellipse.
-                if ellipse(&shape.outline, self.slack)?.is_some() {
+                if ellipse(&trial.shape.outline, self.slack)?.is_some() {
                     return Ok(None);
                 }
-                unfold(refiner, field, shape, &self.limits)?;
-                sharpen(refiner, field, shape, &self.limits)?;
-                round_off(refiner, field, shape, &self.limits)?;
-                self.start = Some((shape.outline.clone(), shape.left(field).rms()));
+                trial.unfold()?;
+                trial.sharpen()?;
+                trial.round_off()?;
+                self.start = Some((trial.shape.outline.clone(), trial.shape.left(trial.field).rms()));
             }
             self.round += 1;
-            self.merging = may_go_on(self.round).then(|| Merging::new(&shape.outline, &self.limits));
+            self.merging = may_go_on(self.round).then(|| Merging::new(&trial.shape.outline, trial.limits));
         }
         if let Some(merging) = &mut self.merging {
-            if merging.step(Trial { refiner, field, shape, limits: &self.limits })? {
+            if merging.step(trial)? {
                 return Ok(Some(100.0));
             }
             let any = merging.any;
@@ -281,7 +286,7 @@ impl Refinement {
         }
         if self.limits.noise > 0.0 {
             let straightening = self.straightening.get_or_insert_default();
-            if straightening.step(Trial { refiner, field, shape, limits: &self.limits })? {
+            if straightening.step(trial)? {
                 return Ok(Some(100.0));
             }
         }
@@ -392,7 +397,7 @@ impl Refinement {
         let steps = self.steps(LAST_STEPS);
         let (refiner, field, shape) = (&mut self.refiner, &mut self.field, &mut self.shapes[self.at]);
         // Between pieces that are straight only now there may be arcs.
-        round_off(refiner, field, shape, &self.limits)?;
+        Trial { refiner, field, shape, limits: &self.limits }.round_off()?;
         let lost = (0..shape.outline.len()).any(|i| leaves(&shape.outline.cubic(i), field));
         if lost || shape.left(field).rms() > (1.5 * before).max(2.0 * self.limits.rms) {
             refiner.replace(field, shape, start);

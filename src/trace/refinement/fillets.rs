@@ -1,8 +1,7 @@
 //! Rounded corners: what leads from one straight piece to the next becomes one arc where the picture asks for no more.
 
-use super::field::Field;
-use super::refine::{Left, Refiner, Shape};
-use super::simplify::Limits;
+use super::refine::Left;
+use super::trial::Trial;
 use crate::error::Result;
 use crate::numerics::Point;
 use crate::numerics::plane::{cross, dot};
@@ -20,29 +19,59 @@ const GENTLE: f64 = 0.35;
 const LEAST: f64 = 0.5;
 const STEPS: (usize, f64) = (6, 0.01);
 
-/// Makes one piece of each run of pieces without sharp corners between two straight ones that is an arc of a circle, as long as the picture is explained
-/// as well as before or as `limits` say.
-///
-/// # Cost
-///
-/// O(nodes), and O(length of the pieces) for each arc that is tried.
-pub(super) fn round_off(
-    refiner: &mut Refiner,
-    field: &mut Field,
-    shape: &mut Shape,
-    limits: &Limits,
-) -> Result<()> {
-    let mut i = 0;
-    while i < shape.outline.len() {
-        if let Some((count, arc)) = rounding(&shape.outline, i)
-            && try_arc(refiner, field, shape, limits, (i, count, &arc))?
-        {
-            // The straight piece is the first one now, and the arc the second.
-            i = 1;
+impl Trial<'_> {
+    /// Makes one piece of each run of pieces without sharp corners between two straight ones that is an arc of a circle, as long as the picture is explained
+    /// as well as before or as the limits say.
+    ///
+    /// # Cost
+    ///
+    /// O(nodes), and O(length of the pieces) for each arc that is tried.
+    pub(super) fn round_off(&mut self) -> Result<()> {
+        let mut i = 0;
+        while i < self.shape.outline.len() {
+            if let Some((count, arc)) = rounding(&self.shape.outline, i)
+                && self.try_arc(i, count, &arc)?
+            {
+                // The straight piece is the first one now, and the arc the second.
+                i = 1;
+            }
+            i += 1;
         }
-        i += 1;
+        Ok(())
     }
-    Ok(())
+
+    /// Puts the arc in place of `count` pieces after straight piece i; if that is not good, all is as it was. Whether it was good.
+    fn try_arc(&mut self, i: usize, count: usize, arc: &Arc) -> Result<bool> {
+        let saved = self.shape.outline.clone();
+        let mut old = Left::default();
+        let mut piece = i;
+        for _ in 0..count {
+            piece = saved.next(piece);
+            old.add(&self.shape.parts[piece], self.field);
+        }
+        let smooth = |point: Point| Node { point, smooth: true, kept: false };
+        let [leaving, arriving] = arc.cubic_handles();
+        let mut rounded = Outline {
+            nodes: vec![saved.nodes[i], smooth(arc.ends[0]), smooth(arc.ends[1])],
+            pieces: vec![Piece::Line, Piece::Cubic { leaving, arriving }, Piece::Line],
+        };
+        let mut at = saved.next(saved.next(piece));
+        while at != i {
+            rounded.nodes.push(saved.nodes[at]);
+            rounded.pieces.push(saved.pieces[at]);
+            at = saved.next(at);
+        }
+        self.refiner.replace(self.field, self.shape, rounded);
+        self.refiner.refine(self.field, self.shape, &[1, 2], STEPS)?;
+        let mut new = Left::default();
+        new.add(&self.shape.parts[1], self.field);
+        old.square += self.limits.grain * self.limits.grain * new.count;
+        let good = self.limits.allow(&new, &old, 1.0);
+        if !good {
+            self.refiner.replace(self.field, self.shape, saved);
+        }
+        Ok(good)
+    }
 }
 
 /// How many pieces after straight piece i lead to the next straight one, and the arc in their place; nothing if it is one piece or no arc.
@@ -86,43 +115,4 @@ fn rounding(outline: &Outline, i: usize) -> Option<(usize, Arc)> {
 fn is_gentle(outline: &Outline, i: usize) -> bool {
     let ways = (outline.cubic(outline.before(i)).velocity(1.0), outline.cubic(i).velocity(0.0));
     outline.nodes[i].smooth || turn(ways.0, ways.1).abs() < GENTLE
-}
-
-/// Puts the arc in place of `count` pieces after straight piece i; if that is not good, all is as it was. Whether it was good.
-fn try_arc(
-    refiner: &mut Refiner,
-    field: &mut Field,
-    shape: &mut Shape,
-    limits: &Limits,
-    (i, count, arc): (usize, usize, &Arc),
-) -> Result<bool> {
-    let saved = shape.outline.clone();
-    let mut old = Left::default();
-    let mut piece = i;
-    for _ in 0..count {
-        piece = saved.next(piece);
-        old.add(&shape.parts[piece], field);
-    }
-    let smooth = |point: Point| Node { point, smooth: true, kept: false };
-    let [leaving, arriving] = arc.cubic_handles();
-    let mut rounded = Outline {
-        nodes: vec![saved.nodes[i], smooth(arc.ends[0]), smooth(arc.ends[1])],
-        pieces: vec![Piece::Line, Piece::Cubic { leaving, arriving }, Piece::Line],
-    };
-    let mut at = saved.next(saved.next(piece));
-    while at != i {
-        rounded.nodes.push(saved.nodes[at]);
-        rounded.pieces.push(saved.pieces[at]);
-        at = saved.next(at);
-    }
-    refiner.replace(field, shape, rounded);
-    refiner.refine(field, shape, &[1, 2], STEPS)?;
-    let mut new = Left::default();
-    new.add(&shape.parts[1], field);
-    old.square += limits.grain * limits.grain * new.count;
-    let good = limits.allow(&new, &old, 1.0);
-    if !good {
-        refiner.replace(field, shape, saved);
-    }
-    Ok(good)
 }

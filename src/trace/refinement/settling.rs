@@ -5,7 +5,7 @@ use super::coverage::Part;
 use super::field::Field;
 use super::refine::{Left, Shape};
 use super::sides::{Change, Sides, sides};
-use super::simplify::{Limits, Trial};
+use super::trial::{Limits, Trial};
 use super::window::{Stretch, Window};
 use crate::error::Result;
 use crate::numerics::Point;
@@ -82,7 +82,7 @@ impl Settling {
     /// # Cost
     ///
     /// O(length of the pieces beside the bend), and O(pieces of the outline) where that changes and at the start of a round.
-    pub(super) fn step(&mut self, mut trial: Trial) -> Result<()> {
+    pub(super) fn step(&mut self, trial: &mut Trial) -> Result<()> {
         let Some(rule) = self.rules.get(self.at) else { return Ok(()) };
         let found = self.found.get_or_insert_with(|| bends(&trial.shape.outline, rule));
         while let Some(bend) = found.pop() {

@@ -1,7 +1,7 @@
 //! Fewer pieces: joints that the picture does not ask for are taken away.
 
-use super::field::Field;
-use super::refine::{Left, NOISY_SHARE, Refiner, Shape};
+use super::refine::{Left, NOISY_SHARE, Shape};
+use super::trial::{Limits, Trial};
 use super::window::{Stretch, Window};
 use crate::error::Result;
 use crate::numerics::order::sort_by_number;
@@ -9,23 +9,6 @@ use crate::numerics::plane::{dot, norm};
 use crate::trace::outline::cubic::{Cubic, Tangent};
 use crate::trace::outline::{Outline, Piece};
 use crate::trace::samples::{turn, unit};
-
-/// What a merged piece may leave of the picture.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Limits {
-    /// The root mean square of coverage that is always allowed.
-    pub(super) rms: f64,
-    /// The largest difference of coverage in a pixel that is always allowed.
-    pub(super) most: f64,
-    /// The largest distance of a merged piece from the two, before it is refined: root mean square, in pixels.
-    pub(super) off: f64,
-    /// The noise of one pixel; 0 for a clean picture.
-    pub(super) noise: f64,
-    /// How much the sum of squares may grow, in squares of the noise.
-    pub(super) share: f64,
-    /// What pixels in a row may all be wrong by where few samples or compression made them.
-    pub(super) grain: f64,
-}
 
 /// A piece beside a longer straight one that turns by no more, in radians, may be merged with it; beside one shorter than this any piece may.
 const STUB: f64 = 0.25;
@@ -76,7 +59,7 @@ impl Merging {
     /// # Cost
     ///
     /// O(length of the pieces beside the joint), and O(nodes of the outline) where one goes.
-    pub(super) fn step(&mut self, mut trial: Trial) -> Result<bool> {
+    pub(super) fn step(&mut self, trial: &mut Trial) -> Result<bool> {
         while let Some(&(name, _)) = self.candidates.get(self.at) {
             self.at += 1;
             let Ok(i) = self.names.binary_search(&name) else { continue };
@@ -102,14 +85,6 @@ impl Merging {
 /// Whether there may be another round.
 pub(super) fn may_go_on(round: usize) -> bool {
     round < MOST_ROUNDS
-}
-
-/// What changes an outline on trial, and what has to hold afterwards.
-pub(super) struct Trial<'a> {
-    pub(super) refiner: &'a mut Refiner,
-    pub(super) field: &'a mut Field,
-    pub(super) shape: &'a mut Shape,
-    pub(super) limits: &'a Limits,
 }
 
 impl Trial<'_> {
@@ -154,14 +129,6 @@ impl Trial<'_> {
                 return Ok(false);
             }
         }
-    }
-}
-
-impl Limits {
-    /// Whether what was put in the place of something explains the picture as well, or well enough. `ease` makes more enough.
-    pub(super) fn allow(&self, now: &Left, before: &Left, ease: f64) -> bool {
-        now.square <= before.square + self.share * self.noise * self.noise
-            || now.rms() <= ease * self.rms && now.most <= ease * self.most
     }
 }
 

@@ -1,7 +1,7 @@
 //! Sides that are straight as far as a picture of sampled or compressed edges tells (D 14.23).
 
 use super::refine::Left;
-use super::simplify::Trial;
+use super::trial::Trial;
 use super::window::{Stretch, Window};
 use crate::error::Result;
 use crate::numerics::Vector;
@@ -32,7 +32,7 @@ impl Straightening {
     /// # Cost
     ///
     /// O(length of the pieces beside it).
-    pub(super) fn step(&mut self, mut trial: Trial) -> Result<bool> {
+    pub(super) fn step(&mut self, trial: &mut Trial) -> Result<bool> {
         while self.at < trial.shape.outline.len() {
             let piece = self.at;
             self.at += 1;

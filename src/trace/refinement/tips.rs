@@ -1,8 +1,7 @@
 //! Tips that pixels have cut off: two corners with a short piece between become the one where their sides meet.
 
-use super::field::Field;
-use super::refine::{Left, Refiner, Shape};
-use super::simplify::Limits;
+use super::refine::Left;
+use super::trial::Trial;
 use super::window::{Stretch, Window};
 use crate::error::Result;
 use crate::numerics::plane::{cross, norm};
@@ -20,46 +19,106 @@ const FOLD: f64 = 6.0;
 const BACK: f64 = 2.6;
 const STEPS: (usize, f64) = (8, 5e-4);
 
-/// Puts tips where their sides meet, as long as the picture is explained as well as before or as `limits` say.
-///
-/// # Cost
-///
-/// O(nodes), and O(length of the pieces beside it) for each tip that is tried.
-pub(super) fn sharpen(
-    refiner: &mut Refiner,
-    field: &mut Field,
-    shape: &mut Shape,
-    limits: &Limits,
-) -> Result<()> {
-    let mut i = 0;
-    while i < shape.outline.len() {
-        if let Some(tip) = tip(&shape.outline, i) {
-            try_tip(refiner, field, shape, limits, (i, tip))?;
-        }
-        i += 1;
-    }
-    Ok(())
-}
-
-/// Takes away corners at which the outline turns back on its own way for a short while, as long as the picture is explained as well as
-/// before or as `limits` say.
-///
-/// # Cost
-///
-/// O(nodes), and O(length of the pieces beside it) for each fold that is tried.
-pub(super) fn unfold(
-    refiner: &mut Refiner,
-    field: &mut Field,
-    shape: &mut Shape,
-    limits: &Limits,
-) -> Result<()> {
-    let mut i = 0;
-    while i < shape.outline.len() {
-        if !is_fold(&shape.outline, i) || !try_without(refiner, field, shape, limits, i)? {
+impl Trial<'_> {
+    /// Puts tips where their sides meet, as long as the picture is explained as well as before or as the limits say.
+    ///
+    /// # Cost
+    ///
+    /// O(nodes), and O(length of the pieces beside it) for each tip that is tried.
+    pub(super) fn sharpen(&mut self) -> Result<()> {
+        let mut i = 0;
+        while i < self.shape.outline.len() {
+            if let Some(tip) = tip(&self.shape.outline, i) {
+                self.try_tip(i, tip)?;
+            }
             i += 1;
         }
+        Ok(())
     }
-    Ok(())
+
+    /// Takes away corners at which the outline turns back on its own way for a short while, as long as the picture is explained as well as
+    /// before or as the limits say.
+    ///
+    /// # Cost
+    ///
+    /// O(nodes), and O(length of the pieces beside it) for each fold that is tried.
+    pub(super) fn unfold(&mut self) -> Result<()> {
+        let mut i = 0;
+        while i < self.shape.outline.len() {
+            if !is_fold(&self.shape.outline, i) || !self.try_without(i)? {
+                i += 1;
+            }
+        }
+        Ok(())
+    }
+
+    /// One piece in place of the two at node i; if that is not good, all is as it was. Whether it was good.
+    fn try_without(&mut self, i: usize) -> Result<bool> {
+        let outline = &self.shape.outline;
+        let (before, next) = (outline.before(i), outline.next(i));
+        let mut old = Left::default();
+        for piece in [outline.before(before), before, i, next] {
+            old.add(&self.shape.parts[piece], self.field);
+        }
+        let [start, end] = [outline.nodes[before], outline.nodes[next]];
+        let third = (end.point - start.point) / 3.0;
+        let straight = outline.is_line(before) || outline.is_line(i);
+        let piece = if straight && !start.smooth && !end.smooth {
+            Piece::Line
+        } else {
+            let way = |node: Node, tangent: Vector| {
+                if node.smooth { unit(tangent) * norm(third) } else { third }
+            };
+            let (leaving, arriving) = (outline.cubic(before).leaving, outline.cubic(i).arriving);
+            Piece::Cubic { leaving: way(start, leaving), arriving: way(end, arriving) }
+        };
+        let stretch = Stretch { first: before, count: 2, pieces: vec![piece], between: Vec::new() };
+        let mut window = Window::open(self.refiner, self.field, self.shape, stretch);
+        self.refiner.refine(self.field, &mut window.shape, &[0, 1], STEPS)?;
+        let mut new = Left::default();
+        for piece in [window.shape.outline.before(0), 0, 1] {
+            new.add(&window.shape.parts[piece], self.field);
+        }
+        let good = self.limits.allow(&new, &old, 1.0);
+        if good {
+            window.keep(self.shape);
+        } else {
+            window.close(self.refiner, self.field, self.shape);
+        }
+        Ok(good)
+    }
+
+    fn try_tip(&mut self, i: usize, tip: Point) -> Result<()> {
+        let outline = &self.shape.outline;
+        let (before, next) = (outline.before(i), outline.next(i));
+        let mut old = Left::default();
+        for piece in [before, i, next] {
+            old.add(&self.shape.parts[piece], self.field);
+        }
+        let side = |piece: usize, from: Point, to: Point| calm(outline.pieces[piece], norm(to - from) / 3.0);
+        let pieces = vec![
+            side(before, outline.nodes[before].point, tip),
+            side(next, tip, outline.nodes[outline.next(next)].point),
+        ];
+        let between = vec![Node { point: tip, ..outline.nodes[next] }];
+        let mut window = Window::open(
+            self.refiner,
+            self.field,
+            self.shape,
+            Stretch { first: before, count: 3, pieces, between },
+        );
+        self.refiner.refine(self.field, &mut window.shape, &[0, 1, 2], STEPS)?;
+        let mut new = Left::default();
+        for piece in 0..2 {
+            new.add(&window.shape.parts[piece], self.field);
+        }
+        if self.limits.allow(&new, &old, 1.0) {
+            window.keep(self.shape);
+        } else {
+            window.close(self.refiner, self.field, self.shape);
+        }
+        Ok(())
+    }
 }
 
 /// Whether the outline turns back at node i, where a short piece begins or ends.
@@ -71,48 +130,6 @@ fn is_fold(outline: &Outline, i: usize) -> bool {
     let (first, second) = (outline.cubic(before), outline.cubic(i));
     let short = norm(first.end - first.start).min(norm(second.end - second.start));
     short < FOLD && turn(first.velocity(1.0), second.velocity(0.0)).abs() > BACK
-}
-
-/// One piece in place of the two at node i; if that is not good, all is as it was. Whether it was good.
-fn try_without(
-    refiner: &mut Refiner,
-    field: &mut Field,
-    shape: &mut Shape,
-    limits: &Limits,
-    i: usize,
-) -> Result<bool> {
-    let outline = &shape.outline;
-    let (before, next) = (outline.before(i), outline.next(i));
-    let mut old = Left::default();
-    for piece in [outline.before(before), before, i, next] {
-        old.add(&shape.parts[piece], field);
-    }
-    let [start, end] = [outline.nodes[before], outline.nodes[next]];
-    let third = (end.point - start.point) / 3.0;
-    let straight = outline.is_line(before) || outline.is_line(i);
-    let piece = if straight && !start.smooth && !end.smooth {
-        Piece::Line
-    } else {
-        let way = |node: Node, tangent: Vector| {
-            if node.smooth { unit(tangent) * norm(third) } else { third }
-        };
-        let (leaving, arriving) = (outline.cubic(before).leaving, outline.cubic(i).arriving);
-        Piece::Cubic { leaving: way(start, leaving), arriving: way(end, arriving) }
-    };
-    let stretch = Stretch { first: before, count: 2, pieces: vec![piece], between: Vec::new() };
-    let mut window = Window::open(refiner, field, shape, stretch);
-    refiner.refine(field, &mut window.shape, &[0, 1], STEPS)?;
-    let mut new = Left::default();
-    for piece in [window.shape.outline.before(0), 0, 1] {
-        new.add(&window.shape.parts[piece], field);
-    }
-    let good = limits.allow(&new, &old, 1.0);
-    if good {
-        window.keep(shape);
-    } else {
-        window.close(refiner, field, shape);
-    }
-    Ok(good)
 }
 
 /// Where the pieces before and after piece i meet, if that is a tip that it cuts off.
@@ -133,40 +150,6 @@ fn tip(outline: &Outline, i: usize) -> Option<Point> {
     let (ahead, behind) = (cross(gap, back) / across, cross(there, gap) / across);
     let near = |way: f64| way > 0.0 && way < FARTHEST;
     (near(ahead) && near(behind)).then(|| start.point + there * ahead)
-}
-
-fn try_tip(
-    refiner: &mut Refiner,
-    field: &mut Field,
-    shape: &mut Shape,
-    limits: &Limits,
-    (i, tip): (usize, Point),
-) -> Result<()> {
-    let outline = &shape.outline;
-    let (before, next) = (outline.before(i), outline.next(i));
-    let mut old = Left::default();
-    for piece in [before, i, next] {
-        old.add(&shape.parts[piece], field);
-    }
-    let side = |piece: usize, from: Point, to: Point| calm(outline.pieces[piece], norm(to - from) / 3.0);
-    let pieces = vec![
-        side(before, outline.nodes[before].point, tip),
-        side(next, tip, outline.nodes[outline.next(next)].point),
-    ];
-    let between = vec![Node { point: tip, ..outline.nodes[next] }];
-    let mut window =
-        Window::open(refiner, field, shape, Stretch { first: before, count: 3, pieces, between });
-    refiner.refine(field, &mut window.shape, &[0, 1, 2], STEPS)?;
-    let mut new = Left::default();
-    for piece in 0..2 {
-        new.add(&window.shape.parts[piece], field);
-    }
-    if limits.allow(&new, &old, 1.0) {
-        window.keep(shape);
-    } else {
-        window.close(refiner, field, shape);
-    }
-    Ok(())
 }
 
 /// Control points that went far to reach round a tip come back to a third of the way.

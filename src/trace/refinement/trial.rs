@@ -1,0 +1,37 @@
+//! What is tried on an outline, and what has to hold for it to stay.
+
+use super::field::Field;
+use super::refine::{Left, Refiner, Shape};
+
+/// What changes an outline on trial, and what has to hold afterwards.
+pub(super) struct Trial<'a> {
+    pub(super) refiner: &'a mut Refiner,
+    pub(super) field: &'a mut Field,
+    pub(super) shape: &'a mut Shape,
+    pub(super) limits: &'a Limits,
+}
+
+/// What a merged piece may leave of the picture.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limits {
+    /// The root mean square of coverage that is always allowed.
+    pub(super) rms: f64,
+    /// The largest difference of coverage in a pixel that is always allowed.
+    pub(super) most: f64,
+    /// The largest distance of a merged piece from the two, before it is refined: root mean square, in pixels.
+    pub(super) off: f64,
+    /// The noise of one pixel; 0 for a clean picture.
+    pub(super) noise: f64,
+    /// How much the sum of squares may grow, in squares of the noise.
+    pub(super) share: f64,
+    /// What pixels in a row may all be wrong by where few samples or compression made them.
+    pub(super) grain: f64,
+}
+
+impl Limits {
+    /// Whether what was put in the place of something explains the picture as well, or well enough. `ease` makes more enough.
+    pub(super) fn allow(&self, now: &Left, before: &Left, ease: f64) -> bool {
+        now.square <= before.square + self.share * self.noise * self.noise
+            || now.rms() <= ease * self.rms && now.most <= ease * self.most
+    }
+}
