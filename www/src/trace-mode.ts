@@ -10,7 +10,7 @@ import { cornersIn } from "./kernel/trace/outcome.ts";
 import { endingWith } from "./kernel/worker-desk.ts";
 import { createTraceClient, pageClock } from "./kernel/trace/trace-client.ts";
 import type { ModeParts } from "./modes.ts";
-import { report } from "./panels/report.ts";
+import { report } from "./panels/files/report.ts";
 import { mountEmptyTrace, traceSampleCards } from "./panels/trace/empty-trace.ts";
 import { traceMetrics } from "./panels/trace/trace-metrics.ts";
 import { tracePanel } from "./panels/trace/trace-panel.ts";

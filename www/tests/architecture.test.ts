@@ -14,6 +14,23 @@ const allowed: Readonly<Record<string, readonly string[]>> = {
   io: ["document", "kernel"],
 };
 
+/** The rooms of the panels: a file beside them (what all are handed; what puts them together) is none. */
+const allowedInPanels: Readonly<Record<string, readonly string[]>> = {
+  messages: [],
+  controls: ["messages"],
+  shell: [],
+  stage: ["controls", "shell"],
+  mode: ["controls", "shell"],
+  code: ["messages", "controls", "shell"],
+  files: ["messages", "controls", "shell"],
+  curve: ["controls", "shell", "mode"],
+  fit: ["controls", "shell", "mode"],
+  surface: ["controls", "shell", "mode"],
+  trace: ["controls", "shell", "mode", "files"],
+  dialogs: ["messages", "controls", "shell", "code", "curve", "files"],
+  page: ["controls", "shell", "mode", "code", "curve"],
+};
+
 const source = "www/src";
 
 function filesUnder(folder: string, ending: string): string[] {
@@ -30,7 +47,7 @@ function roomOf(file: string): string {
 function importsOf(file: string): string[] {
   // The page shows code as well: what stands in a template is a text, not an import.
   const code = readFileSync(file, "utf8").replace(/`(?:\\.|[^`\\])*`/gs, "``");
-  return [...code.matchAll(/(?:from|import)\s+"([^"]+)"/g)].map((match) => match[1] ?? "");
+  return [...code.matchAll(/(?:(?:from|import)\s+|import\()"([^"]+)"/g)].map((match) => match[1] ?? "");
 }
 
 test("rooms import only what the drawing allows", () => {
@@ -43,6 +60,29 @@ test("rooms import only what the drawing allows", () => {
     for (const name of importsOf(file).filter((each) => each.startsWith(".") && !each.endsWith(".css"))) {
       const target = roomOf(join(file, "..", name));
       if (target !== room && !rooms.includes(target)) strays.push(`${file}: ${room} -> ${target}`);
+    }
+  }
+  assert.deepEqual(strays, []);
+});
+
+test("inside the panels, a mode's room knows no other mode's, and the page around the stage no file", () => {
+  const panels = join(source, "panels");
+  const innerRoomOf = (file: string): string | undefined => {
+    const [room, inner] = file.slice(panels.length + 1).split("/");
+    if (inner !== undefined) return room;
+    return room === "shell.ts" || room === "page-io.ts" ? "shell" : undefined;
+  };
+  const strays: string[] = [];
+  for (const file of filesUnder(panels, ".ts")) {
+    const room = innerRoomOf(file);
+    if (room === undefined) continue;
+    const rooms = allowedInPanels[room];
+    assert.ok(rooms !== undefined, `${file} is in a room that the drawing does not have`);
+    for (const name of importsOf(file)) {
+      const target = join(file, "..", name);
+      if (!target.startsWith(`${panels}/`)) continue;
+      const other = innerRoomOf(target) ?? target;
+      if (other !== room && !rooms.includes(other)) strays.push(`${file}: ${room} -> ${other}`);
     }
   }
   assert.deepEqual(strays, []);

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { formatBytes, formatCoordinate, formatDeviation, parseTyped } from "../src/panels/format.ts";
+import { formatBytes, formatCoordinate, formatDeviation, parseTyped } from "../src/panels/controls/format.ts";
 
 const typed: readonly (readonly [id: string, text: string, value: number | null])[] = [
   ["DM-027", "1,5", 1.5],

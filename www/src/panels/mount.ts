@@ -2,19 +2,21 @@ import type { Mode } from "../document/document.ts";
 import type { Editor } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
 import { whileLoading } from "../editor/loading.ts";
-import { mountBoot } from "./boot.ts";
-import { mountEmptyCurve } from "./empty-curve.ts";
-import { mountContextMenu } from "./context-menu.ts";
-import { registerFileActions } from "./files.ts";
-import { mountHeader } from "./header.ts";
+import { mountEmptyCurve } from "./curve/empty-curve.ts";
+import { registerFileActions } from "./file-actions.ts";
+import { openSession } from "./files/session.ts";
+import type { ModeMetrics } from "./mode/metric.ts";
+import type { ModePanel } from "./mode/panel-parts.ts";
 import type { PageIo } from "./page-io.ts";
-import { mountPanel, type ModePanel } from "./panel.ts";
-import { mountRail } from "./rail.ts";
-import { openSession } from "./session.ts";
+import { mountHeader } from "./page/header.ts";
+import { mountPanel } from "./page/panel.ts";
+import { mountRail } from "./page/rail.ts";
+import { mountStatusBar } from "./page/status-bar.ts";
+import { mountTheme } from "./page/theme.ts";
 import type { Regions, Shell } from "./shell.ts";
-import { mountStatusBar, type ModeMetrics } from "./status-bar.ts";
-import { mountTheme } from "./theme.ts";
-import { mountToasts } from "./toasts.ts";
+import { mountBoot } from "./stage/boot.ts";
+import { mountContextMenu } from "./stage/context-menu.ts";
+import { mountToasts } from "./stage/toasts.ts";
 
 export interface PanelsOptions {
   readonly editor: Editor;
@@ -51,8 +53,8 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
   // What is loaded when it is first asked for may be out of reach by then.
   window.addEventListener("vite:preloadError", () => shell.toasts.error("engine", "This part of the page could not be loaded. Check the connection and try again."), { signal });
   io.listenForIncoming({
-    files: (files) => void whileLoading(editor, import("./file-work.ts").then(({ receiveFiles }) => receiveFiles(shell, files))),
-    text: (text) => void import("./file-work.ts").then(({ receiveText }) => receiveText(shell, text)),
+    files: (files) => void whileLoading(editor, import("./files/file-work.ts").then(({ receiveFiles }) => receiveFiles(shell, files))),
+    text: (text) => void import("./files/file-work.ts").then(({ receiveText }) => receiveText(shell, text)),
     dragging: (over) => regions.stage.toggleAttribute("data-drop", over),
   }, signal);
   return {

@@ -2,7 +2,6 @@ import type { Mode } from "../document/document.ts";
 import type { Editor } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
 import type { PageIo } from "./page-io.ts";
-import type { Toasts } from "./toasts.ts";
 
 export interface Regions {
   readonly header: HTMLElement;
@@ -10,6 +9,13 @@ export interface Regions {
   readonly panel: HTMLElement;
   readonly status: HTMLElement;
   readonly stage: HTMLElement;
+}
+
+/** Short messages over the stage. */
+export interface Toasts {
+  /** With an action: a button that does it and takes the toast away. */
+  say(text: string, action?: { readonly label: string; run(): void }): void;
+  error(id: string, text: string): void;
 }
 
 /** What every panel is handed. */

@@ -1,8 +1,8 @@
 import "../../styles/buttons.css";
 import "../../styles/drawer.css";
-import { h, setAttribute, setText } from "../dom.ts";
-import { icon } from "../icons.ts";
-import { errorText } from "../errors.ts";
+import { h, setAttribute, setText } from "../controls/dom.ts";
+import { icon } from "../controls/icons.ts";
+import { errorText } from "../messages/errors.ts";
 import { inNextFrame, type Shell } from "../shell.ts";
 import { snippetFor, snippetNames, type SnippetId } from "./snippets.ts";
 

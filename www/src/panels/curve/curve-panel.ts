@@ -1,11 +1,12 @@
 import { omegaOf, type Contour, type CurveDocument, type Space } from "../../document/document.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { activeContour, resample, setClosed, setOmega, setSpace } from "../../editor/edits.ts";
-import { whileLoading } from "../../editor/loading.ts";
 import { setLevel } from "../../editor/level-edits.ts";
-import { h, setAttribute, setText } from "../dom.ts";
-import { choiceField, numberField, selectField, sliderField, toggleField } from "../fields.ts";
-import { icon } from "../icons.ts";
+import { whileLoading } from "../../editor/loading.ts";
+import { h, setAttribute, setText } from "../controls/dom.ts";
+import { choiceField, numberField, selectField, sliderField, toggleField } from "../controls/fields.ts";
+import { icon } from "../controls/icons.ts";
+import type { Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
 
 const spaces: readonly (readonly [Space, string])[] = [
@@ -26,11 +27,6 @@ const exactIn: Readonly<Record<Space, string>> = {
   hyperbolic: "Exact: hyperbolas, catenaries",
   polynomial: "Exact: parabolas, any cubic Bézier",
 };
-
-export interface Section {
-  readonly element: HTMLElement;
-  update(state: EditorState): void;
-}
 
 function firstContour(state: EditorState, shell: Shell): Contour | undefined {
   return state.curve.contours[activeContour(shell.editor)];

@@ -1,8 +1,8 @@
 import { omegaOf, type Contour } from "../../document/document.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { generatorsOf, type Generators } from "../../kernel/generator.ts";
-import { h, setText, svg } from "../dom.ts";
-import type { Section } from "./curve-panel.ts";
+import { h, setText, svg } from "../controls/dom.ts";
+import type { Section } from "../mode/panel-parts.ts";
 
 /** The functions that the curve is made of, drawn as the papers draw them: each control point weighs one copy, centred at its own place. */
 export function generatorPlot(): Section {

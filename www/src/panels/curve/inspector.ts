@@ -1,11 +1,11 @@
 import { baseCount, pointAt, type ControlPoint, type Kind, type PointRef, type Side } from "../../document/document.ts";
-import { nudge, setHandlePolar, setKind, setPoint } from "../../editor/edits.ts";
 import type { EditorState } from "../../editor/editor.ts";
-import { h, setText } from "../dom.ts";
-import { choiceField, numberField, type Field } from "../fields.ts";
-import { glyph, icon, type IconName } from "../icons.ts";
+import { nudge, setHandlePolar, setKind, setPoint } from "../../editor/edits.ts";
+import { h, setText } from "../controls/dom.ts";
+import { choiceField, numberField, type Field } from "../controls/fields.ts";
+import { glyph, icon, type IconName } from "../controls/icons.ts";
+import type { Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
-import type { Section } from "./curve-panel.ts";
 
 const limit = 1e6;
 

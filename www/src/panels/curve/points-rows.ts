@@ -1,9 +1,9 @@
 import type { Contour, Kind } from "../../document/document.ts";
 import { activeContour, setKind, setPoint } from "../../editor/edits.ts";
-import { h, setAttribute } from "../dom.ts";
-import { formatCoordinate, parseTyped } from "../format.ts";
+import { h, setAttribute } from "../controls/dom.ts";
+import { formatCoordinate, parseTyped } from "../controls/format.ts";
+import type { Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
-import type { Section } from "./curve-panel.ts";
 
 const mostRows = 256;
 const kinds: readonly Kind[] = ["symmetric", "smooth", "cusp"];

@@ -1,6 +1,6 @@
-import { h } from "../dom.ts";
+import { h } from "../controls/dom.ts";
+import type { Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
-import type { Section } from "./curve-panel.ts";
 
 /** A part of the panel that is folded away, and loaded when it is first unfolded. */
 export function folded(shell: Shell, title: string, testid: string, load: () => Promise<Section>): Section {

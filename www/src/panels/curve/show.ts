@@ -1,11 +1,11 @@
-import { selectKind } from "../../editor/edits.ts";
 import type { EditorState, OverlayId } from "../../editor/editor.ts";
+import { selectKind } from "../../editor/edits.ts";
 import { measureCurve } from "../../kernel/measure.ts";
-import { h } from "../dom.ts";
-import { numberField, sliderField, toggleField } from "../fields.ts";
-import { legendRow } from "../legend.ts";
+import { h } from "../controls/dom.ts";
+import { numberField, sliderField, toggleField } from "../controls/fields.ts";
+import { legendRow } from "../controls/legend.ts";
+import type { Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
-import type { Section } from "./curve-panel.ts";
 
 const overlays: readonly (readonly [OverlayId, string, string, string])[] = [
   ["handles", "ov-handles", "Handles", "Tangent handles of the selected points and their neighbours."],

@@ -1,14 +1,14 @@
+import { writeState } from "../../document/file/write.ts";
+import { curveSample } from "../../document/samples.ts";
 import { exportPath, type ExportedPath, type ExportOptions, type ExportSegments } from "../../kernel/export.ts";
 import { documentBounds } from "../../kernel/samples.ts";
-import { curveSample } from "../../document/samples.ts";
-import { writeState } from "../../document/file/write.ts";
-import { button, openDialog } from "../dialog.ts";
-import { h, setAttribute, setText, svg } from "../dom.ts";
-import { numberField, selectField, toggleField } from "../fields.ts";
-import { formatBytes, formatDeviation } from "../format.ts";
 import { snippetFor } from "../code/snippets.ts";
-import { asProblem, errorText } from "../errors.ts";
-import { problemText } from "../file-errors.ts";
+import { button, openDialog } from "../controls/dialog.ts";
+import { h, setAttribute, setText, svg } from "../controls/dom.ts";
+import { numberField, selectField, toggleField } from "../controls/fields.ts";
+import { formatBytes, formatDeviation } from "../controls/format.ts";
+import { asProblem, errorText } from "../messages/errors.ts";
+import { problemText } from "../messages/file-errors.ts";
 import type { Shell } from "../shell.ts";
 
 /** Chosen once, kept for the next time the dialog opens. */

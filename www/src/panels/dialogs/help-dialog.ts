@@ -1,7 +1,7 @@
 import type { Mode } from "../../document/document.ts";
 import type { Action, Settings } from "../../editor/editor.ts";
-import { openDialog } from "../dialog.ts";
-import { freshId, h } from "../dom.ts";
+import { openDialog } from "../controls/dialog.ts";
+import { freshId, h } from "../controls/dom.ts";
 import { printedKey, type Shell } from "../shell.ts";
 
 type Gesture = readonly [string, string];

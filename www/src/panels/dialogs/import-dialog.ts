@@ -1,12 +1,12 @@
 import type { Imported } from "../../document/imported.ts";
 import type { Problem } from "../../document/problem.ts";
-import { asProblem } from "../errors.ts";
-import { problemText } from "../file-errors.ts";
-import { button, openDialog } from "../dialog.ts";
-import { freshId, h, setText } from "../dom.ts";
-import { icon } from "../icons.ts";
-import { place, type Placement } from "../load.ts";
-import { openPicture } from "../open-picture.ts";
+import { button, openDialog } from "../controls/dialog.ts";
+import { freshId, h, setText } from "../controls/dom.ts";
+import { icon } from "../controls/icons.ts";
+import { place, type Placement } from "../files/load.ts";
+import { openPicture } from "../files/open-picture.ts";
+import { asProblem } from "../messages/errors.ts";
+import { problemText } from "../messages/file-errors.ts";
 import type { Shell } from "../shell.ts";
 
 const accepted = ".svg,.json,.csv,.txt,image/svg+xml,application/json,text/plain,text/csv,image/*";

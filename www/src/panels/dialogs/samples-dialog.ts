@@ -1,9 +1,9 @@
 import { curveSamples } from "../../document/samples.ts";
 import { openSample } from "../../editor/route.ts";
-import { openDialog } from "../dialog.ts";
-import { h } from "../dom.ts";
+import { openDialog } from "../controls/dialog.ts";
+import { h } from "../controls/dom.ts";
+import { thumbnail } from "../curve/thumbnail.ts";
 import type { Shell } from "../shell.ts";
-import { thumbnail } from "../thumbnail.ts";
 
 /** The gallery: every sample as it will look, with a sentence on what it is for. */
 export function openSamples(shell: Shell): void {

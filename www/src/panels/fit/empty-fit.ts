@@ -2,8 +2,8 @@ import { fitSamples, samplePoints, type FitSample } from "../../document/fit-sam
 import { strokesOf } from "../../document/fit.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { boxOf, openFitSample } from "../../editor/fit/fit-edits.ts";
-import { h, svg } from "../dom.ts";
-import { mountEmptyStage, sampleCards } from "../empty-stage.ts";
+import { h, svg } from "../controls/dom.ts";
+import { mountEmptyStage, sampleCards } from "../mode/empty-stage.ts";
 import type { Shell } from "../shell.ts";
 
 /** The sample's points as they are opened. */

@@ -1,8 +1,8 @@
-import { setSmoothing } from "../../editor/fit/fit-edits.ts";
 import type { EditorState } from "../../editor/editor.ts";
+import { setSmoothing } from "../../editor/fit/fit-edits.ts";
 import type { ChartPoint } from "../../kernel/fit/outcome.ts";
-import { h, setText, svg } from "../dom.ts";
-import type { Section } from "../curve/curve-panel.ts";
+import { h, setText, svg } from "../controls/dom.ts";
+import type { Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
 
 /** Knots and error over the smoothing: bars and a line, filled while the page has time. A press goes there. */

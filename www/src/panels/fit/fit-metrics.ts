@@ -1,8 +1,8 @@
 import { strokesOf } from "../../document/fit.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { bytesOfData, bytesOfFit, type FitOutcome } from "../../kernel/fit/outcome.ts";
-import { formatBytes, formatDeviation } from "../format.ts";
-import type { Metric, ModeMetrics } from "../status-bar.ts";
+import { formatBytes, formatDeviation } from "../controls/format.ts";
+import type { Metric, ModeMetrics } from "../mode/metric.ts";
 
 /** Fit's numbers; nothing is printed that is not there. */
 

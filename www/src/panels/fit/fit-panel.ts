@@ -1,15 +1,14 @@
 import "../../styles/buttons.css";
-import type { FitClosing, FitModel, FitTarget } from "../../document/fit.ts";
 import { fitSample } from "../../document/fit-samples.ts";
+import type { FitClosing, FitModel, FitTarget } from "../../document/fit.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { chooseFitTool, describeData, setClosing, setCorners, setMix, setModel, setNoise, setSmoothing, setTarget, setTargetValue } from "../../editor/fit/fit-edits.ts";
 import type { FitTool } from "../../editor/fit/fit-state.ts";
-import { h, setAttribute, setText } from "../dom.ts";
-import { choiceField, numberField, selectField, sliderField, toggleField } from "../fields.ts";
-import type { Section } from "../curve/curve-panel.ts";
-import type { ModePanel } from "../panel.ts";
+import { h, setAttribute, setText } from "../controls/dom.ts";
+import { choiceField, numberField, selectField, sliderField, toggleField } from "../controls/fields.ts";
+import type { ModePanel, Section } from "../mode/panel-parts.ts";
+import { stackedPanel } from "../mode/stacked-panel.ts";
 import type { Shell } from "../shell.ts";
-import { stackedPanel } from "../stacked-panel.ts";
 import { chartSection } from "./fit-chart.ts";
 import { readingSection, showSection } from "./fit-show.ts";
 

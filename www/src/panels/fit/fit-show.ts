@@ -1,14 +1,14 @@
 import type { EditorState } from "../../editor/editor.ts";
-import { chooseKnots, setFitView } from "../../editor/fit/fit-edits.ts";
 import { toggleFitOverlay } from "../../editor/fit/fit-actions.ts";
+import { chooseKnots, setFitView } from "../../editor/fit/fit-edits.ts";
 import type { Compare, FitOverlay } from "../../editor/fit/fit-state.ts";
 import type { KnotType } from "../../kernel/fit/knots.ts";
-import { h, setAttribute, setText } from "../dom.ts";
-import { selectField, sliderField, toggleField } from "../fields.ts";
-import { formatChange, formatDeviation } from "../format.ts";
-import { holdButton } from "../hold-button.ts";
-import { legendRow } from "../legend.ts";
-import type { Section } from "../curve/curve-panel.ts";
+import { h, setAttribute, setText } from "../controls/dom.ts";
+import { selectField, sliderField, toggleField } from "../controls/fields.ts";
+import { formatChange, formatDeviation } from "../controls/format.ts";
+import { legendRow } from "../controls/legend.ts";
+import { holdButton } from "../mode/hold-button.ts";
+import type { Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
 
 /** What came of the fit: knots by kind, and the errors; then what is drawn of it. */

@@ -1,11 +1,11 @@
 import type { EditorState } from "../../editor/editor.ts";
 import type { DragAxis } from "../../editor/surface/solid.ts";
 import { nudgeNet, nudgeUnit, patchSolid, placeNet, shownPoint } from "../../editor/surface/surface-edits.ts";
-import { h, setAttribute, setText } from "../dom.ts";
-import { numberField, selectField } from "../fields.ts";
-import { icon, type IconName } from "../icons.ts";
+import { h, setAttribute, setText } from "../controls/dom.ts";
+import { numberField, selectField } from "../controls/fields.ts";
+import { icon, type IconName } from "../controls/icons.ts";
+import type { Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
-import type { Section } from "../curve/curve-panel.ts";
 
 const axes: readonly (readonly [DragAxis, string])[] = [
   ["view", "View plane"],

@@ -1,10 +1,10 @@
 import { writeState } from "../../document/file/write.ts";
 import { surfaceTitle } from "../../document/surface-samples.ts";
 import { meshSize, surfaceGltf, surfaceObj } from "../../kernel/surface-files.ts";
-import { button, openDialog } from "../dialog.ts";
-import { h, setText } from "../dom.ts";
-import { sliderField } from "../fields.ts";
-import { formatBytes } from "../format.ts";
+import { button, openDialog } from "../controls/dialog.ts";
+import { h, setText } from "../controls/dom.ts";
+import { sliderField } from "../controls/fields.ts";
+import { formatBytes } from "../controls/format.ts";
 import type { Shell } from "../shell.ts";
 import { surfaceThumbnail } from "./surface-gallery.ts";
 

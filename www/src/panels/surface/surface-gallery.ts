@@ -5,7 +5,7 @@ import { startOrbit } from "../../editor/surface/solid.ts";
 import { openSurfaceSample } from "../../editor/surface/surface-edits.ts";
 import { extentOf, meshOf } from "../../kernel/surface-mesh.ts";
 import { surfaceSample } from "../../kernel/surface.ts";
-import { h, svg } from "../dom.ts";
+import { h, svg } from "../controls/dom.ts";
 import type { Shell } from "../shell.ts";
 
 const frame = { left: 0, top: 0, width: 300, height: 200 };

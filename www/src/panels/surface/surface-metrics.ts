@@ -1,7 +1,7 @@
 import { meshOf, netPoints } from "../../kernel/surface-mesh.ts";
 import { deviationOf } from "../../kernel/surface-truth.ts";
-import { formatCount, formatRatio } from "../format.ts";
-import type { ModeMetrics } from "../status-bar.ts";
+import { formatCount, formatRatio } from "../controls/format.ts";
+import type { ModeMetrics } from "../mode/metric.ts";
 
 /** Surface mode's numbers. */
 export const surfaceMetrics: ModeMetrics = [

@@ -1,16 +1,15 @@
 import "../../styles/buttons.css";
 import { surfaceSamples, surfaceTitle } from "../../document/surface-samples.ts";
 import type { EditorState } from "../../editor/editor.ts";
+import type { Shade } from "../../editor/surface/solid.ts";
 import { openSurfaceSample, patchSolid, setNetSize, setSurfaceLevels } from "../../editor/surface/surface-edits.ts";
 import { netSize } from "../../kernel/surface-net.ts";
-import { h, setText } from "../dom.ts";
-import { numberField, selectField, sliderField, toggleField } from "../fields.ts";
-import type { Shade } from "../../editor/surface/solid.ts";
-import { glyph } from "../icons.ts";
-import type { ModePanel } from "../panel.ts";
+import { h, setText } from "../controls/dom.ts";
+import { numberField, selectField, sliderField, toggleField } from "../controls/fields.ts";
+import { glyph } from "../controls/icons.ts";
+import type { ModePanel, Section } from "../mode/panel-parts.ts";
+import { stackedPanel } from "../mode/stacked-panel.ts";
 import type { Shell } from "../shell.ts";
-import { stackedPanel } from "../stacked-panel.ts";
-import type { Section } from "../curve/curve-panel.ts";
 import { netInspector } from "./net-inspector.ts";
 
 /** Surface mode's properties. */

@@ -1,8 +1,8 @@
 import { traceLimits } from "../../document/trace.ts";
 import { setTrace } from "../../editor/trace/trace-edits.ts";
-import { h, setText } from "../dom.ts";
-import { toggleField } from "../fields.ts";
-import type { Section } from "../curve/curve-panel.ts";
+import { h, setText } from "../controls/dom.ts";
+import { toggleField } from "../controls/fields.ts";
+import type { Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
 import { settingSlider } from "./setting-slider.ts";
 

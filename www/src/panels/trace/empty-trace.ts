@@ -2,8 +2,8 @@ import { traceSamples, type TraceSample } from "../../document/trace-samples.ts"
 import { isEmptyTrace } from "../../document/trace.ts";
 import { openTraceSample } from "../../editor/trace/trace-edits.ts";
 import { drawSample, imageOf } from "../../kernel/trace/raster.ts";
-import { h } from "../dom.ts";
-import { mountEmptyStage, sampleCards } from "../empty-stage.ts";
+import { h } from "../controls/dom.ts";
+import { mountEmptyStage, sampleCards } from "../mode/empty-stage.ts";
 import type { Shell } from "../shell.ts";
 import { pictureField } from "./picture-section.ts";
 

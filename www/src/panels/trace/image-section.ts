@@ -1,8 +1,8 @@
 import { traceLimits, workSizes, type TraceSettings, type TraceSource } from "../../document/trace.ts";
 import { setTrace } from "../../editor/trace/trace-edits.ts";
-import { h } from "../dom.ts";
-import { choiceField, selectField, toggleField } from "../fields.ts";
-import type { Section } from "../curve/curve-panel.ts";
+import { h } from "../controls/dom.ts";
+import { choiceField, selectField, toggleField } from "../controls/fields.ts";
+import type { Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
 import { withAuto } from "./setting-slider.ts";
 

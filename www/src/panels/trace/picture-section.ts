@@ -3,11 +3,11 @@ import { traceViews } from "../../editor/trace/trace-actions.ts";
 import { setTraceView } from "../../editor/trace/trace-edits.ts";
 import type { TraceViewId } from "../../editor/trace/trace-state.ts";
 import type { ShownPicture } from "../../kernel/trace/outcome.ts";
-import { h, setText } from "../dom.ts";
-import { choiceField, sliderField } from "../fields.ts";
-import { holdButton } from "../hold-button.ts";
-import { icon } from "../icons.ts";
-import type { Section } from "../curve/curve-panel.ts";
+import { h, setText } from "../controls/dom.ts";
+import { choiceField, sliderField } from "../controls/fields.ts";
+import { icon } from "../controls/icons.ts";
+import { holdButton } from "../mode/hold-button.ts";
+import type { Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
 
 /** The picture: where it comes from, what is seen of it. */
@@ -56,7 +56,7 @@ export function pictureField(shell: Shell, testid = "trace-file"): HTMLElement {
   const file = h("input", { class: "file-field", testid, type: "file", accept: accepted, "aria-label": "Choose a picture", title: "A PNG, JPEG, WebP, AVIF, GIF or BMP file; it stays on this device." });
   file.addEventListener("change", () => {
     const [chosen] = file.files ?? [];
-    if (chosen !== undefined) void import("../file-work.ts").then(({ receiveFiles }) => receiveFiles(shell, [chosen]));
+    if (chosen !== undefined) void import("../files/file-work.ts").then(({ receiveFiles }) => receiveFiles(shell, [chosen]));
     file.value = "";
   });
   return h("label", { class: "file-drop trace-drop" }, icon("plus"), h("span", {}, "Drop, paste or choose…"), file);

@@ -1,10 +1,10 @@
 import type { EditorState } from "../../editor/editor.ts";
 import { drawingOf } from "../../editor/trace/trace-edits.ts";
 import { cornersIn, pointCount, type TraceOutcome } from "../../kernel/trace/outcome.ts";
-import { h, setText } from "../dom.ts";
-import { formatBytes, formatCount, formatDeviation } from "../format.ts";
-import { legendRow } from "../legend.ts";
-import type { Section } from "../curve/curve-panel.ts";
+import { h, setText } from "../controls/dom.ts";
+import { formatBytes, formatCount, formatDeviation } from "../controls/format.ts";
+import { legendRow } from "../controls/legend.ts";
+import type { Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
 import { progressText } from "./trace-progress.ts";
 

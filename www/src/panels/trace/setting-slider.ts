@@ -1,9 +1,9 @@
 import { traceLimits } from "../../document/trace.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { ownSettings, setTrace } from "../../editor/trace/trace-edits.ts";
-import { h } from "../dom.ts";
-import { sliderField, toggleField } from "../fields.ts";
-import type { Section } from "../curve/curve-panel.ts";
+import { h } from "../controls/dom.ts";
+import { sliderField, toggleField } from "../controls/fields.ts";
+import type { Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
 
 /** Sliders over Trace's settings. */

@@ -2,8 +2,8 @@ import { emptyCurve } from "../../document/document.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { drawingOf } from "../../editor/trace/trace-edits.ts";
 import { cornersIn, pointCount, type TraceOutcome } from "../../kernel/trace/outcome.ts";
-import { formatBytes, formatDeviation } from "../format.ts";
-import type { Metric, ModeMetrics } from "../status-bar.ts";
+import { formatBytes, formatDeviation } from "../controls/format.ts";
+import type { Metric, ModeMetrics } from "../mode/metric.ts";
 
 /** Trace's numbers; nothing is printed that is not there. */
 

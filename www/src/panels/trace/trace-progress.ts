@@ -1,9 +1,9 @@
 import { traceLimits } from "../../document/trace.ts";
 import type { EditorState } from "../../editor/editor.ts";
-import type { TraceFailure, TraceProgress } from "../../editor/trace/trace-state.ts";
 import { setTrace } from "../../editor/trace/trace-edits.ts";
-import { h, setAttribute, setText } from "../dom.ts";
-import { icon } from "../icons.ts";
+import type { TraceFailure, TraceProgress } from "../../editor/trace/trace-state.ts";
+import { h, setAttribute, setText } from "../controls/dom.ts";
+import { icon } from "../controls/icons.ts";
 import type { Shell } from "../shell.ts";
 
 /** Over the stage: how far the tracer has come, with a way to stop it; or why there is nothing to see, with a way on. */

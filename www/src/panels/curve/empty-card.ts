@@ -1,9 +1,9 @@
-import "../styles/buttons.css";
-import "../styles/gallery.css";
-import { curveSamples } from "../document/samples.ts";
-import { openSample } from "../editor/route.ts";
-import type { Editor } from "../editor/editor.ts";
-import { h } from "./dom.ts";
+import "../../styles/buttons.css";
+import "../../styles/gallery.css";
+import { curveSamples } from "../../document/samples.ts";
+import type { Editor } from "../../editor/editor.ts";
+import { openSample } from "../../editor/route.ts";
+import { h } from "../controls/dom.ts";
 import { thumbnail } from "./thumbnail.ts";
 
 const offered = ["circle-2", "heart", "glyph"];

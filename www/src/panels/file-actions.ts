@@ -1,10 +1,10 @@
 import { writeState } from "../document/file/write.ts";
 import type { Action } from "../editor/editor.ts";
-import { errorText } from "./errors.ts";
+import { errorText } from "./messages/errors.ts";
 import type { Shell } from "./shell.ts";
 
 /** What copies, shares and takes in is loaded when something first is. */
-const work = (): Promise<typeof import("./file-work.ts")> => import("./file-work.ts");
+const work = (): Promise<typeof import("./files/file-work.ts")> => import("./files/file-work.ts");
 
 /** The actions that reach outside the page: files, links, the clipboard, and the dialogs for them. */
 export function registerFileActions(shell: Shell): void {

@@ -1,7 +1,7 @@
-import "../styles/gallery.css";
-import type { EditorState } from "../editor/editor.ts";
-import { h } from "./dom.ts";
-import type { Shell } from "./shell.ts";
+import "../../styles/gallery.css";
+import type { EditorState } from "../../editor/editor.ts";
+import { h } from "../controls/dom.ts";
+import type { Shell } from "../shell.ts";
 
 /** What an empty stage offers, for as long as it is empty. Presses beside the buttons go through to the stage. */
 export function mountEmptyStage({ editor, regions, until }: Shell, isEmpty: (state: EditorState) => boolean, build: () => HTMLElement): void {

@@ -1,9 +1,9 @@
-import type { EditorState } from "../editor/editor.ts";
-import { follow, parseRoute } from "../editor/route.ts";
-import { errorText } from "./errors.ts";
-import { h } from "./dom.ts";
-import { icon } from "./icons.ts";
-import type { Shell } from "./shell.ts";
+import type { EditorState } from "../../editor/editor.ts";
+import { follow, parseRoute } from "../../editor/route.ts";
+import { h } from "../controls/dom.ts";
+import { icon } from "../controls/icons.ts";
+import { errorText } from "../messages/errors.ts";
+import type { Shell } from "../shell.ts";
 
 /**
  * What the page opens with beside a route: a shared link, or the last session of this browser. Resolves when it is on

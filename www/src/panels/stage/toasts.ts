@@ -1,15 +1,10 @@
-import type { Editor, Notice } from "../editor/editor.ts";
-import { h } from "./dom.ts";
-import { icon } from "./icons.ts";
+import type { Editor, Notice } from "../../editor/editor.ts";
+import { h } from "../controls/dom.ts";
+import { icon } from "../controls/icons.ts";
+import type { Toasts } from "../shell.ts";
 
 const shownForMs = 5000;
 const mostShown = 2;
-
-export interface Toasts {
-  /** With an action: a button that does it and takes the toast away. */
-  say(text: string, action?: { readonly label: string; run(): void }): void;
-  error(id: string, text: string): void;
-}
 
 /** Messages over the foot of the stage: news go by themselves, errors stay until they are closed or the next success. */
 export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {

@@ -1,6 +1,6 @@
-import type { EditorState } from "../editor/editor.ts";
-import { whileLoading } from "../editor/loading.ts";
-import type { Shell } from "./shell.ts";
+import type { EditorState } from "../../editor/editor.ts";
+import { whileLoading } from "../../editor/loading.ts";
+import type { Shell } from "../shell.ts";
 
 function isEmpty(state: EditorState): boolean {
   return state.mode === "curve" && state.engine.status === "ready" && state.curve.contours.length === 0 && state.tool !== "pen";

@@ -1,5 +1,5 @@
-import { keepPicture } from "../kernel/trace/pictures.ts";
-import type { Shell } from "./shell.ts";
+import { keepPicture } from "../../kernel/trace/pictures.ts";
+import type { Shell } from "../shell.ts";
 
 /** Hands a picture to Trace, which is loaded if it is not there yet. */
 export function openPicture({ editor }: Shell, name: string, content: Blob): void {

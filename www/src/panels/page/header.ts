@@ -1,7 +1,7 @@
-import { modes, type Mode } from "../document/document.ts";
-import { h, setAttribute, type Child } from "./dom.ts";
-import { icon, type IconName } from "./icons.ts";
-import { withKey, type Shell } from "./shell.ts";
+import { modes, type Mode } from "../../document/document.ts";
+import { h, setAttribute, type Child } from "../controls/dom.ts";
+import { icon, type IconName } from "../controls/icons.ts";
+import { withKey, type Shell } from "../shell.ts";
 import type { Theme, ThemeControl } from "./theme.ts";
 
 const modeNames: Readonly<Record<Mode, string>> = { curve: "Curve", fit: "Fit", trace: "Trace", surface: "Surface" };

@@ -1,6 +1,6 @@
-import type { Mode } from "../document/document.ts";
+import type { Mode } from "../../document/document.ts";
+import type { Shell } from "../shell.ts";
 import { openState, report } from "./report.ts";
-import type { Shell } from "./shell.ts";
 
 /** What comes back from outside the page: a link's drawing, or what this browser has kept. */
 

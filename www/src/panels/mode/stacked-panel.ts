@@ -1,7 +1,6 @@
-import type { EditorState } from "../editor/editor.ts";
-import type { Section } from "./curve/curve-panel.ts";
-import { h } from "./dom.ts";
-import type { ModePanel } from "./panel.ts";
+import type { EditorState } from "../../editor/editor.ts";
+import { h } from "../controls/dom.ts";
+import type { ModePanel, Section } from "./panel-parts.ts";
 
 /** A mode's panel of sections, one below the other. */
 export function stackedPanel(name: string, sections: readonly Section[], { peek, note, ready }: Pick<ModePanel, "note"> & { readonly peek: HTMLElement; ready?(state: EditorState): boolean }): ModePanel {

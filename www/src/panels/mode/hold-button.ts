@@ -1,5 +1,5 @@
-import { h } from "./dom.ts";
-import type { Shell } from "./shell.ts";
+import { h } from "../controls/dom.ts";
+import type { Shell } from "../shell.ts";
 
 /** Shows what there was before anything was made of it, as long as it is held. */
 export function holdButton({ editor }: Shell, label: string, about: string): HTMLButtonElement {

@@ -1,4 +1,4 @@
-import { Problem, type ProblemDetails, type ProblemId } from "../document/problem.ts";
+import { Problem, type ProblemDetails, type ProblemId } from "../../document/problem.ts";
 
 type Say = (d: ProblemDetails) => string;
 

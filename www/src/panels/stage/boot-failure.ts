@@ -1,5 +1,5 @@
-import type { Engine } from "../editor/editor.ts";
-import { h } from "./dom.ts";
+import type { Engine } from "../../editor/editor.ts";
+import { h } from "../controls/dom.ts";
 
 /** Why the engine did not start, and what helps. */
 export function failure({ reason, detail }: Extract<Engine, { status: "failed" }>): HTMLElement {

@@ -1,5 +1,5 @@
-import { stateVersion } from "../document/document.ts";
-import type { ProblemDetails, ProblemId } from "../document/problem.ts";
+import { stateVersion } from "../../document/document.ts";
+import type { ProblemDetails, ProblemId } from "../../document/problem.ts";
 import { nearMessages, type FarProblem } from "./errors.ts";
 
 /** What can be wrong with something that was brought in, in words. */

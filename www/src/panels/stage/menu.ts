@@ -1,6 +1,6 @@
-import type { Action, Editor } from "../editor/editor.ts";
-import { h } from "./dom.ts";
-import { printedKey } from "./shell.ts";
+import type { Action, Editor } from "../../editor/editor.ts";
+import { h } from "../controls/dom.ts";
+import { printedKey } from "../shell.ts";
 
 /** A menu at a place of the window: the first thing in it has the focus, which goes back to where it was. */
 export function openMenu(editor: Editor, x: number, y: number, actions: readonly Action[]): void {

@@ -1,6 +1,6 @@
-import { isSelected } from "../document/document.ts";
-import type { EditorState } from "../editor/editor.ts";
-import type { Shell } from "./shell.ts";
+import { isSelected } from "../../document/document.ts";
+import type { EditorState } from "../../editor/editor.ts";
+import type { Shell } from "../shell.ts";
 
 /** What can be done with what is under the pointer. */
 function itemsFor({ hover, curve }: EditorState): readonly string[] {

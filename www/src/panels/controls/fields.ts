@@ -2,9 +2,9 @@
  * The controls of the panels: native inputs with a visible label, one sentence of explanation, a reset on the label's
  * double click, and errors said beside the field while the old value stays.
  */
+import { errorText } from "../messages/errors.ts";
 import { freshId, h, setAttribute, setText, type Child } from "./dom.ts";
 import { formatCoordinate, parseTyped } from "./format.ts";
-import { errorText } from "./errors.ts";
 
 export interface Field<T> {
   readonly element: HTMLElement;

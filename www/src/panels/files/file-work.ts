@@ -1,13 +1,13 @@
-import type { CurveDocument } from "../document/document.ts";
-import { curveSample } from "../document/samples.ts";
-import { Problem } from "../document/problem.ts";
-import { documentPathD } from "../kernel/paths.ts";
-import { documentBounds } from "../kernel/samples.ts";
-import { errorText } from "./errors.ts";
+import type { CurveDocument } from "../../document/document.ts";
+import { Problem } from "../../document/problem.ts";
+import { curveSample } from "../../document/samples.ts";
+import { documentPathD } from "../../kernel/paths.ts";
+import { documentBounds } from "../../kernel/samples.ts";
+import { errorText } from "../messages/errors.ts";
+import type { Shell } from "../shell.ts";
 import { naturalPlacement, place, readOrReport } from "./load.ts";
 import { openPicture } from "./open-picture.ts";
 import { report } from "./report.ts";
-import type { Shell } from "./shell.ts";
 
 /** Copying, sharing, and taking in what is pasted or dropped. */
 

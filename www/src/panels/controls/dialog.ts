@@ -1,6 +1,6 @@
-import "../styles/buttons.css";
-import "../styles/dialogs.css";
-import "../styles/gallery.css";
+import "../../styles/buttons.css";
+import "../../styles/dialogs.css";
+import "../../styles/gallery.css";
 import { h, type Child } from "./dom.ts";
 import { icon } from "./icons.ts";
 

@@ -1,29 +1,20 @@
-import type { Mode } from "../document/document.ts";
-import { clearCurve } from "../editor/edits.ts";
-import type { EditorState } from "../editor/editor.ts";
-import { curveSample } from "../document/samples.ts";
-import { isEmptyTrace } from "../document/trace.ts";
-import type { CodeDrawer } from "./code/code-drawer.ts";
-import { curveSection } from "./curve/curve-panel.ts";
-import { inspectorSection } from "./curve/inspector.ts";
-import { generatorSection, pointsTableSection } from "./curve/points-table.ts";
-import { legendSection, showSection } from "./curve/show.ts";
-import { h, setAttribute, setText } from "./dom.ts";
-import { icon } from "./icons.ts";
+import type { Mode } from "../../document/document.ts";
+import { curveSample } from "../../document/samples.ts";
+import { isEmptyTrace } from "../../document/trace.ts";
+import type { EditorState } from "../../editor/editor.ts";
+import { clearCurve } from "../../editor/edits.ts";
+import type { CodeDrawer } from "../code/code-drawer.ts";
+import { h, setAttribute, setText } from "../controls/dom.ts";
+import { icon } from "../controls/icons.ts";
+import { curveSection } from "../curve/curve-panel.ts";
+import { inspectorSection } from "../curve/inspector.ts";
+import { generatorSection, pointsTableSection } from "../curve/points-table.ts";
+import { legendSection, showSection } from "../curve/show.ts";
+import type { ModePanel } from "../mode/panel-parts.ts";
+import { inNextFrame, type Shell } from "../shell.ts";
 import { mountSheet } from "./sheet.ts";
-import { inNextFrame, type Shell } from "./shell.ts";
 
 const titles = { curve: "Curve", fit: "Fit", trace: "Trace", surface: "Surface" } as const;
-
-/** The panel of a mode that is loaded when it is first opened. */
-export interface ModePanel {
-  readonly element: HTMLElement;
-  /** What a phone shows of it with the sheet down. */
-  readonly peek?: HTMLElement;
-  /** Beside the mode's name. */
-  note(state: EditorState): string;
-  update(state: EditorState): void;
-}
 
 export interface PanelHost {
   /** Adds a mode's panel. */
@@ -48,7 +39,7 @@ export function mountPanel(shell: Shell, metrics: HTMLElement): PanelHost {
 
   let drawer: Promise<CodeDrawer> | null = null;
   const loadDrawer = async (): Promise<CodeDrawer> => {
-    const { mountCodeDrawer } = await import("./code/code-drawer.ts");
+    const { mountCodeDrawer } = await import("../code/code-drawer.ts");
     return mountCodeDrawer(shell, (open) => setAttribute(codeButton, "aria-expanded", String(open)));
   };
   editor.actions.register({

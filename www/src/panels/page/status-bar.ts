@@ -1,83 +1,8 @@
-import type { Mode } from "../document/document.ts";
-import type { EditorState } from "../editor/editor.ts";
-import { measureCurve } from "../kernel/measure.ts";
-import { h, setAttribute } from "./dom.ts";
-import { formatBytes, formatCount, formatMeasure, formatRatio } from "./format.ts";
-import { inNextFrame, type Shell } from "./shell.ts";
-
-export interface Metric {
-  readonly testid: string;
-  readonly about: string;
-  /** Null hides the metric. */
-  read(state: EditorState): { readonly value: number; readonly strong: string; readonly rest?: string; readonly lead?: string } | null;
-  /** Too dear to be computed for every frame of a drag. */
-  readonly slow?: boolean;
-}
-
-const count = (testid: string, about: string, one: string, read: (state: EditorState) => number, many = `${one}s`): Metric => ({
-  testid,
-  about,
-  read(state) {
-    const value = read(state);
-    return { value, strong: String(value), rest: formatCount(value, one, many).replace(/^\d+ /u, "") };
-  },
-});
-
-const present: readonly Metric[] = [
-  count("m-points", "Control points", "point", ({ curve }) => measureCurve(curve).points),
-  count("m-contours", "Contours", "contour", ({ curve }) => measureCurve(curve).contours),
-  count("m-cusps", "Cusps: points whose two handles go their own ways", "cusp", ({ curve }) => measureCurve(curve).cusps),
-];
-
-const truth: readonly Metric[] = [
-  {
-    testid: "m-error",
-    about: "Largest distance from the ellipse that this curve is, relative to its radius, over 512 samples",
-    read({ curve }) {
-      const value = measureCurve(curve).modelError;
-      return value === undefined ? null : { value, lead: "ellipse error", strong: formatRatio(value) };
-    },
-  },
-  {
-    testid: "m-bezier",
-    about: "The same error of the Bézier curve drawn behind it",
-    read({ curve, settings }) {
-      const value = settings.overlays.bezier ? measureCurve(curve).bezierError : undefined;
-      return value === undefined ? null : { value, lead: "Bézier", strong: formatRatio(value) };
-    },
-  },
-  {
-    testid: "m-length",
-    about: "Length of all contours, to 1e-9 of the size of the drawing",
-    read({ curve }) {
-      return curve.contours.length === 0 ? null : { value: measureCurve(curve).length, lead: "length", strong: formatMeasure(measureCurve(curve).length) };
-    },
-    slow: true,
-  },
-  {
-    testid: "m-area",
-    about: "Signed area of the closed contours",
-    read({ curve }) {
-      const measures = measureCurve(curve);
-      return measures.closed === 0 ? null : { value: measures.area, lead: "area", strong: formatMeasure(measures.area) };
-    },
-    slow: true,
-  },
-];
-
-const cost: readonly Metric[] = [
-  {
-    testid: "m-bytes",
-    about: "Size of the path text at a tolerance of 0.02 and three decimals",
-    read({ curve }) {
-      return { value: measureCurve(curve).bytes, lead: "d", strong: formatBytes(measureCurve(curve).bytes) };
-    },
-    slow: true,
-  },
-];
-
-/** The numbers of a mode that is loaded later: what is there, what is true about it, what it costs. */
-export type ModeMetrics = readonly [present: readonly Metric[], truth: readonly Metric[], cost: readonly Metric[]];
+import type { Mode } from "../../document/document.ts";
+import { h, setAttribute } from "../controls/dom.ts";
+import { curveMetrics } from "../curve/curve-metrics.ts";
+import type { Metric, ModeMetrics } from "../mode/metric.ts";
+import { inNextFrame, type Shell } from "../shell.ts";
 
 const slowEveryMs = 120;
 const mostMeasuredLive = 200;
@@ -97,7 +22,7 @@ export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement; p
   const element = h("div", { class: "metrics" });
   regions.status.append(element);
 
-  const modes = new Map<Mode, ModeMetrics>([["curve", [present, truth, cost]]]);
+  const modes = new Map<Mode, ModeMetrics>([["curve", curveMetrics]]);
   let shownMode: Mode | null = null;
   let all: ReturnType<typeof make>[] = [];
   const build = (mode: Mode): void => {

@@ -1,9 +1,9 @@
-import type { Contour } from "../document/document.ts";
-import type { Imported } from "../document/imported.ts";
-import { addContours } from "../editor/edits.ts";
-import { routeOf } from "../editor/route.ts";
+import type { Contour } from "../../document/document.ts";
+import type { Imported } from "../../document/imported.ts";
+import { addContours } from "../../editor/edits.ts";
+import { routeOf } from "../../editor/route.ts";
+import type { Shell } from "../shell.ts";
 import { report } from "./report.ts";
-import type { Shell } from "./shell.ts";
 
 /** A sample as it was opened gives way to what is brought in; anything that was worked on is added to. */
 export function naturalPlacement({ editor }: Shell): Placement {

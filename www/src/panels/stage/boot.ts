@@ -1,6 +1,6 @@
-import type { Engine } from "../editor/editor.ts";
-import { h } from "./dom.ts";
-import type { Shell } from "./shell.ts";
+import type { Engine } from "../../editor/editor.ts";
+import { h } from "../controls/dom.ts";
+import type { Shell } from "../shell.ts";
 
 const patienceMs = 300;
 

@@ -1,7 +1,7 @@
-import type { ToolId } from "../editor/editor.ts";
-import { h, setAttribute } from "./dom.ts";
-import { icon } from "./icons.ts";
-import { withKey, type Shell } from "./shell.ts";
+import type { ToolId } from "../../editor/editor.ts";
+import { h, setAttribute } from "../controls/dom.ts";
+import { icon } from "../controls/icons.ts";
+import { withKey, type Shell } from "../shell.ts";
 
 const tools: readonly (readonly [ToolId, string])[] = [
   ["select", "Select and edit"],

@@ -1,5 +1,5 @@
-import { h, setAttribute } from "./dom.ts";
-import { icon } from "./icons.ts";
+import { h, setAttribute } from "../controls/dom.ts";
+import { icon } from "../controls/icons.ts";
 
 const snaps = ["peek", "half", "full"] as const;
 type Snap = (typeof snaps)[number];

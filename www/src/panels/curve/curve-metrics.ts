@@ -1,0 +1,70 @@
+import type { EditorState } from "../../editor/editor.ts";
+import { measureCurve } from "../../kernel/measure.ts";
+import { formatBytes, formatCount, formatMeasure, formatRatio } from "../controls/format.ts";
+import type { Metric, ModeMetrics } from "../mode/metric.ts";
+
+/** Curve's numbers. */
+
+const count = (testid: string, about: string, one: string, read: (state: EditorState) => number, many = `${one}s`): Metric => ({
+  testid,
+  about,
+  read(state) {
+    const value = read(state);
+    return { value, strong: String(value), rest: formatCount(value, one, many).replace(/^\d+ /u, "") };
+  },
+});
+
+const present: readonly Metric[] = [
+  count("m-points", "Control points", "point", ({ curve }) => measureCurve(curve).points),
+  count("m-contours", "Contours", "contour", ({ curve }) => measureCurve(curve).contours),
+  count("m-cusps", "Cusps: points whose two handles go their own ways", "cusp", ({ curve }) => measureCurve(curve).cusps),
+];
+
+const truth: readonly Metric[] = [
+  {
+    testid: "m-error",
+    about: "Largest distance from the ellipse that this curve is, relative to its radius, over 512 samples",
+    read({ curve }) {
+      const value = measureCurve(curve).modelError;
+      return value === undefined ? null : { value, lead: "ellipse error", strong: formatRatio(value) };
+    },
+  },
+  {
+    testid: "m-bezier",
+    about: "The same error of the Bézier curve drawn behind it",
+    read({ curve, settings }) {
+      const value = settings.overlays.bezier ? measureCurve(curve).bezierError : undefined;
+      return value === undefined ? null : { value, lead: "Bézier", strong: formatRatio(value) };
+    },
+  },
+  {
+    testid: "m-length",
+    about: "Length of all contours, to 1e-9 of the size of the drawing",
+    read({ curve }) {
+      return curve.contours.length === 0 ? null : { value: measureCurve(curve).length, lead: "length", strong: formatMeasure(measureCurve(curve).length) };
+    },
+    slow: true,
+  },
+  {
+    testid: "m-area",
+    about: "Signed area of the closed contours",
+    read({ curve }) {
+      const measures = measureCurve(curve);
+      return measures.closed === 0 ? null : { value: measures.area, lead: "area", strong: formatMeasure(measures.area) };
+    },
+    slow: true,
+  },
+];
+
+const cost: readonly Metric[] = [
+  {
+    testid: "m-bytes",
+    about: "Size of the path text at a tolerance of 0.02 and three decimals",
+    read({ curve }) {
+      return { value: measureCurve(curve).bytes, lead: "d", strong: formatBytes(measureCurve(curve).bytes) };
+    },
+    slow: true,
+  },
+];
+
+export const curveMetrics: ModeMetrics = [present, truth, cost];

@@ -1,0 +1,17 @@
+import type { EditorState } from "../../editor/editor.ts";
+
+/** A part of a panel that follows the state. */
+export interface Section {
+  readonly element: HTMLElement;
+  update(state: EditorState): void;
+}
+
+/** The panel of a mode that is loaded when it is first opened. */
+export interface ModePanel {
+  readonly element: HTMLElement;
+  /** What a phone shows of it with the sheet down. */
+  readonly peek?: HTMLElement;
+  /** Beside the mode's name. */
+  note(state: EditorState): string;
+  update(state: EditorState): void;
+}
