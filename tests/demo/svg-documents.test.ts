@@ -21,7 +21,7 @@ const requests: string[] = [];
 
 before(async () => {
   const bundle = await build({
-    stdin: { contents: 'export { readSvg } from "./www/src/io/svg-file.ts"; export { escapeXml, writeSvg } from "./www/src/io/svg-write.ts";', resolveDir: process.cwd(), loader: "ts" },
+    stdin: { contents: 'export { readSvg } from "./www/src/io/svg/svg-file.ts"; export { escapeXml, writeSvg } from "./www/src/io/svg/svg-write.ts";', resolveDir: process.cwd(), loader: "ts" },
     bundle: true, format: "iife", globalName: "reader", write: false,
   });
   browser = await launch();

@@ -1,11 +1,11 @@
 import { createContract, type ContractParts, type ExplineDemo } from "./contract.ts";
 import { createEditor } from "./editor/create-editor.ts";
-import { listenToStage } from "./editor/dom-input.ts";
+import { listenToStage } from "./editor/pointer/dom-input.ts";
 import { createFrame } from "./editor/frame.ts";
-import { createPointerInput } from "./editor/pointer-input.ts";
+import { createPointerInput } from "./editor/pointer/pointer-input.ts";
 import { connectRoutes, openRoute, parseRoute } from "./editor/route.ts";
-import { registerStandardActions } from "./editor/standard-actions.ts";
-import { keepForOffline } from "./io/offline.ts";
+import { registerStandardActions } from "./editor/actions/standard-actions.ts";
+import { keepForOffline } from "./io/offline/offline.ts";
 import { loadModes, type ModeParts } from "./modes.ts";
 import { pageIo } from "./io/page-io.ts";
 import { startEngine } from "./kernel/engine.ts";
@@ -84,7 +84,7 @@ function mount(): ExplineDemo {
 
   return (window.explineDemo = createContract({
     editor, frame, ready: boot(), parts, unmount: () => unmount(life),
-    readState: async (value) => (await import("./document/file.ts")).readState(value),
+    readState: async (value) => (await import("./document/file/file.ts")).readState(value),
   }));
 }
 

@@ -1,11 +1,11 @@
-import { isEmptyTrace, type TraceDocument } from "./document/trace.ts";
+import { isEmptyTrace, type TraceDocument } from "./document/trace/trace.ts";
 import type { EditorState } from "./editor/editor.ts";
 import { tracedDrawing, tracedLayers } from "./editor/trace/hand-over.ts";
 import { registerTraceActions } from "./editor/trace/trace-actions.ts";
 import { drawingOf, sizeOf } from "./editor/trace/trace-edits.ts";
 import { traceHint, traceSummary } from "./editor/trace/trace-hint.ts";
 import { createTraceRunner } from "./editor/trace/trace-runner.ts";
-import { samplePoints } from "./kernel/samples.ts";
+import { samplePoints } from "./kernel/curve/samples.ts";
 import { cornersIn } from "./kernel/trace/outcome.ts";
 import { endingWith } from "./kernel/worker-desk.ts";
 import { createTraceClient, pageClock } from "./kernel/trace/trace-client.ts";

@@ -118,6 +118,13 @@ test("files stay short enough to be read at one sitting", () => {
   assert.deepEqual(long, []);
 });
 
+test("folders hold few enough files to be seen at one look", () => {
+  const most = 12;
+  const count = new Map<string, number>();
+  for (const file of filesUnder(source, ".ts")) count.set(join(file, ".."), (count.get(join(file, "..")) ?? 0) + 1);
+  assert.deepEqual([...count].filter(([, files]) => files > most), []);
+});
+
 test("the page has no inline script, style or event handler, so that its Content Security Policy can forbid them", () => {
   const page = readFileSync("www/index.html", "utf8");
   assert.doesNotMatch(page, /\sstyle=|<style|\son\w+=/);

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { nearestOn } from "../src/kernel/samples.ts";
-import { areOpposite } from "../src/document/offset.ts";
+import { nearestOn } from "../src/kernel/curve/samples.ts";
+import { areOpposite } from "../src/document/curve/offset.ts";
 import { Hand, largestDistance } from "./harness.ts";
 
 /** A place on a contour: part of the way along a segment, all segments being one unit long. */

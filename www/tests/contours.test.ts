@@ -1,12 +1,12 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { joined, locate, loweredContour, reversedContour, startedAt, withClosed, withoutPoints } from "../src/document/contours.ts";
+import { joined, locate, loweredContour, reversedContour, startedAt, withClosed, withoutPoints } from "../src/document/curve/contours.ts";
 import { segmentCount, type Contour, type CurveDocument } from "../src/document/document.ts";
-import { curveSample } from "../src/document/samples.ts";
-import { movePoints } from "../src/document/commands.ts";
-import { cubicsOf } from "../src/kernel/paths.ts";
-import { contoursOfPath, inserted, refined, resampled } from "../src/kernel/contours.ts";
-import { samplePoints } from "../src/kernel/samples.ts";
+import { curveSample } from "../src/document/curve/samples.ts";
+import { movePoints } from "../src/document/curve/commands.ts";
+import { cubicsOf } from "../src/kernel/paths/paths.ts";
+import { contoursOfPath, inserted, refined, resampled } from "../src/kernel/curve/contours.ts";
+import { samplePoints } from "../src/kernel/curve/samples.ts";
 import { largestDistance } from "./harness.ts";
 
 /** A few hundred units, a dozen roundings. */

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { CurveDocument } from "../src/document/document.ts";
-import { loadCurve } from "../src/editor/edits.ts";
+import { loadCurve } from "../src/editor/curve/edits.ts";
 import { Hand, largestDistance } from "./harness.ts";
 
 /** Coordinates of a few hundred units: an ulp is 6e-14, a dozen roundings stay below this. */

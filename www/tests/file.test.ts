@@ -1,11 +1,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { stateVersion, type DemoState } from "../src/document/document.ts";
-import { emptyFit } from "../src/document/fit.ts";
-import { emptySurface } from "../src/document/surface.ts";
-import { emptyTrace } from "../src/document/trace.ts";
-import { FileError, parseState, readState, writeState, type FileErrorCode } from "../src/document/file.ts";
-import { curveSamples } from "../src/document/samples.ts";
+import { emptyFit } from "../src/document/fit/fit.ts";
+import { emptySurface } from "../src/document/surface/surface.ts";
+import { emptyTrace } from "../src/document/trace/trace.ts";
+import { FileError, parseState, readState, writeState, type FileErrorCode } from "../src/document/file/file.ts";
+import { curveSamples } from "../src/document/curve/samples.ts";
 import { Hand } from "./harness.ts";
 
 /** The file format under hostile input. Ids are those of the catalogue of hostile cases, adapted to this format's fields. */

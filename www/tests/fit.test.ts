@@ -1,8 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { emptyFit, fitDefaults, isJoined, strokesOf, withoutDisc, withStroke, type FitDocument, type Pair } from "../src/document/fit.ts";
-import { fitSample, fitSamples, samplePoints } from "../src/document/fit-samples.ts";
-import { readState, writeState, parseState } from "../src/document/file.ts";
+import { emptyFit, fitDefaults, isJoined, strokesOf, withoutDisc, withStroke, type FitDocument, type Pair } from "../src/document/fit/fit.ts";
+import { fitSample, fitSamples, samplePoints } from "../src/document/fit/fit-samples.ts";
+import { readState, writeState, parseState } from "../src/document/file/file.ts";
 import { bringStrokes, chooseFitTool, clearFit, openFitSample, setNoise, setSmoothing, setTarget } from "../src/editor/fit/fit-edits.ts";
 import { createFitRunner } from "../src/editor/fit/fit-runner.ts";
 import { createFitClient, type FitClient } from "../src/kernel/fit/fit-client.ts";

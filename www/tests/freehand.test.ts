@@ -5,9 +5,9 @@ import { createFreehand } from "../src/editor/fit/freehand.ts";
 import type { FitClient, FitHandlers } from "../src/kernel/fit/fit-client.ts";
 import type { FitStrength, FitSubject } from "../src/kernel/fit/job.ts";
 import { createDrawTool } from "../src/tools/draw/draw-tool.ts";
-import { createPointerInput } from "../src/editor/pointer-input.ts";
+import { createPointerInput } from "../src/editor/pointer/pointer-input.ts";
 import { createTools } from "../src/tools/tools.ts";
-import { toScreen } from "../src/editor/camera.ts";
+import { toScreen } from "../src/editor/pointer/camera.ts";
 import { Hand } from "./harness.ts";
 
 /** Drawing by hand in Curve, with a fit that answers when it is told to. */

@@ -1,10 +1,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { baseCount } from "../src/document/document.ts";
-import { affectedSegments, rootsOf } from "../src/document/roots.ts";
-import { parseState, writeState } from "../src/document/file.ts";
-import { refineCurveHere, setFamily, setOrder } from "../src/editor/family-edits.ts";
-import { setLevel } from "../src/editor/level-edits.ts";
+import { affectedSegments, rootsOf } from "../src/document/curve/roots.ts";
+import { parseState, writeState } from "../src/document/file/file.ts";
+import { refineCurveHere, setFamily, setOrder } from "../src/editor/curve/family-edits.ts";
+import { setLevel } from "../src/editor/curve/level-edits.ts";
 import { Hand, largestDistance } from "./harness.ts";
 
 /** A point of the drawing as the only chosen one. */

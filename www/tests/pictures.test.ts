@@ -1,8 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Problem } from "../src/document/problem.ts";
-import { traceSample, traceSamples } from "../src/document/trace-samples.ts";
-import { checkPicture, headerSize } from "../src/io/picture-file.ts";
+import { traceSample, traceSamples } from "../src/document/trace/trace-samples.ts";
+import { checkPicture, headerSize } from "../src/io/picture/picture-file.ts";
 import { pixelsOf } from "../src/kernel/trace/picture.ts";
 import { coverage, drawSample } from "../src/kernel/trace/raster.ts";
 import { blurred, foundThreshold, inkOf, pieceAreas, shadesOf, steepness } from "../src/kernel/trace/shades.ts";

@@ -1,10 +1,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { chordOf } from "../src/editor/keymap.ts";
+import { chordOf } from "../src/editor/actions/keymap.ts";
 import { parseRoute, printRoute } from "../src/editor/route.ts";
-import { constrained, snapHandle, snapPlace, turnedBySteps } from "../src/editor/snapping.ts";
-import { fitted, toPage, toScreen, zoomedAt } from "../src/editor/camera.ts";
-import type { PointerRecord } from "../src/editor/pointer-input.ts";
+import { constrained, snapHandle, snapPlace, turnedBySteps } from "../src/editor/pointer/snapping.ts";
+import { fitted, toPage, toScreen, zoomedAt } from "../src/editor/pointer/camera.ts";
+import type { PointerRecord } from "../src/editor/pointer/pointer-input.ts";
 import { nothingSelected } from "../src/document/document.ts";
 import { Hand } from "./harness.ts";
 

@@ -1,16 +1,16 @@
 import assert from "node:assert/strict";
 import { before, test } from "node:test";
 import init, { initSpline, initSurface } from "expline/slim";
-import { emptySurface, type SurfaceDocument } from "../src/document/surface.ts";
+import { emptySurface, type SurfaceDocument } from "../src/document/surface/surface.ts";
 import { createEditor } from "../src/editor/create-editor.ts";
 import type { Editor } from "../src/editor/editor.ts";
 import { fittingDistance, projector, stepAlong, stepInView, type Orbit } from "../src/editor/surface/orbit.ts";
 import { chooseNet, ensureSurface, nudgeNet, openSurfaceSample, refineHere, setNetSize, setSurfaceLevels } from "../src/editor/surface/surface-edits.ts";
-import { meshOf, netPoints } from "../src/kernel/surface-mesh.ts";
-import { largestDistance, recurrence } from "../src/kernel/surface-net.ts";
-import { ridgesOf } from "../src/kernel/surface-weights.ts";
-import { deviationOf } from "../src/kernel/surface-truth.ts";
-import { meshPoints } from "../src/kernel/surface.ts";
+import { meshOf, netPoints } from "../src/kernel/surface/surface-mesh.ts";
+import { largestDistance, recurrence } from "../src/kernel/surface/surface-net.ts";
+import { ridgesOf } from "../src/kernel/surface/surface-weights.ts";
+import { deviationOf } from "../src/kernel/surface/surface-truth.ts";
+import { meshPoints } from "../src/kernel/surface/surface.ts";
 
 before(() => Promise.all([init(), initSpline(), initSurface()]));
 

@@ -1,13 +1,13 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { parseState, readState, writeState } from "../src/document/file.ts";
-import { traceSample, traceSamples } from "../src/document/trace-samples.ts";
-import { emptyTrace, toleranceOf, traceDefaults, withChoice } from "../src/document/trace.ts";
+import { parseState, readState, writeState } from "../src/document/file/file.ts";
+import { traceSample, traceSamples } from "../src/document/trace/trace-samples.ts";
+import { emptyTrace, toleranceOf, traceDefaults, withChoice } from "../src/document/trace/trace.ts";
 import { drawingOf, openPicture, openTraceSample, setTrace } from "../src/editor/trace/trace-edits.ts";
 import { registerTraceActions } from "../src/editor/trace/trace-actions.ts";
 import { createTraceRunner, howOf, type TraceRunner } from "../src/editor/trace/trace-runner.ts";
-import { readShareHash, shareHash } from "../src/io/share.ts";
-import { contoursOfPath } from "../src/kernel/contours.ts";
+import { readShareHash, shareHash } from "../src/io/link/share.ts";
+import { contoursOfPath } from "../src/kernel/curve/contours.ts";
 import type { PictureSource, TraceAnswer, TraceHow, TraceRequest, TraceResult } from "../src/kernel/trace/job.ts";
 import { cornersIn, outcomeOf, shownDrawing } from "../src/kernel/trace/outcome.ts";
 import { keepPicture } from "../src/kernel/trace/pictures.ts";

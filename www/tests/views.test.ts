@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { fitted, panned, resized, toScreen, zoomedAt, type StageBox } from "../src/editor/camera.ts";
+import { fitted, panned, resized, toScreen, zoomedAt, type StageBox } from "../src/editor/pointer/camera.ts";
 import { Hand } from "./harness.ts";
 
 const desk: StageBox = { left: 40, top: 48, width: 936, height: 720 };

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { weightsOf } from "../src/kernel/weights.ts";
+import { weightsOf } from "../src/kernel/curve/weights.ts";
 import { Hand } from "./harness.ts";
 
 test("the weights of all points together are 1 everywhere, and each is 1 at its own place if the curve goes through it", () => {

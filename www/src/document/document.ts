@@ -7,9 +7,9 @@
  * wherever they are not the ordinary ones.
  */
 
-import type { FitDocument } from "./fit.ts";
-import type { Root, SavedOrbit, SurfaceDocument } from "./surface.ts";
-import type { TraceDocument } from "./trace.ts";
+import type { FitDocument } from "./fit/fit.ts";
+import type { Root, SavedOrbit, SurfaceDocument } from "./surface/surface.ts";
+import type { TraceDocument } from "./trace/trace.ts";
 
 export type Mode = "curve" | "fit" | "trace" | "surface";
 

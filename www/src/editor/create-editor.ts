@@ -1,17 +1,17 @@
-import type { Command } from "../document/commands.ts";
+import type { Command } from "../document/curve/commands.ts";
 import {
   emptyCurve, nothingSelected, pointAt, stateVersion, type Contour, type CurveDocument, type DemoState, type Mode, type Selection, type View,
 } from "../document/document.ts";
-import { emptyFit, type FitMoment } from "../document/fit.ts";
-import { othersOf } from "../document/others.ts";
-import { emptySurface, noNetPoints, type SurfaceMoment } from "../document/surface.ts";
-import { emptyTrace, type TraceMoment } from "../document/trace.ts";
+import { emptyFit, type FitMoment } from "../document/fit/fit.ts";
+import { othersOf } from "../document/file/others.ts";
+import { emptySurface, noNetPoints, type SurfaceMoment } from "../document/surface/surface.ts";
+import { emptyTrace, type TraceMoment } from "../document/trace/trace.ts";
 import { emptyHistory, record, stepBack, stepForward, type History, type Moment } from "../document/history.ts";
-import { translationOf } from "../document/contours.ts";
-import { curveOf } from "../kernel/curve-cache.ts";
-import { settled } from "../kernel/fine-places.ts";
-import { createActions } from "./actions.ts";
-import { resized } from "./camera.ts";
+import { translationOf } from "../document/curve/contours.ts";
+import { curveOf } from "../kernel/curve/curve-cache.ts";
+import { settled } from "../kernel/curve/fine-places.ts";
+import { createActions } from "./actions/actions.ts";
+import { resized } from "./pointer/camera.ts";
 import type { Editor, EditorPatch, EditorState, Notice, Settings, Sketch } from "./editor.ts";
 import { initialFitView, noFitRun } from "./fit/fit-state.ts";
 import { createSignal } from "./signal.ts";

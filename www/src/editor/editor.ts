@@ -1,11 +1,11 @@
-import type { Command } from "../document/commands.ts";
+import type { Command } from "../document/curve/commands.ts";
 import type {
   Contour, CurveDocument, DemoState, HandleRef, Mode, PointRef, Selection, View,
 } from "../document/document.ts";
-import type { FitDocument, FitMoment, Pair } from "../document/fit.ts";
-import type { TraceDocument, TraceMoment } from "../document/trace.ts";
-import type { NetRef, SurfaceDocument, SurfaceMoment } from "../document/surface.ts";
-import type { PagePoint, StageBox } from "./camera.ts";
+import type { FitDocument, FitMoment, Pair } from "../document/fit/fit.ts";
+import type { TraceDocument, TraceMoment } from "../document/trace/trace.ts";
+import type { NetRef, SurfaceDocument, SurfaceMoment } from "../document/surface/surface.ts";
+import type { PagePoint, StageBox } from "./pointer/camera.ts";
 import type { FitRun, FitView } from "./fit/fit-state.ts";
 import type { ModeParts } from "./mode.ts";
 import type { Readable } from "./signal.ts";

@@ -1,9 +1,9 @@
-import { locate } from "../document/contours.ts";
+import { locate } from "../document/curve/contours.ts";
 import { pointAt, segmentCount, type Contour } from "../document/document.ts";
-import { affectedSegments } from "../document/roots.ts";
-import { measureCurve } from "../kernel/measure.ts";
-import { isStraight } from "./bending.ts";
-import { describe } from "./edits.ts";
+import { affectedSegments } from "../document/curve/roots.ts";
+import { measureCurve } from "../kernel/curve/measure.ts";
+import { isStraight } from "./curve/bending.ts";
+import { describe } from "./curve/edits.ts";
 import type { EditorState } from "./editor.ts";
 
 /** The line under the stage: what the next press would do, in terms of what is under the pointer. */

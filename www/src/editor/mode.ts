@@ -1,8 +1,8 @@
 import type { Contour, CurveDocument } from "../document/document.ts";
-import type { TraceDocument } from "../document/trace.ts";
-import type { ScreenPoint } from "./camera.ts";
+import type { TraceDocument } from "../document/trace/trace.ts";
+import type { ScreenPoint } from "./pointer/camera.ts";
 import type { EditorState } from "./editor.ts";
-import type { Pinch } from "./pinch.ts";
+import type { Pinch } from "./pointer/pinch.ts";
 import type { Tool } from "./tool.ts";
 
 /** How a mode that is not drawn on the plane is looked at. */

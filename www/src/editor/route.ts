@@ -1,12 +1,12 @@
 import { modes, type Mode } from "../document/document.ts";
-import { curveSample, landingSample } from "../document/samples.ts";
-import { emptyFit } from "../document/fit.ts";
-import { emptySurface, noNetPoints } from "../document/surface.ts";
-import { emptyTrace } from "../document/trace.ts";
-import { loadCurve } from "./edits.ts";
+import { curveSample, landingSample } from "../document/curve/samples.ts";
+import { emptyFit } from "../document/fit/fit.ts";
+import { emptySurface, noNetPoints } from "../document/surface/surface.ts";
+import { emptyTrace } from "../document/trace/trace.ts";
+import { loadCurve } from "./curve/edits.ts";
 import { defaultSettings } from "./create-editor.ts";
 import type { Editor, OverlayId } from "./editor.ts";
-import { fitView } from "./standard-actions.ts";
+import { fitView } from "./actions/standard-actions.ts";
 
 /** `#/curve?sample=heart`: the mode, and the sample while it is still the sample. Shared drawings (`#s=…`) are decoded elsewhere. */
 

@@ -1,10 +1,10 @@
 /** What was pasted, dropped or typed: recognised by its first characters, read into contours or a whole state. */
 import type { Contour, Space } from "../document/document.ts";
-import { FileError, parseState } from "../document/file.ts";
+import { FileError, parseState } from "../document/file/file.ts";
 import type { Imported } from "../document/imported.ts";
 import { Problem } from "../document/problem.ts";
-import { importPath, importPoints } from "../kernel/import.ts";
-import { readSvg, type SvgFile } from "./svg-file.ts";
+import { importPath, importPoints } from "../kernel/paths/import.ts";
+import { readSvg, type SvgFile } from "./svg/svg-file.ts";
 import { SvgFileError, type SvgWarningCode } from "./svg/limits.ts";
 
 export type ImportKind = "svg" | "path" | "points" | "json";

@@ -20,7 +20,7 @@ export async function readIncoming(file: File): Promise<Incoming> {
   const isSvg = file.type === "image/svg+xml" || extension === "svg";
   if (!isSvg && (file.type.startsWith("image/") || pictureTypes.has(extension))) {
     const title = named ? name : "Pasted picture";
-    await (await import("./picture-file.ts")).checkPicture(file, title);
+    await (await import("./picture/picture-file.ts")).checkPicture(file, title);
     return { name: title, picture: file };
   }
   const isText = isSvg || textTypes.has(extension) || file.type === "application/json" || file.type.startsWith("text/");

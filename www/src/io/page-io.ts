@@ -1,19 +1,19 @@
-import type { PngOptions } from "./png.ts";
-import type { SvgOptions } from "./svg-write.ts";
+import type { PngOptions } from "./picture/png.ts";
+import type { SvgOptions } from "./svg/svg-write.ts";
 import type { DemoState, Space } from "../document/document.ts";
 import type { Imported } from "../document/imported.ts";
-import type { Autosave, AutosaveOptions } from "./autosave.ts";
-import type { Kept } from "./kept.ts";
+import type { Autosave, AutosaveOptions } from "./keeping/autosave.ts";
+import type { Kept } from "./keeping/kept.ts";
 import { copyText, download } from "./download.ts";
 import { listenForIncoming, readIncoming } from "./incoming.ts";
-import { isShareLink } from "./link.ts";
-import { pngSize } from "./png-size.ts";
-import { hasKept, localStore, rememberTab, tabShows } from "./store.ts";
+import { isShareLink } from "./link/link.ts";
+import { pngSize } from "./picture/png-size.ts";
+import { hasKept, localStore, rememberTab, tabShows } from "./keeping/store.ts";
 
 /** Keeping begins with the first change; until then there is nothing to keep. */
 function createAutosave(options: AutosaveOptions): Autosave {
   let keeping: Promise<Autosave> | null = null;
-  const begun = (): Promise<Autosave> => (keeping ??= import("./autosave.ts").then((loaded) => loaded.createAutosave(options)));
+  const begun = (): Promise<Autosave> => (keeping ??= import("./keeping/autosave.ts").then((loaded) => loaded.createAutosave(options)));
   return {
     touch: () => void begun().then((autosave) => autosave.touch()),
   };
@@ -23,11 +23,11 @@ function createAutosave(options: AutosaveOptions): Autosave {
 export const pageIo = {
   copyText, createAutosave, download, isShareLink, listenForIncoming, pngSize, readIncoming, rememberTab, tabShows,
   hasKept: (): boolean => hasKept(localStore()),
-  newestKept: async (own: string | null): Promise<Kept | null> => (await import("./kept.ts")).newestKept(own),
+  newestKept: async (own: string | null): Promise<Kept | null> => (await import("./keeping/kept.ts")).newestKept(own),
   readImport: async (text: string, space: Space): Promise<Imported> => (await import("./import.ts")).readImport(text, space),
-  shareHash: async (state: DemoState): Promise<string> => (await import("./share.ts")).shareHash(state),
-  readShareHash: async (hash: string): Promise<DemoState> => (await import("./share.ts")).readShareHash(hash),
-  gzippedSize: async (text: string): Promise<number> => (await import("./compress.ts")).gzippedSize(text),
-  writeSvg: async (options: SvgOptions): Promise<string> => (await import("./svg-write.ts")).writeSvg(options),
-  writePng: async (options: PngOptions): Promise<Blob | null> => (await import("./png.ts")).writePng(options),
+  shareHash: async (state: DemoState): Promise<string> => (await import("./link/share.ts")).shareHash(state),
+  readShareHash: async (hash: string): Promise<DemoState> => (await import("./link/share.ts")).readShareHash(hash),
+  gzippedSize: async (text: string): Promise<number> => (await import("./link/compress.ts")).gzippedSize(text),
+  writeSvg: async (options: SvgOptions): Promise<string> => (await import("./svg/svg-write.ts")).writeSvg(options),
+  writePng: async (options: PngOptions): Promise<Blob | null> => (await import("./picture/png.ts")).writePng(options),
 };

@@ -1,5 +1,5 @@
 import type { Kind } from "../document/document.ts";
-import type { ScreenPoint } from "../editor/camera.ts";
+import type { ScreenPoint } from "../editor/pointer/camera.ts";
 import type { Palette } from "./palette.ts";
 
 /** Marks of the stage: shape and colour both say what a thing is. Sizes are CSS pixels at any zoom. */

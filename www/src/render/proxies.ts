@@ -1,9 +1,9 @@
 import type { CurveDocument, HandleRef, PointRef, Side } from "../document/document.ts";
-import { toScreen } from "../editor/camera.ts";
-import { describe } from "../editor/edits.ts";
+import { toScreen } from "../editor/pointer/camera.ts";
+import { describe } from "../editor/curve/edits.ts";
 import type { Editor, EditorState } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
-import { shownHandles } from "../editor/hit-test.ts";
+import { shownHandles } from "../editor/pointer/hit-test.ts";
 
 /**
  * The picture for those who do not see it: a button for every point and every shown handle, at its place, named as the

@@ -1,7 +1,7 @@
 import type { Contour, CurveDocument } from "../document/document.ts";
-import { toScreen, type PagePoint, type ScreenPoint } from "../editor/camera.ts";
+import { toScreen, type PagePoint, type ScreenPoint } from "../editor/pointer/camera.ts";
 import type { EditorState } from "../editor/editor.ts";
-import { cubicsOf } from "../kernel/paths.ts";
+import { cubicsOf } from "../kernel/paths/paths.ts";
 import type { Palette } from "./palette.ts";
 
 /** What every layer draws with: the canvas, the state of this frame, and the two coordinate systems. */

@@ -1,7 +1,7 @@
 import type { EditorState, Editor } from "../editor/editor.ts";
 import { hintFor } from "../editor/hint.ts";
-import { zoomTo } from "../editor/standard-actions.ts";
-import { measureCurve } from "../kernel/measure.ts";
+import { zoomTo } from "../editor/actions/standard-actions.ts";
+import { measureCurve } from "../kernel/curve/measure.ts";
 
 /** The small DOM parts of the stage: the hint line, the zoom box, and what screen readers hear. */
 

@@ -1,5 +1,5 @@
 import type { Mode } from "../document/document.ts";
-import { resized } from "../editor/camera.ts";
+import { resized } from "../editor/pointer/camera.ts";
 import type { Editor, EditorState } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
 import { whileLoading } from "../editor/loading.ts";

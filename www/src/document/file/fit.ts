@@ -1,4 +1,4 @@
-import { emptyFit, fitDefaults, fitLimits, owned, type FitDocument, type Pair } from "../fit.ts";
+import { emptyFit, fitDefaults, fitLimits, owned, type FitDocument, type Pair } from "../fit/fit.ts";
 import { asArray, asBoolean, asNumber, asSampleId, asWhole, field, oneOf, optional, type Found } from "./check.ts";
 import { FileError } from "./error.ts";
 

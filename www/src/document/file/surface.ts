@@ -1,4 +1,4 @@
-import { emptySurface, type Detail, type NetDirection, type NetPoint, type NetWindow, type Root, type SavedOrbit, type SurfaceDocument } from "../surface.ts";
+import { emptySurface, type Detail, type NetDirection, type NetPoint, type NetWindow, type Root, type SavedOrbit, type SurfaceDocument } from "../surface/surface.ts";
 import { asArray, asBoolean, asNumber, asSampleId, asWhole, field, optional, type Found } from "./check.ts";
 import { FileError } from "./error.ts";
 

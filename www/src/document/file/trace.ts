@@ -1,5 +1,5 @@
 import type { Contour } from "../document.ts";
-import { traceDefaults, traceLimits, workSizes, type CornerChoice, type KeptTrace, type TraceDocument, type TraceSettings } from "../trace.ts";
+import { traceDefaults, traceLimits, workSizes, type CornerChoice, type KeptTrace, type TraceDocument, type TraceSettings } from "../trace/trace.ts";
 import { asArray, asBoolean, asNumber, asSampleId, asWhole, field, oneOf, optional, wrong, type Found } from "./check.ts";
 
 /** A trace as a file has it: the sample or the outlines, how they were found, and what was decided by hand. */

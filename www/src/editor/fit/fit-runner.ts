@@ -1,5 +1,5 @@
-import { differentPoints, firstFitSample, fitDefaults, isJoined, strokesOf, type FitDocument } from "../../document/fit.ts";
-import { fitSample, samplePoints } from "../../document/fit-samples.ts";
+import { differentPoints, firstFitSample, fitDefaults, isJoined, strokesOf, type FitDocument } from "../../document/fit/fit.ts";
+import { fitSample, samplePoints } from "../../document/fit/fit-samples.ts";
 import type { FitClient, FitHandlers } from "../../kernel/fit/fit-client.ts";
 import type { FitInput, FitStrength, FitSubject } from "../../kernel/fit/job.ts";
 import { outcomeOf, smoothingLike, type ChartPoint } from "../../kernel/fit/outcome.ts";

@@ -1,6 +1,6 @@
-import type { Pair } from "../../document/fit.ts";
+import type { Pair } from "../../document/fit/fit.ts";
 import type { ChartPoint, FitOutcome } from "../../kernel/fit/outcome.ts";
-import type { PagePoint } from "../camera.ts";
+import type { PagePoint } from "../pointer/camera.ts";
 
 /** What Fit shows and does at the moment, beside its document: never saved, never in the history. */
 

@@ -1,5 +1,5 @@
-import { addContours } from "../../document/commands.ts";
-import { differentPoints, isJoined, type Pair } from "../../document/fit.ts";
+import { addContours } from "../../document/curve/commands.ts";
+import { differentPoints, isJoined, type Pair } from "../../document/fit/fit.ts";
 import { contourOfFit } from "../../kernel/fit/as-contour.ts";
 import { createFitClient, type FitClient, type FitHandlers } from "../../kernel/fit/fit-client.ts";
 import type { FitSubject } from "../../kernel/fit/job.ts";

@@ -2,7 +2,7 @@ import { emptyCurve, type Contour, type CurveDocument } from "../../document/doc
 import { contourFromFit } from "../../kernel/fit/as-contour.ts";
 import type { FitOutcome } from "../../kernel/fit/outcome.ts";
 import type { Editor, EditorState } from "../editor.ts";
-import { openInCurve } from "../open-in-curve.ts";
+import { openInCurve } from "../curve/open-in-curve.ts";
 
 const contoursOf = ({ strokes }: FitOutcome): Contour[] => strokes.map(({ curve }) => contourFromFit(curve));
 

@@ -1,6 +1,6 @@
-import { toScreen, type ScreenPoint } from "../camera.ts";
+import { toScreen, type ScreenPoint } from "../pointer/camera.ts";
 import type { EditorState } from "../editor.ts";
-import type { PointerKind } from "../hit-test.ts";
+import type { PointerKind } from "../pointer/hit-test.ts";
 
 /** How far from a mark a press still counts, CSS pixels. */
 const reach: Readonly<Record<PointerKind, number>> = { mouse: 10, pen: 12, touch: 22 };

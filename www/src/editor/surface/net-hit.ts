@@ -1,8 +1,8 @@
-import type { NetRef } from "../../document/surface.ts";
-import { netPoints } from "../../kernel/surface-mesh.ts";
-import type { ScreenPoint } from "../camera.ts";
+import type { NetRef } from "../../document/surface/surface.ts";
+import { netPoints } from "../../kernel/surface/surface-mesh.ts";
+import type { ScreenPoint } from "../pointer/camera.ts";
 import type { EditorState } from "../editor.ts";
-import type { PointerKind } from "../hit-test.ts";
+import type { PointerKind } from "../pointer/hit-test.ts";
 import { projector } from "./orbit.ts";
 import { facesAway } from "./surface-edits.ts";
 

@@ -1,4 +1,4 @@
-import type { ScreenPoint, StageBox } from "../camera.ts";
+import type { ScreenPoint, StageBox } from "../pointer/camera.ts";
 
 /** The camera of the surface: it looks at a place from a distance, with z up. Everything that is on the screen is put there by these formulas. */
 

@@ -1,4 +1,4 @@
-import type { NetRef } from "../../document/surface.ts";
+import type { NetRef } from "../../document/surface/surface.ts";
 import type { Orbit } from "./orbit.ts";
 
 /** How the surface is looked at and shown; no part of the drawing and never in its history. */

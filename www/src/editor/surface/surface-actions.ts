@@ -1,4 +1,4 @@
-import { noNetPoints } from "../../document/surface.ts";
+import { noNetPoints } from "../../document/surface/surface.ts";
 import type { Action, Editor, EditorState } from "../editor.ts";
 import { boardViews } from "./orbit.ts";
 import type { DragAxis } from "./solid.ts";

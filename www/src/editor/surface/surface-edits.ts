@@ -1,8 +1,8 @@
-import { isChosen, noNetPoints, sameNetPoint, type NetRef, type SurfaceDocument, type SurfaceMoment } from "../../document/surface.ts";
-import { atLevels, netSize, resizedSurface, largestDistance } from "../../kernel/surface-net.ts";
-import { extentOf, netPoints, type ShownPoint } from "../../kernel/surface-mesh.ts";
-import { openedSurface, refinedHere, surfaceOf, surfaceSample, withNetPoints } from "../../kernel/surface.ts";
-import { printed, refuse } from "../edits.ts";
+import { isChosen, noNetPoints, sameNetPoint, type NetRef, type SurfaceDocument, type SurfaceMoment } from "../../document/surface/surface.ts";
+import { atLevels, netSize, resizedSurface, largestDistance } from "../../kernel/surface/surface-net.ts";
+import { extentOf, netPoints, type ShownPoint } from "../../kernel/surface/surface-mesh.ts";
+import { openedSurface, refinedHere, surfaceOf, surfaceSample, withNetPoints } from "../../kernel/surface/surface.ts";
+import { printed, refuse } from "../curve/edits.ts";
 import type { Editor } from "../editor.ts";
 import { add, fittingDistance, frameOf, type Orbit, type Vector } from "./orbit.ts";
 import { startOrbit, type DragAxis, type SolidState } from "./solid.ts";

@@ -1,4 +1,4 @@
-import { netPoints } from "../../kernel/surface-mesh.ts";
+import { netPoints } from "../../kernel/surface/surface-mesh.ts";
 import type { EditorState } from "../editor.ts";
 import { describeNet, shownPoint } from "./surface-edits.ts";
 

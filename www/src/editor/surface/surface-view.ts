@@ -1,7 +1,7 @@
-import { extentOf } from "../../kernel/surface-mesh.ts";
+import { extentOf } from "../../kernel/surface/surface-mesh.ts";
 import type { Editor } from "../editor.ts";
 import type { ModeView } from "../mode.ts";
-import { trackPinch } from "../pinch.ts";
+import { trackPinch } from "../pointer/pinch.ts";
 import { dollied, fittingDistance, shifted, type Orbit } from "./orbit.ts";
 import { fitSurface, patchSolid } from "./surface-edits.ts";
 

@@ -1,10 +1,10 @@
 import type { CurveDocument } from "../../document/document.ts";
-import type { Pair } from "../../document/fit.ts";
+import type { Pair } from "../../document/fit/fit.ts";
 import { placesAlong } from "../../kernel/trace/as-strokes.ts";
 import { byColor } from "../../kernel/trace/outcome.ts";
 import type { Editor, EditorState } from "../editor.ts";
 import { bringStrokes } from "../fit/fit-edits.ts";
-import { openInCurve } from "../open-in-curve.ts";
+import { openInCurve } from "../curve/open-in-curve.ts";
 import { drawingOf } from "./trace-edits.ts";
 
 /** From outlines to points that are fitted, and to a drawing that is edited: copies, both times. */

@@ -1,4 +1,4 @@
-import { isEmptyTrace } from "../../document/trace.ts";
+import { isEmptyTrace } from "../../document/trace/trace.ts";
 import type { Action, Editor, EditorState } from "../editor.ts";
 import { editTraceInCurve, smoothInFit } from "./hand-over.ts";
 import { clearTrace, setTrace, setTraceView, showBox, sizeOf, stepPoint, toggleCorner, traceAnyway } from "./trace-edits.ts";

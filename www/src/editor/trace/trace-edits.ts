@@ -1,8 +1,8 @@
-import { traceSample, type TraceSample } from "../../document/trace-samples.ts";
-import { emptyTrace, isEmptyTrace, traceDefaults, withChoice, withPicture, type OwnPicture, type TraceDocument, type TraceSettings } from "../../document/trace.ts";
+import { traceSample, type TraceSample } from "../../document/trace/trace-samples.ts";
+import { emptyTrace, isEmptyTrace, traceDefaults, withChoice, withPicture, type OwnPicture, type TraceDocument, type TraceSettings } from "../../document/trace/trace.ts";
 import { pointCount, shownDrawing } from "../../kernel/trace/outcome.ts";
 import type { CurveDocument } from "../../document/document.ts";
-import { fitted } from "../camera.ts";
+import { fitted } from "../pointer/camera.ts";
 import type { Editor, EditorState } from "../editor.ts";
 import type { PointOfOutline, TraceView } from "./trace-state.ts";
 

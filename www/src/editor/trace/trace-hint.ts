@@ -1,4 +1,4 @@
-import { isEmptyTrace } from "../../document/trace.ts";
+import { isEmptyTrace } from "../../document/trace/trace.ts";
 import { cornersIn, pointCount } from "../../kernel/trace/outcome.ts";
 import type { EditorState } from "../editor.ts";
 import { describePoint, drawingOf } from "./trace-edits.ts";

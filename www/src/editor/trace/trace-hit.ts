@@ -1,6 +1,6 @@
-import { toScreen, type ScreenPoint } from "../camera.ts";
+import { toScreen, type ScreenPoint } from "../pointer/camera.ts";
 import type { EditorState } from "../editor.ts";
-import type { PointerKind } from "../hit-test.ts";
+import type { PointerKind } from "../pointer/hit-test.ts";
 import { drawingOf } from "./trace-edits.ts";
 import type { PointOfOutline } from "./trace-state.ts";
 

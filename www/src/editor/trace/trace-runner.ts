@@ -1,5 +1,5 @@
-import { firstTraceSample, traceSample } from "../../document/trace-samples.ts";
-import { isEmptyTrace, toleranceOf, traceDefaults, type TraceDocument } from "../../document/trace.ts";
+import { firstTraceSample, traceSample } from "../../document/trace/trace-samples.ts";
+import { isEmptyTrace, toleranceOf, traceDefaults, type TraceDocument } from "../../document/trace/trace.ts";
 import type { PictureSource, TraceHow } from "../../kernel/trace/job.ts";
 import { outcomeOf, outcomeOfKept } from "../../kernel/trace/outcome.ts";
 import { dropPicture, pictureOf } from "../../kernel/trace/pictures.ts";

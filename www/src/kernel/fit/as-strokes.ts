@@ -1,6 +1,6 @@
 import type { Contour, CurveDocument } from "../../document/document.ts";
-import type { Pair } from "../../document/fit.ts";
-import { curveOf } from "../curve-cache.ts";
+import type { Pair } from "../../document/fit/fit.ts";
+import { curveOf } from "../curve/curve-cache.ts";
 
 /** Points of a curve are this far apart, as a part of the drawing's size, at least so many and at most so many. */
 const step = 1 / 300;

@@ -1,5 +1,5 @@
 import { fromJSON, HermiteCurve, type Curve } from "expline/slim";
-import type { Pair, Stroke } from "../../document/fit.ts";
+import type { Pair, Stroke } from "../../document/fit/fit.ts";
 import type { PlainFit } from "./job.ts";
 import { countByType, shownKnots, type KnotType, type ShownKnot } from "./knots.ts";
 

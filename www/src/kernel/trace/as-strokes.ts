@@ -1,6 +1,6 @@
 import { domainLength, lengthOf, segmentCount, type Contour, type CurveDocument } from "../../document/document.ts";
-import type { Pair } from "../../document/fit.ts";
-import { curveOf } from "../curve-cache.ts";
+import type { Pair } from "../../document/fit/fit.ts";
+import { curveOf } from "../curve/curve-cache.ts";
 
 /** Pixels of the picture from one point to the next, where there is room for so many. */
 const step = 2;

@@ -1,6 +1,6 @@
 /** What passes between the page and the worker that traces: plain data and pictures. */
 import type { Contour } from "../../document/document.ts";
-import type { TraceSource } from "../../document/trace.ts";
+import type { TraceSource } from "../../document/trace/trace.ts";
 
 /** Where pixels come from. Pictures of one key are one picture. */
 export type PictureSource =

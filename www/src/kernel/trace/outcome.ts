@@ -1,7 +1,7 @@
 import { emptyCurve, type Contour, type CurveDocument } from "../../document/document.ts";
-import { automaticHandles } from "../../document/contours.ts";
-import { withKind } from "../../document/offset.ts";
-import { choiceAt, type CornerChoice, type KeptTrace } from "../../document/trace.ts";
+import { automaticHandles } from "../../document/curve/contours.ts";
+import { withKind } from "../../document/curve/offset.ts";
+import { choiceAt, type CornerChoice, type KeptTrace } from "../../document/trace/trace.ts";
 import type { TracedOutline, TraceResult } from "./job.ts";
 
 /** What is on the stage of Trace: the picture, its outlines, and what is printed about them. */

@@ -1,4 +1,4 @@
-import { traceSample } from "../../document/trace-samples.ts";
+import { traceSample } from "../../document/trace/trace-samples.ts";
 import type { PictureSource } from "./job.ts";
 import { drawSample } from "./raster.ts";
 

@@ -1,4 +1,4 @@
-import type { Color, ColoredShape, Outline, TraceSample } from "../../document/trace-samples.ts";
+import type { Color, ColoredShape, Outline, TraceSample } from "../../document/trace/trace-samples.ts";
 
 /** Pictures from outlines, with the exact area that they cover of every pixel. */
 

@@ -1,7 +1,7 @@
 import { omegaOf, type Contour, type CurveDocument, type Space } from "../../document/document.ts";
 import type { EditorState } from "../../editor/editor.ts";
-import { activeContour, resample, setClosed, setOmega, setSpace } from "../../editor/edits.ts";
-import { setLevel } from "../../editor/level-edits.ts";
+import { activeContour, resample, setClosed, setOmega, setSpace } from "../../editor/curve/edits.ts";
+import { setLevel } from "../../editor/curve/level-edits.ts";
 import { whileLoading } from "../../editor/loading.ts";
 import { h, setAttribute, setText } from "../controls/dom.ts";
 import { choiceField, numberField, selectField, sliderField, toggleField } from "../controls/fields.ts";
@@ -41,7 +41,7 @@ function frequencyOf(curve: CurveDocument): number {
 export function curveSection(shell: Shell): Section & { readonly level: HTMLElement } {
   const { editor } = shell;
   // Families are changed seldom: what it takes comes with the first change.
-  const edits = (run: (loaded: typeof import("../../editor/family-edits.ts")) => void): void => void whileLoading(editor, import("../../editor/family-edits.ts").then(run));
+  const edits = (run: (loaded: typeof import("../../editor/curve/family-edits.ts")) => void): void => void whileLoading(editor, import("../../editor/curve/family-edits.ts").then(run));
   const family = choiceField({
     label: "Family",
     testid: "family",

@@ -1,6 +1,6 @@
 import "../../styles/buttons.css";
 import "../../styles/gallery.css";
-import { curveSamples } from "../../document/samples.ts";
+import { curveSamples } from "../../document/curve/samples.ts";
 import type { Editor } from "../../editor/editor.ts";
 import { openSample } from "../../editor/route.ts";
 import { h } from "../controls/dom.ts";

@@ -1,6 +1,6 @@
 import { omegaOf, type Contour } from "../../document/document.ts";
 import type { EditorState } from "../../editor/editor.ts";
-import { generatorsOf, type Generators } from "../../kernel/generator.ts";
+import { generatorsOf, type Generators } from "../../kernel/curve/generator.ts";
 import { h, setText, svg } from "../controls/dom.ts";
 import type { Section } from "../mode/panel-parts.ts";
 

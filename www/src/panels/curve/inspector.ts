@@ -1,6 +1,6 @@
 import { baseCount, pointAt, type ControlPoint, type Kind, type PointRef, type Side } from "../../document/document.ts";
 import type { EditorState } from "../../editor/editor.ts";
-import { nudge, setHandlePolar, setKind, setPoint } from "../../editor/edits.ts";
+import { nudge, setHandlePolar, setKind, setPoint } from "../../editor/curve/edits.ts";
 import { h, setText } from "../controls/dom.ts";
 import { choiceField, numberField, type Field } from "../controls/fields.ts";
 import { glyph, icon, type IconName } from "../controls/icons.ts";

@@ -1,5 +1,5 @@
 import type { Contour, Kind } from "../../document/document.ts";
-import { activeContour, setKind, setPoint } from "../../editor/edits.ts";
+import { activeContour, setKind, setPoint } from "../../editor/curve/edits.ts";
 import { h, setAttribute } from "../controls/dom.ts";
 import { formatCoordinate, parseTyped } from "../controls/format.ts";
 import type { Section } from "../mode/panel-parts.ts";

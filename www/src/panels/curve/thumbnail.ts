@@ -1,6 +1,6 @@
 import type { CurveDocument } from "../../document/document.ts";
-import { contourPathD } from "../../kernel/paths.ts";
-import { documentBounds } from "../../kernel/samples.ts";
+import { contourPathD } from "../../kernel/paths/paths.ts";
+import { documentBounds } from "../../kernel/curve/samples.ts";
 import { svg } from "../controls/dom.ts";
 
 /** A real render of a drawing, as large as its frame: the curve, and its points when there are few. */

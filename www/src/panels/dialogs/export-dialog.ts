@@ -1,7 +1,7 @@
 import { writeState } from "../../document/file/write.ts";
-import { curveSample } from "../../document/samples.ts";
-import { exportPath, type ExportedPath, type ExportOptions, type ExportSegments } from "../../kernel/export.ts";
-import { documentBounds } from "../../kernel/samples.ts";
+import { curveSample } from "../../document/curve/samples.ts";
+import { exportPath, type ExportedPath, type ExportOptions, type ExportSegments } from "../../kernel/paths/export.ts";
+import { documentBounds } from "../../kernel/curve/samples.ts";
 import { snippetFor } from "../code/snippets.ts";
 import { button, openDialog } from "../controls/dialog.ts";
 import { h, setAttribute, setText, svg } from "../controls/dom.ts";

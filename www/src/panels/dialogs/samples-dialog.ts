@@ -1,4 +1,4 @@
-import { curveSamples } from "../../document/samples.ts";
+import { curveSamples } from "../../document/curve/samples.ts";
 import { openSample } from "../../editor/route.ts";
 import { openDialog } from "../controls/dialog.ts";
 import { h } from "../controls/dom.ts";

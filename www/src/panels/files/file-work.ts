@@ -1,8 +1,8 @@
 import type { CurveDocument } from "../../document/document.ts";
 import { Problem } from "../../document/problem.ts";
-import { curveSample } from "../../document/samples.ts";
-import { documentPathD } from "../../kernel/paths.ts";
-import { documentBounds } from "../../kernel/samples.ts";
+import { curveSample } from "../../document/curve/samples.ts";
+import { documentPathD } from "../../kernel/paths/paths.ts";
+import { documentBounds } from "../../kernel/curve/samples.ts";
 import { errorText } from "../messages/errors.ts";
 import type { Shell } from "../shell.ts";
 import { naturalPlacement, place, readOrReport } from "./load.ts";

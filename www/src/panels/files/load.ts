@@ -1,6 +1,6 @@
 import type { Contour } from "../../document/document.ts";
 import type { Imported } from "../../document/imported.ts";
-import { addContours } from "../../editor/edits.ts";
+import { addContours } from "../../editor/curve/edits.ts";
 import { routeOf } from "../../editor/route.ts";
 import type { Shell } from "../shell.ts";
 import { report } from "./report.ts";

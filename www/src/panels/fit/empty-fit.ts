@@ -1,5 +1,5 @@
-import { fitSamples, samplePoints, type FitSample } from "../../document/fit-samples.ts";
-import { strokesOf } from "../../document/fit.ts";
+import { fitSamples, samplePoints, type FitSample } from "../../document/fit/fit-samples.ts";
+import { strokesOf } from "../../document/fit/fit.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { boxOf, openFitSample } from "../../editor/fit/fit-edits.ts";
 import { h, svg } from "../controls/dom.ts";

@@ -1,4 +1,4 @@
-import { strokesOf } from "../../document/fit.ts";
+import { strokesOf } from "../../document/fit/fit.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { bytesOfData, bytesOfFit, type FitOutcome } from "../../kernel/fit/outcome.ts";
 import { formatBytes, formatDeviation } from "../controls/format.ts";

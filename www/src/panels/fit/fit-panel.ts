@@ -1,6 +1,6 @@
 import "../../styles/buttons.css";
-import { fitSample } from "../../document/fit-samples.ts";
-import type { FitClosing, FitModel, FitTarget } from "../../document/fit.ts";
+import { fitSample } from "../../document/fit/fit-samples.ts";
+import type { FitClosing, FitModel, FitTarget } from "../../document/fit/fit.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { chooseFitTool, describeData, setClosing, setCorners, setMix, setModel, setNoise, setSmoothing, setTarget, setTargetValue } from "../../editor/fit/fit-edits.ts";
 import type { FitTool } from "../../editor/fit/fit-state.ts";

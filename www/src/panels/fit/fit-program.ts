@@ -1,4 +1,4 @@
-import { isJoined, strokesOf } from "../../document/fit.ts";
+import { isJoined, strokesOf } from "../../document/fit/fit.ts";
 import type { EditorState } from "../../editor/editor.ts";
 
 /** The program that makes the present fit: the bridge from the page to an integration. */

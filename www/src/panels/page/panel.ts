@@ -1,8 +1,8 @@
 import type { Mode } from "../../document/document.ts";
-import { curveSample } from "../../document/samples.ts";
-import { isEmptyTrace } from "../../document/trace.ts";
+import { curveSample } from "../../document/curve/samples.ts";
+import { isEmptyTrace } from "../../document/trace/trace.ts";
 import type { EditorState } from "../../editor/editor.ts";
-import { clearCurve } from "../../editor/edits.ts";
+import { clearCurve } from "../../editor/curve/edits.ts";
 import type { CodeDrawer } from "../code/code-drawer.ts";
 import { h, setAttribute, setText } from "../controls/dom.ts";
 import { icon } from "../controls/icons.ts";

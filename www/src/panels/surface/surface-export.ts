@@ -1,6 +1,6 @@
 import { writeState } from "../../document/file/write.ts";
-import { surfaceTitle } from "../../document/surface-samples.ts";
-import { meshSize, surfaceGltf, surfaceObj } from "../../kernel/surface-files.ts";
+import { surfaceTitle } from "../../document/surface/surface-samples.ts";
+import { meshSize, surfaceGltf, surfaceObj } from "../../kernel/surface/surface-files.ts";
 import { button, openDialog } from "../controls/dialog.ts";
 import { h, setText } from "../controls/dom.ts";
 import { sliderField } from "../controls/fields.ts";

@@ -1,10 +1,10 @@
-import { surfaceSamples } from "../../document/surface-samples.ts";
-import type { SurfaceDocument } from "../../document/surface.ts";
+import { surfaceSamples } from "../../document/surface/surface-samples.ts";
+import type { SurfaceDocument } from "../../document/surface/surface.ts";
 import { fittingDistance, projector } from "../../editor/surface/orbit.ts";
 import { startOrbit } from "../../editor/surface/solid.ts";
 import { openSurfaceSample } from "../../editor/surface/surface-edits.ts";
-import { extentOf, meshOf } from "../../kernel/surface-mesh.ts";
-import { surfaceSample } from "../../kernel/surface.ts";
+import { extentOf, meshOf } from "../../kernel/surface/surface-mesh.ts";
+import { surfaceSample } from "../../kernel/surface/surface.ts";
 import { h, svg } from "../controls/dom.ts";
 import type { Shell } from "../shell.ts";
 

@@ -1,5 +1,5 @@
-import { meshOf, netPoints } from "../../kernel/surface-mesh.ts";
-import { deviationOf } from "../../kernel/surface-truth.ts";
+import { meshOf, netPoints } from "../../kernel/surface/surface-mesh.ts";
+import { deviationOf } from "../../kernel/surface/surface-truth.ts";
 import { formatCount, formatRatio } from "../controls/format.ts";
 import type { ModeMetrics } from "../mode/metric.ts";
 

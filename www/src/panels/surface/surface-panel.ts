@@ -1,9 +1,9 @@
 import "../../styles/buttons.css";
-import { surfaceSamples, surfaceTitle } from "../../document/surface-samples.ts";
+import { surfaceSamples, surfaceTitle } from "../../document/surface/surface-samples.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import type { Shade } from "../../editor/surface/solid.ts";
 import { openSurfaceSample, patchSolid, setNetSize, setSurfaceLevels } from "../../editor/surface/surface-edits.ts";
-import { netSize } from "../../kernel/surface-net.ts";
+import { netSize } from "../../kernel/surface/surface-net.ts";
 import { h, setText } from "../controls/dom.ts";
 import { numberField, selectField, sliderField, toggleField } from "../controls/fields.ts";
 import { glyph } from "../controls/icons.ts";

@@ -1,4 +1,4 @@
-import { traceLimits } from "../../document/trace.ts";
+import { traceLimits } from "../../document/trace/trace.ts";
 import { setTrace } from "../../editor/trace/trace-edits.ts";
 import { h, setText } from "../controls/dom.ts";
 import { toggleField } from "../controls/fields.ts";

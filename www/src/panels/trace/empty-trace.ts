@@ -1,5 +1,5 @@
-import { traceSamples, type TraceSample } from "../../document/trace-samples.ts";
-import { isEmptyTrace } from "../../document/trace.ts";
+import { traceSamples, type TraceSample } from "../../document/trace/trace-samples.ts";
+import { isEmptyTrace } from "../../document/trace/trace.ts";
 import { openTraceSample } from "../../editor/trace/trace-edits.ts";
 import { drawSample, imageOf } from "../../kernel/trace/raster.ts";
 import { h } from "../controls/dom.ts";

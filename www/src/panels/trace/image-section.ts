@@ -1,4 +1,4 @@
-import { traceLimits, workSizes, type TraceSettings, type TraceSource } from "../../document/trace.ts";
+import { traceLimits, workSizes, type TraceSettings, type TraceSource } from "../../document/trace/trace.ts";
 import { setTrace } from "../../editor/trace/trace-edits.ts";
 import { h } from "../controls/dom.ts";
 import { choiceField, selectField, toggleField } from "../controls/fields.ts";

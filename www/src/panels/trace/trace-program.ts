@@ -1,4 +1,4 @@
-import { defaultTolerance, toleranceOf } from "../../document/trace.ts";
+import { defaultTolerance, toleranceOf } from "../../document/trace/trace.ts";
 import type { EditorState } from "../../editor/editor.ts";
 
 /** The program that makes the present trace: the bridge from the page to an integration. */

@@ -1,4 +1,4 @@
-import { traceLimits } from "../../document/trace.ts";
+import { traceLimits } from "../../document/trace/trace.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { setTrace } from "../../editor/trace/trace-edits.ts";
 import type { TraceFailure, TraceProgress } from "../../editor/trace/trace-state.ts";

@@ -1,4 +1,4 @@
-import { strokesOf } from "../../document/fit.ts";
+import { strokesOf } from "../../document/fit/fit.ts";
 import { cubicsOfFit, feetOf, teethOf, type FitOutcome, type FittedStroke } from "../../kernel/fit/outcome.ts";
 import { inPage, inScreen, onScreen, pathOfCubics, type Scene } from "../scene.ts";
 

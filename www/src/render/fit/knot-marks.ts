@@ -1,4 +1,4 @@
-import type { ScreenPoint } from "../../editor/camera.ts";
+import type { ScreenPoint } from "../../editor/pointer/camera.ts";
 import type { KnotType } from "../../kernel/fit/knots.ts";
 import type { Palette } from "../palette.ts";
 

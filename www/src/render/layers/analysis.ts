@@ -1,5 +1,5 @@
 import type { Contour, CurveDocument } from "../../document/document.ts";
-import { bezierPolygon, combOf, documentBounds, subdivided } from "../../kernel/samples.ts";
+import { bezierPolygon, combOf, documentBounds, subdivided } from "../../kernel/curve/samples.ts";
 import { drawKnot } from "../markers.ts";
 import { inPage, inScreen, onScreen, pathOfPoints, type Scene } from "../scene.ts";
 

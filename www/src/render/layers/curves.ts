@@ -1,8 +1,8 @@
-import { locate } from "../../document/contours.ts";
+import { locate } from "../../document/curve/contours.ts";
 import { pointAt, segmentCount } from "../../document/document.ts";
-import { affectedSegments } from "../../document/roots.ts";
-import { bezierGhost, magnification } from "../../kernel/bezier-ghost.ts";
-import { segmentPolygon } from "../../kernel/samples.ts";
+import { affectedSegments } from "../../document/curve/roots.ts";
+import { bezierGhost, magnification } from "../../kernel/curve/bezier-ghost.ts";
+import { segmentPolygon } from "../../kernel/curve/samples.ts";
 import { contourPath, documentPaths, inPage, inScreen, onScreen, pathOfCubics, pathOfPoints, type Scene } from "../scene.ts";
 
 /** The drawing itself, what it was before the drag, and the Bézier to compare with. */

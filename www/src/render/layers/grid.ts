@@ -1,4 +1,4 @@
-import { toPage } from "../../editor/camera.ts";
+import { toPage } from "../../editor/pointer/camera.ts";
 import { inScreen, onScreen, type Scene } from "../scene.ts";
 
 /** Dots at the grid's steps; the step doubles until dots are at least 12 px apart. */

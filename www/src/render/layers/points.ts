@@ -1,5 +1,5 @@
 import { baseCount, isSelected, samePoint, type HandleRef, type PointRef } from "../../document/document.ts";
-import { hasSide, shownHandles } from "../../editor/hit-test.ts";
+import { hasSide, shownHandles } from "../../editor/pointer/hit-test.ts";
 import { addSmallPoint, drawHandleEnd, drawPoint, drawSmallPoints, drawStart, drawVertex, type MarkerState } from "../markers.ts";
 import { inScreen, onScreen, type Scene } from "../scene.ts";
 

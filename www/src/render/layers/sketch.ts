@@ -1,4 +1,4 @@
-import { cubicsOf } from "../../kernel/paths.ts";
+import { cubicsOf } from "../../kernel/paths/paths.ts";
 import { contourPath, inPage, inScreen, onScreen, pathOfCubics, pathOfPoints, type Scene } from "../scene.ts";
 
 /** What tools show while they work: guides, marquee, the pen's next segment, where a point would go in, the loupe. */

@@ -1,4 +1,4 @@
-import { weightsOf } from "../../kernel/weights.ts";
+import { weightsOf } from "../../kernel/curve/weights.ts";
 import { inPage, type Scene } from "../scene.ts";
 
 /** The generators of a control point, standing on the curve where the point acts: as high as it acts strongly. */

@@ -1,9 +1,9 @@
-import { sameNetPoint, type NetRef } from "../../document/surface.ts";
+import { sameNetPoint, type NetRef } from "../../document/surface/surface.ts";
 import type { Editor, EditorState } from "../../editor/editor.ts";
 import type { Frame } from "../../editor/frame.ts";
 import { projector } from "../../editor/surface/orbit.ts";
 import { chooseNet, describeNet, facesAway } from "../../editor/surface/surface-edits.ts";
-import { netPoints, type ShownPoint } from "../../kernel/surface-mesh.ts";
+import { netPoints, type ShownPoint } from "../../kernel/surface/surface-mesh.ts";
 
 /** A named button for every control point of the surface, at its place: the stage stays one stop of Tab. */
 

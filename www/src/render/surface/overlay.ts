@@ -1,7 +1,7 @@
-import { isChosen, sameNetPoint, type SurfaceDocument } from "../../document/surface.ts";
+import { isChosen, sameNetPoint, type SurfaceDocument } from "../../document/surface/surface.ts";
 import { facesAway } from "../../editor/surface/surface-edits.ts";
 import { projector, type Projected } from "../../editor/surface/orbit.ts";
-import { meshOf, netPoints, type ShownPoint, type SurfaceMesh } from "../../kernel/surface-mesh.ts";
+import { meshOf, netPoints, type ShownPoint, type SurfaceMesh } from "../../kernel/surface/surface-mesh.ts";
 import { diamond, disc, drawFocus, halo } from "../markers.ts";
 import type { Palette } from "../palette.ts";
 import { inScreen, type Scene } from "../scene.ts";

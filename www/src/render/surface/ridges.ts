@@ -1,7 +1,7 @@
 import { add, projector, type Vector } from "../../editor/surface/orbit.ts";
 import { facesAway } from "../../editor/surface/surface-edits.ts";
-import { extentOf } from "../../kernel/surface-mesh.ts";
-import { ridgesOf, type Ridge } from "../../kernel/surface-weights.ts";
+import { extentOf } from "../../kernel/surface/surface-mesh.ts";
+import { ridgesOf, type Ridge } from "../../kernel/surface/surface-weights.ts";
 import { inScreen, type Scene } from "../scene.ts";
 
 /** The generators of a control point, standing on the surface along the two lines through it: as high as it acts strongly. */

@@ -3,7 +3,7 @@ import {
 } from "three";
 import { frameOf, opening, type Orbit } from "../../editor/surface/orbit.ts";
 import type { Shade } from "../../editor/surface/solid.ts";
-import { triangles, type SurfaceMesh } from "../../kernel/surface-mesh.ts";
+import { triangles, type SurfaceMesh } from "../../kernel/surface/surface-mesh.ts";
 import { fragmentShader, vertexShader } from "./shaders.ts";
 
 /** The surface drawn by the graphics card. Everything of three.js is in this file and its shader. */

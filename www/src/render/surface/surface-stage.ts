@@ -1,7 +1,7 @@
 import type { EditorState, Editor } from "../../editor/editor.ts";
 import type { Frame } from "../../editor/frame.ts";
 import { patchSolid } from "../../editor/surface/surface-edits.ts";
-import { extentOf, meshOf, netPoints } from "../../kernel/surface-mesh.ts";
+import { extentOf, meshOf, netPoints } from "../../kernel/surface/surface-mesh.ts";
 import type { Palette } from "../palette.ts";
 import type { Painter } from "../stage.ts";
 import { drawNet, drawWireframe } from "./overlay.ts";

@@ -1,4 +1,4 @@
-import { toScreen } from "../../editor/camera.ts";
+import { toScreen } from "../../editor/pointer/camera.ts";
 import type { Editor, EditorState } from "../../editor/editor.ts";
 import type { Frame } from "../../editor/frame.ts";
 import { choosePoint, describePoint, drawingOf } from "../../editor/trace/trace-edits.ts";

@@ -1,4 +1,4 @@
-import type { Pair } from "../../document/fit.ts";
+import type { Pair } from "../../document/fit/fit.ts";
 import type { Editor } from "../../editor/editor.ts";
 import type { Freehand } from "../../editor/fit/freehand.ts";
 import { distanceBetween, dragThreshold, type PointerSample, type Tool } from "../../editor/tool.ts";

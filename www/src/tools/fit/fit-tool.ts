@@ -1,5 +1,5 @@
-import type { Pair } from "../../document/fit.ts";
-import { toPage } from "../../editor/camera.ts";
+import type { Pair } from "../../document/fit/fit.ts";
+import { toPage } from "../../editor/pointer/camera.ts";
 import type { Editor } from "../../editor/editor.ts";
 import { addPoint, addStroke, eraseAt, setFitView } from "../../editor/fit/fit-edits.ts";
 import { knotAt } from "../../editor/fit/knot-hit.ts";

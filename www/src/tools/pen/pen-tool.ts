@@ -1,11 +1,11 @@
-import { replaceContour, reverseContour, type Command } from "../../document/commands.ts";
+import { replaceContour, reverseContour, type Command } from "../../document/curve/commands.ts";
 import { noOffset, nothingSelected, type Contour, type ControlPoint, type CurveDocument, type Offset, type PointRef } from "../../document/document.ts";
-import { opposite } from "../../document/offset.ts";
-import { toScreen, type PagePoint } from "../../editor/camera.ts";
+import { opposite } from "../../document/curve/offset.ts";
+import { toScreen, type PagePoint } from "../../editor/pointer/camera.ts";
 import { nothingSketched } from "../../editor/create-editor.ts";
-import { mostPoints, refuse } from "../../editor/edits.ts";
+import { mostPoints, refuse } from "../../editor/curve/edits.ts";
 import type { Editor } from "../../editor/editor.ts";
-import { constrained, snapPlace, turnedBySteps } from "../../editor/snapping.ts";
+import { constrained, snapPlace, turnedBySteps } from "../../editor/pointer/snapping.ts";
 import { distanceBetween, dragThreshold, type PointerSample, type Tool } from "../../editor/tool.ts";
 
 /**

@@ -1,8 +1,8 @@
-import { turnHandle } from "../../document/commands.ts";
+import { turnHandle } from "../../document/curve/commands.ts";
 import { pointAt, type HandleRef, type Kind, type Selection } from "../../document/document.ts";
 import { nothingSketched } from "../../editor/create-editor.ts";
 import type { Editor } from "../../editor/editor.ts";
-import { snapHandle, turnedBySteps } from "../../editor/snapping.ts";
+import { snapHandle, turnedBySteps } from "../../editor/pointer/snapping.ts";
 import type { Drag, PointerSample } from "../../editor/tool.ts";
 import { curveDrag } from "./curve-drag.ts";
 

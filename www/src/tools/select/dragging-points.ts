@@ -1,8 +1,8 @@
-import { movePoints, turnHandle } from "../../document/commands.ts";
+import { movePoints, turnHandle } from "../../document/curve/commands.ts";
 import { isSelected, pointAt, type PointRef, type Selection } from "../../document/document.ts";
 import { nothingSketched } from "../../editor/create-editor.ts";
 import type { DragReadout, Editor, EditorPatch, Guide } from "../../editor/editor.ts";
-import { constrained, snapHandle, snapPlace, turnedBySteps } from "../../editor/snapping.ts";
+import { constrained, snapHandle, snapPlace, turnedBySteps } from "../../editor/pointer/snapping.ts";
 import type { Drag, PointerSample } from "../../editor/tool.ts";
 import { curveDrag } from "./curve-drag.ts";
 

@@ -1,9 +1,9 @@
-import { movePoints, type Command } from "../../document/commands.ts";
+import { movePoints, type Command } from "../../document/curve/commands.ts";
 import type { Offset, Selection } from "../../document/document.ts";
-import { bend, isStraight, type Segment } from "../../editor/bending.ts";
+import { bend, isStraight, type Segment } from "../../editor/curve/bending.ts";
 import { nothingSketched } from "../../editor/create-editor.ts";
 import type { Editor } from "../../editor/editor.ts";
-import { constrained } from "../../editor/snapping.ts";
+import { constrained } from "../../editor/pointer/snapping.ts";
 import type { Drag, PointerSample } from "../../editor/tool.ts";
 import { curveDrag } from "./curve-drag.ts";
 

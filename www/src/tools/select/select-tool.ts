@@ -1,11 +1,11 @@
-import { movePoints } from "../../document/commands.ts";
-import { locate } from "../../document/contours.ts";
+import { movePoints } from "../../document/curve/commands.ts";
+import { locate } from "../../document/curve/contours.ts";
 import { isSelected, nothingSelected, pointAt, samePoint, type Contour, type Grid, type PointRef, type Selection } from "../../document/document.ts";
-import type { Segment } from "../../editor/bending.ts";
-import { panned, type ScreenPoint } from "../../editor/camera.ts";
-import { insertAt, resetSelectedHandles, toggleCusp } from "../../editor/edits.ts";
+import type { Segment } from "../../editor/curve/bending.ts";
+import { panned, type ScreenPoint } from "../../editor/pointer/camera.ts";
+import { insertAt, resetSelectedHandles, toggleCusp } from "../../editor/curve/edits.ts";
 import type { Editor, Modifiers, Target } from "../../editor/editor.ts";
-import { hitTest, sameTarget } from "../../editor/hit-test.ts";
+import { hitTest, sameTarget } from "../../editor/pointer/hit-test.ts";
 import type { Drag, PointerSample, Tool } from "../../editor/tool.ts";
 import { pressOrDrag } from "../press-or-drag.ts";
 import { brush } from "./brushing.ts";

@@ -1,5 +1,5 @@
-import { isChosen, noNetPoints, sameNetPoint, type NetRef } from "../../document/surface.ts";
-import type { ScreenPoint } from "../../editor/camera.ts";
+import { isChosen, noNetPoints, sameNetPoint, type NetRef } from "../../document/surface/surface.ts";
+import type { ScreenPoint } from "../../editor/pointer/camera.ts";
 import { nothingSketched } from "../../editor/create-editor.ts";
 import type { Editor } from "../../editor/editor.ts";
 import { netHit } from "../../editor/surface/net-hit.ts";

@@ -1,4 +1,4 @@
-import { panned } from "../../editor/camera.ts";
+import { panned } from "../../editor/pointer/camera.ts";
 import type { Editor } from "../../editor/editor.ts";
 import { setTraceView, toggleCorner } from "../../editor/trace/trace-edits.ts";
 import { pointAt } from "../../editor/trace/trace-hit.ts";

@@ -1,0 +1,187 @@
+import { automaticHandles, reversedContour, startedAt, translated, withClosed } from "./contours.ts";
+import {
+  isSelected, nothingSelected, type Contour, type ControlPoint, type CurveDocument, type Kind, type Offset, type PointRef, type Selection, type Side,
+  type Space,
+} from "../document.ts";
+import { withHandle, withKind } from "./offset.ts";
+
+/** A change of the curve document: its name for the history, and a pure function. */
+export interface Command {
+  /** Said in Undo's tooltip: "Move point", "Frequency". */
+  readonly name: string;
+  apply(curve: CurveDocument): CurveDocument;
+  /** The selection after the change; absent: as it was, less what is gone. */
+  readonly select?: Selection | ((after: CurveDocument) => Selection);
+  /** Commands of the same run less than 600 ms apart become one entry (a run of nudges, of typed digits). */
+  readonly run?: string;
+}
+
+/** Changes the chosen points; contours without any of them stay the same objects, so that nothing of theirs is drawn anew. */
+export function withPoints(
+  curve: CurveDocument, selection: Selection, change: (point: ControlPoint, ref: PointRef, contour: Contour) => ControlPoint,
+): CurveDocument {
+  const touched = new Set(selection.points.map((ref) => ref.contour));
+  const contours = curve.contours.map((contour, index) => {
+    if (!touched.has(index)) return contour;
+    const points = contour.points.map((point, i) => {
+      const ref = { contour: index, index: i };
+      return isSelected(selection, ref) ? change(point, ref, contour) : point;
+    });
+    return { ...contour, points };
+  });
+  return { ...curve, contours };
+}
+
+function only(point: PointRef): Selection {
+  return { points: [point], handle: null };
+}
+
+export function replaceContour(curve: CurveDocument, index: number, ...by: readonly Contour[]): CurveDocument {
+  return { ...curve, contours: curve.contours.flatMap((contour, i) => (i === index ? by : [contour])) };
+}
+
+export function movePoints(selection: Selection, dx: number, dy: number, run?: string): Command {
+  return {
+    name: selection.points.length === 1 ? "Move point" : "Move points",
+    apply: (curve) => moved(curve, selection, dx, dy),
+    ...(run === undefined ? {} : { run }),
+  };
+}
+
+/** Contours of which every point is chosen move as a whole. */
+function moved(curve: CurveDocument, selection: Selection, dx: number, dy: number): CurveDocument {
+  const chosen = new Map<number, number>();
+  for (const { contour } of selection.points) chosen.set(contour, (chosen.get(contour) ?? 0) + 1);
+  const step = (point: ControlPoint): ControlPoint => ({ ...point, x: point.x + dx, y: point.y + dy });
+  const contours = curve.contours.map((contour, c) => {
+    const count = chosen.get(c) ?? 0;
+    if (count === 0) return contour;
+    if (count === contour.points.length) return translated(contour, dx, dy);
+    return { ...contour, points: contour.points.map((point, index) => (isSelected(selection, { contour: c, index }) ? step(point) : point)) };
+  });
+  return { ...curve, contours };
+}
+
+export function placePoint(ref: PointRef, place: { x?: number; y?: number }, run?: string): Command {
+  return {
+    name: "Place point",
+    apply: (curve) => withPoints(curve, only(ref), (point) => ({ ...point, ...place })),
+    ...(run === undefined ? {} : { run }),
+  };
+}
+
+/** Sets a handle; `kind` breaks or re-links the point on the way. */
+export function turnHandle(ref: PointRef, side: Side, offset: Offset, kind?: Kind, run?: string): Command {
+  return {
+    name: "Turn handle",
+    apply: (curve) => withPoints(curve, only(ref), (point) => withHandle(kind === undefined ? point : { ...point, kind }, side, offset)),
+    ...(run === undefined ? {} : { run }),
+  };
+}
+
+export function setKinds(selection: Selection, kind: Kind): Command {
+  return {
+    name: kind === "cusp" ? "Make cusp" : `Make ${kind}`,
+    apply: (curve) =>
+      withPoints(curve, selection, (point, ref, contour) => (contour.family === "interpolating" ? point : withKind(point, kind, automaticHandles(curve, contour, ref.index)))),
+  };
+}
+
+export function resetHandles(selection: Selection): Command {
+  return {
+    name: "Reset handles",
+    apply: (curve) =>
+      withPoints(curve, selection, (point, ref, contour) => ({ ...point, kind: "symmetric", ...automaticHandles(curve, contour, ref.index) })),
+  };
+}
+
+export function closeContour(index: number, closed: boolean): Command {
+  return {
+    name: closed ? "Close contour" : "Open contour",
+    apply: (curve) => {
+      const contour = curve.contours[index];
+      return contour === undefined ? curve : replaceContour(curve, index, withClosed(curve, contour, closed));
+    },
+  };
+}
+
+export function reverseContour(index: number): Command {
+  return {
+    name: "Reverse",
+    apply: (curve) => {
+      const contour = curve.contours[index];
+      return contour === undefined ? curve : replaceContour(curve, index, reversedContour(contour));
+    },
+    select: nothingSelected,
+  };
+}
+
+export function startContourAt(ref: PointRef): Command {
+  return {
+    name: "Start here",
+    apply: (curve) => {
+      const contour = curve.contours[ref.contour];
+      return contour === undefined ? curve : replaceContour(curve, ref.contour, startedAt(contour, ref.index));
+    },
+    select: only({ contour: ref.contour, index: 0 }),
+  };
+}
+
+/** The document's frequency for every contour: what contours had of their own is dropped. */
+export function setOmega(omega: number | "auto", run?: string): Command {
+  return {
+    name: "Frequency",
+    apply: (curve) => ({ ...curve, omega, contours: curve.contours.map(({ omega: _own, ...contour }) => contour) }),
+    ...(run === undefined ? {} : { run }),
+  };
+}
+
+export function setSpace(space: Space): Command {
+  return {
+    name: "Space",
+    apply: (curve) => ({ ...curve, space, contours: curve.contours.map(({ space: _own, ...contour }) => contour) }),
+  };
+}
+
+export function clearCurve(): Command {
+  return {
+    name: "Clear",
+    apply: ({ sample: _gone, ...curve }) => ({ ...curve, level: 0, contours: [] }),
+    select: nothingSelected,
+  };
+}
+
+export function replaceCurve(name: string, curve: CurveDocument): Command {
+  return { name, apply: () => curve, select: nothingSelected };
+}
+
+/** More than this would hide what was added under the marks of its being chosen. */
+const mostChosen = 64;
+
+/** Adds contours; `choose` chooses their points, so that they can be moved at once. */
+export function addContours(name: string, contours: readonly Contour[], choose: boolean): Command {
+  const points = contours.reduce((sum, contour) => sum + contour.points.length, 0);
+  return {
+    name,
+    apply: (curve) => ({ ...curve, contours: [...curve.contours, ...contours] }),
+    select: (after) => (choose && points <= mostChosen ? lastContours(after, contours.length) : nothingSelected),
+  };
+}
+
+function lastContours(curve: CurveDocument, count: number): Selection {
+  const first = curve.contours.length - count;
+  const points = curve.contours.slice(first).flatMap((contour, k) => contour.points.map((_, index) => ({ contour: first + k, index })));
+  return { points, handle: null };
+}
+
+/** Copies of the chosen contours' points, moved a little so that they can be seen. */
+export function duplicateContours(indices: readonly number[], by: number): { copies: (curve: CurveDocument) => Contour[] } {
+  return {
+    copies: (curve) =>
+      indices.flatMap((index) => {
+        const contour = curve.contours[index];
+        if (contour === undefined) return [];
+        return [{ ...contour, points: contour.points.map((point) => ({ ...point, x: point.x + by, y: point.y + by })) }];
+      }),
+  };
+}

@@ -1,0 +1,152 @@
+import { modes, type Mode } from "../../document/document.ts";
+import { documentBounds } from "../../kernel/curve/samples.ts";
+import { fitted, mostZoom, zoomedAt, type ScreenPoint } from "../pointer/camera.ts";
+import {
+  clearCurve, deleteAndHeal, deleteAndOpen, duplicate, insertAfterSelected, insertAt, nudge, resetSelectedHandles, reverse, selectAll, selectEnd, selectNone, setKind,
+  startHere, stepPart, stepSelection, toggleCusp,
+} from "../curve/edits.ts";
+import { whileLoading } from "../loading.ts";
+import { applyProposal, setLevel } from "../curve/level-edits.ts";
+import type { Action, Editor, EditorState, OverlayId, ToolId } from "../editor.ts";
+
+/** The actions of the stage and the editor. Panels add those of files and dialogs. */
+
+const inCurve = (state: EditorState): boolean => state.mode === "curve";
+const hasSelection = (state: EditorState): boolean => inCurve(state) && state.selection.points.length > 0;
+const hasCurve = (state: EditorState): boolean => inCurve(state) && state.curve.contours.length > 0;
+
+function action(id: string, label: string, group: Action["group"], keys: readonly string[], run: Action["run"], more: Partial<Action> = {}): Action {
+  return { id, label, group, keys, run, ...more };
+}
+
+/** Where the pointer, or the menu it opened, is on the curve. */
+function insertAtHover(editor: Editor): void {
+  const { hover } = editor.state.value;
+  if (hover.kind === "curve") insertAt(editor, hover.contour, hover.t);
+}
+
+function stageCentre(state: EditorState): ScreenPoint {
+  return { x: state.stage.width / 2, y: state.stage.height / 2 };
+}
+
+export function zoomBy(editor: Editor, factor: number, at?: ScreenPoint): void {
+  const { view, stage, mode } = editor.state.value;
+  const own = editor.modes.get(mode)?.view;
+  if (own !== undefined) return own.zoom(factor, at ?? null);
+  editor.patch({ view: zoomedAt(view, stage, at ?? stageCentre(editor.state.value), view.zoom * factor) });
+}
+
+export function zoomTo(editor: Editor, zoom: number): void {
+  const { view, stage, mode } = editor.state.value;
+  const own = editor.modes.get(mode)?.view;
+  if (own !== undefined) return own.zoomTo(zoom);
+  editor.patch({ view: zoomedAt(view, stage, stageCentre(editor.state.value), zoom) });
+}
+
+/** The whole drawing in view; `most` keeps small drawings from filling the stage. */
+export function fitView(editor: Editor, most = mostZoom): void {
+  const { curve, stage, mode } = editor.state.value;
+  const own = editor.modes.get(mode)?.view;
+  if (own !== undefined) return own.fit();
+  const parts = editor.modes.get(mode);
+  const box = parts?.box === undefined ? documentBounds(curve) : parts.box(editor.state.value);
+  if (box === null) return editor.patch({ view: { zoom: 1, x: 400, y: 300 } });
+  editor.patch({ view: fitted(box, stage, most) });
+}
+
+const tools: readonly [ToolId, string, string][] = [
+  ["select", "Select and edit", "V"],
+  ["pen", "Pen", "P"],
+  ["draw", "Draw", "D"],
+  ["hand", "Pan", "H"],
+];
+
+const overlays: readonly [OverlayId, string, string | null][] = [
+  ["handles", "Handles", null],
+  ["polygon", "Control polygon", null],
+  ["knots", "Knots", null],
+  ["comb", "Curvature comb", "K"],
+  ["subdivision", "Subdivision", null],
+  ["weights", "Weights of a point", null],
+  ["fill", "Fill", null],
+  ["bezier", "Compare with Bézier", null],
+  ["grid", "Grid", "G"],
+];
+
+const modeNames: Readonly<Record<Mode, string>> = { curve: "Curve", fit: "Fit", trace: "Trace", surface: "Surface" };
+
+const directions: readonly [string, number, number][] = [["Left", -1, 0], ["Right", 1, 0], ["Up", 0, -1], ["Down", 0, 1]];
+
+function nudgeActions(): Action[] {
+  return directions.flatMap(([name, dx, dy]) =>
+    ([["", 1, `Arrow${name}`], ["-far", 10, `Shift+Arrow${name}`], ["-fine", 0.1, `Alt+Arrow${name}`]] as const).map(([suffix, by, key]) =>
+      action(`nudge-${name.toLowerCase()}${suffix}`, `Nudge ${name.toLowerCase()} by ${by}`, "Points", [key], (editor) => nudge(editor, dx * by, dy * by), {
+        enabled: hasSelection,
+      }),
+    ),
+  );
+}
+
+const editing: readonly Action[] = [
+  action("undo", "Undo", "Edit", ["Mod+Z"], (editor) => editor.undo(), { enabled: (state) => state.canUndo }),
+  action("redo", "Redo", "Edit", ["Mod+Shift+Z", "Mod+Y"], (editor) => editor.redo(), { enabled: (state) => state.canRedo }),
+  action("select-all", "Select all", "Edit", ["Mod+A"], selectAll, { enabled: hasCurve }),
+  action("select-none", "Select none", "Edit", ["Mod+Shift+A"], selectNone, { enabled: inCurve }),
+  action("duplicate", "Duplicate contour", "Edit", ["Mod+D"], duplicate, { enabled: hasSelection }),
+  action("clear", "Clear", "Edit", [], clearCurve, { enabled: hasCurve }),
+];
+
+const pointActions: readonly Action[] = [
+  action("next-point", "Next point", "Points", ["]"], (editor) => stepSelection(editor, 1, false), { enabled: hasCurve }),
+  action("previous-point", "Previous point", "Points", ["["], (editor) => stepSelection(editor, -1, false), { enabled: hasCurve }),
+  action("extend-next", "Add the next point", "Points", ["Shift+]", "Alt+]"], (editor) => stepSelection(editor, 1, true), { enabled: hasCurve }),
+  action("extend-previous", "Add the previous point", "Points", ["Shift+[", "Alt+["], (editor) => stepSelection(editor, -1, true), { enabled: hasCurve }),
+  action("first-point", "First point", "Points", ["Home"], (editor) => selectEnd(editor, "first"), { enabled: hasCurve }),
+  action("last-point", "Last point", "Points", ["End"], (editor) => selectEnd(editor, "last"), { enabled: hasCurve }),
+  action("next-part", "Next handle of the point", "Points", ["."], (editor) => stepPart(editor, 1), { enabled: hasSelection }),
+  action("previous-part", "Previous handle of the point", "Points", [","], (editor) => stepPart(editor, -1), { enabled: hasSelection }),
+  action("toggle-cusp", "Smooth ↔ cusp", "Points", ["C"], (editor) => toggleCusp(editor), { enabled: hasSelection }),
+  action("symmetric", "Symmetric", "Points", ["S"], (editor) => setKind(editor, "symmetric"), { enabled: hasSelection }),
+  action("smooth", "Smooth", "Points", [], (editor) => setKind(editor, "smooth"), { enabled: hasSelection }),
+  action("cusp", "Cusp", "Points", [], (editor) => setKind(editor, "cusp"), { enabled: hasSelection }),
+  action("reset-handles", "Automatic handles", "Points", [], (editor) => resetSelectedHandles(editor), { enabled: hasSelection }),
+  action("insert", "Insert a point after the selected one", "Points", ["Enter"], insertAfterSelected, { enabled: hasSelection }),
+  action("insert-here", "Insert a point here", "Points", [], insertAtHover, { enabled: (state) => inCurve(state) && state.hover.kind === "curve" }),
+  action("delete", "Delete and heal", "Points", ["Delete", "Backspace"], deleteAndHeal, { enabled: hasSelection }),
+  action("delete-open", "Delete and open", "Points", ["Shift+Delete", "Shift+Backspace"], deleteAndOpen, { enabled: hasSelection }),
+  action("start-here", "Start here", "Curve", [], startHere, { enabled: hasSelection }),
+  action("refine-here", "Refine here", "Curve", [], (editor) => void whileLoading(editor, import("../curve/family-edits.ts").then(({ refineCurveHere }) => refineCurveHere(editor))), { enabled: hasSelection }),
+  action("reverse", "Reverse", "Curve", [], reverse, { enabled: hasCurve }),
+  action("level-up", "Level up", "Curve", ["}"], (editor) => setLevel(editor, editor.state.value.curve.level + 1), { enabled: hasCurve }),
+  action("apply-level", "Change the level", "Curve", [], applyProposal, { enabled: (state) => state.sketch.proposal !== null }),
+  action("level-down", "Level down", "Curve", ["{"], (editor) => setLevel(editor, editor.state.value.curve.level - 1), { enabled: hasCurve }),
+];
+
+const viewing: readonly Action[] = [
+  action("zoom-in", "Zoom in", "View", ["+", "="], (editor) => zoomBy(editor, 1.25), { live: true }),
+  action("zoom-out", "Zoom out", "View", ["-"], (editor) => zoomBy(editor, 0.8), { live: true }),
+  action("zoom-100", "Zoom to 100 %", "View", ["0"], (editor) => zoomTo(editor, 1), { live: true }),
+  action("zoom-fit", "Fit the drawing", "View", ["F"], (editor) => fitView(editor), { live: true }),
+  action("original-only", "Original only (hold)", "View", ["O"], (editor) => editor.patch({ originalOnly: true }), {
+    release: (editor) => editor.patch({ originalOnly: false }),
+  }),
+];
+
+export function registerStandardActions(editor: Editor): void {
+  const switches = overlays.map(([id, label, key]) =>
+    action(`overlay-${id}`, label, "View", key === null ? [] : [key], (target) => target.setOverlay(id, !target.state.value.settings.overlays[id]), {
+      ...(id === "grid" ? {} : { enabled: inCurve }),
+      checked: (state) => state.settings.overlays[id],
+    }),
+  );
+  const toolActions = tools.map(([id, label, key]) =>
+    action(`tool-${id}`, label, "Tools", [key], (target) => target.patch({ tool: id, hint: "" }), { enabled: (state) => state.mode === "curve" || state.mode === "fit", checked: (state) => state.tool === id }),
+  );
+  const modeActions = modes.map((mode, index) =>
+    action(`mode-${mode}`, modeNames[mode], "Modes", [String(index + 1)], (target) => target.patch({ mode, hint: "" }), {
+      checked: (state) => state.mode === mode,
+    }),
+  );
+  const all = [...editing, ...pointActions, ...nudgeActions(), ...viewing, ...switches, ...toolActions, ...modeActions];
+  for (const each of all) editor.actions.register(each);
+}

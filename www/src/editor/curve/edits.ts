@@ -1,0 +1,364 @@
+import {
+  addContours as addContoursCommand, clearCurve as clearCommand, closeContour, duplicateContours, movePoints, placePoint, replaceContour, replaceCurve,
+  resetHandles, reverseContour, setKinds, setOmega as setOmegaCommand, setSpace as setSpaceCommand, startContourAt, turnHandle, type Command,
+} from "../../document/curve/commands.ts";
+import { withoutPoints } from "../../document/curve/contours.ts";
+import {
+  baseCount, domainLength, lengthOf, noOffset, nothingSelected, pointAt, segmentCount, type Contour, type CurveDocument, type Kind, type PointRef, type Selection,
+  type Side, type Space,
+} from "../../document/document.ts";
+import { lengthOfOffset } from "../../document/curve/offset.ts";
+import { healed, inserted, resampled } from "../../kernel/curve/contours.ts";
+import { insertedInterpolating, removedInterpolating, resampledInterpolating } from "../../kernel/curve/interpolating.ts";
+import { withoutPlaces } from "../../kernel/curve/fine-places.ts";
+import { largestMove } from "../../kernel/curve/samples.ts";
+import type { Editor } from "../editor.ts";
+
+/** The edits that tools, keys and panels share. Each is one entry in the history unless a gesture is open. */
+
+export const mostPoints = 256;
+
+function selectionOf(editor: Editor): Selection {
+  return editor.state.value.selection;
+}
+
+/** The contour that controls act on: the chosen point's, else the first. */
+export function activeContour(editor: Editor): number {
+  return selectionOf(editor).points[0]?.contour ?? 0;
+}
+
+export function say(editor: Editor, text: string): void {
+  editor.notify({ kind: "toast", text });
+}
+
+/** Refuses in the hint line and aloud, without an entry in the history. */
+export function refuse(editor: Editor, text: string): void {
+  editor.patch({ hint: text });
+  editor.notify({ kind: "announce", text });
+}
+
+/** A distance in document units as the page prints it. */
+export function printed(distance: number): string {
+  if (distance === 0) return "0";
+  return distance < 1e-4 ? distance.toExponential(0) : String(Number(distance.toPrecision(2)));
+}
+
+/** Points of interpolating curves have no handles and so no kinds; says so once for all. */
+function hasNoHandles(editor: Editor, selection: Selection): boolean {
+  const [first] = selection.points;
+  if (first === undefined || editor.state.value.curve.contours[first.contour]?.family !== "interpolating") return false;
+  refuse(editor, "Points of an interpolating curve have no handles: the curve is smooth through all of them.");
+  return true;
+}
+
+export function setKind(editor: Editor, kind: Kind): void {
+  if (hasNoHandles(editor, selectionOf(editor))) return;
+  if (selectionOf(editor).points.length > 0) editor.dispatch(setKinds(selectionOf(editor), kind));
+}
+
+/** Cusps become smooth, anything else a cusp. */
+export function toggleCusp(editor: Editor, selection: Selection = selectionOf(editor)): void {
+  const first = selection.points[0];
+  const point = first === undefined ? undefined : pointAt(editor.state.value.curve, first);
+  if (point === undefined || hasNoHandles(editor, selection)) return;
+  const kind: Kind = point.kind === "cusp" ? "smooth" : "cusp";
+  editor.dispatch({ ...setKinds(selection, kind), select: selection });
+  editor.notify({ kind: "announce", text: `Point ${(first?.index ?? 0) + 1} is now ${kind === "cusp" ? "a cusp" : "smooth"}` });
+}
+
+export function setPoint(editor: Editor, ref: PointRef, place: { x?: number; y?: number }, run?: string): void {
+  editor.dispatch(placePoint(ref, place, run));
+}
+
+/** Length in document units, angle in degrees counter-clockwise from 3 o'clock, as the inspector prints them. */
+export function setHandlePolar(editor: Editor, ref: PointRef, side: Side, polar: { length?: number; angle?: number }, run?: string): void {
+  const point = pointAt(editor.state.value.curve, ref);
+  if (point === undefined) return;
+  const old = point[side];
+  const length = polar.length ?? lengthOfOffset(old);
+  const angle = polar.angle === undefined ? Math.atan2(old.dy, old.dx) : (-polar.angle * Math.PI) / 180;
+  editor.dispatch(turnHandle(ref, side, { dx: length * Math.cos(angle), dy: length * Math.sin(angle) }, undefined, run));
+}
+
+export function resetSelectedHandles(editor: Editor, selection: Selection = selectionOf(editor)): void {
+  if (hasNoHandles(editor, selection)) return;
+  if (selection.points.length > 0) editor.dispatch(resetHandles(selection));
+}
+
+/** Moves what is chosen: the handle, if one is, else the points. A quick run of nudges is one entry. */
+export function nudge(editor: Editor, dx: number, dy: number): void {
+  const { curve, selection } = editor.state.value;
+  const { handle } = selection;
+  if (handle !== null) {
+    const point = pointAt(curve, handle);
+    if (point === undefined) return;
+    const old = point[handle.side];
+    editor.dispatch(turnHandle(handle, handle.side, { dx: old.dx + dx, dy: old.dy + dy }, undefined, "nudge-handle"));
+  } else if (selection.points.length > 0) {
+    const name = selection.points.map((ref) => `${ref.contour}:${ref.index}`).join(",");
+    editor.dispatch(movePoints(selection, dx, dy, `nudge ${name}`));
+  }
+}
+
+/** Inserts a point at parameter `t` without changing the curve, and chooses it. */
+export function insertAt(editor: Editor, contour: number, t: number): void {
+  const { curve } = editor.state.value;
+  const before = curve.contours[contour];
+  if (before === undefined) return;
+  if (before.points.length >= mostPoints) return refuse(editor, `A contour holds at most ${mostPoints} points here.`);
+  if (isRefined(editor, before)) return;
+  const isHermite = before.family === "hermite";
+  const result: { contour: Contour; index: number; moved?: number } | null = isHermite ? inserted(curve, before, t) : insertedInterpolating(curve, before, t);
+  if (result === null) return refuse(editor, "There is a point already.");
+  editor.dispatch({
+    name: "Insert point",
+    apply: (document) => replaceContour(document, contour, result.contour),
+    select: { points: [{ contour, index: result.index }], handle: null },
+  });
+  const { moved = 0 } = result;
+  say(editor, `Point ${result.index + 1} inserted. ${moved <= unnoticed ? "The curve has not moved." : `The curve moved by at most ${printed(moved)}; the level slider refines without moving it.`}`);
+}
+
+/** Refined places are for moving points; what renumbers the contour waits until they are gone. */
+export function hasPlaces(editor: Editor, contour: Contour | undefined): boolean {
+  if (contour?.places === undefined) return false;
+  refuse(editor, "This contour has refined places. Select a finer point and press Delete to take its place away first.");
+  return true;
+}
+
+/** Control points near the curve come and go with the level only. */
+export function isRefined(editor: Editor, contour: Contour): boolean {
+  if (hasPlaces(editor, contour)) return true;
+  if (contour.grid === undefined) return false;
+  refuse(editor, "These are control points of a finer level. Go to level 0 to add or take away points of the curve.");
+  return true;
+}
+
+/** Midway to the next point after the chosen one. */
+export function insertAfterSelected(editor: Editor): void {
+  const ref = selectionOf(editor).points[0];
+  const contour = editor.state.value.curve.contours[ref?.contour ?? -1];
+  if (ref === undefined || contour === undefined) return;
+  const segment = Math.min(ref.index, segmentCount(contour) - 1);
+  let t = lengthOf(contour, segment) / 2;
+  for (let before = 0; before < segment; before += 1) t += lengthOf(contour, before);
+  insertAt(editor, ref.contour, t);
+}
+
+/** Chosen points of each contour, last first, so that taking one away does not renumber those still to go. */
+function chosenByContour(selection: Selection): Map<number, number[]> {
+  const map = new Map<number, number[]>();
+  for (const { contour, index } of selection.points) map.set(contour, [...(map.get(contour) ?? []), index]);
+  for (const list of map.values()) list.sort((a, b) => b - a);
+  return map;
+}
+
+/** Takes the chosen points away and lets their neighbours' handles close the gap with the least change of shape. */
+export function deleteAndHeal(editor: Editor): void {
+  const { curve, selection } = editor.state.value;
+  const chosen = chosenByContour(selection);
+  const contours: Contour[] = [];
+  let [deviation, gone] = [0, 0];
+  let stay: PointRef | null = null;
+  for (const [c, contour] of curve.contours.entries()) {
+    const indices = chosen.get(c) ?? [];
+    if (indices.length > 0 && indices.length === contour.points.length) {
+      // All of it: there is nothing left to heal.
+      gone += indices.length;
+      continue;
+    }
+    let rest = contour;
+    const fine = indices.filter((index) => index >= baseCount(contour));
+    if (fine.length > 0) {
+      const result = withoutPlaces(curve, contour, fine);
+      deviation = Math.max(deviation, result.moved);
+      gone += 1;
+      contours.push(result.contour);
+      continue;
+    }
+    if (indices.length > 0 && isRefined(editor, contour)) return;
+    for (const index of indices) {
+      const result = rest.points.length <= 2 ? null : rest.family === "hermite" ? healed(curve, rest, index) : removedInterpolating(curve, rest, index);
+      if (result === null) {
+        const least = rest.family === "interpolating" && rest.closed ? "A closed interpolating contour needs three points" : "A contour needs two points";
+        return refuse(editor, `${least}. Select all of it to delete it, or press Shift+Delete to open it.`);
+      }
+      rest = result.contour;
+      deviation = Math.max(deviation, result.deviation);
+      gone += 1;
+    }
+    contours.push(rest);
+    const lowest = indices[indices.length - 1];
+    if (stay === null && lowest !== undefined) stay = { contour: contours.length - 1, index: Math.min(lowest, rest.points.length - 1) };
+  }
+  if (gone === 0) return;
+  editor.dispatch({
+    name: gone === 1 ? "Delete point" : `Delete ${gone} points`,
+    apply: (document) => ({ ...document, contours }),
+    select: stay === null ? nothingSelected : { points: [stay], handle: null },
+  });
+  say(editor, `${gone === 1 ? "Point deleted" : `${gone} points deleted`}. The curve moved by at most ${printed(deviation)}.`);
+}
+
+/** Takes the chosen points away and leaves the gaps open. */
+export function deleteAndOpen(editor: Editor): void {
+  const { curve, selection } = editor.state.value;
+  const chosen = chosenByContour(selection);
+  if (chosen.size === 0) return;
+  if (curve.contours.some((contour, c) => chosen.has(c) && isRefined(editor, contour))) return;
+  const contours = curve.contours.flatMap((contour, c) => withoutPoints(curve, contour, chosen.get(c) ?? []));
+  editor.dispatch({ name: "Delete and open", apply: (document) => ({ ...document, contours }), select: nothingSelected });
+  say(editor, "Point deleted. The path is open there.");
+}
+
+/** Moves below this, in document units, are rounding and nobody's edit. */
+export const unnoticed = 1e-6;
+
+/** The active contour with another number of points, at equal parameters. */
+export function resample(editor: Editor, count: number, run?: string): void {
+  const { curve } = editor.state.value;
+  const index = activeContour(editor);
+  const contour = curve.contours[index];
+  const isHermite = contour?.family === "hermite";
+  const points = Math.max(isHermite ? 2 : 3, Math.min(mostPoints, Math.round(count)));
+  if (contour === undefined || contour.points.length === points || contour.points.length < 2 || isRefined(editor, contour)) return;
+  const next = isHermite ? resampled(curve, contour, points) : resampledInterpolating(curve, contour, points);
+  editor.dispatch({
+    name: "Points",
+    apply: (document) => ({ ...replaceContour(document, index, next), level: 0 }),
+    select: nothingSelected,
+    ...(run === undefined ? {} : { run }),
+  });
+  const moved = largestMove(curve, contour, next);
+  if (moved > 1e-6) say(editor, `${points} points: the curve moved by up to ${printed(moved)}.`);
+}
+
+export function setClosed(editor: Editor, closed: boolean): void {
+  const index = activeContour(editor);
+  const contour = editor.state.value.curve.contours[index];
+  if (contour === undefined || hasPlaces(editor, contour)) return;
+  if (!closed && contour.points.length < 3) return refuse(editor, "Opening drops the last segment; this contour has too few points for that.");
+  if (closed && contour.points.length < 2) return refuse(editor, "A closed contour needs two points.");
+  editor.dispatch(closeContour(index, closed));
+}
+
+export function setSpace(editor: Editor, space: Space): void {
+  editor.dispatch(setSpaceCommand(space));
+}
+
+export function setOmega(editor: Editor, omega: number | "auto", run?: string): void {
+  editor.dispatch(setOmegaCommand(omega, run));
+}
+
+export function clearCurve(editor: Editor): void {
+  if (editor.state.value.curve.contours.length > 0) editor.dispatch(clearCommand());
+}
+
+/** Puts a whole drawing in place of the present one, undoably. */
+export function loadCurve(editor: Editor, name: string, curve: CurveDocument): void {
+  editor.dispatch(replaceCurve(name, curve));
+}
+
+/** Adds contours to the drawing, or puts them in its place. What was pasted is chosen, ready to be moved; an import is looked at first. */
+export function addContours(editor: Editor, name: string, contours: readonly Contour[], how: "add" | "replace"): void {
+  const add = addContoursCommand(name, contours, name === "Paste");
+  const command: Command = how === "add" ? add : { ...add, apply: (curve) => add.apply(clearCommand().apply(curve)) };
+  editor.dispatch(command);
+}
+
+export function duplicate(editor: Editor): void {
+  const { curve, selection, view } = editor.state.value;
+  const indices = [...chosenByContour(selection).keys()];
+  if (indices.length === 0) return;
+  const copies = duplicateContours(indices, 16 / view.zoom).copies(curve);
+  editor.dispatch(addContoursCommand("Duplicate", copies, true));
+}
+
+export function reverse(editor: Editor): void {
+  const contour = editor.state.value.curve.contours[activeContour(editor)];
+  if (contour !== undefined && !hasPlaces(editor, contour)) editor.dispatch(reverseContour(activeContour(editor)));
+}
+
+export function startHere(editor: Editor): void {
+  const ref = selectionOf(editor).points[0];
+  if (ref !== undefined && ref.index > 0 && !hasPlaces(editor, editor.state.value.curve.contours[ref.contour])) editor.dispatch(startContourAt(ref));
+}
+
+/** Chooses every point of one kind: what the legend's rows do. */
+export function selectKind(editor: Editor, kind: Kind | "point"): void {
+  const points = editor.state.value.curve.contours.flatMap((contour, c) =>
+    contour.points.flatMap((point, index) => (kind === "point" ? point.kind !== "cusp" : point.kind === kind) ? [{ contour: c, index }] : []),
+  );
+  editor.patch({ selection: { points, handle: null }, hint: "" });
+}
+
+export function selectAll(editor: Editor): void {
+  const points = editor.state.value.curve.contours.flatMap((contour, c) => contour.points.map((_, index) => ({ contour: c, index })));
+  editor.patch({ selection: { points, handle: null }, hint: "" });
+}
+
+export function selectNone(editor: Editor): void {
+  editor.patch({ selection: nothingSelected, hint: "" });
+}
+
+/** Steps from point to point through all contours. `extend` keeps what was chosen. */
+export function stepSelection(editor: Editor, step: 1 | -1, extend: boolean): void {
+  const { curve, selection } = editor.state.value;
+  const all = curve.contours.flatMap((contour, c) => contour.points.map((_, index) => ({ contour: c, index })));
+  const last = selection.points[selection.points.length - 1];
+  const at = last === undefined ? (step === 1 ? -1 : 0) : all.findIndex((ref) => ref.contour === last.contour && ref.index === last.index);
+  const next = all[(at + step + all.length) % all.length];
+  if (next === undefined) return;
+  const kept = extend ? selection.points.filter((ref) => ref.contour !== next.contour || ref.index !== next.index) : [];
+  chooseByKeyboard(editor, { points: [...kept, next], handle: null });
+}
+
+export function selectEnd(editor: Editor, which: "first" | "last"): void {
+  const { curve } = editor.state.value;
+  const contour = which === "first" ? 0 : curve.contours.length - 1;
+  const count = curve.contours[contour]?.points.length ?? 0;
+  if (count > 0) chooseByKeyboard(editor, { points: [{ contour, index: which === "first" ? 0 : count - 1 }], handle: null });
+}
+
+/** The chosen point itself, its arriving handle, its leaving handle, and round again. */
+export function stepPart(editor: Editor, step: 1 | -1): void {
+  const { selection } = editor.state.value;
+  const point = selection.points[selection.points.length - 1];
+  if (point === undefined) return;
+  const parts: readonly (Side | null)[] = [null, "in", "out"];
+  const at = parts.indexOf(selection.handle?.side ?? null);
+  const side = parts[(at + step + parts.length) % parts.length] ?? null;
+  chooseByKeyboard(editor, { points: [point], handle: side === null ? null : { ...point, side } });
+}
+
+function chooseByKeyboard(editor: Editor, selection: Selection): void {
+  editor.patch({ selection, keyboard: true, hint: "" });
+  const ref = selection.handle ?? selection.points[selection.points.length - 1];
+  if (ref !== undefined) editor.notify({ kind: "announce", text: describe(editor.state.value.curve, ref, selection.handle?.side) });
+}
+
+/** "Point 3 of 8, smooth, x 240, y 120": the name of a proxy and what a screen reader hears. */
+export function describe(curve: CurveDocument, ref: PointRef, side?: Side): string {
+  const contour = curve.contours[ref.contour];
+  const point = pointAt(curve, ref);
+  if (contour === undefined || point === undefined) return "";
+  const where = curve.contours.length > 1 ? ` of contour ${ref.contour + 1}` : "";
+  const finer = ref.index - baseCount(contour);
+  const name = finer >= 0 ? `Finer point ${finer + 1} of ${contour.points.length - baseCount(contour)}${where}` : `Point ${ref.index + 1} of ${baseCount(contour)}${where}`;
+  const kind = contour.family === "hermite" ? point.kind : contour.grid === undefined && finer < 0 ? "on the curve" : "near the curve";
+  if (side === undefined) return `${name}, ${kind}, x ${short(point.x)}, y ${short(point.y)}`;
+  const offset = point[side] ?? noOffset;
+  const degrees = (Math.atan2(-offset.dy, offset.dx) * 180) / Math.PI;
+  return `${side === "in" ? "Arriving" : "Leaving"} handle of ${name.toLowerCase()}, length ${short(lengthOfOffset(offset))}, angle ${short(degrees)}°`;
+}
+
+function short(value: number): string {
+  return String(Math.round(value * 100) / 100 + 0);
+}
+
+/** The parameter in the middle of a contour's segment. */
+export function middleOf(contour: Contour, segment: number): number {
+  let t = lengthOf(contour, segment) / 2;
+  for (let before = 0; before < segment; before += 1) t += lengthOf(contour, before);
+  return Math.min(t, domainLength(contour));
+}

@@ -1,0 +1,83 @@
+import type { View } from "../../document/document.ts";
+
+/** The only place where screen and document coordinates are turned into each other. */
+
+declare const screenBrand: unique symbol;
+declare const pageBrand: unique symbol;
+
+/** CSS pixels from the stage's top left corner. */
+export interface ScreenPoint {
+  readonly x: number;
+  readonly y: number;
+  readonly [screenBrand]?: true;
+}
+
+/** Document units. */
+export interface PagePoint {
+  readonly x: number;
+  readonly y: number;
+  readonly [pageBrand]?: true;
+}
+
+/** The stage in the window, CSS pixels. */
+export interface StageBox {
+  readonly left: number;
+  readonly top: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+export const leastZoom = 0.05;
+export const mostZoom = 64;
+
+export function clampZoom(zoom: number): number {
+  return Math.min(mostZoom, Math.max(leastZoom, zoom));
+}
+
+export function toScreen(view: View, stage: StageBox, point: PagePoint): ScreenPoint {
+  return { x: stage.width / 2 + (point.x - view.x) * view.zoom, y: stage.height / 2 + (point.y - view.y) * view.zoom };
+}
+
+export function toPage(view: View, stage: StageBox, point: ScreenPoint): PagePoint {
+  return { x: view.x + (point.x - stage.width / 2) / view.zoom, y: view.y + (point.y - stage.height / 2) / view.zoom };
+}
+
+/** The view zoomed so that the document stays put under one place of the screen. */
+export function zoomedAt(view: View, stage: StageBox, at: ScreenPoint, zoom: number): View {
+  const next = clampZoom(zoom);
+  const page = toPage(view, stage, at);
+  return { zoom: next, x: page.x - (at.x - stage.width / 2) / next, y: page.y - (at.y - stage.height / 2) / next };
+}
+
+/** The view moved with the hand, by CSS pixels. */
+export function panned(view: View, dx: number, dy: number): View {
+  return { ...view, x: view.x - dx / view.zoom, y: view.y - dy / view.zoom };
+}
+
+interface Box {
+  readonly minX: number;
+  readonly minY: number;
+  readonly maxX: number;
+  readonly maxY: number;
+}
+
+/** What views were made to show. */
+const fittings = new WeakMap<View, readonly [box: Box, most: number, share: number]>();
+
+/** A view that shows the whole box, never closer than `most`; handles and what lies over the stage have a share of it on every side. */
+export function fitted(box: Box, stage: StageBox, most: number, share = 0.1): View {
+  const margin = Math.max(24, Math.min(stage.width, stage.height) * share);
+  // The hint and the zoom box, and on a phone the tools, are above and below.
+  const above = Math.max(margin, Math.min(stage.width < 600 ? 72 : 48, stage.height * 0.35));
+  const wide = Math.max(1, stage.width - 2 * margin) / Math.max(1e-9, box.maxX - box.minX);
+  const high = Math.max(1, stage.height - 2 * above) / Math.max(1e-9, box.maxY - box.minY);
+  const view = { zoom: clampZoom(Math.min(wide, high, most)), x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2 };
+  fittings.set(view, [box, most, share]);
+  return view;
+}
+
+/** A view for a stage of another size: what was fitted stays in sight, what somebody has moved stays where it was put. */
+export function resized(view: View, stage: StageBox): View {
+  const [box, most, share] = fittings.get(view) ?? [];
+  return box === undefined || most === undefined ? view : fitted(box, stage, most, share);
+}

@@ -1,0 +1,164 @@
+/**
+ * Reads an SVG document into path data and transforms. The browser's own parser reads it into a document that is never
+ * attached to the page, so nothing in it is fetched, styled or run; only shape elements are looked at.
+ */
+import { overLimit, SvgFileError, svgLimits, type SvgLimits, type SvgWarning } from "./limits.ts";
+import { identity, multiply, numbersOf, parseTransform, scale, translate, type Matrix } from "./matrix.ts";
+import { checkMarkup } from "./scan.ts";
+import { lengthOf, pathDataOf, shapeNames, type Warn } from "./shapes.ts";
+
+/** One drawn shape: its path data, and the transform from its own units to the document's. */
+export interface SvgShape {
+  readonly d: string;
+  readonly transform: Matrix;
+}
+
+export interface SvgFile {
+  readonly shapes: readonly SvgShape[];
+  readonly warnings: readonly SvgWarning[];
+}
+
+/** Elements whose shapes are drawn where they stand; every other element's children are not part of the picture. */
+const groups: ReadonlySet<string> = new Set(["svg", "g", "a", "switch"]);
+
+interface Reading {
+  readonly limits: SvgLimits;
+  readonly shapes: SvgShape[];
+  readonly warnings: SvgWarning[];
+  readonly warn: Warn;
+  /** The groups that are being walked, by nesting or by `use`: a `use` of one of them is a cycle. */
+  readonly entered: Set<Element>;
+  expanded: number;
+  commands: number;
+}
+
+/** @throws SvgFileError with `E_PARSE_SVG`, `E_LIMIT` or `E_RANGE`. */
+export function readSvg(source: string, limits: SvgLimits = svgLimits): SvgFile {
+  const parsed = new DOMParser().parseFromString(checkMarkup(source, limits), "image/svg+xml");
+  const root = parsed.documentElement;
+  const broken = parsed.getElementsByTagName("parsererror")[0];
+  if (broken !== undefined) throw notWellFormed(broken.textContent ?? "");
+  if (root.localName !== "svg") throw new SvgFileError("E_PARSE_SVG", "svg: the root element is not svg", { reason: "root" });
+
+  const warnings: SvgWarning[] = [];
+  const reading: Reading = {
+    limits,
+    shapes: [],
+    warnings,
+    warn: (code, element) => {
+      if (warnings.length < 100) warnings.push({ code, element: element.localName });
+    },
+    entered: new Set(),
+    expanded: 0,
+    commands: 0,
+  };
+  walk(root, identity, 1, reading);
+  return { shapes: reading.shapes, warnings };
+}
+
+function notWellFormed(report: string): SvgFileError {
+  const place = /line (\d+) at column (\d+)/u.exec(report) ?? /line(?: number)? (\d+),? col(?:umn)? (\d+)/iu.exec(report);
+  const where = place === null ? {} : { line: Number(place[1]), column: Number(place[2]) };
+  return new SvgFileError("E_PARSE_SVG", "svg: not well formed", { reason: "markup", ...where });
+}
+
+function walk(element: Element, outer: Matrix, depth: number, reading: Reading): void {
+  // Nested elements were counted before parsing; a chain of `use` elements nests further.
+  if (depth > 4 * reading.limits.maxDepth) throw overLimit("maxDepth", reading.limits.maxDepth, depth);
+  if (isHidden(element)) return;
+  const matrix = multiply(outer, ownTransform(element, reading.warn));
+  if (shapeNames.has(element.localName)) addShape(element, matrix, reading);
+  else if (element.localName === "use") expand(element, matrix, depth, reading);
+  else if (groups.has(element.localName)) walkChildren(element, matrix, depth, reading);
+}
+
+function walkChildren(element: Element, outer: Matrix, depth: number, reading: Reading): void {
+  const matrix = element.localName === "svg" ? multiply(outer, viewport(element, depth === 1, reading.warn)) : outer;
+  reading.entered.add(element);
+  for (const child of element.children) walk(child, matrix, depth + 1, reading);
+  reading.entered.delete(element);
+}
+
+function isHidden(element: Element): boolean {
+  return element.getAttribute("display") === "none" || /(?:^|;)\s*display\s*:\s*none/iu.test(element.getAttribute("style") ?? "");
+}
+
+function ownTransform(element: Element, warn: Warn): Matrix {
+  const text = element.getAttribute("transform");
+  if (text === null) return identity;
+  const matrix = parseTransform(text);
+  if (matrix === null) warn("W_BAD_TRANSFORM", element);
+  return matrix ?? identity;
+}
+
+function addShape(element: Element, transform: Matrix, reading: Reading): void {
+  const d = pathDataOf(element, reading.warn);
+  if (d === null) return;
+  for (let i = 0; i < d.length; i += 1) {
+    const letter = d.charCodeAt(i) | 0x20;
+    // Every letter but the e of an exponent is a command.
+    if (letter >= 0x61 && letter <= 0x7a && letter !== 0x65) reading.commands += 1;
+  }
+  const max = reading.limits.maxCommands;
+  if (reading.commands > max) throw overLimit("maxCommands", max, reading.commands);
+  reading.shapes.push({ d, transform });
+}
+
+function expand(use: Element, outer: Matrix, depth: number, reading: Reading): void {
+  const href = use.getAttribute("href") ?? use.getAttributeNS("http://www.w3.org/1999/xlink", "href") ?? "";
+  // Only what stands in the same file: an outside reference is never followed.
+  const target = href.startsWith("#") ? use.ownerDocument.getElementById(href.slice(1)) : null;
+  if (target === null) {
+    reading.warn("W_NO_TARGET", use);
+    return;
+  }
+  reading.entered.add(use);
+  if (reading.entered.has(target)) {
+    reading.warn("W_CYCLE", use);
+    reading.entered.delete(use);
+    return;
+  }
+  reading.expanded += 1;
+  const max = reading.limits.maxUseExpansion;
+  if (reading.expanded > max) throw overLimit("maxUseExpansion", max, reading.expanded);
+  const x = lengthOf(use, "x", 0, reading.warn) ?? 0;
+  const y = lengthOf(use, "y", 0, reading.warn) ?? 0;
+  const matrix = multiply(outer, translate(x, y));
+  // A symbol is a group that only a use draws.
+  if (target.localName === "symbol") walkChildren(target, matrix, depth + 1, reading);
+  else walk(target, matrix, depth + 1, reading);
+  reading.entered.delete(use);
+}
+
+/** From the units inside an `svg` element to those around it: its place, size and viewBox. */
+function viewport(element: Element, isRoot: boolean, warn: Warn): Matrix {
+  const width = lengthOf(element, "width", null, warn);
+  const height = lengthOf(element, "height", null, warn);
+  const x = isRoot ? 0 : (lengthOf(element, "x", 0, warn) ?? 0);
+  const y = isRoot ? 0 : (lengthOf(element, "y", 0, warn) ?? 0);
+  const place = translate(x, y);
+  const text = element.getAttribute("viewBox");
+  if (text === null) return place;
+  const [left = 0, top = 0, boxWidth = 0, boxHeight = 0] = numbersOf(text) ?? [];
+  if (!(boxWidth > 0 && boxHeight > 0)) {
+    warn("W_BAD_VIEWBOX", element);
+    return place;
+  }
+  // A size that is not given follows from the other by the box's proportions, or is the box's own.
+  const toWidth = width ?? (height === null ? boxWidth : (height * boxWidth) / boxHeight);
+  const toHeight = height ?? (width === null ? boxHeight : (width * boxHeight) / boxWidth);
+  if (!(toWidth > 0 && toHeight > 0)) return place;
+  const fitted = fit(element.getAttribute("preserveAspectRatio") ?? "", toWidth, toHeight, boxWidth, boxHeight);
+  return multiply(multiply(place, fitted), translate(-left, -top));
+}
+
+function fit(rule: string, width: number, height: number, boxWidth: number, boxHeight: number): Matrix {
+  const stretch: readonly [number, number] = [width / boxWidth, height / boxHeight];
+  if (/\bnone\b/u.test(rule)) return scale(...stretch);
+  const factor = /\bslice\b/u.test(rule) ? Math.max(...stretch) : Math.min(...stretch);
+  const share = (part: string): number => (part === "Min" ? 0 : part === "Max" ? 1 : 0.5);
+  const align = /x(Min|Mid|Max)Y(Min|Mid|Max)/u.exec(rule);
+  const dx = (width - boxWidth * factor) * share(align?.[1] ?? "Mid");
+  const dy = (height - boxHeight * factor) * share(align?.[2] ?? "Mid");
+  return multiply(translate(dx, dy), scale(factor, factor));
+}

@@ -1,0 +1,48 @@
+import type { DemoState } from "../../document/document.ts";
+import type { Box } from "../../document/imported.ts";
+
+/** Text that may stand in XML: markup escaped, and characters that XML has no place for replaced. */
+export function escapeXml(text: string): string {
+  return text
+    // Lone surrogates are outside the ranges too, since the pattern reads whole code points.
+    .replace(/[^\t\n\r\u0020-\uD7FF\uE000-\uFFFD\u{10000}-\u{10FFFF}]/gu, "\uFFFD")
+    .replace(/[&<>"']/gu, (char) => `&#${char.charCodeAt(0)};`);
+}
+
+/** A number with three decimals at most, never in exponent form. */
+function plain(value: number): string {
+  const fixed = value.toFixed(3).replace(/\.?0+$/u, "");
+  return fixed === "-0" ? "0" : fixed;
+}
+
+export interface SvgOptions {
+  readonly title: string;
+  readonly d: string;
+  readonly box: Box | null;
+  /** Areas of ink, holes left out, in place of lines. */
+  readonly filled?: boolean;
+  /** Areas in colours in place of the one path, the lowest first. */
+  readonly layers?: readonly { readonly color: string; readonly d: string }[];
+}
+
+/** A document with one path, or one for each colour, and a viewBox around it with room for its line. */
+export function writeSvg({ title, d, box, filled, layers = [] }: SvgOptions): string {
+  const margin = layers.length > 0 ? 0 : 2;
+  const { minX, minY, maxX, maxY } = box ?? { minX: 0, minY: 0, maxX: 1, maxY: 1 };
+  const [x, y] = [Math.floor(minX - margin), Math.floor(minY - margin)];
+  const size = [Math.ceil(maxX + margin) - x, Math.ceil(maxY + margin) - y].map(plain);
+  const look = filled === true ? 'fill="#1b1f24" fill-rule="evenodd"' : 'fill="none" stroke="#1b1f24" stroke-width="2" stroke-linejoin="round"';
+  const path = (text: string, how: string): string => (text === "" ? "" : `  <path d="${escapeXml(text)}" ${how}/>\n`);
+  const paths = layers.length === 0 ? [path(d, look)] : layers.map((layer) => path(layer.d, `fill="${escapeXml(layer.color)}"`));
+  return [
+    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${plain(x)} ${plain(y)} ${size[0]} ${size[1]}" width="${size[0]}" height="${size[1]}">\n`,
+    `  <title>${escapeXml(title)}</title>\n`,
+    ...paths,
+    "</svg>\n",
+  ].join("");
+}
+
+/** A name for a file of this drawing: the sample it came from, or what it is. */
+export function fileStem(state: DemoState): string {
+  return state.curve.sample ?? "expline";
+}

@@ -1,0 +1,99 @@
+import { BSplineCurve, InterpolatingCurve } from "expline/slim";
+import { baseCount, noOffset, type Contour, type ControlPoint, type CurveDocument } from "../../document/document.ts";
+import { rootsOf, supportOf } from "../../document/curve/roots.ts";
+import type { Root } from "../../document/surface/surface.ts";
+import { curveOf } from "./curve-cache.ts";
+import { distanceBetween } from "./distance.ts";
+
+/** Interpolating contours: their levels, other numbers of points, and the way to and from tangents. */
+
+/** A point without handles. */
+export function plainPoint(x: number, y: number): ControlPoint {
+  return { x: x + 0, y: y + 0, kind: "smooth", in: noOffset, out: noOffset };
+}
+
+function pointsOf(flat: Float64Array): ControlPoint[] {
+  return Array.from({ length: flat.length / 2 }, (_, i) => plainPoint(flat[2 * i] ?? 0, flat[2 * i + 1] ?? 0));
+}
+
+/** With the number of segments that each point changes, as it stands in the file. */
+export function supported(document: CurveDocument, contour: Contour): Contour {
+  return { ...contour, support: supportOf(document, contour) };
+}
+
+/** The parameters of level 0's points. */
+export function placesOf(contour: Contour): { count: number; t: Float64Array } {
+  const count = contour.grid?.count ?? baseCount(contour);
+  return { count, t: Float64Array.from({ length: count }, (_, i) => i) };
+}
+
+/** `count` points of the same curve at equal parameters, at level 0. */
+export function resampledInterpolating(document: CurveDocument, contour: Contour, count: number): Contour {
+  const curve = curveOf(document, contour);
+  if (curve === null) return contour;
+  const [from, to] = curve.domain;
+  const segments = contour.closed ? count : count - 1;
+  const t = Float64Array.from({ length: count }, (_, i) => (i === segments ? to : from + ((to - from) * i) / segments));
+  return supported(document, withoutGrid({ ...contour, points: pointsOf(curve.evaluate(t)) }));
+}
+
+function withoutGrid({ grid: _grid, roots: _roots, ...contour }: Contour): Contour {
+  return contour;
+}
+
+/** The same curve on a grid that is finer by so many doublings. */
+export function finerInterpolating(document: CurveDocument, contour: Contour, doublings: number): Contour {
+  const curve = curveOf(document, contour);
+  if (doublings <= 0 || !(curve instanceof InterpolatingCurve || curve instanceof BSplineCurve)) return contour;
+  const finer = curve instanceof InterpolatingCurve ? curve.refine(doublings) : curve.refine(2 ** doublings);
+  const roots: readonly Root[] = rootsOf(document, contour);
+  const next: Contour = {
+    ...contour, roots,
+    points: pointsOf(finer.points),
+    grid: { step: finer.step, offset: finer.offset + 0, count: contour.grid?.count ?? contour.points.length },
+  };
+  const result = supported(document, next);
+  grownFrom.set(result, contour);
+  return result;
+}
+
+/** What a contour was refined from: without an edit since, the way back is exact. */
+const grownFrom = new WeakMap<Contour, Contour>();
+
+/** The contour at a coarser level: as it was, or (edited since) the curve of that level that is nearest to it; at level 0 the one through the same places. */
+export function coarserInterpolating(document: CurveDocument, contour: Contour, level: number): Contour {
+  const step = level === 0 ? undefined : 0.5 ** level;
+  for (let known = grownFrom.get(contour); known !== undefined; known = grownFrom.get(known)) if (known.grid?.step === step) return known;
+  const curve = curveOf(document, contour);
+  if (curve === null) return contour;
+  if (level > 0 && curve instanceof BSplineCurve && contour.grid !== undefined) {
+    const { curve: coarse } = curve.reduce(Math.round(0.5 ** level / contour.grid.step));
+    return supported(document, { ...contour, points: pointsOf(coarse.points), grid: { ...contour.grid, step: coarse.step, offset: coarse.offset + 0 } });
+  }
+  const base = withoutGrid({ ...contour, points: pointsOf(curve.evaluate(placesOf(contour).t)) });
+  // The roots that were written down for the grid go, if they are what the base would have by itself.
+  const own = rootsOf(document, base);
+  const same = contour.roots === undefined || contour.roots.every((root, i) => Math.hypot(root.re - (own[i]?.re ?? NaN), root.im - (own[i]?.im ?? NaN)) <= 1e-12);
+  const next = supported(document, same || contour.roots === undefined ? base : { ...base, roots: contour.roots });
+  return next;
+}
+
+/** One more point at parameter `t`, on the curve; the rest of the curve gives way a little. */
+export function insertedInterpolating(document: CurveDocument, contour: Contour, t: number): { contour: Contour; index: number; moved: number } | null {
+  const curve = curveOf(document, contour);
+  const rest = t - Math.floor(t);
+  if (curve === null || contour.grid !== undefined || rest < 1e-9 || rest > 1 - 1e-9) return null;
+  const [x = 0, y = 0] = curve.evaluate(Float64Array.of(t));
+  const index = Math.floor(t) + 1;
+  const points = [...contour.points.slice(0, index), plainPoint(x, y), ...contour.points.slice(index)];
+  const next = supported(document, { ...contour, points });
+  return { contour: next, index, moved: distanceBetween(document, contour, next) };
+}
+
+/** Without one of its points. */
+export function removedInterpolating(document: CurveDocument, contour: Contour, index: number): { contour: Contour; deviation: number } | null {
+  const least = contour.closed ? 3 : 2;
+  if (contour.grid !== undefined || contour.points.length <= least) return null;
+  const next = supported(document, { ...contour, points: contour.points.filter((_, i) => i !== index) });
+  return { contour: next, deviation: distanceBetween(document, contour, next) };
+}

@@ -1,0 +1,130 @@
+import { BSplineCurve, HermiteCurve, InterpolatingCurve } from "expline/slim";
+import { lengthOf, segmentCount, type Contour, type CurveDocument } from "../../document/document.ts";
+import { curveOf } from "./curve-cache.ts";
+
+/** Points of curves, for drawing, hit-testing and for testers. */
+
+const nothing = new Float64Array(0);
+
+/** `count` points at uniform parameter: closed i/count of the way round, open i/(count − 1). */
+export function samplePoints(document: CurveDocument, contour: Contour, count: number): Float64Array {
+  return curveOf(document, contour)?.sample(count) ?? nothing;
+}
+
+/** The polygon after so many subdivision steps. */
+export function subdivided(document: CurveDocument, contour: Contour, steps: number): Float64Array {
+  const curve = curveOf(document, contour);
+  if (curve === null) return nothing;
+  if (steps === 0) return curve.points;
+  if (curve instanceof HermiteCurve) return curve.subdivide(steps);
+  if (curve instanceof InterpolatingCurve) return curve.refine(steps).points;
+  // Refined places have no one grid: what subdivision would come to is the curve itself.
+  return curve instanceof BSplineCurve ? curve.refine(2 ** steps).points : curve.sample(segmentCount(contour) * 2 ** steps);
+}
+
+/** The generalised Bézier points, four per segment; the control points of a curve that has no others. */
+export function bezierPolygon(document: CurveDocument, contour: Contour): Float64Array {
+  const curve = curveOf(document, contour);
+  return curve instanceof HermiteCurve ? curve.bezierPoints() : (curve?.points ?? nothing);
+}
+
+/** One segment as a polygon of `count` sides; with the curve's own points at its ends. */
+export function segmentPolygon(document: CurveDocument, contour: Contour, segment: number, count: number): Float64Array {
+  const curve = curveOf(document, contour);
+  if (curve === null) return nothing;
+  let start = 0;
+  for (let before = 0; before < segment; before += 1) start += lengthOf(contour, before);
+  const length = lengthOf(contour, segment);
+  const [, end] = curve.domain;
+  // The last parameter of an open contour is its end, whatever the sum of the lengths was rounded to.
+  const t = Float64Array.from({ length: count + 1 }, (_, i) => Math.min(end, start + (length * i) / count));
+  return curve.evaluate(t);
+}
+
+export interface Nearest {
+  readonly t: number;
+  readonly x: number;
+  readonly y: number;
+  readonly distance: number;
+}
+
+/** The nearest point of the contour, or null when there is no curve within `reach`. */
+export function nearestOn(document: CurveDocument, contour: Contour, x: number, y: number, reach: number): Nearest | null {
+  const curve = curveOf(document, contour);
+  if (curve === null) return null;
+  const box = boundsOf(document, contour);
+  if (box !== null && (x < box.minX - reach || x > box.maxX + reach || y < box.minY - reach || y > box.maxY + reach)) return null;
+  const found = curve.nearest(x, y);
+  return found.distance <= reach ? found : null;
+}
+
+export interface Bounds {
+  readonly minX: number;
+  readonly minY: number;
+  readonly maxX: number;
+  readonly maxY: number;
+}
+
+const boxes = new WeakMap<object, Bounds>();
+
+export function boundsOf(document: CurveDocument, contour: Contour): Bounds | null {
+  const curve = curveOf(document, contour);
+  if (curve === null) return null;
+  const known = boxes.get(curve);
+  if (known !== undefined) return known;
+  const fresh = curve.bounds();
+  boxes.set(curve, fresh);
+  return fresh;
+}
+
+/** The box around every curve and lone point of the drawing; null when there is nothing. */
+export function documentBounds(document: CurveDocument): Bounds | null {
+  let box: Bounds | null = null;
+  for (const contour of document.contours) {
+    const point = contour.points[0];
+    const own = boundsOf(document, contour) ?? (point === undefined ? null : { minX: point.x, minY: point.y, maxX: point.x, maxY: point.y });
+    if (own === null) continue;
+    box = box === null ? own : {
+      minX: Math.min(box.minX, own.minX), minY: Math.min(box.minY, own.minY),
+      maxX: Math.max(box.maxX, own.maxX), maxY: Math.max(box.maxY, own.maxY),
+    };
+  }
+  return box;
+}
+
+/** Curve points, tangents and curvature, `perSegment` of each for every segment: what a comb is drawn from. */
+export interface Comb {
+  readonly points: Float64Array;
+  readonly tangents: Float64Array;
+  readonly curvature: Float64Array;
+}
+
+/** Just inside the ends of a segment: on a point two curvatures may meet. */
+const inset = 1e-6;
+
+export function combOf(document: CurveDocument, contour: Contour, perSegment: number): Comb | null {
+  const curve = curveOf(document, contour);
+  if (curve === null) return null;
+  const segments = segmentCount(contour);
+  const t = new Float64Array(segments * perSegment);
+  let start = 0;
+  for (let segment = 0; segment < segments; segment += 1) {
+    const length = lengthOf(contour, segment);
+    for (let i = 0; i < perSegment; i += 1) {
+      t[segment * perSegment + i] = start + length * (inset + (1 - 2 * inset) * (i / (perSegment - 1)));
+    }
+    start += length;
+  }
+  return { points: curve.evaluate(t), tangents: curve.evaluate(t, 1), curvature: curve.curvature(t) };
+}
+
+/** The largest distance between two contours at `count` uniform parameters, each on its own scale. */
+export function largestMove(document: CurveDocument, before: Contour, after: Contour, count = 512): number {
+  const a = samplePoints(document, before, count);
+  const b = samplePoints(document, after, count);
+  let worst = 0;
+  for (let i = 0; i + 1 < Math.min(a.length, b.length); i += 2) {
+    worst = Math.max(worst, Math.hypot((a[i] ?? 0) - (b[i] ?? 0), (a[i + 1] ?? 0) - (b[i + 1] ?? 0)));
+  }
+  return worst;
+}

@@ -1,0 +1,68 @@
+import { HermiteCurve, parsePath } from "expline/slim";
+import { joined } from "../../document/curve/contours.ts";
+import type { Contour, Space } from "../../document/document.ts";
+import { Problem } from "../../document/problem.ts";
+import { contourFrom } from "../curve/contours.ts";
+import { errorCode } from "../engine.ts";
+
+/** Drawings from outside as contours: exact where they are lines, cubics, quadratics or arcs. */
+
+export interface ImportedPath {
+  readonly contours: readonly Contour[];
+  /** Where the text stopped making sense; what stood before it is in `contours`. */
+  readonly broken: Problem | null;
+}
+
+/** As in SVG's `matrix(a b c d e f)`. */
+export type Matrix = readonly [number, number, number, number, number, number];
+
+/** The subpaths of a `d`, moved by an SVG matrix. @throws Problem when there is nothing to read at all. */
+export function importPath(d: string, space: Space, matrix: Matrix | null = null): ImportedPath {
+  let broken: Problem | null = null;
+  try {
+    const curves = parsePath(d, { onWarning: (warning) => { broken = stops(d, warning.index); } });
+    const moved = matrix === null ? curves : curves.map((curve) => curve.transform(matrix));
+    return { contours: moved.map((curve) => withSmoothJoints(joined(contourFrom(curve, space)))), broken };
+  } catch (error) {
+    throw asProblem(error, d);
+  }
+}
+
+/** Files are written with few decimals: what was drawn smooth comes in with a kink of a fraction of a degree. */
+const kinkDegrees = 2;
+
+/** Joints that were meant smooth are called smooth, so that their handles turn together. Nothing is moved. */
+function withSmoothJoints(contour: Contour): Contour {
+  const least = Math.cos((kinkDegrees * Math.PI) / 180);
+  const points = contour.points.map((point) => {
+    const { in: before, out: after } = point;
+    const product = Math.hypot(before.dx, before.dy) * Math.hypot(after.dx, after.dy);
+    const straight = product > 0 && -(before.dx * after.dx + before.dy * after.dy) >= least * product;
+    return point.kind === "cusp" && straight ? { ...point, kind: "smooth" as const } : point;
+  });
+  return { ...contour, points };
+}
+
+function stops(d: string, offset: number): Problem {
+  // Counted from 1, as people count characters; the excerpt starts at the one that is wrong.
+  return new Problem("d-broken", { at: offset + 1, excerpt: d.slice(offset, offset + 12) });
+}
+
+function asProblem(error: unknown, d: string): unknown {
+  switch (errorCode(error)) {
+    case "E_PARSE_SVG":
+      return stops(d, error instanceof Error && "index" in error && typeof error.index === "number" ? error.index : 0);
+    case "E_RANGE":
+    case "E_NOT_FINITE":
+      return new Problem("d-range");
+    case "E_LIMIT":
+      return new Problem("d-big");
+    default:
+      return error;
+  }
+}
+
+/** A smooth open or closed curve through points, as smooth as its end conditions allow. */
+export function importPoints(points: readonly (readonly [number, number])[], closed: boolean, space: Space): Contour {
+  return contourFrom(HermiteCurve.through(Float64Array.from(points.flat()), { closed }), space);
+}
