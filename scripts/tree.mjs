@@ -30,17 +30,41 @@ function earlyPackages() {
   return found;
 }
 
-/** A fresh clone can start, versions agree, lock files name no host besides crates.io's index, sources stay readable in length. */
+/** The names by which the headings of a document can be linked to. */
+function anchorsOf(text) {
+  return [...text.matchAll(/^#+ (.*)$/gm)].map(([, heading]) => heading.toLowerCase().replace(/[^\p{L}\p{N}\s_-]/gu, "").replaceAll(" ", "-"));
+}
+
+/** Links of the documents, and paths that they name, which lead nowhere. */
+function lostWays(documents) {
+  const found = [];
+  for (const document of documents) {
+    const text = readFileSync(at(document), "utf8");
+    for (const [, target] of text.matchAll(/\]\(([^)\s]+)\)/g)) {
+      if (/^https?:/.test(target)) continue;
+      const [path, anchor] = target.split("#");
+      const file = path === "" ? document : join(dirname(document), path);
+      if (!existsSync(at(file))) found.push(`${document} links to ${target}, which is not there`);
+      else if (anchor !== undefined && !anchorsOf(readFileSync(at(file), "utf8")).includes(anchor)) found.push(`${document} links to ${target}: there is no such heading`);
+    }
+    for (const [, path] of text.matchAll(/`((?:src|ts|cli|tests|www|scripts|bench|docs|examples)\/[\w./-]*)`/g)) {
+      if (!existsSync(at(path))) found.push(`${document} names ${path}, which is not there`);
+    }
+  }
+  return found;
+}
+
+/** A fresh clone can start, documents lead where they say, versions agree, lock files name no host besides crates.io's index, sources stay readable in length. */
 export async function checkTree() {
-  const problems = earlyPackages();
+  const files = (await run("git", ["ls-files"])).split("\n").filter((file) => existsSync(at(file)));
+  const problems = [...earlyPackages(), ...lostWays(files.filter((file) => file.endsWith(".md")))];
   const { version } = JSON.parse(readFileSync(at("package.json"), "utf8"));
   const crate = /^version = "([^"]+)"/m.exec(readFileSync(at("Cargo.toml"), "utf8"))?.[1];
   if (crate !== version) problems.push(`package.json says ${version}, Cargo.toml ${crate}`);
   if (/"resolved"/.test(readFileSync(at("package-lock.json"), "utf8"))) problems.push("package-lock.json names where packages came from");
   const sources = new Set(readFileSync(at("Cargo.lock"), "utf8").match(/^source = .*$/gm));
   if (sources.size > 1) problems.push(`Cargo.lock has ${sources.size} sources`);
-  for (const file of (await run("git", ["ls-files"])).split("\n")) {
-    if (!SOURCE.test(file) || !existsSync(at(file))) continue;
+  for (const file of files.filter((each) => SOURCE.test(each))) {
     const lines = readFileSync(at(file), "utf8").split("\n").length;
     if (lines > LONGEST) problems.push(`${file} has ${lines} lines; the most is ${LONGEST}`);
   }
