@@ -3,11 +3,16 @@
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
+import { KINDS, OVER } from "./kinds.mjs";
 import { StepError, at, run, step } from "./steps.mjs";
 
 const CONSUMER = "build/consumer";
 /** What the tarball must hold besides package.json, README.md and the declarations. */
-const EXPECTED = ["pkg/expline.js", "pkg/core.js", "pkg/slim.js", "pkg/slim-core.js", "pkg/node.js", "pkg/expline_bg.wasm", "pkg/edit.js", "pkg/slim-edit.js", "pkg/json.js", "pkg/slim-json.js", "pkg/spline.js", "pkg/slim-spline.js", "pkg/expline_spline_bg.wasm", "pkg/surface.js", "pkg/slim-surface.js", "pkg/expline_surface_bg.wasm", "pkg/fit.js", "pkg/slim-fit.js", "pkg/expline_fit_bg.wasm", "pkg/trace.js", "pkg/slim-trace.js", "pkg/expline_trace_bg.wasm", "pkg/types/index.d.ts", "LICENSE-MIT", "LICENSE-APACHE", "THIRD_PARTY_LICENSES"];
+const EXPECTED = [
+  ...["expline.js", "slim.js", "node.js", "cli.js", "types/index.d.ts", ...OVER.flatMap((name) => [`${name}.js`, `slim-${name}.js`])].map((file) => `pkg/${file}`),
+  ...KINDS.flatMap(({ name, file }) => [`pkg/${name}.js`, `pkg/slim-${name}.js`, `pkg/${file}_bg.wasm`]),
+  ...["LICENSE-MIT", "LICENSE-APACHE", "THIRD_PARTY_LICENSES"],
+];
 
 /** Packs the package and installs the tarball with npm. */
 export async function installPacked() {

@@ -3,6 +3,7 @@
 import { readFileSync } from "node:fs";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 
+import { KINDS } from "./kinds.mjs";
 import { StepError, at, run } from "./steps.mjs";
 
 /**
@@ -12,24 +13,12 @@ import { StepError, at, run } from "./steps.mjs";
 const LIMITS = { "core.js": 69_200, "spline.js": 68_800, "surface.js": 46_500, "fit.js": 140_300, "trace.js": 141_500 };
 
 /** What is printed, and the files of the package. */
-const FILES = [
-  ["core.js (curves, paths)", "core.js"],
-  ["… the face alone", "slim-core.js"],
-  ["… expline_bg.wasm", "expline_bg.wasm"],
-  ["edit.js (pointers)", "edit.js"],
-  ["spline.js (any roots)", "spline.js"],
-  ["… the face alone", "slim-spline.js"],
-  ["… expline_spline_bg.wasm", "expline_spline_bg.wasm"],
-  ["surface.js (surfaces)", "surface.js"],
-  ["… the face alone", "slim-surface.js"],
-  ["… expline_surface_bg.wasm", "expline_surface_bg.wasm"],
-  ["fit.js (fitting)", "fit.js"],
-  ["… the face alone", "slim-fit.js"],
-  ["… expline_fit_bg.wasm", "expline_fit_bg.wasm"],
-  ["trace.js (tracing)", "trace.js"],
-  ["… the face alone", "slim-trace.js"],
-  ["… expline_trace_bg.wasm", "expline_trace_bg.wasm"],
-];
+const FILES = KINDS.flatMap(({ name, file, work }) => [
+  [`${name}.js (${work})`, `${name}.js`],
+  ["… the face alone", `slim-${name}.js`],
+  [`… ${file}_bg.wasm`, `${file}_bg.wasm`],
+  ...(name === "core" ? [["edit.js (pointers)", "edit.js"]] : []),
+]);
 
 const kB = (bytes) => `${(bytes / 1000).toFixed(1).padStart(6)} kB`;
 

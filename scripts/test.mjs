@@ -6,7 +6,7 @@
 import { buildDemo } from "./demo.mjs";
 import { ensureChromium } from "./browser.mjs";
 import { testNode } from "./node-tests.mjs";
-import { buildPackage, buildXtask } from "./package.mjs";
+import { buildPackage } from "./package.mjs";
 import { installPacked } from "./packed.mjs";
 import { testNative, testWasmInChromium, testWasmInNode } from "./rust-tests.mjs";
 import { serve } from "./serve.mjs";
@@ -14,6 +14,7 @@ import { setUp } from "./setup.mjs";
 import { checkSize } from "./sizes.mjs";
 import { StepError, at, door, run, seconds, step } from "./steps.mjs";
 import { checkTree } from "./tree.mjs";
+import { buildXtask } from "./wasm.mjs";
 
 const TARGET = ["--target", "wasm32-unknown-unknown"];
 const GROUPS = ["rust", "wasm", "js", "package", "www", "demo"];

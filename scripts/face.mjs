@@ -1,0 +1,120 @@
+// The face: TypeScript and the bound wasm → ES modules, with the wasm inside and beside them, their declarations, and the command line.
+//
+// `expline.js` only names what the ES modules offer, so that a bundler leaves out those of which nothing is used.
+
+import { cpSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { basename } from "node:path";
+
+import { PLACEHOLDER } from "./inline-wasm.mjs";
+import { BINDINGS, KINDS, OVER } from "./kinds.mjs";
+import { at, run, step } from "./steps.mjs";
+import { writeThirdPartyLicenses } from "./third-party.mjs";
+
+/** What the slim entry has where the other has the wasm. */
+const nothingInside = (file, start) => `
+  import { ExplineError } from "${file === "expline" ? "./core/error.js" : "./core.js"}";
+  export const wasmAddress = () => new URL("${file}_bg.wasm", import.meta.url);
+  export function wasmBytes() {
+    throw new ExplineError("E_NOT_READY", "engine", "expline/slim has no engine inside; await ${start}() first");
+  }
+`;
+
+/** What Node has instead: it reads the file when the engine is first asked for. Nothing waits, and nothing is parsed that is not used. */
+const fileBeside = (file, start) => `
+  import { ExplineError } from "./core/error.js";
+  export const wasmAddress = () => new URL("${file}_bg.wasm", import.meta.url);
+  export function wasmBytes() {
+    try {
+      return process.getBuiltinModule("node:fs").readFileSync(wasmAddress());
+    } catch (cause) {
+      throw new ExplineError("E_NOT_READY", "engine", "${file}_bg.wasm does not lie beside the program; await ${start}({ bytes }) first", { cause });
+    }
+  }
+`;
+
+/**
+ * One ES module of the face, minified, with `contents` in place of the module that holds the wasm.
+ *
+ * What the others need of the core they import from the core's ES module, through `ts/core.ts`.
+ */
+async function bundleFace(name, contents, prefix) {
+  const { build } = await import("esbuild");
+  const setup = (bundler) => {
+    bundler.onLoad({ filter: /-bytes\.js$/ }, () => ({ contents, resolveDir: at("ts") }));
+    bundler.onResolve({ filter: /\/(core|spline|surface)\.js$/ }, ({ path }) => ({ path: `${prefix}${basename(path)}`, external: true }));
+    // The core has the decoder of inlined text already.
+    if (prefix !== "./") bundler.onLoad({ filter: /\/decode\.ts$/ }, () => ({ contents: "export const decoded = undefined;" }));
+    if (name !== "core") bundler.onResolve({ filter: /\/decode\.ts$/ }, () => ({ path: `${prefix}core.js`, external: true }));
+  };
+  const { outputFiles } = await build({
+    entryPoints: [at(`ts/${name}.ts`)],
+    write: false,
+    plugins: [{ name: "wasm-bytes", setup }],
+    bundle: true,
+    format: "esm",
+    target: "es2022",
+    minify: true,
+    legalComments: "none",
+    logLevel: "error",
+  });
+  return outputFiles[0].text;
+}
+
+/** The names of `ts/index.ts`, from the ES modules of one of the two editions. */
+async function bundleEntry(prefix) {
+  const { build } = await import("esbuild");
+  const setup = (bundler) =>
+    bundler.onResolve({ filter: /^\.\/(core|edit|fit|json|spline|surface|trace)\.js$/ }, ({ path }) => ({ path: path.replace("./", `./${prefix}`), external: true }));
+  const options = { entryPoints: [at("ts/index.ts")], write: false, bundle: true, format: "esm", minify: true, logLevel: "error" };
+  const { outputFiles } = await build({ ...options, plugins: [{ name: "editions", setup }] });
+  return outputFiles[0].text;
+}
+
+/** The whole interface in one file, for Node. */
+async function bundleNode() {
+  const { build } = await import("esbuild");
+  const setup = (bundler) =>
+    bundler.onLoad({ filter: /-bytes\.js$/ }, ({ path }) => {
+      const { file, start } = KINDS.find(({ bytes }) => path.endsWith(`/${bytes}.js`));
+      return { contents: fileBeside(file, start), resolveDir: at("ts") };
+    });
+  const options = { bundle: true, platform: "node", format: "esm", target: "node20", minify: true, legalComments: "none", logLevel: "error" };
+  await build({ entryPoints: [at("ts/index.ts")], outfile: at("pkg/node.js"), ...options, plugins: [{ name: "wasm-bytes", setup }] });
+}
+
+/** The command line: one file beside the package's own modules. Gives back the names of the npm packages in it. */
+async function bundleCommandLine() {
+  await run("node", [at("node_modules/typescript/bin/tsc"), "-p", at("cli/tsconfig.json")]);
+  const { build } = await import("esbuild");
+  const setup = (bundler) => bundler.onResolve({ filter: /^expline$/ }, () => ({ path: "./node.js", external: true }));
+  const options = { entryPoints: [at("cli/expline.ts")], bundle: true, platform: "node", format: "esm", target: "node20", minify: true, logLevel: "error" };
+  const { metafile } = await build({ ...options, outfile: at("pkg/cli.js"), plugins: [{ name: "package", setup }], metafile: true });
+  const names = Object.keys(metafile.inputs).flatMap((file) => /^node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(file)?.[1] ?? []);
+  return [...new Set(names)].sort();
+}
+
+/** All ES modules and the command line, in pkg/. */
+export async function buildFace() {
+  const inputs = ["ts", "cli", BINDINGS, "tsconfig.base.json", "package.json", "package-lock.json", "Cargo.lock", "scripts"];
+  const files = [...KINDS.flatMap(({ name, file }) => [`${name}.js`, `slim-${name}.js`, `${file}_bg.wasm`]), ...OVER.flatMap((name) => [`${name}.js`, `slim-${name}.js`]), "expline.js", "slim.js", "node.js", "cli.js", "types/index.d.ts"];
+  const outputs = [...files.map((file) => `pkg/${file}`), "THIRD_PARTY_LICENSES"];
+  await step("face", { inputs, outputs }, async () => {
+    rmSync(at("pkg"), { recursive: true, force: true });
+    await run("node", [at("node_modules/typescript/bin/tsc"), "-p", at("ts/tsconfig.json")]);
+    for (const { name, file, start, bytes } of KINDS) {
+      const literal = JSON.parse(readFileSync(at(BINDINGS, `${bytes}.json`), "utf8"));
+      // The literal was chosen to the byte, so the bundler sees a short stand-in for it.
+      const holder = readFileSync(at(BINDINGS, `${bytes}.js`), "utf8").replace(literal, () => PLACEHOLDER);
+      const full = await bundleFace(name, holder, "./");
+      writeFileSync(at(`pkg/${name}.js`), full.replace(PLACEHOLDER, () => literal));
+      writeFileSync(at(`pkg/slim-${name}.js`), await bundleFace(name, nothingInside(file, start), "./slim-"));
+      cpSync(at(BINDINGS, `${file}_bg.wasm`), at(`pkg/${file}_bg.wasm`));
+    }
+    for (const [out, prefix] of [["expline", ""], ["slim", "slim-"]]) {
+      for (const name of OVER) writeFileSync(at(`pkg/${prefix}${name}.js`), await bundleFace(name, "", `./${prefix}`));
+      writeFileSync(at(`pkg/${out}.js`), await bundleEntry(prefix));
+    }
+    await bundleNode();
+    writeThirdPartyLicenses(await bundleCommandLine());
+  });
+}
