@@ -240,6 +240,9 @@ fn invalid_curves_are_refused_by_name_and_place() {
         (change(&|o| o.omega = vec![1.0, 1.0]), "E_LENGTH", "omega"),
         (change(&|o| o.omega = vec![f64::INFINITY]), "E_NOT_FINITE", "omega"),
         (change(&|o| o.lengths = vec![1.0; 3]), "E_LENGTH", "lengths"),
+        // Of four points ω is π/2 where none is given: then the segment is at fault, else ω.
+        (change(&|o| o.lengths = vec![1.0, 1.0, 4.0, 1.0]), "E_RANGE", "lengths"),
+        (change(&|o| (o.omega, o.lengths) = (vec![TAU / 4.0], vec![1.0, 1.0, 4.0, 1.0])), "E_RANGE", "omega"),
         (change(&|o| o.lengths = vec![1.0, 1.0, 0.0, 1.0]), "E_DEGENERATE", "lengths"),
         (change(&|o| o.lengths = vec![1.0, 1.0, 1e-16, 1.0]), "E_DEGENERATE", "lengths"),
         (change(&|o| o.lengths = vec![1.0, f64::NAN, 1.0, 1.0]), "E_NOT_FINITE", "lengths"),

@@ -87,8 +87,8 @@ impl HermiteCurve {
         let space = options.space.unwrap_or(Space::Trigonometric);
         let inner = Inner { data: options, space, knots, bases, basis_of, even: true };
         let mut curve = Self { inner: Box::new(inner) };
-        curve.inner.complete()?;
-        curve.inner.check()?;
+        let implied = curve.inner.complete()?;
+        curve.inner.check(implied)?;
         curve.inner.prepare()?;
         Ok(curve)
     }
@@ -174,7 +174,7 @@ impl HermiteCurve {
             *leaving = tangent(i);
             *arriving = *leaving;
         }
-        self.inner.check()?;
+        self.inner.check(false)?;
         Ok(self)
     }
 
@@ -221,8 +221,8 @@ impl HermiteCurve {
 }
 
 impl Inner {
-    /// Fills in what may be left out, and checks that all fits together.
-    fn complete(&mut self) -> Result<()> {
+    /// Fills in what may be left out, and checks that all fits together. Says whether ω was left out.
+    fn complete(&mut self) -> Result<bool> {
         let data = &mut self.data;
         let count = data.points.len();
         if count < 2 {
@@ -238,6 +238,7 @@ impl Inner {
         if data.lengths.is_empty() {
             data.lengths = filled(1.0, segments)?;
         }
+        let implied = data.omega.is_empty();
         if data.omega.len() < 2 {
             let round = data.closed && self.space == Space::Trigonometric;
             let usual = if round { TAU / count as f64 } else { 0.0 };
@@ -253,11 +254,11 @@ impl Inner {
                 return Err(Error::wrong_length(argument, got, needed));
             }
         }
-        Ok(())
+        Ok(implied)
     }
 
-    /// Checks every number.
-    fn check(&mut self) -> Result<()> {
+    /// Checks every number; where ω is `implied`, a segment that is too long for it is at fault.
+    fn check(&mut self, implied: bool) -> Result<()> {
         let data = &mut self.data;
         check_vectors("points", &mut data.points)?;
         check_vectors("tangents", &mut data.tangents)?;
@@ -270,6 +271,9 @@ impl Inner {
             check("lengths", Some(i), length, LEAST_LENGTH, LARGEST_COORDINATE)?;
             let fastest =
                 if self.space == Space::Trigonometric { TAU - POLE_MARGIN } else { LARGEST_FREQUENCY };
+            if implied && w > fastest / length {
+                return Err(Error::out_of_range("lengths", Some(i), length, LEAST_LENGTH, fastest / w));
+            }
             check("omega", Some(i), w, 0.0, fastest / length)?;
         }
         Ok(())

@@ -123,6 +123,18 @@ const evaluation: Case[] = [
     refuses: { code: "E_RANGE", arg: "omega", bound: "6.283184307179586" },
   },
   {
+    id: "EV-024a",
+    what: "a segment too long for the omega that was left to us",
+    run: () => made(SQUARE, { lengths: [1, 1, 4, 1] }),
+    refuses: { code: "E_RANGE", arg: "lengths", index: 2, bound: "3.99999936338" },
+  },
+  {
+    id: "EV-024b",
+    what: "a segment too long for the omega that was given",
+    run: () => made(SQUARE, { omega: Math.PI / 2, lengths: [1, 1, 4, 1] }),
+    refuses: { code: "E_RANGE", arg: "omega", index: 2 },
+  },
+  {
     id: "EV-025",
     what: "all points the same",
     run: () => HermiteCurve.through(new Float64Array(14).fill(5)).sample(33),
