@@ -109,35 +109,17 @@ impl TensorSurface {
     ///
     /// # Errors
     ///
-    /// `OutOfRange` for `level`, `first` and `count`; `WrongLength`, `NotFinite` and `OutOfRange` for `displacements`.
+    /// `OutOfRange` for `u.level`, `u.first`, `u.count` and those of `v`; `WrongLength`, `NotFinite` and `OutOfRange` for
+    /// `displacements`.
     pub fn add_patch(
         &self,
         u: (u32, usize, usize),
         v: (u32, usize, usize),
         displacements: &[f64],
     ) -> Result<Self> {
-        let axis = |base: &Axis, (level, first, count): (u32, usize, usize)| {
-            let least = base.direction.level;
-            check("level", None, f64::from(level), f64::from(least.max(1)), f64::from(MOST_LEVELS))?;
-            let points = grown(base, level - least);
-            check("first", None, first as f64, 0.0, points as f64)?;
-            check("count", None, count as f64, 1.0, points as f64)?;
-            let mut fine = base.clone();
-            for _ in least..level {
-                fine = doubled(&fine)?;
-            }
-            let most = fine.direction.count;
-            check("first", None, first as f64, 0.0, (most - 1) as f64)?;
-            check(
-                "count",
-                None,
-                count as f64,
-                1.0,
-                (if fine.direction.closed { most } else { most - first }) as f64,
-            )?;
-            Ok::<_, Box<Error>>((fine, Window { first, count }))
-        };
-        let ((u, rows), (v, columns)) = (axis(&self.base().u, u)?, axis(&self.base().v, v)?);
+        let names = [["u.level", "u.first", "u.count"], ["v.level", "v.first", "v.count"]];
+        let Layer { u: base_u, v: base_v, .. } = self.base();
+        let ((u, rows), (v, columns)) = (window(base_u, u, names[0])?, window(base_v, v, names[1])?);
         if displacements.len() != 3 * rows.count * columns.count {
             return Err(Error::wrong_length(
                 "displacements",
@@ -161,6 +143,28 @@ impl TensorSurface {
             Error::out_of_range("patch", None, patch as f64, 0.0, self.patch_count() as f64 - 1.0)
         })
     }
+}
+
+/// The axis that is finer by so many levels, and the window on it; `names` are what the caller knows the three numbers by.
+fn window(
+    base: &Axis,
+    (level, first, count): (u32, usize, usize),
+    [of_level, of_first, of_count]: [&'static str; 3],
+) -> Result<(Axis, Window)> {
+    let least = base.direction.level;
+    check(of_level, None, f64::from(level), f64::from(least.max(1)), f64::from(MOST_LEVELS))?;
+    let points = grown(base, level - least);
+    check(of_first, None, first as f64, 0.0, points as f64)?;
+    check(of_count, None, count as f64, 1.0, points as f64)?;
+    let mut fine = base.clone();
+    for _ in least..level {
+        fine = doubled(&fine)?;
+    }
+    let most = fine.direction.count;
+    check(of_first, None, first as f64, 0.0, (most - 1) as f64)?;
+    let room = if fine.direction.closed { most } else { most - first };
+    check(of_count, None, count as f64, 1.0, room as f64)?;
+    Ok((fine, Window { first, count }))
 }
 
 /// The rows of an axis within `reach` of a parameter.

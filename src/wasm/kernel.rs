@@ -36,6 +36,8 @@ pub(super) const SURFACES: usize = 4;
 pub(super) const FAILED: i32 = -1;
 /// Length of the record of scalar results.
 const RECORD: usize = 16;
+/// Where in the record the number of the patch is that is being read, counted from 1: what is wrong is in it.
+pub(super) const PATCH: usize = 9;
 /// Where in the record the addresses of the buffers are, which move when they grow.
 const OUTPUT_ADDRESS: usize = 14;
 const TEXT_ADDRESS: usize = 15;
@@ -277,6 +279,7 @@ fn enter(body: &mut dyn Body) -> i32 {
     KERNEL.with(|cell| {
         let Ok(mut kernel) = cell.try_borrow_mut() else { return FAILED };
         let kernel = &mut *kernel;
+        kernel.record[PATCH] = 0.0;
         match body.go(kernel) {
             Ok(count) => {
                 kernel.record[OUTPUT_ADDRESS] = kernel.output.as_ptr() as usize as f64;

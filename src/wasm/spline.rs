@@ -1,7 +1,7 @@
 //! Interpolating curves, with patches or without, and B-spline curves: in and out of the slots, finer and coarser.
 
 use super::describe::give;
-use super::kernel::{AnyCurve, Kernel, run, times};
+use super::kernel::{AnyCurve, Kernel, PATCH, run, times};
 use super::roots::{push_roots, roots_of};
 use crate::curve::to_hermite;
 use crate::generator::{Interpolator, Roots};
@@ -34,7 +34,7 @@ pub fn load_spline(
     offset: f64,
 ) -> i32 {
     run(&mut |kernel| {
-        let given = kernel.given(usize::MAX);
+        let given = kernel.input.as_slice();
         let (points, rest) = given.split_at((numbers as usize).min(given.len()));
         let (given_roots, rest) = rest.split_at(times(roots, 2).min(rest.len()));
         let (points, dimension, closed) = (points.to_vec(), dimension as usize, closed != 0);
@@ -48,7 +48,12 @@ pub fn load_spline(
                 None => InterpolatingCurve::new(points, dimension, closed, roots)?,
             };
             if kind == LOCAL {
-                AnyCurve::Local(with_patches(LocalCurve::new(base), patches, rest)?)
+                AnyCurve::Local(with_patches(
+                    LocalCurve::new(base),
+                    patches,
+                    rest,
+                    &mut kernel.record[PATCH],
+                )?)
             } else {
                 AnyCurve::Interpolating(base)
             }
@@ -77,12 +82,24 @@ fn known(kernel: &Kernel, roots: &Roots) -> Option<Arc<Interpolator>> {
     })
 }
 
-fn with_patches(mut curve: LocalCurve, patches: u32, mut rest: &[f64]) -> Result<LocalCurve> {
+fn with_patches(
+    mut curve: LocalCurve,
+    patches: u32,
+    mut rest: &[f64],
+    patch: &mut f64,
+) -> Result<LocalCurve> {
     for _ in 0..patches {
+        *patch += 1.0;
         let [level, first, count] = *rest.first_chunk::<3>().ok_or_else(wrong_kind)?;
         let size = count as usize * curve.base().dimension();
         let numbers = rest.get(3..3 + size).ok_or_else(wrong_kind)?;
-        curve = curve.add_patch((level as usize, first as usize, count as usize), numbers)?;
+        let window = (level as usize, first as usize, count as usize);
+        // The face gives no count: it is that of the displacements.
+        let of_count = |error: Box<Error>| match error.argument() {
+            Some("count") => error.about("displacements"),
+            _ => error,
+        };
+        curve = curve.add_patch(window, numbers).map_err(of_count)?;
         rest = &rest[3 + size..];
     }
     Ok(curve)

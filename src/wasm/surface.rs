@@ -3,7 +3,7 @@
 //! A surface crosses as one run of numbers: for u and for v the count of points, closed, level, how many roots; how many
 //! patches; the roots in pairs; the net; and for every patch its two windows (level, first, count) and its displacements.
 
-use super::kernel::{Kernel, SURFACES, grow, run, times};
+use super::kernel::{Kernel, PATCH, SURFACES, grow, run, times};
 use super::roots::{push_roots, roots_of};
 use crate::numerics::Vector3;
 use crate::surface::{Direction, Grid, Region};
@@ -32,8 +32,8 @@ fn with(slot: u32, body: &mut dyn FnMut(&mut TensorSurface, &mut Kernel) -> Resu
     })
 }
 
-/// A surface from the run of numbers that describes it.
-fn read(numbers: &[f64]) -> Result<TensorSurface> {
+/// A surface from the run of numbers that describes it; `patch` counts the patches that are read.
+fn read(numbers: &[f64], patch: &mut f64) -> Result<TensorSurface> {
     let mut rest = numbers;
     let mut take = |count: usize| {
         let (head, tail) = rest.split_at(count.min(rest.len()));
@@ -55,6 +55,7 @@ fn read(numbers: &[f64]) -> Result<TensorSurface> {
     let net = take(u.count.saturating_mul(v.count).saturating_mul(3));
     let mut surface = TensorSurface::new(net.to_vec(), u, v)?;
     for _ in 0..number(8) {
+        *patch += 1.0;
         let window = take(6);
         let part = |i: usize| window.get(i).map_or(0, |n| *n as usize);
         let [u, v] = [0, 3].map(|at| (part(at) as u32, part(at + 1), part(at + 2)));
@@ -95,7 +96,8 @@ fn describe(kernel: &mut Kernel, surface: &TensorSurface) -> Result<usize> {
 #[wasm_bindgen]
 pub fn surface_load(slot: u32, count: u32) -> i32 {
     run(&mut |kernel| {
-        let surface = read(kernel.given(count as usize))?;
+        let given = &kernel.input[..(count as usize).min(kernel.input.len())];
+        let surface = read(given, &mut kernel.record[PATCH])?;
         let ([u, v], [first_u, first_v]) = (surface.domain(), surface.parameters(0, 0));
         kernel.record([u, v, first_u, first_v]);
         kernel.surfaces[slot as usize % SURFACES] = Some(surface);

@@ -223,6 +223,8 @@ test("every kind comes back from JSON to the last bit", () => {
 /** Hostile values get past the compiler here, as they do in JavaScript. */
 const hostile = <T>(value: unknown): T => value as T;
 const made = (options: object): InterpolatingCurve => new InterpolatingCurve({ points: POINTS, ...options });
+/** A file of a curve with patches. */
+const local = (patches: readonly object[]): unknown => ({ ...new LocalCurve({ points: POINTS }).toJSON(), patches });
 const file = (change: object): unknown => ({ ...made({}).toJSON(), ...change });
 const fine = (): BSplineCurve => made({}).refine(1);
 const IM = 1.2;
@@ -291,6 +293,33 @@ const cases: Case[] = [
     what: "a patch on a level that there is not",
     run: () => new LocalCurve({ points: POINTS, patches: [{ level: 13, first: 0, displacements: [1, 2] }] }),
     refuses: { code: "E_RANGE", arg: "patches[0].level" },
+  },
+  {
+    id: "SC-039a",
+    what: "a patch that begins beyond its grid",
+    run: () => fromJSON(local([{ level: 1, first: 0, displacements: [1, 2] }, { level: 1, first: 10, displacements: [1, 2] }])),
+    refuses: { code: "E_RANGE", path: "$.patches[1].first", bound: "[0, 9]" },
+  },
+  {
+    id: "SC-039b",
+    what: "a patch of more points than its grid has",
+    run: () => fromJSON(local([{ level: 1, first: 0, displacements: new Array<number>(22).fill(0) }])),
+    refuses: { code: "E_RANGE", path: "$.patches[0].displacements", bound: "[1, 10]" },
+  },
+  {
+    id: "SC-039c",
+    what: "a field of a patch that is not known: it would be lost",
+    run: () => fromJSON(local([{ level: 1, first: 0, displacements: [1, 2], note: 1 }])),
+    refuses: { code: "E_SCHEMA", path: "$.patches[0].note" },
+  },
+  {
+    id: "SC-039d",
+    what: "points that are wrong after a patch that was refused",
+    run: () => {
+      assert.throws(() => fromJSON(local([{ level: 1, first: 10, displacements: [1, 2] }])));
+      return made({ roots: [0, 0] });
+    },
+    refuses: { code: "E_TOO_FEW_POINTS", arg: "roots", bound: ">= 3" },
   },
   { id: "SC-040", what: "room at no place", run: () => made({}).refineAt(NaN), refuses: { code: "E_NOT_FINITE", arg: "t" } },
   { id: "SC-041", what: "a patch that is not there", run: () => made({}).refineAt(1).patchPoints(1), refuses: { code: "E_RANGE", arg: "k" } },

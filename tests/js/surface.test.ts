@@ -244,6 +244,8 @@ test("the net's rows know their parameters, and the surface goes through them", 
 });
 
 const THREE: Root[] = [0, 0, 0];
+/** One control point of a grid of level 1, or a few in v. */
+const patchAt = (first: number, count = 1) => ({ u: { level: 1, first: 0, count: 1 }, v: { level: 1, first, count }, displacements: new Float64Array(3 * count) });
 const grid = (rows: number, cols: number): Float64Array => Float64Array.from({ length: 3 * rows * cols }, (_, i) => Math.sin(i));
 const made = (rows: number, cols: number, net: unknown = grid(rows, cols), closed = false): TensorSurface => {
   return new TensorSurface({ net: net as Float64Array, u: { roots: THREE, count: rows, closed: false }, v: { roots: THREE, count: cols, closed } });
@@ -283,7 +285,11 @@ const REFUSED: readonly [string, () => unknown, Partial<ExplineError>][] = [
   ["a forged this", () => Object.getOwnPropertyDescriptor(TensorSurface.prototype, "net")?.get?.call({}), { code: "E_TYPE", argument: "this" }],
   ["a file without a net", () => fromJSON({ type: "TensorSurface", version: 1, u: {}, v: {} }), { code: "E_SCHEMA", path: "$.net" }],
   ["a file with a short net", () => fromJSON({ ...shapes.torus.toJSON(), net: [1, 2, 3] }), { code: "E_SCHEMA", path: "$.net" }],
-  ["a file with a patch beyond the grid", () => fromJSON({ ...shapes.torus.toJSON(), patches: [{ u: { level: 1, first: 99, count: 1 }, v: { level: 1, first: 0, count: 1 }, displacements: [0, 0, 0] }] }), { code: "E_RANGE", path: "$.first" }],
+  ["a file with a patch beyond the grid", () => fromJSON({ ...shapes.torus.toJSON(), patches: [{ u: { level: 1, first: 99, count: 1 }, v: { level: 1, first: 0, count: 1 }, displacements: [0, 0, 0] }] }), { code: "E_RANGE", argument: "patches[0].u.first", path: "$.patches[0].u.first" }],
+  ["a second patch beyond the grid", () => fromJSON({ ...shapes.torus.toJSON(), patches: [patchAt(0), patchAt(12)] }), { code: "E_RANGE", path: "$.patches[1].v.first", bound: "a number in [0, 11]" }],
+  ["a patch of more rows than its grid has", () => new TensorSurface({ net: grid(4, 4), u: { roots: THREE, count: 4, closed: true }, v: { roots: THREE, count: 4, closed: true }, patches: [patchAt(0, 9)] }), { code: "E_RANGE", argument: "patches[0].v.count", bound: "a number in [1, 8]" }],
+  ["a net of too few rows, after a patch that was refused", () => (assert.throws(() => fromJSON({ ...shapes.torus.toJSON(), patches: [patchAt(99)] })), made(4, 2, grid(4, 2), true)), { code: "E_TOO_FEW_POINTS", argument: "v.count" }],
+  ["a field of a patch that is not known", () => fromJSON({ ...shapes.torus.toJSON(), patches: [{ ...patchAt(0), note: 1 }] }), { code: "E_SCHEMA", path: "$.patches[0].note" }],
 ];
 
 for (const [name, run, expected] of REFUSED) {

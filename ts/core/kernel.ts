@@ -155,9 +155,9 @@ function outOfMemory(op: string, bytes: number): ExplineError {
 /** The error that the kernel's record describes. */
 function failure<K extends AnyKernel>(from: Engine<K>, instance: Instance<K>, op: string, given: Given | undefined): ExplineError {
   const at = instance.record;
-  const [kind = 0, place = -1, value = 0, least = 0, most = 0, a = 0, aLength = 0, w = 0, wLength = 0] =
-    instance.floats.slice(at, at + 9);
-  const arg = textIn(instance, a, aLength);
+  const [kind = 0, place = -1, value = 0, least = 0, most = 0, a = 0, aLength = 0, w = 0, wLength = 0, patch = 0] =
+    instance.floats.slice(at, at + 10);
+  const arg = (patch > 0 ? `patches[${patch - 1}].` : "") + textIn(instance, a, aLength);
   const words = textIn(instance, w, wLength);
   const index = place < 0 ? undefined : place;
   switch (kind as Failure) {

@@ -116,7 +116,7 @@ export class LocalCurve extends SplineCurve {
     return localOf(readSpline(call(op, (kernel) => kernel.drop_patch(slot, which))));
   }
 
-  /** The curve as plain data, for files and other threads; `fromJSON` is the inverse to the last bit. */
+  /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit. */
   toJSON(): LocalCurveJSON {
     const { closed, dimension, points, roots, patches, extra } = splineOf(this, "toJSON");
     const list = patches.map(({ level, first, displacements }) => ({ level, first, displacements: Array.from(displacements) }));
@@ -157,14 +157,15 @@ export function checkedLocal(op: string, options: unknown): SplineData {
 }
 
 function checkedPatch(op: string, value: unknown, i: number, dimension: number): Patch {
-  if (typeof value !== "object" || value === null) throw wrong("E_TYPE", op, "patches", value, "{ level, first, displacements }", i);
-  const { level, first, displacements } = value as { level?: unknown; first?: unknown; displacements?: unknown };
-  const arg = `patches[${i}].displacements`;
+  const patch = `patches[${i}]`;
+  if (value === undefined) throw wrong("E_TYPE", op, patch, value, "an object");
+  const { level, first, displacements } = checkOptions(op, value, ["level", "first", "displacements"], patch);
+  const arg = `${patch}.displacements`;
   const given: Floats = numbers(op, arg, displacements, "maxPoints", MAX_NUMBERS);
   if (given.length % dimension !== 0) throw wrongLength(op, arg, given.length, `a multiple of ${dimension}`);
   return {
-    level: integer(op, `patches[${i}].level`, level, 1, 12),
-    first: integer(op, `patches[${i}].first`, first, 0, 0xffffffff),
+    level: integer(op, `${patch}.level`, level, 1, 12),
+    first: integer(op, `${patch}.first`, first, 0, 0xffffffff),
     displacements: given.map((number, k) => finite(op, arg, number, k) + 0),
   };
 }
