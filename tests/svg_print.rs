@@ -275,6 +275,32 @@ fn a_segment_of_nearly_a_full_turn_is_drawn_within_the_tolerance() {
     }
 }
 
+/// The ellipse through three points that are nearly on a line: its tips turn within a few units of a coarse grid.
+#[test]
+fn flat_ellipses_are_drawn_within_the_tolerance() {
+    let mut random = Random::new(31);
+    let mut arcs = 0;
+    for round in 0..400 {
+        let (along, flat) = (random.vector(100.0), 10.0_f64.powi(-(round % 4)));
+        let across = Point::new(-along.y, along.x) * flat;
+        let points = (0..3).map(|_| random.vector(1.0)).map(|p| along * p.x + across * p.y).collect();
+        let curve = HermiteCurve::through(points, true, None, Space::Trigonometric).expect("valid");
+        let extent = extent(&curve);
+        for share in [3e-2, 1e-2, 1e-3, 1e-5] {
+            let wanted = share * extent;
+            let printed = print(&curve, &PrintOptions { tolerance: wanted, ..options() });
+            assert!(printed.deviation <= wanted, "{round}, {share}: {printed:?} > {wanted}");
+            // Measuring takes most of the time.
+            if round % 16 < 4 {
+                let measured = distance(&curve, &printed.d);
+                assert!(measured <= within(&printed, extent), "{round}, {share}: {measured}, {printed:?}");
+            }
+            arcs += usize::from(printed.d.contains('A'));
+        }
+    }
+    assert!(arcs > 800, "{arcs} of 1600 are arcs");
+}
+
 #[test]
 fn what_was_read_is_written_back_as_it_was() {
     for d in [

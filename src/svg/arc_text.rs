@@ -117,7 +117,9 @@ pub(super) fn plan(
             return best;
         }
     }
-    best.filter(|best| best.deviation <= tolerance.max(4.0 * good))
+    // On a grid this fine, cubics are within the tolerance; on a coarser one they are no better than a good arc.
+    let most = if 3.0 * grid.unit() <= tolerance { tolerance } else { tolerance.max(4.0 * good) };
+    best.filter(|best| best.deviation <= most)
 }
 
 /// An ellipse's proportions and direction, and the arc wanted of it.
