@@ -30,6 +30,43 @@
 //! # Ok::<(), expline::Error>(())
 //! ```
 //!
+//! Noisy points become the curve with the fewest knots, pictures their outlines; every answer says how far it is off:
+//!
+//! ```
+//! use expline::fit::{Ask, FitStatus, Options, fit};
+//! use expline::numerics::Point;
+//! use expline::trace::{Gray, TraceOptions, trace};
+//!
+//! let stroke: Vec<Point> = (0..200)
+//!     .map(|i| f64::from(i))
+//!     .map(|x| Point::new(x, 40.0 * (x / 30.0).sin() + 0.3 * (97.0 * x).sin()))
+//!     .collect();
+//! let options = Options { closed: Some(false), ..Options::default() };
+//! let fitted = fit(&stroke, Ask::Tolerance(1.0), &options)?;
+//! assert!(fitted.status == FitStatus::Converged && fitted.max_error <= 1.0, "no point is farther away");
+//! assert!(fitted.curve.points().len() < 20, "of 200 points");
+//!
+//! // A black disc of radius 10.5 in the middle of 32 × 32 pixels, with grey pixels round its edge.
+//! let from_middle = |i: usize| ((i % 32) as f64 - 15.5).hypot((i / 32) as f64 - 15.5);
+//! let shades: Vec<u8> = (0..1024).map(|i| (255.0 * (from_middle(i) - 10.0).clamp(0.0, 1.0)) as u8).collect();
+//! let traced = trace(Gray::from_bytes(32, 32, &shades)?, &TraceOptions::default())?;
+//! let round = traced.contours[0].curve.as_ellipse(0.05).expect("a disc has a round edge");
+//! assert!((round.radii.x - 10.5).abs() < 0.05, "to a twentieth of a pixel");
+//! # Ok::<(), expline::Error>(())
+//! ```
+//!
+//! # Where things are
+//!
+//! | module | what it has |
+//! |---|---|
+//! | crate root | curves, [`TensorSurface`], the trait [`Curve`] that has the measures, [`Error`] |
+//! | [`svg`] | path data in and out |
+//! | [`fit`] | noisy points → curves: [`fit::fit`], and [`fit::Fitter`] in steps that can be stopped |
+//! | [`trace`] | pictures → curves: [`trace::trace`], and [`trace::Tracer`] in steps; edges, centre lines, flat colours |
+//! | [`surface`] | nets, meshes and what an edit touches |
+//! | [`curve`], [`generator`], [`refine`] | what curves are made of: segments, bases, filters and masks |
+//! | [`numerics`] | points and vectors ([`nalgebra`](https://docs.rs/nalgebra)'s), and mathematics that knows no splines |
+//!
 //! # Vocabulary
 //!
 //! | word | meaning |

@@ -312,7 +312,7 @@ export class TensorSurface {
     return gltfOf(this.mesh(rows, cols), name);
   }
 
-  /** The surface as plain data, for files and other threads; `fromJSON` is the inverse to the last bit. */
+  /** The surface as plain data, for files and for `postMessage`, which takes no surface; `fromJSON` is the inverse to the last bit. */
   toJSON(): TensorSurfaceJSON {
     return surfaceJSON(dataOf(this, "toJSON"));
   }

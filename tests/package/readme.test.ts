@@ -29,6 +29,43 @@ for (const [i, code] of snippets("js").entries()) {
   });
 }
 
+test("the worker's snippets run: a newer picture ends the work on an older one, and curves cross as they are", async () => {
+  const [tracer = "", page = ""] = snippets("mjs");
+  const inThread = `
+    import { parentPort } from "node:worker_threads";
+    globalThis.postMessage = (message) => parentPort.postMessage(message);
+    globalThis.addEventListener = (_, hear) => parentPort.on("message", (data) => hear({ data }));
+  `;
+  writeFileSync(join(consumer, "tracer.js"), inThread + tracer);
+  const inPage = `
+    import { Worker as Thread } from "node:worker_threads";
+    globalThis.Worker = class {
+      constructor(url) { this.thread = new Thread(url); this.thread.setMaxListeners(20); globalThis.thread = this.thread; }
+      addEventListener(_, hear) { this.thread.on("message", (data) => hear({ data })); }
+      postMessage(message) { this.thread.postMessage(message); }
+    };
+    const { trace, traced } = await import("./page.mjs");
+    const shade = (i) => 255 * Math.min(1, Math.max(0, Math.hypot((i % 64) - 31.5, (i >> 6) - 31.5) - 19.5));
+    const disc = { width: 64, height: 64, data: Uint8Array.from({ length: 4096 }, (_, i) => shade(i)) };
+    const noise = { width: 300, height: 300, data: Uint8Array.from({ length: 90000 }, (_, i) => (i * 7919) % 251) };
+    trace(1, noise);
+    trace(2, disc);
+    trace(3, disc, { tolerance: -1 });
+    const ends = await Promise.allSettled([traced(1), traced(2), traced(3)]);
+    trace(4, disc);
+    const [round] = await traced(4);
+    console.log(JSON.stringify([ends.map(({ reason }) => reason?.code), round.asEllipse(0.05).radii]));
+    await globalThis.thread.terminate();
+  `;
+  writeFileSync(join(consumer, "page.mjs"), page);
+  writeFileSync(join(consumer, "in-page.mjs"), inPage);
+  const { stdout, stderr, status } = spawnSync(process.execPath, [join(consumer, "in-page.mjs")], { encoding: "utf8", timeout: 60_000 });
+  assert.equal(status, 0, stderr);
+  const [codes, [radius]] = JSON.parse(stdout) as [(string | null)[], [number, number]];
+  assert.deepEqual(codes, ["E_CANCELLED", "E_CANCELLED", "E_RANGE"]);
+  assert.ok(Math.abs(radius - 20) < 0.05, `a disc of radius 20 has ${radius}`);
+});
+
 test("the React snippet is sound JSX, and imports what there is", async () => {
   const [code = ""] = snippets("jsx");
   const { warnings } = await transform(code, { loader: "jsx" });

@@ -297,7 +297,7 @@ export class HermiteCurve extends MeasuredCurve {
     return copy(call(op, (kernel) => kernel.bezier_points(slot)));
   }
 
-  /** The curve as plain data, for files and other threads; `fromJSON` is the inverse to the last bit. */
+  /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit. */
   toJSON(): HermiteCurveJSON {
     const data = dataOf(this, "toJSON");
     return {

@@ -154,6 +154,7 @@ export const metrics = {
   /**
    * Of the pixels that hold points of a profile and of a curve, the share of those that are next to one of the other side: 1 is best. With
    * `literal` as printed, the intersection over the union of the profile with the curve's pixels and their neighbours: a third at best.
+   * Nothing and nothing are alike: 1.
    */
   jaccard: (profile: PointsLike, curve: PointsLike, options?: { literal?: boolean | undefined }): number => {
     const { literal } = checkOptions("jaccard", options, ["literal"]);
