@@ -25,6 +25,15 @@ pub(super) struct Samples {
     pub(super) closed: bool,
 }
 
+/// A cubic near a place, in numbers of places before and after it.
+struct Local {
+    /// Where it is at the place, less the place.
+    middle: Vector,
+    slope: Vector,
+    curve: Vector,
+    twist: Vector,
+}
+
 /// A line through the middle of some places.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Line {
@@ -87,10 +96,17 @@ impl Samples {
     }
 
     /// The place at a signed index, around the polyline; the ends of an open one go on for ever.
+    #[inline]
     pub(super) fn at(&self, i: isize) -> Point {
-        if let Some(&place) = self.ring.get(i as usize) {
-            return place;
+        match self.ring.get(i as usize) {
+            Some(&place) => place,
+            None => self.beyond(i),
         }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn beyond(&self, i: isize) -> Point {
         let count = self.count as isize;
         let i = if self.closed { i.rem_euclid(count) } else { i.max(0).min(count - 1) };
         self.ring[i as usize]
@@ -103,7 +119,13 @@ impl Samples {
 
     /// Places `first` to `last` around the polyline, both included, at most once around; what is beyond the end of an open one is left out.
     pub(super) fn stretch(&self, first: isize, last: isize) -> &[Point] {
-        let start = if self.closed { first.rem_euclid(self.count as isize) } else { first };
+        let count = self.count as isize;
+        let start = match first {
+            _ if !self.closed || (0..count).contains(&first) => first,
+            // A division takes as long as a short stretch.
+            _ if (-count..0).contains(&first) => first + count,
+            _ => first.rem_euclid(count),
+        };
         let inside = |i: isize| (i.max(0) as usize).min(self.ring.len());
         let end = inside(start + last + 1 - first);
         &self.ring[inside(start).min(end)..end]
@@ -120,24 +142,23 @@ impl Samples {
                 break;
             }
             let wider = self.cubic(i, next);
-            if wider.2 > STRAY {
+            if self.strays(i, next, &wider) {
                 break;
             }
             (reach, found) = (next, wider);
         }
-        (found.0, unit(found.1))
+        (self.at(i) + found.middle, unit(found.slope))
     }
 
-    /// Value and slope at the middle of the cubic over ± `reach` places, and the largest distance of a place from it.
-    fn cubic(&self, i: isize, reach: isize) -> (Point, Vector, f64) {
+    /// The cubic over ± `reach` places.
+    #[inline(never)]
+    fn cubic(&self, i: isize, reach: isize) -> Local {
         // Symmetric: even and odd coefficients do not depend on each other.
         let mut sums = [Vector::zeros(); 4];
         let (mut second, mut fourth, mut sixth) = (0.0, 0.0, 0.0);
         let here = self.at(i);
-        // Few places on each side say as much: neighbours of a contour err alike.
-        let stride = (reach as usize).div_ceil(ENOUGH).max(1);
         let mut n = 1.0;
-        for d in (1..=reach).step_by(stride) {
+        for d in (1..=reach).step_by(stride(reach)) {
             n += 2.0;
             let (x, after, before) = (d as f64, self.at(i + d) - here, self.at(i - d) - here);
             let (even, odd, xx) = (after + before, after - before, x * x);
@@ -153,13 +174,23 @@ impl Samples {
         let middle = (sums[0] - curve * second) / n;
         let twist = (sums[3] - sums[1] * (fourth / second)) / (sixth - fourth * fourth / second).max(1e-9);
         let slope = (sums[1] - twist * fourth) / second;
-        let mut stray = 0.0_f64;
-        for d in (-reach..=reach).step_by(stride) {
+        Local { middle, slope, curve, twist }
+    }
+
+    /// Whether a place of the contour is far from the cubic over it. The outermost most often are.
+    #[inline(never)]
+    fn strays(&self, i: isize, reach: isize, &Local { middle, slope, curve, twist }: &Local) -> bool {
+        let (here, stride) = (self.at(i), stride(reach) as isize);
+        let mut d = -reach;
+        while d <= reach {
             let x = d as f64;
             let off = self.at(i + d) - here - middle - (slope + curve * x + twist * (x * x)) * x;
-            stray = stray.max(square(off));
+            if square(off).sqrt() > STRAY {
+                return true;
+            }
+            d += stride;
         }
-        (here + middle, slope, stray.sqrt())
+        false
     }
 
     /// The turning per pixel at place i over ± `reach` places.
@@ -168,6 +199,11 @@ impl Samples {
         let angle = libm::atan2(cross(before, after), dot(before, after));
         angle / (0.5 * (norm(before) + norm(after))).max(1e-9)
     }
+}
+
+/// Few places on each side say as much: neighbours of a contour err alike.
+fn stride(reach: isize) -> usize {
+    (reach as usize).div_ceil(ENOUGH).max(1)
 }
 
 /// The vector at length 1; along x where it has none.

@@ -15,6 +15,9 @@ const BLUNT: f64 = 1.4;
 const WIDEST: f64 = 5.0;
 const CUT: f64 = 0.6;
 
+/// How many times the turning between tangents a corner may turn.
+const STEEP: f64 = 1.6;
+
 /// What a corner is, in pixels and radians.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::trace) struct CornerRule {
@@ -51,8 +54,10 @@ pub(in crate::trace) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<
     for rule in rules {
         // What pixels cut off belongs to the corner, by this rule and by those after it.
         let apart = samples.steps((1.8 * rule.gap - 0.7).max(2.2)).max(1);
-        let cosines = [0.6 * rule.angle, rule.angle].map(|angle| crate::numerics::angle::sin_cos(angle).1);
-        let scores: Vec<f64> = (0..count).map(|i| score(samples, i, rule, cosines)).collect();
+        let least = [0.6 * rule.angle, rule.angle, rule.angle / STEEP];
+        let cosines = least.map(|angle| crate::numerics::angle::sin_cos(angle).1);
+        let reach = reach(samples, rule);
+        let scores: Vec<f64> = (0..count).map(|i| score(samples, i, reach, cosines)).collect();
         let known = found.len();
         for i in 0..count {
             let own = scores[i as usize];
@@ -93,14 +98,19 @@ fn without_doubles(found: Vec<Corner>, samples: &Samples) -> Vec<Corner> {
     kept
 }
 
-fn sides<'a>(samples: &'a Samples, i: isize, rule: &CornerRule) -> [&'a [Point]; 2] {
-    let (near, far) = (samples.steps(rule.gap), samples.steps(rule.gap + rule.window));
+/// Where a side begins and where it ends, in places from a corner.
+fn reach(samples: &Samples, rule: &CornerRule) -> [isize; 2] {
+    [samples.steps(rule.gap), samples.steps(rule.gap + rule.window)]
+}
+
+fn sides(samples: &Samples, i: isize, [near, far]: [isize; 2]) -> [&[Point]; 2] {
     [samples.stretch(i - far, i - near), samples.stretch(i + near, i + far)]
 }
 
-/// How much of a corner a place is; nothing where the cosine of the turning is larger than one of two: between chords, between lines.
-fn score(samples: &Samples, i: isize, rule: &CornerRule, [cosine, least]: [f64; 2]) -> f64 {
-    let far = samples.steps(rule.gap + rule.window);
+/// How much of a corner a place is; nothing where the cosine of the turning is larger than one of three: between chords, between lines and
+/// between tangents.
+fn score(samples: &Samples, i: isize, reach: [isize; 2], [cosine, least, soft]: [f64; 3]) -> f64 {
+    let [_, far] = reach;
     if 2 * far > samples.len() as isize {
         return 0.0;
     }
@@ -115,18 +125,23 @@ fn score(samples: &Samples, i: isize, rule: &CornerRule, [cosine, least]: [f64; 
     if ours > theirs {
         return 0.0;
     }
-    let [before, after] = sides(samples, i, rule);
+    let [before, after] = sides(samples, i, reach);
     let (first, second) = (line_through(before), line_through(after));
     // Less than a corner is nothing: most curves end here.
     if dot(first.direction, second.direction) > least {
         return 0.0;
     }
+    let ends = [end_tangent(before, &first, here, 1.0), end_tangent(after, &second, here, -1.0)];
+    // What is less than a corner by its tangents is nothing, too, and no angle has to be known.
+    if dot(ends[0], ends[1]) > soft {
+        return 0.0;
+    }
     let lines = turn(first.direction, second.direction);
-    let tangents = turn(end_tangent(before, &first, here, 1.0), end_tangent(after, &second, here, -1.0));
+    let tangents = turn(ends[0], ends[1]);
     if lines * tangents < 0.0 && lines.abs() < 2.0 {
         return 0.0;
     }
-    lines.abs().min(1.6 * tangents.abs())
+    lines.abs().min(STEEP * tangents.abs())
 }
 
 /// The tangent at the place that a side leads to, by a parabola over the side's own axis, the line through it.
@@ -158,7 +173,7 @@ fn end_tangent(side: &[Point], line: &Line, here: Point, sign: f64) -> Vector {
 }
 
 fn place(samples: &Samples, i: isize, rule: &CornerRule) -> Option<Point> {
-    let [before, after] = sides(samples, i, rule);
+    let [before, after] = sides(samples, i, reach(samples, rule));
     let (first, second): (Line, Line) = (line_through(before), line_through(after));
     let point = first.meets(&second)?;
     // The pixels cut more off a sharp tip than off a right angle.

@@ -132,28 +132,27 @@ impl ContourScan {
     fn cell(&mut self, gray: &Gray, cell: usize, on_left: u32) -> Result<u32> {
         let (x, y) = (cell as f64 - 0.5, self.line as f64 - 0.5);
         // Positive is ink. Paper beyond the border is as far from the level as ink is.
-        let value = |column: usize, row: usize| {
+        let (row, next) = (self.line, self.line + 1);
+        let value = |corner: usize| {
+            let [column, row] = [[cell, row], [cell + 1, row], [cell + 1, next], [cell, next]][corner];
             if column == 0 || row == 0 || column > gray.width() || row > gray.height() {
                 f64::NAN
             } else {
                 self.sign * (self.level - gray.shade(column - 1, row - 1))
             }
         };
-        let (row, next) = (self.line, self.line + 1);
-        let corners = [value(cell, row), value(cell + 1, row), value(cell + 1, next), value(cell, next)];
         let ink = [self.above[cell], self.above[cell + 1], self.below[cell + 1], self.below[cell]];
-        let ink = ink.map(|ink| ink != 0);
         let right = if ink[1] == ink[2] {
             NONE
         } else {
-            self.crossings.add(x + 1.0, y + between(corners[1], corners[2]))?
+            self.crossings.add(x + 1.0, y + between(value(1), value(2)))?
         };
         let bottom = if ink[3] == ink[2] {
             NONE
         } else {
-            self.crossings.add(x + between(corners[3], corners[2]), y + 1.0)?
+            self.crossings.add(x + between(value(3), value(2)), y + 1.0)?
         };
-        join(&mut self.crossings, corners, ink, [self.upper[cell], right, bottom, on_left]);
+        join(&mut self.crossings, &value, ink, [self.upper[cell], right, bottom, on_left]);
         self.upper[cell] = bottom;
         Ok(right)
     }
@@ -178,24 +177,21 @@ fn between(first: f64, second: f64) -> f64 {
 }
 
 /// Joins the crossings on a cell's four sides, with the ink on the right.
-fn join(crossings: &mut Crossings, corners: [f64; 4], ink: [bool; 4], sides: [u32; 4]) {
-    // Side i runs from corner i to corner i + 1 around the cell. Contours enter where ink ends, and leave where it begins.
-    let mut link = |from: usize, to: usize| crossings.next[sides[from] as usize] = sides[to];
-    let enters = |i: usize| ink[i] && !ink[(i + 1) % 4];
-    let leaves = |i: usize| !ink[i] && ink[(i + 1) % 4];
-    let count = (0..4).filter(|&i| enters(i)).count();
-    if count == 2 {
-        // A saddle: the four together say whether the ink is joined through the middle; where they are even, it is.
-        let mean = corners.iter().filter(|value| !value.is_nan()).sum::<f64>();
-        let joined = mean >= 0.0;
-        for from in (0..4).filter(|&i| enters(i)) {
-            link(from, if joined { (from + 1) % 4 } else { (from + 3) % 4 });
-        }
-        return;
+#[inline]
+fn join(crossings: &mut Crossings, value: &dyn Fn(usize) -> f64, ink: [u8; 4], sides: [u32; 4]) {
+    // Side i runs from corner i to corner i + 1 around the cell. Contours enter where ink ends, and leave where it begins: bit i says so.
+    let here = ink[0] | ink[1] << 1 | ink[2] << 2 | ink[3] << 3;
+    let after = (here >> 1 | here << 3) & 15;
+    let (enters, leaves) = (here & !after, after & !here);
+    let mut link = |from: usize, to: usize| crossings.next[sides[from % 4] as usize] = sides[to % 4];
+    let (enter, leave) = (enters.trailing_zeros() as usize, leaves.trailing_zeros() as usize);
+    if enters.count_ones() < 2 {
+        return link(enter, leave);
     }
-    if let (Some(from), Some(to)) = ((0..4).find(|&i| enters(i)), (0..4).find(|&i| leaves(i))) {
-        link(from, to);
-    }
+    // A saddle: the four together say whether the ink is joined through the middle; where they are even, it is.
+    let mean = (0..4).map(value).filter(|value| !value.is_nan()).sum::<f64>();
+    let turn = if mean >= 0.0 { 1 } else { 3 };
+    [enter, enter + 2].into_iter().for_each(|from| link(from, from + turn));
 }
 
 /// Follows the links, round by round, in the order in which the crossings were met.

@@ -18,8 +18,9 @@ const ROWS: usize = 64;
 /// About as many pixels are looked at for flat places.
 const ENOUGH: usize = 131_072;
 
-/// Pixels that are looked at together.
+/// Pixels that are looked at together, and where they are not all alike.
 const BLOCK: usize = 32;
+const PART: usize = 8;
 
 /// A look at a picture, some rows at a time: first how many pixels have which shade, then flat places.
 #[derive(Debug)]
@@ -138,9 +139,15 @@ fn count_shades(shades: &mut [[u32; 256]; 4], row: &[u16]) {
             shades[0][usize::from(block[0] >> 8)] += BLOCK as u32;
             continue;
         }
-        // Equal shades come in runs: counts in turn do not wait for each other.
-        for (i, &value) in block.iter().enumerate() {
-            shades[i % 4][usize::from(value >> 8)] += 1;
+        for part in block.as_chunks::<PART>().0 {
+            if alike(part, part[0]) {
+                shades[0][usize::from(part[0] >> 8)] += PART as u32;
+                continue;
+            }
+            // Equal shades come in runs: counts in turn do not wait for each other.
+            for (i, &value) in part.iter().enumerate() {
+                shades[i % 4][usize::from(value >> 8)] += 1;
+            }
         }
     }
     for &value in rest {
@@ -149,6 +156,7 @@ fn count_shades(shades: &mut [[u32; 256]; 4], row: &[u16]) {
 }
 
 /// Whether all pixels have one shade.
+#[inline(never)]
 fn alike(pixels: &[u16], shade: u16) -> bool {
     pixels.iter().fold(0, |off, &value| off | (value ^ shade)) == 0
 }
@@ -157,16 +165,22 @@ impl Flat {
     /// Looks at one row, which has one above and one below.
     fn look(&mut self, gray: &Gray, row: usize) {
         let rows = [gray.row(row - 1), gray.row(row), gray.row(row + 1)];
-        let most = ((self.threshold << 8) | 255) as u16;
-        let end = gray.width().saturating_sub(1);
+        self.look_by(BLOCK, rows, ((self.threshold << 8) | 255) as u16);
+    }
+
+    /// Looks at the middle row but for its first and last column, so many columns at once where all is of one shade.
+    fn look_by(&mut self, block: usize, rows: [&[u16]; 3], most: u16) {
+        let end = rows[1].len().saturating_sub(1);
         let mut at = 1;
         while at < end {
-            let last = (at + BLOCK - 2).min(end);
+            let last = (at + block - 2).min(end);
             let around = rows.map(|row| &row[at - 1..=last]);
             let shade = around[1][0];
             if around.iter().all(|row| alike(row, shade)) {
                 self.note(usize::from(shade > most), shade, (last - at) as u32);
                 self.count += (last - at) as u64;
+            } else if block > PART {
+                self.look_by(PART, around, most);
             } else {
                 self.mixed(around, most);
             }
@@ -175,13 +189,15 @@ impl Flat {
     }
 
     /// So many pixels have a shade.
+    #[inline]
     fn note(&mut self, side: usize, shade: u16, pixels: u32) {
         let bin = usize::from(shade >> 8);
         self.histogram[side][bin] += pixels;
         self.excess[side][bin] += u64::from(shade & 0xff) * u64::from(pixels);
     }
 
-    /// Looks at the middle row of some columns, but for the first and the last.
+    /// Looks at them one by one.
+    #[inline(never)]
     fn mixed(&mut self, rows: [&[u16]; 3], most: u16) {
         let column = |at: usize| rows.iter().map(|row| u8::from(row[at] > most)).sum::<u8>();
         let (mut before, mut middle) = (column(0), column(1));

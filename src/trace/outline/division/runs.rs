@@ -63,17 +63,20 @@ impl Divider<'_> {
         runs
     }
 
+    #[inline(never)]
     fn straight(&self, first: isize, last: isize) -> bool {
-        let points = self.samples.stretch(first, last);
         // Where all are near a line, the middle is not twice as far from the chord.
-        let (start, middle) = (points[0], points[points.len() / 2]);
-        let chord = points[points.len() - 1] - start;
+        let place = |i: isize| self.samples.at(i);
+        let (start, middle) = (place(first), place(first + (last + 1 - first) / 2));
+        let chord = place(last) - start;
         let bend = cross(chord, middle - start);
         if bend * bend > 4.0 * self.rule.straight * self.rule.straight * square(chord) {
             return false;
         }
+        let points = self.samples.stretch(first, last);
         let line = line_through(points);
-        points.iter().all(|&p| line.offset(p).abs() <= self.rule.straight)
+        // Where it is not one line, most often its last places say so.
+        points.iter().rev().all(|&p| line.offset(p).abs() <= self.rule.straight)
     }
 
     /// How far the middle of some places bends away from the line through them, by least squares of a parabola.
