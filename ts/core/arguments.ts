@@ -122,7 +122,7 @@ export function word<W extends string>(op: string, arg: string, value: unknown, 
   return found;
 }
 
-/** The own properties of an options object, read once; a name that is not known is an error. */
+/** The own properties of an options object, read once; a name that is not known is an error, and so is an object inside that is missing. */
 export function options<K extends string>(
   op: string,
   value: unknown,
@@ -130,7 +130,7 @@ export function options<K extends string>(
   arg = "options",
 ): { readonly [name in K]?: unknown } {
   const own = Object.create(null) as { [name in K]?: unknown };
-  if (value === undefined) return own;
+  if (value === undefined && arg === "options") return own;
   if (typeof value !== "object" || value === null || Array.isArray(value) || ArrayBuffer.isView(value)) {
     throw wrong("E_TYPE", op, arg, value, "an object");
   }

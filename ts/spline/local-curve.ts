@@ -158,7 +158,6 @@ export function checkedLocal(op: string, options: unknown): SplineData {
 
 function checkedPatch(op: string, value: unknown, i: number, dimension: number): Patch {
   const patch = `patches[${i}]`;
-  if (value === undefined) throw wrong("E_TYPE", op, patch, value, "an object");
   const { level, first, displacements } = checkOptions(op, value, ["level", "first", "displacements"], patch);
   const arg = `${patch}.displacements`;
   const given: Floats = numbers(op, arg, displacements, "maxPoints", MAX_NUMBERS);

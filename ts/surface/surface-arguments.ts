@@ -72,7 +72,6 @@ export function place(op: string, i: unknown, j: unknown, rows: number, cols: nu
 }
 
 function directionOf(op: string, arg: string, value: unknown): DirectionData {
-  if (value === undefined) throw wrong("E_TYPE", op, arg, value, "an object");
   const { roots, count, closed, level } = checkOptions(op, value, ["roots", "count", "closed", "level"], arg);
   return {
     roots: rootNumbers(op, roots, `${arg}.roots`),
@@ -83,7 +82,6 @@ function directionOf(op: string, arg: string, value: unknown): DirectionData {
 }
 
 function windowOf(op: string, arg: string, value: unknown): PatchWindow {
-  if (value === undefined) throw wrong("E_TYPE", op, arg, value, "an object");
   const { level, first, count } = checkOptions(op, value, ["level", "first", "count"], arg);
   return {
     level: integer(op, `${arg}.level`, level, 1, MAX_LEVEL),
@@ -94,7 +92,6 @@ function windowOf(op: string, arg: string, value: unknown): PatchWindow {
 
 function patchOf(op: string, value: unknown, i: number): PatchData {
   const arg = `patches[${i}]`;
-  if (value === undefined) throw wrong("E_TYPE", op, arg, value, "an object");
   const { u, v, displacements } = checkOptions(op, value, ["u", "v", "displacements"], arg);
   const windows = { u: windowOf(op, `${arg}.u`, u), v: windowOf(op, `${arg}.v`, v) };
   const given = numbers(op, `${arg}.displacements`, displacements, "maxSurfacePoints", 3 * MAX_NET);
