@@ -175,6 +175,11 @@ export class SparseFitter {
     };
   }
 
+  /** A fitter is no plain object, as a curve is none. @internal */
+  get [Symbol.toStringTag](): string {
+    return "SparseFitter";
+  }
+
   /**
    * Takes the points in; nothing is solved yet.
    *

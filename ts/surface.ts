@@ -53,6 +53,9 @@ export function surfaceOf(data: SurfaceData): TensorSurface {
  * directions keep the parameter. Moving a point changes the surface within n₀ − 1 units of it and nowhere else.
  */
 export class TensorSurface {
+  /** Bundles shorten names: this one is what a console shows. @internal */
+  static readonly name = NAME;
+
   readonly #data: SurfaceData;
 
   static {
@@ -106,6 +109,11 @@ export class TensorSurface {
   /** A duckling, about 2 high: a modelled shape of 12 × 11 points, twice continuously differentiable. */
   static character(): TensorSurface {
     return shape("character", 6, [], undefined, [0, 0]);
+  }
+
+  /** A surface is no plain object, as a curve is none. @internal */
+  get [Symbol.toStringTag](): string {
+    return NAME;
   }
 
   /** First and last parameter in each direction. */

@@ -5,10 +5,11 @@ import { execFileSync } from "node:child_process";
 import { test } from "node:test";
 import { setFlagsFromString } from "node:v8";
 import { pathToFileURL } from "node:url";
+import { inspect } from "node:util";
 import { runInNewContext } from "node:vm";
 import { Worker } from "node:worker_threads";
 
-import { ExplineError, HermiteCurve, HermiteGenerators, fromJSON, initSync, parsePath } from "expline";
+import { ExplineError, HermiteCurve, HermiteGenerators, InterpolatingCurve, SparseFitter, TensorSurface, fromJSON, initSync, parsePath } from "expline";
 
 import { trapping } from "./trapping.ts";
 
@@ -95,6 +96,20 @@ test("LC-004, LC-030, LC-031: a forged this, a curve of another copy and a proxy
     if (forged === generators) continue;
     assert.throws(() => HermiteGenerators.prototype.gram.call(hostile(forged)), { name: "ExplineError", code: "E_TYPE", arg: "this" });
   }
+});
+
+test("consoles show a curve's kind, and frameworks that wrap plain objects in proxies see that it is none", () => {
+  const blob = new InterpolatingCurve({ points: [0, 0, 9, 2, 10, 11, 2, 9] });
+  const things = { HermiteCurve: HermiteCurve.through([0, 0, 1, 0, 1, 1]), InterpolatingCurve: blob, BSplineCurve: blob.refine(1), LocalCurve: blob.refineAt(1), TensorSurface: TensorSurface.sphere(1) };
+  for (const [name, thing] of Object.entries(things)) {
+    assert.equal(inspect(thing), `${name} {}`);
+    // The rule of Vue's `reactive` and `ref`: what is not [object Object] is kept as it is.
+    assert.equal(Object.prototype.toString.call(thing), `[object ${name}]`);
+    assert.deepEqual(structuredClone(thing.toJSON()), thing.toJSON());
+  }
+  assert.equal(Object.prototype.toString.call(new SparseFitter([0, 0, 4, 0, 4, 4, 0, 4])), "[object SparseFitter]");
+  class Mine extends HermiteCurve {}
+  assert.equal(inspect(new Mine({ points: [0, 0, 1, 0], tangents: [0, 1, 0, 1] })), "Mine {}");
 });
 
 test("LC-010: a bad argument leaves a curve as it was, and usable", () => {

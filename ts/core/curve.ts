@@ -150,6 +150,14 @@ export abstract class MeasuredCurve implements Curve {
     this.#data = data;
   }
 
+  /**
+   * A curve is no plain object, and says so: Vue wraps those in proxies, through which private fields cannot be reached. Consoles show it.
+   * @internal
+   */
+  get [Symbol.toStringTag](): string {
+    return this.constructor.name;
+  }
+
   /** Whether the last point is joined to the first. */
   get closed(): boolean {
     return dataOf(this, "closed").closed;

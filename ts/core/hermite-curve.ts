@@ -83,6 +83,9 @@ function dataOf(curve: HermiteCurve, op: string): CurveData {
 
 /** A curve through its points, with the derivatives there: exact for ellipses, cubics and lines alike. */
 export class HermiteCurve extends MeasuredCurve {
+  /** Bundles shorten names: this one is what a console shows. @internal */
+  static override readonly name = CURVE;
+
   /**
    * A curve from points and tangents. The arrays are copied.
    *

@@ -46,6 +46,9 @@ export interface BSplineCurveJSON {
  * finer the grid the nearer.
  */
 export class BSplineCurve extends SplineCurve {
+  /** Bundles shorten names: this one is what a console shows. @internal */
+  static override readonly name = "BSplineCurve";
+
   /**
    * A curve from control points. The arrays are copied.
    *

@@ -43,6 +43,9 @@ export interface InterpolatingCurveJSON {
  * segments to each side, on nothing else.
  */
 export class InterpolatingCurve extends SplineCurve {
+  /** Bundles shorten names: this one is what a console shows. @internal */
+  static override readonly name = "InterpolatingCurve";
+
   /**
    * A curve through points. The arrays are copied.
    *

@@ -62,6 +62,9 @@ const MAX_NUMBERS = 12_000_000;
  * point of the curve takes the detail along; dropping a patch takes its detail away.
  */
 export class LocalCurve extends SplineCurve {
+  /** Bundles shorten names: this one is what a console shows. @internal */
+  static override readonly name = CURVE;
+
   /**
    * A curve from points and patches. The arrays are copied.
    *
