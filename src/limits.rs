@@ -61,7 +61,7 @@ pub(crate) fn check(
 }
 
 /// Makes coordinates 0 that are too small to be computed with.
-#[inline(never)]
+#[inline]
 pub(crate) fn settle(coordinates: &mut [f64]) {
     for x in coordinates {
         if x.abs() < LEAST_COORDINATE {

@@ -344,12 +344,14 @@ impl Reader<'_> {
         self.text.get(self.at).copied().unwrap_or(0)
     }
 
+    #[inline]
     fn skip_space(&mut self) {
         while let b' ' | b'\n' | b'\t' | b'\r' | b'\x0c' = self.byte() {
             self.at += 1;
         }
     }
 
+    #[inline]
     fn skip_comma(&mut self) -> bool {
         let comma = self.byte() == b',';
         if comma {
@@ -359,11 +361,15 @@ impl Reader<'_> {
         comma
     }
 
+    #[inline]
     fn within(&mut self, value: f64) -> Step {
         // NaN fails as well.
-        if value.abs() <= LARGEST_COORDINATE {
-            return Some(());
-        }
+        if value.abs() <= LARGEST_COORDINATE { Some(()) } else { self.beyond(value) }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn beyond(&mut self, value: f64) -> Step {
         let (least, most) = (-LARGEST_COORDINATE, LARGEST_COORDINATE);
         // What is left of a radius that grew beyond all numbers.
         let value = if value.is_nan() { f64::INFINITY } else { value };

@@ -131,21 +131,29 @@ function room<K extends AnyKernel>(to: Engine<K>, instance: Instance<K>, op: str
 
 /** Writes text and returns how many bytes it has. */
 export function writeText(op: string, text: string): number {
-  return writeBytesTo(core, op, new TextEncoder().encode(text));
+  const encoder = new TextEncoder();
+  // All of path data is characters of one byte: they go straight to where they are read.
+  const { read } = encoder.encodeInto(text, textRoom(core, op, text.length));
+  return read === text.length ? read : writeBytesTo(core, op, encoder.encode(text));
 }
 
 /** Writes bytes to where an engine reads text, and returns how many they are. @internal */
 export function writeBytesTo<K extends AnyKernel>(to: Engine<K>, op: string, bytes: Uint8Array | Uint8ClampedArray): number {
+  textRoom(to, op, bytes.length).set(bytes);
+  return bytes.length;
+}
+
+/** Where an engine reads so many bytes of text. */
+function textRoom<K extends AnyKernel>(to: Engine<K>, op: string, bytes: number): Uint8Array {
   const { kernel } = instanceOf(to);
   let address: number;
   try {
-    address = kernel.text_address(bytes.length) >>> 0;
+    address = kernel.text_address(bytes) >>> 0;
   } catch (cause) {
     throw retire(to, op, cause);
   }
-  if (address === 0) throw outOfMemory(op, bytes.length);
-  new Uint8Array(kernel.memory.buffer).set(bytes, address);
-  return bytes.length;
+  if (address === 0) throw outOfMemory(op, bytes);
+  return new Uint8Array(kernel.memory.buffer, address, bytes);
 }
 
 function outOfMemory(op: string, bytes: number): ExplineError {

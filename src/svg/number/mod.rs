@@ -15,8 +15,9 @@ const POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18,
     1e19, 1e20, 1e21, 1e22,
 ];
-/// Below this, one more decimal digit still fits in a `u64`.
-const ROOM_FOR_A_DIGIT: u64 = u64::MAX / 10 - 1;
+/// So many digits always fit in a `u64`.
+const DIGITS_THAT_FIT: usize = 19;
+
 /// The number whose text starts at `at`, and the offset behind it; `None` where no number starts.
 ///
 /// ```text
@@ -29,35 +30,32 @@ pub(super) fn read(text: &[u8], at: usize) -> Option<(f64, usize)> {
     let byte = |i: usize| text.get(i).copied().unwrap_or(0);
     let negative = byte(at) == b'-';
     let first = at + usize::from(negative || byte(at) == b'+');
-    let (mut i, mut mantissa, mut exponent, mut seen, mut full) = (first, 0_u64, 0_i32, 0_u32, false);
-    let mut behind_point = 0;
-    loop {
-        let b = byte(i);
-        let digit = b.wrapping_sub(b'0');
-        if digit < 10 {
-            seen += 1;
-            if mantissa <= ROOM_FOR_A_DIGIT {
-                mantissa = mantissa * 10 + u64::from(digit);
-                exponent -= behind_point;
-            } else {
-                full = true;
-                exponent = exponent.saturating_add(1 - behind_point);
-            }
-        } else if b == b'.' && behind_point == 0 {
-            behind_point = 1;
-        } else {
-            break;
-        }
-        i += 1;
-    }
-    if seen == 0 {
+    let (whole, point) = digits(text, first, 0);
+    let (mantissa, behind) =
+        if byte(point) == b'.' { digits(text, point + 1, whole) } else { (whole, point) };
+    let decimals = behind.saturating_sub(point + 1);
+    let count = point - first + decimals;
+    if count == 0 {
         return None;
     }
-    let digits = text.get(first..i).unwrap_or(&[]);
-    let (power, end) = read_exponent(text, i);
-    let magnitude =
-        if full { exact::read(digits, power) } else { decimal(mantissa, exponent.saturating_add(power)) };
+    let (power, end) = read_exponent(text, behind);
+    let magnitude = if count > DIGITS_THAT_FIT {
+        exact::read(text.get(first..behind).unwrap_or(&[]), power)
+    } else {
+        decimal(mantissa, power - decimals as i32)
+    };
     Some((if negative && magnitude != 0.0 { -magnitude } else { magnitude }, end))
+}
+
+/// The digits from `at` on, behind those of `before` (modulo 2⁶⁴), and where they end.
+#[inline(always)]
+fn digits(text: &[u8], at: usize, before: u64) -> (u64, usize) {
+    let (mut value, mut i) = (before, at);
+    while let Some(digit) = text.get(i).map(|byte| byte.wrapping_sub(b'0')).filter(|&digit| digit < 10) {
+        value = value.wrapping_mul(10).wrapping_add(u64::from(digit));
+        i += 1;
+    }
+    (value, i)
 }
 
 fn read_exponent(text: &[u8], at: usize) -> (i32, usize) {
@@ -76,6 +74,7 @@ fn read_exponent(text: &[u8], at: usize) -> (i32, usize) {
 }
 
 /// `mantissa`·10^`exponent`, correctly rounded.
+#[inline]
 pub(super) fn decimal(mantissa: u64, exponent: i32) -> f64 {
     // Case both factors exact: one rounding, which is the right one.
     if mantissa <= 1 << 53
@@ -84,6 +83,12 @@ pub(super) fn decimal(mantissa: u64, exponent: i32) -> f64 {
         let m = mantissa as f64;
         return if exponent < 0 { m / power } else { m * power };
     }
+    long(mantissa, exponent)
+}
+
+#[cold]
+#[inline(never)]
+fn long(mantissa: u64, exponent: i32) -> f64 {
     let (mut digits, mut rest) = ([b'0'; 20], mantissa);
     for digit in digits.iter_mut().rev() {
         *digit += (rest % 10) as u8;
