@@ -354,10 +354,8 @@ fn metrics_are_distances_to_the_contour_in_pixels() {
     let drawing = traced(64, 64, &draw(64, 64, &|x, y| inside(&STAR, x, y)));
     let metrics = drawing.contours[0].metrics;
     // Contours between pixel centres cut tips by up to a pixel; along the sides they are off by some hundredths.
-    assert!(
-        metrics.mae < 0.1 && metrics.mae <= metrics.rmse && metrics.rmse <= metrics.hausdorff,
-        "{metrics:?}"
-    );
+    assert!(metrics.mae < 0.1 && metrics.mae <= metrics.rmse && metrics.rmse <= metrics.max, "{metrics:?}");
+    assert!(metrics.max <= metrics.hausdorff, "{metrics:?}");
     assert!(metrics.hausdorff > 0.3 && metrics.hausdorff < 2.0 && metrics.jaccard > 0.9, "{metrics:?}");
 }
 
@@ -394,6 +392,9 @@ fn a_curve_is_compared_with_its_own_side_of_a_sharp_tip_and_no_corner_turns_by_h
     let drawing = traced(128, 128, &bytes);
     let contour = &drawing.contours[0];
     assert!(contour.metrics.hausdorff < 4.0 && contour.metrics.rmse < 0.3, "{:?}", contour.metrics);
+    // A tip of 17 degrees is half a pixel wide 1.7 pixels before its end: no pixel there is more ink than paper. The contour ends
+    // between sides that are nearer to each other than a pixel.
+    assert!(contour.metrics.hausdorff > 1.7 && contour.metrics.max < 0.5, "{:?}", contour.metrics);
     let gray = Gray::from_bytes(128, 128, &bytes).expect("valid");
     let options = TraceOptions { corner: core::f64::consts::PI, ..TraceOptions::default() };
     let smooth = trace(gray, &options).expect("a drawing");

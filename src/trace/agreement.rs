@@ -28,7 +28,8 @@ pub(super) fn agreement(curve: &HermiteCurve, contour: &[Point]) -> Result<Metri
     let hausdorff = there.most.max(back.most);
     // Points that are no farther than a pixel are in neighbouring pixels.
     let share = if hausdorff <= 1.0 { 1.0 } else { jaccard(&sides, &chords)? };
-    Ok(Metrics { rmse: (there.square / count).sqrt(), mae: there.sum / count, hausdorff, jaccard: share })
+    let (rmse, mae) = ((there.square / count).sqrt(), there.sum / count);
+    Ok(Metrics { rmse, mae, max: there.most, hausdorff, jaccard: share })
 }
 
 /// The share of the pixels of two polylines that are next to each other. Pixels of polylines of more than 400,000 grow.

@@ -127,7 +127,10 @@ pub struct Metrics {
     pub rmse: f64,
     /// Their mean distance.
     pub mae: f64,
-    /// The largest distance between both, in both directions.
+    /// Their largest distance.
+    pub max: f64,
+    /// The largest distance between both, in both directions: more than `max` where a sharp corner stands beyond its contour,
+    /// which pixels cut off.
     pub hausdorff: f64,
     /// The share of their pixels that are next to each other: see [`super::Jaccard::tolerant`].
     pub jaccard: f64,

@@ -89,7 +89,7 @@ pub fn follow_profile(points: u32, closed: u32, degree: u32, printed: u32, angle
             to.extend(profile.cusps().iter().flat_map(|cusp| [cusp.point.x, cusp.point.y]))
         });
         section(output, &mut |to| {
-            to.extend([metrics.rmse, metrics.mae, metrics.hausdorff, metrics.jaccard]);
+            to.extend([metrics.rmse, metrics.mae, metrics.max, metrics.hausdorff, metrics.jaccard]);
         });
         section(output, &mut |to| {
             for (tube, fit) in profile.tubes().iter().zip(profile.fits()) {

@@ -226,7 +226,7 @@ fn contour(output: &mut Vec<f64>, contour: &TracedContour, layer: usize) {
     let metrics = contour.metrics;
     section(output, &mut |to| {
         to.extend([contour.closed, contour.hole].map(|flag| f64::from(u8::from(flag))));
-        to.extend([metrics.rmse, metrics.mae, metrics.hausdorff, metrics.jaccard, layer as f64]);
+        to.extend([metrics.rmse, metrics.mae, metrics.max, metrics.hausdorff, metrics.jaccard, layer as f64]);
     });
     section(output, &mut |to| to.extend(contour.cusps.iter().flat_map(|cusp| [cusp.x, cusp.y])));
 }

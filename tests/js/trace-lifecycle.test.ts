@@ -30,7 +30,7 @@ test("a ring is two circles, and its hole is one", () => {
     assert.ok(ellipse !== undefined, "a circle to the last bit");
     assert.ok(Math.hypot(ellipse.center[0] - 48, ellipse.center[1] - 48) < 0.02);
     assert.ok(Math.abs(ellipse.radii[0] - [38.4, 19.2][i]!) < 0.05, `${ellipse.radii[0]}`);
-    assert.ok(metrics.mae <= metrics.rmse && metrics.rmse <= metrics.hausdorff && metrics.hausdorff < 0.2);
+    assert.ok(metrics.mae <= metrics.rmse && metrics.rmse <= metrics.max && metrics.max <= metrics.hausdorff && metrics.hausdorff < 0.2);
     assert.ok(metrics.jaccard > 0.99);
   });
   const [ink = 0, hole = 0] = contours.map(({ curve }) => curve.area());

@@ -115,7 +115,7 @@ function readProfile(output: Float64Array): ProfileFit {
   };
   const [data] = curvesIn(section());
   const [places, metrics, tubes] = [section(), section(), section()];
-  const [rmse = 0, mae = 0, hausdorff = 0, jaccard = 0] = metrics;
+  const [rmse = 0, mae = 0, max = 0, hausdorff = 0, jaccard = 0] = metrics;
   return {
     curve: curveOf(data as NonNullable<typeof data>),
     cusps: Array.from({ length: places.length / 2 }, (_, i) => [places[2 * i] ?? 0, places[2 * i + 1] ?? 0]),
@@ -123,7 +123,7 @@ function readProfile(output: Float64Array): ProfileFit {
       const [first = 0, many = 0, knots = 0, neighbours = 0] = tubes.subarray(4 * i, 4 * i + 4);
       return { first, count: many, knots, neighbours };
     }),
-    metrics: { rmse, mae, hausdorff, jaccard },
+    metrics: { rmse, mae, max, hausdorff, jaccard },
   };
 }
 

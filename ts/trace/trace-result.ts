@@ -8,7 +8,9 @@ export interface TraceMetrics {
   rmse: number;
   /** Their mean distance. */
   mae: number;
-  /** The largest distance between both, in both directions. */
+  /** Their largest distance. */
+  max: number;
+  /** The largest distance between both, in both directions: more than `max` where a sharp corner stands beyond its contour, which pixels cut off. */
   hausdorff: number;
   /** The share of the pixels on both that are next to each other: 1 is best. */
   jaccard: number;
@@ -75,14 +77,14 @@ export function readTrace(numbers: Float64Array, { width, height }: { width: num
   while (at < numbers.length) {
     const [data] = curvesIn(section());
     const curve = curveOf(data as NonNullable<typeof data>);
-    const [closed = 0, hole = 0, rmse = 0, mae = 0, hausdorff = 0, jaccard = 0, layer = 0] = section();
+    const [closed = 0, hole = 0, rmse = 0, mae = 0, max = 0, hausdorff = 0, jaccard = 0, layer = 0] = section();
     const cusps = section();
     contours.push({
       curve,
       closed: closed === 1,
       hole: hole === 1,
       cusps: Array.from({ length: cusps.length / 2 }, (_, i) => [cusps[2 * i] ?? 0, cusps[2 * i + 1] ?? 0]),
-      metrics: { rmse, mae, hausdorff, jaccard },
+      metrics: { rmse, mae, max, hausdorff, jaccard },
       layer,
     });
   }

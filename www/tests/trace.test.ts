@@ -54,11 +54,11 @@ const how: TraceHow = howOf(emptyTrace);
 function found(): TraceResult {
   const [square, triangle] = contoursOfPath("M10 10L110 10L110 110L10 110ZM40 40L40 80L80 80Z", "trigonometric");
   assert.ok(square !== undefined && triangle !== undefined);
-  const metrics = { rmse: 0.1, mae: 0.08, hausdorff: 0.3, jaccard: 0.99 };
+  const metrics = { rmse: 0.1, mae: 0.08, max: 0.3, hausdorff: 0.6, jaccard: 0.99 };
   return {
     outlines: [
       { contour: square, hole: false, layer: 0, length: 400, metrics, cubics: new Float64Array(0) },
-      { contour: triangle, hole: true, layer: 0, length: 136, metrics: { ...metrics, hausdorff: 0.5 }, cubics: new Float64Array(0) },
+      { contour: triangle, hole: true, layer: 0, length: 136, metrics: { ...metrics, max: 0.5 }, cubics: new Float64Array(0) },
     ],
     colors: [], segments: { lines: 7, arcs: 0, curves: 0 }, iou: 0.99,
     sizes: { raw: 40, gzip: 50, polygonRaw: 40, polygonGzip: 50 }, stages: { contours: 3 },

@@ -38,6 +38,7 @@ export type TraceStage = (typeof traceStages)[number];
 export interface Metrics {
   readonly rmse: number;
   readonly mae: number;
+  readonly max: number;
   readonly hausdorff: number;
   readonly jaccard: number;
 }

@@ -45,14 +45,14 @@ function inPicture({ curve }: Found, [x, y]: readonly [number, number]): Hermite
 function outlineOf(found: Found, curve: HermiteCurve | undefined, scale: readonly [number, number]): TracedOutline {
   if (curve === undefined) throw new TypeError("every outline has a curve");
   const larger = Math.max(...scale);
-  const { rmse, mae, hausdorff, jaccard } = found.metrics;
+  const { rmse, mae, max, hausdorff, jaccard } = found.metrics;
   const corners = found.cusps.map(([x, y]) => [x * scale[0], y * scale[1]] as const);
   return {
     contour: withKinds(contourFrom(curve, "trigonometric"), corners),
     hole: found.hole,
     layer: found.layer,
     length: curve.length(),
-    metrics: { rmse: rmse * larger, mae: mae * larger, hausdorff: hausdorff * larger, jaccard },
+    metrics: { rmse: rmse * larger, mae: mae * larger, max: max * larger, hausdorff: hausdorff * larger, jaccard },
     cubics: curve.toCubics(drawnWithin).path,
   };
 }

@@ -30,6 +30,8 @@ export interface TraceOutcome {
   /** Root of the mean square and largest of the distances to the sub-pixel edge, pixels of the picture; null without a picture. */
   readonly rms: number | null;
   readonly max: number | null;
+  /** How far outlines go beyond that edge: at sharp corners, which pixels cut off. */
+  readonly beyond: number | null;
   readonly iou: number | null;
   readonly segments: TraceResult["segments"] | null;
   readonly sizes: TraceResult["sizes"] | null;
@@ -46,16 +48,21 @@ export function outcomeOf({ outlines, colors, segments, iou, sizes, stages }: Tr
     layers: outlines.map(({ layer }) => layer),
     cubics: outlines.map(({ cubics }) => cubics),
     rms: length === 0 ? 0 : Math.sqrt(squares / length),
-    max: outlines.reduce((most, { metrics }: TracedOutline) => Math.max(most, metrics.hausdorff), 0),
+    max: largest(outlines, "max"),
+    beyond: largest(outlines, "hausdorff"),
     segments, iou, sizes, stages,
   };
+}
+
+function largest(outlines: readonly TracedOutline[], which: "max" | "hausdorff"): number {
+  return outlines.reduce((most, { metrics }) => Math.max(most, metrics[which]), 0);
 }
 
 /** Outlines that came without their picture. */
 export function outcomeOfKept({ contours }: KeptTrace): TraceOutcome {
   return {
     drawing: { ...emptyCurve, contours }, holes: contours.map((contour) => signedArea(contour) < 0),
-    colors: [], layers: [], cubics: [], rms: null, max: null, iou: null, segments: null, sizes: null, stages: {},
+    colors: [], layers: [], cubics: [], rms: null, max: null, beyond: null, iou: null, segments: null, sizes: null, stages: {},
   };
 }
 

@@ -50,7 +50,7 @@ export function resultSection(shell: Shell): Section {
 
 function rowsOf(outcome: TraceOutcome, { trace, traceRun }: EditorState): HTMLElement[] {
   const row = (label: string, testid: string, text: string): HTMLElement => h("div", {}, h("dt", {}, label), h("dd", { testid }, text));
-  const { holes, segments, sizes, rms, max, iou, stages } = outcome;
+  const { holes, segments, sizes, rms, max, beyond, iou, stages } = outcome;
   const rows: HTMLElement[] = [];
   const inner = holes.filter((hole) => hole).length;
   rows.push(row("Contours", "trace-contours", inner === 0 ? String(holes.length) : `${holes.length}, ${formatCount(inner, "hole")}`));
@@ -60,6 +60,11 @@ function rowsOf(outcome: TraceOutcome, { trace, traceRun }: EditorState): HTMLEl
     rows.push(row("Segments", "trace-segments", kinds.length === 0 ? "none" : kinds.join(", ")));
   }
   if (rms !== null && max !== null) rows.push(row("To the edge", "trace-error", `rms ${formatDeviation(rms)}, max ${formatDeviation(max)} px`));
+  if (max !== null && beyond !== null && beyond > 2 * max + 0.1) {
+    const tips = row("Corners beyond it", "trace-beyond", `up to ${formatDeviation(beyond)} px`);
+    tips.title = "Pixels cut sharp corners off; the outline goes on to where its sides meet.";
+    rows.push(tips);
+  }
   if (iou !== null) rows.push(row("Shared with the ink", "trace-iou", `${(100 * iou).toFixed(2)} %`));
   if (sizes !== null) {
     rows.push(row("Path", "trace-bytes", `${formatBytes(sizes.raw)}, ${formatBytes(sizes.gzip)} gzip`));

@@ -22,7 +22,7 @@ export const traceMetrics: ModeMetrics = [
   ],
   [
     { testid: "m-rms", about: "Root of the mean square of the distances between the outlines and the sub-pixel edge", read: of(({ rms }) => (rms === null ? null : { value: rms, lead: "rms", strong: formatDeviation(rms), rest: "px" })) },
-    { testid: "m-max", about: "No place of the edge is farther from the outlines than this", read: of(({ max }) => (max === null ? null : { value: max, lead: "max", strong: formatDeviation(max), rest: "px" })) },
+    { testid: "m-max", about: "No place of the sub-pixel edge is farther from the outlines than this", read: of(({ max }) => (max === null ? null : { value: max, lead: "max", strong: formatDeviation(max), rest: "px" })) },
     { testid: "m-iou", about: "Area that outlines and thresholded picture have in common, by the area of either", read: of(({ iou }) => (iou === null ? null : { value: iou, lead: "IoU", strong: iou.toFixed(4) })) },
   ],
   [

@@ -34,7 +34,7 @@ const trace = await traceImageAsync(context.getImageData(0, 0, picture.width, pi
 });
 
 for (const { curve, cusps, metrics } of trace.contours) {
-  console.log(curve.points.length / 2, "points,", cusps.length, "corners, none farther than", metrics.hausdorff, "px");
+  console.log(curve.points.length / 2, "points,", cusps.length, "corners, none farther than", metrics.max, "px");
 }
 document.body.innerHTML = trace.toSvg({ tolerance: 0.02, decimals: 3 });
 `;
