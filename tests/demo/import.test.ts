@@ -156,6 +156,81 @@ test("V23 an SVG file comes in by the field, by drop on the stage and by paste",
   await demo.page.waitForFunction(() => window.explineDemo.getState().curve.contours.length === 3);
 });
 
+async function takeOffer(demo: Demo, label: string): Promise<void> {
+  await demo.page.locator('[data-testid="toast"] .toast-action', { hasText: label }).click();
+  await demo.idle();
+}
+
+test("a drawing that comes in is edited or simplified: each mode offers the other, and the dialog asks", async (t) => {
+  const demo = await open(t);
+  await drop(demo, "logo.svg", "image/svg+xml", square);
+  await takeOffer(demo, "Simplify in Fit");
+  const { mode, fit, curve } = await demo.state();
+  assert.equal(mode, "fit");
+  assert.equal(curve.contours.length, 1, "a copy: what is in Curve stays");
+  for (const corner of [[0, 0], [40, 0], [40, 40], [0, 40]] as const) assert.ok(fit.data.some(([x, y]) => Math.hypot(x - corner[0], y - corner[1]) < 1e-9), `the corner ${corner} is not cut off`);
+  assert.ok((await demo.metric("m-knots")) <= 6);
+  await drop(demo, "logo.svg", "image/svg+xml", square.replace("M0 0", "M100 0"));
+  await demo.page.waitForFunction((before) => window.explineDemo.getState().fit.data.length > before, fit.data.length);
+  await takeOffer(demo, "Edit in Curve");
+  assert.deepEqual((await demo.points(1)).map(({ x, y }) => [x, y]), [[100, 0], [140, 0], [140, 40], [100, 40]]);
+
+  await demo.byId("btn-import").click();
+  await demo.byId("import-text").fill(twoContours);
+  await demo.byId("import-to").getByRole("radio", { name: "Fit, to simplify" }).check();
+  await demo.byId("import-apply").click();
+  await demo.byId("import-dialog").waitFor({ state: "detached" });
+  await demo.idle();
+  const after = await demo.state();
+  assert.equal(after.mode, "fit");
+  assert.equal(after.fit.starts.length, 1, "the two contours in place of what was there, as the dialog says");
+  assert.equal(after.curve.contours.length, 2);
+});
+
+test("Simplify takes what is chosen to Fit; the same once more takes its place", async (t) => {
+  const demo = await open(t);
+  await imported(demo, twoContours);
+  await demo.byId("curve-simplify").click();
+  await demo.idle();
+  assert.equal((await demo.state()).fit.starts.length, 1);
+  await demo.byId("tab-curve").click();
+  await demo.focusStage();
+  await demo.press("]");
+  await demo.byId("curve-simplify").click();
+  await demo.idle();
+  const { mode, fit } = await demo.state();
+  assert.equal(mode, "fit");
+  assert.deepEqual(fit.starts, []);
+  const [max, knots] = [await demo.metric("m-max"), await demo.metric("m-knots")];
+  // A quarter of a hundredth of the size of both contours, which came first.
+  assert.ok(max <= 0.0025 * Math.hypot(197, 110) && knots < 20, `${knots} knots, ${max} away`);
+});
+
+test("an SVG that is dropped while Trace shows a sample leaves a drawing of one's own in Curve", async (t) => {
+  const demo = await open(t);
+  await imported(demo, twoContours);
+  await demo.byId("tab-trace").click();
+  await demo.idle();
+  await drop(demo, "logo.svg", "image/svg+xml", square);
+  await demo.page.waitForFunction(() => window.explineDemo.getState().mode === "curve");
+  await demo.idle();
+  assert.equal((await demo.state()).curve.contours.length, 3);
+});
+
+test("Ctrl+C copies what the mode shows: the fitted curve, the outlines as ink", async (t) => {
+  const demo = await open(t, "#/fit?sample=fit-circle", { permissions: ["clipboard-read", "clipboard-write"] });
+  const copied = async (): Promise<string> => {
+    await demo.focusStage();
+    return demo.copied(() => demo.press("Control+c"));
+  };
+  const fit = /\sd="([^"]+)"/u.exec(await copied())?.[1] ?? "";
+  const [circle] = evaluatePath(fit);
+  assert.ok(circle !== undefined && bothWays(await demo.sample(2000), circle.points, true) <= 0.02 + 1e-3);
+  await demo.load("#/trace?sample=trace-disc");
+  const disc = await copied();
+  assert.match(disc, /<path d="M[^CQL]*Z" fill="[^n]/u, "a filled path of arcs and nothing else");
+});
+
 test("V23 a JSON file restores the drawing that it was made of", async (t) => {
   const demo = await open(t, "#/curve?sample=heart");
   const saved = await demo.state();

@@ -112,6 +112,23 @@ test("Smooth in Fit, Edit in Curve and Export take the outlines along, and Trace
   assert.ok(fit.data.length > 100 && Math.max(...near) < 3, `${fit.data.length} points, up to ${Math.max(...near)} away`);
 });
 
+test("Smooth in Fit is as exact as Detail asks, of few knots; once more takes the place of the first", async (t) => {
+  const demo = await open(t, "#/trace?sample=trace-logo");
+  const smooth = async (): Promise<number> => {
+    await demo.byId("trace-smooth-in-fit").click();
+    await demo.idle();
+    return demo.metric("m-knots");
+  };
+  const knots = await smooth();
+  const [first, max] = [(await demo.state()).fit.data.length, await demo.metric("m-max")];
+  // Six corners, and three circles of a few smooth knots each: with 81, as at the slider's default, it was no help.
+  assert.ok(knots >= 6 && knots <= 20, `${knots} knots`);
+  assert.ok(max <= 0.44 + 1e-9, `twice the 0.22 px of Detail 35, and not ${max}`);
+  await demo.byId("tab-trace").click();
+  assert.equal(await smooth(), knots);
+  assert.equal((await demo.state()).fit.data.length, first);
+});
+
 test("a link holds the sample and the settings of a trace, and of a picture of one's own the outlines", async (t) => {
   const permissions = ["clipboard-read", "clipboard-write"];
   const demo = await open(t, "#/trace?sample=trace-star", { permissions });

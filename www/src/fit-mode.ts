@@ -1,10 +1,9 @@
 import { registerFitActions } from "./editor/fit/fit-actions.ts";
-import { boxOf, bringStrokes, chooseFitTool } from "./editor/fit/fit-edits.ts";
+import { boxOf, chooseFitTool } from "./editor/fit/fit-edits.ts";
 import { fitHint, fitSummary } from "./editor/fit/fit-hint.ts";
 import { createFitRunner } from "./editor/fit/fit-runner.ts";
 import { connectFit } from "./editor/fit/freehand.ts";
 import { editInCurve, fittedDrawing } from "./editor/fit/hand-over.ts";
-import { strokesFrom } from "./kernel/fit/as-strokes.ts";
 import { sampleFit } from "./kernel/fit/outcome.ts";
 import type { ModeParts } from "./modes.ts";
 import { fitSampleCards, mountEmptyFit } from "./panels/fit/empty-fit.ts";
@@ -24,7 +23,6 @@ export function mountFitMode({ editor, frame, stage, surface, proxies, panels, c
   editor.modes.set("fit", {
     tool: createFitTool(editor), hint: fitHint, summary: fitSummary, drawing: fittedDrawing, program: fitProgram,
     box: ({ fit }) => boxOf(fit.data),
-    bring: (drawing, contours, kind) => bringStrokes(editor, "Import", strokesFrom(drawing, contours, kind === "points")),
   });
   panels.shell.samples.set("fit", (done) => fitSampleCards(panels.shell, done));
   stage.painters.set("fit", createFitPainter(stage.repaint, () => performance.now()));

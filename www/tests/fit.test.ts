@@ -3,7 +3,8 @@ import { test } from "node:test";
 import { emptyFit, fitDefaults, isJoined, strokesOf, withoutDisc, withStroke, type FitDocument, type Pair } from "../src/document/fit/fit.ts";
 import { fitSample, fitSamples, samplePoints } from "../src/document/fit/fit-samples.ts";
 import { readState, writeState, parseState } from "../src/document/file/file.ts";
-import { bringStrokes, chooseFitTool, clearFit, openFitSample, setNoise, setSmoothing, setTarget } from "../src/editor/fit/fit-edits.ts";
+import { bringStrokes } from "../src/editor/fit/bring.ts";
+import { chooseFitTool, clearFit, openFitSample, setNoise, setSmoothing, setTarget } from "../src/editor/fit/fit-edits.ts";
 import { createFitRunner } from "../src/editor/fit/fit-runner.ts";
 import { createFitClient, type FitClient } from "../src/kernel/fit/fit-client.ts";
 import type { FitAnswer, FitRequest, FitSubject } from "../src/kernel/fit/job.ts";
@@ -98,7 +99,7 @@ test("points are placed one by one; a double-click begins another stroke", () =>
 
 test("the eraser takes points away along its way, as one entry", () => {
   const made = hand();
-  bringStrokes(made.editor, "Import", [Array.from({ length: 50 }, (_, i): Pair => [10 * i, 200])]);
+  bringStrokes(made.editor, { name: "Import", strokes: [Array.from({ length: 50 }, (_, i): Pair => [10 * i, 200])] });
   chooseFitTool(made.editor, "erase");
   made.editor.patch({ view: { zoom: 1, x: 400, y: 300 } });
   made.drag({ x: 100, y: 200 }, 100, 0);

@@ -1,4 +1,4 @@
-import type { Contour, CurveDocument } from "../document/document.ts";
+import type { CurveDocument } from "../document/document.ts";
 import type { TraceDocument } from "../document/trace/trace.ts";
 import type { ScreenPoint } from "./pointer/camera.ts";
 import type { EditorState } from "./editor.ts";
@@ -33,8 +33,8 @@ export interface ModeParts {
   layers?(state: EditorState): readonly { readonly color: string; readonly drawing: CurveDocument }[];
   /** The program that makes what is on the stage. */
   program?(state: EditorState): string;
-  /** Takes in what was pasted, dropped or opened, in place of Curve. */
-  bring?(drawing: CurveDocument, contours: readonly Contour[], kind: string): void;
+  /** The sample that is shown as it was opened; null once it was worked on. */
+  sample?(state: EditorState): string | null;
   /** Its document as it is saved and shared, where that is not the document itself. */
   saved?(state: EditorState): TraceDocument;
   /** The picture in words, for those who do not see it. */

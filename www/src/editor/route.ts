@@ -48,9 +48,9 @@ export function openSample(editor: Editor, id: string): boolean {
   return true;
 }
 
-/** The route that the state is at. */
-export function routeOf(editor: Editor): Route {
-  const { mode, curve, fit, trace } = editor.state.value;
+/** The route that the state is at, in the mode that is shown or another. */
+export function routeOf(editor: Editor, mode = editor.state.value.mode): Route {
+  const { curve, fit, trace, surface } = editor.state.value;
   switch (mode) {
     case "curve":
       return { mode, sample: opened !== null && curve === opened.curve ? opened.sample : null };
@@ -59,7 +59,7 @@ export function routeOf(editor: Editor): Route {
     case "trace":
       return { mode, sample: trace.sample ?? null };
     case "surface":
-      return { mode, sample: null };
+      return { mode, sample: surface.net.length === 0 ? surface.sample : (editor.modes.get(mode)?.sample?.(editor.state.value) ?? null) };
   }
 }
 
@@ -102,10 +102,10 @@ export function connectRoutes(editor: Editor, until: AbortSignal): void {
   };
   let following = false;
   editor.state.subscribe((state, before) => {
-    if (following || (state.mode === before.mode && state.curve === before.curve && state.fit.sample === before.fit.sample && state.trace.sample === before.trace.sample)) return;
+    if (following || (state.mode === before.mode && state.mode !== "surface" && state.curve === before.curve && state.fit.sample === before.fit.sample && state.trace.sample === before.trace.sample)) return;
     // Another mode or another sample is a page to come back to; an edit only stops the address from promising the sample.
     const { sample } = routeOf(editor);
-    const last = (state.mode === "fit" ? before.fit : state.mode === "trace" ? before.trace : before.curve).sample;
+    const last = before[state.mode].sample;
     write(state.mode !== before.mode || (sample !== null && sample !== last));
   }, { until });
   window.addEventListener("hashchange", () => {

@@ -13,6 +13,7 @@ export function registerFileActions(shell: Shell): void {
     editor.actions.register({ id, label, group, keys, run, ...(enabled === undefined ? {} : { enabled }) });
   };
   const drawn: Action["enabled"] = (state) => state.mode === "curve" && state.curve.contours.length > 0 && state.engine.status === "ready";
+  const shown: Action["enabled"] = (state) => drawn(state) || (editor.modes.get(state.mode)?.drawing?.(state) ?? null) !== null;
   const running: Action["enabled"] = (state) => state.engine.status === "ready";
 
   // Dialogs come when they are first asked for: the page opens sooner without them.
@@ -25,7 +26,7 @@ export function registerFileActions(shell: Shell): void {
     const stem = editor.state.value.curve.sample ?? "expline";
     io.download(`${stem}.json`, new Blob([writeState(editor.getState())], { type: "application/json" }));
   });
-  add("copy", "Copy as SVG", "Edit", ["Mod+C"], () => void work().then(({ copySvg }) => copySvg(shell)), drawn);
+  add("copy", "Copy as SVG", "Edit", ["Mod+C"], () => void work().then(({ copySvg }) => copySvg(shell)), shown);
   add("cut", "Cut contours", "Edit", ["Mod+X"], () => void work().then(({ cut }) => cut(shell)), drawn);
   // Mod+V is the browser's paste event; this is the menu's way to the same place.
   add("paste", "Paste", "Edit", [], () => {

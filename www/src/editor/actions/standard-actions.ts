@@ -116,6 +116,7 @@ const pointActions: readonly Action[] = [
   action("delete-open", "Delete and open", "Points", ["Shift+Delete", "Shift+Backspace"], deleteAndOpen, { enabled: hasSelection }),
   action("start-here", "Start here", "Curve", [], startHere, { enabled: hasSelection }),
   action("refine-here", "Refine here", "Curve", [], (editor) => void whileLoading(editor, import("../curve/family-edits.ts").then(({ refineCurveHere }) => refineCurveHere(editor))), { enabled: hasSelection }),
+  action("simplify", "Simplify in Fit", "Curve", [], (editor) => void whileLoading(editor, import("../fit/bring.ts").then(({ simplifyInFit }) => simplifyInFit(editor))), { enabled: hasCurve }),
   action("reverse", "Reverse", "Curve", [], reverse, { enabled: hasCurve }),
   action("level-up", "Level up", "Curve", ["}"], (editor) => setLevel(editor, editor.state.value.curve.level + 1), { enabled: hasCurve }),
   action("apply-level", "Change the level", "Curve", [], applyProposal, { enabled: (state) => state.sketch.proposal !== null }),

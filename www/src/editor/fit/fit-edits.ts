@@ -135,14 +135,6 @@ export function clearFit(editor: Editor): void {
   setFitView(editor, { chosen: [] });
 }
 
-/** Strokes from outside: in place of a sample, beside what was drawn. */
-export function bringStrokes(editor: Editor, name: string, strokes: readonly (readonly Pair[])[]): void {
-  if (editor.state.value.mode !== "fit") editor.actions.run("mode-fit");
-  change(editor, name, (fit) => strokes.reduce(withStroke, base(fit)));
-  setFitView(editor, { chosen: [] });
-  showData(editor, 64);
-}
-
 /** "One closed stroke of 300 points". */
 export function describeData(fit: FitDocument): string {
   const strokes = strokesOf(fit);

@@ -1,16 +1,16 @@
 import type { CurveDocument } from "../../document/document.ts";
-import type { Pair } from "../../document/fit/fit.ts";
-import { placesAlong } from "../../kernel/trace/as-strokes.ts";
+import { toleranceOf } from "../../document/trace/trace.ts";
+import { mostPlaces, placesAlong } from "../../kernel/fit/as-strokes.ts";
 import { byColor } from "../../kernel/trace/outcome.ts";
 import type { Editor, EditorState } from "../editor.ts";
-import { bringStrokes } from "../fit/fit-edits.ts";
+import { bringStrokes } from "../fit/bring.ts";
 import { openInCurve } from "../curve/open-in-curve.ts";
 import { drawingOf } from "./trace-edits.ts";
 
 /** From outlines to points that are fitted, and to a drawing that is edited: copies, both times. */
 
-/** More points than this are a slow fit: long outlines are then sampled more sparsely. */
-const mostPoints = 12_000;
+/** Pixels of the picture from one point to the next, where there is room for so many. */
+const apart = 2;
 
 /** The outlines for Export; null while there are none. */
 export function tracedDrawing(state: EditorState): CurveDocument | null {
@@ -25,10 +25,12 @@ export function tracedLayers(state: EditorState): { readonly color: string; read
 }
 
 export function smoothInFit(editor: Editor): void {
+  const { trace } = editor.state.value;
   const drawing = drawingOf(editor.state.value);
   if (drawing === null) return;
-  const strokes: Pair[][] = placesAlong(drawing, mostPoints);
-  bringStrokes(editor, "Smooth the trace", strokes);
+  const strokes = placesAlong(drawing, drawing.contours, apart, mostPlaces);
+  // Smoother than the trace, by as much again as Detail gave away.
+  bringStrokes(editor, { name: "Smooth the trace", strokes, within: Number((2 * toleranceOf(trace.settings.detail)).toPrecision(2)), instead: "same" });
   const count = strokes.reduce((sum, stroke) => sum + stroke.length, 0);
   editor.notify({ kind: "toast", text: `The outlines are in Fit, ${count} points. The picture stays in Trace.` });
 }

@@ -1,20 +1,56 @@
-import type { Contour, CurveDocument } from "../../document/document.ts";
+import { domainLength, lengthOf, segmentCount, type Contour, type CurveDocument } from "../../document/document.ts";
 import type { Pair } from "../../document/fit/fit.ts";
 import { curveOf } from "../curve/curve-cache.ts";
 
-/** Points of a curve are this far apart, as a part of the drawing's size, at least so many and at most so many. */
-const step = 1 / 300;
-const [fewest, most] = [60, 6000];
+/** Curves as strokes of points. */
 
-/** Contours as strokes of points: as they were given where they came as points, else evenly along each. */
-export function strokesFrom(drawing: CurveDocument, contours: readonly Contour[], arePoints: boolean): Pair[][] {
-  if (arePoints) return contours.map(({ points }) => points.map(({ x, y }): Pair => [x, y]));
-  const curves = contours.flatMap((contour) => curveOf(drawing, contour) ?? []);
-  const boxes = curves.map((curve) => curve.bounds());
-  const size = Math.max(...boxes.map(({ minX, minY, maxX, maxY }) => Math.hypot(maxX - minX, maxY - minY)), 1e-9);
-  return curves.map((curve) => {
-    const count = Math.round(Math.min(most, Math.max(fewest, curve.length() / (step * size))));
-    const places = curve.sampleByLength(count);
-    return Array.from({ length: count }, (_, i): Pair => [places[2 * i] ?? 0, places[2 * i + 1] ?? 0]);
+const leastPoints = 24;
+/** More points than this are a slow fit: long curves are then sampled more sparsely. */
+export const mostPlaces = 12_000;
+
+/** The diagonal of the box of all contours. */
+export function diagonalOf(drawing: CurveDocument, contours: readonly Contour[]): number {
+  const boxes = contours.flatMap((contour) => curveOf(drawing, contour)?.bounds() ?? []);
+  const box = boxes.reduce((all, { minX, minY, maxX, maxY }) => [Math.min(all[0], minX), Math.min(all[1], minY), Math.max(all[2], maxX), Math.max(all[3], maxY)] as const, [Infinity, Infinity, -Infinity, -Infinity] as const);
+  return boxes.length === 0 ? 0 : Math.hypot(box[2] - box[0], box[3] - box[1]);
+}
+
+/**
+ * Contours as strokes of points, so far from each other as there is room for; closed ones with their first point again at
+ * the end. The points of the contours are among them, so that no corner is cut.
+ */
+export function placesAlong(drawing: CurveDocument, contours: readonly Contour[], apart: number, most: number): Pair[][] {
+  const lengths = contours.map((contour) => curveOf(drawing, contour)?.length() ?? 0);
+  const spacing = Math.max(apart, lengths.reduce((sum, length) => sum + length, 0) / most);
+  return contours.flatMap((contour, i) => {
+    const stroke = along(drawing, contour, Math.max(leastPoints, (lengths[i] ?? 0) / spacing));
+    return stroke.length < 4 ? [] : [stroke];
   });
+}
+/** About so many points, shared among the segments by their length. */
+function along(drawing: CurveDocument, contour: Contour, wanted: number): Pair[] {
+  const curve = curveOf(drawing, contour);
+  if (curve === null) return [];
+  const chords = Array.from({ length: segmentCount(contour) }, (_, i) => chordOf(contour, i));
+  const total = Math.max(1e-9, chords.reduce((sum, chord) => sum + chord, 0));
+  const end = domainLength(contour);
+  const at: number[] = [];
+  let start = 0;
+  chords.forEach((chord, i) => {
+    const length = lengthOf(contour, i);
+    const count = Math.max(1, Math.round((wanted * chord) / total));
+    for (let k = 0; k < count; k += 1) at.push(Math.min(end, start + (length * k) / count));
+    start += length;
+  });
+  at.push(contour.closed ? 0 : end);
+  const places = curve.evaluate(Float64Array.from(at));
+  return at.map((_, i): Pair => [places[2 * i] ?? 0, places[2 * i + 1] ?? 0]);
+}
+
+/** From point to point, by way of the handles: about the length of a segment. */
+function chordOf({ points }: Contour, i: number): number {
+  const [from, to] = [points[i], points[(i + 1) % points.length]];
+  if (from === undefined || to === undefined) return 0;
+  const middle = Math.hypot(to.x + to.in.dx - from.x - from.out.dx, to.y + to.in.dy - from.y - from.out.dy);
+  return Math.hypot(from.out.dx, from.out.dy) + middle + Math.hypot(to.in.dx, to.in.dy);
 }

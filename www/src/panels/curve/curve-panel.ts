@@ -87,8 +87,9 @@ export function curveSection(shell: Shell): Section & { readonly level: HTMLElem
     gesture: { begin: () => editor.begin("Level"), commit: () => editor.commit() },
   });
   const refine = h("button", { class: "small-button", type: "button", testid: "curve-refine", title: "More points around the chosen ones, none elsewhere; the curve stays", click: () => editor.actions.run("refine-here") }, "Refine here");
+  const simplify = h("button", { class: "small-button", type: "button", testid: "curve-simplify", title: "A copy in Fit, where a curve of fewer points is found; of the chosen contours, if some are chosen", click: () => editor.actions.run("simplify") }, "Simplify");
   const closed = toggleField({ label: "Closed", testid: "closed", about: "Whether the last point joins the first.", write: (on) => setClosed(editor, on) });
-  const element = h("section", { class: "section", "aria-label": "Curve" }, family.element, space.element, exact, order.element, omega.element, omegaNote, points.element, level.element, h("div", { class: "field-row" }, closed.element, refine));
+  const element = h("section", { class: "section", "aria-label": "Curve" }, family.element, space.element, exact, order.element, omega.element, omegaNote, points.element, level.element, h("div", { class: "field-row" }, closed.element, refine, simplify));
   return {
     element,
     level: level.element,
@@ -99,6 +100,7 @@ export function curveSection(shell: Shell): Section & { readonly level: HTMLElem
       order.element.hidden = contour?.family !== "interpolating";
       order.show(refined ? null : contour?.order === 5 ? "5" : contour?.order === 4 ? "4" : "3");
       refine.disabled = state.selection.points.length === 0 || contour?.grid !== undefined;
+      simplify.disabled = contour === undefined;
       space.show(refined ? null : state.curve.space);
       setText(exact, exactIn[state.curve.space]);
       setAttribute(auto, "aria-pressed", String(state.curve.omega === "auto"));

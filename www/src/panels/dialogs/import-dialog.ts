@@ -2,8 +2,9 @@ import type { Imported } from "../../document/imported.ts";
 import type { Problem } from "../../document/problem.ts";
 import { button, openDialog } from "../controls/dialog.ts";
 import { freshId, h, setText } from "../controls/dom.ts";
+import { choiceField } from "../controls/fields.ts";
 import { icon } from "../controls/icons.ts";
-import { place, type Placement } from "../files/load.ts";
+import { naturalDestination, place, type Destination, type Placement } from "../files/load.ts";
 import { openPicture } from "../files/open-picture.ts";
 import { asProblem } from "../messages/errors.ts";
 import { problemText } from "../messages/file-errors.ts";
@@ -19,12 +20,23 @@ export function openImport(shell: Shell, given = ""): void {
   const file = h("input", { class: "file-field", testid: "import-file", type: "file", accept: accepted, "aria-label": "Choose a file" });
   const message = h("div", { class: "message-slot" });
   const replaces = h("input", { class: "check", type: "checkbox", id: freshId("replace"), testid: "import-replace", checked: true });
+  let to = naturalDestination(shell);
+  const destination = choiceField<Destination>({
+    label: "Open it in", testid: "import-to", about: "To be edited as it is, or to be made simpler.",
+    options: [
+      { value: "curve", label: "Curve, to edit", about: "Every point and handle, as it is." },
+      { value: "fit", label: "Fit, to simplify", about: "A curve of fewer points along it." },
+    ],
+    write: (value) => { to = value; },
+  });
+  destination.show(to);
   const dialog = openDialog(
     { title: "Import", testid: "import-dialog" },
     h("p", { class: "quiet" }, "An SVG file, path data, points as x,y rows, an expline JSON file, or a picture, which is traced. Arcs, lines and cubics come in exactly."),
     h("label", { class: "file-drop" }, icon("plus"), h("span", {}, "Choose a file"), file),
     h("label", { class: "stacked-label", for: textId }, "or paste it here"),
     text,
+    destination.element,
     message,
   );
   const partly = button("Import what was read", { testid: "import-partial", hidden: true });
@@ -38,9 +50,9 @@ export function openImport(shell: Shell, given = ""): void {
     partly.hidden = readSoFar === null;
   };
   const how = (): Placement => (replaces.checked ? "replace" : "add");
-  const finish = (imported: Imported): void => {
+  const finish = async (imported: Imported): Promise<void> => {
     try {
-      place(shell, imported, how());
+      await place(shell, imported, to, how());
     } catch (error) {
       return fail(asProblem(error));
     }
@@ -59,7 +71,7 @@ export function openImport(shell: Shell, given = ""): void {
     text.focus();
   };
   apply.addEventListener("click", () => void attempt(text.value));
-  partly.addEventListener("click", () => readSoFar !== null && finish(readSoFar));
+  partly.addEventListener("click", () => readSoFar !== null && void finish(readSoFar));
   text.addEventListener("keydown", (event) => {
     if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) void attempt(text.value);
   });

@@ -5,7 +5,7 @@ import { documentPathD } from "../../kernel/paths/paths.ts";
 import { documentBounds } from "../../kernel/curve/samples.ts";
 import { errorText } from "../messages/errors.ts";
 import type { Shell } from "../shell.ts";
-import { naturalPlacement, place, readOrReport } from "./load.ts";
+import { naturalDestination, place, readOrReport } from "./load.ts";
 import { openPicture } from "./open-picture.ts";
 import { report } from "./report.ts";
 
@@ -18,11 +18,19 @@ function chosenContours(shell: Shell): CurveDocument {
   return chosen.size === 0 ? curve : { ...curve, contours: curve.contours.filter((_, i) => chosen.has(i)) };
 }
 
+const printed = { tolerance: 0.02, decimals: 4 } as const;
+
+/** Of Curve what is chosen; of another mode what its Export writes. */
 export async function copySvg(shell: Shell): Promise<boolean> {
-  const { io, toasts } = shell;
-  const part = chosenContours(shell);
+  const { editor, io, toasts } = shell;
+  const { mode } = editor.state.value;
+  const parts = editor.modes.get(mode);
+  const part = mode === "curve" ? chosenContours(shell) : parts?.drawing?.(editor.state.value) ?? null;
+  if (part === null) return false;
   const title = curveSample(part.sample ?? "")?.title ?? "expline drawing";
-  const text = await io.writeSvg({ title, d: documentPathD(part, { tolerance: 0.02, decimals: 4 }).d, box: documentBounds(part) });
+  const layers = (parts?.layers?.(editor.state.value) ?? []).map(({ color, drawing }) => ({ color, d: documentPathD(drawing, printed).d }));
+  const filled = mode === "trace" && part.contours.every(({ closed }) => closed);
+  const text = await io.writeSvg({ title, d: documentPathD(part, printed).d, box: documentBounds(part), filled, layers });
   const done = await io.copyText(text);
   if (done) toasts.say(part.contours.length === 1 ? "Copied the contour as SVG." : `Copied ${part.contours.length} contours as SVG.`);
   else toasts.error("clipboard", errorText("clipboard"));
@@ -55,7 +63,7 @@ export async function receiveText(shell: Shell, text: string): Promise<void> {
   const imported = await readOrReport(shell, text);
   if (imported === null) return;
   try {
-    place(shell, imported, naturalPlacement(shell));
+    await place(shell, imported, naturalDestination(shell));
   } catch (error) {
     report(shell, error);
   }

@@ -1,39 +1,53 @@
 import type { Contour } from "../../document/document.ts";
 import type { Imported } from "../../document/imported.ts";
 import { addContours } from "../../editor/curve/edits.ts";
+import { whileLoading } from "../../editor/loading.ts";
 import { routeOf } from "../../editor/route.ts";
 import type { Shell } from "../shell.ts";
 import { report } from "./report.ts";
 
-/** A sample as it was opened gives way to what is brought in; anything that was worked on is added to. */
-export function naturalPlacement({ editor }: Shell): Placement {
-  return routeOf(editor).sample === null ? "add" : "replace";
-}
-
 export type Placement = "replace" | "add";
 
-/** Puts what was read on the stage, in view, as one step of the history. */
-export function place(shell: Shell, imported: Imported, how: Placement): void {
+/** Where drawings go: Curve, to be edited, or Fit, to be made simpler. */
+export type Destination = "curve" | "fit";
+
+/** A sample as it was opened gives way to what is brought in; anything that was worked on is added to. */
+export function naturalPlacement({ editor }: Shell, to: Destination): Placement {
+  return routeOf(editor, to).sample === null ? "add" : "replace";
+}
+
+export function naturalDestination({ editor }: Shell): Destination {
+  return editor.state.value.mode === "fit" ? "fit" : "curve";
+}
+
+/** Puts what was read on the stage, in view, as one step of the history; offers the other place that a drawing can go to. */
+export async function place(shell: Shell, imported: Imported, to: Destination, how = naturalPlacement(shell, to)): Promise<void> {
   const { editor, toasts } = shell;
   if (imported.kind === "json") {
     editor.setState(imported.state);
     toasts.say(["Opened the file.", ...imported.notes].join(" "));
     return;
   }
-  const bring = editor.modes.get(editor.state.value.mode)?.bring;
-  if (bring !== undefined) {
-    bring(editor.state.value.curve, imported.contours, imported.kind);
-    toasts.say([summary(imported.contours), ...imported.notes.map((note) => `Note: ${note}.`)].join(" "));
-    return;
-  }
+  if (to === "fit") await placeInFit(editor, imported, how);
+  else placeInCurve(editor, imported.contours, how);
+  const other = to === "fit" ? { label: "Edit in Curve", to: "curve" as const } : { label: imported.kind === "points" ? "Fit the points" : "Simplify in Fit", to: "fit" as const };
+  const says = [summary(imported.contours), ...imported.notes.map((note) => `Note: ${note}.`)].join(" ");
+  toasts.say(says, { label: other.label, run: () => void place(shell, imported, other.to) });
+}
+
+async function placeInFit(editor: Shell["editor"], { contours, kind }: Exclude<Imported, { kind: "json" }>, how: Placement): Promise<void> {
+  const { bringContours } = await whileLoading(editor, import("../../editor/fit/bring.ts"));
+  bringContours(editor, contours, kind === "points", { instead: how === "replace" ? "all" : "nothing" });
+}
+
+function placeInCurve(editor: Shell["editor"], contours: readonly Contour[], how: Placement): void {
   if (editor.state.value.mode !== "curve") editor.actions.run("mode-curve");
-  addContours(editor, "Import", imported.contours, how);
+  addContours(editor, "Import", contours, how);
   // What belongs to a sample's lesson would only clutter a drawing of one's own.
   editor.setOverlay("bezier", false);
   editor.setOverlay("comb", false);
   editor.patch({ hint: "" });
   editor.actions.run("zoom-fit");
-  toasts.say([summary(imported.contours), ...imported.notes.map((note) => `Note: ${note}.`)].join(" "));
 }
 
 function summary(contours: readonly Contour[]): string {
