@@ -162,6 +162,44 @@ test("without WebGL 2 the surface is drawn in lines, says why, and can be edited
   assert.deepEqual(demo.complaints, []);
 });
 
+test("the address names the sample for as long as it is as it was opened, and leads back to it", async (t) => {
+  const demo = await open(t, "#/surface");
+  const address = (): Promise<string> => demo.page.evaluate(() => location.hash);
+  assert.equal(await address(), "#/surface?sample=surf-torus");
+  await demo.byId("surf-sample").selectOption("surf-sphere");
+  await demo.idle();
+  assert.equal(await address(), "#/surface?sample=surf-sphere");
+  await demo.drag("cp-2-2", 20, 10);
+  assert.equal(await address(), "#/surface");
+  await demo.press("Control+z");
+  assert.equal(await address(), "#/surface?sample=surf-sphere");
+  await demo.page.goBack();
+  await demo.page.waitForFunction(() => window.explineDemo.getState().surface.sample === "surf-torus");
+  assert.equal(await address(), "#/surface?sample=surf-torus");
+});
+
+test("in forced colours the solid has no colour of its own: shape alone, in the system's", async (t) => {
+  const demo = await browser.open(t, "#/surface?sample=surf-torus", { viewport: { width: 1030, height: 560 }, forcedColors: "active", colorScheme: "light" });
+  const shot = (await demo.byId("stage").screenshot()).toString("base64");
+  const seen = await demo.page.evaluate(async (data) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${data}`;
+    await image.decode();
+    const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    context?.drawImage(image, 0, 0);
+    const pixels = context?.getImageData(0, 0, image.width, image.height).data ?? new Uint8ClampedArray();
+    let [coloured, dark] = [0, 0];
+    for (let i = 0; i < pixels.length; i += 4) {
+      const [r = 0, g = 0, b = 0] = pixels.subarray(i, i + 3);
+      if (Math.max(r, g, b) - Math.min(r, g, b) > 8) coloured += 1;
+      if (Math.max(r, g, b) < 100) dark += 1;
+    }
+    return { coloured: coloured / (pixels.length / 4), dark: dark / (pixels.length / 4) };
+  }, shot);
+  assert.ok(seen.coloured < 1e-3, `${(100 * seen.coloured).toFixed(1)} % of the stage is coloured`);
+  assert.ok(seen.dark > 0.005, "its lines are there");
+});
+
 test("a lost graphics context is drawn in lines until it comes back", async (t) => {
   const demo = await open(t, "#/surface?sample=surf-torus");
   const shaded = await picture(demo);

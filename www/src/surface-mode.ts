@@ -2,7 +2,7 @@ import { registerSurfaceActions } from "./editor/surface/surface-actions.ts";
 import { ensureSurface } from "./editor/surface/surface-edits.ts";
 import { surfaceHint, surfaceSummary } from "./editor/surface/surface-hint.ts";
 import { surfaceView } from "./editor/surface/surface-view.ts";
-import { meshPoints } from "./kernel/surface/surface.ts";
+import { meshPoints, surfaceSample } from "./kernel/surface/surface.ts";
 import { startSurfaceEngine } from "./kernel/surface/surface-engine.ts";
 import type { ModeParts } from "./modes.ts";
 import type { Shell } from "./panels/shell.ts";
@@ -34,7 +34,10 @@ export async function mountSurfaceMode({ editor, frame, stage, surface, panels, 
   registerSurfaceActions(editor, (axis) => tool.hold(axis));
   const { painter } = await createSurfaceStage(editor, frame, surface, until);
   createNetProxies(editor, frame, surface, until);
-  editor.modes.set("surface", { tool, view: surfaceView(editor), hint: surfaceHint, summary: surfaceSummary });
+  editor.modes.set("surface", {
+    tool, view: surfaceView(editor), hint: surfaceHint, summary: surfaceSummary,
+    sample: ({ surface: shown }) => (shown === surfaceSample(shown.sample) ? shown.sample : null),
+  });
   stage.painters.set("surface", painter);
   panels.addMode("surface", { panel: surfacePanel(panels.shell), metrics: surfaceMetrics });
   panels.shell.samples.set("surface", (done) => surfaceCards(panels.shell, done));

@@ -21,6 +21,8 @@ export interface Palette {
   readonly err: string;
   /** From no error to the largest, as dark to light to the eye in either theme. */
   readonly heat: readonly string[];
+  /** The system's colours, of which there are few: shapes are told apart without. */
+  readonly forced: boolean;
 }
 
 const names = ["canvas", "ink", "ink2", "line", "focus", "point", "curve", "handle", "cusp", "original", "warn", "linear", "solid", "solid-back", "cubic", "coinc", "err"] as const;
@@ -31,5 +33,5 @@ export function readPalette(root: Element): Palette {
   const [canvas = "", ink = "", ink2 = "", line = "", focus = "", point = "", curve = "", handle = "", cusp = "", original = "", warn = "", linear = "", ...more] = names.map(read);
   const [solid = "", solidBack = "", cubic = "", coinc = "", err = ""] = more;
   const heat = [0, 1, 2, 3, 4].map((i) => read(`heat-${i}`));
-  return { canvas, ink, ink2, line, focus, point, curve, handle, cusp, original, warn, linear, solid, solidBack, cubic, coinc, err, heat };
+  return { canvas, ink, ink2, line, focus, point, curve, handle, cusp, original, warn, linear, solid, solidBack, cubic, coinc, err, heat, forced: matchMedia("(forced-colors: active)").matches };
 }

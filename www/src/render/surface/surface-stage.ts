@@ -85,7 +85,7 @@ export async function createSurfaceStage(editor: Editor, frame: Frame, surface: 
           const { u, v } = state.surface;
           view.draw({
             mesh, ratio,
-            orbit: solid.orbit, shade: solid.shade, iso: solid.iso, colours: coloursOf(palette), regions: regionsOf(state),
+            orbit: solid.orbit, shade: palette.forced && solid.shade === "solid" ? "wire" : solid.shade, iso: solid.iso, colours: coloursOf(palette), regions: regionsOf(state),
             period: [u?.closed === true ? mesh.size[0] : 0, v?.closed === true ? mesh.size[1] : 0],
             isoStep: 1,
             curvatureScale: 0.4 * extentOf(state.surface).radius ** 2,
@@ -104,9 +104,13 @@ async function hasWebGl2(): Promise<boolean> {
   return document.createElement("canvas").getContext("webgl2") !== null;
 }
 
+/** Curvature's colours are what it says: they stay where the page's own are the system's, on the grey that they fade to. */
+const bent = { cool: "#0b57d0", warm: "#b3420b" } as const;
+
 function coloursOf(palette: Palette): Colours {
   return {
-    paper: palette.canvas, front: palette.solid, back: palette.solidBack, ink: palette.curve, tint: palette.cusp, cool: palette.point, warm: palette.linear,
+    paper: palette.canvas, front: palette.solid, back: palette.solidBack, ink: palette.curve, tint: palette.cusp,
+    ...(palette.forced ? bent : { cool: palette.point, warm: palette.linear }),
   };
 }
 
