@@ -168,6 +168,7 @@ test("a drawing that comes in is edited or simplified: each mode offers the othe
   const { mode, fit, curve } = await demo.state();
   assert.equal(mode, "fit");
   assert.equal(curve.contours.length, 1, "a copy: what is in Curve stays");
+  assert.equal(await demo.page.locator('[data-testid="toast"] .toast-action').count(), 0, "nor is it offered there once more");
   for (const corner of [[0, 0], [40, 0], [40, 40], [0, 40]] as const) assert.ok(fit.data.some(([x, y]) => Math.hypot(x - corner[0], y - corner[1]) < 1e-9), `the corner ${corner} is not cut off`);
   assert.ok((await demo.metric("m-knots")) <= 6);
   await drop(demo, "logo.svg", "image/svg+xml", square.replace("M0 0", "M100 0"));

@@ -21,21 +21,29 @@ export function naturalDestination({ editor }: Shell): Destination {
 }
 
 /** Puts what was read on the stage, in view, as one step of the history; offers the other place that a drawing can go to. */
-export async function place(shell: Shell, imported: Imported, to: Destination, how = naturalPlacement(shell, to)): Promise<void> {
+export async function place(shell: Shell, imported: Imported, to: Destination, how?: Placement | "offered"): Promise<void> {
   const { editor, toasts } = shell;
   if (imported.kind === "json") {
     editor.setState(imported.state);
     toasts.say(["Opened the file.", ...imported.notes].join(" "));
     return;
   }
-  if (to === "fit") await placeInFit(editor, imported, how);
-  else placeInCurve(editor, imported.contours, how);
-  const other = to === "fit" ? { label: "Edit in Curve", to: "curve" as const } : { label: imported.kind === "points" ? "Fit the points" : "Simplify in Fit", to: "fit" as const };
+  const placement = how === undefined || how === "offered" ? naturalPlacement(shell, to) : how;
+  if (to === "fit") await placeInFit(editor, imported, placement);
+  else placeInCurve(editor, imported.contours, placement);
   const says = [summary(imported.contours), ...imported.notes.map((note) => `Note: ${note}.`)].join(" ");
-  toasts.say(says, { label: other.label, run: () => void place(shell, imported, other.to) });
+  // Where it has come from on taking the offer, it is already.
+  toasts.say(says, how === "offered" ? undefined : { label: offers(imported.kind, to), run: () => void place(shell, imported, to === "fit" ? "curve" : "fit", "offered") });
 }
 
-async function placeInFit(editor: Shell["editor"], { contours, kind }: Exclude<Imported, { kind: "json" }>, how: Placement): Promise<void> {
+function offers(kind: Drawn["kind"], to: Destination): string {
+  if (to === "fit") return "Edit in Curve";
+  return kind === "points" ? "Fit the points" : "Simplify in Fit";
+}
+
+type Drawn = Exclude<Imported, { kind: "json" }>;
+
+async function placeInFit(editor: Shell["editor"], { contours, kind }: Drawn, how: Placement): Promise<void> {
   const { bringContours } = await whileLoading(editor, import("../../editor/fit/bring.ts"));
   bringContours(editor, contours, kind === "points", { instead: how === "replace" ? "all" : "nothing" });
 }
