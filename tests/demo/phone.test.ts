@@ -73,3 +73,20 @@ test("the hint is there to its last word, at any size of text", async (t) => {
     assert.ok(cut.across <= 0 && cut.down <= 1 && cut.top > 48, `${viewport.width} px, ${size}: ${JSON.stringify(cut)}`);
   }
 });
+
+test("what the waves around the first circle are can be read on every phone", async (t) => {
+  for (const size of [phone, smallest]) {
+    const demo = await open(t, "", size);
+    // The label is all that is drawn in its colour in the middle of the circle.
+    const { x, y } = await demo.toScreen(400, 300);
+    const covered = await demo.page.evaluate(([left, top]) => [-60, 0, 60].filter((dx) => document.elementFromPoint(left + dx, top)?.closest("[data-part=surface]") == null), [x, y] as const);
+    assert.deepEqual(covered, []);
+    const ink = await demo.page.evaluate(([left, top]) => {
+      const canvas = document.querySelector<HTMLCanvasElement>("canvas.stage-canvas");
+      const box = canvas?.getBoundingClientRect();
+      const { data } = canvas?.getContext("2d")?.getImageData(left - (box?.left ?? 0) - 60, top - (box?.top ?? 0) - 10, 120, 20) ?? { data: [] };
+      return Array.from(data).filter((value, i) => i % 4 === 0 && value > 100 && value < 180).length;
+    }, [x, y] as const);
+    assert.ok(ink > 100, `${ink} pixels of letters`);
+  }
+});

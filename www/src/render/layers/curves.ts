@@ -103,7 +103,10 @@ function labelHandles(scene: Scene, cubics: Float64Array): void {
 
 const labelFont = '12px system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
 
-/** At the highest of the waves that show the error. */
+/** A stage as narrow as this has the zoom box beside the curve. */
+const narrow = 600;
+
+/** At the highest of the waves that show the error; in the middle where there is no room beside them. */
 function label(scene: Scene, polygon: Float64Array): void {
   const at = 2 * Math.floor((polygon.length / 2) * 0.8);
   const centre = onScreen(scene, { x: ((polygon[0] ?? 0) + (polygon[polygon.length / 2] ?? 0)) / 2, y: ((polygon[1] ?? 0) + (polygon[polygon.length / 2 + 1] ?? 0)) / 2 });
@@ -113,6 +116,7 @@ function label(scene: Scene, polygon: Float64Array): void {
   context.fillStyle = scene.palette.warn;
   const text = `4-arc Bézier, error × ${magnification}`;
   const wide = context.measureText(text).width;
+  if (scene.state.stage.width < narrow) return context.fillText(text, centre.x - wide / 2, centre.y + 4);
   const beside = place.x >= centre.x ? place.x + 8 : place.x - 8 - wide;
   const left = Math.max(8, Math.min(scene.state.stage.width - wide - 8, beside));
   context.fillText(text, left, place.y + (place.y >= centre.y ? 16 : -8));
