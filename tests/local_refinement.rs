@@ -182,7 +182,7 @@ fn what_does_not_fit_is_refused() {
     assert!(matches!(unboxed(curve.patch_points(0)), Err(Error::OutOfRange { argument: "patch", .. })));
     assert!(matches!(
         unboxed(curve.add_patch((1, 30, 9), &[0.0; 18])),
-        Err(Error::OutOfRange { argument: "count", .. })
+        Err(Error::OutOfRange { argument: "displacements", .. })
     ));
     assert!(matches!(
         unboxed(curve.add_patch((1, 0, 2), &[0.0; 3])),

@@ -94,12 +94,7 @@ fn with_patches(
         let size = count as usize * curve.base().dimension();
         let numbers = rest.get(3..3 + size).ok_or_else(wrong_kind)?;
         let window = (level as usize, first as usize, count as usize);
-        // The face gives no count: it is that of the displacements.
-        let of_count = |error: Box<Error>| match error.argument() {
-            Some("count") => error.about("displacements"),
-            _ => error,
-        };
-        curve = curve.add_patch(window, numbers).map_err(of_count)?;
+        curve = curve.add_patch(window, numbers)?;
         rest = &rest[3 + size..];
     }
     Ok(curve)

@@ -155,7 +155,7 @@ impl LocalCurve {
         }
         check("first", None, first as f64, 0.0, (total - 1) as f64)?;
         let most = if self.base.is_closed() { total } else { total - first };
-        check("count", None, count as f64, 1.0, most as f64)?;
+        check("displacements", None, count as f64, 1.0, most as f64)?;
         if displacements.len() != count * self.base.dimension() {
             return Err(Error::wrong_length(
                 "displacements",
