@@ -13,6 +13,7 @@ mod sides;
 mod simplify;
 mod skyline;
 mod straight;
+mod tidying;
 mod tips;
 mod trial;
 mod unknowns;
@@ -25,6 +26,7 @@ use self::refine::{Left, NOISY_SHARE, Refiner, Relaxing, Shape, leaves};
 use self::settling::Settling;
 use self::simplify::{Merging, may_go_on};
 use self::straight::Straightening;
+use self::tidying::Tidying;
 use self::trial::{Limits, Trial};
 use super::outline::Outline;
 use super::outline::ellipse::{ellipse, rounded};
@@ -71,6 +73,9 @@ pub(super) struct Refinement {
     /// Rounds of merging that this outline has had, and the one that it is in.
     round: usize,
     merging: Option<Merging>,
+    /// Its folds, tips and rounded corners; its rounded corners at the end.
+    tidying: Option<Tidying>,
+    ending: Option<Tidying>,
     /// Its bends, when all that may be merged is, and what they are.
     settling: Option<Settling>,
     bends: BendRule,
@@ -131,6 +136,8 @@ impl Refinement {
             halvings: 0,
             round: 0,
             merging: None,
+            tidying: None,
+            ending: None,
             settling: None,
             straightening: None,
             bends: BendRule {
@@ -242,19 +249,35 @@ impl Refinement {
             shape: &mut self.shapes[self.at],
             limits: &self.limits,
         };
+        if let Some(ending) = &mut self.ending {
+            let cost = ending.step(trial)?;
+            if cost.is_none() {
+                self.keep()?;
+                (self.ending, self.round, self.settling, self.straightening) = (None, 0, None, None);
+            }
+            return Ok(cost);
+        }
         if let Some(settling) = self.settling.as_mut().filter(|settling| !settling.is_done()) {
             let pieces = trial.shape.outline.len() as f64;
             settling.step(trial)?;
             if settling.is_done() {
-                trial.unfold()?;
-                trial.round_off()?;
+                self.tidying = Some(Tidying::last());
                 // There may be more to take away now.
                 self.round = 1;
             }
             return Ok(Some(100.0 + 0.1 * pieces));
         }
-        if self.block == 0 && self.merging.is_none() {
+        if let Some(tidying) = &mut self.tidying {
+            if let Some(cost) = tidying.step(trial)? {
+                return Ok(Some(cost));
+            }
+            self.tidying = None;
             if self.round == 0 {
+                self.start = Some((trial.shape.outline.clone(), trial.shape.left(trial.field).rms()));
+            }
+        }
+        if self.block == 0 && self.merging.is_none() {
+            if self.round == 0 && self.start.is_none() {
                 if self.rough {
                     make_round(trial.refiner, trial.field, trial.shape, KNOWN * self.grain);
                 }
@@ -262,10 +285,8 @@ impl Refinement {
                 if ellipse(&trial.shape.outline, self.slack)?.is_some() {
                     return Ok(None);
                 }
-                trial.unfold()?;
-                trial.sharpen()?;
-                trial.round_off()?;
-                self.start = Some((trial.shape.outline.clone(), trial.shape.left(trial.field).rms()));
+                self.tidying = Some(Tidying::first());
+                return Ok(Some(1.0));
             }
             self.round += 1;
             self.merging = may_go_on(self.round).then(|| Merging::new(&trial.shape.outline, trial.limits));
@@ -293,8 +314,9 @@ impl Refinement {
         if !self.last()? {
             return Ok(Some(self.cost()));
         }
-        (self.round, self.settling, self.straightening) = (0, None, None);
-        Ok(None)
+        // Between pieces that are straight only now there may be arcs.
+        self.ending = Some(Tidying::end());
+        Ok(Some(1.0))
     }
 
     /// Puts the outline into the field, or the next pieces of a long one; whether these were the last.
@@ -368,8 +390,7 @@ impl Refinement {
         }
     }
 
-    /// Cubics that hardly bend become lines, and a last refinement, of a long outline bit by bit; whether that was the last bit. An
-    /// outline that lost its way is as it was before.
+    /// Cubics that hardly bend become lines, and a last refinement, of a long outline bit by bit; whether that was the last bit.
     fn last(&mut self) -> Result<bool> {
         let shape = &mut self.shapes[self.at];
         if !self.straightened {
@@ -393,18 +414,21 @@ impl Refinement {
             return Ok(false);
         }
         self.straightened = false;
-        let Some((start, before)) = self.start.take() else { return Ok(true) };
+        Ok(true)
+    }
+
+    /// An outline that lost its way is as it was before joints were taken away.
+    fn keep(&mut self) -> Result<()> {
+        let Some((start, before)) = self.start.take() else { return Ok(()) };
         let steps = self.steps(LAST_STEPS);
         let (refiner, field, shape) = (&mut self.refiner, &mut self.field, &mut self.shapes[self.at]);
-        // Between pieces that are straight only now there may be arcs.
-        Trial { refiner, field, shape, limits: &self.limits }.round_off()?;
         let lost = (0..shape.outline.len()).any(|i| leaves(&shape.outline.cubic(i), field));
         if lost || shape.left(field).rms() > (1.5 * before).max(2.0 * self.limits.rms) {
             refiner.replace(field, shape, start);
             let nodes = shape.nodes();
             refiner.refine(field, shape, &nodes, steps)?;
         }
-        Ok(true)
+        Ok(())
     }
 
     /// Whether all is done.

@@ -20,24 +20,17 @@ const LEAST: f64 = 0.5;
 const STEPS: (usize, f64) = (6, 0.01);
 
 impl Trial<'_> {
-    /// Makes one piece of each run of pieces without sharp corners between two straight ones that is an arc of a circle, as long as the picture is explained
-    /// as well as before or as the limits say.
+    /// Makes one piece of a run of pieces without sharp corners between straight piece i and the next straight one, if that is an arc of a
+    /// circle, as long as the picture is explained as well as before or as the limits say. The next piece, and whether it was tried.
     ///
     /// # Cost
     ///
-    /// O(nodes), and O(length of the pieces) for each arc that is tried.
-    pub(super) fn round_off(&mut self) -> Result<()> {
-        let mut i = 0;
-        while i < self.shape.outline.len() {
-            if let Some((count, arc)) = rounding(&self.shape.outline, i)
-                && self.try_arc(i, count, &arc)?
-            {
-                // The straight piece is the first one now, and the arc the second.
-                i = 1;
-            }
-            i += 1;
-        }
-        Ok(())
+    /// O(1), and O(length of the outline) for an arc that is tried.
+    pub(super) fn round_off(&mut self, i: usize) -> Result<(usize, bool)> {
+        let Some((count, arc)) = rounding(&self.shape.outline, i) else { return Ok((i + 1, false)) };
+        // Where it is good, the straight piece is the first one now, and the arc the second.
+        let good = self.try_arc(i, count, &arc)?;
+        Ok((if good { 2 } else { i + 1 }, true))
     }
 
     /// Puts the arc in place of `count` pieces after straight piece i; if that is not good, all is as it was. Whether it was good.

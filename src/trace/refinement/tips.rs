@@ -20,36 +20,32 @@ const BACK: f64 = 2.6;
 const STEPS: (usize, f64) = (8, 5e-4);
 
 impl Trial<'_> {
-    /// Puts tips where their sides meet, as long as the picture is explained as well as before or as the limits say.
+    /// Puts a tip where the sides beside piece i meet, as long as the picture is explained as well as before or as the limits say. The next
+    /// piece, and whether it was tried.
     ///
     /// # Cost
     ///
-    /// O(nodes), and O(length of the pieces beside it) for each tip that is tried.
-    pub(super) fn sharpen(&mut self) -> Result<()> {
-        let mut i = 0;
-        while i < self.shape.outline.len() {
-            if let Some(tip) = tip(&self.shape.outline, i) {
-                self.try_tip(i, tip)?;
-            }
-            i += 1;
+    /// O(1), and O(length of the pieces beside it) for a tip that is tried.
+    pub(super) fn sharpen(&mut self, i: usize) -> Result<(usize, bool)> {
+        let tip = tip(&self.shape.outline, i);
+        if let Some(tip) = tip {
+            self.try_tip(i, tip)?;
         }
-        Ok(())
+        Ok((i + 1, tip.is_some()))
     }
 
-    /// Takes away corners at which the outline turns back on its own way for a short while, as long as the picture is explained as well as
-    /// before or as the limits say.
+    /// Takes a corner away at which the outline turns back on its own way for a short while, as long as the picture is explained as well as
+    /// before or as the limits say. The next node, and whether it was tried.
     ///
     /// # Cost
     ///
-    /// O(nodes), and O(length of the pieces beside it) for each fold that is tried.
-    pub(super) fn unfold(&mut self) -> Result<()> {
-        let mut i = 0;
-        while i < self.shape.outline.len() {
-            if !is_fold(&self.shape.outline, i) || !self.try_without(i)? {
-                i += 1;
-            }
+    /// O(1), and O(length of the pieces beside it) for a fold that is tried.
+    pub(super) fn unfold(&mut self, i: usize) -> Result<(usize, bool)> {
+        if !is_fold(&self.shape.outline, i) {
+            return Ok((i + 1, false));
         }
-        Ok(())
+        let good = self.try_without(i)?;
+        Ok((if good { i } else { i + 1 }, true))
     }
 
     /// One piece in place of the two at node i; if that is not good, all is as it was. Whether it was good.
