@@ -1,110 +1,17 @@
 import type { Command } from "../document/curve/commands.ts";
-import {
-  emptyCurve, nothingSelected, pointAt, stateVersion, type Contour, type CurveDocument, type DemoState, type Mode, type Selection, type View,
-} from "../document/document.ts";
-import { emptyFit, type FitMoment } from "../document/fit/fit.ts";
+import { emptyCurve, nothingSelected, stateVersion, type CurveDocument, type DemoState, type Mode, type Selection, type View } from "../document/document.ts";
+import type { FitMoment } from "../document/fit/fit.ts";
 import { othersOf } from "../document/file/others.ts";
-import { emptySurface, noNetPoints, type SurfaceMoment } from "../document/surface/surface.ts";
-import { emptyTrace, type TraceMoment } from "../document/trace/trace.ts";
+import { noNetPoints, type SurfaceMoment } from "../document/surface/surface.ts";
+import type { TraceMoment } from "../document/trace/trace.ts";
 import { emptyHistory, record, stepBack, stepForward, type History, type Moment } from "../document/history.ts";
-import { translationOf } from "../document/curve/contours.ts";
-import { curveOf } from "../kernel/curve/curve-cache.ts";
-import { settled } from "../kernel/curve/fine-places.ts";
 import { createActions } from "./actions/actions.ts";
+import { checked, objection, surviving } from "./curve/checked.ts";
+import type { Editor, EditorPatch, EditorState, Notice } from "./editor.ts";
+import { initialState } from "./initial-state.ts";
 import { resized } from "./pointer/camera.ts";
-import type { Editor, EditorPatch, EditorState, Notice, Settings, Sketch } from "./editor.ts";
-import { initialFitView, noFitRun } from "./fit/fit-state.ts";
 import { createSignal } from "./signal.ts";
-import { startSolid } from "./surface/solid.ts";
 import { createTimeline, type Timeline } from "./timeline.ts";
-import { initialTraceView, noTraceRun } from "./trace/trace-state.ts";
-
-export const nothingSketched: Sketch = { guides: [], marquee: null, rubber: null, stroke: [], finger: null, proposal: null };
-
-export const defaultSettings: Settings = {
-  overlays: { handles: true, polygon: false, knots: false, comb: false, subdivision: false, weights: false, fill: true, bezier: false, grid: false },
-  combScale: 1,
-  subdivisionSteps: 0,
-  snap: true,
-  gridStep: 10,
-  scrollPans: false,
-  singleKeys: true,
-  moveByClicks: false,
-  penPans: true,
-};
-
-const initialState: EditorState = {
-  mode: "curve",
-  tool: "select",
-  view: { zoom: 1, x: 400, y: 300 },
-  curve: emptyCurve,
-  fit: emptyFit,
-  fitView: initialFitView,
-  fitRun: noFitRun,
-  trace: emptyTrace,
-  traceView: initialTraceView,
-  traceRun: noTraceRun,
-  incoming: null,
-  surface: emptySurface,
-  chosen: noNetPoints,
-  solid: startSolid,
-  selection: nothingSelected,
-  hover: { kind: "empty" },
-  settings: defaultSettings,
-  drag: null,
-  sketch: nothingSketched,
-  modifiers: { shift: false, alt: false, mod: false },
-  stage: { left: 0, top: 0, width: 800, height: 600 },
-  hint: "",
-  keyboard: false,
-  touch: false,
-  cursor: "default",
-  originalOnly: false,
-  engine: { status: "booting", progress: null },
-  canUndo: false,
-  canRedo: false,
-  undoName: null,
-  redoName: null,
-};
-
-/** The selection without what the document no longer has. */
-function surviving(curve: CurveDocument, selection: Selection): Selection {
-  const points = selection.points.filter((ref) => pointAt(curve, ref) !== undefined);
-  const handle = selection.handle !== null && pointAt(curve, selection.handle) === undefined ? null : selection.handle;
-  return points.length === selection.points.length && handle === selection.handle ? selection : { points, handle };
-}
-
-/** Whether all points are places that the engine knows. */
-function isOnPaper(contour: Contour): boolean {
-  return contour.points.every(({ x, y }) => Math.abs(x) <= farthest && Math.abs(y) <= farthest);
-}
-
-/** Well inside the engine's own limit of 1e9, so that handles fit, too. */
-const farthest = 1e8;
-
-/** What the engine says against a document, or null. Building a curve is the check, and the cache keeps it for the next frame. */
-function objection(curve: CurveDocument, before: CurveDocument): Error | null {
-  try {
-    const known = curve.space === before.space && curve.omega === before.omega ? new Set(before.contours) : new Set();
-    for (const contour of curve.contours) {
-      if (known.has(contour)) continue;
-      const moved = translationOf(contour);
-      // What was good stays good where else it stands; its curve is made when something asks for it.
-      if (moved === undefined || !known.has(moved.from) || !isOnPaper(contour)) curveOf(curve, contour);
-    }
-    return null;
-  } catch (error) {
-    return error instanceof Error ? error : new Error(String(error));
-  }
-}
-
-/** The document with its refined places settled, and what the engine says against it. */
-function checked(curve: CurveDocument, before: CurveDocument): { curve: CurveDocument; problem: Error | null } {
-  const problem = objection(curve, before);
-  if (problem !== null) return { curve, problem };
-  const next = settled(before, curve);
-  return { curve: next, problem: next === curve ? null : objection(next, curve) };
-}
 
 /** `now` is the clock for joining runs of small edits, in milliseconds. */
 export function createEditor(now: () => number): Editor {

@@ -4,7 +4,7 @@ import { emptyFit } from "../document/fit/fit.ts";
 import { emptySurface, noNetPoints } from "../document/surface/surface.ts";
 import { emptyTrace } from "../document/trace/trace.ts";
 import { loadCurve } from "./curve/edits.ts";
-import { defaultSettings } from "./create-editor.ts";
+import { defaultSettings } from "./initial-state.ts";
 import type { Editor, OverlayId } from "./editor.ts";
 import { fitView } from "./actions/standard-actions.ts";
 

@@ -2,7 +2,7 @@ import { replaceContour, reverseContour, type Command } from "../../document/cur
 import { noOffset, nothingSelected, type Contour, type ControlPoint, type CurveDocument, type Offset, type PointRef } from "../../document/document.ts";
 import { opposite } from "../../document/curve/offset.ts";
 import { toScreen, type PagePoint } from "../../editor/pointer/camera.ts";
-import { nothingSketched } from "../../editor/create-editor.ts";
+import { nothingSketched } from "../../editor/sketch.ts";
 import { mostPoints, refuse } from "../../editor/curve/edits.ts";
 import type { Editor } from "../../editor/editor.ts";
 import { constrained, snapPlace, turnedBySteps } from "../../editor/pointer/snapping.ts";

@@ -1,6 +1,6 @@
 import { nothingSelected, samePoint, type PointRef, type Selection } from "../../document/document.ts";
 import type { PagePoint } from "../../editor/pointer/camera.ts";
-import { nothingSketched } from "../../editor/create-editor.ts";
+import { nothingSketched } from "../../editor/sketch.ts";
 import type { Editor } from "../../editor/editor.ts";
 import type { Drag, PointerSample } from "../../editor/tool.ts";
 

@@ -1,4 +1,4 @@
-import { nothingSketched } from "../../editor/create-editor.ts";
+import { nothingSketched } from "../../editor/sketch.ts";
 import type { Editor } from "../../editor/editor.ts";
 import type { Drag, PointerSample } from "../../editor/tool.ts";
 

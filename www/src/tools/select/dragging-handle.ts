@@ -1,6 +1,6 @@
 import { turnHandle } from "../../document/curve/commands.ts";
 import { pointAt, type HandleRef, type Kind, type Selection } from "../../document/document.ts";
-import { nothingSketched } from "../../editor/create-editor.ts";
+import { nothingSketched } from "../../editor/sketch.ts";
 import type { Editor } from "../../editor/editor.ts";
 import { snapHandle, turnedBySteps } from "../../editor/pointer/snapping.ts";
 import type { Drag, PointerSample } from "../../editor/tool.ts";

@@ -1,6 +1,6 @@
 import { movePoints, turnHandle } from "../../document/curve/commands.ts";
 import { isSelected, pointAt, type PointRef, type Selection } from "../../document/document.ts";
-import { nothingSketched } from "../../editor/create-editor.ts";
+import { nothingSketched } from "../../editor/sketch.ts";
 import type { DragReadout, Editor, EditorPatch, Guide } from "../../editor/editor.ts";
 import { constrained, snapHandle, snapPlace, turnedBySteps } from "../../editor/pointer/snapping.ts";
 import type { Drag, PointerSample } from "../../editor/tool.ts";

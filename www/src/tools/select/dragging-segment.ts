@@ -1,7 +1,7 @@
 import { movePoints, type Command } from "../../document/curve/commands.ts";
 import type { Offset, Selection } from "../../document/document.ts";
 import { bend, isStraight, type Segment } from "../../editor/curve/bending.ts";
-import { nothingSketched } from "../../editor/create-editor.ts";
+import { nothingSketched } from "../../editor/sketch.ts";
 import type { Editor } from "../../editor/editor.ts";
 import { constrained } from "../../editor/pointer/snapping.ts";
 import type { Drag, PointerSample } from "../../editor/tool.ts";

@@ -1,6 +1,6 @@
 import { isChosen, noNetPoints, sameNetPoint, type NetRef } from "../../document/surface/surface.ts";
 import type { ScreenPoint } from "../../editor/pointer/camera.ts";
-import { nothingSketched } from "../../editor/create-editor.ts";
+import { nothingSketched } from "../../editor/sketch.ts";
 import type { Editor } from "../../editor/editor.ts";
 import { netHit } from "../../editor/surface/net-hit.ts";
 import { lengthOf, shifted, stepAlong, stepInView, turned, type Orbit, type Vector } from "../../editor/surface/orbit.ts";
