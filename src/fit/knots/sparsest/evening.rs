@@ -1,6 +1,7 @@
 //! Points that follow one another evenly: where along the curve they belong is known, not only which way is across.
 
-use super::{Found, Phase, Sparsest, WARMING, from_afar};
+use super::growing::from_afar;
+use super::{Found, Phase, Sparsest, WARMING};
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::even::by_length;
 use crate::fit::knots::foot_points::Spline;
