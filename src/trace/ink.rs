@@ -4,7 +4,7 @@ use super::agreement::agreement;
 use super::chain_work::speckle_for;
 use super::outline::Outline;
 use super::outline::arcs::arcs;
-use super::outline::corners::{Corner, CornerRule, corners};
+use super::outline::corners::{Corner, corners};
 use super::outline::division::{Division, DivisionRule, divide};
 use super::outline::ellipse::{ellipse, round};
 use super::outline::rounds::rounds;
@@ -13,6 +13,7 @@ use super::picture::contour::{Contour, ContourScan};
 use super::picture::gray::Gray;
 use super::picture::light::Evening;
 use super::picture::tones::{ToneScan, Tones};
+use super::quality::Quality;
 use super::refinement::Refinement;
 use super::refinement::field::Shading;
 use super::samples::Samples;
@@ -21,12 +22,12 @@ use crate::error::{Error, Result};
 
 /// Noise above which pictures are blurred before they are followed, as a share of the way from ink to paper.
 const NOISY: f64 = 3.0 / 255.0;
-/// The largest deviation that a first outline may have if it is refined: pixels farther away say nothing.
-const NEAR: f64 = 0.18;
 /// How far the contour of an ellipse may be from it, in pixels.
 const ROUND: f64 = 0.16;
 /// And at most so many times farther from an arc of a circle, with which less of it could be compared.
 const BENT: f64 = 4.0;
+/// Contours of less area, in pixels, are noise in a noisy picture.
+const NOISY_SPECKLE: f64 = 6.0;
 /// Pixels of one bit of work.
 const BIT: usize = 131_072;
 
@@ -221,24 +222,24 @@ impl InkWork {
         self.progress.completed += usize::from(done);
         (cost, done && i + 1 == self.found.len())
     }
-}
 
-impl Work for InkWork {
-    fn step(&mut self) -> Result<f64> {
+    /// Some rows of the picture more, until contours are known.
+    fn look(&mut self) -> Result<f64> {
         let (width, height) = (self.gray.width(), self.gray.height());
         let rows = (BIT / width).max(1);
+        let row = 0.2 * (width as f64);
         match &mut self.phase {
             Phase::Light(evening) => {
                 if evening.step(&mut self.gray) {
                     self.phase = Phase::Tones(ToneScan::new(None));
                 }
-                return Ok(0.2 * (width as f64));
+                return Ok(row);
             }
             Phase::Tones(scan) => {
                 if let Some(tones) = scan.step(&self.gray) {
                     self.toned(tones)?;
                 }
-                return Ok(0.2 * (width as f64));
+                return Ok(row);
             }
             Phase::Smooth(blurring) => {
                 for _ in 0..(rows / 8).max(1) {
@@ -254,11 +255,9 @@ impl Work for InkWork {
                 let gray = self.smoothed.as_ref().unwrap_or(&self.gray);
                 for _ in 0..rows {
                     if !scan.step(gray)? {
-                        let speckle = if self.quality == Quality::Noisy {
-                            self.options.speckle.max(6.0)
-                        } else {
-                            self.options.speckle
-                        };
+                        let asked = self.options.speckle;
+                        let speckle =
+                            if self.quality == Quality::Noisy { asked.max(NOISY_SPECKLE) } else { asked };
                         let found = scan.contours(speckle)?;
                         self.scanned(found)?;
                         return Ok(1000.0);
@@ -266,13 +265,44 @@ impl Work for InkWork {
                 }
                 self.progress.completed = scan.rows().min(height);
             }
+            _ => {}
+        }
+        Ok(1000.0)
+    }
+
+    /// A bit of the refinement.
+    fn refine(&mut self) -> Result<f64> {
+        let Phase::Refinement(refinement) = &mut self.phase else { return Ok(0.0) };
+        let chords = refinement.is_grainy();
+        let rule = DivisionRule { chords, ..Quality::Rough.division_rule(&self.options) };
+        let samples = &self.samples;
+        let corner_rules = Quality::Rough.corner_rules(self.options.corner);
+        let rough = |i: usize| {
+            round(samples[i].places(), ROUND * Quality::Rough.slack())
+                .unwrap_or_else(|| divide(&samples[i], &corners(&samples[i], &corner_rules), &rule))
+        };
+        let cost = refinement.step(&rough)?;
+        self.progress.completed = refinement.completed();
+        if refinement.is_done() {
+            (self.slack, self.bow) = (refinement.slack(), refinement.bow());
+            (self.outlines, self.trace.residual) = refinement.finish();
+            self.phase = Phase::Curves;
+        }
+        Ok(cost)
+    }
+}
+
+impl Work for InkWork {
+    fn step(&mut self) -> Result<f64> {
+        match &self.phase {
+            Phase::Light(_) | Phase::Tones(_) | Phase::Smooth(_) | Phase::Contours(_) => self.look(),
             Phase::Corners => {
                 let (cost, last) = self.advance(&|work, i| (work.corner(i), true));
                 if last {
                     let again = if self.options.refined { 1 } else { 2 };
                     self.enter(Phase::Splines, Stage::Splines, again * self.found.len());
                 }
-                return Ok(cost);
+                Ok(cost)
             }
             Phase::Splines => {
                 let (cost, last) = self.advance(&|work, i| work.spline(i));
@@ -281,26 +311,9 @@ impl Work for InkWork {
                 } else if last {
                     self.phase = Phase::Curves;
                 }
-                return Ok(cost);
+                Ok(cost)
             }
-            Phase::Refinement(refinement) => {
-                let rough = Quality::Rough.division_rule(&self.options);
-                let rule = DivisionRule { chords: refinement.is_grainy(), ..rough };
-                let samples = &self.samples;
-                let corner_rules = Quality::Rough.corner_rules(self.options.corner);
-                let rough = |i: usize| {
-                    round(samples[i].places(), ROUND * Quality::Rough.slack())
-                        .unwrap_or_else(|| divide(&samples[i], &corners(&samples[i], &corner_rules), &rule))
-                };
-                let cost = refinement.step(&rough)?;
-                self.progress.completed = refinement.completed();
-                if refinement.is_done() {
-                    (self.slack, self.bow) = (refinement.slack(), refinement.bow());
-                    (self.outlines, self.trace.residual) = refinement.finish();
-                    self.phase = Phase::Curves;
-                }
-                return Ok(cost);
-            }
+            Phase::Refinement(_) => self.refine(),
             Phase::Curves => {
                 let i = self.trace.contours.len();
                 self.progress.done = i >= self.found.len();
@@ -309,10 +322,9 @@ impl Work for InkWork {
                     return Ok(0.0);
                 }
                 self.progress.completed += 1;
-                return self.curve(i);
+                self.curve(i)
             }
         }
-        Ok(1000.0)
     }
 
     fn progress(&self) -> Progress {
@@ -325,59 +337,5 @@ impl Work for InkWork {
 
     fn offer(&self) -> Option<f64> {
         self.offer
-    }
-}
-
-/// What kind of picture it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Quality {
-    /// Exact coverage.
-    Clean,
-    /// Flat places are flat, but outlines are not what was drawn, as after strong compression.
-    Rough,
-    /// Noise everywhere.
-    Noisy,
-}
-
-impl Quality {
-    /// How many times farther than in a clean picture things may be from what they are.
-    fn slack(self) -> f64 {
-        match self {
-            Self::Clean => 1.0,
-            Self::Rough => 1.5,
-            Self::Noisy => 4.0,
-        }
-    }
-
-    /// Corners, then corners close to others.
-    fn corner_rules(self, angle: f64) -> [CornerRule; 2] {
-        let [gap, window, reach, least] = match self {
-            Self::Clean => [1.0, 3.0, 1.0, angle],
-            Self::Rough => [1.2, 4.0, 1.2, angle + 0.1],
-            Self::Noisy => [1.6, 5.0, 1.8, angle],
-        };
-        let [close, short, more] = match self {
-            Self::Clean => [0.75, 1.75, 0.25],
-            Self::Rough => [1.0, 2.5, 0.3],
-            Self::Noisy => [1.5, 3.0, 0.2],
-        };
-        [
-            CornerRule { gap, window, angle: least, reach },
-            CornerRule { gap: close, window: short, angle: least + more, reach },
-        ]
-    }
-
-    fn division_rule(self, options: &TraceOptions) -> DivisionRule {
-        let scale = if self == Self::Clean { 1.0 } else { 2.0 };
-        let most = if options.refined { options.tolerance.min(NEAR) } else { options.tolerance };
-        DivisionRule {
-            gap: 1.2 * self.corner_rules(options.corner)[0].gap,
-            straight: 0.12 * scale,
-            least_run: 6.0 * scale,
-            most: most * scale,
-            rms: 0.41 * most * scale,
-            reach: 3.0 * scale,
-            chords: false,
-        }
     }
 }

@@ -28,6 +28,7 @@ mod metrics;
 mod outline;
 mod picture;
 mod profile;
+mod quality;
 mod quasi_interpolant;
 mod refinement;
 mod samples;

@@ -147,6 +147,10 @@ impl QuasiInterpolant {
     }
 
     /// Ordinate less value at every point of a cloud.
+    ///
+    /// # Errors
+    ///
+    /// Where memory is short.
     pub fn residuals(&self, cloud: &Cloud) -> Result<Vec<f64>> {
         let mut residuals = filled(0.0, cloud.len())?;
         for (i, residual) in residuals.iter_mut().enumerate() {

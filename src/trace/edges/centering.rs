@@ -27,7 +27,7 @@ struct Evidence {
 /// Every line where the outlines have it: means of the centres along it, out to the middles of round ends and to where lines meet.
 pub(super) fn centred(lines: &[Chain], sides: &[Side], half_width: f64) -> Result<Vec<Chain>> {
     let spines: Vec<Spine> = lines.iter().map(|line| Spine::new(line, half_width)).collect();
-    let evidence = gather(&spines, sides, half_width)?;
+    let evidence = gather(&spines, sides, half_width);
     let mut found: Vec<(Vec<Point>, [bool; 2])> = with_room(lines.len())?;
     for (spine, evidence) in spines.iter().zip(&evidence) {
         found.push(spine.moved(evidence, half_width));
@@ -155,7 +155,7 @@ fn cap(centres: &[(Point, Vector)], outward: Vector, half_width: f64) -> Point {
 }
 
 /// Gives every place of an outline to the nearest line.
-fn gather(spines: &[Spine], sides: &[Side], half_width: f64) -> Result<Vec<Evidence>> {
+fn gather(spines: &[Spine], sides: &[Side], half_width: f64) -> Vec<Evidence> {
     let reach = 0.7 * half_width + 2.0;
     let mut index: Vec<(i32, i32, u32, u32)> = Vec::new();
     let cell = |p: Point| ((p.x / reach).floor() as i32, (p.y / reach).floor() as i32);
@@ -186,9 +186,10 @@ fn gather(spines: &[Spine], sides: &[Side], half_width: f64) -> Result<Vec<Evide
             place(&spines[best.1], best.2 - 1, side, half_width, &mut evidence[best.1]);
         }
     }
-    Ok(evidence)
+    evidence
 }
 
+/// Counts a side of the ink at the place of the line that it is nearest to, or as a part of the line's end.
 fn place(spine: &Spine, i: usize, side: &Side, half_width: f64, evidence: &mut Evidence) {
     let tangent = spine.tangents[i];
     let length = spine.length();

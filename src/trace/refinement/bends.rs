@@ -109,25 +109,20 @@ pub(super) fn bends(outline: &Outline, rule: &BendRule) -> Vec<Bend> {
         let turning = sums[end + 1] - sums[start];
         let left = turning < LEAST || best.is_some_and(|(_, _, last)| start > last);
         if left && let Some((_, first, last)) = best.take() {
-            found.extend(bend(&places, (first, last), round, rule));
+            found.push(bend(&places, (first, last), round, rule));
         }
         if turning >= LEAST && best.is_none_or(|(most, _, _)| turning > most) {
             best = Some((turning, start, end));
         }
     }
     if let Some((_, first, last)) = best {
-        found.extend(bend(&places, (first, last), round, rule));
+        found.push(bend(&places, (first, last), round, rule));
     }
     found
 }
 
 /// The bend between two places, without what hardly turns at its ends.
-fn bend(
-    places: &[Place],
-    (mut first, mut last): (usize, usize),
-    round: f64,
-    rule: &BendRule,
-) -> Option<Bend> {
+fn bend(places: &[Place], (mut first, mut last): (usize, usize), round: f64, rule: &BendRule) -> Bend {
     let count = places.len();
     let place = |i: usize| &places[i % count];
     let total: f64 = (first..=last).map(|i| place(i).turning.abs()).sum();
@@ -147,7 +142,7 @@ fn bend(
         side(places, place(last).along + rule.margin, round),
     ];
     let middle = (place(first).point + place(last).point) * 0.5;
-    Some(Bend { sides, middle, net, total })
+    Bend { sides, middle, net, total }
 }
 
 /// The piece and the parameter at a distance along the outline.

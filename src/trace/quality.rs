@@ -1,0 +1,63 @@
+//! How well the pixels of a picture say where its outlines are, and what first outlines are allowed for that.
+
+use super::outline::corners::CornerRule;
+use super::outline::division::DivisionRule;
+use super::tracer::TraceOptions;
+
+/// The largest deviation that a first outline may have if it is refined: pixels farther away say nothing.
+const NEAR: f64 = 0.18;
+
+/// What kind of picture it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Quality {
+    /// Exact coverage.
+    Clean,
+    /// Flat places are flat, but outlines are not what was drawn, as after strong compression.
+    Rough,
+    /// Noise everywhere.
+    Noisy,
+}
+
+impl Quality {
+    /// How many times farther than in a clean picture things may be from what they are.
+    pub(super) fn slack(self) -> f64 {
+        match self {
+            Self::Clean => 1.0,
+            Self::Rough => 1.5,
+            Self::Noisy => 4.0,
+        }
+    }
+
+    /// Corners, then corners close to others.
+    pub(super) fn corner_rules(self, angle: f64) -> [CornerRule; 2] {
+        let [gap, window, reach, least] = match self {
+            Self::Clean => [1.0, 3.0, 1.0, angle],
+            Self::Rough => [1.2, 4.0, 1.2, angle + 0.1],
+            Self::Noisy => [1.6, 5.0, 1.8, angle],
+        };
+        let [close, short, more] = match self {
+            Self::Clean => [0.75, 1.75, 0.25],
+            Self::Rough => [1.0, 2.5, 0.3],
+            Self::Noisy => [1.5, 3.0, 0.2],
+        };
+        [
+            CornerRule { gap, window, angle: least, reach },
+            CornerRule { gap: close, window: short, angle: least + more, reach },
+        ]
+    }
+
+    /// How pieces of a first outline are found.
+    pub(super) fn division_rule(self, options: &TraceOptions) -> DivisionRule {
+        let scale = if self == Self::Clean { 1.0 } else { 2.0 };
+        let most = if options.refined { options.tolerance.min(NEAR) } else { options.tolerance };
+        DivisionRule {
+            gap: 1.2 * self.corner_rules(options.corner)[0].gap,
+            straight: 0.12 * scale,
+            least_run: 6.0 * scale,
+            most: most * scale,
+            rms: 0.41 * most * scale,
+            reach: 3.0 * scale,
+            chords: false,
+        }
+    }
+}
