@@ -190,7 +190,9 @@ impl HermiteCurve {
 
     /// The segment that t lies in and the local x in [0, 1].
     ///
-    /// A closed curve takes any finite t; an open one refuses t outside its domain.
+    /// # Errors
+    ///
+    /// A t that is not finite; outside its domain for an open curve. A closed one takes any other.
     pub fn locate(&self, t: f64) -> Result<(usize, f64)> {
         let (start, end) = if self.inner.data.closed { (f64::MIN, f64::MAX) } else { self.domain() };
         check("t", None, t, start, end)?;
@@ -212,6 +214,10 @@ impl HermiteCurve {
     }
 
     /// The point at t, or the first or second derivative; at a knot the limit from the right.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::locate`]; a derivative above the second.
     pub fn evaluate(&self, t: f64, derivative: usize) -> Result<Vector> {
         let (i, x) = self.locate(t)?;
         let segment = self.segment(i);

@@ -57,6 +57,11 @@ pub fn parametrise(samples: &Samples, kind: Parametrisation, noise: f64) -> (Vec
 
 /// Checks parameters that were given, and shifts them to start at 0; the end of the domain comes with them. A closed
 /// curve has `period`, or goes on for one mean step after the last point.
+///
+/// # Errors
+///
+/// Another number of parameters than of points; one that is not finite, above 1e9 in size or below the one before it;
+/// all the same; a period that is not longer than they are.
 pub fn given(parameters: &[f64], count: usize, closed: bool, period: Option<f64>) -> Result<(Vec<f64>, f64)> {
     if parameters.len() != count {
         return Err(Error::wrong_length("parameters", parameters.len(), count));

@@ -38,6 +38,10 @@ pub struct ExponentialBSpline {
 
 impl ExponentialBSpline {
     /// The B-spline of these roots; all pieces are worked out here, once.
+    ///
+    /// # Errors
+    ///
+    /// Where memory is short.
     pub fn new(roots: &Roots) -> Result<Self> {
         Self::rounded(roots, &Propagated::new(roots)?)
     }
@@ -87,8 +91,8 @@ impl ExponentialBSpline {
     /// # Source
     ///
     /// [SFBGU17, eq. 10].
-    pub fn riesz_bounds(&self) -> Result<RieszBounds> {
-        Ok(self.pieces.riesz_bounds())
+    pub fn riesz_bounds(&self) -> RieszBounds {
+        self.pieces.riesz_bounds()
     }
 
     pub(crate) fn pieces(&self) -> &Pieces {

@@ -114,6 +114,10 @@ impl Interpolator {
     }
 
     /// Roots (0, ±2πi/count): ellipses through `count` ≥ 3 points are exact.
+    ///
+    /// # Errors
+    ///
+    /// Fewer than 3 points a turn.
     pub fn for_ellipse(count: usize) -> Result<Self> {
         Self::new(&Roots::ellipse(count)?)
     }
@@ -166,8 +170,8 @@ impl Interpolator {
 
     /// The largest lower and the smallest upper Riesz bound of the integer shifts, exactly; the bounds of
     /// [SFBGU17, eq. A.6, A.7] enclose them.
-    pub fn riesz_bounds(&self) -> Result<RieszBounds> {
-        Ok(self.halves.riesz_bounds())
+    pub fn riesz_bounds(&self) -> RieszBounds {
+        self.halves.riesz_bounds()
     }
 
     /// The condition of the linear system for λ in the maximum norm, its rows scaled to 1. Above 1e6 digits are lost.

@@ -94,7 +94,11 @@ impl Roots {
         Self::new(&vec![Root::default(); degree + 1], "roots")
     }
 
-    /// (0, ±2πi/count): ellipses that are given by `count` points, at least 3.
+    /// (0, ±2πi/count): ellipses that are given by `count` points.
+    ///
+    /// # Errors
+    ///
+    /// Fewer than 3 points a turn.
     pub fn ellipse(count: usize) -> Result<Self> {
         Self::harmonics(count, 1)
     }
@@ -116,6 +120,10 @@ impl Roots {
     }
 
     /// (0, ±rate): hyperbolas and catenaries that grow by e^rate from point to point.
+    ///
+    /// # Errors
+    ///
+    /// A rate that is not finite, or is larger in size than a root may be ([`Self::new`]).
     pub fn hyperbola(rate: f64) -> Result<Self> {
         check("rate", None, rate, -LARGEST_ROOT_RE, LARGEST_ROOT_RE)?;
         let list = [Root::default(), Root { re: rate, im: 0.0 }, Root { re: -rate, im: 0.0 }];

@@ -42,6 +42,10 @@ impl ScalarMask {
 
     /// One step of the scheme for a control polygon as [`control_polygon`] makes it, of a smooth curve with
     /// one frequency.
+    ///
+    /// # Errors
+    ///
+    /// Where memory is short.
     pub fn apply(&self, points: &[Point], closed: bool) -> Result<Vec<Point>> {
         let nodes = points.len() / 2;
         let segments = if closed { nodes } else { nodes.saturating_sub(1) };
@@ -74,6 +78,10 @@ impl ScalarMask {
 /// The control polygon of a curve: at every point P the two generalised Bézier points P − κ·H·D on its arriving and
 /// P + κ·H·D on its leaving side, with κ and the parameter length H of the segment on that side. An open polygon
 /// begins and ends in the curve's end points.
+///
+/// # Errors
+///
+/// Fewer than two points; lists that do not belong to as many; where memory is short.
 ///
 /// # Source
 ///

@@ -67,8 +67,8 @@ pub fn exponential(kind: u32, roots: u32, what: u32, count: u32, argument: u32) 
             (Generator::Interpolator(interpolator), 3) => interpolator.affine_pre_filter(argument)?,
             (generator, _) => {
                 let bounds = match generator {
-                    Generator::Spline(spline) => spline.riesz_bounds()?,
-                    Generator::Interpolator(interpolator) => interpolator.riesz_bounds()?,
+                    Generator::Spline(spline) => spline.riesz_bounds(),
+                    Generator::Interpolator(interpolator) => interpolator.riesz_bounds(),
                 };
                 kernel.record([bounds.lower, bounds.upper]);
                 Vec::new()

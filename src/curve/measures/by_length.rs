@@ -70,6 +70,10 @@ impl LengthTable {
     }
 
     /// Parameters, as [`crate::curve::Curve::sample_by_length`] says; `curve` is the one that was measured.
+    ///
+    /// # Errors
+    ///
+    /// More places than may be asked for at once; where memory is short.
     pub fn parameters(&mut self, curve: &dyn Pieces, count: usize) -> Result<Vec<f64>> {
         self.along(curve, count, 1, &mut |_, [from, to], places, out| {
             for (t, y) in out.iter_mut().zip(places) {
@@ -79,6 +83,10 @@ impl LengthTable {
     }
 
     /// The points there: the table knows on which piece they are, so that nothing is looked for.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::parameters`].
     pub fn points(&mut self, curve: &dyn Pieces, count: usize) -> Result<Vec<f64>> {
         self.along(curve, count, curve.dimension(), &mut |piece, _, places, out| match piece {
             AnyPiece::Plane(piece) => piece.positions(places, out),
