@@ -53,6 +53,12 @@ impl Envelope {
         }
     }
 
+    /// Adds `times` some numbers to the first entries of row i, which reaches back to the first column.
+    pub(super) fn add_to_row(&mut self, i: usize, numbers: &[f64], times: f64) {
+        let row = &mut self.entries[self.start[i]..self.start[i] + numbers.len()];
+        row.iter_mut().zip(numbers).for_each(|(entry, number)| *entry += times * number);
+    }
+
     /// The diagonal entry of row i.
     pub(in crate::fit) fn diagonal(&self, i: usize) -> f64 {
         self.entries[self.start[i] + i - self.first[i]]

@@ -3,6 +3,9 @@
 //! Feet alone use nothing of what points say along the curve, and half of what they say is along it. Where they follow one
 //! another evenly, the length of the curve gives them their parameters back, and all that they say counts (D 13.9).
 
+mod spacing;
+
+pub(super) use self::spacing::Spaced;
 use super::foot_points::Spline;
 use super::free_knots::{Located, in_order};
 
@@ -94,39 +97,75 @@ fn place(list: &[f64], value: f64, guess: &mut usize) -> usize {
     i
 }
 
+/// Points that are equally far apart along a curve.
+struct Spread {
+    lengths: Lengths,
+    /// The length from one to the next, and to the first one.
+    step: f64,
+    lead: f64,
+    closed: bool,
+}
+
+impl Spread {
+    /// So many points, the first one at the length `lead` of a closed curve.
+    fn from(spline: &Spline, count: usize, lead: f64) -> Option<Self> {
+        let lengths = Lengths::new(spline);
+        let total = lengths.total();
+        let known = total > 0.0 && total.is_finite() && count >= 3;
+        let closed = spline.space.breaks.closed;
+        let steps = if closed { count } else { count.saturating_sub(1) };
+        known.then(|| Self { lengths, step: total / steps as f64, lead, closed })
+    }
+
+    /// `located` has the feet of the points.
+    fn new(spline: &Spline, located: &Located) -> Option<Self> {
+        let count = located.points.len();
+        let Self { lengths, step, closed, .. } = Self::from(spline, count, 0.0)?;
+        let (total, end) = (lengths.total(), spline.space.breaks.end);
+        if !closed {
+            return Some(Self { lengths, step, lead: 0.0, closed });
+        }
+        // How far the points are ahead of their number, about the first one's lead.
+        let (mut lead, mut sum, mut guess) = (0.0, 0.0, 0);
+        for (m, &foot) in located.parameters.iter().enumerate() {
+            let t = if foot < lengths.at[0] { foot + end } else { foot };
+            let ahead = lengths.length(t, &mut guess) - step * m as f64;
+            if m == 0 {
+                lead = ahead;
+            }
+            let off = ahead - lead;
+            sum += off - total * libm::round(off / total);
+        }
+        lead += sum / count as f64;
+        Some(Self { lengths, step, lead, closed })
+    }
+
+    /// How often point m is round a closed curve.
+    fn turns(&self, m: usize) -> f64 {
+        if self.closed { libm::floor((self.lead + self.step * m as f64) / self.lengths.total()) } else { 0.0 }
+    }
+
+    /// The parameter of point m as pieces count it.
+    fn parameter(&self, m: usize, guess: &mut usize) -> f64 {
+        let length = self.lead + self.step * m as f64 - self.turns(m) * self.lengths.total();
+        self.lengths.parameter(length, guess)
+    }
+}
+
 /// Parameters that are equally far apart along the curve, ascending from 0, and the breaks that belong to them: on closed
 /// curves all parameters are shifted, so that the first point has 0. `located` has the feet of the points.
 pub(super) fn by_length(spline: &Spline, located: &Located) -> Option<(Vec<f64>, super::breaks::Breaks)> {
-    let lengths = Lengths::new(spline);
-    let (total, count) = (lengths.total(), located.points.len());
-    if !(total > 0.0 && total.is_finite()) || count < 3 {
-        return None;
-    }
+    let spread = Spread::new(spline, located)?;
     let mut breaks = spline.space.breaks.clone();
-    let (end, mut guess) = (breaks.end, 0);
+    let (end, count, mut guess) = (breaks.end, located.points.len(), 0);
     if !breaks.closed {
-        let step = total / (count - 1) as f64;
-        let at = |m: usize| lengths.parameter(step * m as f64, &mut guess).clamp(0.0, end);
+        let at = |m: usize| spread.parameter(m, &mut guess).clamp(0.0, end);
         return Some(((0..count).map(at).collect(), breaks));
     }
-    let (step, first) = (total / count as f64, lengths.at[0]);
-    // How far the points are ahead of their number, about the first one's lead.
-    let (mut lead, mut sum) = (0.0, 0.0);
-    for (m, &foot) in located.parameters.iter().enumerate() {
-        let t = if foot < first { foot + end } else { foot };
-        let ahead = lengths.length(t, &mut guess) - step * m as f64;
-        if m == 0 {
-            lead = ahead;
-        }
-        let off = ahead - lead;
-        sum += off - total * libm::round(off / total);
-    }
-    let lead = lead + sum / count as f64;
-    let around = |length: f64| length - total * libm::floor(length / total);
-    let start = lengths.parameter(around(lead), &mut guess);
+    let start = spread.parameter(0, &mut guess);
     let mut before = 0.0_f64;
     let parameters = (0..count).map(|m| {
-        let t = lengths.parameter(around(lead + step * m as f64), &mut guess) - start;
+        let t = spread.parameter(m, &mut guess) - start;
         let t = if m == 0 {
             0.0
         } else if t < 0.0 {

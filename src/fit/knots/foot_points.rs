@@ -154,8 +154,8 @@ impl Spline {
         self.moved(equations, right, STIFF * size);
     }
 
-    /// Moves the coefficients by the solution of some equations, and keeps pieces straight that are to be.
-    fn moved(&mut self, mut equations: Envelope, mut right: Vec<f64>, stiff: f64) {
+    /// Moves the coefficients by the solution of some equations, and keeps pieces straight that are to be. Answers the solution.
+    pub(super) fn moved(&mut self, mut equations: Envelope, mut right: Vec<f64>, stiff: f64) -> Vec<f64> {
         if !self.space.breaks.straight.is_empty() {
             self.space.stiffen(&mut equations, &mut right, [&self.x, &self.y], stiff);
         }
@@ -165,6 +165,7 @@ impl Spline {
             self.x[i] += by[0];
             self.y[i] += by[1];
         }
+        right
     }
 
     /// Makes pieces that are to be straight as straight as numbers can be.

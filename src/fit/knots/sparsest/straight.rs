@@ -2,11 +2,12 @@
 
 use super::{Aim, Found, PER_NUMBER, Phase, Sparsest};
 use crate::fit::knots::breaks::Breaks;
-use crate::fit::knots::even::by_length;
+use crate::fit::knots::even::{Spaced, by_length};
 use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::search::{least, settle};
 use crate::fit::knots::straight::bends;
+use crate::fit::report::weight;
 
 /// How many pieces are tried alone where all together are too many.
 const MOST_ALONE: usize = 12;
@@ -23,6 +24,8 @@ const MOST_SLIDES: usize = 12;
 const HARDLY: f64 = 1e-3;
 /// Points that are so many times farther from where they belong by length than noise says are not even.
 const UNEVEN: f64 = 1.6;
+/// The same where they belong there on the best curve of all that they are even along.
+const EXPLAINED: f64 = 1.3;
 
 impl Sparsest {
     /// Makes pieces of the best curve straight for as long as their distances from the points grow by no more than noise
@@ -58,6 +61,9 @@ impl Sparsest {
             if self.spaced && matches!(self.aim, Aim::Noise(_)) {
                 best = self.placed_by_length(best);
             }
+        }
+        if self.spaced && matches!(self.aim, Aim::Noise(_)) {
+            best = self.spaced_out(best);
         }
         self.found = Some(best);
         Phase::Done
@@ -100,6 +106,29 @@ impl Sparsest {
         let farther = distances.squares - best.distances.squares > self.price.whole(&spline.space.breaks);
         let stray = farther || self.is_spoiled(&spline, &located);
         if stray { best } else { Found { spline, located, distances, wild: None } }
+    }
+
+    /// The curve that explains its points best where they are equally far apart along it (D 13.12); the curve as it is where
+    /// they are not.
+    fn spaced_out(&self, best: Found) -> Found {
+        let mut located = best.located.clone();
+        best.spline.project(&mut located, 3);
+        // Both coordinates of all points.
+        let noise = 2.0 * self.price.0 / PER_NUMBER * weight(&located);
+        let spaced = Spaced::new(best.spline.clone(), &located);
+        let Some(spaced) = spaced.and_then(|spaced| spaced.settled(EASILY * self.price.0)) else {
+            return best;
+        };
+        let Spaced { spline, located, squares, .. } = spaced;
+        let mut feet = located.parameters.clone();
+        let distances = spline.feet(&located, &mut feet, 3);
+        let farther = distances.squares - best.distances.squares > self.price.whole(&spline.space.breaks);
+        let even = squares <= EXPLAINED * noise && !farther;
+        if even && !self.is_spoiled(&spline, &located) {
+            Found { spline, located, distances, wild: None }
+        } else {
+            best
+        }
     }
 
     /// Whether a curve leaves the way of its points, or has a corner that is too slight.

@@ -1,0 +1,129 @@
+//! The curve that explains best points that are equally far apart along it.
+//!
+//! Where points are is then known from the curve alone, along it as well as across: what a point says along the curve is
+//! said of the length of all that lies before it. A corner is where both sides, each as long as its points say, meet.
+
+mod growth;
+mod sums;
+
+use self::growth::Place;
+use self::sums::Sums;
+use super::{PARTS, Spread};
+use crate::fit::knots::breaks::STIFF;
+use crate::fit::knots::envelope::Envelope;
+use crate::fit::knots::foot_points::Spline;
+use crate::fit::knots::free_knots::Located;
+
+/// The most steps, and the most operations that one may take.
+const MOST_STEPS: usize = 6;
+const MOST_WORK: usize = 4_000_000;
+/// Steps that fail before none is looked for any more, and by how much each is shorter.
+const MOST_FAILED: usize = 4;
+const SHORTER: f64 = 0.3;
+
+/// A curve, its points with the parameters that are equally far apart along it, and the sum of the squares of the distances
+/// to those places.
+#[derive(Clone, Debug)]
+pub(in crate::fit::knots) struct Spaced {
+    pub(in crate::fit::knots) spline: Spline,
+    pub(in crate::fit::knots) located: Located,
+    pub(in crate::fit::knots) squares: f64,
+    /// The length to the first point.
+    lead: f64,
+}
+
+impl Spaced {
+    /// The points where they belong on a curve; `located` has their feet, or places near them.
+    pub(in crate::fit::knots) fn new(spline: Spline, located: &Located) -> Option<Self> {
+        let lead = Spread::new(&spline, located)?.lead;
+        Self::from(spline, located, lead)
+    }
+
+    fn from(spline: Spline, located: &Located, lead: f64) -> Option<Self> {
+        let spread = Spread::from(&spline, located.points.len(), lead)?;
+        let (end, closed, mut guess) = (spline.space.breaks.end, spline.space.breaks.closed, 0);
+        let at = |m: usize| {
+            let t = spread.parameter(m, &mut guess);
+            if closed && t >= end { t - end } else { t.max(0.0).min(end) }
+        };
+        let parameters = (0..located.points.len()).map(at).collect();
+        let located = Located { parameters, ..located.clone() };
+        let squares = spline.squares(&located);
+        Some(Self { spline, located, squares, lead })
+    }
+
+    /// The same after some steps, the last of which brings less than `worth`; `None` where there are too many knots.
+    /// O(M + K³) for each.
+    pub(in crate::fit::knots) fn settled(mut self, worth: f64) -> Option<Self> {
+        let (pieces, unknowns) = (self.spline.space.spans.len(), 2 * self.spline.space.count);
+        if pieces * unknowns * unknowns > MOST_WORK {
+            return None;
+        }
+        for _ in 0..MOST_STEPS {
+            let before = self.squares;
+            match self.eased() {
+                Some(eased) => self = eased,
+                None => break,
+            }
+            if before - self.squares < worth {
+                break;
+            }
+        }
+        Some(self)
+    }
+
+    /// One Gauss–Newton step, or a part of it; `None` where it brings nothing.
+    fn eased(&self) -> Option<Self> {
+        let (equations, right, stiff) = self.equations()?;
+        let mut whole = self.spline.clone();
+        let solution = whole.moved(equations, right, stiff);
+        let ahead = solution[solution.len() - 1];
+        let mut share = 1.0;
+        for _ in 0..MOST_FAILED {
+            let mut spline = whole.clone();
+            for (to, from) in [(&mut spline.x, &self.spline.x), (&mut spline.y, &self.spline.y)] {
+                to.iter_mut().zip(from).for_each(|(to, from)| *to = from + share * (*to - from));
+            }
+            spline.straighten();
+            if let Some(eased) = Self::from(spline, &self.located, self.lead + share * ahead)
+                .filter(|eased| eased.squares < self.squares)
+            {
+                return Some(eased);
+            }
+            share *= SHORTER;
+        }
+        None
+    }
+
+    /// The equations of both coordinates of all coefficients and of the first point's length, their right side, and what
+    /// bending costs.
+    fn equations(&self) -> Option<(Envelope, Vec<f64>, f64)> {
+        let (space, size) = (&self.spline.space, 2 * self.spline.space.count + 1);
+        let spread = Spread::from(&self.spline, self.located.points.len(), self.lead)?;
+        let lengths = growth::of(&self.spline, &spread.lengths.at);
+        let mut sums = vec![Sums::default(); space.spans.len()];
+        let (used, mut guess) = (2 * (space.breaks.degree + 1), 0);
+        for (m, point) in self.located.points.iter().enumerate() {
+            let t = spread.parameter(m, &mut guess);
+            let s = guess / PARTS;
+            let place = Place::new(&self.spline, &lengths.pieces[s], s, t);
+            let ends = [spread.lengths.at[guess], spread.lengths.at[guess + 1]];
+            let share = spread.step / spread.lengths.total() * m as f64 - spread.turns(m);
+            let grown = lengths.parts[guess].at((t - ends[0]) / (ends[1] - ends[0]));
+            let lengths = [-1.0, share, if space.breaks.closed { 1.0 } else { 0.0 }];
+            sums[s].take(self.located.weight(m), point - place.on, lengths, (&place, &grown), used);
+        }
+        let (mut equations, mut right) = (Envelope::new(vec![0; size]), vec![0.0; size]);
+        for (s, sums) in sums.iter().enumerate() {
+            let mut units = vec![size - 1];
+            units.extend(
+                (0..=space.breaks.degree).flat_map(|i| [2 * space.index(s, i), 2 * space.index(s, i) + 1]),
+            );
+            let dense = [&lengths.before[s][..], &lengths.before[space.spans.len()]];
+            sums.spread(&mut equations, &mut right, dense, &units);
+        }
+        let most = (0..size).map(|i| equations.diagonal(i)).fold(0.0, f64::max);
+        (0..size).for_each(|i| equations.add(i, i, 1e-9 * most + 1e-280));
+        Some((equations, right, STIFF * most))
+    }
+}
