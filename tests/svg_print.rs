@@ -301,6 +301,21 @@ fn flat_ellipses_are_drawn_within_the_tolerance() {
     assert!(arcs > 800, "{arcs} of 1600 are arcs");
 }
 
+/// A round corner keeps its radius wherever the grid puts its ends.
+#[test]
+fn arcs_keep_their_own_radii_on_a_coarse_grid() {
+    let mut random = Random::new(7);
+    let coarse = PrintOptions { decimals: Some(2), ..options() };
+    for _ in 0..50 {
+        let (center, angle) = (random.vector(100.0), PI * random.symmetric());
+        let at = |angle: f64| center + Point::new(angle.cos(), angle.sin()) * 20.0;
+        let (start, end) = (at(angle), at(angle + 0.4 * PI));
+        let d = format!("M{} {}L{} {}A20 20 0 0 1 {} {}", center.x, center.y, start.x, start.y, end.x, end.y);
+        let text = reprinted(&d, &coarse);
+        assert!(text.contains("A20 20 0 0 1"), "{text}");
+    }
+}
+
 #[test]
 fn what_was_read_is_written_back_as_it_was() {
     for d in [

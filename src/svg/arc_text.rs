@@ -100,11 +100,15 @@ pub(super) fn plan(
     let good = 1.5 * rounded + 0.75 * grid.unit() + floor;
     let shape = Shape::new(ellipse, span.sweep(curve), grid.unit());
     let mut best: Option<Planned> = None;
-    for attempt in 0..=2 * MOST_EXTRA_DIGITS + 1 {
-        if attempt > 1 && grid == Grid::EXACT {
+    // The ellipse's own radii first: where the ends have moved, those that reach over the chord are off by more than the ends.
+    let fitted = (0..=MOST_EXTRA_DIGITS).flat_map(|extra| [false, true].map(|down| (extra, down, true)));
+    for (extra, down, over_chord) in core::iter::once((0, false, false)).chain(fitted) {
+        if extra > 0 && grid == Grid::EXACT {
             break;
         }
-        let Some((text, command)) = shape.command(chord, grid, attempt / 2, attempt % 2 == 1) else { break };
+        let Some((text, command)) = shape.command(over_chord.then_some(chord), grid, extra, down) else {
+            break;
+        };
         let mut deviation = 1.02 * rounded;
         // A chord that is the diameter but for rounding is a half turn to some viewers, to others it moves the centre.
         for slack in [0.0, HALF_TURN_SLACK] {
@@ -152,21 +156,30 @@ impl Shape {
         }
     }
 
-    /// The parameters with `extra` digits more than the grid has, and their text.
-    fn command(&self, chord: Vector, grid: Grid, extra: u32, down: bool) -> Option<(ArcText, ArcCommand)> {
+    /// The parameters with `extra` digits more than the grid has, and their text. The radii are those of which the arc over
+    /// `chord` has the height wanted, or the ellipse's own.
+    fn command(
+        &self,
+        chord: Option<Vector>,
+        grid: Grid,
+        extra: u32,
+        down: bool,
+    ) -> Option<(ArcText, ArcCommand)> {
         let rotation = match grid.decimals() {
             Some(decimals) => {
                 Plain::nearest(self.degrees, fitting(decimals + extra + self.rotation_digits(), 360.0))
             }
             None => Plain::shortest(self.degrees),
         };
-        let (cos, sin) = cos_sin_degrees(rotation.value());
-        let half = Vector::new(
-            (chord.x * cos + chord.y * sin) / self.radii.x,
-            (chord.y * cos - chord.x * sin) / self.radii.y,
-        ) * 0.5;
-        // Chord 2s and height h on a circle of radius k: k² = s² + (k − h)² (D 8.3).
-        let k = 0.5 * (half.norm_squared() / self.height + self.height);
+        let k = chord.map_or(1.0, |chord| {
+            let (cos, sin) = cos_sin_degrees(rotation.value());
+            let half = Vector::new(
+                (chord.x * cos + chord.y * sin) / self.radii.x,
+                (chord.y * cos - chord.x * sin) / self.radii.y,
+            ) * 0.5;
+            // Chord 2s and height h on a circle of radius k: k² = s² + (k − h)² (D 8.3).
+            0.5 * (half.norm_squared() / self.height + self.height)
+        });
         let radii = self.radii * k;
         if radii.amax().is_nan() || radii.amax() > LARGEST_COORDINATE {
             return None;
