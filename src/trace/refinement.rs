@@ -35,8 +35,6 @@ use crate::error::Result;
 use crate::numerics::Point;
 use crate::numerics::plane::larger;
 
-/// The share of pixels beside outlines that are off their tone from which on a picture is not one of exact coverage.
-const ROUGH: f64 = 0.2;
 /// How far an outline in a rough picture may be from an ellipse that it is, in pixels, and how many times as much that may leave.
 const NEARLY: f64 = 0.3;
 const NEARLY_AS_WELL: f64 = 1.2;
@@ -46,8 +44,12 @@ const BOWS: [f64; 4] = [0.01, 0.05, 0.075, 0.15];
 const KNOWN: f64 = 4.0;
 /// The tolerance at which outlines are as near as pixels tell.
 const USUAL: f64 = 0.22;
-/// How often pieces are halved.
+/// How often pieces are halved; in a compressed picture once.
 const HALVINGS: usize = 2;
+/// By how many of its standard deviations a sum of squares is above what noise makes it where something is missing.
+const SURELY: f64 = 2.0;
+/// Pixels that a piece crosses at least to be halved.
+const PIXELS: f64 = 8.0;
 /// Steps of all nodes at first and at last, and the share of what is left that a step has to take away for another.
 const STEPS: (usize, f64) = (6, 0.02);
 const LAST_STEPS: (usize, f64) = (8, 4e-3);
@@ -81,8 +83,8 @@ pub(super) struct Refinement {
     bends: BendRule,
     /// Its sides, where pixels do not tell a shallow curve from a line.
     straightening: Option<Straightening>,
-    /// What the outlines were before pieces were halved, and what they left.
-    fine: Vec<Outline>,
+    /// What the outlines were before pieces were halved, what each left, and all together.
+    fine: Vec<(Outline, Left)>,
     left: Left,
     /// Outlines that rough ones took the place of.
     replaced: usize,
@@ -120,7 +122,7 @@ impl Refinement {
         noisy: bool,
     ) -> Result<Self> {
         let field = Field::new(gray, shading, contours, if noisy { 8.0 } else { 2.5 })?;
-        let rough = !noisy && field.stain > ROUGH;
+        let rough = !noisy && field.is_compressed();
         let exact = !noisy && !rough;
         let target = noisy.then(|| field.rest.clone());
         let shapes = outlines.into_iter().map(Shape::new).collect();
@@ -205,8 +207,9 @@ impl Refinement {
                 }
                 if self.fine.len() == self.at {
                     let shape = &self.shapes[self.at];
-                    self.fine.push(shape.outline.clone());
-                    self.left.join(&shape.left(&self.field));
+                    let left = shape.left(&self.field);
+                    self.fine.push((shape.outline.clone(), left));
+                    self.left.join(&left);
                     level(shape, &self.field, &mut self.level);
                 }
                 if self.is_halved()? {
@@ -219,9 +222,10 @@ impl Refinement {
                     self.refiner.replace(&mut self.field, &mut self.shapes[self.at], rough(self.at));
                     self.replaced += 1;
                 }
-                if !self.refine_on(STEPS)? {
+                if !self.refine_on(STEPS)? || self.is_halved()? {
                     return Ok(self.cost());
                 }
+                self.halvings = 0;
             }
             Phase::Fewer => {
                 if let Some(cost) = self.fewer()? {
@@ -349,14 +353,23 @@ impl Refinement {
     /// Halves pieces that explain the picture worse than joints are taken away for; whether there were any.
     fn is_halved(&mut self) -> Result<bool> {
         let shape = &mut self.shapes[self.at];
-        if self.noisy || self.rough || self.halvings == HALVINGS {
+        let most = match self.phase {
+            Phase::Rough => usize::from(self.field.is_compressed()),
+            _ if self.noisy || self.rough => 0,
+            _ => HALVINGS,
+        };
+        if self.halvings == most {
             return Ok(false);
         }
         // A circle that was not drawn by exact coverage is still a circle.
         if self.halvings == 0 && ellipse(&shape.outline, self.slack)?.is_some() {
             return Ok(false);
         }
-        let far = far(shape, &self.field, &self.limits);
+        let far = if self.rough {
+            far_beyond(shape, &self.field, self.left.rms())
+        } else {
+            far(shape, &self.field, &self.limits)
+        };
         let any = far.contains(&true);
         if any {
             let halved = shape.outline.halved(&far);
@@ -373,7 +386,7 @@ impl Refinement {
 
     /// Whether flat places are flat, so that a rough picture is one of edges that samples or chords made.
     pub(super) fn is_grainy(&self) -> bool {
-        self.field.stain <= ROUGH
+        !self.field.is_compressed()
     }
 
     /// How many times farther than in a picture of exact coverage an outline may be from an ellipse that it is.
@@ -460,8 +473,20 @@ fn far(shape: &Shape, field: &Field, limits: &Limits) -> Vec<bool> {
         let mut left = Left::default();
         left.add(&shape.parts[i], field);
         !shape.outline.is_line(i)
-            && left.count > 8.0
+            && left.count > PIXELS
             && (left.rms() > 1.5 * limits.rms || left.most > 2.0 * limits.most)
+    };
+    (0..shape.outline.len()).map(is_far).collect()
+}
+
+/// Which pieces of an outline leave more of the picture than noise of a deviation does (D 14.26).
+fn far_beyond(shape: &Shape, field: &Field, noise: f64) -> Vec<bool> {
+    let is_far = |i: usize| {
+        let mut left = Left::default();
+        left.add(&shape.parts[i], field);
+        !shape.outline.is_line(i)
+            && left.count > PIXELS
+            && left.square > noise * noise * (left.count + SURELY * (2.0 * left.count).sqrt())
     };
     (0..shape.outline.len()).map(is_far).collect()
 }

@@ -20,6 +20,9 @@ const REACH: usize = SIDE;
 /// Pixels along the side of a tile with those around it.
 const WIDE: usize = SIDE + 2 * REACH;
 
+/// The share of pixels beside outlines that are off their tone from which on a picture is not one of exact coverage.
+const ROUGH: f64 = 0.2;
+
 /// How shades become coverage.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::trace) struct Shading {
@@ -62,7 +65,7 @@ pub(super) struct Field {
     /// What is left: what the picture shows less what the outlines cover, blurred like the picture.
     pub(super) rest: Vec<f32>,
     /// Of the pixels that are nearly ink or nearly paper, the share that is neither: strong compression leaves most of them so.
-    pub(super) stain: f64,
+    stain: f64,
     blur: Option<Blur>,
 }
 
@@ -141,6 +144,11 @@ impl Field {
         let stain = off as f64 / near.max(1) as f64;
         let extent = [gray.width() as f64, gray.height() as f64];
         Ok(Self { across, down, extent, slots, places, rest, stain, blur: None })
+    }
+
+    /// Whether pixels beside outlines are off their tone, as compression leaves them.
+    pub(super) fn is_compressed(&self) -> bool {
+        self.stain > ROUGH
     }
 
     /// Whether a point is so far outside the picture that no pixel speaks of it.

@@ -57,22 +57,28 @@ impl Refinement {
                 }
             }
             Phase::Rough => {
-                let left = self.crossed();
-                // If fewer pieces explain the picture as well, the rest is not in the drawing.
-                let is_grainy = self.is_grainy();
-                let enough = if is_grainy { KNOWN * self.grain } else { 0.0 };
-                self.limits.grain = (KNOWN * self.grain).min(GRAINIEST);
-                if left.rms() < larger(ROUGHER[usize::from(is_grainy)] * self.left.rms(), enough) {
-                    self.limits.noise = left.rms();
-                } else {
-                    for (shape, outline) in self.shapes.iter_mut().zip(core::mem::take(&mut self.fine)) {
-                        self.refiner.replace(&mut self.field, shape, outline);
-                    }
-                }
+                self.choose();
                 Phase::Fewer
             }
             Phase::Fewer | Phase::Done => Phase::Done,
         };
+    }
+
+    /// Takes fine outlines where rough ones explain much less; what is left then is the noise (D 14.26).
+    fn choose(&mut self) {
+        let grain = KNOWN * self.grain;
+        self.limits.grain = grain.min(GRAINIEST);
+        let (times, enough) = if self.is_grainy() { (ROUGHER[1], grain) } else { (ROUGHER[0], self.grain) };
+        for (shape, (outline, left)) in self.shapes.iter_mut().zip(core::mem::take(&mut self.fine)) {
+            if shape.left(&self.field).rms() > larger(times * left.rms(), enough) {
+                self.refiner.replace(&mut self.field, shape, outline);
+            }
+        }
+        // What one outline follows is no reason to take the others for exact.
+        let left = self.crossed().rms();
+        if left > GRAINY[0] {
+            self.limits.noise = left;
+        }
     }
 
     /// What is left in the pixels that outlines cross.
