@@ -73,10 +73,12 @@ impl Sums {
             equations.add_to_row(i, &before[..=i], of[0][0] * a + of[1][0] * b);
             equations.add_to_row(i, &whole[..=i], of[1][0] * a + of[1][1] * b);
         }
-        for (&i, (sums, beside)) in units.iter().zip(of.iter().zip(&self.right).skip(2)) {
-            right[i] += beside;
+        for (p, &i) in units.iter().enumerate() {
+            // The first two of the sums are those of the lengths.
+            let k = 2 + p;
+            right[i] += self.right[k];
             for (j, (a, b)) in before.iter().zip(whole).enumerate() {
-                let product = sums[0] * a + sums[1] * b;
+                let product = of[k][0] * a + of[k][1] * b;
                 equations.add(i, j, product);
                 equations.add(j, i, product);
             }
