@@ -21,17 +21,15 @@ mod unknowns;
 mod window;
 
 use self::bends::BendRule;
+use self::fewer::Thinning;
 use self::field::{Field, Shading};
 use self::grain::level;
 use self::refine::{Left, NOISY_SHARE, Refiner, Relaxing, Shape};
-use self::settling::Settling;
-use self::simplify::Merging;
-use self::straight::Straightening;
-use self::tidying::Tidying;
 use self::trial::Limits;
 use super::outline::Outline;
 use super::outline::ellipse::ellipse;
 use super::picture::gray::Gray;
+use super::quality::Quality;
 use crate::error::Result;
 use crate::numerics::Point;
 
@@ -59,45 +57,63 @@ pub(super) struct Refinement {
     field: Field,
     refiner: Refiner,
     shapes: Vec<Shape>,
+    /// What the picture shows, until the blur is found.
+    target: Option<Vec<f32>>,
+    picture: Exactness,
+    limits: Limits,
+    bends: BendRule,
+    place: Place,
+    fine: Fine,
+    thinning: Thinning,
+}
+
+/// What is known by now of how exactly the picture's pixels say where edges are.
+#[derive(Debug)]
+struct Exactness {
+    quality: Quality,
+    /// What no outline explains in a pixel of a rough picture.
+    grain: f64,
+    /// How many times farther than in a picture of exact coverage an outline may be from an ellipse that it is.
+    slack: f64,
+}
+
+impl Exactness {
+    fn is_clean(&self) -> bool {
+        self.quality == Quality::Clean
+    }
+
+    fn is_rough(&self) -> bool {
+        self.quality == Quality::Rough
+    }
+
+    fn is_noisy(&self) -> bool {
+        self.quality == Quality::Noisy
+    }
+}
+
+/// Where the work is.
+#[derive(Debug)]
+struct Place {
     phase: Phase,
     /// The outline that is next.
     at: usize,
     /// The node of a long outline that moves next.
     block: usize,
-    /// Whether cubics that hardly bend are lines by now, and what the outline was before and left.
-    straightened: bool,
-    bent: Option<(Outline, Left)>,
     /// How often the pieces of this outline have been halved.
     halvings: usize,
-    /// Rounds of merging that this outline has had, and the one that it is in.
-    round: usize,
-    merging: Option<Merging>,
-    /// Its folds, tips and rounded corners; its rounded corners at the end.
-    tidying: Option<Tidying>,
-    ending: Option<Tidying>,
-    /// Its bends, when all that may be merged is, and what they are.
-    settling: Option<Settling>,
-    bends: BendRule,
-    /// Its sides, where pixels do not tell a shallow curve from a line.
-    straightening: Option<Straightening>,
-    /// What the outlines were before pieces were halved, what each left, and all together.
-    fine: Vec<(Outline, Left)>,
+}
+
+/// What the outlines were before pieces were halved.
+#[derive(Debug, Default)]
+struct Fine {
+    /// Each, and what it left of the picture.
+    outlines: Vec<(Outline, Left)>,
+    /// What all left together.
     left: Left,
+    /// What was left where outlines run nearly along rows or columns.
+    level: Vec<f64>,
     /// Outlines that rough ones took the place of.
     replaced: usize,
-    /// Whether its pixels do not say exactly where edges are, although flat places are flat.
-    rough: bool,
-    /// What no outline explains in a pixel of a rough picture.
-    grain: f64,
-    /// What is left before pieces are halved where outlines run nearly along rows or columns.
-    level: Vec<f64>,
-    limits: Limits,
-    /// The outline before joints were taken away, and what it left.
-    start: Option<(Outline, f64)>,
-    noisy: bool,
-    slack: f64,
-    /// What the picture shows, until the blur is found.
-    target: Option<Vec<f32>>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -119,39 +135,20 @@ impl Refinement {
         noisy: bool,
     ) -> Result<Self> {
         let field = Field::new(gray, shading, contours, if noisy { 8.0 } else { 2.5 })?;
-        let rough = !noisy && field.is_compressed();
-        let exact = !noisy && !rough;
+        let quality = match (noisy, field.is_compressed()) {
+            (true, _) => Quality::Noisy,
+            (_, true) => Quality::Rough,
+            _ => Quality::Clean,
+        };
+        let exact = quality == Quality::Clean;
         let target = noisy.then(|| field.rest.clone());
         let shapes = outlines.into_iter().map(Shape::new).collect();
         Ok(Self {
             field,
             refiner: Refiner::new(if exact { Relaxing::BOLD } else { Relaxing::CAREFUL }),
             shapes,
-            phase: Phase::Show,
-            at: 0,
-            block: 0,
-            straightened: false,
-            bent: None,
-            halvings: 0,
-            round: 0,
-            merging: None,
-            tidying: None,
-            ending: None,
-            settling: None,
-            straightening: None,
-            bends: BendRule {
-                window: if noisy { 5.0 } else { 3.0 },
-                margin: if noisy { 1.0 } else { 0.5 },
-                corner: 0.49,
-                // What compression leaves looks like corners more often than noise of single pixels does.
-                evidence: if noisy { 0.0 } else { 6.0 },
-            },
-            fine: Vec::new(),
-            left: Left::default(),
-            replaced: 0,
-            rough,
-            grain: 0.0,
-            level: Vec::new(),
+            target,
+            picture: Exactness { quality, grain: 0.0, slack: if noisy { 4.0 } else { 1.0 } },
             limits: Limits {
                 rms: 0.012,
                 most: 0.055,
@@ -160,10 +157,16 @@ impl Refinement {
                 share: 12.0,
                 grain: 0.0,
             },
-            start: None,
-            noisy,
-            slack: if noisy { 4.0 } else { 1.0 },
-            target,
+            bends: BendRule {
+                window: if noisy { 5.0 } else { 3.0 },
+                margin: if noisy { 1.0 } else { 0.5 },
+                corner: 0.49,
+                // What compression leaves looks like corners more often than noise of single pixels does.
+                evidence: if noisy { 0.0 } else { 6.0 },
+            },
+            place: Place { phase: Phase::Show, at: 0, block: 0, halvings: 0 },
+            fine: Fine::default(),
+            thinning: Thinning::default(),
         })
     }
 
@@ -178,7 +181,7 @@ impl Refinement {
 
     /// How many outlines have been through how many phases.
     pub(super) fn completed(&self) -> usize {
-        self.phase as usize * self.shapes.len() + self.at
+        self.place.phase as usize * self.shapes.len() + self.place.at
     }
 
     /// Outlines times phases.
@@ -188,11 +191,11 @@ impl Refinement {
 
     /// A bit more; its cost in about microseconds. `rough` gives a coarser outline of a contour.
     pub(super) fn step(&mut self, rough: &dyn Fn(usize) -> Outline) -> Result<f64> {
-        if self.at >= self.shapes.len() {
+        if self.place.at >= self.shapes.len() {
             self.next_phase();
             return Ok(1.0);
         }
-        match self.phase {
+        match self.place.phase {
             Phase::Show => {
                 if !self.show_on() {
                     return Ok(self.cost());
@@ -202,27 +205,22 @@ impl Refinement {
                 if !self.refine_on(STEPS)? {
                     return Ok(self.cost());
                 }
-                if self.fine.len() == self.at {
-                    let shape = &self.shapes[self.at];
-                    let left = shape.left(&self.field);
-                    self.fine.push((shape.outline.clone(), left));
-                    self.left.join(&left);
-                    level(shape, &self.field, &mut self.level);
+                if self.fine.outlines.len() == self.place.at {
+                    self.fine.note(&self.shapes[self.place.at], &self.field);
                 }
                 if self.is_halved()? {
                     return Ok(self.cost());
                 }
-                self.halvings = 0;
             }
             Phase::Rough => {
-                if self.replaced == self.at {
-                    self.refiner.replace(&mut self.field, &mut self.shapes[self.at], rough(self.at));
-                    self.replaced += 1;
+                let at = self.place.at;
+                if self.fine.replaced == at {
+                    self.refiner.replace(&mut self.field, &mut self.shapes[at], rough(at));
+                    self.fine.replaced += 1;
                 }
                 if !self.refine_on(STEPS)? || self.is_halved()? {
                     return Ok(self.cost());
                 }
-                self.halvings = 0;
             }
             Phase::Fewer => {
                 if let Some(cost) = self.fewer()? {
@@ -232,61 +230,62 @@ impl Refinement {
             Phase::Done => {}
         }
         let cost = self.cost();
-        self.at += 1;
+        self.place.at += 1;
+        self.place.halvings = 0;
         Ok(cost)
     }
 
     /// About how many microseconds it takes to move all nodes of the outline, or as many as are moved together.
     fn cost(&self) -> f64 {
-        let parts = &self.shapes[self.at].parts;
+        let parts = &self.shapes[self.place.at].parts;
         0.3 * parts.iter().take(2 * BLOCK).map(Vec::len).sum::<usize>() as f64
     }
 
     /// Puts the outline into the field, or the next pieces of a long one; whether these were the last.
     fn show_on(&mut self) -> bool {
-        let shape = &mut self.shapes[self.at];
+        let shape = &mut self.shapes[self.place.at];
         let count = shape.outline.len();
-        let end = (self.block + 2 * BLOCK).min(count);
-        self.refiner.show(&mut self.field, shape, self.block..end);
-        self.block = if end == count { 0 } else { end };
+        let end = (self.place.block + 2 * BLOCK).min(count);
+        self.refiner.show(&mut self.field, shape, self.place.block..end);
+        self.place.block = if end == count { 0 } else { end };
         end == count
     }
 
     /// Moves all nodes of the outline, or the next ones of a long one; whether these were the last.
     fn refine_on(&mut self, steps: (usize, f64)) -> Result<bool> {
         let steps = self.steps(steps);
-        let (refiner, field, shape) = (&mut self.refiner, &mut self.field, &mut self.shapes[self.at]);
+        let (refiner, field, shape) = (&mut self.refiner, &mut self.field, &mut self.shapes[self.place.at]);
         let count = shape.outline.len();
         if count <= 2 * BLOCK {
             let nodes = shape.nodes();
             refiner.refine(field, shape, &nodes, steps)?;
             return Ok(true);
         }
-        let end = (self.block + BLOCK).min(count);
-        let nodes: Vec<usize> = (self.block..end).collect();
+        let end = (self.place.block + BLOCK).min(count);
+        let nodes: Vec<usize> = (self.place.block..end).collect();
         refiner.refine(field, shape, &nodes, steps)?;
-        self.block = if end == count { 0 } else { end };
+        self.place.block = if end == count { 0 } else { end };
         Ok(end == count)
     }
 
     /// Halves pieces that explain the picture worse than joints are taken away for, or than noise; whether there were any.
     fn is_halved(&mut self) -> Result<bool> {
-        let shape = &mut self.shapes[self.at];
-        let most = match self.phase {
+        let shape = &mut self.shapes[self.place.at];
+        let most = match self.place.phase {
             Phase::Rough => usize::from(self.field.is_compressed()),
-            _ if self.noisy || self.rough => 0,
+            _ if !self.picture.is_clean() => 0,
             _ => HALVINGS,
         };
-        if self.halvings == most {
+        if self.place.halvings == most {
             return Ok(false);
         }
         // A circle that was not drawn by exact coverage is still a circle.
-        if self.halvings == 0 && ellipse(&shape.outline, self.slack)?.is_some() {
+        if self.place.halvings == 0 && ellipse(&shape.outline, self.picture.slack)?.is_some() {
             return Ok(false);
         }
-        let (limits, noise) = (&self.limits, self.left.rms());
+        let (limits, noise) = (&self.limits, self.fine.left.rms());
         let is_much = |left: &Left| {
-            if self.rough {
+            if self.picture.is_rough() {
                 // More than noise of that deviation leaves (D 14.26).
                 left.square > noise * noise * (left.count + SURELY * (2.0 * left.count).sqrt())
             } else {
@@ -298,14 +297,14 @@ impl Refinement {
         if any {
             let halved = shape.outline.halved(&far);
             self.refiner.replace(&mut self.field, shape, halved);
-            self.halvings += 1;
+            self.place.halvings += 1;
         }
         Ok(any)
     }
 
     /// Steps that stop where the picture says no more.
     fn steps(&self, (most, enough): (usize, f64)) -> (usize, f64) {
-        (most, if self.noisy || self.rough { NOISY_SHARE } else { enough })
+        (most, if self.picture.is_clean() { enough } else { NOISY_SHARE })
     }
 
     /// Whether flat places are flat, so that a rough picture is one of edges that samples or chords made.
@@ -315,21 +314,21 @@ impl Refinement {
 
     /// How many times farther than in a picture of exact coverage an outline may be from an ellipse that it is.
     pub(super) fn slack(&self) -> f64 {
-        self.slack
+        self.picture.slack
     }
 
     /// How far pieces may be from an arc that they are, in pixels: where programs drew chords farthest.
     pub(super) fn bow(&self) -> f64 {
-        match (self.noisy, self.rough) {
-            (true, _) => BOWS[2],
-            (_, false) => BOWS[0],
-            _ => BOWS[if self.is_grainy() { 3 } else { 1 }],
+        match self.picture.quality {
+            Quality::Clean => BOWS[0],
+            Quality::Rough => BOWS[if self.is_grainy() { 3 } else { 1 }],
+            Quality::Noisy => BOWS[2],
         }
     }
 
     /// Whether all is done.
     pub(super) fn is_done(&self) -> bool {
-        self.phase == Phase::Done
+        self.place.phase == Phase::Done
     }
 
     /// The outlines, and the root mean square of what they leave in the pixels that they cross.
@@ -337,6 +336,16 @@ impl Refinement {
         let left = self.crossed();
         let outlines = core::mem::take(&mut self.shapes).into_iter().map(|shape| shape.outline).collect();
         (outlines, left.rms())
+    }
+}
+
+impl Fine {
+    /// Takes note of the next outline.
+    fn note(&mut self, shape: &Shape, field: &Field) {
+        let left = shape.left(field);
+        self.outlines.push((shape.outline.clone(), left));
+        self.left.join(&left);
+        level(shape, field, &mut self.level);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::{KNOWN, Phase, Refinement};
 use crate::numerics::plane::larger;
+use crate::trace::quality::Quality;
 use crate::trace::refinement::grain::{grain, middle};
 use crate::trace::refinement::refine::{Left, Refiner, Relaxing};
 
@@ -26,8 +27,8 @@ const GRAINIEST: f64 = 0.05;
 impl Refinement {
     /// Goes on to the phase that follows from what is left.
     pub(super) fn next_phase(&mut self) {
-        self.at = 0;
-        self.phase = match self.phase {
+        self.place.at = 0;
+        self.place.phase = match self.place.phase {
             Phase::Show => {
                 if let Some(target) = self.target.take() {
                     self.field.find_blur(target);
@@ -35,24 +36,11 @@ impl Refinement {
                 Phase::First
             }
             Phase::First => {
-                let windows;
-                (self.grain, windows) = grain(&self.shapes, &self.field);
-                let level = middle(&mut self.level);
-                if self.level.len() >= ENOUGH && level > UNEVEN {
-                    self.grain = larger(self.grain, level);
-                }
-                if self.noisy {
-                    self.limits.noise = self.field.left();
-                } else if !self.rough && self.grain > GRAINY[usize::from(windows >= MANY)] {
-                    self.rough = true;
-                    self.slack = FLATTENED;
-                    self.refiner = Refiner::new(Relaxing::CAREFUL);
-                    self.limits.off *= 1.6;
-                }
-                if self.rough {
+                self.judge();
+                if self.picture.is_rough() {
                     Phase::Rough
                 } else {
-                    self.fine = Vec::new();
+                    self.fine.outlines = Vec::new();
                     Phase::Fewer
                 }
             }
@@ -64,12 +52,31 @@ impl Refinement {
         };
     }
 
+    /// Finds from what all outlines leave how exact the picture is, and what that allows.
+    fn judge(&mut self) {
+        let windows;
+        (self.picture.grain, windows) = grain(&self.shapes, &self.field);
+        let level = middle(&mut self.fine.level);
+        if self.fine.level.len() >= ENOUGH && level > UNEVEN {
+            self.picture.grain = larger(self.picture.grain, level);
+        }
+        if self.picture.is_noisy() {
+            self.limits.noise = self.field.left();
+        } else if self.picture.is_clean() && self.picture.grain > GRAINY[usize::from(windows >= MANY)] {
+            self.picture.quality = Quality::Rough;
+            self.picture.slack = FLATTENED;
+            self.refiner = Refiner::new(Relaxing::CAREFUL);
+            self.limits.off *= 1.6;
+        }
+    }
+
     /// Takes fine outlines where rough ones explain much less; what is left then is the noise (D 14.26).
     fn choose(&mut self) {
-        let grain = KNOWN * self.grain;
+        let grain = KNOWN * self.picture.grain;
         self.limits.grain = grain.min(GRAINIEST);
-        let (times, enough) = if self.is_grainy() { (ROUGHER[1], grain) } else { (ROUGHER[0], self.grain) };
-        for (shape, (outline, left)) in self.shapes.iter_mut().zip(core::mem::take(&mut self.fine)) {
+        let (times, enough) =
+            if self.is_grainy() { (ROUGHER[1], grain) } else { (ROUGHER[0], self.picture.grain) };
+        for (shape, (outline, left)) in self.shapes.iter_mut().zip(core::mem::take(&mut self.fine.outlines)) {
             if shape.left(&self.field).rms() > larger(times * left.rms(), enough) {
                 self.refiner.replace(&mut self.field, shape, outline);
             }
