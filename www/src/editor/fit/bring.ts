@@ -12,26 +12,28 @@ export interface Brought {
   readonly strokes: readonly (readonly Pair[])[];
   /** The largest error that the fit may have: what was drawn exactly has no noise that a smoothing could be measured by. */
   readonly within?: number;
-  /** What goes for it beside a sample: nothing, what the same name has brought, or everything. */
-  readonly instead?: "nothing" | "same" | "all";
+  /** Beside a sample, which always gives way: whether everything else does too. */
+  readonly instead?: "nothing" | "all";
 }
-
-/** Data that came under a name, for as long as they are as they came. */
-const came = new WeakMap<FitDocument["data"], string>();
 
 export function bringStrokes(editor: Editor, { name, strokes, within, instead = "nothing" }: Brought): void {
   if (editor.state.value.mode !== "fit") editor.actions.run("mode-fit");
   editor.fitEdits.dispatch(name, ({ fit }) => {
     const fresh = instead === "all" || fit.sample !== undefined || fit.data.length === 0;
-    const gone = fresh || (instead === "same" && came.get(fit.data) === name);
-    const rest: FitDocument = gone ? { ...owned(fit), data: [], starts: [], closing: "auto" } : fit;
+    const rest: FitDocument = fresh ? { ...owned(fit), data: [], starts: [], closing: "auto" } : fit;
     const asked: FitDocument = fresh && within !== undefined ? { ...rest, target: "error", targetError: within } : rest;
-    const next = strokes.reduce(withStroke, asked);
-    came.set(next.data, name);
-    return { fit: next };
+    return { fit: strokes.reduce(withStroke, asked) };
   });
   setFitView(editor, { chosen: [] });
   showData(editor, 64);
+}
+
+/** Another mode's drawing in place of what Fit holds; said with a way back to what somebody had made there. */
+export function handOver(editor: Editor, says: string, bring: () => void): void {
+  const { fit } = editor.state.value;
+  const own = fit.sample === undefined && fit.data.length > 0;
+  bring();
+  editor.notify({ kind: "toast", text: own ? `${says} Undo brings back what was in Fit.` : says, ...(own ? { actionId: "undo" } : {}) });
 }
 
 /** Of a drawing's size, the error that a simpler one may have: a unit and a half of one that fills the stage. */
@@ -47,11 +49,10 @@ export function bringContours(editor: Editor, contours: readonly Contour[], areP
   bringStrokes(editor, { ...named, strokes: placesAlong(curve, contours, apart * size, mostPlaces), within: Number((simpler * size).toPrecision(2)) });
 }
 
-/** The drawing in Fit, ready to be simplified: the contours that hold the selection, else all of it. */
+/** The drawing alone in Fit, ready to be simplified: the contours that hold the selection, else all of it. */
 export function simplifyInFit(editor: Editor): void {
   const { curve, selection } = editor.state.value;
   const chosen = new Set(selection.points.map((ref) => ref.contour));
   const contours = curve.contours.filter((_, i) => chosen.size === 0 || chosen.has(i));
-  bringContours(editor, contours, false, { name: "Simplify", instead: "same" });
-  editor.notify({ kind: "toast", text: "The drawing is in Fit: Smoothing takes knots away. The original stays in Curve." });
+  handOver(editor, "The drawing is in Fit: Smoothing takes knots away. The original stays in Curve.", () => bringContours(editor, contours, false, { name: "Simplify", instead: "all" }));
 }

@@ -3,7 +3,7 @@ import { toleranceOf } from "../../document/trace/trace.ts";
 import { mostPlaces, placesAlong } from "../../kernel/fit/as-strokes.ts";
 import { byColor } from "../../kernel/trace/outcome.ts";
 import type { Editor, EditorState } from "../editor.ts";
-import { bringStrokes } from "../fit/bring.ts";
+import { bringStrokes, handOver } from "../fit/bring.ts";
 import { openInCurve } from "../curve/open-in-curve.ts";
 import { drawingOf } from "./trace-edits.ts";
 
@@ -30,9 +30,9 @@ export function smoothInFit(editor: Editor): void {
   if (drawing === null) return;
   const strokes = placesAlong(drawing, drawing.contours, apart, mostPlaces);
   // Smoother than the trace, by as much again as Detail gave away.
-  bringStrokes(editor, { name: "Smooth the trace", strokes, within: Number((2 * toleranceOf(trace.settings.detail)).toPrecision(2)), instead: "same" });
+  const within = Number((2 * toleranceOf(trace.settings.detail)).toPrecision(2));
   const count = strokes.reduce((sum, stroke) => sum + stroke.length, 0);
-  editor.notify({ kind: "toast", text: `The outlines are in Fit, ${count} points. The picture stays in Trace.` });
+  handOver(editor, `The outlines are in Fit, ${count} points. The picture stays in Trace.`, () => bringStrokes(editor, { name: "Smooth the trace", strokes, within, instead: "all" }));
 }
 
 export function editTraceInCurve(editor: Editor): void {
