@@ -36,7 +36,8 @@ export function mountZoomBox(editor: Editor, box: HTMLElement, until: AbortSigna
   percent.setAttribute("aria-label", "Zoom in percent");
   const zoomNow = (): number => editor.modes.get(editor.state.value.mode)?.view?.zoomNow ?? editor.state.value.view.zoom;
   const print = (): void => {
-    const text = `${Math.round(zoomNow() * 100)} %`;
+    const now = zoomNow() * 100;
+    const text = `${now < 1 ? Number(now.toPrecision(2)) : Math.round(now)} %`;
     if (percent.value !== text) percent.value = text;
   };
   percent.addEventListener("change", () => {

@@ -96,7 +96,8 @@ function defined<T extends object>(parts: T): { [K in keyof T]?: Exclude<T[K], u
 
 function readView(found: Found): View {
   return {
-    zoom: asNumber(field(found, "zoom"), 0.05, 64),
+    // The largest drawing there can be, 2e9 across, in the smallest window.
+    zoom: asNumber(field(found, "zoom"), 1e-8, 64),
     x: asNumber(field(found, "x")),
     y: asNumber(field(found, "y")),
   };

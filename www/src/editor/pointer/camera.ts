@@ -30,8 +30,9 @@ export interface StageBox {
 export const leastZoom = 0.05;
 export const mostZoom = 64;
 
-export function clampZoom(zoom: number): number {
-  return Math.min(mostZoom, Math.max(leastZoom, zoom));
+/** Within the limits; of a drawing that is larger than they show, what is seen of it already stays in reach. */
+export function clampZoom(zoom: number, from: View): number {
+  return Math.min(mostZoom, Math.max(Math.min(leastZoom, from.zoom), zoom));
 }
 
 export function toScreen(view: View, stage: StageBox, point: PagePoint): ScreenPoint {
@@ -44,7 +45,7 @@ export function toPage(view: View, stage: StageBox, point: ScreenPoint): PagePoi
 
 /** The view zoomed so that the document stays put under one place of the screen. */
 export function zoomedAt(view: View, stage: StageBox, at: ScreenPoint, zoom: number): View {
-  const next = clampZoom(zoom);
+  const next = clampZoom(zoom, view);
   const page = toPage(view, stage, at);
   return { zoom: next, x: page.x - (at.x - stage.width / 2) / next, y: page.y - (at.y - stage.height / 2) / next };
 }
@@ -71,7 +72,7 @@ export function fitted(box: Box, stage: StageBox, most: number, share = 0.1): Vi
   const above = Math.max(margin, Math.min(stage.width < 600 ? 72 : 48, stage.height * 0.35));
   const wide = Math.max(1, stage.width - 2 * margin) / Math.max(1e-9, box.maxX - box.minX);
   const high = Math.max(1, stage.height - 2 * above) / Math.max(1e-9, box.maxY - box.minY);
-  const view = { zoom: clampZoom(Math.min(wide, high, most)), x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2 };
+  const view = { zoom: Math.min(wide, high, most, mostZoom), x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2 };
   fittings.set(view, [box, most, share]);
   return view;
 }

@@ -46,7 +46,7 @@ export function trackPinch(a: ScreenPoint, b: ScreenPoint, look: (spread: Spread
 /** The plane's own pinch. */
 export function createPinch(view: View, stage: StageBox, a: ScreenPoint, b: ScreenPoint): Pinch {
   return trackPinch(a, b, ({ ratio, dx, dy, centre }) => {
-    const zoom = clampZoom(view.zoom * ratio);
+    const zoom = clampZoom(view.zoom * ratio, view);
     // The document point first under the fingers' middle stays under it.
     const page = toPage(view, stage, centre);
     const centred = { zoom, x: page.x - (centre.x - stage.width / 2) / zoom, y: page.y - (centre.y - stage.height / 2) / zoom };

@@ -33,6 +33,8 @@ export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
       );
     }
     errors.replaceChildren();
+    // What is offered is offered of the last that was done.
+    if (action !== undefined) news.querySelectorAll(".toast:has(.toast-action)").forEach((old) => old.remove());
     add(news, toast);
     leaveLater(toast, action === undefined ? shownForMs : 3 * shownForMs);
   };
