@@ -119,6 +119,34 @@ for (const [name, markup, d] of shapes) {
   });
 }
 
+for (const [name, text] of [
+  ["an attribute", 'd="M3 3h18v18H3z"'], ["CSS", 'clip-path: path("M3 3h18v18H3z");'], ["a program", "const shape = new Path2D('M3 3h18v18H3z');"], ["an element", '<path fill="red" d="M3 3h18v18H3z" />'],
+] as const) {
+  test(`a path is read out of ${name}`, async (t) => {
+    const demo = await open(t);
+    await imported(demo, text);
+    assert.deepEqual((await demo.points()).map(({ x, y }) => [x, y]), [[3, 3], [21, 3], [21, 21], [3, 21]]);
+  });
+}
+
+test("a drawing far larger than the stage comes in whole, and stays in reach", async (t) => {
+  const demo = await open(t);
+  await imported(demo, "M1e5 1e5H9e6V9e6H1e5z");
+  for (const [x, y] of [[1e5, 1e5], [9e6, 9e6]] as const) {
+    const at = await demo.toScreen(x, y);
+    assert.ok(at.x > 40 && at.x < 976 && at.y > 48 && at.y < 768, `${x}, ${y} is seen at ${at.x}, ${at.y}`);
+  }
+  const { view } = await demo.state();
+  await demo.press("-");
+  assert.deepEqual((await demo.state()).view, view, "farther away there is nothing");
+  await demo.press("+", "+");
+  assert.ok((await demo.state()).view.zoom > 1.5 * view.zoom, "nearer in steps, not by a jump to 5 %");
+  assert.match(await demo.byId("zoom-pct").inputValue(), /^0\.\d+ %$/u);
+  const kept = await demo.state();
+  await demo.page.evaluate((state) => window.explineDemo.setState(state), kept);
+  assert.deepEqual((await demo.state()).view, kept.view);
+});
+
 test("points as rows become a smooth curve through all of them", async (t) => {
   const demo = await open(t);
   await imported(demo, "0,0\n100,20\n180,120\n60;150");
@@ -203,8 +231,24 @@ test("Simplify takes what is chosen to Fit; the same once more takes its place",
   assert.equal(mode, "fit");
   assert.deepEqual(fit.starts, []);
   const [max, knots] = [await demo.metric("m-max"), await demo.metric("m-knots")];
-  // A quarter of a hundredth of the size of both contours, which came first.
+  // A quarter of a hundredth of the size of what is simplified, and not of what came first.
   assert.ok(max <= 0.0025 * Math.hypot(197, 110) && knots < 20, `${knots} knots, ${max} away`);
+});
+
+test("Simplify shows the drawing alone; Undo brings back what was drawn in Fit", async (t) => {
+  const demo = await open(t, "#/fit");
+  await demo.click("btn-clear");
+  await demo.byId("fit-tool").getByRole("radio", { name: "Draw" }).check();
+  await demo.dragFrom({ x: 300, y: 300 }, 200, 80, 30);
+  const drawn = (await demo.state()).fit.data;
+  assert.ok(drawn.length > 10);
+  await demo.byId("tab-curve").click();
+  await demo.byId("curve-simplify").click();
+  await demo.idle();
+  // The circle of two points about (400, 300).
+  assert.ok((await demo.state()).fit.data.every(([x, y]) => Math.abs(Math.hypot(x - 400, y - 300) - 160) < 1e-6), "nothing but the circle");
+  await takeOffer(demo, "Undo");
+  assert.deepEqual((await demo.state()).fit.data, drawn);
 });
 
 test("an SVG that is dropped while Trace shows a sample leaves a drawing of one's own in Curve", async (t) => {

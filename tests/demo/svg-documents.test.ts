@@ -71,6 +71,9 @@ const laughs = `<!DOCTYPE svg [<!ENTITY a 'ha'><!ENTITY b '&a;&a;&a;'>]><svg ${n
 
 const refused: readonly (readonly [id: string, what: string, svg: () => string, code: string, why: string])[] = [
   ["SV-025", "entities that multiply", () => laughs, "E_PARSE_SVG", "doctype"],
+  ["SV-025b", "an entity that names a file", () => `<!DOCTYPE svg [<!ENTITY a SYSTEM 'file:///etc/hosts'>]><svg ${ns}><text>&a;</text>${path}</svg>`, "E_PARSE_SVG", "doctype"],
+  ["SV-025c", "an entity with markup in it", () => `<!DOCTYPE svg [<!ENTITY a '<g/>'>]><svg ${ns}>&a;${path}</svg>`, "E_PARSE_SVG", "doctype"],
+  ["SV-025d", "a plain entity of 10 000 letters, written a thousand times", () => `<!DOCTYPE svg [<!ENTITY a '${"x".repeat(10_000)}'>]><svg ${ns}><desc>${"&a;".repeat(1000)}</desc>${path}</svg>`, "E_LIMIT", "maxBytes"],
   ["SV-028", "100 000 nested groups", () => nested(100_000, ""), "E_LIMIT", "maxDepth"],
   ["SV-029", "a million siblings", () => `<svg ${ns}>${"<g/>".repeat(1_000_000)}</svg>`, "E_LIMIT", "maxNodes"],
   ["SV-031", "a tree of uses that would draw 10 000 million times", () => useTree(10, 10), "E_LIMIT", "maxUseExpansion"],
@@ -78,6 +81,7 @@ const refused: readonly (readonly [id: string, what: string, svg: () => string, 
   ["SV-038", "a thousand nested scalings", () => nested(1000, "transform='scale(10)'"), "E_LIMIT", "maxDepth"],
   ["SV-039", "sixty nested scalings by a million", () => nested(60, "transform='scale(1000000)'"), "E_RANGE", ""],
   ["SV-046", "a page of HTML", () => "<!doctype html><html><body>404</body></html>", "E_PARSE_SVG", "root"],
+  ["SV-046d", "a page of HTML with pictures of other kinds", () => "<html><body><img src='http://example.invalid/x.png'><canvas></canvas></body></html>", "E_PARSE_SVG", ""],
   ["SV-046b", "broken markup", () => `<svg ${ns}>\n<path d='M0 0'></svg>`, "E_PARSE_SVG", "markup"],
   ["SV-046c", "text that is no markup", () => "hello", "E_PARSE_SVG", "markup"],
   ["SV-051", "a hundred megabytes", () => `<svg ${ns}>${" ".repeat(20 * 1024 * 1024)}</svg>`, "E_LIMIT", "maxBytes"],
@@ -111,6 +115,15 @@ const accepted: readonly (readonly [id: string, what: string, svg: string, shape
   ["SV-049", "shapes without a size", `<svg ${ns}><rect width='-1' height='2'/><circle r='NaN'/><ellipse rx='0' ry='1'/></svg>`, 0, "W_BAD_LENGTH"],
   ["SV-050", "a polygon with a lone last number", `<svg ${ns}><polygon points='0,0 1,0 1'/></svg>`, 1, "W_ODD_POINTS"],
   ["SV-053", "what is not displayed", `<svg ${ns}><g display='none'>${path}</g><path style='display: none' d='M0 0L1 1'/>${path}</svg>`, 1, null],
+  ["SV-026", "entities of plain text, as Illustrator writes its namespaces", `<?xml version="1.0"?><!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "x.dtd" [\n<!ENTITY ns_svg "http://www.w3.org/2000/svg">\n<!ENTITY ns_ai 'http://ns.adobe.com/'>\n]><svg xmlns="&ns_svg;" xmlns:i="&ns_ai;">${path}</svg>`, 1, null],
+  ["SV-056", "layers that a style sheet hides", `<svg ${ns}><style>.st0{fill:red}.st1, #off{display:none}\n@import url(http://example.invalid/a.css);</style><g class='st0'>${path}</g><g class='a st1'>${path}</g><g id='off'>${path}</g><path class='st1' style='display:inline' d='M0 0L1 1'/></svg>`, 2, null],
+  ["SV-057", "text, which has no outlines here", `<svg ${ns}><text>Hi</text>${path}</svg>`, 1, "W_TEXT"],
+  ["SV-058", "a transform by CSS", `<svg ${ns}><path style='transform:rotate(45deg)' d='M0 0L1 1'/></svg>`, 1, "W_STYLE_TRANSFORM"],
+  ["SV-059", "an icon as large as its text", `<svg ${ns} width='1em' height='1em' viewBox='0 0 24 24'>${path}</svg>`, 1, null],
+  ["SV-060", "a path alone", path, 1, null],
+  ["SV-061", "JSX", "<svg viewBox='0 0 24 24' {...props} strokeWidth={2}><path strokeLinecap={round} d={'M0 0L1 1'} /><path d=\"M1 1L2 2\" /></svg>", 2, null],
+  ["SV-062", "components of React Native", "<Svg viewBox='0 0 24 24'><G><Path d='M0 0L1 1' /><Circle cx='1' cy='1' r='1' /></G></Svg>", 2, null],
+  ["SV-063", "a button of a page", `<button onclick='globalThis.ran=1'><img src='http://example.invalid/x.png' onerror='globalThis.ran=1'><svg>${path}</svg><br>Save</button>`, 1, null],
   ["SV-055", "shapes in defs, clips, masks, markers, patterns and symbols", `<svg ${ns}><defs>${path}</defs><clipPath>${path}</clipPath><mask>${path}</mask><marker>${path}</marker><pattern>${path}</pattern><symbol>${path}</symbol>${path}</svg>`, 1, null],
 ];
 
@@ -135,6 +148,27 @@ test("SV-050 the polygon keeps its whole pairs", async () => {
   const outcome = await read(`<svg ${ns}><polygon points='0,0 1,0 1'/></svg>`);
   assert.equal(outcome.shapes[0]?.d, "M0 0L1 0Z");
 });
+
+test("SV-061 what JSX has in braces is read as what it holds", async () => {
+  const outcome = await read("<svg viewBox={'0 0 24 24'}><path d={\"M0 0L1 1\"} onClick={() => { globalThis.ran = 1 }} /></svg>");
+  assert.deepEqual(outcome.shapes.map(({ d }) => d), ["M0 0L1 1"]);
+  assert.equal(outcome.ran, 0);
+});
+
+/** By the definition of percentages: of the width, of the height, and of the diagonal over √2. */
+const relative: readonly (readonly [id: string, svg: string, d: string])[] = [
+  ["of the viewBox", `<svg ${ns} width='100%' viewBox='0 0 200 100'><rect x='10%' y='10%' width='50%' height='50%'/></svg>`, "M20 10H120V60H20Z"],
+  ["of an inner picture without a viewBox", `<svg ${ns} viewBox='0 0 9 9'><svg width='80' height='60'><line x1='0' y1='0' x2='50%' y2='100%'/></svg></svg>`, "M0 0L40 60"],
+  ["of a radius", `<svg ${ns} viewBox='0 0 70 10'><circle r='10%'/></svg>`, "M5 0A5 5 0 0 1 0 5A5 5 0 0 1 -5 0A5 5 0 0 1 0 -5A5 5 0 0 1 5 0Z"],
+  ["in text sizes", `<svg ${ns}><rect x='1em' y='1ex' width='2rem' height='1in'/></svg>`, "M16 8H48V104H16Z"],
+];
+
+for (const [what, svg, d] of relative) {
+  test(`SV-064 lengths ${what}`, async () => {
+    const outcome = await read(svg);
+    assert.deepEqual([outcome.shapes.map((shape) => shape.d), outcome.warnings], [[d], []]);
+  });
+}
 
 test("SV-027 SV-032 SV-034 nothing was ever fetched", () => {
   assert.deepEqual(requests.filter((url) => url !== "about:blank"), []);

@@ -14,12 +14,16 @@ const mostPoints = 100_000;
 /** Two words above numbers: the names of the columns. */
 const heading = /^["']?[a-z]\w*["']?\s*[,;\t]\s*["']?[a-z]\w*["']?\s*\n\s*[-+.\d]/iu;
 
+/** Path data as a program has it: `d="…"`, `path("…")`, `new Path2D("…")`. */
+const quoted = /["'`]\s*([mM]\s*[-+.\d][^"'`]*)(?:["'`]|$)/u;
+
 /** What a text seems to be, or null when it is nothing that can be drawn. */
 export function kindOfText(text: string): ImportKind | null {
   const start = text.replace(/^[\uFEFF\s]+/u, "").slice(0, 200);
   if (start.startsWith("<")) return "svg";
   if (heading.test(start)) return "points";
   if (start.startsWith("{") || start.startsWith("[")) return "json";
+  if (quoted.test(start)) return "path";
   if (/^[a-z]/iu.test(start)) return /^[mM]/u.test(start) || /^[a-zA-Z]\s*[-+.\d]/u.test(start) ? "path" : null;
   return /^[-+.\d]/u.test(start) ? "points" : null;
 }
@@ -39,7 +43,7 @@ function readAs(text: string, space: Space): Imported {
     case "svg":
       return readDrawing(text, space);
     case "path":
-      return readPath(text.trim(), space);
+      return readPath((quoted.exec(text)?.[1] ?? text).trim(), space);
     case "points":
       return readPoints(text, space);
     case null:
@@ -68,7 +72,7 @@ function readPath(d: string, space: Space): Imported {
 
 function readDrawing(text: string, space: Space): Imported {
   const file = readFile(text);
-  if (file.shapes.length === 0) throw new Problem("svg-nopath");
+  if (file.shapes.length === 0) throw new Problem("svg-nopath", file.warnings.some(({ code }) => code === "W_TEXT") ? { field: "text" } : {});
   const contours: Contour[] = [];
   let broken: Problem | null = null;
   let points = 0;
@@ -104,6 +108,8 @@ const notesByCode: Readonly<Record<SvgWarningCode, string>> = {
   W_BAD_LENGTH: "a shape without a proper size was left out",
   W_UNIT: "a length in a unit that needs a page was ignored",
   W_ODD_POINTS: "a lone last coordinate was dropped",
+  W_STYLE_TRANSFORM: "a transform by CSS was ignored",
+  W_TEXT: "text was left out; as outlines it would come along",
   W_NO_TARGET: "a reference to something outside the file was left out",
 };
 

@@ -54,6 +54,8 @@ export type SvgWarningCode =
   | "W_BAD_LENGTH"
   | "W_UNIT"
   | "W_ODD_POINTS"
+  | "W_STYLE_TRANSFORM"
+  | "W_TEXT"
   | "W_NO_TARGET";
 
 /** Something in the file that was skipped or read leniently; told to the user, never fatal. */

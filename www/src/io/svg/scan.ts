@@ -1,29 +1,36 @@
-import { overLimit, SvgFileError, type SvgLimits } from "./limits.ts";
+import { withoutEntities } from "./entities.ts";
+import { overLimit, type SvgLimits } from "./limits.ts";
 
 /**
  * One linear look at the markup before the browser's parser gets it: size, nesting, elements and attributes are
- * counted without building anything, and a document type is blanked out so that nothing in it is ever expanded.
+ * counted without building anything, and a document type is blanked out so that the parser expands nothing of it.
  */
 export function checkMarkup(source: string, limits: SvgLimits): string {
   if (source.length > limits.maxBytes) throw overLimit("maxBytes", limits.maxBytes, source.length);
-  const text = source.replace(/^\uFEFF/u, "").trimStart();
+  const text = withoutDoctype(source.replace(/^\uFEFF/u, "").trimStart(), limits);
   const count = { nodes: 0, depth: 0 };
-  let cleaned = text;
   let at = text.indexOf("<");
   while (at !== -1) {
     const end = skipDeclaration(text, at);
-    if (end === null) {
-      at = text.indexOf("<", readTag(text, at, count, limits));
-      continue;
-    }
-    if (text.startsWith("<!DOCTYPE", at) || text.startsWith("<!doctype", at)) {
-      refuseEntities(text.slice(at, end));
-      // Blanked, not cut: the parser's line numbers stay those of the file.
-      cleaned = cleaned.slice(0, at) + text.slice(at, end).replace(/[^\n]/gu, " ") + cleaned.slice(end);
-    }
-    at = text.indexOf("<", end);
+    at = text.indexOf("<", end ?? readTag(text, at, count, limits));
   }
-  return cleaned.trimStart();
+  return text.trimStart();
+}
+
+/** Every document type blanked, not cut: the parser's line numbers stay those of the file. */
+function withoutDoctype(source: string, limits: SvgLimits): string {
+  let text = source;
+  let at = text.indexOf("<");
+  while (at !== -1) {
+    const end = skipDeclaration(text, at);
+    if (end !== null && /^<!doctype/iu.test(text.slice(at, at + 9))) {
+      const doctype = text.slice(at, end);
+      text = text.slice(0, at) + doctype.replace(/[^\n]/gu, " ") + withoutEntities(text.slice(end), doctype, limits);
+    }
+    // Nothing but declarations stands before the first element, and no type after it.
+    at = end === null ? -1 : text.indexOf("<", end);
+  }
+  return text;
 }
 
 /** Where a comment, CDATA section, processing instruction or document type that starts here ends; null for a tag. */
@@ -51,12 +58,6 @@ function afterDoctype(text: string, from: number): number {
     else if (char === ">" && !bracketed) return i + 1;
   }
   return text.length;
-}
-
-function refuseEntities(doctype: string): void {
-  if (/<!ENTITY/iu.test(doctype)) {
-    throw new SvgFileError("E_PARSE_SVG", "svg: a document type that declares entities is refused", { reason: "doctype" });
-  }
 }
 
 /** Past the tag that starts here; counts it. */

@@ -1,36 +1,5 @@
-import type { SvgWarningCode } from "./limits.ts";
 import { numbersOf } from "./matrix.ts";
-
-export type Warn = (code: SvgWarningCode, element: Element) => void;
-
-/** CSS pixels per unit, for the units that do not depend on anything outside the file. */
-const units: ReadonlyMap<string, number> = new Map([
-  ["", 1],
-  ["px", 1],
-  ["pt", 4 / 3],
-  ["pc", 16],
-  ["mm", 96 / 25.4],
-  ["cm", 96 / 2.54],
-  ["in", 96],
-  ["q", 96 / 101.6],
-]);
-
-/** A length attribute in user units: the fallback when absent, null (with a warning) when it cannot be one. */
-export function lengthOf(element: Element, attribute: string, fallback: number | null, warn: Warn): number | null {
-  const text = element.getAttribute(attribute)?.trim();
-  if (text === undefined || text === "") return fallback;
-  const parts = /^([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)([a-z%]*)$/iu.exec(text);
-  if (parts === null) {
-    warn(text === "auto" ? "W_UNIT" : "W_BAD_LENGTH", element);
-    return text === "auto" ? fallback : null;
-  }
-  const unit = units.get((parts[2] ?? "").toLowerCase());
-  if (unit === undefined) {
-    warn("W_UNIT", element);
-    return fallback;
-  }
-  return Number(parts[1]) * unit;
-}
+import { lengthOf, type Warn } from "./lengths.ts";
 
 /** The path data of a shape element, exactly (arcs for what is round); null when it draws nothing. */
 export function pathDataOf(element: Element, warn: Warn): string | null {

@@ -2,10 +2,12 @@
  * Reads an SVG document into path data and transforms. The browser's own parser reads it into a document that is never
  * attached to the page, so nothing in it is fetched, styled or run; only shape elements are looked at.
  */
-import { overLimit, SvgFileError, svgLimits, type SvgLimits, type SvgWarning } from "./limits.ts";
+import { hiddenBySheets, isHidden } from "./hidden.ts";
+import { lengthOf, type Warn } from "./lengths.ts";
+import { overLimit, svgLimits, type SvgLimits, type SvgWarning } from "./limits.ts";
+import { rootOf } from "./markup.ts";
 import { identity, multiply, numbersOf, parseTransform, scale, translate, type Matrix } from "./matrix.ts";
-import { checkMarkup } from "./scan.ts";
-import { lengthOf, pathDataOf, shapeNames, type Warn } from "./shapes.ts";
+import { pathDataOf, shapeNames } from "./shapes.ts";
 
 /** One drawn shape: its path data, and the transform from its own units to the document's. */
 export interface SvgShape {
@@ -28,18 +30,14 @@ interface Reading {
   readonly warn: Warn;
   /** The groups that are being walked, by nesting or by `use`: a `use` of one of them is a cycle. */
   readonly entered: Set<Element>;
+  readonly hidden: ReadonlySet<Element>;
   expanded: number;
   commands: number;
 }
 
 /** @throws SvgFileError with `E_PARSE_SVG`, `E_LIMIT` or `E_RANGE`. */
 export function readSvg(source: string, limits: SvgLimits = svgLimits): SvgFile {
-  const parsed = new DOMParser().parseFromString(checkMarkup(source, limits), "image/svg+xml");
-  const root = parsed.documentElement;
-  const broken = parsed.getElementsByTagName("parsererror")[0];
-  if (broken !== undefined) throw notWellFormed(broken.textContent ?? "");
-  if (root.localName !== "svg") throw new SvgFileError("E_PARSE_SVG", "svg: the root element is not svg", { reason: "root" });
-
+  const root = rootOf(source, limits);
   const warnings: SvgWarning[] = [];
   const reading: Reading = {
     limits,
@@ -49,6 +47,7 @@ export function readSvg(source: string, limits: SvgLimits = svgLimits): SvgFile 
       if (warnings.length < 100) warnings.push({ code, element: element.localName });
     },
     entered: new Set(),
+    hidden: hiddenBySheets(root),
     expanded: 0,
     commands: 0,
   };
@@ -56,20 +55,15 @@ export function readSvg(source: string, limits: SvgLimits = svgLimits): SvgFile 
   return { shapes: reading.shapes, warnings };
 }
 
-function notWellFormed(report: string): SvgFileError {
-  const place = /line (\d+) at column (\d+)/u.exec(report) ?? /line(?: number)? (\d+),? col(?:umn)? (\d+)/iu.exec(report);
-  const where = place === null ? {} : { line: Number(place[1]), column: Number(place[2]) };
-  return new SvgFileError("E_PARSE_SVG", "svg: not well formed", { reason: "markup", ...where });
-}
-
 function walk(element: Element, outer: Matrix, depth: number, reading: Reading): void {
   // Nested elements were counted before parsing; a chain of `use` elements nests further.
   if (depth > 4 * reading.limits.maxDepth) throw overLimit("maxDepth", reading.limits.maxDepth, depth);
-  if (isHidden(element)) return;
+  if (isHidden(element, reading.hidden)) return;
   const matrix = multiply(outer, ownTransform(element, reading.warn));
   if (shapeNames.has(element.localName)) addShape(element, matrix, reading);
   else if (element.localName === "use") expand(element, matrix, depth, reading);
   else if (groups.has(element.localName)) walkChildren(element, matrix, depth, reading);
+  else if (element.localName === "text") reading.warn("W_TEXT", element);
 }
 
 function walkChildren(element: Element, outer: Matrix, depth: number, reading: Reading): void {
@@ -79,11 +73,8 @@ function walkChildren(element: Element, outer: Matrix, depth: number, reading: R
   reading.entered.delete(element);
 }
 
-function isHidden(element: Element): boolean {
-  return element.getAttribute("display") === "none" || /(?:^|;)\s*display\s*:\s*none/iu.test(element.getAttribute("style") ?? "");
-}
-
 function ownTransform(element: Element, warn: Warn): Matrix {
+  if (/(?:^|;)\s*(?:transform|translate|rotate|scale)\s*:/iu.test(element.getAttribute("style") ?? "")) warn("W_STYLE_TRANSFORM", element);
   const text = element.getAttribute("transform");
   if (text === null) return identity;
   const matrix = parseTransform(text);
