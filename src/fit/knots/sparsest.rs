@@ -7,8 +7,10 @@ mod last_knots;
 mod polishing;
 mod rounding;
 mod straight;
+mod view;
 
-use self::evening::Free;
+use self::evening::Evening;
+use self::view::View;
 use super::foot_points::{Distances, Spline};
 use super::free_knots::{FreeKnots, Located};
 use super::search::{Price, better, settle, thinner};
@@ -86,49 +88,70 @@ pub(in crate::fit) struct Found {
 /// The search, to be stepped.
 #[derive(Clone, Debug)]
 pub(in crate::fit) struct Sparsest {
-    full: Located,
-    /// The same points, or averages of them, and about how many these are.
-    seen: Located,
-    averages: usize,
-    /// What was found with fewer averages, which hid something.
-    coarse: Option<Found>,
-    /// The round before knots were added last.
-    grown: usize,
-    aim: Aim,
-    /// Whether points follow one another evenly.
-    spaced: bool,
-    /// Whether they do, and where they belong is known.
-    even: bool,
+    asked: Asked,
+    view: View,
+    pricing: Pricing,
+    evening: Evening,
+    effort: Effort,
+    phase: Phase,
     /// How often a knot may count in the end.
     sharpest: usize,
-    price: Price,
+    /// The fit in hand.
+    fitted: FreeKnots,
+    /// The best so far.
+    found: Option<Found>,
+    /// What was found with fewer averages, which hid something.
+    coarse: Option<Found>,
+    /// How many knots there were when there were enough.
+    at_first: usize,
+    /// Whether straight pieces were looked for.
+    straightened: bool,
+}
+
+/// What the curve is to be, and what is known of its points.
+#[derive(Clone, Copy, Debug)]
+struct Asked {
+    aim: Aim,
     /// What is known of the points, whatever was asked for.
     noise: f64,
-    fitted: FreeKnots,
-    phase: Phase,
+    /// Whether points follow one another evenly.
+    spaced: bool,
+    /// By how much a corner turns at least.
+    least_turn: f64,
+}
+
+/// What numbers of the curve cost by now.
+#[derive(Clone, Copy, Debug)]
+struct Pricing {
+    price: Price,
+    /// How many times the price rises at once where points are many.
+    leap: f64,
+    /// How often the present price was tried again, and how many pieces there were then.
+    rounds: usize,
+    pieces: usize,
+}
+
+/// How long the search has gone on, and how often it has tried what it may only try so often.
+#[derive(Clone, Copy, Debug, Default)]
+struct Effort {
     rounds: usize,
     work: f64,
+    /// The round before knots were added last.
+    grown: usize,
     /// Rounds of refinement that a start of corners needs before it can be compared.
     warming: usize,
+    /// How often a fit that broke the tolerance, or had needless knots, was mended.
     repairs: usize,
     /// How often a wild piece was taken out.
     tamings: usize,
-    at_first: usize,
-    /// How often the present price was tried again, and how many pieces there were then.
-    rounds_at_price: usize,
-    pieces_at_price: usize,
-    /// How many times the price rises at once where points are many.
-    leap: f64,
-    found: Option<Found>,
-    /// The fit while knots are taken from it and points are free to slide.
-    free: Option<Free>,
-    /// Whether that is over.
-    placed: bool,
-    /// By how much a corner turns at least, and how often slighter ones were made smooth.
-    least_turn: f64,
+    /// How often corners that turn too little were made smooth.
     roundings: usize,
-    /// Whether straight pieces were looked for.
-    straightened: bool,
+}
+
+impl Effort {
+    fn is_tired(&self) -> bool {
+        self.rounds > MOST_ROUNDS || self.work > MOST_WORK
+    }
 }
 
 impl Sparsest {
@@ -136,19 +159,19 @@ impl Sparsest {
     pub(in crate::fit) fn is_thinned(&self) -> bool {
         match self.phase {
             Phase::Grow | Phase::Thin | Phase::Lighten => false,
-            Phase::Refine => self.warming == 0 && (!self.even || self.placed),
-            Phase::Polish => !self.even || self.placed,
+            Phase::Refine => self.effort.warming == 0 && !self.evening.is_ahead(),
+            Phase::Polish => !self.evening.is_ahead(),
             _ => true,
         }
     }
 
     /// Sum of squares and prices, on all points: averages hide what they average.
     pub(in crate::fit) fn cost(&self) -> f64 {
-        let more = if self.even { AHEAD * self.price.0 } else { 0.0 };
-        if !self.is_averaged() {
-            return self.price.rank(&self.fitted) + more;
+        let more = if self.evening.even { AHEAD * self.pricing.price.0 } else { 0.0 };
+        if !self.view.is_averaged() {
+            return self.pricing.price.rank(&self.fitted) + more;
         }
-        self.price.rank(&FreeKnots::new(self.fitted.breaks().clone(), &self.full)) + more
+        self.pricing.price.rank(&FreeKnots::new(self.fitted.breaks().clone(), &self.view.full)) + more
     }
 
     /// How many pieces the best curve has, and how far it is from the points.
@@ -166,11 +189,11 @@ impl Sparsest {
 
     /// How the search ended.
     pub(in crate::fit) fn status(&self) -> FitStatus {
-        let reached = match (self.aim, &self.found) {
+        let reached = match (self.asked.aim, &self.found) {
             (Aim::Tolerance(tolerance), Some(found)) => found.distances.largest <= tolerance,
             (Aim::Squares(target), Some(found)) => found.distances.squares <= target,
             (Aim::Tolerance(_) | Aim::Squares(_), None) => false,
-            (Aim::Noise(_), _) => !self.is_tired(),
+            (Aim::Noise(_), _) => !self.effort.is_tired(),
         };
         if reached { FitStatus::Converged } else { FitStatus::Stalled }
     }
@@ -180,13 +203,9 @@ impl Sparsest {
         self.phase == Phase::Done
     }
 
-    fn is_tired(&self) -> bool {
-        self.rounds > MOST_ROUNDS || self.work > MOST_WORK
-    }
-
     /// How many rounds there were.
     pub(in crate::fit) fn rounds(&self) -> usize {
-        self.rounds
+        self.effort.rounds
     }
 
     /// The best spline so far.
@@ -199,30 +218,30 @@ impl Sparsest {
 
     /// One round of the search.
     pub(in crate::fit) fn step(&mut self) {
-        self.rounds += 1;
+        self.effort.rounds += 1;
         let fits = if matches!(self.phase, Phase::Refine | Phase::Last(_)) { 30.0 } else { 2.0 };
         let knots = self.fitted.breaks().coefficients() as f64;
-        self.work += fits * (self.seen.points.len() as f64 + 40.0 * knots);
-        let (tired, was) = (self.is_tired(), self.phase);
+        self.effort.work += fits * (self.view.seen.points.len() as f64 + 40.0 * knots);
+        let (tired, was) = (self.effort.is_tired(), self.phase);
         self.phase = match was {
             Phase::Grow if !tired => self.grow(),
-            Phase::Thin if !tired => match thinner(&self.fitted, &self.seen, self.price) {
+            Phase::Thin if !tired => match thinner(&self.fitted, &self.view.seen, self.pricing.price) {
                 Some(fitted) => {
                     self.fitted = fitted;
                     Phase::Thin
                 }
                 None => {
-                    let worth = 0.1 * self.price.0;
+                    let worth = 0.1 * self.pricing.price.0;
                     let smooth = self.fitted.breaks().sharpest < self.sharpest;
                     let most = if smooth { 4 } else { 6 };
-                    self.fitted = settle(self.fitted.clone(), &self.seen, worth, most);
+                    self.fitted = settle(self.fitted.clone(), &self.view.seen, worth, most);
                     if smooth { Phase::Lighten } else { Phase::Refine }
                 }
             },
-            Phase::Refine if !tired => match better(&self.fitted, &self.seen, self.price) {
+            Phase::Refine if !tired => match better(&self.fitted, &self.view.seen, self.pricing.price) {
                 Some(fitted) => {
                     self.fitted = fitted;
-                    self.warming = self.warming.saturating_sub(1);
+                    self.effort.warming = self.effort.warming.saturating_sub(1);
                     Phase::Refine
                 }
                 None => Phase::Polish,
@@ -236,7 +255,7 @@ impl Sparsest {
             Phase::Grow | Phase::Thin | Phase::Lighten | Phase::Refine => Phase::Polish,
         };
         if self.phase == Phase::Done && !self.straightened {
-            let rounded = was == Phase::RoundOff || self.least_turn <= 0.0;
+            let rounded = was == Phase::RoundOff || self.asked.least_turn <= 0.0;
             self.phase = if rounded { Phase::Straighten } else { Phase::RoundOff };
         }
     }

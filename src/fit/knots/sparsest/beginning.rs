@@ -1,7 +1,8 @@
 //! How a search begins: with even knots, with the corners of a polyline, or with the knots of a fit that has too many.
 
-use super::growing::{SEEN, from_afar};
-use super::{Aim, Found, LEAP, PER_NUMBER, Phase, Plan, Sparsest, WARMING};
+use super::{
+    Aim, Asked, Effort, Evening, Found, LEAP, PER_NUMBER, Phase, Plan, Pricing, Sparsest, View, WARMING,
+};
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::search::{Price, least};
@@ -14,56 +15,33 @@ impl Sparsest {
     /// A search among the splines of a plan. `noise` is what is known of the points even where a tolerance is asked
     /// for: knots that only follow noise are then not begun with.
     pub(in crate::fit) fn new(full: Located, plan: Plan, aim: Aim, noise: f64) -> Self {
-        let whole = matches!(aim, Aim::Squares(_));
-        let even = plan.even;
-        let seen = if whole { full.clone() } else { from_afar(&full, SEEN) };
-        let price = match aim {
-            Aim::Noise(noise) => PER_NUMBER * noise * noise,
-            Aim::Tolerance(tolerance) => (0.05 * tolerance * tolerance).max(PER_NUMBER * noise * noise),
-            Aim::Squares(target) => 1e-3 * target,
-        };
-        let mut breaks = start::even(plan.degree, plan.closed, plan.end, seen.points.len(), plan.smoothest);
+        let view = if matches!(aim, Aim::Squares(_)) { View::of_all(full) } else { View::new(full) };
+        let mut breaks =
+            start::even(plan.degree, plan.closed, plan.end, view.seen.points.len(), plan.smoothest);
         // Sharper knots are cheap ways to bend; smooth ones are to come first.
-        breaks.sharpest = if even { plan.smoothest } else { plan.sharpest };
-        let fitted = FreeKnots::new(breaks, &seen);
-        let mut search = Self::begun(full, seen, fitted, (aim, price), noise);
-        (search.spaced, search.even) = (plan.spaced, even);
-        (search.sharpest, search.least_turn) = (plan.sharpest, plan.least_turn);
-        search.warming = if matches!(aim, Aim::Noise(_)) { WARMING } else { 0 };
+        breaks.sharpest = if plan.even { plan.smoothest } else { plan.sharpest };
+        let asked = Asked { aim, noise, spaced: plan.spaced, least_turn: plan.least_turn };
+        let mut search = Self::begun(asked, view, breaks);
+        (search.evening.even, search.sharpest) = (plan.even, plan.sharpest);
+        search.effort.warming = if matches!(aim, Aim::Noise(_)) { WARMING } else { 0 };
         search
     }
 
-    /// A search that begins with a fit, before anything was done.
+    /// A search that begins with some knots, before anything was done.
     #[inline(never)]
-    fn begun(full: Located, seen: Located, fitted: FreeKnots, (aim, price): (Aim, f64), noise: f64) -> Self {
+    fn begun(asked: Asked, view: View, breaks: Breaks) -> Self {
         Self {
-            full,
-            seen,
-            averages: SEEN,
-            coarse: None,
-            grown: 0,
-            aim,
-            spaced: false,
-            even: false,
-            sharpest: 1,
-            price: Price(price),
-            noise,
-            fitted,
+            pricing: Pricing::new(&asked),
+            asked,
+            fitted: FreeKnots::new(breaks, &view.seen),
+            view,
+            evening: Evening::default(),
+            effort: Effort::default(),
             phase: Phase::Grow,
-            rounds: 0,
-            work: 0.0,
-            warming: 0,
-            repairs: 0,
-            tamings: 0,
-            at_first: 0,
-            rounds_at_price: 0,
-            pieces_at_price: usize::MAX,
-            leap: LEAP,
+            sharpest: 1,
             found: None,
-            free: None,
-            placed: false,
-            least_turn: 0.0,
-            roundings: 0,
+            coarse: None,
+            at_first: 0,
             straightened: false,
         }
     }
@@ -79,20 +57,20 @@ impl Sparsest {
         let most = MOST_VERTICES.min(full.points.len() / 3);
         let vertices = polyline::vertices(&full.points, plan.closed, near, most)?;
         let mut search = Self::new(full, plan, aim, noise);
-        let breaks = polyline::corners(&vertices, &search.full, search.fitted.breaks());
+        let breaks = polyline::corners(&vertices, &search.view.full, search.fitted.breaks());
         if breaks.len() < least(&breaks).max(1) {
             return None;
         }
         // Corners are not averaged away.
-        if search.full.points.len() < 16 * vertices.len() {
-            search.seen = search.full.clone();
+        if search.view.full.points.len() < 16 * vertices.len() {
+            search.view.seen = search.view.full.clone();
         }
         search.at_first = breaks.len();
-        search.fitted = FreeKnots::new(breaks.clone(), &search.seen);
-        (search.phase, search.warming) = (Phase::Thin, WARMING);
+        search.fitted = FreeKnots::new(breaks.clone(), &search.view.seen);
+        (search.phase, search.effort.warming) = (Phase::Thin, WARMING);
         if let Aim::Tolerance(tolerance) = aim {
-            let spline = polyline::through(&vertices, &search.full, breaks);
-            let mut located = search.full.clone();
+            let spline = polyline::through(&vertices, &search.view.full, breaks);
+            let mut located = search.view.full.clone();
             let distances = spline.project_beyond(&mut located, 3, search.near());
             if distances.largest <= tolerance {
                 search.found = Some(Found { spline, located, distances, wild: None });
@@ -104,10 +82,22 @@ impl Sparsest {
     /// A search for fewer knots than those of `breaks` with a sum of squares that is not larger than `target`.
     pub(in crate::fit) fn pruning(full: Located, breaks: Breaks, target: f64, noise: f64) -> Self {
         let at_first = breaks.len();
-        let fitted = FreeKnots::new(breaks, &full);
-        let aim = (Aim::Squares(target), 1e-3 * target);
-        let mut search = Self::begun(full.clone(), full, fitted, aim, noise);
+        let asked = Asked { aim: Aim::Squares(target), noise, spaced: false, least_turn: 0.0 };
+        let mut search = Self::begun(asked, View::of_all(full), breaks);
         (search.phase, search.at_first) = (Phase::Thin, at_first);
         search
+    }
+}
+
+impl Pricing {
+    /// What a number costs at first.
+    fn new(asked: &Asked) -> Self {
+        let noise = PER_NUMBER * asked.noise * asked.noise;
+        let price = match asked.aim {
+            Aim::Noise(noise) => PER_NUMBER * noise * noise,
+            Aim::Tolerance(tolerance) => (0.05 * tolerance * tolerance).max(noise),
+            Aim::Squares(target) => 1e-3 * target,
+        };
+        Self { price: Price(price), leap: LEAP, rounds: 0, pieces: usize::MAX }
     }
 }

@@ -1,6 +1,6 @@
 //! Points that follow one another evenly: where along the curve they belong is known, not only which way is across.
 
-use super::growing::from_afar;
+use super::view::from_afar;
 use super::{Found, Phase, Sparsest, WARMING};
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::even::by_length;
@@ -23,7 +23,7 @@ const SINGLES: usize = 4;
 
 /// A spline whose points are free to slide along it: only their distances count.
 #[derive(Clone, Debug)]
-pub(super) struct Free {
+struct Free {
     spline: Spline,
     feet: Located,
     squares: f64,
@@ -39,17 +39,35 @@ impl Free {
     }
 }
 
+/// Where the search is with points that follow one another evenly.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Evening {
+    /// Whether they do, and where they belong is known.
+    pub(super) even: bool,
+    /// The fit while knots are taken from it and points are free to slide.
+    free: Option<Free>,
+    /// Whether that is over.
+    placed: bool,
+}
+
+impl Evening {
+    /// Whether knots are still to be taken away while points slide.
+    pub(super) fn is_ahead(&self) -> bool {
+        self.even && !self.placed
+    }
+}
+
 impl Sparsest {
     /// Ends the search, after a look at it with points that are free to slide.
     pub(super) fn evened(&mut self) -> Phase {
-        if !self.placed && !self.is_tired() {
+        if !self.evening.placed && !self.effort.is_tired() {
             return Phase::Lighten;
         }
-        let spline = Spline::of(&FreeKnots::new(self.fitted.breaks().clone(), &self.full));
-        let wild = spline.strays(&self.seen, self.slack());
-        let mut located = self.full.clone();
+        let spline = Spline::of(&FreeKnots::new(self.fitted.breaks().clone(), &self.view.full));
+        let wild = spline.strays(&self.view.seen, self.slack());
+        let mut located = self.view.full.clone();
         let distances = spline.project(&mut located, 3);
-        located.parameters.clone_from(&self.full.parameters);
+        located.parameters.clone_from(&self.view.full.parameters);
         self.concluded(Found { spline, located, distances, wild })
     }
 
@@ -57,22 +75,22 @@ impl Sparsest {
     /// parameters that points have by their numbers, or by length, ask for knots where the speed of the sparsest curve
     /// changes: with free points there is nothing to ask for.
     pub(super) fn lighten(&mut self) -> Phase {
-        let free = match self.free.take() {
+        let free = match self.evening.free.take() {
             Some(free) => free,
-            None => freed(&self.fitted, self.seen.clone()),
+            None => freed(&self.fitted, self.view.seen.clone()),
         };
         let fitted = FreeKnots::new(free.spline.space.breaks.clone(), &free.feet);
-        let now = free.squares + self.price.whole(fitted.breaks());
+        let now = free.squares + self.pricing.price.whole(fitted.breaks());
         for breaks in self.fewer(&fitted) {
             let trial = FreeKnots::new(breaks, &free.feet);
-            let enough = now - self.price.whole(trial.breaks());
+            let enough = now - self.pricing.price.whole(trial.breaks());
             let gone = fitted.breaks().len() - trial.breaks().len();
             if trial.squares - enough > HOPELESS * gone as f64 * free.squares {
                 continue;
             }
-            let trial = settle(trial, &free.feet, 0.1 * self.price.0, 2);
+            let trial = settle(trial, &free.feet, 0.1 * self.pricing.price.0, 2);
             if let Some(lighter) = freed_to(&trial, free.feet.clone(), enough) {
-                self.free = Some(lighter);
+                self.evening.free = Some(lighter);
                 return Phase::Lighten;
             }
         }
@@ -101,7 +119,7 @@ impl Sparsest {
             fewer
         };
         let mut trials: Vec<Breaks> = doomed.iter().map(without).collect();
-        trials.extend(clusters(&self.sharpening(breaks), self.full.points.len()));
+        trials.extend(clusters(&self.sharpening(breaks), self.view.full.points.len()));
         trials
     }
 
@@ -113,29 +131,29 @@ impl Sparsest {
     /// Gives the points of a fit parameters again: evenly along the curve or by their numbers, whichever explains them
     /// better. Where neither does, the search goes on as one among knots by number.
     fn place(&mut self, mut free: Free) {
-        self.placed = true;
+        self.evening.placed = true;
         free.ease(EASED);
-        let worth = 0.1 * self.price.0;
+        let worth = 0.1 * self.pricing.price.0;
         let breaks = self.sharpening(&free.spline.space.breaks);
-        let numbered = settle(FreeKnots::new(breaks.clone(), &self.seen), &self.seen, worth, 2);
-        let mut best = (self.full.clone(), self.seen.clone(), numbered);
-        let mut full = self.full.clone();
+        let numbered = settle(FreeKnots::new(breaks.clone(), &self.view.seen), &self.view.seen, worth, 2);
+        let mut best = (self.view.full.clone(), self.view.seen.clone(), numbered);
+        let mut full = self.view.full.clone();
         free.spline.project(&mut full, 6);
         if free.spline.strays(&free.feet, self.slack()).is_none()
             && let Some((parameters, breaks)) = by_length(&free.spline, &full)
         {
-            let full = Located { parameters, ..self.full.clone() };
-            let seen = from_afar(&full, self.averages);
+            let full = Located { parameters, ..self.view.full.clone() };
+            let seen = from_afar(&full, self.view.averages);
             let fitted = settle(FreeKnots::new(self.sharpening(&breaks), &seen), &seen, worth, 2);
             if fitted.squares < best.2.squares {
                 best = (full, seen, fitted);
             }
         }
-        if self.price.total(&best.2) < self.price.total(&self.fitted) {
-            (self.full, self.seen, self.fitted) = best;
+        if self.pricing.price.total(&best.2) < self.pricing.price.total(&self.fitted) {
+            (self.view.full, self.view.seen, self.fitted) = best;
         } else {
-            (self.even, self.warming) = (false, WARMING);
-            self.fitted = FreeKnots::new(self.sharpening(self.fitted.breaks()), &self.seen);
+            (self.evening.even, self.effort.warming) = (false, WARMING);
+            self.fitted = FreeKnots::new(self.sharpening(self.fitted.breaks()), &self.view.seen);
         }
     }
 }

@@ -8,7 +8,7 @@ use crate::fit::knots::search::{Price, hopes, settle};
 impl Sparsest {
     /// How many knots are tried when fewer are hardly possible: all of them where that takes little time.
     pub(super) fn trials(&self) -> usize {
-        match self.full.points.len() {
+        match self.view.full.points.len() {
             0..=800 => 40,
             801..=FEW => 4,
             _ => 1,
@@ -18,11 +18,11 @@ impl Sparsest {
     /// Takes the next of the cheapest knots away from the best fit and lets the others slide.
     pub(super) fn lighter(&mut self, next: usize, target: f64) -> Phase {
         let Some(best) = &self.found else { return Phase::Done };
-        let fitted = FreeKnots::new(best.spline.space.breaks.clone(), &self.seen);
+        let fitted = FreeKnots::new(best.spline.space.breaks.clone(), &self.view.seen);
         let dear = Price(fitted.squares.max(1e-300));
         let trials = hopes(fitted.breaks(), &fitted.removals(), dear, self.trials());
         let Some(breaks) = trials.into_iter().nth(next) else { return Phase::Done };
-        let trial = settle(FreeKnots::new(breaks, &self.seen), &self.seen, 1e-4 * target, 12);
+        let trial = settle(FreeKnots::new(breaks, &self.view.seen), &self.view.seen, 1e-4 * target, 12);
         if trial.squares > target {
             return Phase::Last(next + 1);
         }
@@ -34,12 +34,14 @@ impl Sparsest {
     /// Takes the next of the cheapest knots away from the best fit and lets the others make up for it, the farthest
     /// points weighing most.
     pub(super) fn last(&mut self, next: usize) -> Phase {
-        if let Aim::Squares(target) = self.aim {
+        if let Aim::Squares(target) = self.asked.aim {
             return self.lighter(next, target);
         }
-        let (Aim::Tolerance(tolerance), Some(best)) = (self.aim, &self.found) else { return Phase::Done };
-        let averaged = self.is_averaged();
-        let mut seen = if averaged { self.seen.clone() } else { best.located.clone() };
+        let (Aim::Tolerance(tolerance), Some(best)) = (self.asked.aim, &self.found) else {
+            return Phase::Done;
+        };
+        let averaged = self.view.is_averaged();
+        let mut seen = if averaged { self.view.seen.clone() } else { best.located.clone() };
         let fitted = FreeKnots::new(best.spline.space.breaks.clone(), &seen);
         let removals = fitted.removals();
         let dear = Price(fitted.squares.max(1e-300));
@@ -49,8 +51,8 @@ impl Sparsest {
         let mut spline = Spline::of(&trial);
         let distances = minimax(&mut spline, &mut seen, tolerance);
         if distances.largest <= tolerance && spline.strays(&seen, tolerance).is_none() {
-            let mut located = if averaged { self.following() } else { seen };
-            located.weights.clone_from(&self.full.weights);
+            let mut located = if averaged { self.view.following(self.fitted.breaks()) } else { seen };
+            located.weights.clone_from(&self.view.full.weights);
             let distances = spline.project_beyond(&mut located, 3, self.near());
             if distances.largest <= tolerance {
                 self.found = Some(Found { spline, located, distances, wild: None });

@@ -1,11 +1,10 @@
 //! A fit whose points' parameters are free, and what follows from how near it comes.
 
 use super::{Aim, BACK, FEW, Found, LEAP, Phase, Sparsest};
-use crate::fit::knots::bins::followed;
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::foot_points::{Distances, Spline};
-use crate::fit::knots::free_knots::{FreeKnots, Located};
-use crate::fit::knots::search::{Price, better, least};
+use crate::fit::knots::free_knots::FreeKnots;
+use crate::fit::knots::search::{better, least};
 use crate::fit::knots::start;
 use crate::fit::report::weight;
 
@@ -19,7 +18,7 @@ impl Sparsest {
     /// The fit with the points' parameters free, on the averages first and then on all points.
     pub(super) fn polished(&mut self, rounds: usize) -> Found {
         let mut spline = Spline::of(&self.fitted);
-        let mut seen = self.seen.clone();
+        let mut seen = self.view.seen.clone();
         for _ in 0..rounds {
             spline.project(&mut seen, 2);
             spline.tighten(&seen);
@@ -29,11 +28,15 @@ impl Sparsest {
         if wild.is_some() {
             spline = Spline::of(&self.fitted);
             // A piece between sharp knots may have too few points to be held by, and swings as it likes.
-            wild = spline.strays(&self.seen, self.slack());
+            wild = spline.strays(&self.view.seen, self.slack());
         } else {
-            self.seen = seen;
+            self.view.seen = seen;
         }
-        let mut located = if self.is_averaged() { self.following() } else { self.seen.clone() };
+        let mut located = if self.view.is_averaged() {
+            self.view.following(self.fitted.breaks())
+        } else {
+            self.view.seen.clone()
+        };
         let mut distances = spline.project_beyond(&mut located, 3, self.near());
         if wild.is_some() {
             distances.largest = f64::INFINITY;
@@ -42,10 +45,10 @@ impl Sparsest {
     }
 
     pub(super) fn polish(&mut self) -> Phase {
-        if let Aim::Squares(target) = self.aim {
+        if let Aim::Squares(target) = self.asked.aim {
             return self.weigh(target);
         }
-        if self.even {
+        if self.evening.even {
             return self.evened();
         }
         let found = self.polished(4);
@@ -56,15 +59,15 @@ impl Sparsest {
     pub(super) fn concluded(&mut self, found: Found) -> Phase {
         let breaks = found.spline.space.breaks.clone();
         if let Some(piece) = found.wild
-            && self.tamings < MOST_TAMINGS
+            && self.effort.tamings < MOST_TAMINGS
             && breaks.len() > least(&breaks)
         {
-            self.tamings += 1;
-            self.seen = self.seen_from_afar();
-            self.fitted = FreeKnots::new(without_piece(breaks, piece), &self.seen);
+            self.effort.tamings += 1;
+            self.view.seen = self.view.unmoved();
+            self.fitted = FreeKnots::new(without_piece(breaks, piece), &self.view.seen);
             return Phase::Refine;
         }
-        match self.aim {
+        match self.asked.aim {
             Aim::Noise(noise) => self.settled(found, noise),
             Aim::Tolerance(tolerance) => self.judge(found, tolerance),
             Aim::Squares(_) => Phase::Done,
@@ -74,17 +77,20 @@ impl Sparsest {
     /// What follows from a fit to points that are noisy by so much.
     fn settled(&mut self, found: Found, noise: f64) -> Phase {
         let breaks = found.spline.space.breaks.clone();
-        if self.is_averaged() && !self.is_tired() && found.distances.squares > self.explained(noise) {
+        if self.view.is_averaged()
+            && !self.effort.is_tired()
+            && found.distances.squares > self.explained(noise)
+        {
             self.keep_cheaper(found);
             self.coarse = self.found.take();
             return self.look_closer(Breaks { sharpest: self.sharpest, ..breaks });
         }
-        self.repairs += 1;
+        self.effort.repairs += 1;
         let mut trial = None;
         // With the parameters at the feet some knots have become needless.
-        if !self.even && self.repairs <= 3 && !self.is_tired() {
-            self.fitted = FreeKnots::new(breaks, &self.seen);
-            trial = better(&self.fitted, &self.seen, self.price);
+        if !self.evening.even && self.effort.repairs <= 3 && !self.effort.is_tired() {
+            self.fitted = FreeKnots::new(breaks, &self.view.seen);
+            trial = better(&self.fitted, &self.view.seen, self.pricing.price);
         }
         match trial {
             Some(trial) => {
@@ -102,13 +108,14 @@ impl Sparsest {
     /// More than this noise does not leave of all points. A curve that averages show is as near to each of them as to their mean; what they hide
     /// is a shape between them (D 13.11).
     fn explained(&self, noise: f64) -> f64 {
-        EXPLAINED * noise * noise * weight(&self.full)
+        EXPLAINED * noise * noise * weight(&self.view.full)
     }
 
     /// Keeps a fit, or what was found from farther away where that is cheaper.
     #[inline(never)]
     fn keep_cheaper(&mut self, found: Found) {
-        let cost = |found: &Found| found.distances.squares + self.price.whole(&found.spline.space.breaks);
+        let cost =
+            |found: &Found| found.distances.squares + self.pricing.price.whole(&found.spline.space.breaks);
         self.found = match self.coarse.take() {
             Some(coarse) if cost(&coarse) < cost(&found) => Some(coarse),
             _ => Some(found),
@@ -119,7 +126,7 @@ impl Sparsest {
     pub(super) fn keep_by_squares(&mut self) {
         self.found = Some(Found {
             spline: Spline::of(&self.fitted),
-            located: self.full.clone(),
+            located: self.view.full.clone(),
             distances: Distances { largest: f64::INFINITY, squares: self.fitted.squares },
             wild: None,
         });
@@ -133,8 +140,8 @@ impl Sparsest {
             self.keep_by_squares();
         }
         let breaks = self.fitted.breaks();
-        if small && breaks.len() > least(breaks) && !self.is_tired() {
-            self.price = Price(self.price.0 * 1.6);
+        if small && breaks.len() > least(breaks) && !self.effort.is_tired() {
+            self.pricing.price.0 *= 1.6;
             return Phase::Thin;
         }
         if kept { Phase::Last(0) } else { Phase::Done }
@@ -142,79 +149,81 @@ impl Sparsest {
 
     /// Goes on with a higher price while the tolerance is kept; repairs a first fit that breaks it.
     pub(super) fn judge(&mut self, found: Found, tolerance: f64) -> Phase {
-        let tired = self.is_tired();
         if found.distances.largest <= tolerance {
-            let breaks = found.spline.space.breaks.clone();
-            let fewer = self.found.as_ref().is_none_or(|best| {
-                best.distances.largest > tolerance || breaks.pieces() <= best.spline.space.breaks.pieces()
-            });
-            if fewer {
-                self.found = Some(found);
-            }
-            if tired || breaks.len() <= least(&breaks) {
-                return Phase::Done;
-            }
-            // At the feet the same price may buy a curve with fewer knots.
-            let few = self.full.points.len() <= FEW;
-            let again = few && self.rounds_at_price < 3 && breaks.pieces() < self.pieces_at_price;
-            (self.rounds_at_price, self.pieces_at_price) =
-                if again { (self.rounds_at_price + 1, breaks.pieces()) } else { (0, usize::MAX) };
-            if !again {
-                self.price = Price(self.price.0 * if few { 2.5 } else { self.leap });
-            }
-            self.fitted = FreeKnots::new(breaks, &self.seen);
-            return Phase::Thin;
+            return self.kept(found, tolerance);
         }
-        if let Some(best) = self.found.as_ref().filter(|best| best.distances.largest <= tolerance) {
-            if self.full.points.len() <= FEW || self.leap < LEAP || tired {
-                return Phase::Last(0);
-            }
-            // The price rose too fast: from the best curve on, it rises again, more slowly.
-            self.price = Price(self.price.0 / BACK);
-            self.leap = LEAP / BACK;
-            self.fitted = FreeKnots::new(best.spline.space.breaks.clone(), &self.seen);
-            return Phase::Thin;
+        if self.found.as_ref().is_some_and(|best| best.distances.largest <= tolerance) {
+            return self.too_dear();
         }
-        self.repairs += 1;
-        let repaired = start::closer(&found.spline, &self.seen, 0.8 * tolerance);
+        self.repaired(found, tolerance)
+    }
+
+    /// What follows from a fit that keeps the tolerance: a higher price, or the same once more.
+    fn kept(&mut self, found: Found, tolerance: f64) -> Phase {
+        let breaks = found.spline.space.breaks.clone();
+        let fewer = self.found.as_ref().is_none_or(|best| {
+            best.distances.largest > tolerance || breaks.pieces() <= best.spline.space.breaks.pieces()
+        });
+        if fewer {
+            self.found = Some(found);
+        }
+        if self.effort.is_tired() || breaks.len() <= least(&breaks) {
+            return Phase::Done;
+        }
+        let (few, pricing) = (self.view.full.points.len() <= FEW, &mut self.pricing);
+        // At the feet the same price may buy a curve with fewer knots.
+        let again = few && pricing.rounds < 3 && breaks.pieces() < pricing.pieces;
+        (pricing.rounds, pricing.pieces) =
+            if again { (pricing.rounds + 1, breaks.pieces()) } else { (0, usize::MAX) };
+        if !again {
+            pricing.price.0 *= if few { 2.5 } else { pricing.leap };
+        }
+        self.fitted = FreeKnots::new(breaks, &self.view.seen);
+        Phase::Thin
+    }
+
+    /// What follows from a fit that breaks the tolerance when another one kept it: the last knots, or a price between the two.
+    fn too_dear(&mut self) -> Phase {
+        let Some(best) = &self.found else { return Phase::Done };
+        if self.view.full.points.len() <= FEW || self.pricing.leap < LEAP || self.effort.is_tired() {
+            return Phase::Last(0);
+        }
+        // The price rose too fast: from the best curve on, it rises again, more slowly.
+        self.pricing.price.0 /= BACK;
+        self.pricing.leap = LEAP / BACK;
+        self.fitted = FreeKnots::new(best.spline.space.breaks.clone(), &self.view.seen);
+        Phase::Thin
+    }
+
+    /// What follows from a first fit that breaks the tolerance: knots where it does.
+    fn repaired(&mut self, found: Found, tolerance: f64) -> Phase {
+        self.effort.repairs += 1;
+        let repaired = start::closer(&found.spline, &self.view.seen, 0.8 * tolerance);
         let nearest = self.found.as_ref().is_none_or(|best| found.distances.largest < best.distances.largest);
         if nearest {
             self.found = Some(found);
         }
         match repaired {
-            Some(breaks) if self.repairs < 40 && !tired => {
-                self.fitted = FreeKnots::new(breaks, &self.seen);
+            Some(breaks) if self.effort.repairs < 40 && !self.effort.is_tired() => {
+                self.fitted = FreeKnots::new(breaks, &self.view.seen);
                 Phase::Polish
             }
             _ => Phase::Done,
         }
     }
 
-    /// All points, moved along the curve as their averages were.
-    pub(super) fn following(&self) -> Located {
-        let (full, breaks) = (&self.full, self.fitted.breaks());
-        let parameters = [&self.seen_from_afar().parameters[..], &self.seen.parameters];
-        let parameters = followed(full, self.averages, parameters, (breaks.closed, breaks.end));
-        Located { parameters, points: full.points.clone(), weights: full.weights.clone() }
-    }
-
-    /// Whether averages are looked at while knots are looked for.
-    pub(super) fn is_averaged(&self) -> bool {
-        self.seen.points.len() < self.full.points.len()
-    }
-
     /// Of points that are no farther no more needs to be known before the search ends: many of them are only asked
     /// whether they keep the tolerance.
     pub(super) fn near(&self) -> f64 {
-        match self.aim {
-            Aim::Tolerance(tolerance) if self.is_averaged() => tolerance,
+        match self.asked.aim {
+            Aim::Tolerance(tolerance) if self.view.is_averaged() => tolerance,
             _ => 0.0,
         }
     }
 
     /// How far from the points their curve may be.
     pub(super) fn slack(&self) -> f64 {
-        match self.aim {
+        match self.asked.aim {
             Aim::Noise(noise) => 4.0 * noise,
             Aim::Tolerance(tolerance) => tolerance,
             Aim::Squares(_) => f64::INFINITY,

@@ -20,31 +20,34 @@ const LOOKS: f64 = 16.0;
 impl Sparsest {
     /// Corners that turn by less than is asked for.
     pub(super) fn slight_corners(&self, spline: &Spline) -> Vec<usize> {
-        slight_corners(spline, self.least_turn, FAR * self.slack())
+        slight_corners(spline, self.asked.least_turn, FAR * self.slack())
     }
 
     /// Goes on without the corners of the best curve that are too slight, or ends the search.
     pub(super) fn round_off(&mut self) -> Phase {
         let Some(best) = &self.found else { return Phase::Done };
         let slight = self.slight_corners(&best.spline);
-        if slight.is_empty() || self.roundings >= MOST_TIMES || matches!(self.aim, Aim::Squares(_)) {
+        if slight.is_empty()
+            || self.effort.roundings >= MOST_TIMES
+            || matches!(self.asked.aim, Aim::Squares(_))
+        {
             return Phase::Done;
         }
-        self.roundings += 1;
+        self.effort.roundings += 1;
         self.sharpest = best.spline.space.breaks.degree - 1;
         let breaks = without_corners(&best.spline.space.breaks, &slight);
-        if !self.is_averaged() {
-            self.seen = best.located.clone();
+        if !self.view.is_averaged() {
+            self.view.seen = best.located.clone();
         } else {
-            self.seen = self.seen_from_afar();
+            self.view.seen = self.view.unmoved();
         }
-        self.fitted = FreeKnots::new(breaks, &self.seen);
-        if matches!(self.aim, Aim::Noise(_)) {
-            self.repairs = 0;
+        self.fitted = FreeKnots::new(breaks, &self.view.seen);
+        if matches!(self.asked.aim, Aim::Noise(_)) {
+            self.effort.repairs = 0;
             return Phase::Refine;
         }
-        (self.found, self.repairs) = (None, 0);
-        self.price.0 *= CHEAPER;
+        (self.found, self.effort.repairs) = (None, 0);
+        self.pricing.price.0 *= CHEAPER;
         Phase::Polish
     }
 }

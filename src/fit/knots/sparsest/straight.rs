@@ -41,7 +41,7 @@ impl Sparsest {
             self.found = Some(best);
             return Phase::Done;
         }
-        if matches!(self.aim, Aim::Squares(_)) {
+        if matches!(self.asked.aim, Aim::Squares(_)) {
             let mut feet = best.located.parameters.clone();
             best.distances = best.spline.feet(&best.located, &mut feet, 3);
         }
@@ -58,11 +58,11 @@ impl Sparsest {
         }
         if !best.spline.space.breaks.straight.is_empty() {
             best = self.with_fewer(best, self.number());
-            if self.spaced && matches!(self.aim, Aim::Noise(_)) {
+            if self.asked.spaced && matches!(self.asked.aim, Aim::Noise(_)) {
                 best = self.placed_by_length(best);
             }
         }
-        if self.spaced && matches!(self.aim, Aim::Noise(_)) {
+        if self.asked.spaced && matches!(self.asked.aim, Aim::Noise(_)) {
             best = self.spaced_out(best);
         }
         self.found = Some(best);
@@ -71,11 +71,11 @@ impl Sparsest {
 
     /// What a number of the curve is worth in squares of distances.
     fn number(&self) -> f64 {
-        match self.aim {
+        match self.asked.aim {
             Aim::Noise(noise) => PER_NUMBER * noise * noise,
-            Aim::Squares(_) => PER_NUMBER * self.noise * self.noise,
+            Aim::Squares(_) => PER_NUMBER * self.asked.noise * self.asked.noise,
             Aim::Tolerance(tolerance) => {
-                (PER_NUMBER * self.noise * self.noise).max(SHARE * tolerance * tolerance)
+                (PER_NUMBER * self.asked.noise * self.asked.noise).max(SHARE * tolerance * tolerance)
             }
         }
     }
@@ -84,17 +84,17 @@ impl Sparsest {
     /// are.
     fn placed_by_length(&self, best: Found) -> Found {
         let breaks = &best.spline.space.breaks;
-        let placed = if self.even {
+        let placed = if self.evening.even {
             Some((best.located.parameters.clone(), breaks.clone()))
         } else {
             by_length(&best.spline, &best.located)
         };
         let Some((parameters, breaks)) = placed else { return best };
         let located = Located { parameters, ..best.located.clone() };
-        let worth = HARDLY * self.price.0;
+        let worth = HARDLY * self.pricing.price.0;
         let fitted = settle(FreeKnots::new(breaks, &located), &located, worth, MOST_SLIDES);
         // Both coordinates of all points.
-        let noise = 2.0 * self.price.0 / PER_NUMBER * located.points.len() as f64;
+        let noise = 2.0 * self.pricing.price.0 / PER_NUMBER * located.points.len() as f64;
         if fitted.squares > UNEVEN * noise {
             return best;
         }
@@ -103,7 +103,8 @@ impl Sparsest {
         let mut feet = located.parameters.clone();
         let distances = spline.feet(&located, &mut feet, 3);
         // Another fit to the same noise is about as near, to what its numbers are worth; points that are not even after all are not.
-        let farther = distances.squares - best.distances.squares > self.price.whole(&spline.space.breaks);
+        let farther =
+            distances.squares - best.distances.squares > self.pricing.price.whole(&spline.space.breaks);
         let stray = farther || self.is_spoiled(&spline, &located);
         if stray { best } else { Found { spline, located, distances, wild: None } }
     }
@@ -114,15 +115,16 @@ impl Sparsest {
         let mut located = best.located.clone();
         best.spline.project(&mut located, 3);
         // Both coordinates of all points.
-        let noise = 2.0 * self.price.0 / PER_NUMBER * weight(&located);
+        let noise = 2.0 * self.pricing.price.0 / PER_NUMBER * weight(&located);
         let spaced = Spaced::new(best.spline.clone(), &located);
-        let Some(spaced) = spaced.and_then(|spaced| spaced.settled(EASILY * self.price.0)) else {
+        let Some(spaced) = spaced.and_then(|spaced| spaced.settled(EASILY * self.pricing.price.0)) else {
             return best;
         };
         let Spaced { spline, located, squares, .. } = spaced;
         let mut feet = located.parameters.clone();
         let distances = spline.feet(&located, &mut feet, 3);
-        let farther = distances.squares - best.distances.squares > self.price.whole(&spline.space.breaks);
+        let farther =
+            distances.squares - best.distances.squares > self.pricing.price.whole(&spline.space.breaks);
         let even = squares <= EXPLAINED * noise && !farther;
         if even && !self.is_spoiled(&spline, &located) {
             Found { spline, located, distances, wild: None }
@@ -171,10 +173,10 @@ impl Sparsest {
     /// The fit on other breaks, if its squares grow by no more than `worth` and it keeps what was asked for.
     fn on(&self, breaks: Breaks, best: &Found, worth: f64) -> Option<Found> {
         let mut located = best.located.clone();
-        let held = self.even || matches!(self.aim, Aim::Squares(_));
+        let held = self.evening.even || matches!(self.asked.aim, Aim::Squares(_));
         let mut fitted = FreeKnots::new(breaks, &located);
         if held {
-            fitted = settle(fitted, &located, EASILY * self.price.0, FEW_SLIDES);
+            fitted = settle(fitted, &located, EASILY * self.pricing.price.0, FEW_SLIDES);
         }
         let mut spline = Spline::of(&fitted);
         for _ in 0..if held { 0 } else { FEW_SLIDES } {
@@ -186,7 +188,7 @@ impl Sparsest {
         if held {
             located.parameters.clone_from(&best.located.parameters);
         }
-        let kept = match self.aim {
+        let kept = match self.asked.aim {
             Aim::Noise(_) => true,
             Aim::Tolerance(tolerance) => distances.largest <= tolerance.max(best.distances.largest),
             Aim::Squares(target) => fitted.squares <= target,
