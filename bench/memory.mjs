@@ -16,7 +16,9 @@ const { outline } = await import("./lib/outlines.mjs");
 const [count, gridSize] = process.argv.slice(2).map(Number);
 const fit = (points, size, places) => {
   const detail = Math.min(size / 60, 1200);
-  return fitSparse(points, { degree: 3, finish: "none", period: size, gridSize: places, lambda: 400 * (detail / (2 * Math.PI)) ** 4, parameters: Float64Array.from({ length: size }, (_, i) => i) });
+  const parameters = Float64Array.from({ length: size }, (_, i) => i);
+  const lambda = 400 * (detail / (2 * Math.PI)) ** 4;
+  return fitSparse(points, { degree: 3, finish: "none", period: size, gridSize: places, lambda, parameters });
 };
 const bytes = () => Math.max(...memories.map((memory) => memory.buffer.byteLength));
 fit(outline(100), 100, 100);

@@ -78,8 +78,10 @@ const MEMORY = "memory of a sparse fit";
 if (MEMORY.includes(only)) {
   console.log(`${MEMORY}, degree 3, 2000 places for knots: what wasm takes beside its start`);
   for (const count of [25_000, 50_000, 100_000]) {
-    const [before, after] = execFileSync("node", [fileURLToPath(new URL("memory.mjs", import.meta.url)), String(count), "2000"], { encoding: "utf8" }).split(" ").map(Number);
-    console.log(`  ${String(count).padStart(6)} points ${((after - before) / 2 ** 20).toFixed(1).padStart(6)} MiB, ${((after - before) / count).toFixed(0)} bytes for each`);
+    const script = fileURLToPath(new URL("memory.mjs", import.meta.url));
+    const [before, after] = execFileSync("node", [script, String(count), "2000"], { encoding: "utf8" }).split(" ").map(Number);
+    const [needed, each] = [(after - before) / 2 ** 20, (after - before) / count];
+    console.log(`  ${String(count).padStart(6)} points ${needed.toFixed(1).padStart(6)} MiB, ${each.toFixed(0)} bytes for each`);
   }
   console.log("");
 }

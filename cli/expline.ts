@@ -33,7 +33,9 @@ function run([command, ...words]: readonly string[]): string {
     case undefined:
       throw new Failure(USAGE, "a command is missing; expline --help lists them");
   }
-  if (!Object.hasOwn(COMMANDS, command)) throw new Failure(USAGE, `there is no command ${JSON.stringify(command.slice(0, 40))}; expline --help lists them`);
+  if (!Object.hasOwn(COMMANDS, command)) {
+    throw new Failure(USAGE, `there is no command ${JSON.stringify(command.slice(0, 40))}; expline --help lists them`);
+  }
   return COMMANDS[command]?.(words) ?? "";
 }
 

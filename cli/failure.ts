@@ -22,6 +22,6 @@ export class Failure extends Error {
 /** An option out of range is a matter of the call; whatever is wrong with the points, of the input. */
 export function statusOf(error: unknown): number {
   if (error instanceof Failure) return error.status;
-  const ofOptions = error instanceof ExplineError && error.arg !== "points" && error.arg !== "image" && ["E_TYPE", "E_RANGE", "E_LENGTH", "E_NOT_FINITE"].includes(error.code);
-  return ofOptions ? USAGE : INPUT;
+  const ofOptions = error instanceof ExplineError && error.arg !== "points" && error.arg !== "image";
+  return ofOptions && ["E_TYPE", "E_RANGE", "E_LENGTH", "E_NOT_FINITE"].includes(error.code) ? USAGE : INPUT;
 }

@@ -76,7 +76,9 @@ function optionsOf(given: Given): SparseFitOptions {
 function formatOf({ values }: Given): Format {
   const asked = values.get("format") ?? /\.(json|txt)$/iu.exec(values.get("output") ?? "")?.[1]?.toLowerCase() ?? "svg";
   const format = asked === "txt" ? "path" : asked;
-  if (format !== "svg" && format !== "path" && format !== "json") throw new Failure(USAGE, `--format is ${JSON.stringify(asked.slice(0, 40))}; expected svg, path or json`);
+  if (format !== "svg" && format !== "path" && format !== "json") {
+    throw new Failure(USAGE, `--format is ${JSON.stringify(asked.slice(0, 40))}; expected svg, path or json`);
+  }
   return format;
 }
 
@@ -89,8 +91,10 @@ function written(fits: readonly SparseFit[], format: Format, decimals: number | 
   const d = fits.map(({ curve }) => curve.toPathD({ tolerance: within || 1e-9, ...(decimals === undefined ? {} : { decimals }) }).d).join("");
   if (format === "path") return `${d}\n`;
   const stroke = Number((size / 200 || 1).toPrecision(2));
-  const box = [extent.x - stroke, extent.y - stroke, extent.width + 2 * stroke, extent.height + 2 * stroke].map((value) => Number(value.toPrecision(6)));
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${box.join(" ")}"><path fill="none" stroke="#000" stroke-width="${stroke}" stroke-linejoin="round" d="${d}"/></svg>\n`;
+  const box = [extent.x - stroke, extent.y - stroke, extent.width + 2 * stroke, extent.height + 2 * stroke];
+  const view = box.map((value) => Number(value.toPrecision(6))).join(" ");
+  const path = `<path fill="none" stroke="#000" stroke-width="${stroke}" stroke-linejoin="round" d="${d}"/>`;
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${view}">${path}</svg>\n`;
 }
 
 function asData({ curve, knots, objective, gap, qfe, maxError, lambda, smoothing, sigma, status, iterations }: SparseFit): object {

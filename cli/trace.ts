@@ -137,5 +137,6 @@ function asData({ width, height, contours }: Trace): object {
 function summary({ width, height }: Picture, { contours }: Trace): string {
   const points = contours.reduce((sum, { curve }) => sum + curve.points.length / 2, 0);
   const farthest = Math.max(0, ...contours.map(({ metrics }) => metrics.max));
-  return `${width} × ${height} pixels, ${contours.length} ${contours.length === 1 ? "contour" : "contours"}, ${points} points, largest distance ${Number(farthest.toPrecision(3))}`;
+  const found = `${contours.length} ${contours.length === 1 ? "contour" : "contours"}, ${points} points`;
+  return `${width} × ${height} pixels, ${found}, largest distance ${Number(farthest.toPrecision(3))}`;
 }

@@ -48,7 +48,8 @@ function sized(count, splines, detail, [cold, warm], rivals) {
     const step = `expline, wasm, λ × 1.05 to 1e-3`;
     const solver = ([name, own]) => {
       const excess = () => native.answer(`sparse:${own}`);
-      return { name, measure: native.measure(`sparse:${own}`), units: 1, note: () => `objective ${excess().toExponential(0)} of it above the optimum` };
+      const note = () => `objective ${excess().toExponential(0)} of it above the optimum`;
+      return { name, measure: native.measure(`sparse:${own}`), units: 1, note };
     };
     return {
       unit: "fit",
@@ -98,20 +99,34 @@ function noisy({ expline }) {
     return [0, 1].map((i) => (1 - t) ** 3 * a[i] + 3 * (1 - t) ** 2 * t * b[i] + 3 * (1 - t) * t * t * c[i] + t ** 3 * d[i]);
   }).flat()));
   const row = (name, action, note) => ({ name, measure: here(action), units: 1, note });
+  const near = (places) => `rms to the truth ${rms(curve, places).toFixed(3)}`;
+  const corners = () => Float64Array.from(polyline.flatMap(({ x, y }) => [x, y]));
   const ours = "expline, wasm, no σ given";
   return {
     unit: "fit",
     contestants: [
-      row(ours, () => (fit = expline.fitSparse(points, { degree: 3 })), () => `${fit.curve.lengths.length} segments, rms to the truth ${rms(curve, fit.curve.sample(4000)).toFixed(3)}`),
-      row("fit-curve, error 9", () => (beziers = fitCurve(closedPairs, 9)), () => `${beziers.length} segments, rms to the truth ${rms(curve, dense(beziers)).toFixed(3)}`),
+      row(
+        ours,
+        () => (fit = expline.fitSparse(points, { degree: 3 })),
+        () => `${fit.curve.lengths.length} segments, ${near(fit.curve.sample(4000))}`,
+      ),
+      row(
+        "fit-curve, error 9",
+        () => (beziers = fitCurve(closedPairs, 9)),
+        () => `${beziers.length} segments, ${near(dense(beziers))}`,
+      ),
       row("paper's simplify, tolerance 2.5", () => {
         path = new paper.Path({ segments: pairs, closed: true, insert: false });
         path.simplify(2.5);
       }, () => {
         const places = Float64Array.from({ length: 4000 }, (_, i) => path.getPointAt((path.length * (i >> 1)) / 2000)[i % 2 === 0 ? "x" : "y"]);
-        return `${path.segments.length} segments, rms to the truth ${rms(curve, places).toFixed(3)}`;
+        return `${path.segments.length} segments, ${near(places)}`;
       }),
-      row("simplify-js, tolerance 2.5", () => (polyline = simplify(xy, 2.5, true)), () => `${polyline.length} lines, rms to the truth ${rms(curve, Float64Array.from(polyline.flatMap(({ x, y }) => [x, y]))).toFixed(3)} at its points`),
+      row(
+        "simplify-js, tolerance 2.5",
+        () => (polyline = simplify(xy, 2.5, true)),
+        () => `${polyline.length} lines, ${near(corners())} at its points`,
+      ),
     ],
     targets: [],
     limits: [[ours, 8]],
@@ -136,7 +151,10 @@ function many({ expline }) {
         name: ours,
         units: 1,
         measure: here(() => (fit = expline.fitSparse(points, { degree: 3, tolerance: 5 }))),
-        note: () => `${fit.curve.lengths.length} segments, proved within ${fit.maxError.toFixed(2)}, rms to the truth ${rms(curve, fit.curve.sample(4000)).toFixed(3)}`,
+        note: () => {
+          const near = rms(curve, fit.curve.sample(4000)).toFixed(3);
+          return `${fit.curve.lengths.length} segments, proved within ${fit.maxError.toFixed(2)}, rms to the truth ${near}`;
+        },
       },
     ],
     targets: [],

@@ -29,7 +29,12 @@ function bounds({ curve, kurbo, native, beziers, path }) {
         for (const b of beziers) {
           b._bbox = undefined;
           const { x, y } = b.bbox();
-          box = { minX: Math.min(box.minX, x.min), minY: Math.min(box.minY, y.min), maxX: Math.max(box.maxX, x.max), maxY: Math.max(box.maxY, y.max) };
+          box = {
+            minX: Math.min(box.minX, x.min),
+            minY: Math.min(box.minY, y.min),
+            maxX: Math.max(box.maxX, x.max),
+            maxY: Math.max(box.maxY, y.max),
+          };
         }
       }, () => off(sum(box), truth())),
       row("paper", () => {

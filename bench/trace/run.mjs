@@ -36,7 +36,8 @@ function judge(title, condition, rows) {
 function worst({ scores }) {
   const known = scores.filter((s) => s).sort((a, b) => b.hausdorff - a.hausdorff);
   const line = (s) =>
-    `  ${s.id}: haus ${s.hausdorff.toFixed(2)}, mean ${s.mean.toFixed(3)}, segments ${s.segments}/${s.segmentsTrue}, corners missed ${s.cornersTrue - s.cornersHit} false ${s.cornersFalse + s.cornersDouble}, kinks ${s.kinks}`;
+    `  ${s.id}: haus ${s.hausdorff.toFixed(2)}, mean ${s.mean.toFixed(3)}, segments ${s.segments}/${s.segmentsTrue}, ` +
+    `corners missed ${s.cornersTrue - s.cornersHit} false ${s.cornersFalse + s.cornersDouble}, kinks ${s.kinks}`;
   console.log(`${known.map(line).join("\n")}\n`);
 }
 
@@ -67,8 +68,14 @@ async function lines(trace) {
     const cells = rows.map(({ name, row: r }) => [name, r.failed ?? "–", ...LINE_COLUMNS.map(([key, , digits]) => r[key]?.toFixed(digits) ?? "–")]);
     const head = ["tracer", "failed", ...LINE_COLUMNS.map(([, heading]) => heading)];
     console.log(`### ${title}\n\n| ${head.join(" | ")} |\n|${"---|".repeat(head.length)}\n${cells.map((c) => `| ${c.join(" | ")} |`).join("\n")}\n`);
-    if (flag("--worst") >= 0) console.log(scores.sort((a, b) => b.mean - a.mean).map((s) => `  ${s.id}: mean ${s.mean.toFixed(3)}, haus ${s.hausdorff.toFixed(2)}, rec ${s.recall.toFixed(3)}, prec ${s.precision.toFixed(3)}, lines ${s.lines}/${s.linesTrue}`).join("\n"));
-    for (const [key, goal] of Object.entries(LINE_GOALS[condition])) verdict(key === "mean" ? row[key] <= goal : row[key] >= goal, `${title}: ${key} ${row[key].toFixed(3)}; wanted ${key === "mean" ? "at most" : "at least"} ${goal}`);
+    const digits = (s) =>
+      `mean ${s.mean.toFixed(3)}, haus ${s.hausdorff.toFixed(2)}, rec ${s.recall.toFixed(3)}, prec ${s.precision.toFixed(3)}`;
+    const line = (s) => `  ${s.id}: ${digits(s)}, lines ${s.lines}/${s.linesTrue}`;
+    if (flag("--worst") >= 0) console.log(scores.sort((a, b) => b.mean - a.mean).map(line).join("\n"));
+    for (const [key, goal] of Object.entries(LINE_GOALS[condition])) {
+      const [holds, wanted] = key === "mean" ? [row[key] <= goal, "at most"] : [row[key] >= goal, "at least"];
+      verdict(holds, `${title}: ${key} ${row[key].toFixed(3)}; wanted ${wanted} ${goal}`);
+    }
   }
 }
 

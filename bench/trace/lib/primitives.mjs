@@ -16,7 +16,10 @@ function commands(d) {
   svgpath(d).abs().unshort().iterate(([letter, ...numbers], _, x, y) => {
     const ends = { H: [numbers[0], y], V: [x, numbers[0]], Z: start }[letter] ?? numbers.slice(-2);
     if (letter === "M") start = numbers;
-    else if (Math.hypot(ends[0] - x, ends[1] - y) > 1e-6) out.push({ kind: "HVZ".includes(letter) ? "L" : letter, numbers: "HVZ".includes(letter) ? ends : numbers, x, y });
+    else if (Math.hypot(ends[0] - x, ends[1] - y) > 1e-6) {
+      const straight = "HVZ".includes(letter);
+      out.push({ kind: straight ? "L" : letter, numbers: straight ? ends : numbers, x, y });
+    }
   });
   return out;
 }

@@ -52,7 +52,8 @@ export async function measured(set, condition, contestants, keep = () => {}) {
 /** A table in Markdown; recorded rows have gaps where nothing was recorded. */
 export function table(title, rows) {
   const head = ["tracer", "failed", ...COLUMNS.map(([, heading]) => heading)];
-  const cells = rows.map(({ name, row }) => [name, row.failed ?? "–", ...COLUMNS.map(([key, , digits]) => (row[key] === undefined ? "–" : row[key].toFixed(digits)))]);
+  const cell = (row, key, digits) => (row[key] === undefined ? "–" : row[key].toFixed(digits));
+  const cells = rows.map(({ name, row }) => [name, row.failed ?? "–", ...COLUMNS.map(([key, , digits]) => cell(row, key, digits))]);
   return `### ${title}\n\n| ${head.join(" | ")} |\n|${"---|".repeat(head.length)}\n${cells.map((c) => `| ${c.join(" | ")} |`).join("\n")}\n`;
 }
 
