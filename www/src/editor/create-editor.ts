@@ -30,6 +30,8 @@ export function createEditor(now: () => number): Editor {
     const sketch = also.sketch ?? state.value.sketch;
     state.set({
       ...state.value,
+      // What lay under the pointer is somewhere else, or gone.
+      ...(gesture === null && curve !== state.value.curve ? { hover: { kind: "empty" as const } } : {}),
       ...also,
       curve,
       // A proposal is about the drawing as it was.

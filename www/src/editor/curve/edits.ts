@@ -197,7 +197,8 @@ export function deleteAndHeal(editor: Editor): void {
     apply: (document) => ({ ...document, contours }),
     select: stay === null ? nothingSelected : { points: [stay], handle: null },
   });
-  say(editor, `${gone === 1 ? "Point deleted" : `${gone} points deleted`}. The curve moved by at most ${printed(deviation)}.`);
+  const what = gone === 1 ? "Point deleted." : `${gone} points deleted.`;
+  say(editor, stay !== null || deviation > 0 ? `${what} The curve moved by at most ${printed(deviation)}.` : what);
 }
 
 /** Takes the chosen points away and leaves the gaps open. */

@@ -125,20 +125,19 @@ function expand(use: Element, outer: Matrix, depth: number, reading: Reading): v
 function viewport(element: Element, isRoot: boolean, warn: Warn): Matrix {
   const width = lengthOf(element, "width", null, warn);
   const height = lengthOf(element, "height", null, warn);
-  const x = isRoot ? 0 : (lengthOf(element, "x", 0, warn) ?? 0);
-  const y = isRoot ? 0 : (lengthOf(element, "y", 0, warn) ?? 0);
-  const place = translate(x, y);
   const text = element.getAttribute("viewBox");
+  const [left = 0, top = 0, boxWidth = 0, boxHeight = 0] = numbersOf(text ?? "") ?? [];
+  // The whole picture's corner stays where its own coordinates say: what was exported from here comes back in place.
+  const place = isRoot ? translate(left, top) : translate(lengthOf(element, "x", 0, warn) ?? 0, lengthOf(element, "y", 0, warn) ?? 0);
   if (text === null) return place;
-  const [left = 0, top = 0, boxWidth = 0, boxHeight = 0] = numbersOf(text) ?? [];
   if (!(boxWidth > 0 && boxHeight > 0)) {
     warn("W_BAD_VIEWBOX", element);
-    return place;
+    return isRoot ? identity : place;
   }
   // A size that is not given follows from the other by the box's proportions, or is the box's own.
   const toWidth = width ?? (height === null ? boxWidth : (height * boxWidth) / boxHeight);
   const toHeight = height ?? (width === null ? boxHeight : (width * boxHeight) / boxWidth);
-  if (!(toWidth > 0 && toHeight > 0)) return place;
+  if (!(toWidth > 0 && toHeight > 0)) return isRoot ? identity : place;
   const fitted = fit(element.getAttribute("preserveAspectRatio") ?? "", toWidth, toHeight, boxWidth, boxHeight);
   return multiply(multiply(place, fitted), translate(-left, -top));
 }

@@ -5,6 +5,7 @@ import { documentPathD } from "../../kernel/paths/paths.ts";
 import { documentBounds } from "../../kernel/curve/samples.ts";
 import { errorText } from "../messages/errors.ts";
 import type { Shell } from "../shell.ts";
+import { pasteCopy, rememberCopy } from "./clipboard.ts";
 import { naturalDestination, place, readOrReport } from "./load.ts";
 import { openPicture } from "./open-picture.ts";
 import { report } from "./report.ts";
@@ -32,6 +33,7 @@ export async function copySvg(shell: Shell): Promise<boolean> {
   const filled = mode === "trace" && part.contours.every(({ closed }) => closed);
   const text = await io.writeSvg({ title, d: documentPathD(part, printed).d, box: documentBounds(part), filled, layers });
   const done = await io.copyText(text);
+  if (done && mode === "curve") rememberCopy(editor, text, part);
   if (done) toasts.say(part.contours.length === 1 ? "Copied the contour as SVG." : `Copied ${part.contours.length} contours as SVG.`);
   else toasts.error("clipboard", errorText("clipboard"));
   return done;
@@ -59,7 +61,7 @@ export async function share(shell: Shell): Promise<void> {
 
 /** Text from a paste or a drop: added to the drawing, or opened when it is a whole file. */
 export async function receiveText(shell: Shell, text: string): Promise<void> {
-  if (shell.editor.state.value.engine.status !== "ready") return;
+  if (shell.editor.state.value.engine.status !== "ready" || pasteCopy(shell.editor, text)) return;
   const imported = await readOrReport(shell, text);
   if (imported === null) return;
   try {

@@ -1,0 +1,89 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { useBrowser, type Demo } from "./page.ts";
+
+/** What is copied, cut and pasted within the page. */
+
+const { open } = useBrowser();
+const permissions = ["clipboard-read", "clipboard-write"];
+
+async function paste(demo: Demo, text: string): Promise<void> {
+  await demo.page.evaluate((given) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData("text/plain", given);
+    document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+  }, text);
+  await demo.idle();
+}
+
+async function copied(demo: Demo, key: "Control+c" | "Control+x"): Promise<string> {
+  await demo.focusStage();
+  return demo.copied(() => demo.press(key));
+}
+
+test("a copy is pasted as what it is, beside its original, chosen, without moving the view", async (t) => {
+  const demo = await open(t, "#/curve?sample=blob-16", { permissions });
+  const [before] = (await demo.state()).curve.contours;
+  const { view } = await demo.state();
+  const text = await copied(demo, "Control+c");
+  // Clipboards of Windows change the ends of lines.
+  for (const given of [text, text.replaceAll("\n", "\r\n")]) await paste(demo, given);
+  const { curve, view: after } = await demo.state();
+  assert.equal(curve.contours.length, 3);
+  assert.deepEqual(after, view);
+  for (const [k, contour] of curve.contours.entries()) {
+    assert.equal(contour.family, "interpolating");
+    assert.deepEqual(contour.points.map(({ x, y }) => [x, y]), before?.points.map(({ x, y }) => [x + 16 * k, y + 16 * k]));
+  }
+  const moved = curve.contours[2]?.points.map(({ x }) => x + 1);
+  await demo.focusStage();
+  await demo.press("ArrowRight");
+  const nudged = (await demo.state()).curve.contours;
+  assert.deepEqual(nudged[2]?.points.map(({ x }) => x), moved, "what was pasted last is what is moved");
+  assert.deepEqual(nudged[1], curve.contours[1]);
+});
+
+test("what is cut is pasted in its place, and far from where one looks it is brought into sight", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart", { permissions });
+  const [heart] = (await demo.state()).curve.contours;
+  const text = await copied(demo, "Control+x");
+  await demo.until(() => demo.state(), ({ curve }) => curve.contours.length === 0, "the heart is cut");
+  await demo.page.evaluate(async () => {
+    const state = window.explineDemo.getState();
+    await window.explineDemo.setState({ ...state, view: { zoom: 1, x: 90_000, y: 0 } });
+  });
+  await paste(demo, text);
+  assert.deepEqual((await demo.state()).curve.contours, [heart]);
+  const at = await demo.toScreen(heart?.points[0]?.x ?? 0, heart?.points[0]?.y ?? 0);
+  assert.ok(at.x > 40 && at.x < 976 && at.y > 48 && at.y < 768, JSON.stringify(at));
+});
+
+test("a drawing that was exported comes back where it was", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart", { permissions });
+  const { points } = (await demo.state()).curve.contours[0] ?? { points: [] };
+  const text = await copied(demo, "Control+c");
+  await demo.page.reload();
+  await demo.page.evaluate(() => window.explineDemo.ready);
+  await demo.byId("btn-import").click();
+  await demo.byId("import-text").fill(text);
+  await demo.byId("import-apply").click();
+  await demo.byId("import-dialog").waitFor({ state: "detached" });
+  await demo.idle();
+  const back = await demo.points();
+  // Four decimals are written.
+  for (const { x, y } of points) assert.ok(back.some((point) => Math.hypot(point.x - x, point.y - y) <= 1e-4), `${x}, ${y} is a point again`);
+});
+
+test("of what was deleted nothing stays under the pointer, and no curve is said to have moved", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  const [x, y] = (await demo.sample(800))[150] ?? [0, 0];
+  const at = await demo.toScreen(x, y);
+  await demo.page.mouse.move(at.x, at.y);
+  await demo.focusStage();
+  await demo.press("Control+a", "Delete");
+  assert.equal(await demo.textOf("toast"), "6 points deleted.");
+  const empty = await demo.pixels();
+  await demo.page.mouse.move(at.x + 200, at.y + 200);
+  await demo.idle();
+  assert.equal(await demo.changedPixels(empty, await demo.pixels()), 0, "no mark of the curve that was there");
+});
