@@ -382,5 +382,7 @@ function fileOptions(op: string, options: unknown): { rows: number; cols: number
   const { rows = 64, cols = 64, name = "surface" } = checkOptions(op, options, ["rows", "cols", "name"]);
   if (typeof name !== "string") throw wrong("E_TYPE", op, "name", name, "string");
   const [m, n] = sizes(op, rows, cols);
-  return { rows: m, cols: n, name: name.replace(/[^\p{L}\p{N} ._-]/gu, "_").slice(0, 200) };
+  // No literal: engines look all letters up while they read one, at the import of whoever writes no file.
+  const strange = new RegExp("[^\\p{L}\\p{N} ._-]", "gu");
+  return { rows: m, cols: n, name: name.replace(strange, "_").slice(0, 200) };
 }
