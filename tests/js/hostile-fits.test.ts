@@ -66,6 +66,7 @@ const cases: readonly Case[] = [
   { id: "FT-025", what: "an outlier at 1e9", run: () => STRENGTHS.map((strength) => fitSparse(withOutlier, strength)), gives: (all: SparseFit[]) => all.forEach(sound) },
   { id: "FT-026", what: "points in a box too small for doubles: FT-004", run: fit(tinyFar), refuses: { code: "E_DEGENERATE", arg: "points" } },
   { id: "FT-026b", what: "points in the smallest boxes of doubles, far away", run: () => smallFar.map((points) => fitSparse(points)), gives: (all: SparseFit[]) => all.forEach((result, i) => { sound(result); assert.ok(boxExcess(result, smallFar[i] as Float64Array) <= 2); }) },
+  { id: "FT-030b", what: "a period without parameters, of which it would be one", run: fit(SQUARE, { period: 4 }), refuses: { code: "E_TYPE", arg: "period" } },
   { id: "FT-030", what: "parameters that fall", run: fit(SQUARE, { parameters: [0, 0.5, 0.4, 1], period: 2 }), refuses: { code: "E_DEGENERATE", arg: "parameters", index: 2 } },
   { id: "FT-031", what: "parameters that are all equal", run: fit(SQUARE, { parameters: [0.5, 0.5, 0.5, 0.5] }), refuses: { code: "E_DEGENERATE", arg: "parameters" } },
   { id: "FT-032", what: "a grid beyond the limit", run: fit(CIRCLE, { gridSize: 10_000_000 }), refuses: { code: "E_LIMIT", arg: "gridSize", limit: "maxKnotGrid" } },

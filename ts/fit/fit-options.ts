@@ -66,7 +66,7 @@ export interface SparseFitOptions extends SparseFitStrength {
   finish?: "none" | "gridless" | "full" | readonly FitStep[] | undefined;
   /** Increasing parameters of the points, one each. Default: as long as the way between them. */
   parameters?: Float64Array | readonly number[] | undefined;
-  /** Length of the parameter's period of a closed fit with `parameters`; beyond the last of them. */
+  /** Length of the parameter's period of a closed fit with `parameters`, beyond the last of them; refused without them. */
   period?: number | undefined;
   /** How much each point counts, one positive number each. Default: all the same. */
   weights?: Float64Array | readonly number[] | undefined;
@@ -129,6 +129,7 @@ export function order(op: string, points: unknown, options: unknown): Order {
   const size = given.length / 2;
   const parameters = perPoint(op, "parameters", own.parameters, size);
   const weights = perPoint(op, "weights", own.weights, size);
+  if (own.period !== undefined && own.parameters === undefined) throw wrong("E_TYPE", op, "period", own.period, "given with parameters");
   const optional = (value: unknown, name: string, least: number, most: number): number =>
     value === undefined ? -1 : within(op, name, value, least, most);
   const record = Float64Array.of(
