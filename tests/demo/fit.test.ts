@@ -184,3 +184,18 @@ test("V18 knots that have vanished are gone from the picture, without a touch of
   await demo.idle();
   assert.equal(await demo.changedPixels(after, await demo.pixels()), 0);
 });
+
+test("a knot that is dragged draws nothing: it is chosen, and Edit in Curve is offered", async (t) => {
+  const demo = await open(t, "#/fit?sample=fit-star");
+  const { fit } = await demo.state();
+  assert.match(await demo.textOf("hint"), /in place of the sample/u);
+  const { x, y } = (await result(demo)).knots[0] ?? { x: NaN, y: NaN };
+  await demo.drag("knot-0", 60, 40);
+  const after = await demo.state();
+  assert.deepEqual(after.fit.data, fit.data);
+  assert.ok(await demo.byId("btn-undo").isDisabled(), "nothing happened that could be undone");
+  await demo.page.locator('[data-testid="toast"] .toast-action').click();
+  await demo.idle();
+  assert.equal((await demo.state()).mode, "curve");
+  assert.ok((await demo.points()).some((point) => Math.hypot(point.x - x, point.y - y) < 1e-6), "the knot is a point there");
+});

@@ -11,7 +11,8 @@ export function fitHint(state: EditorState): string {
   if (tool === "hand") return "Drag to pan. D goes back to drawing.";
   switch (fitView.tool) {
     case "draw":
-      return state.fit.data.length === 0 ? "" : "Drag to draw another stroke. Press a knot to choose it.";
+      if (state.fit.data.length === 0) return "";
+      return state.fit.sample === undefined ? "Drag to draw another stroke. Press a knot to choose it." : "Drag to draw a line of your own in place of the sample. Press a knot to choose it.";
     case "points":
       return state.touch ? "Tap to add points; a double tap ends the stroke." : "Click to add points; a double-click or Enter ends the stroke.";
     case "erase":

@@ -14,6 +14,8 @@ const leastStep = 0.75;
 
 interface Press {
   readonly start: PointerSample;
+  /** A mouse on a knot means the knot; a finger is too wide to tell. */
+  readonly onKnot: boolean;
   dragging: boolean;
   stroke: Pair[];
 }
@@ -61,7 +63,8 @@ export function createFitTool(editor: Editor): Tool {
   return {
     hover,
     press(sample) {
-      press = { start: sample, dragging: false, stroke: [[sample.page.x, sample.page.y]] };
+      const onKnot = sample.kind === "mouse" && knotAt(editor.state.value, sample.screen, sample.kind) !== null;
+      press = { start: sample, onKnot, dragging: false, stroke: [[sample.page.x, sample.page.y]] };
       if (view().tool !== "erase") return;
       editor.fitEdits.begin("Erase");
       press.dragging = true;
@@ -73,7 +76,7 @@ export function createFitTool(editor: Editor): Tool {
       press.dragging = true;
       switch (view().tool) {
         case "draw":
-          return drawTo(press, sample);
+          return press.onKnot ? undefined : drawTo(press, sample);
         case "erase":
           return erase(sample);
         case "points":
@@ -82,7 +85,7 @@ export function createFitTool(editor: Editor): Tool {
     },
     release(sample) {
       if (press === null) return;
-      const { dragging, stroke } = press;
+      const { start, onKnot, dragging, stroke } = press;
       press = null;
       switch (view().tool) {
         case "erase":
@@ -90,8 +93,9 @@ export function createFitTool(editor: Editor): Tool {
           return;
         case "draw":
           setFitView(editor, { stroke: [] });
-          if (!dragging) choose(sample);
-          else if (stroke.length > 1) addStroke(editor, stroke);
+          if (!dragging || onKnot) choose(start);
+          if (dragging && onKnot) editor.notify({ kind: "toast", text: "A knot lies where the points ask for it. In Curve it is a point that can be moved.", actionId: "fit-edit" });
+          else if (dragging && stroke.length > 1) addStroke(editor, stroke);
           return;
         case "points": {
           if (choose(sample)) return;
