@@ -6,7 +6,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 mod support;
 
 use expline::curve::{Cubics, NearestFinder};
-use expline::numerics::Point;
+use expline::numerics::{Point, Vector};
 use expline::{Curve, HermiteCurve};
 use support::curves::{Random, random_curve};
 
@@ -128,4 +128,73 @@ fn long_hyperbolic_segments_with_zero_speed_take_few_cubics() {
         let cubics = curve.to_cubics(0.01).expect("cubics");
         assert!(cubics.deviation <= 0.01 && cubics.path.len() == 3 * 8, "{omega}: {}", cubics.path.len() / 8);
     }
+}
+
+/// A hyperbolic segment that leaves and arrives in the same direction, so that it bends one way and then the other.
+fn inflected() -> HermiteCurve {
+    use expline::{HermiteOptions, Space};
+    let steep = Vector::new(90.0, 260.0);
+    HermiteCurve::new(HermiteOptions {
+        points: vec![Point::new(0.0, 0.0), Point::new(100.0, 10.0)],
+        tangents: vec![steep; 2],
+        space: Some(Space::Hyperbolic),
+        omega: vec![2.0],
+        closed: false,
+        ..HermiteOptions::default()
+    })
+    .expect("within the limits")
+}
+
+#[test]
+fn inflections_take_as_many_cubics_as_the_sixth_order_says() {
+    let count = |tolerance: f64| inflected().to_cubics(tolerance).expect("cubics").path.len() / 8;
+    let (few, many) = (count(1e-3), count(1e-3 / 4096.0));
+    // 4096 is 4⁶; with an error of the fourth order, as with a third of the derivatives, it would be 8 times as many.
+    assert!(many <= 4 * few + 2, "{few} within 1e-3, {many} within 2.4e-7");
+}
+
+/// How many cubics a curve takes from one end to the other if each reaches as far as it can.
+fn as_far_as_they_reach(curve: &HermiteCurve, tolerance: f64) -> usize {
+    let one = |from: f64, to: f64| {
+        curve.trim(from, to).expect("a part").to_cubics(tolerance).expect("cubics").path.len() == 8
+    };
+    let (mut from, mut count) = (0.0, 0);
+    while from < 1.0 {
+        let (mut reached, mut beyond) = (from, 1.0);
+        if one(from, 1.0) {
+            return count + 1;
+        }
+        while beyond - reached > 1e-3 * (beyond - from) {
+            let middle = 0.5 * (reached + beyond);
+            if one(from, middle) { reached = middle } else { beyond = middle }
+        }
+        (from, count) = (reached, count + 1);
+    }
+    count
+}
+
+#[test]
+fn hardly_any_smooth_curve_could_do_with_fewer_cubics() {
+    use expline::Space;
+    let mut random = Random::new(9);
+    let (mut taken, mut least) = (0, 0);
+    for (space, omega) in [
+        (Space::Trigonometric, 1.5),
+        (Space::Trigonometric, 3.0),
+        (Space::Trigonometric, 5.0),
+        (Space::Hyperbolic, 2.0),
+        (Space::Hyperbolic, 6.0),
+    ] {
+        let points = (0..6).map(|_| random.vector(100.0)).collect();
+        let curve = HermiteCurve::through(points, false, Some(omega), space).expect("a curve");
+        for segment in 1..4 {
+            let part = curve.trim(f64::from(segment), f64::from(segment) + 1.0).expect("a segment");
+            for tolerance in [1e-2, 1e-4, 1e-6] {
+                taken += part.to_cubics(tolerance).expect("cubics").path.len() / 8;
+                least += as_far_as_they_reach(&part, tolerance);
+            }
+        }
+    }
+    // Around inflections the error is no power of the width, so that even parts are hard to find, and halves are taken.
+    assert!(taken * 10 <= least * 11, "{taken} cubics, {least} would do");
 }

@@ -7,6 +7,7 @@ pub(super) mod by_length;
 mod chords;
 mod cubic_chords;
 mod cubic_fit;
+mod cubic_proof;
 pub(super) mod cubics;
 pub(super) mod curvature;
 pub(super) mod flatten;

@@ -1,15 +1,11 @@
-//! One cubic Bézier curve for one arc, and the proof of its distance.
+//! One cubic Bézier curve for one arc.
 //!
 //! The cubic shares the ends and the tangent directions of the arc; the lengths of its two handles are free, and are
 //! chosen so that it crosses the arc at two places, which for a short arc makes the three lobes of the error equal:
 //! s²(1 − s)²((s − ½)² − x) is least for x = 0.026 446. The error is of the sixth order in the width.
 //!
-//! The proof matches parameters: a polynomial σ of degree 6 through exact feet takes the cubic's s to the arc's y, onto
-//! and monotone, so E(s) = c(s) − r(σ(s)) bounds the distance both ways. E is entire. Its Chebyshev coefficients beyond the
-//! tenth add up to at most 2M·ρ⁻¹⁰/(ρ − 1) with M = max|E| on the ellipse of half-axis sum ρ [Trefethen, theorem 8.1], and
-//! a polynomial of degree 10 is at most 1/cos(π/8) of its largest value at 40 Chebyshev points [Ehlich and Zeller, 1964].
-//! So 40 values of E bound it everywhere; where that misses the tolerance by less than what it may be too large by, 160
-//! do, with degree 16.
+//! Around an inflection there may be no such lengths, because there the handles hardly move the cubic sideways. The squares
+//! of its distances from the arc still have a least sum, which is far below what handles of a third of the derivatives leave.
 
 use crate::curve::piece::{Jet, Piece};
 use crate::numerics::plane::{cross, dot, norm, square};
@@ -19,38 +15,13 @@ use crate::numerics::{Point, Vector};
 const CROSSINGS: [f64; 2] = [0.337_377, 0.662_623];
 /// Where the three lobes of the error are highest.
 const LOBES: [f64; 3] = [0.1823, 0.5, 0.8177];
-/// Degree of σ.
-const DEGREE: usize = 6;
-/// cos(πk/6), k = 0 … 3.
-const COSINES: [f64; 4] = [1.0, 0.866_025_403_784_438_6, 0.5, 0.0];
-/// Chebyshev points at which E is looked at.
-struct Looks {
-    count: usize,
-    /// Chebyshev coefficients beyond this one are bounded, not looked at.
-    degree: i32,
-    /// 1/cos(degree·π/2·count), rounded up.
-    between: f64,
-    /// Sine and cosine of π/2·count, and of π/count.
-    first: [f64; 2],
-    turn: [f64; 2],
-}
-
-const LOOKS: [Looks; 2] = [
-    Looks {
-        count: 40,
-        degree: 10,
-        between: 1.0824,
-        first: [0.03925981575906861, 0.9992290362407229],
-        turn: [0.07845909572784494, 0.996917333733128],
-    },
-    Looks {
-        count: 160,
-        degree: 16,
-        between: 1.0125,
-        first: [0.009817319337149617, 0.999951808959328],
-        turn: [0.0196336924606283, 0.9998072404820648],
-    },
-];
+/// The crossings between the lobes.
+const PLACES: [f64; 5] = [LOBES[0], CROSSINGS[0], LOBES[1], CROSSINGS[1], LOBES[2]];
+/// The most steps of Newton's method, and of Levenberg and Marquardt's.
+const CROSSING_STEPS: usize = 12;
+const NEARING_STEPS: usize = 16;
+/// Handles are exact to this share of the tolerance, which does not change how far the cubic is.
+const SHARE: f64 = 0.01;
 
 /// A cubic near an arc.
 pub(super) type Cubic = [Point; 4];
@@ -68,189 +39,208 @@ pub(super) fn hermite_cubic(piece: &Piece, lo: f64, hi: f64) -> Cubic {
     [from.position, from.position + from.first * third, to.position - to.first * third, to.position]
 }
 
-/// The cubic that crosses the arc twice; the one with the end derivatives where there is none.
-pub(super) fn fit(piece: &Piece, lo: f64, hi: f64) -> Cubic {
-    let plain = hermite_cubic(piece, lo, hi);
-    crossing_cubic(piece, lo, hi, &plain).unwrap_or(plain)
+/// A cubic that may stand for an arc.
+pub(super) struct Candidate {
+    pub(super) cubic: Cubic,
+    /// The places of the arc that are nearest to the cubic's points at 0, the two of `CROSSINGS`, and 1.
+    feet: [f64; 4],
+    /// The distance at the three lobes of the error: an estimate of the largest.
+    pub(super) off: f64,
 }
 
-fn crossing_cubic(piece: &Piece, lo: f64, hi: f64, plain: &Cubic) -> Option<Cubic> {
-    let (from, to, width) = (piece.jet(lo), piece.jet(hi), hi - lo);
-    let chord = norm(to.position - from.position);
-    let (leaving, first) = direction(from.first * width, from.second * (width * width), chord)?;
-    let (arriving, last) = direction(to.first * width, to.second * (-width * width), chord)?;
-    let (mut alpha, mut beta) = (first / 3.0, last / 3.0);
-    let (most_alpha, most_beta) = (4.0 * alpha, 4.0 * beta);
-    let mut feet = CROSSINGS.map(|s| lo + width * s);
-    let mut cubic = *plain;
-    for _ in 0..12 {
-        cubic[1] = cubic[0] + leaving * alpha;
-        cubic[2] = cubic[3] - arriving * beta;
-        let mut rows = [[0.0; 3]; 2];
-        for ((row, foot), &s) in rows.iter_mut().zip(&mut feet).zip(&CROSSINGS) {
-            let c = cubic_at(&cubic, s);
-            *foot = step_to_foot(piece, c, *foot, lo, hi);
-            *foot = step_to_foot(piece, c, *foot, lo, hi);
-            let jet = piece.jet(*foot);
-            let tangent = jet.first / norm(jet.first);
-            let z = 1.0 - s;
-            *row = [
-                3.0 * s * z * z * cross(tangent, leaving),
-                -3.0 * s * s * z * cross(tangent, arriving),
-                cross(tangent, c - jet.position),
-            ];
-        }
-        let [[a, b, u], [c, d, v]] = rows;
-        let determinant = a * d - b * c;
-        let (step_alpha, step_beta) = ((b * v - d * u) / determinant, (c * u - a * v) / determinant);
-        alpha += step_alpha;
-        beta += step_beta;
-        if !(alpha > 0.0 && alpha < most_alpha && beta > 0.0 && beta < most_beta) {
-            return None;
-        }
-        if step_alpha.abs() + step_beta.abs() <= 1e-9 * chord {
-            cubic[1] = cubic[0] + leaving * alpha;
-            cubic[2] = cubic[3] - arriving * beta;
-            return Some(cubic);
+/// The cubic that crosses the arc twice; where there is none, the one whose squared distances are least.
+pub(super) fn fit(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> Candidate {
+    let mut handles = Handles::new(piece, lo, hi, tolerance);
+    if !handles.cross(piece) {
+        handles = Handles::new(piece, lo, hi, tolerance);
+        handles.come_near(piece);
+    }
+    let [_, low, _, high, _] = handles.feet;
+    let mut candidate = Candidate { cubic: handles.cubic(), feet: [lo, low, high, hi], off: 0.0 };
+    for s in LOBES {
+        candidate.off = candidate.off.max(norm(candidate.foot(piece, s).offset));
+    }
+    candidate
+}
+
+impl Candidate {
+    /// Where the arc begins and ends.
+    pub(super) fn ends(&self) -> [f64; 2] {
+        [self.feet[0], self.feet[3]]
+    }
+
+    /// Where on the arc the cubic's point at s is.
+    pub(super) fn foot(&self, piece: &Piece, s: f64) -> Foot {
+        let (point, ends) = (cubic_at(&self.cubic, s), self.ends());
+        let near = Foot::of(piece, point, self.near(s), ends);
+        Foot::of(piece, point, near.at, ends)
+    }
+
+    /// About where that is: the polynomial through what is known.
+    fn near(&self, s: f64) -> f64 {
+        let [one, two] = CROSSINGS;
+        let [from, to] = [s, 1.0 - s];
+        let [past, left] = [s - one, s - two];
+        // Lagrange's weights; the crossings lie evenly about the middle, so that two denominators serve for four.
+        let (outer, inner) = (one * two, one * two * (two - one));
+        let ends = (self.feet[0] * to + self.feet[3] * from) * (past * left / outer);
+        ends + (self.feet[2] * past - self.feet[1] * left) * (from * to / inner)
+    }
+}
+
+/// A cubic with the ends and the tangent directions of an arc, the lengths of whose handles are free.
+struct Handles {
+    ends: [Point; 2],
+    directions: [Vector; 2],
+    lengths: [f64; 2],
+    /// Longer handles make loops.
+    most: [f64; 2],
+    /// About where on the arc the cubic's points at `PLACES` are.
+    feet: [f64; 5],
+    limits: [f64; 2],
+    /// A step as short as this is the last one.
+    enough: f64,
+}
+
+impl Handles {
+    /// Handles of a third of the derivatives.
+    fn new(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> Self {
+        let (from, to, width) = (piece.jet(lo), piece.jet(hi), hi - lo);
+        let chord = norm(to.position - from.position);
+        let (leaving, first) = direction(from.first * width, from.second * (width * width), chord);
+        let (arriving, last) = direction(to.first * width, to.second * (-width * width), chord);
+        Self {
+            ends: [from.position, to.position],
+            directions: [leaving, arriving],
+            lengths: [first / 3.0, last / 3.0],
+            most: [first * (4.0 / 3.0), last * (4.0 / 3.0)],
+            feet: PLACES.map(|s| lo + width * s),
+            limits: [lo, hi],
+            enough: (SHARE * tolerance).max(1e-9 * chord),
         }
     }
-    None
+
+    fn cubic(&self) -> Cubic {
+        let [start, end] = self.ends;
+        let [leaving, arriving] = self.directions;
+        [start, start + leaving * self.lengths[0], end - arriving * self.lengths[1], end]
+    }
+
+    /// How far the cubic is to the side of the arc at one of the places, and how that changes with each handle's length.
+    fn row(&mut self, piece: &Piece, cubic: &Cubic, place: usize) -> [f64; 3] {
+        let s = PLACES[place];
+        let foot = Foot::of(piece, cubic_at(cubic, s), self.feet[place], self.limits);
+        self.feet[place] = foot.at;
+        let tangent = foot.velocity / norm(foot.velocity);
+        let z = 1.0 - s;
+        let [leaving, arriving] = self.directions;
+        [
+            3.0 * s * z * z * cross(tangent, leaving),
+            -3.0 * s * s * z * cross(tangent, arriving),
+            cross(tangent, foot.offset),
+        ]
+    }
+
+    /// Newton's method for the lengths with which the cubic crosses the arc at both crossings; whether there are any.
+    fn cross(&mut self, piece: &Piece) -> bool {
+        for _ in 0..CROSSING_STEPS {
+            let cubic = self.cubic();
+            let [[a, b, u], [c, d, v]] = [self.row(piece, &cubic, 1), self.row(piece, &cubic, 3)];
+            let determinant = a * d - b * c;
+            let step = [(b * v - d * u) / determinant, (c * u - a * v) / determinant];
+            if !self.change(step) {
+                return false;
+            }
+            if self.is_last(step) {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Levenberg and Marquardt's method for the lengths with which the squares at all places are least.
+    fn come_near(&mut self, piece: &Piece) {
+        let (mut damping, mut least) = (1e-6, f64::INFINITY);
+        let (mut kept, mut matrix, mut side) = (self.lengths, [0.0; 3], [0.0; 2]);
+        for _ in 0..NEARING_STEPS {
+            let cubic = self.cubic();
+            let rows: [[f64; 3]; 5] = core::array::from_fn(|place| self.row(piece, &cubic, place));
+            let sum = |i: usize, j: usize| rows.iter().fold(0.0, |sum, row| sum + row[i] * row[j]);
+            let squares = sum(2, 2);
+            if squares < least {
+                (least, kept, damping) = (squares, self.lengths, 0.1 * damping);
+                (matrix, side) = ([sum(0, 0), sum(0, 1), sum(1, 1)], [-sum(0, 2), -sum(1, 2)]);
+            } else {
+                (self.lengths, damping) = (kept, 100.0 * damping);
+            }
+            let more = damping * (matrix[0] + matrix[2]);
+            let [a, b, c] = [matrix[0] + more, matrix[1], matrix[2] + more];
+            let determinant = a * c - b * b;
+            let step = [(side[0] * c - side[1] * b) / determinant, (side[1] * a - side[0] * b) / determinant];
+            if self.is_last(step) {
+                break;
+            }
+            if !self.change(step) {
+                damping *= 100.0;
+            }
+        }
+        self.lengths = kept;
+    }
+
+    fn is_last(&self, step: [f64; 2]) -> bool {
+        step[0].abs() + step[1].abs() <= self.enough
+    }
+
+    /// Changes the lengths, if they stay positive and not much longer than they were.
+    fn change(&mut self, step: [f64; 2]) -> bool {
+        let lengths = [self.lengths[0] + step[0], self.lengths[1] + step[1]];
+        let sound = (0..2).all(|k| lengths[k] > 0.0 && lengths[k] < self.most[k]);
+        if sound {
+            self.lengths = lengths;
+        }
+        sound
+    }
 }
 
-/// The unit tangent at an end and the speed there; where the speed is zero the second derivative points the way.
-fn direction(first: Vector, second: Vector, chord: f64) -> Option<(Vector, f64)> {
+/// The unit tangent at an end and the speed there; where the speed is zero the second derivative points the way. Where
+/// that is zero, too, there is no direction, but numbers that every comparison refuses.
+fn direction(first: Vector, second: Vector, chord: f64) -> (Vector, f64) {
     let speed = norm(first);
     let acceleration = norm(second);
     if speed > 1e-6 * acceleration {
-        return Some((first / speed, speed));
+        return (first / speed, speed);
     }
     // Of the second derivative the sign at an end is that of the way into the arc, or out of it.
-    let way = second / acceleration;
-    if acceleration > 0.0 && way.x.is_finite() { Some((way, chord)) } else { None }
+    (second / acceleration, chord)
 }
 
-/// A Newton step from y towards the foot of a point on the arc.
-#[inline(never)]
-fn step_to_foot(piece: &Piece, point: Point, y: f64, lo: f64, hi: f64) -> f64 {
-    let Jet { position, first, second, .. } = piece.jet(y);
-    let e = point - position;
-    let speed = square(first);
-    // Beyond the centre of curvature the full Newton step would lead away.
-    let next = y + dot(e, first) / (speed - dot(e, second)).max(0.25 * speed);
-    if next > lo && next < hi { next } else { y }
+/// Where a point is seen from the arc.
+pub(super) struct Foot {
+    pub(super) at: f64,
+    /// The way from the arc's point there to the point, and the derivative there.
+    offset: Vector,
+    velocity: Vector,
 }
 
-/// The distance of the cubic at its three lobes: an estimate of the largest.
-pub(super) fn estimate(piece: &Piece, cubic: &Cubic, lo: f64, hi: f64) -> f64 {
-    let mut worst: f64 = 0.0;
-    for s in LOBES {
-        let c = cubic_at(cubic, s);
-        let mut y = lo + (hi - lo) * s;
-        for _ in 0..3 {
-            y = step_to_foot(piece, c, y, lo, hi);
-        }
-        worst = worst.max(norm(c - piece.position(y)));
-    }
-    worst
-}
-
-/// A proved bound of the distance between the cubic and the arc, both ways; infinite where the proof does not succeed.
-pub(super) fn prove(piece: &Piece, cubic: &Cubic, lo: f64, hi: f64, tolerance: f64) -> f64 {
-    let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-    let mut feet = [0.0; DEGREE + 1];
-    for (j, foot) in feet.iter_mut().enumerate() {
-        let x = cosine(j);
-        let mut y = middle + half * x;
-        if j > 0 && j < DEGREE {
-            let c = cubic_at(cubic, 0.5 + 0.5 * x);
-            for _ in 0..4 {
-                y = step_to_foot(piece, c, y, lo, hi);
+impl Foot {
+    /// Two of Newton's steps from y towards the foot of a point, with one look at the arc: what is near y is Taylor's sum.
+    #[inline(never)]
+    fn of(piece: &Piece, point: Point, y: f64, [lo, hi]: [f64; 2]) -> Self {
+        let Jet { position, first, second, third } = piece.jet(y);
+        let (mut offset, mut velocity) = (point - position, first);
+        let mut way = 0.0;
+        for _ in 0..2 {
+            let bend = second + third * way;
+            let speed = square(velocity);
+            // Beyond the centre of curvature the full Newton step would lead away.
+            let step = way + dot(offset, velocity) / (speed - dot(offset, bend)).max(0.25 * speed);
+            if !(y + step > lo && y + step < hi) {
+                break;
             }
+            way = step;
+            offset = point - position - (first + (second * 0.5 + third * (way / 6.0)) * way) * way;
+            velocity = first + (second + third * (0.5 * way)) * way;
         }
-        *foot = y - middle;
+        Self { at: y + way, offset, velocity }
     }
-    let sigma = chebyshev(&feet);
-    let uneven: f64 = sigma.iter().enumerate().skip(2).map(|(k, c)| (k * k) as f64 * c.abs()).sum();
-    if uneven.is_nan() || uneven >= sigma[1] {
-        return f64::INFINITY;
-    }
-    let rounding = 4.0 * f64::EPSILON * cubic.iter().map(|p| p.x.abs() + p.y.abs()).fold(0.0, f64::max);
-    let mut bound = f64::INFINITY;
-    for looks in &LOOKS {
-        let tail = tail(piece, cubic, &sigma, middle, looks.degree);
-        let worst = largest_look(piece, cubic, &sigma, middle, looks);
-        bound = looks.between * (worst + tail) + tail + rounding;
-        if bound <= tolerance || worst > tolerance {
-            break;
-        }
-    }
-    if bound.is_finite() { bound } else { f64::INFINITY }
-}
-
-/// max|c(s) − r(σ(s))| at the Chebyshev points.
-fn largest_look(piece: &Piece, cubic: &Cubic, sigma: &[f64; DEGREE + 1], middle: f64, looks: &Looks) -> f64 {
-    let ([turn_sine, turn_cosine], [mut sine, mut cosine]) = (looks.turn, looks.first);
-    let mut worst: f64 = 0.0;
-    for _ in 0..looks.count {
-        let (mut one, mut two) = (0.0, 0.0);
-        for &c in sigma[1..].iter().rev() {
-            (one, two) = (2.0 * cosine * one - two + c, one);
-        }
-        let y = middle + sigma[0] + cosine * one - two;
-        worst = worst.max(square(cubic_at(cubic, 0.5 + 0.5 * cosine) - piece.position(y)));
-        (sine, cosine) = (sine * turn_cosine + cosine * turn_sine, cosine * turn_cosine - sine * turn_sine);
-    }
-    worst.sqrt()
-}
-
-/// What the Chebyshev coefficients of E beyond that degree add up to at most.
-fn tail(piece: &Piece, cubic: &Cubic, sigma: &[f64; DEGREE + 1], middle: f64, degree: i32) -> f64 {
-    let jet = piece.jet(middle);
-    let [p0, p1, p2, p3] = *cubic;
-    let constant = norm((p0 + p3 + (p1 + p2) * 3.0) * 0.125 - jet.position);
-    let linear = norm((p3 - p0 + p2 - p1) * 0.375);
-    let second = norm((p0 - p1 - p2 + p3) * 0.375);
-    let third = norm((p3 - p0 + (p1 - p2) * 3.0) * 0.125);
-    let mut least = f64::INFINITY;
-    for rho in [3.0_f64, 4.0, 6.0, 9.0, 16.0, 32.0] {
-        // |Tₖ| is at most (ρᵏ + ρ⁻ᵏ)/2 on the ellipse.
-        let reach = 0.5 * (growths(sigma, rho) + growths(sigma, 1.0 / rho));
-        let [arc, _] = piece.within(&jet, middle, reach);
-        let x = 0.5 * (rho + 1.0 / rho);
-        let largest = arc + constant + x * (linear + x * (second + x * third));
-        least = least.min(2.0 * largest / (rho.powi(degree) * (rho - 1.0)));
-    }
-    least
-}
-
-/// Σ|cₖ|ρᵏ.
-#[inline(never)]
-fn growths(sigma: &[f64], rho: f64) -> f64 {
-    sigma.iter().rev().fold(0.0, |sum, c| sum * rho + c.abs())
-}
-
-/// cos(πj/6).
-#[inline(never)]
-fn cosine(j: usize) -> f64 {
-    match j % 12 {
-        j @ 0..=3 => COSINES[j],
-        j @ 4..=6 => -COSINES[6 - j],
-        j @ 7..=9 => -COSINES[j - 6],
-        j => COSINES[12 - j],
-    }
-}
-
-/// Chebyshev coefficients of the polynomial with these values at cos(πj/6).
-fn chebyshev(values: &[f64; DEGREE + 1]) -> [f64; DEGREE + 1] {
-    let mut coefficients = [0.0; DEGREE + 1];
-    for (k, coefficient) in coefficients.iter_mut().enumerate() {
-        for (j, value) in values.iter().enumerate() {
-            let weight = if j == 0 || j == DEGREE { 0.5 } else { 1.0 };
-            *coefficient += weight * value * cosine(j * k) * (2.0 / DEGREE as f64);
-        }
-        if k == 0 || k == DEGREE {
-            *coefficient *= 0.5;
-        }
-    }
-    coefficients
 }

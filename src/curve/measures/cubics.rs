@@ -1,6 +1,7 @@
 //! Cubic Bézier curves near a curve.
 
-use super::cubic_fit::{Cubic, estimate, fit, hermite_cubic, prove};
+use super::cubic_fit::{Candidate, Cubic, fit, hermite_cubic};
+use super::cubic_proof::prove;
 use super::flatten::{least_tolerance, spread};
 use super::length::check_tolerance;
 use super::spatial;
@@ -19,6 +20,12 @@ const MOST_HALVINGS: usize = 40;
 const MOST_BALANCED: usize = 256;
 /// How often the ends of the pieces are moved to make their errors even.
 const ROUNDS: usize = 3;
+/// Parts are even where none is wider, by its error, than the mean one by more than a fiftieth: its error then is an eighth larger.
+const EVEN: f64 = 1.02;
+/// How often an arc is divided before it is halved.
+const PASSES: usize = 12;
+/// Decaying arcs are balanced if they are so many of their widths long at most.
+const STIFF: f64 = 24.0;
 
 /// Cubic Bézier curves near a curve; see [`Curve::to_cubics`](crate::curve::Curve::to_cubics).
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -77,13 +84,7 @@ fn piece_cubics(
         return 0.0;
     }
     let begin = out.len();
-    let deviation = match balanced(piece, tolerance, out) {
-        Some(deviation) => deviation,
-        None => {
-            out.truncate(begin);
-            halved(piece, tolerance, out)
-        }
-    };
+    let deviation = divided(piece, tolerance, out);
     if let Some(cubic) = out.get_mut(begin) {
         cubic[0] = start;
     }
@@ -93,22 +94,24 @@ fn piece_cubics(
     deviation
 }
 
-/// The best cubic for an arc and the proved bound of its distance.
-fn best(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> (Cubic, f64) {
-    let cubic = fit(piece, lo, hi);
-    let bound = prove(piece, &cubic, lo, hi, tolerance);
+/// The candidate and the proved bound of its distance, or what is nearer where that is beyond the tolerance.
+fn proved(piece: &Piece, candidate: &Candidate, tolerance: f64) -> (Cubic, f64) {
+    // No proof can succeed where the candidate is known to be too far.
+    let hopeless = candidate.off > tolerance;
+    let bound = if hopeless { f64::INFINITY } else { prove(piece, candidate, tolerance) };
     if bound <= tolerance {
-        return (cubic, bound);
+        return (candidate.cubic, bound);
     }
+    let [lo, hi] = candidate.ends();
     let plain = hermite_cubic(piece, lo, hi);
     let gap = piece.cubic_gap(lo, hi);
     let (line, off) = straight(piece, &plain, lo, hi);
     if off <= tolerance && off < gap {
         (line, off)
-    } else if gap < bound {
-        (plain, gap)
+    } else if bound <= gap {
+        (candidate.cubic, bound)
     } else {
-        (cubic, bound)
+        (plain, gap)
     }
 }
 
@@ -140,70 +143,125 @@ fn kappa(square: f64) -> f64 {
     c.c3 / c.c2
 }
 
-/// As few pieces as can be, with even errors; none where the piece is not smooth enough for that.
-fn balanced(piece: &Piece, tolerance: f64, out: &mut Vec<Cubic>) -> Option<f64> {
-    let (cubic, bound) = best(piece, -0.5, 0.5, tolerance);
-    if bound <= tolerance {
-        out.push(cubic);
-        return Some(bound);
+/// Cubics for a piece, halved where they cannot be balanced: near cusps, bends, and the ends of long hyperbolic segments.
+fn divided(piece: &Piece, tolerance: f64, out: &mut Vec<Cubic>) -> f64 {
+    let mut deviation: f64 = 0.0;
+    let mut stack = [(0.0, 0.0); MOST_HALVINGS + 1];
+    stack[0] = (-0.5, 0.5);
+    let mut open = 1;
+    while open > 0 {
+        open -= 1;
+        let (lo, hi) = stack[open];
+        let whole = fit(piece, lo, hi, tolerance);
+        let (cubic, bound) = proved(piece, &whole, tolerance);
+        let halvable = open + 2 <= stack.len();
+        if bound <= tolerance || !halvable {
+            out.push(cubic);
+            deviation = deviation.max(bound);
+        } else if let Some(worst) = balanced(piece, whole, tolerance, out) {
+            deviation = deviation.max(worst);
+        } else {
+            let middle = 0.5 * (lo + hi);
+            stack[open] = (middle, hi);
+            stack[open + 1] = (lo, middle);
+            open += 2;
+        }
     }
-    if piece.is_decaying() {
+    deviation
+}
+
+/// As few parts as can be, with even errors; none where the arc is not smooth enough for that.
+fn balanced(piece: &Piece, whole: Candidate, tolerance: f64, out: &mut Vec<Cubic>) -> Option<f64> {
+    let [lo, hi] = whole.ends();
+    if piece.is_decaying() && piece.rate() * (hi - lo) * (hi - lo) < -STIFF * STIFF {
         return None;
     }
-    // The error is of the sixth order: so many pieces at least.
-    let mut edges = vec![-0.5, 0.5];
-    let mut before = vec![0.0, sixth_root(estimate(piece, &cubic, -0.5, 0.5) / tolerance)];
-    let mut next = Vec::new();
-    for _ in 0..8 {
-        let wanted = before.last().copied().unwrap_or(f64::INFINITY);
+    let mut parts = Parts { edges: vec![lo, hi], before: vec![0.0], candidates: vec![whole] };
+    parts.weigh(tolerance);
+    // So many parts are too few, and so many passes have been made with the same number.
+    let (mut too_few, mut rounds) = (1, 0);
+    for _ in 0..PASSES {
+        let wanted = parts.wanted();
         if wanted.is_nan() || wanted >= MOST_BALANCED as f64 {
             return None;
         }
-        // The proof costs up to 1/200 of the bound.
-        let count = (1.002 * wanted).ceil().max(2.0).max((edges.len() - 1) as f64) as usize;
-        for _ in 0..ROUNDS {
-            divide(&edges, &before, count, &mut next);
-            std::mem::swap(&mut edges, &mut next);
-            weigh(piece, &edges, tolerance, &mut before);
+        let count = enough(wanted).max(too_few + 1);
+        rounds = if count == parts.candidates.len() { rounds + 1 } else { 1 };
+        parts.divide(piece, count, tolerance);
+        let most = parts.weigh(tolerance);
+        let fewer = enough(parts.wanted()) < count && count > too_few + 1;
+        let uneven = most > EVEN * parts.wanted() / count as f64;
+        if fewer || uneven && rounds < ROUNDS {
+            continue;
         }
-        let begin = out.len();
-        let mut worst: f64 = 0.0;
-        for pair in edges.windows(2) {
-            let (cubic, bound) = best(piece, pair[0], pair[1], tolerance);
-            worst = worst.max(bound);
-            out.push(cubic);
-        }
-        if worst <= tolerance {
+        if let Some(worst) = parts.proved(piece, tolerance, out) {
             return Some(worst);
         }
-        out.truncate(begin);
-        // One more, at least.
-        let total = before.last().copied().unwrap_or(0.0);
-        if let Some(last) = before.last_mut() {
-            *last = total.max(count as f64);
-        }
+        too_few = count;
     }
     None
 }
 
-/// The edges of `count` pieces, evenly by what is before each of the old edges.
-fn divide(edges: &[f64], before: &[f64], count: usize, out: &mut Vec<f64>) {
-    out.clear();
-    out.resize(count + 1, 0.5);
-    out[0] = -0.5;
-    let tilts = vec![0.0; edges.len() - 1];
-    spread(edges, before, &tilts, &mut out[1..count]);
+/// The error is of the sixth order, so many parts at least are enough; the proof costs up to 1/200 of its bound.
+fn enough(wanted: f64) -> usize {
+    (1.002 * wanted).ceil() as usize
 }
 
-/// How many pieces are wanted before each edge, by the estimates of those that there are.
-fn weigh(piece: &Piece, edges: &[f64], tolerance: f64, before: &mut Vec<f64>) {
-    before.clear();
-    let mut total = 0.0;
-    before.push(total);
-    for pair in edges.windows(2) {
-        let cubic = fit(piece, pair[0], pair[1]);
-        total += sixth_root(estimate(piece, &cubic, pair[0], pair[1]) / tolerance).clamp(0.05, 20.0);
-        before.push(total);
+/// A piece in parts, each with a cubic.
+struct Parts {
+    edges: Vec<f64>,
+    /// How many parts are wanted before each edge, by the estimates of those that there are.
+    before: Vec<f64>,
+    candidates: Vec<Candidate>,
+}
+
+impl Parts {
+    fn wanted(&self) -> f64 {
+        self.before.last().copied().unwrap_or(f64::INFINITY)
+    }
+
+    /// Divides the piece evenly by what is wanted.
+    fn divide(&mut self, piece: &Piece, count: usize, tolerance: f64) {
+        let [from, to] = [self.edges[0], self.edges[self.candidates.len()]];
+        let mut edges = vec![to; count + 1];
+        edges[0] = from;
+        let tilts = vec![0.0; self.candidates.len()];
+        spread(&self.edges, &self.before, &tilts, &mut edges[1..count]);
+        self.edges = edges;
+        self.candidates.clear();
+        for pair in self.edges.windows(2) {
+            self.candidates.push(fit(piece, pair[0], pair[1], tolerance));
+        }
+    }
+
+    /// Appends the cubics of all parts, if each is within the tolerance.
+    fn proved(&self, piece: &Piece, tolerance: f64, out: &mut Vec<Cubic>) -> Option<f64> {
+        let begin = out.len();
+        let mut worst: f64 = 0.0;
+        for candidate in &self.candidates {
+            let (cubic, bound) = proved(piece, candidate, tolerance);
+            if bound.is_nan() || bound > tolerance {
+                out.truncate(begin);
+                return None;
+            }
+            worst = worst.max(bound);
+            out.push(cubic);
+        }
+        Some(worst)
+    }
+
+    /// Finds anew how many parts are wanted before each edge; of the parts that there are the most that one is worth.
+    fn weigh(&mut self, tolerance: f64) -> f64 {
+        self.before.clear();
+        let (mut total, mut most) = (0.0, 0.0_f64);
+        self.before.push(total);
+        for candidate in &self.candidates {
+            let share = sixth_root(candidate.off / tolerance).clamp(0.05, 20.0);
+            most = most.max(share);
+            total += share;
+            self.before.push(total);
+        }
+        most
     }
 }
 
@@ -217,27 +275,4 @@ fn sixth_root(x: f64) -> f64 {
         root -= (root - x / fifth) / 6.0;
     }
     root
-}
-
-/// Pieces by halving, down to the plain bound of Hermite interpolation: for long hyperbolic segments and cusps.
-fn halved(piece: &Piece, tolerance: f64, out: &mut Vec<Cubic>) -> f64 {
-    let mut deviation: f64 = 0.0;
-    let mut stack = [(0.0, 0.0); MOST_HALVINGS + 1];
-    stack[0] = (-0.5, 0.5);
-    let mut open = 1;
-    while open > 0 {
-        open -= 1;
-        let (lo, hi) = stack[open];
-        let (cubic, bound) = best(piece, lo, hi, tolerance);
-        if bound > tolerance && open + 2 <= stack.len() {
-            let middle = 0.5 * (lo + hi);
-            stack[open] = (middle, hi);
-            stack[open + 1] = (lo, middle);
-            open += 2;
-            continue;
-        }
-        out.push(cubic);
-        deviation = deviation.max(bound);
-    }
-    deviation
 }
