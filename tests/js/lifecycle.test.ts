@@ -9,7 +9,7 @@ import { inspect } from "node:util";
 import { runInNewContext } from "node:vm";
 import { Worker } from "node:worker_threads";
 
-import { ExplineError, HermiteCurve, HermiteGenerators, InterpolatingCurve, SparseFitter, TensorSurface, fromJSON, initSync, parsePath } from "expline";
+import { ExponentialBSpline, ExplineError, HermiteCurve, HermiteGenerators, Interpolator, InterpolatingCurve, SparseFitter, TensorSurface, fromJSON, initSync, parsePath } from "expline";
 
 import { trapping } from "./trapping.ts";
 
@@ -108,6 +108,9 @@ test("consoles show a curve's kind, and frameworks that wrap plain objects in pr
     assert.deepEqual(structuredClone(thing.toJSON()), thing.toJSON());
   }
   assert.equal(Object.prototype.toString.call(new SparseFitter([0, 0, 4, 0, 4, 4, 0, 4])), "[object SparseFitter]");
+  for (const [name, generators] of Object.entries({ HermiteGenerators: new HermiteGenerators(1), ExponentialBSpline: new ExponentialBSpline([0, 0]), Interpolator: Interpolator.forEllipse(8) })) {
+    assert.equal(Object.prototype.toString.call(generators), `[object ${name}]`);
+  }
   class Mine extends HermiteCurve {}
   assert.equal(inspect(new Mine({ points: [0, 0, 1, 0], tangents: [0, 1, 0, 1] })), "Mine {}");
 });

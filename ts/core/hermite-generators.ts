@@ -38,6 +38,11 @@ export class HermiteGenerators {
     run(this, GENERATORS, (kernel, w, s) => kernel.generators(w, s));
   }
 
+  /** No plain object, as a curve is none. @internal */
+  get [Symbol.toStringTag](): string {
+    return "HermiteGenerators";
+  }
+
   /** ω in radians per unit. */
   get omega(): number {
     return own(this, "omega").omega;

@@ -97,6 +97,11 @@ export class ExponentialBSpline extends Exponential {
     super(source);
   }
 
+  /** No plain object, as a curve is none. @internal */
+  get [Symbol.toStringTag](): string {
+    return "ExponentialBSpline";
+  }
+
   /**
    * The taps h of β⁺(t/m) = Σ h[k]·β⁺(t − k) with the fine roots α/m on the right, k = 0 … n₀(m − 1). With `affine` those of
    * B-splines that are divided by their integrals: translating control points then translates the finer ones.
@@ -134,6 +139,11 @@ export class Interpolator extends Exponential {
     this.#lambda = lambda;
     this.condition = result(0);
     this.lebesgue = result(1);
+  }
+
+  /** No plain object, as a curve is none. @internal */
+  get [Symbol.toStringTag](): string {
+    return "Interpolator";
   }
 
   /** The interpolator that keeps ellipses of `count` ≥ 3 points: roots 0, ±2πi/count. */
