@@ -220,6 +220,18 @@ fn arcs_follow_the_centre_parametrisation_of_the_specification() {
 }
 
 #[test]
+fn a_circle_that_arcs_close_is_round_where_it_closes() {
+    for d in ["M10 5A5 5 0 0 1 0 5A5 5 0 0 1 10 5Z", "M10 5a5 5 0 0 1-10 0a5 5 0 0 1 10 0z"] {
+        let curve = only(d);
+        assert!(curve.is_closed() && curve.segment_count() == 2, "{d}");
+        for k in 0..=64 {
+            let radius = (at(&curve, f64::from(k) / 32.0) - Point::new(5.0, 5.0)).norm();
+            assert!((radius - 5.0).abs() <= tolerance::SMALL_DRAWING, "{d}: {radius} after {k} of 64");
+        }
+    }
+}
+
+#[test]
 fn random_paths_are_drawn_as_a_plain_reader_draws_them() {
     let mut random = Random::new(12);
     let mut worst = 0.0_f64;

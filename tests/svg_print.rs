@@ -451,6 +451,32 @@ fn extreme_sizes_are_drawn_to_their_size() {
 }
 
 #[test]
+fn a_small_drawing_far_from_the_origin_is_as_near_as_was_asked() {
+    let far = Point::new(2e6, -1e6);
+    let options = PrintOptions { tolerance: 1e-6, arcs: false, ..options() };
+    for omega in [0.5, 1.7, 3.0] {
+        let curve = HermiteCurve::new(HermiteOptions {
+            points: [(0.0, 0.0), (1.0, 0.5), (0.3, 2.0)].map(|(x, y)| far + Point::new(x, y)).to_vec(),
+            tangents: vec![Point::new(2.0, 0.5), Point::new(0.5, 2.0), Point::new(-2.0, 0.0)],
+            tangents_in: Vec::new(),
+            closed: true,
+            space: Some(Space::Trigonometric),
+            omega: vec![omega; 3],
+            lengths: Vec::new(),
+        })
+        .expect("a valid curve");
+        let printed = print(&curve, &options);
+        assert!(printed.deviation <= options.tolerance, "omega {omega}: {}", printed.deviation);
+        // Places out there are told apart to 2e-10, and a point and its image are some of these off.
+        let measured = distance(&curve, &printed.d);
+        assert!(
+            measured <= options.tolerance * (1.0 + drawing::PRECISION) + 1e-9,
+            "omega {omega}: {measured}"
+        );
+    }
+}
+
+#[test]
 fn mirrored_handles_are_written_once() {
     let wave = (1..40).fold(String::from("M0 0C3 4 7 4 10 0"), |d, k| {
         d + &format!("S{} {} {} 0", 10 * k + 7, if k % 2 == 0 { 4 } else { -4 }, 10 * k + 10)

@@ -413,53 +413,46 @@ fn more_tolerance_never_takes_more_pieces() {
     }
 }
 
-#[test]
-fn who_sees_too_many_contours_is_told_what_to_leave_out() {
-    let bytes = draw(96, 32, &|x, y| {
-        [2.0_f64, 3.0, 5.0, 7.0]
-            .iter()
-            .enumerate()
-            .any(|(i, r)| (x - 12.0 - 24.0 * i as f64).hypot(y - 16.0) < *r)
-    });
-    let options = |speckle| TraceOptions { speckle, most_contours: 2, ..TraceOptions::default() };
-    let gray = Gray::from_bytes(96, 32, &bytes).expect("valid");
-    let mut tracer = Tracer::new(gray.clone(), &options(0.0)).expect("options in range");
+/// Four disks in a row, with these radii.
+fn disks(radii: [f64; 4]) -> Gray {
+    let inside = |x: f64, y: f64| {
+        radii.iter().enumerate().any(|(i, r)| (x - 12.0 - 24.0 * i as f64).hypot(y - 16.0) < *r)
+    };
+    Gray::from_bytes(96, 32, &draw(96, 32, &inside)).expect("valid")
+}
+
+/// What is offered as the least size of a contour to a trace that is refused because it has too many.
+fn offered(gray: Gray, options: &TraceOptions) -> f64 {
+    let mut tracer = Tracer::new(gray, options).expect("options in range");
     assert_eq!(tracer.offer(), None, "nothing was refused yet");
     let refused = loop {
         match tracer.step(1000.0) {
-            Ok(progress) => assert!(!progress.done, "four disks are too many"),
+            Ok(progress) => assert!(!progress.done, "there are too many"),
             Err(error) => break error,
         }
     };
-    assert_eq!(refused.argument(), Some("data"));
-    let speckle = tracer.offer().expect("an offer");
+    assert_eq!(refused.argument(), Some("data"), "the picture has too many");
+    tracer.offer().expect("an offer")
+}
+
+#[test]
+fn who_sees_too_many_contours_is_told_what_to_leave_out() {
+    let gray = disks([2.0, 3.0, 5.0, 7.0]);
+    let options = |speckle| TraceOptions { speckle, most_contours: 2, ..TraceOptions::default() };
+    let speckle = offered(gray.clone(), &options(0.0));
     assert_eq!(trace(gray, &options(speckle)).expect("a drawing").contours.len(), 2);
 }
 
 #[test]
 fn who_sees_too_many_edges_is_told_what_to_leave_out() {
-    let bytes = draw(96, 32, &|x, y| {
-        [4.0_f64, 6.0, 8.0, 11.0]
-            .iter()
-            .enumerate()
-            .any(|(i, r)| (x - 12.0 - 24.0 * i as f64).hypot(y - 16.0) < *r)
-    });
-    let gray = Gray::from_bytes(96, 32, &bytes).expect("valid");
+    let gray = disks([4.0, 6.0, 8.0, 11.0]);
     let options = |speckle| TraceOptions {
         source: Source::Edges,
         speckle,
         most_contours: 2,
         ..TraceOptions::default()
     };
-    let mut tracer = Tracer::new(gray.clone(), &options(0.0)).expect("options in range");
-    let refused = loop {
-        match tracer.step(1000.0) {
-            Ok(progress) => assert!(!progress.done, "four rings are too many"),
-            Err(error) => break error,
-        }
-    };
-    assert_eq!(refused.argument(), Some("data"));
-    let speckle = tracer.offer().expect("an offer");
+    let speckle = offered(gray.clone(), &options(0.0));
     // The square that the third ring goes round: (2π·6/4)², edges are within a pixel of it.
     assert!((60.0..120.0).contains(&speckle), "{speckle}");
     assert_eq!(trace(gray, &options(speckle)).expect("edges").contours.len(), 2);
