@@ -8,10 +8,12 @@ use super::outline::corners::{Corner, corners};
 use super::outline::division::{Division, DivisionRule, divide};
 use super::outline::ellipse::{ellipse, round};
 use super::outline::rounds::rounds;
+use super::outline::stairs::stairs;
 use super::picture::blur::Blurring;
 use super::picture::contour::{Contour, ContourScan};
 use super::picture::gray::Gray;
 use super::picture::light::Evening;
+use super::picture::steps::{is_sampled, steps};
 use super::picture::tones::{ToneScan, Tones};
 use super::quality::Quality;
 use super::refinement::Refinement;
@@ -19,6 +21,7 @@ use super::refinement::field::Shading;
 use super::samples::Samples;
 use super::tracer::{Progress, Stage, Trace, TraceOptions, TracedContour, Work};
 use crate::error::{Error, Result};
+use crate::numerics::plane::larger;
 
 /// Noise above which pictures are blurred before they are followed, as a share of the way from ink to paper.
 const NOISY: f64 = 3.0 / 255.0;
@@ -28,6 +31,8 @@ const ROUND: f64 = 0.16;
 const BENT: f64 = 4.0;
 /// Contours of less area, in pixels, are noise in a noisy picture.
 const NOISY_SPECKLE: f64 = 6.0;
+/// Contours of sampled edges are evened over so many pixels before their first outline is made, the deviation of a Gaussian.
+const EVENED: f64 = 1.7;
 /// Pixels of one bit of work.
 const BIT: usize = 131_072;
 
@@ -40,10 +45,13 @@ pub(super) struct InkWork {
     progress: Progress,
     tones: Tones,
     quality: Quality,
-    /// How many times farther than in a picture of exact coverage an outline may be from an ellipse that it is.
-    slack: f64,
-    /// How far from an arc that it is a piece may be, in pixels.
-    bow: f64,
+    /// What pixels say of each outline, and of those that are refined now.
+    kinds: Vec<Kind>,
+    kind: Kind,
+    /// How many times farther than in a picture of exact coverage outlines of a kind may be from an ellipse that they are.
+    slack: [f64; 2],
+    /// How far from an arc that they are pieces of such outlines may be, in pixels.
+    bow: [f64; 2],
     smoothed: Option<Gray>,
     found: Vec<Contour>,
     samples: Vec<Samples>,
@@ -53,6 +61,17 @@ pub(super) struct InkWork {
     outlines: Vec<Outline>,
     trace: Trace,
     offer: Option<f64>,
+}
+
+/// What pixels say of an outline.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// How much of them is inside.
+    Covered,
+    /// Whether their centre is inside.
+    Sampled,
+    /// They are squares, which it goes around.
+    Stairs,
 }
 
 /// What is done next.
@@ -84,8 +103,10 @@ impl InkWork {
             progress: Progress { done: false, stage: Stage::Edges, completed: 0, total },
             tones,
             quality: Quality::Clean,
-            slack: Quality::Clean.slack(),
-            bow: 0.0,
+            kinds: Vec::new(),
+            kind: Kind::Covered,
+            slack: [Quality::Clean.slack(); 2],
+            bow: [0.0; 2],
             smoothed: None,
             found: Vec::new(),
             samples: Vec::new(),
@@ -120,8 +141,7 @@ impl InkWork {
 
     /// The shade between ink and paper.
     fn level(&self) -> f64 {
-        let middle = 0.5 * (self.tones.ink + self.tones.paper);
-        self.options.threshold.map_or(middle, |shade| 256.0 * shade)
+        self.options.threshold.map_or(self.tones.middle(), |shade| 256.0 * shade)
     }
 
     fn scan(&mut self) {
@@ -141,11 +161,33 @@ impl InkWork {
         Ok(())
     }
 
+    /// What pixels say of a contour; where they are of two tones, it goes between them.
+    fn look_at(&mut self, i: usize) -> Kind {
+        let (contour, tones) = (&mut self.found[i], &self.tones);
+        if self.quality != Quality::Clean {
+            return Kind::Covered;
+        }
+        let Some(middles) = steps(&contour.points, &self.gray, tones) else { return Kind::Covered };
+        contour.points = middles;
+        let aslant = is_sampled(&contour.points, &self.gray, tones.middle());
+        if aslant { Kind::Sampled } else { Kind::Stairs }
+    }
+
+    fn quality_of(&self, i: usize) -> Quality {
+        if self.kinds[i] == Kind::Sampled { Quality::Sampled } else { self.quality }
+    }
+
     /// Corners of one contour.
     fn corner(&mut self, i: usize) -> f64 {
-        let samples = Samples::new(&self.found[i].points);
+        let kind = self.look_at(i);
+        self.kinds.push(kind);
+        let mut samples = Samples::new(&self.found[i].points);
+        if kind == Kind::Sampled {
+            samples = samples.evened(EVENED);
+        }
         let cost = 0.5 * samples.len() as f64;
-        self.corners.push(corners(&samples, &self.quality.corner_rules(self.options.corner)));
+        let rules = self.quality_of(i).corner_rules(self.options.corner);
+        self.corners.push(if kind == Kind::Stairs { Vec::new() } else { corners(&samples, &rules) });
         self.samples.push(samples);
         cost
     }
@@ -154,12 +196,17 @@ impl InkWork {
     fn spline(&mut self, i: usize) -> (f64, bool) {
         let samples = &self.samples[i];
         let cost = 0.5 * samples.len() as f64;
+        if self.kinds[i] == Kind::Stairs {
+            self.outlines.push(stairs(&self.found[i].points));
+            return (cost, true);
+        }
+        let quality = self.quality_of(i);
         let whole = if self.options.refined && self.division.is_none() {
-            round(samples.places(), ROUND * self.quality.slack())
+            round(samples.places(), ROUND * quality.slack())
         } else {
             None
         };
-        let rule = self.quality.division_rule(&self.options);
+        let rule = quality.division_rule(&self.options);
         let division = self.division.get_or_insert_with(Division::new);
         let Some(mut outline) = whole.or_else(|| division.step(samples, &self.corners[i], &rule)) else {
             return (cost, false);
@@ -175,17 +222,36 @@ impl InkWork {
         (cost, true)
     }
 
-    fn refinement(&mut self) -> Result<()> {
+    /// Begins to refine the outlines of a kind, while the others stay; without outlines of that kind, those of the next.
+    fn refinement(&mut self, kind: Kind) -> Result<()> {
+        let is_there = |kind: Kind| self.kinds.contains(&kind);
+        let Some(kind) =
+            [Kind::Covered, Kind::Sampled].into_iter().find(|&k| k as u8 >= kind as u8 && is_there(k))
+        else {
+            if self.progress.stage != Stage::Refinement {
+                self.enter(Phase::Curves, Stage::Refinement, self.found.len());
+            }
+            self.phase = Phase::Curves;
+            return Ok(());
+        };
         let (ink, paper) = (self.tones.ink, self.tones.paper);
-        let level = self.level().max(ink + 0.05 * (paper - ink)).min(paper - 0.05 * (paper - ink));
+        let level = if kind == Kind::Sampled { self.tones.middle() } else { self.level() };
+        let level = level.max(ink + 0.05 * (paper - ink)).min(paper - 0.05 * (paper - ink));
         let shading = Shading { ink, paper, level, inverted: self.options.inverted };
         let contours = self.found.iter().map(|contour| contour.points.as_slice());
         let outlines = core::mem::take(&mut self.outlines);
-        let noisy = self.quality == Quality::Noisy;
-        let mut refinement = Refinement::new(&self.gray, &shading, outlines, contours, noisy)?;
+        let quality = if kind == Kind::Sampled { Quality::Sampled } else { self.quality };
+        let still = self.kinds.iter().map(|&other| other != kind).collect();
+        let mut refinement = Refinement::new(&self.gray, &shading, outlines, contours, quality, still)?;
         refinement.allow(self.options.tolerance, self.options.corner);
-        let total = refinement.total() + self.found.len();
-        self.enter(Phase::Refinement(Box::new(refinement)), Stage::Refinement, total);
+        let rounds = 1 + usize::from(is_there(Kind::Covered) && is_there(Kind::Sampled));
+        let total = rounds * refinement.total() + self.found.len();
+        self.kind = kind;
+        if self.progress.stage == Stage::Refinement {
+            self.phase = Phase::Refinement(Box::new(refinement));
+        } else {
+            self.enter(Phase::Refinement(Box::new(refinement)), Stage::Refinement, total);
+        }
         Ok(())
     }
 
@@ -193,15 +259,17 @@ impl InkWork {
     fn curve(&mut self, i: usize) -> Result<f64> {
         let (outline, contour) = (&mut self.outlines[i], &self.found[i]);
         let cusps = outline.cusps(self.options.corner);
-        let whole = if self.options.refined { ellipse(outline, self.slack)? } else { None };
+        let kind = self.kinds[i];
+        let refined = self.options.refined && kind != Kind::Stairs;
+        let (slack, bow) = (self.slack[kind as usize % 2], self.bow[kind as usize % 2]);
+        let whole = if refined { ellipse(outline, slack)? } else { None };
         let curve = match whole {
             Some(curve) => curve,
             None => {
                 let mut angles = vec![0.0; outline.len()];
-                if self.options.refined {
-                    let slack = self.slack.min(BENT);
-                    angles = rounds(outline, self.bow);
-                    arcs(outline, &mut angles, slack);
+                if refined {
+                    angles = rounds(outline, bow);
+                    arcs(outline, &mut angles, slack.min(BENT));
                 }
                 outline.to_curve(angles)?
             }
@@ -282,11 +350,19 @@ impl InkWork {
                 .unwrap_or_else(|| divide(&samples[i], &corners(&samples[i], &corner_rules), &rule))
         };
         let cost = refinement.step(&rough)?;
-        self.progress.completed = refinement.completed();
+        let kind = self.kind as usize;
+        let before = self.progress.total - self.found.len() - refinement.total();
+        self.progress.completed = refinement.completed() + if kind > 0 { before } else { 0 };
         if refinement.is_done() {
-            (self.slack, self.bow) = (refinement.slack(), refinement.bow());
-            (self.outlines, self.trace.residual) = refinement.finish();
-            self.phase = Phase::Curves;
+            (self.slack[kind], self.bow[kind]) = (refinement.slack(), refinement.bow());
+            let residual;
+            (self.outlines, residual) = refinement.finish();
+            self.trace.residual = larger(self.trace.residual, residual);
+            if kind == 0 {
+                self.refinement(Kind::Sampled)?;
+            } else {
+                self.phase = Phase::Curves;
+            }
         }
         Ok(cost)
     }
@@ -307,7 +383,7 @@ impl Work for InkWork {
             Phase::Splines => {
                 let (cost, last) = self.advance(&|work, i| work.spline(i));
                 if last && self.options.refined {
-                    self.refinement()?;
+                    self.refinement(Kind::Covered)?;
                 } else if last {
                     self.phase = Phase::Curves;
                 }

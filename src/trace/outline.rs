@@ -6,6 +6,7 @@ pub(super) mod cubic;
 pub(super) mod division;
 pub(super) mod ellipse;
 pub(super) mod rounds;
+pub(super) mod stairs;
 
 use self::cubic::Cubic;
 use super::samples::{turn, unit};

@@ -7,4 +7,5 @@ pub(super) mod gray;
 pub(super) mod layers;
 pub(super) mod light;
 pub(super) mod palette;
+pub(super) mod steps;
 pub(super) mod tones;

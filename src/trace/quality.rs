@@ -7,6 +7,9 @@ use super::tracer::TraceOptions;
 /// The largest deviation that a first outline may have if it is refined: pixels farther away say nothing.
 const NEAR: f64 = 0.18;
 
+/// How far steps of a nearly level edge are from it, in pixels: a half, and what evening leaves out.
+const LEVEL: f64 = 0.6;
+
 /// What kind of picture it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Quality {
@@ -14,6 +17,8 @@ pub(super) enum Quality {
     Clean,
     /// Flat places are flat, but outlines are not what was drawn, as after strong compression.
     Rough,
+    /// Of every pixel only whether its centre is inside.
+    Sampled,
     /// Noise everywhere.
     Noisy,
 }
@@ -24,6 +29,7 @@ impl Quality {
         match self {
             Self::Clean => 1.0,
             Self::Rough => 1.5,
+            Self::Sampled => 5.0,
             Self::Noisy => 4.0,
         }
     }
@@ -33,12 +39,13 @@ impl Quality {
         let [gap, window, reach, least] = match self {
             Self::Clean => [1.0, 3.0, 1.0, angle],
             Self::Rough => [1.2, 4.0, 1.2, angle + 0.1],
+            Self::Sampled => [1.2, 4.0, 1.2, angle + 0.15],
             Self::Noisy => [1.6, 5.0, 1.8, angle],
         };
         let [close, short, more] = match self {
             Self::Clean => [0.75, 1.75, 0.25],
             Self::Rough => [1.0, 2.5, 0.3],
-            Self::Noisy => [1.5, 3.0, 0.2],
+            Self::Sampled | Self::Noisy => [1.5, 3.0, 0.2],
         };
         [
             CornerRule { gap, window, angle: least, reach },
@@ -48,11 +55,15 @@ impl Quality {
 
     /// How pieces of a first outline are found.
     pub(super) fn division_rule(self, options: &TraceOptions) -> DivisionRule {
-        let scale = if self == Self::Clean { 1.0 } else { 2.0 };
+        let scale = match self {
+            Self::Clean => 1.0,
+            Self::Rough | Self::Noisy => 2.0,
+            Self::Sampled => 3.0,
+        };
         let most = if options.refined { options.tolerance.min(NEAR) } else { options.tolerance };
         DivisionRule {
             gap: 1.2 * self.corner_rules(options.corner)[0].gap,
-            straight: 0.12 * scale,
+            straight: if self == Self::Sampled { LEVEL } else { 0.12 * scale },
             least_run: 6.0 * scale,
             most: most * scale,
             rms: 0.41 * most * scale,

@@ -57,6 +57,8 @@ pub(super) struct Refinement {
     field: Field,
     refiner: Refiner,
     shapes: Vec<Shape>,
+    /// Which outlines stay as they are.
+    still: Vec<bool>,
     /// What the picture shows, until the blur is found.
     target: Option<Vec<f32>>,
     picture: Exactness,
@@ -82,8 +84,12 @@ impl Exactness {
         self.quality == Quality::Clean
     }
 
+    fn is_sampled(&self) -> bool {
+        self.quality == Quality::Sampled
+    }
+
     fn is_rough(&self) -> bool {
-        self.quality == Quality::Rough
+        matches!(self.quality, Quality::Rough | Quality::Sampled)
     }
 
     fn is_noisy(&self) -> bool {
@@ -126,40 +132,44 @@ enum Phase {
 }
 
 impl Refinement {
-    /// Begins with outlines of contours. A noisy picture may be blurred; by how much is found.
+    /// Begins with outlines of contours, some of which stay as they are. A noisy picture may be blurred; by how much is found.
     pub(super) fn new<'a>(
         gray: &Gray,
         shading: &Shading,
         outlines: Vec<Outline>,
         contours: impl Iterator<Item = &'a [Point]>,
-        noisy: bool,
+        quality: Quality,
+        still: Vec<bool>,
     ) -> Result<Self> {
+        let (noisy, sampled) = (quality == Quality::Noisy, quality == Quality::Sampled);
+        // Of a compressed picture it is found.
+        let slack = quality.slack();
         let field = Field::new(gray, shading, contours, if noisy { 8.0 } else { 2.5 })?;
-        let quality = match (noisy, field.is_compressed()) {
-            (true, _) => Quality::Noisy,
-            (_, true) => Quality::Rough,
-            _ => Quality::Clean,
+        let quality = match quality {
+            Quality::Clean if field.is_compressed() => Quality::Rough,
+            quality => quality,
         };
         let exact = quality == Quality::Clean;
-        let target = noisy.then(|| field.rest.clone());
+        let target = (noisy || sampled).then(|| field.rest.clone());
         let shapes = outlines.into_iter().map(Shape::new).collect();
         Ok(Self {
             field,
             refiner: Refiner::new(if exact { Relaxing::BOLD } else { Relaxing::CAREFUL }),
             shapes,
+            still,
             target,
-            picture: Exactness { quality, grain: 0.0, slack: if noisy { 4.0 } else { 1.0 } },
+            picture: Exactness { quality, grain: 0.0, slack },
             limits: Limits {
                 rms: 0.012,
                 most: 0.055,
                 off: if exact { 0.25 } else { 0.4 },
                 noise: 0.0,
-                share: 12.0,
+                share: if sampled { 24.0 } else { 12.0 },
                 grain: 0.0,
             },
             bends: BendRule {
-                window: if noisy { 5.0 } else { 3.0 },
-                margin: if noisy { 1.0 } else { 0.5 },
+                window: if noisy || sampled { 5.0 } else { 3.0 },
+                margin: if noisy || sampled { 1.0 } else { 0.5 },
                 corner: 0.49,
                 // What compression leaves looks like corners more often than noise of single pixels does.
                 evidence: if noisy { 0.0 } else { 6.0 },
@@ -193,6 +203,9 @@ impl Refinement {
     pub(super) fn step(&mut self, rough: &dyn Fn(usize) -> Outline) -> Result<f64> {
         if self.place.at >= self.shapes.len() {
             self.next_phase();
+            return Ok(1.0);
+        }
+        if self.passes_over() {
             return Ok(1.0);
         }
         match self.place.phase {
@@ -233,6 +246,21 @@ impl Refinement {
         self.place.at += 1;
         self.place.halvings = 0;
         Ok(cost)
+    }
+
+    /// Whether the outline is one that stays as it is: then the next one is next.
+    fn passes_over(&mut self) -> bool {
+        let at = self.place.at;
+        if self.place.phase == Phase::Show || !self.still[at] {
+            return false;
+        }
+        match self.place.phase {
+            Phase::First => self.fine.outlines.push((self.shapes[at].outline.clone(), Left::default())),
+            Phase::Rough => self.fine.replaced += 1,
+            _ => {}
+        }
+        self.place.at += 1;
+        true
     }
 
     /// About how many microseconds it takes to move all nodes of the outline, or as many as are moved together.
@@ -323,6 +351,7 @@ impl Refinement {
             Quality::Clean => BOWS[0],
             Quality::Rough => BOWS[if self.is_grainy() { 3 } else { 1 }],
             Quality::Noisy => BOWS[2],
+            Quality::Sampled => BOWS[3],
         }
     }
 

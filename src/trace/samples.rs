@@ -1,5 +1,6 @@
 //! Evenly spaced places of a closed polyline, and what a few of them say about line, tangent and curvature.
 
+use super::picture::blur::half_gaussian;
 use crate::numerics::Point;
 use crate::numerics::Vector;
 use crate::numerics::plane::{cross, dot, norm, square};
@@ -63,6 +64,21 @@ impl Samples {
         }
         points.extend_from_within(..);
         Self { ring: points, count, spacing, closed: true }
+    }
+
+    /// The closed polyline with every place at the mean of those around it, weighted by a Gaussian of so many pixels along the polyline.
+    pub(super) fn evened(&self, deviation: f64) -> Self {
+        let half = half_gaussian(deviation / self.spacing);
+        let mean = |i: isize| {
+            let here = self.at(i);
+            let mut way = Vector::zeros();
+            for (d, &weight) in (1..).zip(&half[1..]) {
+                way += (self.at(i - d) - here + (self.at(i + d) - here)) * weight;
+            }
+            here + way
+        };
+        let places: Vec<Point> = (0..self.count as isize).map(mean).collect();
+        Self::new(&places)
     }
 
     /// An open polyline, both ends included.

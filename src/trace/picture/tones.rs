@@ -13,6 +13,13 @@ pub struct Tones {
     pub noise: f64,
 }
 
+impl Tones {
+    /// The shade half-way from ink to paper.
+    pub(in crate::trace) fn middle(&self) -> f64 {
+        0.5 * (self.ink + self.paper)
+    }
+}
+
 /// Rows that are looked at in one step.
 const ROWS: usize = 64;
 /// About as many pixels are looked at for flat places.

@@ -275,7 +275,7 @@ impl Field {
         const STEP: f64 = 0.25;
         let cover: Vec<f32> = target.iter().zip(&self.rest).map(|(t, r)| t - r).collect();
         let square = |field: &Self, sigma: f64| {
-            let half: Vec<f32> = half_gaussian(sigma).iter().map(|&w| w as f32).collect();
+            let half = half_of(sigma);
             let mut sum = 0.0;
             for slot in 0..field.places.len() {
                 let blurred = field.blurred(&cover, slot as u32, &half, true);
@@ -295,7 +295,22 @@ impl Field {
             let (before, after) = (squares[best - 1] - squares[best], squares[best + 1] - squares[best]);
             sigma += STEP * 0.5 * (before - after) / (before + after).max(1e-12);
         }
-        let half = half_gaussian(sigma).iter().map(|&w| w as f32).collect();
+        let half = half_of(sigma);
+        self.blur(target, cover, half);
+    }
+
+    /// The picture is blurred like the outlines, so that it says where an edge is by more than the pixels that the edge is in.
+    pub(super) fn blur_both(&mut self, target: Vec<f32>, sigma: f64) {
+        let half = half_of(sigma);
+        let cover: Vec<f32> = target.iter().zip(&self.rest).map(|(t, r)| t - r).collect();
+        let mut blurred = Vec::with_capacity(target.len());
+        for slot in 0..self.places.len() {
+            blurred.extend(self.blurred(&target, slot as u32, &half, true));
+        }
+        self.blur(blurred, cover, half);
+    }
+
+    fn blur(&mut self, target: Vec<f32>, cover: Vec<f32>, half: Vec<f32>) {
         let changed = (0..self.places.len() as u32).collect();
         let lead = self.rest.clone();
         self.blur = Some(Blur { half, target, cover, lead, changed });
@@ -370,6 +385,11 @@ impl Field {
         }
         block
     }
+}
+
+/// The weights of a Gaussian from the middle outwards.
+fn half_of(sigma: f64) -> Vec<f32> {
+    half_gaussian(sigma).iter().map(|&weight| weight as f32).collect()
 }
 
 /// Covers the upper or the lower half of a tile's rows, column by column; how much the sum of squares grows in each row.
