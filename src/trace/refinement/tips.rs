@@ -17,6 +17,8 @@ const LEAST: f64 = 1.9;
 /// The longest piece of a fold, in pixels, and the least turning at its end.
 const FOLD: f64 = 6.0;
 const BACK: f64 = 2.6;
+/// The longest piece that goes round for nothing: a longer one may be a tip that turns so far.
+const LOOP: f64 = 1.0;
 const STEPS: (usize, f64) = (8, 5e-4);
 
 impl Trial<'_> {
@@ -34,7 +36,7 @@ impl Trial<'_> {
         Ok((i + 1, tip.is_some()))
     }
 
-    /// Takes a corner away at which the outline turns back on its own way for a short while, as long as the picture is explained as well as
+    /// Takes a corner away at which the outline turns back on its own way or round for a short while, as long as the picture is explained as well as
     /// before or as the limits say. The next node, and whether it was tried.
     ///
     /// # Cost
@@ -117,15 +119,21 @@ impl Trial<'_> {
     }
 }
 
-/// Whether the outline turns back at node i, where a short piece begins or ends.
+/// Whether the outline turns back at node i, where a short piece begins or ends, or goes round on that piece only to go on as it came.
 fn is_fold(outline: &Outline, i: usize) -> bool {
     let before = outline.before(i);
     if outline.len() < 4 || outline.nodes[i].smooth {
         return false;
     }
     let (first, second) = (outline.cubic(before), outline.cubic(i));
-    let short = norm(first.end - first.start).min(norm(second.end - second.start));
-    short < FOLD && turn(first.velocity(1.0), second.velocity(0.0)).abs() > BACK
+    let lengths = [norm(first.end - first.start), norm(second.end - second.start)];
+    let length = lengths[0].min(lengths[1]);
+    let joint = turn(first.velocity(1.0), second.velocity(0.0)).abs();
+    let (short, far) = if lengths[0] < lengths[1] { (&first, 0.0) } else { (&second, 1.0) };
+    let middle = short.velocity(0.5);
+    let all = joint + turn(short.velocity(0.0), middle).abs() + turn(middle, short.velocity(1.0)).abs();
+    let needed = turn(first.velocity(far), second.velocity(far)).abs();
+    length < FOLD && joint > BACK || length < LOOP && all - needed > BACK
 }
 
 /// Where the pieces before and after piece i meet, if that is a tip that it cuts off.
