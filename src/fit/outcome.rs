@@ -4,6 +4,7 @@ use super::knots::foot_points::{Spline, derivative_of};
 use crate::curve::{HermiteCurve, HermiteOptions};
 use crate::error::Result;
 use crate::generator::Space as Kind;
+use crate::limits::LARGEST_COORDINATE;
 use crate::numerics::{Point, Vector};
 
 /// How a run ended.
@@ -62,7 +63,8 @@ pub struct Fit {
     /// The curve: exactly the spline for degrees up to 3; splines of degree 4 and 5 are cut into cubics, up to 64 a piece, until
     /// they are within 1e-9 of the drawing's size.
     pub curve: HermiteCurve,
-    /// How far the curve may be from the spline: 0 for degrees up to 3, above that proved by the fourth derivative (D 13.7).
+    /// How far the curve may be from the spline: 0 for degrees up to 3, above that proved by the fourth derivative (D 13.7);
+    /// and how far it was moved back to the largest coordinate, where it went beyond.
     pub deviation: f64,
     /// The splines whose sum the curve is; the last one carries the place on the plane, others are about the origin.
     pub parts: Vec<Part>,
@@ -111,6 +113,20 @@ pub(super) struct Joints {
 }
 
 impl Joints {
+    /// Puts joints back that are beyond the largest coordinate by no more than `slack`; answers by how much the farthest
+    /// was: a curve that is as near to points at the limit may be beyond it.
+    pub(super) fn bound(&mut self, slack: f64) -> f64 {
+        let mut farthest = 0.0_f64;
+        for v in self.points.iter_mut().flat_map(Point::iter_mut) {
+            let beyond = v.abs() - LARGEST_COORDINATE;
+            if beyond > 0.0 && beyond <= slack {
+                *v = LARGEST_COORDINATE.copysign(*v);
+                farthest = farthest.max(core::f64::consts::SQRT_2 * beyond);
+            }
+        }
+        farthest
+    }
+
     /// The curve on [first joint, last joint], or round to the first one again after `end`.
     pub(super) fn curve(self, closed: bool, end: f64) -> Result<HermiteCurve> {
         let mut lengths: Vec<f64> = self.at.windows(2).map(|pair| pair[1] - pair[0]).collect();

@@ -55,12 +55,12 @@ pub(super) fn fit(
     let samples = frame.samples;
     let breaks = &spline.space.breaks;
     let (cuts, deviation) = cuts(spline);
-    let curve = spline
-        .joints(samples.center, samples.scale, frame.unit, cuts)
-        .curve(breaks.closed, breaks.end * frame.unit)?;
     let at_parameters = squares.unwrap_or_else(|| spline.squares(located));
     let mut feet = located.parameters.clone();
     let distances = spline.feet(located, &mut feet, frame.steps);
+    let mut joints = spline.joints(samples.center, samples.scale, frame.unit, cuts);
+    let deviation = deviation * samples.scale + joints.bound(distances.largest.max(CLOSE) * samples.scale);
+    let curve = joints.curve(breaks.closed, breaks.end * frame.unit)?;
     let square = samples.scale * samples.scale;
     let total = weight(located);
     let shift = if breaks.closed { breaks.at.first().copied().unwrap_or(0.0) } else { 0.0 };
@@ -70,7 +70,7 @@ pub(super) fn fit(
     };
     Ok(Fit {
         curve,
-        deviation: deviation * samples.scale,
+        deviation,
         parts: Vec::new(),
         knots: Vec::new(),
         parameters: samples.place.iter().map(|&m| own(feet[m as usize])).collect(),
@@ -79,7 +79,7 @@ pub(super) fn fit(
         regularizer: f64::INFINITY,
         gap: f64::INFINITY,
         qfe: at_parameters * square / total,
-        max_error: distances.largest * samples.scale + deviation * samples.scale,
+        max_error: distances.largest * samples.scale + deviation,
         rms: (distances.squares / total).sqrt() * samples.scale,
         iterations: 0,
         lambda: Vec::new(),
@@ -223,7 +223,8 @@ fn outwards(knot: &mut Knot, unit: f64) {
 pub(super) fn part(frame: &Frame<'_>, spline: &Spline, center: Vector) -> Result<Part> {
     let breaks = &spline.space.breaks;
     let (cuts, _) = cuts(spline);
-    let joints = spline.joints(center, frame.samples.scale, frame.unit, cuts);
+    let mut joints = spline.joints(center, frame.samples.scale, frame.unit, cuts);
+    joints.bound(CLOSE * frame.samples.scale);
     let curve = joints.curve(breaks.closed, breaks.end * frame.unit)?;
     Ok(Part { degree: breaks.degree, curve, coefficients: coefficients(frame, spline) })
 }

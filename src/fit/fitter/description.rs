@@ -48,7 +48,8 @@ impl Fitter {
             curve: fit.curve.clone(),
             coefficients: report::coefficients(&frame, &found.spline),
         }];
-        fit.status = status;
+        let kept = !matches!(self.ask, Ask::Tolerance(tolerance) if fit.max_error > tolerance);
+        fit.status = if status == FitStatus::Converged && !kept { FitStatus::Stalled } else { status };
         fit.iterations = rounds;
         let after = fit.knots.len();
         fit.changes =

@@ -1,7 +1,7 @@
 //! How a search begins: with even knots, with the corners of a polyline, or with the knots of a fit that has too many.
 
 use super::{
-    Aim, Asked, Effort, Evening, Found, LEAP, PER_NUMBER, Phase, Plan, Pricing, Sparsest, View, WARMING,
+    Aim, Asked, Effort, Evening, FEW, Found, LEAP, PER_NUMBER, Phase, Plan, Pricing, Sparsest, View, WARMING,
 };
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
@@ -10,6 +10,10 @@ use crate::fit::knots::{polyline, start};
 
 /// The most corners to begin with.
 const MOST_VERTICES: usize = 600;
+/// A tolerance below so many standard deviations of the noise asks for knots that follow it, and for a polyline that keeps
+/// to so much of it.
+const NEAR_NOISE: f64 = 4.0;
+const ALMOST: f64 = 0.98;
 
 impl Sparsest {
     /// A search among the splines of a plan. `noise` is what is known of the points even where a tolerance is asked
@@ -54,8 +58,17 @@ impl Sparsest {
             Aim::Tolerance(tolerance) => 0.9 * tolerance,
             Aim::Squares(_) => return None,
         };
-        let most = MOST_VERTICES.min(full.points.len() / 3);
-        let vertices = polyline::vertices(&full.points, plan.closed, near, most)?;
+        let count = full.points.len();
+        let most = MOST_VERTICES.min(count / 3);
+        let mut vertices = polyline::vertices(&full.points, plan.closed, near, most);
+        if let Aim::Tolerance(tolerance) = aim
+            && count <= FEW
+            && tolerance < NEAR_NOISE * noise
+        {
+            let fewest = polyline::fewest(&full.points, plan.closed, ALMOST * tolerance);
+            vertices = vertices.filter(|found| found.len() <= fewest.len()).or(Some(fewest));
+        }
+        let vertices = vertices?;
         let mut search = Self::new(full, plan, aim, noise);
         let breaks = polyline::corners(&vertices, &search.view.full, search.fitted.breaks());
         if breaks.len() < least(&breaks).max(1) {

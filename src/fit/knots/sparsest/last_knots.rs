@@ -1,9 +1,15 @@
 //! The last knots: one of the cheapest is taken away, and the others are to make up for it.
 
 use super::{Aim, FEW, Found, Phase, Sparsest};
+use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::foot_points::{Distances, Spline};
-use crate::fit::knots::free_knots::{FreeKnots, Located};
-use crate::fit::knots::search::{Price, hopes, settle};
+use crate::fit::knots::free_knots::{FreeKnots, Located, Removal};
+use crate::fit::knots::search::{Price, apart, hopes, settle};
+use crate::numerics::order::sort_by_number;
+
+/// So many knots are not taken away one by one, but one in so many of them at once.
+const MANY: usize = 24;
+const BOLD: [usize; 3] = [4, 8, 16];
 
 impl Sparsest {
     /// How many knots are tried when fewer are hardly possible: all of them where that takes little time.
@@ -45,7 +51,8 @@ impl Sparsest {
         let fitted = FreeKnots::new(best.spline.space.breaks.clone(), &seen);
         let removals = fitted.removals();
         let dear = Price(fitted.squares.max(1e-300));
-        let trials = hopes(fitted.breaks(), &removals, dear, self.trials());
+        let mut trials = bold(fitted.breaks(), &removals);
+        trials.extend(hopes(fitted.breaks(), &removals, dear, self.trials()));
         let Some(breaks) = trials.into_iter().nth(next) else { return Phase::Done };
         let trial = settle(FreeKnots::new(breaks, &seen), &seen, 1e-3 * fitted.squares, 6);
         let mut spline = Spline::of(&trial);
@@ -61,6 +68,20 @@ impl Sparsest {
         }
         Phase::Last(next + 1)
     }
+}
+
+/// Many of the cheapest knots gone at once, where there are many; the boldest first.
+fn bold(breaks: &Breaks, removals: &[Removal]) -> Vec<Breaks> {
+    let mut cheapest: Vec<usize> = (0..breaks.len()).collect();
+    sort_by_number(&mut cheapest, &|&k| removals[k].whole);
+    let without = |share: usize| {
+        let mut fewer = breaks.clone();
+        for &k in apart(&cheapest, breaks.len(), breaks.len() / share).iter().rev() {
+            fewer.remove(k);
+        }
+        fewer
+    };
+    if breaks.len() < MANY { Vec::new() } else { BOLD.map(without).to_vec() }
 }
 
 /// Makes the largest distance smaller: far points weigh more from round to round (Lawson's way). The spline with the

@@ -1,0 +1,146 @@
+//! A larger tolerance asks for fewer knots, near the noise as well; and what is asked for is kept at every scale.
+
+mod support;
+
+use expline::fit::{Ask, Fit, FitStatus, Options, fit};
+use expline::numerics::Point;
+use support::curves::Random;
+
+const TURN: f64 = core::f64::consts::TAU;
+
+/// A normal number, by Box and Muller.
+fn normal(random: &mut Random) -> f64 {
+    let radius = libm::sqrt(-2.0 * libm::log(1.0 - random.unit()));
+    radius * libm::cos(TURN * random.unit())
+}
+
+/// Points evenly far apart along a closed polyline.
+fn evenly(corners: &[Point], count: usize) -> Vec<Point> {
+    let next = |i: usize| corners[(i + 1) % corners.len()];
+    let length: f64 = (0..corners.len()).map(|i| (next(i) - corners[i]).norm()).sum();
+    let (mut i, mut before) = (0, 0.0);
+    let at = |k: usize| {
+        let wanted = length * k as f64 / count as f64;
+        while before + (next(i) - corners[i]).norm() < wanted {
+            before += (next(i) - corners[i]).norm();
+            i += 1;
+        }
+        let step = next(i) - corners[i];
+        corners[i] + step * ((wanted - before) / step.norm())
+    };
+    (0..count).map(at).collect()
+}
+
+/// A star of five points, and a smooth outline with three waves.
+fn outline(smooth: bool) -> Vec<Point> {
+    let count = if smooth { 2000 } else { 10 };
+    let place = |j: usize| {
+        let a = TURN * (j as f64 / count as f64 - 0.25);
+        let radius = match (smooth, j % 2) {
+            (true, _) => 150.0 + 30.0 * libm::cos(3.0 * a),
+            (false, 0) => 180.0,
+            (false, _) => 75.0,
+        };
+        Point::new(libm::cos(a), libm::sin(a)) * radius
+    };
+    (0..count).map(place).collect()
+}
+
+fn noisy(points: &[Point], sigma: f64, seed: u64) -> Vec<Point> {
+    let mut random = Random::new(1_000_003 * seed + 77);
+    points.iter().map(|p| p + Point::new(normal(&mut random), normal(&mut random)) * sigma).collect()
+}
+
+/// The square of a point's distance from an edge.
+fn beside(a: Point, b: Point, point: Point) -> f64 {
+    let (way, chord) = (point - a, b - a);
+    let along = (way.dot(&chord) / chord.norm_squared().max(1e-300)).clamp(0.0, 1.0);
+    (way - chord * along).norm_squared()
+}
+
+/// The largest distance of a point from a curve, by chords of it: never too small by more than they are short.
+fn farthest(fitted: &Fit, points: &[Point]) -> f64 {
+    let (_, end) = fitted.curve.domain();
+    // Corners are places, too: chords would cut them.
+    let mut joints: Vec<f64> = fitted.knots.iter().map(|knot| knot.t).chain([0.0, end]).collect();
+    joints.sort_by(f64::total_cmp);
+    let between = |pair: &[f64]| {
+        let (from, step) = (pair[0], (pair[1] - pair[0]) / 400.0);
+        (0..=400).map(move |i| from + step * f64::from(i))
+    };
+    let at = |t: f64| fitted.curve.evaluate(t.min(end), 0).expect("fine");
+    let places: Vec<Point> = joints.windows(2).flat_map(between).map(at).collect();
+    let near = |p: &Point| places.windows(2).map(|e| beside(e[0], e[1], *p)).fold(f64::INFINITY, f64::min);
+    points.iter().map(near).fold(0.0, f64::max).sqrt()
+}
+
+/// With how many lines between points the outline is met, each as long as it can be: more than the fewest are.
+fn lines(points: &[Point], tolerance: f64) -> usize {
+    let at = |m: usize| points[m % points.len()];
+    let (mut from, mut lines) = (0, 0);
+    while from < points.len() {
+        let meets =
+            |to: &usize| (from + 1..*to).all(|m| beside(at(from), at(*to), at(m)) <= tolerance * tolerance);
+        let last = (from + 60).min(points.len());
+        from = (from + 1..=last).rev().find(meets).unwrap_or(from + 1);
+        lines += 1;
+    }
+    lines
+}
+
+#[test]
+fn knots_fall_as_the_tolerance_rises_near_the_noise_too() {
+    const LADDER: [f64; 9] = [1.0, 1.4, 1.8, 2.0, 2.3, 2.8, 3.5, 5.0, 8.0];
+    for (case, sigma) in [1.0, 0.5, 0.25, 1.0, 0.5, 0.25].into_iter().enumerate() {
+        let points = noisy(&evenly(&outline(case < 3), 200), sigma, case as u64);
+        let mut least = usize::MAX;
+        for steps in LADDER {
+            let tolerance = steps * sigma;
+            let fitted = fit(&points, Ask::Tolerance(tolerance), &Options::default()).expect("fits");
+            let (pieces, far) = (fitted.curve.segment_count(), farthest(&fitted, &points));
+            let what = format!("outline {case} at {steps} standard deviations: {pieces} pieces, {far} away");
+            assert_eq!(fitted.status, FitStatus::Converged, "{what}");
+            assert!(far <= 1.001 * tolerance && fitted.max_error <= tolerance, "{what}");
+            // One more, for lines between points need not begin at the same one; and a little less than the tolerance.
+            let most = lines(&points, 0.98 * tolerance) + 1;
+            assert!(pieces <= most, "{what}, and {most} lines");
+            // Two knots are what a search may miss.
+            if steps >= 2.0 {
+                assert!(pieces <= least.saturating_add(2), "{what}, and {least} before");
+                least = least.min(pieces);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_triangle_is_a_triangle_at_every_scale_and_place() {
+    let corners = [Point::new(-1.0, -1.0), Point::new(1.0, -0.8), Point::new(0.1, 1.0)];
+    let triangle = evenly(&corners, 240);
+    for (scale, place) in [
+        (1e-12, 0.0),
+        (1e-6, 0.0),
+        (1.0, 0.0),
+        (1e8, 0.0),
+        (1e9, 0.0),
+        (50.0, 1e6),
+        (50.0, 1e8),
+        (50.0, 1e9 - 50.0),
+    ] {
+        let points: Vec<Point> = triangle.iter().map(|p| p * scale + Point::new(place, place)).collect();
+        for ask in [Ask::Noise, Ask::Tolerance(1e-3 * scale)] {
+            let options = Options { closed: Some(true), ..Options::default() };
+            let fitted = fit(&points, ask.clone(), &options).expect("fits");
+            let what = format!("{scale} about {place}, {ask:?}");
+            assert_eq!(fitted.status, FitStatus::Converged, "{what}");
+            assert_eq!(fitted.curve.segment_count(), 3, "{what}");
+            let (far, digits) = (farthest(&fitted, &points), 4.0 * f64::EPSILON * (scale + place));
+            // Corners between two points are cut by what noise may be taken for: a few ten-thousandths of the drawing.
+            assert!(far <= 1e-2 * scale + digits, "{what}: {far}");
+            assert!(far <= fitted.max_error * (1.0 + 1e-6) + digits, "{what}: {far} of {}", fitted.max_error);
+            for point in fitted.curve.points() {
+                assert!(point.x.abs() <= 1e9 && point.y.abs() <= 1e9, "{what}: {point}");
+            }
+        }
+    }
+}
