@@ -51,7 +51,7 @@ async function outlines(name, set, contestants) {
       writeFileSync(join(folder, tracer, `${shape.id}_${condition}.svg`), svg);
     };
     const results = await measured(set, condition, contestants, keep);
-    const rows = [...results, ...(name === "outlines" ? RECORDED[condition] : [])];
+    const rows = [...results, ...(name === "outlines" ? (RECORDED[condition] ?? []) : [])];
     console.log(table(title, rows));
     if (flag("--worst") >= 0) worst(results[0]);
     judge(title, condition, rows);

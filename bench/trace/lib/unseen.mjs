@@ -86,7 +86,8 @@ const KINDS = {
 /** How pictures come about, by the first letter of their condition. */
 const MAKE = {
   c: drawn,
-  s: sampled,
+  s: (shape, size) => sampled(shape, size, 4),
+  b: twoShades,
   n: (shape, size, seed) => noisy(drawn(shape, size), 1, 16, seed),
   j: (shape, size) => compressed(drawn(shape, size), 40),
 };
@@ -98,13 +99,18 @@ export function drawn(shape, size) {
   return inked(size, new Raster(size, size).add(shape.contours, size).coverage());
 }
 
-/** A shape's picture as browsers and many programs draw it: four rows of four samples in each pixel. */
-function sampled(shape, size) {
-  const fine = 4 * size;
+/** A shape's picture from so many rows of so many samples in each pixel; with four it is as browsers and many programs draw it. */
+function sampled(shape, size, rows) {
+  const fine = rows * size;
   const samples = new Raster(fine, fine).add(shape.contours, fine).coverage();
   const hits = new Float64Array(size * size);
-  samples.forEach((c, i) => (hits[Math.floor(i / fine / 4) * size + Math.floor((i % fine) / 4)] += c >= 0.5 ? 1 / 16 : 0));
+  samples.forEach((c, i) => (hits[Math.floor(i / fine / rows) * size + Math.floor((i % fine) / rows)] += c >= 0.5 ? 1 / rows ** 2 : 0));
   return inked(size, hits);
+}
+
+/** A shape's picture of two shades: scanned at one bit, or drawn without grey at the edges. */
+export function twoShades(shape, size) {
+  return sampled(shape, size, 1);
 }
 
 export function unseen() {
@@ -113,5 +119,5 @@ export function unseen() {
   const own = Object.entries(KINDS).flatMap(([kind, make]) => [1, 2].map((n) => outlined(`${kind}-${n}`, make(among), 100, 0)));
   const shapes = [...ICONS.map(icon), ...own];
   const picture = (shape, condition) => MAKE[condition[0]](shape, Number(condition.slice(1)), 1 + shapes.indexOf(shape));
-  return { conditions: ["c64", "c256", "c1024", "s64", "s256", "n256", "j256"], shapes, picture };
+  return { conditions: ["c64", "c256", "c1024", "s64", "s256", "b64", "b256", "n256", "j256"], shapes, picture };
 }
