@@ -48,10 +48,8 @@ pub(super) struct InkWork {
     /// What pixels say of each outline, and of those that are refined now.
     kinds: Vec<Kind>,
     kind: Kind,
-    /// How many times farther than in a picture of exact coverage outlines of a kind may be from an ellipse that they are.
-    slack: [f64; 2],
-    /// How far from an arc that they are pieces of such outlines may be, in pixels.
-    bow: [f64; 2],
+    /// How near outlines are to what they are: those of coverage, and sampled ones.
+    nearness: [Nearness; 2],
     smoothed: Option<Gray>,
     found: Vec<Contour>,
     samples: Vec<Samples>,
@@ -63,8 +61,17 @@ pub(super) struct InkWork {
     offer: Option<f64>,
 }
 
-/// What pixels say of an outline.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// How near an outline is to an ellipse or an arc that it is.
+#[derive(Clone, Copy, Debug)]
+struct Nearness {
+    /// How many times farther it may be from an ellipse than in a picture of exact coverage.
+    slack: f64,
+    /// How far a piece may be from an arc, in pixels.
+    bow: f64,
+}
+
+/// What pixels say of an outline, in the order in which outlines are refined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     /// How much of them is inside.
     Covered,
@@ -105,8 +112,7 @@ impl InkWork {
             quality: Quality::Clean,
             kinds: Vec::new(),
             kind: Kind::Covered,
-            slack: [Quality::Clean.slack(); 2],
-            bow: [0.0; 2],
+            nearness: [Nearness { slack: Quality::Clean.slack(), bow: 0.0 }; 2],
             smoothed: None,
             found: Vec::new(),
             samples: Vec::new(),
@@ -226,7 +232,7 @@ impl InkWork {
     fn refinement(&mut self, kind: Kind) -> Result<()> {
         let is_there = |kind: Kind| self.kinds.contains(&kind);
         let Some(kind) =
-            [Kind::Covered, Kind::Sampled].into_iter().find(|&k| k as u8 >= kind as u8 && is_there(k))
+            [Kind::Covered, Kind::Sampled].into_iter().find(|&next| next >= kind && is_there(next))
         else {
             if self.progress.stage != Stage::Refinement {
                 self.enter(Phase::Curves, Stage::Refinement, self.found.len());
@@ -261,7 +267,7 @@ impl InkWork {
         let cusps = outline.cusps(self.options.corner);
         let kind = self.kinds[i];
         let refined = self.options.refined && kind != Kind::Stairs;
-        let (slack, bow) = (self.slack[kind as usize % 2], self.bow[kind as usize % 2]);
+        let Nearness { slack, bow } = self.nearness[usize::from(kind == Kind::Sampled)];
         let whole = if refined { ellipse(outline, slack)? } else { None };
         let curve = match whole {
             Some(curve) => curve,
@@ -350,18 +356,19 @@ impl InkWork {
                 .unwrap_or_else(|| divide(&samples[i], &corners(&samples[i], &corner_rules), &rule))
         };
         let cost = refinement.step(&rough)?;
-        let kind = self.kind as usize;
+        let is_sampled = self.kind == Kind::Sampled;
         let before = self.progress.total - self.found.len() - refinement.total();
-        self.progress.completed = refinement.completed() + if kind > 0 { before } else { 0 };
+        self.progress.completed = refinement.completed() + if is_sampled { before } else { 0 };
         if refinement.is_done() {
-            (self.slack[kind], self.bow[kind]) = (refinement.slack(), refinement.bow());
-            let residual;
-            (self.outlines, residual) = refinement.finish();
+            self.nearness[usize::from(is_sampled)] =
+                Nearness { slack: refinement.slack(), bow: refinement.bow() };
+            let (outlines, residual) = refinement.finish();
+            self.outlines = outlines;
             self.trace.residual = larger(self.trace.residual, residual);
-            if kind == 0 {
-                self.refinement(Kind::Sampled)?;
-            } else {
+            if is_sampled {
                 self.phase = Phase::Curves;
+            } else {
+                self.refinement(Kind::Sampled)?;
             }
         }
         Ok(cost)
