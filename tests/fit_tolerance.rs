@@ -1,4 +1,5 @@
 //! A larger tolerance asks for fewer knots, near the noise as well; and what is asked for is kept at every scale.
+#![cfg(not(target_arch = "wasm32"))]
 
 mod support;
 
