@@ -1,6 +1,6 @@
 import { parsePath, tangentWeights, type HermiteCurve } from "expline/slim";
 import {
-  domainLength, lengthOf, omegaOf, segmentCount, type Contour, type ControlPoint, type CurveDocument, type Space,
+  domainLength, lengthOf, noOffset, omegaOf, segmentCount, type Contour, type ControlPoint, type CurveDocument, type Space,
 } from "../../document/document.ts";
 import { locate } from "../../document/curve/contours.ts";
 import { kindOf, scaled } from "../../document/curve/offset.ts";
@@ -85,6 +85,19 @@ export function handleWeights(document: CurveDocument, contour: Contour, segment
   const [leaving, arriving] = tangentWeights(curve, start + x * length);
   // A handle is a third of its tangent over the length of the segment, and the arriving one points back.
   return [(3 * leaving) / length, (-3 * arriving) / length];
+}
+
+/** How far the place at `x` of a segment goes with a step of the point before it, and with one of the point behind it. */
+export function pointWeights(document: CurveDocument, contour: Contour, segment: number, x: number): readonly [number, number] {
+  const [from, to] = [segment, (segment + 1) % contour.points.length];
+  // A curve is linear in its points: one that is nothing but a unit of one in x and of the other in y shows what each of them weighs.
+  const probe = contour.points.map((point, i) => ({ ...point, x: i === from ? 1 : 0, y: i === to ? 1 : 0, in: noOffset, out: noOffset }));
+  const curve = hermiteOf(document, { ...contour, points: probe });
+  if (curve === null) return [0, 0];
+  let start = 0;
+  for (let i = 0; i < segment; i += 1) start += lengthOf(contour, i);
+  const [before = 0, behind = 0] = curve.evaluate(start + x * lengthOf(contour, segment));
+  return [before, behind];
 }
 
 function spliced(list: readonly number[], at: number, remove: number, ...add: number[]): number[] {
