@@ -218,3 +218,25 @@ test("the cursor announces what a press would do", async (t) => {
   await demo.byId("tool-hand").click();
   assert.equal(await cursorAt(x, y), "grab");
 });
+
+test("whole contours are stretched and turned by the grips of their frame, and a circle of two points stays an exact ellipse", async (t) => {
+  const demo = await openWithoutSnap(t, "circle-2");
+  await demo.focusStage();
+  await demo.press("Control+a");
+  // The frame stands 16 pixels off the circle around (400, 300).
+  const east = await demo.toScreen(560, 300);
+  await demo.dragFrom({ x: east.x + 16, y: east.y }, 80, 30);
+  const stretched = await demo.sample(2000);
+  const [centre, across, down] = [[440, 300], 200, 160] as const;
+  const off = (places: readonly Pair[]): number => Math.max(...places.map(([x, y]) => Math.abs(Math.hypot((x - centre[0]) / across, (y - centre[1]) / down) - 1)));
+  assert.ok(off(stretched) <= 1e-9, `${off(stretched)}`);
+  const top = await demo.toScreen(440, 140);
+  await demo.page.keyboard.down("Shift");
+  // From above the ellipse to the right of it: a quarter turn, to the nearest 15°.
+  await demo.dragFrom({ x: top.x, y: top.y - 40 }, 210, 195);
+  await demo.page.keyboard.up("Shift");
+  assert.ok(off((await demo.sample(2000)).map(([x, y]) => [440 + (y - 300), 300 - (x - 440)])) <= 1e-9);
+  assert.ok((await demo.metric("m-error")) <= 1e-9);
+  await demo.press("Control+z", "Control+z");
+  assert.ok(radiusError(await demo.sample(2000)) <= 1e-12);
+});

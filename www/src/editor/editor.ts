@@ -6,6 +6,7 @@ import type { FitDocument, FitMoment, Pair } from "../document/fit/fit.ts";
 import type { TraceDocument, TraceMoment } from "../document/trace/trace.ts";
 import type { NetRef, SurfaceDocument, SurfaceMoment } from "../document/surface/surface.ts";
 import type { PagePoint, StageBox } from "./pointer/camera.ts";
+import type { Grip } from "./curve/framing.ts";
 import type { FitRun, FitView } from "./fit/fit-state.ts";
 import type { ModeParts } from "./mode.ts";
 import type { Readable } from "./signal.ts";
@@ -81,6 +82,8 @@ export interface DragReadout {
   readonly dy: number;
   /** What the pointer snapped to, in words. */
   readonly snapped: string | null;
+  /** Says more than the two steps would: an angle, a percentage. */
+  readonly says?: string;
 }
 
 /** What the pointer or the keyboard is over, for markers, cursors and the hint line. */
@@ -88,6 +91,7 @@ export type Target =
   | { readonly kind: "point"; readonly point: PointRef }
   | { readonly kind: "handle"; readonly handle: HandleRef }
   | { readonly kind: "curve"; readonly contour: number; readonly t: number; readonly x: number; readonly y: number }
+  | { readonly kind: "grip"; readonly grip: Grip; readonly cursor: string; readonly hint: string }
   | { readonly kind: "empty" };
 
 export type Engine =

@@ -11,7 +11,7 @@ export function hintFor(state: EditorState): string {
   if (state.mode !== "curve") return "";
   if (state.hint !== "") return state.hint;
   if (state.drag !== null) {
-    const step = `Δx ${fixed(state.drag.dx)}  Δy ${fixed(state.drag.dy)}`;
+    const step = state.drag.says ?? `Δx ${fixed(state.drag.dx)}  Δy ${fixed(state.drag.dy)}`;
     const parts = [step, state.drag.snapped === null ? "" : `snapped ${state.drag.snapped}`, ellipseNote(state), localityNote(state)];
     return parts.filter((part) => part !== "").join("  ·  ");
   }
@@ -76,6 +76,8 @@ function selectHint(state: EditorState): string {
     }
     case "curve":
       return curveHint(curve.contours[hover.contour], hover.t);
+    case "grip":
+      return hover.hint;
     case "empty":
       if (curve.contours.length === 0) return "";
       if (state.touch) return "Drag a point or a handle. Drag elsewhere to move the view, two fingers to zoom.";

@@ -1,4 +1,4 @@
-import type { Editor } from "./editor.ts";
+import type { Editor, EditorState } from "./editor.ts";
 import type { Tool } from "./tool.ts";
 
 /** Says that something is being loaded: the page is not idle before it is there. */
@@ -9,20 +9,29 @@ export function whileLoading<T>(editor: Editor, work: Promise<T>): Promise<T> {
   return work;
 }
 
+/** What is loaded when it is first wanted; null until it is there. */
+export function late<T>(editor: Editor, wanted: (state: EditorState) => boolean, load: () => Promise<T>, arrived: (loaded: T) => void = () => undefined): () => T | null {
+  let loaded: T | null = null;
+  let asked = false;
+  editor.state.subscribe((state) => {
+    if (asked || !wanted(state)) return;
+    asked = true;
+    void whileLoading(editor, load().then((it) => {
+      loaded = it;
+      arrived(it);
+    }));
+  }, { now: true });
+  return () => loaded;
+}
+
 /** A tool that is loaded when it first comes up; what the pointer does before it is there is done as soon as it is. */
 export function lazyTool(editor: Editor, isUp: () => boolean, load: () => Promise<Tool>): Tool {
-  let tool: Tool | null = null;
-  let asked = false;
   const waiting: ((loaded: Tool) => void)[] = [];
-  editor.state.subscribe(() => {
-    if (asked || !isUp()) return;
-    asked = true;
-    void whileLoading(editor, load().then((loaded) => {
-      tool = loaded;
-      for (const work of waiting.splice(0)) work(loaded);
-    }));
+  const there = late(editor, isUp, load, (loaded) => {
+    for (const work of waiting.splice(0)) work(loaded);
   });
   const soon = (work: (loaded: Tool) => void): void => {
+    const tool = there();
     if (tool === null) waiting.push(work);
     else work(tool);
   };
@@ -31,7 +40,7 @@ export function lazyTool(editor: Editor, isUp: () => boolean, load: () => Promis
     press: (sample) => soon((loaded) => loaded.press(sample)),
     drag: (sample) => soon((loaded) => loaded.drag(sample)),
     release: (sample) => soon((loaded) => loaded.release(sample)),
-    cancel: () => tool?.cancel() ?? false,
-    finish: () => tool?.finish() ?? false,
+    cancel: () => there()?.cancel() ?? false,
+    finish: () => there()?.finish() ?? false,
   };
 }

@@ -1,8 +1,8 @@
 import type { Mode } from "../document/document.ts";
 import { resized } from "../editor/pointer/camera.ts";
-import type { Editor, EditorState } from "../editor/editor.ts";
+import type { Editor } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
-import { whileLoading } from "../editor/loading.ts";
+import { late } from "../editor/loading.ts";
 import { drawComb, drawKnots, drawPolygon, drawSubdivision } from "./layers/analysis.ts";
 import { drawBefore, drawBezier, drawCurves, drawFill, drawSpans } from "./layers/curves.ts";
 import { drawGrid } from "./layers/grid.ts";
@@ -42,7 +42,6 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
   let palette = readPalette(document.documentElement);
   let ratio = 1;
   let dirty = true;
-  const painters = new Map<Mode, Painter>([["curve", { paint: (scene) => { for (const layer of below) layer(scene); drawWeights?.(scene); for (const layer of above) layer(scene); } }]]);
 
   function measure(): void {
     const box = surface.getBoundingClientRect();
@@ -58,17 +57,16 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
     repaint();
   }
 
-  /** Few ever look at the weights: they come when they are first to be shown. */
-  let drawWeights: ((scene: Scene) => void) | null = null;
-  let asked = false;
-  function bringWeights({ settings }: EditorState): void {
-    if (asked || !settings.overlays.weights) return;
-    asked = true;
-    void whileLoading(editor, import("./layers/weights.ts").then((loaded) => {
-      ({ drawWeights } = loaded);
-      repaint();
-    }));
-  }
+  /** Few ever look at the weights, and frames are for contours that are chosen as a whole: they come when they are first to be shown. */
+  const weights = late(editor, ({ settings }) => settings.overlays.weights, () => import("./layers/weights.ts"), repaint);
+  const framing = late(editor, ({ selection }) => selection.points.length > 1, () => import("./layers/frame.ts"), repaint);
+  const curve = (scene: Scene): void => {
+    for (const layer of below) layer(scene);
+    weights()?.drawWeights(scene);
+    framing()?.drawFrame(scene);
+    for (const layer of above) layer(scene);
+  };
+  const painters = new Map<Mode, Painter>([["curve", { paint: curve }]]);
 
   function repaint(): void {
     dirty = true;
@@ -100,7 +98,6 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
   editor.state.subscribe(({ cursor }) => {
     if (surface.style.cursor !== cursor) surface.style.cursor = cursor;
   }, { until });
-  editor.state.subscribe(bringWeights, { until, now: true });
   const observer = new ResizeObserver(measure);
   observer.observe(surface);
   until.addEventListener("abort", () => observer.disconnect(), { once: true });
@@ -116,6 +113,6 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
   return { repaint, painters };
 }
 
-/** From the paper up, below and above the weights. */
+/** From the paper up, below and above the weights and the frame. */
 const below: readonly ((scene: Scene) => void)[] = [drawGrid, drawFill, drawBefore, drawBezier, drawSubdivision, drawPolygon, drawComb];
 const above: readonly ((scene: Scene) => void)[] = [drawSpans, drawCurves, drawKnots, drawHandles, drawPoints, drawSketch, drawLoupe];

@@ -25,6 +25,11 @@ function insertAtHover(editor: Editor): void {
   if (hover.kind === "curve") insertAt(editor, hover.contour, hover.t);
 }
 
+/** What turns, stretches and chooses whole contours comes when it is first asked for. */
+function framed(editor: Editor, run: (framing: typeof import("../curve/framing.ts")) => void): void {
+  void whileLoading(editor, import("../curve/framing.ts").then(run));
+}
+
 function stageCentre(state: EditorState): ScreenPoint {
   return { x: state.stage.width / 2, y: state.stage.height / 2 };
 }
@@ -92,6 +97,7 @@ const editing: readonly Action[] = [
   action("redo", "Redo", "Edit", ["Mod+Shift+Z", "Mod+Y"], (editor) => editor.redo(), { enabled: (state) => state.canRedo }),
   action("select-all", "Select all", "Edit", ["Mod+A"], selectAll, { enabled: hasCurve }),
   action("select-none", "Select none", "Edit", ["Mod+Shift+A"], selectNone, { enabled: inCurve }),
+  action("select-contour", "Select whole contours", "Edit", ["E"], (editor) => framed(editor, ({ selectContours }) => selectContours(editor)), { enabled: (state) => hasSelection(state) || (inCurve(state) && state.hover.kind === "curve") }),
   action("duplicate", "Duplicate contour", "Edit", ["Mod+D"], duplicate, { enabled: hasSelection }),
   action("clear", "Clear", "Edit", [], clearCurve, { enabled: hasCurve }),
 ];
@@ -123,6 +129,17 @@ const pointActions: readonly Action[] = [
   action("level-down", "Level down", "Curve", ["{"], (editor) => setLevel(editor, editor.state.value.curve.level - 1), { enabled: hasCurve }),
 ];
 
+const transforms: readonly Action[] = ([
+  ["turn-right", "Turn by 15°", "R"],
+  ["turn-left", "Turn back by 15°", "Shift+R"],
+  ["grow", "Grow by a tenth", ">"],
+  ["shrink", "Shrink again", "<"],
+  ["flip-across", "Flip left and right", "Shift+H"],
+  ["flip-down", "Flip top and bottom", "Shift+V"],
+] as const).map(([id, label, key]) =>
+  action(id, label, "Points", [key], (editor) => framed(editor, ({ transforms: all }) => all[id](editor)), { enabled: hasSelection }),
+);
+
 const viewing: readonly Action[] = [
   action("zoom-in", "Zoom in", "View", ["+", "="], (editor) => zoomBy(editor, 1.25), { live: true }),
   action("zoom-out", "Zoom out", "View", ["-"], (editor) => zoomBy(editor, 0.8), { live: true }),
@@ -148,6 +165,6 @@ export function registerStandardActions(editor: Editor): void {
       checked: (state) => state.mode === mode,
     }),
   );
-  const all = [...editing, ...pointActions, ...nudgeActions(), ...viewing, ...switches, ...toolActions, ...modeActions];
+  const all = [...editing, ...pointActions, ...transforms, ...nudgeActions(), ...viewing, ...switches, ...toolActions, ...modeActions];
   for (const each of all) editor.actions.register(each);
 }

@@ -5,7 +5,7 @@ import type { EditorState, Target } from "../editor.ts";
 
 /** What is under a place of the screen. Distances are in CSS pixels whatever the zoom. */
 
-const reachOf = { mouse: 10, pen: 12, touch: 22 } as const;
+export const reachOf = { mouse: 10, pen: 12, touch: 22 } as const;
 const curveReachOf = { mouse: 6, pen: 8, touch: 14 } as const;
 
 export type PointerKind = keyof typeof reachOf;
@@ -129,5 +129,6 @@ export function sameTarget(a: Target, b: Target): boolean {
   if (a.kind === "point" && b.kind === "point") return samePoint(a.point, b.point);
   if (a.kind === "handle" && b.kind === "handle") return samePoint(a.handle, b.handle) && a.handle.side === b.handle.side;
   if (a.kind === "curve" && b.kind === "curve") return a.contour === b.contour && a.t === b.t;
+  if (a.kind === "grip" && b.kind === "grip") return a.grip === b.grip;
   return a.kind === "empty" && b.kind === "empty";
 }

@@ -19,6 +19,7 @@ const gesturesOf: Readonly<Record<Mode, readonly Gesture[]>> = {
     ["Double-click the curve", "inserts a point; the curve stays where it is"],
     ["Double-click a point", "smooth ↔ cusp"],
     ["Drag across empty space", "selects; Shift adds, Alt takes away"],
+    ["Drag a grip of the frame", "stretches or turns whole contours, exactly; Shift keeps the proportions"],
     ["Shift or Alt with the arrow keys", "nudges by 10 or by a tenth"],
   ],
   fit: [

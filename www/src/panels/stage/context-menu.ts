@@ -7,9 +7,11 @@ function itemsFor({ hover, curve }: EditorState): readonly string[] {
   switch (hover.kind) {
     case "point":
     case "handle":
-      return ["smooth", "symmetric", "cusp", "reset-handles", "delete", "delete-open", "start-here", "reverse"];
+      return ["smooth", "symmetric", "cusp", "reset-handles", "delete", "delete-open", "start-here", "reverse", "select-contour"];
     case "curve":
-      return ["insert-here", "reverse"];
+      return ["insert-here", "reverse", "select-contour"];
+    case "grip":
+      return ["flip-across", "flip-down", "turn-right", "turn-left", "duplicate", "reverse"];
     case "empty":
       return curve.contours.length > 0 ? ["paste", "zoom-fit", "select-all"] : ["paste", "samples"];
   }

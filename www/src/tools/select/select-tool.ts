@@ -5,6 +5,7 @@ import type { Segment } from "../../editor/curve/bending.ts";
 import { panned, type ScreenPoint } from "../../editor/pointer/camera.ts";
 import { insertAt, resetSelectedHandles, toggleCusp } from "../../editor/curve/edits.ts";
 import type { Editor, Modifiers, Target } from "../../editor/editor.ts";
+import { late } from "../../editor/loading.ts";
 import { hitTest, sameTarget } from "../../editor/pointer/hit-test.ts";
 import type { Drag, PointerSample, Tool } from "../../editor/tool.ts";
 import { pressOrDrag } from "../press-or-drag.ts";
@@ -24,12 +25,22 @@ function cursorFor(target: Target, modifiers: Modifiers): string {
       return modifiers.alt ? "alias" : "grab";
     case "curve":
       return modifiers.alt ? "move" : "grab";
+    case "grip":
+      return target.cursor;
     case "empty":
       return "default";
   }
 }
 
 export function createSelectTool(editor: Editor): Tool {
+  /** Its grips are of use when contours are chosen as a whole. */
+  const frame = late(editor, ({ selection }) => selection.points.length > 1, () => import("./dragging-frame.ts"));
+
+  function targetOf(sample: PointerSample): Target {
+    const target = hitTest(editor.state.value, sample.screen, sample.kind);
+    return (target.kind === "empty" ? frame()?.gripUnder(editor, sample) : null) ?? target;
+  }
+
   /** What the last click hit: the second click of a double-click means the same thing, whatever appeared since. */
   let lastClicked: Target = { kind: "empty" };
 
@@ -64,6 +75,8 @@ export function createSelectTool(editor: Editor): Tool {
         return dragHandle(editor, start, target.handle);
       case "curve":
         return dragSegment(editor, start, segmentSelection(target.contour, target.t), segmentAt(target.contour, target.t));
+      case "grip":
+        return frame()?.dragFrame(editor, start, target.grip) ?? panWith(start);
       case "empty":
         return start.kind === "touch" ? panWith(start) : brush(editor, start);
     }
@@ -107,6 +120,8 @@ export function createSelectTool(editor: Editor): Tool {
         const kept = sample.modifiers.shift ? selection.points.filter((ref) => !isSelected(segment, ref)) : [];
         return editor.patch({ selection: { points: [...kept, ...segment.points], handle: null } });
       }
+      case "grip":
+        return;
       case "empty":
         if (editor.state.value.settings.moveByClicks && moveTo(sample)) return;
         if (!sample.modifiers.shift) editor.patch({ selection: nothingSelected });
@@ -133,12 +148,13 @@ export function createSelectTool(editor: Editor): Tool {
       }
       case "curve":
         return insertAt(editor, target.contour, target.t);
+      case "grip":
       case "empty":
     }
   }
 
   const gestures = pressOrDrag<Target>({
-    hit: (sample) => (sample.clicks === 2 ? lastClicked : hitTest(editor.state.value, sample.screen, sample.kind)),
+    hit: (sample) => (sample.clicks === 2 ? lastClicked : targetOf(sample)),
     begin: dragFor,
     click(target, sample) {
       if (sample.clicks === 2) doubleClick(target);
@@ -153,7 +169,7 @@ export function createSelectTool(editor: Editor): Tool {
   return {
     ...gestures,
     hover(sample) {
-      const target = hitTest(editor.state.value, sample.screen, sample.kind);
+      const target = targetOf(sample);
       const cursor = cursorFor(target, sample.modifiers);
       const { hover, cursor: shown } = editor.state.value;
       if (!sameTarget(target, hover) || cursor !== shown) editor.patch({ hover: target, cursor });

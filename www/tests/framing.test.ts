@@ -1,0 +1,131 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { gripsOf, type Grip } from "../src/editor/curve/framing.ts";
+import { toPage } from "../src/editor/pointer/camera.ts";
+import { Hand, largestDistance } from "./harness.ts";
+
+/** The frame around whole contours. The oracle is the map itself: the curve's own samples, mapped one by one. */
+
+type Place = readonly [number, number];
+
+function gripAt(hand: Hand, grip: Grip): { x: number; y: number } {
+  const { value } = hand.editor.state;
+  const found = gripsOf(value).find((each) => each.grip === grip);
+  assert.ok(found !== undefined, `no grip ${grip}`);
+  return toPage(value.view, value.stage, found);
+}
+
+function mapped(samples: Float64Array, map: (x: number, y: number) => Place): Float64Array {
+  return samples.map((_, i) => map(samples[i - (i % 2)] ?? 0, samples[i - (i % 2) + 1] ?? 0)[i % 2] ?? 0);
+}
+
+const turned = (degrees: number, [cx, cy]: Place) => (x: number, y: number): Place => {
+  const [cos, sin] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
+  return [cx + cos * (x - cx) - sin * (y - cy), cy + sin * (x - cx) + cos * (y - cy)];
+};
+
+/** What keys and grips need comes when it is first wanted. */
+async function loaded(hand: Hand): Promise<Hand> {
+  await Promise.all(hand.editor.loading);
+  return hand;
+}
+
+test("the frame is there when contours are chosen as a whole, and only with the tool that edits", async () => {
+  const hand = new Hand("heart");
+  assert.deepEqual(gripsOf(hand.editor.state.value), []);
+  hand.run("select-all");
+  assert.equal(gripsOf(hand.editor.state.value).length, 9);
+  hand.run("tool-pen");
+  assert.deepEqual(gripsOf(hand.editor.state.value), []);
+  hand.run("tool-select");
+  hand.click(hand.point(1).x, hand.point(1).y);
+  assert.deepEqual(gripsOf(hand.editor.state.value), [], "one point of six");
+  await loaded(hand.run("select-contour"));
+  assert.equal(hand.editor.state.value.selection.points.length, 6);
+  assert.equal(gripsOf(hand.editor.state.value).length, 9);
+});
+
+for (const sample of ["circle-2", "heart", "cycloid", "hyperbola", "glyph", "blob-16"] as const) {
+  test(`a grip stretches every place of the curve alike, whatever the curve is made of: ${sample}`, async () => {
+    const hand = new Hand(sample).run("select-all");
+    await loaded(hand);
+    const before = hand.sample(500);
+    const xs = before.filter((_, i) => i % 2 === 0);
+    const [left, right] = [Math.min(...xs), Math.max(...xs)];
+    hand.keys({ mod: true }).drag(gripAt(hand, "e"), 60, 35).keys({});
+    const after = hand.sample(500);
+    const factor = ((after[100] ?? 0) - (after[0] ?? 0)) / ((before[100] ?? 0) - (before[0] ?? 0));
+    // 500 places miss the outermost ones by a little.
+    assert.ok(Math.abs(factor - (1 + 60 / (right - left))) < 0.01, `${factor}`);
+    const fixed = ((after[0] ?? 0) - factor * (before[0] ?? 0)) / (1 - factor);
+    assert.ok(Math.abs(fixed - left) < 2, "the other side stays");
+    assert.ok(largestDistance(after, mapped(before, (x, y) => [fixed + factor * (x - fixed), y])) < 1e-9);
+    hand.run("undo");
+    assert.equal(largestDistance(hand.sample(500), before), 0);
+  });
+
+  test(`the curve turns as one, and a flip twice is none: ${sample}`, async () => {
+    const hand = new Hand(sample).run("select-all");
+    await loaded(hand);
+    const before = hand.sample(500);
+    const knob = gripAt(hand, "turn");
+    const middle: Place = [knob.x, (gripAt(hand, "nw").y + gripAt(hand, "se").y) / 2];
+    const [x, y] = turned(33, middle)(knob.x, knob.y);
+    // To a step of 15°: a drag of 33° ends at 30°.
+    hand.keys({ shift: true }).drag(knob, x - knob.x, y - knob.y).keys({});
+    assert.ok(largestDistance(hand.sample(500), mapped(before, turned(30, middle))) < 1e-9);
+    await loaded(hand.run("undo").run("flip-across"));
+    assert.ok(largestDistance(hand.sample(500), mapped(before, (u, v) => [2 * middle[0] - u, v])) < 1e-9);
+    await loaded(hand.run("flip-across"));
+    assert.ok(largestDistance(hand.sample(500), before) < 1e-9);
+  });
+}
+
+test("Shift keeps the proportions, Alt the middle, and both count at once on the way", async () => {
+  const hand = new Hand("heart").run("select-all");
+  await loaded(hand);
+  const before = hand.sample(400);
+  const grip = gripAt(hand, "se");
+  const size = (samples: Float64Array, axis: 0 | 1): number => {
+    const list = samples.filter((_, i) => i % 2 === axis);
+    return Math.max(...list) - Math.min(...list);
+  };
+  const middle = (samples: Float64Array): number => (Math.max(...samples.filter((_, i) => i % 2 === 0)) + Math.min(...samples.filter((_, i) => i % 2 === 0))) / 2;
+  hand.wait().moveTo(grip.x, grip.y).press().keys({ mod: true }).moveTo(grip.x + 80, grip.y + 10);
+  const free = hand.sample(400);
+  assert.ok(Math.abs(size(free, 0) / size(before, 0) - size(free, 1) / size(before, 1)) > 0.1);
+  hand.keys({ mod: true, shift: true });
+  const even = hand.sample(400);
+  assert.ok(Math.abs(size(even, 0) / size(before, 0) - size(even, 1) / size(before, 1)) < 1e-9);
+  hand.keys({ mod: true, alt: true });
+  assert.ok(Math.abs(middle(hand.sample(400)) - middle(before)) < 1e-9);
+  hand.release().keys({});
+  assert.equal(hand.editor.state.value.undoName, "Stretch");
+});
+
+test("a drawing cannot be pressed flat: what was stretched can be stretched again", async () => {
+  const hand = new Hand("heart").run("select-all");
+  await loaded(hand);
+  const [east, west] = [gripAt(hand, "e"), gripAt(hand, "w")];
+  // To the very place that stays: the grips stand sixteen off on either side.
+  hand.keys({ mod: true }).drag(east, west.x + 32 - east.x, 0).keys({});
+  const xs = hand.sample(200).filter((_, i) => i % 2 === 0);
+  assert.ok(Math.max(...xs) - Math.min(...xs) > 0.1);
+});
+
+test("four turns by keys are one entry of the history, and one point alone turns its handles", async () => {
+  const hand = new Hand("heart").run("select-all");
+  await loaded(hand);
+  const before = hand.sample(300);
+  for (let i = 0; i < 4; i += 1) hand.editor.actions.run("turn-right");
+  for (let i = 0; i < 4; i += 1) hand.editor.actions.run("turn-left");
+  await loaded(hand);
+  assert.ok(largestDistance(hand.sample(300), before) < 1e-9);
+  hand.run("undo");
+  assert.equal(hand.editor.state.value.canUndo, false);
+  hand.click(hand.point(1).x, hand.point(1).y).run("flip-down").run("turn-right");
+  await loaded(hand);
+  const { out, x, y } = hand.point(1);
+  assert.deepEqual([x, y], [476, 160]);
+  assert.ok(Math.abs(Math.atan2(out.dy, out.dx) - Math.PI / 12) < 1e-12);
+});
