@@ -118,7 +118,9 @@ const accepted: readonly (readonly [id: string, what: string, svg: string, shape
   ["SV-026", "entities of plain text, as Illustrator writes its namespaces", `<?xml version="1.0"?><!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "x.dtd" [\n<!ENTITY ns_svg "http://www.w3.org/2000/svg">\n<!ENTITY ns_ai 'http://ns.adobe.com/'>\n]><svg xmlns="&ns_svg;" xmlns:i="&ns_ai;">${path}</svg>`, 1, null],
   ["SV-056", "layers that a style sheet hides", `<svg ${ns}><style>.st0{fill:red}.st1, #off{display:none}\n@import url(http://example.invalid/a.css);</style><g class='st0'>${path}</g><g class='a st1'>${path}</g><g id='off'>${path}</g><path class='st1' style='display:inline' d='M0 0L1 1'/></svg>`, 2, null],
   ["SV-057", "text, which has no outlines here", `<svg ${ns}><text>Hi</text>${path}</svg>`, 1, "W_TEXT"],
-  ["SV-058", "a transform by CSS", `<svg ${ns}><path style='transform:rotate(45deg)' d='M0 0L1 1'/></svg>`, 1, "W_STYLE_TRANSFORM"],
+  ["SV-058", "a transform by CSS that needs a box", `<svg ${ns}><path style='transform:translate(50%, 0)' d='M0 0L1 1'/></svg>`, 1, "W_STYLE_TRANSFORM"],
+  ["SV-058b", "a transform by CSS in space", `<svg ${ns}><path style='rotate: 1 1 0 45deg' d='M0 0L1 1'/></svg>`, 1, "W_STYLE_TRANSFORM"],
+  ["SV-058c", "a turn about the middle of a box", `<svg ${ns}><path style='transform: rotate(45deg); transform-origin: center' d='M0 0L1 1'/></svg>`, 1, "W_STYLE_TRANSFORM"],
   ["SV-059", "an icon as large as its text", `<svg ${ns} width='1em' height='1em' viewBox='0 0 24 24'>${path}</svg>`, 1, null],
   ["SV-060", "a path alone", path, 1, null],
   ["SV-061", "JSX", "<svg viewBox='0 0 24 24' {...props} strokeWidth={2}><path strokeLinecap={round} d={'M0 0L1 1'} /><path d=\"M1 1L2 2\" /></svg>", 2, null],
@@ -167,6 +169,38 @@ for (const [what, svg, d] of relative) {
   test(`SV-064 lengths ${what}`, async () => {
     const outcome = await read(svg);
     assert.deepEqual([outcome.shapes.map((shape) => shape.d), outcome.warnings], [[d], []]);
+  });
+}
+
+const styled: readonly (readonly [attributes: string, what: string])[] = [
+  ["style='transform: rotate(45deg)'", "a turn"],
+  ["style='transform: matrix(1, 2, 3, 4, 5, 6) ! important; fill: red'", "a matrix among other properties"],
+  ["style='fill: none; transform: translate(12px, -3px) rotate(0.25turn) scale(2, 0.5) skewX(10deg)' transform='scale(9)'", "a list, which the attribute yields to"],
+  ["style='transform: translateX(7px) scaleY(-1) skew(0.1rad, 20grad)'", "functions that attributes do not have"],
+  ["style='translate: 10px 20px; rotate: -30deg; scale: 2 3; transform: skewY(5deg)'", "properties of their own"],
+  ["style='rotate: 30deg' transform='translate(4 5)'", "a property beside the attribute"],
+  ["style='transform: rotate(30deg); transform-origin: 12px 7.5px'", "a turn about a place"],
+  ["transform='rotate(30)' transform-origin='12 7.5'", "an attribute's turn about a place"],
+  ["style='transform: translate(3px, 4px); transform-origin: center'", "a step, which happens about any place"],
+  ["style='transform: none' transform='scale(9)'", "none, which the attribute yields to"],
+  ["style='translate: none; stroke: url(a;b:c)'", "none of its own"],
+];
+
+for (const [attributes, what] of styled) {
+  test(`SV-065 a transform by CSS is where the browser draws it: ${what}`, async () => {
+    const svg = `<svg ${ns}><g ${attributes}>${path}</g></svg>`;
+    const outcome = await read(svg);
+    assert.deepEqual(outcome.warnings, []);
+    const drawn = await page?.evaluate((text) => {
+      document.body.innerHTML = text;
+      const { a, b, c, d, e, f } = document.querySelector("path")?.getCTM() ?? new DOMMatrix([9, 9, 9, 9, 9, 9]);
+      document.body.replaceChildren();
+      return [a, b, c, d, e, f];
+    }, svg);
+    const own = outcome.shapes[0]?.transform ?? [];
+    // The browser's own matrices have single precision.
+    drawn?.forEach((value, i) => assert.ok(Math.abs(value - (own[i] ?? NaN)) <= 1e-5 * Math.max(1, Math.abs(value)), `[${own.join()}] is not [${drawn.join()}]`));
+    assert.equal(own.length, drawn?.length);
   });
 }
 

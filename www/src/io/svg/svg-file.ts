@@ -2,11 +2,12 @@
  * Reads an SVG document into path data and transforms. The browser's own parser reads it into a document that is never
  * attached to the page, so nothing in it is fetched, styled or run; only shape elements are looked at.
  */
+import { ownTransformOf } from "./css-transform.ts";
 import { hiddenBySheets, isHidden } from "./hidden.ts";
 import { lengthOf, type Warn } from "./lengths.ts";
 import { overLimit, svgLimits, type SvgLimits, type SvgWarning } from "./limits.ts";
 import { rootOf } from "./markup.ts";
-import { identity, multiply, numbersOf, parseTransform, scale, translate, type Matrix } from "./matrix.ts";
+import { identity, multiply, numbersOf, scale, translate, type Matrix } from "./matrix.ts";
 import { pathDataOf, shapeNames } from "./shapes.ts";
 
 /** One drawn shape: its path data, and the transform from its own units to the document's. */
@@ -74,12 +75,9 @@ function walkChildren(element: Element, outer: Matrix, depth: number, reading: R
 }
 
 function ownTransform(element: Element, warn: Warn): Matrix {
-  if (/(?:^|;)\s*(?:transform|translate|rotate|scale)\s*:/iu.test(element.getAttribute("style") ?? "")) warn("W_STYLE_TRANSFORM", element);
-  const text = element.getAttribute("transform");
-  if (text === null) return identity;
-  const matrix = parseTransform(text);
-  if (matrix === null) warn("W_BAD_TRANSFORM", element);
-  return matrix ?? identity;
+  const { matrix, problem } = ownTransformOf(element);
+  if (problem !== null) warn(problem, element);
+  return matrix;
 }
 
 function addShape(element: Element, transform: Matrix, reading: Reading): void {

@@ -1,0 +1,58 @@
+import { identity, multiply, parseTransform, translate, type Matrix } from "./matrix.ts";
+
+/** What a `style` attribute says of where an element is. The browser reads the values; percentages and 3D are not applied. */
+
+/** The last value of each property. */
+function declarations(style: string): ReadonlyMap<string, string> {
+  return new Map(style.split(";").flatMap((each): [string, string][] => {
+    const colon = each.indexOf(":");
+    return colon < 0 ? [] : [[each.slice(0, colon).trim().toLowerCase(), each.slice(colon + 1).replace(/!\s*important\s*$/iu, "").trim()]];
+  }));
+}
+
+/** A list of transform functions as CSS writes them; null when it needs a box or a third dimension. */
+function listed(functions: string): Matrix | null {
+  try {
+    const { a, b, c, d, e, f, is2D } = new DOMMatrix(functions);
+    // Sines and cosines of right angles are whole.
+    const whole = (value: number): number => (Math.abs(value) < 1e-15 ? 0 : value);
+    return is2D ? [whole(a), whole(b), whole(c), whole(d), whole(e), whole(f)] : null;
+  } catch {
+    return null;
+  }
+}
+
+/** A property of its own, such as `rotate: 45deg`, as the function of its name. */
+function alone(name: string, value: string | undefined): Matrix | null {
+  return value === undefined || value === "none" ? identity : listed(`${name}(${value.split(/\s+/u).join(",")})`);
+}
+
+const place = /^([+-]?[\d.]+(?:e[+-]?\d+)?)(?:px)?\s+([+-]?[\d.]+(?:e[+-]?\d+)?)(?:px)?$/iu;
+
+/** The matrix about the place that stays; null when that depends on a box. */
+function about(origin: string | null | undefined, matrix: Matrix): Matrix | null {
+  const [a, b, c, d] = matrix;
+  if (origin == null || (a === 1 && b === 0 && c === 0 && d === 1)) return matrix;
+  const [, x = "", y = ""] = place.exec(origin.trim()) ?? [];
+  if (x === "" || y === "") return null;
+  return multiply(multiply(translate(Number(x), Number(y)), matrix), translate(-Number(x), -Number(y)));
+}
+
+export interface OwnTransform {
+  readonly matrix: Matrix;
+  readonly problem: "W_BAD_TRANSFORM" | "W_STYLE_TRANSFORM" | null;
+}
+
+/** An element's own transform: what its style says comes before its attribute. What cannot be applied is left out. */
+export function ownTransformOf(element: Element): OwnTransform {
+  const style = declarations(element.getAttribute("style") ?? "");
+  const attribute = element.getAttribute("transform");
+  const css = style.get("transform");
+  const list = css === undefined ? parseTransform(attribute ?? "") : css === "none" ? identity : listed(css);
+  const parts = [...["translate", "rotate", "scale"].map((name) => alone(name, style.get(name))), list];
+  const matrix = parts.some((part) => part === null) ? null : parts.reduce<Matrix>((all, part) => (part === null ? all : multiply(all, part)), identity);
+  const whole = matrix === null ? null : about(style.get("transform-origin") ?? element.getAttribute("transform-origin"), matrix);
+  if (whole !== null) return { matrix: whole, problem: null };
+  const byAttribute = css === undefined && list === null;
+  return { matrix: css === undefined ? (list ?? identity) : identity, problem: byAttribute ? "W_BAD_TRANSFORM" : "W_STYLE_TRANSFORM" };
+}
