@@ -1,7 +1,7 @@
 //! Rounded corners: what leads from one straight piece to the next becomes one arc where the picture asks for no more.
 
-use super::refine::Left;
 use super::trial::Trial;
+use super::window::Stretch;
 use crate::error::Result;
 use crate::numerics::Point;
 use crate::numerics::plane::{cross, dot};
@@ -17,7 +17,6 @@ const MOST_PIECES: usize = 8;
 const GENTLE: f64 = 0.35;
 /// What is left of a straight piece is at least so long, in pixels.
 const LEAST: f64 = 0.5;
-const STEPS: (usize, f64) = (6, 0.01);
 
 impl Trial<'_> {
     /// Makes one piece of a run of pieces without sharp corners between straight piece i and the next straight one, if that is an arc of a
@@ -25,45 +24,20 @@ impl Trial<'_> {
     ///
     /// # Cost
     ///
-    /// O(1), and O(length of the outline) for an arc that is tried.
+    /// O(pieces of the run), and O(length of the pieces beside it) for an arc that is tried.
     pub(super) fn round_off(&mut self, i: usize) -> Result<(usize, bool)> {
         let Some((count, arc)) = rounding(&self.shape.outline, i) else { return Ok((i + 1, false)) };
-        // Where it is good, the straight piece is the first one now, and the arc the second.
-        let good = self.try_arc(i, count, &arc)?;
-        Ok((if good { 2 } else { i + 1 }, true))
-    }
-
-    /// Puts the arc in place of `count` pieces after straight piece i; if that is not good, all is as it was. Whether it was good.
-    fn try_arc(&mut self, i: usize, count: usize, arc: &Arc) -> Result<bool> {
-        let saved = self.shape.outline.clone();
-        let mut old = Left::default();
-        let mut piece = i;
-        for _ in 0..count {
-            piece = saved.next(piece);
-            old.add(&self.shape.parts[piece], self.field);
-        }
         let smooth = |point: Point| Node { point, smooth: true, kept: false };
         let [leaving, arriving] = arc.cubic_handles();
-        let mut rounded = Outline {
-            nodes: vec![saved.nodes[i], smooth(arc.ends[0]), smooth(arc.ends[1])],
+        let stretch = Stretch {
+            first: i,
+            count: count + 2,
             pieces: vec![Piece::Line, Piece::Cubic { leaving, arriving }, Piece::Line],
+            between: arc.ends.map(smooth).to_vec(),
         };
-        let mut at = saved.next(saved.next(piece));
-        while at != i {
-            rounded.nodes.push(saved.nodes[at]);
-            rounded.pieces.push(saved.pieces[at]);
-            at = saved.next(at);
-        }
-        self.refiner.replace(self.field, self.shape, rounded);
-        self.refiner.refine(self.field, self.shape, &[1, 2], STEPS)?;
-        let mut new = Left::default();
-        new.add(&self.shape.parts[1], self.field);
-        old.square += self.limits.grain * self.limits.grain * new.count;
-        let good = self.limits.allow(&new, &old, 1.0);
-        if !good {
-            self.refiner.replace(self.field, self.shape, saved);
-        }
-        Ok(good)
+        // Where it is good, the straight piece is the first one now, and the arc the second.
+        let good = self.attempt(stretch, 1)?;
+        Ok((if good { 2 } else { i + 1 }, true))
     }
 }
 

@@ -1,4 +1,4 @@
-//! Folds, tips and rounded corners of a whole outline, one trial after another.
+//! Folds, tips, kinks and rounded corners of a whole outline, one trial after another.
 
 use super::trial::Trial;
 use crate::error::Result;
@@ -11,6 +11,7 @@ const NODES: usize = 512;
 enum Looking {
     Folds,
     Tips,
+    Kinks,
     Arcs,
 }
 
@@ -35,7 +36,7 @@ impl Tidying {
 
     /// After all else.
     pub(super) fn end() -> Self {
-        Self { left: &[Looking::Arcs], at: 0 }
+        Self { left: &[Looking::Kinks, Looking::Arcs], at: 0 }
     }
 
     /// One trial at most: its cost in about microseconds, or nothing when all is done.
@@ -50,6 +51,7 @@ impl Tidying {
             let (next, tried) = match looking {
                 Looking::Folds => trial.unfold(self.at)?,
                 Looking::Tips => trial.sharpen(self.at)?,
+                Looking::Kinks => trial.even(self.at)?,
                 Looking::Arcs => trial.round_off(self.at)?,
             };
             self.at = next;
@@ -102,6 +104,7 @@ mod tests {
         outline: Outline,
         (width, height): (usize, usize),
         ink: &dyn Fn(usize, usize) -> f64,
+        mut tidying: Tidying,
     ) -> (Outline, Vec<usize>) {
         let bytes: Vec<u8> =
             (0..width * height).map(|i| (255.0 - 255.0 * ink(i % width, i / width)).round() as u8).collect();
@@ -114,7 +117,7 @@ mod tests {
         let all = shape.outline.len();
         refiner.show(&mut field, &mut shape, 0..all);
         let limits = Limits { rms: 0.012, most: 0.055, off: 0.25, noise: 0.0, share: 12.0, grain: 0.0 };
-        let (mut tidying, mut taken) = (Tidying::first(), Vec::new());
+        let mut taken = Vec::new();
         loop {
             let before = shape.outline.len();
             let trial =
@@ -129,7 +132,7 @@ mod tests {
 
     #[test]
     fn one_tip_a_step_is_tried_so_that_a_trace_can_be_stopped_between() {
-        let (_, taken) = tidied(blunt(), SIZE, &coverage);
+        let (_, taken) = tidied(blunt(), SIZE, &coverage, Tidying::first());
         assert!(taken.iter().all(|&count| count <= 1), "more than one tip in a step");
         assert_eq!(taken.iter().sum::<usize>(), TEETH, "every tip is sharp again");
     }
@@ -153,7 +156,7 @@ mod tests {
             pieces: vec![Piece::Line, round, on, Piece::Line, Piece::Line, Piece::Line],
         };
         let ink = |x: usize, y: usize| f64::from(u8::from((8..40).contains(&x) && (8..40).contains(&y)));
-        let (outline, taken) = tidied(outline, (48, 48), &ink);
+        let (outline, taken) = tidied(outline, (48, 48), &ink, Tidying::first());
         assert_eq!(taken.iter().sum::<usize>(), 1, "the loop is gone");
         for i in 0..outline.len() {
             let cubic = outline.cubic(i);
@@ -163,5 +166,42 @@ mod tests {
             // Bytes round coverage by 1/510.
             assert!(high.into_iter().all(|p| (p.y - 8.0).abs() < 0.01), "the side is straight");
         }
+    }
+
+    /// Where two circles of radius 18 overlap whose centres are so far above and below (24, 24), with corners where they meet; one turns by so much
+    /// besides.
+    fn lens(off: f64, kink: f64) -> Outline {
+        let angle = (off / 18.0).asin();
+        let quarter = 0.5 * (core::f64::consts::PI - 2.0 * angle);
+        let reach = 18.0 * 4.0 / 3.0 * (0.25 * quarter).tan();
+        let mut outline = Outline { nodes: Vec::new(), pieces: Vec::new() };
+        for (side, k) in [(1.0, 0.0), (1.0, 1.0), (-1.0, 0.0), (-1.0, 1.0)] {
+            let at = |k: f64| Vector::new((angle + k * quarter).cos(), (angle + k * quarter).sin()) * side;
+            let way = |k: f64, turned: f64| {
+                let (sine, cosine) = (angle + k * quarter + turned).sin_cos();
+                Vector::new(-sine, cosine) * (side * reach)
+            };
+            let point = Point::new(24.0, 24.0 - side * off) + at(k) * 18.0;
+            let turned = if outline.nodes.is_empty() { kink } else { 0.0 };
+            outline.nodes.push(Node { point, smooth: k > 0.0, kept: false });
+            outline.pieces.push(Piece::Cubic { leaving: way(k, turned), arriving: way(k + 1.0, 0.0) });
+        }
+        outline
+    }
+
+    #[test]
+    fn a_kink_of_six_degrees_in_a_circle_goes_and_corners_of_twelve_that_were_drawn_stay() {
+        let ink = |off: f64| {
+            // Sixteen by sixteen samples of a pixel.
+            move |x: usize, y: usize| {
+                let at = |v: usize, k: usize| v as f64 + (k as f64 + 0.5) / 16.0 - 24.0;
+                let inside = |x: f64, y: f64| x.hypot(y - off) < 18.0 && x.hypot(y + off) < 18.0;
+                (0..256).filter(|k| inside(at(x, k % 16), at(y, k / 16))).count() as f64 / 256.0
+            }
+        };
+        let (round, _) = tidied(lens(0.0, 0.1), (48, 48), &ink(0.0), Tidying::end());
+        assert!(round.nodes.iter().all(|node| node.smooth), "no corner is left");
+        let (sharp, _) = tidied(lens(1.9, 0.0), (48, 48), &ink(1.9), Tidying::end());
+        assert_eq!(sharp.cusps(0.2).len(), 2, "both corners are those of the picture");
     }
 }

@@ -1,6 +1,7 @@
-//! Tips that pixels have cut off: two corners with a short piece between become the one where their sides meet.
+//! Corners that nobody drew: tips that pixels have cut off become the one corner where their sides meet; folds and kinks go.
 
-use super::refine::Left;
+use super::field::Field;
+use super::refine::{Left, Shape};
 use super::trial::Trial;
 use super::window::{Stretch, Window};
 use crate::error::Result;
@@ -19,7 +20,9 @@ const FOLD: f64 = 6.0;
 const BACK: f64 = 2.6;
 /// The longest piece that goes round for nothing: a longer one may be a tip that turns so far.
 const LOOP: f64 = 1.0;
-const STEPS: (usize, f64) = (8, 5e-4);
+/// A corner that turns by no more, in radians, is tried without: where the picture is exact, and where there is noise.
+const KINKS: [f64; 2] = [0.175, 0.35];
+const STEPS: [(usize, f64); 2] = [(8, 5e-4), (6, 0.01)];
 
 impl Trial<'_> {
     /// Puts a tip where the sides beside piece i meet, as long as the picture is explained as well as before or as the limits say. The next
@@ -54,10 +57,6 @@ impl Trial<'_> {
     fn try_without(&mut self, i: usize) -> Result<bool> {
         let outline = &self.shape.outline;
         let (before, next) = (outline.before(i), outline.next(i));
-        let mut old = Left::default();
-        for piece in [outline.before(before), before, i, next] {
-            old.add(&self.shape.parts[piece], self.field);
-        }
         let [start, end] = [outline.nodes[before], outline.nodes[next]];
         let third = (end.point - start.point) / 3.0;
         let straight = outline.is_line(before) || outline.is_line(i);
@@ -70,16 +69,31 @@ impl Trial<'_> {
             let (leaving, arriving) = (outline.cubic(before).leaving, outline.cubic(i).arriving);
             Piece::Cubic { leaving: way(start, leaving), arriving: way(end, arriving) }
         };
-        let stretch = Stretch { first: before, count: 2, pieces: vec![piece], between: Vec::new() };
+        self.attempt(Stretch { first: before, count: 2, pieces: vec![piece], between: Vec::new() }, 0)
+    }
+
+    /// Refines a stretch; if it does not explain the picture as well as what was there or as the limits say, all is as it was. Whether it was good.
+    /// With `ends` 1 the ends of the stretch stay, only what is between its first and last piece has to be good, and the outline begins with it then.
+    pub(super) fn attempt(&mut self, stretch: Stretch, ends: usize) -> Result<bool> {
+        // With ends that move the pieces beside it do.
+        let around = |shape: &Shape, field: &Field, first: usize, count: usize| {
+            let all = shape.outline.len();
+            let mut left = Left::default();
+            for k in 0..(count + 2 - 4 * ends).min(all) {
+                left.add(&shape.parts[(first + 2 * ends + all - 1 + k) % all], field);
+            }
+            left
+        };
+        let mut old = around(self.shape, self.field, stretch.first, stretch.count);
         let mut window = Window::open(self.refiner, self.field, self.shape, stretch);
-        self.refiner.refine(self.field, &mut window.shape, &[0, 1], STEPS)?;
-        let mut new = Left::default();
-        for piece in [window.shape.outline.before(0), 0, 1] {
-            new.add(&window.shape.parts[piece], self.field);
-        }
+        let nodes: Vec<usize> = (ends..=window.fresh - ends).collect();
+        self.refiner.refine(self.field, &mut window.shape, &nodes, STEPS[ends])?;
+        let new = around(&window.shape, self.field, 0, window.fresh);
+        old.square += self.limits.grain * self.limits.grain * new.count;
         let good = self.limits.allow(&new, &old, 1.0);
         if good {
-            window.keep(self.shape);
+            let first = window.keep(self.shape);
+            self.shape.begin_at(if ends > 0 { first } else { 0 });
         } else {
             window.close(self.refiner, self.field, self.shape);
         }
@@ -89,33 +103,37 @@ impl Trial<'_> {
     fn try_tip(&mut self, i: usize, tip: Point) -> Result<()> {
         let outline = &self.shape.outline;
         let (before, next) = (outline.before(i), outline.next(i));
-        let mut old = Left::default();
-        for piece in [before, i, next] {
-            old.add(&self.shape.parts[piece], self.field);
-        }
         let side = |piece: usize, from: Point, to: Point| calm(outline.pieces[piece], norm(to - from) / 3.0);
         let pieces = vec![
             side(before, outline.nodes[before].point, tip),
             side(next, tip, outline.nodes[outline.next(next)].point),
         ];
         let between = vec![Node { point: tip, ..outline.nodes[next] }];
-        let mut window = Window::open(
-            self.refiner,
-            self.field,
-            self.shape,
-            Stretch { first: before, count: 3, pieces, between },
-        );
-        self.refiner.refine(self.field, &mut window.shape, &[0, 1, 2], STEPS)?;
-        let mut new = Left::default();
-        for piece in 0..2 {
-            new.add(&window.shape.parts[piece], self.field);
-        }
-        if self.limits.allow(&new, &old, 1.0) {
-            window.keep(self.shape);
-        } else {
-            window.close(self.refiner, self.field, self.shape);
-        }
+        self.attempt(Stretch { first: before, count: 3, pieces, between }, 0)?;
         Ok(())
+    }
+
+    /// Makes corner i, which hardly turns, a smooth joint, as long as the picture is explained as well as before or as the limits say. The next
+    /// node, and whether it was tried.
+    ///
+    /// # Cost
+    ///
+    /// O(pieces of the outline), and O(length of the pieces beside it) for a joint that is tried.
+    pub(super) fn even(&mut self, i: usize) -> Result<(usize, bool)> {
+        let outline = &self.shape.outline;
+        let before = outline.before(i);
+        let kink = turn(outline.cubic(before).velocity(1.0), outline.cubic(i).velocity(0.0)).abs();
+        let straight = outline.is_line(before) && outline.is_line(i);
+        let most = KINKS[usize::from(self.limits.noise > 0.0)];
+        if straight || outline.nodes[i].smooth || outline.len() < 3 || kink > most {
+            return Ok((i + 1, false));
+        }
+        let mut even = outline.clone();
+        even.nodes[i].smooth = true;
+        even.align();
+        let pieces = vec![even.pieces[before], even.pieces[i]];
+        self.attempt(Stretch { first: before, count: 2, pieces, between: vec![even.nodes[i]] }, 0)?;
+        Ok((i + 1, true))
     }
 }
 
