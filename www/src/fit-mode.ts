@@ -19,7 +19,14 @@ export function mountFitMode({ editor, frame, stage, surface, proxies, panels, c
   registerFitActions(editor);
   const runner = createFitRunner(editor, connectFit(until), () => performance.now(), until);
   editor.actions.register({ id: "fit-cancel", label: "Stop the fit", group: "Edit", keys: [], enabled: ({ mode }) => mode === "fit", run: () => runner.cancel() });
-  editor.actions.register({ id: "fit-edit", label: "Edit the fit in Curve", group: "Curve", keys: [], enabled: ({ mode, fitRun }) => mode === "fit" && fitRun.outcome !== null, run: editInCurve });
+  editor.actions.register({
+    id: "fit-edit",
+    label: "Edit the fit in Curve",
+    group: "Curve",
+    keys: [],
+    enabled: ({ mode, fitRun }) => mode === "fit" && fitRun.outcome !== null,
+    run: editInCurve,
+  });
   editor.modes.set("fit", {
     tool: createFitTool(editor), hint: fitHint, summary: fitSummary, drawing: fittedDrawing, program: fitProgram,
     box: ({ fit }) => boxOf(fit.data),

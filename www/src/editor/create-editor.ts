@@ -179,7 +179,18 @@ export function createEditor(now: () => number): Editor {
     getState() {
       const { mode, view, curve, fit, trace, surface, solid } = state.value;
       const look = surface.net.length === 0 ? {} : { orbit: solid.orbit };
-      return { ...others, format: "expline-demo", version: stateVersion, mode, view, curve, fit, trace: editor.modes.get("trace")?.saved?.(state.value) ?? trace, surface, ...look };
+      return {
+        ...others,
+        format: "expline-demo",
+        version: stateVersion,
+        mode,
+        view,
+        curve,
+        fit,
+        trace: editor.modes.get("trace")?.saved?.(state.value) ?? trace,
+        surface,
+        ...look,
+      };
     },
     setState(next: DemoState, options = {}) {
       editor.bail();

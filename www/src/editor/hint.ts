@@ -50,14 +50,18 @@ function fixed(value: number): string {
 
 function penHint(state: EditorState): string {
   if (state.sketch.rubber?.closing === true) return "Click to close the contour.";
-  if (state.sketch.rubber !== null) return `${state.touch ? "Tap" : "Click"} for a corner, drag for a smooth point. ${state.touch ? "A double tap finishes." : "Enter finishes, Esc drops the segment."}`;
+  if (state.sketch.rubber !== null) {
+    return `${state.touch ? "Tap" : "Click"} for a corner, drag for a smooth point. ${state.touch ? "A double tap finishes." : "Enter finishes, Esc drops the segment."}`;
+  }
   return "Click to place the first point, or drag to pull its handles.";
 }
 
 function curveHint(contour: Contour | undefined, t: number): string {
   if (contour === undefined) return "";
   if (contour.family === "interpolating") return "Drag to move this segment. Double-click to insert a point; it says how far the curve moves.";
-  const drag = isStraight(contour, locate(contour, t).segment) ? "Drag to move this line, Alt-drag to bend it." : "Drag to bend the curve, Alt-drag to move this segment.";
+  const drag = isStraight(contour, locate(contour, t).segment)
+    ? "Drag to move this line, Alt-drag to bend it."
+    : "Drag to bend the curve, Alt-drag to move this segment.";
   return `${drag} Double-click to insert a point; the curve stays.`;
 }
 

@@ -102,7 +102,8 @@ export function connectRoutes(editor: Editor, until: AbortSignal): void {
   };
   let following = false;
   editor.state.subscribe((state, before) => {
-    if (following || (state.mode === before.mode && state.mode !== "surface" && state.curve === before.curve && state.fit.sample === before.fit.sample && state.trace.sample === before.trace.sample)) return;
+    if (following || (state.mode === before.mode && state.mode !== "surface" && state.curve === before.curve && state.fit.sample === before.fit.sample
+      && state.trace.sample === before.trace.sample)) return;
     // Another mode or another sample is a page to come back to; an edit only stops the address from promising the sample.
     const { sample } = routeOf(editor);
     const last = before[state.mode].sample;

@@ -51,7 +51,11 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
   mountBoot(shell);
   mountContextMenu(shell);
   // What is loaded when it is first asked for may be out of reach by then.
-  window.addEventListener("vite:preloadError", () => shell.toasts.error("engine", "This part of the page could not be loaded. Check the connection and try again."), { signal });
+  window.addEventListener(
+    "vite:preloadError",
+    () => shell.toasts.error("engine", "This part of the page could not be loaded. Check the connection and try again."),
+    { signal },
+  );
   io.listenForIncoming({
     files: (files) => void whileLoading(editor, import("./files/file-work.ts").then(({ receiveFiles }) => receiveFiles(shell, files))),
     text: (text) => void import("./files/file-work.ts").then(({ receiveText }) => receiveText(shell, text)),

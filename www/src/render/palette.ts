@@ -25,7 +25,25 @@ export interface Palette {
   readonly forced: boolean;
 }
 
-const names = ["canvas", "ink", "ink2", "line", "focus", "point", "curve", "handle", "cusp", "original", "warn", "linear", "solid", "solid-back", "cubic", "coinc", "err"] as const;
+const names = [
+  "canvas",
+  "ink",
+  "ink2",
+  "line",
+  "focus",
+  "point",
+  "curve",
+  "handle",
+  "cusp",
+  "original",
+  "warn",
+  "linear",
+  "solid",
+  "solid-back",
+  "cubic",
+  "coinc",
+  "err",
+] as const;
 
 export function readPalette(root: Element): Palette {
   const style = getComputedStyle(root);
@@ -33,5 +51,25 @@ export function readPalette(root: Element): Palette {
   const [canvas = "", ink = "", ink2 = "", line = "", focus = "", point = "", curve = "", handle = "", cusp = "", original = "", warn = "", linear = "", ...more] = names.map(read);
   const [solid = "", solidBack = "", cubic = "", coinc = "", err = ""] = more;
   const heat = [0, 1, 2, 3, 4].map((i) => read(`heat-${i}`));
-  return { canvas, ink, ink2, line, focus, point, curve, handle, cusp, original, warn, linear, solid, solidBack, cubic, coinc, err, heat, forced: matchMedia("(forced-colors: active)").matches };
+  return {
+    canvas,
+    ink,
+    ink2,
+    line,
+    focus,
+    point,
+    curve,
+    handle,
+    cusp,
+    original,
+    warn,
+    linear,
+    solid,
+    solidBack,
+    cubic,
+    coinc,
+    err,
+    heat,
+    forced: matchMedia("(forced-colors: active)").matches,
+  };
 }

@@ -69,7 +69,8 @@ export function mountLive(editor: Editor, live: HTMLElement, summary: HTMLElemen
     if (notice?.kind === "announce" || notice?.kind === "toast") live.textContent = notice.text;
   }, { until });
   editor.state.subscribe((state, before) => {
-    if (state.curve === before.curve && state.surface === before.surface && state.fitRun === before.fitRun && state.traceRun === before.traceRun && state.mode === before.mode) return;
+    if (state.curve === before.curve && state.surface === before.surface && state.fitRun === before.fitRun && state.traceRun === before.traceRun
+      && state.mode === before.mode) return;
     clearTimeout(timer);
     timer = setTimeout(summarise, settleMs);
   }, { until });

@@ -83,7 +83,9 @@ export function setKinds(selection: Selection, kind: Kind): Command {
   return {
     name: kind === "cusp" ? "Make cusp" : `Make ${kind}`,
     apply: (curve) =>
-      withPoints(curve, selection, (point, ref, contour) => (contour.family === "interpolating" ? point : withKind(point, kind, automaticHandles(curve, contour, ref.index)))),
+      withPoints(curve, selection, (point, ref, contour) => (contour.family === "interpolating"
+        ? point
+        : withKind(point, kind, automaticHandles(curve, contour, ref.index)))),
   };
 }
 

@@ -45,7 +45,11 @@ export function affectedSegments(curve: CurveDocument, contour: Contour, index: 
 }
 
 /** Where a finer control point of a refined place stands; null for any other point. */
-export function finePlaceOf(contour: Contour, index: number, order: number): { readonly place: number; readonly within: number; readonly parameter: number; readonly step: number } | null {
+export function finePlaceOf(
+  contour: Contour,
+  index: number,
+  order: number,
+): { readonly place: number; readonly within: number; readonly parameter: number; readonly step: number } | null {
   let within = index - baseCount(contour);
   if (within < 0) return null;
   for (const [place, { level, first, count }] of (contour.places ?? []).entries()) {

@@ -179,7 +179,9 @@ function checkFamily(contour: Contour, path: string): void {
   for (const name of strange) {
     if (contour[name] !== undefined) throw new FileError("E_SCHEMA", `${path}.${name}`, `is nothing that a contour of the family ${contour.family} has`);
   }
-  if (contour.places !== undefined && (contour.grid !== undefined || baseCount(contour) < 2)) throw new FileError("E_SCHEMA", `${path}.places`, "leaves no points on the curve");
+  if (contour.places !== undefined && (contour.grid !== undefined || baseCount(contour) < 2)) {
+    throw new FileError("E_SCHEMA", `${path}.places`, "leaves no points on the curve");
+  }
   if (contour.grid !== undefined && contour.roots === undefined) throw new FileError("E_SCHEMA", `${path}.roots`, "is missing");
 }
 

@@ -52,7 +52,9 @@ function readWindow(found: Found): NetWindow {
 function readDetail(found: Found): Detail {
   const [u, v] = [readWindow(field(found, "u")), readWindow(field(found, "v"))];
   const displacements = asArray(field(found, "displacements"), (value) => asNumber(value), 3 * limits.maxNet, "maxNet");
-  if (displacements.length !== 3 * u.count * v.count) throw new FileError("E_SCHEMA", `${found.path}.displacements`, `has not three numbers for each of ${u.count * v.count} points`);
+  if (displacements.length !== 3 * u.count * v.count) {
+    throw new FileError("E_SCHEMA", `${found.path}.displacements`, `has not three numbers for each of ${u.count * v.count} points`);
+  }
   return { u, v, displacements };
 }
 

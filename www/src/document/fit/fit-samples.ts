@@ -94,7 +94,12 @@ function roundedRectangle(halfWidth: number, halfHeight: number, radius: number,
   const total = pieces.reduce((sum, length) => sum + length, 0);
   // Side by side, clockwise on the screen: where each begins, and which way it runs.
   const [left, right, top, bottom] = [-halfWidth + radius, halfWidth - radius, -halfHeight + radius, halfHeight - radius];
-  const sides: readonly (readonly [number, number, number, number])[] = [[left, -halfHeight, 1, 0], [halfWidth, top, 0, 1], [right, halfHeight, -1, 0], [-halfWidth, bottom, 0, -1]];
+  const sides: readonly (readonly [number, number, number, number])[] = [
+    [left, -halfHeight, 1, 0],
+    [halfWidth, top, 0, 1],
+    [right, halfHeight, -1, 0],
+    [-halfWidth, bottom, 0, -1],
+  ];
   const centers: readonly Pair[] = [[right, top], [right, bottom], [left, bottom], [left, top]];
   return Array.from({ length: count }, (_, i) => {
     let rest = (total * i) / count;
@@ -128,7 +133,12 @@ export const fitSamples: readonly FitSample[] = [
     () => [alongPolygon(starCorners(center, 5, 180, 75), 300)]),
   sample("fit-circle", "Noisy circle", "Two hundred points; smooth knots only, and few of them.", { noise: 2, seed: 2, closing: "closed", model: "cubic" },
     () => [circle(160, 200)]),
-  sample("fit-roundrect", "Rounded rectangle", "Straight sides and round corners at once: what the hybrid model is for.", { noise: 1, seed: 3, closing: "closed", smoothing: 20 },
+  sample("fit-roundrect", "Rounded rectangle", "Straight sides and round corners at once: what the hybrid model is for.", {
+    noise: 1,
+    seed: 3,
+    closing: "closed",
+    smoothing: 20,
+  },
     () => [roundedRectangle(220, 140, 60, 360)]),
   sample("fit-sine", "Noisy sine", "An open curve: its ends are free.", { noise: 3, seed: 4, closing: "open", model: "cubic" }, () => [sine(240)]),
   sample("fit-signature", "Signature", "Nine hundred points of handwriting become a few dozen knots.", { noise: 0.5, seed: 6, closing: "open", smoothing: 18 },

@@ -100,7 +100,11 @@ function leaf(): readonly Outline[] {
   const [tip, base]: [Place, Place] = [[420, 80], [150, 350]];
   const blade = [...cubic(tip, [452, 260], [330, 396], base), ...cubic(base, [92, 188], [236, 52], tip)];
   const vein = [...cubic([360, 146], [300, 190], [244, 236], [188, 312], 200), ...cubic([188, 312], [236, 226], [292, 180], [360, 146], 200)];
-  const stem = [...cubic([152, 362], [122, 386], [98, 416], [78, 460], 200), ...cubic([78, 460], [96, 466], [96, 466], [98, 466], 40), ...cubic([98, 466], [118, 424], [138, 396], [164, 370], 200)];
+  const stem = [
+    ...cubic([152, 362], [122, 386], [98, 416], [78, 460], 200),
+    ...cubic([78, 460], [96, 466], [96, 466], [98, 466], 40),
+    ...cubic([98, 466], [118, 424], [138, 396], [164, 370], 200),
+  ];
   return [polygon(...blade), reversed(polygon(...vein)), polygon(...stem)].map(withPositiveArea).map((outline, i) => (i === 1 ? reversed(outline) : outline));
 }
 
@@ -154,7 +158,12 @@ function postcard(): readonly ColoredShape[] {
     { color: [25, 84, 140], outlines: [polygon([-2, 310], [514, 310], [514, 514], [-2, 514])] },
     { color: [240, 214, 166], outlines: [sand] },
     { color: [255, 255, 255], outlines: [polygon(...cubic([236, 196], [296, 250], [304, 300], [300, 342]), [300, 342], [236, 342])] },
-    { color: [176, 42, 48], outlines: [polygon([160, 350], [332, 350], ...cubic([332, 350], [320, 388], [300, 396], [276, 396], 120), ...cubic([216, 396], [190, 396], [172, 380], [160, 350], 120))] },
+    { color: [176, 42, 48], outlines: [polygon(
+      [160, 350],
+      [332, 350],
+      ...cubic([332, 350], [320, 388], [300, 396], [276, 396], 120),
+      ...cubic([216, 396], [190, 396], [172, 380], [160, 350], 120),
+    )] },
   ];
 }
 
@@ -212,18 +221,84 @@ function many(): readonly Outline[] {
 }
 
 /** What a name that is none gives way to. */
-export const firstTraceSample: TraceSample = { id: "trace-logo", title: "Logo", note: "Rings stay circles, the bolt keeps its corners.", width: 512, height: 512, settings: {}, outlines: () => logo(512) };
+export const firstTraceSample: TraceSample = {
+  id: "trace-logo",
+  title: "Logo",
+  note: "Rings stay circles, the bolt keeps its corners.",
+  width: 512,
+  height: 512,
+  settings: {},
+  outlines: () => logo(512),
+};
 
 export const traceSamples: readonly TraceSample[] = [
   firstTraceSample,
-  { id: "trace-star", title: "Star", note: "Ten corners and ten straight sides, and nothing else.", width: 512, height: 512, settings: {}, outlines: () => [star(256, 256, 200, 80)] },
-  { id: "trace-disc", title: "Disc", note: "A circle of radius 160: an exact arc is found, not a polygon.", width: 512, height: 512, settings: {}, outlines: () => [circle(256, 256, 160)] },
+  {
+    id: "trace-star",
+    title: "Star",
+    note: "Ten corners and ten straight sides, and nothing else.",
+    width: 512,
+    height: 512,
+    settings: {},
+    outlines: () => [star(256, 256, 200, 80)],
+  },
+  {
+    id: "trace-disc",
+    title: "Disc",
+    note: "A circle of radius 160: an exact arc is found, not a polygon.",
+    width: 512,
+    height: 512,
+    settings: {},
+    outlines: () => [circle(256, 256, 160)],
+  },
   { id: "trace-leaf", title: "Leaf", note: "Two cusps, a vein and a stem.", width: 512, height: 512, settings: {}, outlines: leaf },
-  { id: "trace-small", title: "Small logo", note: "The same logo in 48 pixels: what grey edges still tell.", width: 48, height: 48, settings: { speckle: 2 }, outlines: () => logo(48) },
-  { id: "trace-sketch", title: "Sketch", note: "Pencil on uneven paper, with grain.", width: 512, height: 440, settings: { detail: 55, speckle: 60 }, outlines: sketch, rough: { grain: 9, shade: 52 } },
-  { id: "trace-postcard", title: "Postcard", note: "Flat colours: layers that lie on one another without gaps.", width: 512, height: 512, settings: { colors: 10 }, outlines: () => postcard().flatMap(({ outlines }) => outlines), colored: { ground: [144, 205, 232], shapes: postcard } },
-  { id: "trace-lines", title: "Balloon", note: "Lines of one breadth come back as the strokes that they were.", width: 512, height: 512, settings: { mode: "lines" }, outlines: balloon },
-  { id: "trace-big", title: "Sheet", note: "576 shapes on 2048 × 2048 pixels: progress, and a Cancel that cancels.", width: 2048, height: 2048, settings: {}, outlines: many },
+  {
+    id: "trace-small",
+    title: "Small logo",
+    note: "The same logo in 48 pixels: what grey edges still tell.",
+    width: 48,
+    height: 48,
+    settings: { speckle: 2 },
+    outlines: () => logo(48),
+  },
+  {
+    id: "trace-sketch",
+    title: "Sketch",
+    note: "Pencil on uneven paper, with grain.",
+    width: 512,
+    height: 440,
+    settings: { detail: 55, speckle: 60 },
+    outlines: sketch,
+    rough: { grain: 9, shade: 52 },
+  },
+  {
+    id: "trace-postcard",
+    title: "Postcard",
+    note: "Flat colours: layers that lie on one another without gaps.",
+    width: 512,
+    height: 512,
+    settings: { colors: 10 },
+    outlines: () => postcard().flatMap(({ outlines }) => outlines),
+    colored: { ground: [144, 205, 232], shapes: postcard },
+  },
+  {
+    id: "trace-lines",
+    title: "Balloon",
+    note: "Lines of one breadth come back as the strokes that they were.",
+    width: 512,
+    height: 512,
+    settings: { mode: "lines" },
+    outlines: balloon,
+  },
+  {
+    id: "trace-big",
+    title: "Sheet",
+    note: "576 shapes on 2048 × 2048 pixels: progress, and a Cancel that cancels.",
+    width: 2048,
+    height: 2048,
+    settings: {},
+    outlines: many,
+  },
 ];
 
 export function traceSample(id: string): TraceSample | undefined {

@@ -97,7 +97,14 @@ const editing: readonly Action[] = [
   action("redo", "Redo", "Edit", ["Mod+Shift+Z", "Mod+Y"], (editor) => editor.redo(), { enabled: (state) => state.canRedo }),
   action("select-all", "Select all", "Edit", ["Mod+A"], selectAll, { enabled: hasCurve }),
   action("select-none", "Select none", "Edit", ["Mod+Shift+A"], selectNone, { enabled: inCurve }),
-  action("select-contour", "Select whole contours", "Edit", ["E"], (editor) => framed(editor, ({ selectContours }) => selectContours(editor)), { enabled: (state) => hasSelection(state) || (inCurve(state) && state.hover.kind === "curve") }),
+  action(
+    "select-contour",
+    "Select whole contours",
+    "Edit",
+    ["E"],
+    (editor) => framed(editor, ({ selectContours }) => selectContours(editor)),
+    { enabled: (state) => hasSelection(state) || (inCurve(state) && state.hover.kind === "curve") },
+  ),
   action("duplicate", "Duplicate contour", "Edit", ["Mod+D"], duplicate, { enabled: hasSelection }),
   action("clear", "Clear", "Edit", [], clearCurve, { enabled: hasCurve }),
 ];
@@ -121,8 +128,22 @@ const pointActions: readonly Action[] = [
   action("delete", "Delete and heal", "Points", ["Delete", "Backspace"], deleteAndHeal, { enabled: hasSelection }),
   action("delete-open", "Delete and open", "Points", ["Shift+Delete", "Shift+Backspace"], deleteAndOpen, { enabled: hasSelection }),
   action("start-here", "Start here", "Curve", [], startHere, { enabled: hasSelection }),
-  action("refine-here", "Refine here", "Curve", [], (editor) => void whileLoading(editor, import("../curve/family-edits.ts").then(({ refineCurveHere }) => refineCurveHere(editor))), { enabled: hasSelection }),
-  action("simplify", "Simplify in Fit", "Curve", [], (editor) => void whileLoading(editor, import("../fit/bring.ts").then(({ simplifyInFit }) => simplifyInFit(editor))), { enabled: hasCurve }),
+  action(
+    "refine-here",
+    "Refine here",
+    "Curve",
+    [],
+    (editor) => void whileLoading(editor, import("../curve/family-edits.ts").then(({ refineCurveHere }) => refineCurveHere(editor))),
+    { enabled: hasSelection },
+  ),
+  action(
+    "simplify",
+    "Simplify in Fit",
+    "Curve",
+    [],
+    (editor) => void whileLoading(editor, import("../fit/bring.ts").then(({ simplifyInFit }) => simplifyInFit(editor))),
+    { enabled: hasCurve },
+  ),
   action("reverse", "Reverse", "Curve", [], reverse, { enabled: hasCurve }),
   action("level-up", "Level up", "Curve", ["}"], (editor) => setLevel(editor, editor.state.value.curve.level + 1), { enabled: hasCurve }),
   action("apply-level", "Change the level", "Curve", [], applyProposal, { enabled: (state) => state.sketch.proposal !== null }),
@@ -158,7 +179,10 @@ export function registerStandardActions(editor: Editor): void {
     }),
   );
   const toolActions = tools.map(([id, label, key]) =>
-    action(`tool-${id}`, label, "Tools", [key], (target) => target.patch({ tool: id, hint: "" }), { enabled: (state) => state.mode === "curve" || state.mode === "fit", checked: (state) => state.tool === id }),
+    action(`tool-${id}`, label, "Tools", [key], (target) => target.patch({ tool: id, hint: "" }), {
+      enabled: (state) => state.mode === "curve" || state.mode === "fit",
+      checked: (state) => state.tool === id,
+    }),
   );
   const modeActions = modes.map((mode, index) =>
     action(`mode-${mode}`, modeNames[mode], "Modes", [String(index + 1)], (target) => target.patch({ mode, hint: "" }), {

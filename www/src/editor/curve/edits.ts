@@ -116,7 +116,10 @@ export function insertAt(editor: Editor, contour: number, t: number): void {
     select: { points: [{ contour, index: result.index }], handle: null },
   });
   const { moved = 0 } = result;
-  say(editor, `Point ${result.index + 1} inserted. ${moved <= unnoticed ? "The curve has not moved." : `The curve moved by at most ${printed(moved)}; the level slider refines without moving it.`}`);
+  say(
+    editor,
+    `Point ${result.index + 1} inserted. ${moved <= unnoticed ? "The curve has not moved." : `The curve moved by at most ${printed(moved)}; the level slider refines without moving it.`}`,
+  );
 }
 
 /** Refined places are for moving points; what renumbers the contour waits until they are gone. */
@@ -345,7 +348,9 @@ export function describe(curve: CurveDocument, ref: PointRef, side?: Side): stri
   if (contour === undefined || point === undefined) return "";
   const where = curve.contours.length > 1 ? ` of contour ${ref.contour + 1}` : "";
   const finer = ref.index - baseCount(contour);
-  const name = finer >= 0 ? `Finer point ${finer + 1} of ${contour.points.length - baseCount(contour)}${where}` : `Point ${ref.index + 1} of ${baseCount(contour)}${where}`;
+  const name = finer >= 0
+    ? `Finer point ${finer + 1} of ${contour.points.length - baseCount(contour)}${where}`
+    : `Point ${ref.index + 1} of ${baseCount(contour)}${where}`;
   const kind = contour.family === "hermite" ? point.kind : contour.grid === undefined && finer < 0 ? "on the curve" : "near the curve";
   if (side === undefined) return `${name}, ${kind}, x ${short(point.x)}, y ${short(point.y)}`;
   const offset = point[side] ?? noOffset;

@@ -17,12 +17,18 @@ export function setFamily(editor: Editor, family: Family): void {
   const contour = curve.contours[index];
   if (contour === undefined || contour.family === family || hasPlaces(editor, contour)) return;
   const least = contour.closed ? 3 : 2;
-  if (family === "interpolating" && contour.points.length < least) return refuse(editor, `An interpolating contour needs ${least} points; this one has ${contour.points.length}.`);
+  if (family === "interpolating" && contour.points.length < least) {
+    return refuse(editor, `An interpolating contour needs ${least} points; this one has ${contour.points.length}.`);
+  }
   const { contour: next, moved } = family === "hermite" ? asHermite(curve, contour) : asInterpolating(curve, contour);
   // Levels belong to the drawing; a contour of the other family begins at level 0.
   const level = curve.contours.length === 1 ? 0 : curve.level;
   const put = family === "interpolating" && level > 0 ? finerInterpolating(curve, next, level) : next;
-  editor.dispatch({ name: family === "hermite" ? "Hermite family" : "Interpolating family", apply: (document) => ({ ...replaceContour(document, index, put), level }), select: nothingSelected });
+  editor.dispatch({
+    name: family === "hermite" ? "Hermite family" : "Interpolating family",
+    apply: (document) => ({ ...replaceContour(document, index, put), level }),
+    select: nothingSelected,
+  });
   say(editor, moved <= unnoticed ? "The same curve in the other family." : `The curve moved by at most ${printed(moved)}.`);
 }
 
@@ -58,7 +64,8 @@ export function refineCurveHere(editor: Editor): void {
   if (contour.family === "interpolating") return refinePlace(editor, first, contour);
   const chosen = new Set(selection.points.filter((ref) => ref.contour === first.contour).map((ref) => ref.index));
   const count = segmentCount(contour);
-  const touched = Array.from({ length: count }, (_, segment) => segment).filter((segment) => chosen.has(segment) || chosen.has((segment + 1) % (contour?.points.length ?? 1)));
+  const touched = Array.from({ length: count }, (_, segment) => segment).filter((segment) =>
+    chosen.has(segment) || chosen.has((segment + 1) % (contour?.points.length ?? 1)));
   if (contour.points.length + touched.length > mostPoints) return refuse(editor, `A contour holds at most ${mostPoints} points here.`);
   // Last first, so that a new point does not renumber the segments still to be cut.
   for (const segment of [...touched].reverse()) contour = inserted(curve, contour, middleOf(contour, segment))?.contour ?? contour;

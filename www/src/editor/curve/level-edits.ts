@@ -44,13 +44,19 @@ function raised(editor: Editor, curve: CurveDocument, target: number): CurveDocu
       return next === curve ? null : next;
     }
     const document = next;
-    next = { ...next, level, contours: next.contours.map((contour) => (contour.family === "hermite" ? refined(document, contour, level) : finerInterpolating(document, contour, 1))) };
+    next = {
+      ...next,
+      level,
+      contours: next.contours.map((contour) => (contour.family === "hermite" ? refined(document, contour, level) : finerInterpolating(document, contour, 1))),
+    };
   }
   return next;
 }
 
 function lowered(curve: CurveDocument, target: number): CurveDocument {
-  const lower = (contour: Contour): Contour => (contour.family === "hermite" ? plain(curve, loweredContour(contour, target)) : coarserInterpolating(curve, contour, target));
+  const lower = (contour: Contour): Contour => (contour.family === "hermite"
+    ? plain(curve, loweredContour(contour, target))
+    : coarserInterpolating(curve, contour, target));
   return { ...curve, level: target, contours: curve.contours.map(lower) };
 }
 

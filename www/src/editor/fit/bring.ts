@@ -54,5 +54,6 @@ export function simplifyInFit(editor: Editor): void {
   const { curve, selection } = editor.state.value;
   const chosen = new Set(selection.points.map((ref) => ref.contour));
   const contours = curve.contours.filter((_, i) => chosen.size === 0 || chosen.has(i));
-  handOver(editor, "The drawing is in Fit: Smoothing takes knots away. The original stays in Curve.", () => bringContours(editor, contours, false, { name: "Simplify", instead: "all" }));
+  handOver(editor, "The drawing is in Fit: Smoothing takes knots away. The original stays in Curve.", () =>
+    bringContours(editor, contours, false, { name: "Simplify", instead: "all" }));
 }

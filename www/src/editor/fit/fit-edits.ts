@@ -1,4 +1,7 @@
-import { fitLimits, isJoined, owned, strokesOf, withPoint, withStroke, withoutDisc, type FitClosing, type FitDocument, type FitModel, type FitTarget, type Pair } from "../../document/fit/fit.ts";
+import {
+  fitLimits, isJoined, owned, strokesOf, withPoint, withStroke, withoutDisc, type FitClosing, type FitDocument, type FitModel, type FitTarget,
+  type Pair,
+} from "../../document/fit/fit.ts";
 import { fitSample, samplePoints, type FitSample } from "../../document/fit/fit-samples.ts";
 import type { KnotType, ShownKnot } from "../../kernel/fit/knots.ts";
 import { fitted as fittedView } from "../pointer/camera.ts";

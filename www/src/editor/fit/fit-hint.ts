@@ -12,7 +12,9 @@ export function fitHint(state: EditorState): string {
   switch (fitView.tool) {
     case "draw":
       if (state.fit.data.length === 0) return "";
-      return state.fit.sample === undefined ? "Drag to draw another stroke. Press a knot to choose it." : "Drag to draw a line of your own in place of the sample. Press a knot to choose it.";
+      return state.fit.sample === undefined
+        ? "Drag to draw another stroke. Press a knot to choose it."
+        : "Drag to draw a line of your own in place of the sample. Press a knot to choose it.";
     case "points":
       return state.touch ? "Tap to add points; a double tap ends the stroke." : "Click to add points; a double-click or Enter ends the stroke.";
     case "erase":

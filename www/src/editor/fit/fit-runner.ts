@@ -83,7 +83,9 @@ export function createFitRunner(editor: Editor, connect: (handlers: FitHandlers)
     },
     failed(code, message) {
       const few = code === "E_TOO_FEW_POINTS" || code === "E_DEGENERATE";
-      run({ since: null, outcome: null, failure: few ? { id: "points-few", details: { count: editor.state.value.fit.data.length } } : { id: "engine", details: { code: code === "" ? message.slice(0, 60) : code } } });
+      run({ since: null, outcome: null, failure: few
+        ? { id: "points-few", details: { count: editor.state.value.fit.data.length } }
+        : { id: "engine", details: { code: code === "" ? message.slice(0, 60) : code } } });
     },
     chart(point) {
       if (subject === null) return;
@@ -110,7 +112,8 @@ export function createFitRunner(editor: Editor, connect: (handlers: FitHandlers)
   }
 
   function ask(fit: FitDocument, live: boolean): void {
-    const same = made !== null && made.data === fit.data && made.starts === fit.starts && made.closing === fit.closing && made.model === fit.model && made.mix === fit.mix && made.corners === fit.corners;
+    const same = made !== null && made.data === fit.data && made.starts === fit.starts && made.closing === fit.closing && made.model === fit.model && made.mix === fit.mix
+      && made.corners === fit.corners;
     if (!same) {
       made = fit;
       subject = subjectOf(fit);
@@ -150,7 +153,8 @@ export function createFitRunner(editor: Editor, connect: (handlers: FitHandlers)
 
 function sameQuestion(a: FitDocument, b: FitDocument): boolean {
   if (a === b) return true;
-  const same = a.data === b.data && a.starts === b.starts && a.closing === b.closing && a.model === b.model && a.mix === b.mix && a.corners === b.corners && a.target === b.target;
+  const same = a.data === b.data && a.starts === b.starts && a.closing === b.closing && a.model === b.model && a.mix === b.mix && a.corners === b.corners
+    && a.target === b.target;
   if (!same) return false;
   return a.target === "off" ? a.smoothing === b.smoothing : a.target === "knots" ? a.targetKnots === b.targetKnots : a.targetError === b.targetError;
 }

@@ -50,7 +50,8 @@ export function pointsWithHandles(curve: CurveDocument, selection: Selection, mo
 export function shownHandles(state: EditorState): HandleRef[] {
   if (!state.settings.overlays.handles || state.mode !== "curve") return [];
   // The pen is about to give the free end its segment: its handle shows what that will leave along.
-  const shows = (ref: PointRef, side: Side): boolean => hasSide(state.curve, ref, side) || (state.tool === "pen" && state.curve.contours[ref.contour]?.family === "hermite");
+  const shows = (ref: PointRef, side: Side): boolean =>
+    hasSide(state.curve, ref, side) || (state.tool === "pen" && state.curve.contours[ref.contour]?.family === "hermite");
   return pointsWithHandles(state.curve, state.selection).flatMap((ref) =>
     sides.filter((side) => shows(ref, side) && !isRetracted(state.curve, ref, side)).map((side) => ({ ...ref, side })),
   );

@@ -56,7 +56,10 @@ interface Finger {
 
 type Activity =
   | { readonly kind: "none" }
-  | { readonly kind: "tool"; readonly id: number; readonly tool: Tool; readonly pointer: PointerKind; readonly clicks: number; readonly since: number; screen: ScreenPoint }
+  | {
+    readonly kind: "tool"; readonly id: number; readonly tool: Tool; readonly pointer: PointerKind; readonly clicks: number; readonly since: number;
+    screen: ScreenPoint;
+  }
   | { readonly kind: "pan"; readonly id: number; last: ScreenPoint; readonly since: number }
   | { readonly kind: "pinch"; readonly ids: readonly [number, number]; readonly pinch: Pinch; readonly since: number; most: number };
 

@@ -30,5 +30,6 @@ export interface SolidState {
 export const startOrbit: Orbit = { yaw: 0.9, pitch: 0.55, distance: 5, target: [0, 0, 0] };
 
 export const startSolid: SolidState = {
-  orbit: startOrbit, shade: "solid", tessellation: 16, axis: "view", net: true, iso: true, handles: true, weights: false, hover: null, drag: null, turning: false, shaded: false,
+  orbit: startOrbit, shade: "solid", tessellation: 16, axis: "view", net: true, iso: true,
+  handles: true, weights: false, hover: null, drag: null, turning: false, shaded: false,
 };

@@ -36,7 +36,14 @@ export function registerSurfaceActions(editor: Editor, hold: (axis: DragAxis) =>
   });
   for (const [name, right, up] of directions) {
     for (const [suffix, by, key] of [["", 1, ""], ["-far", 10, "Shift+"], ["-fine", 0.1, "Alt+"]] as const) {
-      add(`nudge-${name.toLowerCase()}${suffix}`, `Nudge the control point ${name.toLowerCase()}`, "Surface", [`${key}Arrow${name}`], () => nudgeNet(editor, right * by, up * by), { enabled: chosen });
+      add(
+        `nudge-${name.toLowerCase()}${suffix}`,
+        `Nudge the control point ${name.toLowerCase()}`,
+        "Surface",
+        [`${key}Arrow${name}`],
+        () => nudgeNet(editor, right * by, up * by),
+        { enabled: chosen },
+      );
     }
   }
 }

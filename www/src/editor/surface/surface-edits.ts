@@ -30,7 +30,11 @@ function isDrawable(editor: Editor, surface: SurfaceDocument): boolean {
     surfaceOf(surface);
     return true;
   } catch (error) {
-    editor.notify({ kind: "error", id: "json-broken", text: `The surface could not be opened, its sample is shown: ${error instanceof Error ? error.message : String(error)}` });
+    editor.notify({
+      kind: "error",
+      id: "json-broken",
+      text: `The surface could not be opened, its sample is shown: ${error instanceof Error ? error.message : String(error)}`,
+    });
     return false;
   }
 }

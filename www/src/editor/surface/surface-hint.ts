@@ -9,7 +9,9 @@ export function surfaceHint(state: EditorState): string {
   const point = solid.hover === null ? undefined : shownPoint(surface, solid.hover);
   if (point !== undefined) return `${describeNet(point)}: drag to move, Shift along the normal, X Y Z along an axis`;
   if (state.touch) return "Drag a control point. Drag anywhere else to turn; two fingers move it and bring it closer.";
-  return state.chosen.length > 0 ? "Drag turns the view, Shift-drag moves it. Enter refines around the chosen point." : "Drag a control point. Drag anywhere else to turn, Shift-drag to move, wheel to come closer.";
+  return state.chosen.length > 0
+    ? "Drag turns the view, Shift-drag moves it. Enter refines around the chosen point."
+    : "Drag a control point. Drag anywhere else to turn, Shift-drag to move, wheel to come closer.";
 }
 
 /** The picture in words. */

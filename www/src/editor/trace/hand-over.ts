@@ -32,7 +32,8 @@ export function smoothInFit(editor: Editor): void {
   // Smoother than the trace, by as much again as Detail gave away.
   const within = Number((2 * toleranceOf(trace.settings.detail)).toPrecision(2));
   const count = strokes.reduce((sum, stroke) => sum + stroke.length, 0);
-  handOver(editor, `The outlines are in Fit, ${count} points. The picture stays in Trace.`, () => bringStrokes(editor, { name: "Smooth the trace", strokes, within, instead: "all" }));
+  handOver(editor, `The outlines are in Fit, ${count} points. The picture stays in Trace.`, () =>
+    bringStrokes(editor, { name: "Smooth the trace", strokes, within, instead: "all" }));
 }
 
 export function editTraceInCurve(editor: Editor): void {

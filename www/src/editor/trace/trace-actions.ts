@@ -32,7 +32,14 @@ export function registerTraceActions(editor: Editor, runner: TraceRunner): void 
   add("trace-previous", "Previous point of the outlines", "Points", ["["], () => stepPoint(editor, -1, false), hasOutlines);
   add("trace-next-corner", "Next corner", "Points", ["."], () => stepPoint(editor, 1, true), hasOutlines);
   add("trace-previous-corner", "Previous corner", "Points", [","], () => stepPoint(editor, -1, true), hasOutlines);
-  add("trace-corner", "Corner ↔ smooth", "Points", ["C"], () => state().traceView.chosen !== null && toggleCorner(editor, state().traceView.chosen ?? { contour: 0, index: 0 }), hasChosen);
+  add(
+    "trace-corner",
+    "Corner ↔ smooth",
+    "Points",
+    ["C"],
+    () => state().traceView.chosen !== null && toggleCorner(editor, state().traceView.chosen ?? { contour: 0, index: 0 }),
+    hasChosen,
+  );
   add("trace-smoother", "Smoother outlines", "Curve", ["}"], () => setTrace(editor, "Detail", { detail: Math.min(100, state().trace.settings.detail + 5) }), hasPicture);
   add("trace-finer", "Finer outlines", "Curve", ["{"], () => setTrace(editor, "Detail", { detail: Math.max(0, state().trace.settings.detail - 5) }), hasPicture);
   add("trace-invert", "Invert the picture", "Curve", ["I"], () => setTrace(editor, "Invert", { invert: !state().trace.settings.invert }), hasPicture);

@@ -46,7 +46,9 @@ export function openTraceSample(editor: Editor, id: string): boolean {
 
 /** A picture of somebody's own in place of what is there. Settings that were good for a sample are not for it. */
 export function openPicture(editor: Editor, picture: OwnPicture): void {
-  change(editor, `Open ${picture.name}`, (trace) => withPicture(trace.sample === undefined ? trace : { ...trace, settings: { ...traceDefaults, size: trace.settings.size } }, { picture }));
+  change(editor, `Open ${picture.name}`, (trace) => withPicture(trace.sample === undefined
+    ? trace
+    : { ...trace, settings: { ...traceDefaults, size: trace.settings.size } }, { picture }));
   begun(editor);
   showBox(editor, picture);
   editor.patch({ hint: "" });

@@ -9,8 +9,12 @@ export function traceHint(state: EditorState): string {
   if (traceView.over !== null) return `${describePoint(state, traceView.over)}: double-click to toggle the corner`;
   if (isEmptyTrace(trace)) return "";
   if (hint !== "") return hint;
-  if (traceView.view === "edges" && traceRun.picture !== null) return trace.settings.mode !== "brightness" ? "Steep places are bright." : `What is darker than ${Math.round(traceRun.picture.threshold)} of 255 is ink.`;
-  return traceRun.outcome === null ? "" : state.touch ? "Tap a point twice to make it a corner or smooth." : "Double-click a point to make it a corner or smooth. Hold O to see the picture alone.";
+  if (traceView.view === "edges" && traceRun.picture !== null) {
+    return trace.settings.mode !== "brightness" ? "Steep places are bright." : `What is darker than ${Math.round(traceRun.picture.threshold)} of 255 is ink.`;
+  }
+  return traceRun.outcome === null
+    ? ""
+    : state.touch ? "Tap a point twice to make it a corner or smooth." : "Double-click a point to make it a corner or smooth. Hold O to see the picture alone.";
 }
 
 /** The picture in words, for those who do not see it. */

@@ -44,7 +44,9 @@ const down = new Set(["y", "cy", "y1", "y2", "ry", "height"]);
 function hundredth(element: Element, attribute: string): number | undefined {
   const around = element.parentElement?.closest("svg");
   const box = numbersOf(around?.getAttribute("viewBox") ?? "") ?? [];
-  const [wide, high] = box.length === 4 ? box.slice(2) : ["width", "height"].map((side) => (around == null ? NaN : (lengthOf(around, side, null, () => undefined) ?? NaN)));
+  const [wide, high] = box.length === 4
+    ? box.slice(2)
+    : ["width", "height"].map((side) => (around == null ? NaN : (lengthOf(around, side, null, () => undefined) ?? NaN)));
   const size = across.has(attribute) ? wide : down.has(attribute) ? high : Math.hypot(wide ?? NaN, high ?? NaN) / Math.SQRT2;
   return size !== undefined && Number.isFinite(size) ? size / 100 : undefined;
 }

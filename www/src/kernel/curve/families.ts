@@ -8,7 +8,10 @@ import { placesOf, plainPoint, supported } from "./interpolating.ts";
 /** A contour with tangents as one through the same points; its corners are rounded. */
 export function asInterpolating(document: CurveDocument, contour: Contour): { contour: Contour; moved: number } {
   const { closed } = contour;
-  const next = supported(document, { family: "interpolating", closed, points: contour.points.map(({ x, y }) => plainPoint(x, y)), ...(contour.space === undefined ? {} : { space: contour.space }) });
+  const next = supported(
+    document,
+    { family: "interpolating", closed, points: contour.points.map(({ x, y }) => plainPoint(x, y)), ...(contour.space === undefined ? {} : { space: contour.space }) },
+  );
   return { contour: next, moved: distanceBetween(document, contour, next) };
 }
 

@@ -11,7 +11,10 @@ export const mostPlaces = 12_000;
 /** The diagonal of the box of all contours. */
 export function diagonalOf(drawing: CurveDocument, contours: readonly Contour[]): number {
   const boxes = contours.flatMap((contour) => curveOf(drawing, contour)?.bounds() ?? []);
-  const box = boxes.reduce((all, { minX, minY, maxX, maxY }) => [Math.min(all[0], minX), Math.min(all[1], minY), Math.max(all[2], maxX), Math.max(all[3], maxY)] as const, [Infinity, Infinity, -Infinity, -Infinity] as const);
+  const box = boxes.reduce(
+    (all, { minX, minY, maxX, maxY }) => [Math.min(all[0], minX), Math.min(all[1], minY), Math.max(all[2], maxX), Math.max(all[3], maxY)] as const,
+    [Infinity, Infinity, -Infinity, -Infinity] as const,
+  );
   return boxes.length === 0 ? 0 : Math.hypot(box[2] - box[0], box[3] - box[1]);
 }
 

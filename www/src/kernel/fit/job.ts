@@ -27,7 +27,11 @@ export type FitStrength =
 export type FitRequest =
   /** A new subject: fitters of the one before are dropped. */
   | { readonly kind: "subject"; readonly subject: number; readonly what: FitSubject }
-  | { readonly kind: "fit"; readonly subject: number; readonly id: number; readonly strength: FitStrength; /** Within a drag: as fast as can be, from the last result on. */ readonly live: boolean }
+  | {
+    readonly kind: "fit"; readonly subject: number; readonly id: number; readonly strength: FitStrength;
+    /** Within a drag: as fast as can be, from the last result on. */
+    readonly live: boolean;
+  }
   /** Fill the chart at these values of the smoothing, until something else is asked for. */
   | { readonly kind: "chart"; readonly subject: number; readonly at: readonly number[] }
   | { readonly kind: "stop" };

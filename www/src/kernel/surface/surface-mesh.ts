@@ -165,7 +165,8 @@ function basePoints(document: SurfaceDocument): ShownPoint[] {
     const [a, b] = [parameterOf(u, levelU, point.u), parameterOf(v, levelV, point.v)];
     return isShown(a, surface.domain.u, polesU, point.v) && isShown(b, surface.domain.v, polesV, point.u);
   });
-  const isWithin = (place: readonly [number, number] = [0, 0]): boolean => (u.closed || inside(place[0], surface.domain.u)) && (v.closed || inside(place[1], surface.domain.v));
+  const isWithin = (place: readonly [number, number] = [0, 0]): boolean =>
+    (u.closed || inside(place[0], surface.domain.u)) && (v.closed || inside(place[1], surface.domain.v));
   const places = list.map((point) => [parameterOf(u, levelU, point.u), parameterOf(v, levelV, point.v)] as const);
   return withNormals(document, list.map((point, i) => ({
     ref: { u: point.u, v: point.v },

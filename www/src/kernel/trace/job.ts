@@ -79,7 +79,11 @@ export interface TraceResult {
 
 export type TraceAnswer =
   | { readonly kind: "probed"; readonly id: number; readonly width: number; readonly height: number }
-  | { readonly kind: "progress"; readonly id: number; readonly stage: TraceStage; /** Of the whole job, 0 … 1. */ readonly value: number; readonly done: number; readonly total: number }
+  | {
+    readonly kind: "progress"; readonly id: number; readonly stage: TraceStage; readonly done: number; readonly total: number;
+    /** Of the whole job, 0 … 1. */
+    readonly value: number;
+  }
   /** What is looked at, and what is ink of it, as soon as it is known. */
   | {
       readonly kind: "picture"; readonly id: number; readonly width: number; readonly height: number;

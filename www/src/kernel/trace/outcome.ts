@@ -100,7 +100,12 @@ function withCorners(drawing: CurveDocument, contour: Contour, corners: readonly
     if (choice.kind === "smooth") return withKind(point, "smooth", automaticHandles(drawing, contour, i));
     const [before, after] = [neighbour(contour, i, -1), neighbour(contour, i, 1)];
     // Each side goes straight for its neighbour: a corner that can be seen.
-    return { ...point, kind: "cusp" as const, in: before === null ? point.in : thirdOfTheWay(point, before), out: after === null ? point.out : thirdOfTheWay(point, after) };
+    return {
+      ...point,
+      kind: "cusp" as const,
+      in: before === null ? point.in : thirdOfTheWay(point, before),
+      out: after === null ? point.out : thirdOfTheWay(point, after),
+    };
   });
   return points.every((point, i) => point === contour.points[i]) ? contour : { ...contour, points };
 }

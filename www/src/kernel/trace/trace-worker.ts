@@ -30,7 +30,16 @@ let queue: Promise<void> = Promise.resolve();
 const answer = (message: TraceAnswer, transfer: Transferable[] = []): void => postMessage(message, { transfer });
 
 /** The part of the whole that each stage begins with. */
-const begins: Readonly<Record<TraceStage, number>> = { decoding: 0, edges: 0.05, contours: 0.15, corners: 0.25, splines: 0.35, refinement: 0.55, layers: 0.15, measuring: 0.96 };
+const begins: Readonly<Record<TraceStage, number>> = {
+  decoding: 0,
+  edges: 0.05,
+  contours: 0.15,
+  corners: 0.25,
+  splines: 0.35,
+  refinement: 0.55,
+  layers: 0.15,
+  measuring: 0.96,
+};
 
 /** Progress that never goes back, however stages come. */
 function progressOf(id: number): (stage: string, done: number, total: number) => void {
@@ -140,7 +149,12 @@ async function work(request: TraceRequest, signal: AbortSignal): Promise<void> {
   } catch (error) {
     if (error instanceof ExplineError && error.code === "E_CANCELLED") return answer({ kind: "stopped", id });
     const code = error instanceof ExplineError || error instanceof PictureError ? error.code : "";
-    if (error instanceof ExplineError && error.limit === "maxContours" && request.kind === "trace") answer({ kind: "photo", id, count: error.actual ?? 0, speckle: await offered(error, request) });
+    if (error instanceof ExplineError && error.limit === "maxContours" && request.kind === "trace") answer({
+      kind: "photo",
+      id,
+      count: error.actual ?? 0,
+      speckle: await offered(error, request),
+    });
     else answer({ kind: "failed", id, code, message: String(error) });
   }
 }

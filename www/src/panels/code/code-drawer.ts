@@ -23,7 +23,10 @@ export function mountCodeDrawer(shell: Shell, changed: (open: boolean) => void):
   const copy = h("button", { class: "button", type: "button", testid: "code-copy", title: "Copy the program" }, icon("copy"), h("span", {}, "Copy"));
   const close = h("button", { class: "icon-button", type: "button", "aria-label": "Close the code", title: "Close", click: () => set(false) }, icon("close"));
   const list = h("div", { class: "code-tabs", role: "tablist", "aria-label": "Framework" }, ...tabs);
-  const drawer = h("section", { class: "drawer", testid: "code-drawer", "aria-label": "Code", hidden: true }, h("div", { class: "drawer-head" }, list, h("span", { class: "space" }), copy, close), listing);
+  const drawer = h("section", { class: "drawer", testid: "code-drawer", "aria-label": "Code", hidden: true },
+    h("div", { class: "drawer-head" }, list, h("span", { class: "space" }), copy, close),
+    listing,
+  );
   regions.stage.append(drawer);
 
   const refresh = (): void => {
@@ -71,7 +74,8 @@ export function mountCodeDrawer(shell: Shell, changed: (open: boolean) => void):
   });
   const soon = inNextFrame(shell.frame, refresh);
   editor.state.subscribe((state, before) => {
-    if (!drawer.hidden && (state.curve !== before.curve || state.fit !== before.fit || state.trace !== before.trace || state.traceRun !== before.traceRun || state.mode !== before.mode)) soon.request();
+    if (!drawer.hidden && (state.curve !== before.curve || state.fit !== before.fit || state.trace !== before.trace || state.traceRun !== before.traceRun
+      || state.mode !== before.mode)) soon.request();
   }, { until });
   choose(active);
   return { toggle: () => set(drawer.hidden), isOpen: () => !drawer.hidden };

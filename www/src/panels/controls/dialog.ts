@@ -59,7 +59,11 @@ export function openDialog(options: DialogOptions, ...children: readonly Child[]
 }
 
 /** One line of buttons, told apart by what they do. */
-export function button(label: string, attributes: Record<string, string | number | boolean | null | ((event: never) => void)>, ...children: readonly Child[]): HTMLButtonElement {
+export function button(
+  label: string,
+  attributes: Record<string, string | number | boolean | null | ((event: never) => void)>,
+  ...children: readonly Child[]
+): HTMLButtonElement {
   const { class: extra = "", ...rest } = attributes;
   return h("button", { class: `button ${String(extra)}`.trim(), type: "button", ...rest }, ...children, h("span", {}, label));
 }

@@ -42,7 +42,10 @@ export interface NumberOptions extends Common {
 export function numberField(options: NumberOptions): Field<number> & { readonly input: HTMLInputElement } {
   const id = freshId(options.testid);
   const format = options.format ?? formatCoordinate;
-  const input = h("input", { id, class: "number", testid: options.testid, type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", title: options.about });
+  const input = h(
+    "input",
+    { id, class: "number", testid: options.testid, type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", title: options.about },
+  );
   const message = h("p", { class: "field-error", role: "alert" });
   const unit = options.unit === undefined ? null : h("span", { class: options.unit.length > 1 ? "unit unit-wide" : "unit", "aria-hidden": "true" }, options.unit);
   let shown: number | null = null;
@@ -131,7 +134,10 @@ export interface SliderOptions extends Common {
 
 export function sliderField(options: SliderOptions): Field<number> & { readonly input: HTMLInputElement } {
   const id = freshId(options.testid);
-  const input = h("input", { id, class: "slider", testid: options.testid, type: "range", min: options.least, max: options.most, step: options.step, title: options.about });
+  const input = h(
+    "input",
+    { id, class: "slider", testid: options.testid, type: "range", min: options.least, max: options.most, step: options.step, title: options.about },
+  );
   const output = h("output", { class: "slider-value num", for: id });
   const show = (value: number | null): void => {
     setAttribute(input, "disabled", value === null ? "" : null);
@@ -214,7 +220,9 @@ export function choiceField<T extends string>(options: Common & { readonly optio
 
 export function selectField<T extends string>(options: Common & { readonly options: readonly (readonly [T, string])[]; write(value: T): void }): Field<T> {
   const id = freshId(options.testid);
-  const input = h("select", { id, class: "select", testid: options.testid, title: options.about }, ...options.options.map(([value, label]) => h("option", { value }, label)));
+  const input = h("select", { id, class: "select", testid: options.testid, title: options.about },
+    ...options.options.map(([value, label]) => h("option", { value }, label)),
+  );
   input.addEventListener("change", () => {
     const chosen = options.options.find(([value]) => value === input.value);
     if (chosen !== undefined) options.write(chosen[0]);

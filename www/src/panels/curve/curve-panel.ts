@@ -41,7 +41,8 @@ function frequencyOf(curve: CurveDocument): number {
 export function curveSection(shell: Shell): Section & { readonly level: HTMLElement } {
   const { editor } = shell;
   // Families are changed seldom: what it takes comes with the first change.
-  const edits = (run: (loaded: typeof import("../../editor/curve/family-edits.ts")) => void): void => void whileLoading(editor, import("../../editor/curve/family-edits.ts").then(run));
+  const edits = (run: (loaded: typeof import("../../editor/curve/family-edits.ts")) => void): void =>
+    void whileLoading(editor, import("../../editor/curve/family-edits.ts").then(run));
   const family = choiceField({
     label: "Family",
     testid: "family",
@@ -52,8 +53,22 @@ export function curveSection(shell: Shell): Section & { readonly level: HTMLElem
     ],
     write: (value) => edits(({ setFamily }) => setFamily(editor, value)),
   });
-  const order = selectField({ label: "Smoothness", testid: "order", about: "What is continuous along the curve. One more root of the generator is one more derivative, and one more segment that a point acts on; 5 have two harmonics.", options: orders, write: (value) => edits(({ setOrder }) => setOrder(editor, value === "3" ? 3 : value === "4" ? 4 : 5)), reset: () => edits(({ setOrder }) => setOrder(editor, 3)) });
-  const space = selectField({ label: "Space", testid: "space", about: "The functions that segments are made of, and so the shapes that are exact.", options: spaces, write: (value) => setSpace(editor, value), reset: () => setSpace(editor, "trigonometric") });
+  const order = selectField({
+    label: "Smoothness",
+    testid: "order",
+    about: "What is continuous along the curve. One more root of the generator is one more derivative, and one more segment that a point acts on; 5 have two harmonics.",
+    options: orders,
+    write: (value) => edits(({ setOrder }) => setOrder(editor, value === "3" ? 3 : value === "4" ? 4 : 5)),
+    reset: () => edits(({ setOrder }) => setOrder(editor, 3)),
+  });
+  const space = selectField({
+    label: "Space",
+    testid: "space",
+    about: "The functions that segments are made of, and so the shapes that are exact.",
+    options: spaces,
+    write: (value) => setSpace(editor, value),
+    reset: () => setSpace(editor, "trigonometric"),
+  });
   const exact = h("p", { class: "field-note" });
   const omega = numberField({
     label: "Frequency",
@@ -68,10 +83,25 @@ export function curveSection(shell: Shell): Section & { readonly level: HTMLElem
     write: (value) => setOmega(editor, value ?? "auto", "omega"),
     reset: () => setOmega(editor, "auto"),
   });
-  const auto = h("button", { class: "small-button", type: "button", testid: "omega-auto", title: "Let the frequency follow from the number of points, so that circles stay exact.", click: () => setOmega(editor, "auto") }, "Auto");
+  const auto = h("button", {
+    class: "small-button",
+    type: "button",
+    testid: "omega-auto",
+    title: "Let the frequency follow from the number of points, so that circles stay exact.",
+    click: () => setOmega(editor, "auto"),
+  }, "Auto");
   omega.element.querySelector(".number-box")?.after(auto);
   const omegaNote = h("p", { class: "field-note num" });
-  const points = numberField({ label: "Points", testid: "points", about: "Number of points of this contour; changing it resamples at equal parameters.", least: 2, most: 256, step: 1, format: String, write: (value) => value !== null && resample(editor, value, "points") });
+  const points = numberField({
+    label: "Points",
+    testid: "points",
+    about: "Number of points of this contour; changing it resamples at equal parameters.",
+    least: 2,
+    most: 256,
+    step: 1,
+    format: String,
+    write: (value) => value !== null && resample(editor, value, "points"),
+  });
   points.element.querySelector(".number-box")?.after(stepper(shell));
   const level = sliderField({
     label: "Level",
@@ -86,10 +116,32 @@ export function curveSection(shell: Shell): Section & { readonly level: HTMLElem
     reset: () => setLevel(editor, 0),
     gesture: { begin: () => editor.begin("Level"), commit: () => editor.commit() },
   });
-  const refine = h("button", { class: "small-button", type: "button", testid: "curve-refine", title: "More points around the chosen ones, none elsewhere; the curve stays", click: () => editor.actions.run("refine-here") }, "Refine here");
-  const simplify = h("button", { class: "small-button", type: "button", testid: "curve-simplify", title: "A copy in Fit, where a curve of fewer points is found; of the chosen contours, if some are chosen", click: () => editor.actions.run("simplify") }, "Simplify");
+  const refine = h("button", {
+    class: "small-button",
+    type: "button",
+    testid: "curve-refine",
+    title: "More points around the chosen ones, none elsewhere; the curve stays",
+    click: () => editor.actions.run("refine-here"),
+  }, "Refine here");
+  const simplify = h("button", {
+    class: "small-button",
+    type: "button",
+    testid: "curve-simplify",
+    title: "A copy in Fit, where a curve of fewer points is found; of the chosen contours, if some are chosen",
+    click: () => editor.actions.run("simplify"),
+  }, "Simplify");
   const closed = toggleField({ label: "Closed", testid: "closed", about: "Whether the last point joins the first.", write: (on) => setClosed(editor, on) });
-  const element = h("section", { class: "section", "aria-label": "Curve" }, family.element, space.element, exact, order.element, omega.element, omegaNote, points.element, level.element, h("div", { class: "field-row" }, closed.element, refine, simplify));
+  const element = h("section", { class: "section", "aria-label": "Curve" },
+    family.element,
+    space.element,
+    exact,
+    order.element,
+    omega.element,
+    omegaNote,
+    points.element,
+    level.element,
+    h("div", { class: "field-row" }, closed.element, refine, simplify),
+  );
   return {
     element,
     level: level.element,

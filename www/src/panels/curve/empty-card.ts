@@ -11,7 +11,10 @@ const offered = ["circle-2", "heart", "glyph"];
 /** What an empty drawing offers: the pen, and three samples. */
 export function emptyCard(editor: Editor): HTMLElement {
   const samples = curveSamples.filter(({ id }) => offered.includes(id)).map((sample) =>
-    h("button", { class: "sample", type: "button", title: sample.note, click: () => openSample(editor, sample.id) }, thumbnail(sample.curve), h("span", { class: "sample-title" }, sample.title)));
+    h("button", { class: "sample", type: "button", title: sample.note, click: () => openSample(editor, sample.id) },
+      thumbnail(sample.curve),
+      h("span", { class: "sample-title" }, sample.title),
+    ));
   return h("div", { class: "empty empty-curve", testid: "empty-curve" },
     h("h2", {}, "Click to place points, or start from a sample"),
     h("button", { class: "button primary", type: "button", click: () => editor.actions.run("tool-pen") }, h("span", {}, "Take the pen")),

@@ -17,7 +17,9 @@ export function generatorPlot(): Section {
     update(state: EditorState) {
       const index = state.selection.points[0]?.contour ?? 0;
       const contour = state.curve.contours[index];
-      const key = contour === undefined ? "" : `${contour.family} ${contour.order ?? 3} ${contour.grid?.step ?? 0} ${contour.space ?? state.curve.space} ${omegaOf(state.curve, contour, 0)}`;
+      const key = contour === undefined
+        ? ""
+        : `${contour.family} ${contour.order ?? 3} ${contour.grid?.step ?? 0} ${contour.space ?? state.curve.space} ${omegaOf(state.curve, contour, 0)}`;
       if (contour === undefined || contour.points.length < 2 || (shown !== undefined && key === space)) return;
       shown = contour;
       space = key;
@@ -64,7 +66,9 @@ function draw(picture: SVGSVGElement, { functions, reach }: Generators): void {
 function described({ roots, lambda }: Generators): string {
   if (roots === null) return "";
   const short = (value: number): string => String(Number(value.toPrecision(4)));
-  const list = roots.filter(({ re, im }) => re > 0 || im > 0 || (re === 0 && im === 0)).map(({ re, im }) => (re === 0 && im === 0 ? "0" : im === 0 ? `±${short(re)}` : re === 0 ? `±${short(im)}i` : `±${short(re)}±${short(im)}i`));
+  const list = roots.filter(({ re, im }) => re > 0 || im > 0 || (re === 0 && im === 0)).map(({ re, im }) => (re === 0 && im === 0
+    ? "0"
+    : im === 0 ? `±${short(re)}` : re === 0 ? `±${short(im)}i` : `±${short(re)}±${short(im)}i`));
   const weights = lambda.length === 0 ? "" : `  ·  λ ${lambda.map(short).join(", ")}`;
   return `Roots ${list.join(", ")}${weights}`;
 }

@@ -47,9 +47,25 @@ export function inspectorSection(shell: Shell): Section {
   const lengths = { least: 0, most: limit, step: 1 };
   const angles = { least: -360, most: 360, step: 1, unit: "°" };
   const handle = (side: Side, name: string): { length: Field<number>; angle: Field<number>; element: HTMLElement } => {
-    const length = numberField({ ...lengths, label: "Length", testid: `${side}-len`, about: `Length of the ${name} handle: a third of the tangent vector.`, write: polar(side, "length") });
-    const angle = numberField({ ...angles, label: "Angle", testid: `${side}-ang`, about: `Direction of the ${name} handle, counter-clockwise from 3 o'clock.`, write: polar(side, "angle") });
-    return { length, angle, element: h("div", { class: "handle-row", role: "group", "aria-label": `${name} handle` }, h("span", { class: "handle-name" }, glyph("handle"), name), length.element, angle.element) };
+    const length = numberField({
+      ...lengths,
+      label: "Length",
+      testid: `${side}-len`,
+      about: `Length of the ${name} handle: a third of the tangent vector.`,
+      write: polar(side, "length"),
+    });
+    const angle = numberField({
+      ...angles,
+      label: "Angle",
+      testid: `${side}-ang`,
+      about: `Direction of the ${name} handle, counter-clockwise from 3 o'clock.`,
+      write: polar(side, "angle"),
+    });
+    return { length, angle, element: h("div", { class: "handle-row", role: "group", "aria-label": `${name} handle` },
+      h("span", { class: "handle-name" }, glyph("handle"), name),
+      length.element,
+      angle.element,
+    ) };
   };
   const arriving = handle("in", "In");
   const leaving = handle("out", "Out");
@@ -131,5 +147,8 @@ function nudgePad({ editor }: Shell): HTMLElement {
       },
     }, icon(shape)),
   );
-  return h("div", { class: "field nudge", role: "group", "aria-label": "Nudge" }, h("span", { class: "field-label" }, "Nudge"), h("span", { class: "nudge-pad" }, ...buttons));
+  return h("div", { class: "field nudge", role: "group", "aria-label": "Nudge" },
+    h("span", { class: "field-label" }, "Nudge"),
+    h("span", { class: "nudge-pad" }, ...buttons),
+  );
 }

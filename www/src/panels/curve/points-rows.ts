@@ -47,7 +47,12 @@ export function pointsTable(shell: Shell): Section {
       editor.patch({ selection: { points: [ref()], handle: null } });
       setKind(editor, chosen);
     });
-    const number = h("button", { class: "row-number num", type: "button", "aria-label": `Select point ${index + 1}`, click: () => editor.patch({ selection: { points: [ref()], handle: null } }) }, String(index + 1));
+    const number = h("button", {
+      class: "row-number num",
+      type: "button",
+      "aria-label": `Select point ${index + 1}`,
+      click: () => editor.patch({ selection: { points: [ref()], handle: null } }),
+    }, String(index + 1));
     return { element: h("tr", {}, h("th", { scope: "row" }, number), h("td", {}, x), h("td", {}, y), h("td", {}, kind)), x, y, kind };
   };
 

@@ -23,7 +23,12 @@ const overlays: readonly (readonly [OverlayId, string, string, string])[] = [
 export function showSection(shell: Shell): Section {
   const { editor } = shell;
   const toggles = overlays.map(([id, testid, label, about]) => ({ id, field: toggleField({ label, testid, about, write: (on) => editor.setOverlay(id, on) }) }));
-  const snap = toggleField({ label: "Snap", testid: "snap", about: "Dragging snaps to points and alignments; Ctrl switches it off while held.", write: (on) => editor.setSettings({ snap: on }) });
+  const snap = toggleField({
+    label: "Snap",
+    testid: "snap",
+    about: "Dragging snaps to points and alignments; Ctrl switches it off while held.",
+    write: (on) => editor.setSettings({ snap: on }),
+  });
   const comb = sliderField({
     label: "Comb scale",
     testid: "comb-scale",
@@ -86,7 +91,8 @@ export function showSection(shell: Shell): Section {
 /** The marks and how many there are; a press selects them all. */
 export function legendSection(shell: Shell): Section {
   const { editor } = shell;
-  const rows = ([["point", "Points", "Select every point"], ["cusp", "Cusps", "Select every cusp"]] as const).map(([name, label, about]) => ({ name, ...legendRow(name, label, about, () => selectKind(editor, name)) }));
+  const rows = ([["point", "Points", "Select every point"], ["cusp", "Cusps", "Select every cusp"]] as const).map(([name, label, about]) =>
+    ({ name, ...legendRow(name, label, about, () => selectKind(editor, name)) }));
   const element = h(
     "section",
     { class: "section", "aria-label": "Legend" },

@@ -16,5 +16,11 @@ export function thumbnail(curve: CurveDocument): SVGSVGElement {
   const dot = scale / 24;
   const points = curve.contours.flatMap((contour) => contour.points);
   const marks = points.length > 20 ? [] : points.map(({ x, y }) => svg("circle", { cx: x.toFixed(2), cy: y.toFixed(2), r: dot.toFixed(2) }));
-  return svg("svg", { class: "thumbnail", viewBox, "aria-hidden": "true" }, svg("path", { class: "thumbnail-curve", d: path(true) }), svg("path", { class: "thumbnail-curve thumbnail-open", d: path(false) }), svg("g", { class: "thumbnail-points" }, ...marks));
+  return svg(
+    "svg",
+    { class: "thumbnail", viewBox, "aria-hidden": "true" },
+    svg("path", { class: "thumbnail-curve", d: path(true) }),
+    svg("path", { class: "thumbnail-curve thumbnail-open", d: path(false) }),
+    svg("g", { class: "thumbnail-points" }, ...marks),
+  );
 }

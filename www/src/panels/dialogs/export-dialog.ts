@@ -41,7 +41,9 @@ export function openExport(shell: Shell): void {
       message.replaceChildren();
     } catch (error) {
       const problem = asProblem(error);
-      message.replaceChildren(h("p", { class: "message message-error", testid: "error", "data-error": problem.id, role: "alert" }, problemText(problem.id, problem.details)));
+      message.replaceChildren(h("p", { class: "message message-error", testid: "error", "data-error": problem.id, role: "alert" },
+        problemText(problem.id, problem.details),
+      ));
       return;
     }
     preview.value = exported.d;
@@ -52,10 +54,39 @@ export function openExport(shell: Shell): void {
     chosen = { ...chosen, ...part };
     refresh();
   };
-  const segments = selectField({ label: "Segments", testid: "export-segments", about: "What the path is made of.", options: kinds, write: (value) => change({ segments: value }) });
-  const tolerance = numberField({ label: "Tolerance", testid: "export-tolerance", about: "Largest distance from the curve, 0.001 to 1 units.", least: 0.001, most: 1, step: 0.001, format: String, write: (value) => { if (value !== null) { change({ tolerance: value }); tolerance.show(value); } } });
-  const decimals = numberField({ label: "Decimals", testid: "export-decimals", about: "Digits after the point, 0 to 6.", least: 0, most: 6, step: 1, format: String, write: (value) => { if (value !== null) { change({ decimals: Math.round(value) }); decimals.show(Math.round(value)); } } });
-  const relative = toggleField({ label: "Relative commands", testid: "export-relative", about: "Lower-case commands: shorter text, the same curve.", write: (on) => change({ relative: on }) });
+  const segments = selectField({
+    label: "Segments",
+    testid: "export-segments",
+    about: "What the path is made of.",
+    options: kinds,
+    write: (value) => change({ segments: value }),
+  });
+  const tolerance = numberField({
+    label: "Tolerance",
+    testid: "export-tolerance",
+    about: "Largest distance from the curve, 0.001 to 1 units.",
+    least: 0.001,
+    most: 1,
+    step: 0.001,
+    format: String,
+    write: (value) => { if (value !== null) { change({ tolerance: value }); tolerance.show(value); } },
+  });
+  const decimals = numberField({
+    label: "Decimals",
+    testid: "export-decimals",
+    about: "Digits after the point, 0 to 6.",
+    least: 0,
+    most: 6,
+    step: 1,
+    format: String,
+    write: (value) => { if (value !== null) { change({ decimals: Math.round(value) }); decimals.show(Math.round(value)); } },
+  });
+  const relative = toggleField({
+    label: "Relative commands",
+    testid: "export-relative",
+    about: "Lower-case commands: shorter text, the same curve.",
+    write: (on) => change({ relative: on }),
+  });
   segments.show(chosen.segments);
   tolerance.show(chosen.tolerance);
   decimals.show(chosen.decimals);
@@ -63,7 +94,10 @@ export function openExport(shell: Shell): void {
 
   const dialog = openDialog(
     { title: "Export", testid: "export-dialog", wide: true },
-    h("div", { class: "export" }, h("div", { class: "export-options" }, picture, segments.element, tolerance.element, decimals.element, relative.element), h("div", { class: "export-result" }, preview, numbers, message)),
+    h("div", { class: "export" },
+      h("div", { class: "export-options" }, picture, segments.element, tolerance.element, decimals.element, relative.element),
+      h("div", { class: "export-result" }, preview, numbers, message),
+    ),
   );
   // What was traced is ink, not lines.
   const filled = mode === "trace" && curve.contours.every(({ closed }) => closed);
@@ -79,10 +113,21 @@ export function openExport(shell: Shell): void {
   };
   dialog.foot.append(
     button("Copy path", { class: "primary", testid: "export-d", title: "Copy the path's d", click: () => copy(exported?.d ?? "", "the path")() }),
-    button("SVG", { testid: "export-svg", title: "Download an SVG file", click: () => void svgText().then((text) => io.download(`${stem}.svg`, new Blob([text], { type: "image/svg+xml" }))) }),
-    button("JSON", { testid: "export-json", title: "Download the drawing, to open it here again", click: () => io.download(`${stem}.json`, new Blob([writeState(editor.getState())], { type: "application/json" })) }),
+    button("SVG", {
+      testid: "export-svg",
+      title: "Download an SVG file",
+      click: () => void svgText().then((text) => io.download(`${stem}.svg`, new Blob([text], { type: "image/svg+xml" }))),
+    }),
+    button("JSON", {
+      testid: "export-json",
+      title: "Download the drawing, to open it here again",
+      click: () => io.download(`${stem}.json`, new Blob([writeState(editor.getState())], { type: "application/json" })),
+    }),
     pngGroup(shell, stem, () => exported?.d ?? "", box),
-    button("TypeScript", { testid: "export-ts", title: "Copy TypeScript that makes this drawing", click: () => copy(snippetFor("vanilla", curve, chosen), "TypeScript")() }),
+    button(
+      "TypeScript",
+      { testid: "export-ts", title: "Copy TypeScript that makes this drawing", click: () => copy(snippetFor("vanilla", curve, chosen), "TypeScript")() },
+    ),
   );
   refresh();
   dialog.body.scrollTop = 0;
@@ -129,10 +174,15 @@ function pngGroup({ io, toasts }: Shell, stem: string, d: () => string, box: Box
       else io.download(`${stem}@${scale}x.png`, blob);
     });
   });
-  const scales = h("select", { class: "select", testid: "export-png-scale", "aria-label": "Picture scale" }, ...[1, 2, 4].map((each) => h("option", { value: each }, `${each}×`)));
+  const scales = h("select", { class: "select", testid: "export-png-scale", "aria-label": "Picture scale" },
+    ...[1, 2, 4].map((each) => h("option", { value: each }, `${each}×`)),
+  );
   scales.value = String(scale);
   scales.addEventListener("change", () => { scale = Number(scales.value); show(); });
-  const papers = h("select", { class: "select", testid: "export-png-paper", "aria-label": "Picture background" }, h("option", { value: "none" }, "transparent"), h("option", { value: "paper" }, "paper"));
+  const papers = h("select", { class: "select", testid: "export-png-paper", "aria-label": "Picture background" },
+    h("option", { value: "none" }, "transparent"),
+    h("option", { value: "paper" }, "paper"),
+  );
   papers.value = onPaper ? "paper" : "none";
   papers.addEventListener("change", () => { onPaper = papers.value === "paper"; });
   show();

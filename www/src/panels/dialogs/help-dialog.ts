@@ -58,11 +58,17 @@ const switches: readonly (readonly [keyof Settings & ("singleKeys" | "scrollPans
 export function openHelp({ editor }: Shell): void {
   const { mode, settings } = editor.state.value;
   const groups = new Map<string, Action[]>();
-  for (const action of editor.actions.all()) if (action.keys.length > 0 && !/-(?:far|fine)$/u.test(action.id)) groups.set(action.group, [...(groups.get(action.group) ?? []), action]);
+  for (const action of editor.actions.all()) if (action.keys.length > 0 && !/-(?:far|fine)$/u.test(action.id)) {
+    groups.set(action.group, [...(groups.get(action.group) ?? []), action]);
+  }
   const keyRow = (action: Action): HTMLElement =>
     h("div", { class: "key-row" }, h("dt", {}, ...action.keys.slice(0, 2).map((key) => h("kbd", {}, printedKey(key)))), h("dd", {}, action.label));
-  const keyLists = [...groups].map(([group, actions]) => h("section", { class: "key-group" }, h("h3", { class: "section-title" }, group), h("dl", {}, ...actions.map(keyRow))));
-  const gestureList = h("section", { class: "key-group" }, h("h3", { class: "section-title" }, "Gestures"), h("dl", { class: "gestures" }, ...[...gesturesOf[mode], ...everywhere].map(([what, does]) => h("div", {}, h("dt", {}, what), h("dd", { class: "quiet" }, does)))));
+  const keyLists = [...groups].map(([group, actions]) =>
+    h("section", { class: "key-group" }, h("h3", { class: "section-title" }, group), h("dl", {}, ...actions.map(keyRow))));
+  const gestureList = h("section", { class: "key-group" },
+    h("h3", { class: "section-title" }, "Gestures"),
+    h("dl", { class: "gestures" }, ...[...gesturesOf[mode], ...everywhere].map(([what, does]) => h("div", {}, h("dt", {}, what), h("dd", { class: "quiet" }, does)))),
+  );
   const toggles = switches.map(([name, label, about]) => {
     const id = freshId(name);
     const input = h("input", { id, class: "check", type: "checkbox", testid: `set-${name}`, checked: settings[name] });
@@ -71,7 +77,9 @@ export function openHelp({ editor }: Shell): void {
   });
   openDialog(
     { title: "Help", testid: "help-dialog", wide: true },
-    h("p", { class: "lead" }, "expline draws with points and tangents whose segments contain sines and cosines: circles, ellipses and cycloids are exact, and everything else bends like the Béziers you know."),
+    h("p", { class: "lead" },
+      "expline draws with points and tangents whose segments contain sines and cosines: circles, ellipses and cycloids are exact, and everything else bends like the Béziers you know.",
+    ),
     h("div", { class: "settings" }, ...toggles),
     h("div", { class: "help-columns" }, gestureList, ...keyLists),
     h("p", { class: "quiet" }, "Everything runs in this page: no account, no cookies, nothing is sent anywhere. A drawing is kept in this browser until you clear it."),

@@ -15,7 +15,15 @@ const accepted = ".svg,.json,.csv,.txt,image/svg+xml,application/json,text/plain
 /** A file, or text: SVG, a bare path, points or an expline file. Errors stand beside the text; nothing changes until it can be read. */
 export function openImport(shell: Shell, given = ""): void {
   const textId = freshId("import");
-  const text = h("textarea", { id: textId, class: "code-field", testid: "import-text", rows: "7", spellcheck: "false", autocomplete: "off", placeholder: "M10 10h80v40a20 20 0 0 1-20 20H10z\n\nor <svg>…</svg>, or rows of x,y" });
+  const text = h("textarea", {
+    id: textId,
+    class: "code-field",
+    testid: "import-text",
+    rows: "7",
+    spellcheck: "false",
+    autocomplete: "off",
+    placeholder: "M10 10h80v40a20 20 0 0 1-20 20H10z\n\nor <svg>…</svg>, or rows of x,y",
+  });
   text.value = given;
   const file = h("input", { class: "file-field", testid: "import-file", type: "file", accept: accepted, "aria-label": "Choose a file" });
   const message = h("div", { class: "message-slot" });
@@ -32,7 +40,9 @@ export function openImport(shell: Shell, given = ""): void {
   destination.show(to);
   const dialog = openDialog(
     { title: "Import", testid: "import-dialog" },
-    h("p", { class: "quiet" }, "An SVG file, path data, points as x,y rows, an expline JSON file, or a picture, which is traced. Arcs, lines and cubics come in exactly."),
+    h("p", { class: "quiet" },
+      "An SVG file, path data, points as x,y rows, an expline JSON file, or a picture, which is traced. Arcs, lines and cubics come in exactly.",
+    ),
     h("label", { class: "file-drop" }, icon("plus"), h("span", {}, "Choose a file"), file),
     h("label", { class: "stacked-label", for: textId }, "or paste it here"),
     text,
@@ -41,11 +51,19 @@ export function openImport(shell: Shell, given = ""): void {
   );
   const partly = button("Import what was read", { testid: "import-partial", hidden: true });
   const apply = button("Import", { class: "primary", testid: "import-apply" });
-  dialog.foot.append(h("span", { class: "field-check" }, replaces, h("label", { for: replaces.id }, "Replace the drawing")), h("span", { class: "space" }), partly, apply);
+  dialog.foot.append(
+    h("span", { class: "field-check" }, replaces, h("label", { for: replaces.id }, "Replace the drawing")),
+    h("span", { class: "space" }),
+    partly,
+    apply,
+  );
 
   let readSoFar: Imported | null = null;
   const fail = (problem: Problem): void => {
-    const shown = h("p", { class: "message message-error", testid: "error", "data-error": problem.id, role: "alert" }, icon("warn"), h("span", {}, problemText(problem.id, problem.details)));
+    const shown = h("p", { class: "message message-error", testid: "error", "data-error": problem.id, role: "alert" },
+      icon("warn"),
+      h("span", {}, problemText(problem.id, problem.details)),
+    );
     message.replaceChildren(shown);
     partly.hidden = readSoFar === null;
   };

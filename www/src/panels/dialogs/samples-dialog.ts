@@ -11,7 +11,13 @@ export function openSamples(shell: Shell): void {
   const cards = curveSamples.map((sample) =>
     h(
       "button",
-      { class: "sample", type: "button", testid: `sample-${sample.id}`, "aria-current": sample.id === present ? "true" : null, click: () => { dialog.close(); choose(shell, sample.id); } },
+      {
+        class: "sample",
+        type: "button",
+        testid: `sample-${sample.id}`,
+        "aria-current": sample.id === present ? "true" : null,
+        click: () => { dialog.close(); choose(shell, sample.id); },
+      },
       thumbnail(sample.curve),
       h("span", { class: "sample-title" }, sample.title),
       h("span", { class: "sample-note quiet" }, sample.note),

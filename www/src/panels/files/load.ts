@@ -33,7 +33,9 @@ export async function place(shell: Shell, imported: Imported, to: Destination, h
   else placeInCurve(editor, imported.contours, placement);
   const says = [summary(imported.contours), ...imported.notes.map((note) => `Note: ${note}.`)].join(" ");
   // Where it has come from on taking the offer, it is already.
-  toasts.say(says, how === "offered" ? undefined : { label: offers(imported.kind, to), run: () => void place(shell, imported, to === "fit" ? "curve" : "fit", "offered") });
+  toasts.say(says, how === "offered"
+    ? undefined
+    : { label: offers(imported.kind, to), run: () => void place(shell, imported, to === "fit" ? "curve" : "fit", "offered") });
 }
 
 function offers(kind: Drawn["kind"], to: Destination): string {

@@ -18,7 +18,9 @@ export async function openSession(shell: Shell, address: string): Promise<void> 
   const own = visit instanceof PerformanceNavigationTiming && visit.type !== "navigate" ? io.tabShows() : null;
   const link = [address, own ?? ""].find(io.isShareLink);
   if (link !== undefined) await openLink(shell, link);
-  else if ((own !== null || route?.sample === null) && io.hasKept()) await (await reopening()).restore(shell, own, route !== null && /^#\/./u.test(address) ? route.mode : null);
+  else if ((own !== null || route?.sample === null) && io.hasKept()) {
+    await (await reopening()).restore(shell, own, route !== null && /^#\/./u.test(address) ? route.mode : null);
+  }
   if (own !== null && route !== null) follow(shell.editor, route);
   startKeeping(shell);
 }
@@ -31,7 +33,14 @@ async function openLink(shell: Shell, link: string): Promise<void> {
 
 function startKeeping(shell: Shell): void {
   const { editor, io, regions, until } = shell;
-  const warning = h("button", { class: "metric not-kept", type: "button", testid: "error", "data-error": "storage", title: errorText("storage"), click: () => editor.actions.run("save-json") }, icon("warn"), "Not kept: download JSON");
+  const warning = h("button", {
+    class: "metric not-kept",
+    type: "button",
+    testid: "error",
+    "data-error": "storage",
+    title: errorText("storage"),
+    click: () => editor.actions.run("save-json"),
+  }, icon("warn"), "Not kept: download JSON");
   const keeping = io.createAutosave({
     read: () => editor.getState(),
     busy: () => editor.inGesture,

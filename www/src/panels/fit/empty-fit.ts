@@ -13,7 +13,8 @@ export function fitThumbnail(sample: FitSample): SVGSVGElement {
   const scale = Math.max((box.maxX - box.minX) / 3, (box.maxY - box.minY) / 2) * 1.2;
   const viewBox = [(box.minX + box.maxX) / 2 - 1.5 * scale, (box.minY + box.maxY) / 2 - scale, 3 * scale, 2 * scale].map((value) => value.toFixed(1)).join(" ");
   const step = Math.max(1, Math.floor(drawn.data.length / 220));
-  const path = strokesOf(drawn).map(({ from, to }) => drawn.data.slice(from, to).filter((_, i) => i % step === 0).map(([x, y]) => `M${x.toFixed(1)} ${y.toFixed(1)}h.01`).join("")).join("");
+  const path = strokesOf(drawn).map(({ from, to }) =>
+    drawn.data.slice(from, to).filter((_, i) => i % step === 0).map(([x, y]) => `M${x.toFixed(1)} ${y.toFixed(1)}h.01`).join("")).join("");
   return svg("svg", { class: "thumbnail thumbnail-dots", viewBox, "aria-hidden": "true" }, svg("path", { d: path }));
 }
 
@@ -29,7 +30,11 @@ export function fitSampleCards({ editor }: Shell, done: () => void, samples: rea
 export function mountEmptyFit(shell: Shell): void {
   const isEmpty = ({ mode, fit, fitView }: EditorState): boolean => mode === "fit" && fit.data.length === 0 && fit.sample === undefined && fitView.stroke.length === 0;
   mountEmptyStage(shell, isEmpty, () => {
-    const squiggle = svg("svg", { class: "empty-squiggle", viewBox: "0 0 240 60", "aria-hidden": "true" }, svg("path", { d: "M8 40C28 4 48 4 64 30S100 62 120 30 158 4 176 30s34 24 56-8" }));
+    const squiggle = svg(
+      "svg",
+      { class: "empty-squiggle", viewBox: "0 0 240 60", "aria-hidden": "true" },
+      svg("path", { d: "M8 40C28 4 48 4 64 30S100 62 120 30 158 4 176 30s34 24 56-8" }),
+    );
     return h("div", { class: "empty empty-curve empty-fit", testid: "empty-fit" },
       h("h2", {}, "Draw a line here"), squiggle, h("p", { class: "quiet" }, "or paste x,y rows, drop an SVG, or start from a sample"),
       h("div", { class: "samples" }, ...fitSampleCards(shell, () => undefined, fitSamples.slice(0, 3))));

@@ -45,8 +45,12 @@ export function chartSection(shell: Shell): Section {
       const high = (knots: number): number => (Math.log1p(knots) / Math.log1p(mostKnots)) * (height - 4);
       bars.replaceChildren(...chart.map(({ smoothing, knots }) =>
         svg("rect", { x: ((smoothing / 5) * step + 1).toFixed(1), width: (step - 2).toFixed(1), y: (height - high(knots)).toFixed(1), height: high(knots).toFixed(1) })));
-      line.setAttribute("d", chart.map(({ smoothing, rms }, i) => `${i === 0 ? "M" : "L"}${((smoothing / 5 + 0.5) * step).toFixed(1)} ${(height - 2 - (rms / mostRms) * (height - 6)).toFixed(1)}`).join(""));
-      picture.setAttribute("aria-label", `Knots and error over the smoothing. ${chart.filter(({ smoothing }) => smoothing % 20 === 0).map(({ smoothing, knots, rms }) => `At ${smoothing}: ${knots} knots, rms ${rms.toPrecision(2)}`).join(". ")}`);
+      line.setAttribute("d", chart.map(({ smoothing, rms }, i) =>
+        `${i === 0 ? "M" : "L"}${((smoothing / 5 + 0.5) * step).toFixed(1)} ${(height - 2 - (rms / mostRms) * (height - 6)).toFixed(1)}`).join(""));
+      picture.setAttribute(
+        "aria-label",
+        `Knots and error over the smoothing. ${chart.filter(({ smoothing }) => smoothing % 20 === 0).map(({ smoothing, knots, rms }) => `At ${smoothing}: ${knots} knots, rms ${rms.toPrecision(2)}`).join(". ")}`,
+      );
     },
   };
 }

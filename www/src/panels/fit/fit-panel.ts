@@ -43,8 +43,12 @@ function dataSection(shell: Shell): Section {
     write: (value) => value !== null && setNoise(editor, editor.state.value.fit.noise, Math.round(value)),
   });
   const actions = h("div", { class: "field-row fit-actions" },
-    h("button", { class: "button", type: "button", testid: "fit-redraw", title: "Take everything away and draw anew.", click: () => editor.actions.run("fit-redraw") }, h("span", {}, "Redraw")),
-    h("button", { class: "button", type: "button", testid: "fit-samples", title: "Samples to start from", click: () => editor.actions.run("samples") }, h("span", {}, "Samples")));
+    h("button", { class: "button", type: "button", testid: "fit-redraw", title: "Take everything away and draw anew.", click: () => editor.actions.run("fit-redraw") },
+      h("span", {}, "Redraw"),
+    ),
+    h("button", { class: "button", type: "button", testid: "fit-samples", title: "Samples to start from", click: () => editor.actions.run("samples") },
+      h("span", {}, "Samples"),
+    ));
   return {
     element: h("section", { class: "section", "aria-label": "Data" }, tool.element, data, noise.element, seed.element, actions),
     update({ fit, fitView }) {
@@ -75,7 +79,8 @@ function smoothingSection(shell: Shell): Section & { readonly slider: HTMLElemen
     write: (value) => setTarget(editor, value), reset: () => setTarget(editor, "off"),
   });
   const most = numberField({
-    label: "At most", testid: "fit-target-value", about: "Knots, or pixels of the largest error.", least: 0.01, most: 1000, step: 1, format: (value) => String(Number(value.toFixed(2))),
+    label: "At most", testid: "fit-target-value", about: "Knots, or pixels of the largest error.",
+    least: 0.01, most: 1000, step: 1, format: (value) => String(Number(value.toFixed(2))),
     write: (value) => value !== null && setTargetValue(editor, value),
   });
   return {
@@ -108,7 +113,12 @@ function modelSection(shell: Shell): Section {
     write: (value) => setMix(editor, value), reset: () => setMix(editor, 50),
     gesture: { begin: () => editor.fitEdits.begin("Mix"), commit: () => editor.fitEdits.commit() },
   });
-  const corners = toggleField({ label: "Keep corners", testid: "fit-corners", about: "Sharp corners of the points stay as they are (C).", write: (on) => setCorners(editor, on) });
+  const corners = toggleField({
+    label: "Keep corners",
+    testid: "fit-corners",
+    about: "Sharp corners of the points stay as they are (C).",
+    write: (on) => setCorners(editor, on),
+  });
   const closing = choiceField<FitClosing>({
     label: "Closed", testid: "fit-closed", about: "Whether the ends are joined; Auto joins ends that are within 3 % of the size.",
     options: [

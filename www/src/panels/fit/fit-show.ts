@@ -25,8 +25,20 @@ export function readingSection(shell: Shell): Section {
   const reduction = h("p", { class: "fit-reduction num", "aria-live": "off" });
   const errors = h("p", { class: "field-note num" });
   const failure = h("p", { class: "field-error", role: "alert" });
-  const edit = h("button", { class: "button primary", type: "button", testid: "fit-edit", title: "Copy the curve to Curve mode, ready to edit.", click: () => editor.actions.run("fit-edit") }, h("span", {}, "Edit in Curve"));
-  const cancel = h("button", { class: "button", type: "button", testid: "fit-cancel", title: "Stop the fit that is under way.", click: () => editor.actions.run("fit-cancel") }, h("span", {}, "Cancel"));
+  const edit = h("button", {
+    class: "button primary",
+    type: "button",
+    testid: "fit-edit",
+    title: "Copy the curve to Curve mode, ready to edit.",
+    click: () => editor.actions.run("fit-edit"),
+  }, h("span", {}, "Edit in Curve"));
+  const cancel = h("button", {
+    class: "button",
+    type: "button",
+    testid: "fit-cancel",
+    title: "Stop the fit that is under way.",
+    click: () => editor.actions.run("fit-cancel"),
+  }, h("span", {}, "Cancel"));
   const bar = h("div", { class: "fit-bar", testid: "progress", role: "progressbar", "aria-label": "Fitting", hidden: true });
   const showBusy = (since: number | null): void => {
     const waited = since === null ? 0 : performance.now() - since;
@@ -45,7 +57,9 @@ export function readingSection(shell: Shell): Section {
       for (const { type, show } of legend) show(outcome?.counts[type] ?? 0);
       const total = outcome?.knots.length ?? 0;
       setText(reduction, outcome === null ? "" : `${outcome.size} → ${total} points (${formatChange(total / Math.max(1, outcome.size))})`);
-      setText(errors, outcome === null ? "" : `rms ${formatDeviation(outcome.rms)}, max ${formatDeviation(outcome.max)} px (${formatDeviation((100 * outcome.max) / Math.max(outcome.diagonal, 1e-12))} %)`);
+      setText(errors, outcome === null
+        ? ""
+        : `rms ${formatDeviation(outcome.rms)}, max ${formatDeviation(outcome.max)} px (${formatDeviation((100 * outcome.max) / Math.max(outcome.diagonal, 1e-12))} %)`);
       edit.disabled = outcome === null;
       setText(failure, fitRun.failure === null ? "" : fitRun.failure.id === "points-few"
         ? `Fitting needs at least 4 different points; there ${fitRun.failure.details.count === 1 ? "is" : "are"} ${fitRun.failure.details.count ?? 0}.`
@@ -85,7 +99,8 @@ export function showSection(shell: Shell): Section {
   return {
     element: h("section", { class: "section", "aria-label": "Show" },
       h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Show")),
-      h("div", { class: "toggles" }, ...toggles.map(({ field }) => field.element)), ramp, compare.element, split.element, h("div", { class: "field-row fit-actions" }, hold)),
+      h("div", { class: "toggles" }, ...toggles.map(({ field }) => field.element)),
+      ramp, compare.element, split.element, h("div", { class: "field-row fit-actions" }, hold)),
     update({ fitView, fitRun, fit }: EditorState) {
       for (const { id, field } of toggles) field.show(id === "parts" && fit.model !== "hybrid" ? null : fitView.overlays[id]);
       compare.show(fitView.compare);

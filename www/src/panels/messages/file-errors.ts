@@ -11,12 +11,15 @@ const farMessages: Readonly<Record<FarProblem, (d: ProblemDetails) => string>> =
     : `${d.name ?? "The picture"} is ${d.width} × ${d.height ?? 0}; the limit is 40 MP. Scale it down and try again.`),
   "image-blank": (d) => `This browser gave back no pixels of ${d.name ?? "the picture"}. Choose a smaller work size and try again.`,
   "file-type": (d) => `${d.name ?? "That file"} is nothing this page can read. Try a picture, SVG, a path, an expline JSON file, or points as x,y rows.`,
-  "svg-broken": (d) => (d.line === undefined ? "The SVG could not be read: this is not an SVG document." : `The SVG could not be read: line ${d.line}, column ${d.column ?? 1}.`),
+  "svg-broken": (d) => (d.line === undefined
+    ? "The SVG could not be read: this is not an SVG document."
+    : `The SVG could not be read: line ${d.line}, column ${d.column ?? 1}.`),
   "svg-entities": () => "The SVG could not be read: it declares entities that are more than plain text, which are refused. Save it as plain SVG and try again.",
   "svg-big": (d) => `The SVG is too large to read here (${d.field ?? "size"}: the limit is ${d.most ?? 0}). Simplify it and try again.`,
   "svg-range": () => "The SVG has coordinates beyond 1 000 000 000. Scale it down and try again.",
   "svg-nopath": (d) => `This SVG has no path, circle, ellipse, line or polygon.${d.field === "text" ? " Its text has to be turned into outlines first." : ""}`,
-  "d-broken": (d) => `The path stops making sense at character ${d.at ?? 0}${d.excerpt === "" ? ", where it ends" : `: “${d.excerpt ?? ""}”`}. Everything before it was read.`,
+  "d-broken": (d) =>
+    `The path stops making sense at character ${d.at ?? 0}${d.excerpt === "" ? ", where it ends" : `: “${d.excerpt ?? ""}”`}. Everything before it was read.`,
   "d-range": () => "The path has coordinates beyond 1 000 000 000. Scale it down and try again.",
   "d-big": () => "The path is too large to read here. Simplify it and try again.",
   "points-rows": (d) => `Line ${d.line ?? 1} is not two numbers. Write one point a line, as 120,80.`,

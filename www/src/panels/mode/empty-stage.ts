@@ -25,8 +25,20 @@ export interface SampleCard {
 }
 
 /** Samples as cards to press, the one that is open marked. */
-export function sampleCards<S extends SampleCard>(samples: readonly S[], present: string | undefined, pictureOf: (sample: S) => Element, open: (id: string) => void): HTMLElement[] {
+export function sampleCards<S extends SampleCard>(
+  samples: readonly S[],
+  present: string | undefined,
+  pictureOf: (sample: S) => Element,
+  open: (id: string) => void,
+): HTMLElement[] {
   return samples.map((sample) =>
-    h("button", { class: "sample", type: "button", testid: `sample-${sample.id}`, title: sample.note, "aria-current": sample.id === present ? "true" : null, click: () => open(sample.id) },
+    h("button", {
+      class: "sample",
+      type: "button",
+      testid: `sample-${sample.id}`,
+      title: sample.note,
+      "aria-current": sample.id === present ? "true" : null,
+      click: () => open(sample.id),
+    },
       pictureOf(sample), h("span", { class: "sample-title" }, sample.title), h("span", { class: "sample-note quiet" }, sample.note)));
 }

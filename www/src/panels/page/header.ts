@@ -60,7 +60,14 @@ function brandMark(): SVGSVGElement {
 function mountTabs(shell: Shell): HTMLElement {
   const { editor } = shell;
   const tabs = modes.map((mode) =>
-    h("button", { class: "tab", role: "tab", type: "button", testid: `tab-${mode}`, title: withKey(editor, modeNames[mode], `mode-${mode}`), click: () => editor.actions.run(`mode-${mode}`) }, modeNames[mode]),
+    h("button", {
+      class: "tab",
+      role: "tab",
+      type: "button",
+      testid: `tab-${mode}`,
+      title: withKey(editor, modeNames[mode], `mode-${mode}`),
+      click: () => editor.actions.run(`mode-${mode}`),
+    }, modeNames[mode]),
   );
   const list = h("div", { class: "tabs", role: "tablist", "aria-label": "Mode" }, ...tabs);
   list.addEventListener("keydown", (event) => {
@@ -96,7 +103,10 @@ function historyButton(shell: Shell, which: "undo" | "redo"): HTMLButtonElement 
 }
 
 function iconButton(name: IconName, label: string, testid: string, title: string, run: () => void): HTMLButtonElement {
-  return h("button", { class: "icon-button", type: "button", "aria-label": label, title, testid, click: run }, icon(name), h("span", { class: "menu-label", "aria-hidden": "true" }, label));
+  return h("button", { class: "icon-button", type: "button", "aria-label": label, title, testid, click: run },
+    icon(name),
+    h("span", { class: "menu-label", "aria-hidden": "true" }, label),
+  );
 }
 
 function menuButton(label: string, testid: string, title: string, run: () => void, ...children: readonly Child[]): HTMLButtonElement {
@@ -119,7 +129,14 @@ function themeButton(theme: ThemeControl): HTMLButtonElement {
 }
 
 function menuToggle(menu: HTMLElement, id: string): HTMLButtonElement {
-  const toggle = h("button", { class: "icon-button menu-toggle", type: "button", testid: "btn-menu", "aria-label": "Menu", "aria-expanded": "false", "aria-controls": id }, icon("menu"));
+  const toggle = h("button", {
+    class: "icon-button menu-toggle",
+    type: "button",
+    testid: "btn-menu",
+    "aria-label": "Menu",
+    "aria-expanded": "false",
+    "aria-controls": id,
+  }, icon("menu"));
   toggle.addEventListener("click", () => {
     const open = menu.dataset["open"] !== "true";
     menu.dataset["open"] = String(open);
@@ -140,7 +157,14 @@ function panelToggle({ regions }: Shell): HTMLButtonElement {
   // Beside the stage it is always there; as a drawer it would hide what the visitor came to see.
   const starts = window.matchMedia("(width >= 64em)").matches;
   panel.dataset["open"] = String(starts);
-  const toggle = h("button", { class: "icon-button panel-toggle", type: "button", testid: "btn-panel", "aria-label": "Panel", "aria-expanded": String(starts), title: "Show or hide the panel" }, icon("panel"));
+  const toggle = h("button", {
+    class: "icon-button panel-toggle",
+    type: "button",
+    testid: "btn-panel",
+    "aria-label": "Panel",
+    "aria-expanded": String(starts),
+    title: "Show or hide the panel",
+  }, icon("panel"));
   toggle.addEventListener("click", () => {
     const open = panel.dataset["open"] !== "true";
     panel.dataset["open"] = String(open);

@@ -30,8 +30,21 @@ export function mountPanel(shell: Shell, metrics: HTMLElement): PanelHost {
   const built = new Map<Mode, ModePanel>();
   const title = h("h2", { class: "panel-title" });
   const sample = h("span", { class: "section-note" });
-  const clear = h("button", { class: "small-button", type: "button", testid: "btn-clear", title: "Take everything off the stage; undo brings it back.", click: () => { if (!editor.actions.run(`${editor.state.value.mode}-clear`)) clearCurve(editor); editor.patch({ hint: "" }); } }, "Clear");
-  const codeButton = h("button", { class: "code-toggle", type: "button", testid: "btn-code", "aria-expanded": "false", title: "The program that makes this drawing", click: () => editor.actions.run("code") }, icon("chevron"), h("span", {}, "Show code"));
+  const clear = h("button", {
+    class: "small-button",
+    type: "button",
+    testid: "btn-clear",
+    title: "Take everything off the stage; undo brings it back.",
+    click: () => { if (!editor.actions.run(`${editor.state.value.mode}-clear`)) clearCurve(editor); editor.patch({ hint: "" }); },
+  }, "Clear");
+  const codeButton = h("button", {
+    class: "code-toggle",
+    type: "button",
+    testid: "btn-code",
+    "aria-expanded": "false",
+    title: "The program that makes this drawing",
+    click: () => editor.actions.run("code"),
+  }, icon("chevron"), h("span", {}, "Show code"));
   const scroll = h("div", { class: "panel-scroll" }, h("div", { class: "panel-head" }, title, sample, clear), curvePart);
   regions.panel.append(scroll, h("div", { class: "panel-foot" }, codeButton));
   const sheet = mountSheet(regions.panel, [metrics, curve.level], until);
@@ -76,7 +89,8 @@ export function mountPanel(shell: Shell, metrics: HTMLElement): PanelHost {
   // Once a frame: a drag changes the state more often than anyone can read.
   const soon = inNextFrame(shell.frame, () => update(editor.state.value));
   editor.state.subscribe((state, before) => {
-    const same = built.get(state.mode) === undefined && state.curve === before.curve && state.selection === before.selection && state.settings === before.settings && state.mode === before.mode && state.engine === before.engine;
+    const same = built.get(state.mode) === undefined && state.curve === before.curve && state.selection === before.selection && state.settings === before.settings
+      && state.mode === before.mode && state.engine === before.engine;
     if (!same) soon.request();
   }, { until });
   update(editor.state.value);

@@ -31,7 +31,9 @@ export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement; p
     const groups = [first, second, [...third, frame]].map((metrics) => metrics.map(make));
     all = groups.flat();
     element.replaceChildren(
-      ...groups.map((group, i) => h("div", { class: `metric-group${i === 1 ? " truth" : ""}`, role: "group", "aria-label": ["Drawing", "Accuracy", "Cost"][i] ?? "" }, ...group.map((entry) => entry.element))),
+      ...groups.map((group, i) => h("div", { class: `metric-group${i === 1 ? " truth" : ""}`, role: "group", "aria-label": ["Drawing", "Accuracy", "Cost"][i] ?? "" },
+        ...group.map((entry) => entry.element),
+      )),
     );
   };
   let lastSlow = 0;
@@ -52,7 +54,9 @@ export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement; p
   };
   const soon = inNextFrame(shell.frame, () => editor.state.value.engine.status === "ready" && update());
   editor.state.subscribe((state, before) => {
-    if (state.curve !== before.curve || state.surface !== before.surface || state.fit !== before.fit || state.fitRun !== before.fitRun || state.traceRun !== before.traceRun || state.trace !== before.trace || state.settings !== before.settings || state.mode !== before.mode || state.engine !== before.engine) soon.request();
+    if (state.curve !== before.curve || state.surface !== before.surface || state.fit !== before.fit || state.fitRun !== before.fitRun
+      || state.traceRun !== before.traceRun
+      || state.trace !== before.trace || state.settings !== before.settings || state.mode !== before.mode || state.engine !== before.engine) soon.request();
   }, { until });
   build("curve");
   soon.request();

@@ -9,8 +9,16 @@ export function failure({ reason, detail }: Extract<Engine, { status: "failed" }
     case "blocked":
       return h("div", shared,
         h("h2", {}, "The spline engine was blocked"),
-        h("p", {}, "This page's Content Security Policy does not allow WebAssembly. Add ", h("code", {}, "'wasm-unsafe-eval'"), " to ", h("code", {}, "script-src"), ", then load the page again."),
-        h("p", {}, h("a", { href: "https://developer.mozilla.org/docs/Web/HTTP/Reference/Headers/Content-Security-Policy/script-src#unsafe_webassembly_execution" }, "What this setting does")),
+        h("p", {},
+          "This page's Content Security Policy does not allow WebAssembly. Add ",
+          h("code", {}, "'wasm-unsafe-eval'"),
+          " to ",
+          h("code", {}, "script-src"),
+          ", then load the page again.",
+        ),
+        h("p", {}, h("a", { href: "https://developer.mozilla.org/docs/Web/HTTP/Reference/Headers/Content-Security-Policy/script-src#unsafe_webassembly_execution" },
+          "What this setting does",
+        )),
         retry);
     case "unsupported":
       return h("div", shared,
@@ -18,6 +26,11 @@ export function failure({ reason, detail }: Extract<Engine, { status: "failed" }
         h("p", {}, `E_INIT, reason: unsupported. ${detail} WebAssembly with SIMD is needed: Chrome 91, Firefox 89, Safari 16.4 or later.`),
         retry);
     case "failed":
-      return h("div", shared, h("h2", {}, "The spline engine did not start"), h("p", {}, detail), h("p", {}, "Chrome 123, Firefox 128 and Safari 17.5 or later run this page."), retry);
+      return h("div", shared,
+        h("h2", {}, "The spline engine did not start"),
+        h("p", {}, detail),
+        h("p", {}, "Chrome 123, Firefox 128 and Safari 17.5 or later run this page."),
+        retry,
+      );
   }
 }

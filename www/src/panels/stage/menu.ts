@@ -6,7 +6,14 @@ import { printedKey } from "../shell.ts";
 export function openMenu(editor: Editor, x: number, y: number, actions: readonly Action[]): void {
   const before = document.activeElement;
   const items = actions.map((action) =>
-    h("button", { class: "menu-item", type: "button", role: "menuitem", tabindex: "-1", testid: `menu-${action.id}`, click: () => { close(); editor.actions.run(action.id); } },
+    h("button", {
+      class: "menu-item",
+      type: "button",
+      role: "menuitem",
+      tabindex: "-1",
+      testid: `menu-${action.id}`,
+      click: () => { close(); editor.actions.run(action.id); },
+    },
       h("span", {}, action.label), action.keys[0] === undefined ? null : h("kbd", {}, printedKey(action.keys[0]))),
   );
   const menu = h("div", { class: "menu", role: "menu", popover: "auto", testid: "context-menu", "aria-label": "Actions here" }, ...items);

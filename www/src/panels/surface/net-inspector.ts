@@ -25,7 +25,14 @@ export function netInspector(shell: Shell): Section {
     least: -limit, most: limit, step: 0.01, format: (value) => String(Number(value.toFixed(4))),
     write: (value) => value !== null && placeNet(editor, axis === 0 ? 0 : axis === 1 ? 1 : 2, value),
   }));
-  const axis = selectField({ label: "Drag in", testid: "surf-axis", about: "Where a drag moves the point. X, Y, Z while dragging hold it; Shift means the normal.", options: axes, write: (value) => patchSolid(editor, { axis: value }), reset: () => patchSolid(editor, { axis: "view" }) });
+  const axis = selectField({
+    label: "Drag in",
+    testid: "surf-axis",
+    about: "Where a drag moves the point. X, Y, Z while dragging hold it; Shift means the normal.",
+    options: axes,
+    write: (value) => patchSolid(editor, { axis: value }),
+    reset: () => patchSolid(editor, { axis: "view" }),
+  });
   const pad = nudgePad(shell);
   const which = h("span", { class: "section-note num" });
   const none = h("p", { class: "quiet" }, "Nothing. Click a control point, or press ] to step through them.");
@@ -41,7 +48,9 @@ export function netInspector(shell: Shell): Section {
       none.hidden = chosen.length > 0;
       triple.hidden = chosen.length === 0;
       pad.element.hidden = chosen.length === 0;
-      setText(which, chosen.length > 1 ? `${chosen.length} points` : ref === undefined ? "" : `${ref.detail === undefined ? "" : "finer "}point ${ref.u + 1}, ${ref.v + 1}`);
+      setText(which, chosen.length > 1
+        ? `${chosen.length} points`
+        : ref === undefined ? "" : `${ref.detail === undefined ? "" : "finer "}point ${ref.u + 1}, ${ref.v + 1}`);
       fields.forEach((field, k) => field.show(point?.at[k] ?? null));
       axis.show(solid.axis);
       pad.show(nudgeUnit(surface));
@@ -51,7 +60,12 @@ export function netInspector(shell: Shell): Section {
 
 /** Moving without dragging, in the screen's directions or along the axis of drags. */
 function nudgePad({ editor }: Shell): { readonly element: HTMLElement; show(unit: number): void } {
-  const directions: readonly (readonly [string, IconName, number, number])[] = [["left", "left", -1, 0], ["up", "up", 0, 1], ["down", "down", 0, -1], ["right", "right", 1, 0]];
+  const directions: readonly (readonly [string, IconName, number, number])[] = [
+    ["left", "left", -1, 0],
+    ["up", "up", 0, 1],
+    ["down", "down", 0, -1],
+    ["right", "right", 1, 0],
+  ];
   const buttons = directions.map(([name, shape, right, up]) =>
     h("button", {
       class: "icon-button", type: "button", testid: `nudge-${name}`, "aria-label": `Nudge ${name}`,
@@ -61,7 +75,10 @@ function nudgePad({ editor }: Shell): { readonly element: HTMLElement; show(unit
       },
     }, icon(shape)));
   return {
-    element: h("div", { class: "field nudge", role: "group", "aria-label": "Nudge" }, h("span", { class: "field-label" }, "Nudge"), h("span", { class: "nudge-pad" }, ...buttons)),
+    element: h("div", { class: "field nudge", role: "group", "aria-label": "Nudge" },
+      h("span", { class: "field-label" }, "Nudge"),
+      h("span", { class: "nudge-pad" }, ...buttons),
+    ),
     show(unit) {
       buttons.forEach((button, i) => setAttribute(button, "title", `Move ${directions[i]?.[0] ?? ""} by ${unit}; with Shift by ${10 * unit}, with Alt by ${unit / 10}`));
     },

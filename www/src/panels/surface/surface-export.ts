@@ -26,7 +26,8 @@ export function openSurfaceExport(shell: Shell): void {
     setText(size, `about ${formatBytes(24 * rows * cols + 24 * cells + 1000)}`);
   };
   const slider = sliderField({
-    label: "Sides", testid: "export-sides", about: "Into how many sides each segment of the net is cut.", least: 2, most: 64, step: 1, direction: "smoother", print: String,
+    label: "Sides", testid: "export-sides", about: "Into how many sides each segment of the net is cut.",
+    least: 2, most: 64, step: 1, direction: "smoother", print: String,
     write: (value) => { sides = value; show(); },
   });
   slider.show(sides);
@@ -41,8 +42,21 @@ export function openSurfaceExport(shell: Shell): void {
     toasts.say(`Saved ${name}.`);
   };
   dialog.foot.append(
-    button("OBJ", { class: "primary", testid: "export-obj", title: "Download a Wavefront OBJ file", click: () => save(`${stem}.obj`, new Blob([surfaceObj(surface, sides)], { type: "model/obj" })) }),
-    button("glTF", { testid: "export-gltf", title: "Download a binary glTF file", click: () => save(`${stem}.glb`, new Blob([surfaceGltf(surface, sides)], { type: "model/gltf-binary" })) }),
-    button("JSON", { testid: "export-json", title: "Download the surface, to open it here again", click: () => save(`${stem}.json`, new Blob([writeState(editor.getState())], { type: "application/json" })) }),
+    button("OBJ", {
+      class: "primary",
+      testid: "export-obj",
+      title: "Download a Wavefront OBJ file",
+      click: () => save(`${stem}.obj`, new Blob([surfaceObj(surface, sides)], { type: "model/obj" })),
+    }),
+    button("glTF", {
+      testid: "export-gltf",
+      title: "Download a binary glTF file",
+      click: () => save(`${stem}.glb`, new Blob([surfaceGltf(surface, sides)], { type: "model/gltf-binary" })),
+    }),
+    button("JSON", {
+      testid: "export-json",
+      title: "Download the surface, to open it here again",
+      click: () => save(`${stem}.json`, new Blob([writeState(editor.getState())], { type: "application/json" })),
+    }),
   );
 }

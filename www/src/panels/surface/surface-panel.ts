@@ -16,7 +16,11 @@ import { netInspector } from "./net-inspector.ts";
 export function surfacePanel(shell: Shell): ModePanel {
   const shape = shapeSection(shell);
   const sections = [shape, netInspector(shell), showSection(shell), legendSection()];
-  return stackedPanel("surface-panel", sections, { peek: shape.level, note: ({ surface }) => surfaceTitle(surface.sample), ready: ({ surface }) => surface.net.length > 0 });
+  return stackedPanel(
+    "surface-panel",
+    sections,
+    { peek: shape.level, note: ({ surface }) => surfaceTitle(surface.sample), ready: ({ surface }) => surface.net.length > 0 },
+  );
 }
 
 function shapeSection(shell: Shell): Section & { readonly level: HTMLElement } {
@@ -31,7 +35,10 @@ function shapeSection(shell: Shell): Section & { readonly level: HTMLElement } {
     least: 3, most: 32, step: 1, format: String, write: (value) => value !== null && setNetSize(editor, which, value),
   });
   const [sizeU, sizeV] = [size("u", "U"), size("v", "V")];
-  const net = h("div", { class: "field net-size", role: "group", "aria-label": "Net size" }, h("span", { class: "field-label" }, "Net size"), h("span", { class: "pair" }, sizeU.element, sizeV.element));
+  const net = h("div", { class: "field net-size", role: "group", "aria-label": "Net size" },
+    h("span", { class: "field-label" }, "Net size"),
+    h("span", { class: "pair" }, sizeU.element, sizeV.element),
+  );
   const level = (which: "u" | "v") => sliderField({
     label: `Level ${which.toUpperCase()}`, testid: `surf-level-${which}`, about: `Doubles the points in ${which} and leaves the surface where it is.`,
     least: 0, most: 3, step: 1, direction: "finer", print: String,
@@ -44,8 +51,17 @@ function shapeSection(shell: Shell): Section & { readonly level: HTMLElement } {
   });
   const [levelU, levelV] = [level("u"), level("v")];
   const badge = h("span", { class: "badge num", testid: "surf-badge" });
-  const refine = h("button", { class: "button", type: "button", testid: "surf-refine", title: "More control points around the chosen one, none elsewhere (Enter)", click: () => editor.actions.run("surface-refine") }, h("span", {}, "Refine here"));
-  const element = h("section", { class: "section", "aria-label": "Surface" }, sample.element, net, levelU.element, levelV.element, h("div", { class: "field-row" }, refine, badge));
+  const refine = h("button", {
+    class: "button",
+    type: "button",
+    testid: "surf-refine",
+    title: "More control points around the chosen one, none elsewhere (Enter)",
+    click: () => editor.actions.run("surface-refine"),
+  }, h("span", {}, "Refine here"));
+  const element = h("section", { class: "section", "aria-label": "Surface" }, sample.element, net, levelU.element, levelV.element, h("div", { class: "field-row" },
+    refine,
+    badge,
+  ));
   return {
     element,
     level: levelU.element,
@@ -85,19 +101,37 @@ const shadeNotes: Readonly<Record<Shade, string>> = {
 
 function showSection(shell: Shell): Section {
   const { editor } = shell;
-  const shade = selectField({ label: "Shading", testid: "surf-shade", about: "What the colours of the surface mean.", options: shadings, write: (value) => patchSolid(editor, { shade: value }), reset: () => patchSolid(editor, { shade: "solid" }) });
+  const shade = selectField({
+    label: "Shading",
+    testid: "surf-shade",
+    about: "What the colours of the surface mean.",
+    options: shadings,
+    write: (value) => patchSolid(editor, { shade: value }),
+    reset: () => patchSolid(editor, { shade: "solid" }),
+  });
   const note = h("p", { class: "field-note" });
   const sides = sliderField({
     label: "Tessellation", testid: "surf-tess", about: "Sides of a patch that is drawn; the surface itself is not made of triangles.",
-    least: 4, most: 64, step: 1, direction: "smoother", print: String, write: (value) => patchSolid(editor, { tessellation: value }), reset: () => patchSolid(editor, { tessellation: 16 }),
+    least: 4, most: 64, step: 1, direction: "smoother", print: String,
+    write: (value) => patchSolid(editor, { tessellation: value }), reset: () => patchSolid(editor, { tessellation: 16 }),
   });
-  const switches = ([["net", "ov-net", "Net", "Lines between neighbouring control points."], ["iso", "ov-iso", "Iso-lines", "Where the segments of the net meet on the surface."], ["handles", "ov-handles", "Points", "The control points themselves."], ["weights", "ov-weights", "Weights", "How strongly the chosen point acts: its generators, standing along the two lines through it."]] as const)
+  const switches = ([
+    ["net", "ov-net", "Net", "Lines between neighbouring control points."],
+    ["iso", "ov-iso", "Iso-lines", "Where the segments of the net meet on the surface."],
+    ["handles", "ov-handles", "Points", "The control points themselves."],
+    ["weights", "ov-weights", "Weights", "How strongly the chosen point acts: its generators, standing along the two lines through it."],
+  ] as const)
     .map(([name, testid, label, about]) => ({ name, field: toggleField({ label, testid, about, write: (on) => patchSolid(editor, { [name]: on }) }) }));
   const views = (["front", "side", "top"] as const).map((side) =>
-    h("button", { class: "button", type: "button", testid: `surf-${side}`, title: `Look from the ${side}`, click: () => editor.actions.run(`surface-look-${side}`) }, h("span", {}, side === "front" ? "Front" : side === "side" ? "Side" : "Top")));
+    h("button", { class: "button", type: "button", testid: `surf-${side}`, title: `Look from the ${side}`, click: () => editor.actions.run(`surface-look-${side}`) },
+      h("span", {}, side === "front" ? "Front" : side === "side" ? "Side" : "Top"),
+    ));
   const element = h("section", { class: "section", "aria-label": "Show" },
     h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Show")),
-    h("div", { class: "field surf-views", role: "group", "aria-label": "Look from" }, h("span", { class: "field-label" }, "Look from"), h("span", { class: "button-group" }, ...views)),
+    h("div", { class: "field surf-views", role: "group", "aria-label": "Look from" },
+      h("span", { class: "field-label" }, "Look from"),
+      h("span", { class: "button-group" }, ...views),
+    ),
     shade.element, note, sides.element, h("div", { class: "toggles" }, ...switches.map(({ field }) => field.element)));
   return {
     element,

@@ -26,7 +26,12 @@ export function imageSection(shell: Shell): Section {
     name: "blur", label: "Blur σ", testid: "trace-blur", about: "Smooths grain away before edges are looked for.",
     most: traceLimits.blur, step: 0.1, print: (value) => `${value} px`,
   }, () => 1);
-  const invert = toggleField({ label: "Invert", testid: "trace-invert", about: "Light shapes on dark ground (I).", write: (on) => setTrace(editor, "Invert", { invert: on }) });
+  const invert = toggleField({
+    label: "Invert",
+    testid: "trace-invert",
+    about: "Light shapes on dark ground (I).",
+    write: (on) => setTrace(editor, "Invert", { invert: on }),
+  });
   const size = selectField<`${TraceSettings["size"]}`>({
     label: "Work size", testid: "trace-size", about: "Pixels of the longer side that are looked at; a picture is never made larger.",
     options: workSizes.map((each) => [`${each}`, `${each} px`] as const),
@@ -34,7 +39,9 @@ export function imageSection(shell: Shell): Section {
   });
   const body = h("div", { class: "trace-image" }, mode.element, threshold.element, blur.element, invert.element, size.element);
   return {
-    element: h("section", { class: "section", "aria-label": "Image" }, h("details", { class: "disclosure", open: true }, h("summary", {}, h("h3", { class: "section-title" }, "Image")), body)),
+    element: h("section", { class: "section", "aria-label": "Image" },
+      h("details", { class: "disclosure", open: true }, h("summary", {}, h("h3", { class: "section-title" }, "Image")), body),
+    ),
     update(state) {
       const { settings } = state.trace;
       const inColor = settings.colors > 0;

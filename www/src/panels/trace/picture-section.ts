@@ -20,7 +20,9 @@ export function pictureSection(shell: Shell): Section {
   const name = h("p", { class: "trace-name", testid: "trace-source" });
   const size = h("p", { class: "field-note num" });
   const preview = h("canvas", { class: "trace-preview", width: 96, height: 72, "aria-hidden": "true", hidden: true });
-  const samples = h("button", { class: "button", type: "button", testid: "trace-samples", title: "Pictures to start from", click: () => editor.actions.run("samples") }, h("span", {}, "Samples"));
+  const samples = h("button", { class: "button", type: "button", testid: "trace-samples", title: "Pictures to start from", click: () => editor.actions.run("samples") },
+    h("span", {}, "Samples"),
+  );
   const view = choiceField<TraceViewId>({
     label: "View", testid: "trace-view", about: "What is on the stage (W for the next).",
     options: traceViews.map(([value, label, about]) => ({ value, label, about })),
@@ -53,7 +55,14 @@ export function pictureSection(shell: Shell): Section {
 
 /** A native file field under a place that looks as if things could be dropped there, which they can be everywhere. */
 export function pictureField(shell: Shell, testid = "trace-file"): HTMLElement {
-  const file = h("input", { class: "file-field", testid, type: "file", accept: accepted, "aria-label": "Choose a picture", title: "A PNG, JPEG, WebP, AVIF, GIF or BMP file; it stays on this device." });
+  const file = h("input", {
+    class: "file-field",
+    testid,
+    type: "file",
+    accept: accepted,
+    "aria-label": "Choose a picture",
+    title: "A PNG, JPEG, WebP, AVIF, GIF or BMP file; it stays on this device.",
+  });
   file.addEventListener("change", () => {
     const [chosen] = file.files ?? [];
     if (chosen !== undefined) void import("../files/file-work.ts").then(({ receiveFiles }) => receiveFiles(shell, [chosen]));

@@ -22,7 +22,13 @@ export function resultSection(shell: Shell): Section {
   const list = h("dl", { class: "trace-numbers num" });
   const edit = action("Edit in Curve", "trace-edit", "Copy the outlines to Curve mode, ready to edit.", "primary");
   const fit = action("Smooth in Fit", "trace-smooth-in-fit", "Copy points along the outlines to Fit mode.");
-  const save = h("button", { class: "button", type: "button", testid: "trace-export", title: "The outlines as SVG, path, JSON or PNG.", click: () => editor.actions.run("export") }, h("span", {}, "Export"));
+  const save = h("button", {
+    class: "button",
+    type: "button",
+    testid: "trace-export",
+    title: "The outlines as SVG, path, JSON or PNG.",
+    click: () => editor.actions.run("export"),
+  }, h("span", {}, "Export"));
   let printed: TraceOutcome | null = null;
   let printedCorners: readonly object[] = [];
   return {
@@ -72,6 +78,8 @@ function rowsOf(outcome: TraceOutcome, { trace, traceRun }: EditorState): HTMLEl
   }
   if (trace.corners.length > 0) rows.push(row("By hand", "trace-by-hand", formatCount(trace.corners.length, "corner")));
   const times = Object.entries(stages).filter(([, ms]) => ms >= 0.5).map(([stage, ms]) => `${stage} ${ms < 10 ? ms.toFixed(1) : Math.round(ms)}`);
-  if (times.length > 0) rows.push(h("div", { class: "trace-times" }, h("dt", {}, `${Math.round(traceRun.lastMs)} ms`), h("dd", { testid: "trace-stages" }, times.join(" · "))));
+  if (times.length > 0) {
+    rows.push(h("div", { class: "trace-times" }, h("dt", {}, `${Math.round(traceRun.lastMs)} ms`), h("dd", { testid: "trace-stages" }, times.join(" · "))));
+  }
   return rows;
 }

@@ -21,12 +21,30 @@ export const traceMetrics: ModeMetrics = [
     { testid: "m-points", about: "Control points", read: of((_, state) => counted(pointCount(drawingOf(state) ?? emptyCurve), "point")) },
   ],
   [
-    { testid: "m-rms", about: "Root of the mean square of the distances between the outlines and the sub-pixel edge", read: of(({ rms }) => (rms === null ? null : { value: rms, lead: "rms", strong: formatDeviation(rms), rest: "px" })) },
-    { testid: "m-max", about: "No place of the sub-pixel edge is farther from the outlines than this", read: of(({ max }) => (max === null ? null : { value: max, lead: "max", strong: formatDeviation(max), rest: "px" })) },
-    { testid: "m-iou", about: "Area that outlines and thresholded picture have in common, by the area of either", read: of(({ iou }) => (iou === null ? null : { value: iou, lead: "IoU", strong: iou.toFixed(4) })) },
+    {
+      testid: "m-rms",
+      about: "Root of the mean square of the distances between the outlines and the sub-pixel edge",
+      read: of(({ rms }) => (rms === null ? null : { value: rms, lead: "rms", strong: formatDeviation(rms), rest: "px" })),
+    },
+    {
+      testid: "m-max",
+      about: "No place of the sub-pixel edge is farther from the outlines than this",
+      read: of(({ max }) => (max === null ? null : { value: max, lead: "max", strong: formatDeviation(max), rest: "px" })),
+    },
+    {
+      testid: "m-iou",
+      about: "Area that outlines and thresholded picture have in common, by the area of either",
+      read: of(({ iou }) => (iou === null ? null : { value: iou, lead: "IoU", strong: iou.toFixed(4) })),
+    },
   ],
   [
-    { testid: "m-bytes", about: "Size as path text: as polygons within a tenth of a pixel, and as it is", read: of(({ sizes }) => (sizes === null ? null : { value: sizes.raw, lead: `${formatBytes(sizes.polygonRaw)} →`, strong: formatBytes(sizes.raw) })) },
-    { testid: "m-solve", about: "Time that the last trace took in its worker", read: of((_, { traceRun }) => (traceRun.lastMs === 0 ? null : { value: traceRun.lastMs, lead: "trace", strong: traceRun.lastMs < 10 ? traceRun.lastMs.toFixed(1) : String(Math.round(traceRun.lastMs)), rest: "ms" })) },
+    {
+      testid: "m-bytes",
+      about: "Size as path text: as polygons within a tenth of a pixel, and as it is",
+      read: of(({ sizes }) => (sizes === null ? null : { value: sizes.raw, lead: `${formatBytes(sizes.polygonRaw)} →`, strong: formatBytes(sizes.raw) })),
+    },
+    { testid: "m-solve", about: "Time that the last trace took in its worker", read: of((_, { traceRun }) => (traceRun.lastMs === 0
+      ? null
+      : { value: traceRun.lastMs, lead: "trace", strong: traceRun.lastMs < 10 ? traceRun.lastMs.toFixed(1) : String(Math.round(traceRun.lastMs)), rest: "ms" })) },
   ],
 ];

@@ -24,8 +24,13 @@ export function mountTraceProgress(shell: Shell): void {
   const { editor, regions, until } = shell;
   const words = h("span", { class: "num" });
   const fill = h("div", { class: "trace-fill" });
-  const cancel = h("button", { class: "small-button", type: "button", title: "Stop; the outlines before stay.", click: () => editor.actions.run("trace-cancel") }, "Cancel");
-  const bar = h("div", { class: "trace-progress", testid: "progress", role: "progressbar", "aria-label": "Tracing", "aria-valuemin": "0", "aria-valuemax": "100" }, fill, words);
+  const cancel = h("button", { class: "small-button", type: "button", title: "Stop; the outlines before stay.", click: () => editor.actions.run("trace-cancel") },
+    "Cancel",
+  );
+  const bar = h("div", { class: "trace-progress", testid: "progress", role: "progressbar", "aria-label": "Tracing", "aria-valuemin": "0", "aria-valuemax": "100" },
+    fill,
+    words,
+  );
   const box = h("div", { class: "trace-busy", hidden: true }, bar, cancel);
   const notice = h("div", { class: "trace-notice", hidden: true });
   regions.stage.append(box, notice);
@@ -61,7 +66,8 @@ export function mountTraceProgress(shell: Shell): void {
 }
 
 function sayingOf({ editor }: Shell, failure: TraceFailure): HTMLElement[] {
-  const offer = (label: string, run: () => void, testid: string): HTMLElement => h("button", { class: "button", type: "button", testid, click: run }, h("span", {}, label));
+  const offer = (label: string, run: () => void, testid: string): HTMLElement =>
+    h("button", { class: "button", type: "button", testid, click: run }, h("span", {}, label));
   const offers: HTMLElement[] = [];
   if (failure.id === "trace-none") offers.push(offer("Invert", () => editor.actions.run("trace-invert"), "offer-invert"));
   if (failure.id === "trace-photo") {

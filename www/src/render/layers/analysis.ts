@@ -53,7 +53,8 @@ const [looksPerSegment, mostLookedAt] = [8, 64];
 function combScale(document: CurveDocument, half: number): number {
   const known = scales.get(document);
   if (known !== undefined) return known;
-  const bends = document.contours.slice(0, mostLookedAt).flatMap((contour) => Array.from(combOf(document, contour, looksPerSegment)?.curvature ?? [], Math.abs)).filter((bend) => bend < Infinity).sort((a, b) => a - b);
+  const bends = document.contours.slice(0, mostLookedAt).flatMap((contour) =>
+    Array.from(combOf(document, contour, looksPerSegment)?.curvature ?? [], Math.abs)).filter((bend) => bend < Infinity).sort((a, b) => a - b);
   const scale = (0.3 * half) / Math.max(1 / half, bends[Math.floor(0.9 * bends.length)] ?? 0);
   scales.set(document, scale);
   return scale;

@@ -109,7 +109,10 @@ const narrow = 600;
 /** At the highest of the waves that show the error; in the middle where there is no room beside them. */
 function label(scene: Scene, polygon: Float64Array): void {
   const at = 2 * Math.floor((polygon.length / 2) * 0.8);
-  const centre = onScreen(scene, { x: ((polygon[0] ?? 0) + (polygon[polygon.length / 2] ?? 0)) / 2, y: ((polygon[1] ?? 0) + (polygon[polygon.length / 2 + 1] ?? 0)) / 2 });
+  const centre = onScreen(
+    scene,
+    { x: ((polygon[0] ?? 0) + (polygon[polygon.length / 2] ?? 0)) / 2, y: ((polygon[1] ?? 0) + (polygon[polygon.length / 2 + 1] ?? 0)) / 2 },
+  );
   const place = onScreen(scene, { x: polygon[at] ?? 0, y: polygon[at + 1] ?? 0 });
   const context = inScreen(scene);
   context.font = labelFont;

@@ -85,7 +85,8 @@ export async function createSurfaceStage(editor: Editor, frame: Frame, surface: 
           const { u, v } = state.surface;
           view.draw({
             mesh, ratio,
-            orbit: solid.orbit, shade: palette.forced && solid.shade === "solid" ? "wire" : solid.shade, iso: solid.iso, colours: coloursOf(palette), regions: regionsOf(state),
+            orbit: solid.orbit, shade: palette.forced && solid.shade === "solid" ? "wire" : solid.shade,
+            iso: solid.iso, colours: coloursOf(palette), regions: regionsOf(state),
             period: [u?.closed === true ? mesh.size[0] : 0, v?.closed === true ? mesh.size[1] : 0],
             isoStep: 1,
             curvatureScale: 0.4 * extentOf(state.surface).radius ** 2,

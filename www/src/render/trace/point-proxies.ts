@@ -44,7 +44,8 @@ export function createPointProxies(editor: Editor, frame: Frame, surface: HTMLEl
   function paint(): void {
     const state = editor.state.value;
     const { trace, traceRun, traceView, view, stage, mode } = state;
-    if (drawn !== null && drawn.trace === trace && drawn.traceRun === traceRun && drawn.traceView === traceView && drawn.view === view && drawn.stage === stage && drawn.mode === mode) return;
+    if (drawn !== null && drawn.trace === trace && drawn.traceRun === traceRun && drawn.traceView === traceView && drawn.view === view && drawn.stage === stage
+      && drawn.mode === mode) return;
     drawn = { trace, traceRun, traceView, view, stage, mode };
     const refs = wanted(state);
     for (const { element } of shown.splice(refs.length)) element.remove();

@@ -19,7 +19,9 @@ export function createTracePainter(): Painter {
       const view = originalOnly ? "source" : traceView.view;
       const { picture } = traceRun;
       drawGrid(scene);
-      if (picture !== null && view !== "outline") drawPixels(scene, picture, view === "edges" ? picture.edges : picture.source, view === "result" ? traceView.alpha / 100 : 1);
+      if (picture !== null && view !== "outline") {
+        drawPixels(scene, picture, view === "edges" ? picture.edges : picture.source, view === "result" ? traceView.alpha / 100 : 1);
+      }
       drawFrame(scene);
       const drawing = drawingOf(scene.state);
       if (drawing === null || view === "source") return;

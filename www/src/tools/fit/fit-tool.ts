@@ -94,7 +94,11 @@ export function createFitTool(editor: Editor): Tool {
         case "draw":
           setFitView(editor, { stroke: [] });
           if (!dragging || onKnot) choose(start);
-          if (dragging && onKnot) editor.notify({ kind: "toast", text: "A knot lies where the points ask for it. In Curve it is a point that can be moved.", actionId: "fit-edit" });
+          if (dragging && onKnot) editor.notify({
+            kind: "toast",
+            text: "A knot lies where the points ask for it. In Curve it is a point that can be moved.",
+            actionId: "fit-edit",
+          });
           else if (dragging && stroke.length > 1) addStroke(editor, stroke);
           return;
         case "points": {

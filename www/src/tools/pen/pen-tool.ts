@@ -87,7 +87,10 @@ export function createPenTool(editor: Editor): Tool {
       const index = curve.contours.length;
       const fresh: Contour = { family: "hermite", closed: false, points: [corner(place)], support: 1 };
       const ref = { contour: index, index: 0 };
-      return { ref, command: { name: "Start path", apply: (document) => ({ ...document, contours: [...document.contours, fresh] }), select: { points: [ref], handle: null } } };
+      return {
+        ref,
+        command: { name: "Start path", apply: (document) => ({ ...document, contours: [...document.contours, fresh] }), select: { points: [ref], handle: null } },
+      };
     }
     const grown = { ...contour, points: [...contour.points, corner(place)], ...grownArrays(contour) };
     const at = drawing;
@@ -159,7 +162,11 @@ export function createPenTool(editor: Editor): Tool {
       if (closing && contour !== undefined && drawing !== null) {
         const at = drawing;
         press = { start: sample, ref: { contour: at, index: 0 }, closing };
-        editor.preview({ name: "Close path", apply: (document) => replaceContour(document, at, closed(contour, document)), select: { points: [press.ref], handle: null } });
+        editor.preview({
+          name: "Close path",
+          apply: (document) => replaceContour(document, at, closed(contour, document)),
+          select: { points: [press.ref], handle: null },
+        });
         return;
       }
       const { command, ref } = addPoint(place);

@@ -27,6 +27,10 @@ export function dragSegment(editor: Editor, start: PointerSample, selection: Sel
     let step = { dx: sample.page.x - start.page.x, dy: sample.page.y - start.page.y };
     if (sample.modifiers.shift) step = constrained(step.dx, step.dy);
     const command = change(step, sample.modifiers.alt);
-    editor.preview(command, { drag: { ...step, snapped: null }, cursor: command.name === "Move segment" ? "move" : "grabbing", sketch: { ...nothingSketched, finger: sample.kind === "touch" ? sample.page : null } });
+    editor.preview(command, {
+      drag: { ...step, snapped: null },
+      cursor: command.name === "Move segment" ? "move" : "grabbing",
+      sketch: { ...nothingSketched, finger: sample.kind === "touch" ? sample.page : null },
+    });
   });
 }
