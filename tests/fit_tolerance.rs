@@ -3,6 +3,7 @@
 
 mod support;
 
+use expline::curve::NearestFinder;
 use expline::fit::{Ask, Fit, FitStatus, Options, fit};
 use expline::numerics::Point;
 use support::curves::Random;
@@ -142,6 +143,36 @@ fn a_triangle_is_a_triangle_at_every_scale_and_place() {
             for point in fitted.curve.points() {
                 assert!(point.x.abs() <= 1e9 && point.y.abs() <= 1e9, "{what}: {point}");
             }
+        }
+    }
+}
+
+/// The largest distance of a point from a curve, by search on the curve.
+fn searched(fitted: &Fit, points: &[Point]) -> f64 {
+    let finder = NearestFinder::new(&fitted.curve);
+    points.iter().map(|p| finder.nearest(*p).distance).fold(0.0, f64::max)
+}
+
+/// As many points as a drawing has are met as near as is asked for, or as numbers can be; and where corners explain them, by those.
+#[test]
+fn the_left_end_of_a_slider_goes_through_the_points() {
+    let size = 360.0;
+    for (count, smooth, sigma) in [(400, true, 0.0), (2400, true, 0.0), (2400, false, 0.0), (2400, true, 0.5)]
+    {
+        let points = noisy(&evenly(&outline(smooth), count), sigma, 5);
+        for tolerance in [0.0, 1e-9 * size, 1e-6 * size] {
+            // Many points with noise and knots that follow it are another matter.
+            if sigma > 0.0 && tolerance > 1e-7 {
+                continue;
+            }
+            let fitted = fit(&points, Ask::Tolerance(tolerance), &Options::default()).expect("fits");
+            let (far, pieces) = (searched(&fitted, &points), fitted.curve.segment_count());
+            let what =
+                format!("{count}, {smooth}, noise {sigma}, within {tolerance}: {pieces} pieces, {far} away");
+            assert!(far <= tolerance + 1e-12 * size, "{what}");
+            assert!(fitted.max_error <= tolerance.max(1e-12 * size), "{what}: {}", fitted.max_error);
+            assert_eq!(fitted.status == FitStatus::Converged, fitted.max_error <= tolerance, "{what}");
+            assert!(pieces <= if smooth { count } else { 40 }, "{what}");
         }
     }
 }

@@ -244,7 +244,8 @@ impl Fitter {
         let mut rivals = vec![Sparsest::new(self.located.clone(), smooth, aim, self.noise)];
         if self.options.corners {
             let corners = Sparsest::from_corners(self.located.clone(), plan(1), aim, self.noise);
-            let apart = matches!(aim, Aim::Tolerance(_)) && self.located.points.len() <= MOST_TWICE;
+            let few = self.located.points.len() <= MOST_TWICE || aim.is_fine();
+            let apart = matches!(aim, Aim::Tolerance(_)) && few;
             if apart { others.extend(corners) } else { rivals.extend(corners) }
         }
         self.run = Run::Choice(rivals, others);

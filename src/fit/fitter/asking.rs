@@ -10,6 +10,10 @@ use crate::fit::parametrise::{Parametrisation, given, parametrise};
 use crate::fit::report;
 use crate::limits::{LARGEST_COORDINATE, check};
 
+/// A curve is not looked for nearer to the points than so many roundings of a drawing's size and of its place.
+const ROUNDINGS: f64 = 256.0;
+const PLACED: f64 = 4.0;
+
 impl Fitter {
     /// Starts a run; what an earlier one knew is used.
     ///
@@ -47,7 +51,10 @@ impl Fitter {
             Ask::Tolerance(tolerance) => {
                 check("tolerance", None, *tolerance, 0.0, LARGEST_COORDINATE)?;
                 self.locate(false)?;
-                self.search(Aim::Tolerance(tolerance / self.samples.scale));
+                // Nearer than coordinates are told apart nothing can be.
+                let place = self.samples.center.amax() / self.samples.scale;
+                let least = f64::EPSILON * (ROUNDINGS + PLACED * place);
+                self.search(Aim::Tolerance((tolerance / self.samples.scale).max(least)));
             }
             Ask::MeanSquare(square) => {
                 check("meanSquare", None, *square, 0.0, LARGEST_COORDINATE * LARGEST_COORDINATE)?;

@@ -23,8 +23,14 @@ impl Fitter {
             Run::Search(searches) => {
                 let mut best = &searches[0];
                 for search in &searches[1..] {
-                    let fewer = search.status() == FitStatus::Converged && search.merit() < best.merit();
-                    if fewer || best.status() != FitStatus::Converged && search.is_done() {
+                    let kept = [search, best].map(|search| search.status() == FitStatus::Converged);
+                    let better = match kept {
+                        [true, true] => search.merit() < best.merit(),
+                        // Of curves that are all too far away the nearest is the best.
+                        [false, false] => search.is_done() && search.merit().1 < best.merit().1,
+                        [kept, _] => kept,
+                    };
+                    if better {
                         best = search;
                     }
                 }

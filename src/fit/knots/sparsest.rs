@@ -11,6 +11,7 @@ mod view;
 
 use self::evening::Evening;
 use self::view::View;
+use super::breaks::Breaks;
 use super::foot_points::{Distances, Spline};
 use super::free_knots::{FreeKnots, Located};
 use super::search::{Price, better, settle, thinner};
@@ -31,6 +32,10 @@ const AHEAD: f64 = 20.0;
 const MOST_ROUNDS: usize = 400;
 /// The same in work: a round tries about thirty fits, each a pass over the points and some hundred operations a knot.
 const MOST_WORK: f64 = 1e8;
+/// A tolerance below this, in units of the drawing, is met by nearly as many numbers as the points have: few of them can be spared, and
+/// one in so many of those operations looks for them.
+const FINE: f64 = 1e-7;
+const HURRY: f64 = 5.0;
 
 /// What the curve is to keep to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -154,6 +159,13 @@ impl Effort {
     }
 }
 
+impl Aim {
+    /// Whether so small a tolerance is asked for that it takes nearly all the numbers that the points have.
+    pub(in crate::fit) fn is_fine(self) -> bool {
+        matches!(self, Self::Tolerance(tolerance) if tolerance < FINE)
+    }
+}
+
 impl Sparsest {
     /// Whether needless knots are gone, and needless corners round, so that searches can be compared.
     pub(in crate::fit) fn is_thinned(&self) -> bool {
@@ -216,12 +228,21 @@ impl Sparsest {
         }
     }
 
+    /// How much work so many fits are.
+    fn work_of(&self, fits: f64, breaks: &Breaks) -> f64 {
+        let one = self.view.seen.points.len() as f64 + 40.0 * breaks.coefficients() as f64;
+        fits * one * if self.asked.aim.is_fine() { HURRY } else { 1.0 }
+    }
+
     /// One round of the search.
     pub(in crate::fit) fn step(&mut self) {
         self.effort.rounds += 1;
         let fits = if matches!(self.phase, Phase::Refine | Phase::Last(_)) { 30.0 } else { 2.0 };
-        let knots = self.fitted.breaks().coefficients() as f64;
-        self.effort.work += fits * (self.view.seen.points.len() as f64 + 40.0 * knots);
+        let breaks = match (&self.phase, &self.found) {
+            (Phase::Last(_), Some(found)) if self.asked.aim.is_fine() => &found.spline.space.breaks,
+            _ => self.fitted.breaks(),
+        };
+        self.effort.work += self.work_of(fits, breaks);
         let (tired, was) = (self.effort.is_tired(), self.phase);
         self.phase = match was {
             Phase::Grow if !tired => self.grow(),

@@ -14,6 +14,8 @@ const MOST_VERTICES: usize = 600;
 /// to so much of it.
 const NEAR_NOISE: f64 = 4.0;
 const ALMOST: f64 = 0.98;
+/// So many points a polyline of nearly all of them may be begun with, where a tolerance takes as many.
+const MOST_THROUGH: usize = 6000;
 
 impl Sparsest {
     /// A search among the splines of a plan. `noise` is what is known of the points even where a tolerance is asked
@@ -61,9 +63,9 @@ impl Sparsest {
         let count = full.points.len();
         let most = MOST_VERTICES.min(count / 3);
         let mut vertices = polyline::vertices(&full.points, plan.closed, near, most);
+        let near_noise = matches!(aim, Aim::Tolerance(tolerance) if tolerance < NEAR_NOISE * noise);
         if let Aim::Tolerance(tolerance) = aim
-            && count <= FEW
-            && tolerance < NEAR_NOISE * noise
+            && (near_noise && count <= FEW || aim.is_fine() && count <= MOST_THROUGH)
         {
             let fewest = polyline::fewest(&full.points, plan.closed, ALMOST * tolerance);
             vertices = vertices.filter(|found| found.len() <= fewest.len()).or(Some(fewest));
@@ -85,7 +87,8 @@ impl Sparsest {
             let spline = polyline::through(&vertices, &search.view.full, breaks);
             let mut located = search.view.full.clone();
             let distances = spline.project_beyond(&mut located, 3, search.near());
-            if distances.largest <= tolerance {
+            // Through nearly all points it is as near as can be.
+            if distances.largest <= tolerance || aim.is_fine() {
                 search.found = Some(Found { spline, located, distances, wild: None });
             }
         }

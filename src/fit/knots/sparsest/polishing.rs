@@ -208,6 +208,11 @@ impl Sparsest {
                 self.fitted = FreeKnots::new(breaks, &self.view.seen);
                 Phase::Polish
             }
+            // What is too far away hides between averages.
+            None if self.view.is_averaged() && !self.effort.is_tired() => match &self.found {
+                Some(found) => self.look_closer(found.spline.space.breaks.clone()),
+                None => Phase::Done,
+            },
             _ => Phase::Done,
         }
     }

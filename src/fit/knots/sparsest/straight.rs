@@ -1,6 +1,6 @@
 //! Pieces that are straight as far as the points can tell become straight.
 
-use super::{Aim, Found, PER_NUMBER, Phase, Sparsest};
+use super::{Aim, Found, MOST_WORK, PER_NUMBER, Phase, Sparsest};
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::even::{Spaced, by_length};
 use crate::fit::knots::foot_points::Spline;
@@ -16,6 +16,9 @@ const SHARE: f64 = 0.01;
 /// A piece that would cost so many times what its numbers are worth, knots where they are, is not tried alone: knots that
 /// slide seldom make up for more.
 const HOPELESS: f64 = 1.5;
+/// The share of a search's work that joining straight pieces may take, and how many fits a trial is worth.
+const JOINING: f64 = 0.5;
+const TRIAL: f64 = 7.0;
 /// Steps to a fit with other straight pieces, and the share of a number's price that makes another one.
 const FEW_SLIDES: usize = 3;
 const EASILY: f64 = 0.1;
@@ -153,13 +156,17 @@ impl Sparsest {
     fn with_fewer(&self, mut best: Found, number: f64) -> Found {
         // A vertex of a polyline is its place along the points and on the plane.
         let worth = 3.0 * number;
-        let mut k = 0;
+        let (mut k, mut work) = (0, 0.0);
         while k < best.spline.space.breaks.len() {
             let breaks = &best.spline.space.breaks;
             let (before, after) = best.spline.space.sides(k);
             let between = breaks.is_straight(before) && breaks.is_straight(after);
             let mut fewer = breaks.clone();
             fewer.remove(k);
+            if between && work > JOINING * MOST_WORK {
+                break;
+            }
+            work += if between { self.work_of(TRIAL, breaks) } else { 0.0 };
             let found =
                 if between && breaks.len() > least(breaks) { self.on(fewer, &best, worth) } else { None };
             match found {
