@@ -129,3 +129,20 @@ test("four turns by keys are one entry of the history, and one point alone turns
   assert.deepEqual([x, y], [476, 160]);
   assert.ok(Math.abs(Math.atan2(out.dy, out.dx) - Math.PI / 12) < 1e-12);
 });
+
+test("what is chosen beside whole contours goes along, and nothing else moves", async () => {
+  const hand = new Hand("heart").run("select-all").run("duplicate");
+  const whole = hand.editor.state.value.selection.points;
+  assert.ok(whole.length === 6 && whole.every(({ contour }) => contour === 1));
+  const before = hand.curve.contours;
+  const points = [...whole, { contour: 0, index: 2 }];
+  hand.editor.patch({ selection: { points, handle: null } });
+  await loaded(hand.run("flip-across"));
+  const xs = points.map(({ contour, index }) => before[contour]?.points[index]?.x ?? NaN);
+  const sum = Math.min(...xs) + Math.max(...xs);
+  before.forEach((contour, c) => contour.points.forEach((point, index) => {
+    const now = hand.point(index, c);
+    if (!points.some((ref) => ref.contour === c && ref.index === index)) return assert.deepEqual(now, point);
+    assert.ok(Math.abs(now.x - (sum - point.x)) < 1e-9 && now.y === point.y && Math.abs(now.out.dx + point.out.dx) < 1e-9, `point ${c}-${index}`);
+  }));
+});
