@@ -147,6 +147,16 @@ impl Samples {
         &self.ring[inside(start).min(end)..end]
     }
 
+    /// All places that have as many before them as after them, by their index, in the middle of those.
+    pub(super) fn surroundings(&self, reach: usize) -> impl Iterator<Item = (usize, &[Point])> {
+        let count = self.count;
+        let rounds = if 2 * reach > count { 0 } else { count };
+        self.ring.windows(2 * reach + 1).take(rounds).enumerate().map(move |(first, around)| {
+            let i = first + reach;
+            (if i < count { i } else { i - count }, around)
+        })
+    }
+
     /// The place and the tangent at index i, from a cubic in the distance: over as much on both sides, from `least` up to
     /// `most` places, as the cubic stays near to.
     pub(super) fn smoothed(&self, i: isize, least: isize, most: isize) -> (Point, Vector) {
@@ -235,31 +245,34 @@ pub(super) fn turn(from: Vector, to: Vector) -> f64 {
 
 /// The line that is nearest to the places in the mean square.
 pub(super) fn line_through(points: &[Point]) -> Line {
-    let mut middle = Vector::zeros();
-    for p in points {
-        middle += p;
-    }
-    middle /= points.len() as f64;
+    // Seen from the first place the sums are as exact as about the middle, which is not known yet.
+    let first = points[0];
+    let mut sum = Vector::zeros();
     let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
     for p in points {
-        let d = p - middle;
+        let d = p - first;
+        sum += d;
         xx += d.x * d.x;
         xy += d.x * d.y;
         yy += d.y * d.y;
     }
+    let mean = sum / points.len() as f64;
+    xx -= sum.x * mean.x;
+    xy -= sum.x * mean.y;
+    yy -= sum.y * mean.y;
     // The axis of the larger moment: half the angle of (xx − yy, 2xy), without angles.
     let (a, b) = (xx - yy, 2.0 * xy);
     let length = (a * a + b * b).sqrt();
     let axis = if length < 1e-300 {
-        points[points.len() - 1] - points[0]
+        points[points.len() - 1] - first
     } else if a >= 0.0 {
         Vector::new(length + a, b)
     } else {
         Vector::new(b, length - a)
     };
     let axis = unit(axis);
-    let along = dot(points[points.len() - 1] - points[0], axis);
-    Line { middle, direction: if along < 0.0 { -axis } else { axis } }
+    let along = dot(points[points.len() - 1] - first, axis);
+    Line { middle: first + mean, direction: if along < 0.0 { -axis } else { axis } }
 }
 
 impl Line {

@@ -57,7 +57,10 @@ pub(in crate::trace) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<
         let least = [0.6 * rule.angle, rule.angle, rule.angle / STEEP];
         let cosines = least.map(|angle| crate::numerics::angle::sin_cos(angle).1);
         let reach = reach(samples, rule);
-        let scores: Vec<f64> = (0..count).map(|i| score(samples, i, reach, cosines)).collect();
+        let mut scores = vec![0.0; samples.len()];
+        for (i, around) in samples.surroundings(reach[1]) {
+            scores[i] = score(around, reach, cosines);
+        }
         let known = found.len();
         for i in 0..count {
             let own = scores[i as usize];
@@ -99,33 +102,22 @@ fn without_doubles(found: Vec<Corner>, samples: &Samples) -> Vec<Corner> {
 }
 
 /// Where a side begins and where it ends, in places from a corner.
-fn reach(samples: &Samples, rule: &CornerRule) -> [isize; 2] {
-    [samples.steps(rule.gap), samples.steps(rule.gap + rule.window)]
+fn reach(samples: &Samples, rule: &CornerRule) -> [usize; 2] {
+    [rule.gap, rule.gap + rule.window].map(|far| samples.steps(far) as usize)
 }
 
-fn sides(samples: &Samples, i: isize, [near, far]: [isize; 2]) -> [&[Point]; 2] {
-    [samples.stretch(i - far, i - near), samples.stretch(i + near, i + far)]
-}
-
-/// How much of a corner a place is; nothing where the cosine of the turning is larger than one of three: between chords, between lines and
-/// between tangents.
-fn score(samples: &Samples, i: isize, reach: [isize; 2], [cosine, least, soft]: [f64; 3]) -> f64 {
-    let [_, far] = reach;
-    if 2 * far > samples.len() as isize {
-        return 0.0;
-    }
-    if !samples.closed && (i < far || i + far >= samples.len() as isize) {
-        return 0.0;
-    }
-    let here = samples.at(i);
-    let (before, after) = (here - samples.at(i - far), samples.at(i + far) - here);
+/// How much of a corner the place in the middle is; nothing where the cosine of the turning is larger than one of three: between
+/// chords, between lines and between tangents.
+fn score(around: &[Point], [near, far]: [usize; 2], [cosine, least, soft]: [f64; 3]) -> f64 {
+    let here = around[far];
+    let (before, after) = (here - around[0], around[2 * far] - here);
     let along = dot(before, after);
     // Of two sides of the inequality with equal signs the squares are compared.
     let (ours, theirs) = (along * along.abs(), cosine * cosine.abs() * square(before) * square(after));
     if ours > theirs {
         return 0.0;
     }
-    let [before, after] = sides(samples, i, reach);
+    let (before, after) = (&around[..=far - near], &around[far + near..]);
     let (first, second) = (line_through(before), line_through(after));
     // Less than a corner is nothing: most curves end here.
     if dot(first.direction, second.direction) > least {
@@ -147,34 +139,31 @@ fn score(samples: &Samples, i: isize, reach: [isize; 2], [cosine, least, soft]: 
 /// The tangent at the place that a side leads to, by a parabola over the side's own axis, the line through it.
 fn end_tangent(side: &[Point], line: &Line, here: Point, sign: f64) -> Vector {
     let normal = Vector::new(-line.direction.y, line.direction.x);
-    // Least squares of y = a + bx + cx² about the middle, where Σx = 0.
-    let (mut x2, mut x3, mut x4, mut y0, mut y1, mut y2) = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    // Least squares of y = a + bx + cx² about the middle, where Σx = 0, and along the axis, where Σy and Σxy are 0.
+    let (mut x2, mut x3, mut x4, mut y2) = (0.0, 0.0, 0.0, 0.0);
     for p in side {
         let (x, y) = (dot(p - line.middle, line.direction), dot(p - line.middle, normal));
-        x2 += x * x;
-        x3 += x * x * x;
-        x4 += x * x * x * x;
-        y0 += y;
-        y1 += x * y;
-        y2 += x * x * y;
+        let xx = x * x;
+        x2 += xx;
+        x3 += xx * x;
+        x4 += xx * xx;
+        y2 += xx * y;
     }
-    let n = side.len() as f64;
-    // From a = (y0 − c·x2)/n: [x2 x3; x3 x4 − x2²/n]·(b, c) = (y1, y2 − x2·y0/n).
-    let (d, e) = (x4 - x2 * x2 / n, y2 - x2 * y0 / n);
-    let determinant = x2 * d - x3 * x3;
+    // From a = −c·x2/n: [x2 x3; x3 x4 − x2²/n]·(b, c) = (0, y2).
+    let determinant = x2 * (x4 - x2 * x2 / side.len() as f64) - x3 * x3;
     if determinant.abs() < 1e-9 {
         return line.direction;
     }
-    let (b, c) = ((y1 * d - e * x3) / determinant, (x2 * e - x3 * y1) / determinant);
     // Extrapolated to the place, which is no farther than the side is long.
     let reach = norm(side[side.len() - 1] - side[0]);
     let x = sign * (sign * dot(here - line.middle, line.direction)).max(0.0).min(1.2 * reach);
-    unit(line.direction + normal * (b + 2.0 * c * x))
+    unit(line.direction + normal * (y2 / determinant * (2.0 * x2 * x - x3)))
 }
 
 fn place(samples: &Samples, i: isize, rule: &CornerRule) -> Option<Point> {
-    let [before, after] = sides(samples, i, reach(samples, rule));
-    let (first, second): (Line, Line) = (line_through(before), line_through(after));
+    let [near, far] = reach(samples, rule).map(|steps| steps as isize);
+    let first = line_through(samples.stretch(i - far, i - near));
+    let second = line_through(samples.stretch(i + near, i + far));
     let point = first.meets(&second)?;
     // The pixels cut more off a sharp tip than off a right angle.
     let half = 0.5 * turn(first.direction, second.direction).abs();

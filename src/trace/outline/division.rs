@@ -5,7 +5,7 @@ mod runs;
 
 use self::runs::Run;
 use super::corners::Corner;
-use super::cubic::{Cubic, Tangent};
+use super::cubic::{Cubic, Fitted, Tangent};
 use super::{Node, Outline, Piece};
 use crate::numerics::Point;
 use crate::numerics::plane::norm;
@@ -237,36 +237,28 @@ impl Divider<'_> {
             let least = 4.min(end.index - at.index);
             let furthest = end.index.min(at.index + self.longest);
             let mut good = at.index + least;
-            let mut found = self.fit(at, self.anchor(good, at, end));
             // The whole way is tried first, if it may not be too long.
             let whole = at.index == start.index || furthest - at.index <= 4 * span;
-            let all = whole.then(|| self.fit(at, self.anchor(furthest, at, end)));
-            if let Some(all) = all
-                && self.near(&all)
-            {
-                (good, found) = (furthest, all);
+            let mut found = if whole { self.near(at, furthest, end) } else { None };
+            if found.is_some() {
+                good = furthest;
             } else {
                 // Pieces are about as long as the one before: double from there, then halve.
                 let mut step = span;
                 let mut grows = true;
                 while step > 0 {
                     let wish = good + step;
-                    let fitted = (wish < furthest).then(|| self.fit(at, self.anchor(wish, at, end)));
-                    match fitted {
-                        Some(fitted) if self.near(&fitted) => {
-                            (good, found) = (wish, fitted);
-                            step = if grows { 2 * step } else { step / 2 };
-                        }
-                        _ => {
-                            grows = false;
-                            step /= 2;
-                        }
+                    let longer = if wish < furthest { self.near(at, wish, end) } else { None };
+                    grows &= longer.is_some();
+                    if longer.is_some() {
+                        (good, found) = (wish, longer);
                     }
+                    step = if grows { 2 * step } else { step / 2 };
                 }
             }
             span = ((good - at.index) / 2).max(least);
-            let next = self.anchor(good, at, end);
-            pieces.push((at, found.cubic));
+            let (next, fitted) = found.unwrap_or_else(|| self.fit(at, good, end));
+            pieces.push((at, fitted.cubic));
             at = next;
         }
         pieces
@@ -284,17 +276,23 @@ impl Divider<'_> {
         self.smooth(index, room.max(2))
     }
 
-    fn near(&self, fitted: &super::cubic::Fitted) -> bool {
-        fitted.most <= self.rule.most && fitted.rms <= self.rule.rms
-    }
-
-    fn fit(&self, start: Anchor, end: Anchor) -> super::cubic::Fitted {
+    /// A cubic from an anchor to the one at a place before `end`.
+    #[inline(never)]
+    fn fit(&self, start: Anchor, index: isize, end: Anchor) -> (Anchor, Fitted) {
+        let next = self.anchor(index, start, end);
         let gap = |anchor: Anchor| {
             if anchor.tangent == Tangent::Free { self.samples.steps(self.rule.gap) } else { 1 }
         };
-        let (first, last) = (start.index + gap(start), end.index - gap(end));
+        let (first, last) = (start.index + gap(start), next.index - gap(next));
         let places = if first <= last { self.samples.stretch(first, last) } else { &[] };
-        Cubic::fit(start.point, end.point, places, [start.tangent, end.tangent])
+        (next, Cubic::fit(start.point, next.point, places, [start.tangent, next.tangent]))
+    }
+
+    /// The same, if it is near enough.
+    fn near(&self, start: Anchor, index: isize, end: Anchor) -> Option<(Anchor, Fitted)> {
+        let near =
+            |(_, fitted): &(Anchor, Fitted)| fitted.most <= self.rule.most && fitted.rms <= self.rule.rms;
+        Some(self.fit(start, index, end)).filter(near)
     }
 }
 

@@ -39,9 +39,9 @@ impl Divider<'_> {
             }
             let trim = (good - i) / 8;
             let core = self.samples.stretch(i + trim, good - trim);
-            if self.sagitta(core).abs() < 0.3 * self.rule.straight {
+            let line = line_through(core);
+            if sagitta(core, &line).abs() < 0.3 * self.rule.straight {
                 // The ends of the longest run lean into what follows.
-                let line = line_through(core);
                 let fits = |i: isize| line.offset(self.samples.at(i)).abs() < 0.5 * self.rule.straight;
                 let (mut from, mut to) = (i, good);
                 while from < i + trim && !fits(from) {
@@ -79,20 +79,6 @@ impl Divider<'_> {
         points.iter().rev().all(|&p| line.offset(p).abs() <= self.rule.straight)
     }
 
-    /// How far the middle of some places bends away from the line through them, by least squares of a parabola.
-    fn sagitta(&self, points: &[Point]) -> f64 {
-        let line = line_through(points);
-        let n = points.len() as f64;
-        let (mut moment, mut fourth) = (0.0, 0.0);
-        for (i, &p) in points.iter().enumerate() {
-            let x = (i as f64 + 0.5) / n * 2.0 - 1.0;
-            let bowl = x * x - 1.0 / 3.0;
-            moment += bowl * line.offset(p);
-            fourth += bowl * bowl;
-        }
-        moment / fourth
-    }
-
     /// Whether a stretch is one line.
     pub(super) fn is_line(&self, start: Anchor, end: Anchor) -> bool {
         let gap = self.samples.steps(self.rule.gap);
@@ -102,11 +88,24 @@ impl Divider<'_> {
         if end.index - start.index >= self.longest * 2 {
             return false;
         }
-        let off = |i: isize| line.offset(self.samples.at(i));
-        let most = (first..=last).fold(0.0_f64, |most, i| most.max(off(i).abs()));
-        if most > 1.5 * self.rule.straight {
+        let is_off = |i: isize| line.offset(self.samples.at(i)).abs() > 1.5 * self.rule.straight;
+        if (first..=last).any(is_off) {
             return false;
         }
-        last - first < 6 || self.sagitta(self.samples.stretch(first, last)).abs() < 0.4 * self.rule.straight
+        let places = self.samples.stretch(first, last);
+        last - first < 6 || sagitta(places, &line_through(places)).abs() < 0.4 * self.rule.straight
     }
+}
+
+/// How far the middle of some places bends away from the line through them, by least squares of a parabola.
+fn sagitta(points: &[Point], line: &Line) -> f64 {
+    let n = points.len() as f64;
+    let (mut moment, mut fourth) = (0.0, 0.0);
+    for (i, &p) in points.iter().enumerate() {
+        let x = (i as f64 + 0.5) / n * 2.0 - 1.0;
+        let bowl = x * x - 1.0 / 3.0;
+        moment += bowl * line.offset(p);
+        fourth += bowl * bowl;
+    }
+    moment / fourth
 }
