@@ -112,7 +112,12 @@ impl Refinement {
         if self.place.block == 0 && thinning.merging.is_none() {
             if thinning.round == 0 && thinning.start.is_none() {
                 if self.picture.is_rough() {
-                    make_round(trial.refiner, trial.field, trial.shape, KNOWN * self.picture.grain);
+                    let known = if self.picture.is_sampled() {
+                        trial.limits.noise
+                    } else {
+                        KNOWN * self.picture.grain
+                    };
+                    make_round(trial.refiner, trial.field, trial.shape, known);
                 }
                 // Nothing is to be taken away from an ellipse.
                 if ellipse(&trial.shape.outline, self.picture.slack)?.is_some() {
