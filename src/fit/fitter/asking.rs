@@ -10,9 +10,8 @@ use crate::fit::parametrise::{Parametrisation, given, parametrise};
 use crate::fit::report;
 use crate::limits::{LARGEST_COORDINATE, check};
 
-/// A curve is not looked for nearer to the points than so many roundings of a drawing's size and of its place.
+/// A curve is not looked for nearer to the points than one rounding of its place and so many of a drawing's size.
 const ROUNDINGS: f64 = 256.0;
-const PLACED: f64 = 4.0;
 
 impl Fitter {
     /// Starts a run; what an earlier one knew is used.
@@ -53,7 +52,7 @@ impl Fitter {
                 self.locate(false)?;
                 // Nearer than coordinates are told apart nothing can be.
                 let place = self.samples.center.amax() / self.samples.scale;
-                let least = f64::EPSILON * (ROUNDINGS + PLACED * place);
+                let least = f64::EPSILON * (ROUNDINGS + place);
                 self.search(Aim::Tolerance((tolerance / self.samples.scale).max(least)));
             }
             Ask::MeanSquare(square) => {
