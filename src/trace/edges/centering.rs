@@ -104,14 +104,8 @@ impl Spine {
                 continue;
             }
             capped[usize::from(last)] = true;
-            let end = cap(centres, self.outward(last), half_width);
             let outward = self.outward(last);
-            points.retain(|p| dot(p - end, outward) < -0.5 || norm(p - end) > 2.0 * half_width);
-            if last {
-                points.push(end);
-            } else {
-                points.insert(0, end);
-            }
+            end_at(&mut points, last, cap(centres, outward, half_width), outward, 0.5, half_width);
         }
         (points, capped)
     }
@@ -251,13 +245,13 @@ fn reach_out(
     if norm(target - end) > 3.5 * half_width + 3.0 {
         return;
     }
-    let outward = unit(line.direction);
-    points.retain(|p| dot(p - target, outward) < -0.3 || norm(p - target) > 2.0 * half_width);
-    if last {
-        points.push(target);
-    } else {
-        points.insert(0, target);
-    }
+    end_at(points, last, target, unit(line.direction), 0.3, half_width);
+}
+
+/// Ends a line at a place: points near it go that are not at least `before` it, seen along the way outwards.
+fn end_at(points: &mut Vec<Point>, last: bool, end: Point, outward: Vector, before: f64, half_width: f64) {
+    points.retain(|p| dot(p - end, outward) < -before || norm(p - end) > 2.0 * half_width);
+    points.insert(if last { points.len() } else { 0 }, end);
 }
 
 /// Where a ray meets a segment, and how far ahead.
