@@ -69,8 +69,8 @@ impl Chain {
         (10.0 * self.noise() + 2.0).clamp(3.0, 8.0)
     }
 
-    /// Where a closed chain begins: at the cusp nearest to the lower left, or, without cusps, in the middle of its straightest stretch, where the
-    /// tangent is known best. An open chain begins at its first point.
+    /// Where a closed chain begins: at the cusp nearest to the lower left, or, without cusps, in the middle of its straightest
+    /// stretch, where the tangent is known best. An open chain begins at its first point.
     pub fn start(&self, cusps: &[Cusp], window: f64) -> usize {
         if !self.is_closed() {
             return 0;
@@ -93,7 +93,8 @@ impl Chain {
 
     /// Follows the chain by one spline per tube: cusps, tubes, joints, splines.
     ///
-    /// Splines meet at the cusps' own points, and elsewhere at the smoothed point of the chain, with its tangent: the curve is smooth there.
+    /// Splines meet at the cusps' own points, and elsewhere at the smoothed point of the chain, with its tangent: the curve is
+    /// smooth there.
     ///
     /// # Errors
     ///

@@ -59,8 +59,8 @@ impl QuasiInterpolant {
     /// The quasi-interpolant of `cloud` on `knots`, with `ends` held as they say.
     ///
     /// With [`Estimator::Mean`] constants are reproduced, and the spline stays between the least and the largest ordinate;
-    /// with [`Estimator::Local`] all polynomials of the degree are reproduced; with [`Estimator::Projected`] all splines on the knots are, but for
-    /// about a thousandth of the jumps of their highest derivative, where every piece has a point or more.
+    /// with [`Estimator::Local`] all polynomials of the degree are reproduced; with [`Estimator::Projected`] all splines on the
+    /// knots are, but for about a thousandth of the jumps of their highest derivative, where every piece has a point or more.
     ///
     /// # Errors
     ///

@@ -224,8 +224,8 @@ impl Tracer {
         Ok(progress)
     }
 
-    /// After a step was refused for too many contours: the least speckle, in square pixels, that leaves as many as are allowed. There is none for
-    /// centre lines.
+    /// After a step was refused for too many contours: the least speckle, in square pixels, that leaves as many as are allowed.
+    /// There is none for centre lines.
     pub fn offer(&self) -> Option<f64> {
         self.work.offer()
     }

@@ -168,8 +168,8 @@ impl<'a> Projection<'a> {
     }
 }
 
-/// The jump of the p-th derivative at interior knot i, from the p + 2 coefficients that make it, times the p-th power of the mean distance to
-/// the knots beside it; nothing where knots are the same.
+/// The jump of the p-th derivative at interior knot i, from the p + 2 coefficients that make it, times the p-th power of the mean
+/// distance to the knots beside it; nothing where knots are the same.
 fn jump(knots: &Knots, i: usize) -> Row {
     let degree = knots.degree();
     let list = knots.as_slice();

@@ -145,8 +145,8 @@ pub enum Method {
     },
 }
 
-/// The root mean square error of predicting each point from the others by the local estimator, its weights kept: r/(1 − h) with h the share of a
-/// point's ordinate in its own value.
+/// The root mean square error of predicting each point from the others by the local estimator, its weights kept: r/(1 − h) with h
+/// the share of a point's ordinate in its own value.
 ///
 /// # Errors
 ///
@@ -168,8 +168,8 @@ pub fn left_out_locally(cloud: &Cloud, knots: &Knots, k: usize, ends: [End; 2]) 
     Ok(root_mean_square(residuals.iter().zip(&own).map(|(r, h)| r / (1.0 - h).max(0.05))))
 }
 
-/// The knots of a tube and its number of neighbours, by the method's rule: even ones, up to the least of 8 and a third of the points less two, with
-/// 1 … 9 neighbours, for means; or placed ones.
+/// The knots of a tube and its number of neighbours, by the method's rule: even ones, up to the least of 8 and a third of the
+/// points less two, with 1 … 9 neighbours, for means; or placed ones.
 ///
 /// `None` where there are fewer than 3 points: such a tube is a line.
 ///

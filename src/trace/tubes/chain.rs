@@ -107,7 +107,8 @@ impl Chain {
         }
     }
 
-    /// The points within `window` along the chain on one side of point i, nearest first, with their distances along it. Never more than once around.
+    /// The points within `window` along the chain on one side of point i, nearest first, with their distances along it. Never
+    /// more than once around.
     pub(super) fn side(&self, i: usize, window: f64, forward: bool, visit: &mut dyn FnMut(f64, Point)) {
         let (mut at, mut travelled) = (i, 0.0);
         for _ in 1..self.points.len() {
@@ -121,8 +122,8 @@ impl Chain {
         }
     }
 
-    /// Point, tangent and curvature at point i: the parabola in the distance along the chain that is nearest, in the mean square, to the points within
-    /// `window` on both sides.
+    /// Point, tangent and curvature at point i: the parabola in the distance along the chain that is nearest, in the mean square,
+    /// to the points within `window` on both sides.
     ///
     /// # Cost
     ///
@@ -160,8 +161,8 @@ impl Chain {
 
     /// Divides the chain into tubes: at every cusp, and where the tangent has turned by more than `angle` since the tube began.
     ///
-    /// A closed chain begins at its first cusp, or at point 0. Every point belongs to a tube; neighbours share their joint. With `angle` below a quarter
-    /// turn every tube is a graph over its chord (D 14.7).
+    /// A closed chain begins at its first cusp, or at point 0. Every point belongs to a tube; neighbours share their joint. With
+    /// `angle` below a quarter turn every tube is a graph over its chord (D 14.7).
     ///
     /// # Errors
     ///
@@ -275,7 +276,8 @@ impl Frame {
 
 /// The weighted quasi-interpolant of a tube between its joints, with as many knots and neighbours as `method` chooses.
 ///
-/// The frame has both joints on its x axis; points beyond them do not count. At a joint with a tangent the second control point is on the tangent.
+/// The frame has both joints on its x axis; points beyond them do not count. At a joint with a tangent the second control point
+/// is on the tangent.
 ///
 /// # Errors
 ///

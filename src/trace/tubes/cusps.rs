@@ -50,9 +50,9 @@ impl Wing {
 impl Chain {
     /// The cusps, by index.
     ///
-    /// Both sides of a point are followed by a line and by a parabola. The turning between the lines, or 1.6 times that between the parabolas'
-    /// tangents at the point if it is less, has to be a local maximum over the window and at least the rule's angle (D 14.5). Where the lines meet
-    /// farther from the chain than the rule's reach it is a small round and no cusp.
+    /// Both sides of a point are followed by a line and by a parabola. The turning between the lines, or 1.6 times that between
+    /// the parabolas' tangents at the point if it is less, has to be a local maximum over the window and at least the rule's
+    /// angle (D 14.5). Where the lines meet farther from the chain than the rule's reach it is a small round and no cusp.
     ///
     /// # Errors
     ///
@@ -85,7 +85,8 @@ impl Chain {
         Ok(found)
     }
 
-    /// The points on one side of point i with their distances from it along the chain, nearest first; `None` where the side is not long enough.
+    /// The points on one side of point i with their distances from it along the chain, nearest first; `None` where the side is
+    /// not long enough.
     fn wing(&self, i: usize, rule: &CuspRule, forward: bool) -> Option<Wing> {
         let here = self.points()[i];
         let mut wing = Wing { points: Vec::new(), parabola: Parabola::new(), forward };
