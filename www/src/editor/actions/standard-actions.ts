@@ -157,6 +157,7 @@ const transforms: readonly Action[] = ([
   ["shrink", "Shrink again", "<"],
   ["flip-across", "Flip left and right", "Shift+H"],
   ["flip-down", "Flip top and bottom", "Shift+V"],
+  ["join", "Join two ends", "J"],
 ] as const).map(([id, label, key]) =>
   action(id, label, "Points", [key], (editor) => framed(editor, ({ transforms: all }) => all[id](editor)), { enabled: hasSelection }),
 );

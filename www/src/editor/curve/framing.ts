@@ -1,7 +1,9 @@
 import { stretching, transformPoints, turning, type Affine } from "../../document/curve/affine.ts";
+import { joinEnds } from "../../document/curve/joining.ts";
 import { pointAt } from "../../document/document.ts";
 import { boundsOf, type Bounds } from "../../kernel/curve/samples.ts";
 import type { Editor, EditorState } from "../editor.ts";
+import { refuse } from "./edits.ts";
 import { toScreen, type PagePoint, type ScreenPoint } from "../pointer/camera.ts";
 
 /** The frame around contours that are chosen as a whole, its grips, and what turns and stretches what is chosen. */
@@ -116,6 +118,15 @@ function grow(editor: Editor, factor: number): void {
   transform(editor, "Stretch", middleOf(editor.state.value), (centre) => stretching(centre, factor, factor));
 }
 
+/** Ends that stand a pixel apart on the screen look like one. */
+function join(editor: Editor): void {
+  const { curve, selection, view } = editor.state.value;
+  const [one, other, ...more] = selection.points;
+  const command = one === undefined || other === undefined || more.length > 0 ? null : joinEnds(curve, [one, other], 1 / view.zoom);
+  if (command === null) return refuse(editor, "Choose two open ends of tangent-handle curves of one space.");
+  editor.dispatch(command);
+}
+
 /** What keys and menus do to the chosen points, by the names of the actions. */
 export const transforms = {
   "turn-right": (editor: Editor): void => turn(editor, 15),
@@ -124,6 +135,7 @@ export const transforms = {
   shrink: (editor: Editor): void => grow(editor, 1 / 1.1),
   "flip-across": (editor: Editor): void => flip(editor, -1, 1),
   "flip-down": (editor: Editor): void => flip(editor, 1, -1),
+  join,
 } as const;
 
 /** Every point of the contours of which one is chosen, or which the pointer is over. */

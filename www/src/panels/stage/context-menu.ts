@@ -7,7 +7,7 @@ function itemsFor({ hover, curve }: EditorState): readonly string[] {
   switch (hover.kind) {
     case "point":
     case "handle":
-      return ["smooth", "symmetric", "cusp", "reset-handles", "delete", "delete-open", "start-here", "reverse", "select-contour"];
+      return ["smooth", "symmetric", "cusp", "reset-handles", "delete", "delete-open", "join", "start-here", "reverse", "select-contour"];
     case "curve":
       return ["insert-here", "reverse", "select-contour"];
     case "grip":
