@@ -73,7 +73,7 @@ impl Equations {
     /// O(parts of the pieces + unknowns · band²).
     pub(super) fn solve(
         &mut self,
-        field: &Field,
+        field: &mut Field,
         outline: &Outline,
         parts: &[Vec<Part>],
         damping: f64,
@@ -89,6 +89,7 @@ impl Equations {
         for (&i, &end) in self.pieces.iter().zip(&self.ends) {
             let terms = &self.terms[from..end];
             from = end;
+            field.hear(parts[i].iter().map(|part| part.pixel));
             let (pull, matrix) = if outline.is_line(i) {
                 let cubic = outline.cubic(i);
                 (pull(&parts[i], field, true, &mut left), line(cubic.start, cubic.end, stiffness))

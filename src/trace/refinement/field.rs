@@ -19,6 +19,9 @@ pub(super) const NONE: u32 = u32::MAX;
 const REACH: usize = SIDE;
 /// Pixels along the side of a tile with those around it.
 const WIDE: usize = SIDE + 2 * REACH;
+/// A tile and the eight around it, column by column.
+type Block = [[[f32; SIDE]; 3]; WIDE];
+const EMPTY: Block = [[[0.0; SIDE]; 3]; WIDE];
 
 /// The share of pixels beside outlines that are off their tone from which on a picture is not one of exact coverage.
 const ROUGH: f64 = 0.2;
@@ -75,8 +78,10 @@ struct Blur {
     half: Vec<f32>,
     target: Vec<f32>,
     cover: Vec<f32>,
-    /// What is left, blurred once more: what it says to the outlines.
+    /// What is left, blurred once more: what it says to the outlines. Found for tiles that are asked, as most trials ask few.
     lead: Vec<f32>,
+    /// Tiles whose lead is not known.
+    unheard: Vec<bool>,
     /// Tiles whose coverage has changed.
     changed: Vec<u32>,
 }
@@ -231,10 +236,12 @@ impl Field {
         let mut changed = core::mem::take(&mut blur.changed);
         sort_in_place(&mut changed);
         changed.dedup();
-        let near = self.around(&changed);
-        let mut growth = 0.0;
+        let mut near = self.around(&changed);
+        sort_in_place(&mut near);
+        near.dedup();
+        let (mut growth, mut block) = (0.0, EMPTY);
         for &slot in &near {
-            let blurred = self.blurred(&blur.cover, slot, &blur.half, true);
+            let blurred = self.blurred(&mut block, &blur.cover, slot, &blur.half, true);
             let from = slot as usize * AREA;
             for (i, value) in blurred.iter().enumerate() {
                 let (before, after) = (self.rest[from + i], blur.target[from + i] - value);
@@ -243,15 +250,30 @@ impl Field {
             }
         }
         for slot in self.around(&near) {
-            let from = slot as usize * AREA;
-            let blurred = self.blurred(&self.rest, slot, &blur.half, false);
-            blur.lead[from..from + AREA].copy_from_slice(&blurred);
+            blur.unheard[slot as usize] = true;
         }
         self.blur = Some(blur);
         growth
     }
 
-    /// What every pixel says to the outlines.
+    /// What these pixels say to the outlines becomes known.
+    pub(super) fn hear(&mut self, pixels: impl Iterator<Item = u32>) {
+        let Some(mut blur) = self.blur.take() else { return };
+        let mut block = EMPTY;
+        for pixel in pixels {
+            let slot = pixel / AREA as u32;
+            if let Some(unheard) = blur.unheard.get_mut(slot as usize)
+                && core::mem::take(unheard)
+            {
+                let from = slot as usize * AREA;
+                let blurred = self.blurred(&mut block, &self.rest, slot, &blur.half, false);
+                blur.lead[from..from + AREA].copy_from_slice(&blurred);
+            }
+        }
+        self.blur = Some(blur);
+    }
+
+    /// What every pixel that was heard says to the outlines.
     pub(super) fn lead(&self) -> &[f32] {
         self.blur.as_ref().map_or(&self.rest, |blur| &blur.lead)
     }
@@ -276,9 +298,9 @@ impl Field {
         let cover: Vec<f32> = target.iter().zip(&self.rest).map(|(t, r)| t - r).collect();
         let square = |field: &Self, sigma: f64| {
             let half = half_of(sigma);
-            let mut sum = 0.0;
+            let (mut sum, mut block) = (0.0, EMPTY);
             for slot in 0..field.places.len() {
-                let blurred = field.blurred(&cover, slot as u32, &half, true);
+                let blurred = field.blurred(&mut block, &cover, slot as u32, &half, true);
                 for (value, target) in blurred.iter().zip(&target[slot * AREA..]) {
                     sum += f64::from(target - value) * f64::from(target - value);
                 }
@@ -303,23 +325,24 @@ impl Field {
     pub(super) fn blur_both(&mut self, target: Vec<f32>, sigma: f64) {
         let half = half_of(sigma);
         let cover: Vec<f32> = target.iter().zip(&self.rest).map(|(t, r)| t - r).collect();
-        let mut blurred = Vec::with_capacity(target.len());
+        let (mut blurred, mut block) = (Vec::with_capacity(target.len()), EMPTY);
         for slot in 0..self.places.len() {
-            blurred.extend(self.blurred(&target, slot as u32, &half, true));
+            blurred.extend(self.blurred(&mut block, &target, slot as u32, &half, true));
         }
         self.blur(blurred, cover, half);
     }
 
     fn blur(&mut self, target: Vec<f32>, cover: Vec<f32>, half: Vec<f32>) {
         let changed = (0..self.places.len() as u32).collect();
-        let lead = self.rest.clone();
-        self.blur = Some(Blur { half, target, cover, lead, changed });
+        let (lead, unheard) = (self.rest.clone(), vec![true; self.places.len()]);
+        self.blur = Some(Blur { half, target, cover, lead, unheard, changed });
         self.settle();
     }
 
-    /// Tiles and those next to them, each once.
+    /// Tiles and those next to them, some more than once.
+    #[inline(never)]
     fn around(&self, slots: &[u32]) -> Vec<u32> {
-        let mut found = Vec::with_capacity(slots.len() * 3);
+        let mut found = Vec::with_capacity(slots.len() * 9);
         for &slot in slots {
             let place = self.places[slot as usize] as usize;
             for dy in 0..3 {
@@ -333,22 +356,22 @@ impl Field {
                 }
             }
         }
-        sort_in_place(&mut found);
-        found.dedup();
         found
     }
 
     /// The pixels of one tile, blurred. Where no tile is, the nearest pixel's own side counts, or nothing.
-    fn blurred(&self, plane: &[f32], slot: u32, half: &[f32], own: bool) -> [f32; AREA] {
+    fn blurred(&self, block: &mut Block, plane: &[f32], slot: u32, half: &[f32], own: bool) -> [f32; AREA] {
         let reach = (half.len() - 1).min(REACH);
-        let block = self.block(plane, slot, own);
+        self.fill(block, plane, slot, own);
         let mut out = [0.0; AREA];
         for (x, out) in out.as_chunks_mut::<SIDE>().0.iter_mut().enumerate() {
-            let column = |at: usize| block[REACH + at].as_flattened();
+            // Rows beyond the reach say nothing.
+            let rows = REACH - reach..REACH + SIDE + reach;
+            let column = |at: usize| &block[at].as_flattened()[rows.clone()];
             let mut along = [0.0; WIDE];
-            weigh(&mut along, half[0], [column(x), &[0.0; WIDE]]);
+            weigh(&mut along[rows.clone()], half[0], [column(REACH + x), &[0.0; WIDE]]);
             for (d, &weight) in (1..).zip(&half[1..=reach]) {
-                weigh(&mut along, weight, [block[REACH + x - d].as_flattened(), column(x + d)]);
+                weigh(&mut along[rows.clone()], weight, [column(REACH + x - d), column(REACH + x + d)]);
             }
             weigh(out, half[0], [&along[REACH..REACH + SIDE], &[0.0; SIDE]]);
             for (d, &weight) in (1..).zip(&half[1..=reach]) {
@@ -358,12 +381,11 @@ impl Field {
         out
     }
 
-    /// A tile and the eight around it, column by column.
-    fn block(&self, plane: &[f32], slot: u32, own: bool) -> [[[f32; SIDE]; 3]; WIDE] {
+    /// Fills a block with a tile and the eight around it.
+    fn fill(&self, block: &mut Block, plane: &[f32], slot: u32, own: bool) {
         let columns = |slot: u32| &plane.as_chunks::<SIDE>().0[slot as usize * SIDE..][..SIDE];
         let middle = columns(slot);
         let place = self.places[slot as usize] as usize;
-        let mut block = [[[0.0; SIDE]; 3]; WIDE];
         for k in 0..9 {
             let (right, below) = (k % 3, k / 3);
             let (column, row) = (place % self.across + right, place / self.across + below);
@@ -373,17 +395,16 @@ impl Field {
                 for (x, from) in columns(other).iter().enumerate() {
                     block[right * SIDE + x][below] = *from;
                 }
-            } else if own {
+            } else {
                 let nearest = |at: usize, side: usize| [0, at, SIDE - 1][side];
                 for x in 0..SIDE {
                     for y in 0..SIDE {
-                        let value = middle[nearest(x, right)][nearest(y, below)];
-                        block[right * SIDE + x][below][y] = value.round();
+                        let ink = own && middle[nearest(x, right)][nearest(y, below)] >= 0.5;
+                        block[right * SIDE + x][below][y] = if ink { 1.0 } else { 0.0 };
                     }
                 }
             }
         }
-        block
     }
 }
 
