@@ -81,6 +81,7 @@ impl Breaks {
     }
 
     /// Takes knot k away: what it parted stays straight if both were.
+    #[inline(never)]
     pub fn remove(&mut self, k: usize) {
         if !self.straight.is_empty() {
             let after = if self.closed { k } else { k + 1 };

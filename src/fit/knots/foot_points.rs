@@ -31,6 +31,7 @@ pub(in crate::fit) struct Distances {
 }
 
 impl Spline {
+    #[inline(never)]
     pub(in crate::fit) fn of(fitted: &FreeKnots) -> Self {
         Self { space: fitted.space.clone(), x: fitted.x.clone(), y: fitted.y.clone() }
     }
@@ -117,6 +118,7 @@ impl Spline {
 
     /// One Gauss–Newton step of the distances across the curve; those along it count little, for points may slide
     /// (D 13.4), [WPL06]. O(M·degree + K·degree²).
+    #[inline(never)]
     pub(super) fn tighten(&mut self, data: &Located) {
         let degree = self.space.breaks.degree;
         // Loops of a length that is known are unrolled.

@@ -129,6 +129,7 @@ impl FreeKnots {
 
     /// For every knot exactly what the sum of squares would grow by without it: with w the jumps, L their rows and G the
     /// equations, wᵀ(LG⁻¹Lᵀ)⁻¹w (D 13.1). O(K²·degree).
+    #[inline(never)]
     pub(super) fn removals(&self) -> Vec<Removal> {
         let mut rows = vec![vec![0.0; self.space.count]; HIGHEST];
         (0..self.space.breaks.len()).map(|k| self.removal(k, &mut rows)).collect()

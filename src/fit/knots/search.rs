@@ -10,7 +10,7 @@ use crate::numerics::order::{sort_by_number, sort_in_place};
 pub(super) struct Price(pub(super) f64);
 
 /// How many numbers more a corner counts for when whole fits are compared: one that is seen should be there.
-const CORNER: f64 = 3.0;
+pub(super) const CORNER: f64 = 3.0;
 
 /// Within how many points knots may stand for one corner, and how many such groups are tried.
 const NEAR: f64 = 20.0;
@@ -39,6 +39,7 @@ impl Price {
     }
 
     /// The price of all knots, less that of the numbers that straight pieces do without.
+    #[inline(never)]
     pub(super) fn whole(self, breaks: &Breaks) -> f64 {
         let straight = breaks.straight.iter().filter(|straight| **straight).count();
         let spared = self.0 * (2 * straight * (breaks.degree - 1)) as f64;
@@ -99,6 +100,7 @@ pub(super) fn apart(order: &[usize], count: usize, most: usize) -> Vec<usize> {
 }
 
 /// Slides the knots until a step no longer pays for itself, at most `most` times.
+#[inline(never)]
 pub(super) fn settle(mut fitted: FreeKnots, data: &Located, worth: f64, most: usize) -> FreeKnots {
     let mut damping = 1e-2;
     for _ in 0..most {
@@ -217,6 +219,7 @@ fn changed(breaks: &Breaks, changes: &[Change], chosen: &[usize]) -> Breaks {
 }
 
 /// Knots taken away or joined, the `most` promising ones, best first.
+#[inline(never)]
 pub(super) fn hopes(breaks: &Breaks, removals: &[Removal], price: Price, most: usize) -> Vec<Breaks> {
     let mut found: Vec<(f64, Breaks)> = Vec::new();
     for (k, removal) in removals.iter().enumerate() {
@@ -257,32 +260,42 @@ fn corners(fitted: &FreeKnots, gains: &[Gains], price: Price) -> Vec<Breaks> {
 }
 
 /// Neighbouring knots within a few points that together cost no less than a corner, which they may be; the closest first.
+#[inline(never)]
 pub(super) fn clusters(breaks: &Breaks, points: usize) -> Vec<Breaks> {
     let reach = NEAR * breaks.end / points.max(1) as f64;
     let mut found: Vec<(f64, usize, usize)> = Vec::new();
+    let most = breaks.len().saturating_sub(least(breaks).max(1));
     for k in 0..breaks.len() {
-        let mut counted = breaks.multiplicity[k];
-        for last in k + 1..breaks.len() {
-            counted += breaks.multiplicity[last];
-            let long = breaks.at[last] - breaks.at[k];
-            if long >= reach || breaks.len() - (last - k) < least(breaks) {
+        let (mut counted, mut long) = (breaks.multiplicity[k], 0.0);
+        let beyond = if breaks.closed { most } else { most.min(breaks.len() - 1 - k) };
+        for more in 1..=beyond {
+            long += breaks.gap_after((k + more - 1) % breaks.len());
+            counted += breaks.multiplicity[(k + more) % breaks.len()];
+            if long >= reach {
                 break;
             }
             if counted >= breaks.sharpest {
-                found.push((long, k, last));
+                found.push((long, k, more));
             }
         }
     }
     sort_by_number(&mut found, &|one| one.0);
     found.truncate(MOST_CLUSTERS);
-    let corner = |(_, k, last): (f64, usize, usize)| {
-        let mut one = breaks.clone();
-        one.at[k] = 0.5 * (breaks.at[k] + breaks.at[last]);
-        one.multiplicity[k] = breaks.sharpest;
-        (k..last).for_each(|_| one.remove(k + 1));
-        one
-    };
-    found.into_iter().map(corner).collect()
+    found.into_iter().map(|(long, k, more)| one_corner(breaks, k, more, long)).collect()
+}
+
+/// Knot k and some that follow it as a corner halfway along.
+fn one_corner(breaks: &Breaks, mut k: usize, more: usize, long: f64) -> Breaks {
+    let mut one = breaks.clone();
+    one.at[k] += 0.5 * long;
+    one.multiplicity[k] = breaks.sharpest;
+    for _ in 0..more {
+        let next = (k + 1) % one.len();
+        one.remove(next);
+        k -= usize::from(next < k);
+    }
+    in_order(&mut one);
+    one
 }
 
 /// Knot k and the next one at one place, where they are close, and how promising that is.

@@ -2,6 +2,7 @@
 
 mod beginning;
 mod evening;
+mod following;
 mod growing;
 mod last_knots;
 mod polishing;

@@ -124,7 +124,7 @@ impl Sparsest {
     }
 
     /// The same knots, which may become as sharp as was planned.
-    fn sharpening(&self, breaks: &Breaks) -> Breaks {
+    pub(super) fn sharpening(&self, breaks: &Breaks) -> Breaks {
         Breaks { sharpest: self.sharpest, ..breaks.clone() }
     }
 

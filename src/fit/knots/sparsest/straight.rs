@@ -48,6 +48,7 @@ impl Sparsest {
             let mut feet = best.located.parameters.clone();
             best.distances = best.spline.feet(&best.located, &mut feet, 3);
         }
+        best = self.followed(best);
         let worth = self.number() * 2.0 * (degree - 1) as f64;
         let order = bends(&best.spline, &best.located, worth);
         if let Some(found) = self.with_straight(&best, &order, worth) {
@@ -137,7 +138,8 @@ impl Sparsest {
     }
 
     /// Whether a curve leaves the way of its points, or has a corner that is too slight.
-    fn is_spoiled(&self, spline: &Spline, located: &Located) -> bool {
+    #[inline(never)]
+    pub(super) fn is_spoiled(&self, spline: &Spline, located: &Located) -> bool {
         spline.strays(located, self.slack()).is_some() || !self.slight_corners(spline).is_empty()
     }
 
@@ -178,6 +180,7 @@ impl Sparsest {
     }
 
     /// The fit on other breaks, if its squares grow by no more than `worth` and it keeps what was asked for.
+    #[inline(never)]
     fn on(&self, breaks: Breaks, best: &Found, worth: f64) -> Option<Found> {
         let mut located = best.located.clone();
         let held = self.evening.even || matches!(self.asked.aim, Aim::Squares(_));

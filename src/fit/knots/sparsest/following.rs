@@ -1,0 +1,89 @@
+//! Corners in place of neighbouring knots, and knots less, that pay once the points have followed the curve.
+
+use super::{Aim, Found, Sparsest};
+use crate::fit::knots::breaks::Breaks;
+use crate::fit::knots::foot_points::Spline;
+use crate::fit::knots::free_knots::FreeKnots;
+use crate::fit::knots::search::{CORNER, clusters, hopes, settle};
+
+/// Rounds of knots that slide and points that follow, and slides in one; slides where points stay.
+const ROUNDS: usize = 4;
+const SLIDES: usize = 2;
+const MOST_SLIDES: usize = 8;
+/// The share of a number's price that makes another slide.
+const EASILY: f64 = 0.1;
+/// So many of the cheapest knots are tried without.
+const CHEAPEST: usize = 6;
+
+/// By how much of a step between points a corner may move where a knot is taken away.
+const STAYS: f64 = 0.3;
+
+impl Sparsest {
+    /// The best curve of noisy points with corners in place of neighbouring knots that explain the points hardly better, and without knots that
+    /// do not pay. Feet on a bend stay there: a corner is seen to be as near only once they have moved on (D 13.13).
+    #[inline(never)]
+    pub(super) fn followed(&self, mut best: Found) -> Found {
+        let breaks = &best.spline.space.breaks;
+        if !matches!(self.asked.aim, Aim::Noise(_)) || self.sharpest < breaks.degree {
+            return best;
+        }
+        let mut next = 0;
+        loop {
+            let before = &best.spline.space.breaks;
+            let mut trials = clusters(&self.sharpening(before), best.located.points.len());
+            // A corner that is seen should be there.
+            let bonus = if next < trials.len() { CORNER } else { 0.0 };
+            // Where points are held knots have been taken away with the points where they are.
+            if next >= trials.len() && !self.evening.even {
+                let fitted = FreeKnots::new(before.clone(), &best.located);
+                trials.extend(hopes(before, &fitted.removals(), self.pricing.price, CHEAPEST));
+            }
+            if next >= trials.len() {
+                return best;
+            }
+            match self.after(trials.swap_remove(next), bonus, &best) {
+                Some(found) => (best, next) = (found, 0),
+                None => next += 1,
+            }
+        }
+    }
+
+    /// The fit on other breaks that slide, and whose points follow where they are free, if it is worth its price.
+    #[inline(never)]
+    fn after(&self, breaks: Breaks, bonus: f64, best: &Found) -> Option<Found> {
+        let price = self.pricing.price;
+        let spared = price.whole(&best.spline.space.breaks) - price.whole(&breaks);
+        let (held, mut located) = (self.evening.even, best.located.clone());
+        let slides = if held { MOST_SLIDES } else { SLIDES };
+        let (mut breaks, mut round) = (breaks, 0);
+        let spline = loop {
+            let fitted = settle(FreeKnots::new(breaks, &located), &located, EASILY * price.0, slides);
+            let mut spline = Spline::of(&fitted);
+            round += 1;
+            if held {
+                break spline;
+            }
+            spline.project(&mut located, 2);
+            spline.tighten(&located);
+            if round == ROUNDS {
+                break spline;
+            }
+            spline.project(&mut located, 2);
+            breaks = spline.space.breaks;
+        };
+        let distances = spline.project(&mut located, 3);
+        if held {
+            located.parameters.clone_from(&best.located.parameters);
+        }
+        let enough = best.distances.squares + spared + bonus * price.0;
+        let stay = bonus > 0.0 || corners_stay(&best.spline.space.breaks, &spline.space.breaks);
+        let kept = stay && distances.squares <= enough && !self.is_spoiled(&spline, &located);
+        kept.then_some(Found { spline, located, distances, wild: None })
+    }
+}
+
+/// Whether corners are where they were: they are not to pay for a knot less.
+fn corners_stay(before: &Breaks, after: &Breaks) -> bool {
+    let stays = |t: f64| after.at.iter().any(|at| (at - t).abs() < STAYS);
+    before.at.iter().zip(&before.multiplicity).all(|(t, m)| *m < before.degree || stays(*t))
+}
