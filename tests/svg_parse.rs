@@ -244,7 +244,11 @@ fn random_paths_are_drawn_as_a_plain_reader_draws_them() {
         assert_eq!(parsed.curves.len(), drawn.len(), "round {round}: {d}");
         for (curve, (pieces, closed)) in parsed.curves.iter().zip(&drawn) {
             assert_eq!(curve.is_closed(), *closed, "round {round}: {d}");
-            let extent = curve.points().iter().map(|p| p.amax()).fold(1.0, f64::max);
+            // An arc bulges beyond its ends by up to two radii: its places are rounded by that size.
+            let radius =
+                |piece: &Piece| if let Piece::Arc(_, radii, ..) = piece { radii.amax() } else { 0.0 };
+            let places = curve.points().iter().map(|p| p.amax());
+            let extent = places.chain(pieces.iter().map(radius)).fold(1.0, f64::max);
             let mut segments = curve.segments();
             let closing = tolerance::DRAWN * extent;
             let drawn = |piece: &&Piece| match **piece {

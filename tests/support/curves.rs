@@ -7,8 +7,10 @@ use expline::{HermiteCurve, HermiteOptions, Space};
 pub(crate) struct Random(u64);
 
 impl Random {
+    /// Seeds that follow one another begin streams that have nothing in common: unmixed they would begin one stream at
+    /// places next to each other, and a loop over them would try nearly the same thing again and again.
     pub(crate) fn new(seed: u64) -> Self {
-        Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(1))
+        Self(Self(seed).bits())
     }
 
     pub(crate) fn bits(&mut self) -> u64 {
