@@ -2,55 +2,11 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
+mod support;
+
 use expline::numerics::Point;
 use expline::trace::{Census, Color, LayerTracer, Layers, TraceOptions, TracedLayer};
-
-const RED: Color = [200, 16, 46];
-const BLUE: Color = [0, 48, 135];
-const WHITE: Color = [255, 255, 255];
-const YELLOW: Color = [255, 205, 0];
-
-/// Places per pixel and axis at which a picture asks for its colour.
-const FINE: usize = 8;
-
-type Paint<'a> = &'a dyn Fn(f64, f64) -> Option<Color>;
-
-/// Draws what is painted with anti-aliasing, as red, green, blue and opacity.
-fn draw(width: usize, height: usize, paint: Paint) -> Vec<u8> {
-    let mut bytes = Vec::with_capacity(4 * width * height);
-    for row in 0..height {
-        for column in 0..width {
-            let (mut sums, mut hits) = ([0.0; 3], 0.0);
-            for k in 0..FINE * FINE {
-                let place = |start: usize, k: usize| start as f64 + (k as f64 + 0.5) / FINE as f64;
-                if let Some(color) = paint(place(column, k % FINE), place(row, k / FINE)) {
-                    hits += 1.0;
-                    for (sum, channel) in sums.iter_mut().zip(color) {
-                        *sum += f64::from(channel);
-                    }
-                }
-            }
-            bytes.extend(sums.map(|sum| (sum / f64::max(hits, 1.0)).round() as u8));
-            bytes.push((255.0 * hits / (FINE * FINE) as f64).round() as u8);
-        }
-    }
-    bytes
-}
-
-fn palette(width: usize, bytes: &[u8], most: usize) -> Vec<Color> {
-    let mut census = Census::new(width).expect("a few colours");
-    census.push_rgba_rows(bytes);
-    census.palette(most).expect("between 2 and 64")
-}
-
-fn traced(width: usize, height: usize, bytes: &[u8], colors: &[Color]) -> Vec<TracedLayer> {
-    let mut rows = Layers::begin(width, height, colors).expect("a valid picture");
-    rows.push_rgba_rows(bytes).expect("whole rows");
-    let layers = rows.finish().expect("all rows");
-    let mut tracer = LayerTracer::new(layers, &TraceOptions::default());
-    while !tracer.step(4000.0).expect("a drawing") {}
-    tracer.layers().to_vec()
-}
+use support::colors::{BLUE, Paint, RED, WHITE, YELLOW, disc, draw, palette, traced};
 
 /// Polygons with many corners for every contour of every layer.
 fn polygons(layers: &[TracedLayer]) -> Vec<(Color, Vec<Vec<Point>>)> {
@@ -100,10 +56,6 @@ fn assert_shows(width: usize, height: usize, layers: &[TracedLayer], paint: Pain
         assert_eq!(shown, wanted, "at ({x}, {y})");
     }
     assert!(looked > 2000, "only {looked} places were clear");
-}
-
-fn disc(x: f64, y: f64, cx: f64, cy: f64, r: f64) -> bool {
-    (x - cx).hypot(y - cy) < r
 }
 
 /// A red disc over a blue square with a hole in which white shows, and a yellow disc that touches both.
@@ -261,7 +213,7 @@ fn rows_may_come_one_by_one() {
 
 #[test]
 fn wrong_numbers_of_colours_and_of_rows_are_refused() {
-    let census = Census::new(4).expect("a few colours");
+    let mut census = Census::new(4).expect("a few colours");
     for most in [0, 1, 65] {
         assert_eq!(census.palette(most).expect_err("out of range").code(), "E_RANGE");
     }

@@ -1,8 +1,9 @@
 //! Pictures of a few flat colours: the shape of each layer, traced like ink.
 
 use super::picture::gray::Gray;
-use super::picture::layers::{Layers, Shape, drawn};
+use super::picture::layers::Layers;
 use super::picture::palette::Color;
+use super::picture::shape::{Shape, drawn};
 use super::tracer::{Source, TraceOptions, TracedContour, Tracer};
 use crate::error::{Error, Result};
 

@@ -6,6 +6,8 @@ pub(super) mod contour;
 pub(super) mod gray;
 pub(super) mod layers;
 pub(super) mod light;
+mod mixture;
 pub(super) mod palette;
+pub(super) mod shape;
 pub(super) mod steps;
 pub(super) mod tones;

@@ -75,7 +75,7 @@ impl Job {
         let [width, height] = self.size;
         self.state = match core::mem::replace(&mut self.state, State::Failed) {
             State::Ink(rows) => State::Tracing(Tracer::new(rows.finish()?, &self.options)?),
-            State::Counting(census) => {
+            State::Counting(mut census) => {
                 let mut palette = census.palette(self.most_colors)?;
                 if palette.is_empty() {
                     // All of it is transparent, so any colour will do.

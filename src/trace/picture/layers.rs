@@ -1,6 +1,7 @@
-//! Pictures of a few flat colours: how much of which colour every pixel has, and the shapes that lie on one another (D 14.20).
+//! Pictures of a few flat colours: how much of which colour every pixel has (D 14.20).
 
 use super::gray::Gray;
+use super::mixture::{Mixture, Premultiplied, is_like, is_on_edge, squared};
 use super::palette::{Color, MOST_COLORS};
 use crate::error::{Error, Result};
 use crate::limits::{check, with_room};
@@ -11,19 +12,16 @@ const NONE: u8 = u8::MAX;
 const REACH: usize = 2;
 /// Rows that are kept: those, and one more on both sides, whose pixels say which of them are flat.
 const KEPT: usize = 2 * REACH + 3;
+/// Pixels around one, and itself.
+const AROUND: usize = (2 * REACH + 1) * (2 * REACH + 1);
 /// Squared distance up to which a pixel has a colour of the palette.
 const NEAR: i32 = 24 * 24;
 /// Squared distance up to which a pixel is taken for a mixture of two.
 const MIXED: f64 = 32.0 * 32.0;
+/// How much less a difference in light counts than one in hue, where something is thin.
+const SHADE: f64 = 0.9;
 /// Alike neighbours of a pixel that is not on an edge.
 const ALIKE: usize = 4;
-
-/// Colours with red, green and blue as far as they are there: nothing is (0, 0, 0, 0).
-type Premultiplied = [i32; 4];
-
-fn squared(a: &Premultiplied, b: &Premultiplied) -> i32 {
-    (0..4).map(|k| (a[k] - b[k]) * (a[k] - b[k])).sum()
-}
 
 /// One row of the window.
 #[derive(Clone, Debug, Default)]
@@ -35,6 +33,8 @@ struct Line {
     flat: Vec<bool>,
     /// Whether all of them have.
     inner: Vec<bool>,
+    /// Whether it shows that colour itself, and is not on an edge's way from one to another.
+    steady: Vec<bool>,
 }
 
 /// A picture of flat colours that is being given row by row.
@@ -51,14 +51,14 @@ pub struct LayerRows {
 /// How much of which colour every pixel has: three bytes each.
 #[derive(Clone, Debug)]
 pub struct Layers {
-    width: usize,
-    colors: Vec<Color>,
+    pub(super) width: usize,
+    pub(super) colors: Vec<Color>,
     palette: Vec<Premultiplied>,
     /// The colour that a pixel has most of; what comes after the palette is nothing.
-    first: Vec<u8>,
+    pub(super) first: Vec<u8>,
     /// Another one, and its share in 255.
-    second: Vec<u8>,
-    share: Vec<u8>,
+    pub(super) second: Vec<u8>,
+    pub(super) share: Vec<u8>,
     /// Pixels of each colour.
     areas: Vec<usize>,
 }
@@ -90,7 +90,7 @@ impl Layers {
     }
 
     /// Colours as they lie on one another, the lowest first: what covers most lies lowest, and nothing, the last number, below all.
-    fn order(&self) -> Vec<u8> {
+    pub(super) fn order(&self) -> Vec<u8> {
         let nothing = self.colors.len();
         let mut order: Vec<u8> = Vec::new();
         for label in 0..nothing {
@@ -148,35 +148,46 @@ impl LayerRows {
         Ok(self.layers)
     }
 
-    /// Takes the next row: which pixels have a colour of the palette.
+    /// Takes the next row: which pixels have a colour of the palette. On a place of one shade that is the nearest one, however far.
     fn label(&mut self, row: &[u8]) {
-        let line = &mut self.window[self.given % KEPT];
+        let mut line = core::mem::take(&mut self.window[self.given % KEPT]);
         line.pixels.clear();
         line.labels.clear();
-        let mut before = ([-1; 4], NONE);
-        for pixel in row.chunks_exact(4) {
+        let above = &self.window[(self.given + KEPT - 1) % KEPT].pixels;
+        let mut known = ([-1; 4], NONE, 0);
+        for (column, pixel) in row.as_chunks::<4>().0.iter().enumerate() {
             let alpha = i32::from(pixel[3]);
             let pixel: Premultiplied =
                 core::array::from_fn(
                     |k| if k == 3 { alpha } else { (i32::from(pixel[k]) * alpha + 127) / 255 },
                 );
-            if pixel != before.0 {
-                let (mut label, mut least) = (NONE, NEAR + 1);
-                for (i, color) in self.layers.palette.iter().enumerate() {
-                    let gap = squared(&pixel, color);
-                    if gap < least {
-                        (label, least) = (i as u8, gap);
-                    }
-                }
-                before = (pixel, label);
+            if pixel != known.0 {
+                let (label, least) = self.nearest(&pixel);
+                known = (pixel, label, least);
             }
+            let left = line.pixels.last().unwrap_or(&pixel);
+            let is_plain = || is_like(&pixel, left) && is_like(&pixel, above.get(column).unwrap_or(&pixel));
+            let label = if known.2 <= NEAR || is_plain() { known.1 } else { NONE };
             line.pixels.push(pixel);
-            line.labels.push(before.1);
+            line.labels.push(label);
         }
-        for list in [&mut line.flat, &mut line.inner] {
+        for list in [&mut line.flat, &mut line.inner, &mut line.steady] {
             list.clear();
             list.resize(line.labels.len(), false);
         }
+        self.window[self.given % KEPT] = line;
+    }
+
+    /// The colour of the palette that is nearest, and its squared distance.
+    fn nearest(&self, pixel: &Premultiplied) -> (u8, i32) {
+        let (mut label, mut least) = (NONE, i32::MAX);
+        for (i, color) in self.layers.palette.iter().enumerate() {
+            let gap = squared(pixel, color);
+            if gap < least {
+                (label, least) = (i as u8, gap);
+            }
+        }
+        (label, least)
     }
 
     /// The rows of the picture around one.
@@ -204,9 +215,22 @@ impl LayerRows {
             }
             // Beyond the border all is as it is here. The pixel itself counts too.
             alike += 9 - seen;
+            let steady = alike == 9 || alike > ALIKE && !self.is_on_edge(row, column);
             let line = &mut self.window[row % KEPT];
-            (line.flat[column], line.inner[column]) = (alike > ALIKE, alike == 9);
+            (line.flat[column], line.inner[column], line.steady[column]) =
+                (alike > ALIKE, alike == 9, steady);
         }
+    }
+
+    fn is_on_edge(&self, row: usize, column: usize) -> bool {
+        let at = |row: usize, column: usize| &self.window[row % KEPT].pixels[column];
+        let (rows, columns) =
+            (self.around(row, 1), column.saturating_sub(1)..(column + 2).min(self.layers.width));
+        let beside = [at(row, columns.start), at(row, columns.end - 1)];
+        is_on_edge(
+            at(row, column),
+            [beside[0], beside[1], at(*rows.start(), column), at(*rows.end(), column)],
+        )
     }
 
     /// Says what the pixels of a row are made of.
@@ -232,200 +256,83 @@ impl LayerRows {
     fn mixture(&self, row: usize, column: usize) -> (u8, u8, f64) {
         let line = &self.window[row % KEPT];
         let (pixel, label) = (&line.pixels[column], line.labels[column]);
-        let columns = column.saturating_sub(REACH)..=(column + REACH).min(self.layers.width - 1);
-        let mut near = [NONE; (2 * REACH + 1) * (2 * REACH + 1)];
-        let mut count = 0;
-        for row in self.around(row, REACH) {
-            let other = &self.window[row % KEPT];
-            for column in columns.clone() {
-                let label = other.labels[column];
-                if other.flat[column] && !near[..count].contains(&label) {
-                    near[count] = label;
-                    count += 1;
-                }
-            }
-        }
-        let near = &near[..count];
-        if line.flat[column] {
+        let mut room = [NONE; AROUND];
+        let near = self.flat_around(row, column, &mut room);
+        if line.flat[column] && near.contains(&label) {
             // A tenth of another colour tells where the edge is as well as a half does.
             let mut pairs = near.iter().map(|&other| (label, other));
-            return self.nearest_mixture(pixel, f64::INFINITY, &mut pairs).unwrap_or((label, label, 0.0));
+            return self
+                .nearest_mixture(pixel, f64::INFINITY, 0.0, &mut pairs)
+                .unwrap_or((label, label, 0.0));
         }
         let mut pairs = near.iter().enumerate().flat_map(|(i, &a)| near[i..].iter().map(move |&b| (a, b)));
-        if let Some(best) = self.nearest_mixture(pixel, MIXED, &mut pairs) {
+        if let Some(best) = self.nearest_mixture(pixel, MIXED, 0.0, &mut pairs) {
             return best;
         }
         if label != NONE {
             return (label, label, 0.0);
         }
-        // Something thin, that is flat nowhere: with what is around it, or alone.
+        // Something thin, that is flat nowhere: with what is around it, or alone. Its hue is truer than how dark it is.
         let all = 0..self.layers.palette.len() as u8;
         let mut pairs = all.flat_map(|b| near.iter().map(move |&a| (a, b)).chain([(b, b)]));
-        self.nearest_mixture(pixel, f64::INFINITY, &mut pairs).unwrap_or((0, 0, 0.0))
+        self.nearest_mixture(pixel, f64::INFINITY, SHADE, &mut pairs).unwrap_or((0, 0, 0.0))
     }
 
-    /// The first of the mixtures that is nearest to a pixel, if one is nearer than `least`.
+    /// The colours that lie flat around a pixel. One that shows itself nowhere there, and is a mixture of two others, is their soft edge.
+    fn flat_around<'a>(&self, row: usize, column: usize, room: &'a mut [u8; AROUND]) -> &'a [u8] {
+        let columns = column.saturating_sub(REACH)..=(column + REACH).min(self.layers.width - 1);
+        let (mut found, mut count, mut steady) = ([NONE; AROUND], 0, [false; AROUND]);
+        for row in self.around(row, REACH) {
+            let other = &self.window[row % KEPT];
+            for column in columns.clone().filter(|&column| other.flat[column]) {
+                let label = other.labels[column];
+                let at = found[..count].iter().position(|&known| known == label).unwrap_or(count);
+                found[at] = label;
+                steady[at] |= other.steady[column];
+                count = count.max(at + 1);
+            }
+        }
+        let found = &found[..count];
+        let is_soft = |label: u8| {
+            let is_mixture = |a: u8, b: u8| {
+                let Mixture { share, gap, .. } = self.between(label, a, b);
+                gap < MIXED && share > 0.0 && share < 1.0
+            };
+            let others = || found.iter().filter(|&&other| other != label);
+            others().any(|&a| others().any(|&b| is_mixture(a, b)))
+        };
+        let mut kept = 0;
+        for (&label, steady) in found.iter().zip(steady) {
+            if steady || !is_soft(label) {
+                room[kept] = label;
+                kept += 1;
+            }
+        }
+        &room[..kept]
+    }
+
+    /// Three colours of the palette: the mixture of two that is nearest to the first.
+    fn between(&self, label: u8, a: u8, b: u8) -> Mixture {
+        let [color, from, to] = [label, a, b].map(|label| &self.layers.palette[usize::from(label)]);
+        Mixture::new(color, from, to)
+    }
+
+    /// The first of the mixtures that is nearest to a pixel, if one is nearer than `least`; differences in light count less by the share `shade`.
     fn nearest_mixture(
         &self,
         pixel: &Premultiplied,
         mut least: f64,
+        shade: f64,
         pairs: &mut dyn Iterator<Item = (u8, u8)>,
     ) -> Option<(u8, u8, f64)> {
         let mut best = None;
         for (a, b) in pairs {
-            let (share, gap) = self.between(pixel, a, b);
-            if gap < least {
-                (best, least) = (Some((a, b, share)), gap);
+            let [from, to] = [a, b].map(|label| &self.layers.palette[usize::from(label)]);
+            let Mixture { share, gap, light } = Mixture::new(pixel, from, to);
+            if gap - shade * light < least {
+                (best, least) = (Some((a, b, share)), gap - shade * light);
             }
         }
         best
     }
-
-    /// The share of `b` in the mixture of two colours that is nearest to a pixel, and the squared distance.
-    fn between(&self, pixel: &Premultiplied, a: u8, b: u8) -> (f64, f64) {
-        let (from, to) = (&self.layers.palette[usize::from(a)], &self.layers.palette[usize::from(b)]);
-        let whole = squared(from, to);
-        let along: i32 = (0..4).map(|k| (pixel[k] - from[k]) * (to[k] - from[k])).sum();
-        let share = if whole == 0 { 0.0 } else { (f64::from(along) / f64::from(whole)).clamp(0.0, 1.0) };
-        let mut gap = 0.0;
-        for k in 0..4 {
-            let off = f64::from(pixel[k] - from[k]) - share * f64::from(to[k] - from[k]);
-            gap += off * off;
-        }
-        (share, gap)
-    }
-}
-
-/// The shape of one layer as a picture in gray, a few rows at a time.
-///
-/// It is where its colour is, and all that lies on it: every connected region of higher layers that touches it. So no gap can open between
-/// a layer and what lies on it, however their outlines are rounded.
-#[derive(Debug)]
-pub(in crate::trace) struct Shape {
-    /// Height of each colour in the order, lowest first.
-    ranks: [u8; MOST_COLORS + 1],
-    rank: u8,
-    /// Whether a pixel of a higher layer belongs to it.
-    inside: Vec<bool>,
-    /// Pixels whose neighbours have not been looked at.
-    open: Vec<u32>,
-    row: usize,
-    gray: Option<super::gray::GrayRows>,
-}
-
-/// Pixels that are looked at in one step.
-const BIT: usize = 1 << 15;
-
-impl Shape {
-    pub(in crate::trace) fn new(layers: &Layers, order: &[u8], rank: usize) -> Result<Self> {
-        let mut ranks = [0; MOST_COLORS + 1];
-        for (i, &label) in order.iter().enumerate() {
-            ranks[usize::from(label)] = i as u8;
-        }
-        let mut inside = with_room(layers.first.len())?;
-        inside.resize(layers.first.len(), false);
-        Ok(Self { ranks, rank: rank as u8, inside, open: Vec::new(), row: 0, gray: None })
-    }
-
-    /// Goes on; the picture, once it is there.
-    pub(in crate::trace) fn step(&mut self, layers: &Layers) -> Result<Option<Gray>> {
-        let (width, height) = (layers.width, layers.first.len() / layers.width);
-        let rows = (BIT / width).max(1);
-        if self.gray.is_none() {
-            if self.row < height {
-                let end = (self.row + rows).min(height);
-                for at in self.row * width..end * width {
-                    if self.rank_of(layers.first[at]) == self.rank {
-                        self.spread(layers, at)?;
-                    }
-                }
-                self.row = end;
-                return Ok(None);
-            }
-            for _ in 0..BIT {
-                let Some(at) = self.open.pop() else {
-                    self.gray = Some(Gray::begin(width, height)?);
-                    self.row = 0;
-                    break;
-                };
-                self.spread(layers, at as usize)?;
-            }
-            return Ok(None);
-        }
-        let end = (self.row + rows).min(height);
-        let mut bytes = with_room((end - self.row) * width)?;
-        bytes.extend((self.row * width..end * width).map(|at| 255 - self.coverage(layers, at)));
-        self.row = end;
-        if let Some(gray) = &mut self.gray {
-            gray.push_gray_rows(&bytes)?;
-        }
-        if end < height {
-            return Ok(None);
-        }
-        self.gray.take().map(super::gray::GrayRows::finish).transpose()
-    }
-
-    fn rank_of(&self, label: u8) -> u8 {
-        self.ranks[usize::from(label)]
-    }
-
-    /// The four neighbours of a pixel.
-    fn beside(layers: &Layers, at: usize) -> impl Iterator<Item = usize> {
-        let (width, count) = (layers.width, layers.first.len());
-        let column = at % width;
-        [
-            (column > 0).then(|| at - 1),
-            (column + 1 < width).then_some(at + 1),
-            at.checked_sub(width),
-            Some(at + width).filter(|&below| below < count),
-        ]
-        .into_iter()
-        .flatten()
-    }
-
-    /// Takes the neighbours in that belong to higher layers.
-    fn spread(&mut self, layers: &Layers, at: usize) -> Result<()> {
-        for near in Self::beside(layers, at) {
-            if !self.inside[near] && self.rank_of(layers.first[near]) > self.rank {
-                self.inside[near] = true;
-                if self.open.try_reserve(1).is_err() {
-                    return Err(Error::memory(8 * self.open.len()));
-                }
-                self.open.push(near as u32);
-            }
-        }
-        Ok(())
-    }
-
-    /// How much of a pixel the shape covers, in 255.
-    fn coverage(&self, layers: &Layers, at: usize) -> u8 {
-        let (first, second, share) = (layers.first[at], layers.second[at], layers.share[at]);
-        let higher = || {
-            if self.rank_of(first) > self.rank {
-                self.inside[at]
-            } else {
-                // Less than half of a pixel: it belongs to what it is the border of.
-                self.rank_of(first) == self.rank || Self::beside(layers, at).any(|near| self.inside[near])
-            }
-        };
-        let covers = |label: u8| match self.rank_of(label).cmp(&self.rank) {
-            core::cmp::Ordering::Less => false,
-            core::cmp::Ordering::Equal => true,
-            core::cmp::Ordering::Greater => higher(),
-        };
-        let part = |label: u8, share: u8| if covers(label) { share } else { 0 };
-        part(first, 255 - share) + part(second, share)
-    }
-}
-
-/// The colours of the layers that are drawn, the lowest first, with the number of each in the order.
-pub(in crate::trace) fn drawn(layers: &Layers) -> (Vec<u8>, Vec<(usize, Color)>) {
-    let order = layers.order();
-    let mut visible = Vec::new();
-    for (rank, &label) in order.iter().enumerate() {
-        if let Some(&color) = layers.colors.get(usize::from(label)) {
-            visible.push((rank, color));
-        }
-    }
-    (order, visible)
 }

@@ -1,5 +1,6 @@
-//! The few colours of a picture: a count of what is flat, and the clusters in it.
+//! The few colours of a picture: a count of the pixels that show one, and the clusters in it.
 
+use super::mixture::{is_between, is_like, is_on_edge};
 use crate::error::Result;
 use crate::limits::{check, with_room};
 
@@ -11,39 +12,64 @@ pub const MOST_COLORS: usize = 64;
 
 /// Bits of each channel that tell bins apart.
 const BITS: u32 = 5;
-/// Neighbours whose channels differ by no more are one colour.
-const ALIKE: u8 = 8;
+/// Less opacity is a share of a colour, not a colour.
+const OPAQUE: u8 = 250;
+/// A pixel that is like its neighbours counts for as many in the middle of something thin, which mostly show more than one colour.
+const FLAT: u64 = 4;
+/// Squared distance up to which a colour of thin places is taken for a mixture of two others.
+const MIXED: f64 = 12.0 * 12.0;
 /// The least distance of two colours of a palette, in the units of Oklab: three times what an eye tells apart.
 const APART: f64 = 0.06;
 /// What is nearer than this to a cluster's heaviest bin belongs to the same flat colour.
 const CORE: f64 = 0.04;
 /// Fewer pixels are no colour.
-const LEAST: f64 = 4.0;
+const LEAST: f64 = 2.0;
+/// So many bins with less around them are looked at for first centres.
+const MOST_WEAK: usize = 256;
 /// Rounds in which clusters settle.
 const ROUNDS: usize = 12;
 
-/// How many pixels of a bin are like their neighbours, how many there are at all, and the sums of their channels.
+/// What the pixels of a bin weigh that show a colour, how many of them are flat, how many there are at all, and the weighted sums of channels.
 #[derive(Clone, Copy, Debug, Default)]
 struct Bin {
+    weight: u64,
     flat: u64,
     all: u64,
     sums: [u64; 3],
 }
 
-/// Counts the colours of a picture that is given row by row. Pixels between two colours are unlike their neighbours, so they do not count.
+/// Counts the colours of a picture that is given row by row. Pixels between two colours are on the way from one neighbour to the one on the
+/// other side, so they do not count.
 #[derive(Clone, Debug)]
 pub struct Census {
     width: usize,
     bins: Vec<Bin>,
+    /// The last rows: what lies above the one that is counted next, and that one, whose other side has not come.
     above: Vec<u8>,
+    row: Vec<u8>,
 }
 
 /// One bin among others that become clusters.
 struct Item {
     weight: f64,
+    /// How much of that is flat.
+    flat: f64,
     lab: [f64; 3],
     rgb: [f64; 3],
     cluster: usize,
+    /// Squared distance to the nearest of the first centres.
+    gap: f64,
+    /// Whether there is too little around it for a centre.
+    is_weak: bool,
+}
+
+/// A colour that was found.
+struct Found {
+    weight: f64,
+    lab: [f64; 3],
+    color: Color,
+    /// Whether it was seen in thin places mostly.
+    is_thin: bool,
 }
 
 impl Census {
@@ -56,36 +82,38 @@ impl Census {
         let count = 1 << (3 * BITS);
         let mut bins = with_room(count)?;
         bins.resize(count, Bin::default());
-        Ok(Self { width, bins, above: Vec::new() })
+        Ok(Self { width, bins, above: Vec::new(), row: Vec::new() })
     }
 
     /// More rows, from red, green, blue and opacity, a byte each.
     pub fn push_rgba_rows(&mut self, bytes: &[u8]) {
         for row in bytes.chunks_exact(4 * self.width.max(1)) {
-            for column in 0..self.width {
-                let at = 4 * column;
-                let pixel = &row[at..at + 4];
-                if pixel[3] < 250 {
-                    continue;
-                }
-                let like = |other: &[u8]| (0..4).all(|k| pixel[k].abs_diff(other[k]) <= ALIKE);
-                let left = if column > 0 { &row[at - 4..at] } else { pixel };
-                let above = self.above.get(at..at + 4).unwrap_or(pixel);
-                let bin = &mut self.bins[index(pixel)];
-                bin.all += 1;
-                if like(left) && like(above) {
-                    bin.flat += 1;
-                    for (sum, &channel) in bin.sums.iter_mut().zip(pixel) {
-                        *sum += u64::from(channel);
-                    }
-                }
-            }
-            self.above.clear();
-            self.above.extend_from_slice(row);
+            self.count(row);
+            core::mem::swap(&mut self.above, &mut self.row);
+            self.row.clear();
+            self.row.extend_from_slice(row);
         }
     }
 
-    /// At most `most` colours, those of most pixels first; fewer where there are no more, none where all is transparent.
+    /// Counts the last row, of which the one below is known now.
+    fn count(&mut self, below: &[u8]) {
+        let rows = [&self.row, &self.above, below].map(|row| row.as_chunks::<4>().0);
+        for (column, pixel) in rows[0].iter().enumerate() {
+            if pixel[3] < OPAQUE {
+                continue;
+            }
+            let weight = weight(pixel, rows, column);
+            let bin = &mut self.bins[index(pixel)];
+            bin.all += 1;
+            bin.weight += weight;
+            bin.flat += u64::from(weight == FLAT);
+            for (sum, &channel) in bin.sums.iter_mut().zip(pixel) {
+                *sum += weight * u64::from(channel);
+            }
+        }
+    }
+
+    /// At most `most` colours of all rows given, the last row being the lowest; those of most pixels first; fewer where there are no more, none where all is transparent.
     ///
     /// Every colour after the first is the one that most pixels are far from; then k-means, in Oklab, where distances are what eyes see.
     ///
@@ -96,52 +124,76 @@ impl Census {
     /// # Source
     ///
     /// \[Llo82\], \[Ott20\].
-    pub fn palette(&self, most: usize) -> Result<Vec<Color>> {
+    pub fn palette(&mut self, most: usize) -> Result<Vec<Color>> {
         check("colors", None, most as f64, 2.0, MOST_COLORS as f64)?;
+        self.count(&[]);
+        self.row.clear();
         let mut items = self.items()?;
         let mut centers = seeds(&mut items, most);
         for _ in 0..ROUNDS {
             settle(&mut items, &mut centers);
         }
-        let mut colors: Vec<(f64, [f64; 3], Color)> = Vec::new();
+        let mut colors: Vec<Found> = Vec::new();
         for cluster in 0..centers.len() {
-            if let Some(found) = flat_color(&items, cluster) {
-                let near = colors.iter_mut().find(|(_, lab, _)| distance(lab, &found.1) < APART * APART);
-                match near {
-                    Some(other) if other.0 < found.0 => *other = found,
+            if let Some(found) = color_of(&items, cluster) {
+                let is_near = |other: &&mut Found| distance(&other.lab, &found.lab) < APART * APART;
+                match colors.iter_mut().find(is_near) {
+                    Some(other) if other.weight < found.weight => *other = found,
                     Some(_) => {}
                     None => colors.push(found),
                 }
             }
         }
+        leave_mixtures_out(&mut colors);
         // Few of them: the heaviest first by insertion.
         for i in 1..colors.len() {
             let mut k = i;
-            while k > 0 && colors[k - 1].0 < colors[k].0 {
+            while k > 0 && colors[k - 1].weight < colors[k].weight {
                 colors.swap(k - 1, k);
                 k -= 1;
             }
         }
-        Ok(colors.into_iter().map(|(_, _, color)| color).collect())
+        Ok(colors.into_iter().map(|found| found.color).collect())
     }
 
-    /// Bins with something in them: by what is flat or, where nothing is, by all pixels.
+    /// Bins with something in them: by the pixels that show a colour or, where none is, by all of them.
     fn items(&self) -> Result<Vec<Item>> {
-        let flat = self.bins.iter().any(|bin| bin.flat > 0);
+        let some = self.bins.iter().any(|bin| bin.weight > 0);
         let mut items = with_room(self.bins.iter().filter(|bin| bin.all > 0).count())?;
         for (i, bin) in self.bins.iter().enumerate() {
-            let count = if flat { bin.flat } else { bin.all };
+            let count = if some { bin.weight } else { FLAT * bin.all };
             if count == 0 {
                 continue;
             }
             let middle = |k: u32| (((i >> (BITS * k)) & ((1 << BITS) - 1)) << (8 - BITS)) as f64 + 3.5;
             let mut rgb = [middle(2), middle(1), middle(0)];
-            if bin.flat > 0 {
-                rgb = bin.sums.map(|sum| sum as f64 / bin.flat as f64);
+            if bin.weight > 0 {
+                rgb = bin.sums.map(|sum| sum as f64 / bin.weight as f64);
             }
-            items.push(Item { weight: count as f64, lab: oklab(rgb), rgb, cluster: 0 });
+            let weight = count as f64 / FLAT as f64;
+            let (flat, lab) = (bin.flat as f64, oklab(rgb));
+            items.push(Item { weight, flat, lab, rgb, cluster: 0, gap: 1.0, is_weak: false });
         }
         Ok(items)
+    }
+}
+
+/// What a pixel counts for, by its row, the one above and the one below. Beyond the border all is as it is on the other side.
+fn weight(pixel: &[u8; 4], [row, above, below]: [&[[u8; 4]]; 3], column: usize) -> u64 {
+    let either = |one: Option<&[u8; 4]>, other: Option<&[u8; 4]>| {
+        [one.or(other), other.or(one)].map(|near| near.unwrap_or(pixel).map(i32::from))
+    };
+    let [left, right] = either(row.get(column.wrapping_sub(1)), row.get(column + 1));
+    let [above, below] = either(above.get(column), below.get(column));
+    let pixel = pixel.map(i32::from);
+    let is_flat = is_like(&pixel, &left) && is_like(&pixel, &above);
+    if is_flat && is_like(&pixel, &right) && is_like(&pixel, &below) {
+        return FLAT;
+    }
+    match (is_on_edge(&pixel, [&left, &right, &above, &below]), is_flat) {
+        (true, _) => 0,
+        (false, true) => FLAT,
+        (false, false) => 1,
     }
 }
 
@@ -157,22 +209,45 @@ fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
 /// The first centres: the heaviest bin, then the one that counts most by its pixels and its distance from all before.
 fn seeds(items: &mut [Item], most: usize) -> Vec<[f64; 3]> {
     let mut centers: Vec<[f64; 3]> = Vec::new();
-    while centers.len() < most {
-        let far = |item: &Item| centers.iter().map(|center| distance(center, &item.lab)).fold(1.0, f64::min);
+    let mut weak = 0;
+    while centers.len() < most && weak < MOST_WEAK {
         let (mut best, mut value) = (None, 0.0);
-        for item in items.iter() {
-            let gap = far(item);
-            let apart = centers.is_empty() || (gap >= APART * APART && item.weight >= LEAST);
-            if apart && item.weight * gap > value {
-                (best, value) = (Some(item.lab), item.weight * gap);
+        for (i, item) in items.iter().enumerate() {
+            if item.gap >= APART * APART && !item.is_weak && item.weight * item.gap > value {
+                (best, value) = (Some(i), item.weight * item.gap);
             }
         }
-        match best {
-            Some(lab) => centers.push(lab),
-            None => break,
+        let Some(best) = best else { break };
+        let lab = items[best].lab;
+        let around = items.iter().filter(|item| distance(&item.lab, &lab) < CORE * CORE);
+        if !centers.is_empty() && around.map(|item| item.weight).sum::<f64>() < LEAST {
+            items[best].is_weak = true;
+            weak += 1;
+            continue;
+        }
+        centers.push(lab);
+        for item in items.iter_mut() {
+            item.gap = item.gap.min(distance(&item.lab, &lab));
         }
     }
     centers
+}
+
+/// Thin places show a colour mixed with what is beside them as well: such a mixture of two others is no colour.
+fn leave_mixtures_out(colors: &mut Vec<Found>) {
+    let opaque = |found: &Found| [found.color[0], found.color[1], found.color[2], 255].map(i32::from);
+    let mut k = 0;
+    while k < colors.len() {
+        let others: Vec<_> = (0..colors.len()).filter(|&i| i != k).map(|i| opaque(&colors[i])).collect();
+        let here = opaque(&colors[k]);
+        let is_mixture =
+            || others.iter().any(|from| others.iter().any(|to| is_between(&here, from, to, MIXED)));
+        if colors[k].is_thin && is_mixture() {
+            colors.remove(k);
+        } else {
+            k += 1;
+        }
+    }
 }
 
 /// One round: every bin goes to the nearest centre, every centre to the mean of its bins.
@@ -199,25 +274,24 @@ fn settle(items: &mut [Item], centers: &mut [[f64; 3]]) {
     }
 }
 
-/// The weight of a cluster, and the mean of what is near its heaviest bin.
-fn flat_color(items: &[Item], cluster: usize) -> Option<(f64, [f64; 3], Color)> {
+/// The colour of a cluster: the mean of what is near its heaviest bin or, where it was seen in thin places mostly, of all of it.
+fn color_of(items: &[Item], cluster: usize) -> Option<Found> {
     let own = || items.iter().filter(|item| item.cluster == cluster);
     let heaviest = own().fold(None, |best: Option<&Item>, item| match best {
         Some(other) if other.weight >= item.weight => best,
         _ => Some(item),
     })?;
-    let (mut weight, mut sum, mut whole) = (0.0, [0.0; 3], 0.0);
-    for item in own() {
-        whole += item.weight;
-        if distance(&item.lab, &heaviest.lab) < CORE * CORE {
-            weight += item.weight;
-            for (total, value) in sum.iter_mut().zip(item.rgb) {
-                *total += item.weight * value;
-            }
+    let whole: f64 = own().map(|item| item.weight).sum();
+    let is_thin = 2.0 * own().map(|item| item.flat).sum::<f64>() < whole;
+    let (mut weight, mut sum) = (0.0, [0.0; 3]);
+    for item in own().filter(|item| is_thin || distance(&item.lab, &heaviest.lab) < CORE * CORE) {
+        weight += item.weight;
+        for (total, value) in sum.iter_mut().zip(item.rgb) {
+            *total += item.weight * value;
         }
     }
     let rgb = sum.map(|channel| channel / weight);
-    Some((whole, oklab(rgb), rgb.map(|channel| (channel + 0.5) as u8)))
+    Some(Found { weight: whole, lab: oklab(rgb), color: rgb.map(|channel| (channel + 0.5) as u8), is_thin })
 }
 
 /// A colour of sRGB in Oklab.

@@ -1,0 +1,58 @@
+//! Pixels that are a mixture of two others, and pixels that are a colour of their own.
+
+/// Red, green and blue as far as they are there, and how far: nothing is (0, 0, 0, 0).
+pub(super) type Premultiplied = [i32; 4];
+
+/// Neighbours whose channels differ by no more are of one shade.
+const ALIKE: u32 = 8;
+/// Squared distance of two neighbours of a pixel with an edge between them.
+const STEP: i32 = 24 * 24;
+/// Squared distance up to which a pixel is taken for a mixture of its neighbours.
+const BESIDE: f64 = 32.0 * 32.0;
+
+pub(super) fn squared(a: &Premultiplied, b: &Premultiplied) -> i32 {
+    (0..4).map(|k| (a[k] - b[k]) * (a[k] - b[k])).sum()
+}
+
+/// Whether two pixels are of one shade.
+pub(super) fn is_like(a: &Premultiplied, b: &Premultiplied) -> bool {
+    (0..4).all(|k| a[k].abs_diff(b[k]) <= ALIKE)
+}
+
+/// The mixture of two colours that is nearest to a third.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Mixture {
+    /// The share of the second of the two.
+    pub(super) share: f64,
+    /// The squared distance to the third.
+    pub(super) gap: f64,
+    /// As much of it as is a difference in light, not in hue.
+    pub(super) light: f64,
+}
+
+impl Mixture {
+    pub(super) fn new(pixel: &Premultiplied, from: &Premultiplied, to: &Premultiplied) -> Self {
+        let whole = squared(from, to);
+        let along: i32 = (0..4).map(|k| (pixel[k] - from[k]) * (to[k] - from[k])).sum();
+        let share = if whole == 0 { 0.0 } else { (f64::from(along) / f64::from(whole)).clamp(0.0, 1.0) };
+        let off: [f64; 4] =
+            core::array::from_fn(|k| f64::from(pixel[k] - from[k]) - share * f64::from(to[k] - from[k]));
+        let light = off[0] + off[1] + off[2];
+        Self { share, gap: off.iter().map(|off| off * off).sum(), light: light * light / 3.0 }
+    }
+}
+
+/// Whether a colour is a mixture of two that are unlike, up to a squared distance, and near neither of them.
+pub(super) fn is_between(pixel: &Premultiplied, from: &Premultiplied, to: &Premultiplied, most: f64) -> bool {
+    if squared(from, to) <= STEP {
+        return false;
+    }
+    let Mixture { share, gap, .. } = Mixture::new(pixel, from, to);
+    share > 0.05 && share < 0.95 && gap < most
+}
+
+/// Whether a pixel is on the way from one neighbour to the one on the other side. In the middle of something thin it is not, nor where it is
+/// flat: there it shows a colour of its own.
+pub(super) fn is_on_edge(pixel: &Premultiplied, [left, right, above, below]: [&Premultiplied; 4]) -> bool {
+    is_between(pixel, left, right, BESIDE) || is_between(pixel, above, below, BESIDE)
+}
