@@ -301,6 +301,68 @@ fn flat_ellipses_are_drawn_within_the_tolerance() {
     assert!(arcs > 800, "{arcs} of 1600 are arcs");
 }
 
+/// The angles between each cubic's last handle and the next one's first, in degrees.
+fn kinks(d: &str) -> Vec<f64> {
+    let (pieces, _) = drawing(d).remove(0);
+    let handles: Vec<[Point; 2]> = pieces
+        .iter()
+        .filter_map(|piece| match piece {
+            Piece::Cubic([a, b, c, d]) => Some([b - a, d - c]),
+            // What closes the path where its numbers add up to a rounding error.
+            _ => None,
+        })
+        .collect();
+    let kink = |k: usize| {
+        let (before, after) = (handles[k][1], handles[(k + 1) % handles.len()][0]);
+        before.perp(&after).atan2(before.dot(&after)).abs().to_degrees()
+    };
+    (0..handles.len()).map(kink).collect()
+}
+
+/// Handles of a tenth of a pixel are ten units of the usual grid, which alone would turn them by up to four degrees each.
+#[test]
+fn the_grid_turns_no_smooth_joint_by_three_degrees() {
+    let mut random = Random::new(23);
+    let options = PrintOptions { decimals: Some(2), relative: true, ..options() };
+    let (mut worst, mut all): (f64, Vec<f64>) = (0.0, Vec::new());
+    for round in 0..100 {
+        let angles = (0..6).map(|_| PI * random.symmetric()).collect::<Vec<_>>();
+        let mut ways = |least: f64| -> Vec<Point> {
+            let handle = |angle: &f64| {
+                let length = 3.0 * (least + 0.5 * random.symmetric().abs());
+                Point::new(angle.cos(), angle.sin()) * length
+            };
+            angles.iter().map(handle).collect()
+        };
+        let (tangents, tangents_in) = (ways(0.1), ways(0.1));
+        let curve = HermiteCurve::new(HermiteOptions {
+            points: (0..6).map(|_| random.vector(100.0)).collect(),
+            tangents,
+            tangents_in,
+            closed: true,
+            space: None,
+            omega: vec![0.0; 6],
+            lengths: Vec::new(),
+        })
+        .expect("a valid curve");
+        let printed = print(&curve, &options);
+        assert!(printed.deviation <= options.tolerance, "round {round}: {}", printed.deviation);
+        if round < 5 {
+            assert!(distance(&curve, &printed.d) <= within(&printed, extent(&curve)), "round {round}");
+        }
+        for kink in kinks(&printed.d) {
+            assert!(kink < 3.0, "round {round}: {kink} degrees in {}", printed.d);
+            worst = worst.max(kink);
+            all.push(kink);
+        }
+    }
+    all.sort_by(f64::total_cmp);
+    println!(
+        "kinks by two decimals: 95 of 100 below {:.2}, all below {worst:.2} degrees",
+        all[all.len() * 95 / 100]
+    );
+}
+
 /// A round corner keeps its radius wherever the grid puts its ends.
 #[test]
 fn arcs_keep_their_own_radii_on_a_coarse_grid() {

@@ -7,6 +7,7 @@ use super::text::{Grid, Placed, Text};
 use crate::curve::{Curve, EllipseArc, HermiteCurve, Segment, segment_cubics};
 use crate::error::{Error, Result};
 use crate::numerics::angle::sin_cos;
+use crate::numerics::plane::{cross, dot};
 use crate::numerics::{Point, Vector};
 
 /// From this many decimals on, coordinates are written so that every bit comes back.
@@ -24,6 +25,11 @@ const ELLIPTIC: f64 = 1e-8;
 
 /// Bézier points more tangents away than this say nothing about how large the curve is: beyond a turn of 4.5 radians.
 const FAR: f64 = 1.0;
+
+/// No handle has to be turned less by the grid, in radians: two of them at a joint are twice as much.
+const TURNED: f64 = 0.0175;
+/// How much longer other handles are that are tried then, in halves of the grid's unit.
+const OTHERS: [f64; 9] = [0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0, -4.0];
 
 /// Once around, and a little for rounding.
 const FULL_TURN: f64 = core::f64::consts::TAU + 1e-6;
@@ -262,7 +268,9 @@ impl<'a> Printer<'a> {
         if self.quadratic(start, leaving, arriving, end, near) {
             return;
         }
-        let (first, second) = (self.handle(start, leaving, from), self.handle(end, -arriving, to));
+        let most = self.tolerance - near;
+        let first = self.handle(start, leaving, from, most);
+        let second = self.handle(end, -arriving, to, most);
         let truth = [start + leaving / 3.0, end - arriving / 3.0];
         let mirrored = match self.control {
             Some(control) => self.grid.mirrored(control, from),
@@ -332,13 +340,32 @@ impl<'a> Printer<'a> {
 
     /// The control point that a cubic with derivative `d` at the end `p` has next to it.
     ///
-    /// Where every bit counts it is the one from which a reader gets `d` back, if there is one.
-    fn handle(&self, p: Point, d: Vector, end: Placed) -> Placed {
-        if self.grid != Grid::EXACT {
-            return self.grid.place(p + d / 3.0);
-        }
+    /// Where every bit counts it is the one from which a reader gets `d` back, if there is one. Where the grid would turn a short one, it is
+    /// one along `d` that is turned less, at most so far from where it should be: a joint that is smooth has to look it.
+    fn handle(&self, p: Point, d: Vector, end: Placed, most: f64) -> Placed {
         let q = end.point();
-        self.grid.place(Point::new(returning(q.x, d.x), returning(q.y, d.y)))
+        if self.grid == Grid::EXACT {
+            return self.grid.place(Point::new(returning(q.x, d.x), returning(q.y, d.y)));
+        }
+        let way = d / 3.0;
+        let (mut best, mut least) = (self.grid.place(p + way), f64::INFINITY);
+        if best == end {
+            return best;
+        }
+        let step = way * (0.5 * self.grid.unit() / way.norm());
+        for k in OTHERS {
+            let other = if k == 0.0 { best } else { self.grid.place(q + way + step * k) };
+            let there = other.point() - q;
+            let (across, along) = (cross(way, there).abs(), dot(way, there));
+            let turned = if along > 0.0 { across / along } else { f64::MAX };
+            if turned < least && (k == 0.0 || displacement(other, p + way) <= most) {
+                (best, least) = (other, turned);
+            }
+            if least <= TURNED {
+                break;
+            }
+        }
+        best
     }
 
     /// The longest run of segments from `i` on that lie on one ellipse, at most once around.
