@@ -68,6 +68,25 @@ fn a_disk_is_an_exact_circle_to_a_fiftieth_of_a_pixel() {
     assert!(drawing.residual < 0.015, "{}", drawing.residual);
 }
 
+/// A sine is no cubic: where pieces may leave .012 of coverage, however long they are, this one takes six.
+#[test]
+fn a_long_gentle_edge_takes_few_pieces_and_is_near_its_own() {
+    let (width, height) = (480, 260);
+    let phase = |x: f64| core::f64::consts::TAU * x / 440.0 + 0.3;
+    let edge = |x: f64| 110.0 + 50.0 * phase(x).sin();
+    let inside = |x: f64, y: f64| (20.0..460.0).contains(&x) && (edge(x)..240.0).contains(&y);
+    let drawing = traced(width, height, &draw(width, height, &inside));
+    let curve = &drawing.contours[0].curve;
+    assert!(curve.segment_count() <= 5 + 3, "{} pieces and lines", curve.segment_count());
+    let slope = |x: f64| 50.0 * core::f64::consts::TAU / 440.0 * phase(x).cos();
+    let off = |p: Point| {
+        let side = (p.x - 20.0).abs().min((p.x - 460.0).abs()).min((p.y - 240.0).abs());
+        side.min((p.y - edge(p.x)).abs() / slope(p.x).hypot(1.0))
+    };
+    let (most, mean) = along(curve, &off);
+    assert!(most < 0.1 && mean < 0.02, "mean {mean}, most {most}");
+}
+
 #[test]
 fn a_turned_ellipse_is_an_exact_ellipse() {
     let (sin, cos) = (0.6, 0.8);

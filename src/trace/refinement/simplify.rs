@@ -20,6 +20,10 @@ const FIRST_STEPS: usize = 2;
 const LAST_STEPS: usize = 6;
 /// The share of what is left that a step has to take away for another.
 const ENOUGH: f64 = 0.01;
+/// A merged piece that crosses more pixels than this may leave more in each, in proportion, but at most so many times as much: over a long way a
+/// joint is more than a fiftieth of a pixel.
+const LONG_WAY: f64 = 100.0;
+const MOST_EASE: f64 = 2.0;
 /// A merged piece that leaves so many times as much as it may will not get good.
 const HOPELESS: f64 = 3.0;
 
@@ -112,7 +116,8 @@ impl Trial<'_> {
 
     /// Refines the merged piece, the first of some; whether it explains the picture as well as the two did.
     fn settles(&mut self, shape: &mut Shape, before: &Left, forced: bool) -> Result<bool> {
-        let enough = if self.limits.noise == 0.0 { ENOUGH } else { NOISY_SHARE };
+        let clean = self.limits.noise == 0.0;
+        let enough = if clean { ENOUGH } else { NOISY_SHARE };
         // Joints that slid past each other hide their own cost.
         let ease = if forced { 3.0 } else { 1.0 };
         let mut steps = 0;
@@ -121,11 +126,12 @@ impl Trial<'_> {
             steps += FIRST_STEPS;
             let mut now = Left::default();
             now.add(&shape.parts[0], self.field);
-            if self.limits.allow(&now, before, ease) {
+            let long = if clean { (now.count / LONG_WAY).clamp(1.0, MOST_EASE) } else { 1.0 };
+            if self.limits.allow(&now, before, ease * long) {
                 return Ok(true);
             }
-            let clean = self.limits.noise == 0.0 && !forced;
-            if steps >= LAST_STEPS || (clean && now.rms() > HOPELESS * self.limits.rms) {
+            let hopeless = clean && !forced && now.rms() > HOPELESS * long * self.limits.rms;
+            if hopeless || steps >= LAST_STEPS {
                 return Ok(false);
             }
         }
