@@ -230,6 +230,34 @@ fn light_ink_and_transparent_paper_are_what_they_seem() {
 }
 
 #[test]
+fn a_light_drawing_on_nothing_is_ink_and_its_ground_is_not() {
+    let star = draw(64, 64, &|x, y| inside(&STAR, x, y));
+    let on_nothing = |color: [u8; 3]| -> Vec<u8> {
+        star.iter().flat_map(|&v| [color[0], color[1], color[2], 255 - v]).collect()
+    };
+    for color in [[255, 255, 255], [250, 220, 90], [0, 0, 0], [20, 60, 160]] {
+        let gray = Gray::from_rgba(64, 64, &on_nothing(color)).expect("valid");
+        let found = trace(gray, &TraceOptions::default()).expect("a drawing");
+        assert_eq!(found.contours.len(), 1, "{color:?}: the star alone");
+        assert_eq!(found.contours[0].cusps.len(), 10, "{color:?}");
+        assert!(!found.contours[0].hole, "{color:?}");
+    }
+    // A page with dark ink on it and transparent corners is a page, not a shape.
+    let page: Vec<u8> = (0..64 * 64)
+        .flat_map(|i| {
+            let is_corner = (i % 64).min(63 - i % 64) + (i / 64).min(63 - i / 64) < 6;
+            [star[i], star[i], star[i], if is_corner { 0 } else { 255 }]
+        })
+        .collect();
+    let gray = Gray::from_rgba(64, 64, &page).expect("valid");
+    let found = trace(gray, &TraceOptions::default()).expect("a drawing");
+    assert!(
+        found.contours.iter().any(|contour| !contour.hole && contour.cusps.len() == 10),
+        "the star is ink"
+    );
+}
+
+#[test]
 fn the_same_picture_gives_the_same_bits() {
     let bytes = draw(64, 64, &|x, y| inside(&STAR, x, y) || (x - 50.0).hypot(y - 50.0) < 9.0);
     let (first, second) = (traced(64, 64, &bytes), traced(64, 64, &bytes));

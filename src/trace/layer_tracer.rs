@@ -18,7 +18,7 @@ pub struct TracedLayer {
 
 #[derive(Debug)]
 enum Phase {
-    Shape(Shape),
+    Shape(Box<Shape>),
     Tracing(Box<Tracer>),
 }
 
@@ -59,7 +59,7 @@ impl LayerTracer {
     pub fn step(&mut self, budget: f64) -> Result<bool> {
         let Some(&(rank, color)) = self.visible.get(self.found.len()) else { return Ok(true) };
         match &mut self.phase {
-            None => self.phase = Some(Phase::Shape(Shape::new(&self.layers, &self.order, rank)?)),
+            None => self.phase = Some(Phase::Shape(Box::new(Shape::new(&self.layers, &self.order, rank)?))),
             Some(Phase::Shape(shape)) => {
                 // A step takes half a millisecond or so.
                 for _ in 0..(budget / 500.0).clamp(1.0, 1e6) as usize {

@@ -41,7 +41,7 @@ pub struct TraceOptions {
     pub threshold: Option<f64>,
     /// The deviation in pixels of the Gaussian that the picture is blurred by before contours are looked for; found if it is not given.
     pub blur: Option<f64>,
-    /// Light ink on dark paper.
+    /// Light ink on dark paper. What is light and lies on a transparent ground is ink in any case.
     pub inverted: bool,
     /// Contours that enclose fewer square pixels are left out, and edges that are shorter than the outline of a square of so many.
     pub speckle: f64,
@@ -197,9 +197,10 @@ impl Tracer {
     /// Options out of range or that do not go together.
     pub fn new(gray: Gray, options: &TraceOptions) -> Result<Self> {
         options.check()?;
+        let options = TraceOptions { inverted: options.inverted || gray.is_light_on_nothing(), ..*options };
         let work: Box<dyn Work> = match (options.source, options.model) {
-            (Source::Brightness, Model::Sparse) => Box::new(InkWork::new(gray, *options)?),
-            _ => Box::new(ChainWork::new(gray, *options)?),
+            (Source::Brightness, Model::Sparse) => Box::new(InkWork::new(gray, options)?),
+            _ => Box::new(ChainWork::new(gray, options)?),
         };
         Ok(Self { work })
     }

@@ -40,7 +40,7 @@ export interface TraceOptions {
   threshold?: number | "auto" | undefined;
   /** Standard deviation in pixels of a blur before all else, 0 … 10. Default: found, as much as the noise needs. */
   blur?: number | undefined;
-  /** Light ink on dark paper. Default false. */
+  /** Light ink on dark paper. Default false; a light drawing on a transparent ground is ink without being asked for. */
   invert?: boolean | undefined;
   /** Contours that enclose fewer square pixels are left out, and edges shorter than the outline of a square of so many. Default 2. */
   speckle?: number | undefined;

@@ -70,6 +70,11 @@ test("shades are the luma of Rec. 709, and what is transparent is paper under ei
   assert.deepEqual([...shadesOf(pixels(255, 0, 0, 255, 0, 255, 0, 255, 255, 255, 255, 255)).values], [54, 182, 255]);
   assert.deepEqual([...shadesOf(pixels(0, 0, 0, 255, 0, 0, 0, 0)).values], [0, 255]);
   assert.deepEqual([...shadesOf(pixels(255, 255, 255, 255, 0, 0, 0, 0)).values], [255, 0]);
+  const isLight = (...bytes: number[]): boolean | undefined => shadesOf(pixels(...bytes)).lightOnNothing;
+  assert.equal(isLight(255, 255, 255, 255, 0, 0, 0, 0), true, "a white drawing on nothing is the ink");
+  assert.equal(isLight(0, 0, 0, 255, 0, 0, 0, 0), false, "a black one is so anyway");
+  assert.equal(isLight(255, 255, 255, 255, 250, 250, 250, 255), false, "paper is no drawing");
+  assert.equal(isLight(255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 0, 0, 0, 255, 0, 0, 0, 0), false, "nor is a page with ink on it");
 });
 
 test("the threshold is half-way between ink and paper, however little of either there is", () => {

@@ -10,6 +10,10 @@ pub const MOST_SIDE: usize = 16_384;
 /// The most pixels of a picture.
 pub const MOST_PIXELS: usize = 67_108_864;
 
+/// A drawing lies on nothing where one part in so many of the picture's pixels are transparent,
+const LEAST_CLEAR: u64 = 10;
+/// and is light where no more than one part in so many of what is there is dark.
+const LEAST_LIGHT: u64 = 50;
 /// Pixels that are read together; the sum of their shades has room in 32 bits.
 const BLOCK: usize = 4096;
 
@@ -19,6 +23,8 @@ pub struct Gray {
     width: usize,
     height: usize,
     values: Vec<u16>,
+    /// Whether all that is there is light, on a transparent ground.
+    light_on_nothing: bool,
 }
 
 /// A picture that is being given row by row, so that nobody holds all of its colours at once.
@@ -34,6 +40,8 @@ pub struct GrayRows {
     opacity: Vec<u8>,
     light: u64,
     opaque: u64,
+    /// As much of `opaque` as is darker than the middle.
+    dark: u64,
 }
 
 impl Gray {
@@ -44,7 +52,7 @@ impl Gray {
     /// A side of 0 or beyond 16,384, more than 67,108,864 pixels, no memory.
     pub fn begin(width: usize, height: usize) -> Result<GrayRows> {
         let values = with_room(count(width, height)?)?;
-        Ok(GrayRows { width, height, values, opacity: Vec::new(), light: 0, opaque: 0 })
+        Ok(GrayRows { width, height, values, opacity: Vec::new(), light: 0, opaque: 0, dark: 0 })
     }
 
     /// A picture from one byte per pixel, row by row.
@@ -77,7 +85,7 @@ impl Gray {
 
     /// Shades of a picture that somebody else made.
     pub(super) fn from_values(width: usize, height: usize, values: Vec<u16>) -> Self {
-        Self { width, height, values }
+        Self { width, height, values, light_on_nothing: false }
     }
 
     /// Columns.
@@ -88,6 +96,11 @@ impl Gray {
     /// Rows.
     pub fn height(&self) -> usize {
         self.height
+    }
+
+    /// Whether all that is there is light, on a transparent ground: then that is the ink.
+    pub(in crate::trace) fn is_light_on_nothing(&self) -> bool {
+        self.light_on_nothing
     }
 
     /// The shade of a pixel.
@@ -175,6 +188,8 @@ impl GrayRows {
         self.values.extend(pixels.as_chunks::<4>().0.iter().map(|&pixel| luma(pixel) as u16));
         let sum: u32 = self.values[start..].iter().map(|&value| u32::from(value)).sum();
         self.light += u64::from(sum) * 255;
+        self.dark +=
+            self.values[start..].iter().filter(|&&value| is_dark(u32::from(value))).count() as u64 * 255;
         self.opaque += (self.values.len() - start) as u64 * 255;
     }
 
@@ -183,6 +198,7 @@ impl GrayRows {
             let (luma, alpha) = (luma(pixel), u32::from(pixel[3]));
             self.light += u64::from(luma * alpha);
             self.opaque += u64::from(alpha);
+            self.dark += if is_dark(luma) { u64::from(alpha) } else { 0 };
             if alpha < 255 && self.opacity.is_empty() {
                 self.opacity = with_room(self.width * self.height)?;
                 self.opacity.resize(self.values.len(), 255);
@@ -207,6 +223,7 @@ impl GrayRows {
             self.opacity.resize(self.values.len(), 255);
         }
         self.opaque += 255 * bytes.len() as u64;
+        self.dark += bytes.iter().filter(|&&byte| byte < 128).count() as u64 * 255;
         self.light += bytes.iter().map(|&byte| u64::from(byte)).sum::<u64>() * 65_280;
         Ok(())
     }
@@ -228,7 +245,10 @@ impl GrayRows {
                 *value += (u16::from(255 - alpha)) << 8;
             }
         }
-        Ok(Gray { width: self.width, height: self.height, values: self.values })
+        let clear = 255 * pixels as u64 - self.opaque;
+        let light_on_nothing =
+            !dark && LEAST_CLEAR * clear >= 255 * pixels as u64 && LEAST_LIGHT * self.dark <= self.opaque;
+        Ok(Gray { width: self.width, height: self.height, values: self.values, light_on_nothing })
     }
 
     fn room(&self, bytes: usize, each: usize) -> Result<()> {
@@ -244,6 +264,10 @@ impl GrayRows {
 #[inline]
 fn luma([red, green, blue, _]: [u8; 4]) -> u32 {
     54 * u32::from(red) + 183 * u32::from(green) + 19 * u32::from(blue)
+}
+
+fn is_dark(luma: u32) -> bool {
+    luma < 32_640
 }
 
 fn is_opaque(pixels: &[u8]) -> bool {

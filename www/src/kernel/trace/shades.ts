@@ -7,6 +7,8 @@ export interface Shades {
   readonly rows: number;
   /** 0 black … 255 white. */
   readonly values: Uint8Array<ArrayBuffer>;
+  /** Whether all that is there is light, on a transparent ground: then that is the ink, as the tracer takes it. */
+  readonly lightOnNothing?: boolean;
 }
 
 /** The luma of Rec. 709; where something is transparent, that is paper: white under dark ink, black under light ink. */
@@ -14,10 +16,12 @@ export function shadesOf({ columns, rows, data }: Pixels): Shades {
   const count = columns * rows;
   if (data.length === count) return { columns, rows, values: data instanceof Uint8Array ? data : new Uint8Array(data.buffer) };
   const luma = (i: number): number => (54 * (data[i] ?? 0) + 183 * (data[i + 1] ?? 0) + 19 * (data[i + 2] ?? 0)) / 256;
-  let [light, opaque] = [0, 0];
+  let [light, opaque, dark] = [0, 0, 0];
   for (let i = 0; i < data.length; i += 4) {
-    light += luma(i) * (data[i + 3] ?? 0);
-    opaque += data[i + 3] ?? 0;
+    const [shade, alpha] = [luma(i), data[i + 3] ?? 0];
+    light += shade * alpha;
+    opaque += alpha;
+    if (shade < 127.5) dark += alpha;
   }
   const paper = light > opaque * 127.5 && opaque < 255 * count ? 0 : 255;
   const values = new Uint8Array(count);
@@ -25,7 +29,8 @@ export function shadesOf({ columns, rows, data }: Pixels): Shades {
     const alpha = (data[4 * i + 3] ?? 0) / 255;
     values[i] = luma(4 * i) * alpha + paper * (1 - alpha) + 0.5;
   }
-  return { columns, rows, values };
+  const lightOnNothing = paper === 0 && 10 * (255 * count - opaque) >= 255 * count && 50 * dark <= opaque;
+  return { columns, rows, values, lightOnNothing };
 }
 
 /** Blurred by three boxes in a row, which is as good as a bell for looking at. */

@@ -79,10 +79,11 @@ async function trace(request: Extract<TraceRequest, { kind: "trace" }>, signal: 
   report("decoding", 1, 1);
   if (await ended(signal)) return answer({ kind: "stopped", id });
   // The tracer does the same: a threshold that is given is meant for the shades as they are.
-  const seen = how.threshold === "auto" && !how.invert && how.source !== "edges" ? even : shades;
+  const invert = how.invert || shades.lightOnNothing === true;
+  const seen = how.threshold === "auto" && !invert && how.source !== "edges" ? even : shades;
   const soft = how.blur === "auto" ? seen : blurred(seen, how.blur);
   const threshold = how.threshold === "auto" ? foundThreshold(soft) : how.threshold;
-  const ink = inkOf(soft, threshold, how.invert);
+  const ink = inkOf(soft, threshold, invert);
   await show(id, pixels, how.source !== "brightness" ? steepness(soft) : ink.map((on) => 255 * (1 - on)), threshold);
   if (await ended(signal)) return answer({ kind: "stopped", id });
   const scale = [pixels.width / pixels.columns, pixels.height / pixels.rows] as const;
