@@ -6,9 +6,12 @@ mod support;
 
 use expline::trace::{Color, TracedLayer};
 use support::colors::{BLUE, RED, SHARP, SOFT, WHITE, YELLOW, apart, disc, draw, palette, scaled, traced};
+use support::curves::Random;
 
 const GREEN: Color = [40, 160, 70];
 const SKY: Color = [60, 130, 240];
+const NEAR_BLUE: Color = [26, 115, 232];
+const FAR_BLUE: Color = [25, 103, 210];
 const PALE: Color = [174, 203, 250];
 const PAPER: Color = [236, 236, 232];
 const DARK: Color = [70, 70, 70];
@@ -54,20 +57,18 @@ fn an_icon_of_few_pixels_has_all_of_its_colours() {
 
 #[test]
 fn a_disc_of_a_colour_that_the_palette_lacks_is_one_disc_of_the_nearest() {
-    let near = [26, 115, 232];
-    let far = [25, 103, 210];
     let paint = |x: f64, y: f64| {
         Some(if disc(x, y, 24.0, 24.0, 9.6) {
-            near
+            NEAR_BLUE
         } else if disc(x, y, 24.0, 24.0, 12.2) {
             WHITE
         } else if x > 24.0 {
             PALE
         } else {
-            far
+            FAR_BLUE
         })
     };
-    let layers = traced(48, 48, &draw(48, 48, &paint), &[far, PALE, WHITE]);
+    let layers = traced(48, 48, &draw(48, 48, &paint), &[FAR_BLUE, PALE, WHITE]);
     let count: usize = layers.iter().map(|layer| layer.contours.len()).sum();
     assert_eq!(
         count, 5,
@@ -165,4 +166,40 @@ fn what_narrow_stripes_show_between_them_is_no_colour() {
             assert!(off < Some(most), "{color:?} among {found:?}");
         }
     }
+}
+
+/// A disc of one of two blues on the other, which are 22 apart in one channel, with a white bar.
+fn blues(x: f64, y: f64) -> Option<Color> {
+    Some(if disc(x, y, 30.0, 30.0, 18.0) {
+        NEAR_BLUE
+    } else if y > 52.0 {
+        WHITE
+    } else {
+        FAR_BLUE
+    })
+}
+
+#[test]
+fn two_shades_that_were_drawn_so_are_two_colours_where_more_are_asked_for() {
+    let bytes = draw(64, 64, &blues);
+    assert_eq!(palette(64, &bytes, 8), [FAR_BLUE, NEAR_BLUE, WHITE]);
+    assert_eq!(palette(64, &bytes, 2), [FAR_BLUE, WHITE], "what is like others comes last");
+    let layers = traced(64, 64, &bytes, &palette(64, &bytes, 8));
+    assert_eq!(contours(&layers, NEAR_BLUE), 1, "the disc");
+}
+
+#[test]
+fn shades_of_one_colour_that_noise_or_a_gradient_shows_are_one_colour() {
+    let mut random = Random::new(7);
+    let noisy: Vec<u8> = draw(64, 64, &blues)
+        .into_iter()
+        .map(|byte| if byte == 255 { byte } else { (f64::from(byte) + 9.0 * random.symmetric()) as u8 })
+        .collect();
+    assert_eq!(palette(64, &noisy, 8).len(), 2, "noise");
+    let gradient = |x: f64, _: f64| {
+        let part = x.floor() / 63.0;
+        let blend = |near: u8, far: u8| (f64::from(far) + part * (f64::from(near) - f64::from(far))) as u8;
+        Some(core::array::from_fn(|k| blend(NEAR_BLUE[k], FAR_BLUE[k])))
+    };
+    assert_eq!(palette(64, &draw(64, 64, &gradient), 8).len(), 1, "a gradient");
 }

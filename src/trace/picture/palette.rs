@@ -20,6 +20,14 @@ const FLAT: u64 = 4;
 const MIXED: f64 = 12.0 * 12.0;
 /// The least distance of two colours of a palette, in the units of Oklab: three times what an eye tells apart.
 const APART: f64 = 0.06;
+/// The least distance of two pure colours: half as much, because they are shades that were drawn so.
+const APART_PURE: f64 = 0.03;
+/// A bin is pure where no more than one part in so many is around it: noise and gradients fill the bins beside,
+const MOST_AROUND: f64 = 8.0;
+/// which are nearer than this,
+const AROUND: f64 = 0.022;
+/// and where as many pixels show it, most of them flat.
+const LEAST_PURE: f64 = 8.0;
 /// What is nearer than this to a cluster's heaviest bin belongs to the same flat colour.
 const CORE: f64 = 0.04;
 /// Fewer pixels are no colour.
@@ -70,6 +78,7 @@ struct Found {
     color: Color,
     /// Whether it was seen in thin places mostly.
     is_thin: bool,
+    is_pure: bool,
 }
 
 impl Census {
@@ -136,7 +145,10 @@ impl Census {
         let mut colors: Vec<Found> = Vec::new();
         for cluster in 0..centers.len() {
             if let Some(found) = color_of(&items, cluster) {
-                let is_near = |other: &&mut Found| distance(&other.lab, &found.lab) < APART * APART;
+                let is_near = |other: &&mut Found| {
+                    let least = if other.is_pure && found.is_pure { APART_PURE } else { APART };
+                    distance(&other.lab, &found.lab) < least * least
+                };
                 match colors.iter_mut().find(is_near) {
                     Some(other) if other.weight < found.weight => *other = found,
                     Some(_) => {}
@@ -206,31 +218,60 @@ fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     (0..3).map(|k| (a[k] - b[k]) * (a[k] - b[k])).sum()
 }
 
-/// The first centres: the heaviest bin, then the one that counts most by its pixels and its distance from all before.
+/// The first centres: the heaviest bin, then the one that counts most by its pixels and its distance from all before. Where there is room
+/// left, pure ones may be nearer to each other.
 fn seeds(items: &mut [Item], most: usize) -> Vec<[f64; 3]> {
     let mut centers: Vec<[f64; 3]> = Vec::new();
     let mut weak = 0;
-    while centers.len() < most && weak < MOST_WEAK {
-        let (mut best, mut value) = (None, 0.0);
-        for (i, item) in items.iter().enumerate() {
-            if item.gap >= APART * APART && !item.is_weak && item.weight * item.gap > value {
-                (best, value) = (Some(i), item.weight * item.gap);
+    for (apart, must_be_pure) in [(APART, false), (APART_PURE, true)] {
+        while centers.len() < most && weak < MOST_WEAK {
+            let Some(best) = farthest(items, apart) else { break };
+            let lab = items[best].lab;
+            let is_seed = if must_be_pure {
+                is_pure_beside_pure(items, best)
+            } else {
+                centers.is_empty() || weight_around(items, &lab, CORE) >= LEAST
+            };
+            if !is_seed {
+                items[best].is_weak = true;
+                weak += 1;
+                continue;
             }
-        }
-        let Some(best) = best else { break };
-        let lab = items[best].lab;
-        let around = items.iter().filter(|item| distance(&item.lab, &lab) < CORE * CORE);
-        if !centers.is_empty() && around.map(|item| item.weight).sum::<f64>() < LEAST {
-            items[best].is_weak = true;
-            weak += 1;
-            continue;
-        }
-        centers.push(lab);
-        for item in items.iter_mut() {
-            item.gap = item.gap.min(distance(&item.lab, &lab));
+            centers.push(lab);
+            for item in items.iter_mut() {
+                item.gap = item.gap.min(distance(&item.lab, &lab));
+            }
         }
     }
     centers
+}
+
+/// The bin that counts most by its pixels and its distance from all centres, of those that are so far from them.
+fn farthest(items: &[Item], apart: f64) -> Option<usize> {
+    let (mut best, mut value) = (None, 0.0);
+    for (i, item) in items.iter().enumerate() {
+        if item.gap >= apart * apart && !item.is_weak && item.weight * item.gap > value {
+            (best, value) = (Some(i), item.weight * item.gap);
+        }
+    }
+    best
+}
+
+/// Whether a bin is pure, and the centres near it are.
+fn is_pure_beside_pure(items: &[Item], i: usize) -> bool {
+    let is_near_center = |item: &&Item| item.gap == 0.0 && distance(&item.lab, &items[i].lab) < APART * APART;
+    is_pure(items, &items[i]) && items.iter().filter(is_near_center).all(|center| is_pure(items, center))
+}
+
+fn weight_around(items: &[Item], lab: &[f64; 3], reach: f64) -> f64 {
+    items.iter().filter(|item| distance(&item.lab, lab) < reach * reach).map(|item| item.weight).sum()
+}
+
+/// Whether a bin is one flat colour, with next to nothing around it.
+fn is_pure(items: &[Item], item: &Item) -> bool {
+    2.0 * item.flat > item.weight
+        && item.weight >= LEAST_PURE
+        && MOST_AROUND * (weight_around(items, &item.lab, AROUND) - item.weight) < item.weight
 }
 
 /// Thin places show a colour mixed with what is beside them as well: such a mixture of two others is no colour.
@@ -291,7 +332,8 @@ fn color_of(items: &[Item], cluster: usize) -> Option<Found> {
         }
     }
     let rgb = sum.map(|channel| channel / weight);
-    Some(Found { weight: whole, lab: oklab(rgb), color: rgb.map(|channel| (channel + 0.5) as u8), is_thin })
+    let color = rgb.map(|channel| (channel + 0.5) as u8);
+    Some(Found { weight: whole, lab: oklab(rgb), color, is_thin, is_pure: is_pure(items, heaviest) })
 }
 
 /// A colour of sRGB in Oklab.
