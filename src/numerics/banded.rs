@@ -33,7 +33,7 @@ impl Bordered {
         let half = half.min(band.saturating_sub(1));
         let mut matrix = Self { band, half, border, ..Self::default() };
         matrix.columns = limits::filled(0.0, band.saturating_mul(matrix.stride()))?;
-        matrix.corner = limits::filled(0.0, border * border)?;
+        matrix.corner = limits::filled(0.0, border.saturating_mul(border))?;
         Ok(matrix)
     }
 
@@ -360,5 +360,12 @@ mod tests {
         assert_eq!(matrix.factor(1e-12), 1, "the rank is one");
         matrix.solve(&mut right);
         assert!((right[0] - 3.0).abs() < 1e-12 && right[1].abs() < 1e-12, "{right:?}");
+    }
+
+    #[test]
+    fn a_border_whose_square_has_no_number_is_refused() {
+        let side = 1 << (usize::BITS / 2);
+        let refused = Bordered::new(0, 0, side).expect_err("more than there is memory for");
+        assert!(matches!(*refused, crate::Error::OutOfMemory { .. }), "{refused}");
     }
 }
