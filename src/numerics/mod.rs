@@ -5,7 +5,6 @@ pub mod banded;
 pub(crate) mod dense;
 pub mod enclosing_circle;
 pub mod entire;
-pub(crate) mod four;
 pub(crate) mod order;
 pub(crate) mod pair;
 pub(crate) mod plane;
