@@ -7,7 +7,7 @@ import { drawingOf, openPicture, openTraceSample, setTrace } from "../src/editor
 import { registerTraceActions } from "../src/editor/trace/trace-actions.ts";
 import { createTraceRunner, howOf, type TraceRunner } from "../src/editor/trace/trace-runner.ts";
 import { readShareHash, shareHash } from "../src/io/link/share.ts";
-import { contoursOfPath } from "../src/kernel/curve/contours.ts";
+import { contoursOfPath } from "../src/kernel/curve/points/contours.ts";
 import type { PictureSource, TraceAnswer, TraceHow, TraceRequest, TraceResult } from "../src/kernel/trace/job.ts";
 import { cornersIn, outcomeOf, shownDrawing } from "../src/kernel/trace/outcome.ts";
 import { keepPicture } from "../src/kernel/trace/pictures.ts";

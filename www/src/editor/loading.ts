@@ -9,6 +9,23 @@ export function whileLoading<T>(editor: Editor, work: Promise<T>): Promise<T> {
   return work;
 }
 
+/** Work with what is loaded when it is first wanted: done as soon as it is there, and at once from then on. */
+export interface OnDemand<T> {
+  (editor: Editor, work: (loaded: T) => void): void;
+  /** Loads it before it is wanted. */
+  load(): Promise<T>;
+}
+
+export function onDemand<T>(load: () => Promise<T>): OnDemand<T> {
+  let loaded: T | null = null;
+  const arrive = (): Promise<T> => load().then((it) => (loaded = it));
+  const work = (editor: Editor, run: (loaded: T) => void): void => {
+    if (loaded === null) void whileLoading(editor, arrive().then(run));
+    else run(loaded);
+  };
+  return Object.assign(work, { load: arrive });
+}
+
 /** What is loaded when it is first wanted; null until it is there. */
 export function late<T>(editor: Editor, wanted: (state: EditorState) => boolean, load: () => Promise<T>, arrived: (loaded: T) => void = () => undefined): () => T | null {
   let loaded: T | null = null;

@@ -2,10 +2,9 @@ import { modes, type Mode } from "../../document/document.ts";
 import { documentBounds } from "../../kernel/curve/samples.ts";
 import { fitted, mostZoom, zoomedAt, type ScreenPoint } from "../pointer/camera.ts";
 import {
-  clearCurve, deleteAndHeal, deleteAndOpen, duplicate, insertAfterSelected, insertAt, nudge, resetSelectedHandles, reverse, selectAll, selectEnd, selectNone, setKind,
-  startHere, stepPart, stepSelection, toggleCusp,
+  clearCurve, nudge, renewing, resetSelectedHandles, selectAll, selectEnd, selectNone, setKind, stepPart, stepSelection, toggleCusp,
 } from "../curve/edits.ts";
-import { whileLoading } from "../loading.ts";
+import { late, onDemand, whileLoading } from "../loading.ts";
 import { applyProposal, setLevel } from "../curve/level-edits.ts";
 import type { Action, Editor, EditorState, OverlayId, ToolId } from "../editor.ts";
 
@@ -22,13 +21,18 @@ function action(id: string, label: string, group: Action["group"], keys: readonl
 /** Where the pointer, or the menu it opened, is on the curve. */
 function insertAtHover(editor: Editor): void {
   const { hover } = editor.state.value;
-  if (hover.kind === "curve") insertAt(editor, hover.contour, hover.t);
+  if (hover.kind === "curve") renewing(editor, ({ insertAt }) => insertAt(editor, hover.contour, hover.t));
 }
 
-/** What turns, stretches and chooses whole contours comes when it is first asked for. */
-function framed(editor: Editor, run: (framing: typeof import("../curve/framing.ts")) => void): void {
-  void whileLoading(editor, import("../curve/framing.ts").then(run));
+/** What turns, stretches and chooses whole contours. */
+const framing = onDemand(() => import("../curve/framing.ts"));
+
+/** An action that is loaded with all that change which points there are. */
+function renewal(id: string, label: string, group: Action["group"], keys: readonly string[], edit: Renewal, enabled: (state: EditorState) => boolean): Action {
+  return action(id, label, group, keys, (editor) => renewing(editor, (edits) => edits[edit](editor)), { enabled });
 }
+
+type Renewal = "insertAfterSelected" | "deleteAndHeal" | "deleteAndOpen" | "startHere" | "reverse" | "duplicate";
 
 function stageCentre(state: EditorState): ScreenPoint {
   return { x: state.stage.width / 2, y: state.stage.height / 2 };
@@ -102,10 +106,10 @@ const editing: readonly Action[] = [
     "Select whole contours",
     "Edit",
     ["E"],
-    (editor) => framed(editor, ({ selectContours }) => selectContours(editor)),
+    (editor) => framing(editor, ({ selectContours }) => selectContours(editor)),
     { enabled: (state) => hasSelection(state) || (inCurve(state) && state.hover.kind === "curve") },
   ),
-  action("duplicate", "Duplicate contour", "Edit", ["Mod+D"], duplicate, { enabled: hasSelection }),
+  renewal("duplicate", "Duplicate contour", "Edit", ["Mod+D"], "duplicate", hasSelection),
   action("clear", "Clear", "Edit", [], clearCurve, { enabled: hasCurve }),
 ];
 
@@ -123,11 +127,11 @@ const pointActions: readonly Action[] = [
   action("smooth", "Smooth", "Points", [], (editor) => setKind(editor, "smooth"), { enabled: hasSelection }),
   action("cusp", "Cusp", "Points", [], (editor) => setKind(editor, "cusp"), { enabled: hasSelection }),
   action("reset-handles", "Automatic handles", "Points", [], (editor) => resetSelectedHandles(editor), { enabled: hasSelection }),
-  action("insert", "Insert a point after the selected one", "Points", ["Enter"], insertAfterSelected, { enabled: hasSelection }),
+  renewal("insert", "Insert a point after the selected one", "Points", ["Enter"], "insertAfterSelected", hasSelection),
   action("insert-here", "Insert a point here", "Points", [], insertAtHover, { enabled: (state) => inCurve(state) && state.hover.kind === "curve" }),
-  action("delete", "Delete and heal", "Points", ["Delete", "Backspace"], deleteAndHeal, { enabled: hasSelection }),
-  action("delete-open", "Delete and open", "Points", ["Shift+Delete", "Shift+Backspace"], deleteAndOpen, { enabled: hasSelection }),
-  action("start-here", "Start here", "Curve", [], startHere, { enabled: hasSelection }),
+  renewal("delete", "Delete and heal", "Points", ["Delete", "Backspace"], "deleteAndHeal", hasSelection),
+  renewal("delete-open", "Delete and open", "Points", ["Shift+Delete", "Shift+Backspace"], "deleteAndOpen", hasSelection),
+  renewal("start-here", "Start here", "Curve", [], "startHere", hasSelection),
   action(
     "refine-here",
     "Refine here",
@@ -144,7 +148,7 @@ const pointActions: readonly Action[] = [
     (editor) => void whileLoading(editor, import("../fit/bring.ts").then(({ simplifyInFit }) => simplifyInFit(editor))),
     { enabled: hasCurve },
   ),
-  action("reverse", "Reverse", "Curve", [], reverse, { enabled: hasCurve }),
+  renewal("reverse", "Reverse", "Curve", [], "reverse", hasCurve),
   action("level-up", "Level up", "Curve", ["}"], (editor) => setLevel(editor, editor.state.value.curve.level + 1), { enabled: hasCurve }),
   action("apply-level", "Change the level", "Curve", [], applyProposal, { enabled: (state) => state.sketch.proposal !== null }),
   action("level-down", "Level down", "Curve", ["{"], (editor) => setLevel(editor, editor.state.value.curve.level - 1), { enabled: hasCurve }),
@@ -159,7 +163,7 @@ const transforms: readonly Action[] = ([
   ["flip-down", "Flip top and bottom", "Shift+V"],
   ["join", "Join two ends", "J"],
 ] as const).map(([id, label, key]) =>
-  action(id, label, "Points", [key], (editor) => framed(editor, ({ transforms: all }) => all[id](editor)), { enabled: hasSelection }),
+  action(id, label, "Points", [key], (editor) => framing(editor, ({ transforms: all }) => all[id](editor)), { enabled: hasSelection }),
 );
 
 const viewing: readonly Action[] = [
@@ -173,6 +177,8 @@ const viewing: readonly Action[] = [
 ];
 
 export function registerStandardActions(editor: Editor): void {
+  // Who has chosen something may delete it next.
+  late(editor, hasSelection, renewing.load);
   const switches = overlays.map(([id, label, key]) =>
     action(`overlay-${id}`, label, "View", key === null ? [] : [key], (target) => target.setOverlay(id, !target.state.value.settings.overlays[id]), {
       ...(id === "grid" ? {} : { enabled: inCurve }),

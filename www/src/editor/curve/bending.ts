@@ -1,7 +1,7 @@
 import { movePoints, turnHandle, type Command } from "../../document/curve/commands.ts";
 import { lengthOfOffset, scaled } from "../../document/curve/offset.ts";
 import { noOffset, type Contour, type CurveDocument, type Offset, type PointRef, type Side } from "../../document/document.ts";
-import { handleWeights, pointWeights } from "../../kernel/curve/contours.ts";
+import { handleWeights, pointWeights } from "../../kernel/curve/bending.ts";
 
 /**
  * Pulling a segment by a place of its own: its two inner handles give way, and the place stays under the pointer. Near a smooth point they

@@ -1,7 +1,7 @@
 import { replaceContour } from "../../document/curve/commands.ts";
 import { nothingSelected, segmentCount, type Contour, type Family, type Order, type PointRef } from "../../document/document.ts";
 import { finePlaceOf, rootsOf, supportOf } from "../../document/curve/roots.ts";
-import { inserted } from "../../kernel/curve/contours.ts";
+import { inserted } from "../../kernel/curve/points/contours.ts";
 import { refinedAround } from "../../kernel/curve/fine-places.ts";
 import { asHermite, asInterpolating } from "../../kernel/curve/families.ts";
 import { finerInterpolating } from "../../kernel/curve/interpolating.ts";

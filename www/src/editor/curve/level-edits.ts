@@ -1,6 +1,6 @@
 import { loweredContour } from "../../document/curve/contours.ts";
 import { nothingSelected, type Contour, type CurveDocument } from "../../document/document.ts";
-import { refined } from "../../kernel/curve/contours.ts";
+import { refined } from "../../kernel/curve/refining.ts";
 import { coarserInterpolating, finerInterpolating } from "../../kernel/curve/interpolating.ts";
 import { largestMove } from "../../kernel/curve/samples.ts";
 import { hasPlaces, mostPoints, printed, refuse, unnoticed } from "./edits.ts";

@@ -3,16 +3,15 @@ import { baseCount, noOffset, type Contour, type ControlPoint, type CurveDocumen
 import { rootsOf, supportOf } from "../../document/curve/roots.ts";
 import type { Root } from "../../document/surface/surface.ts";
 import { curveOf } from "./curve-cache.ts";
-import { distanceBetween } from "./distance.ts";
 
-/** Interpolating contours: their levels, other numbers of points, and the way to and from tangents. */
+/** Interpolating contours: their levels, and the way to and from tangents. */
 
 /** A point without handles. */
 export function plainPoint(x: number, y: number): ControlPoint {
   return { x: x + 0, y: y + 0, kind: "smooth", in: noOffset, out: noOffset };
 }
 
-function pointsOf(flat: Float64Array): ControlPoint[] {
+export function pointsOf(flat: Float64Array): ControlPoint[] {
   return Array.from({ length: flat.length / 2 }, (_, i) => plainPoint(flat[2 * i] ?? 0, flat[2 * i + 1] ?? 0));
 }
 
@@ -27,17 +26,8 @@ export function placesOf(contour: Contour): { count: number; t: Float64Array } {
   return { count, t: Float64Array.from({ length: count }, (_, i) => i) };
 }
 
-/** `count` points of the same curve at equal parameters, at level 0. */
-export function resampledInterpolating(document: CurveDocument, contour: Contour, count: number): Contour {
-  const curve = curveOf(document, contour);
-  if (curve === null) return contour;
-  const [from, to] = curve.domain;
-  const segments = contour.closed ? count : count - 1;
-  const t = Float64Array.from({ length: count }, (_, i) => (i === segments ? to : from + ((to - from) * i) / segments));
-  return supported(document, withoutGrid({ ...contour, points: pointsOf(curve.evaluate(t)) }));
-}
-
-function withoutGrid({ grid: _grid, roots: _roots, ...contour }: Contour): Contour {
+/** At level 0. */
+export function withoutGrid({ grid: _grid, roots: _roots, ...contour }: Contour): Contour {
   return contour;
 }
 
@@ -76,24 +66,4 @@ export function coarserInterpolating(document: CurveDocument, contour: Contour, 
   const same = contour.roots === undefined || contour.roots.every((root, i) => Math.hypot(root.re - (own[i]?.re ?? NaN), root.im - (own[i]?.im ?? NaN)) <= 1e-12);
   const next = supported(document, same || contour.roots === undefined ? base : { ...base, roots: contour.roots });
   return next;
-}
-
-/** One more point at parameter `t`, on the curve; the rest of the curve gives way a little. */
-export function insertedInterpolating(document: CurveDocument, contour: Contour, t: number): { contour: Contour; index: number; moved: number } | null {
-  const curve = curveOf(document, contour);
-  const rest = t - Math.floor(t);
-  if (curve === null || contour.grid !== undefined || rest < 1e-9 || rest > 1 - 1e-9) return null;
-  const [x = 0, y = 0] = curve.evaluate(Float64Array.of(t));
-  const index = Math.floor(t) + 1;
-  const points = [...contour.points.slice(0, index), plainPoint(x, y), ...contour.points.slice(index)];
-  const next = supported(document, { ...contour, points });
-  return { contour: next, index, moved: distanceBetween(document, contour, next) };
-}
-
-/** Without one of its points. */
-export function removedInterpolating(document: CurveDocument, contour: Contour, index: number): { contour: Contour; deviation: number } | null {
-  const least = contour.closed ? 3 : 2;
-  if (contour.grid !== undefined || contour.points.length <= least) return null;
-  const next = supported(document, { ...contour, points: contour.points.filter((_, i) => i !== index) });
-  return { contour: next, deviation: distanceBetween(document, contour, next) };
 }

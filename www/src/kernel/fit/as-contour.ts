@@ -1,6 +1,6 @@
 import { fromJSON, HermiteCurve, type Curve } from "expline/slim";
 import type { Contour } from "../../document/document.ts";
-import { contourFrom } from "../curve/contours.ts";
+import { contourFrom } from "../curve/points/contours.ts";
 
 /** A fitted curve as a contour of the document: the same curve, each polynomial piece one segment. */
 export function contourFromFit(curve: Curve): Contour {

@@ -2,7 +2,7 @@ import { HermiteCurve, parsePath } from "expline/slim";
 import { joined } from "../../document/curve/contours.ts";
 import type { Contour, Space } from "../../document/document.ts";
 import { Problem } from "../../document/problem.ts";
-import { contourFrom } from "../curve/contours.ts";
+import { contourFrom } from "../curve/points/contours.ts";
 import { errorCode } from "../engine.ts";
 
 /** Drawings from outside as contours: exact where they are lines, cubics, quadratics or arcs. */

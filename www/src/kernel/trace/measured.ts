@@ -1,6 +1,6 @@
 import { HermiteCurve } from "expline/slim";
 import type { Contour } from "../../document/document.ts";
-import { contourFrom } from "../curve/contours.ts";
+import { contourFrom } from "../curve/points/contours.ts";
 import type { Trace } from "./engine.ts";
 import type { TracedOutline, TraceResult, TraceSizes } from "./job.ts";
 import { coverage } from "./raster.ts";

@@ -1,6 +1,6 @@
 import { omegaOf, type Contour, type CurveDocument, type Space } from "../../document/document.ts";
 import type { EditorState } from "../../editor/editor.ts";
-import { activeContour, resample, setClosed, setOmega, setSpace } from "../../editor/curve/edits.ts";
+import { activeContour, renewing, setOmega, setSpace } from "../../editor/curve/edits.ts";
 import { setLevel } from "../../editor/curve/level-edits.ts";
 import { whileLoading } from "../../editor/loading.ts";
 import { h, setAttribute, setText } from "../controls/dom.ts";
@@ -100,7 +100,7 @@ export function curveSection(shell: Shell): Section & { readonly level: HTMLElem
     most: 256,
     step: 1,
     format: String,
-    write: (value) => value !== null && resample(editor, value, "points"),
+    write: (value) => value !== null && renewing(editor, ({ resample }) => resample(editor, value, "points")),
   });
   points.element.querySelector(".number-box")?.after(stepper(shell));
   const level = sliderField({
@@ -130,7 +130,7 @@ export function curveSection(shell: Shell): Section & { readonly level: HTMLElem
     title: "A copy in Fit, where a curve of fewer points is found; of the chosen contours, if some are chosen",
     click: () => editor.actions.run("simplify"),
   }, "Simplify");
-  const closed = toggleField({ label: "Closed", testid: "closed", about: "Whether the last point joins the first.", write: (on) => setClosed(editor, on) });
+  const closed = toggleField({ label: "Closed", testid: "closed", about: "Whether the last point joins the first.", write: (on) => renewing(editor, ({ setClosed }) => setClosed(editor, on)) });
   const element = h("section", { class: "section", "aria-label": "Curve" },
     family.element,
     space.element,
@@ -179,8 +179,11 @@ function frequencyNote(curve: CurveDocument, contour: Contour | undefined): stri
 /** − and + beside the number of points. */
 function stepper(shell: Shell): HTMLElement {
   const step = (by: number) => () => {
-    const contour = firstContour(shell.editor.state.value, shell);
-    if (contour !== undefined) resample(shell.editor, contour.points.length + by, "points");
+    const { editor } = shell;
+    renewing(editor, ({ resample }) => {
+      const contour = firstContour(editor.state.value, shell);
+      if (contour !== undefined) resample(editor, contour.points.length + by, "points");
+    });
   };
   return h(
     "span",

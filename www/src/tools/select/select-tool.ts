@@ -3,7 +3,7 @@ import { locate } from "../../document/curve/contours.ts";
 import { isSelected, nothingSelected, pointAt, samePoint, type Contour, type Grid, type PointRef, type Selection } from "../../document/document.ts";
 import type { Segment } from "../../editor/curve/bending.ts";
 import { panned, type ScreenPoint } from "../../editor/pointer/camera.ts";
-import { insertAt, resetSelectedHandles, toggleCusp } from "../../editor/curve/edits.ts";
+import { renewing, resetSelectedHandles, toggleCusp } from "../../editor/curve/edits.ts";
 import type { Editor, Modifiers, Target } from "../../editor/editor.ts";
 import { late } from "../../editor/loading.ts";
 import { hitTest, sameTarget } from "../../editor/pointer/hit-test.ts";
@@ -147,7 +147,7 @@ export function createSelectTool(editor: Editor): Tool {
         return resetSelectedHandles(editor, { points: [{ contour, index }], handle: null });
       }
       case "curve":
-        return insertAt(editor, target.contour, target.t);
+        return renewing(editor, ({ insertAt }) => insertAt(editor, target.contour, target.t));
       case "grip":
       case "empty":
     }

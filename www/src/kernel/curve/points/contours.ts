@@ -1,45 +1,12 @@
-import { parsePath, tangentWeights, type HermiteCurve } from "expline/slim";
-import {
-  domainLength, lengthOf, noOffset, omegaOf, segmentCount, type Contour, type ControlPoint, type CurveDocument, type Space,
-} from "../../document/document.ts";
-import { locate } from "../../document/curve/contours.ts";
-import { kindOf, scaled } from "../../document/curve/offset.ts";
-import { curveOf, hermiteOf } from "./curve-cache.ts";
+import { parsePath, type HermiteCurve } from "expline/slim";
+import { domainLength, lengthOf, omegaOf, segmentCount, type Contour, type ControlPoint, type CurveDocument, type Space } from "../../../document/document.ts";
+import { locate } from "../../../document/curve/contours.ts";
+import { kindOf, scaled } from "../../../document/curve/offset.ts";
+import { arraysOf, pointOf } from "./control-points.ts";
+import { curveOf, hermiteOf } from "../curve-cache.ts";
+import { isOrdinary } from "../refining.ts";
 
-/** Edits that need the curve itself: exact insertion, healing removal, refinement, and reading curves back as contours. */
-
-function pointOf(curve: HermiteCurve, i: number, before: number, after: number): ControlPoint {
-  const { points, tangents, tangentsIn } = arraysOf(curve);
-  const at = (list: Float64Array, k: number): number => list[k] ?? 0;
-  const handles = {
-    in: { dx: (-at(tangentsIn, 2 * i) * before) / 3, dy: (-at(tangentsIn, 2 * i + 1) * before) / 3 },
-    out: { dx: (at(tangents, 2 * i) * after) / 3, dy: (at(tangents, 2 * i + 1) * after) / 3 },
-  };
-  const clean = { in: withoutNegativeZero(handles.in), out: withoutNegativeZero(handles.out) };
-  return { x: at(points, 2 * i), y: at(points, 2 * i + 1), kind: kindOf(clean), ...clean };
-}
-
-function withoutNegativeZero(offset: { dx: number; dy: number }): { dx: number; dy: number } {
-  return { dx: offset.dx + 0, dy: offset.dy + 0 };
-}
-
-interface Arrays {
-  readonly points: Float64Array;
-  readonly tangents: Float64Array;
-  readonly tangentsIn: Float64Array;
-  readonly lengths: Float64Array;
-}
-
-const arrays = new WeakMap<HermiteCurve, Arrays>();
-
-/** The curve's arrays; its getters copy, so they are asked once. */
-function arraysOf(curve: HermiteCurve): Arrays {
-  const known = arrays.get(curve);
-  if (known !== undefined) return known;
-  const fresh = { points: curve.points, tangents: curve.tangents, tangentsIn: curve.tangentsIn, lengths: curve.lengths };
-  arrays.set(curve, fresh);
-  return fresh;
-}
+/** Edits that need the curve itself: exact insertion, healing removal, other numbers of points, and reading curves back as contours. */
 
 /** A library curve as a contour of the document, with every frequency and length written down where it is not the ordinary one. */
 export function contourFrom(curve: HermiteCurve, space: Space): Contour {
@@ -73,31 +40,6 @@ function asEnd(point: ControlPoint, first: boolean): ControlPoint {
 /** Contours of a path's `d`; throws `ExplineError` with the place where it stops making sense. */
 export function contoursOfPath(d: string, space: Space): Contour[] {
   return parsePath(d).map((curve) => contourFrom(curve, space));
-}
-
-/** How far the place at `x` of a segment goes with a step of one of its leaving handle, and with one of its arriving handle. */
-export function handleWeights(document: CurveDocument, contour: Contour, segment: number, x: number): readonly [number, number] {
-  const curve = hermiteOf(document, contour);
-  if (curve === null) return [0, 0];
-  let start = 0;
-  for (let i = 0; i < segment; i += 1) start += lengthOf(contour, i);
-  const length = lengthOf(contour, segment);
-  const [leaving, arriving] = tangentWeights(curve, start + x * length);
-  // A handle is a third of its tangent over the length of the segment, and the arriving one points back.
-  return [(3 * leaving) / length, (-3 * arriving) / length];
-}
-
-/** How far the place at `x` of a segment goes with a step of the point before it, and with one of the point behind it. */
-export function pointWeights(document: CurveDocument, contour: Contour, segment: number, x: number): readonly [number, number] {
-  const [from, to] = [segment, (segment + 1) % contour.points.length];
-  // A curve is linear in its points: one that is nothing but a unit of one in x and of the other in y shows what each of them weighs.
-  const probe = contour.points.map((point, i) => ({ ...point, x: i === from ? 1 : 0, y: i === to ? 1 : 0, in: noOffset, out: noOffset }));
-  const curve = hermiteOf(document, { ...contour, points: probe });
-  if (curve === null) return [0, 0];
-  let start = 0;
-  for (let i = 0; i < segment; i += 1) start += lengthOf(contour, i);
-  const [before = 0, behind = 0] = curve.evaluate(start + x * lengthOf(contour, segment));
-  return [before, behind];
 }
 
 function spliced(list: readonly number[], at: number, remove: number, ...add: number[]): number[] {
@@ -161,36 +103,6 @@ export function healed(document: CurveDocument, contour: Contour, index: number)
   // The healed segment may have a frequency of its own; then all of them are written down.
   const follows = (read.omega ?? []).every((omega, segment) => Math.abs(omega - omegaOf(document, plain, segment)) <= 1e-12 * Math.abs(omega));
   return { deviation: result.maxError, contour: own === undefined && follows ? plain : { ...plain, omega: read.omega ?? [] } };
-}
-
-function isOrdinary(document: CurveDocument, contour: Contour): boolean {
-  return document.omega === "auto" && contour.omega === undefined && contour.lengths === undefined;
-}
-
-/** The same curve with twice the points; the new ones remember the level that made them. */
-export function refined(document: CurveDocument, contour: Contour, level: number): Contour {
-  const curve = hermiteOf(document, contour);
-  if (curve === null) return contour;
-  const finer = curve.refine(2);
-  const segments = segmentCount(contour);
-  const points: ControlPoint[] = [];
-  contour.points.forEach((point, i) => {
-    points.push({ ...point, in: scaled(point.in, 0.5), out: scaled(point.out, 0.5) });
-    if (i < segments) {
-      const half = lengthOf(contour, i) / 2;
-      points.push({ ...pointOf(finer, 2 * i + 1, half, half), level });
-    }
-  });
-  // Where the frequency follows from the whole, lengths of 1 serve the finer contour as well.
-  if (isOrdinary(document, contour)) return { ...contour, points };
-  const lengths: number[] = [];
-  const omega: number[] = [];
-  for (let segment = 0; segment < segments; segment += 1) {
-    const half = lengthOf(contour, segment) / 2;
-    lengths.push(half, half);
-    omega.push(omegaOf(document, contour, segment), omegaOf(document, contour, segment));
-  }
-  return { ...contour, points, lengths, ...(contour.omega === undefined ? {} : { omega }) };
 }
 
 /** `count` points at equal parameter distance. Exact where the frequency is one for all. */
