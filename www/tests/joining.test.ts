@@ -91,3 +91,65 @@ test("what has no two open ends is left as it is, and why is said", async () => 
     assert.match(hand.editor.state.value.hint, /two open ends/);
   }
 });
+
+/** Drags an end onto a place, as a hand does, and stays there. */
+async function carried(contours: readonly Contour[], curve: CurveDocument, end: PointRef, onto: PointRef, held = {}): Promise<Hand> {
+  const hand = new Hand();
+  loadCurve(hand.editor, "Open", { ...curve, contours });
+  const [from, to] = [hand.point(end.index, end.contour), hand.point(onto.index, onto.contour)];
+  hand.keys(held).wait().moveTo(from.x, from.y).press().moveTo(from.x + 5, from.y + 5);
+  await Promise.all(hand.editor.loading);
+  return hand.moveTo(to.x + 2, to.y - 1);
+}
+
+for (const [end, onto] of [[2, 0], [0, 2], [2, 2], [0, 0]] as const) {
+  test(`an end that is dropped on an end of another contour is joined to it, at one point, in one step: ${end} on ${onto}`, async () => {
+    const { curve, whole } = drawing("glyph");
+    const parts = [openPart(whole, 0, 2), translated(openPart(whole, 2, 4), 200, 120)] as const;
+    const hand = await carried(parts, curve, { contour: 0, index: end }, { contour: 1, index: onto });
+    const place = parts[1].points[onto];
+    assert.deepEqual(hand.editor.state.value.sketch.joint, place, "the ring");
+    assert.match(hand.editor.state.value.drag?.snapped ?? "", /let go to join/);
+    hand.release();
+    const [found, ...others] = hand.curve.contours;
+    assert.ok(found !== undefined && others.length === 0 && found.points.length === 5 && !found.closed);
+    const seam = hand.point(2);
+    assert.ok(Math.hypot(seam.x - (place?.x ?? 0), seam.y - (place?.y ?? 0)) < 1e-9);
+    const first = found.points[0]?.x === parts[1].points[2 - onto]?.x;
+    const other = first ? reversedContour(openPart(found, 0, 2)) : openPart(found, 2, 4);
+    const expected = onto === 0 ? parts[1] : reversedContour(parts[1]);
+    assert.ok(largestDistance(samplePoints(hand.curve, other, 100), samplePoints(curve, expected, 100)) < 1e-9, "the other contour stays where it is");
+    hand.run("undo");
+    assert.deepEqual(hand.curve.contours, parts);
+    assert.equal(hand.editor.state.value.sketch.joint, null);
+  });
+}
+
+test("an end that is dropped on the other end of its contour closes it", async () => {
+  const { curve, whole } = drawing("heart");
+  const arc = { ...openPart(whole, 0, 4) };
+  const hand = (await carried([arc], curve, { contour: 0, index: 4 }, { contour: 0, index: 0 })).release();
+  const [found] = hand.curve.contours;
+  assert.ok(found?.closed === true && found.points.length === 4);
+  assert.deepEqual(hand.point(0).out, arc.points[0]?.out);
+  assert.deepEqual(hand.point(0).in, arc.points[4]?.in);
+  hand.run("undo");
+  assert.deepEqual(hand.curve.contours, [arc]);
+});
+
+test("nothing is joined where no snapping is wanted, on points that are no ends, of two points, and after Escape", async () => {
+  const { curve, whole } = drawing("heart");
+  const [arc, other] = [openPart(whole, 0, 2), translated(openPart(whole, 2, 4), 40, 30)];
+  const end = { contour: 0, index: 2 };
+  const free = await carried([arc, other], curve, end, { contour: 1, index: 0 }, { mod: true });
+  assert.equal(free.release().curve.contours.length, 2);
+  const middle = await carried([arc, other], curve, end, { contour: 1, index: 1 });
+  assert.equal(middle.release().curve.contours.length, 2);
+  const line = openPart(whole, 0, 1);
+  const short = await carried([line], curve, { contour: 0, index: 1 }, { contour: 0, index: 0 });
+  assert.equal(short.release().point(1).x, line.points[0]?.x);
+  const given = await carried([arc, other], curve, end, { contour: 1, index: 0 });
+  given.input.cancel();
+  assert.deepEqual(given.curve.contours, [arc, other]);
+  assert.equal(given.editor.state.value.sketch.joint, null);
+});

@@ -164,6 +164,12 @@ export function pointAt(curve: CurveDocument, ref: PointRef): ControlPoint | und
   return curve.contours[ref.contour]?.points[ref.index];
 }
 
+/** Whether a point is the first or the last of an open contour. */
+export function isEnd(curve: CurveDocument, { contour, index }: PointRef): boolean {
+  const shape = curve.contours[contour];
+  return shape?.closed === false && (index === 0 || index === shape.points.length - 1);
+}
+
 /** How many segments a contour has: one per point when closed, one fewer when open; of a refined one, the cells of its grid. */
 export function segmentCount(contour: Contour): number {
   const { grid } = contour;

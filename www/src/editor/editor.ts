@@ -70,6 +70,8 @@ export interface Sketch {
   readonly rubber: Rubber | null;
   /** What is being drawn by hand, and what was until its curve is there. */
   readonly stroke: readonly Pair[];
+  /** Where letting go joins two ends. */
+  readonly joint: PagePoint | null;
   /** The finger that drags, for the loupe. */
   readonly finger: PagePoint | null;
   /** What the drawing would become if the user agrees (going down a level that finer edits were made on). */

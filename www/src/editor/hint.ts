@@ -1,5 +1,5 @@
 import { locate } from "../document/curve/contours.ts";
-import { pointAt, segmentCount, type Contour } from "../document/document.ts";
+import { isEnd, pointAt, segmentCount, type Contour } from "../document/document.ts";
 import { affectedSegments } from "../document/curve/roots.ts";
 import { measureCurve } from "../kernel/curve/measure.ts";
 import { isStraight } from "./curve/bending.ts";
@@ -72,7 +72,9 @@ function selectHint(state: EditorState): string {
       const kind = pointAt(curve, hover.point)?.kind;
       const name = describe(curve, hover.point);
       if (curve.contours[hover.point.contour]?.family === "interpolating") return `${name}: drag to move; only nearby segments follow`;
-      return modifiers.alt ? `${name}: drag pulls out fresh handles` : `${name}: drag to move, double-click for ${kind === "cusp" ? "smooth" : "a cusp"}`;
+      if (modifiers.alt) return `${name}: drag pulls out fresh handles`;
+      if (isEnd(curve, hover.point)) return `${name}: drag to move, onto another end to join them`;
+      return `${name}: drag to move, double-click for ${kind === "cusp" ? "smooth" : "a cusp"}`;
     }
     case "handle": {
       const name = describe(curve, hover.handle, hover.handle.side);

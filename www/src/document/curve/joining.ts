@@ -1,5 +1,5 @@
 import {
-  domainLength, lengthOf, segmentCount, type Contour, type ControlPoint, type CurveDocument, type PointRef, type Space,
+  domainLength, isEnd, lengthOf, samePoint, segmentCount, type Contour, type ControlPoint, type CurveDocument, type PointRef, type Space,
 } from "../document.ts";
 import { replaceContour, type Command } from "./commands.ts";
 import { joined, reversedContour, withClosed, withPinnedOmega } from "./contours.ts";
@@ -7,8 +7,9 @@ import { kindOf } from "./offset.ts";
 
 /** Two open ends become one contour. */
 
-function isEnd(contour: Contour | undefined, index: number): contour is Contour {
-  return contour !== undefined && !contour.closed && contour.family === "hermite" && (index === 0 || index === contour.points.length - 1);
+function endOf(curve: CurveDocument, ref: PointRef): Contour | null {
+  const contour = curve.contours[ref.contour];
+  return contour?.family === "hermite" && isEnd(curve, ref) ? contour : null;
 }
 
 /** The space that holds the segments of both; null where there is none. Cubics belong to each. */
@@ -55,8 +56,8 @@ function closedUp(curve: CurveDocument, contour: Contour, near: number): Contour
  * no space holds the segments of both.
  */
 export function joinEnds(curve: CurveDocument, [one, other]: readonly [PointRef, PointRef], near: number): Command | null {
-  const [a, b] = [curve.contours[one.contour], curve.contours[other.contour]];
-  if (!isEnd(a, one.index) || !isEnd(b, other.index) || (a === b && one.index === other.index)) return null;
+  const [a, b] = [endOf(curve, one), endOf(curve, other)];
+  if (a === null || b === null || samePoint(one, other)) return null;
   if (a === b) {
     const closed = closedUp(curve, a, near);
     return { name: "Join", apply: (now) => replaceContour(now, one.contour, closed), select: { points: [{ contour: one.contour, index: 0 }], handle: null } };

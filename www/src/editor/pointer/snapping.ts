@@ -1,4 +1,4 @@
-import type { ControlPoint, CurveDocument, Offset, Selection } from "../../document/document.ts";
+import type { ControlPoint, CurveDocument, Offset, PointRef, Selection } from "../../document/document.ts";
 import { isSelected } from "../../document/document.ts";
 import { against, lengthOfOffset } from "../../document/curve/offset.ts";
 import type { PagePoint } from "./camera.ts";
@@ -11,11 +11,13 @@ export interface Snapped<T> {
   readonly guides: readonly Guide[];
   /** In words, for the hint line; null when nothing was near. */
   readonly to: string | null;
+  /** The point that it went onto. */
+  readonly onto?: PointRef;
 }
 
 const reachPx = 6;
 
-function others(curve: CurveDocument, moving: Selection): { place: PagePoint; name: string }[] {
+function others(curve: CurveDocument, moving: Selection): { place: PagePoint; name: string; ref: PointRef }[] {
   return curve.contours.flatMap((contour, c) =>
     contour.points
       .map((point, index) => ({ place: { x: point.x, y: point.y }, name: `point ${index + 1}`, ref: { contour: c, index } }))
@@ -28,7 +30,7 @@ export function snapPlace(curve: CurveDocument, moving: Selection, at: PagePoint
   const reach = reachPx / zoom;
   const candidates = others(curve, moving);
   const onto = closest(candidates, ({ place }) => Math.hypot(place.x - at.x, place.y - at.y), reach);
-  if (onto !== null) return { value: onto.place, guides: [], to: `on ${onto.name}` };
+  if (onto !== null) return { value: onto.place, guides: [], to: `on ${onto.name}`, onto: onto.ref };
   const column = closest(candidates, ({ place }) => Math.abs(place.x - at.x), reach);
   const row = closest(candidates, ({ place }) => Math.abs(place.y - at.y), reach);
   if (column !== null || row !== null) {

@@ -13,6 +13,7 @@ const gesturesOf: Readonly<Record<Mode, readonly Gesture[]>> = {
     ["Drag a handle", "turns and stretches it; the other side follows by kind"],
     ["Alt-drag a handle", "breaks it into a cusp, while Alt is held"],
     ["Alt-drag a point", "pulls out fresh handles"],
+    ["Drop an end on another end", "joins them; of one contour, closes it"],
     ["Drag the curve", "bends it; a straight line moves, and Alt does the other"],
     ["Shift while dragging", "keeps to the axes, 45° or 15° steps"],
     ["Ctrl while dragging", "switches snapping off"],

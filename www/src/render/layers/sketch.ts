@@ -1,3 +1,4 @@
+import type { PagePoint } from "../../editor/pointer/camera.ts";
 import { cubicsOf } from "../../kernel/paths/paths.ts";
 import { contourPath, inPage, inScreen, onScreen, pathOfCubics, pathOfPoints, type Scene } from "../scene.ts";
 
@@ -7,6 +8,7 @@ export function drawSketch(scene: Scene): void {
   drawProposal(scene);
   drawInsertion(scene);
   drawRubber(scene);
+  if (scene.state.sketch.joint !== null) drawRing(scene, scene.state.sketch.joint, 12);
   drawStroke(scene);
   drawGuides(scene);
   drawMarquee(scene);
@@ -48,14 +50,17 @@ function drawRubber(scene: Scene): void {
   context.lineWidth = 1.5 / state.view.zoom;
   context.stroke(pathOfCubics(cubicsOf(state.curve, rubber.contour, 0.05 / state.view.zoom), false));
   const end = rubber.contour.points[1];
-  if (end === undefined) return;
-  const screen = inScreen(scene);
-  const at = onScreen(scene, end);
-  screen.beginPath();
-  screen.arc(at.x, at.y, rubber.closing ? 8 : 3.5, 0, 2 * Math.PI);
-  screen.strokeStyle = palette.point;
-  screen.lineWidth = 1.5;
-  screen.stroke();
+  if (end !== undefined) drawRing(scene, end, rubber.closing ? 8 : 3.5);
+}
+
+function drawRing(scene: Scene, place: PagePoint, radius: number): void {
+  const context = inScreen(scene);
+  const at = onScreen(scene, place);
+  context.beginPath();
+  context.arc(at.x, at.y, radius, 0, 2 * Math.PI);
+  context.strokeStyle = scene.palette.point;
+  context.lineWidth = 1.5;
+  context.stroke();
 }
 
 function drawStroke(scene: Scene): void {
