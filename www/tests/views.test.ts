@@ -54,3 +54,22 @@ test("a drawing that came with a file opened in another mode is in sight when it
     assert.ok(x > 0 && y > 0 && x < desk.width && y < desk.height, `${x}, ${y}`);
   }
 });
+
+test("what is chosen fills the stage: a contour as a whole, or a point with the segments beside it", async () => {
+  const { editor, curve } = new Hand("heart");
+  const { stage } = editor.state.value;
+  const seen = async (points: readonly number[]): Promise<{ x: number; y: number }[]> => {
+    editor.patch({ selection: { points: points.map((index) => ({ contour: 0, index })), handle: null } });
+    editor.actions.run("zoom-chosen");
+    await Promise.all(editor.loading);
+    const { view } = editor.state.value;
+    return (curve.contours[0]?.points ?? []).map((point) => toScreen(view, stage, point));
+  };
+  const inside = ({ x, y }: { x: number; y: number }): boolean => x >= 0 && y >= 0 && x <= stage.width && y <= stage.height;
+  const all = curve.contours[0]?.points.map((_, index) => index) ?? [];
+  const whole = await seen(all);
+  assert.ok(whole.every(inside));
+  const zoomed = editor.state.value.view.zoom;
+  const near = await seen([1]);
+  assert.ok([0, 1, 2].every((index) => inside(near[index] ?? { x: NaN, y: NaN })) && editor.state.value.view.zoom > zoomed);
+});

@@ -171,6 +171,7 @@ const viewing: readonly Action[] = [
   action("zoom-out", "Zoom out", "View", ["-"], (editor) => zoomBy(editor, 0.8), { live: true }),
   action("zoom-100", "Zoom to 100 %", "View", ["0"], (editor) => zoomTo(editor, 1), { live: true }),
   action("zoom-fit", "Fit the drawing", "View", ["F"], (editor) => fitView(editor), { live: true }),
+  action("zoom-chosen", "Fit what is chosen", "View", ["Shift+F"], (editor) => framing(editor, ({ showChosen }) => showChosen(editor)), { live: true, enabled: hasSelection }),
   action("original-only", "Original only (hold)", "View", ["O"], (editor) => editor.patch({ originalOnly: true }), {
     release: (editor) => editor.patch({ originalOnly: false }),
   }),

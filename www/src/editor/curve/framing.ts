@@ -4,7 +4,7 @@ import { pointAt } from "../../document/document.ts";
 import { boundsOf, type Bounds } from "../../kernel/curve/samples.ts";
 import type { Editor, EditorState } from "../editor.ts";
 import { refuse } from "./edits.ts";
-import { toScreen, type PagePoint, type ScreenPoint } from "../pointer/camera.ts";
+import { fitted, mostZoom, toScreen, type PagePoint, type ScreenPoint } from "../pointer/camera.ts";
 
 /** The frame around contours that are chosen as a whole, its grips, and what turns and stretches what is chosen. */
 
@@ -22,6 +22,10 @@ const leastSide = 72;
 
 function joined(a: Bounds, b: Bounds): Bounds {
   return { minX: Math.min(a.minX, b.minX), minY: Math.min(a.minY, b.minY), maxX: Math.max(a.maxX, b.maxX), maxY: Math.max(a.maxY, b.maxY) };
+}
+
+function boxAt({ x, y }: PagePoint): Bounds {
+  return { minX: x, minY: y, maxX: x, maxY: y };
 }
 
 function union(boxes: readonly (Bounds | null)[]): Bounds | null {
@@ -90,7 +94,7 @@ function chosenPoints({ curve, selection }: EditorState): PagePoint[] {
 
 /** The middle of the frame, else of the chosen points: it stays where it is when they are flipped and stretched about it. */
 function middleOf(state: EditorState): PagePoint | null {
-  const box = frameOf({ ...state, tool: "select" }) ?? union(chosenPoints(state).map(({ x, y }) => ({ minX: x, minY: y, maxX: x, maxY: y })));
+  const box = frameOf({ ...state, tool: "select" }) ?? union(chosenPoints(state).map(boxAt));
   return box === null ? null : centreOf(box);
 }
 
@@ -137,6 +141,20 @@ export const transforms = {
   "flip-down": (editor: Editor): void => flip(editor, 1, -1),
   join,
 } as const;
+
+/** Contours that are chosen as a whole fill the stage; of others the chosen points, with the segments beside them. */
+export function showChosen(editor: Editor): void {
+  const state = editor.state.value;
+  const { curve, selection, stage } = state;
+  const places = selection.points.flatMap(({ contour, index }) => {
+    const shape = curve.contours[contour];
+    const count = shape?.points.length ?? 0;
+    const beside = [index - 1, index, index + 1].map((i) => (shape?.closed === true ? (i + count) % count : i));
+    return beside.flatMap((i) => shape?.points[i] ?? []);
+  });
+  const box = frameOf({ ...state, tool: "select" }) ?? union(places.map(boxAt));
+  if (box !== null) editor.patch({ view: fitted(box, stage, mostZoom) });
+}
 
 /** Every point of the contours of which one is chosen, or which the pointer is over. */
 export function selectContours(editor: Editor): void {

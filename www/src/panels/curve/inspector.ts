@@ -1,6 +1,7 @@
 import { baseCount, pointAt, type ControlPoint, type Kind, type PointRef, type Side } from "../../document/document.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { nudge, setHandlePolar, setKind, setPoint } from "../../editor/curve/edits.ts";
+import { late } from "../../editor/loading.ts";
 import { h, setText } from "../controls/dom.ts";
 import { choiceField, numberField, type Field } from "../controls/fields.ts";
 import { glyph, icon, type IconName } from "../controls/icons.ts";
@@ -73,8 +74,11 @@ export function inspectorSection(shell: Shell): Section {
   const which = h("span", { class: "section-note num" });
   const single = h("div", { class: "inspector" }, h("div", { class: "pair" }, x.element, y.element), kind.element, arriving.element, leaving.element);
   const pad = nudgePad(shell);
+  const several = ({ selection }: EditorState): boolean => selection.points.length > 1;
+  const rows = h("div", { class: "inspector" });
+  late(editor, several, () => import("./align-rows.ts"), ({ alignRows }) => rows.append(...alignRows(editor)));
   const none = h("p", { class: "quiet" }, "Nothing. Click a point on the stage, or press ] to step through them.");
-  const element = h("section", { class: "section", "aria-label": "Selected" }, h("div", { class: "section-head" }, title, which), none, single, pad);
+  const element = h("section", { class: "section", "aria-label": "Selected" }, h("div", { class: "section-head" }, title, which), none, single, pad, rows);
 
   return {
     element,
@@ -85,6 +89,7 @@ export function inspectorSection(shell: Shell): Section {
       none.hidden = points.length > 0;
       single.hidden = points.length === 0;
       pad.hidden = points.length === 0;
+      rows.hidden = !several(state);
       setText(which, describeSelection(state));
       x.show(point?.x ?? null);
       y.show(point?.y ?? null);
