@@ -240,3 +240,37 @@ test("whole contours are stretched and turned by the grips of their frame, and a
   await demo.press("Control+z", "Control+z");
   assert.ok(radiusError(await demo.sample(2000)) <= 1e-12);
 });
+
+test("an end that is dropped on the other closes the contour it was cut from; points are brought in line, and shown large", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  await demo.click("pt-0-4");
+  await demo.press("Shift+Delete");
+  const [from, onto] = [await demo.centre("pt-0-0"), await demo.centre("pt-0-6")];
+  const { mouse } = demo.page;
+  await mouse.move(from.x, from.y);
+  await mouse.down();
+  await mouse.move(from.x + 20, from.y + 40, { steps: 4 });
+  await demo.idle();
+  await mouse.move(onto.x + 3, onto.y - 2, { steps: 8 });
+  assert.match(await demo.textOf("hint"), /let go to join/);
+  await mouse.up();
+  await demo.idle();
+  const [joined] = (await demo.state()).curve.contours;
+  assert.deepEqual([joined?.closed, joined?.points.length], [true, 6]);
+  await demo.press("Control+a");
+  await demo.byId("align-down-start").click();
+  await demo.idle();
+  assert.match(await demo.textOf("hint"), /several contours/);
+  await demo.click("pt-0-1");
+  await demo.page.keyboard.down("Shift");
+  await demo.click("pt-0-3");
+  await demo.page.keyboard.up("Shift");
+  await demo.byId("align-down-start").click();
+  await demo.idle();
+  const { zoom } = (await demo.state()).view;
+  const points = await demo.points();
+  assert.equal(points[1]?.y, points[3]?.y);
+  await demo.focusStage();
+  await demo.press("Shift+F");
+  assert.ok((await demo.state()).view.zoom > zoom);
+});
