@@ -247,9 +247,17 @@ impl InkWork {
         let contours = self.found.iter().map(|contour| contour.points.as_slice());
         let outlines = core::mem::take(&mut self.outlines);
         let quality = if kind == Kind::Sampled { Quality::Sampled } else { self.quality };
+        if kind == Kind::Sampled {
+            // Only outlines of coverage may become rough ones.
+            self.samples = Vec::new();
+        }
         let still = self.kinds.iter().map(|&other| other != kind).collect();
         let mut refinement = Refinement::new(&self.gray, &shading, outlines, contours, quality, still)?;
         refinement.allow(self.options.tolerance, self.options.corner);
+        if kind == Kind::Sampled || !is_there(Kind::Sampled) {
+            // The refinement has what it needs of the picture.
+            self.gray.clear();
+        }
         let rounds = 1 + usize::from(is_there(Kind::Covered) && is_there(Kind::Sampled));
         let total = rounds * refinement.total() + self.found.len();
         self.kind = kind;

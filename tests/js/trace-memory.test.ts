@@ -1,4 +1,4 @@
-// Pictures of 24 megapixels, and how much of the engine's memory they take.
+// Large pictures, and how much of the engine's memory they take.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -11,18 +11,34 @@ import { type Drawn, painted, photoNoise } from "./trace-data.ts";
 const WIDTH = 6000;
 const HEIGHT = 4000;
 
-/** A picture of 24 megapixels out of a tile, side by side and below one another. */
-function tiled(tile: Drawn): ImageLike {
-  const data = new Uint8ClampedArray(4 * WIDTH * HEIGHT);
+/** A picture out of a tile, side by side and below one another; of 24 megapixels, if nothing else is asked for. */
+function tiled(tile: Drawn, width = WIDTH, height = HEIGHT): ImageLike {
+  const data = new Uint8ClampedArray(4 * width * height);
   const side = 4 * tile.width;
-  for (let y = 0; y < HEIGHT; y += 1) {
+  for (let y = 0; y < height; y += 1) {
     const row = tile.data.subarray(side * (y % tile.height), side * (y % tile.height) + side);
-    for (let at = 0; at < 4 * WIDTH; at += side) data.set(row, 4 * WIDTH * y + at);
+    for (let at = 0; at < 4 * width; at += side) data.set(row, 4 * width * y + at);
   }
-  return { data, width: WIDTH, height: HEIGHT };
+  return { data, width, height };
 }
 
-// First: memory that an engine has had stays its own.
+// The smallest first: memory that an engine has had stays its own.
+test("four megapixels of two shades, full of outlines, take at most six bytes of the engine's memory a pixel", (t) => {
+  const side = 2048;
+  const gear = painted(256, 256, (x, y) => {
+    const [right, down] = [x - 127.5, y - 127.5];
+    return Math.hypot(right, down) < 96 + 8 * Math.sin(12 * Math.atan2(down, right) + 0.4) ? 0 : 255;
+  });
+  const { contours } = traceImage(tiled(gear, side, side));
+  const each = bytesOfEngines() / (side * side);
+  t.diagnostic(`${each.toFixed(2)} bytes a pixel`);
+  assert.equal(contours.length, 64);
+  // A wave of 8 adds half its square to that of the radius, in the mean.
+  const area = Math.PI * (96 * 96 + 32);
+  for (const { curve } of contours) assert.ok(Math.abs(curve.area() / area - 1) < 3e-3, `${curve.area()} of ${area}`);
+  assert.ok(each <= 6, `${each}`);
+});
+
 test("24 megapixels of drawing take at most six bytes of the engine's memory a pixel", (t) => {
   const tile = painted(500, 500, (x, y) => 255 * Math.min(1, Math.max(0, Math.hypot(x - 249.5, y - 249.5) - 179.8)));
   const { contours } = traceImage(tiled(tile));

@@ -113,6 +113,11 @@ impl Gray {
         &self.values[row * self.width..(row + 1) * self.width]
     }
 
+    /// Gives all pixels back.
+    pub(in crate::trace) fn clear(&mut self) {
+        (self.width, self.height, self.values) = (0, 0, Vec::new());
+    }
+
     /// One row of shades, to be changed.
     pub(super) fn row_mut(&mut self, row: usize) -> &mut [u16] {
         &mut self.values[row * self.width..(row + 1) * self.width]

@@ -167,7 +167,8 @@ impl Field {
             sigma += STEP * 0.5 * (before - after) / (before + after).max(1e-12);
         }
         let half = half_of(sigma);
-        self.blur(target, cover, half);
+        let lead = self.rest.clone();
+        self.blur([target, cover, lead], half);
     }
 
     /// The picture is blurred like the outlines, so that it says where an edge is by more than the pixels that the edge is in.
@@ -179,12 +180,14 @@ impl Field {
             let tile = self.blurred(&mut block, &target, (slot as u32, u8::MAX), &half, true);
             blurred.extend_from_slice(tile.as_flattened());
         }
-        self.blur(blurred, cover, half);
+        // What the sharp picture was in is room for the lead.
+        self.blur([blurred, cover, target], half);
     }
 
-    fn blur(&mut self, target: Vec<f32>, cover: Vec<f32>, half: Vec<f32>) {
+    /// Goes on with blurred pixels: a target, what covers them, and room for as many numbers.
+    fn blur(&mut self, [target, cover, lead]: [Vec<f32>; 3], half: Vec<f32>) {
         let changed = (0..self.places.len() as u32).map(Touched::all).collect();
-        let (lead, stale) = (self.rest.clone(), vec![0; self.places.len()]);
+        let stale = vec![0; self.places.len()];
         self.blur =
             Some(Blur { half, target, cover, lead, unheard: vec![u8::MAX; stale.len()], changed, stale });
         self.settle();
