@@ -6,7 +6,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 mod support;
 
 use expline::numerics::{Point, Vector};
-use expline::trace::{Census, Gray, LayerTracer, Layers, TraceOptions, trace};
+use expline::trace::{Census, Gray, LayerTracer, Layers, Stage, TraceOptions, Tracer, trace};
 use expline::{Curve, HermiteCurve};
 use support::pictures::{Ink, draw, draw_finely, traced};
 
@@ -207,4 +207,27 @@ fn flat_colours_with_hard_edges_are_smooth_layers() {
     let red = tracer.layers().iter().find(|layer| layer.color == [200, 16, 46]).expect("red");
     let area: f64 = red.contours.iter().map(|c| c.curve.area().expect("closed")).sum();
     assert!((area / (core::f64::consts::PI * 42.2 * 42.2) - 1.0).abs() < 0.01, "{area}");
+}
+
+/// Places along a contour and its corners were found in one step, and all steps of all nodes of its outline were one: both took longer than anybody who
+/// stops a trace waits for.
+#[test]
+fn one_long_outline_of_two_shades_is_followed_and_moved_step_by_step() {
+    let gear = |x: f64, y: f64| {
+        let (right, down) = (x - 210.0, y - 210.0);
+        right.hypot(down) < 180.0 + 8.0 * (12.0 * down.atan2(right)).sin()
+    };
+    let gray = Gray::from_bytes(420, 420, &two_shades(420, &gear)).expect("a valid picture");
+    let mut tracer = Tracer::new(gray, &TraceOptions::default()).expect("options in range");
+    let (mut corners, mut moves) = (0, 0);
+    loop {
+        let progress = tracer.step(0.0).expect("a drawing");
+        corners += usize::from(progress.stage == Stage::Corners);
+        moves += usize::from(progress.stage == Stage::Refinement);
+        if progress.done {
+            break;
+        }
+    }
+    assert_eq!(tracer.result().expect("done").contours.len(), 1);
+    assert!(corners >= 2 && moves >= 18, "{corners} and {moves} steps");
 }

@@ -183,19 +183,23 @@ impl InkWork {
         if self.kinds[i] == Kind::Sampled { Quality::Sampled } else { self.quality }
     }
 
-    /// Corners of one contour.
-    fn corner(&mut self, i: usize) -> f64 {
-        let kind = self.look_at(i);
-        self.kinds.push(kind);
-        let mut samples = Samples::new(&self.found[i].points);
-        if kind == Kind::Sampled {
-            samples = samples.evened(EVENED);
+    /// Places along a contour, and then its corners: what it cost, and whether that was all.
+    fn corner(&mut self, i: usize) -> (f64, bool) {
+        if self.samples.len() == i {
+            let kind = self.look_at(i);
+            self.kinds.push(kind);
+            self.samples.push(Samples::new(&self.found[i].points));
+            return (0.25 * self.samples[i].len() as f64, false);
         }
-        let cost = 0.5 * samples.len() as f64;
+        let samples = &mut self.samples[i];
+        if self.kinds[i] == Kind::Sampled {
+            *samples = samples.evened(EVENED);
+        }
+        let cost = 0.25 * samples.len() as f64;
         let rules = self.quality_of(i).corner_rules(self.options.corner);
-        self.corners.push(if kind == Kind::Stairs { Vec::new() } else { corners(&samples, &rules) });
-        self.samples.push(samples);
-        cost
+        let samples = &self.samples[i];
+        self.corners.push(if self.kinds[i] == Kind::Stairs { Vec::new() } else { corners(samples, &rules) });
+        (cost, true)
     }
 
     /// A bit of the first outline of one contour: its cost, and whether it was the last.
@@ -247,7 +251,7 @@ impl InkWork {
         let contours = self.found.iter().map(|contour| contour.points.as_slice());
         let outlines = core::mem::take(&mut self.outlines);
         let quality = if kind == Kind::Sampled { Quality::Sampled } else { self.quality };
-        if kind == Kind::Sampled {
+        if quality != Quality::Clean {
             // Only outlines of coverage may become rough ones.
             self.samples = Vec::new();
         }
@@ -388,7 +392,7 @@ impl Work for InkWork {
         match &self.phase {
             Phase::Light(_) | Phase::Tones(_) | Phase::Smooth(_) | Phase::Contours(_) => self.look(),
             Phase::Corners => {
-                let (cost, last) = self.advance(&|work, i| (work.corner(i), true));
+                let (cost, last) = self.advance(&|work, i| work.corner(i));
                 if last {
                     let again = if self.options.refined { 1 } else { 2 };
                     self.enter(Phase::Splines, Stage::Splines, again * self.found.len());

@@ -21,10 +21,11 @@ mod unknowns;
 mod window;
 
 use self::bends::BendRule;
+use self::coverage::Part;
 use self::fewer::Thinning;
-use self::field::{Field, Shading};
+use self::field::{Blurring, Field, Shading};
 use self::grain::level;
-use self::refine::{Left, NOISY_SHARE, Refiner, Relaxing, Shape};
+use self::refine::{Descent, Left, NOISY_SHARE, Refiner, Relaxing, Shape};
 use self::trial::Limits;
 use super::outline::Outline;
 use super::outline::ellipse::ellipse;
@@ -48,8 +49,11 @@ const PIXELS: f64 = 8.0;
 /// Steps of all nodes at first and at last, and the share of what is left that a step has to take away for another.
 const STEPS: (usize, f64) = (6, 0.02);
 const LAST_STEPS: (usize, f64) = (8, 4e-3);
-/// Nodes of a long outline that move together.
+/// Pictures that say only which centres are inside are blurred by so many pixels, together with the coverage of their outlines (D 14.27).
+const AVERAGED: f64 = 1.2;
+/// Nodes of a long outline that move together, and about how many parts beside them do.
 const BLOCK: usize = 512;
+const PARTS: usize = 32_768;
 
 /// Refinement on its way.
 #[derive(Debug)]
@@ -59,8 +63,8 @@ pub(super) struct Refinement {
     shapes: Vec<Shape>,
     /// Which outlines stay as they are.
     still: Vec<bool>,
-    /// What the picture shows, until the blur is found.
-    target: Option<Vec<f32>>,
+    /// What makes the field as blurred as the picture, once all outlines are shown.
+    blurring: Option<Blurring>,
     picture: Exactness,
     limits: Limits,
     bends: BendRule,
@@ -105,6 +109,8 @@ struct Place {
     at: usize,
     /// The node of a long outline that moves next.
     block: usize,
+    /// The steps of the nodes that are moving.
+    descent: Option<Descent>,
     /// How often the pieces of this outline have been halved.
     halvings: usize,
 }
@@ -150,14 +156,14 @@ impl Refinement {
             quality => quality,
         };
         let exact = quality == Quality::Clean;
-        let target = (noisy || sampled).then(|| field.rest.clone());
+        let blurring = (noisy || sampled).then(|| Blurring::new(&field, sampled.then_some(AVERAGED)));
         let shapes = outlines.into_iter().map(Shape::new).collect();
         Ok(Self {
             field,
             refiner: Refiner::new(if exact { Relaxing::BOLD } else { Relaxing::CAREFUL }),
             shapes,
             still,
-            target,
+            blurring,
             picture: Exactness { quality, grain: 0.0, slack },
             limits: Limits {
                 rms: 0.012,
@@ -174,7 +180,7 @@ impl Refinement {
                 // What compression leaves looks like corners more often than noise of single pixels does.
                 evidence: if noisy { 0.0 } else { 6.0 },
             },
-            place: Place { phase: Phase::Show, at: 0, block: 0, halvings: 0 },
+            place: Place { phase: Phase::Show, at: 0, block: 0, descent: None, halvings: 0 },
             fine: Fine::default(),
             thinning: Thinning::default(),
         })
@@ -201,6 +207,14 @@ impl Refinement {
 
     /// A bit more; its cost in about microseconds. `rough` gives a coarser outline of a contour.
     pub(super) fn step(&mut self, rough: &dyn Fn(usize) -> Outline) -> Result<f64> {
+        if let Some(blurring) = &mut self.blurring
+            && self.place.phase > Phase::Show
+        {
+            if blurring.step(&mut self.field) {
+                self.blurring = None;
+            }
+            return Ok(2000.0);
+        }
         if self.place.at >= self.shapes.len() {
             self.next_phase();
             return Ok(1.0);
@@ -263,7 +277,7 @@ impl Refinement {
         true
     }
 
-    /// About how many microseconds it takes to move all nodes of the outline, or as many as are moved together.
+    /// About how many microseconds a step of all nodes of the outline takes, or of as many as are moved together.
     fn cost(&self) -> f64 {
         let parts = &self.shapes[self.place.at].parts;
         0.3 * parts.iter().take(2 * BLOCK).map(Vec::len).sum::<usize>() as f64
@@ -279,19 +293,18 @@ impl Refinement {
         end == count
     }
 
-    /// Moves all nodes of the outline, or the next ones of a long one; whether these were the last.
+    /// Moves all nodes of the outline, or the next ones of a long one, by a step; whether that was the last of all.
     fn refine_on(&mut self, steps: (usize, f64)) -> Result<bool> {
         let steps = self.steps(steps);
         let (refiner, field, shape) = (&mut self.refiner, &mut self.field, &mut self.shapes[self.place.at]);
-        let count = shape.outline.len();
-        if count <= 2 * BLOCK {
-            let nodes = shape.nodes();
-            refiner.refine(field, shape, &nodes, steps)?;
-            return Ok(true);
+        let (count, first) = (shape.outline.len(), self.place.block);
+        let end = block_end(shape, first);
+        let nodes = if end - first == count { shape.nodes() } else { (first..end).collect() };
+        let descent = self.place.descent.get_or_insert(Descent::new(steps));
+        if refiner.descend(field, shape, &nodes, descent)? {
+            return Ok(false);
         }
-        let end = (self.place.block + BLOCK).min(count);
-        let nodes: Vec<usize> = (self.place.block..end).collect();
-        refiner.refine(field, shape, &nodes, steps)?;
+        self.place.descent = None;
         self.place.block = if end == count { 0 } else { end };
         Ok(end == count)
     }
@@ -376,6 +389,21 @@ impl Fine {
         self.left.join(&left);
         level(shape, field, &mut self.level);
     }
+}
+
+/// The end of the nodes that move together, from one on: all, if they are not too many.
+fn block_end(shape: &Shape, first: usize) -> usize {
+    let parts: usize = shape.parts.iter().map(Vec::len).sum();
+    let count = shape.outline.len();
+    if count <= 2 * BLOCK && parts <= 2 * PARTS {
+        return count;
+    }
+    let mut room = PARTS;
+    let fits = |parts: &&Vec<Part>| {
+        room = room.saturating_sub(parts.len());
+        room > 0
+    };
+    first + shape.parts[first..].iter().take(BLOCK).take_while(fits).count().max(1)
 }
 
 /// Which curved pieces leave what is too much.

@@ -109,7 +109,7 @@ impl Refinement {
         if let Some(cost) = thinning.tidy(trial)? {
             return Ok(Some(cost));
         }
-        if self.place.block == 0 && thinning.merging.is_none() {
+        if self.place.block == 0 && self.place.descent.is_none() && thinning.merging.is_none() {
             if thinning.round == 0 && thinning.start.is_none() {
                 if self.picture.is_rough() {
                     let known = if self.picture.is_sampled() {

@@ -1,6 +1,7 @@
 //! The pixels near outlines, in tiles: what the picture shows of their coverage that the outlines do not explain.
 
 mod blurred;
+mod blurring;
 
 use crate::error::Result;
 use crate::limits::with_room;
@@ -8,6 +9,7 @@ use crate::numerics::Point;
 use crate::numerics::plane::larger;
 use crate::trace::picture::gray::Gray;
 use blurred::Blur;
+pub(super) use blurring::Blurring;
 use wide::f32x4;
 
 /// Pixels along a tile's side, and around the picture: one tile of paper.

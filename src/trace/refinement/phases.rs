@@ -24,9 +24,7 @@ const FLATTENED: f64 = 7.5;
 /// More than this no pixels in a row are wrong by, however large the grain is: the limits of what is straight.
 const GRAINIEST: f64 = 0.05;
 
-/// Pictures that say only which centres are inside are blurred together with the coverage of their outlines: the deviation in pixels, and the noise
-/// that their outlines leave then (D 14.27).
-const AVERAGED: f64 = 1.2;
+/// The noise that outlines leave of pictures that say only which centres are inside (D 14.27).
 const SAMPLED: f64 = 0.06;
 
 impl Refinement {
@@ -34,16 +32,7 @@ impl Refinement {
     pub(super) fn next_phase(&mut self) {
         self.place.at = 0;
         self.place.phase = match self.place.phase {
-            Phase::Show => {
-                if let Some(target) = self.target.take() {
-                    if self.picture.is_sampled() {
-                        self.field.blur_both(target, AVERAGED);
-                    } else {
-                        self.field.find_blur(target);
-                    }
-                }
-                Phase::First
-            }
+            Phase::Show => Phase::First,
             Phase::First if self.picture.is_sampled() => {
                 self.limits.noise = SAMPLED;
                 Phase::Fewer

@@ -115,6 +115,21 @@ impl Shape {
     }
 }
 
+/// Steps of some nodes that may still be taken.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Descent {
+    most: usize,
+    /// The share of what is left that a step has to take away for another; nothing goes on below what bytes round either.
+    enough: f64,
+    damping: f64,
+}
+
+impl Descent {
+    pub(super) fn new((most, enough): (usize, f64)) -> Self {
+        Self { most, enough, damping: DAMPING }
+    }
+}
+
 /// Room for one step after another.
 #[derive(Debug)]
 pub(super) struct Refiner {
@@ -177,7 +192,7 @@ impl Refiner {
         field.settle();
     }
 
-    /// Moves nodes by at most so many steps, until a step takes no more than the share `enough` of what is left, or nothing but what bytes round.
+    /// Moves nodes, step by step, until that is over.
     ///
     /// # Cost
     ///
@@ -187,24 +202,34 @@ impl Refiner {
         field: &mut Field,
         shape: &mut Shape,
         nodes: &[usize],
-        (most, enough): (usize, f64),
+        steps: (usize, f64),
     ) -> Result<()> {
-        let mut damping = DAMPING;
-        for _ in 0..most {
-            let Some((left, growth)) = self.step(field, shape, nodes, (damping, enough))? else { break };
-            if growth < 0.0 {
-                damping = (self.relaxing.factor * damping).max(self.relaxing.least);
-                if -growth < enough * left.square || left.square + growth < ROUNDING * left.count {
-                    break;
-                }
-            } else {
-                damping *= 8.0;
-                if damping > 1e3 * DAMPING {
-                    break;
-                }
-            }
-        }
+        let mut descent = Descent::new(steps);
+        while self.descend(field, shape, nodes, &mut descent)? {}
         Ok(())
+    }
+
+    /// Moves nodes by one step; whether there may be another.
+    pub(super) fn descend(
+        &mut self,
+        field: &mut Field,
+        shape: &mut Shape,
+        nodes: &[usize],
+        descent: &mut Descent,
+    ) -> Result<bool> {
+        let &mut Descent { damping, enough, .. } = descent;
+        let Some((left, growth)) = self.step(field, shape, nodes, (damping, enough))? else {
+            return Ok(false);
+        };
+        descent.most -= 1;
+        let goes_on = if growth < 0.0 {
+            descent.damping = (self.relaxing.factor * damping).max(self.relaxing.least);
+            -growth >= enough * left.square && left.square + growth >= ROUNDING * left.count
+        } else {
+            descent.damping = 8.0 * damping;
+            descent.damping <= 1e3 * DAMPING
+        };
+        Ok(goes_on && descent.most > 0)
     }
 
     /// One step: what was left before it and how much it has grown; if it would grow, nothing moves. `None` where no step promises

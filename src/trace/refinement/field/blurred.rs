@@ -11,13 +11,14 @@ const REACH: usize = SIDE;
 /// Pixels along the side of a tile with those around it.
 const WIDE: usize = SIDE + 2 * REACH;
 /// A tile and the eight around it, column by column.
-type Block = [[[f32; 4]; WIDE / 4]; WIDE];
-const EMPTY: Block = [[[0.0; 4]; WIDE / 4]; WIDE];
+pub(super) type Block = [[[f32; 4]; WIDE / 4]; WIDE];
+pub(super) const EMPTY: Block = [[[0.0; 4]; WIDE / 4]; WIDE];
 
 /// A picture that is blurred.
 #[derive(Debug)]
 pub(super) struct Blur {
     half: Vec<f32>,
+    /// What the picture shows.
     target: Vec<f32>,
     pub(super) cover: Vec<f32>,
     /// What is left, blurred once more: what it says to the outlines. Found for tiles that are asked, as most trials ask few.
@@ -30,6 +31,14 @@ pub(super) struct Blur {
     stale: Vec<u8>,
 }
 
+impl Blur {
+    /// The blurred picture and what covers it before blurs; room for as many numbers.
+    pub(super) fn new(half: Vec<f32>, [target, cover, lead]: [Vec<f32>; 3]) -> Self {
+        let stale = vec![0; target.len() / AREA];
+        Self { half, target, cover, lead, unheard: vec![u8::MAX; stale.len()], changed: Vec::new(), stale }
+    }
+}
+
 /// The columns and the rows of a tile in which pixels are others than before, a bit each.
 #[derive(Clone, Copy, Debug)]
 struct Touched {
@@ -39,11 +48,6 @@ struct Touched {
 }
 
 impl Touched {
-    /// All of a tile.
-    fn all(slot: u32) -> Self {
-        Self { slot, columns: u8::MAX, rows: u8::MAX }
-    }
-
     /// Where two states of a tile differ.
     fn new(slot: usize, before: &[[f32; 4]], after: &[[f32; 4]]) -> Self {
         let mut touched = Self { slot: slot as u32, columns: 0, rows: 0 };
@@ -141,58 +145,6 @@ impl Field {
         one * one + 2.0 * blur.half[1..].iter().map(|&w| f64::from(w) * f64::from(w)).sum::<f64>()
     }
 
-    /// The picture is found to be blurred by as much as makes the outlines, which are rendered, most like it.
-    pub(in crate::trace::refinement) fn find_blur(&mut self, target: Vec<f32>) {
-        const STEP: f64 = 0.25;
-        let cover: Vec<f32> = target.iter().zip(&self.rest).map(|(t, r)| t - r).collect();
-        let square = |field: &Self, sigma: f64| {
-            let half = half_of(sigma);
-            let (mut sum, mut block) = (0.0, EMPTY);
-            for slot in 0..field.places.len() {
-                let blurred = field.blurred(&mut block, &cover, (slot as u32, u8::MAX), &half, true);
-                for (value, target) in blurred.as_flattened().iter().zip(&target[slot * AREA..]) {
-                    sum += f64::from(target - value) * f64::from(target - value);
-                }
-            }
-            sum
-        };
-        let squares: [f64; 9] = core::array::from_fn(|i| square(self, STEP * i as f64));
-        let best = (0..squares.len()).fold(0, |best, i| if squares[i] < squares[best] { i } else { best });
-        if best == 0 {
-            return;
-        }
-        let mut sigma = STEP * best as f64;
-        if best + 1 < squares.len() {
-            let (before, after) = (squares[best - 1] - squares[best], squares[best + 1] - squares[best]);
-            sigma += STEP * 0.5 * (before - after) / (before + after).max(1e-12);
-        }
-        let half = half_of(sigma);
-        let lead = self.rest.clone();
-        self.blur([target, cover, lead], half);
-    }
-
-    /// The picture is blurred like the outlines, so that it says where an edge is by more than the pixels that the edge is in.
-    pub(in crate::trace::refinement) fn blur_both(&mut self, target: Vec<f32>, sigma: f64) {
-        let half = half_of(sigma);
-        let cover: Vec<f32> = target.iter().zip(&self.rest).map(|(t, r)| t - r).collect();
-        let (mut blurred, mut block) = (Vec::with_capacity(target.len()), EMPTY);
-        for slot in 0..self.places.len() {
-            let tile = self.blurred(&mut block, &target, (slot as u32, u8::MAX), &half, true);
-            blurred.extend_from_slice(tile.as_flattened());
-        }
-        // What the sharp picture was in is room for the lead.
-        self.blur([blurred, cover, target], half);
-    }
-
-    /// Goes on with blurred pixels: a target, what covers them, and room for as many numbers.
-    fn blur(&mut self, [target, cover, lead]: [Vec<f32>; 3], half: Vec<f32>) {
-        let changed = (0..self.places.len() as u32).map(Touched::all).collect();
-        let stale = vec![0; self.places.len()];
-        self.blur =
-            Some(Blur { half, target, cover, lead, unheard: vec![u8::MAX; stale.len()], changed, stale });
-        self.settle();
-    }
-
     /// The tiles that a blur takes what was touched to, each with the columns that it takes it to.
     #[inline(always)]
     fn around(&self, Touched { slot, columns, rows }: Touched, half: &[f32], mut each: impl FnMut(u32, u8)) {
@@ -212,7 +164,7 @@ impl Field {
     }
 
     /// The pixels of some columns of one tile, blurred. Where no tile is, the nearest pixel's own side counts, or nothing.
-    fn blurred(
+    pub(super) fn blurred(
         &self,
         block: &mut Block,
         plane: &[f32],
@@ -284,7 +236,7 @@ fn spread(mask: u8, reach: usize) -> [u8; 3] {
 }
 
 /// The weights of a Gaussian from the middle outwards.
-fn half_of(sigma: f64) -> Vec<f32> {
+pub(super) fn half_of(sigma: f64) -> Vec<f32> {
     half_gaussian(sigma).iter().map(|&weight| weight as f32).collect()
 }
 

@@ -1,0 +1,190 @@
+//! Fields that become as blurred as their pictures, some tiles at a time.
+
+use super::blurred::{Block, Blur, EMPTY, half_of};
+use super::{AREA, Field};
+use core::ops::Range;
+
+/// Tiles of one bit of work.
+const TILES: usize = 1024;
+/// Blurs that are tried for a picture that is blurred already, every so many pixels from none on.
+const BLURS: usize = 9;
+const STEP: f64 = 0.25;
+
+/// A field that is being blurred.
+#[derive(Debug)]
+pub(in crate::trace::refinement) struct Blurring {
+    /// What the picture shows, and what of it outlines cover.
+    sharp: Vec<f32>,
+    cover: Vec<f32>,
+    /// The picture blurred, or else what covers it.
+    blurred: Vec<f32>,
+    /// The tile that is next.
+    slot: usize,
+    half: Vec<f32>,
+    /// Whether the picture is blurred, too: then it says where an edge is by more than the pixels that the edge is in. Else it is found to
+    /// be blurred by as much as makes the outlines, which are rendered, most like it.
+    both: bool,
+    /// What the blurs that were tried leave, and the one that is being tried; none when a blur is found.
+    squares: Option<Vec<f64>>,
+}
+
+impl Blurring {
+    /// Begins with a field that nothing covers yet: its picture is blurred by a Gaussian of a deviation, or is blurred already.
+    pub(in crate::trace::refinement) fn new(field: &Field, deviation: Option<f64>) -> Self {
+        Self {
+            sharp: field.rest.clone(),
+            cover: Vec::new(),
+            blurred: Vec::new(),
+            slot: 0,
+            half: half_of(deviation.unwrap_or(0.0)),
+            both: deviation.is_some(),
+            squares: deviation.is_none().then(|| vec![0.0]),
+        }
+    }
+
+    /// Some tiles more, now that outlines cover the field; whether these were the last.
+    pub(in crate::trace::refinement) fn step(&mut self, field: &mut Field) -> bool {
+        if self.cover.is_empty() {
+            self.cover = self.sharp.iter().zip(&field.rest).map(|(t, r)| t - r).collect();
+        }
+        let tiles = self.slot..(self.slot + TILES).min(field.tiles());
+        let last = tiles.end == field.tiles();
+        self.slot = if last { 0 } else { tiles.end };
+        if self.squares.is_some() {
+            self.compare(field, tiles);
+            return last && self.choose();
+        }
+        self.blur(field, tiles);
+        if last {
+            let [sharp, cover, blurred] =
+                [&mut self.sharp, &mut self.cover, &mut self.blurred].map(core::mem::take);
+            let planes = if self.both { [blurred, cover, sharp] } else { [sharp, cover, blurred] };
+            field.blur = Some(Blur::new(core::mem::take(&mut self.half), planes));
+        }
+        last
+    }
+
+    /// Finds what the blur on trial leaves of some tiles.
+    fn compare(&mut self, field: &Field, tiles: Range<usize>) {
+        let Some(sum) = self.squares.as_mut().and_then(|squares| squares.last_mut()) else { return };
+        let mut block = EMPTY;
+        for slot in tiles {
+            let blurred = field.blurred(&mut block, &self.cover, (slot as u32, u8::MAX), &self.half, true);
+            for (value, target) in blurred.as_flattened().iter().zip(&self.sharp[slot * AREA..]) {
+                *sum += f64::from(target - value) * f64::from(target - value);
+            }
+        }
+    }
+
+    /// Goes on with the next blur, or with the best of all; whether that is none.
+    fn choose(&mut self) -> bool {
+        let Some(squares) = self.squares.as_mut().filter(|squares| squares.len() == BLURS) else {
+            let tried = self.squares.get_or_insert_default();
+            self.half = half_of(STEP * tried.len() as f64);
+            tried.push(0.0);
+            return false;
+        };
+        let best = (0..BLURS).fold(0, |best, i| if squares[i] < squares[best] { i } else { best });
+        let mut sigma = STEP * best as f64;
+        if (1..BLURS - 1).contains(&best) {
+            let (before, after) = (squares[best - 1] - squares[best], squares[best + 1] - squares[best]);
+            sigma += STEP * 0.5 * (before - after) / (before + after).max(1e-12);
+        }
+        self.half = half_of(sigma);
+        self.squares = None;
+        best == 0
+    }
+
+    /// Blurs some tiles.
+    fn blur(&mut self, field: &mut Field, tiles: Range<usize>) {
+        let mut block: Block = EMPTY;
+        self.blurred.reserve(self.sharp.len() - self.blurred.len());
+        for slot in tiles {
+            let here = slot * AREA..(slot + 1) * AREA;
+            let mut blur =
+                |plane: &[f32]| field.blurred(&mut block, plane, (slot as u32, u8::MAX), &self.half, true);
+            let covered = blur(&self.cover);
+            let shown = if self.both { Some(blur(&self.sharp)) } else { None };
+            let target = shown.as_ref().map_or(&self.sharp[here.clone()], |shown| shown.as_flattened());
+            for ((rest, target), value) in field.rest[here].iter_mut().zip(target).zip(covered.as_flattened())
+            {
+                *rest = target - value;
+            }
+            self.blurred.extend_from_slice(shown.as_ref().unwrap_or(&covered).as_flattened());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Blurring, TILES};
+    use crate::error::Result;
+    use crate::numerics::Point;
+    use crate::trace::Gray;
+    use crate::trace::picture::blur::half_gaussian;
+    use crate::trace::refinement::field::{AREA, Field, Shading};
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    const SIDE: usize = 360;
+
+    /// All tiles of a picture of stripes aslant.
+    fn striped() -> Result<Field> {
+        let stripe = |i: usize| if (3 * (i % SIDE) + 5 * (i / SIDE)) % 90 < 40 { 0 } else { 255 };
+        let bytes: Vec<u8> = (0..SIDE * SIDE).map(stripe).collect();
+        let gray = Gray::from_bytes(SIDE, SIDE, &bytes)?;
+        let shading = Shading { ink: 0.0, paper: 65_280.0, level: 32_640.0, inverted: false };
+        let middle = 0.5 * SIDE as f64;
+        let all = [Point::new(middle, middle)];
+        Field::new(&gray, &shading, [all.as_slice()].into_iter(), middle)
+    }
+
+    /// Takes some ink of every pixel, as outlines would.
+    fn cover(field: &mut Field) {
+        field.rest.iter_mut().enumerate().for_each(|(i, rest)| *rest -= ((i * 37) % 101) as f32 / 101.0);
+    }
+
+    fn steps(blurring: &mut Blurring, field: &mut Field) -> usize {
+        let mut steps = 1;
+        while !blurring.step(field) {
+            steps += 1;
+        }
+        steps
+    }
+
+    #[test]
+    fn a_field_is_blurred_some_tiles_at_a_time_and_every_pixel_is_the_mean_of_those_around_it() -> Result<()>
+    {
+        let mut field = striped()?;
+        let mut blurring = Blurring::new(&field, Some(1.2));
+        cover(&mut field);
+        let before = field.rest.clone();
+        assert_eq!(steps(&mut blurring, &mut field), field.tiles().div_ceil(TILES));
+        let half = half_gaussian(1.2);
+        let weight = |d: usize| half[d.abs_diff(4)];
+        for (x, y) in [(60, 61), (127, 128), (200, 33), (333, 300)] {
+            let at = |k: usize| f64::from(before[field.pixel(x + k % 9 - 4, y + k / 9 - 4) as usize]);
+            let mean: f64 = (0..81).map(|k| weight(k % 9) * weight(k / 9) * at(k)).sum();
+            let found = f64::from(field.rest[field.pixel(x, y) as usize]);
+            // Sums of 81 products of numbers with 24 bits.
+            assert!((found - mean).abs() < 1e-6, "{found} and {mean} at ({x}, {y})");
+        }
+        // What is blurred again when all has been touched is the same to the last bit.
+        let blurred = field.rest.clone();
+        (0..field.tiles()).for_each(|slot| field.touch(slot, &[[9.0; 4]; AREA / 4]));
+        assert_eq!((field.settle(), &field.rest), (0.0, &blurred));
+        Ok(())
+    }
+
+    #[test]
+    fn a_sharp_picture_is_found_to_be_sharp_some_tiles_at_a_time() -> Result<()> {
+        let mut field = striped()?;
+        let mut blurring = Blurring::new(&field, None);
+        // Outlines cover all ink but a little.
+        field.rest.iter_mut().for_each(|rest| *rest *= 0.01);
+        let before = field.rest.clone();
+        assert_eq!(steps(&mut blurring, &mut field), 9 * field.tiles().div_ceil(TILES), "nine blurs");
+        assert_eq!(field.rest, before);
+        Ok(())
+    }
+}
