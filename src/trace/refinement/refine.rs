@@ -268,7 +268,7 @@ impl Refiner {
             }
         } else {
             self.sweep.take_back(field);
-            field.settle();
+            field.unsettle();
             restore(&mut shape.outline, pieces, &self.saved);
         }
         Ok(Some((left, growth)))

@@ -1,6 +1,6 @@
 //! Fields that become as blurred as their pictures, some tiles at a time.
 
-use super::blurred::{Block, Blur, EMPTY, half_of};
+use super::blurred::{Block, Blur, EMPTY, Gaussian, Region};
 use super::{AREA, Field};
 use core::ops::Range;
 
@@ -20,7 +20,7 @@ pub(in crate::trace::refinement) struct Blurring {
     blurred: Vec<f32>,
     /// The tile that is next.
     slot: usize,
-    half: Vec<f32>,
+    gaussian: Gaussian,
     /// Whether the picture is blurred, too: then it says where an edge is by more than the pixels that the edge is in. Else it is found to
     /// be blurred by as much as makes the outlines, which are rendered, most like it.
     both: bool,
@@ -36,7 +36,7 @@ impl Blurring {
             cover: Vec::new(),
             blurred: Vec::new(),
             slot: 0,
-            half: half_of(deviation.unwrap_or(0.0)),
+            gaussian: Gaussian::new(deviation.unwrap_or(0.0)),
             both: deviation.is_some(),
             squares: deviation.is_none().then(|| vec![0.0]),
         }
@@ -59,7 +59,7 @@ impl Blurring {
             let [sharp, cover, blurred] =
                 [&mut self.sharp, &mut self.cover, &mut self.blurred].map(core::mem::take);
             let planes = if self.both { [blurred, cover, sharp] } else { [sharp, cover, blurred] };
-            field.blur = Some(Blur::new(core::mem::take(&mut self.half), planes));
+            field.blur = Some(Blur::new(self.gaussian, planes));
         }
         last
     }
@@ -69,7 +69,8 @@ impl Blurring {
         let Some(sum) = self.squares.as_mut().and_then(|squares| squares.last_mut()) else { return };
         let mut block = EMPTY;
         for slot in tiles {
-            let blurred = field.blurred(&mut block, &self.cover, (slot as u32, u8::MAX), &self.half, true);
+            let blurred =
+                field.blurred(&mut block, &self.cover, (slot as u32, Region::ALL), &self.gaussian, true);
             for (value, target) in blurred.as_flattened().iter().zip(&self.sharp[slot * AREA..]) {
                 *sum += f64::from(target - value) * f64::from(target - value);
             }
@@ -80,7 +81,7 @@ impl Blurring {
     fn choose(&mut self) -> bool {
         let Some(squares) = self.squares.as_mut().filter(|squares| squares.len() == BLURS) else {
             let tried = self.squares.get_or_insert_default();
-            self.half = half_of(STEP * tried.len() as f64);
+            self.gaussian = Gaussian::new(STEP * tried.len() as f64);
             tried.push(0.0);
             return false;
         };
@@ -90,7 +91,7 @@ impl Blurring {
             let (before, after) = (squares[best - 1] - squares[best], squares[best + 1] - squares[best]);
             sigma += STEP * 0.5 * (before - after) / (before + after).max(1e-12);
         }
-        self.half = half_of(sigma);
+        self.gaussian = Gaussian::new(sigma);
         self.squares = None;
         best == 0
     }
@@ -101,8 +102,9 @@ impl Blurring {
         self.blurred.reserve(self.sharp.len() - self.blurred.len());
         for slot in tiles {
             let here = slot * AREA..(slot + 1) * AREA;
-            let mut blur =
-                |plane: &[f32]| field.blurred(&mut block, plane, (slot as u32, u8::MAX), &self.half, true);
+            let mut blur = |plane: &[f32]| {
+                field.blurred(&mut block, plane, (slot as u32, Region::ALL), &self.gaussian, true)
+            };
             let covered = blur(&self.cover);
             let shown = if self.both { Some(blur(&self.sharp)) } else { None };
             let target = shown.as_ref().map_or(&self.sharp[here.clone()], |shown| shown.as_flattened());
@@ -119,9 +121,11 @@ impl Blurring {
 mod tests {
     use super::{Blurring, TILES};
     use crate::error::Result;
-    use crate::numerics::Point;
+    use crate::numerics::{Point, Vector};
     use crate::trace::Gray;
+    use crate::trace::outline::cubic::Cubic;
     use crate::trace::picture::blur::half_gaussian;
+    use crate::trace::refinement::coverage::{Sweep, parts};
     use crate::trace::refinement::field::{AREA, Field, Shading};
     #[cfg(target_arch = "wasm32")]
     use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -185,6 +189,45 @@ mod tests {
         let before = field.rest.clone();
         assert_eq!(steps(&mut blurring, &mut field), 9 * field.tiles().div_ceil(TILES), "nine blurs");
         assert_eq!(field.rest, before);
+        Ok(())
+    }
+
+    #[test]
+    fn what_is_taken_back_leaves_every_bit_of_what_is_blurred_as_it_was() -> Result<()> {
+        let wave = Cubic {
+            start: Point::new(-12.0, 220.3),
+            leaving: Vector::new(200.0, -255.0),
+            arriving: Vector::new(150.0, -100.0),
+            end: Point::new(337.4, 222.1),
+        };
+        for deviation in [1.2, 2.0] {
+            let mut field = striped()?;
+            let mut blurring = Blurring::new(&field, Some(deviation));
+            cover(&mut field);
+            steps(&mut blurring, &mut field);
+            let all = 0..field.rest.len() as u32;
+            // Some of it is heard before, and some is not.
+            field.hear(all.clone().filter(|pixel| !(pixel / AREA as u32).is_multiple_of(3)));
+            let (mut sweep, mut list) = (Sweep::default(), Vec::new());
+            parts(&wave, &field, &mut list);
+            let before = field.rest.clone();
+            sweep.note(&field, &list, 1.0);
+            sweep.cover(&mut field);
+            assert_ne!(field.settle(), 0.0);
+            assert_ne!(field.rest, before, "nothing was covered");
+            sweep.take_back(&mut field);
+            field.unsettle();
+            assert_eq!(field.rest, before);
+            field.hear(all.clone());
+            let heard = field.lead().to_vec();
+            // All of it found anew is the same.
+            field.rest.fill(9.0);
+            (0..field.tiles()).for_each(|slot| field.touch(slot, &[[9.0; 4]; AREA / 4]));
+            field.settle();
+            field.hear(all);
+            assert_eq!(field.rest, before);
+            assert_eq!(field.lead(), heard);
+        }
         Ok(())
     }
 }
