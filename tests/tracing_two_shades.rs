@@ -165,6 +165,32 @@ fn smooth_shapes_and_squares_share_a_picture_of_two_shades_with_one_of_coverage(
     assert!(drawing.contours.iter().any(|c| is_square(&c.curve)), "the square");
 }
 
+/// Alone, a slanted bar as small as a glyph, less than two pixels wide, is what its pixels are; beside a large disc it is a part of the same drawing. A glyph with
+/// lines of one pixel is never smooth.
+#[test]
+fn what_is_small_is_followed_like_the_large_outlines_around_it() {
+    let bar = |x: f64, y: f64| (12.0..24.0).contains(&y) && (x - 14.0 - 0.4 * (y - 12.0)).abs() < 0.85;
+    let disc = |x: f64, y: f64| (x - 70.3).hypot(y - 70.1) < 40.2;
+    let rows = [".###.", "#...#", "#...#", "#####", "#...#", "#...#", "#...#"];
+    let glyph = |x: f64, y: f64| {
+        let at = |v: f64, from: usize| (v as usize).wrapping_sub(from);
+        rows.get(at(y, 8)).and_then(|row| row.as_bytes().get(at(x, 90))) == Some(&b'#')
+    };
+    let squares = |picture: &dyn Fn(f64, f64) -> bool, left: f64| {
+        let drawing = traced(128, 128, &two_shades(128, picture));
+        let at_place = drawing.contours.iter().filter(|c| {
+            let bounds = c.curve.bounds();
+            bounds.max_y < 28.0 && (bounds.min_x > 60.0) == (left > 60.0)
+        });
+        let points: Vec<Point> = at_place.flat_map(|c| c.curve.points().to_vec()).collect();
+        assert!(!points.is_empty());
+        points.iter().all(|p| p.x == p.x.round() && p.y == p.y.round())
+    };
+    assert!(squares(&bar, 0.0), "a bar alone");
+    assert!(!squares(&|x, y| bar(x, y) || disc(x, y), 0.0), "a bar beside a disc");
+    assert!(squares(&|x, y| glyph(x, y) || disc(x, y), 90.0), "a glyph beside a disc");
+}
+
 #[test]
 fn a_threshold_between_two_shades_moves_nothing() {
     let (bytes, _) = turned(128, 0.4);

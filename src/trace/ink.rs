@@ -13,7 +13,7 @@ use super::picture::blur::Blurring;
 use super::picture::contour::{Contour, ContourScan};
 use super::picture::gray::Gray;
 use super::picture::light::Evening;
-use super::picture::steps::{is_sampled, steps};
+use super::picture::steps::{is_mostly_sampled, is_sampled, steps};
 use super::picture::tones::{ToneScan, Tones};
 use super::quality::Quality;
 use super::refinement::Refinement;
@@ -175,7 +175,7 @@ impl InkWork {
         }
         let Some(middles) = steps(&contour.points, &self.gray, tones) else { return Kind::Covered };
         contour.points = middles;
-        let aslant = is_sampled(&contour.points, &self.gray, tones.middle());
+        let aslant = is_sampled(&contour.points, &self.gray, tones.middle(), false);
         if aslant { Kind::Sampled } else { Kind::Stairs }
     }
 
@@ -183,11 +183,31 @@ impl InkWork {
         if self.kinds[i] == Kind::Sampled { Quality::Sampled } else { self.quality }
     }
 
-    /// Places along a contour, and then its corners: what it cost, and whether that was all.
+    /// What pixels say of small contours among large ones.
+    fn look_again(&mut self) {
+        let kinds = self.found.iter().zip(&self.kinds);
+        if is_mostly_sampled(kinds.map(|(contour, &kind)| (contour.points.len(), kind == Kind::Sampled))) {
+            for (contour, kind) in self.found.iter().zip(&mut self.kinds) {
+                if *kind == Kind::Stairs && is_sampled(&contour.points, &self.gray, self.tones.middle(), true)
+                {
+                    *kind = Kind::Sampled;
+                }
+            }
+        }
+    }
+
+    /// First what pixels say of each contour; then places along one, and its corners: what it cost, and whether that was all.
     fn corner(&mut self, i: usize) -> (f64, bool) {
-        if self.samples.len() == i {
-            let kind = self.look_at(i);
+        let next = self.kinds.len();
+        if next < self.found.len() {
+            let kind = self.look_at(next);
             self.kinds.push(kind);
+            if next + 1 == self.found.len() {
+                self.look_again();
+            }
+            return (0.25 * self.found[next].points.len() as f64, false);
+        }
+        if self.samples.len() == i {
             self.samples.push(Samples::new(&self.found[i].points));
             return (0.25 * self.samples[i].len() as f64, false);
         }

@@ -12,6 +12,8 @@ const STEPS: usize = 2;
 const FEWEST: usize = 28;
 /// So is one with more than half of its sides beside ink or paper one pixel wide; of fewer sides than this, one in sixteen: glyphs are drawn so.
 const SMALL: usize = 48;
+/// Among outlines that run aslant, each of as many sides at least, small ones are parts of the same drawing rather than glyphs.
+const LARGE: usize = 2 * SMALL;
 
 /// A contour as the middles of pixels' sides, if all pixels beside it have one of the two tones.
 ///
@@ -43,12 +45,22 @@ pub(in crate::trace) fn steps(contour: &[Point], gray: &Gray, tones: &Tones) -> 
     contour.iter().map(middle).collect()
 }
 
-/// Whether such a contour is that of a shape whose edges run aslant, rather than of squares.
+/// Whether contours together are a drawing of edges that run aslant: most of their sides are those of large ones that do.
+pub(in crate::trace) fn is_mostly_sampled(contours: impl Iterator<Item = (usize, bool)>) -> bool {
+    let (mut large, mut all) = (0, 0);
+    for (sides, sampled) in contours {
+        all += sides;
+        large += if sampled && sides >= LARGE { sides } else { 0 };
+    }
+    2 * large > all
+}
+
+/// Whether such a contour is that of a shape whose edges run aslant, rather than of squares. `among` such shapes a small one rather is.
 ///
 /// # Cost
 ///
 /// O(points).
-pub(in crate::trace) fn is_sampled(steps: &[Point], gray: &Gray, level: f64) -> bool {
+pub(in crate::trace) fn is_sampled(steps: &[Point], gray: &Gray, level: f64, among: bool) -> bool {
     let count = steps.len();
     let is_dark = |x: f64, y: f64| {
         // Beyond the border all is as it is there.
@@ -65,6 +77,6 @@ pub(in crate::trace) fn is_sampled(steps: &[Point], gray: &Gray, level: f64) -> 
         thin += usize::from(at(-1.5) != at(-0.5) || at(1.5) != at(0.5));
         before = after;
     }
-    let most = if count < SMALL { count / 16 } else { count / 2 };
+    let most = if count < SMALL && !among { count / 16 } else { count / 2 };
     single >= STEPS && count >= FEWEST && thin <= most
 }
