@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { createTimeline, type Timeline } from "../src/editor/timeline.ts";
+import { createTimeline, type Timeline } from "../src/editor/history/timeline.ts";
 
 interface Page {
   readonly text: string;

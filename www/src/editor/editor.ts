@@ -11,7 +11,7 @@ import type { FitRun, FitView } from "./fit/fit-state.ts";
 import type { ModeParts } from "./mode.ts";
 import type { Readable } from "./signal.ts";
 import type { SolidState } from "./surface/solid.ts";
-import type { Timeline } from "./timeline.ts";
+import type { Timeline } from "./history/timeline.ts";
 import type { Incoming, TraceRun, TraceView } from "./trace/trace-state.ts";
 
 export type ToolId = "select" | "pen" | "draw" | "hand";

@@ -1,7 +1,7 @@
-import { emptyHistory, record, stepBack, stepForward, type History } from "../document/history.ts";
+import { emptyHistory, record, stepBack, stepForward, type History } from "../../document/history.ts";
 
-/** Undo and redo of a mode that is not Curve: one entry per gesture, values and selection together. */
-export interface Timeline<M> {
+/** Undo and redo of a mode: one entry per gesture, values and selection together. `Also` is what may change in the same step as the drawing. */
+export interface Timeline<M, Also = never> {
   /** Applies a change: one entry, joined to the last when both belong to one quick run; part of the gesture if one is open. */
   dispatch(name: string, change: (now: M) => M, run?: string): void;
   /** Sets what is there without an entry: nothing that anybody did. */
@@ -9,7 +9,7 @@ export interface Timeline<M> {
   /** Opens a gesture: everything until `commit` is one entry. */
   begin(name: string): void;
   /** Applies the change to the state at `begin`, so that a drag is always evaluated from its start. */
-  preview(change: (start: M) => M): void;
+  preview(change: (start: M) => M, also?: Also): void;
   commit(): void;
   /** Changes what is there without an entry: a value that follows from others (a slider that shows what a target led to). */
   amend(change: (now: M) => M): void;
@@ -26,9 +26,9 @@ export interface Timeline<M> {
   readonly future: string | null;
 }
 
-export interface TimelineOptions<M> {
+export interface TimelineOptions<M, Also = never> {
   read(): M;
-  write(moment: M): void;
+  write(moment: M, also?: Also): void;
   /** Whether two moments hold the same drawing, whatever is selected. */
   same(a: M, b: M): boolean;
   /** What can be undone has changed. */
@@ -37,7 +37,7 @@ export interface TimelineOptions<M> {
   now(): number;
 }
 
-export function createTimeline<M>({ read, write, same, changed, now }: TimelineOptions<M>): Timeline<M> {
+export function createTimeline<M, Also = never>({ read, write, same, changed, now }: TimelineOptions<M, Also>): Timeline<M, Also> {
   let history: History<M> = emptyHistory();
   let gesture: { readonly name: string; readonly start: M } | null = null;
 
@@ -56,7 +56,7 @@ export function createTimeline<M>({ read, write, same, changed, now }: TimelineO
     changed();
   }
 
-  const timeline: Timeline<M> = {
+  const timeline: Timeline<M, Also> = {
     get inGesture() {
       return gesture !== null;
     },
@@ -81,9 +81,9 @@ export function createTimeline<M>({ read, write, same, changed, now }: TimelineO
       if (gesture !== null) timeline.commit();
       gesture = { name, start: read() };
     },
-    preview(change) {
+    preview(change, also) {
       if (gesture === null) return timeline.dispatch("Change", change);
-      write(change(gesture.start));
+      write(change(gesture.start), also);
     },
     commit() {
       if (gesture === null) return;
