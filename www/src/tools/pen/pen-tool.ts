@@ -1,6 +1,6 @@
-import { replaceContour, reverseContour, type Command } from "../../document/curve/commands.ts";
-import { noOffset, nothingSelected, type Contour, type ControlPoint, type CurveDocument, type Offset, type PointRef } from "../../document/document.ts";
-import { opposite } from "../../document/curve/offset.ts";
+import { reverseContour, type Command } from "../../document/curve/commands.ts";
+import { closeDrawn, cornerAt, growContour, pullHandles, startContour } from "../../document/curve/drawing.ts";
+import { nothingSelected, type Contour, type ControlPoint, type Offset, type PointRef } from "../../document/document.ts";
 import { toScreen, type PagePoint } from "../../editor/pointer/camera.ts";
 import { nothingSketched } from "../../editor/sketch.ts";
 import { mostPoints, refuse } from "../../editor/curve/edits.ts";
@@ -14,14 +14,6 @@ import { distanceBetween, dragThreshold, type PointerSample, type Tool } from ".
  */
 
 const closeReach = 10;
-
-function corner(place: PagePoint): ControlPoint {
-  return { x: place.x, y: place.y, kind: "cusp", in: noOffset, out: noOffset };
-}
-
-function withOut(point: ControlPoint, out: Offset): ControlPoint {
-  return { ...point, kind: "symmetric", out, in: opposite(out) };
-}
 
 export function createPenTool(editor: Editor): Tool {
   /** The contour that the pen is drawing; it is always the last point that goes on. */
@@ -79,48 +71,22 @@ export function createPenTool(editor: Editor): Tool {
     return snapPlace(curve, nothingSelected, sample.page, view.zoom, settings.overlays.grid ? settings.gridStep : null).value;
   }
 
-  /** The contour with its next point, as a document change. */
-  function addPoint(place: PagePoint): { command: Command; ref: PointRef } {
+  /** The place of the next point: a command, and which point it is about. */
+  function next(sample: PointerSample): { command: Command; ref: PointRef; closing: boolean } {
     const contour = current();
     const { curve } = editor.state.value;
     if (contour === undefined || drawing === null) {
-      const index = curve.contours.length;
-      const fresh: Contour = { family: "hermite", closed: false, points: [corner(place)], support: 1 };
-      const ref = { contour: index, index: 0 };
-      return {
-        ref,
-        command: { name: "Start path", apply: (document) => ({ ...document, contours: [...document.contours, fresh] }), select: { points: [ref], handle: null } },
-      };
+      return { command: startContour(curve, placed(sample)), ref: { contour: curve.contours.length, index: 0 }, closing: false };
     }
-    const grown = { ...contour, points: [...contour.points, corner(place)], ...grownArrays(contour) };
-    const at = drawing;
-    const ref = { contour: at, index: contour.points.length };
-    return { ref, command: { name: "Add point", apply: (document) => replaceContour(document, at, grown), select: { points: [ref], handle: null } } };
+    if (closes(sample)) return { command: closeDrawn(drawing, contour), ref: { contour: drawing, index: 0 }, closing: true };
+    return { command: growContour(drawing, contour, placed(sample)), ref: { contour: drawing, index: contour.points.length }, closing: false };
   }
 
-  function grownArrays(contour: Contour): Partial<Contour> {
-    return {
-      ...(contour.omega === undefined ? {} : { omega: [...contour.omega, contour.omega.at(-1) ?? 0] }),
-      ...(contour.lengths === undefined ? {} : { lengths: [...contour.lengths, 1] }),
-    };
-  }
-
-  function closed(contour: Contour, document: CurveDocument): Contour {
-    // Closing must not change what the rubber band showed: an open contour's automatic frequency is 0.
-    const omega = contour.omega ?? (document.omega === "auto" ? contour.points.slice(1).map(() => 0) : undefined);
-    return {
-      ...contour,
-      closed: true,
-      ...(omega === undefined ? {} : { omega: [...omega, omega.at(-1) ?? 0] }),
-      ...(contour.lengths === undefined ? {} : { lengths: [...contour.lengths, 1] }),
-    };
-  }
-
-  function pull(ref: PointRef, point: ControlPoint, sample: PointerSample): ControlPoint {
-    let offset = { dx: sample.page.x - point.x, dy: sample.page.y - point.y };
-    if (sample.modifiers.shift) offset = turnedBySteps(offset);
-    // Alt bends only what comes next: the side already drawn stays.
-    return sample.modifiers.alt && ref.index > 0 ? { ...point, kind: "cusp", out: offset } : withOut(point, offset);
+  /** The leaving handle that ends under the pointer. */
+  function pulled(ref: PointRef, sample: PointerSample): Offset {
+    const point = editor.state.value.curve.contours[ref.contour]?.points[ref.index] ?? sample.page;
+    const offset = { dx: sample.page.x - point.x, dy: sample.page.y - point.y };
+    return sample.modifiers.shift ? turnedBySteps(offset) : offset;
   }
 
   function rubber(sample: PointerSample): void {
@@ -129,9 +95,9 @@ export function createPenTool(editor: Editor): Tool {
     if (contour === undefined || last === undefined) return editor.patch({ sketch: nothingSketched, hover: { kind: "empty" }, cursor: "crosshair" });
     const closing = closes(sample);
     const first = contour.points[0];
-    const next = closing && first !== undefined ? first : corner(placed(sample));
+    const to = closing && first !== undefined ? first : cornerAt(placed(sample));
     const omega = contour.omega === undefined ? {} : { omega: [contour.omega.at(-1) ?? 0] };
-    const preview: Contour = { family: "hermite", closed: false, points: [last, next], ...omega };
+    const preview: Contour = { family: "hermite", closed: false, points: [last, to], ...omega };
     editor.patch({ sketch: { ...nothingSketched, rubber: { contour: preview, closing } }, hover: { kind: "empty" }, cursor: closing ? "pointer" : "crosshair" });
   }
 
@@ -156,39 +122,18 @@ export function createPenTool(editor: Editor): Tool {
       if (contour !== undefined && contour.points.length >= mostPoints) return refuse(editor, `A contour holds at most ${mostPoints} points here.`);
       const end = contour === undefined ? endAt(sample) : null;
       if (end !== null) return goOn(sample, end);
-      const closing = closes(sample);
-      const place = placed(sample);
-      editor.begin(closing ? "Close path" : contour === undefined ? "Start path" : "Add point");
-      if (closing && contour !== undefined && drawing !== null) {
-        const at = drawing;
-        press = { start: sample, ref: { contour: at, index: 0 }, closing };
-        editor.preview({
-          name: "Close path",
-          apply: (document) => replaceContour(document, at, closed(contour, document)),
-          select: { points: [press.ref], handle: null },
-        });
-        return;
-      }
-      const { command, ref } = addPoint(place);
+      const { command, ref, closing } = next(sample);
+      editor.begin(command.name);
       drawing = ref.contour;
       press = { start: sample, ref, closing };
       editor.preview(command);
-      editor.patch({ sketch: nothingSketched });
+      if (!closing) editor.patch({ sketch: nothingSketched });
     },
     drag(sample) {
       if (press === null || distanceBetween(sample.screen, press.start.screen) < dragThreshold[sample.kind]) return;
       const { ref } = press;
-      editor.dispatch({
-        name: "Pull handles",
-        apply: (document) => {
-          const contour = document.contours[ref.contour];
-          if (contour === undefined) return document;
-          return replaceContour(document, ref.contour, {
-            ...contour,
-            points: contour.points.map((point, i) => (i === ref.index ? pull(ref, point, sample) : point)),
-          });
-        },
-      });
+      // Alt bends only what comes next: the side already drawn stays.
+      editor.dispatch(pullHandles(ref, pulled(ref, sample), sample.modifiers.alt && ref.index > 0));
     },
     release(sample) {
       if (press === null) return;
