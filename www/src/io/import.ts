@@ -110,6 +110,7 @@ const notesByCode: Readonly<Record<SvgWarningCode, string>> = {
   W_ODD_POINTS: "a lone last coordinate was dropped",
   W_STYLE_TRANSFORM: "a transform by CSS in percent or in space was ignored",
   W_TEXT: "text was left out; as outlines it would come along",
+  W_CLIP: "what a clip or a mask hides came along",
   W_NO_TARGET: "a reference to something outside the file was left out",
 };
 

@@ -56,6 +56,7 @@ export type SvgWarningCode =
   | "W_ODD_POINTS"
   | "W_STYLE_TRANSFORM"
   | "W_TEXT"
+  | "W_CLIP"
   | "W_NO_TARGET";
 
 /** Something in the file that was skipped or read leniently; told to the user, never fatal. */

@@ -2,13 +2,14 @@
  * Reads an SVG document into path data and transforms. The browser's own parser reads it into a document that is never
  * attached to the page, so nothing in it is fetched, styled or run; only shape elements are looked at.
  */
-import { ownTransformOf } from "./css-transform.ts";
-import { hiddenBySheets, isHidden } from "./hidden.ts";
 import { lengthOf, type Warn } from "./lengths.ts";
 import { overLimit, svgLimits, type SvgLimits, type SvgWarning } from "./limits.ts";
 import { rootOf } from "./markup.ts";
 import { identity, multiply, numbersOf, scale, translate, type Matrix } from "./matrix.ts";
 import { pathDataOf, shapeNames } from "./shapes.ts";
+import { mayHide, type Box } from "./style/clip.ts";
+import { hiddenBySheets, isHidden } from "./style/hidden.ts";
+import { ownTransformOf } from "./style/transform.ts";
 
 /** One drawn shape: its path data, and the transform from its own units to the document's. */
 export interface SvgShape {
@@ -32,6 +33,8 @@ interface Reading {
   /** The groups that are being walked, by nesting or by `use`: a `use` of one of them is a cycle. */
   readonly entered: Set<Element>;
   readonly hidden: ReadonlySet<Element>;
+  /** What is seen of the whole drawing, in its own units. */
+  readonly picture: Box | null;
   expanded: number;
   commands: number;
 }
@@ -49,6 +52,7 @@ export function readSvg(source: string, limits: SvgLimits = svgLimits): SvgFile 
     },
     entered: new Set(),
     hidden: hiddenBySheets(root),
+    picture: pictureOf(root),
     expanded: 0,
     commands: 0,
   };
@@ -61,6 +65,7 @@ function walk(element: Element, outer: Matrix, depth: number, reading: Reading):
   if (depth > 4 * reading.limits.maxDepth) throw overLimit("maxDepth", reading.limits.maxDepth, depth);
   if (isHidden(element, reading.hidden)) return;
   const matrix = multiply(outer, ownTransform(element, reading.warn));
+  if (mayHide(element, matrix, reading.picture)) reading.warn("W_CLIP", element);
   if (shapeNames.has(element.localName)) addShape(element, matrix, reading);
   else if (element.localName === "use") expand(element, matrix, depth, reading);
   else if (groups.has(element.localName)) walkChildren(element, matrix, depth, reading);
@@ -138,6 +143,18 @@ function viewport(element: Element, isRoot: boolean, warn: Warn): Matrix {
   if (!(toWidth > 0 && toHeight > 0)) return isRoot ? identity : place;
   const fitted = fit(element.getAttribute("preserveAspectRatio") ?? "", toWidth, toHeight, boxWidth, boxHeight);
   return multiply(multiply(place, fitted), translate(-left, -top));
+}
+
+/** The box of the whole picture; none where its size is not its own. */
+function pictureOf(root: Element): Box | null {
+  const silent: Warn = () => undefined;
+  const [left, top, boxWidth, boxHeight] = numbersOf(root.getAttribute("viewBox") ?? "") ?? [];
+  const [width, height] = [lengthOf(root, "width", null, silent), lengthOf(root, "height", null, silent)];
+  if (left === undefined || top === undefined || boxWidth === undefined || boxHeight === undefined) {
+    return width === null || height === null ? null : { left: 0, top: 0, right: width, bottom: height };
+  }
+  const [a, , , d, e, f] = viewport(root, true, silent);
+  return { left: a * left + e, top: d * top + f, right: a * (left + boxWidth) + e, bottom: d * (top + boxHeight) + f };
 }
 
 function fit(rule: string, width: number, height: number, boxWidth: number, boxHeight: number): Matrix {

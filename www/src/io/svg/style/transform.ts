@@ -1,14 +1,7 @@
-import { identity, multiply, parseTransform, translate, type Matrix } from "./matrix.ts";
+import { identity, multiply, parseTransform, translate, type Matrix } from "../matrix.ts";
+import { declarations } from "./declarations.ts";
 
 /** What a `style` attribute says of where an element is. The browser reads the values; percentages and 3D are not applied. */
-
-/** The last value of each property. */
-function declarations(style: string): ReadonlyMap<string, string> {
-  return new Map(style.split(";").flatMap((each): [string, string][] => {
-    const colon = each.indexOf(":");
-    return colon < 0 ? [] : [[each.slice(0, colon).trim().toLowerCase(), each.slice(colon + 1).replace(/!\s*important\s*$/iu, "").trim()]];
-  }));
-}
 
 /** A list of transform functions as CSS writes them; null when it needs a box or a third dimension. */
 function listed(functions: string): Matrix | null {
@@ -45,7 +38,7 @@ export interface OwnTransform {
 
 /** An element's own transform: what its style says comes before its attribute. What cannot be applied is left out. */
 export function ownTransformOf(element: Element): OwnTransform {
-  const style = declarations(element.getAttribute("style") ?? "");
+  const style = declarations(element);
   const attribute = element.getAttribute("transform");
   const css = style.get("transform");
   const list = css === undefined ? parseTransform(attribute ?? "") : css === "none" ? identity : listed(css);

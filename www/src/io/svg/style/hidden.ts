@@ -1,3 +1,5 @@
+import { declarations } from "./declarations.ts";
+
 /** Selectors that are looked up at once: a class, an id or a kind of element, or several of them. */
 const simple = /^[.#]?[\w-]+(?:\s*,\s*[.#]?[\w-]+)*$/u;
 const mostRules = 1000;
@@ -24,7 +26,7 @@ export function hiddenBySheets(root: Element): ReadonlySet<Element> {
 }
 
 export function isHidden(element: Element, bySheets: ReadonlySet<Element>): boolean {
-  const own = /(?:^|;)\s*display\s*:\s*([\w-]+)/iu.exec(element.getAttribute("style") ?? "")?.[1];
+  const own = declarations(element).get("display");
   if (own !== undefined) return own.toLowerCase() === "none";
   return bySheets.has(element) || element.getAttribute("display") === "none";
 }
