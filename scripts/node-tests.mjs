@@ -18,9 +18,10 @@ const scriptsStay = {
   },
 };
 
-/** Bundles every *.test.ts under `folder` into `out` and gives back the files. */
-async function bundle(folder, out) {
-  const entryPoints = filesUnder([folder]).filter((file) => file.endsWith(".test.ts"));
+/** Bundles every *.test.ts under `folder` whose name has one of `parts` in it into `out` and gives back the files. */
+async function bundle(folder, out, parts) {
+  const asked = (file) => parts.length === 0 || parts.some((part) => basename(file, ".test.ts").includes(part));
+  const entryPoints = filesUnder([folder]).filter((file) => file.endsWith(".test.ts") && asked(file));
   if (entryPoints.length === 0) return [];
   rmSync(at(out), { recursive: true, force: true });
   const { build } = await import("esbuild");
@@ -52,11 +53,12 @@ function diagnostics(tap) {
 
 /**
  * Runs the tests under `folder`; `out` decides which `expline` they find (the package of the clone, or the packed one).
- * They run in the clone's folder, so that they can read its files.
+ * They run in the clone's folder, so that they can read its files. With `parts` only files that have one of them in their name do.
  */
-export async function testNode(folder, out, { env = {}, limit = 1_800_000 } = {}) {
-  const files = await bundle(folder, out);
-  if (files.length === 0) return { passed: 0, failed: 1, failures: `${folder} has no *.test.ts\n`, notes: [] };
+export async function testNode(folder, out, { parts = [], env = {}, limit = 1_800_000 } = {}) {
+  const files = await bundle(folder, out, parts);
+  const none = `${folder} has no *${parts.join("* or *")}*.test.ts\n`;
+  if (files.length === 0) return { passed: 0, failed: 1, failures: none, notes: [] };
   mkdirSync(at("build/logs"), { recursive: true });
   const log = at("build/logs", `${basename(out)}.txt`);
   const reporters = ["--test-reporter=tap", "--test-reporter-destination=stdout", "--test-reporter=spec", `--test-reporter-destination=${log}`];

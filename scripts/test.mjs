@@ -1,4 +1,5 @@
-// npm test: sets up, builds and runs every check there is; `npm test -- rust demo` runs only those groups.
+// npm test: sets up, builds and runs every check there is; `npm test -- rust demo` runs only those groups, and
+// `npm test -- demo/curve` of a group's test files only those with "curve" in their names.
 //
 // A build that fails ends the run at once. A check that fails is reported, and the others still run. The last line
 // is "N passed, N failed", and the status is 0 only when nothing failed.
@@ -18,6 +19,8 @@ import { buildXtask } from "./wasm.mjs";
 
 const TARGET = ["--target", "wasm32-unknown-unknown"];
 const GROUPS = ["rust", "wasm", "js", "package", "www", "demo"];
+/** Groups of test files that can be run one by one; cargo has ways of its own. */
+const FILES = ["js", "package", "www", "demo"];
 
 const total = { passed: 0, failed: 0, failedSteps: [] };
 
@@ -72,50 +75,60 @@ async function wasm() {
   await suite("Rust tests in wasm, Chromium", testWasmInChromium);
 }
 
-async function js() {
+async function js(parts) {
   await check("types of the tests", tsc("tests/tsconfig.json"));
   await installPacked();
-  await suite("the packed package in Node", () => testNode("tests/js", "build/consumer/js"));
+  await suite("the packed package in Node", () => testNode("tests/js", "build/consumer/js", { parts }));
 }
 
-async function packaged() {
+async function packaged(parts) {
   await installPacked();
-  await suite("the packed package elsewhere", () => testNode("tests/package", "build/consumer/package"));
+  await suite("the packed package elsewhere", () => testNode("tests/package", "build/consumer/package", { parts }));
 }
 
-async function www() {
+async function www(parts) {
   await check("types of the demo", tsc("www/tsconfig.json"));
-  await suite("the demo's parts", () => testNode("www/tests", "build/tests/www"));
+  await suite("the demo's parts", () => testNode("www/tests", "build/tests/www", { parts }));
 }
 
-async function demo() {
+async function demo(parts) {
   await buildDemo();
   const { url, close } = await serve(at("www", "dist"), { port: 0 });
   try {
-    await suite("the demo in Chromium", () => testNode("tests/demo", "build/tests/demo", { env: { DEMO_URL: url } }));
+    await suite("the demo in Chromium", () => testNode("tests/demo", "build/tests/demo", { parts, env: { DEMO_URL: url } }));
   } finally {
     await close();
   }
 }
 
+/** A group, or a part of the names of a group's test files: "demo", "demo/curve". */
+function readAsked(text) {
+  const [group, part] = text.split("/", 2);
+  if (!GROUPS.includes(group)) throw new StepError(`there is no group ${group}; the groups are ${GROUPS.join(", ")}`);
+  if (part && !FILES.includes(group)) throw new StepError(`${group} runs as a whole here; its parts are cargo's: cargo test --test ${part}`);
+  return { group, part };
+}
+
 await door(async () => {
   const start = performance.now();
-  const asked = process.argv.slice(2);
-  const unknown = asked.find((name) => !GROUPS.includes(name));
-  if (unknown) throw new StepError(`there is no group ${unknown}; the groups are ${GROUPS.join(", ")}`);
-  const wanted = (name) => asked.length === 0 || asked.includes(name);
+  const asked = process.argv.slice(2).map(readAsked);
+  const wanted = (name) => asked.length === 0 || asked.some(({ group }) => group === name);
+  const parts = (name) => {
+    const own = asked.filter(({ group }) => group === name).map(({ part }) => part);
+    return own.every(Boolean) ? own : [];
+  };
   await setUp();
   const chromium = await ensureChromium();
   process.env.CHROMIUM = chromium;
   if (asked.length === 0) await check("the tree's own rules", checkTree);
   if (wanted("rust")) await rust();
   if (wanted("wasm")) await wasm();
-  if (["js", "package", "www", "demo"].some(wanted)) await buildPackage();
+  if (FILES.some(wanted)) await buildPackage();
   if (asked.length === 0) await check("size of the package", async () => checkSize());
-  if (wanted("js")) await js();
-  if (wanted("package")) await packaged();
-  if (wanted("www")) await www();
-  if (wanted("demo")) await demo();
+  if (wanted("js")) await js(parts("js"));
+  if (wanted("package")) await packaged(parts("package"));
+  if (wanted("www")) await www(parts("www"));
+  if (wanted("demo")) await demo(parts("demo"));
   console.log(`\n${seconds(start)} in all`);
   if (total.failedSteps.length > 0) console.log(`✗ failed: ${total.failedSteps.join("; ")}`);
   console.log(`${total.passed} passed, ${total.failed} failed`);
