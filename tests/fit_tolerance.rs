@@ -161,10 +161,6 @@ fn the_left_end_of_a_slider_goes_through_the_points() {
     {
         let points = noisy(&evenly(&outline(smooth), count), sigma, 5);
         for tolerance in [0.0, 1e-9 * size, 1e-6 * size] {
-            // Many points with noise and knots that follow it are another matter.
-            if sigma > 0.0 && tolerance > 1e-7 {
-                continue;
-            }
             let fitted = fit(&points, Ask::Tolerance(tolerance), &Options::default()).expect("fits");
             let (far, pieces) = (searched(&fitted, &points), fitted.curve.segment_count());
             let what =
@@ -173,6 +169,27 @@ fn the_left_end_of_a_slider_goes_through_the_points() {
             assert!(fitted.max_error <= tolerance.max(1e-12 * size), "{what}: {}", fitted.max_error);
             assert_eq!(fitted.status == FitStatus::Converged, fitted.max_error <= tolerance, "{what}");
             assert!(pieces <= if smooth { count } else { 40 }, "{what}");
+        }
+    }
+}
+
+/// Where no smooth curve with few knots is so near, a polyline is: what is asked for is kept, and by no more pieces than lines take.
+#[test]
+fn a_tolerance_below_the_noise_is_kept_however_many_points_there_are() {
+    for (count, smooth) in [(600, false), (1000, true), (1800, false), (2600, true), (9000, true)] {
+        let all = noisy(&evenly(&outline(smooth), count), 1.0, count as u64);
+        for (tolerance, closed) in [(0.15, true), (0.5, false), (1.0, true), (1.7, false)] {
+            let points = if closed { &all[..] } else { &all[..3 * count / 4] };
+            let options = Options { closed: Some(closed), ..Options::default() };
+            let fitted = fit(points, Ask::Tolerance(tolerance), &options).expect("fits");
+            let (far, pieces) = (searched(&fitted, points), fitted.curve.segment_count());
+            let what =
+                format!("{count}, {smooth}, {closed}, within {tolerance}: {pieces} pieces, {far} away");
+            assert!(far <= tolerance && fitted.max_error <= tolerance, "{what}: {}", fitted.max_error);
+            assert_eq!(fitted.status, FitStatus::Converged, "{what}");
+            assert_eq!(fitted.curve.is_closed(), closed, "{what}");
+            let most = lines(points, 0.98 * tolerance) + 1;
+            assert!(pieces <= most, "{what}, and {most} lines");
         }
     }
 }

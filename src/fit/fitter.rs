@@ -286,14 +286,16 @@ impl Fitter {
                 (iteration, gap) = (finishing.solver.iterations(), finishing.solver.gap());
                 done = finishing.round();
             }
-            Run::Search(searches) => match searches.iter().position(|search| !search.is_done()) {
-                Some(next) => {
+            Run::Search(searches) => {
+                if let Some(next) = searches.iter().position(|search| !search.is_done()) {
                     searches[next].step();
                     iteration = searches.iter().map(Sparsest::rounds).sum();
                     done = next + 1 == searches.len() && searches[next].is_done();
                 }
-                None => done = true,
-            },
+                if done && searches.iter().all(|search| search.missed().is_some()) {
+                    searches[0].resort_to_polyline();
+                }
+            }
             Run::Choice(rivals, others) => {
                 done = false;
                 match rivals.iter_mut().find(|search| !search.is_thinned()) {

@@ -13,7 +13,8 @@ pub enum Ask {
     /// The same with λ = size·(ℓ/2π)^(degree + 1), ℓ = 2·(M/2)^s points, for s in [0, 1]: the same drawing at another
     /// size, or with more points, is smoothed alike.
     Smoothing(f64),
-    /// The fewest knots with which no point is farther from the curve.
+    /// The fewest knots with which no point is farther from the curve. Below the noise that is a polyline with the fewest
+    /// vertices; where corners may not be anywhere, a tolerance may be missed there.
     Tolerance(f64),
     /// The fewest simple knots with which the mean square of the points' distances, at their parameters, is not larger.
     MeanSquare(f64),

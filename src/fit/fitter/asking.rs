@@ -19,6 +19,8 @@ impl Fitter {
     /// # Errors
     ///
     /// λ not from 0 to 1e12 or not one per degree (all 0 for two), smoothing not from 0 to 1, a tolerance that is negative.
+    /// For λ and smoothing, `TooFewPoints` where an open curve has no more points than its highest degree; points that
+    /// repeat their neighbour are one. A tolerance, and the noise, make do with what [`Fitter::new`] takes.
     pub fn ask(&mut self, ask: Ask) -> Result<()> {
         match core::mem::replace(&mut self.run, Run::Idle) {
             Run::Convex(solver) => self.warm = Some(solver),

@@ -12,6 +12,7 @@ const REACH: usize = 64;
 /// Numbers of the points that a polyline goes through so that no point is farther from it than `tolerance`: Ramer's and
 /// Douglas and Peucker's way, without recursion. O(M log M) on drawings, O(M²) at worst for `most` vertices; `None`
 /// where they do not suffice.
+#[inline(never)]
 pub(super) fn vertices(points: &[Point], closed: bool, tolerance: f64, most: usize) -> Option<Vec<usize>> {
     let count = points.len();
     // Two points far from one another are on the hull, and so good places to begin on a closed way.
@@ -48,6 +49,7 @@ pub(super) fn vertices(points: &[Point], closed: bool, tolerance: f64, most: usi
 
 /// The fewest vertices of such a polyline, among those that have one every `REACH` points at least. A larger tolerance
 /// never takes more of them. O(M·REACH²) at worst.
+#[inline(never)]
 pub(super) fn fewest(points: &[Point], closed: bool, tolerance: f64) -> Vec<usize> {
     let count = points.len();
     let (first, last) = if closed { (farthest(points, 0), count) } else { (0, count - 1) };
@@ -89,10 +91,14 @@ fn farthest(points: &[Point], from: usize) -> usize {
 
 /// The square of a point's distance from an edge.
 fn beside([a, b]: [Point; 2], point: Point) -> f64 {
-    let (way, chord) = (point - a, b - a);
+    (point - a - (b - a) * share_of([a, b], point)).norm_squared()
+}
+
+/// The share of an edge at which a point's foot is.
+fn share_of([a, b]: [Point; 2], point: Point) -> f64 {
+    let chord = b - a;
     let square = chord.norm_squared();
-    let along = if square > 0.0 { (way.dot(&chord) / square).clamp(0.0, 1.0) } else { 0.0 };
-    (way - chord * along).norm_squared()
+    if square > 0.0 { ((point - a).dot(&chord) / square).clamp(0.0, 1.0) } else { 0.0 }
 }
 
 /// Corners at these points; on open curves the ends are none.
@@ -113,24 +119,36 @@ pub(super) fn corners(vertices: &[usize], located: &Located, like: &Breaks) -> B
     breaks
 }
 
-/// The polyline through these points as a spline with those corners.
-pub(super) fn through(vertices: &[usize], located: &Located, breaks: Breaks) -> Spline {
-    let count = vertices.len();
+/// The polyline through these points as a spline with those corners, and all points at their feet on the edges that pass
+/// them. From elsewhere a way to the foot need not lead there: where noise turns back, it goes round a vertex to another edge.
+pub(super) fn through(vertices: &[usize], located: &Located, breaks: Breaks) -> (Spline, Located) {
+    let (count, all) = (vertices.len(), located.points.len());
     let edges = if breaks.closed { count } else { count - 1 };
-    let mut dense = Located::default();
+    let (mut dense, mut feet) = (Located::default(), located.clone());
     for edge in 0..edges {
-        let (a, b) = (vertices[edge], vertices[(edge + 1) % count]);
-        let start = located.parameters[a];
-        let end = if b > a { located.parameters[b] } else { located.parameters[b] + breaks.end };
+        let (from, to) = (vertices[edge], vertices[(edge + 1) % count]);
+        let ends = [located.points[from], located.points[to]];
+        let start = located.parameters[from];
+        // The last edge of a closed one goes on beyond the first point.
+        let (way, passed) = if to > from {
+            (located.parameters[to] - start, to - from)
+        } else {
+            (located.parameters[to] + breaks.end - start, to + all - from)
+        };
+        let at = |share: f64| {
+            let t = start + way * share;
+            if breaks.closed && t >= breaks.end { t - breaks.end } else { t }
+        };
+        for m in (from..from + passed).map(|m| m % all) {
+            feet.parameters[m] = at(share_of(ends, located.points[m]));
+        }
         let steps = 2 * breaks.degree;
         for step in 0..=steps {
-            let share = step as f64 / steps as f64;
             // Strictly inside: the ends belong to two edges.
-            let share = share.clamp(1e-3, 1.0 - 1e-3);
-            let t = start + (end - start) * share;
-            dense.points.push(located.points[a] + (located.points[b] - located.points[a]) * share);
-            dense.parameters.push(if breaks.closed && t >= breaks.end { t - breaks.end } else { t });
+            let share = (step as f64 / steps as f64).clamp(1e-3, 1.0 - 1e-3);
+            dense.points.push(ends[0] + (ends[1] - ends[0]) * share);
+            dense.parameters.push(at(share));
         }
     }
-    Spline::of(&FreeKnots::new(breaks, &dense))
+    (Spline::of(&FreeKnots::new(breaks, &dense)), feet)
 }

@@ -211,6 +211,14 @@ impl Sparsest {
         if reached { FitStatus::Converged } else { FitStatus::Stalled }
     }
 
+    /// The tolerance that was asked for, where the best curve so far does not keep it.
+    pub(in crate::fit) fn missed(&self) -> Option<f64> {
+        match self.asked.aim {
+            Aim::Tolerance(tolerance) if self.status() != FitStatus::Converged => Some(tolerance),
+            _ => None,
+        }
+    }
+
     /// Whether the search has ended.
     pub(in crate::fit) fn is_done(&self) -> bool {
         self.phase == Phase::Done

@@ -72,10 +72,7 @@ impl Sparsest {
         }
         let vertices = vertices?;
         let mut search = Self::new(full, plan, aim, noise);
-        let breaks = polyline::corners(&vertices, &search.view.full, search.fitted.breaks());
-        if breaks.len() < least(&breaks).max(1) {
-            return None;
-        }
+        let breaks = search.corners_at(&vertices)?;
         // Corners are not averaged away.
         if search.view.full.points.len() < 16 * vertices.len() {
             search.view.seen = search.view.full.clone();
@@ -84,15 +81,44 @@ impl Sparsest {
         search.fitted = FreeKnots::new(breaks.clone(), &search.view.seen);
         (search.phase, search.effort.warming) = (Phase::Thin, WARMING);
         if let Aim::Tolerance(tolerance) = aim {
-            let spline = polyline::through(&vertices, &search.view.full, breaks);
-            let mut located = search.view.full.clone();
-            let distances = spline.project_beyond(&mut located, 3, search.near());
+            let found = search.polyline(&vertices, breaks);
             // Through nearly all points it is as near as can be.
-            if distances.largest <= tolerance || aim.is_fine() {
-                search.found = Some(Found { spline, located, distances, wild: None });
+            if found.distances.largest <= tolerance || aim.is_fine() {
+                search.found = Some(found);
             }
         }
         Some(search)
+    }
+
+    /// Takes the polyline of the fewest vertices for an answer, where the tolerance is missed and any corner may be. O(M) but
+    /// for points that are many times denser than the tolerance.
+    pub(in crate::fit) fn resort_to_polyline(&mut self) {
+        let Some(tolerance) = self.missed() else { return };
+        let Breaks { degree, closed, .. } = *self.fitted.breaks();
+        if self.sharpest < degree || self.asked.least_turn > 0.0 {
+            return;
+        }
+        let vertices = polyline::fewest(&self.view.full.points, closed, ALMOST * tolerance);
+        let Some(breaks) = self.corners_at(&vertices) else { return };
+        let found = self.polyline(&vertices, breaks);
+        if found.distances.largest <= tolerance {
+            self.found = Some(found);
+        }
+    }
+
+    /// Knots at the corners of a polyline through some of the points, if that is enough of them.
+    #[inline(never)]
+    fn corners_at(&self, vertices: &[usize]) -> Option<Breaks> {
+        let breaks = polyline::corners(vertices, &self.view.full, self.fitted.breaks());
+        (breaks.len() >= least(&breaks).max(1)).then_some(breaks)
+    }
+
+    /// The polyline through some of the points.
+    #[inline(never)]
+    fn polyline(&self, vertices: &[usize], breaks: Breaks) -> Found {
+        let (spline, mut located) = polyline::through(vertices, &self.view.full, breaks);
+        let distances = spline.project_beyond(&mut located, 3, self.near());
+        Found { spline, located, distances, wild: None }
     }
 
     /// A search for fewer knots than those of `breaks` with a sum of squares that is not larger than `target`.
