@@ -183,7 +183,8 @@ pub(super) trait Work: core::fmt::Debug {
 ///
 /// # Cost
 ///
-/// O(pixels + length of the contours); 6 bytes for each pixel at most, the picture's own 2 among them.
+/// O(pixels + length of the contours). Memory: 4 to 6 bytes for each pixel of drawings, the picture's own 2 among them; 7 of
+/// noise, and 30 where outlines fill the picture, as a spiral of thin lines does.
 #[derive(Debug)]
 pub struct Tracer {
     work: Box<dyn Work>,
