@@ -1,10 +1,9 @@
 #!/usr/bin/env node
 /** The command line of the package. Status 0; 1 for bad input, 2 for wrong usage, each with one line on standard error. */
-import { writeSync } from "node:fs";
-
 import { ExplineError, version } from "expline";
 
 import { Failure, USAGE, statusOf } from "./failure.ts";
+import { print } from "./files.ts";
 import { fit } from "./fit.ts";
 import { trace } from "./trace.ts";
 
@@ -39,26 +38,28 @@ function run([command, ...words]: readonly string[]): string {
   return COMMANDS[command]?.(words) ?? "";
 }
 
-/** All of a text, however slowly the other end of a pipe reads; a reader that has gone away is no failure. */
-function print(text: string): void {
-  const bytes = new TextEncoder().encode(text);
-  for (let at = 0; at < bytes.length; ) {
-    try {
-      at += writeSync(1, bytes, at);
-    } catch (error) {
-      const { code } = error as { code?: string };
-      if (code === "EPIPE") return;
-      if (code !== "EAGAIN") throw error;
-    }
+/** Runs and prints; gives back what went wrong. What was done in spite of a failure is printed all the same. */
+function failureOf(words: readonly string[]): unknown {
+  let failure: unknown;
+  let text = "";
+  try {
+    text = run(words);
+  } catch (error) {
+    failure = error;
+    if (error instanceof Failure) text = error.done;
   }
+  try {
+    print(text);
+  } catch (error) {
+    failure ??= error;
+  }
+  return failure;
 }
 
-try {
-  print(run(process.argv.slice(2)));
-} catch (error) {
-  if (error instanceof Failure) print(error.done);
-  const known = error instanceof Failure || error instanceof ExplineError;
-  const line = error instanceof Error ? error.message.replace(/\s+/gu, " ") : String(error);
+const failure = failureOf(process.argv.slice(2));
+if (failure !== undefined) {
+  const known = failure instanceof Failure || failure instanceof ExplineError;
+  const line = failure instanceof Error ? failure.message.replace(/\s+/gu, " ") : String(failure);
   process.stderr.write(`expline: ${known ? line : `something went wrong here: ${line}`}\n`);
-  process.exitCode = statusOf(error);
+  process.exitCode = statusOf(failure);
 }

@@ -1,20 +1,77 @@
 /** Where input comes from and output goes. */
-import { mkdirSync, statSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, readSync, statSync, writeFileSync, writeSync } from "node:fs";
 
-import { Failure, INPUT } from "./failure.ts";
+import { Failure, INPUT, USAGE } from "./failure.ts";
 
 /** What a file is called in messages. */
 export const sourceName = (file: string): string => (file === "-" ? "standard input" : file);
 
+const codeOf = (error: unknown): string => (error as { code?: string }).code ?? "unknown";
+
 /** Why a file could not be read. */
-export function unreadable(file: string, error: unknown): Failure {
-  const code = (error as { code?: string }).code;
-  const why = code === "ENOENT" ? "there is no such file" : code === "EISDIR" ? "it is a folder" : `it cannot be read (${code ?? "unknown"})`;
+function unreadable(file: string, error: unknown): Failure {
+  const code = codeOf(error);
+  const why = code === "ENOENT" ? "there is no such file" : code === "EISDIR" ? "it is a folder" : `it cannot be read (${code})`;
   return new Failure(INPUT, `${sourceName(file)}: ${why}`);
 }
 
+const OBSTACLES: Readonly<Record<string, string>> = {
+  EACCES: "that is not allowed",
+  EEXIST: "a file has that name",
+  EISDIR: "it is a folder",
+  ENOENT: "there is no such folder",
+  ENOSPC: "no space is left",
+  ENOTDIR: "what should be a folder is a file",
+  EROFS: "that is not allowed",
+};
+
 function unwritable(file: string, error: unknown): Failure {
-  return new Failure(INPUT, `${file}: it cannot be written (${(error as { code?: string }).code ?? "unknown"})`);
+  const code = codeOf(error);
+  return new Failure(INPUT, `${file}: it cannot be written (${OBSTACLES[code] ?? code})`);
+}
+
+/** Asks again for as long as the other end of a pipe is not ready, and lets it have the processor meanwhile. */
+function patiently(call: () => number): number {
+  for (;;) {
+    try {
+      return call();
+    } catch (error) {
+      // How Windows says that a pipe has been closed.
+      if (codeOf(error) === "EOF") return 0;
+      if (codeOf(error) !== "EAGAIN") throw error;
+      Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, 5);
+    }
+  }
+}
+
+/** All of standard input, however slowly the other end writes. */
+function standardInput(): Uint8Array {
+  const parts: Uint8Array[] = [];
+  for (;;) {
+    const part = new Uint8Array(1 << 16);
+    const length = patiently(() => readSync(0, part));
+    if (length === 0) return Buffer.concat(parts);
+    parts.push(part.subarray(0, length));
+  }
+}
+
+/** The bytes of a file, or of standard input for `-`. */
+export function readBytes(file: string): Uint8Array {
+  try {
+    return file === "-" ? standardInput() : readFileSync(file);
+  } catch (error) {
+    throw unreadable(file, error);
+  }
+}
+
+/** All of a text to standard output, however slowly the other end reads; a reader that has gone away is no failure. */
+export function print(text: string): void {
+  const bytes = new TextEncoder().encode(text);
+  try {
+    for (let at = 0; at < bytes.length; ) at += patiently(() => writeSync(1, bytes, at));
+  } catch (error) {
+    if (codeOf(error) !== "EPIPE") throw unwritable("standard output", error);
+  }
 }
 
 /** Writes a text to a file. */
@@ -26,8 +83,28 @@ export function writeText(file: string, text: string): void {
   }
 }
 
-export function isFolder(path: string): boolean {
-  return statSync(path, { throwIfNoEntry: false })?.isDirectory() === true;
+/** What lies at a path; undefined where nothing does, or nothing that can be looked at. */
+function found(path: string): { readonly folder: boolean; readonly identity: string | undefined } | undefined {
+  try {
+    const state = statSync(path, { bigint: true });
+    return { folder: state.isDirectory(), identity: state.isFile() ? `${state.dev}:${state.ino}` : undefined };
+  } catch {
+    return undefined;
+  }
+}
+
+export const isFolder = (path: string): boolean => found(path)?.folder === true;
+
+/** Whether something other than a folder lies there. */
+export const isFile = (path: string): boolean => found(path)?.folder === false;
+
+/** Refuses, before anything is done, to write over a file that is read, whatever it is called there. */
+export function keepInputs(inputs: readonly string[], outputs: readonly (string | undefined)[]): void {
+  const kept = new Set(inputs.flatMap((file) => (file === "-" ? [] : (found(file)?.identity ?? []))));
+  for (const path of outputs) {
+    const identity = path === undefined ? undefined : found(path)?.identity;
+    if (identity !== undefined && kept.has(identity)) throw new Failure(USAGE, `${path}: it is read, and would be written over; name another file for the result`);
+  }
 }
 
 /** Makes a folder where there is none. */

@@ -1,10 +1,10 @@
 /** `expline fit`: points in, the curve with the fewest knots out. */
 import { type SparseFit, type SparseFitOptions, fitSparse } from "expline";
 
-import { Failure, INPUT, USAGE } from "./failure.ts";
-import { sourceName, writeText } from "./files.ts";
+import { Failure, INPUT, USAGE, statusOf } from "./failure.ts";
+import { keepInputs, sourceName, writeText } from "./files.ts";
 import { type Flag, type Given, describeFlags, numberOf, oneOrTwo, readFlags } from "./flags.ts";
-import { readPoints, readText } from "./points.ts";
+import { type Stroke, readPoints, readText } from "./points.ts";
 
 const FLAGS: Readonly<Record<string, Flag>> = {
   tolerance: { value: "D", about: "the fewest knots whose curve is within D of every point" },
@@ -44,17 +44,28 @@ export function fit(words: readonly string[]): string {
   if (decimals !== undefined && !(Number.isInteger(decimals) && decimals >= 0 && decimals <= 17)) {
     throw new Failure(USAGE, `--decimals is ${decimals}; expected an integer in [0, 17]`);
   }
+  const output = given.values.get("output");
+  keepInputs([file], output === "-" ? [] : [output]);
   const strokes = readPoints(readText(file), file);
   if (strokes.length === 0) throw new Failure(INPUT, `${sourceName(file)}: there are no points`);
-  const fits = strokes.map(({ points, closed }) => {
-    const joined = given.values.has("open") ? false : closed || given.values.has("closed");
-    return fitSparse(points, { ...options, closed: joined });
+  const fits = strokes.map((stroke) => {
+    const joined = given.values.has("open") ? false : stroke.closed || given.values.has("closed");
+    return one(stroke, file, { ...options, closed: joined });
   });
   const text = written(fits, format, decimals, numberOf(given, "tolerance"));
-  const output = given.values.get("output");
   if (output === undefined || output === "-") return text;
   writeText(output, text);
   return `${output}: ${summary(strokes.reduce((sum, { points }) => sum + points.length / 2, 0), fits)}\n`;
+}
+
+/** The fit of one contour; what is wrong with its points is said with the row that it begins in. */
+function one({ points, row }: Stroke, file: string, options: SparseFitOptions): SparseFit {
+  try {
+    return fitSparse(points, options);
+  } catch (error) {
+    if (statusOf(error) !== INPUT || !(error instanceof Error)) throw error;
+    throw new Failure(INPUT, `${sourceName(file)}:${row}: the contour that begins here: ${error.message}`);
+  }
 }
 
 function optionsOf(given: Given): SparseFitOptions {

@@ -1,11 +1,9 @@
 /** Pictures from PNG and JPEG files. */
-import { readFileSync } from "node:fs";
-
 import { type DecodedPng, decode as decodePng } from "fast-png";
 import { decode as decodeJpeg } from "jpeg-js";
 
 import { Failure, INPUT } from "./failure.ts";
-import { sourceName, unreadable } from "./files.ts";
+import { readBytes, sourceName } from "./files.ts";
 
 /** Red, green, blue and opacity of every pixel. */
 export interface Picture {
@@ -19,12 +17,7 @@ const MOST_PIXELS = 40_000_000;
 
 /** The picture in a file, or in standard input for `-`. */
 export function readPicture(file: string): Picture {
-  let bytes: Uint8Array;
-  try {
-    bytes = readFileSync(file === "-" ? 0 : file);
-  } catch (error) {
-    throw unreadable(file, error);
-  }
+  const bytes = readBytes(file);
   const name = sourceName(file);
   const kind = kindOf(bytes);
   if (kind === undefined) throw new Failure(INPUT, `${name}: it is neither a PNG nor a JPEG`);

@@ -1,12 +1,12 @@
 /** Points from rows of text. */
-import { readFileSync } from "node:fs";
-
 import { Failure, INPUT } from "./failure.ts";
-import { sourceName, unreadable } from "./files.ts";
+import { readBytes, sourceName } from "./files.ts";
 
 /** The points of one contour, x and y in turn. */
 export interface Stroke {
   readonly points: Float64Array;
+  /** The row of the file that it begins in, counted from 1. */
+  readonly row: number;
   /** The last row repeats the first: the contour is closed, and the repetition is gone. */
   readonly closed: boolean;
 }
@@ -15,11 +15,7 @@ const LARGEST = 1e9;
 
 /** The text of a file, or of standard input for `-`. */
 export function readText(file: string): string {
-  try {
-    return readFileSync(file === "-" ? 0 : file, "utf8");
-  } catch (error) {
-    throw unreadable(file, error);
-  }
+  return new TextDecoder().decode(readBytes(file));
 }
 
 /**
@@ -27,13 +23,13 @@ export function readText(file: string): string {
  * row begins another contour.
  */
 export function readPoints(text: string, file: string): Stroke[] {
-  const strokes: number[][] = [[]];
+  const strokes: { readonly numbers: number[]; readonly row: number }[] = [];
+  let open = false;
   let heading = true;
   text.replace(/^\uFEFF/u, "").split(/\r\n|\n|\r/u).forEach((line, i) => {
     const row = line.replace(/#.*$/u, "").trim();
-    const stroke = strokes.at(-1) ?? [];
     if (row === "") {
-      if (line.trim() === "" && stroke.length > 0) strokes.push([]);
+      if (line.trim() === "") open = false;
       return;
     }
     // Between semicolons a comma belongs to a number as some countries write it; it is not read as two.
@@ -42,9 +38,11 @@ export function readPoints(text: string, file: string): Stroke[] {
     heading = false;
     if (first && cells.every((cell) => !/\d/u.test(cell[0] ?? "") && (cell === "" || Number.isNaN(Number(cell))))) return;
     if (cells.length < 2) throw new Failure(INPUT, `${sourceName(file)}:${i + 1}: ${shown(row)} is not two numbers`);
-    for (const cell of cells.slice(0, 2)) stroke.push(coordinate(cell, `${sourceName(file)}:${i + 1}`));
+    if (!open) strokes.push({ numbers: [], row: i + 1 });
+    open = true;
+    for (const cell of cells.slice(0, 2)) strokes.at(-1)?.numbers.push(coordinate(cell, `${sourceName(file)}:${i + 1}`));
   });
-  return strokes.filter((stroke) => stroke.length > 0).map(stroke);
+  return strokes.map(({ numbers, row }) => stroke(numbers, row));
 }
 
 function coordinate(cell: string, place: string): number {
@@ -56,7 +54,7 @@ function coordinate(cell: string, place: string): number {
 
 const shown = (text: string): string => JSON.stringify(text.length > 40 ? `${text.slice(0, 39)}…` : text);
 
-function stroke(numbers: readonly number[]): Stroke {
+function stroke(numbers: readonly number[], row: number): Stroke {
   const closed = numbers.length > 6 && numbers[0] === numbers.at(-2) && numbers[1] === numbers.at(-1);
-  return { points: Float64Array.from(closed ? numbers.slice(0, -2) : numbers), closed };
+  return { points: Float64Array.from(closed ? numbers.slice(0, -2) : numbers), row, closed };
 }

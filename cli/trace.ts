@@ -4,7 +4,7 @@ import { basename, dirname, extname, join } from "node:path";
 import { type Trace, type TraceOptions, traceImage } from "expline";
 
 import { Failure, INPUT, USAGE, statusOf } from "./failure.ts";
-import { isFolder, makeFolder, sourceName, writeText } from "./files.ts";
+import { isFile, isFolder, keepInputs, makeFolder, sourceName, writeText } from "./files.ts";
 import { type Flag, type Given, describeFlags, numberOf, readFlags } from "./flags.ts";
 import { type Picture, readPicture } from "./picture.ts";
 
@@ -17,12 +17,12 @@ const FLAGS: Readonly<Record<string, Flag>> = {
   corner: { value: "DEG", about: "the least turning of a corner in degrees; 180 knows no corners" },
   source: { value: "S", about: "what is followed: brightness, the default, edges, or lines, the middle of thin strokes" },
   model: { value: "M", about: "sparse, the default, or wqisa" },
-  colors: { value: "N", about: "at most so many flat colours, or a list: #ffffff,#cc0000,#00aa00" },
+  colors: { value: "N", about: "at most so many flat colours, or a list: #ffffff,#cc0000,#00aa00; without --source, --threshold and --invert" },
   "no-refine": { about: "contours are followed, but pixels are not asked again" },
   "max-contours": { value: "N", about: "more than this is refused as a photograph; by default 1500" },
   decimals: { value: "N", about: "digits after the point in the output; by default 2" },
   format: { value: "F", about: "svg or json; by default what the output's name says, else svg" },
-  output: { value: "FILE", short: "o", about: "where the result goes; for several pictures a folder. By default standard output, or beside each picture" },
+  output: { value: "FILE", short: "o", about: "where the result goes; for several pictures a folder, which may be new and has no name like a.svg. By default standard output, or beside each picture" },
   help: { short: "h", about: "this text" },
 };
 
@@ -48,8 +48,13 @@ export function trace(words: readonly string[]): string {
   if (decimals !== undefined && !(Number.isInteger(decimals) && decimals >= 0 && decimals <= 17)) {
     throw new Failure(USAGE, `--decimals is ${decimals}; expected an integer in [0, 17]`);
   }
-  return each(files, targets(files, given, format), (file, output) => one(file, output, options, format, decimals));
+  const outputs = targets(files, given, format);
+  keepInputs(files, outputs);
+  return each(files, outputs, (file, output) => one(file, output, options, format, decimals));
 }
+
+/** Of so many pictures one line says what is wrong with them. */
+const MOST_NAMED = 8;
 
 /** All pictures, one after the other: one that cannot be traced does not keep the others from it. */
 function each(files: readonly string[], outputs: readonly (string | undefined)[], work: (file: string, output: string | undefined) => string): string {
@@ -62,9 +67,9 @@ function each(files: readonly string[], outputs: readonly (string | undefined)[]
       failed.push(error instanceof Failure ? error.message : `${sourceName(file)}: ${error.message}`);
     }
   });
-  const [first, ...more] = failed;
-  if (first === undefined) return done.join("");
-  throw new Failure(INPUT, more.length === 0 ? first : `${first}; nor could ${more.length} more`, done.join(""));
+  if (failed.length === 0) return done.join("");
+  const more = failed.splice(MOST_NAMED).length;
+  throw new Failure(INPUT, failed.join("; ") + (more === 0 ? "" : `; nor could ${more} more`), done.join(""));
 }
 
 function one(file: string, output: string | undefined, options: TraceOptions, format: Format, decimals: number | undefined): string {
@@ -82,7 +87,7 @@ function targets(files: readonly string[], { values }: Given, format: Format): (
   const several = files.length > 1;
   if (several && asked === "-") throw new Failure(USAGE, "several pictures cannot all go to standard output");
   if (!several && (asked === undefined || asked === "-" || !isFolder(asked))) return [asked === "-" ? undefined : asked];
-  if (asked !== undefined) makeFolder(asked);
+  if (asked !== undefined) asFolder(asked, files.length);
   const taken = new Set<string>();
   return files.map((file) => {
     const name = file === "-" ? "picture" : basename(file, extname(file));
@@ -95,6 +100,14 @@ function targets(files: readonly string[], { values }: Given, format: Format): (
   });
 }
 
+/** A folder for the results of several pictures; a name that is a file's is a mistake, and one picture would take the other's place. */
+function asFolder(path: string, count: number): void {
+  if (!isFolder(path) && (isFile(path) || /\.(?:svg|json)$/iu.test(path))) {
+    throw new Failure(USAGE, `${path}: the results of ${count} pictures need a folder, and this is a file or is called like one`);
+  }
+  makeFolder(path);
+}
+
 function optionsOf(given: Given): TraceOptions {
   const optional = (name: string, key: keyof TraceOptions, unit = 1): TraceOptions => {
     const value = numberOf(given, name);
@@ -102,6 +115,7 @@ function optionsOf(given: Given): TraceOptions {
   };
   const { values } = given;
   const colors = values.get("colors");
+  if (colors !== undefined) checkColors(colors, values);
   return {
     ...optional("tolerance", "tolerance"),
     ...optional("threshold", "threshold"),
@@ -115,6 +129,14 @@ function optionsOf(given: Given): TraceOptions {
     invert: values.has("invert"),
     refine: !values.has("no-refine"),
   };
+}
+
+/** Each colour is a layer of its own: what tells ink from paper has no say there. */
+function checkColors(colors: string, values: Given["values"]): void {
+  const idle = ["source", "threshold", "invert"].find((name) => values.has(name) && values.get(name) !== "brightness");
+  if (idle !== undefined) throw new Failure(USAGE, `--${idle} is for ink on paper; it cannot be given with --colors`);
+  if (colors.startsWith("#") || Number.isFinite(Number(colors.trim() || Number.NaN))) return;
+  throw new Failure(USAGE, `--colors is ${JSON.stringify(colors.slice(0, 40))}; expected a number, or colours like #ffffff,#cc0000`);
 }
 
 function oneOf<N extends "source" | "model">(values: Given["values"], name: N, words: readonly string[]): TraceOptions {

@@ -1,7 +1,6 @@
 // The command line of the packed package: what it writes, what it says, and its status.
 
 import assert from "node:assert/strict";
-import { spawnSync } from "node:child_process";
 import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { before, test } from "node:test";
 import { join } from "node:path";
@@ -9,34 +8,7 @@ import { join } from "node:path";
 import { encode as encodePng } from "fast-png";
 import { encode as encodeJpeg } from "jpeg-js";
 
-const consumer = join(process.cwd(), "build", "consumer");
-const folder = join(consumer, "command-line");
-
-interface Said {
-  readonly status: number | null;
-  readonly out: string;
-  readonly error: string;
-}
-
-/** Runs the command as npm links it. */
-function expline(parameters: readonly string[], input: string | Uint8Array = ""): Said {
-  const { status, stdout, stderr } = spawnSync(join(consumer, "node_modules", ".bin", "expline"), parameters, { cwd: folder, encoding: "utf8", input });
-  return { status, out: stdout, error: stderr };
-}
-
-/** Points of a square with sides of 100, ten on each. */
-const SQUARE = Array.from({ length: 40 }, (_, i) => {
-  const along = 10 * (i % 10);
-  return [[along, 0], [100, along], [100 - along, 100], [0, 100 - along]][Math.floor(i / 10)]?.join(",");
-}).join("\n");
-
-/** A black square from 10 to 30 in a picture of 40 by 32, red, green, blue and opacity. */
-const PIXELS = Uint8Array.from({ length: 4 * 40 * 32 }, (_, i) => {
-  const [x, y] = [(i >> 2) % 40, Math.floor((i >> 2) / 40)];
-  return i % 4 === 3 ? 255 : x >= 10 && x < 30 && y >= 6 && y < 26 ? 0 : 255;
-});
-const PNG = encodePng({ width: 40, height: 32, data: PIXELS, channels: 4 });
-const SQUARE_PATH = /d="M10 6H30V26H10Z"|d="M(?:30|10) (?:6|26)[HV]\d+[HV]\d+[HV]\d+[Zz]"/;
+import { PIXELS, PNG, SQUARE, SQUARE_PATH, expline, folder } from "./command-line.ts";
 
 before(() => {
   mkdirSync(folder, { recursive: true });
@@ -96,7 +68,7 @@ test("a folder that is not there is made, pictures of one name stay apart, and a
   rmSync(join(folder, "fresh"), { recursive: true, force: true });
   const { status, out, error } = expline(["trace", "square.png", "broken.png", "square.jpg", "nowhere.png", "-o", "fresh"]);
   assert.equal(status, 1);
-  assert.match(error, /^expline: broken\.png: this PNG cannot be read \([^\n]+\); nor could 1 more\n$/);
+  assert.match(error, /^expline: broken\.png: this PNG cannot be read \([^\n]+\); nowhere\.png: there is no such file\n$/);
   assert.match(out, /^fresh\/square\.svg: 40 × 32 pixels, [^\n]+\nfresh\/square-2\.svg: 40 × 32 pixels, [^\n]+\n$/);
   assert.deepEqual(readdirSync(join(folder, "fresh")).sort(), ["square-2.svg", "square.svg"]);
   const single = expline(["trace", "square.png", "-o", "fresh", "--format", "json"]);
@@ -189,8 +161,11 @@ for (const [what, parameters, status, words, input] of [
   ["several pictures for one pipe", ["trace", "square.png", "square.jpg", "-o", "-"], 2, /cannot all go to standard output/],
   ["no points at all", ["fit", "-"], 1, /there are no points/, "x,y\n"],
   ["one point", ["fit", "-"], 1, /points has 1 point; expected at least/, "1,2\n"],
+  ["a stray point", ["fit", "-"], 1, /standard input:5: the contour that begins here: fitSparse: points has 1 point; expected/, "0,0\n1,1\n3,5\n\n5,5\n"],
+  ["colours by name", ["trace", "square.png", "--colors", "red,blue"], 2, /--colors is "red,blue"; expected a number, or colours like #ffffff,#cc0000/],
+  ["colours of centre lines", ["trace", "square.png", "--source", "lines", "--colors", "3"], 2, /--source is for ink on paper; it cannot be given with --colors/],
   ["points that are all the same", ["fit", "-"], 1, /points has no unique answer/, "1,2\n1,2\n1,2\n"],
-  ["a place that cannot be written", ["fit", "square.csv", "-o", "nowhere/out.svg"], 1, /cannot be written/],
+  ["a place that cannot be written", ["fit", "square.csv", "-o", "nowhere/out.svg"], 1, /nowhere\/out\.svg: it cannot be written \(there is no such folder\)/],
 ] as const) {
   test(`${what}: status ${status} and one clear line`, () => {
     const said = expline(parameters, input ?? "");
