@@ -19,10 +19,13 @@ const nothingInside = (file, start) => `
   }
 `;
 
-/** What Node has instead: it reads the file when the engine is first asked for. Nothing waits, and nothing is parsed that is not used. */
+/**
+ * What Node has instead: it reads the file when the engine is first asked for. Nothing waits, and nothing is parsed that is not used.
+ * A test runner may have made CommonJS of the module: then it has no address, but a file name.
+ */
 const fileBeside = (file, start) => `
   import { ExplineError } from "./core/error.js";
-  export const wasmAddress = () => new URL("${file}_bg.wasm", import.meta.url);
+  export const wasmAddress = () => new URL("${file}_bg.wasm", import.meta.url ?? process.getBuiltinModule("node:url").pathToFileURL(__filename));
   export function wasmBytes() {
     try {
       return process.getBuiltinModule("node:fs").readFileSync(wasmAddress());

@@ -1,4 +1,3 @@
-/// <reference lib="esnext.disposable" preserve="true" />
 /** Sparse curves through noisy points: all at once, in short tasks, or again and again for a slider. */
 import { ExplineError, type PointsLike, wrong } from "./core.js";
 import { type Question, Resident, initFit } from "./fit/fit-engine.js";
@@ -9,6 +8,16 @@ import { checkSignal, inOneGo, inTasks } from "./tasks/yielding.js";
 export { initFit, initFitSync } from "./fit/fit-engine.js";
 export type { FitProgress, FitStep, SparseFitOptions, SparseFitStrength } from "./fit/fit-options.js";
 export type { FitChange, FitStatus, SparseFit, SparseKnot } from "./fit/fit-result.js";
+
+declare global {
+  // As TypeScript's library has it from 5.2 on: a project without that part of it, or with an older TypeScript, reads the declarations too.
+  interface SymbolConstructor {
+    readonly dispose: unique symbol;
+  }
+  interface Disposable {
+    [Symbol.dispose](): void;
+  }
+}
 
 /** Work of one call into the engine, in microseconds or so. */
 const BUDGET = 4000;
@@ -55,7 +64,8 @@ function begin(op: string, { input, question }: Order): Resident {
  * Of `lambda`, `smoothing` and `tolerance` one says how much to simplify; without any, the noise of the points is estimated and taken out. The result
  * is the same to the last bit wherever and whenever it is computed.
  *
- * @throws {ExplineError} E_TOO_FEW_POINTS below two points, three of a closed curve, E_DEGENERATE where all are the same, E_LIMIT above 500,000 points.
+ * @throws {ExplineError} E_TOO_FEW_POINTS below two points, three of a closed curve; an open one with `lambda` or `smoothing` needs one more than its highest
+ *   degree, 4 by default; E_DEGENERATE where all are the same, E_LIMIT above 500,000 points.
  */
 export function fitSparse(points: PointsLike, options?: SparseFitOptions): SparseFit {
   const op = "fitSparse";
@@ -221,7 +231,10 @@ export class SparseFitter {
     }
   }
 
-  /** Gives the memory back. Using the fitter afterwards throws E_DISPOSED; disposing of it again does nothing. */
+  /**
+   * Gives the memory back, which the collector does not see: it finds forgotten fitters only between tasks, so that a loop that never waits, or only
+   * for promises, has to do it. Using the fitter afterwards throws E_DISPOSED; disposing of it again does nothing.
+   */
   dispose(): void {
     const op = "dispose";
     const state = stateOf(this, op);

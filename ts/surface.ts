@@ -1,12 +1,12 @@
 /** Surfaces: a net of points, smooth in both directions, exact for quadrics. */
 import {
   type Floats,
-  MAX_EVALUATIONS,
+  type OwnBytes,
   coordinate,
   exactly,
   finite,
   integer,
-  numbers,
+  parameters,
   options as checkOptions,
   overLimit,
   rootList,
@@ -315,7 +315,7 @@ export class TensorSurface {
   }
 
   /** A mesh as a binary glTF 2.0 file (.glb), complete in itself. `rows` and `cols` default to 64, `name` to "surface". */
-  toGltf(options?: MeshFileOptions): Uint8Array<ArrayBuffer> {
+  toGltf(options?: MeshFileOptions): OwnBytes {
     const { rows, cols, name } = fileOptions("toGltf", options);
     return gltfOf(this.mesh(rows, cols), name);
   }
@@ -345,7 +345,7 @@ function pairwise(
 ): Floats {
   const data = dataOf(surface, op);
   const list = (arg: string, value: unknown): Floats => {
-    const given = typeof value === "number" ? Float64Array.of(value) : numbers(op, arg, value, "maxEvalPoints", MAX_EVALUATIONS);
+    const given = parameters(op, arg, value);
     given.forEach((number, i) => finite(op, arg, number, i));
     return given;
   };

@@ -1,5 +1,5 @@
 /** From a picture to few curves: all at once, or in short tasks. */
-import { ExplineError } from "./core.js";
+import { ExplineError, type OwnBytes } from "./core.js";
 import { Picture, type Step, initTrace } from "./trace/trace-engine.js";
 import { type ImageLike, STAGES, type TraceOptions, type TraceOrder, type TraceStage, traceOrder } from "./trace/trace-options.js";
 import { type Trace, readTrace } from "./trace/trace-result.js";
@@ -94,7 +94,7 @@ export async function traceImageAsync(image: ImageLike, options?: TraceOptions):
  *
  * @throws {ExplineError} as traceImage does for its image.
  */
-export function evenLight(image: ImageLike): { width: number; height: number; data: Uint8Array<ArrayBuffer> } | undefined {
+export function evenLight(image: ImageLike): { width: number; height: number; data: OwnBytes } | undefined {
   const op = "evenLight";
   const { pixels, record } = traceOrder(op, image, undefined);
   const picture = new Picture(op, pixels, record);

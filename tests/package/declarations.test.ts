@@ -1,8 +1,9 @@
 // What an editor shows of the package: every name and every member says what it is.
 
 import assert from "node:assert/strict";
+import { readFileSync, readdirSync } from "node:fs";
 import { test } from "node:test";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 
 import ts from "typescript";
 
@@ -36,4 +37,27 @@ test("every name of the package and every member of it says what it is", () => {
   }
   assert.ok(count > 300, `only ${count} were looked at`);
   assert.deepEqual(silent, []);
+});
+
+/** What TypeScript 5.0 cannot read: typed arrays that say what they lie on came with 5.7, the part of the library for `using` with 5.2. */
+function tooNew(file: ts.SourceFile): string[] {
+  const found = file.libReferenceDirectives.map(({ fileName }) => `lib ${fileName}`);
+  const visit = (node: ts.Node): void => {
+    const generic = ts.isTypeReferenceNode(node) && node.typeArguments !== undefined;
+    if (generic && /^(?:Big)?(?:Int|Uint|Float)\w*Array$|^DataView$/.test(node.typeName.getText(file))) found.push(node.getText(file));
+    ts.forEachChild(node, visit);
+  };
+  visit(file);
+  return found;
+}
+
+test("TypeScript from 5.0 on reads the declarations", () => {
+  const folder = dirname(DECLARATIONS);
+  const files = readdirSync(folder, { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".d.ts"));
+  assert.ok(files.length > 20, `only ${files.length} were looked at`);
+  const found = files.flatMap((name) => {
+    const text = readFileSync(join(folder, name), "utf8");
+    return tooNew(ts.createSourceFile(name, text, ts.ScriptTarget.ES2022)).map((what) => `${name}: ${what}`);
+  });
+  assert.deepEqual(found, []);
 });

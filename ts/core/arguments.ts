@@ -1,5 +1,6 @@
 /** Checks of what callers hand in, before anything crosses the boundary. */
-import { ExplineError, overLimit, shown, wrong, wrongLength } from "./error.js";
+import { ExplineError, overLimit, shown, tagOf, typedArray, wrong, wrongLength } from "./error.js";
+import type { OwnFloats } from "./host.js";
 
 /** The largest coordinate, tangent component, radius or parameter length, in the user's unit. */
 export const LARGEST = 1e9;
@@ -27,10 +28,8 @@ export type SpacePointsLike =
   | readonly { readonly x: number; readonly y: number; readonly z: number }[];
 
 /** Points as kept: two or three numbers each in an array that nobody else holds. */
-export type Coordinates = Float64Array<ArrayBuffer>;
+export type Coordinates = OwnFloats;
 
-const typedArray: object = Object.getPrototypeOf(Float64Array.prototype) as object;
-const tagOf = Object.getOwnPropertyDescriptor(typedArray, Symbol.toStringTag)?.get;
 const lengthOf = Object.getOwnPropertyDescriptor(typedArray, "length")?.get;
 
 /** Whether it really is a Float64Array, of whichever realm, and not something that says so. */
@@ -93,9 +92,8 @@ export function integer(op: string, arg: string, value: unknown, least: number, 
 
 /** A count of things to be returned: a whole number from `least`, with a limit of its own. */
 export function count(op: string, arg: string, value: unknown, least: number, limit: string, max: number): number {
-  const n = integer(op, arg, value, least, Number.MAX_SAFE_INTEGER);
-  if (n > max) throw overLimit(op, arg, limit, max, n);
-  return n;
+  if (Number.isSafeInteger(value) && (value as number) > max) throw overLimit(op, arg, limit, max, value as number);
+  return integer(op, arg, value, least, max);
 }
 
 /** A tolerance: positive and finite. */
@@ -147,14 +145,14 @@ export function options<K extends string>(
   return own;
 }
 
-/** A copy of the numbers of a Float64Array or of an array of numbers; finite or not is not looked at. */
-export function numbers(op: string, arg: string, value: unknown, limit: string, max: number): Coordinates {
+/** A copy of the numbers of a Float64Array or of an array of numbers; finite or not is not looked at. `or` says what else the caller takes. */
+export function numbers(op: string, arg: string, value: unknown, limit: string, max: number, or = ""): Coordinates {
   if (isFloat64Array(value)) {
     const length = lengthOfArray(op, arg, value);
     if (length > max) throw overLimit(op, arg, limit, max, length);
     return new Float64Array(value);
   }
-  if (!Array.isArray(value)) throw wrong("E_TYPE", op, arg, value, "Float64Array or an array of numbers");
+  if (!Array.isArray(value)) throw wrong("E_TYPE", op, arg, value, `${or}Float64Array or an array of numbers`);
   const list = value as readonly unknown[];
   const length = honestLength(op, arg, list, limit, max, (item) => typeof item === "number");
   const copy = new Float64Array(length);
@@ -164,6 +162,11 @@ export function numbers(op: string, arg: string, value: unknown, limit: string, 
     copy[i] = item;
   }
   return copy;
+}
+
+/** One parameter or many. */
+export function parameters(op: string, arg: string, value: unknown): Coordinates {
+  return typeof value === "number" ? Float64Array.of(value) : numbers(op, arg, value, "maxEvalPoints", MAX_EVALUATIONS, "a number, ");
 }
 
 /** The length of an array; one that is too long for the limit must at least have something at its end. */

@@ -10,9 +10,9 @@ import {
   flag,
   integer,
   isFloat64Array,
-  numbers,
   options as checkOptions,
   output,
+  parameters,
   points as checkPoints,
   tolerance as checkTolerance,
 } from "./arguments.js";
@@ -139,7 +139,7 @@ export abstract class MeasuredCurve implements Curve {
   static {
     dataOf = <D extends Held>(curve: MeasuredCurve, op: string, kind?: Kind<D>): D => {
       if (typeof curve !== "object" || curve === null || !(#data in curve) || !(curve.#data instanceof (kind ?? Held))) {
-        throw wrong("E_TYPE", op, "this", curve, "a curve of this package");
+        throw wrong("E_TYPE", op, "this", curve, "a curve of this package, no proxy");
       }
       return curve.#data as D;
     };
@@ -196,7 +196,7 @@ export abstract class MeasuredCurve implements Curve {
       if (each === 3) to[2] = data.door.result(2);
       return to;
     }
-    const given = numbers(op, "t", t, "maxEvalPoints", MAX_EVALUATIONS);
+    const given = parameters(op, "t", t);
     const to = out === undefined ? undefined : output(op, out, each * given.length, isFloat64Array(t) ? t : undefined);
     const slot = data.resident(op);
     data.door.write(op, given);
@@ -312,7 +312,7 @@ export abstract class MeasuredCurve implements Curve {
   curvature(t: number | Float64Array | readonly number[]): Float64Array {
     const op = "curvature";
     const data = dataOf(this, op);
-    const given = numbers(op, "t", typeof t === "number" ? [t] : t, "maxEvalPoints", MAX_EVALUATIONS);
+    const given = parameters(op, "t", t);
     const slot = data.resident(op);
     data.door.write(op, given);
     const values = data.door.copy(data.door.call(op, (kernel) => kernel.curvature(slot, given.length), given));

@@ -1,5 +1,6 @@
 /** The inlined wasm, from text back to bytes. */
 import { TEXT, decoder } from "../../build/bindings/wasm-decoder.js";
+import { latin, utf8 } from "./utf8.js";
 
 /** What the decoder offers. */
 interface Decoder {
@@ -16,11 +17,12 @@ const PAGE = 65536;
  */
 export function decoded(text: string, shift: number, size: number): Uint8Array<ArrayBuffer> {
   const { Instance, Memory, Module } = WebAssembly;
-  // A code point below 256 takes one or two bytes of UTF-8.
-  const memory = new Memory({ initial: Math.ceil((TEXT + 2 * text.length + size) / PAGE) });
+  const given = utf8(text);
+  const start = TEXT + given.length;
+  const memory = new Memory({ initial: Math.ceil((start + size) / PAGE) });
   const bytes = new Uint8Array(memory.buffer as ArrayBuffer);
-  const start = TEXT + new TextEncoder().encodeInto(text, bytes.subarray(TEXT)).written;
-  const module = new Module(Uint8Array.from(decoder, (letter) => letter.charCodeAt(0)));
+  bytes.set(given, TEXT);
+  const module = new Module(latin(decoder));
   const { decode } = new Instance(module, { "": { memory } }).exports as unknown as Decoder;
   return bytes.subarray(start, decode(start, shift, start));
 }

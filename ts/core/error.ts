@@ -120,6 +120,11 @@ export class ExplineError extends Error {
   }
 }
 
+/** @internal */
+export const typedArray: object = Object.getPrototypeOf(Float64Array.prototype) as object;
+/** What a typed array is, of whichever realm and whatever it says; undefined for anything else. @internal */
+export const tagOf = Object.getOwnPropertyDescriptor(typedArray, Symbol.toStringTag)?.get;
+
 /** A value in at most 40 characters, never an object's insides. */
 export function shown(value: unknown): string {
   switch (typeof value) {
@@ -132,10 +137,15 @@ export function shown(value: unknown): string {
     case "string":
       return JSON.stringify(value.length > 36 ? `${value.slice(0, 35)}…` : value);
     case "object":
-      return value === null ? "null" : Array.isArray(value) ? "an array" : "an object";
+      return value === null ? "null" : Array.isArray(value) ? "an array" : typed(value);
     default:
       return `a ${typeof value}`;
   }
+}
+
+function typed(value: object): string {
+  const tag = tagOf?.call(value) as string | undefined;
+  return tag === undefined ? "an object" : `of type ${tag}`;
 }
 
 /** The details and the name of an argument, or of one place in it. */

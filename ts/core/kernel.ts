@@ -1,12 +1,14 @@
 /** Calls into a living instance: numbers in, numbers out, failures as errors. */
 import { type AnyKernel, type Engine, type Instance, core, instanceOf, retire } from "./engine.js";
 import { ExplineError, degenerate, overLimit, tooFewPoints, wrong, wrongLength } from "./error.js";
+import type { OwnFloats } from "./host.js";
+import { textOf } from "./utf8.js";
 
 /** What a caller handed in, for messages. */
 type Given = number | ArrayLike<number>;
 
 /** Numbers that nobody else holds. */
-export type Floats = Float64Array<ArrayBuffer>;
+export type Floats = OwnFloats;
 
 /** What the kernel's numbers of failure mean. */
 const enum Failure {
@@ -101,7 +103,7 @@ export function textAt(address: number, bytes: number): string {
 }
 
 function textIn({ kernel }: Instance<AnyKernel>, address: number, bytes: number): string {
-  return new TextDecoder().decode(new Uint8Array(kernel.memory.buffer, address, bytes));
+  return textOf(new Uint8Array(kernel.memory.buffer, address, bytes));
 }
 
 /** Text that the kernel left, of so many bytes. */
@@ -127,14 +129,6 @@ function room<K extends AnyKernel>(to: Engine<K>, instance: Instance<K>, op: str
     instance.input = address / 8;
   }
   return instance.input;
-}
-
-/** Writes text and returns how many bytes it has. */
-export function writeText(op: string, text: string): number {
-  const encoder = new TextEncoder();
-  // All of path data is characters of one byte: they go straight to where they are read.
-  const { read } = encoder.encodeInto(text, textRoom(core, op, text.length));
-  return read === text.length ? read : writeBytesTo(core, op, encoder.encode(text));
 }
 
 /** Writes bytes to where an engine reads text, and returns how many they are. @internal */

@@ -1,9 +1,11 @@
 /** SVG path data in. */
 import { options as checkOptions, text } from "./arguments.js";
 import { readCurves } from "./curve-data.js";
+import { core } from "./engine.js";
 import { ExplineError, wrong } from "./error.js";
 import { type HermiteCurve, curveOf } from "./hermite-curve.js";
-import { call, result, textAt, writeText } from "./kernel.js";
+import { call, result, textAt, writeBytesTo } from "./kernel.js";
+import { utf8 } from "./utf8.js";
 
 /** Path text that was read up to a place where it stops making sense. */
 export interface PathWarning {
@@ -37,7 +39,7 @@ export function parsePath(
   if (onWarning !== undefined && typeof onWarning !== "function") {
     throw wrong("E_TYPE", op, "onWarning", onWarning, "a function");
   }
-  const bytes = writeText(op, text(op, "d", d, "maxPathBytes", MAX_PATH));
+  const bytes = writeBytesTo(core, op, utf8(text(op, "d", d, "maxPathBytes", MAX_PATH)));
   const count = call(op, (kernel) => kernel.parse_path(bytes));
   const offset = result(0);
   const index = result(1);

@@ -17,7 +17,10 @@ export interface SparseFitStrength {
   lambda?: number | readonly [number, number] | undefined;
   /** Instead of lambda: 0 … 1, the same meaning for any size of picture and any number of points. */
   smoothing?: number | undefined;
-  /** Instead of lambda: the fewest knots whose curve is nowhere farther than this from a point. */
+  /**
+   * Instead of lambda: the fewest knots whose curve is nowhere farther than this from a point. Below the noise it is a polyline with the fewest
+   * vertices; where `corners` allows none, a tolerance may be missed there, and `status` says so.
+   */
   tolerance?: number | undefined;
 }
 

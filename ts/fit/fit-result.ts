@@ -34,12 +34,15 @@ export type FitStatus =
   | "converged"
   /** `maxIterations` came first. */
   | "max_iterations"
-  /** Rounding allows no smaller gap; `gap` is what is certified. */
+  /** Rounding allows no smaller gap, and `gap` is what is certified; or no curve was found within `tolerance`, and `maxError` says how near this one is. */
   | "stalled"
   /** `deadline` came first. */
   | "deadline";
 
-/** A curve through noisy points with few knots, and what is proved about it. */
+/**
+ * A curve through noisy points with few knots, and what is proved about it. `postMessage` takes no curve: send
+ * `{ ...fit, curve: fit.curve.toJSON(), parts: fit.parts.map((part) => part.toJSON()) }`.
+ */
 export interface SparseFit {
   /**
    * The spline itself, exact up to degree 3. Splines of degree 4 and 5 come as cubics, as a rule within a billionth of the drawing's size;

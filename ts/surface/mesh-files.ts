@@ -43,6 +43,9 @@ function bounds(positions: Float32Array): { min: number[]; max: number[] } {
   return { min, max };
 }
 
+/** A letter, or half of one, as JSON may have it. */
+const escaped = (letter: string): string => `\\u${letter.charCodeAt(0).toString(16).padStart(4, "0")}`;
+
 /** A mesh as GLB: header, JSON, then positions, normals and triangles in one buffer. @internal */
 export function gltfOf(mesh: SurfaceMesh, name: string): Uint8Array<ArrayBuffer> {
   const positions = Float32Array.from(mesh.positions);
@@ -72,7 +75,9 @@ export function gltfOf(mesh: SurfaceMesh, name: string): Uint8Array<ArrayBuffer>
     ],
     buffers: [{ byteLength: bytes }],
   });
-  const text = new TextEncoder().encode(json);
+  // Of ASCII a byte is a letter: not every host has a TextEncoder.
+  const ascii = json.replace(/[^\0-\x7f]/g, escaped);
+  const text = Uint8Array.from(ascii, (letter) => letter.charCodeAt(0));
   const padded = Math.ceil(text.length / 4) * 4;
   const file = new Uint8Array(12 + 8 + padded + 8 + bytes);
   const header = new DataView(file.buffer);

@@ -14,6 +14,8 @@ interface Host {
 export function nextTurn(): Promise<void> {
   const { setImmediate } = globalThis as Host;
   if (setImmediate !== undefined) return new Promise((resolve) => void setImmediate(resolve));
+  // jsdom has neither; its timers wait no longer than they are asked to.
+  if (typeof MessageChannel !== "function") return new Promise((resolve) => void setTimeout(resolve));
   return new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();
     port1.onmessage = () => {

@@ -46,7 +46,10 @@ export interface TraceSvgOptions {
   decimals?: number | undefined;
 }
 
-/** The curves of a picture. */
+/**
+ * The curves of a picture. `postMessage` takes neither curves nor functions: of the contours send `{ ...contour, curve: contour.curve.toJSON() }`, which
+ * `fromJSON` reads.
+ */
 export interface Trace {
   /** Of the picture, in pixels. */
   width: number;

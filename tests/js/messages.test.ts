@@ -1,0 +1,61 @@
+// What a message says of a mistake that is often made: what was given, by its name, and what would do.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { ExplineError, ExponentialBSpline, HermiteCurve, TensorSurface, fitSparse, roots, traceImage } from "expline";
+
+const circle = HermiteCurve.ellipse({ center: [0, 0], radii: [5, 5], count: 4 });
+const along = { roots: roots.ellipse(8), count: 8, closed: true };
+
+/** What a call is refused with, in words, without its name and code. */
+function said(call: () => unknown): string {
+  try {
+    call();
+  } catch (error) {
+    assert.ok(error instanceof ExplineError);
+    assert.notEqual(error.argument, undefined);
+    return error.message.replace(/^[\w.]+: | \[\w+\]$/g, "");
+  }
+  assert.fail("nothing was wrong");
+}
+
+/** Something of a type that the declarations would have refused. */
+const as = <T>(value: unknown): T => value as T;
+
+const NUMBERS = "Float64Array or an array of numbers";
+
+for (const [what, call, words] of [
+  ["a parameter that is text", () => circle.evaluate(as("0.5")), `t is "0.5"; expected a number, ${NUMBERS}`],
+  ["a parameter that is missing", () => circle.curvature(as(undefined)), `t is undefined; expected a number, ${NUMBERS}`],
+  ["a place that is no list", () => new ExponentialBSpline([0, 0]).evaluate(as(1)), `x is 1; expected ${NUMBERS}`],
+  ["a parameter of a surface that is null", () => TensorSurface.sphere(1).evaluate(as(null), 0), `u is null; expected a number, ${NUMBERS}`],
+  ["a curve behind a proxy", () => new Proxy(circle, {}).length(), "this is an object; expected a curve of this package, no proxy"],
+  ["points in single precision", () => fitSparse(as(new Float32Array(8))), `points is of type Float32Array; expected ${NUMBERS}`],
+  ["points as bytes", () => HermiteCurve.through(as(new Uint8Array(8))), `points is of type Uint8Array; expected ${NUMBERS}`],
+  ["points as an object", () => HermiteCurve.through(as({ x: 1 })), `points is an object; expected ${NUMBERS}`],
+  ["a picture in single precision", () => traceImage({ width: 1, height: 1, data: as(new Float32Array(4)) }), "data is of type Float32Array; expected Uint8ClampedArray | Uint8Array"],
+  ["a surface without a number of points", () => new TensorSurface({ net: [], u: as({ ...along, count: undefined }), v: along }), "u.count is undefined; expected an integer in [0, 4194304]"],
+  ["an ellipse without a number of points", () => HermiteCurve.ellipse(as({ center: [0, 0], radii: [5, 5] })), "count is undefined; expected an integer in [0, 1000000]"],
+] as const) {
+  test(`${what}: the message says so`, () => assert.equal(said(call), words));
+}
+
+test("how few points a fit takes is what its documentation says", () => {
+  const least = (options: object): number => [1, 2, 3, 4, 5, 6, 7].find((count) => {
+    const points = Float64Array.from({ length: 2 * count }, (_, i) => ((i * i) % 7) + i);
+    try {
+      return fitSparse(points, options).knots.length >= 0;
+    } catch (error) {
+      assert.equal((error as ExplineError).code, "E_TOO_FEW_POINTS");
+      return false;
+    }
+  }) ?? 0;
+  for (const strength of [{}, { tolerance: 0.1 }]) assert.deepEqual([least({ ...strength, closed: false }), least({ ...strength, closed: true })], [2, 3]);
+  for (const [degree, needed] of [[undefined, 4], [1, 2], [2, 3], [5, 6], [[1, 2], 3]] as const) {
+    const lambda = typeof degree === "number" ? 1 : [1, 1];
+    for (const strength of [{ smoothing: 0.5 }, { lambda }]) {
+      assert.deepEqual([least({ ...strength, degree, closed: false }), least({ ...strength, degree, closed: true })], [needed, 3], JSON.stringify({ ...strength, degree }));
+    }
+  }
+});
