@@ -43,6 +43,26 @@ test("a copy is pasted as what it is, beside its original, chosen, without movin
   assert.deepEqual(nudged[1], curve.contours[1]);
 });
 
+test("what is pasted the moment that the clipboard has it is what was copied", async (t) => {
+  const demo = await open(t, "#/curve?sample=blob-16", { permissions });
+  await demo.page.evaluate(() => {
+    const { clipboard } = navigator;
+    const write = clipboard.writeText.bind(clipboard);
+    clipboard.writeText = async (text) => {
+      await write(text);
+      const clipboardData = new DataTransfer();
+      clipboardData.setData("text/plain", text);
+      document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+      // The page hears of it only after the paste.
+      await new Promise((done) => setTimeout(done, 300));
+    };
+  });
+  await demo.focusStage();
+  await demo.press("Control+c");
+  const { curve } = await demo.until(() => demo.state(), (state) => state.curve.contours.length > 1, "the copy is pasted");
+  assert.deepEqual(curve.contours.map(({ family }) => family), ["interpolating", "interpolating"]);
+});
+
 test("what is cut is pasted in its place, and far from where one looks it is brought into sight", async (t) => {
   const demo = await open(t, "#/curve?sample=heart", { permissions });
   const [heart] = (await demo.state()).curve.contours;

@@ -32,8 +32,9 @@ export async function copySvg(shell: Shell): Promise<boolean> {
   const layers = (parts?.layers?.(editor.state.value) ?? []).map(({ color, drawing }) => ({ color, d: documentPathD(drawing, printed).d }));
   const filled = mode === "trace" && part.contours.every(({ closed }) => closed);
   const text = await io.writeSvg({ title, d: documentPathD(part, printed).d, box: documentBounds(part), filled, layers });
+  // Before the clipboard has it: from then on it may be pasted.
+  if (mode === "curve") rememberCopy(editor, text, part);
   const done = await io.copyText(text);
-  if (done && mode === "curve") rememberCopy(editor, text, part);
   if (done) toasts.say(part.contours.length === 1 ? "Copied the contour as SVG." : `Copied ${part.contours.length} contours as SVG.`);
   else toasts.error("clipboard", errorText("clipboard"));
   return done;
