@@ -142,17 +142,21 @@ function drawn(d: string, box: Box): SVGSVGElement {
   return svg("svg", { viewBox, role: "img", "aria-label": "Preview of the exported path" }, svg("path", { class: "thumbnail-curve", d }));
 }
 
+/** The numbers of a path, at once; what it weighs compressed takes its place in them when it is known. */
 async function showNumbers({ io }: Shell, list: HTMLElement, exported: ExportedPath): Promise<void> {
   const raw = new TextEncoder().encode(exported.d).length;
-  const gzipped = await io.gzippedSize(exported.d);
-  const row = (label: string, testid: string, text: string, value: number): HTMLElement =>
+  const row = (label: string, testid: string, text: string, value?: number): HTMLElement =>
     h("div", {}, h("dt", {}, label), h("dd", { testid, "data-value": value }, text));
+  const unknown = row("Gzipped", "export-gzip", "…");
   list.replaceChildren(
     row("Deviation, measured", "export-deviation", formatDeviation(exported.deviation), exported.deviation),
     row("Commands", "export-commands", String(exported.commands), exported.commands),
     row("Size", "export-bytes", formatBytes(raw), raw),
-    row("Gzipped", "export-gzip", formatBytes(gzipped), gzipped),
+    unknown,
   );
+  const gzipped = await io.gzippedSize(exported.d);
+  // Answers may come in any order: of a path that is no longer shown, the row is no longer there.
+  unknown.replaceWith(row("Gzipped", "export-gzip", formatBytes(gzipped), gzipped));
 }
 
 /** The picture, its scale and what is under it; the size it will have is printed on the button. */
