@@ -74,6 +74,15 @@ test("the hint is there to its last word, at any size of text", async (t) => {
   }
 });
 
+test("the hint ends before the zoom box, with a finger's buttons, too", async (t) => {
+  for (const options of [{ ...phone, viewport: { width: 740, height: 360 } }, { viewport: { width: 640, height: 480 } }]) {
+    const demo = await open(t, "", options);
+    await demo.still();
+    const [hint, zoom] = await Promise.all([demo.byId("hint").boundingBox(), demo.page.locator(".stage-zoom").boundingBox()]);
+    assert.ok(hint !== null && zoom !== null && hint.x + hint.width <= zoom.x, JSON.stringify({ hint, zoom }));
+  }
+});
+
 test("what the waves around the first circle are can be read on every phone", async (t) => {
   for (const size of [phone, smallest]) {
     const demo = await open(t, "", size);
