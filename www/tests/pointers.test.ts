@@ -4,7 +4,7 @@ import { chordOf } from "../src/editor/actions/keymap.ts";
 import { parseRoute, printRoute } from "../src/editor/route.ts";
 import { constrained, snapHandle, snapPlace, turnedBySteps } from "../src/editor/pointer/snapping.ts";
 import { fitted, toPage, toScreen, zoomedAt } from "../src/editor/pointer/camera.ts";
-import type { PointerRecord } from "../src/editor/pointer/pointer-input.ts";
+import type { PointerRecord } from "../src/editor/pointer/pointer-record.ts";
 import { nothingSelected } from "../src/document/document.ts";
 import { Hand } from "./harness.ts";
 

@@ -3,7 +3,8 @@ import type { Editor, Modifiers } from "../editor.ts";
 import type { Frame } from "../frame.ts";
 import { hitTest } from "./hit-test.ts";
 import { actionFor, chordOf, takesText } from "../actions/keymap.ts";
-import type { PointerInput, PointerRecord } from "./pointer-input.ts";
+import type { PointerInput } from "./pointer-input.ts";
+import type { PointerRecord } from "./pointer-record.ts";
 
 /** The stage's DOM events as plain records. The only file of the editor that listens to elements. */
 

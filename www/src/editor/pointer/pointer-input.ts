@@ -1,27 +1,17 @@
-import { panned, type ScreenPoint } from "./camera.ts";
 import type { Editor, Modifiers, ToolId } from "../editor.ts";
-import type { PointerKind } from "./hit-test.ts";
 import type { ModeParts } from "../mode.ts";
-import { createPinch, type Pinch } from "./pinch.ts";
-import { distanceBetween, sampleAt, type PointerSample, type Tool } from "../tool.ts";
+import { sampleAt, type Tool } from "../tool.ts";
+import { pan, pressTool, type Panning, type ToolPress } from "./activity.ts";
+import type { ScreenPoint } from "./camera.ts";
+import { createDoublePress } from "./double-press.ts";
+import type { PointerRecord } from "./pointer-record.ts";
+import { pinchOrTap, type TwoFingers } from "./two-fingers.ts";
 
 /**
  * Pointers to tools. It knows no DOM: events come in as plain records, so that the headless tests press the same keys
  * and move the same pointers as a hand. One pointer works the tool; two fingers pinch; space, the middle button and the
  * hand tool pan.
  */
-
-export interface PointerRecord {
-  readonly id: number;
-  readonly kind: PointerKind;
-  /** 0 main, 1 middle, 2 right. */
-  readonly button: number;
-  readonly screen: ScreenPoint;
-  readonly modifiers: Modifiers;
-  /** Milliseconds. */
-  readonly time: number;
-}
-
 export interface PointerInput {
   down(record: PointerRecord): void;
   /** Kept until `flush`; only the last place of a frame counts. */
@@ -41,218 +31,170 @@ export interface PointerInput {
   readonly busy: boolean;
 }
 
-const doubleMs = 400;
-const doublePx = 5;
 const secondFingerMs = 150;
-const tapMs = 350;
 /** More places in one frame than any device reports. */
 const mostTrail = 4096;
 
-interface Finger {
-  readonly start: ScreenPoint;
-  screen: ScreenPoint;
-  readonly time: number;
+export function createPointerInput(editor: Editor, tools: Readonly<Record<ToolId, Tool>>): PointerInput {
+  return new Pointers(editor, tools);
 }
 
-type Activity =
-  | { readonly kind: "none" }
-  | {
-    readonly kind: "tool"; readonly id: number; readonly tool: Tool; readonly pointer: PointerKind; readonly clicks: number; readonly since: number;
-    screen: ScreenPoint;
-  }
-  | { readonly kind: "pan"; readonly id: number; last: ScreenPoint; readonly since: number }
-  | { readonly kind: "pinch"; readonly ids: readonly [number, number]; readonly pinch: Pinch; readonly since: number; most: number };
-
-export function createPointerInput(editor: Editor, tools: Readonly<Record<ToolId, Tool>>): PointerInput {
-  const fingers = new Map<number, Finger>();
-  let activity: Activity = { kind: "none" };
-  let pending: PointerRecord | null = null;
-  /** Places of the pointer since the last flush. */
-  let trail: ScreenPoint[] = [];
-  let lastPress: { screen: ScreenPoint; time: number } | null = null;
+class Pointers implements PointerInput {
+  readonly #editor: Editor;
+  readonly #tools: Readonly<Record<ToolId, Tool>>;
+  readonly #fingers = new Map<number, ScreenPoint>();
+  readonly #presses = createDoublePress();
+  #activity: ToolPress | Panning | TwoFingers | null = null;
+  /** The last move that was not worked off, and every place of its pointer since the last that was. */
+  #pending: PointerRecord | null = null;
+  #trail: ScreenPoint[] = [];
   /** Where a pointer is that is not pressed. */
-  let above: PointerRecord | null = null;
-  let spaceHeld = false;
-  let penSeen = false;
+  #above: PointerRecord | null = null;
+  #spaceHeld = false;
+  #penSeen = false;
 
-  const own = (): ModeParts | undefined => editor.modes.get(editor.state.value.mode);
-  const tool = (): Tool => own()?.tool ?? tools[editor.state.value.tool];
-  const works = (): boolean => editor.state.value.mode === "curve" || own() !== undefined;
-  const sample = (record: PointerRecord, clicks = 1): PointerSample => sampleAt(editor.state.value, record.screen, record.kind, record.modifiers, clicks);
-
-  function clicksOf(record: PointerRecord): number {
-    const again = lastPress !== null && record.time - lastPress.time < doubleMs && distanceBetween(record.screen, lastPress.screen) < doublePx;
-    lastPress = again ? null : { screen: record.screen, time: record.time };
-    return again ? 2 : 1;
+  constructor(editor: Editor, tools: Readonly<Record<ToolId, Tool>>) {
+    this.#editor = editor;
+    this.#tools = tools;
   }
 
-  function startPinch(time: number): void {
-    const [first, second] = [...fingers.entries()];
-    if (first === undefined || second === undefined) return;
-    const { view, stage } = editor.state.value;
-    const [a, b] = [first[1].screen, second[1].screen];
-    const pinch = own()?.view?.pinch(a, b) ?? createPinch(view, stage, a, b);
-    activity = { kind: "pinch", ids: [first[0], second[0]], pinch, since: time, most: fingers.size };
+  get busy(): boolean {
+    return this.#activity !== null;
   }
 
-  function anotherFinger(record: PointerRecord): boolean {
-    if (fingers.size < 2) return false;
-    if (activity.kind === "tool") {
-      // A finger that comes late touches by accident; one that comes at once means two from the start.
-      if (record.time - activity.since > secondFingerMs && editor.inGesture) return true;
-      activity.tool.cancel();
-      lastPress = null;
+  down(record: PointerRecord): void {
+    this.flush();
+    if (record.kind === "pen") this.#penSeen = true;
+    if (record.kind === "touch") {
+      this.#fingers.set(record.id, record.screen);
+      if (this.#anotherFinger(record)) return;
     }
-    if (activity.kind === "pinch") activity.most = Math.max(activity.most, fingers.size);
-    else startPinch(record.time);
+    if (this.#activity !== null || !this.#answers(record)) return;
+    const { hint } = this.#editor.state.value;
+    this.#editor.patch({ keyboard: false, touch: record.kind === "touch", modifiers: record.modifiers, ...(hint === "" ? {} : { hint: "" }) });
+    if (this.#pansWith(record)) {
+      this.#activity = pan(this.#editor, () => this.#own(), record, () => this.#restCursor());
+      this.#editor.patch({ cursor: "grabbing" });
+      return;
+    }
+    const tool = this.#tool();
+    const clicks = this.#presses.clicks(record);
+    this.#activity = pressTool(this.#editor, tool, record, clicks);
+    tool.press(sampleAt(this.#editor.state.value, record.screen, record.kind, record.modifiers, clicks));
+  }
+
+  move(record: PointerRecord): void {
+    // Two fingers report in turn: the place of each counts.
+    if (this.#fingers.has(record.id)) this.#fingers.set(record.id, record.screen);
+    if (this.#pending !== null && this.#pending.id !== record.id) this.#trail = [];
+    this.#pending = record;
+    if (this.#activity?.kind === "tool" && this.#trail.length < mostTrail) this.#trail.push(record.screen);
+  }
+
+  flush(): void {
+    const [record, trail] = [this.#pending, this.#trail];
+    if (record === null) return;
+    this.#pending = null;
+    this.#trail = [];
+    if (this.#activity === null) {
+      this.#above = record.kind === "touch" ? null : record;
+      this.#hover(record.modifiers);
+      return;
+    }
+    if (this.#activity.kind === "tool" && this.#activity.endsWith(record.id)) this.#presses.dragged(record.screen);
+    this.#activity.moved(record, trail);
+  }
+
+  up(record: PointerRecord): void {
+    this.flush();
+    this.#fingers.delete(record.id);
+    this.#ended(record.id)?.released(record);
+  }
+
+  lost(id: number): void {
+    this.#fingers.delete(id);
+    if (this.#pending?.id === id) this.#pending = null;
+    this.#ended(id)?.cancelled();
+  }
+
+  modifiers(modifiers: Modifiers): void {
+    const { modifiers: old, hover } = this.#editor.state.value;
+    if (old.shift === modifiers.shift && old.alt === modifiers.alt && old.mod === modifiers.mod) return;
+    this.flush();
+    this.#editor.patch({ modifiers });
+    // What a press would do has changed, and the cursor says so.
+    if (this.#activity === null && hover.kind !== "empty") this.#hover(modifiers);
+    if (this.#activity?.kind === "tool") this.#activity.modified(modifiers);
+  }
+
+  space(held: boolean): void {
+    if (held === this.#spaceHeld) return;
+    this.#spaceHeld = held;
+    if (this.#activity === null) this.#editor.patch({ cursor: held ? "grab" : "default" });
+  }
+
+  cancel(): boolean {
+    this.#pending = null;
+    if (this.#activity?.kind !== "tool") return this.#tool().cancel();
+    const pressed = this.#activity;
+    this.#activity = null;
+    pressed.cancelled();
     return true;
   }
 
-  function pansWith(record: PointerRecord): boolean {
-    if (record.button === 1 || spaceHeld) return true;
-    // Only a mode with a view of its own has the right button free for it.
-    if (own()?.view !== undefined) return record.button === 2;
-    if (editor.state.value.tool === "hand") return true;
-    return record.kind === "touch" && penSeen && editor.state.value.settings.penPans;
+  finish(): boolean {
+    return this.#tool().finish();
   }
 
-  function flush(): void {
-    if (pending === null) return;
-    const record = pending;
-    const places = trail;
-    pending = null;
-    trail = [];
-    const finger = fingers.get(record.id);
-    if (finger !== undefined) finger.screen = record.screen;
-    switch (activity.kind) {
-      case "none":
-        above = record.kind === "touch" ? null : record;
-        if (above !== null) tool().hover(sample(above));
-        return;
-      case "tool":
-        if (record.id !== activity.id) return;
-        activity.screen = record.screen;
-        // A press that became a drag is not the first half of a double-click.
-        if (lastPress !== null && distanceBetween(record.screen, lastPress.screen) > doublePx) lastPress = null;
-        activity.tool.drag({ ...sample(record, activity.clicks), trail: places.map((place) => sample({ ...record, screen: place }).page) });
-        return;
-      case "pan":
-        if (record.id !== activity.id) return;
-        pan(record.screen.x - activity.last.x, record.screen.y - activity.last.y);
-        activity.last = record.screen;
-        return;
-      case "pinch":
-        pinchNow();
+  /** The parts of the mode that is up, where it brings its own. */
+  #own(): ModeParts | undefined {
+    return this.#editor.modes.get(this.#editor.state.value.mode);
+  }
+
+  #tool(): Tool {
+    return this.#own()?.tool ?? this.#tools[this.#editor.state.value.tool];
+  }
+
+  #hover(modifiers: Modifiers): void {
+    if (this.#above !== null) this.#tool().hover(sampleAt(this.#editor.state.value, this.#above.screen, this.#above.kind, modifiers));
+  }
+
+  /** Only a mode with a view of its own has the right button free, to pan with. */
+  #answers({ button }: PointerRecord): boolean {
+    const own = this.#own();
+    return (this.#editor.state.value.mode === "curve" || own !== undefined) && (button !== 2 || own?.view !== undefined);
+  }
+
+  #pansWith({ button, kind }: PointerRecord): boolean {
+    if (button === 1 || this.#spaceHeld) return true;
+    if (this.#own()?.view !== undefined) return button === 2;
+    const { tool, settings } = this.#editor.state.value;
+    return tool === "hand" || (kind === "touch" && this.#penSeen && settings.penPans);
+  }
+
+  /** Whether a finger that came down belongs to others that are down already. */
+  #anotherFinger({ time }: PointerRecord): boolean {
+    if (this.#fingers.size < 2) return false;
+    if (this.#activity?.kind === "tool") {
+      // A finger that comes late touches by accident; one that comes at once means two from the start.
+      if (time - this.#activity.since > secondFingerMs && this.#editor.inGesture) return true;
+      this.#activity.cancelled();
+      this.#presses.forget();
     }
+    if (this.#activity?.kind === "pinch") this.#activity.joined();
+    else this.#activity = pinchOrTap(this.#editor, this.#own(), this.#fingers, time);
+    return true;
   }
 
-  function pan(dx: number, dy: number): void {
-    const view = own()?.view;
-    if (view === undefined) editor.patch({ view: panned(editor.state.value.view, dx, dy) });
-    else view.pan(dx, dy);
+  /** What is over with this pointer; it is no longer going on when it hears of it. */
+  #ended(id: number): ToolPress | Panning | TwoFingers | null {
+    const activity = this.#activity;
+    if (activity?.endsWith(id) !== true) return null;
+    this.#activity = null;
+    return activity;
   }
 
-  function pinchNow(): void {
-    if (activity.kind !== "pinch") return;
-    const [a, b] = activity.ids.map((id) => fingers.get(id)?.screen);
-    if (a !== undefined && b !== undefined) editor.patch(activity.pinch.update(a, b));
+  #restCursor(): void {
+    this.#editor.patch({ cursor: this.#spaceHeld || this.#editor.state.value.tool === "hand" ? "grab" : "default" });
   }
-
-  function endPinch(record: PointerRecord): void {
-    if (activity.kind !== "pinch" || fingers.size > 0) return;
-    const { pinch, since, most } = activity;
-    activity = { kind: "none" };
-    if (pinch.moved || record.time - since > tapMs) return;
-    editor.actions.run(most >= 3 ? "redo" : "undo");
-  }
-
-  return {
-    get busy() {
-      return activity.kind !== "none";
-    },
-    flush,
-    down(record) {
-      flush();
-      if (record.kind === "pen") penSeen = true;
-      if (record.kind === "touch") {
-        fingers.set(record.id, { start: record.screen, screen: record.screen, time: record.time });
-        if (anotherFinger(record)) return;
-      }
-      if (activity.kind !== "none" || !works() || (record.button === 2 && own()?.view === undefined)) return;
-      editor.patch({ keyboard: false, touch: record.kind === "touch", modifiers: record.modifiers, ...(editor.state.value.hint === "" ? {} : { hint: "" }) });
-      if (pansWith(record)) {
-        activity = { kind: "pan", id: record.id, last: record.screen, since: record.time };
-        editor.patch({ cursor: "grabbing" });
-        return;
-      }
-      const clicks = clicksOf(record);
-      activity = { kind: "tool", id: record.id, tool: tool(), pointer: record.kind, clicks, since: record.time, screen: record.screen };
-      activity.tool.press(sample(record, clicks));
-    },
-    move(record) {
-      // Two fingers report in turn: the place of each counts.
-      const finger = fingers.get(record.id);
-      if (finger !== undefined) finger.screen = record.screen;
-      if (pending !== null && pending.id !== record.id) trail = [];
-      pending = record;
-      if (activity.kind === "tool" && trail.length < mostTrail) trail.push(record.screen);
-    },
-    up(record) {
-      flush();
-      fingers.delete(record.id);
-      switch (activity.kind) {
-        case "none":
-          return;
-        case "tool": {
-          if (record.id !== activity.id) return;
-          const { tool: worked, clicks } = activity;
-          activity = { kind: "none" };
-          worked.release(sample(record, clicks));
-          if (record.kind !== "touch") worked.hover(sample(record));
-          return;
-        }
-        case "pan":
-          if (record.id !== activity.id) return;
-          activity = { kind: "none" };
-          editor.patch({ cursor: spaceHeld || editor.state.value.tool === "hand" ? "grab" : "default" });
-          return;
-        case "pinch":
-          endPinch(record);
-      }
-    },
-    lost(id) {
-      fingers.delete(id);
-      if (pending?.id === id) pending = null;
-      if (activity.kind === "tool" && activity.id === id) activity.tool.cancel();
-      const over = activity.kind === "pinch" ? fingers.size === 0 : activity.kind !== "none" && activity.id === id;
-      if (over) activity = { kind: "none" };
-    },
-    modifiers(modifiers) {
-      const old = editor.state.value.modifiers;
-      if (old.shift === modifiers.shift && old.alt === modifiers.alt && old.mod === modifiers.mod) return;
-      flush();
-      editor.patch({ modifiers });
-      // What a press would do has changed, and the cursor says so.
-      if (activity.kind === "none" && above !== null && editor.state.value.hover.kind !== "empty") tool().hover(sample({ ...above, modifiers }));
-      if (activity.kind === "tool") activity.tool.drag(sampleAt(editor.state.value, activity.screen, activity.pointer, modifiers, activity.clicks));
-    },
-    space(held) {
-      if (held === spaceHeld) return;
-      spaceHeld = held;
-      if (activity.kind === "none") editor.patch({ cursor: held ? "grab" : "default" });
-    },
-    cancel() {
-      pending = null;
-      if (activity.kind === "tool") {
-        const { tool: worked } = activity;
-        activity = { kind: "none" };
-        worked.cancel();
-        return true;
-      }
-      return tool().cancel();
-    },
-    finish() {
-      return tool().finish();
-    },
-  };
 }
