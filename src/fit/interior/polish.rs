@@ -42,13 +42,13 @@ pub(crate) struct Fixed {
 }
 
 /// Where Newton's method ended on fixed knots, with the dual vectors at them: exactly stationary.
-struct Newton {
-    reduced: Reduced,
+pub(super) struct Newton {
+    pub(super) reduced: Reduced,
     unknowns: Vec<Vector>,
-    jumps: Vec<Vector>,
+    pub(super) jumps: Vec<Vector>,
     pulls: Vec<Vector>,
     /// Whether a further step would change nothing.
-    settled: bool,
+    pub(super) settled: bool,
 }
 
 impl Solver {
@@ -107,15 +107,14 @@ impl Solver {
 
     /// The least objective on these knots with about these jumps, and on those that the dual curve then asks for; over
     /// as soon as the asked gap is reached.
-    fn improved(
+    pub(super) fn improved(
         &self,
         mut sets: Vec<Vec<(usize, Vector)>>,
         most: usize,
         on_the_way: bool,
     ) -> Result<Option<(Fixed, Vec<Vec<Vector>>)>> {
         let lanes = lanes(self.data.norm);
-        // An error of δ in the jumps' directions costs about δ² of the objective.
-        let accuracy = (0.03 * self.settings.gap.sqrt()).max(1e-13);
+        let accuracy = accuracy(self.settings.gap);
         let mut best: Option<(Fixed, Vec<Vec<Vector>>)> = None;
         let mut known = self.iterate.reduced.elements.clone();
         for _ in 0..most {
@@ -174,7 +173,8 @@ impl Solver {
     }
 
     /// Objective and bound of a curve on fixed knots, with its dual curves.
-    fn assessed(&self, newton: Newton, lanes: usize) -> (Fixed, Vec<Vec<Vector>>) {
+    #[inline(never)]
+    pub(super) fn assessed(&self, newton: Newton, lanes: usize) -> (Fixed, Vec<Vec<Vector>>) {
         let mut weighted = vec![Vector::zeros(); self.data.t.len()];
         let data_term =
             newton.reduced.residuals(&self.data, &newton.unknowns, &mut weighted, &mut Vec::new());
@@ -271,8 +271,13 @@ impl Solver {
     }
 }
 
+/// How accurate jumps have to be for a gap: an error of δ in their directions costs about δ² of the objective.
+pub(super) fn accuracy(gap: f64) -> f64 {
+    (0.03 * gap.sqrt()).max(1e-13)
+}
+
 /// The jump that a dual vector longer than one asks for.
-fn wanted(eta: Vector, lanes: usize) -> Vector {
+pub(super) fn wanted(eta: Vector, lanes: usize) -> Vector {
     if lanes == 1 {
         return eta;
     }
@@ -286,7 +291,8 @@ fn turned(after: &[Vector], before: &[Vector]) -> usize {
 }
 
 /// Newton's method for the objective on fixed knots, from directions and lengths of their jumps.
-fn newton(
+#[inline(never)]
+pub(super) fn newton(
     data: &Scaled,
     mut reduced: Reduced,
     start: &[Vector],

@@ -83,6 +83,12 @@ impl Reduced {
         Ok(reduced)
     }
 
+    /// About how many products one factorisation takes.
+    pub(crate) fn work(&self) -> usize {
+        let width = self.reach + self.unknowns - self.banded;
+        self.unknowns * (1 + width) * (1 + width)
+    }
+
     /// λ of every knot in play.
     pub(crate) fn lambdas(&self, data: &Scaled) -> Vec<f64> {
         let one = |(part, component): (&Part, &ScaledComponent)| {

@@ -2,9 +2,11 @@
 
 mod newton_step;
 
+use super::balance::imbalance;
 use super::cold::start;
 use super::compress::compress;
 use super::cone::{Lorentz, Metric, Scaling, dot, norm};
+use super::descent::Descent;
 use super::dual::dual_curve;
 use super::polish::{Fixed, GLIMPSE};
 use super::reduced::Reduced;
@@ -26,6 +28,8 @@ const FIRST_FINISH: f64 = 1e-3;
 const FIRST_FINE: f64 = 1e-5;
 /// So many iterations more than the gap needs are made for true knots.
 const MOST_FOR_KNOTS: usize = 4;
+/// Rounding that shows in what can be checked is larger elsewhere: by so much, as a rule less.
+const CAUTION: f64 = 100.0;
 /// Below this share of the asked gap more iterations would tell no more.
 const LEAST_FOR_KNOTS: f64 = 1e-4;
 
@@ -111,6 +115,8 @@ pub struct Solver {
     pub(crate) before: Vec<(f64, f64)>,
     /// Iterations since the gap last fell by a tenth, and the gap then.
     idle: (usize, f64),
+    /// What goes on where rounding ended the iterations.
+    pub(crate) descent: Option<Descent>,
     pub(crate) buffers: Buffers,
 }
 
@@ -195,6 +201,7 @@ impl Solver {
             thinned: false,
             before: Vec::new(),
             idle: (0, f64::INFINITY),
+            descent: None,
             buffers: Buffers::default(),
         };
         solver.restart(false);
@@ -216,6 +223,7 @@ impl Solver {
         self.beyond = 0;
         self.before.clear();
         self.idle = (0, f64::INFINITY);
+        self.descent = None;
         self.look();
         self.settle();
     }
@@ -228,6 +236,9 @@ impl Solver {
     pub fn step(&mut self) -> Result<Status> {
         if self.status != Status::Running {
             return Ok(self.status);
+        }
+        if let Some(descent) = self.descent.take() {
+            return self.descend(descent);
         }
         if self.iteration >= self.settings.most_iterations {
             self.status = self.given_up(Status::IterationLimit);
@@ -249,16 +260,40 @@ impl Solver {
             self.iterate.reduced.jumps(&self.iterate.unknowns, &mut self.iterate.jumps);
             self.look();
             self.status = self.given_up(Status::Stalled);
-            return Ok(self.status);
+        } else {
+            self.settle();
+            self.try_to_finish()?;
         }
-        self.settle();
-        self.try_to_finish()?;
+        if self.status == Status::Converged {
+            self.doubt()?;
+        }
+        if self.status == Status::Stalled || self.status == Status::Converged && !self.is_near() {
+            self.begin_descent()?;
+        }
         Ok(self.status)
+    }
+
+    /// Adds to the gap what the curve lacks of balance, so that no bound counts that is none.
+    pub(super) fn doubt(&mut self) -> Result<()> {
+        if let Some(fixed) = &self.finished {
+            let _ = fixed.reduced.residuals(&self.data, &fixed.unknowns, &mut self.weighted, &mut Vec::new());
+        }
+        let lacking = imbalance(&self.data, &self.weighted)?;
+        self.measure.gap += CAUTION * lacking / self.measure.primal.max(f64::MIN_POSITIVE);
+        if let Some(fixed) = &mut self.finished {
+            fixed.measure = self.measure;
+        }
+        Ok(())
     }
 
     /// How a run stands that ends before its knots are told apart.
     fn given_up(&self, why: Status) -> Status {
-        if self.measure.gap <= self.settings.gap { Status::Converged } else { why }
+        if self.is_near() { Status::Converged } else { why }
+    }
+
+    /// Whether the gap is what was asked for.
+    pub(super) fn is_near(&self) -> bool {
+        self.measure.gap <= self.settings.gap
     }
 
     /// Whether there is one spline, without corners.

@@ -54,7 +54,10 @@ impl Solver {
         if let Some((fixed, eta)) = followed {
             self.iteration = 0;
             self.end_with(fixed, eta);
-            return Ok(());
+            self.doubt()?;
+            if self.is_near() {
+                return Ok(());
+            }
         }
         self.iterate = match &self.middle {
             Some(middle) => self.warm(middle)?,

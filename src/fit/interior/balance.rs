@@ -1,0 +1,42 @@
+//! Whether the residuals of a curve are in balance, as they are at an optimum.
+//!
+//! Moving the curve by what costs nothing, constants on a circle and polynomials on a line, changes no jump, so at the
+//! optimum the weighted residuals vanish against them. Bounds assume it (D 12.4). Where rounding has taken it, the curve
+//! could be moved for less, and a bound says more than is true.
+
+use crate::error::Result;
+use crate::fit::convex::interval::TERMS;
+use crate::fit::convex::scaled::Scaled;
+use crate::numerics::Vector;
+use crate::numerics::banded::Bordered;
+
+/// By how much the sum of squares falls when the curve is moved by the best of what costs nothing: Σ|⟨we, q⟩|² over
+/// such q that are orthonormal under the weights w. O(M).
+pub(super) fn imbalance(data: &Scaled, weighted: &[Vector]) -> Result<f64> {
+    let highest = data.components.last().map_or(1, |component| component.degree);
+    let count = if data.closed { 1 } else { highest + 1 };
+    let mut moments = [Vector::zeros(); TERMS];
+    // The product of two of Chebyshev's polynomials is half of two others.
+    let mut weights = [0.0; 2 * TERMS];
+    for ((t, w), force) in data.t.iter().zip(&data.w).zip(weighted) {
+        let x = 2.0 * t / data.length - 1.0;
+        let (mut before, mut here) = (x, 1.0);
+        for i in 0..2 * count {
+            weights[i] += w * here;
+            if i < count {
+                moments[i] += force * here;
+            }
+            (before, here) = (here, 2.0 * x * here - before);
+        }
+    }
+    let mut gram = Bordered::new(0, 0, count)?;
+    for i in 0..count {
+        for j in 0..=i {
+            gram.add(i, j, 0.5 * (weights[i + j] + weights[i - j]));
+        }
+    }
+    let _ = gram.factor(1e-14);
+    let mut shares = moments[..count].to_vec();
+    gram.solve_points(&mut shares)?;
+    Ok(shares.iter().zip(&moments).map(|(share, moment)| share.x * moment.x + share.y * moment.y).sum())
+}
