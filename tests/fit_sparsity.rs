@@ -231,6 +231,21 @@ fn corners_of_even_points_are_where_sides_of_known_length_meet() {
 }
 
 #[test]
+fn smooth_joints_of_even_points_stay_smooth() {
+    // Two sharp corners and a slight one; the arc runs smoothly into the first side.
+    let (way, _) = mixed();
+    let (mut corners, mut all, cases) = (0, 0.0, 24);
+    for seed in 100..100 + cases {
+        let points = noisy(&evenly(&way, 600), 0.5, measured(seed));
+        let fitted = fit(&points, Ask::Noise, &Options::default()).expect("it can be fitted");
+        corners += fitted.knots.iter().filter(|knot| knot.degree == 1).count();
+        all += errors(&fitted, &way).0 / cases as f64;
+    }
+    assert!(corners as f64 / cases as f64 <= 4.0, "{corners} corners in {cases} outlines");
+    assert!(all <= 0.115, "rms {all} on average");
+}
+
+#[test]
 fn open_ways_of_even_points_keep_corners_and_ends() {
     // Two straight sides and one that waves; the points are even, or follow one another ever more closely.
     let (way, corners) = mixed();

@@ -6,7 +6,8 @@
 mod spacing;
 
 pub(super) use self::spacing::Spaced;
-use super::foot_points::Spline;
+use super::breaks::HIGHEST;
+use super::foot_points::{Spline, taylor};
 use super::free_knots::{Located, in_order};
 
 /// Parts of a piece on which the length is a cubic of the parameter.
@@ -25,8 +26,11 @@ impl Lengths {
         let spans = &spline.space.spans;
         let mut lengths = Self { at: Vec::new(), to: Vec::new(), speed: Vec::new() };
         let mut sum = 0.0;
-        for (s, span) in spans.iter().enumerate() {
-            let speed = |t: f64| spline.on(s, t, 1).norm();
+        for (s, (span, piece)) in spans.iter().zip(spline.pieces()).enumerate() {
+            let speed = |t: f64| {
+                let along = taylor::<{ HIGHEST + 1 }>(&piece, (t - span.middle) / span.half)[1];
+                along.norm() / span.half
+            };
             let step = 2.0 * span.half / PARTS as f64;
             let mut before = speed(span.middle - span.half);
             for part in 0..PARTS {
@@ -55,7 +59,7 @@ impl Lengths {
     fn length(&self, t: f64, guess: &mut usize) -> f64 {
         let i = place(&self.at, t, guess);
         let step = self.at[i + 1] - self.at[i];
-        self.cubic(i, if step > 0.0 { (t - self.at[i]) / step } else { 0.0 }).0
+        value(&self.cubic(i), if step > 0.0 { (t - self.at[i]) / step } else { 0.0 }).0
     }
 
     /// The parameter at a length.
@@ -63,8 +67,9 @@ impl Lengths {
         let i = place(&self.to, length, guess);
         let (step, rise) = (self.at[i + 1] - self.at[i], self.to[i + 1] - self.to[i]);
         let mut u = if rise > 0.0 { ((length - self.to[i]) / rise).clamp(0.0, 1.0) } else { 0.0 };
+        let cubic = self.cubic(i);
         for _ in 0..2 {
-            let (value, slope) = self.cubic(i, u);
+            let (value, slope) = value(&cubic, u);
             if slope > 0.3 * rise {
                 u = (u + (length - value) / slope).clamp(0.0, 1.0);
             }
@@ -72,15 +77,21 @@ impl Lengths {
         self.at[i] + u * step
     }
 
-    /// The length at u in [0, 1] of part i, and its derivative.
-    fn cubic(&self, i: usize, u: f64) -> (f64, f64) {
+    /// The length on part i as a polynomial of u in [0, 1], in ascending powers.
+    #[inline(always)]
+    fn cubic(&self, i: usize) -> [f64; 4] {
         let step = self.at[i + 1] - self.at[i];
         let (start, rise) = (self.to[i], self.to[i + 1] - self.to[i]);
         let (first, last) = (step * self.speed[i], step * self.speed[i + 1]);
-        let (square, cube) = (3.0 * rise - 2.0 * first - last, first + last - 2.0 * rise);
-        let value = start + u * (first + u * (square + u * cube));
-        (value, first + u * (2.0 * square + u * 3.0 * cube))
+        [start, first, 3.0 * rise - 2.0 * first - last, first + last - 2.0 * rise]
     }
+}
+
+/// A cubic at u, and its derivative.
+#[inline(always)]
+fn value([start, first, square, cube]: &[f64; 4], u: f64) -> (f64, f64) {
+    let value = start + u * (first + u * (square + u * cube));
+    (value, first + u * (2.0 * square + u * 3.0 * cube))
 }
 
 /// The part of an ascending list that a value is in.

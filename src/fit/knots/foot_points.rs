@@ -75,8 +75,16 @@ impl Spline {
 
     /// The weighted sum of squares at the points' parameters.
     pub(in crate::fit) fn squares(&self, data: &Located) -> f64 {
-        let square = |(m, d): (usize, f64)| data.weight(m) * d * d;
-        self.distances(data).into_iter().enumerate().map(square).sum()
+        let pieces = self.pieces();
+        let (mut s, mut sum) = (0, 0.0);
+        for (m, (point, &t)) in data.points.iter().zip(&data.parameters).enumerate() {
+            let (found, t) = self.space.find(t, s);
+            s = found;
+            let span = &self.space.spans[s];
+            let place = on_piece(&pieces[s], (t - span.middle) / span.half);
+            sum += data.weight(m) * (place - point).norm_squared();
+        }
+        sum
     }
 
     /// A piece on which the curve leaves the way of the points: farther from all points around than `slack` and their
@@ -172,6 +180,9 @@ impl Spline {
 
     /// Makes pieces that are to be straight as straight as numbers can be.
     pub(super) fn straighten(&mut self) {
+        if !self.space.breaks.straight.contains(&true) {
+            return;
+        }
         for _ in 0..3 {
             let mut equations = self.doubled();
             (0..2 * self.space.count).for_each(|i| equations.add(i, i, 1.0));
@@ -212,6 +223,12 @@ impl Spline {
     }
 }
 
+/// The point at u of a piece.
+#[inline(always)]
+fn on_piece(piece: &Piece, u: f64) -> Vector {
+    piece.iter().rev().fold(Vector::zeros(), |sum, c| sum * u + c)
+}
+
 /// Derivative of some order of a piece, by the parameter: `half` is half its length there.
 pub(in crate::fit) fn derivative_of(piece: &Piece, degree: usize, u: f64, half: f64, order: usize) -> Vector {
     let mut sum = Vector::zeros();
@@ -227,14 +244,14 @@ pub(in crate::fit) fn derivative_of(piece: &Piece, degree: usize, u: f64, half: 
 
 /// Moments with a matrix for a weight.
 #[derive(Clone, Copy, Debug, Default)]
-struct Across {
+pub(super) struct Across {
     powers: [[f64; 3]; 2 * HIGHEST + 1],
-    right: [Polynomial; 2],
+    pub(super) right: [Polynomial; 2],
 }
 
 impl Across {
     #[inline(always)]
-    fn take<const T: usize>(&mut self, u: f64, weight: [f64; 3], rest: [f64; 2]) {
+    pub(super) fn take<const T: usize>(&mut self, u: f64, weight: [f64; 3], rest: [f64; 2]) {
         let mut power = 1.0;
         for (k, sums) in self.powers[..2 * T - 1].iter_mut().enumerate() {
             for (sum, w) in sums.iter_mut().zip(weight) {
@@ -249,7 +266,7 @@ impl Across {
     }
 
     /// Σ W·a(u)·uʲ for all j, entry by entry of W.
-    fn weighted(&self, degree: usize, a: &Polynomial) -> [Polynomial; 3] {
+    pub(super) fn weighted(&self, degree: usize, a: &Polynomial) -> [Polynomial; 3] {
         if degree < 4 { self.weighted_of::<4>(a) } else { self.weighted_of::<{ HIGHEST + 1 }>(a) }
     }
 

@@ -7,6 +7,7 @@ mod growing;
 mod last_knots;
 mod polishing;
 mod rounding;
+mod spacing;
 mod straight;
 mod view;
 

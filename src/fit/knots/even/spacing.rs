@@ -6,20 +6,22 @@
 mod growth;
 mod sums;
 
-use self::growth::Place;
-use self::sums::Sums;
-use super::{PARTS, Spread};
-use crate::fit::knots::breaks::STIFF;
+use self::growth::{Growths, Place};
+use self::sums::{LENGTHS, SIZE, Sums};
+use super::{PARTS, Spread, place};
+use crate::fit::knots::breaks::{Breaks, HIGHEST, STIFF};
 use crate::fit::knots::envelope::Envelope;
 use crate::fit::knots::foot_points::Spline;
-use crate::fit::knots::free_knots::Located;
+use crate::fit::knots::free_knots::{FreeKnots, Located};
 
 /// The most steps, and the most operations that one may take.
 const MOST_STEPS: usize = 6;
 const MOST_WORK: usize = 4_000_000;
 /// Steps that fail before none is looked for any more, and by how much each is shorter.
-const MOST_FAILED: usize = 4;
+const MOST_FAILED: usize = 2;
 const SHORTER: f64 = 0.3;
+/// How many times what the last step brought may be missing.
+const PACE: f64 = 4.0;
 
 /// A curve, its points with the parameters that are equally far apart along it, and the sum of the squares of the distances
 /// to those places.
@@ -52,9 +54,16 @@ impl Spaced {
         Some(Self { spline, located, squares, lead })
     }
 
-    /// The same after some steps, the last of which brings less than `worth`; `None` where there are too many knots.
-    /// O(M + K³) for each.
-    pub(in crate::fit::knots) fn settled(mut self, worth: f64) -> Option<Self> {
+    /// The curve on other breaks, with its points where they are.
+    pub(in crate::fit::knots) fn on(&self, breaks: Breaks) -> Option<Self> {
+        let mut spline = Spline::of(&FreeKnots::new(breaks, &self.located));
+        spline.straighten();
+        Self::from(spline, &self.located, self.lead)
+    }
+
+    /// The same after some steps, the last of which brings less than `worth`; `None` where there are too many knots, and where
+    /// squares will not come down to `enough`. O(M + K³) for each.
+    pub(in crate::fit::knots) fn settled(mut self, worth: f64, enough: f64) -> Option<Self> {
         let (pieces, unknowns) = (self.spline.space.spans.len(), 2 * self.spline.space.count);
         if pieces * unknowns * unknowns > MOST_WORK {
             return None;
@@ -65,10 +74,15 @@ impl Spaced {
                 Some(eased) => self = eased,
                 None => break,
             }
-            if before - self.squares < worth {
+            let gain = before - self.squares;
+            if gain < worth || PACE * gain < self.squares - enough {
                 break;
             }
         }
+        if self.squares > enough {
+            return None;
+        }
+        self.spline.straighten();
         Some(self)
     }
 
@@ -84,7 +98,6 @@ impl Spaced {
             for (to, from) in [(&mut spline.x, &self.spline.x), (&mut spline.y, &self.spline.y)] {
                 to.iter_mut().zip(from).for_each(|(to, from)| *to = from + share * (*to - from));
             }
-            spline.straighten();
             if let Some(eased) = Self::from(spline, &self.located, self.lead + share * ahead)
                 .filter(|eased| eased.squares < self.squares)
             {
@@ -101,18 +114,10 @@ impl Spaced {
         let (space, size) = (&self.spline.space, 2 * self.spline.space.count + 1);
         let spread = Spread::from(&self.spline, self.located.points.len(), self.lead)?;
         let lengths = growth::of(&self.spline, &spread.lengths.at);
-        let mut sums = vec![Sums::default(); space.spans.len()];
-        let (used, mut guess) = (2 * (space.breaks.degree + 1), 0);
-        for (m, point) in self.located.points.iter().enumerate() {
-            let t = spread.parameter(m, &mut guess);
-            let s = guess / PARTS;
-            let place = Place::new(&self.spline, &lengths.pieces[s], s, t);
-            let ends = [spread.lengths.at[guess], spread.lengths.at[guess + 1]];
-            let share = spread.step / spread.lengths.total() * m as f64 - spread.turns(m);
-            let grown = lengths.parts[guess].at((t - ends[0]) / (ends[1] - ends[0]));
-            let lengths = [-1.0, share, if space.breaks.closed { 1.0 } else { 0.0 }];
-            sums[s].take(self.located.weight(m), point - place.on, lengths, (&place, &grown), used);
-        }
+        let sums = match space.breaks.degree {
+            ..4 => self.sums::<4, { LENGTHS + 8 }>(&spread, &lengths),
+            _ => self.sums::<{ HIGHEST + 1 }, SIZE>(&spread, &lengths),
+        };
         let (mut equations, mut right) = (Envelope::new(vec![0; size]), vec![0.0; size]);
         for (s, sums) in sums.iter().enumerate() {
             let mut units = vec![size - 1];
@@ -120,10 +125,30 @@ impl Spaced {
                 (0..=space.breaks.degree).flat_map(|i| [2 * space.index(s, i), 2 * space.index(s, i) + 1]),
             );
             let dense = [&lengths.before[s][..], &lengths.before[space.spans.len()]];
-            sums.spread(&mut equations, &mut right, dense, &units);
+            let basis = &space.basis[s][..=space.breaks.degree];
+            sums.spread(&mut equations, &mut right, dense, (&units, basis));
         }
         let most = (0..size).map(|i| equations.diagonal(i)).fold(0.0, f64::max);
         (0..size).for_each(|i| equations.add(i, i, 1e-9 * most + 1e-280));
         Some((equations, right, STIFF * most))
+    }
+
+    /// The sums of every piece, for degrees below T: N unknowns each.
+    fn sums<const T: usize, const N: usize>(&self, spread: &Spread, lengths: &Growths) -> Vec<Sums> {
+        let closed = self.spline.space.breaks.closed;
+        let mut sums = vec![Sums::default(); self.spline.space.spans.len()];
+        let mut guess = 0;
+        for (m, (point, &t)) in self.located.points.iter().zip(&self.located.parameters).enumerate() {
+            let t = if closed && t < spread.lengths.at[0] { t + self.spline.space.breaks.end } else { t };
+            place(&spread.lengths.at, t, &mut guess);
+            let s = guess / PARTS;
+            let place = Place::new::<T>(&self.spline, &lengths.pieces[s], s, t);
+            let ends = [spread.lengths.at[guess], spread.lengths.at[guess + 1]];
+            let share = spread.step / spread.lengths.total() * m as f64 - spread.turns(m);
+            let grown = lengths.parts[guess].at((t - ends[0]) / (ends[1] - ends[0]));
+            let lengths = [-1.0, share, if closed { 1.0 } else { 0.0 }];
+            sums[s].take::<T, N>(self.located.weight(m), point - place.on, lengths, (&place, &grown));
+        }
+        sums
     }
 }

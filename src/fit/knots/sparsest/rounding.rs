@@ -54,7 +54,7 @@ impl Sparsest {
 
 /// Corners at which the curve turns by less than an angle; or its way does, seen from `far`: a curve that runs a little too
 /// far and back again turns round, though nothing else does.
-fn slight_corners(spline: &Spline, least: f64, far: f64) -> Vec<usize> {
+pub(super) fn slight_corners(spline: &Spline, least: f64, far: f64) -> Vec<usize> {
     let breaks = &spline.space.breaks;
     if least <= 0.0 || breaks.degree < 2 {
         return Vec::new();

@@ -2,12 +2,11 @@
 
 use super::{Aim, Found, MOST_WORK, PER_NUMBER, Phase, Sparsest};
 use crate::fit::knots::breaks::Breaks;
-use crate::fit::knots::even::{Spaced, by_length};
+use crate::fit::knots::even::by_length;
 use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::search::{least, settle};
 use crate::fit::knots::straight::bends;
-use crate::fit::report::weight;
 
 /// How many pieces are tried alone where all together are too many.
 const MOST_ALONE: usize = 12;
@@ -21,14 +20,12 @@ const JOINING: f64 = 0.5;
 const TRIAL: f64 = 7.0;
 /// Steps to a fit with other straight pieces, and the share of a number's price that makes another one.
 const FEW_SLIDES: usize = 3;
-const EASILY: f64 = 0.1;
+pub(super) const EASILY: f64 = 0.1;
 /// The same when the pieces are known.
 const MOST_SLIDES: usize = 12;
 const HARDLY: f64 = 1e-3;
 /// Points that are so many times farther from where they belong by length than noise says are not even.
 const UNEVEN: f64 = 1.6;
-/// The same where they belong there on the best curve of all that they are even along.
-const EXPLAINED: f64 = 1.3;
 
 impl Sparsest {
     /// Makes pieces of the best curve straight for as long as their distances from the points grow by no more than noise
@@ -49,28 +46,60 @@ impl Sparsest {
             best.distances = best.spline.feet(&best.located, &mut feet, 3);
         }
         best = self.followed(best);
-        let worth = self.number() * 2.0 * (degree - 1) as f64;
+        let spaced = self.asked.spaced && matches!(self.asked.aim, Aim::Noise(_));
+        let found =
+            if spaced { self.straightened_by_length(best) } else { self.straightened(best, HOPELESS) };
+        self.found = Some(found);
+        Phase::Done
+    }
+
+    /// The curve of points that follow one another evenly with pieces straight that may be, and its points placed by length.
+    fn straightened_by_length(&mut self, mut best: Found) -> Found {
+        let has_lines = |found: &Found| !found.spline.space.breaks.straight.is_empty();
+        let mut may_have = true;
+        if self.evening.even {
+            let free = self.freely_straightened(&best);
+            may_have = has_lines(&free);
+            if may_have && let Some(found) = self.spaced_out(&free) {
+                return found;
+            }
+        }
+        if may_have {
+            best = self.straightened(best, HOPELESS);
+        }
+        if has_lines(&best) {
+            best = self.placed_by_length(best);
+        }
+        self.spaced_out(&best).unwrap_or(best)
+    }
+
+    /// The curve of points that are held with pieces straight that are so once points may slide: by the parameters that points
+    /// are held at even a straight side has a speed that changes.
+    fn freely_straightened(&mut self, best: &Found) -> Found {
+        let mut free = best.clone();
+        free.distances = free.spline.project(&mut free.located, 3);
+        self.evening.even = false;
+        free = self.straightened(free, f64::INFINITY);
+        self.evening.even = true;
+        free
+    }
+
+    /// The curve with the pieces straight that may be, all together or one after the other; not tried alone are those that would
+    /// cost so many times what their numbers are worth where they are.
+    fn straightened(&self, mut best: Found, hopeless: f64) -> Found {
+        let worth = self.number() * 2.0 * (best.spline.space.breaks.degree - 1) as f64;
         let order = bends(&best.spline, &best.located, worth);
         if let Some(found) = self.with_straight(&best, &order, worth) {
             best = found;
         } else if order.len() > 1 {
             let costs = FreeKnots::new(best.spline.space.breaks.clone(), &best.located).straightenings();
-            let hopeful = order.iter().filter(|&&piece| costs[piece] <= HOPELESS * worth);
+            let hopeful = order.iter().filter(|&&piece| costs[piece] <= hopeless * worth);
             for &piece in hopeful.take(MOST_ALONE) {
                 best = self.with_straight(&best, &[piece], worth).unwrap_or(best);
             }
         }
-        if !best.spline.space.breaks.straight.is_empty() {
-            best = self.with_fewer(best, self.number());
-            if self.asked.spaced && matches!(self.asked.aim, Aim::Noise(_)) {
-                best = self.placed_by_length(best);
-            }
-        }
-        if self.asked.spaced && matches!(self.asked.aim, Aim::Noise(_)) {
-            best = self.spaced_out(best);
-        }
-        self.found = Some(best);
-        Phase::Done
+        let none = best.spline.space.breaks.straight.is_empty();
+        if none { best } else { self.with_fewer(best, self.number()) }
     }
 
     /// What a number of the curve is worth in squares of distances.
@@ -111,30 +140,6 @@ impl Sparsest {
             distances.squares - best.distances.squares > self.pricing.price.whole(&spline.space.breaks);
         let stray = farther || self.is_spoiled(&spline, &located);
         if stray { best } else { Found { spline, located, distances, wild: None } }
-    }
-
-    /// The curve that explains its points best where they are equally far apart along it (D 13.12); the curve as it is where
-    /// they are not.
-    fn spaced_out(&self, best: Found) -> Found {
-        let mut located = best.located.clone();
-        best.spline.project(&mut located, 3);
-        // Both coordinates of all points.
-        let noise = 2.0 * self.pricing.price.0 / PER_NUMBER * weight(&located);
-        let spaced = Spaced::new(best.spline.clone(), &located);
-        let Some(spaced) = spaced.and_then(|spaced| spaced.settled(EASILY * self.pricing.price.0)) else {
-            return best;
-        };
-        let Spaced { spline, located, squares, .. } = spaced;
-        let mut feet = located.parameters.clone();
-        let distances = spline.feet(&located, &mut feet, 3);
-        let farther =
-            distances.squares - best.distances.squares > self.pricing.price.whole(&spline.space.breaks);
-        let even = squares <= EXPLAINED * noise && !farther;
-        if even && !self.is_spoiled(&spline, &located) {
-            Found { spline, located, distances, wild: None }
-        } else {
-            best
-        }
     }
 
     /// Whether a curve leaves the way of its points, or has a corner that is too slight.

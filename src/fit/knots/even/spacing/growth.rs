@@ -1,6 +1,6 @@
 //! How the length from a curve's first place to another grows with its coefficients.
 
-use crate::fit::knots::breaks::{HIGHEST, derivative};
+use crate::fit::knots::breaks::{HIGHEST, Polynomial, derivative};
 use crate::fit::knots::even::PARTS;
 use crate::fit::knots::foot_points::{Piece, Spline, taylor};
 use crate::numerics::Vector;
@@ -10,21 +10,23 @@ pub(super) type Local = [f64; 2 * (HIGHEST + 1)];
 
 /// A place on a curve: where it is, the unit vector along, and what it moves by with the coefficients of its piece.
 pub(super) struct Place {
+    pub(super) u: f64,
     pub(super) on: Vector,
     pub(super) along: Vector,
     pub(super) shares: [f64; HIGHEST + 1],
 }
 
 impl Place {
-    pub(super) fn new(spline: &Spline, piece: &Piece, s: usize, t: f64) -> Self {
-        let (space, span) = (&spline.space, &spline.space.spans[s]);
+    /// At t, for degrees below T.
+    #[inline(always)]
+    pub(super) fn new<const T: usize>(spline: &Spline, piece: &Piece, s: usize, t: f64) -> Self {
+        let (span, basis) = (&spline.space.spans[s], &spline.space.basis[s]);
         let u = (t - span.middle) / span.half;
-        let [on, first, _] = taylor::<{ HIGHEST + 1 }>(piece, u);
+        let [on, first, _] = taylor::<T>(piece, u);
         let length = first.norm();
         let along = if length > 0.0 { first / length } else { Vector::new(1.0, 0.0) };
-        let degree = space.breaks.degree;
-        let shares = space.basis[s].map(|basis| derivative(&basis, degree, u, 1.0, 0));
-        Self { on, along, shares }
+        let share = |basis: &Polynomial| basis[..T].iter().rev().fold(0.0, |sum, c| sum * u + c);
+        Self { u, on, along, shares: basis.each_ref().map(share) }
     }
 }
 

@@ -1,0 +1,56 @@
+//! The end of a search among points that follow one another evenly: where along the curve they belong tells most of it.
+
+use super::rounding::slight_corners;
+use super::straight::EASILY;
+use super::{Found, PER_NUMBER, Sparsest};
+use crate::fit::knots::even::Spaced;
+use crate::fit::report::weight;
+
+/// Points that are so many times farther from where they belong by length, in the mean of squares, than noise says are not
+/// even.
+const EXPLAINED: f64 = 1.3;
+/// Corners that turn by less, in radians, may be smooth.
+const SLIGHT: f64 = 0.5;
+
+impl Sparsest {
+    /// The curve that explains its points best where they are equally far apart along it (D 13.12), and slight corners smooth
+    /// where that pays; `None` where they are not.
+    pub(super) fn spaced_out(&self, best: &Found) -> Option<Found> {
+        let mut located = best.located.clone();
+        best.spline.project(&mut located, 3);
+        // Both coordinates of all points.
+        let noise = 2.0 * self.pricing.price.0 / PER_NUMBER * weight(&located);
+        let worth = EASILY * self.pricing.price.0;
+        let spaced = Spaced::new(best.spline.clone(), &located)?.settled(worth, f64::INFINITY)?;
+        if spaced.squares > EXPLAINED * noise {
+            return None;
+        }
+        let smooth = self.without_slight_corners(&spaced).and_then(|smooth| {
+            let [with, without] =
+                [&spaced, &smooth].map(|fit| self.pricing.price.whole(&fit.spline.space.breaks));
+            smooth.settled(worth, spaced.squares + with - without)
+        });
+        let found = smooth.and_then(|smooth| self.near_enough(smooth, best));
+        found.or_else(|| self.near_enough(spaced, best))
+    }
+
+    /// The curve with all corners smooth that turn little, if it has any: among noise a corner with the bend beside it stands as well
+    /// for a smooth joint.
+    fn without_slight_corners(&self, spaced: &Spaced) -> Option<Spaced> {
+        let slight = slight_corners(&spaced.spline, SLIGHT, 0.0);
+        let mut breaks = spaced.spline.space.breaks.clone();
+        slight.iter().for_each(|&k| breaks.multiplicity[k] = breaks.degree - 1);
+        if slight.is_empty() { None } else { spaced.on(breaks) }
+    }
+
+    /// The curve, if its points are hardly farther from it than from the best one.
+    fn near_enough(&self, spaced: Spaced, best: &Found) -> Option<Found> {
+        let Spaced { spline, located, .. } = spaced;
+        let mut feet = located.parameters.clone();
+        let distances = spline.feet(&located, &mut feet, 3);
+        let farther = distances.squares - best.distances.squares;
+        let near = farther <= self.pricing.price.whole(&spline.space.breaks);
+        let kept = near && !self.is_spoiled(&spline, &located);
+        kept.then_some(Found { spline, located, distances, wild: None })
+    }
+}
