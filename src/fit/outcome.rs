@@ -70,7 +70,7 @@ pub struct Fit {
     pub parts: Vec<Part>,
     /// The knots, by parameter.
     pub knots: Vec<Knot>,
-    /// The parameter of every given point on the curve.
+    /// The parameter of the place on the curve that is nearest to each given point.
     pub parameters: Vec<f64>,
     /// Sum of squares + λ·jumps; infinite where no λ was involved, as are the gap and the regulariser.
     pub objective: f64,
@@ -81,7 +81,8 @@ pub struct Fit {
     /// The relative duality gap that was certified: of the optimum, before it was made shorter; where knots only slid off
     /// the grid, to the problem without one.
     pub gap: f64,
-    /// The curve's own sum of squares at the points' parameters, by the sum of weights.
+    /// The curve's own sum of squares at the parameters that points were fitted at, by the sum of weights; the nearest places
+    /// may be nearer, of which `rms` tells.
     pub qfe: f64,
     /// No given point is farther from the curve than this.
     pub max_error: f64,

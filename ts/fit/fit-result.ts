@@ -55,7 +55,7 @@ export interface SparseFit {
   coefficients: Float64Array[];
   /** Where the components change, in the order of t. */
   knots: SparseKnot[];
-  /** The parameter of `curve` that each point belongs to. */
+  /** The parameter of the place on `curve` that is nearest to each point. */
   parameters: Float64Array;
   /** What was minimised: `dataTerm` + Σ λ·`regularizer`. */
   objective: number;
@@ -68,7 +68,7 @@ export interface SparseFit {
    * involved: with a tolerance or without any strength, `maxError` is what is proved.
    */
   gap: number;
-  /** Mean square of the distances between the points and their places on `curve`. */
+  /** Mean square of the distances between the points and `curve` at the parameters that they were fitted at; `rms` is to the nearest places. */
   qfe: number;
   /** No point is farther from the curve than this: proved. */
   maxError: number;

@@ -42,7 +42,7 @@ function drawing(): { hand: Hand; asked: { subject: FitSubject; strength: FitStr
       assert.ok(subject !== undefined && handlers !== undefined);
       const points = Array.from({ length: count }, (_, i) => [100 + 50 * i, 500]).flat();
       const curve = new HermiteCurve({ points, tangents: points.map((_, i) => (i % 2 === 0 ? 50 : 0)), closed: false, omega: 0 }).toJSON();
-      handlers.fitted([{ curve, parts: [], knots: [], parameters: new Float64Array(0), qfe: 0, maxError: 1, lambda: [], gap: 0, status: "converged" }], subject, 5);
+      handlers.fitted([{ curve, parts: [], knots: [], parameters: new Float64Array(0), rms: 0, maxError: 1, lambda: [], gap: 0, status: "converged" }], subject, 5);
     },
     fail() {
       handlers?.failed("E_DEGENERATE", "");

@@ -66,8 +66,8 @@ async function fewest(most: number, signal: AbortSignal): Promise<SparseFit[]> {
   return best ?? solve({ by: "smoothing", smoothing: 1 }, false, signal);
 }
 
-function plain({ curve, parts, knots, parameters, qfe, maxError, lambda, smoothing, gap, status }: SparseFit): PlainFit {
-  const shown = { curve: curve.toJSON(), parts: parts.map((part) => part.toJSON()), knots, parameters, qfe, maxError, lambda, gap, status };
+function plain({ curve, parts, knots, parameters, rms, maxError, lambda, smoothing, gap, status }: SparseFit): PlainFit {
+  const shown = { curve: curve.toJSON(), parts: parts.map((part) => part.toJSON()), knots, parameters, rms, maxError, lambda, gap, status };
   return smoothing === undefined ? shown : { ...shown, smoothing };
 }
 
@@ -89,7 +89,7 @@ async function chart(at: readonly number[], signal: AbortSignal): Promise<void> 
     for (const smoothing of [...at].sort((a, b) => b - a)) {
       const fits = await solve({ by: "smoothing", smoothing: smoothing / 100 }, true, signal);
       const sizes = what.strokes.map(({ points }) => points.length / 2);
-      const squares = fits.reduce((sum, { qfe }, i) => sum + qfe * (sizes[i] ?? 0), 0);
+      const squares = fits.reduce((sum, { rms }, i) => sum + rms ** 2 * (sizes[i] ?? 0), 0);
       answer({ kind: "chart", subject, smoothing, knots: knotsOf(fits), rms: Math.sqrt(squares / Math.max(1, sizes.reduce((sum, size) => sum + size, 0))) });
     }
   } catch (error) {

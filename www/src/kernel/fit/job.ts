@@ -43,7 +43,7 @@ export interface PlainFit {
   readonly parts: readonly object[];
   readonly knots: readonly { readonly t: number; readonly x: number; readonly y: number; readonly degree: number }[];
   readonly parameters: Float64Array;
-  readonly qfe: number;
+  readonly rms: number;
   readonly maxError: number;
   readonly lambda: readonly number[];
   readonly smoothing?: number;

@@ -55,7 +55,7 @@ export function outcomeOf(inputs: readonly { readonly points: Float64Array }[], 
   }));
   const knots = fits.flatMap((fit, i) => shownKnots(i, strokes[i]?.curve.domain[1] ?? 1, fit.knots));
   const size = strokes.reduce((sum, { points }) => sum + points.length / 2, 0);
-  const squares = fits.reduce((sum, fit, i) => sum + (fit.qfe * (strokes[i]?.points.length ?? 0)) / 2, 0);
+  const squares = fits.reduce((sum, fit, i) => sum + (fit.rms ** 2 * (strokes[i]?.points.length ?? 0)) / 2, 0);
   const first = fits[0];
   return {
     strokes, knots, size,
