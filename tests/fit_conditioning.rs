@@ -75,6 +75,22 @@ fn sums_of_two_splines_reach_the_optimum_on_open_curves() {
 }
 
 #[test]
+fn corners_and_smooth_pieces_reach_the_optimum_at_tiny_prices() {
+    // One spline has a knot at nearly every point, the other few.
+    for noise in [1.0, 15.0] {
+        let points = star(300, noise);
+        for closed in [false, true] {
+            for degrees in [[1, 2], [1, 3], [2, 3]] {
+                for share in [1e-4, 1e-5, 1e-6, 1e-7, 1e-8] {
+                    let name = format!("noise {noise}, closed {closed}, degrees {degrees:?}, {share:e}");
+                    solved(&problem(&points, closed, &degrees, share), 1e-6, &name);
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn beyond_the_price_that_leaves_no_knot_there_is_the_best_polynomial() {
     let points = star(300, 1.0);
     for degree in 1..=5 {

@@ -1,5 +1,6 @@
 //! The problem on the knots that are in play: its spaces, its quadratic form, its linear systems.
 
+mod arrangement;
 mod squares;
 
 pub(crate) use self::squares::Element;
@@ -12,12 +13,13 @@ use crate::fit::convex::spline_space::{KnotSpace, ROOM};
 use crate::limits;
 use crate::numerics::Vector;
 use crate::numerics::banded::Bordered;
-use crate::numerics::order::sort_by_number;
 
 /// The jump of the highest derivative at one knot: weights of its coefficients, and where these stand.
 #[derive(Clone, Debug)]
 pub(crate) struct Row {
     pub(crate) weights: [f64; ROOM],
+    /// The first of them.
+    first: usize,
     /// Their places among the unknown points, in the order of the linear system.
     pub(crate) unknowns: [usize; ROOM],
 }
@@ -62,9 +64,10 @@ impl Reduced {
             let mut knots = limits::with_room(chosen.len())?;
             knots.extend(chosen.iter().map(|&k| component.grid[k]));
             let space = KnotSpace::new(component.degree, &knots, 0.0, data.length, data.closed)?;
-            parts.push(Part { space, chosen, rows: Vec::new(), order: Vec::new() });
+            let order = vec![0; space.dimension()];
+            parts.push(Part { space, chosen, rows: Vec::new(), order });
         }
-        let unknowns = order_unknowns(&mut parts);
+        let unknowns = parts.iter().map(|part| part.space.dimension()).sum();
         let (elements, locals) = elements(data, &parts, known);
         let mut reduced = Self {
             parts,
@@ -78,7 +81,7 @@ impl Reduced {
             system: Bordered::default(),
         };
         reduced.make_rows();
-        reduced.shape()?;
+        reduced.arrange()?;
         reduced.assemble(data);
         Ok(reduced)
     }
@@ -103,53 +106,9 @@ impl Reduced {
             part.rows.clear();
             for k in 0..part.chosen.len() {
                 let (first, weights) = part.space.jump_weights(k, degree);
-                let mut unknowns = [0; ROOM];
-                for (i, unknown) in unknowns.iter_mut().enumerate().take(degree + 2) {
-                    *unknown = part.order[part.space.coefficient(first + i)];
-                }
-                part.rows.push(Row { weights, unknowns });
+                part.rows.push(Row { weights, first, unknowns: [0; ROOM] });
             }
         }
-    }
-
-    /// Finds how far unknowns couple, and how many of the last have to be the border.
-    fn shape(&mut self) -> Result<()> {
-        let (count, mut reach, mut border) = (self.unknowns, 0, 0);
-        let mut couple = |set: &mut dyn Iterator<Item = usize>| {
-            let (mut low, mut high, mut late) = (count, 0, count);
-            let (mut first, mut last) = (count, 0);
-            for unknown in set {
-                (first, last) = (first.min(unknown), last.max(unknown));
-                if 2 * unknown >= count {
-                    late = late.min(unknown);
-                } else {
-                    (low, high) = (low.min(unknown), high.max(unknown));
-                }
-            }
-            if first < count && 2 * (last - first) > count {
-                border = border.max(count - late);
-                reach = reach.max(high.saturating_sub(low));
-            } else {
-                reach = reach.max(last.saturating_sub(first));
-            }
-        };
-        for part in &self.parts {
-            for row in &part.rows {
-                couple(&mut row.unknowns[..part.space.degree() + 2].iter().copied());
-            }
-        }
-        for locals in self.locals.chunks_exact(self.parts.len()) {
-            couple(&mut self.parts.iter().zip(locals).flat_map(|(part, (first, local))| {
-                (*first..=first + local.degree).map(|j| part.order[part.space.coefficient(j)])
-            }));
-        }
-        if 2 * border > count || 2 * reach > count {
-            (border, reach) = (count, 0);
-        }
-        (self.banded, self.reach) = (count - border, reach);
-        self.quadratic = Bordered::new(self.banded, reach, border)?;
-        self.system = self.quadratic.of_points()?;
-        Ok(())
     }
 
     /// Quadratic form plus Σ (row)′ metric (row), factored. `metrics` run through the knots of the parts.
@@ -223,32 +182,4 @@ impl Reduced {
             }
         }
     }
-}
-
-/// Orders the coefficients of all parts along the curve, by the middles of their supports.
-fn order_unknowns(parts: &mut [Part]) -> usize {
-    let mut centres = Vec::new();
-    for (p, part) in parts.iter().enumerate() {
-        let (start, end) = part.space.domain();
-        for j in 0..part.space.dimension() {
-            let (from, to) = part.space.support(j);
-            let mut centre = 0.5 * (from + to);
-            if part.space.is_closed() && centre < start {
-                centre += end - start;
-            }
-            if part.space.is_closed() && centre >= end {
-                centre -= end - start;
-            }
-            centres.push((centre, p, j));
-        }
-    }
-    sort_by_number(&mut centres, &|centre| centre.0);
-    for part in parts.iter_mut() {
-        part.order.clear();
-        part.order.resize(part.space.dimension(), 0);
-    }
-    for (place, &(_, p, j)) in centres.iter().enumerate() {
-        parts[p].order[j] = place;
-    }
-    centres.len()
 }
