@@ -566,3 +566,27 @@ fn joints_are_tried_step_by_step() {
     }
     assert!(steps > 60, "{steps} steps");
 }
+
+/// A way without corners was followed in one step, and an outline was shown and compared in one, however long it is.
+#[test]
+fn a_long_way_without_corners_is_followed_step_by_step() {
+    let spiral = |x: f64, y: f64| {
+        let (right, down) = (x - 300.0, y - 300.0);
+        let way = right.hypot(down) - 10.0 * down.atan2(right) / core::f64::consts::TAU;
+        right.hypot(down) < 292.0 && way.rem_euclid(10.0) < 5.0
+    };
+    let gray = Gray::from_bytes(600, 600, &draw_finely(600, 600, 4, &spiral)).expect("a valid picture");
+    let mut tracer = Tracer::new(gray, &TraceOptions::default()).expect("options in range");
+    let (mut splines, mut last) = (0, 0);
+    loop {
+        let progress = tracer.step(0.0).expect("a drawing");
+        splines += usize::from(progress.stage == Stage::Splines);
+        last += usize::from(progress.stage == Stage::Refinement && progress.total - progress.completed <= 1);
+        if progress.done {
+            break;
+        }
+    }
+    let contours = tracer.result().expect("a drawing").contours.len();
+    assert!(splines >= 3 * contours, "{splines} steps to the first outlines of {contours} contours");
+    assert!(last >= 4, "{last} steps for the last curve");
+}

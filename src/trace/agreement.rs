@@ -19,17 +19,48 @@ const CHORD: f64 = 1.5;
 ///
 /// Both are walked side by side, so the time is that of one walk.
 pub(super) fn agreement(curve: &HermiteCurve, contour: &[Point]) -> Result<Metrics> {
-    let closed = curve.is_closed();
-    let Flat { chords, places } = Flat::of(curve);
-    let sides = Chord::along(contour, closed)?;
-    let there = Offs::of(contour, &chords, closed);
-    let back = Offs::of(&places, &sides, closed);
-    let count = contour.len().max(1) as f64;
-    let hausdorff = there.most.max(back.most);
-    // Points that are no farther than a pixel are in neighbouring pixels.
-    let share = if hausdorff <= 1.0 { 1.0 } else { jaccard(&sides, &chords)? };
-    let (rmse, mae) = ((there.square / count).sqrt(), there.sum / count);
-    Ok(Metrics { rmse, mae, max: there.most, hausdorff, jaccard: share })
+    let mut comparison = Comparison::new(curve, contour)?;
+    loop {
+        if let Some(metrics) = comparison.step(contour)? {
+            return Ok(metrics);
+        }
+    }
+}
+
+/// A curve that is being compared with a contour, in three steps.
+#[derive(Debug)]
+pub(super) struct Comparison {
+    curve: Flat,
+    sides: Vec<Chord>,
+    closed: bool,
+    there: Option<Offs>,
+    back: Option<Offs>,
+}
+
+impl Comparison {
+    pub(super) fn new(curve: &HermiteCurve, contour: &[Point]) -> Result<Self> {
+        let closed = curve.is_closed();
+        let (curve, sides) = (Flat::of(curve), Chord::along(contour, closed)?);
+        Ok(Self { curve, sides, closed, there: None, back: None })
+    }
+
+    /// Goes on with the contour; how far the curve is from it, in the end.
+    pub(super) fn step(&mut self, contour: &[Point]) -> Result<Option<Metrics>> {
+        let Some(there) = &self.there else {
+            self.there = Some(Offs::of(contour, &self.curve.chords, self.closed));
+            return Ok(None);
+        };
+        let Some(back) = &self.back else {
+            self.back = Some(Offs::of(&self.curve.places, &self.sides, self.closed));
+            return Ok(None);
+        };
+        let count = contour.len().max(1) as f64;
+        let hausdorff = there.most.max(back.most);
+        // Points that are no farther than a pixel are in neighbouring pixels.
+        let share = if hausdorff <= 1.0 { 1.0 } else { jaccard(&self.sides, &self.curve.chords)? };
+        let (rmse, mae) = ((there.square / count).sqrt(), there.sum / count);
+        Ok(Some(Metrics { rmse, mae, max: there.most, hausdorff, jaccard: share }))
+    }
 }
 
 /// The share of the pixels of two polylines that are next to each other. Pixels of polylines of more than 400,000 grow.
@@ -106,6 +137,7 @@ impl Chord {
 }
 
 /// A curve as chords, and their ends.
+#[derive(Debug)]
 struct Flat {
     chords: Vec<Chord>,
     places: Vec<Point>,
@@ -150,6 +182,7 @@ fn place(segment: &Segment<'_>, x: f64) -> Point {
     segment.start + (first + (bend + twist * x) * x) * x
 }
 
+#[derive(Debug)]
 struct Offs {
     sum: f64,
     square: f64,

@@ -1,11 +1,11 @@
 //! Logos and drawings: outlines of ink, as few pieces as their coverage allows.
 
-use super::agreement::agreement;
+use super::agreement::Comparison;
 use super::chain_work::speckle_for;
 use super::outline::Outline;
 use super::outline::arcs::arcs;
 use super::outline::corners::{Corner, corners};
-use super::outline::division::{Division, DivisionRule, divide};
+use super::outline::division::{Division, DivisionRule};
 use super::outline::ellipse::{ellipse, round};
 use super::outline::rounds::rounds;
 use super::outline::stairs::stairs;
@@ -20,7 +20,9 @@ use super::refinement::Refinement;
 use super::refinement::field::Shading;
 use super::samples::Samples;
 use super::tracer::{Progress, Stage, Trace, TraceOptions, TracedContour, Work};
+use crate::curve::HermiteCurve;
 use crate::error::{Error, Result};
+use crate::numerics::Point;
 use crate::numerics::plane::larger;
 
 /// Noise above which pictures are blurred before they are followed, as a share of the way from ink to paper.
@@ -52,11 +54,17 @@ pub(super) struct InkWork {
     nearness: [Nearness; 2],
     smoothed: Option<Gray>,
     found: Vec<Contour>,
+    /// Whether the contour that is looked at goes between pixels of two tones by now.
+    between: bool,
     samples: Vec<Samples>,
     corners: Vec<Vec<Corner>>,
     /// The contour whose first outline is on its way.
     division: Option<Division>,
+    /// Corners of the contour whose coarser outline is on its way.
+    rough_corners: Option<Vec<Corner>>,
     outlines: Vec<Outline>,
+    /// The curve that is being compared with its contour, and its cusps.
+    comparison: Option<Box<(HermiteCurve, Vec<Point>, Comparison)>>,
     trace: Trace,
     offer: Option<f64>,
 }
@@ -115,10 +123,13 @@ impl InkWork {
             nearness: [Nearness { slack: Quality::Clean.slack(), bow: 0.0 }; 2],
             smoothed: None,
             found: Vec::new(),
+            between: false,
             samples: Vec::new(),
             corners: Vec::new(),
             division: None,
+            rough_corners: None,
             outlines: Vec::new(),
+            comparison: None,
             trace: Trace { contours: Vec::new(), tones, residual: 0.0 },
             offer: None,
         })
@@ -167,16 +178,21 @@ impl InkWork {
         Ok(())
     }
 
-    /// What pixels say of a contour; where they are of two tones, it goes between them.
-    fn look_at(&mut self, i: usize) -> Kind {
+    /// What pixels say of a contour; where they are of two tones, it goes between them first.
+    fn look_at(&mut self, i: usize) -> Option<Kind> {
         let (contour, tones) = (&mut self.found[i], &self.tones);
-        if self.quality != Quality::Clean {
-            return Kind::Covered;
+        if !self.between {
+            let middles =
+                if self.quality == Quality::Clean { steps(&contour.points, &self.gray, tones) } else { None };
+            self.between = middles.is_some();
+            return middles.map_or(Some(Kind::Covered), |middles| {
+                contour.points = middles;
+                None
+            });
         }
-        let Some(middles) = steps(&contour.points, &self.gray, tones) else { return Kind::Covered };
-        contour.points = middles;
+        self.between = false;
         let aslant = is_sampled(&contour.points, &self.gray, tones.middle(), false);
-        if aslant { Kind::Sampled } else { Kind::Stairs }
+        Some(if aslant { Kind::Sampled } else { Kind::Stairs })
     }
 
     fn quality_of(&self, i: usize) -> Quality {
@@ -200,10 +216,11 @@ impl InkWork {
     fn corner(&mut self, i: usize) -> (f64, bool) {
         let next = self.kinds.len();
         if next < self.found.len() {
-            let kind = self.look_at(next);
-            self.kinds.push(kind);
-            if next + 1 == self.found.len() {
-                self.look_again();
+            if let Some(kind) = self.look_at(next) {
+                self.kinds.push(kind);
+                if next + 1 == self.found.len() {
+                    self.look_again();
+                }
             }
             return (0.25 * self.found[next].points.len() as f64, false);
         }
@@ -293,29 +310,41 @@ impl InkWork {
         Ok(())
     }
 
-    /// The curve of one outline.
+    /// A bit of the curve of one outline: first itself, then how far it is from its contour.
     fn curve(&mut self, i: usize) -> Result<f64> {
-        let (outline, contour) = (&mut self.outlines[i], &self.found[i]);
-        let cusps = outline.cusps(self.options.corner);
-        let kind = self.kinds[i];
+        let contour = &self.found[i];
+        let cost = 0.2 * contour.points.len() as f64;
+        let Some(compared) = &mut self.comparison else {
+            let cusps = self.outlines[i].cusps(self.options.corner);
+            let curve = self.curve_of(i)?;
+            let comparison = Comparison::new(&curve, &self.found[i].points)?;
+            self.comparison = Some(Box::new((curve, cusps, comparison)));
+            return Ok(cost);
+        };
+        let Some(metrics) = compared.2.step(&contour.points)? else { return Ok(cost) };
+        let hole = contour.area < 0.0;
+        if let Some((curve, cusps, _)) = self.comparison.take().map(|compared| *compared) {
+            self.trace.contours.push(TracedContour { curve, closed: true, hole, cusps, metrics });
+            self.progress.completed += 1;
+        }
+        Ok(cost)
+    }
+
+    /// The curve of one outline.
+    fn curve_of(&mut self, i: usize) -> Result<HermiteCurve> {
+        let (outline, kind) = (&mut self.outlines[i], self.kinds[i]);
         let refined = self.options.refined && kind != Kind::Stairs;
         let Nearness { slack, bow } = self.nearness[usize::from(kind == Kind::Sampled)];
         let whole = if refined { ellipse(outline, slack)? } else { None };
-        let curve = match whole {
-            Some(curve) => curve,
-            None => {
-                let mut angles = vec![0.0; outline.len()];
-                if refined {
-                    angles = rounds(outline, bow);
-                    arcs(outline, &mut angles, slack.min(BENT));
-                }
-                outline.to_curve(angles)?
-            }
-        };
-        let metrics = agreement(&curve, &contour.points)?;
-        let hole = contour.area < 0.0;
-        self.trace.contours.push(TracedContour { curve, closed: true, hole, cusps, metrics });
-        Ok(0.5 * contour.points.len() as f64)
+        if let Some(curve) = whole {
+            return Ok(curve);
+        }
+        let mut angles = vec![0.0; outline.len()];
+        if refined {
+            angles = rounds(outline, bow);
+            arcs(outline, &mut angles, slack.min(BENT));
+        }
+        outline.to_curve(angles)
     }
 
     /// A bit of one contour more in this phase, which says what it cost and whether it was the contour's last; whether it was the last of all.
@@ -383,11 +412,21 @@ impl InkWork {
         let rule = DivisionRule { chords, ..Quality::Rough.division_rule(&self.options) };
         let samples = &self.samples;
         let corner_rules = Quality::Rough.corner_rules(self.options.corner);
-        let rough = |i: usize| {
-            round(samples[i].places(), ROUND * Quality::Rough.slack())
-                .unwrap_or_else(|| divide(&samples[i], &corners(&samples[i], &corner_rules), &rule))
+        let (found, division) = (&mut self.rough_corners, &mut self.division);
+        let mut rough = |i: usize| {
+            let samples = &samples[i];
+            let outline = if let Some(corners) = found.as_ref() {
+                division.get_or_insert_with(Division::new).step(samples, corners, &rule)
+            } else {
+                *found = Some(corners(samples, &corner_rules));
+                round(samples.places(), ROUND * Quality::Rough.slack())
+            };
+            if outline.is_some() {
+                (*found, *division) = (None, None);
+            }
+            outline
         };
-        let cost = refinement.step(&rough)?;
+        let cost = refinement.step(&mut rough)?;
         let is_sampled = self.kind == Kind::Sampled;
         let before = self.progress.total - self.found.len() - refinement.total();
         self.progress.completed = refinement.completed() + if is_sampled { before } else { 0 };
@@ -436,7 +475,6 @@ impl Work for InkWork {
                     self.progress.completed = self.progress.total;
                     return Ok(0.0);
                 }
-                self.progress.completed += 1;
                 self.curve(i)
             }
         }

@@ -107,10 +107,14 @@ struct Place {
     phase: Phase,
     /// The outline that is next.
     at: usize,
-    /// The node of a long outline that moves next.
+    /// The node of a long outline that moves next, or the piece that is shown next.
     block: usize,
+    /// Whether the outline took the place of another and is not yet in the field.
+    arriving: bool,
     /// The steps of the nodes that are moving.
     descent: Option<Descent>,
+    /// Whether the last of them has been, and pieces are to be looked at.
+    refined: bool,
     /// How often the pieces of this outline have been halved.
     halvings: usize,
 }
@@ -180,7 +184,15 @@ impl Refinement {
                 // What compression leaves looks like corners more often than noise of single pixels does.
                 evidence: if noisy { 0.0 } else { 6.0 },
             },
-            place: Place { phase: Phase::Show, at: 0, block: 0, descent: None, halvings: 0 },
+            place: Place {
+                phase: Phase::Show,
+                at: 0,
+                block: 0,
+                arriving: false,
+                refined: false,
+                descent: None,
+                halvings: 0,
+            },
             fine: Fine::default(),
             thinning: Thinning::default(),
         })
@@ -205,8 +217,9 @@ impl Refinement {
         Phase::Done as usize * self.shapes.len()
     }
 
-    /// A bit more; its cost in about microseconds. `rough` gives a coarser outline of a contour.
-    pub(super) fn step(&mut self, rough: &dyn Fn(usize) -> Outline) -> Result<f64> {
+    /// A bit more; its cost in about microseconds. `rough` goes on with a coarser outline of a contour, and gives it
+    /// in the end.
+    pub(super) fn step(&mut self, rough: &mut dyn FnMut(usize) -> Option<Outline>) -> Result<f64> {
         if let Some(blurring) = &mut self.blurring
             && self.place.phase > Phase::Show
         {
@@ -214,6 +227,13 @@ impl Refinement {
                 self.blurring = None;
             }
             return Ok(2000.0);
+        }
+        if self.place.arriving {
+            self.place.arriving = !self.show_on();
+            if !self.place.arriving {
+                self.field.settle();
+            }
+            return Ok(self.cost());
         }
         if self.place.at >= self.shapes.len() {
             self.next_phase();
@@ -229,12 +249,14 @@ impl Refinement {
                 }
             }
             Phase::First => {
-                if !self.refine_on(STEPS)? {
+                if !self.place.refined {
+                    self.place.refined = self.refine_on(STEPS)?;
+                    if self.place.refined && self.fine.outlines.len() == self.place.at {
+                        self.fine.note(&self.shapes[self.place.at], &self.field);
+                    }
                     return Ok(self.cost());
                 }
-                if self.fine.outlines.len() == self.place.at {
-                    self.fine.note(&self.shapes[self.place.at], &self.field);
-                }
+                self.place.refined = false;
                 if self.is_halved()? {
                     return Ok(self.cost());
                 }
@@ -242,8 +264,11 @@ impl Refinement {
             Phase::Rough => {
                 let at = self.place.at;
                 if self.fine.replaced == at {
-                    self.refiner.replace(&mut self.field, &mut self.shapes[at], rough(at));
-                    self.fine.replaced += 1;
+                    if let Some(outline) = rough(at) {
+                        self.exchange(outline);
+                        self.fine.replaced += 1;
+                    }
+                    return Ok(self.cost());
                 }
                 if !self.refine_on(STEPS)? || self.is_halved()? {
                     return Ok(self.cost());
@@ -293,6 +318,12 @@ impl Refinement {
         end == count
     }
 
+    /// Begins to put another outline in the place of this one.
+    fn exchange(&mut self, outline: Outline) {
+        self.refiner.exchange(&self.field, &mut self.shapes[self.place.at], outline);
+        self.place.arriving = true;
+    }
+
     /// Moves all nodes of the outline, or the next ones of a long one, by a step; whether that was the last of all.
     fn refine_on(&mut self, steps: (usize, f64)) -> Result<bool> {
         let steps = self.steps(steps);
@@ -337,7 +368,7 @@ impl Refinement {
         let any = far.contains(&true);
         if any {
             let halved = shape.outline.halved(&far);
-            self.refiner.replace(&mut self.field, shape, halved);
+            self.exchange(halved);
             self.place.halvings += 1;
         }
         Ok(any)

@@ -2,13 +2,13 @@
 
 mod chords;
 mod runs;
+mod stretch;
 
-use self::runs::Run;
+use self::stretch::Stretch;
 use super::corners::Corner;
 use super::cubic::{Cubic, Fitted, Tangent};
 use super::{Node, Outline, Piece};
 use crate::numerics::Point;
-use crate::numerics::plane::norm;
 use crate::trace::samples::{Line, Samples};
 
 /// How near is near enough, in pixels.
@@ -44,8 +44,9 @@ struct Divider<'a> {
     longest: isize,
 }
 
-/// Stretches between corners that are divided in one step.
+/// Stretches between corners, and places along them, that are divided in one step.
 const STRETCHES: usize = 512;
+const PLACES: isize = 8192;
 
 /// A contour that is being divided.
 #[derive(Debug)]
@@ -53,11 +54,13 @@ pub(in crate::trace) struct Division {
     outline: Outline,
     /// The corner that is next.
     at: usize,
+    /// What is between the one before and it.
+    stretch: Option<Stretch>,
 }
 
 impl Division {
     pub(in crate::trace) fn new() -> Self {
-        Self { outline: Outline { nodes: Vec::new(), pieces: Vec::new() }, at: 0 }
+        Self { outline: Outline { nodes: Vec::new(), pieces: Vec::new() }, at: 0, stretch: None }
     }
 
     /// Some stretches more; the outline, when they were the last.
@@ -73,21 +76,25 @@ impl Division {
     ) -> Option<Outline> {
         let count = samples.len() as isize;
         let mut divider = Divider { samples, rule, outline: &mut self.outline, longest: count / 2 };
-        let end = (self.at + STRETCHES).min(corners.len());
-        for (corner, i) in corners[self.at..end].iter().zip(self.at + 1..) {
-            let (next, wrap) = if i < corners.len() { (&corners[i], 0) } else { (&corners[0], count) };
-            let start = Anchor { index: corner.index, point: corner.point, tangent: Tangent::Free };
-            let end = Anchor { index: next.index + wrap, point: next.point, tangent: Tangent::Free };
-            let gap = samples.steps(rule.gap);
-            let runs = divider.runs(start.index + gap, end.index - gap, true);
-            divider.stretch(start, end, &runs);
-        }
-        if corners.is_empty() {
-            divider.round();
-        }
-        self.at = end;
-        if end < corners.len() {
-            return None;
+        let (first, mut room) = (self.at, PLACES);
+        while self.at < corners.len().max(1) {
+            if room <= 0 || self.at == first + STRETCHES {
+                return None;
+            }
+            let begun = self.stretch.take().or_else(|| {
+                let Some(corner) = corners.get(self.at) else { return Some(divider.round()) };
+                let (next, wrap) = corners.get(self.at + 1).map_or((&corners[0], count), |next| (next, 0));
+                let ends = [free(corner.index, corner.point), free(next.index + wrap, next.point)];
+                room -= (ends[1].index - ends[0].index) / 4;
+                divider.between(ends)
+            });
+            if let Some(mut stretch) = begun
+                && !divider.divide_on(&mut stretch, &mut room)
+            {
+                self.stretch = Some(stretch);
+                return None;
+            }
+            self.at += 1;
         }
         let mut outline = core::mem::replace(self, Self::new()).outline;
         outline.align();
@@ -110,13 +117,12 @@ pub(in crate::trace) fn divide_open(samples: &Samples, corners: &[Corner], rule:
     let mut outline = Outline { nodes: Vec::new(), pieces: Vec::new() };
     let last = samples.len() as isize - 1;
     let mut divider = Divider { samples, rule, outline: &mut outline, longest: last };
-    let free = |index: isize, point: Point| Anchor { index, point, tangent: Tangent::Free };
-    let mut start = free(0, samples.at(0));
+    let (mut start, mut room) = (free(0, samples.at(0)), isize::MAX);
     let ends = corners.iter().map(|corner| free(corner.index, corner.point));
     for end in ends.chain([free(last, samples.at(last))]) {
-        let gap = samples.steps(rule.gap);
-        let runs = divider.runs(start.index + gap, end.index - gap, true);
-        divider.stretch(start, end, &runs);
+        if let Some(mut stretch) = divider.between([start, end]) {
+            divider.divide_on(&mut stretch, &mut room);
+        }
         start = end;
     }
     divider.emit(start, Piece::Line);
@@ -124,9 +130,14 @@ pub(in crate::trace) fn divide_open(samples: &Samples, corners: &[Corner], rule:
     outline
 }
 
+/// A corner.
+fn free(index: isize, point: Point) -> Anchor {
+    Anchor { index, point, tangent: Tangent::Free }
+}
+
 impl Divider<'_> {
     /// A contour without corners begins with a straight run, or where it is flattest.
-    fn round(&mut self) {
+    fn round(&self) -> Stretch {
         let count = self.samples.len() as isize;
         let reach = self.samples.steps(3.0).clamp(1, count / 4);
         let bend = |i: isize| self.samples.curvature(i, reach).abs();
@@ -141,17 +152,11 @@ impl Divider<'_> {
             }
         }
         let runs = self.runs(sharpest.0, sharpest.0 + count, false);
-        if let Some(run) = runs.first() {
-            let start = self.on_line(run.first, &run.line);
-            let end = Anchor { index: start.index + count, ..start };
-            self.straight_first(start, end, &runs);
-        }
-        let start = self.smooth(flattest.0, count / 4);
-        let end = Anchor { index: start.index + count, ..start };
-        if runs.is_empty() {
-            self.curve(start, end);
-        } else {
-            self.fewer(0, start, end);
+        let around = |start: Anchor| (start, Anchor { index: start.index + count, ..start });
+        let smooth = around(self.smooth(flattest.0, count / 4));
+        match runs.first() {
+            Some(run) => Stretch::new(around(self.on_line(run.first, &run.line)), runs, 0, Some(smooth)),
+            None => Stretch::new(smooth, runs, 0, None),
         }
     }
 
@@ -167,45 +172,15 @@ impl Divider<'_> {
         Anchor { index, point, tangent: Tangent::Along(line.direction) }
     }
 
-    /// One stretch between two anchors, with the straight runs in it.
-    fn stretch(&mut self, start: Anchor, end: Anchor, runs: &[Run]) {
-        if start.tangent == Tangent::Free && self.is_line(start, end) {
+    /// What is between two corners, with the straight runs in it; nothing is left of it where it is one line.
+    fn between(&mut self, [start, end]: [Anchor; 2]) -> Option<Stretch> {
+        if self.is_line(start, end) {
             self.emit(start, Piece::Line);
-            return;
+            return None;
         }
-        let first = self.outline.len();
-        self.straight_first(start, end, runs);
-        self.fewer(first, start, end);
-    }
-
-    /// The straight runs of a stretch, and curves between them.
-    fn straight_first(&mut self, start: Anchor, end: Anchor, runs: &[Run]) {
-        let near = self.samples.steps(self.rule.gap + 1.2);
-        let mut at = start;
-        for (i, run) in runs.iter().enumerate() {
-            let mut first = self.on_line(run.first, &run.line);
-            if at.tangent == Tangent::Free && run.first - at.index <= near {
-                first = at;
-            } else if at.index < first.index {
-                self.curve(at, first);
-            }
-            let mut last = self.on_line(run.last, &run.line);
-            if end.tangent == Tangent::Free && end.index - run.last <= near {
-                last = end;
-            } else if let Some(next) = runs.get(i + 1)
-                && next.first - run.last <= near + near
-                && let Some(point) = run.line.meets(&next.line)
-                && norm(point - self.samples.at(middle_of(run.last, next.first))) < 0.8
-            {
-                let index = middle_of(run.last, next.first);
-                last = Anchor { index, point, tangent: Tangent::Free };
-            }
-            self.emit(first, Piece::Line);
-            at = last;
-        }
-        if at.index < end.index {
-            self.curve(at, end);
-        }
+        let gap = self.samples.steps(self.rule.gap);
+        let runs = self.runs(start.index + gap, end.index - gap, true);
+        Some(Stretch::new((start, end), runs, self.outline.len(), Some((start, end))))
     }
 
     fn emit(&mut self, anchor: Anchor, piece: Piece) {
@@ -217,51 +192,10 @@ impl Divider<'_> {
         self.outline.pieces.push(piece);
     }
 
-    /// Cubics from one anchor to the next: as few as the tolerance allows, of about equal deviation.
-    fn curve(&mut self, start: Anchor, end: Anchor) {
-        self.emit_cubics(self.greedy(start, end));
-    }
-
     fn emit_cubics(&mut self, cubics: Vec<(Anchor, Cubic)>) {
         for (anchor, cubic) in cubics {
             self.emit(anchor, Piece::Cubic { leaving: cubic.leaving, arriving: cubic.arriving });
         }
-    }
-
-    /// The longest cubic that is near enough, then the next.
-    fn greedy(&self, start: Anchor, end: Anchor) -> Vec<(Anchor, Cubic)> {
-        let mut pieces = Vec::new();
-        let mut at = start;
-        let mut span = self.samples.steps(4.0).max(4);
-        while at.index < end.index {
-            let least = 4.min(end.index - at.index);
-            let furthest = end.index.min(at.index + self.longest);
-            let mut good = at.index + least;
-            // The whole way is tried first, if it may not be too long.
-            let whole = at.index == start.index || furthest - at.index <= 4 * span;
-            let mut found = if whole { self.near(at, furthest, end) } else { None };
-            if found.is_some() {
-                good = furthest;
-            } else {
-                // Pieces are about as long as the one before: double from there, then halve.
-                let mut step = span;
-                let mut grows = true;
-                while step > 0 {
-                    let wish = good + step;
-                    let longer = if wish < furthest { self.near(at, wish, end) } else { None };
-                    grows &= longer.is_some();
-                    if longer.is_some() {
-                        (good, found) = (wish, longer);
-                    }
-                    step = if grows { 2 * step } else { step / 2 };
-                }
-            }
-            span = ((good - at.index) / 2).max(least);
-            let (next, fitted) = found.unwrap_or_else(|| self.fit(at, good, end));
-            pieces.push((at, fitted.cubic));
-            at = next;
-        }
-        pieces
     }
 
     /// The anchor at a place between two others: smooth, its tangent from its side of both.

@@ -26,7 +26,7 @@ const SPACING: f64 = 0.35;
 
 /// A place of an outline.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+pub(super) struct Place {
     piece: usize,
     t: f64,
     point: Point,
@@ -47,7 +47,7 @@ pub(super) struct Bend {
 }
 
 /// Places all around, close enough to see every bend.
-fn places(outline: &Outline) -> Vec<Place> {
+pub(super) fn places(outline: &Outline) -> Vec<Place> {
     let mut places: Vec<Place> = Vec::new();
     let mut along = 0.0;
     for piece in 0..outline.len() {
@@ -81,9 +81,8 @@ fn angle(from: Vector, to: Vector) -> f64 {
     if sine.abs() < 0.1 * cosine { sine / cosine } else { libm::atan2(sine, cosine) }
 }
 
-/// All bends of an outline.
-pub(super) fn bends(outline: &Outline, rule: &BendRule) -> Vec<Bend> {
-    let places = places(outline);
+/// All bends of an outline with these places.
+pub(super) fn bends(outline: &Outline, places: &[Place], rule: &BendRule) -> Vec<Bend> {
     let count = places.len();
     let round = places[count - 1].along + norm(places[0].point - places[count - 1].point);
     if outline.len() < 3 || round < 4.0 * rule.window {
@@ -109,14 +108,14 @@ pub(super) fn bends(outline: &Outline, rule: &BendRule) -> Vec<Bend> {
         let turning = sums[end + 1] - sums[start];
         let left = turning < LEAST || best.is_some_and(|(_, _, last)| start > last);
         if left && let Some((_, first, last)) = best.take() {
-            found.push(bend(&places, (first, last), round, rule));
+            found.push(bend(places, (first, last), round, rule));
         }
         if turning >= LEAST && best.is_none_or(|(most, _, _)| turning > most) {
             best = Some((turning, start, end));
         }
     }
     if let Some((_, first, last)) = best {
-        found.push(bend(&places, (first, last), round, rule));
+        found.push(bend(places, (first, last), round, rule));
     }
     found
 }

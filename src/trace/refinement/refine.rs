@@ -183,11 +183,16 @@ impl Refiner {
         }
     }
 
-    /// Replaces an outline by another.
-    pub(super) fn replace(&mut self, field: &mut Field, shape: &mut Shape, outline: Outline) {
+    /// Takes an outline away and leaves another, which is in the field once it is shown, and the field settled.
+    pub(super) fn exchange(&mut self, field: &Field, shape: &mut Shape, outline: Outline) {
         shape.parts.iter().for_each(|parts| self.sweep.note(field, parts, -1.0));
         shape.outline = outline;
         shape.parts.resize(shape.outline.len(), Vec::new());
+    }
+
+    /// Replaces an outline by another.
+    pub(super) fn replace(&mut self, field: &mut Field, shape: &mut Shape, outline: Outline) {
+        self.exchange(field, shape, outline);
         self.show(field, shape, 0..shape.outline.len());
         field.settle();
     }

@@ -1,6 +1,6 @@
 //! Tight bends settled: a corner or a smooth way round, whichever the picture says.
 
-use super::bends::{Bend, BendRule, bends};
+use super::bends::{Bend, BendRule, Place, bends, places};
 use super::coverage::Part;
 use super::field::Field;
 use super::refine::{Left, Shape};
@@ -53,6 +53,8 @@ pub(super) struct Settling {
     /// Where this rule's trials were: in the rounds before in order, and in this one.
     tried: Vec<Point>,
     fresh: Vec<Point>,
+    /// Places of the outline, from which bends are to be found.
+    places: Option<Vec<Place>>,
     /// Bends that wait: those before a piece, where the outline has changed since they were found.
     found: Option<Vec<Bend>>,
     until: usize,
@@ -67,6 +69,7 @@ impl Settling {
             round: 0,
             tried: Vec::new(),
             fresh: Vec::new(),
+            places: None,
             found: None,
             until: usize::MAX,
         }
@@ -84,7 +87,14 @@ impl Settling {
     /// O(length of the pieces beside the bend), and O(pieces of the outline) where that changes and at the start of a round.
     pub(super) fn step(&mut self, trial: &mut Trial) -> Result<()> {
         let Some(rule) = self.rules.get(self.at) else { return Ok(()) };
-        let found = self.found.get_or_insert_with(|| bends(&trial.shape.outline, rule));
+        let Some(found) = &mut self.found else {
+            let outline = &trial.shape.outline;
+            match self.places.take() {
+                Some(places) => self.found = Some(bends(outline, &places, rule)),
+                None => self.places = Some(places(outline)),
+            }
+            return Ok(());
+        };
         while let Some(bend) = found.pop() {
             let [(first, _), (last, _)] = bend.sides;
             if first.max(last) >= self.until || is_known(&self.tried, bend.middle) {

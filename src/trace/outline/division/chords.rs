@@ -1,5 +1,6 @@
 //! Curves that a program drew as chords: one arc or far fewer cubics in place of many lines.
 
+use super::stretch::Way;
 use super::{Anchor, Divider, DivisionRule};
 use crate::numerics::Point;
 use crate::numerics::angle::sin_cos;
@@ -21,29 +22,41 @@ const FEWEST: isize = 6;
 
 impl Divider<'_> {
     /// Puts one arc or far fewer cubics in place of pieces that may be their chords, from the first of these on.
+    /// Whether that was all.
     #[inline(never)]
-    pub(super) fn fewer(&mut self, first: usize, start: Anchor, end: Anchor) {
+    pub(super) fn fewer_on(
+        &mut self,
+        first: usize,
+        (start, end): (Anchor, Anchor),
+        way: &mut Option<Way>,
+        room: &mut isize,
+    ) -> bool {
         let pieces = &self.outline.pieces[first..];
         let lines = pieces.iter().filter(|&piece| *piece == Piece::Line).count();
         let limit = CUBIC * pieces.len() - (CUBIC - 1) * lines;
         if !self.rule.chords || limit <= CUBIC {
-            return;
+            return true;
         }
         let [most, rms] = [CHORDS[0] * self.rule.most, CHORDS[1] * self.rule.rms];
-        if let Some(arc) = self.arc(start, end, (most, rms)) {
-            self.outline.truncate(first);
-            return self.emit_arc(start, &arc);
-        }
-        if limit <= MANY {
-            return;
+        if way.is_none() {
+            if let Some(arc) = self.arc(start, end, (most, rms)) {
+                self.outline.truncate(first);
+                self.emit_arc(start, &arc);
+                return true;
+            }
+            if limit <= MANY {
+                return true;
+            }
         }
         let rule = DivisionRule { most, rms, reach: SEVERAL * self.rule.reach, ..*self.rule };
         let mut none = Outline { nodes: Vec::new(), pieces: Vec::new() };
-        let cubics = Divider { rule: &rule, outline: &mut none, ..*self }.greedy(start, end);
+        let looser = Divider { rule: &rule, outline: &mut none, ..*self };
+        let Some(cubics) = looser.follow(start, end, way, room) else { return false };
         if 3 * CUBIC * cubics.len() <= 2 * limit {
             self.outline.truncate(first);
             self.emit_cubics(cubics);
         }
+        true
     }
 
     /// The arc of a circle that a whole stretch between corners is on.

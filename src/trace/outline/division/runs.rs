@@ -6,6 +6,7 @@ use crate::numerics::plane::{cross, square};
 use crate::trace::samples::{Line, line_through, unit};
 
 /// A straight run of a contour.
+#[derive(Debug)]
 pub(super) struct Run {
     pub(super) first: isize,
     pub(super) last: isize,
