@@ -85,6 +85,7 @@ const cases: readonly Case[] = [
   { id: "X-11", what: "a threshold that is a word", run: trace(RING, { threshold: "dark" }), refuses: { code: "E_TYPE", arg: "threshold" } },
   { id: "X-12", what: "a blur that is not a number", run: trace(RING, { blur: NaN }), refuses: { code: "E_NOT_FINITE", arg: "blur" } },
   { id: "X-13", what: "a corner of 0", run: trace(RING, { corner: 0 }), refuses: { code: "E_RANGE", arg: "corner", bound: "π" } },
+  { id: "X-13, near", what: "a corner of less than 0.05", run: trace(RING, { corner: 0.01 }), refuses: { code: "E_RANGE", arg: "corner", bound: "[0.05, π]" } },
   { id: "X-14", what: "a corner beyond π", run: trace(RING, { corner: 4 }), refuses: { code: "E_RANGE", arg: "corner" } },
   { id: "X-15", what: "a tolerance of 0", run: trace(RING, { tolerance: 0 }), refuses: { code: "E_RANGE", arg: "tolerance" } },
   { id: "X-16", what: "a source that there is not", run: trace(RING, { source: "colour" }), refuses: { code: "E_RANGE", arg: "source" } },

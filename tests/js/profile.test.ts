@@ -91,5 +91,6 @@ test("what makes no sense is refused", () => {
   assert.throws(() => fitProfile([0, 0]), { code: "E_TOO_FEW_POINTS" });
   assert.throws(() => fitProfile(cloud, { degree: 4 }), { code: "E_RANGE", arg: "degree" });
   assert.throws(() => fitProfile(cloud, { corner: 0 }), { code: "E_RANGE", arg: "corner" });
+  assert.throws(() => fitProfile(cloud, { corner: 0.01 }), { code: "E_RANGE", arg: "corner" });
   assert.throws(() => metrics.rmse([0, Infinity]), { code: "E_NOT_FINITE", index: 1 });
 });

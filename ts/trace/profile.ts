@@ -1,6 +1,7 @@
 /** The tools of the weighted quasi-interpolant: splines of clouds, what they miss, and the whole way from a profile's points to its curve. */
 import { type HermiteCurve, type PointsLike, curveOf, curvesIn, doorOf, finite, flag, integer, numbers, options as checkOptions, points as checkPoints, tooFewPoints, word, wrong } from "../core.js";
 import { traces } from "./trace-engine.js";
+import { LEAST_CORNER } from "./trace-options.js";
 import type { TraceMetrics } from "./trace-result.js";
 
 /** Which quasi-interpolant. */
@@ -19,7 +20,7 @@ export interface ProfileOptions {
   closed?: boolean | undefined;
   /** 1 to 3. Default 2. */
   degree?: number | undefined;
-  /** The least turning of a cusp, in radians. Default 35°; as printed 40°. */
+  /** The least turning of a cusp, in radians, 0.05 … π. Default 35°; as printed 40°. */
   corner?: number | undefined;
   /** "local", the default, takes coefficients from splines fitted nearby, on knots where they are needed; "mean" is the method as it was published. */
   method?: "local" | "mean" | undefined;
@@ -98,7 +99,7 @@ export function fitProfile(points: PointsLike, options?: ProfileOptions): Profil
   const closed = flag(op, "closed", own.closed, true) ? 1 : 0;
   const degree = own.degree === undefined ? 2 : integer(op, "degree", own.degree, 1, 3);
   const corner = own.corner === undefined ? 0 : finite(op, "corner", own.corner);
-  if (own.corner !== undefined && !(corner > 0 && corner <= Math.PI)) throw wrong("E_RANGE", op, "corner", corner, "a number in (0, π]");
+  if (own.corner !== undefined && !(corner >= LEAST_CORNER && corner <= Math.PI)) throw wrong("E_RANGE", op, "corner", corner, `a number in [${LEAST_CORNER}, π]`);
   const printed = own.method !== undefined && word(op, "method", own.method, ["local", "mean"]) === "mean" ? 1 : 0;
   write(op, given);
   const count = call(op, (kernel) => kernel.follow_profile(given.length / 2, closed, degree, printed, corner), given);

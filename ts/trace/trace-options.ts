@@ -44,7 +44,7 @@ export interface TraceOptions {
   invert?: boolean | undefined;
   /** Contours that enclose fewer square pixels are left out, and edges shorter than the outline of a square of so many. Default 2. */
   speckle?: number | undefined;
-  /** The least turning of a corner, in radians, above 0 up to π: π knows no corners. Default 0.49, 28°. */
+  /** The least turning of a corner, in radians, 0.05 … π: π knows no corners. Default 0.49, 28°. */
   corner?: number | undefined;
   /** Largest distance between a contour and its curve, in pixels, before the curve is refined against the picture. Default 0.22. */
   tolerance?: number | undefined;
@@ -69,6 +69,8 @@ const MAX_SIDE = 16_384;
 const MAX_PIXELS = 40_000_000;
 const MAX_CONTOURS = 200_000;
 const MAX_AREA = 1e9;
+/** What turns less is what pixels make of a straight line. @internal */
+export const LEAST_CORNER = 0.05;
 const MAX_COLORS = 64;
 
 const SOURCES = ["brightness", "edges", "lines"] as const;
@@ -103,7 +105,7 @@ export function traceOrder(op: string, image: unknown, options: unknown): TraceO
     optional("blur", blur, 0, 10),
     flag(op, "invert", invert, false) ? 1 : 0,
     optional("speckle", speckle, 0, MAX_AREA),
-    optional("corner", corner, 0, Math.PI),
+    optional("corner", corner, LEAST_CORNER, Math.PI),
     optional("tolerance", tolerance, 0.01, 1000),
     flag(op, "refine", refine, true) ? 1 : 0,
     maxContours === undefined ? -1 : count(op, "maxContours", maxContours, 1, "maxContours", MAX_CONTOURS),
@@ -135,8 +137,9 @@ function colorsOf(op: string, value: unknown): [number, number[]] {
 
 function within(op: string, name: string, value: unknown, least: number, most: number): number {
   const number = finite(op, name, value);
-  const bound = most === Math.PI ? "a number in (0, π]" : `a number in [${least}, ${most === MAX_AREA ? "1e9" : most}]`;
-  if (!(number >= least && number <= most) || (most === Math.PI && number === 0)) throw wrong("E_RANGE", op, name, number, bound);
+  const last = most === Math.PI ? "π" : most === MAX_AREA ? "1e9" : most;
+  const bound = `a number in [${least}, ${last}]`;
+  if (!(number >= least && number <= most)) throw wrong("E_RANGE", op, name, number, bound);
   return number;
 }
 
