@@ -227,7 +227,10 @@ export class HermiteCurve extends MeasuredCurve {
     return derived(call(op, (kernel) => kernel.insert(slot, at)));
   }
 
-  /** The curve without point i, its neighbours' tangents adapted to change the shape least; `maxError` is by how much it changed. */
+  /**
+   * The curve without point i, its neighbours' tangents adapted to change the shape least; `maxError` is by how much it changed, measured at 96
+   * places of each segment.
+   */
   remove(i: number): { curve: HermiteCurve; maxError: number } {
     const op = "remove";
     const data = dataOf(this, op);
