@@ -216,6 +216,18 @@ test("a worker that dies is replaced, and its request tried once more and no oft
   assert.equal(workers.length, 3, "the next request starts afresh");
 });
 
+test("a worker that dies while it fills the chart leaves the fit that is shown", () => {
+  const codes: string[] = [];
+  const { client: fits, workers } = client({ failed: (code) => codes.push(code) });
+  fits.fit(what(1), { by: "smoothing", smoothing: 0.1 }, false);
+  workers[0]?.answer({ kind: "fitted", subject: 1, id: 1, fits: [], ms: 1 });
+  fits.chart([0, 5]);
+  workers[0]?.dispatchEvent(Object.assign(new Event("error"), { message: "unreachable" }));
+  assert.deepEqual(codes, []);
+  fits.fit(what(1), { by: "smoothing", smoothing: 0.2 }, false);
+  assert.deepEqual(workers[1]?.ids, [2], "the next request starts afresh");
+});
+
 /** The runner on an editor, with a client that only remembers what it was asked. */
 function running(): { made: Hand; asked: { what: FitSubject; by: string; live: boolean }[] } {
   const made = hand();

@@ -129,6 +129,18 @@ test("a worker that dies is replaced, its request tried once more and no oftener
   assert.equal(traces.busy, false);
 });
 
+test("a picture that its worker dies of is refused, and the worker replaced no oftener than once for it", async () => {
+  const { traces, workers } = client();
+  const refused = assert.rejects(traces.probe(disc), { code: "E_WORKER" });
+  const die = (): boolean | undefined => workers.at(-1)?.dispatchEvent(Object.assign(new Event("error"), { message: "unreachable" }));
+  die();
+  assert.equal(workers.length, 2);
+  die();
+  await refused;
+  await traces.idle();
+  assert.equal(workers.length, 2, "nobody is left to work for");
+});
+
 test("looking at a picture disturbs no trace, and is answered with its size or with what is wrong", async () => {
   const { traces, workers } = client();
   traces.trace(disc, how);

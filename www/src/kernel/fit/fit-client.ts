@@ -44,7 +44,7 @@ export function createFitClient(start: () => Worker, handlers: FitHandlers): Fit
   const { post } = desk;
   const { idle, settle } = createWaiters(() => running === null && waiting === null);
 
-  /** A dead worker's request is tried once more in a new one. */
+  /** A dead worker's request is tried once more in a new one. Where it only filled the chart, the fit that is shown stands. */
   function replace(message: string): void {
     desk.dismiss();
     known = null;
@@ -52,7 +52,8 @@ export function createFitClient(start: () => Worker, handlers: FitHandlers): Fit
     running = null;
     waiting = null;
     handlers.restarted();
-    if (lost !== null && lost.id !== retried) {
+    if (lost === null) return settle();
+    if (lost.id !== retried) {
       retried = lost.id;
       begin(lost);
     } else {

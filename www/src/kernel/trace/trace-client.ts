@@ -42,6 +42,8 @@ const patience = 300;
 
 interface Probing {
   readonly request: Extract<TraceRequest, { kind: "probe" }>;
+  /** Whether a worker died with it already. */
+  retried: boolean;
   resolve(size: readonly [number, number]): void;
   reject(error: Error): void;
 }
@@ -86,18 +88,19 @@ export function createTraceClient(start: () => Worker, handlers: TraceHandlers, 
 
   function died(message: string): void {
     handlers.restarted();
-    const lost = running;
-    if (lost === null || lost.id !== retried) {
-      retried = lost?.id ?? 0;
-      return replace();
-    }
-    running = null;
-    for (const [id, { reject }] of probing) {
-      probing.delete(id);
-      reject(new ProbeError("E_WORKER"));
+    // Which of its requests a worker died of nobody knows: each is tried once more.
+    const lost = running?.id === retried;
+    if (lost) running = null;
+    retried = running?.id ?? 0;
+    for (const [id, probe] of probing) {
+      if (lost || probe.retried) {
+        probing.delete(id);
+        probe.reject(new ProbeError("E_WORKER"));
+      }
+      probe.retried = true;
     }
     replace();
-    handlers.failed("E_WORKER", message);
+    if (lost) handlers.failed("E_WORKER", message);
     settle();
   }
 
@@ -175,7 +178,7 @@ export function createTraceClient(start: () => Worker, handlers: TraceHandlers, 
       serial += 1;
       const request = { kind: "probe", id: serial, picture } as const;
       return new Promise((resolve, reject) => {
-        probing.set(request.id, { request, resolve, reject });
+        probing.set(request.id, { request, retried: false, resolve, reject });
         post(request);
       });
     },
