@@ -109,6 +109,19 @@ test("the eraser takes points away along its way, as one entry", () => {
   assert.equal(fitOf(made).data.length, 50);
 });
 
+test("a tool that another finger chooses while one erases is for the next press", () => {
+  const made = hand();
+  bringStrokes(made.editor, { name: "Import", strokes: [Array.from({ length: 50 }, (_, i): Pair => [10 * i, 200])] });
+  chooseFitTool(made.editor, "erase");
+  made.editor.patch({ view: { zoom: 1, x: 400, y: 300 } });
+  made.moveTo(100, 200).press().moveTo(150, 200);
+  chooseFitTool(made.editor, "draw");
+  made.release();
+  assert.equal(made.editor.fitEdits.inGesture, false);
+  made.run("undo");
+  assert.equal(fitOf(made).data.length, 50);
+});
+
 test("erasing a whole stroke removes it, and what is left keeps its strokes", () => {
   const fit = withStroke(withStroke({ ...fitDefaults, data: [] }, [[0, 0], [1, 0]]), [[100, 0], [101, 0], [150, 0]]);
   const less = withoutDisc(fit, 0.5, 0, 5);

@@ -2,6 +2,7 @@ import type { Pair } from "../../document/fit/fit.ts";
 import { toPage } from "../../editor/pointer/camera.ts";
 import type { Editor } from "../../editor/editor.ts";
 import { addPoint, addStroke, eraseAt, setFitView } from "../../editor/fit/fit-edits.ts";
+import type { FitTool } from "../../editor/fit/fit-state.ts";
 import { knotAt } from "../../editor/fit/knot-hit.ts";
 import { distanceBetween, dragThreshold, type PointerSample, type Tool } from "../../editor/tool.ts";
 
@@ -14,6 +15,8 @@ const leastStep = 0.75;
 
 interface Press {
   readonly start: PointerSample;
+  /** What it was pressed with: another finger may choose another tool meanwhile. */
+  readonly tool: FitTool;
   /** A mouse on a knot means the knot; a finger is too wide to tell. */
   readonly onKnot: boolean;
   dragging: boolean;
@@ -64,8 +67,8 @@ export function createFitTool(editor: Editor): Tool {
     hover,
     press(sample) {
       const onKnot = sample.kind === "mouse" && knotAt(editor.state.value, sample.screen, sample.kind) !== null;
-      press = { start: sample, onKnot, dragging: false, stroke: [[sample.page.x, sample.page.y]] };
-      if (view().tool !== "erase") return;
+      press = { start: sample, tool: view().tool, onKnot, dragging: false, stroke: [[sample.page.x, sample.page.y]] };
+      if (press.tool !== "erase") return;
       editor.fitEdits.begin("Erase");
       press.dragging = true;
       erase(sample);
@@ -74,7 +77,7 @@ export function createFitTool(editor: Editor): Tool {
       if (press === null) return;
       if (!press.dragging && distanceBetween(press.start.screen, sample.screen) < dragThreshold[sample.kind]) return;
       press.dragging = true;
-      switch (view().tool) {
+      switch (press.tool) {
         case "draw":
           return press.onKnot ? undefined : drawTo(press, sample);
         case "erase":
@@ -85,9 +88,9 @@ export function createFitTool(editor: Editor): Tool {
     },
     release(sample) {
       if (press === null) return;
-      const { start, onKnot, dragging, stroke } = press;
+      const { start, tool, onKnot, dragging, stroke } = press;
       press = null;
-      switch (view().tool) {
+      switch (tool) {
         case "erase":
           editor.fitEdits.commit();
           return;
