@@ -397,3 +397,13 @@ fn a_curve_of_one_point_becomes_few_cubics_whatever_its_coordinates() {
         }
     }
 }
+
+#[test]
+fn finer_control_points_beyond_the_limits_are_refused_where_they_are_made() {
+    let points: Vec<f64> = (0..14).map(|i| if i / 2 % 2 == 0 { -9e8 } else { 9e8 }).collect();
+    let roots = Roots::hyperbola(1.85).expect("in range");
+    let curve = InterpolatingCurve::new(points, 2, true, Some(roots)).expect("in range");
+    // The control points lie outside the points: at 1.03e9 here, of which no curve can be made.
+    let refused = unboxed(curve.refine(1, 2, 2)).map(|_| ());
+    assert!(matches!(refused, Err(Error::OutOfRange { argument: "points", .. })), "{refused:?}");
+}

@@ -195,3 +195,28 @@ fn refinements_beyond_the_limits_are_refused() {
     let refused = unboxed(surface.refine_at(3.0, 3.0, 1, 1e-9)).map(|_| ());
     assert!(matches!(refused, Err(Error::Degenerate { argument: "reach", .. })), "{refused:?}");
 }
+
+#[test]
+fn a_derived_surface_is_one_that_can_be_made_of_its_own_numbers_or_it_is_refused() {
+    let roots = Roots::hyperbola(1.85).expect("a root list by intent");
+    let direction = Direction { roots, count: 7, closed: true, level: 0 };
+    let net = (0..147).map(|i| if i % 2 == 0 { 9e8 } else { -9e8 }).collect();
+    let surface = TensorSurface::new(net, direction.clone(), direction).expect("the net fits");
+    // Control points lie beyond the points that they interpolate: at 1.17e9 here.
+    let refused = unboxed(surface.refine(1, 1)).map(|_| ());
+    assert!(matches!(refused, Err(Error::OutOfRange { argument: "net", .. })), "{refused:?}");
+    let sphere = TensorSurface::sphere(1.0, [8, 4]).expect("in the ranges");
+    let mut moved = sphere.clone();
+    let mut refused = None;
+    for i in 0..8 {
+        let before = moved.clone();
+        let x = if i < 3 || i == 7 { 9.9e8 } else { -9.9e8 };
+        // Rows beyond the pole are row 2 less twice its first harmonic: up to 1.4e9.
+        if let Err(error) = moved.set_point(i, 2, Vector3::new(x, 0.0, 0.0)) {
+            assert_eq!(moved, before, "a point that is refused changes nothing");
+            refused = Some(*error);
+        }
+        assert!(moved.net().iter().all(|x| x.abs() <= 1e9), "after point {i}");
+    }
+    assert!(matches!(refused, Some(Error::OutOfRange { argument: "net", .. })), "{refused:?}");
+}

@@ -88,7 +88,8 @@ impl TensorSurface {
     ///
     /// # Errors
     ///
-    /// `OutOfRange` for `patch`, `i` and `j`; `NotFinite` and `OutOfRange` for `x`, `y` and `z`.
+    /// `OutOfRange` for `patch`, `i` and `j`; `NotFinite` and `OutOfRange` for `x`, `y` and `z`; `OutOfRange` for `displacements`
+    /// where the point would be moved by more than 2e9.
     pub fn set_patch_point(&mut self, patch: usize, i: usize, j: usize, point: Vector3) -> Result<()> {
         let Layer { rows, columns, .. } = self.patch(patch)?;
         let (rows, columns) = (rows.count, columns.count);
@@ -99,9 +100,18 @@ impl TensorSurface {
         }
         let shown = self.patch_points(patch)?;
         let at = 3 * (i * columns + j);
-        for (k, number) in self.layers[patch + 1].point_mut(i, j).iter_mut().enumerate() {
-            *number += point[k] - shown[at + k];
+        let mut moved = [0.0; 3];
+        for (k, number) in moved.iter_mut().enumerate() {
+            *number = self.patch(patch)?.point(i, j)[k] + (point[k] - shown[at + k]);
+            check(
+                "displacements",
+                Some(at + k),
+                *number,
+                -2.0 * LARGEST_COORDINATE,
+                2.0 * LARGEST_COORDINATE,
+            )?;
         }
+        self.layers[patch + 1].point_mut(i, j).copy_from_slice(&moved);
         Ok(())
     }
 

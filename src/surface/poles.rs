@@ -54,7 +54,8 @@ impl TensorSurface {
     ///
     /// # Errors
     ///
-    /// `OutOfRange` for `i` and `j`; `NotFinite` and `OutOfRange` for `x`, `y` and `z`.
+    /// `OutOfRange` for `i` and `j`; `NotFinite` and `OutOfRange` for `x`, `y` and `z`; `OutOfRange` for `net` where a point that
+    /// follows would not be within ±1e9. The surface is as it was then.
     pub fn set_point(&mut self, i: usize, j: usize, point: Vector3) -> Result<()> {
         let base = self.base();
         check("i", None, i as f64, 0.0, (base.u.direction.count - 1) as f64)?;
@@ -63,8 +64,20 @@ impl TensorSurface {
             check(argument, None, number, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
         }
         let poles = self.smooth_poles();
+        if poles.is_empty() {
+            self.set(i, j, point);
+            return Ok(());
+        }
+        let mut moved = self.clone();
+        moved.follow(&poles, i, j, point);
+        *self = moved.within_limits()?;
+        Ok(())
+    }
+
+    /// Moves point (i, j), and what the poles take along.
+    fn follow(&mut self, poles: &[Pole], i: usize, j: usize, point: Vector3) {
         self.set(i, j, point);
-        for pole in poles {
+        for &pole in poles {
             if pole.place(pole.row, if pole.open_u { j } else { i }) == (i, j) {
                 for k in 0..pole.around {
                     let (i, j) = pole.place(pole.row, k);
@@ -77,7 +90,6 @@ impl TensorSurface {
                 }
             }
         }
-        Ok(())
     }
 
     /// The other points of the net that move with (i, j).

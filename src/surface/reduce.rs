@@ -49,7 +49,7 @@ impl TensorSurface {
     ///
     /// # Errors
     ///
-    /// `OutOfRange` for more levels than a direction has; `Degenerate` and `TooFewPoints` for a net that cannot be halved so
+    /// `OutOfRange` for more levels than a direction has, and for a coarser `net` that is not within ±1e9; `Degenerate` and `TooFewPoints` for a net that cannot be halved so
     /// often.
     ///
     /// # Accuracy
@@ -80,7 +80,7 @@ impl TensorSurface {
         let deviation = Self { layers: vec![difference] }.reach();
         let mut layers = vec![coarse];
         layers.extend_from_slice(&self.layers[1..]);
-        Ok((Self { layers }, deviation))
+        Ok((Self { layers }.within_limits()?, deviation))
     }
 
     /// The largest distance from the origin.

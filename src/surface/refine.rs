@@ -106,7 +106,8 @@ impl TensorSurface {
     ///
     /// # Errors
     ///
-    /// `OutOfRange` for more than 12 levels in all; `LimitExceeded` for `levels` beyond 16 million points.
+    /// `OutOfRange` for more than 12 levels in all, and for a finer `net` that is not within ±1e9; `LimitExceeded` for `levels`
+    /// beyond 16 million points.
     ///
     /// # Source
     ///
@@ -126,7 +127,7 @@ impl TensorSurface {
             }
         }
         layers.insert(0, refined);
-        Ok(Self { layers })
+        Self { layers }.within_limits()
     }
 }
 

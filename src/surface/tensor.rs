@@ -48,11 +48,19 @@ impl TensorSurface {
         if net.len() != 3 * points {
             return Err(Error::wrong_length("net", net.len(), 3 * points));
         }
-        for (i, &number) in net.iter().enumerate() {
+        settle(&mut net);
+        Self::from_axes(net, u, v).within_limits()
+    }
+
+    /// The surface, if its numbers are those that a surface can be made of: what is derived can be loaded and asked, too.
+    pub(super) fn within_limits(self) -> Result<Self> {
+        for (i, &number) in self.net().iter().enumerate() {
             check("net", Some(i), number, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
         }
-        settle(&mut net);
-        Ok(Self::from_axes(net, u, v))
+        for number in self.layers[1..].iter().flat_map(|patch| &patch.net) {
+            check("displacements", None, *number, -2.0 * LARGEST_COORDINATE, 2.0 * LARGEST_COORDINATE)?;
+        }
+        Ok(self)
     }
 
     /// The surface of a net that is known to fit its axes.

@@ -91,7 +91,7 @@ impl BSplineCurve {
     ///
     /// # Errors
     ///
-    /// m not from 1 to 1024; more than 4 million points.
+    /// m not from 1 to 1024; more than 4 million points; points that would not be within ±1e9.
     ///
     /// # Source
     ///
@@ -99,6 +99,7 @@ impl BSplineCurve {
     pub fn refine(&self, m: usize) -> Result<Self> {
         let (dimension, closed) = (self.dimension(), self.is_closed());
         let points = finer(&self.points, dimension, closed, &self.lattice.shape.roots, m)?;
+        check_points(&points, dimension, 1)?;
         let grid = (self.lattice.start, self.lattice.step / m as f64);
         Self::with_roots(points, dimension, closed, self.roots().clone(), grid)
     }

@@ -90,7 +90,7 @@ impl InterpolatingCurve {
     ///
     /// # Errors
     ///
-    /// `levels` not from 1 to 24, m₀ not even, a factor above 1024, more than 4 million points.
+    /// `levels` not from 1 to 24, m₀ not even, a factor above 1024, more than 4 million points, points that would not be within ±1e9.
     ///
     /// # Accuracy
     ///
@@ -110,6 +110,7 @@ impl InterpolatingCurve {
         }
         let (points, _) = self.generator.acting(&self.points, dimension, closed)?;
         let fine = from_points(&points, dimension, closed, &self.generator, m0)?;
+        check_points(&fine, dimension, 1)?;
         let mut curve =
             BSplineCurve::with_roots(fine, dimension, closed, self.roots().clone(), (0.0, 1.0 / m0 as f64))?;
         for _ in 1..levels {

@@ -2,7 +2,7 @@
 
 use super::b_spline::BSplineCurve;
 use super::interpolating::InterpolatingCurve;
-use super::lattice::Lattice;
+use super::lattice::{Lattice, check_points};
 use super::spline_sampler::SplineSampler;
 use crate::error::{Error, Result};
 use crate::generator::affine_refinement_filter;
@@ -21,7 +21,7 @@ impl BSplineCurve {
     /// # Errors
     ///
     /// m not from 1 to 1024, or not a divisor of the number of cells; a coarse grid of fewer than 3 closed cells, or with
-    /// |im|·step ≥ π.
+    /// |im|·step ≥ π; points that would not be within ±1e9.
     ///
     /// # Accuracy
     ///
@@ -47,6 +47,7 @@ impl BSplineCurve {
         let filter = affine_refinement_filter(&local, m)?;
         let target = Target::finer(count, closed, order, m)?;
         let points = least_squares(&target, self.points(), dimension, m, &filter, coarse.points().len())?;
+        check_points(&points, dimension, 1)?;
         let refined = target.fill(&points, dimension, m, &filter)?;
         let difference = refined.iter().zip(self.points()).map(|(a, b)| a - b).collect();
         Ok((coarse.with_points(points)?, self.with_points(difference)?.lattice.reach()?))
