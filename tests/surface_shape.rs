@@ -177,6 +177,34 @@ fn a_part_of_a_mesh_is_that_part_of_the_whole_to_the_bit() {
 }
 
 #[test]
+fn a_point_that_is_moved_far_away_changes_no_normal_where_it_does_not_act() {
+    let grid = Grid { rows: 64, cols: 64 };
+    let before = TensorSurface::sphere(1.0, [16, 16]).expect("in the ranges");
+    let (positions, normals, _) = mesh(&before, grid, &TensorSurface::whole(grid));
+    // A million times as large as the sphere: all other normals were once taken for those of degenerate places.
+    for x in [1e3, 1e6, 1e9] {
+        let mut surface = before.clone();
+        let (i, j) = (0, 10);
+        surface.set_point(i, j, Vector3::new(x, 0.0, 0.0)).expect("in the net");
+        let region = surface.touched(grid, i, j).expect("in the net");
+        let (moved, moved_normals, without) = mesh(&surface, grid, &TensorSurface::whole(grid));
+        assert_eq!(without, 0, "{x}: every vertex has a normal");
+        let within = |range: &core::ops::Range<usize>, k: usize, count: usize| {
+            range.contains(&k) || range.contains(&(k + count))
+        };
+        for k in 0..64 * 64 {
+            if within(&region.rows, k / 64, 64) && within(&region.cols, k % 64, 64) {
+                continue;
+            }
+            assert_eq!(moved[3 * k..][..3], positions[3 * k..][..3], "{x}: position {k}");
+            assert_eq!(moved_normals[3 * k..][..3], normals[3 * k..][..3], "{x}: normal {k}");
+        }
+        let curvature = surface.curvature(8.0, 5.0).expect("in the domain");
+        assert!((curvature.gaussian - 1.0).abs() < CURVATURES, "{x}: {}", curvature.gaussian);
+    }
+}
+
+#[test]
 fn triangles_close_the_surface_and_face_where_normals_point() {
     let grid = Grid { rows: 20, cols: 15 };
     for (surface, triangles) in

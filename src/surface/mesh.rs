@@ -15,7 +15,8 @@ use crate::limits::{MOST_OUTPUT_POINTS, check, filled, too_many, with_room};
 use crate::numerics::Vector3;
 use crate::numerics::pair::Pair;
 
-/// A vertex whose ∂ᵤσ × ∂ᵥσ is below this part of the size squared asks [`TensorSurface::normal_at`].
+/// A vertex whose ∂ᵤσ × ∂ᵥσ is below this part of the size squared asks [`TensorSurface::normal_at`]: the size of what it sees, so that
+/// a vertex that a moved point does not reach keeps its bits.
 const DOUBTFUL: f64 = 1e-9;
 
 /// A grid of parameters: `rows` of them in u, `cols` in v.
@@ -214,7 +215,7 @@ fn add_line(line: &[f64], weights: &[f64; 3], row: &mut [f64], stride: usize) {
     }
 }
 
-/// Positions and normals of a row of vertices. A normal whose square is not above `doubtful` begins with NaN; whether there is none.
+/// Positions and normals of a row of vertices, and the squares of ∂ᵤσ × ∂ᵥσ; whether all of those are above `doubtful`.
 ///
 /// It calls nothing, and works on two vertices at a time where they lie between the same points.
 #[inline(never)]
@@ -223,8 +224,9 @@ fn fill_row(
     doubtful: f64,
     positions: &mut [[f64; 3]],
     normals: &mut [[f64; 3]],
+    squares: &mut [f64],
 ) -> bool {
-    let (across, mut certain, mut j) = (positions.len().min(normals.len()), true, 0);
+    let (across, mut certain, mut j) = (positions.len().min(normals.len()).min(squares.len()), true, 0);
     while j < across {
         let mut beside = usize::from(j + 1 < across);
         for Combined { columns, .. } in layers.iter().filter(|layer| layer.active) {
@@ -246,13 +248,9 @@ fn fill_row(
         normals[j + beside] = [p.second(), q.second(), r.second()];
         positions[j] = [x.first(), y.first(), z.first()];
         normals[j] = [p.first(), q.first(), r.first()];
-        for (k, square) in [(j, square.first()), (j + beside, square.second())] {
-            if square > doubtful {
-                continue;
-            }
-            normals[k][0] = f64::NAN;
-            certain = false;
-        }
+        squares[j + beside] = square.second();
+        squares[j] = square.first();
+        certain &= square.first() > doubtful && square.second() > doubtful;
         j += 1 + beside;
     }
     certain
@@ -334,21 +332,29 @@ impl TensorSurface {
             return Ok(0);
         }
         let (positions, normals) = (positions.as_chunks_mut::<3>().0, normals.as_chunks_mut::<3>().0);
-        let (across, size) = (region.cols.len(), self.size());
-        let doubtful = (DOUBTFUL * size * size) * (DOUBTFUL * size * size);
-        let (mut scratch, mut without) = (Scratch::default(), 0);
+        let across = region.cols.len();
+        let doubtful = |size: f64| (DOUBTFUL * size * size) * (DOUBTFUL * size * size);
+        // No vertex sees more than the whole net: what is certain by that is certain.
+        let most = doubtful(self.extent());
+        let (mut scratch, mut without, mut squares) = (Scratch::default(), 0, filled(0.0, across)?);
         for i in 0..region.rows.len() {
             for layer in &mut layers {
                 layer.prepare(i);
             }
             let vertices = i * across..(i + 1) * across;
-            if fill_row(&layers, doubtful, &mut positions[vertices.clone()], &mut normals[vertices.clone()]) {
+            let (positions, normals) = (&mut positions[vertices.clone()], &mut normals[vertices]);
+            if fill_row(&layers, most, positions, normals, &mut squares) {
                 continue;
             }
-            for (j, normal) in
-                normals[vertices].iter_mut().enumerate().filter(|(_, normal)| normal[0].is_nan())
-            {
+            for (j, (normal, &square)) in normals.iter_mut().zip(&squares).enumerate() {
+                if square > most {
+                    continue;
+                }
                 let (u, v) = self.vertex(grid, region.rows.start + i, region.cols.start + j);
+                let size = self.extent_at(u, v);
+                if square > doubtful(size) {
+                    continue;
+                }
                 let limit = self.normal_at(u, v, size, &mut scratch);
                 without += usize::from(limit == Vector3::zeros());
                 normal.copy_from_slice(limit.as_slice());
@@ -369,7 +375,7 @@ impl TensorSurface {
         if out.len() != needed {
             return Err(Error::wrong_length("out", out.len(), needed));
         }
-        let (size, mut scratch) = (self.size(), Scratch::default());
+        let (size, mut scratch) = (self.extent(), Scratch::default());
         let across = region.cols.len().max(1);
         let (gaussian, mean) = out.split_at_mut(needed / 2);
         let rows = gaussian.chunks_exact_mut(across).zip(mean.chunks_exact_mut(across));
@@ -384,7 +390,7 @@ impl TensorSurface {
                 }
                 let curvature = jet.curvature(size).unwrap_or_else(|| {
                     let (u, v) = self.vertex(grid, region.rows.start + i, region.cols.start + j);
-                    self.curvature_at(u, v, size, &mut scratch)
+                    self.curvature_at(u, v, &mut scratch)
                 });
                 (*gaussian, *mean) = (curvature.gaussian, curvature.mean);
             }

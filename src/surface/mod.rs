@@ -20,6 +20,7 @@
 
 mod axis;
 mod character;
+mod extent;
 mod layer;
 mod mesh;
 mod normal;

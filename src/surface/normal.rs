@@ -70,6 +70,8 @@ impl TensorSurface {
     /// The unit normal at parameters that were checked, or 0 where there is none.
     ///
     /// Where ∂ᵤσ × ∂ᵥσ vanishes, the normal is its limit from inside the domain: the direction in which it grows (D 11.3).
+    ///
+    /// `size` is that of the points that weigh on the place.
     pub(super) fn normal_at(&self, u: f64, v: f64, size: f64, scratch: &mut Scratch) -> Vector3 {
         let jet = self.jet(u, v, scratch);
         let least = NOTHING * size * size;
@@ -114,8 +116,9 @@ impl TensorSurface {
         if out.len() != 3 * u.len() {
             return Err(Error::wrong_length("out", out.len(), 3 * u.len()));
         }
-        let (size, mut scratch) = (self.size(), Scratch::default());
+        let mut scratch = Scratch::default();
         for ((&u, &v), normal) in u.iter().zip(v).zip(out.chunks_exact_mut(3)) {
+            let size = self.extent_at(u, v);
             normal.copy_from_slice(self.normal_at(u, v, size, &mut scratch).as_slice());
         }
         Ok(())
@@ -145,7 +148,7 @@ impl TensorSurface {
     /// Those of [`TensorSurface::evaluate`].
     pub fn curvature(&self, u: f64, v: f64) -> Result<Curvature> {
         self.check_places(&[u], &[v])?;
-        Ok(self.curvature_at(u, v, self.size(), &mut Scratch::default()))
+        Ok(self.curvature_at(u, v, &mut Scratch::default()))
     }
 
     /// Curvatures at pairs of parameters: all Gaussian ones, then all mean ones; see [`TensorSurface::curvature`].
@@ -158,17 +161,18 @@ impl TensorSurface {
         if out.len() != 2 * u.len() {
             return Err(Error::wrong_length("out", out.len(), 2 * u.len()));
         }
-        let (size, mut scratch) = (self.size(), Scratch::default());
+        let mut scratch = Scratch::default();
         let (gaussian, mean) = out.split_at_mut(u.len());
         for (((&u, &v), gaussian), mean) in u.iter().zip(v).zip(gaussian).zip(mean) {
-            let curvature = self.curvature_at(u, v, size, &mut scratch);
+            let curvature = self.curvature_at(u, v, &mut scratch);
             (*gaussian, *mean) = (curvature.gaussian, curvature.mean);
         }
         Ok(())
     }
 
     /// Curvatures at parameters that were checked.
-    pub(super) fn curvature_at(&self, u: f64, v: f64, size: f64, scratch: &mut Scratch) -> Curvature {
+    pub(super) fn curvature_at(&self, u: f64, v: f64, scratch: &mut Scratch) -> Curvature {
+        let size = self.extent_at(u, v);
         if let Some(curvature) = self.jet(u, v, scratch).curvature(size) {
             return curvature;
         }

@@ -164,7 +164,7 @@ impl TensorSurface {
     }
 
     fn is_smooth(&self, pole: Pole) -> bool {
-        let near = KEPT * self.size();
+        let near = KEPT * self.extent();
         let point = |row: usize, k: usize| {
             let (i, j) = pole.place(row, k);
             self.get(i, j)

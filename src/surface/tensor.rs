@@ -157,15 +157,4 @@ impl TensorSurface {
         }
         sum
     }
-
-    /// Half the diagonal of the net's box: the size that rounding is judged by.
-    pub(super) fn size(&self) -> f64 {
-        let mut square = 0.0;
-        for k in 0..3 {
-            let numbers = self.net().iter().skip(k).step_by(3);
-            let (least, most) = numbers.fold((f64::MAX, f64::MIN), |(a, b), &x| (a.min(x), b.max(x)));
-            square += (0.5 * (most - least)) * (0.5 * (most - least));
-        }
-        square.sqrt()
-    }
 }
