@@ -321,7 +321,10 @@ export abstract class MeasuredCurve implements Curve {
     return values;
   }
 
-  /** A polyline that is nowhere farther from the curve than `tolerance`: all coordinates in turn; a closed one does not repeat its start. */
+  /**
+   * A polyline that is nowhere farther from the curve than `tolerance`: all coordinates in turn; a closed one does not repeat its start.
+   * A tolerance below 1e-9 of the curve's extent counts as that.
+   */
   flatten(tolerance: number): Float64Array {
     const op = "flatten";
     const data = dataOf(this, op);
@@ -330,7 +333,10 @@ export abstract class MeasuredCurve implements Curve {
     return data.door.copy(data.door.call(op, (kernel) => kernel.flatten(slot, within)));
   }
 
-  /** Cubic Béziers within `tolerance`, eight numbers each (twelve in space), as few as it takes; `maxError` is a proved bound of the distance. */
+  /**
+   * Cubic Béziers within `tolerance`, eight numbers each (twelve in space), as few as it takes; `maxError` is a proved bound of the distance.
+   * A tolerance below 1e-9 of the curve's extent counts as that.
+   */
   toCubics(tolerance: number): { path: Float64Array; maxError: number } {
     const op = "toCubics";
     const data = dataOf(this, op);
