@@ -1,7 +1,8 @@
 //! Logos and drawings: outlines of ink, as few pieces as their coverage allows.
 
+mod looking;
+
 use super::agreement::Comparison;
-use super::chain_work::speckle_for;
 use super::outline::Outline;
 use super::outline::arcs::arcs;
 use super::outline::corners::{Corner, corners};
@@ -21,22 +22,16 @@ use super::refinement::field::Shading;
 use super::samples::Samples;
 use super::tracer::{Progress, Stage, Trace, TraceOptions, TracedContour, Work};
 use crate::curve::HermiteCurve;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::numerics::Point;
 use crate::numerics::plane::larger;
 
-/// Noise above which pictures are blurred before they are followed, as a share of the way from ink to paper.
-const NOISY: f64 = 3.0 / 255.0;
 /// How far the contour of an ellipse may be from it, in pixels.
 const ROUND: f64 = 0.16;
 /// And at most so many times farther from an arc of a circle, with which less of it could be compared.
 const BENT: f64 = 4.0;
-/// Contours of less area, in pixels, are noise in a noisy picture.
-const NOISY_SPECKLE: f64 = 6.0;
 /// Contours of sampled edges are evened over so many pixels before their first outline is made, the deviation of a Gaussian.
 const EVENED: f64 = 1.7;
-/// Pixels of one bit of work.
-const BIT: usize = 131_072;
 
 /// Outlines of ink on their way.
 #[derive(Debug)]
@@ -140,42 +135,9 @@ impl InkWork {
         self.progress = Progress { done: false, stage, completed: 0, total };
     }
 
-    /// Tones are known: noise decides whether the picture is blurred.
-    fn toned(&mut self, tones: Tones) -> Result<()> {
-        (self.tones, self.trace.tones) = (tones, tones);
-        if tones.noise > NOISY {
-            self.quality = Quality::Noisy;
-        }
-        let found = if self.quality == Quality::Noisy { 1.2 } else { 0.0 };
-        let sigma = self.options.blur.unwrap_or(found);
-        if sigma > 0.0 {
-            self.phase = Phase::Smooth(Blurring::new(&self.gray, sigma)?);
-        } else {
-            self.scan();
-        }
-        Ok(())
-    }
-
     /// The shade between ink and paper.
     fn level(&self) -> f64 {
         self.options.threshold.map_or(self.tones.middle(), |shade| 256.0 * shade)
-    }
-
-    fn scan(&mut self) {
-        let scan = ContourScan::new(&self.gray, self.level(), self.options.inverted);
-        self.enter(Phase::Contours(scan), Stage::Contours, self.gray.height() + 1);
-    }
-
-    fn scanned(&mut self, found: Vec<Contour>) -> Result<()> {
-        if found.len() > self.options.most_contours {
-            let most = self.options.most_contours;
-            self.offer = speckle_for(most, found.iter().map(|contour| contour.area.abs()).collect());
-            return Err(Error::limit("data", "maxContours", most, found.len() as f64));
-        }
-        self.smoothed = None;
-        self.found = found;
-        self.enter(Phase::Corners, Stage::Corners, self.found.len());
-        Ok(())
     }
 
     /// What pixels say of a contour; where they are of two tones, it goes between them first.
@@ -356,53 +318,6 @@ impl InkWork {
         let (cost, done) = work(self, i);
         self.progress.completed += usize::from(done);
         (cost, done && i + 1 == self.found.len())
-    }
-
-    /// Some rows of the picture more, until contours are known.
-    fn look(&mut self) -> Result<f64> {
-        let (width, height) = (self.gray.width(), self.gray.height());
-        let rows = (BIT / width).max(1);
-        let row = 0.2 * (width as f64);
-        match &mut self.phase {
-            Phase::Light(evening) => {
-                if evening.step(&mut self.gray) {
-                    self.phase = Phase::Tones(ToneScan::new(None));
-                }
-                return Ok(row);
-            }
-            Phase::Tones(scan) => {
-                if let Some(tones) = scan.step(&self.gray) {
-                    self.toned(tones)?;
-                }
-                return Ok(row);
-            }
-            Phase::Smooth(blurring) => {
-                for _ in 0..(rows / 8).max(1) {
-                    if let Some(smoothed) = blurring.step(&self.gray) {
-                        self.smoothed = Some(smoothed);
-                        self.scan();
-                        break;
-                    }
-                    self.progress.completed = blurring.rows();
-                }
-            }
-            Phase::Contours(scan) => {
-                let gray = self.smoothed.as_ref().unwrap_or(&self.gray);
-                for _ in 0..rows {
-                    if !scan.step(gray)? {
-                        let asked = self.options.speckle;
-                        let speckle =
-                            if self.quality == Quality::Noisy { asked.max(NOISY_SPECKLE) } else { asked };
-                        let found = scan.contours(speckle)?;
-                        self.scanned(found)?;
-                        return Ok(1000.0);
-                    }
-                }
-                self.progress.completed = scan.rows().min(height);
-            }
-            _ => {}
-        }
-        Ok(1000.0)
     }
 
     /// A bit of the refinement.

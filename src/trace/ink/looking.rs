@@ -1,0 +1,99 @@
+//! What is done with a picture until the contours of its ink are known.
+
+use super::{InkWork, Phase};
+use crate::error::{Error, Result};
+use crate::trace::chain_work::speckle_for;
+use crate::trace::picture::blur::Blurring;
+use crate::trace::picture::contour::{Contour, ContourScan};
+use crate::trace::picture::tones::{ToneScan, Tones};
+use crate::trace::quality::Quality;
+use crate::trace::tracer::Stage;
+
+/// Noise above which pictures are blurred before they are followed, as a share of the way from ink to paper.
+const NOISY: f64 = 3.0 / 255.0;
+/// Contours of less area, in pixels, are noise in a noisy picture.
+const NOISY_SPECKLE: f64 = 6.0;
+/// Pixels of one bit of work.
+const BIT: usize = 131_072;
+
+impl InkWork {
+    /// Tones are known: noise decides whether the picture is blurred.
+    fn toned(&mut self, tones: Tones) -> Result<()> {
+        (self.tones, self.trace.tones) = (tones, tones);
+        if tones.noise > NOISY {
+            self.quality = Quality::Noisy;
+        }
+        let found = if self.quality == Quality::Noisy { 1.2 } else { 0.0 };
+        let sigma = self.options.blur.unwrap_or(found);
+        if sigma > 0.0 {
+            self.phase = Phase::Smooth(Blurring::new(&self.gray, sigma)?);
+        } else {
+            self.scan();
+        }
+        Ok(())
+    }
+
+    fn scan(&mut self) {
+        let scan = ContourScan::new(&self.gray, self.level(), self.options.inverted);
+        self.enter(Phase::Contours(scan), Stage::Contours, self.gray.height() + 1);
+    }
+
+    fn scanned(&mut self, found: Vec<Contour>) -> Result<()> {
+        if found.len() > self.options.most_contours {
+            let most = self.options.most_contours;
+            self.offer = speckle_for(most, found.iter().map(|contour| contour.area.abs()).collect());
+            return Err(Error::limit("data", "maxContours", most, found.len() as f64));
+        }
+        self.smoothed = None;
+        self.found = found;
+        self.enter(Phase::Corners, Stage::Corners, self.found.len());
+        Ok(())
+    }
+
+    /// Some rows of the picture more, until contours are known.
+    pub(super) fn look(&mut self) -> Result<f64> {
+        let (width, height) = (self.gray.width(), self.gray.height());
+        let rows = (BIT / width).max(1);
+        let row = 0.2 * (width as f64);
+        match &mut self.phase {
+            Phase::Light(evening) => {
+                if evening.step(&mut self.gray) {
+                    self.phase = Phase::Tones(ToneScan::new(None));
+                }
+                return Ok(row);
+            }
+            Phase::Tones(scan) => {
+                if let Some(tones) = scan.step(&self.gray) {
+                    self.toned(tones)?;
+                }
+                return Ok(row);
+            }
+            Phase::Smooth(blurring) => {
+                for _ in 0..(rows / 8).max(1) {
+                    if let Some(smoothed) = blurring.step(&self.gray) {
+                        self.smoothed = Some(smoothed);
+                        self.scan();
+                        break;
+                    }
+                    self.progress.completed = blurring.rows();
+                }
+            }
+            Phase::Contours(scan) => {
+                let gray = self.smoothed.as_ref().unwrap_or(&self.gray);
+                for _ in 0..rows {
+                    if !scan.step(gray)? {
+                        let asked = self.options.speckle;
+                        let speckle =
+                            if self.quality == Quality::Noisy { asked.max(NOISY_SPECKLE) } else { asked };
+                        let found = scan.contours(speckle)?;
+                        self.scanned(found)?;
+                        return Ok(1000.0);
+                    }
+                }
+                self.progress.completed = scan.rows().min(height);
+            }
+            _ => {}
+        }
+        Ok(1000.0)
+    }
+}
