@@ -44,8 +44,7 @@ struct Divider<'a> {
     longest: isize,
 }
 
-/// Stretches between corners, and places along them, that are divided in one step.
-const STRETCHES: usize = 512;
+/// Places that are divided in about one step: looked at for straight runs, and followed by cubics.
 const PLACES: isize = 8192;
 
 /// A contour that is being divided.
@@ -63,11 +62,11 @@ impl Division {
         Self { outline: Outline { nodes: Vec::new(), pieces: Vec::new() }, at: 0, stretch: None }
     }
 
-    /// Some stretches more; the outline, when they were the last.
+    /// Some places more; the outline, when they were the last.
     ///
     /// # Cost
     ///
-    /// O(places of the stretches), and O(nodes) at last.
+    /// O(1), but for a stretch whose straight runs are looked for at once: O(places between two corners). O(nodes) at last.
     pub(in crate::trace) fn step(
         &mut self,
         samples: &Samples,
@@ -76,16 +75,16 @@ impl Division {
     ) -> Option<Outline> {
         let count = samples.len() as isize;
         let mut divider = Divider { samples, rule, outline: &mut self.outline, longest: count / 2 };
-        let (first, mut room) = (self.at, PLACES);
+        let mut room = PLACES;
         while self.at < corners.len().max(1) {
-            if room <= 0 || self.at == first + STRETCHES {
+            if room <= 0 {
                 return None;
             }
             let begun = self.stretch.take().or_else(|| {
                 let Some(corner) = corners.get(self.at) else { return Some(divider.round()) };
                 let (next, wrap) = corners.get(self.at + 1).map_or((&corners[0], count), |next| (next, 0));
                 let ends = [free(corner.index, corner.point), free(next.index + wrap, next.point)];
-                room -= (ends[1].index - ends[0].index) / 4;
+                room -= ends[1].index - ends[0].index;
                 divider.between(ends)
             });
             if let Some(mut stretch) = begun
