@@ -34,8 +34,8 @@ impl Sparsest {
         found.or_else(|| self.near_enough(spaced, best))
     }
 
-    /// The curve with all corners smooth that turn little, if it has any: among noise a corner with the bend beside it stands as well
-    /// for a smooth joint.
+    /// The curve with all corners smooth that turn little, `None` where there are none: in noise a corner with the bend beside it
+    /// may stand for a smooth joint (D 13.14).
     fn without_slight_corners(&self, spaced: &Spaced) -> Option<Spaced> {
         let slight = slight_corners(&spaced.spline, SLIGHT, 0.0);
         let mut breaks = spaced.spline.space.breaks.clone();
