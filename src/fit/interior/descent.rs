@@ -22,7 +22,7 @@ const ON_THE_WAY: f64 = 1e-3;
 /// The most rounds at one price on the way, and at the last.
 const MOST_ROUNDS: (usize, usize) = (20, 200);
 /// The most products that all of it may take, some tenths of a second.
-const MOST_WORK: usize = 1_000_000_000;
+const MOST_WORK: f64 = 1e9;
 /// What a jump that comes is of those that there are; and where there are none.
 const FIRST_JUMP: (f64, f64) = (1e-2, 1e-9);
 
@@ -45,7 +45,7 @@ pub(crate) struct Descent {
     /// The best at this price.
     best: Option<Found>,
     /// Products so far.
-    work: usize,
+    work: f64,
 }
 
 impl Solver {
@@ -60,7 +60,7 @@ impl Solver {
             active: none,
             rounds: 0,
             best: None,
-            work: 0,
+            work: 0.0,
         });
         self.status = Status::Running;
         Ok(())

@@ -3,6 +3,7 @@
 mod arrangement;
 mod squares;
 
+use self::arrangement::Shape;
 pub(crate) use self::squares::Element;
 use self::squares::elements;
 use super::cone::Metric;
@@ -44,9 +45,7 @@ pub(crate) struct Reduced {
     locals: Vec<(usize, Local)>,
     /// How many unknown points there are.
     pub(crate) unknowns: usize,
-    /// Unknown points in the band and coupling reach among them; the others are the border.
-    banded: usize,
-    reach: usize,
+    shape: Shape,
     /// 2 Σ w B B′ and the gauge: the same for both coordinates.
     pub(crate) quadratic: Bordered,
     /// 2 Σ w B p.
@@ -74,8 +73,7 @@ impl Reduced {
             elements,
             locals,
             unknowns,
-            banded: 0,
-            reach: 0,
+            shape: Shape::default(),
             quadratic: Bordered::default(),
             linear: Vec::new(),
             system: Bordered::default(),
@@ -87,9 +85,8 @@ impl Reduced {
     }
 
     /// About how many products one factorisation takes.
-    pub(crate) fn work(&self) -> usize {
-        let width = self.reach + self.unknowns - self.banded;
-        self.unknowns * (1 + width) * (1 + width)
+    pub(crate) fn work(&self) -> f64 {
+        self.shape.work()
     }
 
     /// λ of every knot in play.

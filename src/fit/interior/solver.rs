@@ -2,7 +2,6 @@
 
 mod newton_step;
 
-use super::balance::imbalance;
 use super::cold::start;
 use super::compress::compress;
 use super::cone::{Lorentz, Metric, Scaling, dot, norm};
@@ -28,8 +27,6 @@ const FIRST_FINISH: f64 = 1e-3;
 const FIRST_FINE: f64 = 1e-5;
 /// So many iterations more than the gap needs are made for true knots.
 const MOST_FOR_KNOTS: usize = 4;
-/// Rounding that shows in what can be checked is larger elsewhere: by so much, as a rule less.
-const CAUTION: f64 = 100.0;
 /// Below this share of the asked gap more iterations would tell no more.
 const LEAST_FOR_KNOTS: f64 = 1e-4;
 
@@ -271,19 +268,6 @@ impl Solver {
             self.begin_descent()?;
         }
         Ok(self.status)
-    }
-
-    /// Adds to the gap what the curve lacks of balance, so that no bound counts that is none.
-    pub(super) fn doubt(&mut self) -> Result<()> {
-        if let Some(fixed) = &self.finished {
-            let _ = fixed.reduced.residuals(&self.data, &fixed.unknowns, &mut self.weighted, &mut Vec::new());
-        }
-        let lacking = imbalance(&self.data, &self.weighted)?;
-        self.measure.gap += CAUTION * lacking / self.measure.primal.max(f64::MIN_POSITIVE);
-        if let Some(fixed) = &mut self.finished {
-            fixed.measure = self.measure;
-        }
-        Ok(())
     }
 
     /// How a run stands that ends before its knots are told apart.

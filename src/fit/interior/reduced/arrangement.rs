@@ -18,8 +18,8 @@ const NARROW: usize = 24;
 type Unknown = (f64, usize, usize);
 
 /// Unknowns in the band, how far they couple there, and how many are left for the border.
-#[derive(Clone, Copy, Debug)]
-struct Shape {
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Shape {
     banded: usize,
     reach: usize,
     border: usize,
@@ -27,7 +27,7 @@ struct Shape {
 
 impl Shape {
     /// About how many products the elimination takes.
-    fn work(self) -> f64 {
+    pub(super) fn work(self) -> f64 {
         let [banded, wide, border] =
             [self.banded, self.reach + self.border, self.border].map(|count| count as f64);
         banded * wide * wide + border * border * border / 3.0
@@ -42,7 +42,7 @@ impl Reduced {
         if best.reach + best.border > NARROW {
             best = self.with_wide_ones_last(&along, best);
         }
-        (self.banded, self.reach) = (best.banded, best.reach);
+        self.shape = best;
         self.quadratic = Bordered::new(best.banded, best.reach, best.border)?;
         self.system = self.quadratic.of_points()?;
         Ok(())
@@ -76,11 +76,11 @@ impl Reduced {
                 }
             }
         }
-        self.shape(narrow.len())
+        self.measured(narrow.len())
     }
 
     /// How far unknowns couple of which only the first `narrow` may be in the band.
-    fn shape(&self, narrow: usize) -> Shape {
+    fn measured(&self, narrow: usize) -> Shape {
         let (mut reach, mut border) = (0, 0);
         let mut couple = |set: &mut dyn Iterator<Item = usize>| {
             let (mut low, mut high, mut late) = (narrow, 0, narrow);
@@ -173,7 +173,7 @@ mod tests {
         let data = Scaled::new(&problem)?;
         let all = (0..data.components[1].grid.len()).collect();
         let reduced = Reduced::new(&data, vec![corners.to_vec(), all], &[])?;
-        Ok((reduced.banded, reduced.unknowns - reduced.banded, reduced.reach))
+        Ok((reduced.shape.banded, reduced.shape.border, reduced.shape.reach))
     }
 
     #[test]
