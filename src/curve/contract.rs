@@ -10,7 +10,7 @@ use super::measures::curvature;
 use super::measures::flatten;
 use super::measures::length;
 use super::measures::nearest::{Nearest, NearestFinder};
-use super::measures::spatial::{self, SpaceNearest};
+use super::measures::nearest_in_space::{self, SpaceNearest};
 use super::pieces::Pieces;
 use super::spline_curve::{Generator, SplineCurve};
 use crate::error::Result;
@@ -178,7 +178,7 @@ pub trait Curve: Pieces {
     ///
     /// O(pieces).
     fn nearest_in_space(&self, place: [f64; 3]) -> SpaceNearest {
-        spatial::nearest(self.as_pieces(), place)
+        nearest_in_space::nearest_in_space(self.as_pieces(), place)
     }
 
     /// A polyline within `tolerance` of the curve, and the bound of its distance that was proved.

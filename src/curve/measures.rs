@@ -13,8 +13,10 @@ pub(super) mod curvature;
 pub(super) mod flatten;
 pub(super) mod length;
 pub(super) mod nearest;
+pub(super) mod nearest_in_space;
 mod search;
-pub(super) mod spatial;
+mod spreading;
+pub(crate) mod tolerance;
 
 /// The measures themselves, for callers that hold a curve by its pieces.
 #[cfg(all(target_arch = "wasm32", any(feature = "wasm", feature = "wasm-spline")))]
@@ -25,5 +27,5 @@ pub(crate) use self::{
     curvature::curvature,
     flatten::flatten,
     length::{length, parameter_at_length},
-    spatial::nearest as nearest_in_space,
+    nearest_in_space::nearest_in_space,
 };

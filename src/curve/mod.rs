@@ -28,6 +28,7 @@ pub(crate) mod measures;
 mod piece;
 mod pieces;
 mod segment;
+mod space_piece;
 mod speed;
 mod spline_curve;
 
@@ -40,7 +41,7 @@ pub use measures::bounds::Bounds;
 pub use measures::by_length::LengthTable;
 pub use measures::cubics::{Cubics, segment_cubics};
 pub use measures::nearest::{Nearest, NearestFinder};
-pub use measures::spatial::SpaceNearest;
+pub use measures::nearest_in_space::SpaceNearest;
 pub use segment::Segment;
 pub use spline_curve::SplineCurve;
 pub use spline_curve::b_spline::BSplineCurve;

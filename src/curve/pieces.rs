@@ -1,7 +1,7 @@
 //! A curve as the measures see it: one smooth piece after another.
 
-use super::measures::spatial::SpacePiece;
 use super::piece::{ANY_ROOTS, HERMITE, Piece};
+use super::space_piece::{SpacePiece, Triple};
 use super::spline_curve::lattice::Place;
 use super::spline_curve::{Generator, SplineCurve};
 use super::{HermiteCurve, Segment};
@@ -88,6 +88,18 @@ fn list(fill: &dyn Fn(&mut Vec<f64>)) -> Vec<f64> {
     let mut numbers = Vec::new();
     fill(&mut numbers);
     numbers
+}
+
+/// Piece i of a curve in space.
+pub(super) fn space_piece(curve: &dyn Pieces, i: usize) -> SpacePiece {
+    SpacePiece::polynomial(&list(&|out| curve.coefficients(i, out)))
+}
+
+/// The point where piece i of a curve in space starts, to the last bit.
+pub(super) fn space_start(curve: &dyn Pieces, i: usize) -> Result<Triple> {
+    let mut point = [0.0; 3];
+    curve.values(&[curve.knot(i)], 0, &mut point)?;
+    Ok(point)
 }
 
 impl Pieces for HermiteCurve {
@@ -190,7 +202,7 @@ pub(super) enum AnyPiece {
 
 impl AnyPiece {
     pub(super) fn new(curve: &dyn Pieces, i: usize) -> Self {
-        if in_space(curve) { Self::Space(SpacePiece::new(curve, i)) } else { Self::Plane(curve.piece(i)) }
+        if in_space(curve) { Self::Space(space_piece(curve, i)) } else { Self::Plane(curve.piece(i)) }
     }
 
     /// The speed at y.

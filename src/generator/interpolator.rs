@@ -6,7 +6,7 @@ use nalgebra::Complex;
 
 use super::exponential_b_spline::{ExponentialBSpline, tabulate};
 use super::pieces::{Pieces, polynomial};
-use super::propagation::{Propagated, recentre, with_product};
+use super::propagation::{Propagated, recentre};
 use super::riesz::RieszBounds;
 use super::roots::Roots;
 use crate::error::{Error, Result};
@@ -288,7 +288,7 @@ fn solve(order: usize, exact: &Propagated) -> Result<(Vec<Twofold>, f64)> {
         for (k, row) in matrix.chunks_exact(size).enumerate() {
             let mut rest = Twofold::new(if k == 0 { 1.0 } else { 0.0 });
             for (a, l) in row.iter().zip(&lambda) {
-                rest = with_product(rest, a.negative(), *l);
+                rest = rest.plus_product(a.negative(), *l);
             }
             left[k] = rest.high * right[k];
         }
@@ -336,7 +336,7 @@ fn halves(order: usize, exact: &Propagated, lambda: &[Twofold]) -> Result<Pieces
             let Some(part) = parts.get(part * terms..(part + 1) * terms) else { continue };
             let weight = lambda[n.unsigned_abs()];
             for (sum, c) in coefficients[begin..].iter_mut().zip(part) {
-                *sum = with_product(*sum, weight, *c);
+                *sum = sum.plus_product(weight, *c);
             }
         }
         let mirror = (count / 2 - 1 - k) * terms;

@@ -120,7 +120,7 @@ fn from_the_left(roots: &Roots, count: usize, terms: usize, pieces: &mut Vec<Two
         for m in order..terms {
             let mut next = Twofold::ZERO;
             for (c, y) in characteristic.iter().zip(&state[m - order..m]) {
-                next = with_product(next, *c, *y);
+                next = next.plus_product(*c, *y);
             }
             state[m] = next.negative();
         }
@@ -153,12 +153,6 @@ pub(super) fn recentre(coefficients: &mut [Twofold], by: f64, wanted: usize) {
             coefficients[k] = coefficients[k].plus(scaled(coefficients[k + 1], by));
         }
     }
-}
-
-/// sum + a·b.
-#[inline(never)]
-pub(super) fn with_product(sum: Twofold, a: Twofold, b: Twofold) -> Twofold {
-    sum.plus(a.times(b))
 }
 
 /// A number times a power of two.

@@ -4,7 +4,6 @@ use core::f64::consts::{PI, TAU};
 
 use nalgebra::Complex;
 
-use super::propagation::with_product;
 use crate::error::{Error, Result};
 use crate::limits::{LARGEST_ROOT_IM, LARGEST_ROOT_RE, MOST_ROOTS, check, too_many, with_room};
 use crate::numerics::entire::stumpff;
@@ -297,7 +296,7 @@ fn multiply(product: &mut [Twofold], factor: [Twofold; 3]) {
         let mut sum = product[k].times(factor[0]);
         for (back, c) in factor.iter().enumerate().skip(1) {
             if k >= back {
-                sum = with_product(sum, product[k - back], *c);
+                sum = sum.plus_product(product[k - back], *c);
             }
         }
         product[k] = sum;

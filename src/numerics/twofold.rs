@@ -49,6 +49,12 @@ impl Twofold {
         Self::sum(high.high, high.low + self.high * other.low + self.low * other.high)
     }
 
+    /// The number plus a·b.
+    #[inline(never)]
+    pub fn plus_product(self, a: Self, b: Self) -> Self {
+        self.plus(a.times(b))
+    }
+
     /// The quotient, to a few units of 2⁻¹⁰³.
     #[inline(never)]
     pub fn over(self, other: Self) -> Self {

@@ -4,6 +4,7 @@ use super::arc_text::{self, Span};
 use super::number;
 use super::returning::{returning, returning_both};
 use super::text::{Grid, Placed, Text};
+use crate::curve::measures::tolerance::LEAST_TOLERANCE;
 use crate::curve::{Curve, EllipseArc, HermiteCurve, Segment, segment_cubics};
 use crate::error::{Error, Result};
 use crate::numerics::angle::sin_cos;
@@ -12,8 +13,6 @@ use crate::numerics::{Point, Vector};
 
 /// From this many decimals on, coordinates are written so that every bit comes back.
 const EXACT_DECIMALS: u32 = 17;
-/// Tolerances are raised to this part of the extent.
-const LEAST_TOLERANCE: f64 = 1e-9;
 /// How much of the tolerance the rounding of points may use where the number of decimals is free.
 const ROUNDING_SHARE: f64 = 0.15;
 /// A point moves by at most this part of the grid's unit: half a diagonal.

@@ -1,8 +1,8 @@
 //! The smallest upright box around a curve.
 
-use super::spatial::SpacePiece;
 use crate::curve::piece::Piece;
-use crate::curve::pieces::{Pieces, handles_of, hermite, in_space};
+use crate::curve::pieces::{Pieces, handles_of, hermite, in_space, space_piece};
+use crate::curve::space_piece::{SpacePiece, Triple};
 use crate::numerics::plane::{larger, taxi};
 use crate::numerics::roots::bracketed_root;
 
@@ -10,6 +10,8 @@ use crate::numerics::roots::bracketed_root;
 const LEAST_HALF: f64 = 1e-9;
 /// The most intervals that are open at once.
 const STACK: usize = 40;
+/// Distances that differ by less than this share of the curve's size count as equal.
+const TIE: f64 = 1e-13;
 
 /// An upright box.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,6 +40,12 @@ impl Bounds {
     pub(crate) fn largest(&self) -> f64 {
         let Self { min_x, min_y, min_z, max_x, max_y, max_z } = *self;
         [min_x, min_y, min_z, max_x, max_y, max_z].into_iter().fold(0.0, |most, x| larger(most, x.abs()))
+    }
+
+    /// Distances that differ by no more than this count as equal: less than the curve's points are rounded by cannot be told
+    /// apart, and looking for it would halve arcs without end.
+    pub(super) fn tie(&self) -> f64 {
+        larger(TIE * self.extent(), 4.0 * f64::EPSILON * self.largest())
     }
 }
 
@@ -75,7 +83,7 @@ pub(crate) fn bounds(curve: &dyn Pieces) -> Bounds {
     let last = curve.piece_count();
     if in_space(curve) {
         for i in 0..last {
-            SpacePiece::new(curve, i).extremes(&mut |point| grown.include(&point));
+            extremes(&space_piece(curve, i), &mut |point| grown.include(&point));
         }
         return grown.bounds(3);
     }
@@ -150,13 +158,28 @@ pub(crate) fn stationary(piece: &Piece, axis: usize, found: &mut dyn FnMut(f64))
     turns(&slopes, &fourth, taxi(a) + taxi(b) + taxi(p) + taxi(q), found);
 }
 
+/// Calls `found` with both ends of a piece in space and with every point where a coordinate turns.
+fn extremes(piece: &SpacePiece, found: &mut dyn FnMut(Triple)) {
+    let (size, fourth) = (piece.size(), piece.fourth(0.5));
+    for y in [-0.5, 0.5] {
+        found(piece.position(y));
+    }
+    for axis in 0..3 {
+        let slopes = |y: f64| {
+            let [_, first, second, third] = piece.jet(y);
+            [first[axis], second[axis], third[axis]]
+        };
+        turns(&slopes, &|_, _| fourth, size, &mut |y| found(piece.position(y)));
+    }
+}
+
 /// Calls `found` where a function of the size `size` on [−1/2, 1/2] turns, by its first three derivatives and a bound of
 /// the fourth.
 ///
 /// An interval is passed over where Taylor's formula proves that the first derivative has no zero, solved where it
 /// proves it monotone, and else halved. Where the function stays within a rounding any point will do (D 10.3).
 #[inline(never)]
-pub(super) fn turns(
+fn turns(
     slopes: &dyn Fn(f64) -> [f64; 3],
     fourth: &dyn Fn(f64, f64) -> f64,
     size: f64,

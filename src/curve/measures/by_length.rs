@@ -10,7 +10,8 @@
 //!
 //! so that a point costs seven multiplications and no iteration.
 
-use super::length::{check_tolerance, place_on};
+use super::length::place_on;
+use super::tolerance::check_tolerance;
 use crate::curve::piece::{ANY_ROOTS, Jet, Piece};
 use crate::curve::pieces::{AnyPiece, Pieces};
 use crate::curve::speed::{ROUNDING, fastest, piece_length};

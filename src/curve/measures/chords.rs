@@ -4,7 +4,8 @@
 //! it (cusps, turns) by the distance at equal parameters, ¼·max|h·r′ − c|. A piece that is not a cubic differs from that
 //! cubic by at most h⁴/384·max|r⁗|.
 
-use super::flatten::{beyond, chord_count, spread};
+use super::spreading::{part_count, spread};
+use super::tolerance::beyond;
 use crate::curve::piece::Piece;
 use crate::error::Result;
 use crate::limits::MOST_OUTPUT_POINTS;
@@ -49,7 +50,7 @@ pub(super) fn mend(
             break;
         }
         // Evenly is never quite even: a little more makes the next attempt the last.
-        let count = chord_count(1.02 * total);
+        let count = part_count(1.02 * total);
         if out.len() + count > MOST_OUTPUT_POINTS {
             return Err(beyond(out.len() + count));
         }

@@ -12,7 +12,8 @@
 //! (h/2)|a| + (h²/12)|j| ≤ |c|/2h its control points project into the chord, and that bounds the distance both ways. Where not
 //! (cusps, turns) it says nothing, and the chords of all kinds of pieces do ([`super::chords`]).
 
-use super::flatten::{beyond, chord_count};
+use super::spreading::part_count;
+use super::tolerance::beyond;
 use crate::error::{Error, Result};
 use crate::limits::MOST_OUTPUT_POINTS;
 use crate::numerics::plane::{cross, taxi};
@@ -149,7 +150,7 @@ impl Cutter {
             if all > MOST_OUTPUT_POINTS as f64 {
                 return Err(beyond(all as usize));
             }
-            let count = chord_count(wanted);
+            let count = part_count(wanted);
             out.try_reserve(count).map_err(|_| Error::memory(16 * count))?;
             out.push(self.starts[lane].into());
             let bound = f64::from(self.run(&turning, lane, count, out)).sqrt() * size;

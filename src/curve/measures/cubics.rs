@@ -2,14 +2,14 @@
 
 use super::cubic_fit::{Candidate, Cubic, fit, hermite_cubic};
 use super::cubic_proof::prove;
-use super::flatten::{least_tolerance, spread};
-use super::length::check_tolerance;
-use super::spatial;
+use super::spreading::{equal_parts, spread};
+use super::tolerance::{beyond, check_tolerance, least_tolerance};
 use crate::curve::Segment;
 use crate::curve::piece::Piece;
-use crate::curve::pieces::{Pieces, in_space};
+use crate::curve::pieces::{Pieces, in_space, space_piece, space_start};
+use crate::curve::space_piece::along;
 use crate::error::Result;
-use crate::limits::{MOST_OUTPUT_POINTS, too_many};
+use crate::limits::MOST_OUTPUT_POINTS;
 use crate::numerics::entire::stumpff;
 use crate::numerics::plane::{append, dot, norm, square};
 use crate::numerics::{Point, Vector};
@@ -42,7 +42,7 @@ pub(crate) fn to_cubics(curve: &dyn Pieces, tolerance: f64) -> Result<Cubics> {
     check_tolerance(tolerance)?;
     let tolerance = least_tolerance(curve, tolerance);
     if in_space(curve) {
-        return spatial::to_cubics(curve, tolerance, 4 * MOST_OUTPUT_POINTS);
+        return cubics_in_space(curve, tolerance);
     }
     let mut cubics = Cubics::default();
     let mut pieces = Vec::new();
@@ -54,11 +54,38 @@ pub(crate) fn to_cubics(curve: &dyn Pieces, tolerance: f64) -> Result<Cubics> {
         cubics.deviation = cubics.deviation.max(deviation);
         let needed = cubics.path.len() / 2 + 4 * pieces.len();
         if needed > 4 * MOST_OUTPUT_POINTS {
-            return Err(too_many("tolerance", "maxOutputPoints", MOST_OUTPUT_POINTS, needed));
+            return Err(beyond(needed));
         }
         for cubic in &pieces {
             for &point in cubic {
                 append(&mut cubics.path, point);
+            }
+        }
+    }
+    Ok(cubics)
+}
+
+/// The cubic with the ends and end derivatives of an arc of width h is at most h⁴/384·max|r⁗| away.
+fn cubics_in_space(curve: &dyn Pieces, tolerance: f64) -> Result<Cubics> {
+    let mut cubics = Cubics::default();
+    for i in 0..curve.piece_count() {
+        cubics.first.push((cubics.path.len() / 12) as u32);
+        let piece = space_piece(curve, i);
+        let bound = piece.fourth(0.5) / 384.0;
+        let count = equal_parts(bound, tolerance, 4);
+        let needed = (cubics.path.len() / 3) as f64 + 4.0 * count;
+        if needed > (4 * MOST_OUTPUT_POINTS) as f64 {
+            return Err(beyond(needed as usize));
+        }
+        cubics.deviation = cubics.deviation.max(bound / (count * count * count * count));
+        let third = 1.0 / (3.0 * count);
+        for k in 0..count as usize {
+            let at = |k: usize| piece.jet(k as f64 / count - 0.5);
+            let ([from, leaving, ..], [to, arriving, ..]) = (at(k), at(k + 1));
+            let from = if k == 0 { space_start(curve, i)? } else { from };
+            let to = if k + 1 == count as usize { space_start(curve, i + 1)? } else { to };
+            for point in [from, along(&from, &leaving, third), along(&to, &arriving, -third), to] {
+                cubics.path.extend(point);
             }
         }
     }

@@ -1,8 +1,7 @@
 //! How strongly a curve bends.
 
-use super::spatial::SpacePiece;
 use crate::curve::piece::Jet;
-use crate::curve::pieces::{Pieces, in_space};
+use crate::curve::pieces::{Pieces, in_space, space_piece};
 use crate::error::Result;
 use crate::numerics::plane::{cross, norm};
 
@@ -12,7 +11,7 @@ const ZERO_SPEED: f64 = 1e-15;
 pub(crate) fn curvature(curve: &dyn Pieces, t: f64) -> Result<Option<f64>> {
     let (i, x) = curve.find(t)?;
     if in_space(curve) {
-        return Ok(SpacePiece::new(curve, i).curvature(x - 0.5, ZERO_SPEED));
+        return Ok(space_piece(curve, i).curvature(x - 0.5, ZERO_SPEED));
     }
     let [leaving, arriving] = curve.tangents(i);
     let scale = norm(curve.start(i + 1) - curve.start(i)) + norm(leaving) + norm(arriving);

@@ -3,22 +3,17 @@
 //! A chord of parameter width h is κ·ds²/8 away from a short arc, so points that are evenly spread over
 //! ∫√(|r′ × r″|/|r′|) dy make equal errors: as few as can be. Then every chord is proved, whatever was assumed before.
 
-use super::bounds::{Bounds, bounds, hull};
 use super::chords::mend;
 use super::cubic_chords::{Cutter, GROUP};
-use super::length::check_tolerance;
-use super::spatial;
+use super::spreading::{equal_parts, part_count, spread};
+use super::tolerance::{beyond, check_tolerance, least_tolerance};
 use crate::curve::piece::{Piece, cubic_middle};
-use crate::curve::pieces::{Pieces, hermite, in_space};
-use crate::error::{Error, Result};
-use crate::limits::{MOST_OUTPUT_POINTS, filled, too_many, with_room};
+use crate::curve::pieces::{Pieces, hermite, in_space, space_piece, space_start};
+use crate::error::Result;
+use crate::limits::{MOST_OUTPUT_POINTS, filled, with_room};
 use crate::numerics::Point;
-use crate::numerics::plane::{cross, larger, norm};
+use crate::numerics::plane::{cross, norm};
 
-/// Tolerances below this share of the extent are raised to it.
-pub(crate) const LEAST_TOLERANCE: f64 = 1e-9;
-/// So are those below this share of the largest coordinate.
-const LEAST_DIGITS: f64 = 1e-15;
 /// Where the density is looked at on a segment.
 const CELLS: usize = 11;
 /// A long hyperbolic segment bends within so many widths of its layers at both ends.
@@ -30,7 +25,7 @@ pub(crate) fn flatten(curve: &dyn Pieces, tolerance: f64) -> Result<(Vec<f64>, f
     check_tolerance(tolerance)?;
     let tolerance = least_tolerance(curve, tolerance);
     if in_space(curve) {
-        return spatial::flatten(curve, tolerance, MOST_OUTPUT_POINTS);
+        return flatten_in_space(curve, tolerance);
     }
     let pieces = curve.piece_count();
     let mut out = with_room(16 * pieces)?;
@@ -53,6 +48,29 @@ pub(crate) fn flatten(curve: &dyn Pieces, tolerance: f64) -> Result<(Vec<f64>, f
         out.push(curve.start(pieces).into());
     }
     Ok((out.into_flattened(), deviation))
+}
+
+/// A chord of width h is at most h²/8·max|r″| away.
+fn flatten_in_space(curve: &dyn Pieces, tolerance: f64) -> Result<(Vec<f64>, f64)> {
+    let (mut out, mut deviation) = (Vec::new(), 0.0_f64);
+    for i in 0..curve.piece_count() {
+        let piece = space_piece(curve, i);
+        let bound = 0.125 * piece.bend();
+        let count = equal_parts(bound, tolerance, 2);
+        let needed = (out.len() / 3) as f64 + count;
+        if needed > MOST_OUTPUT_POINTS as f64 {
+            return Err(beyond(needed as usize));
+        }
+        deviation = deviation.max(bound / (count * count));
+        out.extend(space_start(curve, i)?);
+        for k in 1..count as usize {
+            out.extend(piece.position(k as f64 / count - 0.5));
+        }
+    }
+    if !curve.closed() {
+        out.extend(space_start(curve, curve.piece_count())?);
+    }
+    Ok((out, deviation))
 }
 
 /// Takes in the cubics from piece i on, up to a group; returns how many. Curves of other kinds, whose pieces are
@@ -81,32 +99,12 @@ fn cut_any(piece: &Piece, start: Point, tolerance: f64, out: &mut Vec<[f64; 2]>)
     if all > MOST_OUTPUT_POINTS as f64 {
         return Err(beyond(all as usize));
     }
-    let count = chord_count(density.total * MARGIN);
+    let count = part_count(density.total * MARGIN);
     let mut places = filled(0.5, count + 1)?;
     places[0] = -0.5;
     density.spread(&mut places[1..count]);
     out.push(start.into());
     mend(piece, places, tolerance, out)
-}
-
-/// The tolerance, raised to 1e-9 of the extent, and to the digits that the coordinates have, where it is below that.
-pub(super) fn least_tolerance(curve: &dyn Pieces, tolerance: f64) -> f64 {
-    // A curve of one point has the extent of a rounding: within a share of that nothing can be proved.
-    let least = |box_: Bounds| larger(LEAST_TOLERANCE * box_.extent(), LEAST_DIGITS * box_.largest());
-    // The hull is quicker than the exact box, and ordinary tolerances are far above its share.
-    if tolerance >= least(hull(curve)) {
-        return tolerance;
-    }
-    tolerance.max(least(bounds(curve))).max(f64::MIN_POSITIVE)
-}
-
-pub(crate) fn chord_count(total: f64) -> usize {
-    (total + 1.0).max(1.0) as usize
-}
-
-/// The error of too many points.
-pub(crate) fn beyond(needed: usize) -> Box<Error> {
-    too_many("tolerance", "maxOutputPoints", MOST_OUTPUT_POINTS, needed)
 }
 
 /// How many chords a piece wants, cell by cell; the density is linear in each.
@@ -168,28 +166,6 @@ impl Density {
     fn spread(&self, places: &mut [f64]) {
         let cells = self.cells;
         spread(&self.edges[..=cells], &self.before[..=cells], &self.tilts[..cells], places);
-    }
-}
-
-/// Fills in the places that divide the chords evenly, of which there are `before` before each edge.
-#[inline(never)]
-pub(crate) fn spread(edges: &[f64], before: &[f64], tilts: &[f64], places: &mut [f64]) {
-    let cells = tilts.len();
-    let (edges, before) = (&edges[..=cells], &before[..=cells]);
-    let step = before[cells] / (places.len() + 1) as f64;
-    let (mut cell, mut target) = (0, 0.0);
-    let mut rise = 1.0 / (before[1] - before[0]);
-    for place in places {
-        target += step;
-        while cell + 1 < cells && target > before[cell + 1] {
-            cell += 1;
-            rise = 1.0 / (before[cell + 1] - before[cell]);
-        }
-        let share = (target - before[cell]) * rise;
-        // The inverse of the integral of a linear density, to first order in its tilt.
-        let share = share + tilts[cell] * share * (1.0 - share);
-        let share = if share < 1.0 { share } else { 1.0 };
-        *place = edges[cell] + share * (edges[cell + 1] - edges[cell]);
     }
 }
 

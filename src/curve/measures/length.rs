@@ -1,5 +1,6 @@
 //! Arc length, and the parameter at a length.
 
+use super::tolerance::check_tolerance;
 use crate::curve::piece::cubic_middle;
 use crate::curve::pieces::{AnyPiece, Pieces, hermite, in_space};
 use crate::curve::speed::LengthSum;
@@ -50,18 +51,6 @@ pub(crate) fn parameter_at_length(curve: &dyn Pieces, length: f64, tolerance: f6
         return Ok(curve.knot(count));
     }
     Err(Error::unfit("length", None, length, 0.0, before))
-}
-
-/// An error where a tolerance is not a positive number.
-pub(crate) fn check_tolerance(tolerance: f64) -> Result<()> {
-    if !tolerance.is_finite() {
-        return Err(Error::not_finite("tolerance", None));
-    }
-    if tolerance <= 0.0 {
-        let (value, least, most) = (tolerance, f64::MIN_POSITIVE, f64::MAX);
-        return Err(Error::unfit("tolerance", None, value, least, most));
-    }
-    Ok(())
 }
 
 /// The y at which a piece of length `whole` has `length` behind it.

@@ -5,12 +5,12 @@
 //! Taylor's formula with a bound of the fourth derivative proves that nothing on the arc is nearer; where the proof does
 //! not succeed, the arc is halved ([`super::search`]).
 
-use super::bounds;
+use super::bounds::bounds;
 use super::search::{Question, Stiffness, View, search};
 use crate::curve::piece::Piece;
 use crate::curve::pieces::Pieces;
 use crate::numerics::Point;
-use crate::numerics::plane::{larger, norm, smaller, square};
+use crate::numerics::plane::{norm, smaller, square};
 
 /// Children of a node of the tree.
 const FAN: usize = 16;
@@ -20,8 +20,6 @@ const ARCS: usize = 4;
 const FLATNESS: f64 = 0.02;
 /// …but a segment is not cut into more than 2⁵ groups.
 const MOST_HALVINGS: u32 = 5;
-/// Distances that differ by less than this share of the curve's size count as equal.
-const TIE: f64 = 1e-13;
 
 /// The point of a curve that is nearest to a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -143,16 +141,10 @@ fn least(values: &[f64]) -> f64 {
     values.iter().fold(f64::INFINITY, |a, &b| if b < a { b } else { a })
 }
 
-/// Distances that differ by no more than this count as equal: less than the curve's points are rounded by cannot be told apart,
-/// and looking for it would halve arcs without end.
-pub(super) fn tie(bounds: &bounds::Bounds) -> f64 {
-    larger(TIE * bounds.extent(), 4.0 * f64::EPSILON * bounds.largest())
-}
-
 impl NearestFinder {
     /// Prepares a curve. O(segments), about 0.15 µs for each.
     pub fn new(curve: &dyn Pieces) -> Self {
-        let bounds = bounds::bounds(curve);
+        let bounds = bounds(curve);
         let extent = bounds.extent();
         let count = curve.piece_count();
         let mut groups = Vec::with_capacity(count);
@@ -180,7 +172,7 @@ impl NearestFinder {
         }
         levels.push(level);
         let center = Point::new(0.5 * (bounds.min_x + bounds.max_x), 0.5 * (bounds.min_y + bounds.max_y));
-        Self { pieces, knots, groups, levels, center, slack: tie(&bounds) }
+        Self { pieces, knots, groups, levels, center, slack: bounds.tie() }
     }
 
     /// The point of the curve that is nearest to `place`; see [`Curve::nearest`](crate::curve::Curve::nearest).

@@ -1,0 +1,40 @@
+//! Which tolerances can be asked for, and what one may take.
+
+use super::bounds::{Bounds, bounds, hull};
+use crate::curve::pieces::Pieces;
+use crate::error::{Error, Result};
+use crate::limits::{MOST_OUTPUT_POINTS, too_many};
+use crate::numerics::plane::larger;
+
+/// Tolerances below this share of the extent are raised to it.
+pub(crate) const LEAST_TOLERANCE: f64 = 1e-9;
+/// So are those below this share of the largest coordinate.
+const LEAST_DIGITS: f64 = 1e-15;
+
+/// An error where a tolerance is not a positive number.
+pub(super) fn check_tolerance(tolerance: f64) -> Result<()> {
+    if !tolerance.is_finite() {
+        return Err(Error::not_finite("tolerance", None));
+    }
+    if tolerance <= 0.0 {
+        let (value, least, most) = (tolerance, f64::MIN_POSITIVE, f64::MAX);
+        return Err(Error::unfit("tolerance", None, value, least, most));
+    }
+    Ok(())
+}
+
+/// The tolerance, raised to 1e-9 of the extent, and to the digits that the coordinates have, where it is below that.
+pub(super) fn least_tolerance(curve: &dyn Pieces, tolerance: f64) -> f64 {
+    // A curve of one point has the extent of a rounding: within a share of that nothing can be proved.
+    let least = |box_: Bounds| larger(LEAST_TOLERANCE * box_.extent(), LEAST_DIGITS * box_.largest());
+    // The hull is quicker than the exact box, and ordinary tolerances are far above its share.
+    if tolerance >= least(hull(curve)) {
+        return tolerance;
+    }
+    tolerance.max(least(bounds(curve))).max(f64::MIN_POSITIVE)
+}
+
+/// The error of too many points.
+pub(super) fn beyond(needed: usize) -> Box<Error> {
+    too_many("tolerance", "maxOutputPoints", MOST_OUTPUT_POINTS, needed)
+}
