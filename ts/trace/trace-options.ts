@@ -50,7 +50,7 @@ export interface TraceOptions {
   tolerance?: number | undefined;
   /**
    * A picture of a few flat colours: how many at most, 2 … 64, are looked for, or which they are, as "#rrggbb". Each becomes a layer, and layers lie
-   * on one another without gaps. Default: ink on paper.
+   * on one another without gaps. Default: ink on paper, which `source`, `threshold` and `invert` are about: beside `colors` they are E_RANGE.
    */
   colors?: number | readonly string[] | undefined;
   /** Which fit follows a contour: the sparsest spline, the default, or the weighted quasi-interpolant. */
@@ -113,7 +113,16 @@ export function traceOrder(op: string, image: unknown, options: unknown): TraceO
     palette.length / 3,
     ...palette,
   );
+  if (own.colors !== undefined) checkInk(op, own);
   return { pixels, record, ...watch(op, own) };
+}
+
+/** What tells ink from paper has no say where each colour is a layer of its own: to take it in silence would promise more than is done. */
+function checkInk(op: string, { source, threshold, invert }: { readonly [N in "source" | "threshold" | "invert"]?: unknown }): void {
+  const idle = [["source", source, "brightness"], ["threshold", threshold, "auto"], ["invert", invert, false]] as const;
+  for (const [name, value, only] of idle) {
+    if (value !== undefined && value !== only) throw wrong("E_RANGE", op, name, value, `${JSON.stringify(only)} beside colors`);
+  }
 }
 
 /** How many colours are looked for, and those that are given, three numbers each. */

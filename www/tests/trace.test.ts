@@ -12,6 +12,7 @@ import type { PictureSource, TraceAnswer, TraceHow, TraceRequest, TraceResult } 
 import { cornersIn, outcomeOf, shownDrawing } from "../src/kernel/trace/outcome.ts";
 import { keepPicture } from "../src/kernel/trace/pictures.ts";
 import { createTraceClient, type Clock, type TraceClient, type TraceHandlers } from "../src/kernel/trace/trace-client.ts";
+import { traceProgram } from "../src/panels/trace/trace-program.ts";
 import { createTraceTool } from "../src/tools/trace/trace-tool.ts";
 import { Hand } from "./harness.ts";
 
@@ -318,6 +319,18 @@ test("a smooth point that is made a corner goes straight for its neighbours on b
   const corner = shownDrawing(round, [{ x: 110, y: 10, kind: "cusp" }]).contours[0]?.points[1];
   assert.equal(corner?.kind, "cusp");
   assert.ok(Math.abs((corner?.in.dy ?? 1)) < 1e-12 && Math.abs(corner?.out.dx ?? 1) < 1e-12, JSON.stringify(corner));
+});
+
+test("the program beside flat colours says nothing of ink, which the panel hides then", () => {
+  const { hand } = tracing();
+  openTraceSample(hand.editor, "trace-disc");
+  setTrace(hand.editor, "Ink", { mode: "edges", threshold: 100, invert: true });
+  const ofInk = /source: "edges"|threshold: 100|invert: true/gu;
+  assert.equal(traceProgram(hand.editor.state.value).match(ofInk)?.length, 3);
+  setTrace(hand.editor, "Flat colours", { colors: 4 });
+  const program = traceProgram(hand.editor.state.value);
+  assert.equal(program.match(ofInk), null, program);
+  assert.match(program, /colors: 4/u);
 });
 
 test("a drag moves the paper and nothing else", () => {

@@ -100,11 +100,11 @@ async function trace(request: Extract<TraceRequest, { kind: "trace" }>, signal: 
 }
 
 function options(how: TraceHow, speckle: number): Parameters<typeof tracePixels>[1] {
+  const ink = { source: how.source, invert: how.invert, ...(how.threshold === "auto" ? {} : { threshold: how.threshold }) };
   return {
-    source: how.source, invert: how.invert, speckle, corner: how.corner, tolerance: how.tolerance,
-    ...(how.threshold === "auto" ? {} : { threshold: how.threshold }),
+    speckle, corner: how.corner, tolerance: how.tolerance,
     ...(how.blur === "auto" ? {} : { blur: how.blur }),
-    ...(how.colors === 0 ? {} : { colors: how.colors }),
+    ...(how.colors === 0 ? ink : { colors: how.colors }),
     maxContours: how.mostContours,
   };
 }

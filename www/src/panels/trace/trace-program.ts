@@ -12,12 +12,15 @@ export function traceProgram({ trace, traceRun }: EditorState): string {
   const tolerance = toleranceOf(settings.detail);
   const [columns = 0] = traceRun.picture?.analysed ?? [];
   const scaled = traceRun.picture !== null && columns !== traceRun.picture.width;
-  const options = [
+  // Beside colours there is no ink to be told from paper: what the panel hides then is not in the program, either.
+  const ink = [
     settings.mode === "brightness" ? "" : `source: "${settings.mode}",`,
-    settings.colors === 0 ? "" : `colors: ${settings.colors},`,
     settings.threshold === "auto" ? "" : `threshold: ${settings.threshold},`,
-    settings.blur === "auto" ? "" : `blur: ${settings.blur},`,
     settings.invert ? "invert: true," : "",
+  ];
+  const options = [
+    ...(settings.colors === 0 ? ink : [`colors: ${settings.colors},`]),
+    settings.blur === "auto" ? "" : `blur: ${settings.blur},`,
     `speckle: ${settings.speckle},`,
     `corner: ${settings.corner} * Math.PI / 180,`,
     tolerance === defaultTolerance ? "" : `tolerance: ${Number(tolerance.toPrecision(3))},`,
