@@ -68,6 +68,31 @@ fn nearest_point_is_never_missed_on_random_curves_of_every_space() {
 }
 
 #[test]
+fn places_on_a_cubic_are_on_it_wherever_it_turns_sharply() {
+    let mut random = Random::new(11);
+    let mut cubics = vec![[0.5, -207.008_89, 0.0, 100.0, 0.0, -35.0, -1.25, 0.5]];
+    cubics.extend((0..60).map(|_| core::array::from_fn(|_| 200.0 * random.symmetric())));
+    for (case, [ax, ay, bx, by, cx, cy, dx, dy]) in cubics.into_iter().enumerate() {
+        let (start, end) = (Point::new(ax, ay), Point::new(dx, dy));
+        let curve = HermiteCurve::new(HermiteOptions {
+            points: vec![start, end],
+            tangents: vec![(Point::new(bx, by) - start) * 3.0, Point::zeros()],
+            tangents_in: vec![Point::zeros(), (end - Point::new(cx, cy)) * 3.0],
+            closed: false,
+            omega: vec![0.0],
+            ..HermiteOptions::default()
+        })
+        .expect("a cubic");
+        let (finder, size) = (NearestFinder::new(&curve), curve.bounds().extent());
+        for k in 0..=5000 {
+            let place = curve.evaluate(f64::from(k) / 5000.0, 0).expect("t is in the domain");
+            let found = finder.nearest(place);
+            assert!(found.distance <= NEAREST * size, "{case}: {} at {k} of 5000", found.distance);
+        }
+    }
+}
+
+#[test]
 fn centre_of_a_circle_is_answered_with_the_smallest_parameter() {
     for count in [2, 3, 4, 7, 16] {
         let circle =

@@ -15,8 +15,10 @@ use crate::numerics::roots::bracketed_root;
 
 /// Halley's steps before an arc is halved instead.
 const MOST_STEPS: usize = 8;
-/// Steps below this share of a segment end the iteration: the error after them is of the order of their cube.
+/// Steps below this share of a segment are most often the last: the error after them is of the order of their cube.
 const SMALL_STEP: f64 = 1e-4;
+/// Newton's steps up to this share of a segment are exact to rounding.
+const LAST_STEP: f64 = 1e-9;
 /// The most intervals that are open at once.
 const STACK: usize = 64;
 /// Intervals below this share of a segment are not halved any more.
@@ -95,19 +97,26 @@ impl Slopes {
         }
     }
 
-    /// Those of a cubic a small step further, without another look at it: φ has six derivatives, of which the fifth counts for
-    /// u⁴/24 in the first, which is rounding.
+    /// Those of a cubic a step further, without another look at it: its φ has six derivatives.
     #[inline]
     fn after(&self, u: f64, jet: &Jet) -> Self {
         let fourth = 3.0 * square(jet.second) + 4.0 * dot(jet.first, jet.third);
+        let (fifth, sixth) = (10.0 * dot(jet.second, jet.third), 10.0 * square(jet.third));
         let &Self { square, first, second, third } = self;
-        let half = 0.5 * u;
+        let (u2, u3, u4, u5, u6) = (u * 0.5, u * (1.0 / 3.0), u * 0.25, u * 0.2, u * (1.0 / 6.0));
+        let rest = third + u4 * (fourth + u5 * (fifth + u6 * sixth));
         Self {
-            square: square + 2.0 * u * (first + half * (second + u / 3.0 * (third + 0.25 * u * fourth))),
-            first: first + u * (second + half * (third + u / 3.0 * fourth)),
-            second: second + u * (third + half * fourth),
-            third: third + u * fourth,
+            square: square + 2.0 * u * (first + u2 * (second + u3 * rest)),
+            first: first + u * (second + u2 * (third + u3 * (fourth + u4 * (fifth + u5 * sixth)))),
+            second: second + u * (third + u2 * (fourth + u3 * (fifth + u4 * sixth))),
+            third: third + u * (fourth + u2 * (fifth + u3 * sixth)),
         }
+    }
+
+    /// Whether Newton's step is exact to rounding from here, and so small that what it gains needs no other look.
+    #[inline]
+    fn is_settled(&self) -> bool {
+        self.first.abs() <= LAST_STEP * self.second.abs()
     }
 
     /// φ(u) − φ(0) − φ′(0)u ≥ (u²/2)·this, for every u between 0 and `u`'s values at both ends.
@@ -180,19 +189,22 @@ impl Question {
                 break;
             }
             y = next;
-            if moved < SMALL_STEP && piece.is_cubic() {
+            let is_small = moved < SMALL_STEP;
+            if is_small && piece.is_cubic() {
                 at = at.after(step, &jet);
-                break;
+                if at.is_settled() {
+                    break;
+                }
             }
             jet = piece.jet(y);
             at = Slopes::new(&jet, self.place);
-            if moved < SMALL_STEP {
+            if is_small && at.is_settled() {
                 break;
             }
         }
         // Newton's step from here is exact to rounding; what it gains is known without another look at the curve.
         let last = at.first / at.second;
-        let inside = y > lo && y < hi && last.abs() <= 1e-9;
+        let inside = y > lo && y < hi && at.is_settled();
         let distance = larger(0.0, at.square - if inside { last * at.first } else { 0.0 }).sqrt();
         self.offer(distance, index, if inside { smaller(larger(y - last, lo), hi) } else { y });
         // At an end the slope must point out of the arc; inside it is zero to rounding.
