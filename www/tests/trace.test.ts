@@ -5,7 +5,8 @@ import { traceSample, traceSamples } from "../src/document/trace/trace-samples.t
 import { emptyTrace, toleranceOf, traceDefaults, withChoice } from "../src/document/trace/trace.ts";
 import { drawingOf, openPicture, openTraceSample, setTrace } from "../src/editor/trace/trace-edits.ts";
 import { registerTraceActions } from "../src/editor/trace/trace-actions.ts";
-import { createTraceRunner, howOf, type TraceRunner } from "../src/editor/trace/trace-runner.ts";
+import { howOf } from "../src/editor/trace/trace-question.ts";
+import { createTraceRunner, type TraceRunner } from "../src/editor/trace/trace-runner.ts";
 import { readShareHash, shareHash } from "../src/io/link/share.ts";
 import { contoursOfPath } from "../src/kernel/curve/points/contours.ts";
 import type { PictureSource, TraceAnswer, TraceHow, TraceRequest, TraceResult } from "../src/kernel/trace/job.ts";

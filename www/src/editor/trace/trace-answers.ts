@@ -1,0 +1,55 @@
+import { traceSample } from "../../document/trace/trace-samples.ts";
+import { outcomeOf } from "../../kernel/trace/outcome.ts";
+import type { TraceHandlers } from "../../kernel/trace/trace-client.ts";
+import type { Editor } from "../editor.ts";
+import { setTraceView } from "./trace-edits.ts";
+import type { TraceRun } from "./trace-state.ts";
+
+/** Puts what the tracer answers into the state. */
+
+export const atRest = { progress: null, since: null } as const;
+
+export function setTraceRun(editor: Editor, change: Partial<TraceRun>): void {
+  editor.patch({ traceRun: { ...editor.state.value.traceRun, ...change } });
+}
+
+/** A bitmap holds its pixels outside of the script's memory until it is closed. */
+export function closePicture({ state }: Editor): void {
+  const { picture } = state.value.traceRun;
+  picture?.source.close();
+  picture?.edges.close();
+}
+
+/** `settle` is called whenever a job is over. */
+export function traceAnswers(editor: Editor, settle: () => void): TraceHandlers {
+  const over = (change: Partial<TraceRun>): void => setTraceRun(editor, { ...atRest, ...change });
+  return {
+    progress(stage, value, done, total) {
+      setTraceRun(editor, { progress: { stage, value, done, total } });
+    },
+    picture({ width, height, analysed, source, edges, threshold }, { key }) {
+      const { trace, traceRun } = editor.state.value;
+      const name = trace.picture?.name ?? traceSample(trace.sample ?? "")?.title ?? "";
+      const other = traceRun.picture?.key !== key;
+      closePicture(editor);
+      setTraceRun(editor, { picture: { key, name, width, height, analysed, source, edges, threshold }, ...(other ? { outcome: null, failure: null } : {}) });
+    },
+    traced(result, ms) {
+      if (result.outlines.length === 0) over({ outcome: null, failure: { id: "trace-none" }, lastMs: ms });
+      else over({ outcome: outcomeOf(result, editor.state.value.trace.sample), failure: null, lastMs: ms });
+      setTraceView(editor, { chosen: null, over: null });
+      settle();
+    },
+    photo(count, speckle) {
+      over({ failure: { id: "trace-photo", count, speckle } });
+      settle();
+    },
+    failed(code) {
+      over({ failure: code === "E_IMAGE" ? { id: "image-broken" } : { id: "engine", code: code === "" ? "unknown" : code } });
+      settle();
+    },
+    restarted() {
+      editor.notify({ kind: "error", id: "engine", text: "The engine that traces stopped and was started again. Your picture is safe." });
+    },
+  };
+}

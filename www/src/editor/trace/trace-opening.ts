@@ -1,0 +1,40 @@
+import { firstTraceSample, traceSample } from "../../document/trace/trace-samples.ts";
+import { traceDefaults } from "../../document/trace/trace.ts";
+import { dropPicture } from "../../kernel/trace/pictures.ts";
+import { ProbeError, type TraceClient } from "../../kernel/trace/trace-client.ts";
+import type { Editor } from "../editor.ts";
+import { openedSample, openPicture, showBox } from "./trace-edits.ts";
+import type { Incoming } from "./trace-state.ts";
+
+/** What is opened without a command of Trace: a picture that is brought in, a sample that an address names. */
+
+/** Says that a picture could not be opened; the page has the words. */
+export type Refuse = (name: string, code: string) => void;
+
+/** A sample that is only named gets its own settings; a name that is none is said and forgotten. */
+export function ensureSample(editor: Editor): void {
+  const { trace } = editor.state.value;
+  if (trace.sample === undefined) return;
+  const sample = traceSample(trace.sample);
+  if (sample === undefined) {
+    editor.notify({ kind: "toast", text: `There is no sample named ${trace.sample}.` });
+    return editor.traceEdits.amend(() => ({ trace: openedSample(firstTraceSample) }));
+  }
+  // An address names it and nothing else; a shared link and a file have settings.
+  if (trace.settings !== traceDefaults) return;
+  editor.traceEdits.amend(({ trace: named }) => ({ trace: { ...named, settings: openedSample(sample).settings } }));
+  showBox(editor, sample);
+  editor.patch({ hint: sample.note });
+}
+
+export async function openIncoming(editor: Editor, client: TraceClient, refuse: Refuse, { name, source }: Incoming): Promise<void> {
+  editor.patch({ incoming: null });
+  try {
+    const [width, height] = await client.probe(source);
+    openPicture(editor, { name, width, height, key: source.key });
+    editor.notify({ kind: "announce", text: `${name} opened, ${width} by ${height} pixels` });
+  } catch (error) {
+    dropPicture(source.key);
+    refuse(name, error instanceof ProbeError ? error.code : "");
+  }
+}
