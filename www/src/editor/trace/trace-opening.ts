@@ -1,7 +1,8 @@
 import { firstTraceSample, traceSample } from "../../document/trace/trace-samples.ts";
 import { traceDefaults } from "../../document/trace/trace.ts";
 import { dropPicture } from "../../kernel/trace/pictures.ts";
-import { ProbeError, type TraceClient } from "../../kernel/trace/trace-client.ts";
+import { ProbeError } from "../../kernel/trace/probes.ts";
+import type { TraceClient } from "../../kernel/trace/trace-client.ts";
 import type { Editor } from "../editor.ts";
 import { openedSample, openPicture, showBox } from "./trace-edits.ts";
 import type { Incoming } from "./trace-state.ts";

@@ -1,5 +1,6 @@
-import { createDesk, createWaiters } from "../worker-desk.ts";
+import { createDesk, createWaiters, type Desk } from "../worker-desk.ts";
 import type { PictureSource, TraceAnswer, TraceHow, TraceRequest, TraceResult, TraceStage } from "./job.ts";
+import { Probes, type PictureSize } from "./probes.ts";
 
 /**
  * Traces in a worker. The newest request counts: what was under way before is stopped, and its answers are heard no
@@ -22,30 +23,11 @@ export interface TraceClient {
   trace(picture: PictureSource, how: TraceHow): void;
   /** Ends what is under way; says whether anything was. */
   cancel(): boolean;
-  /** Width and height of a picture. @throws Error with the code of what is wrong with it. */
-  probe(picture: PictureSource): Promise<readonly [number, number]>;
+  /** @throws ProbeError with the code of what is wrong with the picture. */
+  probe(picture: PictureSource): Promise<PictureSize>;
   readonly busy: boolean;
   /** Resolves when nothing is under way. */
   idle(): Promise<void>;
-}
-
-/** What a picture that cannot be looked at is refused with. */
-export class ProbeError extends Error {
-  override readonly name = "ProbeError";
-  constructor(readonly code: string) {
-    super(code);
-  }
-}
-
-/** A worker has this long to say that it has stopped, in milliseconds. */
-const patience = 300;
-
-interface Probing {
-  readonly request: Extract<TraceRequest, { kind: "probe" }>;
-  /** Whether a worker died with it already. */
-  retried: boolean;
-  resolve(size: readonly [number, number]): void;
-  reject(error: Error): void;
 }
 
 export interface Clock {
@@ -60,128 +42,141 @@ export const pageClock: Clock = {
 };
 
 export function createTraceClient(start: () => Worker, handlers: TraceHandlers, clock: Clock = pageClock): TraceClient {
-  let serial = 0;
-  let running: Extract<TraceRequest, { kind: "trace" }> | null = null;
-  /** Stopped jobs whose last word has not come yet. */
-  const leaving = new Set<number>();
-  let giveUp: (() => void) | null = null;
-  /** The request that was under way when the last worker died. */
-  let retried = 0;
-  const probing = new Map<number, Probing>();
-  const desk = createDesk<TraceRequest, TraceAnswer>(start, { receive, died });
-  const { post } = desk;
-  const { idle, settle } = createWaiters(() => running === null && probing.size === 0);
+  return new Client(start, handlers, clock);
+}
 
-  function dismiss(): void {
-    desk.dismiss();
-    leaving.clear();
-    giveUp?.();
-    giveUp = null;
+/** A worker has this long to say that it has stopped, in milliseconds. */
+const patience = 300;
+
+/** Stopped jobs whose last word has not come yet. */
+class Leaving {
+  readonly #ids = new Set<number>();
+  readonly #clock: Clock;
+  readonly #late: () => void;
+  #giveUp: (() => void) | null = null;
+
+  /** `late` is called when a word has not come in time. */
+  constructor(clock: Clock, late: () => void) {
+    this.#clock = clock;
+    this.#late = late;
+  }
+
+  add(id: number): void {
+    this.#ids.add(id);
+    this.#giveUp ??= this.#clock.after(patience, this.#late);
+  }
+
+  heard(id: number): void {
+    if (this.#ids.delete(id) && this.#ids.size === 0) this.forget();
+  }
+
+  forget(): void {
+    this.#ids.clear();
+    this.#giveUp?.();
+    this.#giveUp = null;
+  }
+}
+
+class Client implements TraceClient {
+  readonly #handlers: TraceHandlers;
+  readonly #desk: Desk<TraceRequest>;
+  readonly #leaving: Leaving;
+  readonly #probes: Probes;
+  readonly #waiters = createWaiters(() => this.#running === null && this.#probes.none);
+  #serial = 0;
+  #running: Extract<TraceRequest, { kind: "trace" }> | null = null;
+  /** The request that was under way when the last worker died. */
+  #retried = 0;
+
+  constructor(start: () => Worker, handlers: TraceHandlers, clock: Clock) {
+    this.#handlers = handlers;
+    this.#desk = createDesk<TraceRequest, TraceAnswer>(start, { receive: (answer) => this.#receive(answer), died: (message) => this.#died(message) });
+    this.#leaving = new Leaving(clock, () => this.#replace());
+    this.#probes = new Probes(this.#desk.post);
+  }
+
+  get busy(): boolean {
+    return this.#running !== null;
+  }
+
+  trace(picture: PictureSource, how: TraceHow): void {
+    if (this.#running !== null) this.#leaving.add(this.#running.id);
+    this.#serial += 1;
+    this.#running = { kind: "trace", id: this.#serial, picture, how };
+    this.#desk.post(this.#running);
+  }
+
+  cancel(): boolean {
+    if (this.#running === null) return false;
+    this.#leaving.add(this.#running.id);
+    this.#running = null;
+    this.#desk.post({ kind: "stop" });
+    this.#waiters.settle();
+    return true;
+  }
+
+  probe(picture: PictureSource): Promise<PictureSize> {
+    this.#serial += 1;
+    return this.#probes.begin(this.#serial, picture);
+  }
+
+  idle(): Promise<void> {
+    return this.#waiters.idle();
+  }
+
+  #receive(answer: TraceAnswer): void {
+    if (this.#probes.receive(answer)) return this.#waiters.settle();
+    const running = this.#running;
+    const isLast = answer.kind !== "progress" && answer.kind !== "picture";
+    if (running?.id !== answer.id) {
+      if (isLast) this.#leaving.heard(answer.id);
+      return;
+    }
+    if (isLast) this.#running = null;
+    this.#tell(answer, running.picture);
+    if (isLast) this.#waiters.settle();
+  }
+
+  #tell(answer: TraceAnswer, picture: PictureSource): void {
+    switch (answer.kind) {
+      case "progress":
+        return this.#handlers.progress(answer.stage, answer.value, answer.done, answer.total);
+      case "picture":
+        return this.#handlers.picture(answer, picture);
+      case "traced":
+        return this.#handlers.traced(answer.result, answer.ms);
+      case "photo":
+        return this.#handlers.photo(answer.count, answer.speckle);
+      case "failed":
+        // An engine that did not start is started anew with the next request.
+        if (answer.code === "E_INIT") this.#dismiss();
+        return this.#handlers.failed(answer.code, answer.message);
+      case "probed":
+      case "stopped":
+    }
+  }
+
+  #died(message: string): void {
+    this.#handlers.restarted();
+    // Which of its requests a worker died of nobody knows: each is tried once more.
+    const lost = this.#running?.id === this.#retried;
+    if (lost) this.#running = null;
+    this.#retried = this.#running?.id ?? 0;
+    this.#probes.died(lost);
+    this.#replace();
+    if (lost) this.#handlers.failed("E_WORKER", message);
+    this.#waiters.settle();
   }
 
   /** A new worker in the old one's place, which goes on with what is still wanted. */
-  function replace(): void {
-    dismiss();
-    for (const { request } of probing.values()) post(request);
-    if (running !== null) post(running);
+  #replace(): void {
+    this.#dismiss();
+    this.#probes.askAgain();
+    if (this.#running !== null) this.#desk.post(this.#running);
   }
 
-  function died(message: string): void {
-    handlers.restarted();
-    // Which of its requests a worker died of nobody knows: each is tried once more.
-    const lost = running?.id === retried;
-    if (lost) running = null;
-    retried = running?.id ?? 0;
-    for (const [id, probe] of probing) {
-      if (lost || probe.retried) {
-        probing.delete(id);
-        probe.reject(new ProbeError("E_WORKER"));
-      }
-      probe.retried = true;
-    }
-    replace();
-    if (lost) handlers.failed("E_WORKER", message);
-    settle();
+  #dismiss(): void {
+    this.#desk.dismiss();
+    this.#leaving.forget();
   }
-
-  function leave(id: number): void {
-    leaving.add(id);
-    giveUp ??= clock.after(patience, replace);
-  }
-
-  function heard(id: number): void {
-    if (!leaving.delete(id) || leaving.size > 0) return;
-    giveUp?.();
-    giveUp = null;
-  }
-
-  function receive(answer: TraceAnswer): void {
-    const { id } = answer;
-    const asked = probing.get(id);
-    if (asked !== undefined) {
-      probing.delete(id);
-      if (answer.kind === "probed") asked.resolve([answer.width, answer.height]);
-      else asked.reject(new ProbeError(answer.kind === "failed" ? answer.code : ""));
-      return settle();
-    }
-    const isLast = answer.kind !== "progress" && answer.kind !== "picture";
-    if (running === null || id !== running.id) {
-      if (isLast) heard(id);
-      return;
-    }
-    const { picture } = running;
-    if (isLast) running = null;
-    switch (answer.kind) {
-      case "progress":
-        handlers.progress(answer.stage, answer.value, answer.done, answer.total);
-        break;
-      case "picture":
-        handlers.picture(answer, picture);
-        break;
-      case "traced":
-        handlers.traced(answer.result, answer.ms);
-        break;
-      case "photo":
-        handlers.photo(answer.count, answer.speckle);
-        break;
-      case "failed":
-        // An engine that did not start is started anew with the next request.
-        if (answer.code === "E_INIT") dismiss();
-        handlers.failed(answer.code, answer.message);
-        break;
-      case "probed":
-      case "stopped":
-        break;
-    }
-    if (isLast) settle();
-  }
-
-  return {
-    get busy() {
-      return running !== null;
-    },
-    trace(picture, how) {
-      if (running !== null) leave(running.id);
-      serial += 1;
-      running = { kind: "trace", id: serial, picture, how };
-      post(running);
-    },
-    cancel() {
-      if (running === null) return false;
-      leave(running.id);
-      running = null;
-      post({ kind: "stop" });
-      settle();
-      return true;
-    },
-    probe(picture) {
-      serial += 1;
-      const request = { kind: "probe", id: serial, picture } as const;
-      return new Promise((resolve, reject) => {
-        probing.set(request.id, { request, retried: false, resolve, reject });
-        post(request);
-      });
-    },
-    idle,
-  };
 }
