@@ -1,0 +1,222 @@
+import { omegaOf, type Contour, type CurveDocument, type Space } from "../../document/document.ts";
+import { activeContour, renewing, setOmega, setSpace } from "../../editor/curve/edits.ts";
+import { setLevel } from "../../editor/curve/level-edits.ts";
+import type { Editor, EditorState } from "../../editor/editor.ts";
+import { whileLoading } from "../../editor/loading.ts";
+import { h, setAttribute, setText } from "../controls/dom.ts";
+import { choiceField, numberField, selectField, sliderField, toggleField } from "../controls/fields.ts";
+import { icon } from "../controls/icons.ts";
+
+/** What the section of the curve is made of, row by row. */
+
+export interface Row {
+  readonly elements: readonly HTMLElement[];
+  /** `contour` is the one that the controls act on. */
+  update(state: EditorState, contour: Contour | undefined): void;
+}
+
+/** Of a contour with finer points, level 0 has space, frequency and number. */
+function isRefined(contour: Contour | undefined): boolean {
+  return contour?.grid !== undefined || contour?.places !== undefined;
+}
+
+/** Families are changed seldom: what it takes comes with the first change. */
+function editFamily(editor: Editor, run: (edits: typeof import("../../editor/curve/family-edits.ts")) => void): void {
+  void whileLoading(editor, import("../../editor/curve/family-edits.ts").then(run));
+}
+
+export function familyRow(editor: Editor): Row {
+  const family = choiceField({
+    label: "Family",
+    testid: "family",
+    about: "How control points make a curve; the other family goes through the same points and says how far the curve moves.",
+    options: [
+      { value: "hermite", label: "Hermite", about: "Points with tangents: each segment depends on its two ends." },
+      { value: "interpolating", label: "Interpolating", about: "Points on the curve, without tangents: smooth through all of them, and each acts near by only." },
+    ],
+    write: (value) => editFamily(editor, ({ setFamily }) => setFamily(editor, value)),
+  });
+  return { elements: [family.element], update: (_, contour) => family.show(contour?.family ?? null) };
+}
+
+const spaces: readonly (readonly [Space, string])[] = [
+  ["trigonometric", "Trigonometric"],
+  ["hyperbolic", "Hyperbolic"],
+  ["polynomial", "Polynomial"],
+];
+
+/** What each space draws exactly: the reason to choose it. */
+const exactIn: Readonly<Record<Space, string>> = {
+  trigonometric: "Exact: ellipses, sine waves, cycloids",
+  hyperbolic: "Exact: hyperbolas, catenaries",
+  polynomial: "Exact: parabolas, any cubic Bézier",
+};
+
+export function spaceRow(editor: Editor): Row {
+  const space = selectField({
+    label: "Space",
+    testid: "space",
+    about: "The functions that segments are made of, and so the shapes that are exact.",
+    options: spaces,
+    write: (value) => setSpace(editor, value),
+    reset: () => setSpace(editor, "trigonometric"),
+  });
+  const exact = h("p", { class: "field-note" });
+  return {
+    elements: [space.element, exact],
+    update({ curve }, contour) {
+      space.show(isRefined(contour) ? null : curve.space);
+      setText(exact, exactIn[curve.space]);
+    },
+  };
+}
+
+const orders: readonly (readonly ["3" | "4" | "5", string])[] = [
+  ["3", "Tangent, 3 roots"],
+  ["4", "Curvature, 4 roots"],
+  ["5", "C³, 5 roots"],
+];
+
+export function orderRow(editor: Editor): Row {
+  const order = selectField({
+    label: "Smoothness",
+    testid: "order",
+    about: "What is continuous along the curve. One more root of the generator is one more derivative, and one more segment that a point acts on; 5 have two harmonics.",
+    options: orders,
+    write: (value) => editFamily(editor, ({ setOrder }) => setOrder(editor, value === "3" ? 3 : value === "4" ? 4 : 5)),
+    reset: () => editFamily(editor, ({ setOrder }) => setOrder(editor, 3)),
+  });
+  return {
+    elements: [order.element],
+    update(_, contour) {
+      order.element.hidden = contour?.family !== "interpolating";
+      order.show(isRefined(contour) ? null : contour?.order === 5 ? "5" : contour?.order === 4 ? "4" : "3");
+    },
+  };
+}
+
+export function frequencyRow(editor: Editor): Row {
+  const omega = numberField({
+    label: "Frequency",
+    testid: "omega",
+    about: "Radians per segment, 0.01 to 3.10, or Auto, which keeps circles exact.",
+    least: 0.01,
+    most: 3.1,
+    step: 0.01,
+    word: "Auto",
+    unit: "rad",
+    format: (value) => String(Number(value.toFixed(4))),
+    write: (value) => setOmega(editor, value ?? "auto", "omega"),
+    reset: () => setOmega(editor, "auto"),
+  });
+  const auto = h("button", {
+    class: "small-button",
+    type: "button",
+    testid: "omega-auto",
+    title: "Let the frequency follow from the number of points, so that circles stay exact.",
+    click: () => setOmega(editor, "auto"),
+  }, "Auto");
+  omega.element.querySelector(".number-box")?.after(auto);
+  const note = h("p", { class: "field-note num" });
+  return {
+    elements: [omega.element, note],
+    update({ curve }, contour) {
+      setAttribute(auto, "aria-pressed", String(curve.omega === "auto"));
+      auto.disabled = curve.space === "polynomial";
+      omega.show(curve.space === "polynomial" || isRefined(contour) ? null : frequencyOf(curve));
+      setText(note, frequencyNote(curve, contour));
+    },
+  };
+}
+
+/** The one frequency of the drawing, or NaN where it follows from the curve or differs between segments. */
+function frequencyOf(curve: CurveDocument): number {
+  return curve.omega === "auto" ? NaN : curve.omega;
+}
+
+function frequencyNote(curve: CurveDocument, contour: Contour | undefined): string {
+  if (curve.space === "polynomial" || contour === undefined || contour.points.length < 2) return "";
+  if (contour.grid !== undefined) return "Level 0 sets space, frequency and number";
+  if (contour.omega !== undefined) return "This contour has one for each segment";
+  if (curve.omega !== "auto") return "";
+  const value = omegaOf(curve, contour, 0);
+  return value === 0 ? "Auto: 0 on an open contour" : `Auto: 2π/${Math.round((2 * Math.PI) / value)} = ${value.toFixed(4)}`;
+}
+
+export function pointsRow(editor: Editor): Row {
+  const points = numberField({
+    label: "Points",
+    testid: "points",
+    about: "Number of points of this contour; changing it resamples at equal parameters.",
+    least: 2,
+    most: 256,
+    step: 1,
+    format: String,
+    write: (value) => value !== null && renewing(editor, ({ resample }) => resample(editor, value, "points")),
+  });
+  points.element.querySelector(".number-box")?.after(stepper(editor));
+  return {
+    elements: [points.element],
+    update(_, contour) {
+      const count = contour?.points.length ?? null;
+      points.show(isRefined(contour) ? null : count);
+      if (isRefined(contour)) points.input.value = String(count);
+    },
+  };
+}
+
+/** − and + beside the number of points. */
+function stepper(editor: Editor): HTMLElement {
+  const step = (by: number) => () => renewing(editor, ({ resample }) => {
+    const contour = editor.state.value.curve.contours[activeContour(editor)];
+    if (contour !== undefined) resample(editor, contour.points.length + by, "points");
+  });
+  return h(
+    "span",
+    { class: "stepper" },
+    h("button", { class: "icon-button", type: "button", "aria-label": "One point fewer", title: "One point fewer", click: step(-1) }, icon("minus")),
+    h("button", { class: "icon-button", type: "button", "aria-label": "One point more", title: "One point more", click: step(1) }, icon("plus")),
+  );
+}
+
+export function levelRow(editor: Editor): Row & { readonly element: HTMLElement } {
+  const level = sliderField({
+    label: "Level",
+    testid: "level",
+    about: "Doubles the points and leaves the curve where it is, to edit finer.",
+    least: 0,
+    most: 6,
+    step: 1,
+    direction: "finer",
+    print: String,
+    write: (value) => setLevel(editor, value),
+    reset: () => setLevel(editor, 0),
+    gesture: { begin: () => editor.begin("Level"), commit: () => editor.commit() },
+  });
+  return {
+    element: level.element,
+    elements: [level.element],
+    update: ({ curve, sketch }, contour) => level.show(contour === undefined ? null : sketch.proposal?.level ?? curve.level),
+  };
+}
+
+export function actionsRow(editor: Editor): Row {
+  const closed = toggleField({
+    label: "Closed",
+    testid: "closed",
+    about: "Whether the last point joins the first.",
+    write: (on) => renewing(editor, ({ setClosed }) => setClosed(editor, on)),
+  });
+  const command = (label: string, testid: string, title: string, action: string): HTMLButtonElement =>
+    h("button", { class: "small-button", type: "button", testid, title, click: () => editor.actions.run(action) }, label);
+  const refine = command("Refine here", "curve-refine", "More points around the chosen ones, none elsewhere; the curve stays", "refine-here");
+  const simplify = command("Simplify", "curve-simplify", "A copy in Fit, where a curve of fewer points is found; of the chosen contours, if some are chosen", "simplify");
+  return {
+    elements: [h("div", { class: "field-row" }, closed.element, refine, simplify)],
+    update({ selection }, contour) {
+      refine.disabled = selection.points.length === 0 || contour?.grid !== undefined;
+      simplify.disabled = contour === undefined;
+      closed.show(contour?.closed ?? null);
+    },
+  };
+}
