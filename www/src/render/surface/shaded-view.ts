@@ -49,81 +49,96 @@ export interface ShadedView {
 
 const shades: Readonly<Record<Shade, number>> = { solid: 0, wire: 1, normals: 2, curvature: 3, zebra: 4 };
 const mostRegions = 8;
-/** What the shader calls the numbers of a vertex. */
-const names = { positions: "position", normals: "normal", parameters: "parameter", curvature: "curvature" } as const;
+const colourNames = ["front", "back", "paper", "ink", "tint", "cool", "warm"] as const;
+/** The numbers of a vertex: what the mesh calls them, what the shader does, and how many they are. */
+const vertexParts = [["positions", "position", 3], ["normals", "normal", 3], ["parameters", "parameter", 2], ["curvature", "curvature", 1]] as const;
 
 /** `lost` is told when the graphics card takes the context away and when it gives it back. */
 export function createShadedView(canvas: HTMLCanvasElement, lost: (gone: boolean) => void): ShadedView | null {
   const context = canvas.getContext("webgl2", { antialias: true, alpha: false, powerPreference: "low-power" });
-  if (context === null) return null;
-  const renderer = new WebGLRenderer({ canvas, context, antialias: true });
-  const scene = new Scene();
-  const camera = new PerspectiveCamera((opening * 180) / Math.PI, 1, 0.01, 1000);
-  camera.up.set(0, 0, 1);
-  const uniforms = {
-    shade: { value: 0 }, iso: { value: true }, front: { value: new Color() }, back: { value: new Color() }, paper: { value: new Color() },
-    ink: { value: new Color() }, tint: { value: new Color() }, cool: { value: new Color() }, warm: { value: new Color() }, eye: { value: new Vector3() },
-    curvatureScale: { value: 1 }, isoStep: { value: 1 }, period: { value: new Vector2() },
-    region: { value: Array.from({ length: mostRegions }, () => new Vector4()) }, regions: { value: 0 },
-  };
-  const material = new ShaderMaterial({ vertexShader, fragmentShader, uniforms, side: DoubleSide });
-  let geometry = new BufferGeometry();
-  const solid = new Mesh(geometry, material);
-  solid.frustumCulled = false;
-  scene.add(solid);
-  let shown: SurfaceMesh | null = null;
-  const clear = new Color();
+  return context === null ? null : new Shaded(new WebGLRenderer({ canvas, context, antialias: true }), watchContext(canvas, lost));
+}
 
+/** Gives back what ends it. */
+function watchContext(canvas: HTMLCanvasElement, lost: (gone: boolean) => void): () => void {
+  const over = new AbortController();
   // The default is to give up: a context that was lost comes back only to those who say that they wait for it.
-  const onLost = (event: Event): void => {
+  canvas.addEventListener("webglcontextlost", (event) => {
     event.preventDefault();
     lost(true);
-  };
-  const onRestored = (): void => lost(false);
-  canvas.addEventListener("webglcontextlost", onLost);
-  canvas.addEventListener("webglcontextrestored", onRestored);
+  }, { signal: over.signal });
+  canvas.addEventListener("webglcontextrestored", () => lost(false), { signal: over.signal });
+  return () => over.abort();
+}
 
-  function put(mesh: SurfaceMesh): void {
-    const sameShape = shown !== null && shown.rows === mesh.rows && shown.cols === mesh.cols;
-    if (!sameShape) {
-      geometry.dispose();
-      geometry = new BufferGeometry();
-      geometry.setIndex(new BufferAttribute(triangles(mesh.rows, mesh.cols), 1));
-      for (const [name, width] of [["position", 3], ["normal", 3], ["parameter", 2], ["curvature", 1]] as const) {
-        geometry.setAttribute(name, new BufferAttribute(new Float32Array(width * mesh.rows * mesh.cols), width));
-      }
-      solid.geometry = geometry;
-    }
-    const set = (name: "positions" | "normals" | "parameters" | "curvature"): void => {
-      const values = mesh[name];
-      const attribute = geometry.getAttribute(names[name]);
-      if (values === null || !(attribute instanceof BufferAttribute) || (sameShape && values === shown?.[name])) return;
-      attribute.array.set(values);
-      attribute.needsUpdate = true;
-    };
-    for (const name of ["positions", "normals", "parameters", "curvature"] as const) set(name);
-    shown = mesh;
+class Shaded implements ShadedView {
+  readonly #renderer: WebGLRenderer;
+  readonly #unwatch: () => void;
+  readonly #scene = new Scene();
+  readonly #camera = new PerspectiveCamera((opening * 180) / Math.PI, 1, 0.01, 1000);
+  readonly #uniforms = freshUniforms();
+  readonly #material = new ShaderMaterial({ vertexShader, fragmentShader, uniforms: this.#uniforms, side: DoubleSide });
+  readonly #solid = new Mesh(new BufferGeometry(), this.#material);
+  readonly #clear = new Color();
+  #shown: SurfaceMesh | null = null;
+
+  constructor(renderer: WebGLRenderer, unwatch: () => void) {
+    this.#renderer = renderer;
+    this.#unwatch = unwatch;
+    this.#camera.up.set(0, 0, 1);
+    this.#solid.frustumCulled = false;
+    this.#scene.add(this.#solid);
   }
 
-  function look({ orbit, width, height, mesh }: Picture): void {
+  draw(picture: Picture): void {
+    if (picture.width < 1 || picture.height < 1) return;
+    this.#renderer.setPixelRatio(picture.ratio);
+    this.#renderer.setSize(picture.width, picture.height, false);
+    this.#look(picture);
+    this.#put(picture.mesh);
+    this.#style(picture);
+    this.#renderer.render(this.#scene, this.#camera);
+  }
+
+  dispose(): void {
+    this.#unwatch();
+    this.#solid.geometry.dispose();
+    this.#material.dispose();
+    this.#renderer.dispose();
+  }
+
+  #look({ orbit, width, height }: Picture): void {
     const { eye } = frameOf(orbit);
+    const camera = this.#camera;
     camera.position.set(...eye);
     camera.aspect = width / Math.max(1, height);
     camera.near = orbit.distance / 100;
     camera.far = orbit.distance * 40;
     camera.lookAt(...orbit.target);
     camera.updateProjectionMatrix();
-    uniforms.eye.value.set(...eye);
-    if (mesh !== shown) put(mesh);
+    this.#uniforms.eye.value.set(...eye);
   }
 
-  /** Colours of the page are what the screen shows: no conversion on the way. */
-  function paint(color: Color, css: string): void {
-    color.setStyle(css, "");
+  /** What has stayed the same is not sent to the graphics card anew. */
+  #put(mesh: SurfaceMesh): void {
+    const shown = this.#shown;
+    if (mesh === shown) return;
+    const sameShape = shown !== null && shown.rows === mesh.rows && shown.cols === mesh.cols;
+    if (!sameShape) {
+      this.#solid.geometry.dispose();
+      this.#solid.geometry = emptyGeometry(mesh);
+    }
+    for (const [part, name] of vertexParts) {
+      const values = mesh[part];
+      if (values !== null && !(sameShape && values === shown[part])) setNumbers(this.#solid.geometry, name, values);
+    }
+    this.#shown = mesh;
   }
 
-  function style({ colours, shade, iso, regions, period, isoStep, curvatureScale }: Picture): void {
-    for (const name of ["front", "back", "paper", "ink", "tint", "cool", "warm"] as const) paint(uniforms[name].value, colours[name]);
+  #style({ colours, shade, iso, regions, period, isoStep, curvatureScale }: Picture): void {
+    const uniforms = this.#uniforms;
+    // Colours of the page are what the screen shows: no conversion on the way.
+    for (const name of colourNames) uniforms[name].value.setStyle(colours[name], "");
     uniforms.shade.value = shades[shade];
     uniforms.iso.value = iso;
     uniforms.isoStep.value = isoStep;
@@ -132,24 +147,31 @@ export function createShadedView(canvas: HTMLCanvasElement, lost: (gone: boolean
     uniforms.regions.value = Math.min(mostRegions, regions.length);
     regions.slice(0, mostRegions).forEach(({ from, size }, i) => uniforms.region.value[i]?.set(from[0], size[0], from[1], size[1]));
     // The clear colour alone is converted by the renderer, so it is given as one that has not been.
-    renderer.setClearColor(clear.setStyle(colours.paper), 1);
+    this.#renderer.setClearColor(this.#clear.setStyle(colours.paper), 1);
   }
+}
 
+function freshUniforms() {
+  const colour = (): { value: Color } => ({ value: new Color() });
   return {
-    draw(picture) {
-      if (picture.width < 1 || picture.height < 1) return;
-      renderer.setPixelRatio(picture.ratio);
-      renderer.setSize(picture.width, picture.height, false);
-      look(picture);
-      style(picture);
-      renderer.render(scene, camera);
-    },
-    dispose() {
-      canvas.removeEventListener("webglcontextlost", onLost);
-      canvas.removeEventListener("webglcontextrestored", onRestored);
-      geometry.dispose();
-      material.dispose();
-      renderer.dispose();
-    },
+    front: colour(), back: colour(), paper: colour(), ink: colour(), tint: colour(), cool: colour(), warm: colour(),
+    shade: { value: 0 }, iso: { value: true }, isoStep: { value: 1 }, curvatureScale: { value: 1 },
+    eye: { value: new Vector3() }, period: { value: new Vector2() },
+    region: { value: Array.from({ length: mostRegions }, () => new Vector4()) }, regions: { value: 0 },
   };
+}
+
+/** The triangles of a mesh, and room for its numbers. */
+function emptyGeometry({ rows, cols }: SurfaceMesh): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setIndex(new BufferAttribute(triangles(rows, cols), 1));
+  for (const [, name, width] of vertexParts) geometry.setAttribute(name, new BufferAttribute(new Float32Array(width * rows * cols), width));
+  return geometry;
+}
+
+function setNumbers(geometry: BufferGeometry, name: string, values: ArrayLike<number>): void {
+  const attribute = geometry.getAttribute(name);
+  if (!(attribute instanceof BufferAttribute)) return;
+  attribute.array.set(values);
+  attribute.needsUpdate = true;
 }
