@@ -1,0 +1,56 @@
+import { button } from "../controls/dialog.ts";
+import { h, setAttribute, setText } from "../controls/dom.ts";
+import type { Shell } from "../shell.ts";
+import type { Box } from "./export-result.ts";
+
+/** Chosen once, kept for the next time the dialog opens. */
+let scale = 2;
+let onPaper = false;
+
+/** The picture, its scale and what is under it; the size it will have is printed on the button. */
+export function pngGroup(shell: Shell, stem: string, d: () => string, box: Box): HTMLElement {
+  const save = button("PNG", { testid: "export-png", title: "Download a picture", click: () => void download(shell, stem, d(), box) });
+  const show = (): void => showSize(save, shell.io.pngSize(box, scale));
+  show();
+  return h("span", { class: "button-group", role: "group", "aria-label": "Picture" }, save, scaleChoice(show), paperChoice());
+}
+
+async function download({ io, toasts }: Shell, stem: string, d: string, box: Box): Promise<void> {
+  const colour = (name: string): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  const paper = onPaper ? colour("--canvas") : null;
+  const blob = await io.writePng({ d, box, scale, paper, ink: colour("--curve"), fill: colour("--point") });
+  if (blob === null) toasts.say("This picture is larger than the browser can draw. Choose a smaller scale.");
+  else io.download(`${stem}@${scale}x.png`, blob);
+}
+
+function showSize(save: HTMLButtonElement, size: { readonly width: number; readonly height: number } | null): void {
+  const label = save.querySelector("span");
+  if (label !== null) setText(label, size === null ? "PNG" : `PNG ${size.width} × ${size.height}`);
+  setAttribute(save, "data-width", size === null ? null : String(size.width));
+  setAttribute(save, "data-height", size === null ? null : String(size.height));
+  save.disabled = size === null;
+}
+
+function scaleChoice(changed: () => void): HTMLElement {
+  const scales = h("select", { class: "select", testid: "export-png-scale", "aria-label": "Picture scale" },
+    ...[1, 2, 4].map((each) => h("option", { value: each }, `${each}×`)),
+  );
+  scales.value = String(scale);
+  scales.addEventListener("change", () => {
+    scale = Number(scales.value);
+    changed();
+  });
+  return scales;
+}
+
+function paperChoice(): HTMLElement {
+  const papers = h("select", { class: "select", testid: "export-png-paper", "aria-label": "Picture background" },
+    h("option", { value: "none" }, "transparent"),
+    h("option", { value: "paper" }, "paper"),
+  );
+  papers.value = onPaper ? "paper" : "none";
+  papers.addEventListener("change", () => {
+    onPaper = papers.value === "paper";
+  });
+  return papers;
+}

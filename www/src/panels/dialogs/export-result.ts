@@ -1,0 +1,76 @@
+import type { CurveDocument } from "../../document/document.ts";
+import { exportPath, type ExportedPath } from "../../kernel/paths/export.ts";
+import type { documentBounds } from "../../kernel/curve/samples.ts";
+import { h, svg } from "../controls/dom.ts";
+import { formatBytes, formatDeviation } from "../controls/format.ts";
+import { asProblem } from "../messages/errors.ts";
+import { problemText } from "../messages/file-errors.ts";
+import type { Shell } from "../shell.ts";
+import { chosenOptions } from "./export-options.ts";
+
+/** The path as it is written now: its text, a picture made of the text, and its numbers. */
+
+export type Box = ReturnType<typeof documentBounds>;
+
+export interface ExportResult {
+  readonly picture: HTMLElement;
+  /** The text and what is to be said of it. */
+  readonly rows: readonly HTMLElement[];
+  /** The last path that could be written; empty if none could. */
+  d(): string;
+  /** Writes it anew, with the options that are chosen. */
+  refresh(): void;
+}
+
+export function exportResult(shell: Shell, curve: CurveDocument, box: Box): ExportResult {
+  const picture = h("div", { class: "export-picture" });
+  const preview = h("textarea", { class: "code-field", testid: "export-preview", rows: "5", readonly: true, "aria-label": "Path data", spellcheck: "false" });
+  const numbers = h("dl", { class: "export-numbers num" });
+  const message = h("div", { class: "message-slot" });
+  let exported: ExportedPath | null = null;
+  return {
+    picture,
+    rows: [preview, numbers, message],
+    d: () => exported?.d ?? "",
+    refresh() {
+      try {
+        exported = exportPath(curve, chosenOptions());
+      } catch (error) {
+        return message.replaceChildren(complaint(error));
+      }
+      message.replaceChildren();
+      preview.value = exported.d;
+      picture.replaceChildren(drawn(exported.d, box));
+      void showNumbers(shell, numbers, exported);
+    },
+  };
+}
+
+function complaint(error: unknown): HTMLElement {
+  const { id, details } = asProblem(error);
+  return h("p", { class: "message message-error", testid: "error", "data-error": id, role: "alert" }, problemText(id, details));
+}
+
+function drawn(d: string, box: Box): SVGSVGElement {
+  if (box === null) return svg("svg", { "aria-hidden": "true" });
+  const margin = Math.max(box.maxX - box.minX, box.maxY - box.minY) * 0.06 + 1e-6;
+  const viewBox = [box.minX - margin, box.minY - margin, box.maxX - box.minX + 2 * margin, box.maxY - box.minY + 2 * margin].join(" ");
+  return svg("svg", { viewBox, role: "img", "aria-label": "Preview of the exported path" }, svg("path", { class: "thumbnail-curve", d }));
+}
+
+/** The numbers of a path, at once; what it weighs compressed takes its place in them when it is known. */
+async function showNumbers({ io }: Shell, list: HTMLElement, exported: ExportedPath): Promise<void> {
+  const raw = new TextEncoder().encode(exported.d).length;
+  const row = (label: string, testid: string, text: string, value?: number): HTMLElement =>
+    h("div", {}, h("dt", {}, label), h("dd", { testid, "data-value": value }, text));
+  const unknown = row("Gzipped", "export-gzip", "…");
+  list.replaceChildren(
+    row("Deviation, measured", "export-deviation", formatDeviation(exported.deviation), exported.deviation),
+    row("Commands", "export-commands", String(exported.commands), exported.commands),
+    row("Size", "export-bytes", formatBytes(raw), raw),
+    unknown,
+  );
+  const gzipped = await io.gzippedSize(exported.d);
+  // Answers may come in any order: of a path that is no longer shown, the row is no longer there.
+  unknown.replaceWith(row("Gzipped", "export-gzip", formatBytes(gzipped), gzipped));
+}
