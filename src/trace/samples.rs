@@ -50,12 +50,14 @@ impl Samples {
         let count = ((length / SPACING).round() as usize).max(8);
         let spacing = length / count as f64;
         let mut points = Vec::with_capacity(2 * count);
-        let mut travelled = 0.0;
+        let (mut travelled, mut next) = (0.0, 0.0);
         for (i, &from) in polyline.iter().enumerate() {
-            let step = norm(after(i) - from);
-            while points.len() < count && points.len() as f64 * spacing <= travelled + step {
-                let share = if step > 0.0 { (points.len() as f64 * spacing - travelled) / step } else { 0.0 };
-                points.push(from + (after(i) - from) * share);
+            let way = after(i) - from;
+            let step = norm(way);
+            while points.len() < count && next <= travelled + step {
+                let share = if step > 0.0 { (next - travelled) / step } else { 0.0 };
+                points.push(from + way * share);
+                next = points.len() as f64 * spacing;
             }
             travelled += step;
         }
@@ -147,14 +149,11 @@ impl Samples {
         &self.ring[inside(start).min(end)..end]
     }
 
-    /// All places that have as many before them as after them, by their index, in the middle of those.
-    pub(super) fn surroundings(&self, reach: usize) -> impl Iterator<Item = (usize, &[Point])> {
-        let count = self.count;
-        let rounds = if 2 * reach > count { 0 } else { count };
-        self.ring.windows(2 * reach + 1).take(rounds).enumerate().map(move |(first, around)| {
-            let i = first + reach;
-            (if i < count { i } else { i - count }, around)
-        })
+    /// Every place in the middle of as many before it as after it, from the first place that has them without going round; nothing where
+    /// they would meet.
+    pub(super) fn surroundings(&self, reach: usize) -> impl Iterator<Item = &[Point]> {
+        let rounds = if 2 * reach > self.count { 0 } else { self.count };
+        self.ring.windows(2 * reach + 1).take(rounds)
     }
 
     /// The place and the tangent at index i, from a cubic in the distance: over as much on both sides, from `least` up to
@@ -245,34 +244,68 @@ pub(super) fn turn(from: Vector, to: Vector) -> f64 {
 
 /// The line that is nearest to the places in the mean square.
 pub(super) fn line_through(points: &[Point]) -> Line {
-    // Seen from the first place the sums are as exact as about the middle, which is not known yet.
-    let first = points[0];
-    let mut sum = Vector::zeros();
-    let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
-    for p in points {
-        let d = p - first;
-        sum += d;
-        xx += d.x * d.x;
-        xy += d.x * d.y;
-        yy += d.y * d.y;
+    Moments::of(points).line()
+}
+
+/// What places say of the line through them, summed up from the first one on. Places that follow can be added.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Moments {
+    first: Point,
+    last: Point,
+    count: usize,
+    sum: Vector,
+    xx: f64,
+    xy: f64,
+    yy: f64,
+}
+
+impl Moments {
+    pub(super) fn of(points: &[Point]) -> Self {
+        let first = points[0];
+        let none = Self { first, last: first, count: 0, sum: Vector::zeros(), xx: 0.0, xy: 0.0, yy: 0.0 };
+        none.with(points)
     }
-    let mean = sum / points.len() as f64;
-    xx -= sum.x * mean.x;
-    xy -= sum.x * mean.y;
-    yy -= sum.y * mean.y;
-    // The axis of the larger moment: half the angle of (xx − yy, 2xy), without angles.
-    let (a, b) = (xx - yy, 2.0 * xy);
-    let length = (a * a + b * b).sqrt();
+
+    /// With the places that follow.
+    #[inline]
+    pub(super) fn with(mut self, points: &[Point]) -> Self {
+        // Seen from the first place the sums are as exact as about the middle, which is not known yet.
+        for p in points {
+            let d = p - self.first;
+            self.sum += d;
+            self.xx += d.x * d.x;
+            self.xy += d.x * d.y;
+            self.yy += d.y * d.y;
+        }
+        self.count += points.len();
+        self.last = points.last().copied().unwrap_or(self.last);
+        self
+    }
+
+    /// The line that is nearest in the mean square.
+    pub(super) fn line(&self) -> Line {
+        let Self { first, sum, .. } = *self;
+        let mean = sum / self.count as f64;
+        let (xx, yy) = (self.xx - sum.x * mean.x, self.yy - sum.y * mean.y);
+        let (a, b) = (xx - yy, 2.0 * (self.xy - sum.x * mean.y));
+        let length = (a * a + b * b).sqrt();
+        Line { middle: first + mean, direction: principal_axis(a, b, length, self.last - first) }
+    }
+}
+
+/// The direction of the larger moment, on the side of a way: half the angle of (a, b) = (xx − yy, 2xy), whose length is given, without
+/// angles.
+#[inline]
+pub(super) fn principal_axis(a: f64, b: f64, length: f64, way: Vector) -> Vector {
     let axis = if length < 1e-300 {
-        points[points.len() - 1] - first
+        way
     } else if a >= 0.0 {
         Vector::new(length + a, b)
     } else {
         Vector::new(b, length - a)
     };
     let axis = unit(axis);
-    let along = dot(points[points.len() - 1] - first, axis);
-    Line { middle: first + mean, direction: if along < 0.0 { -axis } else { axis } }
+    if dot(way, axis) < 0.0 { -axis } else { axis }
 }
 
 impl Line {

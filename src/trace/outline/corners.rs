@@ -1,9 +1,12 @@
 //! Sharp corners of a contour, and only those.
 
+mod sides;
+
+use self::sides::Sides;
+use crate::numerics::Point;
 use crate::numerics::order::sort_by_keys;
 use crate::numerics::plane::{dot, norm, square};
-use crate::numerics::{Point, Vector};
-use crate::trace::samples::{Line, Samples, line_through, turn, unit};
+use crate::trace::samples::{Samples, line_through, turn};
 
 /// Corners this near each other, in pixels, may be one.
 const DOUBLE: f64 = 1.5;
@@ -57,10 +60,11 @@ pub(in crate::trace) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<
         let least = [0.6 * rule.angle, rule.angle, rule.angle / STEEP];
         let cosines = least.map(|angle| crate::numerics::angle::sin_cos(angle).1);
         let reach = reach(samples, rule);
-        let mut scores = vec![0.0; samples.len()];
-        for (i, around) in samples.surroundings(reach[1]) {
-            scores[i] = score(around, reach, cosines);
-        }
+        let all = samples.surroundings(reach[1]).map(|around| score(around, reach, cosines));
+        let mut scores: Vec<f64> = all.collect();
+        scores.resize(samples.len(), 0.0);
+        // The first surroundings are those of the place that is so far from the first.
+        scores.rotate_right(reach[1].min(samples.len()));
         let known = found.len();
         for i in 0..count {
             let own = scores[i as usize];
@@ -117,47 +121,22 @@ fn score(around: &[Point], [near, far]: [usize; 2], [cosine, least, soft]: [f64;
     if ours > theirs {
         return 0.0;
     }
-    let (before, after) = (&around[..=far - near], &around[far + near..]);
-    let (first, second) = (line_through(before), line_through(after));
+    let sides = Sides::new(&around[..=far - near], &around[far + near..]);
+    let lines = sides.directions();
     // Less than a corner is nothing: most curves end here.
-    if dot(first.direction, second.direction) > least {
+    if dot(lines[0], lines[1]) > least {
         return 0.0;
     }
-    let ends = [end_tangent(before, &first, here, 1.0), end_tangent(after, &second, here, -1.0)];
+    let ends = sides.end_tangents(lines, here);
     // What is less than a corner by its tangents is nothing, too, and no angle has to be known.
     if dot(ends[0], ends[1]) > soft {
         return 0.0;
     }
-    let lines = turn(first.direction, second.direction);
-    let tangents = turn(ends[0], ends[1]);
+    let (lines, tangents) = (turn(lines[0], lines[1]), turn(ends[0], ends[1]));
     if lines * tangents < 0.0 && lines.abs() < 2.0 {
         return 0.0;
     }
     lines.abs().min(STEEP * tangents.abs())
-}
-
-/// The tangent at the place that a side leads to, by a parabola over the side's own axis, the line through it.
-fn end_tangent(side: &[Point], line: &Line, here: Point, sign: f64) -> Vector {
-    let normal = Vector::new(-line.direction.y, line.direction.x);
-    // Least squares of y = a + bx + cx² about the middle, where Σx = 0, and along the axis, where Σy and Σxy are 0.
-    let (mut x2, mut x3, mut x4, mut y2) = (0.0, 0.0, 0.0, 0.0);
-    for p in side {
-        let (x, y) = (dot(p - line.middle, line.direction), dot(p - line.middle, normal));
-        let xx = x * x;
-        x2 += xx;
-        x3 += xx * x;
-        x4 += xx * xx;
-        y2 += xx * y;
-    }
-    // From a = −c·x2/n: [x2 x3; x3 x4 − x2²/n]·(b, c) = (0, y2).
-    let determinant = x2 * (x4 - x2 * x2 / side.len() as f64) - x3 * x3;
-    if determinant.abs() < 1e-9 {
-        return line.direction;
-    }
-    // Extrapolated to the place, which is no farther than the side is long.
-    let reach = norm(side[side.len() - 1] - side[0]);
-    let x = sign * (sign * dot(here - line.middle, line.direction)).max(0.0).min(1.2 * reach);
-    unit(line.direction + normal * (y2 / determinant * (2.0 * x2 * x - x3)))
 }
 
 fn place(samples: &Samples, i: isize, rule: &CornerRule) -> Option<Point> {

@@ -1,5 +1,6 @@
 //! One cubic through two given points, as near as it can to places between them.
 
+use crate::numerics::pair::Pair;
 use crate::numerics::plane::{cross, dot, larger, norm, square};
 use crate::numerics::{Point, Vector};
 use crate::trace::samples::unit;
@@ -69,6 +70,48 @@ impl Cubic {
         (t - dot(off, velocity) / slope).clamp(0.0, 1.0)
     }
 
+    /// [`Self::foot`] of some points, in pairs.
+    fn feet(&self, points: &[Point], parameters: &mut [f64]) {
+        let middle = self.end - self.start - self.leaving - self.arriving;
+        let both = |v: Vector| [Pair::twice(v.x), Pair::twice(v.y)];
+        let [start, way, leaving, arriving, middle, first, second] = [
+            self.start,
+            self.end - self.start,
+            self.leaving,
+            self.arriving,
+            middle,
+            middle - self.leaving,
+            self.arriving - middle,
+        ]
+        .map(both);
+        let [one, two, three, six] = [1.0, 2.0, 3.0, 6.0].map(Pair::twice);
+        let (pairs, last) = parameters.as_chunks_mut::<2>();
+        for (parameters, &[p, q]) in pairs.iter_mut().zip(points.as_chunks().0) {
+            let t = Pair::new(parameters[0], parameters[1]);
+            let u = one - t;
+            let (b, c, d) = (three * u * u * t, three * u * t * t, t * t * t);
+            let (uu, ut, tt) = (u * u, two * u * t, t * t);
+            let along = |k: usize, p: f64, q: f64| {
+                let off = start[k] + way[k] * (c + d) + leaving[k] * b - arriving[k] * c - Pair::new(p, q);
+                let velocity = (leaving[k] * uu + middle[k] * ut + arriving[k] * tt) * three;
+                let acceleration = (first[k] * u + second[k] * t) * six;
+                (off * velocity, velocity * velocity, off * acceleration)
+            };
+            let (x, y) = (along(0, p.x, q.x), along(1, p.y, q.y));
+            let (slip, slope) = (x.0 + y.0, x.1 + y.1 + (x.2 + y.2));
+            let step = slip / slope;
+            let foot =
+                |t: f64, step: f64, slope: f64| if slope <= 0.0 { t } else { (t - step).clamp(0.0, 1.0) };
+            *parameters = [
+                foot(parameters[0], step.first(), slope.first()),
+                foot(parameters[1], step.second(), slope.second()),
+            ];
+        }
+        for (t, &p) in last.iter_mut().zip(points.last()) {
+            *t = self.foot(p, *t);
+        }
+    }
+
     /// Fits the ways to the control points to `places` between `start` and `end`.
     pub(in crate::trace) fn fit(
         start: Point,
@@ -90,9 +133,7 @@ impl Cubic {
         let mut cubic = Self { start, leaving: Vector::zeros(), arriving: Vector::zeros(), end };
         for round in 0..ROUNDS {
             if round > 0 {
-                for (t, &p) in parameters.iter_mut().zip(points) {
-                    *t = cubic.foot(p, *t);
-                }
+                cubic.feet(points, parameters);
             }
             cubic.solve(points, parameters, tangents, chord);
         }

@@ -113,13 +113,18 @@ impl ContourScan {
             self.below.fill(0);
         }
         mix(&self.above, &self.below, &mut self.mixed);
+        // Beyond the border there are no shades.
+        let rows = [
+            if line > 0 { gray.row(line - 1) } else { &[] },
+            if line < height { gray.row(line) } else { &[] },
+        ];
         let mut on_left = NONE;
         for block in 0..self.mixed.len() / BLOCK {
             // The lowest byte that is not 0 is the first mixed cell of the block.
             let mut cells = u64::from_le_bytes(self.mixed.as_chunks::<BLOCK>().0[block]);
             while cells != 0 {
                 let first = cells.trailing_zeros() as usize / 8;
-                on_left = self.cell(gray, BLOCK * block + first, on_left)?;
+                on_left = self.cell(rows, BLOCK * block + first, on_left)?;
                 cells &= !(255 << (8 * first));
             }
         }
@@ -129,17 +134,13 @@ impl ContourScan {
     }
 
     /// The crossings on the right and the lower side of a mixed cell, joined with the others; the one on the right.
-    fn cell(&mut self, gray: &Gray, cell: usize, on_left: u32) -> Result<u32> {
+    fn cell(&mut self, rows: [&[u16]; 2], cell: usize, on_left: u32) -> Result<u32> {
         let (x, y) = (cell as f64 - 0.5, self.line as f64 - 0.5);
         // Positive is ink. Paper beyond the border is as far from the level as ink is.
-        let (row, next) = (self.line, self.line + 1);
         let value = |corner: usize| {
-            let [column, row] = [[cell, row], [cell + 1, row], [cell + 1, next], [cell, next]][corner];
-            if column == 0 || row == 0 || column > gray.width() || row > gray.height() {
-                f64::NAN
-            } else {
-                self.sign * (self.level - gray.shade(column - 1, row - 1))
-            }
+            let column = cell + usize::from(corner == 1 || corner == 2);
+            let shade = rows[corner / 2].get(column.wrapping_sub(1));
+            shade.map_or(f64::NAN, |&shade| self.sign * (self.level - f64::from(shade)))
         };
         let ink = [self.above[cell], self.above[cell + 1], self.below[cell + 1], self.below[cell]];
         let right = if ink[1] == ink[2] {

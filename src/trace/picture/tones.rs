@@ -23,7 +23,7 @@ impl Tones {
 /// Rows that are looked at in one step.
 const ROWS: usize = 64;
 /// About as many pixels are looked at for flat places.
-const ENOUGH: usize = 131_072;
+const ENOUGH: usize = 65_536;
 
 /// Pixels that are looked at together, and where they are not all alike.
 const BLOCK: usize = 32;
@@ -142,12 +142,12 @@ impl ToneScan {
 fn count_shades(shades: &mut [[u32; 256]; 4], row: &[u16]) {
     let (blocks, rest) = row.as_chunks::<BLOCK>();
     for block in blocks {
-        if alike(block, block[0]) {
+        if is_even(block) {
             shades[0][usize::from(block[0] >> 8)] += BLOCK as u32;
             continue;
         }
         for part in block.as_chunks::<PART>().0 {
-            if alike(part, part[0]) {
+            if is_even(part) {
                 shades[0][usize::from(part[0] >> 8)] += PART as u32;
                 continue;
             }
@@ -160,6 +160,12 @@ fn count_shades(shades: &mut [[u32; 256]; 4], row: &[u16]) {
     for &value in rest {
         shades[0][usize::from(value >> 8)] += 1;
     }
+}
+
+/// Whether so many pixels have one shade: lanes, as their number is known.
+#[inline]
+fn is_even<const N: usize>(pixels: &[u16; N]) -> bool {
+    pixels.iter().fold(0, |off, &value| off | (value ^ pixels[0])) == 0
 }
 
 /// Whether all pixels have one shade.

@@ -3,7 +3,7 @@
 use super::{Anchor, Divider};
 use crate::numerics::Point;
 use crate::numerics::plane::{cross, square};
-use crate::trace::samples::{Line, line_through, unit};
+use crate::trace::samples::{Line, Moments, line_through, unit};
 
 /// A straight run of a contour.
 #[derive(Debug)]
@@ -22,21 +22,20 @@ impl Divider<'_> {
         let near = self.samples.steps(1.2);
         let mut i = first;
         while i + least <= last {
-            if !self.straight(i, i + least) {
+            let Some(mut moments) = self.straight(i, i + least, None) else {
                 i += 1;
                 continue;
-            }
+            };
             // Doubling and halving: the longest run from here.
-            let (mut good, mut step) = (i + least, least);
-            while good + step <= last && self.straight(i, good + step) {
-                good += step;
-                step *= 2;
-            }
+            let (mut good, mut step, mut grows) = (i + least, least, true);
             while step > 0 {
-                if good + step <= last && self.straight(i, good + step) {
-                    good += step;
+                let wish = good + step;
+                let longer = if wish <= last { self.straight(i, wish, Some((good, &moments))) } else { None };
+                grows &= longer.is_some();
+                if let Some(longer) = longer {
+                    (good, moments) = (wish, longer);
                 }
-                step /= 2;
+                step = if grows { 2 * step } else { step / 2 };
             }
             let trim = (good - i) / 8;
             let core = self.samples.stretch(i + trim, good - trim);
@@ -64,20 +63,25 @@ impl Divider<'_> {
         runs
     }
 
+    /// The moments of a stretch, if it is straight; those of its places up to one may be known.
     #[inline(never)]
-    fn straight(&self, first: isize, last: isize) -> bool {
+    fn straight(&self, first: isize, last: isize, known: Option<(isize, &Moments)>) -> Option<Moments> {
         // Where all are near a line, the middle is not twice as far from the chord.
         let place = |i: isize| self.samples.at(i);
         let (start, middle) = (place(first), place(first + (last + 1 - first) / 2));
         let chord = place(last) - start;
         let bend = cross(chord, middle - start);
         if bend * bend > 4.0 * self.rule.straight * self.rule.straight * square(chord) {
-            return false;
+            return None;
         }
         let points = self.samples.stretch(first, last);
-        let line = line_through(points);
+        let moments = match known {
+            Some((end, moments)) => moments.with(&points[(end + 1 - first) as usize..]),
+            None => Moments::of(points),
+        };
+        let line = moments.line();
         // Where it is not one line, most often its last places say so.
-        points.iter().rev().all(|&p| line.offset(p).abs() <= self.rule.straight)
+        points.iter().rev().all(|&p| line.offset(p).abs() <= self.rule.straight).then_some(moments)
     }
 
     /// Whether a stretch is one line.
