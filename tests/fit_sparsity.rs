@@ -122,8 +122,8 @@ fn what_points_say_along_the_curve_is_used_where_they_are_even() {
         assert!(fitted.curve.segment_count() <= 18, "curve {seed}: {}", fitted.curve.segment_count());
         sum += rms;
     }
-    // Distances alone leave 0.25: as many numbers, and half of what the points say.
-    assert!(sum / (cases as f64) < 0.235, "rms to the truth {}", sum / cases as f64);
+    // Distances alone leave 0.25: as many numbers, and half of what the points say. Steps that end before knots have slid leave 0.225.
+    assert!(sum / (cases as f64) < 0.224, "rms to the truth {}", sum / cases as f64);
 }
 
 #[test]

@@ -54,6 +54,7 @@ impl Envelope {
     }
 
     /// Adds `times` some numbers to the first entries of row i, which reaches back to the first column.
+    #[inline(never)]
     pub(super) fn add_to_row(&mut self, i: usize, numbers: &[f64], times: f64) {
         let row = &mut self.entries[self.start[i]..self.start[i] + numbers.len()];
         row.iter_mut().zip(numbers).for_each(|(entry, number)| *entry += times * number);

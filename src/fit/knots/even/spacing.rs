@@ -7,11 +7,11 @@ mod growth;
 mod sums;
 
 use self::growth::{Growths, Place};
-use self::sums::{LENGTHS, SIZE, Sums};
-use super::{PARTS, Spread, place};
+use self::sums::{Crowd, LENGTHS, Sums};
+use super::{PARTS, Spread, place, value};
 use crate::fit::knots::breaks::{Breaks, HIGHEST, STIFF};
 use crate::fit::knots::envelope::Envelope;
-use crate::fit::knots::foot_points::Spline;
+use crate::fit::knots::foot_points::{Spline, taylor};
 use crate::fit::knots::free_knots::{FreeKnots, Located};
 
 /// The most steps, and the most operations that one may take.
@@ -20,6 +20,11 @@ const MOST_WORK: usize = 4_000_000;
 /// Steps that fail before none is looked for any more, and by how much each is shorter.
 const MOST_FAILED: usize = 2;
 const SHORTER: f64 = 0.3;
+/// How much less it counts at first that a curve's parameter stays as it is than what points say, and how many times that after a
+/// whole step and after a part of one: knots slide with the parameter, and little holds them (Levenberg's way).
+const STAY: f64 = 0.003;
+const EASIER: f64 = 0.3;
+const HARDER: f64 = 10.0;
 /// How many times what the last step brought may be missing.
 const PACE: f64 = 4.0;
 
@@ -32,6 +37,8 @@ pub(in crate::fit::knots) struct Spaced {
     pub(in crate::fit::knots) squares: f64,
     /// The length to the first point.
     lead: f64,
+    /// How much less than what points say it counts that the parameter stays as it is.
+    stay: f64,
 }
 
 impl Spaced {
@@ -51,7 +58,7 @@ impl Spaced {
         let parameters = (0..located.points.len()).map(at).collect();
         let located = Located { parameters, ..located.clone() };
         let squares = spline.squares(&located);
-        Some(Self { spline, located, squares, lead })
+        Some(Self { spline, located, squares, lead, stay: STAY })
     }
 
     /// The curve on other breaks, with its points where they are.
@@ -98,9 +105,10 @@ impl Spaced {
             for (to, from) in [(&mut spline.x, &self.spline.x), (&mut spline.y, &self.spline.y)] {
                 to.iter_mut().zip(from).for_each(|(to, from)| *to = from + share * (*to - from));
             }
-            if let Some(eased) = Self::from(spline, &self.located, self.lead + share * ahead)
+            if let Some(mut eased) = Self::from(spline, &self.located, self.lead + share * ahead)
                 .filter(|eased| eased.squares < self.squares)
             {
+                eased.stay = self.stay * if share < 1.0 { HARDER } else { EASIER };
                 return Some(eased);
             }
             share *= SHORTER;
@@ -114,10 +122,7 @@ impl Spaced {
         let (space, size) = (&self.spline.space, 2 * self.spline.space.count + 1);
         let spread = Spread::from(&self.spline, self.located.points.len(), self.lead)?;
         let lengths = growth::of(&self.spline, &spread.lengths.at);
-        let sums = match space.breaks.degree {
-            ..4 => self.sums::<4, { LENGTHS + 8 }>(&spread, &lengths),
-            _ => self.sums::<{ HIGHEST + 1 }, SIZE>(&spread, &lengths),
-        };
+        let sums = self.sums(&spread, &lengths);
         let (mut equations, mut right) = (Envelope::new(vec![0; size]), vec![0.0; size]);
         for (s, sums) in sums.iter().enumerate() {
             let mut units = vec![size - 1];
@@ -133,22 +138,48 @@ impl Spaced {
         Some((equations, right, STIFF * most))
     }
 
-    /// The sums of every piece, for degrees below T: N unknowns each.
-    fn sums<const T: usize, const N: usize>(&self, spread: &Spread, lengths: &Growths) -> Vec<Sums> {
-        let closed = self.spline.space.breaks.closed;
-        let mut sums = vec![Sums::default(); self.spline.space.spans.len()];
-        let mut guess = 0;
-        for (m, (point, &t)) in self.located.points.iter().zip(&self.located.parameters).enumerate() {
-            let t = if closed && t < spread.lengths.at[0] { t + self.spline.space.breaks.end } else { t };
-            place(&spread.lengths.at, t, &mut guess);
-            let s = guess / PARTS;
-            let place = Place::new::<T>(&self.spline, &lengths.pieces[s], s, t);
-            let ends = [spread.lengths.at[guess], spread.lengths.at[guess + 1]];
-            let share = spread.step / spread.lengths.total() * m as f64 - spread.turns(m);
-            let grown = lengths.parts[guess].at((t - ends[0]) / (ends[1] - ends[0]));
-            let lengths = [-1.0, share, if closed { 1.0 } else { 0.0 }];
-            sums[s].take::<T, N>(self.located.weight(m), point - place.on, lengths, (&place, &grown));
+    /// The sums of every piece.
+    fn sums(&self, spread: &Spread, lengths: &Growths) -> Vec<Sums> {
+        let (space, along) = (&self.spline.space, &spread.lengths);
+        let mut sums = vec![Sums::default(); space.spans.len()];
+        for (part, crowd) in self.crowds(spread, lengths, &mut sums).iter().enumerate() {
+            let s = part / PARTS;
+            let (start, step) = (along.at[part], along.at[part + 1] - along.at[part]);
+            let cubic = along.cubic(part);
+            let share = |length: f64, whole: f64| (length - whole * spread.lead) / along.total();
+            let turned = if space.breaks.closed { 1.0 } else { 0.0 };
+            for [w, v] in crowd.nodes().into_iter().filter(|node| node[0] > 0.0) {
+                let place = Place::new(&self.spline, &lengths.pieces[s], s, start + v * step);
+                let grown = lengths.parts[part].sum(&[1.0, v, v * v, v * v * v]);
+                let lengths = [-1.0, share(value(&cubic, v).0, 1.0), turned];
+                sums[s].take([w, self.stay], lengths, (&place, &grown));
+            }
+            let (beside, right) = (&crowd.beside, &mut sums[s].right);
+            let length = cubic.iter().zip(beside).map(|(c, b)| c * b).sum();
+            right[0] -= beside[0];
+            right[1] += share(length, beside[0]);
+            right[2] += turned * beside[0];
+            let grown = lengths.parts[part].sum(beside);
+            right[LENGTHS..].iter_mut().zip(grown).for_each(|(right, grown)| *right -= grown);
         }
         sums
+    }
+
+    /// The points of every part; the sums take what they are off.
+    fn crowds(&self, spread: &Spread, lengths: &Growths, sums: &mut [Sums]) -> Vec<Crowd> {
+        let (space, at, mut guess) = (&self.spline.space, &spread.lengths.at, 0);
+        let mut crowds = vec![Crowd::default(); lengths.parts.len()];
+        for (m, (point, &t)) in self.located.points.iter().zip(&self.located.parameters).enumerate() {
+            let t = if space.breaks.closed && t < at[0] { t + space.breaks.end } else { t };
+            place(at, t, &mut guess);
+            let s = guess / PARTS;
+            let u = (t - space.spans[s].middle) / space.spans[s].half;
+            let [on, first, _] = taylor::<{ HIGHEST + 1 }>(&lengths.pieces[s], u);
+            let (rest, speed, w) = (point - on, first.norm(), self.located.weight(m));
+            let beside = if speed > 0.0 { rest.dot(&first) / speed } else { rest.x };
+            crowds[guess].take((t - at[guess]) / (at[guess + 1] - at[guess]), w, beside);
+            sums[s].pull(u, rest * w);
+        }
+        crowds
     }
 }

@@ -1,7 +1,6 @@
 //! The end of a search among points that follow one another evenly: where along the curve they belong tells most of it.
 
 use super::rounding::slight_corners;
-use super::straight::EASILY;
 use super::{Found, PER_NUMBER, Sparsest};
 use crate::fit::knots::even::Spaced;
 use crate::fit::report::weight;
@@ -9,6 +8,8 @@ use crate::fit::report::weight;
 /// Points that are so many times farther from where they belong by length, in the mean of squares, than noise says are not
 /// even.
 const EXPLAINED: f64 = 1.3;
+/// The share of a number's price that makes another step.
+const EASILY: f64 = 0.5;
 /// Corners that turn by less, in radians, may be smooth.
 const SLIGHT: f64 = 0.5;
 

@@ -20,7 +20,7 @@ const JOINING: f64 = 0.5;
 const TRIAL: f64 = 7.0;
 /// Steps to a fit with other straight pieces, and the share of a number's price that makes another one.
 const FEW_SLIDES: usize = 3;
-pub(super) const EASILY: f64 = 0.1;
+const EASILY: f64 = 0.1;
 /// The same when the pieces are known.
 const MOST_SLIDES: usize = 12;
 const HARDLY: f64 = 1e-3;

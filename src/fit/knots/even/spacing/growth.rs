@@ -8,25 +8,23 @@ use crate::numerics::Vector;
 /// One number for each coordinate of each coefficient of a piece: x₀, y₀, x₁, …
 pub(super) type Local = [f64; 2 * (HIGHEST + 1)];
 
-/// A place on a curve: where it is, the unit vector along, and what it moves by with the coefficients of its piece.
+/// A place on a curve: the unit vector along, and what it moves by with the coefficients of its piece.
 pub(super) struct Place {
     pub(super) u: f64,
-    pub(super) on: Vector,
     pub(super) along: Vector,
     pub(super) shares: [f64; HIGHEST + 1],
 }
 
 impl Place {
-    /// At t, for degrees below T.
-    #[inline(always)]
-    pub(super) fn new<const T: usize>(spline: &Spline, piece: &Piece, s: usize, t: f64) -> Self {
+    /// At t.
+    pub(super) fn new(spline: &Spline, piece: &Piece, s: usize, t: f64) -> Self {
         let (span, basis) = (&spline.space.spans[s], &spline.space.basis[s]);
         let u = (t - span.middle) / span.half;
-        let [on, first, _] = taylor::<T>(piece, u);
+        let first = taylor::<{ HIGHEST + 1 }>(piece, u)[1];
         let length = first.norm();
         let along = if length > 0.0 { first / length } else { Vector::new(1.0, 0.0) };
-        let share = |basis: &Polynomial| basis[..T].iter().rev().fold(0.0, |sum, c| sum * u + c);
-        Self { u, on, along, shares: basis.each_ref().map(share) }
+        let share = |basis: &Polynomial| basis.iter().rev().fold(0.0, |sum, c| sum * u + c);
+        Self { u, along, shares: basis.each_ref().map(share) }
     }
 }
 
@@ -38,13 +36,14 @@ pub(super) struct Part {
 }
 
 impl Part {
-    /// The growth at u in [0, 1].
-    pub(super) fn at(&self, u: f64) -> Local {
-        let ([start, end], [first, last]) = (&self.ends, &self.slopes);
+    /// The growth at u in [0, 1] from the powers 1, u, u² and u³, or the sum over some places from the sums of these.
+    #[inline(never)]
+    pub(super) fn sum(&self, powers: &[f64; 4]) -> Local {
+        let ([start, end], [first, last], [one, u, square, cube]) = (&self.ends, &self.slopes, powers);
         core::array::from_fn(|i| {
             let rise = end[i] - start[i];
-            let (square, cube) = (3.0 * rise - 2.0 * first[i] - last[i], first[i] + last[i] - 2.0 * rise);
-            start[i] + u * (first[i] + u * (square + u * cube))
+            let (two, three) = (3.0 * rise - 2.0 * first[i] - last[i], first[i] + last[i] - 2.0 * rise);
+            start[i] * one + first[i] * u + two * square + three * cube
         })
     }
 }
