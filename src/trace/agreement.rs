@@ -27,7 +27,7 @@ pub(super) fn agreement(curve: &HermiteCurve, contour: &[Point]) -> Result<Metri
     }
 }
 
-/// A curve that is being compared with a contour, in three steps.
+/// A curve that is being compared with a contour, in three steps or, where they are far from each other, in six.
 #[derive(Debug)]
 pub(super) struct Comparison {
     curve: Flat,
@@ -35,13 +35,15 @@ pub(super) struct Comparison {
     closed: bool,
     there: Option<Offs>,
     back: Option<Offs>,
+    /// The pixels of the contour, and of the curve.
+    pixels: Vec<Vec<u64>>,
 }
 
 impl Comparison {
     pub(super) fn new(curve: &HermiteCurve, contour: &[Point]) -> Result<Self> {
         let closed = curve.is_closed();
         let (curve, sides) = (Flat::of(curve), Chord::along(contour, closed)?);
-        Ok(Self { curve, sides, closed, there: None, back: None })
+        Ok(Self { curve, sides, closed, there: None, back: None, pixels: Vec::new() })
     }
 
     /// Goes on with the contour; how far the curve is from it, in the end.
@@ -57,17 +59,24 @@ impl Comparison {
         let count = contour.len().max(1) as f64;
         let hausdorff = there.most.max(back.most);
         // Points that are no farther than a pixel are in neighbouring pixels.
-        let share = if hausdorff <= 1.0 { 1.0 } else { jaccard(&self.sides, &self.curve.chords)? };
+        let mut share = 1.0;
+        if hausdorff > 1.0 {
+            let [first, second] = self.pixels.as_slice() else {
+                let chords = [&self.sides, &self.curve.chords];
+                self.pixels.push(pixels(chords[self.pixels.len().min(1)], pixel(chords)));
+                return Ok(None);
+            };
+            share = tolerant_jaccard(first, second)?;
+        }
         let (rmse, mae) = ((there.square / count).sqrt(), there.sum / count);
         Ok(Some(Metrics { rmse, mae, max: there.most, hausdorff, jaccard: share }))
     }
 }
 
-/// The share of the pixels of two polylines that are next to each other. Pixels of polylines of more than 400,000 grow.
-fn jaccard(contour: &[Chord], curve: &[Chord]) -> Result<f64> {
-    let length = |chords: &[Chord]| chords.iter().map(|chord| chord.length).sum::<f64>();
-    let pixel = larger(larger(length(contour), length(curve)) / 4e5, 1.0);
-    tolerant_jaccard(&pixels(contour, pixel), &pixels(curve, pixel))
+/// The side of the pixels that two polylines are compared by: those of more than 400,000 grow.
+fn pixel(polylines: [&Vec<Chord>; 2]) -> f64 {
+    let [first, second] = polylines.map(|chords| chords.iter().map(|chord| chord.length).sum::<f64>());
+    larger(larger(first, second) / 4e5, 1.0)
 }
 
 /// The pixels of a polyline, none twice in a row.

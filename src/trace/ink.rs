@@ -8,7 +8,7 @@ use super::outline::arcs::arcs;
 use super::outline::corners::{Corner, corners};
 use super::outline::division::{Division, DivisionRule};
 use super::outline::ellipse::{ellipse, round};
-use super::outline::rounds::rounds;
+use super::outline::rounds::Rounding;
 use super::outline::stairs::stairs;
 use super::picture::blur::Blurring;
 use super::picture::contour::{Contour, ContourScan};
@@ -58,10 +58,20 @@ pub(super) struct InkWork {
     /// Corners of the contour whose coarser outline is on its way.
     rough_corners: Option<Vec<Corner>>,
     outlines: Vec<Outline>,
-    /// The curve that is being compared with its contour, and its cusps.
-    comparison: Option<Box<(HermiteCurve, Vec<Point>, Comparison)>>,
+    /// Arcs that are looked for in an outline.
+    rounding: Option<Rounding>,
+    /// The curve that is being compared with its contour.
+    compared: Option<Box<Compared>>,
     trace: Trace,
     offer: Option<f64>,
+}
+
+/// A curve, its cusps, and how far it is from its contour, once that is looked at.
+#[derive(Debug)]
+struct Compared {
+    curve: HermiteCurve,
+    cusps: Vec<Point>,
+    comparison: Option<Comparison>,
 }
 
 /// How near an outline is to an ellipse or an arc that it is.
@@ -124,7 +134,8 @@ impl InkWork {
             division: None,
             rough_corners: None,
             outlines: Vec::new(),
-            comparison: None,
+            rounding: None,
+            compared: None,
             trace: Trace { contours: Vec::new(), tones, residual: 0.0 },
             offer: None,
         })
@@ -276,37 +287,50 @@ impl InkWork {
     fn curve(&mut self, i: usize) -> Result<f64> {
         let contour = &self.found[i];
         let cost = 0.2 * contour.points.len() as f64;
-        let Some(compared) = &mut self.comparison else {
-            let cusps = self.outlines[i].cusps(self.options.corner);
-            let curve = self.curve_of(i)?;
-            let comparison = Comparison::new(&curve, &self.found[i].points)?;
-            self.comparison = Some(Box::new((curve, cusps, comparison)));
+        let Some(compared) = &mut self.compared else {
+            let Some((curve, cusps)) = self.curve_of(i)? else { return Ok(cost) };
+            self.compared = Some(Box::new(Compared { curve, cusps, comparison: None }));
             return Ok(cost);
         };
-        let Some(metrics) = compared.2.step(&contour.points)? else { return Ok(cost) };
+        let Some(comparison) = &mut compared.comparison else {
+            compared.comparison = Some(Comparison::new(&compared.curve, &contour.points)?);
+            return Ok(cost);
+        };
+        let Some(metrics) = comparison.step(&contour.points)? else { return Ok(cost) };
         let hole = contour.area < 0.0;
-        if let Some((curve, cusps, _)) = self.comparison.take().map(|compared| *compared) {
+        if let Some(Compared { curve, cusps, .. }) = self.compared.take().map(|compared| *compared) {
             self.trace.contours.push(TracedContour { curve, closed: true, hole, cusps, metrics });
             self.progress.completed += 1;
         }
         Ok(cost)
     }
 
-    /// The curve of one outline.
-    fn curve_of(&mut self, i: usize) -> Result<HermiteCurve> {
+    /// A bit of the curve of one outline and its cusps, which are there in the end.
+    fn curve_of(&mut self, i: usize) -> Result<Option<(HermiteCurve, Vec<Point>)>> {
         let (outline, kind) = (&mut self.outlines[i], self.kinds[i]);
-        let refined = self.options.refined && kind != Kind::Stairs;
         let Nearness { slack, bow } = self.nearness[usize::from(kind == Kind::Sampled)];
-        let whole = if refined { ellipse(outline, slack)? } else { None };
-        if let Some(curve) = whole {
-            return Ok(curve);
+        let mut rounding = None;
+        if self.options.refined && kind != Kind::Stairs {
+            if self.rounding.is_none()
+                && let Some(curve) = ellipse(outline, slack)?
+            {
+                return Ok(Some((curve, outline.cusps(self.options.corner))));
+            }
+            if !self.rounding.get_or_insert_default().step(outline, bow) {
+                return Ok(None);
+            }
+            rounding = self.rounding.take();
         }
-        let mut angles = vec![0.0; outline.len()];
-        if refined {
-            angles = rounds(outline, bow);
-            arcs(outline, &mut angles, slack.min(BENT));
-        }
-        outline.to_curve(angles)
+        let cusps = outline.cusps(self.options.corner);
+        let angles = match rounding {
+            Some(rounding) => {
+                let mut angles = rounding.finish(outline);
+                arcs(outline, &mut angles, slack.min(BENT));
+                angles
+            }
+            None => vec![0.0; outline.len()],
+        };
+        Ok(Some((outline.to_curve(angles)?, cusps)))
     }
 
     /// A bit of one contour more in this phase, which says what it cost and whether it was the contour's last; whether it was the last of all.

@@ -54,6 +54,8 @@ const AVERAGED: f64 = 1.2;
 /// Nodes of a long outline that move together, and about how many parts beside them do.
 const BLOCK: usize = 512;
 const PARTS: usize = 32_768;
+/// Tiles that an outline is put into in about one step.
+const TILES: usize = 4096;
 
 /// Refinement on its way.
 #[derive(Debug)]
@@ -109,8 +111,9 @@ struct Place {
     at: usize,
     /// The node of a long outline that moves next, or the piece that is shown next.
     block: usize,
-    /// Whether the outline took the place of another and is not yet in the field.
+    /// Whether the outline takes the place of another and is not yet in the field, and the outline until the other has gone.
     arriving: bool,
+    coming: Option<Outline>,
     /// The steps of the nodes that are moving.
     descent: Option<Descent>,
     /// Whether the last of them has been, and pieces are to be looked at.
@@ -189,6 +192,7 @@ impl Refinement {
                 at: 0,
                 block: 0,
                 arriving: false,
+                coming: None,
                 refined: false,
                 descent: None,
                 halvings: 0,
@@ -229,8 +233,8 @@ impl Refinement {
             return Ok(2000.0);
         }
         if self.place.arriving {
-            self.place.arriving = !self.show_on();
-            if !self.place.arriving {
+            if self.leave_on() && self.show_on() {
+                self.place.arriving = false;
                 self.field.settle();
             }
             return Ok(self.cost());
@@ -308,20 +312,41 @@ impl Refinement {
         0.3 * parts.iter().take(2 * BLOCK).map(Vec::len).sum::<usize>() as f64
     }
 
-    /// Puts the outline into the field, or the next pieces of a long one; whether these were the last.
+    /// Puts the outline into the field: the next pieces of a long one, and when all have been noted the next rows; whether these were
+    /// the last.
     fn show_on(&mut self) -> bool {
         let shape = &mut self.shapes[self.place.at];
         let count = shape.outline.len();
         let end = (self.place.block + 2 * BLOCK).min(count);
-        self.refiner.show(&mut self.field, shape, self.place.block..end);
-        self.place.block = if end == count { 0 } else { end };
-        end == count
+        self.refiner.show(&self.field, shape, self.place.block..end);
+        self.place.block = end;
+        let done = end == count && self.refiner.sweep.cover_rows(&mut self.field, TILES).1;
+        if done {
+            self.place.block = 0;
+        }
+        done
     }
 
     /// Begins to put another outline in the place of this one.
     fn exchange(&mut self, outline: Outline) {
-        self.refiner.exchange(&self.field, &mut self.shapes[self.place.at], outline);
+        self.place.coming = Some(outline);
         self.place.arriving = true;
+    }
+
+    /// Takes the next pieces of an outline away that another takes the place of; whether they have all gone.
+    fn leave_on(&mut self) -> bool {
+        let shape = &mut self.shapes[self.place.at];
+        let Some(outline) = self.place.coming.take() else { return true };
+        let end = (self.place.block + 2 * BLOCK).min(shape.parts.len());
+        let going = &shape.parts[self.place.block..end];
+        going.iter().for_each(|parts| self.refiner.sweep.note(&self.field, parts, -1.0));
+        if end < shape.parts.len() {
+            (self.place.coming, self.place.block) = (Some(outline), end);
+            return false;
+        }
+        self.place.block = 0;
+        shape.turn_into(outline);
+        true
     }
 
     /// Moves all nodes of the outline, or the next ones of a long one, by a step; whether that was the last of all.

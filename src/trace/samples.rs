@@ -218,6 +218,18 @@ impl Samples {
         false
     }
 
+    /// Whether the size of the curvature at place i is surely from `least` to `most`: the angle is at least its sine and at most its
+    /// tangent, and no angle has to be known.
+    pub(super) fn bends_between(&self, i: isize, reach: isize, [least, most]: [f64; 2]) -> bool {
+        const SURELY: f64 = 1e-9;
+        let (before, after) = (self.at(i) - self.at(i - reach), self.at(i + reach) - self.at(i));
+        let lengths = [norm(before), norm(after)];
+        let (sine, cosine) = (cross(before, after).abs(), dot(before, after));
+        let mean = (0.5 * (lengths[0] + lengths[1])).max(1e-9);
+        sine * (1.0 - SURELY) >= least * mean * lengths[0] * lengths[1]
+            && sine * (1.0 + SURELY) <= most * mean * cosine
+    }
+
     /// The turning per pixel at place i over ± `reach` places.
     pub(super) fn curvature(&self, i: isize, reach: isize) -> f64 {
         let (before, after) = (self.at(i) - self.at(i - reach), self.at(i + reach) - self.at(i));

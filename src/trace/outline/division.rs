@@ -4,6 +4,7 @@ mod chords;
 mod runs;
 mod stretch;
 
+use self::runs::Search;
 use self::stretch::Stretch;
 use super::corners::Corner;
 use super::cubic::{Cubic, Fitted, Tangent};
@@ -53,20 +54,26 @@ pub(in crate::trace) struct Division {
     outline: Outline,
     /// The corner that is next.
     at: usize,
-    /// What is between the one before and it.
+    /// What is between the one before and it: first its straight runs are looked for.
+    search: Option<Search>,
     stretch: Option<Stretch>,
 }
 
 impl Division {
     pub(in crate::trace) fn new() -> Self {
-        Self { outline: Outline { nodes: Vec::new(), pieces: Vec::new() }, at: 0, stretch: None }
+        Self {
+            outline: Outline { nodes: Vec::new(), pieces: Vec::new() },
+            at: 0,
+            search: None,
+            stretch: None,
+        }
     }
 
     /// Some places more; the outline, when they were the last.
     ///
     /// # Cost
     ///
-    /// O(1), but for a stretch whose straight runs are looked for at once: O(places between two corners). O(nodes) at last.
+    /// O(1), but for a contour without corners, whose flattest place is looked for at once: O(places). O(nodes) at last.
     pub(in crate::trace) fn step(
         &mut self,
         samples: &Samples,
@@ -80,14 +87,29 @@ impl Division {
             if room <= 0 {
                 return None;
             }
-            let begun = self.stretch.take().or_else(|| {
-                let Some(corner) = corners.get(self.at) else { return Some(divider.round()) };
-                let (next, wrap) = corners.get(self.at + 1).map_or((&corners[0], count), |next| (next, 0));
-                let ends = [free(corner.index, corner.point), free(next.index + wrap, next.point)];
-                room -= ends[1].index - ends[0].index;
-                divider.between(ends)
-            });
-            if let Some(mut stretch) = begun
+            if self.search.is_none() && self.stretch.is_none() {
+                self.search = match corners.get(self.at) {
+                    None => Some(divider.round()),
+                    Some(corner) => {
+                        let (next, wrap) =
+                            corners.get(self.at + 1).map_or((&corners[0], count), |next| (next, 0));
+                        let ends = [free(corner.index, corner.point), free(next.index + wrap, next.point)];
+                        let search = divider.between(ends);
+                        if search.is_none() {
+                            room -= ends[1].index - ends[0].index;
+                        }
+                        search
+                    }
+                };
+            }
+            if let Some(mut search) = self.search.take() {
+                if !divider.search_on(&mut search, &mut room) {
+                    self.search = Some(search);
+                    return None;
+                }
+                self.stretch = Some(divider.begin(search));
+            }
+            if let Some(mut stretch) = self.stretch.take()
                 && !divider.divide_on(&mut stretch, &mut room)
             {
                 self.stretch = Some(stretch);
@@ -119,14 +141,20 @@ pub(in crate::trace) fn divide_open(samples: &Samples, corners: &[Corner], rule:
     let (mut start, mut room) = (free(0, samples.at(0)), isize::MAX);
     let ends = corners.iter().map(|corner| free(corner.index, corner.point));
     for end in ends.chain([free(last, samples.at(last))]) {
-        if let Some(mut stretch) = divider.between([start, end]) {
-            divider.divide_on(&mut stretch, &mut room);
+        if let Some(mut search) = divider.between([start, end]) {
+            divider.search_on(&mut search, &mut room);
+            divider.divide_on(&mut divider.begin(search), &mut room);
         }
         start = end;
     }
     divider.emit(start, Piece::Line);
     outline.align();
     outline
+}
+
+/// The same anchor after all places.
+fn around(start: Anchor, count: isize) -> Anchor {
+    Anchor { index: start.index + count, ..start }
 }
 
 /// A corner.
@@ -136,13 +164,15 @@ fn free(index: isize, point: Point) -> Anchor {
 
 impl Divider<'_> {
     /// A contour without corners begins with a straight run, or where it is flattest.
-    fn round(&self) -> Stretch {
+    fn round(&self) -> Search {
         let count = self.samples.len() as isize;
         let reach = self.samples.steps(3.0).clamp(1, count / 4);
-        let bend = |i: isize| self.samples.curvature(i, reach).abs();
         let (mut sharpest, mut flattest) = ((0, -1.0), (0, f64::MAX));
         for i in 0..count {
-            let bend = bend(i);
+            if self.samples.bends_between(i, reach, [flattest.1, sharpest.1]) {
+                continue;
+            }
+            let bend = self.samples.curvature(i, reach).abs();
             if bend > sharpest.1 {
                 sharpest = (i, bend);
             }
@@ -150,12 +180,19 @@ impl Divider<'_> {
                 flattest = (i, bend);
             }
         }
-        let runs = self.runs(sharpest.0, sharpest.0 + count, false);
-        let around = |start: Anchor| (start, Anchor { index: start.index + count, ..start });
-        let smooth = around(self.smooth(flattest.0, count / 4));
+        let start = self.smooth(flattest.0, count / 4);
+        Search::new((start, around(start, count)), [sharpest.0, sharpest.0 + count], false)
+    }
+
+    /// The stretch whose straight runs are known.
+    fn begin(&self, Search { ends, runs, corners, .. }: Search) -> Stretch {
         match runs.first() {
-            Some(run) => Stretch::new(around(self.on_line(run.first, &run.line)), runs, 0, Some(smooth)),
-            None => Stretch::new(smooth, runs, 0, None),
+            _ if corners => Stretch::new(ends, runs, self.outline.len(), Some(ends)),
+            None => Stretch::new(ends, runs, 0, None),
+            Some(run) => {
+                let start = self.on_line(run.first, &run.line);
+                Stretch::new((start, around(start, self.samples.len() as isize)), runs, 0, Some(ends))
+            }
         }
     }
 
@@ -171,15 +208,14 @@ impl Divider<'_> {
         Anchor { index, point, tangent: Tangent::Along(line.direction) }
     }
 
-    /// What is between two corners, with the straight runs in it; nothing is left of it where it is one line.
-    fn between(&mut self, [start, end]: [Anchor; 2]) -> Option<Stretch> {
+    /// What is between two corners; nothing is left of it where it is one line.
+    fn between(&mut self, [start, end]: [Anchor; 2]) -> Option<Search> {
         if self.is_line(start, end) {
             self.emit(start, Piece::Line);
             return None;
         }
         let gap = self.samples.steps(self.rule.gap);
-        let runs = self.runs(start.index + gap, end.index - gap, true);
-        Some(Stretch::new((start, end), runs, self.outline.len(), Some((start, end))))
+        Some(Search::new((start, end), [start.index + gap, end.index - gap], true))
     }
 
     fn emit(&mut self, anchor: Anchor, piece: Piece) {

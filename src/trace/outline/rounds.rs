@@ -26,6 +26,8 @@ const GENTLE: f64 = 0.3;
 /// The most pieces of an arc, and how many more are looked at where some are off.
 const PIECES: usize = 40;
 const MISSES: usize = 2;
+/// Pieces that are looked at in one step for runs that begin there.
+const STARTS: usize = 2048;
 /// How many times farther away one piece may be at a glance.
 const GLANCE: f64 = 3.0;
 /// Places that are looked at on each piece.
@@ -53,29 +55,49 @@ pub(super) struct Circle {
     pub(super) radius: f64,
 }
 
-/// Makes exact arcs of the runs of pieces that are nowhere farther than `most` from one; the angle of each piece, 0 where it is none.
-///
-/// # Cost
-///
-/// O(pieces), each with the run that begins with it.
-pub(in crate::trace) fn rounds(outline: &mut Outline, most: f64) -> Vec<f64> {
-    let found = apart(outline, most);
-    for _ in 0..MEETINGS {
-        found.iter().flatten().for_each(|round| meet(outline, round));
+/// Runs of pieces of an outline that are being looked for.
+#[derive(Debug, Default)]
+pub(in crate::trace) struct Rounding {
+    /// The longest from each piece on.
+    found: Vec<Option<Round>>,
+}
+
+impl Rounding {
+    /// Looks for runs that begin with the next pieces and are nowhere farther than `most` from an arc; whether these were the last.
+    ///
+    /// # Cost
+    ///
+    /// O(1).
+    pub(in crate::trace) fn step(&mut self, outline: &Outline, most: f64) -> bool {
+        let next = self.found.len();
+        let end = (next + STARTS).min(outline.len());
+        self.found.extend((next..end).map(|i| longest(outline, i, most)));
+        end == outline.len()
     }
-    match found.iter().position(Option::is_some) {
-        Some(start) => {
-            outline.align();
-            rebuilt(outline, &found, start)
+
+    /// Makes exact arcs of the runs, once all have been looked for; the angle of each piece, 0 where it is none.
+    ///
+    /// # Cost
+    ///
+    /// O(pieces).
+    pub(in crate::trace) fn finish(self, outline: &mut Outline) -> Vec<f64> {
+        let found = apart(outline, self.found);
+        for _ in 0..MEETINGS {
+            found.iter().flatten().for_each(|round| meet(outline, round));
         }
-        None => vec![0.0; outline.len()],
+        match found.iter().position(Option::is_some) {
+            Some(start) => {
+                outline.align();
+                rebuilt(outline, &found, start)
+            }
+            None => vec![0.0; outline.len()],
+        }
     }
 }
 
-/// The longest runs that have neither a piece nor a smooth joint in common, each where its first piece is.
+/// Of runs, each where its first piece is, the longest that have neither a piece nor a smooth joint in common.
 #[inline(never)]
-fn apart(outline: &Outline, most: f64) -> Vec<Option<Round>> {
-    let mut found: Vec<_> = (0..outline.len()).map(|i| longest(outline, i, most)).collect();
+fn apart(outline: &Outline, mut found: Vec<Option<Round>>) -> Vec<Option<Round>> {
     let mut order: Vec<usize> = (0..outline.len()).collect();
     sort_by_number(&mut order, &|&i| found[i].as_ref().map_or(0.0, Round::shortness));
     let mut taken = vec![false; outline.len()];

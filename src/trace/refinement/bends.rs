@@ -3,6 +3,7 @@
 use crate::numerics::plane::{cross, dot, norm};
 use crate::numerics::{Point, Vector};
 use crate::trace::outline::Outline;
+use crate::trace::outline::cubic::Cubic;
 
 /// Where bends are looked for, in pixels and radians.
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +24,8 @@ const LEAST: f64 = 0.45;
 const OUTSIDE: f64 = 0.1;
 /// About how far places are from each other, in pixels.
 const SPACING: f64 = 0.35;
+/// About how many places are found in one step, and how many windows that begin with one are looked at.
+const PLACES: usize = 131_072;
 
 /// A place of an outline.
 #[derive(Clone, Copy, Debug)]
@@ -46,33 +49,58 @@ pub(super) struct Bend {
     pub(super) total: f64,
 }
 
-/// Places all around, close enough to see every bend.
-pub(super) fn places(outline: &Outline) -> Vec<Place> {
-    let mut places: Vec<Place> = Vec::new();
-    let mut along = 0.0;
-    for piece in 0..outline.len() {
-        let cubic = outline.cubic(piece);
+/// Places all around an outline that are being found, close enough to see every bend.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Looking {
+    places: Vec<Place>,
+    /// The piece that is next.
+    piece: usize,
+}
+
+impl Looking {
+    /// Finds those of the next pieces; all places, when these were the last.
+    ///
+    /// # Cost
+    ///
+    /// O(1).
+    pub(super) fn step(&mut self, outline: &Outline) -> Option<Vec<Place>> {
+        let enough = self.places.len() + PLACES;
+        while self.piece < outline.len() {
+            if self.places.len() >= enough {
+                return None;
+            }
+            self.follow(&outline.cubic(self.piece), outline.is_line(self.piece));
+            self.piece += 1;
+        }
+        let count = self.places.len();
+        for i in [0, count - 1] {
+            self.turn(if i == 0 { count - 1 } else { i - 1 }, i, if i + 1 == count { 0 } else { i + 1 });
+        }
+        Some(core::mem::take(&mut self.places))
+    }
+
+    /// Places on the next piece.
+    fn follow(&mut self, cubic: &Cubic, straight: bool) {
         let length = norm(cubic.leaving)
             + norm(cubic.arriving)
             + norm(cubic.end - cubic.start - cubic.leaving - cubic.arriving);
-        let count = if outline.is_line(piece) { 1.0 } else { (length / SPACING).ceil().clamp(4.0, 4000.0) };
+        let count = if straight { 1.0 } else { (length / SPACING).ceil().clamp(4.0, 4000.0) };
         for k in 0..count as usize {
             let t = k as f64 / count;
             let point = if k == 0 { cubic.start } else { cubic.point(t) };
-            if let Some(last) = places.last() {
-                along += norm(point - last.point);
+            let along = self.places.last().map_or(0.0, |last| last.along + norm(point - last.point));
+            self.places.push(Place { piece: self.piece, t, point, along, turning: 0.0 });
+            if let Some(before) = self.places.len().checked_sub(3) {
+                self.turn(before, before + 1, before + 2);
             }
-            places.push(Place { piece, t, point, along, turning: 0.0 });
         }
     }
-    let count = places.len();
-    for i in 0..count {
-        let (before, after) =
-            (if i == 0 { count - 1 } else { i - 1 }, if i + 1 == count { 0 } else { i + 1 });
-        let here = places[i].point;
-        places[i].turning = angle(here - places[before].point, places[after].point - here);
+
+    /// How much the chords turn at a place.
+    fn turn(&mut self, before: usize, i: usize, after: usize) {
+        let here = self.places[i].point;
+        self.places[i].turning = angle(here - self.places[before].point, self.places[after].point - here);
     }
-    places
 }
 
 /// The angle between directions: small ones by their tangent.
@@ -81,43 +109,71 @@ fn angle(from: Vector, to: Vector) -> f64 {
     if sine.abs() < 0.1 * cosine { sine / cosine } else { libm::atan2(sine, cosine) }
 }
 
-/// All bends of an outline with these places.
-pub(super) fn bends(outline: &Outline, places: &[Place], rule: &BendRule) -> Vec<Bend> {
-    let count = places.len();
-    let round = places[count - 1].along + norm(places[0].point - places[count - 1].point);
-    if outline.len() < 3 || round < 4.0 * rule.window {
-        return Vec::new();
-    }
-    // Turning from place 0 to each place, and once more around.
-    let at = |i: usize| if i < count { places[i].along } else { places[i - count].along + round };
-    let mut sums = Vec::with_capacity(2 * count + 1);
-    let mut sum = 0.0;
-    for i in 0..2 * count {
-        sums.push(sum);
-        sum += places[if i < count { i } else { i - count }].turning.abs();
-    }
-    sums.push(sum);
-    let mut found = Vec::new();
-    // The best window of each run of windows with enough turning.
-    let (mut end, mut best): (usize, Option<(f64, usize, usize)>) = (0, None);
-    for start in 0..count {
-        end = end.max(start);
-        while end + 1 < start + count && at(end + 1) - at(start) <= rule.window {
-            end += 1;
+/// Bends that are being found among the places of an outline.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Sweeping {
+    /// How much the outline turns from place 0 to each place, and once more around, as far as that has been needed.
+    sums: Vec<f64>,
+    /// The window that is next, and the end of the one before it.
+    start: usize,
+    end: usize,
+    /// The best window of this run of windows with enough turning: its turning, where it begins and where it ends.
+    best: Option<(f64, usize, usize)>,
+    found: Vec<Bend>,
+}
+
+impl Sweeping {
+    /// Looks at some windows more; all bends, when they were the last.
+    ///
+    /// # Cost
+    ///
+    /// O(1).
+    pub(super) fn step(&mut self, outline: &Outline, places: &[Place], rule: &BendRule) -> Option<Vec<Bend>> {
+        let count = places.len();
+        let round = places[count - 1].along + norm(places[0].point - places[count - 1].point);
+        if outline.len() < 3 || round < 4.0 * rule.window {
+            return Some(Vec::new());
         }
-        let turning = sums[end + 1] - sums[start];
-        let left = turning < LEAST || best.is_some_and(|(_, _, last)| start > last);
-        if left && let Some((_, first, last)) = best.take() {
-            found.push(bend(places, (first, last), round, rule));
+        let at = |i: usize| if i < count { places[i].along } else { places[i - count].along + round };
+        if self.sums.is_empty() {
+            self.sums.reserve_exact(2 * count + 1);
         }
-        if turning >= LEAST && best.is_none_or(|(most, _, _)| turning > most) {
-            best = Some((turning, start, end));
+        let last = (self.start + PLACES).min(count);
+        for start in self.start..last {
+            self.end = self.end.max(start);
+            while self.end + 1 < start + count && at(self.end + 1) - at(start) <= rule.window {
+                self.end += 1;
+            }
+            let turning = self.sum(self.end + 1, places) - self.sum(start, places);
+            let left = turning < LEAST || self.best.is_some_and(|(_, _, last)| start > last);
+            if left && let Some((_, first, last)) = self.best.take() {
+                self.found.push(bend(places, (first, last), round, rule));
+            }
+            if turning >= LEAST && self.best.is_none_or(|(most, _, _)| turning > most) {
+                self.best = Some((turning, start, self.end));
+            }
         }
+        self.start = last;
+        if last < count {
+            return None;
+        }
+        if let Some((_, first, last)) = self.best {
+            self.found.push(bend(places, (first, last), round, rule));
+        }
+        Some(core::mem::take(&mut self.found))
     }
-    if let Some((_, first, last)) = best {
-        found.push(bend(places, (first, last), round, rule));
+
+    /// How much the outline turns up to a place.
+    fn sum(&mut self, i: usize, places: &[Place]) -> f64 {
+        while self.sums.len() <= i {
+            let before = self.sums.len().checked_sub(1).map(|last| {
+                let place = if last < places.len() { last } else { last - places.len() };
+                self.sums[last] + places[place].turning.abs()
+            });
+            self.sums.push(before.unwrap_or(0.0));
+        }
+        self.sums[i]
     }
-    found
 }
 
 /// The bend between two places, without what hardly turns at its ends.

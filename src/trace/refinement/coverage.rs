@@ -309,6 +309,12 @@ impl Sweep {
 
     /// Covers what has been noted, tile by tile from the left: every tile goes on with the heights that those before it leave.
     pub(super) fn cover(&mut self, field: &mut Field) -> f64 {
+        self.cover_rows(field, usize::MAX).0
+    }
+
+    /// The same for as many rows of tiles as have `most` of what has been noted; how much the sum of squares grows, and whether these
+    /// rows were the last.
+    pub(super) fn cover_rows(&mut self, field: &mut Field, most: usize) -> (f64, bool) {
         // Heights cancel to rounding behind what has changed.
         const NOTHING: f32 = 1e-5;
         let mut touched = core::mem::take(&mut self.touched);
@@ -316,8 +322,12 @@ impl Sweep {
         touched.dedup();
         let (mut running, mut growth) = ([0.0_f32; SIDE], 0.0);
         let (mut before, mut end) = (0, 0);
-        for &place in &touched {
+        for (done, &place) in touched.iter().enumerate() {
             if place >= end {
+                if done >= most {
+                    self.touched = touched.split_off(done);
+                    return (growth, false);
+                }
                 end = field.row_end(place);
                 running = [0.0; SIDE];
             } else if running.iter().any(|height| height.abs() > NOTHING) {
@@ -335,7 +345,7 @@ impl Sweep {
         self.touched = touched;
         self.strays.clear();
         self.covered = true;
-        growth
+        (growth, true)
     }
 
     /// Covers the tile at a place, if there is one.
@@ -360,7 +370,7 @@ impl Sweep {
 
 #[cfg(test)]
 mod tests {
-    use super::{Sweep, parts};
+    use super::{Part, Sweep, parts};
     use crate::error::Result;
     use crate::numerics::{Point, Vector};
     use crate::trace::Gray;
@@ -379,16 +389,36 @@ mod tests {
         }
     }
 
-    #[test]
-    fn what_is_taken_back_leaves_every_bit_as_it_was() -> Result<()> {
+    /// A field with a wave's tiles, and the wave's parts.
+    fn waved() -> Result<(Field, Vec<Part>)> {
         let gray = Gray::from_bytes(40, 40, &[255; 1600])?;
         let shading = Shading { ink: 0.0, paper: 65_280.0, level: 32_640.0, inverted: false };
         let wave = wave();
         let places: Vec<Point> = (0..=50).map(|k| wave.point(f64::from(k) / 50.0)).collect();
         let mut field = Field::new(&gray, &shading, [places.as_slice()].into_iter(), 6.0)?;
         field.rest.iter_mut().enumerate().for_each(|(i, rest)| *rest = 1.0 / (i + 3) as f32);
-        let (mut sweep, mut list) = (Sweep::default(), Vec::new());
+        let mut list = Vec::new();
         parts(&wave, &field, &mut list);
+        Ok((field, list))
+    }
+
+    #[test]
+    fn what_is_covered_row_by_row_is_what_is_covered_at_once() -> Result<()> {
+        let ((mut field, list), (mut other, _)) = (waved()?, waved()?);
+        let [mut sweep, mut slow] = [Sweep::default(), Sweep::default()];
+        sweep.note(&field, &list, 1.0);
+        slow.note(&other, &list, 1.0);
+        sweep.cover(&mut field);
+        assert!(!slow.cover_rows(&mut other, 1).1, "the wave is in more than one row of tiles");
+        while !slow.cover_rows(&mut other, 1).1 {}
+        assert_eq!(field.rest, other.rest);
+        Ok(())
+    }
+
+    #[test]
+    fn what_is_taken_back_leaves_every_bit_as_it_was() -> Result<()> {
+        let (mut field, list) = waved()?;
+        let mut sweep = Sweep::default();
         let before = field.rest.clone();
         for _ in 0..2 {
             sweep.note(&field, &list, 1.0);

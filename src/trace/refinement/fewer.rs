@@ -68,9 +68,9 @@ impl Thinning {
     }
 
     /// Begins another round of merging, if there may be one.
-    fn merge_again(&mut self, trial: &Trial) {
+    fn merge_again(&mut self, outline: &Outline) {
         self.round += 1;
-        self.merging = may_go_on(self.round).then(|| Merging::new(&trial.shape.outline, trial.limits));
+        self.merging = may_go_on(self.round).then(|| Merging::new(outline));
     }
 
     /// Tries the next joint of this round; whether there may be more to take away.
@@ -109,7 +109,8 @@ impl Refinement {
         if let Some(cost) = thinning.tidy(trial)? {
             return Ok(Some(cost));
         }
-        if self.place.block == 0 && self.place.descent.is_none() && thinning.merging.is_none() {
+        let refining = self.place.block > 0 || self.place.descent.is_some() || thinning.bent.is_some();
+        if !refining && thinning.merging.is_none() {
             if thinning.round == 0 && thinning.start.is_none() {
                 if self.picture.is_rough() {
                     let known = if self.picture.is_sampled() {
@@ -126,7 +127,7 @@ impl Refinement {
                 thinning.tidying = Some(Tidying::first());
                 return Ok(Some(1.0));
             }
-            thinning.merge_again(trial);
+            thinning.merge_again(&trial.shape.outline);
         }
         if thinning.merge(trial)? {
             return Ok(Some(if thinning.merging.is_some() { 100.0 } else { self.cost() }));
@@ -155,7 +156,8 @@ impl Refinement {
             straight.straighten();
             if straight != shape.outline {
                 thinning.bent = Some((shape.outline.clone(), shape.left(&self.field)));
-                self.refiner.replace(&mut self.field, shape, straight);
+                self.exchange(straight);
+                return Ok(false);
             }
         }
         if !self.refine_on(LAST_STEPS)? {
@@ -166,7 +168,7 @@ impl Refinement {
             && !self.limits.allow(&shape.left(&self.field), &old, 1.0)
         {
             // What turned with the straight pieces did not come back.
-            self.refiner.replace(&mut self.field, shape, bent);
+            self.exchange(bent);
             return Ok(false);
         }
         self.thinning.straightened = false;

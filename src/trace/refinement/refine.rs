@@ -95,6 +95,12 @@ impl Shape {
         Self { parts: vec![Vec::new(); outline.len()], outline }
     }
 
+    /// Another outline, not yet in the field.
+    pub(super) fn turn_into(&mut self, outline: Outline) {
+        self.parts.resize(outline.len(), Vec::new());
+        self.outline = outline;
+    }
+
     /// The same outline from another node on.
     pub(super) fn begin_at(&mut self, first: usize) {
         self.outline.nodes.rotate_left(first);
@@ -171,29 +177,20 @@ impl Refiner {
         }
     }
 
-    /// Puts some pieces of a new shape into the field. They are there once the last of its pieces is.
-    pub(super) fn show(&mut self, field: &mut Field, shape: &mut Shape, pieces: Range<usize>) {
-        let last = pieces.end == shape.outline.len();
+    /// Notes some pieces of a new shape. They are in the field once that is covered.
+    pub(super) fn show(&mut self, field: &Field, shape: &mut Shape, pieces: Range<usize>) {
         for i in pieces {
             parts(&shape.outline.cubic(i), field, &mut shape.parts[i]);
             self.sweep.note(field, &shape.parts[i], 1.0);
         }
-        if last {
-            self.sweep.cover(field);
-        }
-    }
-
-    /// Takes an outline away and leaves another, which is in the field once it is shown, and the field settled.
-    pub(super) fn exchange(&mut self, field: &Field, shape: &mut Shape, outline: Outline) {
-        shape.parts.iter().for_each(|parts| self.sweep.note(field, parts, -1.0));
-        shape.outline = outline;
-        shape.parts.resize(shape.outline.len(), Vec::new());
     }
 
     /// Replaces an outline by another.
     pub(super) fn replace(&mut self, field: &mut Field, shape: &mut Shape, outline: Outline) {
-        self.exchange(field, shape, outline);
+        shape.parts.iter().for_each(|parts| self.sweep.note(field, parts, -1.0));
+        shape.turn_into(outline);
         self.show(field, shape, 0..shape.outline.len());
+        self.sweep.cover(field);
         field.settle();
     }
 

@@ -1,6 +1,6 @@
 //! Tight bends settled: a corner or a smooth way round, whichever the picture says.
 
-use super::bends::{Bend, BendRule, Place, bends, places};
+use super::bends::{Bend, BendRule, Looking, Place, Sweeping};
 use super::coverage::Part;
 use super::field::Field;
 use super::refine::{Left, Shape};
@@ -41,6 +41,17 @@ const EXACT: f64 = 3e-6;
 /// A root mean square beside a bend that asks for nothing better.
 const ENOUGH: f64 = 0.0065;
 
+/// What a bend is tried as.
+#[derive(Clone, Copy, Debug)]
+enum Form {
+    /// A corner where its sides meet as they are.
+    Corner,
+    /// A corner to which its sides are led on.
+    LedCorner,
+    /// A smooth way round.
+    Smooth,
+}
+
 /// The bends of an outline, tried one by one.
 #[derive(Clone, Debug)]
 pub(super) struct Settling {
@@ -54,10 +65,14 @@ pub(super) struct Settling {
     tried: Vec<Point>,
     fresh: Vec<Point>,
     /// Places of the outline, from which bends are to be found.
+    looking: Looking,
     places: Option<Vec<Place>>,
+    sweeping: Sweeping,
     /// Bends that wait: those before a piece, where the outline has changed since they were found.
     found: Option<Vec<Bend>>,
     until: usize,
+    /// The bend that was no better, and what it is tried as next.
+    trying: Option<(Bend, Form)>,
 }
 
 impl Settling {
@@ -69,9 +84,12 @@ impl Settling {
             round: 0,
             tried: Vec::new(),
             fresh: Vec::new(),
+            looking: Looking::default(),
             places: None,
+            sweeping: Sweeping::default(),
             found: None,
             until: usize::MAX,
+            trying: None,
         }
     }
 
@@ -79,37 +97,37 @@ impl Settling {
         self.at == self.rules.len()
     }
 
-    /// Tries the next bend: it becomes a corner, or a corner a bend, where the picture is explained better, or as well by
-    /// less.
+    /// Tries the next bend as a corner, or the one that is none as a smooth way round: whichever explains the picture better, or as well
+    /// by less.
     ///
     /// # Cost
     ///
-    /// O(length of the pieces beside the bend), and O(pieces of the outline) where that changes and at the start of a round.
+    /// O(length of the pieces beside the bend), and O(pieces of the outline) where that changes.
     pub(super) fn step(&mut self, trial: &mut Trial) -> Result<()> {
         let Some(rule) = self.rules.get(self.at) else { return Ok(()) };
         let Some(found) = &mut self.found else {
             let outline = &trial.shape.outline;
-            match self.places.take() {
-                Some(places) => self.found = Some(bends(outline, &places, rule)),
-                None => self.places = Some(places(outline)),
+            match &self.places {
+                Some(places) => {
+                    self.found = self.sweeping.step(outline, places, rule);
+                    if self.found.is_some() {
+                        (self.places, self.sweeping) = (None, Sweeping::default());
+                    }
+                }
+                None => self.places = self.looking.step(outline),
             }
             return Ok(());
         };
+        if let Some((bend, form)) = self.trying.take() {
+            return self.attempt(bend, form, trial);
+        }
         while let Some(bend) = found.pop() {
             let [(first, _), (last, _)] = bend.sides;
             if first.max(last) >= self.until || is_known(&self.tried, bend.middle) {
                 continue;
             }
             self.fresh.push(bend.middle);
-            let inside = first <= last && last + 1 < trial.shape.outline.len();
-            if trial.corner(&bend, rule)? || trial.smooth(&bend, rule)? {
-                // Pieces well before the bend keep their numbers.
-                self.until = if inside { first.saturating_sub(2) } else { 0 };
-                if trial.shape.outline.len() < MANY {
-                    self.look_again();
-                }
-            }
-            return Ok(());
+            return self.attempt(bend, Form::Corner, trial);
         }
         self.round += 1;
         let over = self.until == usize::MAX || self.round == MOST_ROUNDS;
@@ -121,9 +139,31 @@ impl Settling {
         Ok(())
     }
 
+    /// Tries a bend in one form; if that is no better, another is next.
+    fn attempt(&mut self, bend: Bend, form: Form, trial: &mut Trial) -> Result<()> {
+        let Some(rule) = self.rules.get(self.at) else { return Ok(()) };
+        let [(first, _), (last, _)] = bend.sides;
+        let inside = first <= last && last + 1 < trial.shape.outline.len();
+        let (good, next) = match form {
+            Form::Corner => trial.corner(&bend, rule, false)?,
+            Form::LedCorner => trial.corner(&bend, rule, true)?,
+            Form::Smooth => (trial.smooth(&bend, rule)?, None),
+        };
+        if good {
+            // Pieces well before the bend keep their numbers.
+            self.until = if inside { first.saturating_sub(2) } else { 0 };
+            if trial.shape.outline.len() < MANY {
+                self.look_again();
+            }
+        } else {
+            self.trying = next.map(|form| (bend, form));
+        }
+        Ok(())
+    }
+
     /// Bends are to be found anew.
     fn look_again(&mut self) {
-        (self.found, self.until) = (None, usize::MAX);
+        (self.looking, self.found, self.until) = (Looking::default(), None, usize::MAX);
         self.tried.append(&mut self.fresh);
         sort_by_number(&mut self.tried, &|place| place.y);
     }
@@ -137,24 +177,23 @@ fn is_known(places: &[Point], place: Point) -> bool {
 }
 
 impl Trial<'_> {
-    /// A corner in place of the bend; whether it was better.
-    fn corner(&mut self, bend: &Bend, rule: &BendRule) -> Result<bool> {
+    /// A corner in place of the bend, its sides led on to it or not; whether it was better, and what is to be tried next otherwise.
+    fn corner(&mut self, bend: &Bend, rule: &BendRule, led: bool) -> Result<(bool, Option<Form>)> {
+        let smooth = (false, Some(Form::Smooth));
         let outline = &self.shape.outline;
-        let Some(sides) = sides(outline, bend) else { return Ok(false) };
+        let Some(sides) = sides(outline, bend) else { return Ok(smooth) };
         let turning = turn(sides.tangents[0], sides.tangents[1]).abs();
-        let Some(point) = sides.meet().filter(|_| turning > rule.corner) else { return Ok(false) };
+        let Some(point) = sides.meet().filter(|_| turning > rule.corner) else { return Ok(smooth) };
         let (sharp, beside) = self.within(&sides);
         if sharp == 1 && sides.count == 2 && beside < NEEDLESS {
-            return Ok(false);
+            return Ok(smooth);
         }
         let needless = bend.total - bend.net.abs() > NEEDLESS || sharp > 1;
         let want = if needless { Want::Tidy } else { Want::Sharp };
-        let (good, nearer) = self.exchange(&sides, sides.corner(outline, point), want, rule)?;
-        if good || !nearer || self.limits.noise > 0.0 {
-            return Ok(good);
-        }
-        let change = sides.led_corner(&self.shape.outline, point);
-        Ok(self.exchange(&sides, change, want, rule)?.0)
+        let change = if led { sides.led_corner(outline, point) } else { sides.corner(outline, point) };
+        let (good, nearer) = self.exchange(&sides, change, want, rule)?;
+        let again = !led && nearer && self.limits.noise == 0.0;
+        Ok((good, Some(if again { Form::LedCorner } else { Form::Smooth })))
     }
 
     /// A smooth joint in place of the bend; whether it was better.

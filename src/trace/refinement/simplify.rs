@@ -15,6 +15,8 @@ const STUB: f64 = 0.25;
 const LONG: f64 = 16.0;
 /// Rounds of merging.
 const MOST_ROUNDS: usize = 12;
+/// Joints that are looked at in one step.
+const NODES: usize = 2048;
 /// Steps of refinement after which a merged piece is looked at, and after which it has to be good.
 const FIRST_STEPS: usize = 2;
 const LAST_STEPS: usize = 6;
@@ -30,6 +32,8 @@ const HOPELESS: f64 = 3.0;
 /// A round of taking joints away, one by one, while the picture stays as well explained as `limits` say. Only what is next to a joint moves.
 #[derive(Debug)]
 pub(super) struct Merging {
+    /// How many joints have been looked at.
+    looked: usize,
     /// Joints and how far what would take the place of their pieces is from them; the nearest first.
     candidates: Vec<(usize, f64)>,
     at: usize,
@@ -41,29 +45,41 @@ pub(super) struct Merging {
 }
 
 impl Merging {
-    /// Looks for joints that may go.
-    ///
-    /// # Cost
-    ///
-    /// O(nodes of the outline).
-    pub(super) fn new(outline: &Outline, limits: &Limits) -> Self {
+    /// Begins; no joint has been looked at.
+    pub(super) fn new(outline: &Outline) -> Self {
         let count = outline.len();
-        let mut candidates = Vec::new();
-        for i in 0..count {
-            if let Some((_, off)) = candidate(outline, i, limits) {
-                candidates.push((i, off));
-            }
-        }
-        sort_by_number(&mut candidates, &|one| one.1);
-        Self { candidates, at: 0, names: (0..count).collect(), moved: vec![false; count], any: false }
+        let names = (0..count).collect();
+        Self { looked: 0, candidates: Vec::new(), at: 0, names, moved: vec![false; count], any: false }
     }
 
-    /// Tries the next joint; whether there was one.
+    /// Looks for joints that may go, some nodes at a time; whether there were any to look at.
+    fn look(&mut self, outline: &Outline, limits: &Limits) -> bool {
+        let count = self.moved.len();
+        if self.looked == count {
+            return false;
+        }
+        let end = (self.looked + NODES).min(count);
+        for i in self.looked..end {
+            if let Some((_, off)) = candidate(outline, i, limits) {
+                self.candidates.push((i, off));
+            }
+        }
+        self.looked = end;
+        if end == count {
+            sort_by_number(&mut self.candidates, &|one| one.1);
+        }
+        true
+    }
+
+    /// Looks at some joints or, when all have been looked at, tries the next; whether there was one.
     ///
     /// # Cost
     ///
     /// O(length of the pieces beside the joint), and O(nodes of the outline) where one goes.
     pub(super) fn step(&mut self, trial: &mut Trial) -> Result<bool> {
+        if self.look(&trial.shape.outline, trial.limits) {
+            return Ok(true);
+        }
         while let Some(&(name, _)) = self.candidates.get(self.at) {
             self.at += 1;
             let Ok(i) = self.names.binary_search(&name) else { continue };

@@ -115,7 +115,8 @@ mod tests {
         let mut field = Field::new(&gray, &shading, points, 2.5).expect("room");
         let (mut refiner, mut shape) = (Refiner::new(Relaxing::BOLD), Shape::new(outline));
         let all = shape.outline.len();
-        refiner.show(&mut field, &mut shape, 0..all);
+        refiner.show(&field, &mut shape, 0..all);
+        refiner.sweep.cover(&mut field);
         let limits = Limits { rms: 0.012, most: 0.055, off: 0.25, noise: 0.0, share: 12.0, grain: 0.0 };
         let mut taken = Vec::new();
         loop {

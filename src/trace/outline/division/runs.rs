@@ -13,15 +13,41 @@ pub(super) struct Run {
     pub(super) line: Line,
 }
 
+/// Straight runs that are being looked for.
+#[derive(Debug)]
+pub(super) struct Search {
+    /// What they are in.
+    pub(super) ends: (Anchor, Anchor),
+    first: isize,
+    last: isize,
+    /// Whether there are corners at both ends.
+    pub(super) corners: bool,
+    /// The place that is next.
+    at: isize,
+    pub(super) runs: Vec<Run>,
+}
+
+impl Search {
+    /// From one place to another.
+    pub(super) fn new(ends: (Anchor, Anchor), [first, last]: [isize; 2], corners: bool) -> Self {
+        Self { ends, first, last, corners, at: first, runs: Vec::new() }
+    }
+}
+
 impl Divider<'_> {
-    /// Straight runs in a stretch, which may be between `corners`.
-    pub(super) fn runs(&self, first: isize, last: isize, corners: bool) -> Vec<Run> {
-        let mut runs = Vec::new();
+    /// Goes on looking for straight runs for about as many places as there is room for; whether these were all.
+    pub(super) fn search_on(&self, search: &mut Search, room: &mut isize) -> bool {
+        let &mut Search { first, last, corners, .. } = search;
         let least = self.samples.steps(self.rule.least_run).max(4);
         let most = (self.samples.len() as isize / 12).min(5 * least).max(least);
         let near = self.samples.steps(1.2);
-        let mut i = first;
+        let (runs, mut i) = (&mut search.runs, search.at);
         while i + least <= last {
+            if *room <= i - search.at {
+                *room -= i - search.at;
+                search.at = i;
+                return false;
+            }
             let Some(mut moments) = self.straight(i, i + least, None) else {
                 i += 1;
                 continue;
@@ -60,7 +86,8 @@ impl Divider<'_> {
                 i += ((good - i) / 4).max(1);
             }
         }
-        runs
+        *room -= i - search.at;
+        true
     }
 
     /// The moments of a stretch, if it is straight; those of its places up to one may be known.
