@@ -1,7 +1,6 @@
 //! How far a curve is from the contour that it follows.
 
-use super::metrics::{one_number, tolerant_jaccard};
-use super::tracer::Metrics;
+use super::metrics::{Metrics, one_number, tolerant_jaccard};
 use crate::curve::{HermiteCurve, Segment};
 use crate::error::Result;
 use crate::limits::with_room;

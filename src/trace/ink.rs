@@ -3,6 +3,7 @@
 mod looking;
 
 use super::agreement::Comparison;
+use super::options::TraceOptions;
 use super::outline::Outline;
 use super::outline::arcs::arcs;
 use super::outline::corners::{Corner, corners};
@@ -20,7 +21,7 @@ use super::quality::Quality;
 use super::refinement::Refinement;
 use super::refinement::field::Shading;
 use super::samples::Samples;
-use super::tracer::{Progress, Stage, Trace, TraceOptions, TracedContour, Work};
+use super::work::{Progress, Stage, Trace, TracedContour, Work};
 use crate::curve::HermiteCurve;
 use crate::error::Result;
 use crate::numerics::Point;

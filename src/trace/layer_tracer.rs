@@ -1,10 +1,12 @@
 //! Pictures of a few flat colours: the shape of each layer, traced like ink.
 
+use super::options::{Source, TraceOptions};
 use super::picture::gray::Gray;
 use super::picture::layers::Layers;
 use super::picture::palette::Color;
 use super::picture::shape::{Shape, drawn};
-use super::tracer::{Source, TraceOptions, TracedContour, Tracer};
+use super::tracer::Tracer;
+use super::work::TracedContour;
 use crate::error::{Error, Result};
 
 /// One layer.

@@ -6,6 +6,22 @@ use crate::numerics::Point;
 use crate::numerics::order::{key_of, sort_by_keys, sort_in_place};
 use crate::numerics::plane::{cross, norm};
 
+/// How far a curve is from the contour that it follows, in pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Metrics {
+    /// The root mean square distance of the contour's points.
+    pub rmse: f64,
+    /// Their mean distance.
+    pub mae: f64,
+    /// Their largest distance.
+    pub max: f64,
+    /// The largest distance between both, in both directions: more than `max` where a sharp corner stands beyond its contour,
+    /// which pixels cut off.
+    pub hausdorff: f64,
+    /// The share of their pixels that are next to each other: see [`Jaccard::tolerant`].
+    pub jaccard: f64,
+}
+
 /// The root of the mean square of some residuals; 0 for none.
 pub fn root_mean_square(residuals: impl Iterator<Item = f64>) -> f64 {
     let (sum, count) = residuals.fold((0.0, 0_usize), |(sum, count), r| (sum + r * r, count + 1));

@@ -25,6 +25,7 @@ mod edges;
 mod ink;
 mod layer_tracer;
 mod metrics;
+mod options;
 mod outline;
 mod picture;
 mod profile;
@@ -34,11 +35,14 @@ mod refinement;
 mod samples;
 mod tracer;
 mod tubes;
+mod work;
 
-pub use edges::canny::{EdgeOptions, EdgePoint, Edges, edges};
+pub use edges::canny::{EdgeOptions, Edges, edges};
+pub use edges::maxima::EdgePoint;
 pub use edges::strands::profiles;
 pub use layer_tracer::{LayerTracer, TracedLayer};
-pub use metrics::{Jaccard, diameter, directed_hausdorff, jaccard, mean_absolute, root_mean_square};
+pub use metrics::{Jaccard, Metrics, diameter, directed_hausdorff, jaccard, mean_absolute, root_mean_square};
+pub use options::{Model, Source, TraceOptions};
 pub use picture::contour::{Contour, contours};
 pub use picture::gray::{Gray, GrayRows, MOST_PIXELS, MOST_SIDE};
 pub use picture::layers::{LayerRows, Layers};
@@ -51,9 +55,8 @@ pub use quasi_interpolant::selection::{
     Choice, Method, Rule, Score, choose, generalised_cross_validation, leave_one_out, left_out_locally,
 };
 pub use quasi_interpolant::{End, Estimator, QuasiInterpolant};
-pub use tracer::{
-    Metrics, Model, Progress, Source, Stage, Trace, TraceOptions, TracedContour, Tracer, trace,
-};
+pub use tracer::{Tracer, trace};
 pub use tubes::chain::{Chain, ChainPlace, Joint, Tube, TubeFit, fit_tube, fit_tube_with};
 pub use tubes::cusps::{Cusp, CuspRule};
 pub use tubes::discs::{DiscEnd, DiscRule, DiscTube};
+pub use work::{Progress, Stage, Trace, TracedContour};

@@ -1,9 +1,9 @@
 //! A profile from its chain to one curve: cusps, tubes, a spline for each, joined.
 
 use super::agreement::agreement;
+use super::metrics::Metrics;
 use super::quasi_interpolant::selection::{Method, Rule};
 use super::samples::unit;
-use super::tracer::Metrics;
 use super::tubes::chain::{Chain, Joint, Tube, TubeFit, fit_tube};
 use super::tubes::cusps::{Cusp, CuspRule};
 use crate::curve::{HermiteCurve, HermiteOptions};

@@ -1,8 +1,8 @@
 //! How well the pixels of a picture say where its outlines are, and what first outlines are allowed for that.
 
+use super::options::TraceOptions;
 use super::outline::corners::CornerRule;
 use super::outline::division::DivisionRule;
-use super::tracer::TraceOptions;
 
 /// The largest deviation that a first outline may have if it is refined: pixels farther away say nothing.
 const NEAR: f64 = 0.18;

@@ -1,7 +1,7 @@
 //! The basis functions of one interval between knots, as polynomials.
 
-use super::spline_space::MOST_DEGREE;
-
+/// The highest degree of a spline here.
+pub(crate) const MOST_DEGREE: usize = 5;
 /// One more than the highest degree: the number of coefficients of a polynomial here.
 pub(crate) const TERMS: usize = MOST_DEGREE + 1;
 

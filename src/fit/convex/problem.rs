@@ -1,6 +1,6 @@
 //! The convex problem of a sparse fit, in the words of the paper.
 
-use super::spline_space::MOST_DEGREE;
+use super::interval::MOST_DEGREE;
 use crate::error::{Error, Result};
 use crate::limits;
 use crate::numerics::Vector;

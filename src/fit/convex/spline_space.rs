@@ -1,13 +1,11 @@
 //! Splines of one degree on any sorted knots, on a line or on a circle.
 
-use super::interval::{Local, polynomials};
+use super::interval::{Local, MOST_DEGREE, polynomials};
 use crate::error::{Error, Result};
 use crate::limits;
 use crate::numerics::Vector;
 use crate::numerics::banded::Bordered;
 
-/// The highest degree of a spline here.
-pub const MOST_DEGREE: usize = 5;
 /// Room for one number per basis function that is not zero at a point, or per coefficient of a jump.
 pub const ROOM: usize = MOST_DEGREE + 2;
 

@@ -1,9 +1,8 @@
 //! Edges of a picture: where the shade changes most, to a fraction of a pixel.
 
-use super::maxima::{Candidate, MaximaScan, SCALE};
+use super::maxima::{Candidate, EdgePoint, MaximaScan, SCALE};
 use crate::error::Result;
 use crate::limits::{check, with_room};
-use crate::numerics::{Point, Vector};
 use crate::trace::picture::bitmap::Bitmap;
 use crate::trace::picture::gray::Gray;
 use crate::trace::picture::tones::{ToneScan, otsu};
@@ -17,19 +16,6 @@ pub struct EdgeOptions {
     pub high: Option<f64>,
     /// Down to here an edge goes on; 0.4 of `high`.
     pub low: Option<f64>,
-}
-
-/// A place where the shade changes most across an edge.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EdgePoint {
-    /// Column of the pixel.
-    pub column: u32,
-    /// Row of the pixel.
-    pub row: u32,
-    /// Where the change is largest: beside the pixel's centre, along the axis that the gradient is nearer to.
-    pub point: Point,
-    /// The change in shades (0 … 255) per pixel, towards the light.
-    pub gradient: Vector,
 }
 
 /// The edges of a picture, row by row, and what they were found with.

@@ -1,11 +1,23 @@
 //! Maxima of the gradient across edges, row by row.
 
-use super::canny::EdgePoint;
 use crate::error::{Error, Result};
 use crate::limits::with_room;
 use crate::numerics::{Point, Vector};
 use crate::trace::picture::blur::{blur_row, half_gaussian};
 use crate::trace::picture::gray::Gray;
+
+/// A place where the shade changes most across an edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EdgePoint {
+    /// Column of the pixel.
+    pub column: u32,
+    /// Row of the pixel.
+    pub row: u32,
+    /// Where the change is largest: beside the pixel's centre, along the axis that the gradient is nearer to.
+    pub point: Point,
+    /// The change in shades (0 … 255) per pixel, towards the light.
+    pub gradient: Vector,
+}
 
 /// A local maximum of the gradient, before any threshold.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,8 @@
 //! Branches become profiles: spurs go, through lines go on through junctions, small gaps close.
 
-use super::canny::{EdgePoint, Edges};
+use super::canny::Edges;
 use super::graph::{Graph, Pixel, graph};
+use super::maxima::EdgePoint;
 use crate::error::Result;
 use crate::limits::with_room;
 use crate::numerics::order::{key_of, sort_by_keys, sort_by_number};

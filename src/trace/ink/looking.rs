@@ -7,7 +7,7 @@ use crate::trace::picture::blur::Blurring;
 use crate::trace::picture::contour::{Contour, ContourScan};
 use crate::trace::picture::tones::{ToneScan, Tones};
 use crate::trace::quality::Quality;
-use crate::trace::tracer::Stage;
+use crate::trace::work::Stage;
 
 /// Noise above which pictures are blurred before they are followed, as a share of the way from ink to paper.
 const NOISY: f64 = 3.0 / 255.0;

@@ -2,7 +2,7 @@
 
 use super::coverage::Part;
 use super::field::{Field, NONE};
-use super::refine::Left;
+use super::left::Left;
 use super::skyline::Skyline;
 use super::unknowns::{Term, Unknowns};
 use crate::error::Result;

@@ -1,7 +1,8 @@
 //! An outline with fewer and fewer joints: what is done with one, bit by bit.
 
 use super::field::Field;
-use super::refine::{Left, Refiner, Shape, leaves};
+use super::left::Left;
+use super::refine::{Refiner, Shape, leaves};
 use super::settling::Settling;
 use super::simplify::{Merging, may_go_on};
 use super::straight::Straightening;

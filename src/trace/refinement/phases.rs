@@ -4,7 +4,8 @@ use super::{KNOWN, Phase, Refinement};
 use crate::numerics::plane::larger;
 use crate::trace::quality::Quality;
 use crate::trace::refinement::grain::{grain, middle};
-use crate::trace::refinement::refine::{Left, Refiner, Relaxing};
+use crate::trace::refinement::left::Left;
+use crate::trace::refinement::refine::{Refiner, Relaxing};
 
 /// The grain from which on pixels are not covered as exactly as bytes tell: edges that a few samples a pixel were drawn by have 0.01 to 0.04.
 /// Where at least so many windows of pixels say so, less is enough: of 160 drawings of exact coverage none of so many has more than 0.0053, and curves

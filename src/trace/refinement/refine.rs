@@ -2,7 +2,8 @@
 
 use super::coverage::{Part, Sweep, parts};
 use super::equations::Equations;
-use super::field::{Field, NONE};
+use super::field::Field;
+use super::left::Left;
 use crate::error::Result;
 use crate::numerics::plane::larger;
 use crate::trace::outline::cubic::Cubic;
@@ -43,50 +44,6 @@ const LOOKS: u8 = 16;
 pub(super) struct Shape {
     pub(super) outline: Outline,
     pub(super) parts: Vec<Vec<Part>>,
-}
-
-/// What is left of the picture in the pixels of some pieces.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Left {
-    pub(super) square: f64,
-    pub(super) count: f64,
-    pub(super) most: f64,
-}
-
-impl Left {
-    pub(super) fn add(&mut self, parts: &[Part], field: &Field) {
-        self.add_some(parts.iter(), field);
-    }
-
-    /// Only some parts.
-    pub(super) fn add_some<'a>(&mut self, parts: impl Iterator<Item = &'a Part>, field: &Field) {
-        let mut last = NONE;
-        for part in parts {
-            if part.pixel == last || part.pixel == NONE {
-                continue;
-            }
-            last = part.pixel;
-            self.see(field.rest[last as usize]);
-        }
-    }
-
-    pub(super) fn join(&mut self, other: &Self) {
-        self.square += other.square;
-        self.count += other.count;
-        self.most = larger(self.most, other.most);
-    }
-
-    /// One pixel more.
-    pub(super) fn see(&mut self, rest: f32) {
-        let value = f64::from(rest).abs();
-        self.square += value * value;
-        self.count += 1.0;
-        self.most = larger(self.most, value);
-    }
-
-    pub(super) fn rms(&self) -> f64 {
-        (self.square / self.count.max(1.0)).sqrt()
-    }
 }
 
 impl Shape {

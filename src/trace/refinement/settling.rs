@@ -3,7 +3,8 @@
 use super::bends::{Bend, BendRule, Looking, Place, Sweeping};
 use super::coverage::Part;
 use super::field::Field;
-use super::refine::{Left, Shape};
+use super::left::Left;
+use super::refine::Shape;
 use super::sides::{Change, Sides, sides};
 use super::trial::{Limits, Trial};
 use super::window::{Stretch, Window};

@@ -1,6 +1,7 @@
 //! Fewer pieces: joints that the picture does not ask for are taken away.
 
-use super::refine::{Left, NOISY_SHARE, Shape};
+use super::left::Left;
+use super::refine::{NOISY_SHARE, Shape};
 use super::trial::{Limits, Trial};
 use super::window::{Stretch, Window};
 use crate::error::Result;

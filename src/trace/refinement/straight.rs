@@ -1,6 +1,6 @@
 //! Sides that are straight as far as a picture of sampled or compressed edges tells (D 14.23).
 
-use super::refine::Left;
+use super::left::Left;
 use super::trial::Trial;
 use super::window::{Stretch, Window};
 use crate::error::Result;

@@ -1,7 +1,8 @@
 //! Corners that nobody drew: tips that pixels have cut off become the one corner where their sides meet; folds and kinks go.
 
 use super::field::Field;
-use super::refine::{Left, Shape};
+use super::left::Left;
+use super::refine::Shape;
 use super::trial::Trial;
 use super::window::{Stretch, Window};
 use crate::error::Result;

@@ -1,7 +1,8 @@
 //! What is tried on an outline, and what has to hold for it to stay.
 
 use super::field::Field;
-use super::refine::{Left, Refiner, Shape};
+use super::left::Left;
+use super::refine::{Refiner, Shape};
 
 /// What changes an outline on trial, and what has to hold afterwards.
 pub(super) struct Trial<'a> {

@@ -1,0 +1,87 @@
+//! What a tracer can be told.
+
+use crate::error::Result;
+use crate::limits::check;
+
+/// What is followed in a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// The outlines of ink.
+    Brightness,
+    /// Edges: where the shade changes fastest.
+    Edges,
+    /// The centre lines of thin strokes.
+    Lines,
+}
+
+/// Which spline follows a contour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Model {
+    /// As few lines, arcs and cubics as there may be.
+    Sparse,
+    /// Weighted quasi-interpolants, tube by tube.
+    QuasiInterpolant,
+}
+
+/// How a picture is traced.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TraceOptions {
+    /// What is followed.
+    pub source: Source,
+    /// By which spline.
+    pub model: Model,
+    /// The shade between ink and paper, 0 … 255; found if it is not given, and dark ink on paper in uneven light is then followed as if
+    /// the light were even (D 14.24).
+    pub threshold: Option<f64>,
+    /// The deviation in pixels of the Gaussian that the picture is blurred by before contours are looked for; found if it is not given.
+    pub blur: Option<f64>,
+    /// Light ink on dark paper. What is light and lies on a transparent ground is ink in any case.
+    pub inverted: bool,
+    /// Contours that enclose fewer square pixels are left out, and edges that are shorter than the outline of a square of so many.
+    pub speckle: f64,
+    /// The least turning of a corner, in radians.
+    pub corner: f64,
+    /// The largest deviation of the first curve from the contour, in pixels; refined curves are nearer.
+    pub tolerance: f64,
+    /// Whether curves are refined against the picture's coverage.
+    pub refined: bool,
+    /// More contours than this are not a drawing but a photograph.
+    pub most_contours: usize,
+}
+
+impl Default for TraceOptions {
+    fn default() -> Self {
+        Self {
+            source: Source::Brightness,
+            model: Model::Sparse,
+            threshold: None,
+            blur: None,
+            inverted: false,
+            speckle: 2.0,
+            corner: 0.49,
+            tolerance: 0.22,
+            refined: true,
+            most_contours: 1_500,
+        }
+    }
+}
+
+impl TraceOptions {
+    /// Whether paper is looked for, and the light that falls on it: edges need none, and on a dark ground there is little to see.
+    pub(super) fn finds_light(&self) -> bool {
+        self.source != Source::Edges && self.threshold.is_none() && !self.inverted
+    }
+
+    pub(super) fn check(&self) -> Result<()> {
+        if let Some(threshold) = self.threshold {
+            check("threshold", None, threshold, 0.0, 255.0)?;
+        }
+        if let Some(blur) = self.blur {
+            check("blur", None, blur, 0.0, 10.0)?;
+        }
+        check("corner", None, self.corner, 0.05, core::f64::consts::PI)?;
+        check("tolerance", None, self.tolerance, 0.01, 1e3)?;
+        check("speckle", None, self.speckle, 0.0, 1e9)?;
+        check("maxContours", None, self.most_contours as f64, 1.0, 1e6)
+    }
+}
