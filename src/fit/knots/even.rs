@@ -3,6 +3,7 @@
 //! Feet alone use nothing of what points say along the curve, and half of what they say is along it. Where they follow one
 //! another evenly, the length of the curve gives them their parameters back, and all that they say counts (D 13.9).
 
+mod drift;
 mod spacing;
 
 pub(super) use self::spacing::Spaced;
@@ -130,35 +131,38 @@ impl Spread {
 
     /// `located` has the feet of the points.
     fn new(spline: &Spline, located: &Located) -> Option<Self> {
-        let count = located.points.len();
-        let Self { lengths, step, closed, .. } = Self::from(spline, count, 0.0)?;
-        let (total, end) = (lengths.total(), spline.space.breaks.end);
-        if !closed {
-            return Some(Self { lengths, step, lead: 0.0, closed });
+        let mut spread = Self::from(spline, located.points.len(), 0.0)?;
+        if spread.closed {
+            let off = spread.off(located, spline.space.breaks.end);
+            spread.lead = off[0] + off.iter().map(|one| one - off[0]).sum::<f64>() / off.len() as f64;
         }
-        // How far the points are ahead of their number, about the first one's lead.
-        let (mut lead, mut sum, mut guess) = (0.0, 0.0, 0);
-        for (m, &foot) in located.parameters.iter().enumerate() {
-            let t = if foot < lengths.at[0] { foot + end } else { foot };
-            let ahead = lengths.length(t, &mut guess) - step * m as f64;
+        Some(spread)
+    }
+
+    /// By what length each point's foot is ahead of where its number puts it; on closed curves to the round that is nearest to the
+    /// first one.
+    #[inline(never)]
+    fn off(&self, located: &Located, end: f64) -> Vec<f64> {
+        let (total, start, mut guess, mut first) = (self.lengths.total(), self.lengths.at[0], 0, 0.0);
+        let one = |(m, &foot): (usize, &f64)| {
+            let t = if self.closed && foot < start { foot + end } else { foot };
+            let off = self.lengths.length(t, &mut guess) - self.lead - self.step * m as f64;
             if m == 0 {
-                lead = ahead;
+                first = off;
             }
-            let off = ahead - lead;
-            sum += off - total * libm::round(off / total);
-        }
-        lead += sum / count as f64;
-        Some(Self { lengths, step, lead, closed })
+            if self.closed { off - total * libm::round((off - first) / total) } else { off }
+        };
+        located.parameters.iter().enumerate().map(one).collect()
     }
 
-    /// How often point m is round a closed curve.
-    fn turns(&self, m: usize) -> f64 {
-        if self.closed { libm::floor((self.lead + self.step * m as f64) / self.lengths.total()) } else { 0.0 }
+    /// How often a point of this number is round a closed curve.
+    fn turns(&self, number: f64) -> f64 {
+        if self.closed { libm::floor((self.lead + self.step * number) / self.lengths.total()) } else { 0.0 }
     }
 
-    /// The parameter of point m as pieces count it.
-    fn parameter(&self, m: usize, guess: &mut usize) -> f64 {
-        let length = self.lead + self.step * m as f64 - self.turns(m) * self.lengths.total();
+    /// The parameter of a point of this number as pieces count it.
+    fn parameter(&self, number: f64, guess: &mut usize) -> f64 {
+        let length = self.lead + self.step * number - self.turns(number) * self.lengths.total();
         self.lengths.parameter(length, guess)
     }
 }
@@ -170,13 +174,13 @@ pub(super) fn by_length(spline: &Spline, located: &Located) -> Option<(Vec<f64>,
     let mut breaks = spline.space.breaks.clone();
     let (end, count, mut guess) = (breaks.end, located.points.len(), 0);
     if !breaks.closed {
-        let at = |m: usize| spread.parameter(m, &mut guess).clamp(0.0, end);
+        let at = |m: usize| spread.parameter(m as f64, &mut guess).clamp(0.0, end);
         return Some(((0..count).map(at).collect(), breaks));
     }
-    let start = spread.parameter(0, &mut guess);
+    let start = spread.parameter(0.0, &mut guess);
     let mut before = 0.0_f64;
     let parameters = (0..count).map(|m| {
-        let t = spread.parameter(m, &mut guess) - start;
+        let t = spread.parameter(m as f64, &mut guess) - start;
         let t = if m == 0 {
             0.0
         } else if t < 0.0 {

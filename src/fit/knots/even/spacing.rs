@@ -39,37 +39,50 @@ pub(in crate::fit::knots) struct Spaced {
     lead: f64,
     /// How much less than what points say it counts that the parameter stays as it is.
     stay: f64,
+    /// By how many steps points are ahead of their numbers; empty where they are not.
+    ahead: Vec<f64>,
 }
 
 impl Spaced {
     /// The points where they belong on a curve; `located` has their feet, or places near them.
     pub(in crate::fit::knots) fn new(spline: Spline, located: &Located) -> Option<Self> {
         let lead = Spread::new(&spline, located)?.lead;
-        Self::from(spline, located, lead)
+        Self::from(spline, located, lead, &[])
     }
 
-    fn from(spline: Spline, located: &Located, lead: f64) -> Option<Self> {
+    /// The same curve with points whose spacing drifts (D 13.15), as their feet say; `None` where it does not, by what a number is
+    /// worth.
+    pub(in crate::fit::knots) fn drifting(&self, feet: &Located, worth: f64) -> Option<Self> {
+        let spread = Spread::from(&self.spline, feet.points.len(), self.lead)?;
+        let ahead = spread.drift(feet, self.spline.space.breaks.end, worth);
+        if ahead.is_empty() { None } else { Self::from(self.spline.clone(), feet, self.lead, &ahead) }
+    }
+
+    #[inline(never)]
+    fn from(spline: Spline, located: &Located, lead: f64, ahead: &[f64]) -> Option<Self> {
         let spread = Spread::from(&spline, located.points.len(), lead)?;
         let (end, closed, mut guess) = (spline.space.breaks.end, spline.space.breaks.closed, 0);
         let at = |m: usize| {
-            let t = spread.parameter(m, &mut guess);
+            let number = m as f64 + ahead.get(m).copied().unwrap_or(0.0);
+            let t = spread.parameter(number, &mut guess);
             if closed && t >= end { t - end } else { t.max(0.0).min(end) }
         };
         let parameters = (0..located.points.len()).map(at).collect();
         let located = Located { parameters, ..located.clone() };
         let squares = spline.squares(&located);
-        Some(Self { spline, located, squares, lead, stay: STAY })
+        Some(Self { spline, located, squares, lead, stay: STAY, ahead: ahead.to_vec() })
     }
 
     /// The curve on other breaks, with its points where they are.
     pub(in crate::fit::knots) fn on(&self, breaks: Breaks) -> Option<Self> {
         let mut spline = Spline::of(&FreeKnots::new(breaks, &self.located));
         spline.straighten();
-        Self::from(spline, &self.located, self.lead)
+        Self::from(spline, &self.located, self.lead, &self.ahead)
     }
 
     /// The same after some steps, the last of which brings less than `worth`; `None` where there are too many knots, and where
     /// squares will not come down to `enough`. O(M + K³) for each.
+    #[inline(never)]
     pub(in crate::fit::knots) fn settled(mut self, worth: f64, enough: f64) -> Option<Self> {
         let (pieces, unknowns) = (self.spline.space.spans.len(), 2 * self.spline.space.count);
         if pieces * unknowns * unknowns > MOST_WORK {
@@ -105,7 +118,7 @@ impl Spaced {
             for (to, from) in [(&mut spline.x, &self.spline.x), (&mut spline.y, &self.spline.y)] {
                 to.iter_mut().zip(from).for_each(|(to, from)| *to = from + share * (*to - from));
             }
-            if let Some(mut eased) = Self::from(spline, &self.located, self.lead + share * ahead)
+            if let Some(mut eased) = Self::from(spline, &self.located, self.lead + share * ahead, &self.ahead)
                 .filter(|eased| eased.squares < self.squares)
             {
                 eased.stay = self.stay * if share < 1.0 { HARDER } else { EASIER };

@@ -8,6 +8,8 @@ use crate::fit::report::weight;
 /// Points that are so many times farther from where they belong by length, in the mean of squares, than noise says are not
 /// even.
 const EXPLAINED: f64 = 1.3;
+/// How often it is told how the spacing of points drifts: feet on a curve by length say it better.
+const DRIFTS: usize = 2;
 /// The share of a number's price that makes another step.
 const EASILY: f64 = 0.5;
 /// Corners that turn by less, in radians, may be smooth.
@@ -21,9 +23,19 @@ impl Sparsest {
         best.spline.project(&mut located, 3);
         let noise = self.both_ways(best);
         let worth = EASILY * self.pricing.price.0;
-        let spaced = Spaced::new(best.spline.clone(), &located)?.settled(worth, f64::INFINITY)?;
-        if spaced.squares > EXPLAINED * noise {
-            return None;
+        let evenly = Spaced::new(best.spline.clone(), &located)?;
+        let explained = |spaced: &Spaced| spaced.squares <= EXPLAINED * noise;
+        let mut spaced = evenly.clone().settled(worth, f64::INFINITY)?;
+        if !explained(&spaced) {
+            spaced = evenly;
+            for _ in 0..DRIFTS {
+                spaced = spaced.drifting(&located, self.pricing.price.0)?.settled(worth, f64::INFINITY)?;
+                if !explained(&spaced) {
+                    return None;
+                }
+                located = spaced.located.clone();
+                spaced.spline.project(&mut located, 3);
+            }
         }
         let smooth = self.without_slight_corners(&spaced).and_then(|smooth| {
             let [with, without] =
