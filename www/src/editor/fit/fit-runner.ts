@@ -1,43 +1,109 @@
-import { differentPoints, firstFitSample, fitDefaults, isJoined, strokesOf, type FitDocument } from "../../document/fit/fit.ts";
+import { firstFitSample, fitDefaults, type FitDocument } from "../../document/fit/fit.ts";
 import { fitSample, samplePoints } from "../../document/fit/fit-samples.ts";
 import type { FitClient, FitHandlers } from "../../kernel/fit/fit-client.ts";
-import type { FitInput, FitStrength, FitSubject } from "../../kernel/fit/job.ts";
-import { outcomeOf, smoothingLike, type ChartPoint } from "../../kernel/fit/outcome.ts";
+import type { FitSubject, PlainFit } from "../../kernel/fit/job.ts";
+import { outcomeOf } from "../../kernel/fit/outcome.ts";
 import type { Editor } from "../editor.ts";
-import { opened, sampleZoom, showData, showSmoothing } from "./fit-edits.ts";
-import { noFitRun, type FitRun } from "./fit-state.ts";
+import { setFitRun, showChartPoint, showFailure, showFit, showTooFew } from "./fit-answers.ts";
+import { opened, sampleZoom, showData } from "./fit-edits.ts";
+import { sameQuestion, sameSubject, strengthOf, subjectOf } from "./fit-question.ts";
 
-/** Keeps the curve up to date with the document: asks for fits, and puts what comes back into the state. */
+/** Keeps the curve up to date with the document: asks for fits whenever it asks something else. */
 
-/** Fewer different points than this are no stroke to be fitted. */
-const leastPoints = 4;
-export const chartAt: readonly number[] = Array.from({ length: 21 }, (_, i) => 5 * i);
+const chartAt: readonly number[] = Array.from({ length: 21 }, (_, i) => 5 * i);
 
-const degrees = { linear: 1, cubic: 3, hybrid: [1, 3] } as const;
-
-/** What is to be fitted, or null where no stroke has enough points. */
-function subjectOf(fit: FitDocument): FitSubject | null {
-  const strokes: FitInput[] = [];
-  for (const stroke of strokesOf(fit)) {
-    if (differentPoints(fit, stroke, leastPoints) < leastPoints) continue;
-    strokes.push({ points: Float64Array.from(fit.data.slice(stroke.from, stroke.to).flat()), closed: isJoined(fit, stroke) });
-  }
-  return strokes.length === 0 ? null : { strokes, degree: degrees[fit.model], mix: fit.mix / 100, corners: fit.corners };
+export interface FitRunner {
+  /** Resolves when no fit is under way. */
+  idle(): Promise<void>;
+  cancel(): void;
 }
 
-function strengthOf(fit: FitDocument): FitStrength {
-  switch (fit.target) {
-    case "off":
-      return { by: "smoothing", smoothing: fit.smoothing / 100 };
-    case "knots":
-      return { by: "knots", knots: fit.targetKnots };
-    case "error":
-      return { by: "error", tolerance: fit.targetError };
+export function createFitRunner(editor: Editor, connect: (handlers: FitHandlers) => FitClient, now: () => number, until: AbortSignal): FitRunner {
+  const runner = new Runner(editor, connect, now);
+  editor.state.subscribe((state, before) => {
+    if (state.fit !== before.fit || state.mode !== before.mode || runner.owesFit) runner.update();
+  }, { until });
+  runner.update();
+  return runner;
+}
+
+class Runner implements FitRunner {
+  readonly #editor: Editor;
+  readonly #client: FitClient;
+  readonly #now: () => number;
+  /** The document that was asked for last, and what of it is fitted. */
+  #asked: FitDocument | null = null;
+  #subject: FitSubject | null = null;
+  /** The fit that is on the stage or under way is of a drag, and is to be done again from nothing. */
+  #unsettled = false;
+
+  constructor(editor: Editor, connect: (handlers: FitHandlers) => FitClient, now: () => number) {
+    this.#editor = editor;
+    this.#now = now;
+    this.#client = connect({
+      fitted: (fits, what, ms) => this.#fitted(fits, what, ms),
+      stopped: () => setFitRun(editor, { since: null }),
+      failed: (code, message) => showFailure(editor, code, message),
+      chart: (point) => this.#subject !== null && showChartPoint(editor, point),
+      restarted: () => editor.notify({ kind: "error", id: "engine", text: "The engine that fits stopped and was started again. Your drawing is safe." }),
+    });
+  }
+
+  idle(): Promise<void> {
+    return this.#client.idle();
+  }
+
+  cancel(): void {
+    this.#client.cancel();
+  }
+
+  /** A drag is over, and its fit has not been done again yet. */
+  get owesFit(): boolean {
+    return this.#unsettled && !this.#editor.fitEdits.inGesture;
+  }
+
+  /** The state is another. */
+  update(): void {
+    if (this.#editor.state.value.mode !== "fit") return;
+    ensureFit(this.#editor);
+    const [before, { fit }] = [this.#asked, this.#editor.state.value];
+    if (before !== null && sameQuestion(before, fit) && !this.owesFit) return;
+    this.#asked = fit;
+    if (before === null || !sameSubject(before, fit)) {
+      this.#subject = subjectOf(fit);
+      setFitRun(this.#editor, { chart: [] });
+    }
+    if (this.#subject === null) this.#giveUp(fit);
+    else this.#ask(this.#subject, fit);
+  }
+
+  #giveUp(fit: FitDocument): void {
+    this.#client.cancel();
+    showTooFew(this.#editor, fit);
+  }
+
+  #ask(subject: FitSubject, fit: FitDocument): void {
+    const live = this.#editor.fitEdits.inGesture;
+    this.#unsettled = live;
+    setFitRun(this.#editor, { since: this.#editor.state.value.fitRun.since ?? this.#now(), failure: null });
+    this.#client.fit(subject, strengthOf(fit), live);
+  }
+
+  #fitted(fits: readonly PlainFit[], what: FitSubject, ms: number): void {
+    if (what !== this.#subject) return;
+    showFit(this.#editor, outcomeOf(what.strokes, fits), ms, this.#client.busy);
+    if (!this.#client.busy && !this.#unsettled) this.#fillChart();
+  }
+
+  #fillChart(): void {
+    const { chart } = this.#editor.state.value.fitRun;
+    const missing = chartAt.filter((smoothing) => !chart.some((point) => point.smoothing === smoothing));
+    if (missing.length > 0) this.#client.chart(missing);
   }
 }
 
 /** A sample that is only named is opened; a name that is none gives way to the first. */
-export function ensureFit(editor: Editor): void {
+function ensureFit(editor: Editor): void {
   const { fit } = editor.state.value;
   if (fit.data.length > 0 || fit.sample === undefined) return;
   const sample = fitSample(fit.sample) ?? fitSample(firstFitSample);
@@ -48,113 +114,4 @@ export function ensureFit(editor: Editor): void {
   editor.fitEdits.amend(() => ({ fit: named ? opened(sample) : { ...fit, sample: sample.id, ...samplePoints(sample, fit.noise, fit.seed) } }));
   showData(editor, sampleZoom);
   editor.patch({ hint: sample.note });
-}
-
-export interface FitRunner {
-  /** Resolves when no fit is under way. */
-  idle(): Promise<void>;
-  cancel(): void;
-}
-
-export function createFitRunner(editor: Editor, connect: (handlers: FitHandlers) => FitClient, now: () => number, until: AbortSignal): FitRunner {
-  let subject: FitSubject | null = null;
-  /** What the subject was made of. */
-  let made: Pick<FitDocument, "data" | "starts" | "closing" | "model" | "mix" | "corners"> | null = null;
-  /** The fit that is on the stage or under way is of a drag, and is to be done again from nothing. */
-  let unsettled = false;
-
-  const run = (change: Partial<FitRun>): void => editor.patch({ fitRun: { ...editor.state.value.fitRun, ...change } });
-
-  const client = connect({
-    fitted(fits, what, ms) {
-      if (what !== subject) return;
-      const outcome = outcomeOf(what.strokes, fits);
-      const { fitView } = editor.state.value;
-      const same = outcome.knots.length === editor.state.value.fitRun.outcome?.knots.length;
-      editor.patch({
-        fitRun: { ...editor.state.value.fitRun, outcome, failure: null, since: client.busy ? editor.state.value.fitRun.since : null, lastMs: ms },
-        fitView: same ? fitView : { ...fitView, chosen: [], over: null },
-      });
-      follow();
-      if (!client.busy && !unsettled) fillChart();
-    },
-    stopped() {
-      run({ since: null });
-    },
-    failed(code, message) {
-      const few = code === "E_TOO_FEW_POINTS" || code === "E_DEGENERATE";
-      run({ since: null, outcome: null, failure: few
-        ? { id: "points-few", details: { count: editor.state.value.fit.data.length } }
-        : { id: "engine", details: { code: code === "" ? message.slice(0, 60) : code } } });
-    },
-    chart(point) {
-      if (subject === null) return;
-      const chart = [...editor.state.value.fitRun.chart.filter(({ smoothing }) => smoothing !== point.smoothing), point];
-      run({ chart: chart.sort((a, b) => a.smoothing - b.smoothing) });
-      follow();
-    },
-    restarted() {
-      editor.notify({ kind: "error", id: "engine", text: "The engine that fits stopped and was started again. Your drawing is safe." });
-    },
-  });
-
-  /** The slider shows where a target has led. */
-  function follow(): void {
-    const { fit, fitRun } = editor.state.value;
-    if (fit.target === "off" || fitRun.outcome === null) return;
-    const place = fitRun.outcome.smoothing ?? smoothingLike(fitRun.chart, fitRun.outcome.rms);
-    if (place !== null) showSmoothing(editor, place);
-  }
-
-  function fillChart(): void {
-    const missing = chartAt.filter((smoothing) => !editor.state.value.fitRun.chart.some((point: ChartPoint) => point.smoothing === smoothing));
-    if (missing.length > 0) client.chart(missing);
-  }
-
-  function ask(fit: FitDocument, live: boolean): void {
-    const same = made !== null && made.data === fit.data && made.starts === fit.starts && made.closing === fit.closing && made.model === fit.model && made.mix === fit.mix
-      && made.corners === fit.corners;
-    if (!same) {
-      made = fit;
-      subject = subjectOf(fit);
-      run({ chart: [] });
-    }
-    if (subject === null) {
-      client.cancel();
-      const count = new Set(fit.data.map(String)).size;
-      editor.patch({ fitRun: { ...noFitRun, failure: fit.data.length === 0 ? null : { id: "points-few", details: { count } } } });
-      return;
-    }
-    unsettled = live;
-    run({ since: editor.state.value.fitRun.since ?? now(), failure: null });
-    client.fit(subject, strengthOf(fit), live);
-  }
-
-  let asked: FitDocument | null = null;
-  const update = (): void => {
-    const { mode, fit } = editor.state.value;
-    if (mode !== "fit") return;
-    ensureFit(editor);
-    const wanted = editor.state.value.fit;
-    const live = editor.fitEdits.inGesture;
-    // What a target sets the slider to is no new question.
-    const changed = asked === null || !sameQuestion(asked, wanted);
-    if (!changed && !(unsettled && !live)) return;
-    asked = wanted;
-    if (fit.data.length === 0 && wanted.data.length === 0) subject = null;
-    ask(wanted, live);
-  };
-  editor.state.subscribe((state, before) => {
-    if (state.fit !== before.fit || state.mode !== before.mode || (unsettled && !editor.fitEdits.inGesture)) update();
-  }, { until });
-  update();
-  return { idle: () => client.idle(), cancel: () => client.cancel() };
-}
-
-function sameQuestion(a: FitDocument, b: FitDocument): boolean {
-  if (a === b) return true;
-  const same = a.data === b.data && a.starts === b.starts && a.closing === b.closing && a.model === b.model && a.mix === b.mix && a.corners === b.corners
-    && a.target === b.target;
-  if (!same) return false;
-  return a.target === "off" ? a.smoothing === b.smoothing : a.target === "knots" ? a.targetKnots === b.targetKnots : a.targetError === b.targetError;
 }
