@@ -1,5 +1,5 @@
-import { baseCount, pointAt, type ControlPoint, type Kind, type PointRef, type Side } from "../../document/document.ts";
-import type { EditorState } from "../../editor/editor.ts";
+import { baseCount, pointAt, type Kind, type Offset, type PointRef, type Side } from "../../document/document.ts";
+import type { Editor, EditorState } from "../../editor/editor.ts";
 import { nudge, setHandlePolar, setKind, setPoint } from "../../editor/curve/edits.ts";
 import { late } from "../../editor/loading.ts";
 import { h, setText } from "../controls/dom.ts";
@@ -11,29 +11,69 @@ import type { Shell } from "../shell.ts";
 const limit = 1e6;
 
 /** Degrees counter-clockwise from 3 o'clock, as people draw angles; the screen's y points down. */
-function angleOf(point: ControlPoint, side: Side): number {
-  const { dx, dy } = point[side];
+function angleOf({ dx, dy }: Offset): number {
   return dx === 0 && dy === 0 ? 0 : (-Math.atan2(dy, dx) * 180) / Math.PI + 0;
 }
 
 /** The chosen point in numbers: typed values are exact. Several points: what they share, and the nudge pad. */
-export function inspectorSection(shell: Shell): Section {
-  const { editor } = shell;
-  const only = (): PointRef | undefined => {
-    const { points } = editor.state.value.selection;
-    return points.length === 1 ? points[0] : undefined;
+export function inspectorSection({ editor }: Shell): Section {
+  const rows = [placeRow(editor), kindRow(editor), handleRow(editor, "in", "In"), handleRow(editor, "out", "Out")];
+  const which = h("span", { class: "section-note num" });
+  const none = h("p", { class: "quiet" }, "Nothing. Click a point on the stage, or press ] to step through them.");
+  const numbers = h("div", { class: "inspector" }, ...rows.map(({ element }) => element));
+  const pad = nudgePad(editor);
+  const together = h("div", { class: "inspector" });
+  late(editor, hasSeveral, () => import("./align-rows.ts"), ({ alignRows }) => together.append(...alignRows(editor)));
+  const head = h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Selected"), which);
+  return {
+    element: h("section", { class: "section", "aria-label": "Selected" }, head, none, numbers, pad, together),
+    update(state) {
+      const isEmpty = state.selection.points.length === 0;
+      none.hidden = !isEmpty;
+      numbers.hidden = isEmpty;
+      pad.hidden = isEmpty;
+      together.hidden = !hasSeveral(state);
+      setText(which, describeSelection(state));
+      for (const row of rows) row.update(state);
+    },
   };
-  const place = (axis: "x" | "y") => (value: number | null): void => {
-    const ref = only();
-    if (ref !== undefined && value !== null) setPoint(editor, ref, { [axis]: value }, `type-${axis}`);
+}
+
+function hasSeveral({ selection }: EditorState): boolean {
+  return selection.points.length > 1;
+}
+
+/** The point whose numbers are shown and typed: several have none. */
+function onlyPoint({ selection }: EditorState): PointRef | undefined {
+  return selection.points.length === 1 ? selection.points[0] : undefined;
+}
+
+function placeRow(editor: Editor): Section {
+  const coordinate = (axis: "x" | "y", label: string, direction: string): Field<number> => numberField({
+    label,
+    testid: `pt-${axis}`,
+    about: `${direction}, in document units; a typed value is exact.`,
+    least: -limit,
+    most: limit,
+    step: 1,
+    write(value) {
+      const ref = onlyPoint(editor.state.value);
+      if (ref !== undefined && value !== null) setPoint(editor, ref, { [axis]: value }, `type-${axis}`);
+    },
+  });
+  const [x, y] = [coordinate("x", "X", "Across"), coordinate("y", "Y", "Down")];
+  return {
+    element: h("div", { class: "pair" }, x.element, y.element),
+    update(state) {
+      const ref = onlyPoint(state);
+      const point = ref === undefined ? undefined : pointAt(state.curve, ref);
+      x.show(point?.x ?? null);
+      y.show(point?.y ?? null);
+    },
   };
-  const polar = (side: Side, part: "length" | "angle") => (value: number | null): void => {
-    const ref = only();
-    if (ref !== undefined && value !== null) setHandlePolar(editor, ref, side, { [part]: value }, `type-${side}-${part}`);
-  };
-  const common = { least: -limit, most: limit, step: 1 };
-  const x = numberField({ ...common, label: "X", testid: "pt-x", about: "Across, in document units; a typed value is exact.", write: place("x") });
-  const y = numberField({ ...common, label: "Y", testid: "pt-y", about: "Down, in document units; a typed value is exact.", write: place("y") });
+}
+
+function kindRow(editor: Editor): Section {
   const kind = choiceField<Kind>({
     label: "Kind",
     testid: "pt-kind",
@@ -45,65 +85,63 @@ export function inspectorSection(shell: Shell): Section {
     ],
     write: (value) => setKind(editor, value),
   });
-  const lengths = { least: 0, most: limit, step: 1 };
-  const angles = { least: -360, most: 360, step: 1, unit: "°" };
-  const handle = (side: Side, name: string): { length: Field<number>; angle: Field<number>; element: HTMLElement } => {
-    const length = numberField({
-      ...lengths,
-      label: "Length",
-      testid: `${side}-len`,
-      about: `Length of the ${name} handle: a third of the tangent vector.`,
-      write: polar(side, "length"),
-    });
-    const angle = numberField({
-      ...angles,
-      label: "Angle",
-      testid: `${side}-ang`,
-      about: `Direction of the ${name} handle, counter-clockwise from 3 o'clock.`,
-      write: polar(side, "angle"),
-    });
-    return { length, angle, element: h("div", { class: "handle-row", role: "group", "aria-label": `${name} handle` },
-      h("span", { class: "handle-name" }, glyph("handle"), name),
-      length.element,
-      angle.element,
-    ) };
-  };
-  const arriving = handle("in", "In");
-  const leaving = handle("out", "Out");
-  const title = h("h3", { class: "section-title" }, "Selected");
-  const which = h("span", { class: "section-note num" });
-  const single = h("div", { class: "inspector" }, h("div", { class: "pair" }, x.element, y.element), kind.element, arriving.element, leaving.element);
-  const pad = nudgePad(shell);
-  const several = ({ selection }: EditorState): boolean => selection.points.length > 1;
-  const rows = h("div", { class: "inspector" });
-  late(editor, several, () => import("./align-rows.ts"), ({ alignRows }) => rows.append(...alignRows(editor)));
-  const none = h("p", { class: "quiet" }, "Nothing. Click a point on the stage, or press ] to step through them.");
-  const element = h("section", { class: "section", "aria-label": "Selected" }, h("div", { class: "section-head" }, title, which), none, single, pad, rows);
-
   return {
-    element,
-    update(state: EditorState) {
-      const { points } = state.selection;
-      const ref = points.length === 1 ? points[0] : undefined;
-      const point = ref === undefined ? undefined : pointAt(state.curve, ref);
-      none.hidden = points.length > 0;
-      single.hidden = points.length === 0;
-      pad.hidden = points.length === 0;
-      rows.hidden = !several(state);
-      setText(which, describeSelection(state));
-      x.show(point?.x ?? null);
-      y.show(point?.y ?? null);
-      const first = points[0];
-      const plain = first !== undefined && state.curve.contours[first.contour]?.family === "interpolating";
-      for (const part of [kind.element, arriving.element, leaving.element]) part.hidden = plain;
-      kind.show(point?.kind ?? (points.length > 1 ? sharedKind(state) : null));
-      for (const [side, fields] of [["in", arriving], ["out", leaving]] as const) {
-        const used = point !== undefined && ref !== undefined && hasHandle(state, ref, side);
-        fields.length.show(used ? Math.hypot(point[side].dx, point[side].dy) : null);
-        fields.angle.show(used ? angleOf(point, side) : null);
-      }
+    element: kind.element,
+    update(state) {
+      kind.element.hidden = isWithoutHandles(state);
+      kind.show(kindOf(state));
     },
   };
+}
+
+function handleRow(editor: Editor, side: Side, name: string): Section {
+  const write = (part: "length" | "angle") => (value: number | null): void => {
+    const ref = onlyPoint(editor.state.value);
+    if (ref !== undefined && value !== null) setHandlePolar(editor, ref, side, { [part]: value }, `type-${side}-${part}`);
+  };
+  const length = numberField({
+    label: "Length",
+    testid: `${side}-len`,
+    about: `Length of the ${name} handle: a third of the tangent vector.`,
+    least: 0,
+    most: limit,
+    step: 1,
+    write: write("length"),
+  });
+  const angle = numberField({
+    label: "Angle",
+    testid: `${side}-ang`,
+    about: `Direction of the ${name} handle, counter-clockwise from 3 o'clock.`,
+    least: -360,
+    most: 360,
+    step: 1,
+    unit: "°",
+    write: write("angle"),
+  });
+  const label = h("span", { class: "handle-name" }, glyph("handle"), name);
+  const element = h("div", { class: "handle-row", role: "group", "aria-label": `${name} handle` }, label, length.element, angle.element);
+  return {
+    element,
+    update(state) {
+      const handle = handleOf(state, side);
+      element.hidden = isWithoutHandles(state);
+      length.show(handle === null ? null : Math.hypot(handle.dx, handle.dy));
+      angle.show(handle === null ? null : angleOf(handle));
+    },
+  };
+}
+
+/** Points of an interpolating contour have no tangents. */
+function isWithoutHandles({ selection, curve }: EditorState): boolean {
+  const first = selection.points[0];
+  return first !== undefined && curve.contours[first.contour]?.family === "interpolating";
+}
+
+/** A handle of the only point that is chosen; null where there is none to be shown. */
+function handleOf(state: EditorState, side: Side): Offset | null {
+  const ref = onlyPoint(state);
+  if (ref === undefined || !hasHandle(state, ref, side)) return null;
+  return pointAt(state.curve, ref)?.[side] ?? null;
 }
 
 /** The free side of an open contour's end has no segment for its handle. */
@@ -113,8 +151,8 @@ function hasHandle(state: EditorState, ref: PointRef, side: Side): boolean {
   return contour.closed || (side === "in" ? ref.index > 0 : ref.index < contour.points.length - 1);
 }
 
-/** The kind that all chosen points have; cusp stands for a mixture only if all are cusps, so a mixture shows the first's. */
-function sharedKind(state: EditorState): Kind | null {
+/** Of points of several kinds, the first's. */
+function kindOf(state: EditorState): Kind | null {
   const first = state.selection.points[0];
   return first === undefined ? null : (pointAt(state.curve, first)?.kind ?? null);
 }
@@ -132,7 +170,7 @@ function describeSelection({ selection, curve }: EditorState): string {
 }
 
 /** Moving without dragging: four buttons, Shift for ten, Alt for a tenth. */
-function nudgePad({ editor }: Shell): HTMLElement {
+function nudgePad(editor: Editor): HTMLElement {
   const directions: readonly (readonly [string, IconName, number, number])[] = [
     ["left", "left", -1, 0],
     ["up", "up", 0, -1],
