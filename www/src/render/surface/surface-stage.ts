@@ -1,108 +1,138 @@
 import type { EditorState, Editor } from "../../editor/editor.ts";
 import type { Frame } from "../../editor/frame.ts";
+import type { SolidState } from "../../editor/surface/solid.ts";
 import { patchSolid } from "../../editor/surface/surface-edits.ts";
-import { extentOf, meshOf, netPoints } from "../../kernel/surface/surface-mesh.ts";
+import { extentOf, meshOf, netPoints, type SurfaceMesh } from "../../kernel/surface/surface-mesh.ts";
 import type { Palette } from "../palette.ts";
+import type { Scene } from "../scene.ts";
 import type { Painter } from "../stage.ts";
 import { drawNet, drawWireframe } from "./overlay.ts";
 import { drawRidges } from "./ridges.ts";
-import type { Colours, Region, ShadedView } from "./shaded-view.ts";
+import type { Colours, Picture, Region, ShadedView } from "./shaded-view.ts";
 
 /** The two canvases of the surface: the shaded one beneath, and the ordinary one with the net, or with lines where nothing can shade. */
 
 export interface SurfaceStage {
   readonly painter: Painter;
-  /** Why it is drawn in lines; null while it is shaded. */
-  readonly note: () => string | null;
 }
 
 /** Frames slower than this, while turning, are answered with a coarser mesh. */
 const slowMs = 24;
 
 export async function createSurfaceStage(editor: Editor, frame: Frame, surface: HTMLElement, until: AbortSignal): Promise<SurfaceStage> {
-  const canvas = document.createElement("canvas");
-  canvas.className = "stage-solid";
-  canvas.setAttribute("aria-hidden", "true");
-  surface.prepend(canvas);
-  const noted = document.createElement("p");
-  noted.className = "stage-note";
-  noted.dataset["testid"] = "surface-note";
-  surface.after(noted);
-  let view: ShadedView | null = null;
-  let gone = false;
-  let coarse = 1;
-
-  const lost = (now: boolean): void => {
-    gone = now;
-    patchSolid(editor, { shaded: !now });
-    frame.request();
-  };
-  if (await hasWebGl2()) {
-    const { createShadedView } = await import("./shaded-view.ts");
-    try {
-      view = createShadedView(canvas, lost);
-    } catch {
-      view = null;
-    }
-  }
-  patchSolid(editor, { shaded: view !== null });
-  until.addEventListener("abort", () => view?.dispose(), { once: true });
-  const note = (): string | null => {
-    if (view === null) return "Drawn in lines: this browser has no WebGL 2 to shade the surface with.";
-    return gone ? "Drawn in lines until the graphics card is free again." : null;
-  };
-
-  /** While it is turned: fewer triangles, if frames take long; all of them when it rests. */
-  function sidesFor({ solid }: EditorState): number {
-    if (!solid.turning) coarse = 1;
-    else if ((frame.times.at(-1) ?? 0) > slowMs) coarse = Math.min(4, coarse * 2);
-    return Math.max(4, Math.round(solid.tessellation / coarse));
-  }
-
-  function show(state: EditorState): void {
-    const shaded = state.mode === "surface" && view !== null && !gone;
-    canvas.hidden = !shaded;
-    const text = state.mode === "surface" ? note() : null;
-    noted.hidden = text === null;
-    if (noted.textContent !== (text ?? "")) noted.textContent = text ?? "";
-  }
-  editor.state.subscribe(show, { until, now: true });
-
-  return {
-    note,
-    painter: {
-      clear: true,
-      paint(scene) {
-        const { state, palette, ratio } = scene;
-        const mesh = meshOf(state.surface, sidesFor(state), state.solid.shade === "curvature");
-        if (view === null || gone || mesh === null) {
-          const { context } = scene;
-          context.fillStyle = palette.canvas;
-          context.fillRect(0, 0, context.canvas.width, context.canvas.height);
-          if (mesh !== null) drawWireframe(scene);
-        } else {
-          const { solid, stage } = state;
-          const { u, v } = state.surface;
-          view.draw({
-            mesh, ratio,
-            orbit: solid.orbit, shade: palette.forced && solid.shade === "solid" ? "wire" : solid.shade,
-            iso: solid.iso, colours: coloursOf(palette), regions: regionsOf(state),
-            period: [u?.closed === true ? mesh.size[0] : 0, v?.closed === true ? mesh.size[1] : 0],
-            isoStep: 1,
-            curvatureScale: 0.4 * extentOf(state.surface).radius ** 2,
-            width: stage.width, height: stage.height,
-          });
-        }
-        drawRidges(scene);
-        drawNet(scene);
-      },
-    },
-  };
+  const stage = new TwoCanvases(editor, frame, surface);
+  await stage.load();
+  until.addEventListener("abort", () => stage.dispose(), { once: true });
+  editor.state.subscribe((state) => stage.show(state), { until, now: true });
+  return stage;
 }
 
-async function hasWebGl2(): Promise<boolean> {
+class TwoCanvases implements SurfaceStage {
+  readonly painter: Painter = { clear: true, paint: (scene) => this.#paint(scene) };
+  readonly #editor: Editor;
+  readonly #frame: Frame;
+  readonly #canvas = document.createElement("canvas");
+  readonly #noted = document.createElement("p");
+  readonly #tessellation = new Tessellation();
+  /** Null where nothing can shade. */
+  #view: ShadedView | null = null;
+  /** The graphics card has taken the view's context away. */
+  #gone = false;
+
+  constructor(editor: Editor, frame: Frame, surface: HTMLElement) {
+    this.#editor = editor;
+    this.#frame = frame;
+    this.#canvas.className = "stage-solid";
+    this.#canvas.setAttribute("aria-hidden", "true");
+    surface.prepend(this.#canvas);
+    this.#noted.className = "stage-note";
+    this.#noted.dataset["testid"] = "surface-note";
+    surface.after(this.#noted);
+  }
+
+  async load(): Promise<void> {
+    this.#view = await loadShadedView(this.#canvas, (gone) => this.#lost(gone));
+    patchSolid(this.#editor, { shaded: this.#view !== null });
+  }
+
+  dispose(): void {
+    this.#view?.dispose();
+  }
+
+  show({ mode }: EditorState): void {
+    this.#canvas.hidden = mode !== "surface" || this.#view === null || this.#gone;
+    const text = mode === "surface" ? this.#note() : null;
+    this.#noted.hidden = text === null;
+    if (this.#noted.textContent !== (text ?? "")) this.#noted.textContent = text ?? "";
+  }
+
+  /** Why it is drawn in lines; null while it is shaded. */
+  #note(): string | null {
+    if (this.#view === null) return "Drawn in lines: this browser has no WebGL 2 to shade the surface with.";
+    return this.#gone ? "Drawn in lines until the graphics card is free again." : null;
+  }
+
+  #lost(gone: boolean): void {
+    this.#gone = gone;
+    patchSolid(this.#editor, { shaded: !gone });
+    this.#frame.request();
+  }
+
+  #paint(scene: Scene): void {
+    const { surface, solid } = scene.state;
+    const mesh = meshOf(surface, this.#tessellation.sidesFor(solid, this.#frame.times.at(-1) ?? 0), solid.shade === "curvature");
+    if (this.#view === null || this.#gone || mesh === null) drawInLines(scene, mesh);
+    else this.#view.draw(pictureOf(scene, mesh));
+    drawRidges(scene);
+    drawNet(scene);
+  }
+}
+
+/** While it is turned: fewer triangles, if frames take long; all of them when it rests. */
+class Tessellation {
+  #coarse = 1;
+
+  sidesFor({ turning, tessellation }: SolidState, frameMs: number): number {
+    if (!turning) this.#coarse = 1;
+    else if (frameMs > slowMs) this.#coarse = Math.min(4, this.#coarse * 2);
+    return Math.max(4, Math.round(tessellation / this.#coarse));
+  }
+}
+
+async function loadShadedView(canvas: HTMLCanvasElement, lost: (gone: boolean) => void): Promise<ShadedView | null> {
+  if (!hasWebGl2()) return null;
+  const { createShadedView } = await import("./shaded-view.ts");
+  try {
+    return createShadedView(canvas, lost);
+  } catch {
+    return null;
+  }
+}
+
+function hasWebGl2(): boolean {
   // Asked on a canvas of its own: a refused context would spoil the one that is shown.
   return document.createElement("canvas").getContext("webgl2") !== null;
+}
+
+function drawInLines(scene: Scene, mesh: SurfaceMesh | null): void {
+  const { context, palette } = scene;
+  context.fillStyle = palette.canvas;
+  context.fillRect(0, 0, context.canvas.width, context.canvas.height);
+  if (mesh !== null) drawWireframe(scene);
+}
+
+function pictureOf({ state, palette, ratio }: Scene, mesh: SurfaceMesh): Picture {
+  const { surface, solid, stage } = state;
+  const { u, v } = surface;
+  return {
+    mesh, ratio,
+    orbit: solid.orbit, shade: palette.forced && solid.shade === "solid" ? "wire" : solid.shade,
+    iso: solid.iso, colours: coloursOf(palette), regions: regionsOf(state),
+    period: [u?.closed === true ? mesh.size[0] : 0, v?.closed === true ? mesh.size[1] : 0],
+    isoStep: 1,
+    curvatureScale: 0.4 * extentOf(surface).radius ** 2,
+    width: stage.width, height: stage.height,
+  };
 }
 
 /** Curvature's colours are what it says: they stay where the page's own are the system's, on the grey that they fade to. */
