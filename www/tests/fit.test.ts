@@ -4,7 +4,7 @@ import { emptyFit, fitDefaults, isJoined, strokesOf, withoutDisc, withStroke, ty
 import { fitSample, fitSamples, samplePoints } from "../src/document/fit/fit-samples.ts";
 import { readState, writeState, parseState } from "../src/document/file/file.ts";
 import { bringStrokes } from "../src/editor/fit/bring.ts";
-import { chooseFitTool, clearFit, openFitSample, setNoise, setSmoothing, setTarget } from "../src/editor/fit/fit-edits.ts";
+import { chooseFitTool, clearFit, eraseAt, openFitSample, setNoise, setSmoothing, setTarget } from "../src/editor/fit/fit-edits.ts";
 import { createFitRunner } from "../src/editor/fit/fit-runner.ts";
 import { createFitClient, type FitClient } from "../src/kernel/fit/fit-client.ts";
 import type { FitAnswer, FitRequest, FitSubject } from "../src/kernel/fit/job.ts";
@@ -269,6 +269,20 @@ test("too few points are said, not fitted", () => {
   made.click(10, 60);
   assert.equal(asked.length, 1);
   assert.equal(made.editor.state.value.fitRun.failure, null);
+});
+
+test("all points can be erased in one drag, and that there are too few is said once it ends", () => {
+  const { made, asked } = running();
+  openFitSample(made.editor, "fit-circle");
+  const [x, y] = fitOf(made).data[0] ?? assert.fail("the sample has points");
+  made.editor.fitEdits.begin("Erase");
+  eraseAt(made.editor, x, y, 1);
+  eraseAt(made.editor, x, y, 1e5);
+  made.editor.fitEdits.commit();
+  assert.equal(fitOf(made).data.length, 0);
+  assert.equal(asked.at(-1)?.live, true, "only what was left on the way was fitted");
+  made.run("undo");
+  assert.equal(asked.at(-1)?.live, false);
 });
 
 test("a target is asked for by its own name, and moving the slider lets go of it", () => {

@@ -78,6 +78,7 @@ class Runner implements FitRunner {
   }
 
   #giveUp(fit: FitDocument): void {
+    this.#unsettled = false; // where nothing can be fitted nothing is owed, or saying so would ask again
     this.#client.cancel();
     showTooFew(this.#editor, fit);
   }
