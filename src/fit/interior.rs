@@ -10,6 +10,7 @@ mod dual;
 mod extreme;
 mod free;
 pub mod gridless;
+mod iterate;
 mod play;
 pub(super) mod polish;
 mod reduced;

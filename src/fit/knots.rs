@@ -8,6 +8,7 @@ mod even;
 mod feet;
 pub(super) mod foot_points;
 pub(super) mod free_knots;
+mod look;
 mod polyline;
 mod search;
 pub(super) mod sparsest;

@@ -1,8 +1,8 @@
 //! The first point of a run that has nothing to start from.
 
 use super::cone::{Lorentz, Metric, dot, norm};
+use super::iterate::{Iterate, Pair, lanes, seen};
 use super::reduced::Reduced;
-use super::solver::{Iterate, Pair, lanes, seen};
 use crate::error::Result;
 use crate::fit::convex::scaled::Scaled;
 

@@ -7,10 +7,11 @@
 //! at one price, so no set comes twice. (D 12.13)
 
 use super::cone::{dot, norm};
+use super::iterate::lanes;
 use super::play::{maxima, median};
 use super::polish::{Fixed, Newton, accuracy, newton, wanted};
 use super::reduced::Reduced;
-use super::solver::{Solver, lanes};
+use super::solver::Solver;
 use crate::error::Result;
 use crate::fit::convex::solution::Status;
 use crate::numerics::Vector;

@@ -5,10 +5,11 @@
 //! zero. (D 12.12)
 
 use super::cone::{Metric, dot, norm, stretch};
+use super::iterate::{jump_length, lanes, seen};
 use super::play::transfer;
 use super::polish::Fixed;
 use super::reduced::{Part, Reduced};
-use super::solver::{Solver, jump_length, lanes, seen};
+use super::solver::Solver;
 use crate::error::Result;
 use crate::fit::convex::problem::Norm;
 use crate::fit::convex::scaled::Scaled;

@@ -1,9 +1,10 @@
 //! λ = 0: jumps cost nothing, so the optimum is the least-squares spline with a knot at every place there is.
 
 use super::cone::{Metric, dot};
+use super::iterate::Measure;
 use super::polish::Fixed;
 use super::reduced::Reduced;
-use super::solver::{Measure, Solver};
+use super::solver::Solver;
 use crate::error::Result;
 use crate::fit::convex::scaled::Scaled;
 use crate::fit::convex::solution::Status;

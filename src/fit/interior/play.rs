@@ -1,8 +1,9 @@
 //! Which knots are in play: those where the dual curve is longest join.
 
 use super::cone::{Lorentz, dot, norm};
+use super::iterate::{Iterate, Pair, lanes, seen};
 use super::reduced::Reduced;
-use super::solver::{Iterate, Pair, Solver, lanes, seen};
+use super::solver::Solver;
 use crate::error::Result;
 use crate::limits;
 use crate::numerics::Vector;

@@ -6,9 +6,10 @@
 
 use super::cone::{Metric, dot, norm, stretch};
 use super::dual::dual_curve;
+use super::iterate::{Measure, dual_length, jump_length, lanes, measure, seen};
 use super::play::{maxima, median};
 use super::reduced::{Part, Reduced};
-use super::solver::{Measure, Solver, dual_length, jump_length, lanes, measure, seen};
+use super::solver::Solver;
 use crate::error::Result;
 use crate::fit::convex::scaled::Scaled;
 use crate::fit::convex::solution::{Solution, Spline};

@@ -2,9 +2,10 @@
 
 use super::cold::start;
 use super::cone::{Lorentz, Metric, Scaling, dot, norm, stretch};
+use super::iterate::{Iterate, Pair, lanes, seen};
 use super::play::maxima;
 use super::reduced::Reduced;
-use super::solver::{Iterate, Pair, Solver, lanes, seen};
+use super::solver::Solver;
 use crate::error::{Error, Result};
 use crate::limits;
 use crate::numerics::Vector;

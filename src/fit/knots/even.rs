@@ -8,8 +8,9 @@ mod spacing;
 
 pub(super) use self::spacing::Spaced;
 use super::breaks::HIGHEST;
-use super::foot_points::{Spline, taylor};
+use super::foot_points::Spline;
 use super::free_knots::{Located, in_order};
+use super::look::taylor;
 
 /// Parts of a piece on which the length is a cubic of the parameter.
 const PARTS: usize = 8;

@@ -3,8 +3,9 @@
 //! Points that follow one another on one piece are looked at together, in loops without branches, which become vector
 //! instructions. A point whose foot leaves the piece goes its way alone.
 
-use super::foot_points::{Distances, Piece, Spline, taylor};
+use super::foot_points::{Distances, Spline};
 use super::free_knots::Located;
+use super::look::{Look, Piece};
 use crate::numerics::plane::{larger, smaller};
 use crate::numerics::{Point, Vector};
 
@@ -236,36 +237,5 @@ impl Group {
             *square = if nearer { here } else { *square };
             *u = if nearer { *next } else { *u };
         }
-    }
-}
-
-/// The curve at one place of a piece, seen from a point; derivatives by the piece's own variable.
-pub(super) struct Look {
-    u: f64,
-    pub(super) square: f64,
-    way: Vector,
-    first: Vector,
-    second: Vector,
-}
-
-impl Look {
-    #[inline(always)]
-    pub(super) fn new<const T: usize>(polynomial: &Piece, u: f64, target: Point) -> Self {
-        let [place, first, second] = taylor::<T>(polynomial, u);
-        let way = Vector::new(place.x - target.x, place.y - target.y);
-        Self { u, square: way.x * way.x + way.y * way.y, way, first, second }
-    }
-
-    /// Newton's step to where the way is across the curve, Gauss's where that would lead to the farthest point, and by
-    /// how much the square of the distance should fall.
-    #[inline(always)]
-    fn newton(&self) -> (f64, f64) {
-        let (way, first, second) = (self.way, self.first, self.second);
-        let speed = first.x * first.x + first.y * first.y;
-        let bend = speed + (way.x * second.x + way.y * second.y);
-        let slope = if bend > 0.3 * speed { bend } else { speed };
-        let along = way.x * first.x + way.y * first.y;
-        let step = if slope > 0.0 { -along / slope } else { 0.0 };
-        (step, -step * along)
     }
 }

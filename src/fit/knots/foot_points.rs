@@ -3,13 +3,10 @@
 
 use super::breaks::{HIGHEST, Polynomial, STIFF, Space};
 use super::envelope::Envelope;
-use super::feet::Look;
 use super::free_knots::{FreeKnots, Located, product};
+use super::look::{Look, Piece, taylor};
 use crate::numerics::order::sort_by_number;
 use crate::numerics::{Point, Vector};
-
-/// One piece of a curve: a polynomial in ascending powers.
-pub(super) type Piece = [Vector; HIGHEST + 1];
 
 /// How much less a distance along the curve counts than one across it.
 const ALONG: f64 = 0.05;
@@ -282,16 +279,4 @@ impl Across {
         }
         sums
     }
-}
-
-/// A polynomial of degree below T and its first two derivatives at u.
-#[inline(always)]
-pub(super) fn taylor<const T: usize>(p: &Piece, u: f64) -> [Vector; 3] {
-    let [mut value, mut first, mut second] = [Vector::zeros(); 3];
-    for c in p[..T].iter().rev() {
-        second = second * u + first;
-        first = first * u + value;
-        value = value * u + c;
-    }
-    [value, first, second * 2.0]
 }

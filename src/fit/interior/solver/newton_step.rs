@@ -1,7 +1,8 @@
 //! One step of the method: a predictor, and a corrector that keeps to the middle.
 
-use super::{Buffers, Iterate, Pair, Solver, lanes, seen};
+use super::{Buffers, Solver};
 use crate::fit::interior::cone::{Lorentz, Scaling, dot, norm, stretch};
+use crate::fit::interior::iterate::{Iterate, Pair, lanes, seen};
 use crate::numerics::Vector;
 
 impl Solver {

@@ -2,7 +2,8 @@
 
 use crate::fit::knots::breaks::{HIGHEST, Polynomial, derivative};
 use crate::fit::knots::even::PARTS;
-use crate::fit::knots::foot_points::{Piece, Spline, taylor};
+use crate::fit::knots::foot_points::Spline;
+use crate::fit::knots::look::{Piece, taylor};
 use crate::numerics::Vector;
 
 /// One number for each coordinate of each coefficient of a piece: x₀, y₀, x₁, …

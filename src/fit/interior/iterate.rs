@@ -1,0 +1,83 @@
+//! Where the solver is: a point of the method, and what one look at the whole problem tells.
+
+use super::cone::{Lorentz, norm};
+use super::reduced::Reduced;
+use crate::fit::convex::problem::Norm;
+use crate::numerics::Vector;
+
+/// A point of the method: coefficients, and one cone per knot (two where jumps are measured by |x| + |y|).
+#[derive(Clone, Debug)]
+pub(crate) struct Iterate {
+    pub(crate) reduced: Reduced,
+    pub(crate) unknowns: Vec<Vector>,
+    pub(crate) jumps: Vec<Vector>,
+    pub(crate) cones: Vec<Pair>,
+}
+
+/// The primal and the dual vector of one cone, and its λ.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pair {
+    pub(crate) s: Lorentz,
+    pub(crate) z: Lorentz,
+    pub(crate) lambda: f64,
+}
+
+impl Pair {
+    /// The jump, and by how much the dual vector is short of λ.
+    pub(crate) fn sizes(&self) -> (f64, f64) {
+        (norm(self.s.plane), (self.z.height - norm(self.z.plane)).max(f64::MIN_POSITIVE))
+    }
+}
+
+/// What one look at the whole problem tells.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Measure {
+    pub(crate) data_term: f64,
+    pub(crate) primal: f64,
+    pub(crate) dual: f64,
+    /// The longest dual vector anywhere on the grids.
+    pub(crate) longest: f64,
+    pub(crate) gap: f64,
+}
+
+/// How many cones a knot has.
+pub(crate) fn lanes(norm: Norm) -> usize {
+    match norm {
+        Norm::L2 => 1,
+        Norm::L1 => 2,
+    }
+}
+
+/// The part of a vector that a cone sees: all of it, or one coordinate.
+#[inline]
+pub(crate) fn seen(v: Vector, lane: usize, lanes: usize) -> Vector {
+    match (lanes, lane) {
+        (1, _) => v,
+        (_, 0) => Vector::new(v.x, 0.0),
+        _ => Vector::new(0.0, v.y),
+    }
+}
+
+/// The length of a dual vector in the norm that its cones ask for.
+#[inline]
+pub(crate) fn dual_length(v: Vector, lanes: usize) -> f64 {
+    if lanes == 1 { norm(v) } else { v.x.abs().max(v.y.abs()) }
+}
+
+/// The size of a jump.
+#[inline]
+pub(crate) fn jump_length(v: Vector, lanes: usize) -> f64 {
+    if lanes == 1 { norm(v) } else { v.x.abs() + v.y.abs() }
+}
+
+/// Objective, bound and gap. The dual vector of residuals is feasible when scaled by 1/longest; a shorter scale that is
+/// better is taken. (D 12.4)
+pub(crate) fn measure(data_term: f64, regularizer: f64, work: f64, longest: f64) -> Measure {
+    let primal = data_term + regularizer;
+    let along = 2.0 * data_term + work;
+    let scale = if data_term > 0.0 { along / (2.0 * data_term) } else { 1.0 };
+    let scale = scale.min(1.0 / longest.max(f64::MIN_POSITIVE)).max(0.0);
+    let dual = scale * along - scale * scale * data_term;
+    let gap = if primal > 0.0 { (primal - dual) / primal } else { 0.0 };
+    Measure { data_term, primal, dual, longest, gap }
+}
