@@ -64,6 +64,7 @@ impl SpacePiece {
     /// A bound of |r⁗| for all complex y of at most this modulus.
     pub(super) fn fourth(&self, radius: f64) -> f64 {
         let mut sum = 0.0;
+        // Powers below the fourth have no fourth derivative.
         for (k, power) in self.powers.iter().enumerate().skip(4).rev() {
             let k = k as f64;
             sum = sum * radius + k * (k - 1.0) * (k - 2.0) * (k - 3.0) * norm(power);
@@ -85,6 +86,7 @@ impl SpacePiece {
     /// The curvature, without a sign; `None` where the speed is below that share of the piece's size.
     pub(super) fn curvature(&self, y: f64, share: f64) -> Option<f64> {
         let [_, first, second, _] = self.jet(y);
+        // The first power is where the piece is, and no part of how large it is.
         let size: f64 = self.powers.iter().skip(1).map(norm).sum();
         let speed = norm(&first);
         if speed <= share * size {

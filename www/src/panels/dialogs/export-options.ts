@@ -40,41 +40,30 @@ function segmentsField(choose: Choose): HTMLElement {
 }
 
 function toleranceField(choose: Choose): HTMLElement {
-  const field = numberField({
-    label: "Tolerance",
-    testid: "export-tolerance",
-    about: "Largest distance from the curve, 0.001 to 1 units.",
-    least: 0.001,
-    most: 1,
-    step: 0.001,
-    format: String,
-    write(tolerance) {
-      if (tolerance === null) return;
-      choose({ tolerance });
-      field.show(tolerance);
-    },
-  });
-  field.show(chosen.tolerance);
-  return field.element;
+  const about = "Largest distance from the curve, 0.001 to 1 units.";
+  return numberOf("tolerance", { label: "Tolerance", testid: "export-tolerance", about, least: 0.001, most: 1, step: 0.001 }, choose);
 }
 
 function decimalsField(choose: Choose): HTMLElement {
+  const about = "Digits after the point, 0 to 6.";
+  return numberOf("decimals", { label: "Decimals", testid: "export-decimals", about, least: 0, most: 6, step: 1 }, choose, Math.round);
+}
+
+type NumberSpec = Omit<Parameters<typeof numberField>[0], "format" | "write">;
+
+/** A number that cannot be left empty; `rounded` is what becomes of one that was typed. */
+function numberOf(name: "tolerance" | "decimals", spec: NumberSpec, choose: Choose, rounded = (value: number) => value): HTMLElement {
   const field = numberField({
-    label: "Decimals",
-    testid: "export-decimals",
-    about: "Digits after the point, 0 to 6.",
-    least: 0,
-    most: 6,
-    step: 1,
+    ...spec,
     format: String,
-    write(value) {
-      if (value === null) return;
-      const decimals = Math.round(value);
-      choose({ decimals });
-      field.show(decimals);
+    write(typed) {
+      if (typed === null) return;
+      const value = rounded(typed);
+      choose({ [name]: value });
+      field.show(value);
     },
   });
-  field.show(chosen.decimals);
+  field.show(chosen[name]);
   return field.element;
 }
 
