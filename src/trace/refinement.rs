@@ -11,6 +11,7 @@ mod left;
 mod phases;
 mod refine;
 mod settling;
+mod showing;
 mod sides;
 mod simplify;
 mod skyline;
@@ -56,8 +57,6 @@ const AVERAGED: f64 = 1.2;
 /// Nodes of a long outline that move together, and about how many parts beside them do.
 const BLOCK: usize = 512;
 const PARTS: usize = 32_768;
-/// Tiles that an outline is put into in about one step.
-const TILES: usize = 4096;
 
 /// Refinement on its way.
 #[derive(Debug)]
@@ -312,43 +311,6 @@ impl Refinement {
     fn cost(&self) -> f64 {
         let parts = &self.shapes[self.place.at].parts;
         0.3 * parts.iter().take(2 * BLOCK).map(Vec::len).sum::<usize>() as f64
-    }
-
-    /// Puts the outline into the field: the next pieces of a long one, and when all have been noted the next rows; whether these were
-    /// the last.
-    fn show_on(&mut self) -> bool {
-        let shape = &mut self.shapes[self.place.at];
-        let count = shape.outline.len();
-        let end = (self.place.block + 2 * BLOCK).min(count);
-        self.refiner.show(&self.field, shape, self.place.block..end);
-        self.place.block = end;
-        let done = end == count && self.refiner.sweep.cover_rows(&mut self.field, TILES).1;
-        if done {
-            self.place.block = 0;
-        }
-        done
-    }
-
-    /// Begins to put another outline in the place of this one.
-    fn exchange(&mut self, outline: Outline) {
-        self.place.coming = Some(outline);
-        self.place.arriving = true;
-    }
-
-    /// Takes the next pieces of an outline away that another takes the place of; whether they have all gone.
-    fn leave_on(&mut self) -> bool {
-        let shape = &mut self.shapes[self.place.at];
-        let Some(outline) = self.place.coming.take() else { return true };
-        let end = (self.place.block + 2 * BLOCK).min(shape.parts.len());
-        let going = &shape.parts[self.place.block..end];
-        going.iter().for_each(|parts| self.refiner.sweep.note(&self.field, parts, -1.0));
-        if end < shape.parts.len() {
-            (self.place.coming, self.place.block) = (Some(outline), end);
-            return false;
-        }
-        self.place.block = 0;
-        shape.turn_into(outline);
-        true
     }
 
     /// Moves all nodes of the outline, or the next ones of a long one, by a step; whether that was the last of all.
