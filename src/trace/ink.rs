@@ -48,7 +48,8 @@ pub(super) struct InkWork {
     kind: Kind,
     /// How near outlines are to what they are: those of coverage, and sampled ones.
     nearness: [Nearness; 2],
-    smoothed: Option<Gray>,
+    /// What blurs the picture while contours are looked for in it.
+    blurring: Option<Blurring>,
     found: Vec<Contour>,
     /// Whether the contour that is looked at goes between pixels of two tones by now.
     between: bool,
@@ -100,7 +101,6 @@ enum Kind {
 enum Phase {
     Light(Evening),
     Tones(ToneScan),
-    Smooth(Blurring),
     Contours(ContourScan),
     Corners,
     Splines,
@@ -127,7 +127,7 @@ impl InkWork {
             kinds: Vec::new(),
             kind: Kind::Covered,
             nearness: [Nearness { slack: Quality::Clean.slack(), bow: 0.0 }; 2],
-            smoothed: None,
+            blurring: None,
             found: Vec::new(),
             between: false,
             samples: Vec::new(),
@@ -267,12 +267,10 @@ impl InkWork {
             self.samples = Vec::new();
         }
         let still = self.kinds.iter().map(|&other| other != kind).collect();
-        let mut refinement = Refinement::new(&self.gray, &shading, outlines, contours, quality, still)?;
+        let last = kind == Kind::Sampled || !is_there(Kind::Sampled);
+        let mut refinement =
+            Refinement::new((&mut self.gray, last), &shading, outlines, contours, quality, still)?;
         refinement.allow(self.options.tolerance, self.options.corner);
-        if kind == Kind::Sampled || !is_there(Kind::Sampled) {
-            // The refinement has what it needs of the picture.
-            self.gray.clear();
-        }
         let rounds = 1 + usize::from(is_there(Kind::Covered) && is_there(Kind::Sampled));
         let total = rounds * refinement.total() + self.found.len();
         self.kind = kind;
@@ -389,7 +387,7 @@ impl InkWork {
 impl Work for InkWork {
     fn step(&mut self) -> Result<f64> {
         match &self.phase {
-            Phase::Light(_) | Phase::Tones(_) | Phase::Smooth(_) | Phase::Contours(_) => self.look(),
+            Phase::Light(_) | Phase::Tones(_) | Phase::Contours(_) => self.look(),
             Phase::Corners => {
                 let (cost, last) = self.advance(&|work, i| work.corner(i));
                 if last {

@@ -146,9 +146,10 @@ enum Phase {
 }
 
 impl Refinement {
-    /// Begins with outlines of contours, some of which stay as they are. A noisy picture may be blurred; by how much is found.
+    /// Begins with outlines of contours, some of which stay as they are. A noisy picture may be blurred; by how much is found. The picture
+    /// gives its pixels back, if this is the last time that they are asked for.
     pub(super) fn new<'a>(
-        gray: &Gray,
+        (gray, last): (&mut Gray, bool),
         shading: &Shading,
         outlines: Vec<Outline>,
         contours: impl Iterator<Item = &'a [Point]>,
@@ -158,13 +159,16 @@ impl Refinement {
         let (noisy, sampled) = (quality == Quality::Noisy, quality == Quality::Sampled);
         // Of a compressed picture it is found.
         let slack = quality.slack();
-        let field = Field::new(gray, shading, contours, if noisy { 8.0 } else { 2.5 })?;
+        let mut field = Field::new(gray, shading, contours, if noisy { 8.0 } else { 2.5 })?;
+        if last {
+            gray.clear();
+        }
         let quality = match quality {
             Quality::Clean if field.is_compressed() => Quality::Rough,
             quality => quality,
         };
         let exact = quality == Quality::Clean;
-        let blurring = (noisy || sampled).then(|| Blurring::new(&field, sampled.then_some(AVERAGED)));
+        let blurring = (noisy || sampled).then(|| Blurring::new(&mut field, sampled.then_some(AVERAGED)));
         let shapes = outlines.into_iter().map(Shape::new).collect();
         Ok(Self {
             field,

@@ -11,8 +11,8 @@ use crate::error::{Error, Result};
 ///
 /// # Cost
 ///
-/// O(pixels + length of the contours). Memory: 4 to 6 bytes for each pixel of drawings, the picture's own 2 among them; 7 of
-/// noise, and 30 where outlines fill the picture, as a spiral of thin lines does.
+/// O(pixels + length of the contours). Memory: 4 to 6 bytes for each pixel of drawings, noisy ones, too, the picture's own 2 among
+/// them; 30 where outlines fill the picture, as a spiral of thin lines does.
 #[derive(Debug)]
 pub struct Tracer {
     work: Box<dyn Work>,

@@ -26,16 +26,11 @@ impl InkWork {
         let found = if self.quality == Quality::Noisy { 1.2 } else { 0.0 };
         let sigma = self.options.blur.unwrap_or(found);
         if sigma > 0.0 {
-            self.phase = Phase::Smooth(Blurring::new(&self.gray, sigma)?);
-        } else {
-            self.scan();
+            self.blurring = Some(Blurring::new(self.gray.width(), sigma)?);
         }
-        Ok(())
-    }
-
-    fn scan(&mut self) {
         let scan = ContourScan::new(&self.gray, self.level(), self.options.inverted);
         self.enter(Phase::Contours(scan), Stage::Contours, self.gray.height() + 1);
+        Ok(())
     }
 
     fn scanned(&mut self, found: Vec<Contour>) -> Result<()> {
@@ -44,7 +39,6 @@ impl InkWork {
             self.offer = speckle_for(most, found.iter().map(|contour| contour.area.abs()).collect());
             return Err(Error::limit("data", "maxContours", most, found.len() as f64));
         }
-        self.smoothed = None;
         self.found = found;
         self.enter(Phase::Corners, Stage::Corners, self.found.len());
         Ok(())
@@ -68,20 +62,16 @@ impl InkWork {
                 }
                 return Ok(row);
             }
-            Phase::Smooth(blurring) => {
-                for _ in 0..(rows / 8).max(1) {
-                    if let Some(smoothed) = blurring.step(&self.gray) {
-                        self.smoothed = Some(smoothed);
-                        self.scan();
-                        break;
-                    }
-                    self.progress.completed = blurring.rows();
-                }
-            }
             Phase::Contours(scan) => {
-                let gray = self.smoothed.as_ref().unwrap_or(&self.gray);
+                // A row takes eight times as long where it is blurred.
+                let rows = if self.blurring.is_some() { (rows / 8).max(1) } else { rows };
                 for _ in 0..rows {
-                    if !scan.step(gray)? {
+                    let more = match &mut self.blurring {
+                        Some(blurring) => scan.step_between(blurring.step(&self.gray))?,
+                        None => scan.step(&self.gray)?,
+                    };
+                    if !more {
+                        self.blurring = None;
                         let asked = self.options.speckle;
                         let speckle =
                             if self.quality == Quality::Noisy { asked.max(NOISY_SPECKLE) } else { asked };

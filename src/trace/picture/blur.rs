@@ -8,49 +8,55 @@ use crate::limits::with_room;
 #[derive(Debug)]
 pub(in crate::trace) struct Blurring {
     half: Vec<f64>,
-    values: Vec<u16>,
     /// A ring of rows that are blurred along themselves.
     ring: Vec<f32>,
-    blurred_rows: usize,
-    row: usize,
+    /// How many rows have been in it, and how many are blurred.
+    along: usize,
+    done: usize,
+    /// The last two rows.
+    rows: [Vec<u16>; 2],
 }
 
 impl Blurring {
     /// Begins to blur by a Gaussian of deviation `sigma` pixels, edges repeated.
-    pub(in crate::trace) fn new(gray: &Gray, sigma: f64) -> Result<Self> {
+    pub(in crate::trace) fn new(width: usize, sigma: f64) -> Result<Self> {
         let half = half_gaussian(sigma);
-        let room = (2 * half.len() - 1) * gray.width();
+        let room = (2 * half.len() - 1) * width;
         let mut ring: Vec<f32> = with_room(room)?;
         ring.resize(room, 0.0);
-        let values = with_room(gray.width() * gray.height())?;
-        Ok(Self { half, values, ring, blurred_rows: 0, row: 0 })
+        let rows = [with_room(width)?, with_room(width)?];
+        Ok(Self { half, ring, along: 0, done: 0, rows })
     }
 
-    /// Rows that are done.
-    pub(in crate::trace) fn rows(&self) -> usize {
-        self.row
+    /// Blurs the next row, if there is one: the row before it, and itself. Beyond the picture rows are empty.
+    pub(in crate::trace) fn step(&mut self, gray: &Gray) -> [&[u16]; 2] {
+        self.rows.swap(0, 1);
+        self.rows[1].clear();
+        if self.done < gray.height() {
+            self.blur(gray);
+            self.done += 1;
+        }
+        let [before, here] = &self.rows;
+        [before, here]
     }
 
-    /// One row more; the picture, when it is the last.
-    pub(in crate::trace) fn step(&mut self, gray: &Gray) -> Option<Gray> {
-        let (width, height, row) = (gray.width(), gray.height(), self.row);
+    fn blur(&mut self, gray: &Gray) {
+        let (width, last, row) = (gray.width(), gray.height() - 1, self.done);
         let reach = self.half.len() - 1;
         let size = 2 * reach + 1;
-        while self.blurred_rows <= (row + reach).min(height - 1) {
-            let place = (self.blurred_rows % size) * width;
-            blur_row(gray.row(self.blurred_rows), &self.half, &mut self.ring[place..place + width]);
-            self.blurred_rows += 1;
+        while self.along <= (row + reach).min(last) {
+            let place = (self.along % size) * width;
+            blur_row(gray.row(self.along), &self.half, &mut self.ring[place..place + width]);
+            self.along += 1;
         }
         for column in 0..width {
             let at = |r: usize| f64::from(self.ring[(r % size) * width + column]);
             let mut sum = self.half[0] * at(row);
             for (d, weight) in self.half.iter().enumerate().skip(1) {
-                sum += weight * (at(row.saturating_sub(d)) + at((row + d).min(height - 1)));
+                sum += weight * (at(row.saturating_sub(d)) + at((row + d).min(last)));
             }
-            self.values.push((sum + 0.5) as u16);
+            self.rows[1].push((sum + 0.5) as u16);
         }
-        self.row += 1;
-        (self.row == height).then(|| Gray::from_values(width, height, core::mem::take(&mut self.values)))
     }
 }
 

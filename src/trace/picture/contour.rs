@@ -96,28 +96,32 @@ impl ContourScan {
         self.line
     }
 
-    /// One row of cells; whether there are more.
+    /// One row of cells of a picture; whether there are more.
     pub(in crate::trace) fn step(&mut self, gray: &Gray) -> Result<bool> {
-        let (width, height, line) = (gray.width(), gray.height(), self.line);
-        if line < height {
-            let below = &mut self.below[1..=width];
+        let line = self.line;
+        self.step_between([
+            if line > 0 { gray.row(line - 1) } else { &[] },
+            if line < gray.height() { gray.row(line) } else { &[] },
+        ])
+    }
+
+    /// The next row of cells, between two rows of pixels, which are empty beyond the border; whether there are more.
+    pub(in crate::trace) fn step_between(&mut self, rows: [&[u16]; 2]) -> Result<bool> {
+        let [_, row] = rows;
+        if row.is_empty() {
+            self.below.fill(0);
+        } else {
+            let below = self.below[1..].iter_mut().zip(row);
             // Shades are whole numbers: being beyond the level is a comparison of whole numbers.
             if self.sign > 0.0 {
                 let bound = self.level.ceil().max(0.0) as u16;
-                below.iter_mut().zip(gray.row(line)).for_each(|(ink, &v)| *ink = u8::from(v < bound));
+                below.for_each(|(ink, &v)| *ink = u8::from(v < bound));
             } else {
                 let bound = self.level.floor().max(0.0) as u16;
-                below.iter_mut().zip(gray.row(line)).for_each(|(ink, &v)| *ink = u8::from(v > bound));
+                below.for_each(|(ink, &v)| *ink = u8::from(v > bound));
             }
-        } else {
-            self.below.fill(0);
         }
         mix(&self.above, &self.below, &mut self.mixed);
-        // Beyond the border there are no shades.
-        let rows = [
-            if line > 0 { gray.row(line - 1) } else { &[] },
-            if line < height { gray.row(line) } else { &[] },
-        ];
         let mut on_left = NONE;
         for block in 0..self.mixed.len() / BLOCK {
             // The lowest byte that is not 0 is the first mixed cell of the block.
@@ -130,7 +134,7 @@ impl ContourScan {
         }
         core::mem::swap(&mut self.above, &mut self.below);
         self.line += 1;
-        Ok(self.line <= height)
+        Ok(!row.is_empty())
     }
 
     /// The crossings on the right and the lower side of a mixed cell, joined with the others; the one on the right.

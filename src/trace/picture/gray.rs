@@ -83,11 +83,6 @@ impl Gray {
         rows.finish()
     }
 
-    /// Shades of a picture that somebody else made.
-    pub(super) fn from_values(width: usize, height: usize, values: Vec<u16>) -> Self {
-        Self { width, height, values, light_on_nothing: false }
-    }
-
     /// Columns.
     pub fn width(&self) -> usize {
         self.width

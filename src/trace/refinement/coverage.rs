@@ -68,6 +68,8 @@ pub(super) fn parts(cubic: &Cubic, field: &Field, out: &mut Vec<Part>) {
 fn make_room(out: &mut Vec<Part>, count: usize) {
     const BLANK: Part = Part { pixel: NONE, row: 0, column: 0, t: 0.0, dx: 0.0, dy: 0.0, right: 0.0 };
     if out.len() < count {
+        // Doubling would leave half of the memory that all pieces take to nobody.
+        out.reserve_exact(count + count / 8 - out.len());
         out.resize(count, BLANK);
     }
 }
@@ -295,6 +297,10 @@ impl Sweep {
     /// A change for a tile, which is nothing yet.
     fn open(&mut self, slot: u32) -> u32 {
         if self.slots.len() == self.changes.len() {
+            if self.changes.len() == self.changes.capacity() {
+                // Changes are large: doubling would take more than it saves.
+                self.changes.reserve_exact(1 + self.changes.len() / 4);
+            }
             self.changes.push(Change::default());
         }
         self.slots.push(slot);

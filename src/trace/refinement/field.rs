@@ -2,6 +2,7 @@
 
 mod blurred;
 mod blurring;
+mod levels;
 
 use crate::error::Result;
 use crate::limits::with_room;

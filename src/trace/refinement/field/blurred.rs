@@ -1,5 +1,6 @@
 //! Fields of pictures that are blurred: what is left is compared with the outlines blurred alike, tile by tile, where something has changed.
 
+use super::levels::Levels;
 use super::{AREA, Field, NONE, SIDE, tile};
 use crate::numerics::order::sort_in_place;
 use crate::trace::picture::blur::half_gaussian;
@@ -23,7 +24,7 @@ pub(super) const EMPTY: Block = [[[0.0; 4]; WIDE / 4]; WIDE];
 pub(super) struct Blur {
     gaussian: Gaussian,
     /// What the picture shows.
-    target: Vec<f32>,
+    target: Levels,
     pub(super) cover: Vec<f32>,
     /// What is left, blurred once more: what it says to the outlines. Found for tiles that are asked, as most trials ask few.
     lead: Vec<f32>,
@@ -102,8 +103,8 @@ impl Undo {
 }
 
 impl Blur {
-    /// The blurred picture and what covers it before blurs; room for as many numbers.
-    pub(super) fn new(gaussian: Gaussian, [target, cover, lead]: [Vec<f32>; 3]) -> Self {
+    /// The blurred picture; what covers it before blurs, and room for as many numbers.
+    pub(super) fn new(gaussian: Gaussian, target: Levels, [cover, lead]: [Vec<f32>; 2]) -> Self {
         let tiles = target.len() / AREA;
         let (unheard, stale) = (vec![Region::ALL; tiles], vec![Region::default(); tiles]);
         Self { gaussian, target, cover, lead, unheard, changed: Vec::new(), stale, undo: Undo::default() }
@@ -160,16 +161,16 @@ impl Field {
             });
         }
         sort_in_place(&mut near);
-        let (mut growth, mut block) = (0.0, EMPTY);
+        let (mut growth, mut block, mut target) = (0.0, EMPTY, [0.0; AREA]);
         for slot in near {
             let region = core::mem::take(&mut blur.stale[slot as usize]);
             let blurred = self.blurred(&mut block, &blur.cover, (slot, region), &blur.gaussian, true);
             let from = slot as usize * AREA;
             blur.undo.tiles.push((slot, region.columns));
             let mut touched = Touched { slot, columns: 0, rows: 0 };
+            blur.target.read(from, &mut target);
             for x in bits(region.columns) {
-                let here = from + x * SIDE..from + (x + 1) * SIDE;
-                let (rest, target) = (&mut self.rest[here.clone()], &blur.target[here]);
+                let (rest, target) = (&mut self.rest[from + x * SIDE..][..SIDE], &target[x * SIDE..]);
                 blur.undo.rest.extend_from_slice(rest);
                 let halves = rest.as_chunks_mut().0.iter_mut().zip(target.as_chunks().0);
                 let halves = halves.zip(blurred[x].as_chunks().0).enumerate();
