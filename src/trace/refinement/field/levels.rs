@@ -1,6 +1,6 @@
 //! A plane that is read only: two bytes a number.
 
-/// Numbers of a range, each rounded to one of 65,536 levels of it: noise is a thousand times as much, and so are stairs.
+/// Numbers of a range, each rounded to one of 65,536 levels of it: noise is hundreds of times as much.
 #[derive(Debug, Default)]
 pub(super) struct Levels {
     least: f32,
