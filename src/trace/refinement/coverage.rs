@@ -435,4 +435,32 @@ mod tests {
         }
         Ok(())
     }
+
+    #[test]
+    fn a_trial_that_is_given_up_leaves_every_bit_as_it_was() -> Result<()> {
+        let (mut field, list) = waved()?;
+        let mut sweep = Sweep::default();
+        sweep.note(&field, &list, 1.0);
+        sweep.cover(&mut field);
+        let before = field.rest.clone();
+        field.begin_trial();
+        for sign in [-1.0, 0.3, 0.3] {
+            sweep.note(&field, &list, sign);
+            sweep.cover(&mut field);
+        }
+        assert_ne!(field.rest, before, "nothing was covered");
+        field.revert();
+        assert_eq!(field.rest, before);
+        // What was kept is not given up with the next.
+        field.begin_trial();
+        sweep.note(&field, &list, -1.0);
+        sweep.cover(&mut field);
+        field.keep();
+        let kept = field.rest.clone();
+        assert_ne!(kept, before, "nothing was covered");
+        field.begin_trial();
+        field.revert();
+        assert_eq!(field.rest, kept);
+        Ok(())
+    }
 }

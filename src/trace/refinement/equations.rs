@@ -109,6 +109,14 @@ impl Equations {
         Ok((left, promised))
     }
 
+    /// By how much the last step promised to make less what is left, node by node.
+    pub(super) fn promises(&self) -> impl Iterator<Item = (usize, f64)> {
+        self.unknowns.ranges().map(|(node, own)| {
+            let both = self.step[own.clone()].iter().zip(&self.right[own]);
+            (node, both.map(|(a, b)| a * b).sum())
+        })
+    }
+
     /// Finds the terms of all pieces, and which unknowns meet.
     fn lay_out(&mut self, outline: &Outline) -> Result<()> {
         self.terms.clear();

@@ -2,6 +2,7 @@
 
 mod blurred;
 mod blurring;
+mod journal;
 mod levels;
 
 use crate::error::Result;
@@ -11,6 +12,7 @@ use crate::numerics::plane::larger;
 use crate::trace::picture::gray::Gray;
 use blurred::Blur;
 pub(super) use blurring::Blurring;
+use journal::Journal;
 use wide::f32x4;
 
 /// Pixels along a tile's side, and around the picture: one tile of paper.
@@ -66,6 +68,7 @@ pub(super) struct Field {
     /// Of the pixels that are nearly ink or nearly paper, the share that is neither: strong compression leaves most of them so.
     stain: f64,
     blur: Option<Blur>,
+    journal: Journal,
 }
 
 impl Shading {
@@ -111,16 +114,19 @@ impl Field {
         let mut rest: Vec<f32> = with_room(AREA * places.len())?;
         let paper = if shading.inverted { shading.ink } else { shading.paper };
         let coverage = shading.coverage();
+        let (blank, width) = (coverage(paper) as f32, gray.width());
         for &place in &places {
             let (row, column) = (place as usize / across * SIDE, place as usize % across * SIDE);
-            for x in column..column + SIDE {
-                for y in row..row + SIDE {
-                    let inside =
-                        x >= SIDE && y >= SIDE && x - SIDE < gray.width() && y - SIDE < gray.height();
-                    let shade = if inside { gray.shade(x - SIDE, y - SIDE) } else { paper };
-                    rest.push(coverage(shade) as f32);
+            let columns = column.max(SIDE)..(column + SIDE).min(width + SIDE);
+            let mut tile = [[blank; SIDE]; SIDE];
+            for y in row.max(SIDE)..(row + SIDE).min(gray.height() + SIDE) {
+                let shades =
+                    gray.row(y - SIDE).get(columns.start - SIDE..columns.end - SIDE).unwrap_or_default();
+                for (tile, &shade) in tile[columns.start - column..].iter_mut().zip(shades) {
+                    tile[y - row] = coverage(f64::from(shade)) as f32;
                 }
             }
+            rest.extend_from_slice(tile.as_flattened());
         }
         let (mut near, mut off) = (0_usize, 0_usize);
         for value in &rest {
@@ -130,7 +136,7 @@ impl Field {
         }
         let stain = off as f64 / near.max(1) as f64;
         let extent = [gray.width() as f64, gray.height() as f64];
-        Ok(Self { across, down, extent, slots, places, rest, stain, blur: None })
+        Ok(Self { across, down, extent, slots, places, rest, stain, blur: None, journal: Journal::default() })
     }
 
     /// Whether pixels beside outlines are off their tone, as compression leaves them.
@@ -184,7 +190,9 @@ impl Field {
     /// of squares grows, if that is known at once. The change is used up, but for what takes it back.
     pub(super) fn cover(&mut self, slot: usize, change: &mut Change, running: &mut [f32; SIDE]) -> f64 {
         let sign = if self.blur.is_some() { -1.0 } else { 1.0 };
-        let pixels = tile(self.covered(), slot);
+        let covered = self.blur.as_mut().map_or(&mut self.rest, |blur| &mut blur.cover);
+        let pixels = tile(covered, slot);
+        self.journal.note(slot, pixels);
         let mut growth = 0.0;
         for (half, running) in running.as_chunks_mut().0.iter_mut().enumerate() {
             let part = cover_half(pixels, change, half, (running, sign));

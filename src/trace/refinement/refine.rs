@@ -34,6 +34,8 @@ const LONGEST_STEP: f64 = 0.6;
 pub(super) const NOISY_SHARE: f64 = 5e-4;
 /// The share of what bytes round that a step has to promise.
 const WORTH: f64 = 0.3;
+/// A node comes to rest that promises less than this share of what bytes round in the parts beside it.
+const RESTING: f64 = 0.3;
 /// A step is tried if the equations promise this share of what would be enough: they know what they promise to a third or so.
 const PROMISE: f64 = 0.5;
 /// Places of a piece that are looked at to know whether it leaves the picture.
@@ -79,17 +81,34 @@ impl Shape {
 }
 
 /// Steps of some nodes that may still be taken.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub(super) struct Descent {
     most: usize,
     /// The share of what is left that a step has to take away for another; nothing goes on below what bytes round either.
     enough: f64,
     damping: f64,
+    /// The nodes that have not come to rest, if any have.
+    moving: Option<Vec<usize>>,
+    /// The pieces that moved last, and what those leave that did before.
+    pieces: Vec<usize>,
+    resting: Left,
 }
 
 impl Descent {
     pub(super) fn new((most, enough): (usize, f64)) -> Self {
-        Self { most, enough, damping: DAMPING }
+        Self { most, enough, damping: DAMPING, moving: None, pieces: Vec::new(), resting: Left::default() }
+    }
+
+    /// These pieces still move; the others that did no longer do.
+    fn narrow(&mut self, pieces: &[usize], shape: &Shape, field: &Field) {
+        let mut next = pieces.iter().peekable();
+        for &i in &self.pieces {
+            if next.next_if_eq(&&i).is_none() {
+                self.resting.add(&shape.parts[i], field);
+            }
+        }
+        self.pieces.clear();
+        self.pieces.extend_from_slice(pieces);
     }
 }
 
@@ -176,19 +195,32 @@ impl Refiner {
         nodes: &[usize],
         descent: &mut Descent,
     ) -> Result<bool> {
-        let &mut Descent { damping, enough, .. } = descent;
-        let Some((left, growth)) = self.step(field, shape, nodes, (damping, enough))? else {
+        let moving = descent.moving.take();
+        let Some((left, growth)) = self.step(field, shape, moving.as_deref().unwrap_or(nodes), descent)?
+        else {
             return Ok(false);
         };
+        let &mut Descent { damping, enough, .. } = descent;
         descent.most -= 1;
         let goes_on = if growth < 0.0 {
             descent.damping = (self.relaxing.factor * damping).max(self.relaxing.least);
+            // What much damping holds back asks for more later.
+            descent.moving = (damping < DAMPING).then(|| self.moving(shape));
             -growth >= enough * left.square && left.square + growth >= ROUNDING * left.count
         } else {
             descent.damping = 8.0 * damping;
+            descent.moving = moving;
             descent.damping <= 1e3 * DAMPING
         };
         Ok(goes_on && descent.most > 0)
+    }
+
+    /// The nodes of the last step that asked for more than bytes round.
+    fn moving(&self, shape: &Shape) -> Vec<usize> {
+        let beside = |node: usize| shape.parts[node].len() + shape.parts[shape.outline.before(node)].len();
+        let asks =
+            |&(node, promised): &(usize, f64)| promised.abs() >= RESTING * ROUNDING * beside(node) as f64;
+        self.equations.promises().filter(asks).map(|(node, _)| node).collect()
     }
 
     /// One step: what was left before it and how much it has grown; if it would grow, nothing moves. `None` where no step promises
@@ -198,11 +230,14 @@ impl Refiner {
         field: &mut Field,
         shape: &mut Shape,
         nodes: &[usize],
-        (damping, enough): (f64, f64),
+        descent: &mut Descent,
     ) -> Result<Option<(Left, f64)>> {
         let equations = &mut self.equations;
         equations.begin(&shape.outline, nodes);
-        let (left, promised) = equations.solve(field, &shape.outline, &shape.parts, damping)?;
+        descent.narrow(&equations.pieces, shape, field);
+        let &mut Descent { damping, enough, resting, .. } = descent;
+        let (mut left, promised) = equations.solve(field, &shape.outline, &shape.parts, damping)?;
+        left.join(&resting);
         let noise = ROUNDING * left.count;
         if promised < larger(PROMISE * enough * left.square, WORTH * noise) || left.square < noise {
             return Ok(None);

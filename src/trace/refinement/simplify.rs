@@ -124,9 +124,9 @@ impl Trial<'_> {
                 // What is longer now may grow further.
                 window.shape.outline.nodes[node].kept = false;
             }
-            window.keep(self.shape);
+            window.keep(self.field, self.shape);
         } else {
-            window.close(self.refiner, self.field, self.shape);
+            window.close(self.refiner, self.field);
         }
         Ok(good)
     }

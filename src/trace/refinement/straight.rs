@@ -98,9 +98,9 @@ impl Trial<'_> {
         let enough = old.square + SHARES[ends] * noise + self.limits.grain * self.limits.grain * own.count;
         let good = new.square <= enough;
         if good {
-            window.keep(self.shape);
+            window.keep(self.field, self.shape);
         } else {
-            window.close(self.refiner, self.field, self.shape);
+            window.close(self.refiner, self.field);
         }
         Ok(good)
     }

@@ -93,10 +93,10 @@ impl Trial<'_> {
         old.square += self.limits.grain * self.limits.grain * new.count;
         let good = self.limits.allow(&new, &old, 1.0);
         if good {
-            let first = window.keep(self.shape);
+            let first = window.keep(self.field, self.shape);
             self.shape.begin_at(if ends > 0 { first } else { 0 });
         } else {
-            window.close(self.refiner, self.field, self.shape);
+            window.close(self.refiner, self.field);
         }
         Ok(good)
     }

@@ -5,6 +5,7 @@ use crate::numerics::plane::{larger, norm};
 use crate::numerics::{Point, Vector};
 use crate::trace::outline::{Node, Outline, Piece};
 use crate::trace::samples::unit;
+use core::ops::Range;
 
 /// How one of the four vectors of a piece (its start, the way leaving, the way arriving, its end) changes with one unknown or two.
 #[derive(Clone, Copy, Debug)]
@@ -106,6 +107,12 @@ impl Unknowns {
                 }
             };
         }
+    }
+
+    /// The nodes in the order of their unknowns, and which these are.
+    pub(super) fn ranges(&self) -> impl Iterator<Item = (usize, Range<usize>)> {
+        let ends = self.nodes.iter().skip(1).map(|&next| self.base[next]).chain([self.end]);
+        self.nodes.iter().zip(ends).map(|(&node, end)| (node, self.base[node]..end))
     }
 
     /// The pieces that change when the nodes move, in order.

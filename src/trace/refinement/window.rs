@@ -57,6 +57,7 @@ impl Window {
             window.shape.parts.push(Vec::new());
             (0..BESIDE).for_each(|k| window.take(refiner, shape, (first + all - BESIDE + k) % all));
         }
+        field.begin_trial();
         for k in 0..count {
             refiner.sweep.note(field, &shape.parts[(first + k) % all], -1.0);
         }
@@ -89,21 +90,8 @@ impl Window {
     }
 
     /// All is as it was.
-    pub(super) fn close(self, refiner: &mut Refiner, field: &mut Field, shape: &Shape) {
-        for i in 0..self.fresh {
-            refiner.sweep.note(field, &self.shape.parts[i], -1.0);
-        }
-        for k in 0..self.count {
-            refiner.sweep.note(field, &shape.parts[(self.first + k) % self.all], 1.0);
-        }
-        for (here, there) in self.beside() {
-            if self.shape.outline.cubic(here) != shape.outline.cubic(there) {
-                refiner.sweep.note(field, &self.shape.parts[here], -1.0);
-                refiner.sweep.note(field, &shape.parts[there], 1.0);
-            }
-        }
-        refiner.sweep.cover(field);
-        field.settle();
+    pub(super) fn close(self, refiner: &mut Refiner, field: &mut Field) {
+        field.revert();
         refiner.give_back(self.shape.parts);
     }
 
@@ -113,7 +101,8 @@ impl Window {
     /// # Cost
     ///
     /// O(pieces of the outline), which are moved.
-    pub(super) fn keep(mut self, shape: &mut Shape) -> usize {
+    pub(super) fn keep(mut self, field: &mut Field, shape: &mut Shape) -> usize {
+        field.keep();
         for (here, there) in self.beside() {
             shape.outline.nodes[there] = self.shape.outline.nodes[here];
             shape.outline.pieces[there] = self.shape.outline.pieces[here];

@@ -235,6 +235,14 @@ mod tests {
             sweep.take_back(&mut field);
             field.unsettle();
             assert_eq!(field.rest, before);
+            // Nor does a trial leave anything.
+            field.begin_trial();
+            sweep.note(&field, &list, 1.0);
+            sweep.cover(&mut field);
+            field.settle();
+            field.hear(all.clone().step_by(5));
+            field.revert();
+            assert_eq!(field.rest, before);
             field.hear(all.clone());
             let heard = field.lead().to_vec();
             // All of it found anew is the same.
