@@ -205,7 +205,7 @@ impl Refiner {
         let goes_on = if growth < 0.0 {
             descent.damping = (self.relaxing.factor * damping).max(self.relaxing.least);
             // What much damping holds back asks for more later.
-            descent.moving = (damping < DAMPING).then(|| self.moving(shape));
+            descent.moving = if damping < DAMPING { Some(self.moving(shape)) } else { moving };
             -growth >= enough * left.square && left.square + growth >= ROUNDING * left.count
         } else {
             descent.damping = 8.0 * damping;
@@ -293,4 +293,48 @@ pub(super) fn leaves(cubic: &Cubic, field: &Field) -> bool {
         return false;
     }
     (0..=LOOKS).any(|k| field.is_beyond(cubic.point(f64::from(k) / f64::from(LOOKS))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Descent, Left, Refiner, Relaxing, Shape};
+    use crate::error::Result;
+    use crate::numerics::Point;
+    use crate::trace::Gray;
+    use crate::trace::outline::{Node, Outline, Piece};
+    use crate::trace::refinement::field::{Field, Shading};
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    /// A field of ink where a picture has a square from 8 to 24, and a diamond for it.
+    fn diamond() -> Result<(Field, Shape)> {
+        let inside = |i: usize| (8..24).contains(&(i % 32)) && (8..24).contains(&(i / 32));
+        let bytes: Vec<u8> = (0..1024).map(|i| if inside(i) { 0 } else { 255 }).collect();
+        let gray = Gray::from_bytes(32, 32, &bytes)?;
+        let shading = Shading { ink: 0.0, paper: 65_280.0, level: 32_640.0, inverted: false };
+        let middle = [Point::new(16.0, 16.0)];
+        let field = Field::new(&gray, &shading, [middle.as_slice()].into_iter(), 15.0)?;
+        let node = |x: f64, y: f64| Node { point: Point::new(x, y), smooth: false, kept: false };
+        let nodes = vec![node(16.3, 6.1), node(25.8, 16.2), node(15.9, 25.7), node(6.4, 15.8)];
+        Ok((field, Shape::new(Outline { pieces: vec![Piece::Line; nodes.len()], nodes })))
+    }
+
+    #[test]
+    fn what_rests_counts_once_in_what_is_left() -> Result<()> {
+        let (mut field, mut shape) = diamond()?;
+        let mut refiner = Refiner::new(Relaxing::BOLD);
+        refiner.show(&field, &mut shape, 0..4);
+        refiner.sweep.cover(&mut field);
+        let mut descent = Descent::new((8, 0.0));
+        descent.narrow(&[0, 1, 2, 3], &shape, &field);
+        assert_eq!(descent.resting.count, 0.0);
+        descent.narrow(&[1, 2, 3], &shape, &field);
+        descent.narrow(&[1], &shape, &field);
+        descent.narrow(&[1], &shape, &field);
+        let (all, mut own) = (shape.left(&field), Left::default());
+        own.add(&shape.parts[1], &field);
+        assert_eq!(descent.resting.count + own.count, all.count);
+        assert!((descent.resting.square + own.square - all.square).abs() < 1e-12 * all.square);
+        Ok(())
+    }
 }
