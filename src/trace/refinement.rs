@@ -16,6 +16,7 @@ mod sides;
 mod simplify;
 mod skyline;
 mod straight;
+mod sweep;
 mod tidying;
 mod tips;
 mod trial;

@@ -190,8 +190,7 @@ impl Field {
     /// of squares grows, if that is known at once. The change is used up, but for what takes it back.
     pub(super) fn cover(&mut self, slot: usize, change: &mut Change, running: &mut [f32; SIDE]) -> f64 {
         let sign = if self.blur.is_some() { -1.0 } else { 1.0 };
-        let covered = self.blur.as_mut().map_or(&mut self.rest, |blur| &mut blur.cover);
-        let pixels = tile(covered, slot);
+        let pixels = tile(covered(&mut self.rest, &mut self.blur), slot);
         self.journal.note(slot, pixels);
         let mut growth = 0.0;
         for (half, running) in running.as_chunks_mut().0.iter_mut().enumerate() {
@@ -207,12 +206,7 @@ impl Field {
 
     /// A tile is again what it was before a change that covered it.
     pub(super) fn take_back(&mut self, slot: usize, change: &Change) {
-        tile(self.covered(), slot).copy_from_slice(&change.before);
-    }
-
-    /// The plane that outlines cover.
-    fn covered(&mut self) -> &mut [f32] {
-        self.blur.as_mut().map_or(&mut self.rest, |blur| &mut blur.cover)
+        tile(covered(&mut self.rest, &mut self.blur), slot).copy_from_slice(&change.before);
     }
 
     /// The root mean square of what is left.
@@ -243,6 +237,11 @@ fn cover_half(
     }
     *running = heights.to_array();
     growth.to_array()
+}
+
+/// The plane that outlines cover: what is left itself, unless that is blurred.
+fn covered<'a>(rest: &'a mut [f32], blur: &'a mut Option<Blur>) -> &'a mut [f32] {
+    blur.as_mut().map_or(rest, |blur| &mut blur.cover)
 }
 
 /// The pixels of a tile.

@@ -1,9 +1,10 @@
 //! Outlines moved until the coverage that they have is the coverage that the picture shows.
 
-use super::coverage::{Part, Sweep, parts};
+use super::coverage::{Part, parts};
 use super::equations::Equations;
 use super::field::Field;
 use super::left::Left;
+use super::sweep::Sweep;
 use crate::error::Result;
 use crate::numerics::plane::larger;
 use crate::trace::outline::cubic::Cubic;

@@ -111,7 +111,8 @@ impl Unknowns {
 
     /// The nodes in the order of their unknowns, and which these are.
     pub(super) fn ranges(&self) -> impl Iterator<Item = (usize, Range<usize>)> {
-        let ends = self.nodes.iter().skip(1).map(|&next| self.base[next]).chain([self.end]);
+        let others = self.nodes.get(1..).unwrap_or_default();
+        let ends = others.iter().map(|&next| self.base[next]).chain([self.end]);
         self.nodes.iter().zip(ends).map(|(&node, end)| (node, self.base[node]..end))
     }
 

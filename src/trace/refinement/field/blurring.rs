@@ -142,8 +142,9 @@ mod tests {
     use crate::trace::Gray;
     use crate::trace::outline::cubic::Cubic;
     use crate::trace::picture::blur::half_gaussian;
-    use crate::trace::refinement::coverage::{Sweep, parts};
+    use crate::trace::refinement::coverage::parts;
     use crate::trace::refinement::field::{AREA, Field, Shading};
+    use crate::trace::refinement::sweep::Sweep;
     #[cfg(target_arch = "wasm32")]
     use wasm_bindgen_test::wasm_bindgen_test as test;
 

@@ -1,6 +1,6 @@
 //! What a trial changes of a field, so that all can be again as it was, to the last bit.
 
-use super::{AREA, Field, tile};
+use super::{AREA, Field, covered, tile};
 
 /// The tiles that have been covered since a trial began, as they were before it.
 #[derive(Debug, Default)]
@@ -53,7 +53,7 @@ impl Field {
     pub(in crate::trace::refinement) fn revert(&mut self) {
         let mut journal = core::mem::take(&mut self.journal);
         for (&slot, kept) in journal.slots.iter().zip(&mut journal.tiles) {
-            tile(self.covered(), slot as usize).swap_with_slice(kept);
+            tile(covered(&mut self.rest, &mut self.blur), slot as usize).swap_with_slice(kept);
             self.touch(slot as usize, kept);
         }
         self.settle();
