@@ -3,6 +3,7 @@
 //! Compilers make pairs of loops over lists. Sums that are to stay in registers are no lists, so they say it themselves. Each
 //! number has the bits that it would have alone.
 
+use super::Point;
 use core::ops::{Add, AddAssign, Div, Mul, Sub};
 
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
@@ -56,6 +57,12 @@ impl Pair {
     #[inline(always)]
     pub(crate) fn new(first: f64, second: f64) -> Self {
         Self(vector::f64x2(first, second))
+    }
+
+    /// The coordinates of two points.
+    #[inline(always)]
+    pub(crate) fn of(p: Point, q: Point) -> [Self; 2] {
+        [Self::new(p.x, q.x), Self::new(p.y, q.y)]
     }
 
     /// The same number twice.

@@ -20,7 +20,7 @@ const CHORD: f64 = 1.5;
 pub(super) fn agreement(curve: &HermiteCurve, contour: &[Point]) -> Result<Metrics> {
     let mut comparison = Comparison::new(curve, contour)?;
     loop {
-        if let Some(metrics) = comparison.step(contour)? {
+        if let Some(metrics) = comparison.step()? {
             return Ok(metrics);
         }
     }
@@ -29,7 +29,7 @@ pub(super) fn agreement(curve: &HermiteCurve, contour: &[Point]) -> Result<Metri
 /// A curve that is being compared with a contour, in three steps or, where they are far from each other, in six.
 #[derive(Debug)]
 pub(super) struct Comparison {
-    curve: Flat,
+    curve: Vec<Chord>,
     sides: Vec<Chord>,
     closed: bool,
     there: Option<Offs>,
@@ -41,27 +41,27 @@ pub(super) struct Comparison {
 impl Comparison {
     pub(super) fn new(curve: &HermiteCurve, contour: &[Point]) -> Result<Self> {
         let closed = curve.is_closed();
-        let (curve, sides) = (Flat::of(curve), Chord::along(contour, closed)?);
+        let (curve, sides) = (Chord::follow(curve), Chord::along(contour, closed)?);
         Ok(Self { curve, sides, closed, there: None, back: None, pixels: Vec::new() })
     }
 
     /// Goes on with the contour; how far the curve is from it, in the end.
-    pub(super) fn step(&mut self, contour: &[Point]) -> Result<Option<Metrics>> {
+    pub(super) fn step(&mut self) -> Result<Option<Metrics>> {
         let Some(there) = &self.there else {
-            self.there = Some(Offs::of(contour, &self.curve.chords, self.closed));
+            self.there = Some(Offs::of(&self.sides, &self.curve, self.closed));
             return Ok(None);
         };
         let Some(back) = &self.back else {
-            self.back = Some(Offs::of(&self.curve.places, &self.sides, self.closed));
+            self.back = Some(Offs::of(&self.curve, &self.sides, self.closed));
             return Ok(None);
         };
-        let count = contour.len().max(1) as f64;
+        let count = larger(there.count, 1.0);
         let hausdorff = there.most.max(back.most);
         // Points that are no farther than a pixel are in neighbouring pixels.
         let mut share = 1.0;
         if hausdorff > 1.0 {
             let [first, second] = self.pixels.as_slice() else {
-                let chords = [&self.sides, &self.curve.chords];
+                let chords = [&self.sides, &self.curve];
                 self.pixels.push(pixels(chords[self.pixels.len().min(1)], pixel(chords)));
                 return Ok(None);
             };
@@ -129,6 +129,30 @@ impl Chord {
         Ok(chords)
     }
 
+    /// The chords of a curve.
+    fn follow(curve: &HermiteCurve) -> Vec<Self> {
+        let mut chords = Vec::new();
+        for segment in curve.segments() {
+            let (start, end) = (segment.start, segment.end);
+            if segment.as_line(1e-9) {
+                chords.push(Self::new(start, end, Vector::zeros()));
+                continue;
+            }
+            let middle = place(&segment, 0.5);
+            let length = larger(norm(end - start), 2.0 * norm(middle - start));
+            let steps = (length / CHORD).ceil().clamp(2.0, 20_000.0);
+            let count = steps as usize;
+            let mut from = start;
+            for step in 0..count {
+                let x = (step as f64 + 0.5) / steps;
+                let to = if step + 1 == count { end } else { place(&segment, (step + 1) as f64 / steps) };
+                chords.push(Self::new(from, to, place(&segment, x) - (from + to) * 0.5));
+                from = to;
+            }
+        }
+        chords
+    }
+
     /// The squared distance of a point from the chord, and the share of the chord at which it is nearest.
     #[inline]
     fn off(&self, p: Point) -> (f64, f64) {
@@ -138,43 +162,13 @@ impl Chord {
         (square(off - self.way * share), share)
     }
 
-    /// The distance of a point from the parabola over the chord, near a share of it.
-    fn distance(&self, p: Point, share: f64) -> f64 {
+    /// The distance of a point from the parabola over the chord, near a share of it, where it is so far from the chord.
+    #[inline]
+    fn distance(&self, p: Point, share: f64, root: f64) -> f64 {
+        if self.bow == Vector::zeros() {
+            return root;
+        }
         norm(p - self.from - self.way * share - self.bow * (4.0 * share * (1.0 - share)))
-    }
-}
-
-/// A curve as chords, and their ends.
-#[derive(Debug)]
-struct Flat {
-    chords: Vec<Chord>,
-    places: Vec<Point>,
-}
-
-impl Flat {
-    fn of(curve: &HermiteCurve) -> Self {
-        let (mut chords, mut places) = (Vec::new(), Vec::new());
-        for segment in curve.segments() {
-            let (start, end) = (segment.start, segment.end);
-            let middle = place(&segment, 0.5);
-            let length = larger(norm(end - start), 2.0 * norm(middle - start));
-            let straight = segment.as_line(1e-9);
-            let steps = if straight { 1.0 } else { (length / CHORD).ceil().clamp(2.0, 20_000.0) };
-            let count = steps as usize;
-            let mut from = start;
-            for step in 0..count {
-                let x = (step as f64 + 0.5) / steps;
-                let to = if step + 1 == count { end } else { place(&segment, (step + 1) as f64 / steps) };
-                let middle = if straight { (start + end) * 0.5 } else { place(&segment, x) };
-                chords.push(Chord::new(from, to, middle - (from + to) * 0.5));
-                places.push(from);
-                from = to;
-            }
-        }
-        if !curve.is_closed() {
-            places.extend(curve.points().last());
-        }
-        Self { chords, places }
     }
 }
 
@@ -192,55 +186,84 @@ fn place(segment: &Segment<'_>, x: f64) -> Point {
 
 #[derive(Debug)]
 struct Offs {
+    count: f64,
     sum: f64,
     square: f64,
     most: f64,
 }
 
 impl Offs {
-    /// The distances of points from chords that run beside them.
-    fn of(points: &[Point], chords: &[Chord], closed: bool) -> Self {
-        let mut offs = Self { sum: 0.0, square: 0.0, most: 0.0 };
-        let (Some(&first), Some(_)) = (points.first(), chords.first()) else { return offs };
-        let mut at = nearest(first, chords);
-        let (mut last, mut near) = (first, true);
-        for &p in points {
-            let (mut best, mut share) = chords[at].off(p);
-            let mut root = best.sqrt();
-            // A contour is not much longer than the chords of its curve. What is left of this chord, and then chord by chord.
-            let mut ahead = AHEAD + 2.0 * norm(p - last) + root - (1.0 - share) * chords[at].length;
-            last = p;
-            let (start, mut i) = (at, at);
-            while ahead > 0.0 {
-                i += 1;
-                if i == chords.len() {
-                    i = 0;
-                }
-                if i == start || (i == 0 && !closed) {
-                    break;
-                }
-                let (here, place) = chords[i].off(p);
-                if here < best {
-                    (best, share, at, root) = (here, place, i, here.sqrt());
-                } else if here >= (root + ahead) * (root + ahead) {
-                    // All of what is left is too short to come back.
-                    break;
-                }
-                ahead -= chords[i].length;
-            }
-            if root <= AHEAD {
-                near = true;
-            } else if core::mem::take(&mut near) {
-                // After a long side the walk may have gone on to the other edge of a narrow place.
-                at = nearest(p, chords);
-                (_, share) = chords[at].off(p);
-            }
-            let distance = chords[at].distance(p, share);
-            offs.square += distance * distance;
-            offs.sum += distance;
-            offs.most = larger(offs.most, distance);
+    /// The distances of the ends of chords from others that run beside them.
+    fn of(ends: &[Chord], chords: &[Chord], closed: bool) -> Self {
+        let mut offs = Self { count: 0.0, sum: 0.0, square: 0.0, most: 0.0 };
+        let (Some(first), Some(last), Some(_)) = (ends.first(), ends.last(), chords.first()) else {
+            return offs;
+        };
+        let mut walk = Walk { chords, closed, at: nearest(first.from, chords), near: true };
+        let mut stride = 0.0;
+        for &Chord { from, length, .. } in ends {
+            offs.note(walk.distance(from, stride));
+            stride = length;
+        }
+        if !closed {
+            offs.note(walk.distance(last.from + last.way, stride));
         }
         offs
+    }
+
+    fn note(&mut self, distance: f64) {
+        self.count += 1.0;
+        self.square += distance * distance;
+        self.sum += distance;
+        self.most = larger(self.most, distance);
+    }
+}
+
+/// A walk along chords, beside points.
+struct Walk<'a> {
+    chords: &'a [Chord],
+    closed: bool,
+    /// The chord that is nearest to the last point, and whether it is near.
+    at: usize,
+    near: bool,
+}
+
+impl Walk<'_> {
+    /// The distance of the next point, so far from the last one.
+    #[inline(always)]
+    fn distance(&mut self, p: Point, stride: f64) -> f64 {
+        let Self { chords, closed, .. } = *self;
+        let (mut best, mut share) = chords[self.at].off(p);
+        let mut root = best.sqrt();
+        // A contour is not much longer than the chords of its curve. What is left of this chord, and then chord by chord.
+        let mut ahead = AHEAD + 2.0 * stride + root - (1.0 - share) * chords[self.at].length;
+        let (start, mut i) = (self.at, self.at);
+        while ahead > 0.0 {
+            i += 1;
+            if i == chords.len() {
+                i = 0;
+            }
+            if i == start || (i == 0 && !closed) {
+                break;
+            }
+            let (here, place) = chords[i].off(p);
+            if here < best {
+                (best, share, self.at, root) = (here, place, i, here.sqrt());
+            } else if here >= (root + ahead) * (root + ahead) {
+                // All of what is left is too short to come back.
+                break;
+            }
+            ahead -= chords[i].length;
+        }
+        if root <= AHEAD {
+            self.near = true;
+        } else if core::mem::take(&mut self.near) {
+            // After a long side the walk may have gone on to the other edge of a narrow place.
+            self.at = nearest(p, chords);
+            (best, share) = chords[self.at].off(p);
+            root = best.sqrt();
+        }
+        chords[self.at].distance(p, share, root)
     }
 }
 
@@ -265,8 +288,12 @@ fn nearest(p: Point, chords: &[Chord]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::{Chord, Offs};
+    use crate::numerics::Point;
     use crate::numerics::plane::larger;
-    use crate::numerics::{Point, Vector};
+
+    fn closed(points: &[Point]) -> Vec<Chord> {
+        Chord::along(points, true).expect("memory")
+    }
 
     /// A closed wavy line with a narrow tip, moved outwards by a share of its waves.
     fn wavy(count: usize, wave: f64) -> Vec<Point> {
@@ -300,9 +327,8 @@ mod tests {
         let sides = (0..9).map(|i| (contour[i], contour[(i + 1) % 9]));
         let dense: Vec<Point> =
             sides.flat_map(|(a, b)| (0..40).map(move |k| a + (b - a) * (f64::from(k) / 40.0))).collect();
-        let chords: Vec<Chord> =
-            (0..360).map(|i| Chord::new(dense[i], dense[(i + 1) % 360], Vector::zeros())).collect();
-        let Offs { most, .. } = Offs::of(&band(1.0), &chords, true);
+        let chords = closed(&dense);
+        let Offs { most, .. } = Offs::of(&closed(&band(1.0)), &chords, true);
         // The gaps' corners are 3 from where these end, and the other edge is nearer still.
         assert!(most <= 3.0, "{most}");
     }
@@ -311,10 +337,8 @@ mod tests {
     fn what_lies_side_by_side_is_measured_as_if_every_chord_were_looked_at() {
         for (count, wave) in [(420, 0.3), (420, -0.8), (900, 1.5)] {
             let points = wavy(count, 0.0);
-            let polyline = wavy(300, wave);
-            let chords: Vec<Chord> =
-                (0..300).map(|i| Chord::new(polyline[i], polyline[(i + 1) % 300], Vector::zeros())).collect();
-            let Offs { sum, most, .. } = Offs::of(&points, &chords, true);
+            let chords = closed(&wavy(300, wave));
+            let Offs { sum, most, .. } = Offs::of(&closed(&points), &chords, true);
             let (mut all, mut largest) = (0.0, 0.0);
             for &p in &points {
                 let off = chords.iter().fold(f64::MAX, |least, chord| least.min(chord.off(p).0)).sqrt();

@@ -295,7 +295,7 @@ impl InkWork {
             compared.comparison = Some(Comparison::new(&compared.curve, &contour.points)?);
             return Ok(cost);
         };
-        let Some(metrics) = comparison.step(&contour.points)? else { return Ok(cost) };
+        let Some(metrics) = comparison.step()? else { return Ok(cost) };
         let hole = contour.area < 0.0;
         if let Some(Compared { curve, cusps, .. }) = self.compared.take().map(|compared| *compared) {
             self.trace.contours.push(TracedContour { curve, closed: true, hole, cusps, metrics });

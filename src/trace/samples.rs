@@ -45,14 +45,15 @@ pub(super) struct Line {
 
 impl Samples {
     pub(super) fn new(polyline: &[Point]) -> Self {
-        let after = |i: usize| polyline[if i + 1 == polyline.len() { 0 } else { i + 1 }];
-        let length: f64 = (0..polyline.len()).map(|i| norm(after(i) - polyline[i])).sum();
+        let back = [polyline[polyline.len() - 1], polyline[0]];
+        let sides = || polyline.windows(2).chain([&back[..]]).map(|side| (side[0], side[1]));
+        let length: f64 = sides().map(|(from, to)| norm(to - from)).sum();
         let count = ((length / SPACING).round() as usize).max(8);
         let spacing = length / count as f64;
         let mut points = Vec::with_capacity(2 * count);
         let (mut travelled, mut next) = (0.0, 0.0);
-        for (i, &from) in polyline.iter().enumerate() {
-            let way = after(i) - from;
+        sides().for_each(|(from, to)| {
+            let way = to - from;
             let step = norm(way);
             while points.len() < count && next <= travelled + step {
                 let share = if step > 0.0 { (next - travelled) / step } else { 0.0 };
@@ -60,7 +61,7 @@ impl Samples {
                 next = points.len() as f64 * spacing;
             }
             travelled += step;
-        }
+        });
         while points.len() < count {
             points.push(polyline[0]);
         }
@@ -149,11 +150,11 @@ impl Samples {
         &self.ring[inside(start).min(end)..end]
     }
 
-    /// Every place in the middle of as many before it as after it, from the first place that has them without going round; nothing where
-    /// they would meet.
-    pub(super) fn surroundings(&self, reach: usize) -> impl Iterator<Item = &[Point]> {
-        let rounds = if 2 * reach > self.count { 0 } else { self.count };
-        self.ring.windows(2 * reach + 1).take(rounds)
+    /// What is so many places before, at and after every place, from the first one on that has so many before it without going round;
+    /// nothing where they would meet.
+    pub(super) fn surroundings(&self, reach: usize) -> [&[Point]; 3] {
+        let rounds = if 2 * reach > self.count { 0 } else { self.count.min(self.ring.len() - 2 * reach) };
+        [0, 1, 2].map(|k| self.ring.get(k * reach..k * reach + rounds).unwrap_or_default())
     }
 
     /// The place and the tangent at index i, from a cubic in the distance: over as much on both sides, from `least` up to
@@ -294,14 +295,34 @@ impl Moments {
         self
     }
 
-    /// The line that is nearest in the mean square.
-    pub(super) fn line(&self) -> Line {
+    /// The middle, and a vector at twice the angle of the larger moment: its coordinates and its length.
+    #[inline]
+    fn axis(&self) -> (Point, [f64; 3]) {
         let Self { first, sum, .. } = *self;
-        let mean = sum / self.count as f64;
+        let mean = sum * (1.0 / self.count as f64);
         let (xx, yy) = (self.xx - sum.x * mean.x, self.yy - sum.y * mean.y);
         let (a, b) = (xx - yy, 2.0 * (self.xy - sum.x * mean.y));
-        let length = (a * a + b * b).sqrt();
-        Line { middle: first + mean, direction: principal_axis(a, b, length, self.last - first) }
+        (first + mean, [a, b, (a * a + b * b).sqrt()])
+    }
+
+    /// The line that is nearest in the mean square.
+    pub(super) fn line(&self) -> Line {
+        let (middle, [a, b, length]) = self.axis();
+        Line { middle, direction: principal_axis(a, b, length, self.last - self.first) }
+    }
+
+    /// Whether none of some places is farther than `most` from the line that is nearest to all in the mean square; the last ones are looked
+    /// at first.
+    #[inline]
+    pub(super) fn is_line(&self, points: &[Point], most: f64) -> bool {
+        let (middle, [a, b, length]) = self.axis();
+        let axis = half_angle(a, b, length, self.last - self.first);
+        // Of any length: of both sides of the inequality the squares are compared.
+        let (level, bound) = (cross(axis, middle), most * most * square(axis));
+        points.iter().rev().all(|&p| {
+            let off = cross(axis, p) - level;
+            off * off <= bound
+        })
     }
 }
 
@@ -309,15 +330,20 @@ impl Moments {
 /// angles.
 #[inline]
 pub(super) fn principal_axis(a: f64, b: f64, length: f64, way: Vector) -> Vector {
-    let axis = if length < 1e-300 {
-        way
+    let axis = unit(half_angle(a, b, length, way));
+    if dot(way, axis) < 0.0 { -axis } else { axis }
+}
+
+/// A vector at half the angle of (a, b), whose length is given; where that is 0, the other one.
+#[inline]
+fn half_angle(a: f64, b: f64, length: f64, other: Vector) -> Vector {
+    if length < 1e-300 {
+        other
     } else if a >= 0.0 {
         Vector::new(length + a, b)
     } else {
         Vector::new(b, length - a)
-    };
-    let axis = unit(axis);
-    if dot(way, axis) < 0.0 { -axis } else { axis }
+    }
 }
 
 impl Line {

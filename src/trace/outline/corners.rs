@@ -50,28 +50,23 @@ pub(in crate::trace) struct Corner {
 /// corner or of an arc; the turning between the parabolas' tangents at the place is small for arcs (D 14.5).
 pub(in crate::trace) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<Corner> {
     let count = samples.len() as isize;
-    let around = |i: isize| i.rem_euclid(count) as usize;
     let mut found: Vec<Corner> = Vec::new();
     // Places near corners of the rules before.
     let mut taken = vec![false; samples.len()];
     for rule in rules {
         // What pixels cut off belongs to the corner, by this rule and by those after it.
         let apart = samples.steps((1.8 * rule.gap - 0.7).max(2.2)).max(1);
-        let least = [0.6 * rule.angle, rule.angle, rule.angle / STEEP];
-        let cosines = least.map(|angle| crate::numerics::angle::sin_cos(angle).1);
-        let reach = reach(samples, rule);
-        let all = samples.surroundings(reach[1]).map(|around| score(around, reach, cosines));
-        let mut scores: Vec<f64> = all.collect();
-        scores.resize(samples.len(), 0.0);
-        // The first surroundings are those of the place that is so far from the first.
-        scores.rotate_right(reach[1].min(samples.len()));
+        let mut scores = Scores::new(samples, rule);
         let known = found.len();
         for i in 0..count {
-            let own = scores[i as usize];
-            if own < rule.angle || taken[i as usize] {
+            if taken[i as usize] {
                 continue;
             }
-            let highest = (1..=apart).all(|d| own > scores[around(i - d)] && own >= scores[around(i + d)]);
+            let own = scores.of(i);
+            if own < rule.angle {
+                continue;
+            }
+            let highest = (1..=apart).all(|d| own > scores.of(i - d) && own >= scores.of(i + d));
             if !highest {
                 continue;
             }
@@ -82,7 +77,7 @@ pub(in crate::trace) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<
             }
         }
         for corner in &found[known..] {
-            (1 - apart..apart).for_each(|d| taken[around(corner.index + d)] = true);
+            (1 - apart..apart).for_each(|d| taken[(corner.index + d).rem_euclid(count) as usize] = true);
         }
     }
     sort_by_keys(&mut found, &|corner| [corner.index as u64, 0]);
@@ -110,17 +105,56 @@ fn reach(samples: &Samples, rule: &CornerRule) -> [usize; 2] {
     [rule.gap, rule.gap + rule.window].map(|far| samples.steps(far) as usize)
 }
 
-/// How much of a corner the place in the middle is; nothing where the cosine of the turning is larger than one of three: between
-/// chords, between lines and between tangents.
-fn score(around: &[Point], [near, far]: [usize; 2], [cosine, least, soft]: [f64; 3]) -> f64 {
-    let here = around[far];
-    let (before, after) = (here - around[0], around[2 * far] - here);
+/// How much of a corner each place is, found when it is asked for: hardly anybody asks near corners of the rules before.
+struct Scores<'a> {
+    samples: &'a Samples,
+    reach: [usize; 2],
+    cosines: [f64; 3],
+    /// Not a number where nobody asked.
+    known: Vec<f64>,
+}
+
+impl<'a> Scores<'a> {
+    fn new(samples: &'a Samples, rule: &CornerRule) -> Self {
+        let least = [0.6 * rule.angle, rule.angle, rule.angle / STEEP];
+        let cosines = least.map(|angle| crate::numerics::angle::sin_cos(angle).1);
+        let reach = reach(samples, rule);
+        let [before, here, after] = samples.surroundings(reach[1]);
+        let mut known: Vec<f64> = Vec::with_capacity(samples.len());
+        let places = before.iter().zip(here).zip(after);
+        known.extend(places.map(|((&a, &b), &c)| if bends(a, b, c, cosines[0]) { f64::NAN } else { 0.0 }));
+        known.resize(samples.len(), 0.0);
+        // The first surroundings are those of the place that is so far from the first.
+        known.rotate_right(reach[1].min(samples.len()));
+        Self { samples, reach, cosines, known }
+    }
+
+    /// The score of a place, around the contour.
+    fn of(&mut self, i: isize) -> f64 {
+        let count = self.known.len();
+        let i = if (i as usize) < count { i as usize } else { i.rem_euclid(count as isize) as usize };
+        if self.known[i].is_nan() {
+            let far = self.reach[1] as isize;
+            let around = self.samples.stretch(i as isize - far, i as isize + far);
+            self.known[i] = score(around, self.reach, self.cosines);
+        }
+        self.known[i]
+    }
+}
+
+/// Whether the way from one place to another and the way on to a third turn by an angle of no larger cosine.
+#[inline]
+fn bends(before: Point, here: Point, after: Point, cosine: f64) -> bool {
+    let (before, after) = (here - before, after - here);
     let along = dot(before, after);
     // Of two sides of the inequality with equal signs the squares are compared.
-    let (ours, theirs) = (along * along.abs(), cosine * cosine.abs() * square(before) * square(after));
-    if ours > theirs {
-        return 0.0;
-    }
+    along * along.abs() <= cosine * cosine.abs() * square(before) * square(after)
+}
+
+/// How much of a corner the place in the middle is; nothing where the cosine of the turning is larger than one of two: between
+/// lines and between tangents.
+fn score(around: &[Point], [near, far]: [usize; 2], [_, least, soft]: [f64; 3]) -> f64 {
+    let here = around[far];
     let sides = Sides::new(&around[..=far - near], &around[far + near..]);
     let lines = sides.directions();
     // Less than a corner is nothing: most curves end here.

@@ -3,8 +3,8 @@
 use super::gray::Gray;
 use crate::error::{Error, Result};
 use crate::limits::with_room;
-use crate::numerics::Point;
 use crate::numerics::plane::cross;
+use crate::numerics::{Point, Vector};
 
 /// A closed polyline; ink lies on the right as x goes right and y down, so that ink has a positive area.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,22 +21,34 @@ const BLOCK: usize = 8;
 /// No crossing yet.
 const NONE: u32 = u32::MAX;
 
+/// Where a contour crosses a line between neighbouring centres, and the next crossing of that contour.
+#[derive(Clone, Copy, Debug)]
+struct Crossing {
+    place: [f32; 2],
+    next: u32,
+}
+
+impl Crossing {
+    fn point(&self) -> Point {
+        Point::new(f64::from(self.place[0]), f64::from(self.place[1]))
+    }
+}
+
 /// Links of crossings: every crossing has one before and one after it.
 #[derive(Debug)]
 struct Crossings {
-    places: Vec<[f32; 2]>,
-    next: Vec<u32>,
+    list: Vec<Crossing>,
     most: usize,
 }
 
 impl Crossings {
     fn add(&mut self, x: f64, y: f64) -> Result<u32> {
-        if self.places.len() >= self.most {
-            return Err(Error::limit("data", "maxContourPoints", self.most, self.places.len() as f64 + 1.0));
+        let count = self.list.len();
+        if count >= self.most {
+            return Err(Error::limit("data", "maxContourPoints", self.most, count as f64 + 1.0));
         }
-        self.places.push([x as f32, y as f32]);
-        self.next.push(NONE);
-        Ok(self.places.len() as u32 - 1)
+        self.list.push(Crossing { place: [x as f32, y as f32], next: NONE });
+        Ok(count as u32)
     }
 }
 
@@ -77,7 +89,7 @@ pub(in crate::trace) struct ContourScan {
 impl ContourScan {
     pub(in crate::trace) fn new(gray: &Gray, level: f64, inverted: bool) -> Self {
         let most = gray.width() * gray.height() / 2 + 65_536;
-        let crossings = Crossings { places: Vec::new(), next: Vec::new(), most };
+        let crossings = Crossings { list: Vec::new(), most };
         let size = gray.width() + 2;
         Self {
             crossings,
@@ -188,7 +200,7 @@ fn join(crossings: &mut Crossings, value: &dyn Fn(usize) -> f64, ink: [u8; 4], s
     let here = ink[0] | ink[1] << 1 | ink[2] << 2 | ink[3] << 3;
     let after = (here >> 1 | here << 3) & 15;
     let (enters, leaves) = (here & !after, after & !here);
-    let mut link = |from: usize, to: usize| crossings.next[sides[from % 4] as usize] = sides[to % 4];
+    let mut link = |from: usize, to: usize| crossings.list[sides[from % 4] as usize].next = sides[to % 4];
     let (enter, leave) = (enters.trailing_zeros() as usize, leaves.trailing_zeros() as usize);
     if enters.count_ones() < 2 {
         return link(enter, leave);
@@ -202,21 +214,22 @@ fn join(crossings: &mut Crossings, value: &dyn Fn(usize) -> f64, ink: [u8; 4], s
 /// Follows the links, round by round, in the order in which the crossings were met.
 fn walk(crossings: &mut Crossings, speckle: f64) -> Result<Vec<Contour>> {
     let mut found = Vec::new();
-    for start in 0..crossings.next.len() {
-        if crossings.next[start] == NONE {
+    let list = crossings.list.as_mut_slice();
+    for start in 0..list.len() {
+        if list[start].next == NONE {
             continue;
         }
         let mut count = 0;
         let mut area = 0.0;
         let mut at = start;
-        let place =
-            |i: usize| Point::new(f64::from(crossings.places[i][0]), f64::from(crossings.places[i][1]));
-        let first = place(start);
+        let first = list[start].point();
+        let mut from = Vector::zeros();
         loop {
-            let next = crossings.next[at] as usize;
-            area += 0.5 * cross(place(at) - first, place(next) - first);
+            at = list[at].next as usize;
+            let to = list[at].point() - first;
+            area += 0.5 * cross(from, to);
             count += 1;
-            at = next;
+            from = to;
             if at == start {
                 break;
             }
@@ -228,11 +241,9 @@ fn walk(crossings: &mut Crossings, speckle: f64) -> Result<Vec<Contour>> {
         }
         loop {
             if kept {
-                points.push(place(at));
+                points.push(list[at].point());
             }
-            let next = crossings.next[at] as usize;
-            crossings.next[at] = NONE;
-            at = next;
+            at = core::mem::replace(&mut list[at].next, NONE) as usize;
             if at == start {
                 break;
             }

@@ -89,6 +89,8 @@ struct Window {
     last: Option<u32>,
     /// How far they reach along rows and columns.
     reach: [f32; 2],
+    /// Room for what is left in them, and for a basis of what moves them.
+    room: Vec<f64>,
 }
 
 impl Window {
@@ -120,25 +122,27 @@ impl Window {
     }
 
     /// What is left for each freedom when the outline is moved by the best polynomial with so many coefficients.
-    fn square(&self, freedoms: usize) -> f64 {
-        let half = 0.5 * (self.pixels.len() as f64 - 1.0);
-        let mut rest: Vec<f64> = self.pixels.iter().map(|pixel| pixel.rest).collect();
-        let mut basis: Vec<Vec<f64>> = Vec::new();
+    fn square(&mut self, freedoms: usize) -> f64 {
+        let count = self.pixels.len();
+        let half = 0.5 * (count as f64 - 1.0);
+        self.room.clear();
+        self.room.extend(self.pixels.iter().map(|pixel| pixel.rest));
         for power in 0..freedoms {
             let place = |i: usize| (i as f64 - half) / half;
             let raise = |(i, pixel): (usize, &Crossing)| {
                 pixel.length * (0..power).fold(1.0, |product, _| product * place(i))
             };
-            let mut column: Vec<f64> = self.pixels.iter().enumerate().map(raise).collect();
-            basis.iter().for_each(|other| take_away(&mut column, other));
+            self.room.extend(self.pixels.iter().enumerate().map(raise));
+            let (before, column) = self.room.split_at_mut((power + 1) * count);
+            let (rest, basis) = before.split_at_mut(count);
+            basis.chunks_exact(count).for_each(|other| take_away(column, other));
             let size = column.iter().map(|x| x * x).sum::<f64>().sqrt();
             if size > 0.0 {
                 column.iter_mut().for_each(|x| *x /= size);
-                take_away(&mut rest, &column);
-                basis.push(column);
+                take_away(rest, column);
             }
         }
-        rest.iter().map(|x| x * x).sum::<f64>() / (self.pixels.len() - freedoms) as f64
+        self.room[..count].iter().map(|x| x * x).sum::<f64>() / (count - freedoms) as f64
     }
 }
 

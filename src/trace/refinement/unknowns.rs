@@ -47,20 +47,37 @@ impl Term {
     }
 }
 
+/// The unknowns of a node: the first of all, that of its point, and those of the ways from and to the control points beside it.
+#[derive(Clone, Copy, Debug)]
+struct Base {
+    first: usize,
+    /// The two coordinates and, between cubics that meet smoothly, the angle.
+    point: usize,
+    arriving: usize,
+    leaving: usize,
+}
+
+/// The node stays.
+const FIXED: Base = Base { first: NONE, point: NONE, arriving: NONE, leaving: NONE };
+const NONE: usize = usize::MAX;
+
+impl Base {
+    fn is_fixed(&self) -> bool {
+        self.point == NONE
+    }
+}
+
 /// The numbering of the unknowns of some nodes of one outline; the other nodes stay where they are.
 ///
 /// A node has its two coordinates; at a corner both coordinates of the way to the control point of each cubic beside it; between
 /// two cubics that meet smoothly the angle of the tangent and two lengths; beside a straight piece one length, for the straight piece has the direction.
 #[derive(Debug, Default)]
 pub(super) struct Unknowns {
-    /// The first unknown of every node.
-    base: Vec<usize>,
+    /// Those of every node.
+    base: Vec<Base>,
     nodes: Vec<usize>,
     pub(super) end: usize,
 }
-
-/// The node stays.
-const FIXED: usize = usize::MAX;
 
 /// How much a unit of each unknown moves, squared: what damping is measured with.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -97,23 +114,33 @@ impl Unknowns {
         self.nodes.extend_from_slice(nodes);
         self.end = 0;
         for &node in nodes {
-            self.base[node] = self.end;
-            self.end += 2 + match joint(outline, node) {
-                Joint::Free => 3,
-                Joint::AfterLine | Joint::BeforeLine => 1,
+            let before = outline.before(node);
+            let [arriving, point, leaving] = match joint(outline, node) {
+                Joint::Free => [1, 3, 1],
+                Joint::AfterLine => [0, 2, 1],
+                Joint::BeforeLine => [1, 2, 0],
                 Joint::Corner => {
-                    2 * usize::from(!outline.is_line(node))
-                        + 2 * usize::from(!outline.is_line(outline.before(node)))
+                    let ways = |piece| if outline.is_line(piece) { 0 } else { 2 };
+                    [ways(before), 2, ways(node)]
                 }
             };
+            // A way has to do with one of its neighbours only: first the one that leads to a node in the list already, last the other.
+            let first = self.end;
+            let next = outline.next(node);
+            self.base[node] = if self.base[before].is_fixed() && !self.base[next].is_fixed() {
+                Base { first, leaving: first, point: first + leaving, arriving: first + leaving + point }
+            } else {
+                Base { first, arriving: first, point: first + arriving, leaving: first + arriving + point }
+            };
+            self.end += arriving + point + leaving;
         }
     }
 
     /// The nodes in the order of their unknowns, and which these are.
     pub(super) fn ranges(&self) -> impl Iterator<Item = (usize, Range<usize>)> {
         let others = self.nodes.get(1..).unwrap_or_default();
-        let ends = others.iter().map(|&next| self.base[next]).chain([self.end]);
-        self.nodes.iter().zip(ends).map(|(&node, end)| (node, self.base[node]..end))
+        let ends = others.iter().map(|&next| self.base[next].first).chain([self.end]);
+        self.nodes.iter().zip(ends).map(|(&node, end)| (node, self.base[node].first..end))
     }
 
     /// The pieces that change when the nodes move, in order.
@@ -139,51 +166,48 @@ impl Unknowns {
     pub(super) fn terms(&self, outline: &Outline, i: usize, terms: &mut Vec<Term>) {
         let next = outline.next(i);
         let (start, end) = (self.base[i], self.base[next]);
-        if start != FIXED {
-            terms.push(Term::own(START, start));
+        if !start.is_fixed() {
+            terms.push(Term::own(START, start.point));
         }
-        if end != FIXED {
-            terms.push(Term::own(END, end));
+        if !end.is_fixed() {
+            terms.push(Term::own(END, end.point));
         }
         let Piece::Cubic { leaving, arriving } = outline.pieces[i] else { return };
         match joint(outline, i) {
             Joint::AfterLine | Joint::BeforeLine => {
-                if start != FIXED {
-                    terms.push(Term::length(LEAVING, start + 2, leaving));
+                if !start.is_fixed() {
+                    terms.push(Term::length(LEAVING, start.leaving, leaving));
                 }
                 let before = outline.before(i);
                 let line = outline.nodes[i].point - outline.nodes[before].point;
                 follow(terms, [start, self.base[before]], (LEAVING, leaving), line);
             }
-            _ if start == FIXED => {}
-            Joint::Corner => terms.push(Term::own(LEAVING, start + 2)),
-            Joint::Free => terms.push(Term::polar(LEAVING, [start + 2, start + 3], leaving)),
+            _ if start.is_fixed() => {}
+            Joint::Corner => terms.push(Term::own(LEAVING, start.leaving)),
+            Joint::Free => terms.push(Term::polar(LEAVING, [start.point + 2, start.leaving], leaving)),
         }
         match joint(outline, next) {
             Joint::AfterLine | Joint::BeforeLine => {
-                if end != FIXED {
-                    terms.push(Term::length(ARRIVING, end + 2, arriving));
+                if !end.is_fixed() {
+                    terms.push(Term::length(ARRIVING, end.arriving, arriving));
                 }
                 let after = outline.next(next);
                 let line = outline.nodes[after].point - outline.nodes[next].point;
                 follow(terms, [self.base[after], end], (ARRIVING, arriving), line);
             }
-            _ if end == FIXED => {}
-            Joint::Corner => {
-                terms.push(Term::own(ARRIVING, end + 2 + 2 * usize::from(!outline.is_line(next))));
-            }
-            Joint::Free => terms.push(Term::polar(ARRIVING, [end + 2, end + 4], arriving)),
+            _ if end.is_fixed() => {}
+            Joint::Corner => terms.push(Term::own(ARRIVING, end.arriving)),
+            Joint::Free => terms.push(Term::polar(ARRIVING, [end.point + 2, end.arriving], arriving)),
         }
     }
 
     /// How far one unit of every unknown moves things, squared, from `first` on.
     pub(super) fn scales(&self, outline: &Outline, scales: &mut [f64]) {
         for &i in &self.nodes {
-            let base = self.base[i];
             if joint(outline, i) == Joint::Free {
                 let arriving = outline.cubic(outline.before(i)).arriving;
                 let leaving = outline.cubic(i).leaving;
-                scales[base + 2] = norm(arriving).powi(2) + norm(leaving).powi(2);
+                scales[self.base[i].point + 2] = norm(arriving).powi(2) + norm(leaving).powi(2);
             }
         }
     }
@@ -194,7 +218,8 @@ impl Unknowns {
         for &i in &self.nodes {
             let joint = joint(outline, i);
             let (base, before) = (self.base[i], outline.before(i));
-            outline.nodes[i].point += Vector::new(limit(step[base]), limit(step[base + 1]));
+            let at = |unknown: usize| Vector::new(limit(step[unknown]), limit(step[unknown + 1]));
+            outline.nodes[i].point += at(base.point);
             let least = 0.05;
             let stretch = |v: Vector, by: f64| unit(v) * (norm(v) + limit(by)).max(least);
             let turn_by = |v: Vector, angle: f64| {
@@ -204,25 +229,21 @@ impl Unknowns {
             let angle = if joint == Joint::Free {
                 let longest = norm(outline.cubic(i).leaving).max(norm(outline.cubic(before).arriving));
                 let most_angle = (most / longest.max(least)).min(0.3);
-                let wish = step[base + 2];
+                let wish = step[base.point + 2];
                 if wish.is_finite() { wish.max(-most_angle).min(most_angle) } else { 0.0 }
             } else {
                 0.0
             };
+            let moved = |v: Vector, unknown: usize| match joint {
+                Joint::Corner => v + at(unknown),
+                Joint::Free => stretch(turn_by(v, angle), step[unknown]),
+                _ => stretch(v, step[unknown]),
+            };
             if let Piece::Cubic { leaving, .. } = &mut outline.pieces[i] {
-                *leaving = match joint {
-                    Joint::Corner => *leaving + Vector::new(limit(step[base + 2]), limit(step[base + 3])),
-                    Joint::Free => stretch(turn_by(*leaving, angle), step[base + 3]),
-                    _ => stretch(*leaving, step[base + 2]),
-                };
+                *leaving = moved(*leaving, base.leaving);
             }
-            let at = base + 2 + 2 * usize::from(!outline.is_line(i));
             if let Piece::Cubic { arriving, .. } = &mut outline.pieces[before] {
-                *arriving = match joint {
-                    Joint::Corner => *arriving + Vector::new(limit(step[at]), limit(step[at + 1])),
-                    Joint::Free => stretch(turn_by(*arriving, angle), step[base + 4]),
-                    _ => stretch(*arriving, step[base + 2]),
-                };
+                *arriving = moved(*arriving, base.arriving);
             }
         }
         for &node in &self.nodes {
@@ -259,7 +280,7 @@ fn turned(v: Vector) -> Vector {
 }
 
 /// A tangent that follows a straight piece turns when the ends of that piece move across it.
-fn follow(terms: &mut Vec<Term>, [to, from]: [usize; 2], (slot, tangent): (usize, Vector), line: Vector) {
+fn follow(terms: &mut Vec<Term>, [to, from]: [Base; 2], (slot, tangent): (usize, Vector), line: Vector) {
     let along = unit(line);
     let scale = norm(tangent) / larger(norm(line), 0.05);
     // What is across the line, of x and of y.
@@ -267,10 +288,15 @@ fn follow(terms: &mut Vec<Term>, [to, from]: [usize; 2], (slot, tangent): (usize
         Vector::new(1.0 - along.x * along.x, -along.x * along.y) * scale,
         Vector::new(-along.x * along.y, 1.0 - along.y * along.y) * scale,
     ];
-    if to != FIXED {
-        terms.push(Term { slot, unknowns: [to, to + 1], count: 2, ways: across });
+    if !to.is_fixed() {
+        terms.push(Term { slot, unknowns: [to.point, to.point + 1], count: 2, ways: across });
     }
-    if from != FIXED {
-        terms.push(Term { slot, unknowns: [from, from + 1], count: 2, ways: across.map(|way| -way) });
+    if !from.is_fixed() {
+        terms.push(Term {
+            slot,
+            unknowns: [from.point, from.point + 1],
+            count: 2,
+            ways: across.map(|way| -way),
+        });
     }
 }

@@ -19,11 +19,11 @@ pub(super) struct Sides<'a> {
 impl<'a> Sides<'a> {
     #[inline]
     pub(super) fn new(before: &'a [Point], after: &'a [Point]) -> Self {
-        let first = pair(before[0], after[0]);
+        let first = Pair::of(before[0], after[0]);
         let zero = Pair::twice(0.0);
         let (mut sums, mut moments) = ([zero; 2], [zero; 3]);
         for (&p, &q) in before.iter().zip(after) {
-            let [x, y] = pair(p, q);
+            let [x, y] = Pair::of(p, q);
             let (x, y) = (x - first[0], y - first[1]);
             sums[0] += x;
             sums[1] += y;
@@ -54,12 +54,12 @@ impl<'a> Sides<'a> {
     /// The tangents at the place that both sides lead to, each by a parabola over its side's own axis, the line through it.
     #[inline]
     pub(super) fn end_tangents(&self, lines: [Vector; 2], here: Point) -> [Vector; 2] {
-        let [u, v] = pair(lines[0], lines[1]);
+        let [u, v] = Pair::of(lines[0], lines[1]);
         // Least squares of y = a + bx + cx² about the middle, where Σx = 0, and along the axis, where Σy and Σxy are 0.
         let zero = Pair::twice(0.0);
         let (mut x2, mut x3, mut x4, mut y2) = (zero, zero, zero, zero);
         for (&p, &q) in self.before.iter().zip(self.after) {
-            let [x, y] = pair(p, q);
+            let [x, y] = Pair::of(p, q);
             let (dx, dy) = (x - self.x, y - self.y);
             let (along, across) = (dx * u + dy * v, dy * u - dx * v);
             let square = along * along;
@@ -91,10 +91,4 @@ impl<'a> Sides<'a> {
             end(self.after, Point::new(self.x.second(), self.y.second()), lines[1], -1.0, second),
         ]
     }
-}
-
-/// The coordinates of two points.
-#[inline(always)]
-fn pair(p: Point, q: Point) -> [Pair; 2] {
-    [Pair::new(p.x, q.x), Pair::new(p.y, q.y)]
 }

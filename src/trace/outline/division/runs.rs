@@ -106,9 +106,8 @@ impl Divider<'_> {
             Some((end, moments)) => moments.with(&points[(end + 1 - first) as usize..]),
             None => Moments::of(points),
         };
-        let line = moments.line();
         // Where it is not one line, most often its last places say so.
-        points.iter().rev().all(|&p| line.offset(p).abs() <= self.rule.straight).then_some(moments)
+        moments.is_line(points, self.rule.straight).then_some(moments)
     }
 
     /// Whether a stretch is one line.
