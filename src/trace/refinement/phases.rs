@@ -1,9 +1,9 @@
 //! What all outlines together say of the picture, and what is done with them next.
 
 use super::{KNOWN, Phase, Refinement};
-use crate::numerics::plane::larger;
+use crate::numerics::plane::{larger, smaller};
 use crate::trace::quality::Quality;
-use crate::trace::refinement::grain::{grain, middle};
+use crate::trace::refinement::grain::{Grain, grain, middle};
 use crate::trace::refinement::left::Left;
 use crate::trace::refinement::refine::{Refiner, Relaxing};
 
@@ -57,15 +57,15 @@ impl Refinement {
 
     /// Finds from what all outlines leave how exact the picture is, and what that allows.
     fn judge(&mut self) {
-        let windows;
-        (self.picture.grain, windows) = grain(&self.shapes, &self.field);
+        let Grain { middle: own, lower, windows } = grain(&self.shapes, &self.field);
         let level = middle(&mut self.fine.level);
-        if self.fine.level.len() >= ENOUGH && level > UNEVEN {
-            self.picture.grain = larger(self.picture.grain, level);
-        }
+        let uneven = self.fine.level.len() >= ENOUGH && level > UNEVEN;
+        self.picture.grain = if uneven { larger(own, level) } else { own };
+        // What a few windows leave may be what their corners lack; grain is in most of them.
+        let seen = if windows >= MANY { own > GRAINY[1] } else { smaller(own, lower) > GRAINY[0] };
         if self.picture.is_noisy() {
             self.limits.noise = self.field.left();
-        } else if self.picture.is_clean() && self.picture.grain > GRAINY[usize::from(windows >= MANY)] {
+        } else if self.picture.is_clean() && (uneven || seen) {
             self.picture.quality = Quality::Rough;
             self.picture.slack = FLATTENED;
             self.refiner = Refiner::new(Relaxing::CAREFUL);
