@@ -394,3 +394,16 @@ test("a path of 20,000 points has names for those around the chosen one; one of 
   assert.equal(await demo.byId("error").getAttribute("data-error"), "d-big");
   assert.equal(await demo.metric("m-points"), 20_000);
 });
+
+test("the page is not idle before what was imported is on the stage, however long its part of the page takes to load", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  await demo.byId("btn-import").click();
+  await demo.byId("import-text").fill(twoContours);
+  await demo.page.route("**/*.js", async (route) => {
+    await new Promise((resolve) => setTimeout(resolve, 400));
+    await route.continue();
+  });
+  await demo.byId("import-apply").click();
+  await demo.idle();
+  assert.equal((await demo.state()).curve.contours.length, 2);
+});

@@ -58,29 +58,22 @@ test("V12 twelve mixed actions: undone to the first state, redone to the last, a
   const { page } = demo;
   const settle = (): Promise<void> => page.waitForTimeout(650);
   const first = (await demo.state()).curve;
-  // A busy machine has not drawn yet what the next action takes hold of.
   await demo.drag("pt-0-1", 20, 15);
-  await demo.idle();
   await demo.click("pt-0-2");
-  await demo.idle();
   await demo.drag("hout-0-2", 18, -9);
-  await demo.idle();
   await demo.focusStage();
   await demo.press("Enter");
-  await demo.idle();
   await demo.press("Delete");
   await settle();
   await demo.slide("level", 1);
   await settle();
   await demo.click("pt-0-4");
-  await demo.idle();
   await demo.byId("pt-x").fill("333.25");
   await demo.press("Enter");
   await settle();
   await demo.byId("closed").click();
   await demo.idle();
   await demo.click("pt-0-6");
-  await demo.idle();
   // One press: on a slow machine two of them are too far apart to be one entry.
   await demo.press("ArrowUp");
   await settle();
@@ -90,7 +83,6 @@ test("V12 twelve mixed actions: undone to the first state, redone to the last, a
   await demo.idle();
   await page.keyboard.press("Escape");
   await demo.click("pt-0-3");
-  await demo.idle();
   await demo.press("c");
   await settle();
   await demo.byId("space").selectOption("polynomial");

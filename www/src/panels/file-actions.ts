@@ -1,5 +1,6 @@
 import { writeState } from "../document/file/write.ts";
 import type { Action } from "../editor/editor.ts";
+import { whileLoading } from "../editor/loading.ts";
 import { errorText } from "./messages/errors.ts";
 import type { Shell } from "./shell.ts";
 
@@ -30,6 +31,7 @@ export function registerFileActions(shell: Shell): void {
   add("cut", "Cut contours", "Edit", ["Mod+X"], () => void work().then(({ cut }) => cut(shell)), drawn);
   // Mod+V is the browser's paste event; this is the menu's way to the same place.
   add("paste", "Paste", "Edit", [], () => {
-    navigator.clipboard.readText().then(async (text) => (await work()).receiveText(shell, text), () => toasts.error("clipboard", errorText("clipboard")));
+    const pasted = navigator.clipboard.readText().then(async (text) => (await work()).receiveText(shell, text), () => toasts.error("clipboard", errorText("clipboard")));
+    void whileLoading(editor, pasted);
   }, running);
 }

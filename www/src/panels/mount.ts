@@ -58,7 +58,7 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
   );
   io.listenForIncoming({
     files: (files) => void whileLoading(editor, import("./files/file-work.ts").then(({ receiveFiles }) => receiveFiles(shell, files))),
-    text: (text) => void import("./files/file-work.ts").then(({ receiveText }) => receiveText(shell, text)),
+    text: (text) => void whileLoading(editor, import("./files/file-work.ts").then(({ receiveText }) => receiveText(shell, text))),
     dragging: (over) => regions.stage.toggleAttribute("data-drop", over),
   }, signal);
   return {

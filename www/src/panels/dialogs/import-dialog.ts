@@ -1,4 +1,5 @@
 import type { Imported } from "../../document/imported.ts";
+import { whileLoading } from "../../editor/loading.ts";
 import { openDialog, type Dialog } from "../controls/dialog.ts";
 import { naturalDestination, place } from "../files/load.ts";
 import { openPicture } from "../files/open-picture.ts";
@@ -30,10 +31,12 @@ class Importing {
 
   listen(): void {
     const { apply, partly, text, file } = this.#form;
-    apply.addEventListener("click", () => void this.#attempt(text.value));
-    partly.addEventListener("click", () => this.#readSoFar !== null && void this.#finish(this.#readSoFar));
+    apply.addEventListener("click", () => this.#busy(this.#attempt(text.value)));
+    partly.addEventListener("click", () => {
+      if (this.#readSoFar !== null) this.#busy(this.#finish(this.#readSoFar));
+    });
     text.addEventListener("keydown", (event) => {
-      if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) void this.#attempt(text.value);
+      if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) this.#busy(this.#attempt(text.value));
     });
     text.addEventListener("input", () => {
       this.#form.calm();
@@ -42,21 +45,26 @@ class Importing {
     file.addEventListener("change", () => {
       const chosen = file.files?.[0];
       if (chosen === undefined) return;
-      this.#open(chosen);
+      this.#busy(this.#open(chosen));
       file.value = "";
     });
   }
 
-  #open(chosen: File): void {
-    this.#shell.io.readIncoming(chosen).then(
-      (incoming) => {
-        this.#form.calm();
-        if (!("picture" in incoming)) return void this.#attempt(incoming.text);
-        this.#dialog.close();
-        openPicture(this.#shell, incoming.name, incoming.picture);
-      },
-      (error: unknown) => this.#fail(error),
-    );
+  /** The page is not idle before the drawing is on the stage. */
+  #busy(work: Promise<void>): void {
+    void whileLoading(this.#shell.editor, work);
+  }
+
+  async #open(chosen: File): Promise<void> {
+    try {
+      const incoming = await this.#shell.io.readIncoming(chosen);
+      this.#form.calm();
+      if (!("picture" in incoming)) return await this.#attempt(incoming.text);
+      this.#dialog.close();
+      openPicture(this.#shell, incoming.name, incoming.picture);
+    } catch (error) {
+      this.#fail(error);
+    }
   }
 
   async #attempt(source: string): Promise<void> {
@@ -64,7 +72,7 @@ class Importing {
     this.#readSoFar = null;
     try {
       const imported = await io.readImport(source, editor.state.value.curve.space);
-      if (imported.kind === "json" || imported.broken === null) return this.#finish(imported);
+      if (imported.kind === "json" || imported.broken === null) return await this.#finish(imported);
       if (imported.contours.length > 0) this.#readSoFar = imported;
       this.#fail(imported.broken);
     } catch (error) {
