@@ -66,6 +66,6 @@ export const GOALS = {
 
 /** Sheets: side in pixels, rounds, and the most milliseconds by tracer. */
 export const SHEETS = [
-  { side: 512, rounds: 40, goals: [["expline, wasm", 40], ["expline, wasm, not refined", 8]] },
-  { side: 2048, rounds: 8, goals: [["expline, wasm", 220], ["expline, wasm, not refined", 60]] },
+  { side: 512, rounds: 7, goals: [["expline, wasm", 40], ["expline, wasm, not refined", 8]] },
+  { side: 2048, rounds: 3, goals: [["expline, wasm", 220], ["expline, wasm, not refined", 60]] },
 ];
