@@ -120,12 +120,15 @@ impl<'a> Scores<'a> {
         let cosines = least.map(|angle| crate::numerics::angle::sin_cos(angle).1);
         let reach = reach(samples, rule);
         let [before, here, after] = samples.surroundings(reach[1]);
-        let mut known: Vec<f64> = Vec::with_capacity(samples.len());
-        let places = before.iter().zip(here).zip(after);
-        known.extend(places.map(|((&a, &b), &c)| if bends(a, b, c, cosines[0]) { f64::NAN } else { 0.0 }));
-        known.resize(samples.len(), 0.0);
+        let mut known = vec![0.0; samples.len()];
         // The first surroundings are those of the place that is so far from the first.
-        known.rotate_right(reach[1].min(samples.len()));
+        let (last, first) = known.split_at_mut(reach[1].min(samples.len()));
+        let places = before.iter().zip(here).zip(after);
+        first.iter_mut().chain(last).zip(places).for_each(|(score, ((&a, &b), &c))| {
+            if bends(a, b, c, cosines[0]) {
+                *score = f64::NAN;
+            }
+        });
         Self { samples, reach, cosines, known }
     }
 

@@ -66,15 +66,14 @@ impl Cubic {
                 let [leaving, arriving] = sums.solve([(0, u), (1, v)], [third; 2]);
                 [known(u, leaving), known(v, arriving)]
             }
-            [Tangent::Along(u), Tangent::Free] => {
-                let [length, first, second] =
-                    sums.solve([(0, u), (1, x), (1, y)], [dot(u, usual), usual.x, usual.y]);
-                [known(u, length), Vector::new(first, second)]
-            }
-            [Tangent::Free, Tangent::Along(v)] => {
-                let [first, second, length] =
-                    sums.solve([(0, x), (0, y), (1, v)], [usual.x, usual.y, dot(v, usual)]);
-                [Vector::new(first, second), known(v, length)]
+            [Tangent::Along(u), Tangent::Free] | [Tangent::Free, Tangent::Along(u)] => {
+                let side = usize::from(tangents[0] == Tangent::Free);
+                let (unknowns, wishes) =
+                    ([(side, u), (1 - side, x), (1 - side, y)], [dot(u, usual), usual.x, usual.y]);
+                let [length, first, second] = sums.solve(unknowns, wishes);
+                let mut ways = [Vector::new(first, second); 2];
+                ways[side] = known(u, length);
+                ways
             }
             [Tangent::Free, Tangent::Free] => {
                 // Either coordinate has equations of its own.
@@ -180,10 +179,8 @@ impl Twice {
     /// What points at parameters say to both ways.
     #[inline(always)]
     fn sums(&self, points: &[[Point; 2]], parameters: &[[f64; 2]]) -> Sums {
-        let three = Pair::twice(3.0);
         let [xx, xy, yy, ax, ay, bx, by] = over(points, parameters, |t, p| {
-            let u = Pair::twice(1.0) - t;
-            let (b, c, d) = (three * u * u * t, three * u * t * t, t * t * t);
+            let [b, c, d] = bernstein(t);
             let off = |k: usize| p[k] - self.start[k] - self.way[k] * (c + d);
             let (x, y) = (off(0), off(1));
             [b * b, b * c, c * c, x * b, y * b, x * c, y * c]
@@ -209,14 +206,20 @@ impl Twice {
     /// On one axis, how far the curve is from a coordinate at a parameter, and its velocity.
     #[inline(always)]
     fn off_and_velocity(&self, k: usize, t: Pair, p: Pair) -> (Pair, Pair) {
-        let [two, three] = [2.0, 3.0].map(Pair::twice);
-        let u = Pair::twice(1.0) - t;
-        let (b, c, d) = (three * u * u * t, three * u * t * t, t * t * t);
+        let (two, three, u) = (Pair::twice(2.0), Pair::twice(3.0), Pair::twice(1.0) - t);
+        let [b, c, d] = bernstein(t);
         let off = self.start[k] + self.way[k] * (c + d) + self.leaving[k] * b - self.arriving[k] * c - p;
         let velocity =
             (self.leaving[k] * (u * u) + self.middle[k] * (two * u * t) + self.arriving[k] * (t * t)) * three;
         (off, velocity)
     }
+}
+
+/// Bernstein's polynomials of degree 3 but the first, as in [`Cubic::bernstein`].
+#[inline(always)]
+fn bernstein(t: Pair) -> [Pair; 3] {
+    let (three, u) = (Pair::twice(3.0), Pair::twice(1.0) - t);
+    [three * u * u * t, three * u * t * t, t * t * t]
 }
 
 /// Sums over points and their parameters, in pairs.
