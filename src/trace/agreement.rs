@@ -334,6 +334,14 @@ mod tests {
     }
 
     #[test]
+    fn both_ends_of_what_is_open_are_looked_at_once() {
+        let line = |y: f64| [0.0, 3.0, 7.0].map(|x| Point::new(x, y));
+        let [ends, chords] = [line(0.0), line(1.5)].map(|line| Chord::along(&line, false).expect("memory"));
+        let Offs { count, sum, square, most } = Offs::of(&ends, &chords, false);
+        assert_eq!((count, sum, square, most), (3.0, 4.5, 6.75, 1.5));
+    }
+
+    #[test]
     fn what_lies_side_by_side_is_measured_as_if_every_chord_were_looked_at() {
         for (count, wave) in [(420, 0.3), (420, -0.8), (900, 1.5)] {
             let points = wavy(count, 0.0);

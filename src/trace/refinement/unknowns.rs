@@ -300,3 +300,84 @@ fn follow(terms: &mut Vec<Term>, [to, from]: [Base; 2], (slot, tangent): (usize,
         });
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Unknowns;
+    use crate::numerics::{Point, Vector};
+    use crate::trace::outline::{Node, Outline, Piece};
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    /// A corner between cubics, a joint of cubics, a joint before a straight piece, one after it, and a corner after a straight piece.
+    fn outline() -> Outline {
+        let node = |x: f64, y: f64, smooth: bool| Node { point: Point::new(x, y), smooth, kept: false };
+        let cubic =
+            |a: [f64; 2], b: [f64; 2]| Piece::Cubic { leaving: Vector::from(a), arriving: Vector::from(b) };
+        let nodes = vec![
+            node(0.0, 0.0, false),
+            node(9.0, -3.0, true),
+            node(16.0, 2.0, true),
+            node(18.0, 11.0, true),
+            node(10.0, 18.0, false),
+            node(2.0, 14.0, false),
+        ];
+        let pieces = vec![
+            cubic([3.0, -2.0], [3.0, 0.5]),
+            cubic([2.0, 1.0], [1.0, 2.0]),
+            Piece::Line,
+            cubic([0.5, 3.0], [-3.0, 1.0]),
+            Piece::Line,
+            cubic([-1.0, -4.0], [2.0, -5.0]),
+        ];
+        let mut outline = Outline { nodes, pieces };
+        outline.align();
+        outline
+    }
+
+    fn vectors(outline: &Outline, piece: usize) -> [Vector; 4] {
+        let cubic = outline.cubic(piece);
+        [cubic.start, cubic.leaving, cubic.arriving, cubic.end]
+    }
+
+    #[test]
+    fn terms_say_how_the_vectors_of_pieces_move_with_each_unknown() {
+        let before = outline();
+        // All nodes, from both ends in turn, then some of them.
+        for nodes in [vec![0, 5, 1, 4, 2, 3], vec![1, 2], vec![3, 2]] {
+            let mut unknowns = Unknowns::default();
+            unknowns.number(&before, &nodes);
+            let mut pieces = Vec::new();
+            unknowns.pieces(&before, &mut pieces);
+            for unknown in 0..unknowns.end {
+                let small = 1e-6;
+                let mut step = vec![0.0; unknowns.end];
+                step[unknown] = small;
+                let mut after = before.clone();
+                unknowns.apply(&mut after, &step, 1.0);
+                for &piece in &pieces {
+                    let (old, new) = (vectors(&before, piece), vectors(&after, piece));
+                    let mut terms = Vec::new();
+                    unknowns.terms(&before, piece, &mut terms);
+                    for slot in 0..4 {
+                        if before.is_line(piece) && (slot == 1 || slot == 2) {
+                            continue;
+                        }
+                        let mut said = Vector::zeros();
+                        for term in terms.iter().filter(|term| term.slot == slot) {
+                            for (&own, &way) in term.unknowns().iter().zip(&term.ways) {
+                                said += if own == unknown { way } else { Vector::zeros() };
+                            }
+                        }
+                        let seen = (new[slot] - old[slot]) / small;
+                        // A step of 1e-6 leaves second differences of 1e-6 and rounding of 1e-9.
+                        assert!(
+                            (seen - said).norm() < 1e-5,
+                            "piece {piece}, vector {slot}, unknown {unknown} of {nodes:?}: {seen:?} instead of {said:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
