@@ -71,3 +71,17 @@ fn a_corner_too_blunt_for_what_is_asked_is_none() {
         assert_eq!(drawing.contours[0].cusps.len(), cusps, "corners of {corner} and more");
     }
 }
+
+#[test]
+fn a_corner_between_an_arc_and_its_chord_is_no_round_of_a_pixel() {
+    // Drawn by 256 samples a pixel, which leave a few thousandths of coverage that a round of a pixel would explain, too.
+    for (x, y) in [(11.5, 27.57), (11.6, 27.57), (11.9, 27.44), (11.2, 26.53), (11.4, 26.53), (11.7, 26.01)] {
+        let ink = |px: f64, py: f64| px > 8.0 && py < 32.0 && (px - x).hypot(py - y) < 9.0;
+        let drawing = traced(40, 40, &draw(40, 40, &ink));
+        let across = (81.0 - (32.0 - y) * (32.0 - y)).sqrt();
+        let cusps = &drawing.contours[0].cusps;
+        let nearest =
+            cusps.iter().map(|p| (p - Point::new(x + across, 32.0)).norm()).fold(f64::MAX, f64::min);
+        assert!(nearest < 0.05, "{x}, {y}: the corner is {nearest} px off");
+    }
+}

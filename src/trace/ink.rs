@@ -38,6 +38,8 @@ const EVENED: f64 = 1.7;
 #[derive(Debug)]
 pub(super) struct InkWork {
     gray: Gray,
+    /// The picture's columns and rows.
+    size: [f64; 2],
     options: TraceOptions,
     phase: Phase,
     progress: Progress,
@@ -112,6 +114,7 @@ impl InkWork {
     pub(super) fn new(gray: Gray, options: TraceOptions) -> Result<Self> {
         let tones = Tones { ink: 0.0, paper: 65_280.0, noise: 0.0 };
         let total = gray.height();
+        let size = [gray.width() as f64, gray.height() as f64];
         let phase = if options.finds_light() {
             Phase::Light(Evening::new(&gray)?)
         } else {
@@ -119,6 +122,7 @@ impl InkWork {
         };
         Ok(Self {
             gray,
+            size,
             options,
             phase,
             progress: Progress { done: false, stage: Stage::Edges, completed: 0, total },
@@ -233,12 +237,7 @@ impl InkWork {
             return (cost, false);
         };
         self.division = None;
-        let (width, height) = (self.gray.width() as f64, self.gray.height() as f64);
-        for node in &mut outline.nodes {
-            // Sides of what the frame cuts off may meet outside; there is no ink there.
-            node.point.x = node.point.x.max(0.0).min(width);
-            node.point.y = node.point.y.max(0.0).min(height);
-        }
+        outline.cut_to(self.size);
         self.outlines.push(outline);
         (cost, true)
     }
@@ -309,6 +308,9 @@ impl InkWork {
         let (outline, kind) = (&mut self.outlines[i], self.kinds[i]);
         let Nearness { slack, bow } = self.nearness[usize::from(kind == Kind::Sampled)];
         let mut rounding = None;
+        if self.rounding.is_none() {
+            outline.cut_to(self.size);
+        }
         if self.options.refined && kind != Kind::Stairs {
             if self.rounding.is_none()
                 && let Some(curve) = ellipse(outline, slack)?
@@ -348,18 +350,19 @@ impl InkWork {
         let Phase::Refinement(refinement) = &mut self.phase else { return Ok(0.0) };
         let chords = refinement.is_grainy();
         let rule = DivisionRule { chords, ..Quality::Rough.division_rule(&self.options) };
-        let samples = &self.samples;
+        let (samples, size) = (&self.samples, self.size);
         let corner_rules = Quality::Rough.corner_rules(self.options.corner);
         let (found, division) = (&mut self.rough_corners, &mut self.division);
         let mut rough = |i: usize| {
             let samples = &samples[i];
-            let outline = if let Some(corners) = found.as_ref() {
+            let mut outline = if let Some(corners) = found.as_ref() {
                 division.get_or_insert_with(Division::new).step(samples, corners, &rule)
             } else {
                 *found = Some(corners(samples, &corner_rules));
                 round(samples.places(), ROUND * Quality::Rough.slack())
             };
-            if outline.is_some() {
+            if let Some(outline) = &mut outline {
+                outline.cut_to(size);
                 (*found, *division) = (None, None);
             }
             outline

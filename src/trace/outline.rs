@@ -5,6 +5,7 @@ pub(super) mod corners;
 pub(super) mod cubic;
 pub(super) mod division;
 pub(super) mod ellipse;
+mod frame;
 pub(super) mod rounds;
 pub(super) mod stairs;
 
@@ -40,7 +41,7 @@ pub(super) struct Node {
 }
 
 /// Nodes, and the pieces that leave them; the last piece leads back to the first node.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Outline {
     pub(super) nodes: Vec<Node>,
     pub(super) pieces: Vec<Piece>,
@@ -49,6 +50,13 @@ pub(super) struct Outline {
 impl Outline {
     pub(super) fn len(&self) -> usize {
         self.nodes.len()
+    }
+
+    /// Appends a node and the piece that leaves it.
+    #[inline(never)]
+    pub(super) fn push(&mut self, node: Node, piece: Piece) {
+        self.nodes.push(node);
+        self.pieces.push(piece);
     }
 
     /// Drops all nodes but the first ones, and their pieces.
@@ -122,19 +130,17 @@ impl Outline {
 
     /// Halves some pieces.
     pub(super) fn halved(&self, which: &[bool]) -> Self {
-        let mut halved = Self { nodes: Vec::new(), pieces: Vec::new() };
+        let mut halved = Self::default();
         for (i, &halve) in which.iter().enumerate() {
-            halved.nodes.push(self.nodes[i]);
             if !halve || self.is_line(i) {
-                halved.pieces.push(self.pieces[i]);
+                halved.push(self.nodes[i], self.pieces[i]);
                 continue;
             }
             let cubic = self.cubic(i);
-            let middle = cubic.point(0.5);
             let half = cubic.velocity(0.5) / 6.0;
-            halved.nodes.push(Node { point: middle, smooth: true, kept: false });
-            halved.pieces.push(Piece::Cubic { leaving: cubic.leaving * 0.5, arriving: half });
-            halved.pieces.push(Piece::Cubic { leaving: half, arriving: cubic.arriving * 0.5 });
+            halved.push(self.nodes[i], Piece::Cubic { leaving: cubic.leaving * 0.5, arriving: half });
+            let middle = Node { point: cubic.point(0.5), smooth: true, kept: false };
+            halved.push(middle, Piece::Cubic { leaving: half, arriving: cubic.arriving * 0.5 });
         }
         halved
     }

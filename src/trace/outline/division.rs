@@ -61,12 +61,7 @@ pub(in crate::trace) struct Division {
 
 impl Division {
     pub(in crate::trace) fn new() -> Self {
-        Self {
-            outline: Outline { nodes: Vec::new(), pieces: Vec::new() },
-            at: 0,
-            search: None,
-            stretch: None,
-        }
+        Self { outline: Outline::default(), at: 0, search: None, stretch: None }
     }
 
     /// Some places more; the outline, when they were the last.
@@ -135,7 +130,7 @@ pub(in crate::trace) fn divide(samples: &Samples, corners: &[Corner], rule: &Div
 
 /// Divides an open line at its corners as [`divide`] does. A straight piece that leads from its end to its start closes the outline.
 pub(in crate::trace) fn divide_open(samples: &Samples, corners: &[Corner], rule: &DivisionRule) -> Outline {
-    let mut outline = Outline { nodes: Vec::new(), pieces: Vec::new() };
+    let mut outline = Outline::default();
     let last = samples.len() as isize - 1;
     let mut divider = Divider { samples, rule, outline: &mut outline, longest: last };
     let (mut start, mut room) = (free(0, samples.at(0)), isize::MAX);
@@ -219,12 +214,8 @@ impl Divider<'_> {
     }
 
     fn emit(&mut self, anchor: Anchor, piece: Piece) {
-        self.outline.nodes.push(Node {
-            point: anchor.point,
-            smooth: anchor.tangent != Tangent::Free,
-            kept: false,
-        });
-        self.outline.pieces.push(piece);
+        let smooth = anchor.tangent != Tangent::Free;
+        self.outline.push(Node { point: anchor.point, smooth, kept: false }, piece);
     }
 
     fn emit_cubics(&mut self, cubics: Vec<(Anchor, Cubic)>) {

@@ -70,17 +70,15 @@ pub(in crate::trace) fn round(places: &[Point], most: f64) -> Option<Outline> {
         let (x, y) = (x * arc.radii.x, y * arc.radii.y);
         Vector::new(x * cos - y * sin, x * sin + y * cos)
     };
-    let (mut nodes, mut pieces) = (Vec::new(), Vec::new());
+    let mut outline = Outline::default();
     for i in 0..count {
         let (sin, cos) = crate::numerics::angle::sin_cos(step * i as f64);
         let (after_sin, after_cos) = crate::numerics::angle::sin_cos(step * (i + 1) as f64);
-        nodes.push(Node { point: arc.center + place(cos, sin), smooth: true, kept: false });
-        pieces.push(Piece::Cubic {
-            leaving: place(-sin, cos) * handle,
-            arriving: place(-after_sin, after_cos) * handle,
-        });
+        let (leaving, arriving) = (place(-sin, cos) * handle, place(-after_sin, after_cos) * handle);
+        let node = Node { point: arc.center + place(cos, sin), smooth: true, kept: false };
+        outline.push(node, Piece::Cubic { leaving, arriving });
     }
-    Some(Outline { nodes, pieces })
+    Some(outline)
 }
 
 fn tangent(angle: f64) -> f64 {

@@ -282,8 +282,7 @@ impl Circle {
         let along = |way: Vector| Vector::new(-way.y, way.x) * handle;
         for _ in 0..count {
             let next = Vector::new(way.x * cos - way.y * sin, way.x * sin + way.y * cos);
-            outline.nodes.push(node);
-            outline.pieces.push(Piece::Cubic { leaving: along(way), arriving: along(next) });
+            outline.push(node, Piece::Cubic { leaving: along(way), arriving: along(next) });
             node = Node { point: self.center + next, smooth: true, kept: false };
             way = next;
         }
@@ -361,13 +360,12 @@ fn meet(outline: &mut Outline, round: &Round) {
 #[inline(never)]
 fn rebuilt(outline: &mut Outline, found: &[Option<Round>], start: usize) -> Vec<f64> {
     found.iter().flatten().for_each(|round| turn_beside(outline, round));
-    let mut new = Outline { nodes: Vec::new(), pieces: Vec::new() };
+    let mut new = Outline::default();
     let (mut angles, mut done) = (Vec::new(), 0);
     while done < outline.len() {
         let at = (start + done) % outline.len();
         let Some(Round { count, circle, turning, .. }) = found[at] else {
-            new.nodes.push(outline.nodes[at]);
-            new.pieces.push(outline.pieces[at]);
+            new.push(outline.nodes[at], outline.pieces[at]);
             angles.push(0.0);
             done += 1;
             continue;

@@ -155,6 +155,7 @@ impl Refinement {
             thinning.straightened = true;
             let mut straight = shape.outline.clone();
             straight.straighten();
+            straight.cut_to(self.field.extent);
             if straight != shape.outline {
                 thinning.bent = Some((shape.outline.clone(), shape.left(&self.field)));
                 self.exchange(straight);

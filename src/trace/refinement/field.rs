@@ -59,7 +59,7 @@ pub(super) struct Field {
     across: usize,
     down: usize,
     /// Columns and rows of the picture.
-    extent: [f64; 2],
+    pub(super) extent: [f64; 2],
     slots: Vec<u32>,
     /// Where each tile is.
     places: Vec<u32>,

@@ -63,9 +63,9 @@ impl Shape {
 
     /// The same outline from another node on.
     pub(super) fn begin_at(&mut self, first: usize) {
-        self.outline.nodes.rotate_left(first);
-        self.outline.pieces.rotate_left(first);
-        self.parts.rotate_left(first);
+        rotate(&mut self.outline.nodes, first);
+        rotate(&mut self.outline.pieces, first);
+        rotate(&mut self.parts, first);
     }
 
     /// All nodes, from both ends of the list in turn: what is near around the outline is near in the list.
@@ -268,6 +268,13 @@ impl Refiner {
         }
         Ok(Some((left, growth)))
     }
+}
+
+/// A list from another of its things on. The standard library's way needs no second list, and three times the code.
+fn rotate<T>(list: &mut Vec<T>, first: usize) {
+    let mut all = list.split_off(first);
+    all.append(list);
+    *list = all;
 }
 
 /// A piece and the nodes at its ends.

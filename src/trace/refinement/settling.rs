@@ -39,8 +39,6 @@ const FLAT: f64 = 0.9;
 const WILD: f64 = 0.55;
 /// Pieces longer than this may turn back, in pixels.
 const LONG: f64 = 6.0;
-/// The mean square beside a corner that nothing could be nearer than: bytes round off about two thirds of it.
-const EXACT: f64 = 3e-6;
 /// A root mean square beside a bend that asks for nothing better.
 const ENOUGH: f64 = 0.0065;
 
@@ -255,7 +253,7 @@ impl Trial<'_> {
             add(self.shape, self.field, piece, bend, &mut old);
             piece = outline.next(piece);
         }
-        if want == Want::Smooth && self.limits.noise == 0.0 && old[1].square <= EXACT * old[1].count {
+        if want == Want::Smooth && self.limits.noise == 0.0 && old[1].rms() <= ENOUGH {
             return Ok((false, false));
         }
         let then = turning(outline, sides.pieces[0], sides.count);

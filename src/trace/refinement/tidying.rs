@@ -175,7 +175,7 @@ mod tests {
         let angle = (off / 18.0).asin();
         let quarter = 0.5 * (core::f64::consts::PI - 2.0 * angle);
         let reach = 18.0 * 4.0 / 3.0 * (0.25 * quarter).tan();
-        let mut outline = Outline { nodes: Vec::new(), pieces: Vec::new() };
+        let mut outline = Outline::default();
         for (side, k) in [(1.0, 0.0), (1.0, 1.0), (-1.0, 0.0), (-1.0, 1.0)] {
             let at = |k: f64| Vector::new((angle + k * quarter).cos(), (angle + k * quarter).sin()) * side;
             let way = |k: f64, turned: f64| {

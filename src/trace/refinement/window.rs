@@ -52,8 +52,7 @@ impl Window {
         let behind = if whole { all - count } else { BESIDE };
         (0..behind).for_each(|k| window.take(refiner, shape, (first + count + k) % all));
         if !whole {
-            window.shape.outline.nodes.push(outline.nodes[(first + count + BESIDE) % all]);
-            window.shape.outline.pieces.push(Piece::Line);
+            window.shape.outline.push(outline.nodes[(first + count + BESIDE) % all], Piece::Line);
             window.shape.parts.push(Vec::new());
             (0..BESIDE).for_each(|k| window.take(refiner, shape, (first + all - BESIDE + k) % all));
         }
@@ -71,8 +70,7 @@ impl Window {
     }
 
     fn take(&mut self, refiner: &mut Refiner, shape: &Shape, piece: usize) {
-        self.shape.outline.nodes.push(shape.outline.nodes[piece]);
-        self.shape.outline.pieces.push(shape.outline.pieces[piece]);
+        self.shape.outline.push(shape.outline.nodes[piece], shape.outline.pieces[piece]);
         let mut list = refiner.list();
         list.extend_from_slice(&shape.parts[piece]);
         self.shape.parts.push(list);

@@ -49,7 +49,7 @@ impl Divider<'_> {
             }
         }
         let rule = DivisionRule { most, rms, reach: SEVERAL * self.rule.reach, ..*self.rule };
-        let mut none = Outline { nodes: Vec::new(), pieces: Vec::new() };
+        let mut none = Outline::default();
         let looser = Divider { rule: &rule, outline: &mut none, ..*self };
         let Some(cubics) = looser.follow(start, end, way, room) else { return false };
         if 3 * CUBIC * cubics.len() <= 2 * limit {
