@@ -286,14 +286,11 @@ export abstract class MeasuredCurve implements Curve {
     const toX = coordinate(op, "x", x);
     const toY = coordinate(op, "y", y);
     const data = dataOf(this, op);
+    const { result } = data.door;
     const toZ = data.dimension === 3 ? coordinate(op, "z", z) : 0;
-    const slot = data.resident(op);
-    data.door.call(op, (kernel) => kernel.nearest(slot, toX, toY, toZ));
-    // Asking for the memory once, not for each number, is a twelfth of a question.
-    const { floats, record } = data.door.instance();
-    const number = (i: number): number => floats[record + i] ?? 0;
-    const found = { t: number(0), x: number(1), y: number(2), distance: number(3) };
-    return data.dimension === 2 ? found : { ...found, z: number(3), distance: number(4) };
+    const t = measure(data, op, (slot, kernel) => kernel.nearest(slot, toX, toY, toZ));
+    const found = { t, x: result(1), y: result(2), distance: result(3) };
+    return data.dimension === 2 ? found : { ...found, z: result(3), distance: result(4) };
   }
 
   /** The nearest point to each of many places: t, x, y, in space z, and distance in turn. */
