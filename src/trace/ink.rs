@@ -38,8 +38,6 @@ const EVENED: f64 = 1.7;
 #[derive(Debug)]
 pub(super) struct InkWork {
     gray: Gray,
-    /// The picture's columns and rows.
-    size: [f64; 2],
     options: TraceOptions,
     phase: Phase,
     progress: Progress,
@@ -114,7 +112,6 @@ impl InkWork {
     pub(super) fn new(gray: Gray, options: TraceOptions) -> Result<Self> {
         let tones = Tones { ink: 0.0, paper: 65_280.0, noise: 0.0 };
         let total = gray.height();
-        let size = [gray.width() as f64, gray.height() as f64];
         let phase = if options.finds_light() {
             Phase::Light(Evening::new(&gray)?)
         } else {
@@ -122,7 +119,6 @@ impl InkWork {
         };
         Ok(Self {
             gray,
-            size,
             options,
             phase,
             progress: Progress { done: false, stage: Stage::Edges, completed: 0, total },
@@ -237,7 +233,7 @@ impl InkWork {
             return (cost, false);
         };
         self.division = None;
-        outline.cut_to(self.size);
+        outline.cut_to([self.gray.width() as f64, self.gray.height() as f64]);
         self.outlines.push(outline);
         (cost, true)
     }
@@ -308,9 +304,6 @@ impl InkWork {
         let (outline, kind) = (&mut self.outlines[i], self.kinds[i]);
         let Nearness { slack, bow } = self.nearness[usize::from(kind == Kind::Sampled)];
         let mut rounding = None;
-        if self.rounding.is_none() {
-            outline.cut_to(self.size);
-        }
         if self.options.refined && kind != Kind::Stairs {
             if self.rounding.is_none()
                 && let Some(curve) = ellipse(outline, slack)?
@@ -350,19 +343,18 @@ impl InkWork {
         let Phase::Refinement(refinement) = &mut self.phase else { return Ok(0.0) };
         let chords = refinement.is_grainy();
         let rule = DivisionRule { chords, ..Quality::Rough.division_rule(&self.options) };
-        let (samples, size) = (&self.samples, self.size);
+        let samples = &self.samples;
         let corner_rules = Quality::Rough.corner_rules(self.options.corner);
         let (found, division) = (&mut self.rough_corners, &mut self.division);
         let mut rough = |i: usize| {
             let samples = &samples[i];
-            let mut outline = if let Some(corners) = found.as_ref() {
+            let outline = if let Some(corners) = found.as_ref() {
                 division.get_or_insert_with(Division::new).step(samples, corners, &rule)
             } else {
                 *found = Some(corners(samples, &corner_rules));
                 round(samples.places(), ROUND * Quality::Rough.slack())
             };
-            if let Some(outline) = &mut outline {
-                outline.cut_to(size);
+            if outline.is_some() {
                 (*found, *division) = (None, None);
             }
             outline

@@ -136,11 +136,11 @@ impl Outline {
                 halved.push(self.nodes[i], self.pieces[i]);
                 continue;
             }
-            let cubic = self.cubic(i);
-            let half = cubic.velocity(0.5) / 6.0;
-            halved.push(self.nodes[i], Piece::Cubic { leaving: cubic.leaving * 0.5, arriving: half });
-            let middle = Node { point: cubic.point(0.5), smooth: true, kept: false };
-            halved.push(middle, Piece::Cubic { leaving: half, arriving: cubic.arriving * 0.5 });
+            let halves = [self.cubic(i).part(0.0, 0.5), self.cubic(i).part(0.5, 1.0)];
+            let middle = Node { point: halves[1].start, smooth: true, kept: false };
+            for (node, Cubic { leaving, arriving, .. }) in [self.nodes[i], middle].into_iter().zip(halves) {
+                halved.push(node, Piece::Cubic { leaving, arriving });
+            }
         }
         halved
     }

@@ -274,7 +274,8 @@ impl Refinement {
             Phase::Rough => {
                 let at = self.place.at;
                 if self.fine.replaced == at {
-                    if let Some(outline) = rough(at) {
+                    if let Some(mut outline) = rough(at) {
+                        outline.cut_to(self.field.extent);
                         self.exchange(outline);
                         self.fine.replaced += 1;
                     }
@@ -401,8 +402,13 @@ impl Refinement {
     /// The outlines, and the root mean square of what they leave in the pixels that they cross.
     pub(super) fn finish(&mut self) -> (Vec<Outline>, f64) {
         let left = self.crossed();
-        let outlines = core::mem::take(&mut self.shapes).into_iter().map(|shape| shape.outline).collect();
-        (outlines, left.rms())
+        let extent = self.field.extent;
+        let cut = |Shape { mut outline, .. }| {
+            // Its last steps may have led a corner out again.
+            outline.cut_to(extent);
+            outline
+        };
+        (core::mem::take(&mut self.shapes).into_iter().map(cut).collect(), left.rms())
     }
 }
 

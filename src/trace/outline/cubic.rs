@@ -36,6 +36,20 @@ impl Cubic {
         self.start + (self.end - self.start) * (c + d) + self.leaving * b - self.arriving * c
     }
 
+    /// The part between two parameters; where it ends with the whole, to the last bit.
+    #[inline(never)]
+    pub(in crate::trace) fn part(&self, from: f64, to: f64) -> Self {
+        let share = to - from;
+        let (start, leaving) = if from == 0.0 {
+            (self.start, self.leaving)
+        } else {
+            (self.point(from), self.velocity(from) / 3.0)
+        };
+        let (end, arriving) =
+            if to == 1.0 { (self.end, self.arriving) } else { (self.point(to), self.velocity(to) / 3.0) };
+        Self { start, leaving: leaving * share, arriving: arriving * share, end }
+    }
+
     pub(in crate::trace) fn velocity(&self, t: f64) -> Vector {
         let u = 1.0 - t;
         let middle = self.end - self.start - self.leaving - self.arriving;

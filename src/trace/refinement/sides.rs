@@ -12,17 +12,6 @@ const FARTHEST: f64 = 12.0;
 /// A side is at least so long, in pixels, or the joint before it goes too.
 const SIDE: f64 = 1.0;
 
-/// The part of a cubic from its start, or to its end.
-fn parted(cubic: &Cubic, t: f64, first: bool) -> Cubic {
-    let (point, way) = (cubic.point(t), cubic.velocity(t) / 3.0);
-    if first {
-        Cubic { start: cubic.start, leaving: cubic.leaving * t, arriving: way * t, end: point }
-    } else {
-        let rest = 1.0 - t;
-        Cubic { start: point, leaving: way * rest, arriving: cubic.arriving * rest, end: cubic.end }
-    }
-}
-
 /// What stays on both sides of a bend.
 pub(super) struct Sides {
     /// The first piece and the last.
@@ -40,7 +29,7 @@ pub(super) fn sides(outline: &Outline, bend: &Bend) -> Option<Sides> {
         return None;
     }
     let reach = |piece: usize, t: f64, first: bool| {
-        let cubic = parted(&outline.cubic(piece), t, first);
+        let cubic = if first { outline.cubic(piece).part(0.0, t) } else { outline.cubic(piece).part(t, 1.0) };
         norm(cubic.end - cubic.start)
     };
     if reach(first, from, true) < SIDE && outline.nodes[first].smooth {
@@ -54,7 +43,7 @@ pub(super) fn sides(outline: &Outline, bend: &Bend) -> Option<Sides> {
     if count >= outline.len() || reach(first, from, true) < 0.3 || reach(last, to, false) < 0.3 {
         return None;
     }
-    let cubics = [parted(&outline.cubic(first), from, true), parted(&outline.cubic(last), to, false)];
+    let cubics = [outline.cubic(first).part(0.0, from), outline.cubic(last).part(to, 1.0)];
     let tangents = [unit(outline.cubic(first).velocity(from)), unit(outline.cubic(last).velocity(to))];
     Some(Sides { pieces: [first, last], count, cubics, tangents })
 }
