@@ -165,6 +165,8 @@ interface Held {
   busy: boolean;
 }
 
+const FITTER = "SparseFitter";
+
 /** What a fitter holds, and the proof that it is one. */
 let stateOf: (fitter: SparseFitter, op: string) => { held: Held | undefined };
 
@@ -174,12 +176,15 @@ let stateOf: (fitter: SparseFitter, op: string) => { held: Held | undefined };
  * Solves agree with those of {@link fitSparse} within the gap that is asked for.
  */
 export class SparseFitter {
+  /** Bundles shorten names: this one is what a console shows. @internal */
+  static readonly name = FITTER;
+
   readonly #state: { held: Held | undefined };
 
   static {
     stateOf = (fitter, op) => {
       if (typeof fitter !== "object" || fitter === null || !(#state in fitter)) {
-        throw wrong("E_TYPE", op, "this", fitter, "SparseFitter");
+        throw wrong("E_TYPE", op, "this", fitter, FITTER);
       }
       return fitter.#state;
     };
@@ -187,7 +192,7 @@ export class SparseFitter {
 
   /** A fitter is no plain object, as a curve is none. @internal */
   get [Symbol.toStringTag](): string {
-    return "SparseFitter";
+    return FITTER;
   }
 
   /**
@@ -196,7 +201,7 @@ export class SparseFitter {
    * @throws {ExplineError} as fitSparse does.
    */
   constructor(points: PointsLike, options?: SparseFitOptions) {
-    const op = "SparseFitter";
+    const op = FITTER;
     const job = order(op, points, options);
     this.#state = { held: { resident: new Resident(op, job.input), job, busy: false } };
   }

@@ -43,6 +43,15 @@ test("Node reads the wasm file only when it is needed; where it may load no addo
   assert.equal(node(code, "--no-addons").trim(), JSON.stringify(["expline.js", true, 27, true, 1]));
 });
 
+test("an error that nobody catches is shown with its name and a line of the package, not with all of it", () => {
+  const code = `import { HermiteCurve } from "expline"; HermiteCurve.through([0, 0, 1, NaN, 1, 1]);`;
+  const { status, stderr } = spawnSync(process.execPath, ["--input-type=module", "-e", code], { cwd: consumer, encoding: "utf8" });
+  assert.equal(status, 1);
+  assert.match(stderr, /^ExplineError: HermiteCurve\.through: points\[3\] is NaN/m);
+  const longest = Math.max(...stderr.split("\n").map((line) => line.length));
+  assert.ok(longest < 1000, `a line of ${longest} characters`);
+});
+
 test("a file of CommonJS gets the package by require", () => {
   const said = execFileSync(process.execPath, ["--no-warnings", "-e", `const { HermiteCurve } = require("expline"); ${CIRCLE} console.log(worst)`], { cwd: consumer, encoding: "utf8" });
   assert.ok(Number(said) <= EXACT, said);

@@ -73,10 +73,15 @@ export interface ErrorDetails {
   readonly cause?: unknown;
 }
 
+const NAME = "ExplineError";
+
 /** Every failure of this package: a clear message for people, stable fields for programs. */
 export class ExplineError extends Error {
+  /** Bundles shorten names: this one is what a console shows. @internal */
+  static override readonly name = NAME;
+
   /** "ExplineError", also where `instanceof` cannot tell: across frames and copies of the package. */
-  override readonly name = "ExplineError";
+  override readonly name = NAME;
   /** What kind of failure. */
   readonly code: ErrorCode;
   /** The operation that failed: `evaluate`, `parsePath`. */

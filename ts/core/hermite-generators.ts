@@ -16,13 +16,16 @@ let own: (generators: HermiteGenerators, op: string) => { omega: number; space: 
  * A value without state in the engine; every method may be called at any time.
  */
 export class HermiteGenerators {
+  /** Bundles shorten names: this one is what a console shows. @internal */
+  static readonly name = GENERATORS;
+
   readonly #omega: number;
   readonly #space: number;
 
   static {
     own = (generators, op) => {
       if (typeof generators !== "object" || generators === null || !(#omega in generators)) {
-        throw wrong("E_TYPE", op, "this", generators, "HermiteGenerators");
+        throw wrong("E_TYPE", op, "this", generators, GENERATORS);
       }
       return { omega: generators.#omega, space: generators.#space };
     };
@@ -40,7 +43,7 @@ export class HermiteGenerators {
 
   /** No plain object, as a curve is none. @internal */
   get [Symbol.toStringTag](): string {
-    return "HermiteGenerators";
+    return GENERATORS;
   }
 
   /** ω in radians per unit. */

@@ -55,7 +55,10 @@ export interface SparseFit {
   coefficients: Float64Array[];
   /** Where the components change, in the order of t. */
   knots: SparseKnot[];
-  /** The parameter of the place on `curve` that is nearest to each point. */
+  /**
+   * The parameter of each point's place on `curve`: nowhere around it is nearer. Where the curve comes back to itself another part may be;
+   * `curve.nearestAll` knows.
+   */
   parameters: Float64Array;
   /** What was minimised: `dataTerm` + Σ λ·`regularizer`. */
   objective: number;
@@ -68,11 +71,11 @@ export interface SparseFit {
    * involved: with a tolerance or without any strength, `maxError` is what is proved.
    */
   gap: number;
-  /** Mean square of the distances between the points and `curve` at the parameters that they were fitted at; `rms` is to the nearest places. */
+  /** Mean square of the distances between the points and `curve` at the parameters that they were fitted at; `rms` is at `parameters`. */
   qfe: number;
   /** No point is farther from the curve than this: proved. */
   maxError: number;
-  /** Root of the mean square of the distances between points and curve. */
+  /** Root of the mean square of the distances between the points and their places, at `parameters`; weighted, where they are. */
   rms: number;
   /** How far `curve` may be from the spline: 0 up to degree 3, proved above. `maxError` has it in it. */
   deviation: number;

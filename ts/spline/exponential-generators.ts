@@ -23,6 +23,9 @@ interface Source {
   readonly kind: Kind;
 }
 
+const B_SPLINE = "ExponentialBSpline";
+const INTERPOLATOR = "Interpolator";
+
 let own: (generator: Exponential, op: string) => Source;
 
 function ask(source: Source, op: string, what: What, argument = 0, places: Floats = new Float64Array()): Floats {
@@ -49,6 +52,11 @@ abstract class Exponential {
   /** @internal */
   constructor(source: Source) {
     this.#source = source;
+  }
+
+  /** No plain object, as a curve is none. @internal */
+  get [Symbol.toStringTag](): string {
+    return this.constructor.name;
   }
 
   /** The roots: a copy. */
@@ -85,6 +93,9 @@ function affine(op: string, value: unknown): boolean {
 
 /** The B-spline β of a list of roots, centred: it vanishes outside [−n₀/2, n₀/2]. A value without state in the engine. */
 export class ExponentialBSpline extends Exponential {
+  /** Bundles shorten names: this one is what a console shows. @internal */
+  static override readonly name = B_SPLINE;
+
   /**
    * The B-spline of these roots.
    *
@@ -92,14 +103,9 @@ export class ExponentialBSpline extends Exponential {
    * @throws {ExplineError} E_DEGENERATE naming the root whose conjugate is missing.
    */
   constructor(roots: readonly Root[]) {
-    const source = { roots: rootNumbers("ExponentialBSpline", roots), kind: Kind.Spline };
-    ask(source, "ExponentialBSpline", What.Made);
+    const source = { roots: rootNumbers(B_SPLINE, roots), kind: Kind.Spline };
+    ask(source, B_SPLINE, What.Made);
     super(source);
-  }
-
-  /** No plain object, as a curve is none. @internal */
-  get [Symbol.toStringTag](): string {
-    return "ExponentialBSpline";
   }
 
   /**
@@ -116,6 +122,9 @@ export class ExponentialBSpline extends Exponential {
 
 /** The interpolator φ of a list of roots: compactly supported, φ(k) = δ[k]. A value without state in the engine. */
 export class Interpolator extends Exponential {
+  /** Bundles shorten names: this one is what a console shows. @internal */
+  static override readonly name = INTERPOLATOR;
+
   readonly #lambda: Floats;
   /** Condition of the linear system for λ; above 1e6 digits are lost. */
   readonly condition: number;
@@ -130,7 +139,7 @@ export class Interpolator extends Exponential {
    * @throws {ExplineError} E_DEGENERATE where there is no interpolator, naming the root where one is at fault.
    */
   constructor(roots: readonly Root[], options?: { beyondPi?: boolean | undefined }) {
-    const op = "Interpolator";
+    const op = INTERPOLATOR;
     const { beyondPi } = checkOptions(op, options, ["beyondPi"]);
     const kind = flag(op, "beyondPi", beyondPi, false) ? Kind.BeyondPi : Kind.Interpolator;
     const source = { roots: rootNumbers(op, roots), kind };
@@ -139,11 +148,6 @@ export class Interpolator extends Exponential {
     this.#lambda = lambda;
     this.condition = result(0);
     this.lebesgue = result(1);
-  }
-
-  /** No plain object, as a curve is none. @internal */
-  get [Symbol.toStringTag](): string {
-    return "Interpolator";
   }
 
   /** The interpolator that keeps ellipses of `count` ≥ 3 points: roots 0, ±2πi/count. */
