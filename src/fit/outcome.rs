@@ -70,7 +70,8 @@ pub struct Fit {
     pub parts: Vec<Part>,
     /// The knots, by parameter.
     pub knots: Vec<Knot>,
-    /// The parameter of the place on the curve that is nearest to each given point.
+    /// The parameter of each given point's place on the curve: nowhere around it is nearer; where the curve comes back to itself another
+    /// part may be.
     pub parameters: Vec<f64>,
     /// Sum of squares + λ·jumps; infinite where no λ was involved, as are the gap and the regulariser.
     pub objective: f64,
@@ -81,12 +82,12 @@ pub struct Fit {
     /// The relative duality gap that was certified: of the optimum, before it was made shorter; where knots only slid off
     /// the grid, to the problem without one.
     pub gap: f64,
-    /// The curve's own sum of squares at the parameters that points were fitted at, by the sum of weights; the nearest places
-    /// may be nearer, of which `rms` tells.
+    /// The curve's own sum of squares at the parameters that points were fitted at, by the sum of weights; the places
+    /// at `parameters` may be nearer, of which `rms` tells.
     pub qfe: f64,
     /// No given point is farther from the curve than this.
     pub max_error: f64,
-    /// Root of the mean square of those distances.
+    /// Root of the weighted mean square of the distances between the points and their places.
     pub rms: f64,
     /// Iterations of the solver, or rounds of the search.
     pub iterations: usize,

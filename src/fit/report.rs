@@ -23,8 +23,8 @@ pub(super) struct Frame<'a> {
     pub(super) noise: f64,
     /// Whether outliers are looked for.
     pub(super) robust: bool,
-    /// Steps towards the foot of every point: fewer overestimate distances a little.
-    pub(super) steps: usize,
+    /// Whether one step towards the foot of every point will do: that overestimates distances a little.
+    pub(super) hurried: bool,
 }
 
 /// The longer side of the points' box, in the caller's unit.
@@ -57,16 +57,19 @@ pub(super) fn fit(
     let (cuts, deviation) = cuts(spline);
     let at_parameters = squares.unwrap_or_else(|| spline.squares(located));
     let mut feet = located.parameters.clone();
-    let distances = spline.feet(located, &mut feet, frame.steps);
+    let distances =
+        if frame.hurried { spline.feet(located, &mut feet, 1) } else { spline.settle(located, &mut feet) };
     let mut joints = spline.joints(samples.center, samples.scale, frame.unit, cuts);
     let deviation = deviation * samples.scale + joints.bound(distances.largest.max(CLOSE) * samples.scale);
     let curve = joints.curve(breaks.closed, breaks.end * frame.unit)?;
+    let (_, last) = curve.domain();
     let square = samples.scale * samples.scale;
     let total = weight(located);
     let shift = if breaks.closed { breaks.at.first().copied().unwrap_or(0.0) } else { 0.0 };
     let own = |t: f64| {
         let t = if t < shift { t - shift + breaks.end } else { t - shift };
-        t * frame.unit
+        // The curve ends where its lengths add up to, an ulp before or after.
+        (t * frame.unit).min(last)
     };
     Ok(Fit {
         curve,

@@ -125,7 +125,7 @@ impl Fitter {
             unit: self.unit,
             noise: self.noise,
             robust: self.options.robust,
-            steps: if hurried { 1 } else { 4 },
+            hurried,
         }
     }
 }

@@ -3,6 +3,7 @@
 //! Points that follow one another on one piece are looked at together, in loops without branches, which become vector
 //! instructions. A point whose foot leaves the piece goes its way alone.
 
+use super::breaks::HIGHEST;
 use super::foot_points::{Distances, Spline};
 use super::free_knots::Located;
 use super::look::{Look, Piece};
@@ -13,6 +14,11 @@ use crate::numerics::{Point, Vector};
 const TOGETHER: usize = 64;
 /// A step that wins less than this share of the square of the distance is not made.
 const WORTH: f64 = 1e-6;
+
+/// At a foot a step wins no more than this share.
+const SETTLED: f64 = 1e-12;
+/// The most looks on the way there. Nearly all points need three; so many halve the way to a corner fifty times.
+const MOST_LOOKS: usize = 120;
 
 impl Spline {
     /// Moves every parameter towards the foot of its point, by at most `rounds` steps that each come nearer, and says
@@ -68,13 +74,29 @@ impl Spline {
                 }
                 let mut square = group.square[i];
                 if group.left[i] > 0 {
-                    let t = self.within(span.middle + group.beyond[i] * span.half);
-                    square = self.onward::<T>(&pieces, (foot, square), (s, t), *target, group.left[i]);
+                    let step = (group.beyond[i] - group.u[i]) * span.half;
+                    square = self.onward(&pieces, (foot, square), (s, step), *target, (group.left[i], WORTH));
                 }
                 found.squares += data.weight(from + i) * square;
                 found.largest = larger(found.largest, square);
             }
             from += count;
+        }
+        found.largest = found.largest.sqrt();
+        found
+    }
+
+    /// Moves every parameter to the foot of its point, from which the distance grows to both sides, be it a corner, and
+    /// says how far the points then are. Slower than [`Spline::feet`], which makes a few steps towards it.
+    pub(in crate::fit) fn settle(&self, data: &Located, feet: &mut [f64]) -> Distances {
+        let pieces = self.pieces();
+        let (mut found, mut s) = (Distances::default(), 0);
+        for (i, (foot, target)) in feet.iter_mut().zip(&data.points).enumerate() {
+            s = self.space.find(*foot, s).0;
+            let square =
+                self.onward(&pieces, (foot, f64::INFINITY), (s, 0.0), *target, (MOST_LOOKS, SETTLED));
+            found.squares += data.weight(i) * square;
+            found.largest = larger(found.largest, square);
         }
         found.largest = found.largest.sqrt();
         found
@@ -108,31 +130,38 @@ impl Spline {
         count
     }
 
-    /// Goes on with a point whose step leads to t, off piece s: its foot so far, how far that is (squared) and how many
-    /// steps are left, this one included. Answers the square of the distance.
-    fn onward<const T: usize>(
+    /// Goes on with a point whose step may lead off piece s: its foot so far, how far that is (squared), how many looks are left
+    /// and what share a step has to win. A step that comes no nearer is the last one; where the very foot is wanted it is halved,
+    /// and twice that is the most for the next one, so that a corner is reached, too. Answers the square of the distance.
+    #[inline(never)]
+    fn onward(
         &self,
         pieces: &[Piece],
         (foot, mut square): (&mut f64, f64),
-        (mut s, mut t): (usize, f64),
+        (mut s, mut step): (usize, f64),
         target: Point,
-        rounds: usize,
+        (looks, worth): (usize, f64),
     ) -> f64 {
-        for _ in 0..rounds {
+        let mut most = self.reach();
+        for _ in 0..looks {
+            let t = self.within(*foot + step);
             let (found, own) = self.space.find(t, s);
             let span = &self.space.spans[found];
-            let look = Look::new::<T>(&pieces[found], (own - span.middle) / span.half, target);
-            if look.square >= square {
+            let look = Look::new::<{ HIGHEST + 1 }>(&pieces[found], (own - span.middle) / span.half, target);
+            if look.square < square {
+                (*foot, square, s) = (t, look.square, found);
+                let (newton, gain) = look.newton();
+                if gain <= worth * square {
+                    break;
+                }
+                step = larger(smaller(newton * span.half, most), -most);
+                most = smaller(2.0 * most, self.reach());
+            } else if worth >= WORTH {
                 break;
+            } else {
+                step *= 0.5;
+                most = step.abs();
             }
-            (*foot, square, s) = (t, look.square, found);
-            let (step, gain) = look.newton();
-            if gain < WORTH * square {
-                break;
-            }
-            let most = self.reach() / span.half;
-            let u = look.u + larger(smaller(step, most), -most);
-            t = self.within(span.middle + u * span.half);
         }
         square
     }
