@@ -12,6 +12,8 @@ use crate::trace::refinement::refine::{Refiner, Relaxing};
 /// that are chords a quarter of a pixel off have 0.006 and more.
 const GRAINY: [f64; 2] = [8e-3, 5.5e-3];
 const MANY: usize = 40;
+/// Of fewer windows the lower quartile has to say at least so much of what the one in the middle says, or that nothing is exact.
+const ALIKE: f64 = 0.6;
 /// And what is left from which on where edges are nearly level: four rows of samples a pixel leave 0.07 there.
 const UNEVEN: f64 = 0.04;
 /// Stretches that have to say so.
@@ -62,7 +64,8 @@ impl Refinement {
         let uneven = self.fine.level.len() >= ENOUGH && level > UNEVEN;
         self.picture.grain = if uneven { larger(own, level) } else { own };
         // What a few windows leave may be what their corners lack; grain is in most of them.
-        let seen = if windows >= MANY { own > GRAINY[1] } else { smaller(own, lower) > GRAINY[0] };
+        let alike = lower > smaller(ALIKE * own, GRAINY[0]);
+        let seen = if windows >= MANY { own > GRAINY[1] } else { own > GRAINY[0] && alike };
         if self.picture.is_noisy() {
             self.limits.noise = self.field.left();
         } else if self.picture.is_clean() && (uneven || seen) {
