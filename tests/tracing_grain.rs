@@ -65,7 +65,7 @@ fn outlines_drawn_by_a_few_samples_a_pixel_have_as_few_points_as_exact_ones() {
 }
 
 #[test]
-fn small_shapes_drawn_by_four_rows_of_many_samples_have_as_few_pieces_as_exact_ones() {
+fn small_shapes_drawn_by_four_rows_of_many_samples_have_few_pieces() {
     // So browsers draw: edges that run along columns are nearly exact, others are not.
     let rows = |ink: Ink| -> Vec<u8> {
         let covered = |i: usize| {
@@ -93,7 +93,7 @@ fn small_shapes_drawn_by_four_rows_of_many_samples_have_as_few_pieces_as_exact_o
         }
     }
     // A line and one arc or two. Of exact coverage they have 3.3; where median and quartile of what windows leave had to reach the
-    // same number, they had 3.8.
+    // same number, these had 3.7.
     assert!(10 * pieces <= 36 * shapes, "{pieces} pieces of {shapes} shapes");
 }
 

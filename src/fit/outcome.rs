@@ -70,8 +70,8 @@ pub struct Fit {
     pub parts: Vec<Part>,
     /// The knots, by parameter.
     pub knots: Vec<Knot>,
-    /// The parameter of each given point's place on the curve: nowhere around it is nearer; where the curve comes back to itself another
-    /// part may be.
+    /// The parameter of each given point's place on the curve: nowhere around it is nearer, but for a step where a gap of 1e-3 or more
+    /// was enough; where the curve comes back to itself another part may be.
     pub parameters: Vec<f64>,
     /// Sum of squares + λ·jumps; infinite where no λ was involved, as are the gap and the regulariser.
     pub objective: f64,

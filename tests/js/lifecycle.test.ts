@@ -101,7 +101,10 @@ test("LC-004, LC-030, LC-031: a forged this, a curve of another copy and a proxy
 test("consoles show a curve's kind, and frameworks that wrap plain objects in proxies see that it is none", () => {
   const blob = new InterpolatingCurve({ points: [0, 0, 9, 2, 10, 11, 2, 9] });
   const drawn = { HermiteCurve: HermiteCurve.through([0, 0, 1, 0, 1, 1]), InterpolatingCurve: blob, BSplineCurve: blob.refine(1), LocalCurve: blob.refineAt(1), TensorSurface: TensorSurface.sphere(1) };
-  for (const thing of Object.values(drawn)) assert.deepEqual(structuredClone(thing.toJSON()), thing.toJSON());
+  for (const [name, thing] of Object.entries(drawn)) {
+    assert.equal(inspect(thing), `${name} {}`);
+    assert.deepEqual(structuredClone(thing.toJSON()), thing.toJSON());
+  }
   const others = { HermiteGenerators: new HermiteGenerators(1), ExponentialBSpline: new ExponentialBSpline([0, 0]), Interpolator: Interpolator.forEllipse(8), SparseFitter: new SparseFitter([0, 0, 4, 0, 4, 4, 0, 4]) };
   for (const [name, thing] of Object.entries({ ...drawn, ...others })) {
     // An interpolator shows its condition as well.

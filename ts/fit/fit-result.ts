@@ -56,8 +56,8 @@ export interface SparseFit {
   /** Where the components change, in the order of t. */
   knots: SparseKnot[];
   /**
-   * The parameter of each point's place on `curve`: nowhere around it is nearer. Where the curve comes back to itself another part may be;
-   * `curve.nearestAll` knows.
+   * The parameter of each point's place on `curve`: nowhere around it is nearer, but for a step where a `gap` of 1e-3 or more was enough. Where the
+   * curve comes back to itself another part may be nearer; `curve.nearestAll` knows.
    */
   parameters: Float64Array;
   /** What was minimised: `dataTerm` + Σ λ·`regularizer`. */

@@ -14,7 +14,6 @@ use crate::numerics::{Point, Vector};
 const TOGETHER: usize = 64;
 /// A step that wins less than this share of the square of the distance is not made.
 const WORTH: f64 = 1e-6;
-
 /// At a foot a step wins no more than this share.
 const SETTLED: f64 = 1e-12;
 /// The most looks on the way there. Nearly all points need three; so many halve the way to a corner fifty times.
@@ -142,6 +141,8 @@ impl Spline {
         target: Point,
         (looks, worth): (usize, f64),
     ) -> f64 {
+        // Where the very foot is wanted.
+        let settling = worth < WORTH;
         let mut most = self.reach();
         for _ in 0..looks {
             let t = self.within(*foot + step);
@@ -156,11 +157,11 @@ impl Spline {
                 }
                 step = larger(smaller(newton * span.half, most), -most);
                 most = smaller(2.0 * most, self.reach());
-            } else if worth >= WORTH {
-                break;
-            } else {
+            } else if settling {
                 step *= 0.5;
                 most = step.abs();
+            } else {
+                break;
             }
         }
         square
