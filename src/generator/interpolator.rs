@@ -14,6 +14,7 @@ use crate::limits::with_room;
 use crate::numerics::angle::sin_cos;
 use crate::numerics::dense::inverse;
 use crate::numerics::entire::stumpff;
+use crate::numerics::lists::dot;
 use crate::numerics::twofold::Twofold;
 
 /// Above this condition the linear system counts as singular.
@@ -293,8 +294,7 @@ fn solve(order: usize, exact: &Propagated) -> Result<(Vec<Twofold>, f64)> {
             left[k] = rest.high * right[k];
         }
         for (lambda, row) in lambda.iter_mut().zip(inverse.chunks_exact(size)) {
-            let step: f64 = row.iter().zip(&left).map(|(a, r)| a * r).sum();
-            *lambda = lambda.plus(Twofold::new(step));
+            *lambda = lambda.plus(Twofold::new(dot(row, &left)));
         }
     }
     Ok((lambda, condition))

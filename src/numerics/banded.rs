@@ -5,6 +5,7 @@ mod known_shape;
 mod points;
 
 use super::Vector;
+use super::lists::dot;
 use crate::error::Result;
 use crate::limits;
 
@@ -294,11 +295,6 @@ fn subtract_two(from: &mut [f64], a: f64, u: &[f64], b: f64, v: &[f64]) {
 #[inline]
 fn in_band(entry: usize, half: usize) -> f64 {
     if entry <= half { 1.0 } else { 0.0 }
-}
-
-#[inline]
-fn dot(u: &[f64], v: &[f64]) -> f64 {
-    u.iter().zip(v).map(|(a, b)| a * b).sum()
 }
 
 #[cfg(test)]

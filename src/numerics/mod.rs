@@ -5,6 +5,7 @@ pub mod banded;
 pub(crate) mod dense;
 pub mod enclosing_circle;
 pub mod entire;
+pub(crate) mod lists;
 pub(crate) mod order;
 pub(crate) mod pair;
 pub(crate) mod plane;

@@ -3,6 +3,7 @@
 use super::exponential::Target;
 use crate::error::Result;
 use crate::limits::filled;
+use crate::numerics::lists::{add_scaled, dot};
 
 /// The residual is this small after 200 rounds at the latest for 8 roots.
 const CONVERGED: f64 = 1e-30;
@@ -24,8 +25,8 @@ pub(crate) fn least_squares(
     let squares: Vec<f64> = filter.iter().map(|tap| tap * tap).collect();
     let mut diagonal = filled(0.0, size)?;
     target.gather(&vec![1.0; fine.len()], dimension, m, &squares, &mut diagonal);
-    let mut step: Vec<f64> = residual.iter().zip(&diagonal).map(|(r, d)| r / d).collect();
-    let mut image = filled(0.0, size)?;
+    let (mut step, mut image) = (filled(0.0, size)?, filled(0.0, size)?);
+    fill_quotients(&mut step, &residual, &diagonal);
     let mut energy = dot(&residual, &step);
     let enough = CONVERGED * energy;
     for _ in 0..MOST_ROUNDS {
@@ -35,20 +36,21 @@ pub(crate) fn least_squares(
         }
         target.gather(&target.fill(&step, dimension, m, filter)?, dimension, m, filter, &mut image);
         let along = energy / dot(&step, &image);
-        for (k, x) in x.iter_mut().enumerate() {
-            *x += along * step[k];
-            residual[k] -= along * image[k];
-        }
+        add_scaled(&mut x, along, &step);
+        add_scaled(&mut residual, -along, &image);
         let before = energy;
-        let scaled = residual.iter().zip(&diagonal).map(|(r, d)| r / d);
-        energy = residual.iter().zip(scaled.clone()).map(|(r, s)| r * s).sum();
-        for (step, scaled) in step.iter_mut().zip(scaled) {
-            *step = scaled + energy / before * *step;
-        }
+        fill_quotients(&mut image, &residual, &diagonal);
+        energy = dot(&residual, &image);
+        add_scaled(&mut image, energy / before, &step);
+        core::mem::swap(&mut step, &mut image);
     }
     Ok(x)
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+/// The residual scaled by the diagonal.
+#[inline(never)]
+fn fill_quotients(to: &mut [f64], above: &[f64], below: &[f64]) {
+    for ((to, above), below) in to.iter_mut().zip(above).zip(below) {
+        *to = above / below;
+    }
 }

@@ -13,6 +13,7 @@ use super::tensor::TensorSurface;
 use crate::error::{Error, Result};
 use crate::limits::{MOST_OUTPUT_POINTS, check, filled, too_many, with_room};
 use crate::numerics::Vector3;
+use crate::numerics::lists::add_scaled;
 use crate::numerics::pair::Pair;
 
 /// A vertex whose ∂ᵤσ × ∂ᵥσ is below this part of the size squared asks [`TensorSurface::normal_at`]: the size of what it sees, so that
@@ -98,15 +99,18 @@ struct Combined<'a> {
     /// The `width` rows of the net that weigh on an interval, along those places, and which interval.
     lines: Vec<f64>,
     interval: usize,
-    /// Point and ∂ᵤ, and ∂ᵤᵤ where curvatures are wanted, at every place that columns meet.
+    /// The points at every place that columns meet, then ∂ᵤ at each, then ∂ᵤᵤ where curvatures are wanted.
     row: Vec<f64>,
-    stride: usize,
     /// Whether any row of the layer's window weighs on the row.
     active: bool,
+    /// Of every pair of columns, its interval.
+    intervals: Vec<usize>,
+    /// Of every pair, the weights of those points and of their derivatives, [first, second, first, second].
+    pairs: Vec<[f64; 4]>,
 }
 
 impl<'a> Combined<'a> {
-    fn new(layer: &'a Layer, grid: Grid, region: &Region, stride: usize) -> Result<Self> {
+    fn new(layer: &'a Layer, grid: Grid, region: &Region, kinds: usize) -> Result<Self> {
         let Layer { v, columns, .. } = layer;
         let mut places = with_room(v.run())?;
         places.extend((0..v.run()).map(|at| columns.position(v, v.row(at)).unwrap_or(columns.count)));
@@ -117,10 +121,26 @@ impl<'a> Combined<'a> {
             places,
             lines: filled(0.0, v.run().saturating_mul(3 * layer.u.width))?,
             interval: usize::MAX,
-            row: filled(0.0, v.run().saturating_mul(stride))?,
-            stride,
+            row: filled(0.0, v.run().saturating_mul(3 * kinds))?,
             active: false,
+            intervals: Vec::new(),
+            pairs: Vec::new(),
         })
+    }
+
+    /// Lays the weights of pairs of columns out side by side.
+    fn pair_up(&mut self, pairs: &[[usize; 2]]) -> Result<()> {
+        let width = self.layer.v.width;
+        self.intervals = with_room(pairs.len())?;
+        self.pairs = with_room(pairs.len().saturating_mul(width))?;
+        for &[first, second] in pairs {
+            let ((interval, weights), (_, others)) =
+                (self.columns.at(first, width), self.columns.at(second, width));
+            self.intervals.push(interval);
+            self.pairs
+                .extend(weights.iter().zip(others).map(|(one, other)| [one[0], other[0], one[1], other[1]]));
+        }
+        Ok(())
     }
 
     /// Combines the net's rows for row i of the region.
@@ -136,26 +156,28 @@ impl<'a> Combined<'a> {
         self.row.fill(0.0);
         let length = 3 * self.places.len();
         for (weights, line) in weights.iter().zip(self.lines.chunks_exact(length)) {
-            add_line(line, weights, &mut self.row, self.stride);
+            for (&weight, sums) in weights.iter().zip(self.row.chunks_exact_mut(length)) {
+                add_scaled(sums, weight, line);
+            }
         }
     }
 
-    /// The part of the row that weighs on column c of the region, with the weights.
+    /// Number `kind` of points, ∂ᵤ and ∂ᵤᵤ, for the points that weigh on an interval.
     #[inline(always)]
-    fn column(&self, c: usize) -> (&[f64], &[[f64; 3]]) {
-        let width = self.layer.v.width;
-        let (interval, weights) = self.columns.at(c, width);
-        (&self.row[self.stride * interval..self.stride * (interval + width)], weights)
+    fn points(&self, kind: usize, interval: usize) -> &[[f64; 3]] {
+        let first = kind * self.places.len() + interval;
+        &self.row.as_chunks::<3>().0[first..first + self.layer.v.width]
     }
 
-    /// Adds position, ∂ᵤ and ∂ᵥ at two columns of one interval. Number by number, written out: this is where the time goes.
+    /// Adds position, ∂ᵤ and ∂ᵥ at a pair of columns. Number by number, written out: this is where the time goes.
     #[inline(always)]
-    fn add_tangents(&self, [c, beside]: [usize; 2], sums: &mut [Pair; 9]) {
-        let ((points, weights), (_, others)) = (self.column(c), self.column(beside));
+    fn add_tangents(&self, pair: usize, sums: &mut [Pair; 9]) {
+        let width = self.layer.v.width;
+        let interval = self.intervals[pair];
+        let points = self.points(0, interval).iter().zip(self.points(1, interval));
+        let weights = &self.pairs[width * pair..width * (pair + 1)];
         let [mut x, mut y, mut z, mut ux, mut uy, mut uz, mut vx, mut vy, mut vz] = *sums;
-        let weights = weights.iter().zip(others);
-        for (point, (&[w, dw, _], &[other, d_other, _])) in points.as_chunks::<6>().0.iter().zip(weights) {
-            let &[px, py, pz, qx, qy, qz] = point;
+        for ((&[px, py, pz], &[qx, qy, qz]), &[w, other, dw, d_other]) in points.zip(weights) {
             let (w, dw) = (Pair::new(w, other), Pair::new(dw, d_other));
             let (px, py, pz) = (Pair::twice(px), Pair::twice(py), Pair::twice(pz));
             let (qx, qy, qz) = (Pair::twice(qx), Pair::twice(qy), Pair::twice(qz));
@@ -174,9 +196,10 @@ impl<'a> Combined<'a> {
 
     /// Adds ∂ᵤ, ∂ᵥ, ∂ᵤᵤ, ∂ᵤᵥ and ∂ᵥᵥ at column c.
     fn add_jet(&self, c: usize, jet: &mut Jet) {
-        let (points, weights) = self.column(c);
-        for (point, &[w0, w1, w2]) in points.chunks_exact(9).zip(weights) {
-            let [p, by_u, by_uu] = [0, 3, 6].map(|k| Vector3::new(point[k], point[k + 1], point[k + 2]));
+        let (interval, weights) = self.columns.at(c, self.layer.v.width);
+        let [points, by_u, by_uu] = [0, 1, 2].map(|kind| self.points(kind, interval));
+        for (((&point, &by_u), &by_uu), &[w0, w1, w2]) in points.iter().zip(by_u).zip(by_uu).zip(weights) {
+            let [p, by_u, by_uu] = [point, by_u, by_uu].map(Vector3::from);
             jet.u += by_u * w0;
             jet.v += p * w1;
             jet.uu += by_uu * w0;
@@ -203,40 +226,42 @@ fn lay(layer: &Layer, interval: usize, places: &[usize], lines: &mut [f64]) -> b
     any
 }
 
-/// Adds a line of points, and what the derivatives of their weight make of them, to a row of `stride` numbers a place.
-#[inline(never)]
-fn add_line(line: &[f64], weights: &[f64; 3], row: &mut [f64], stride: usize) {
-    for (point, sums) in line.as_chunks::<3>().0.iter().zip(row.chunks_exact_mut(stride)) {
-        for (weight, sums) in weights.iter().zip(sums.as_chunks_mut::<3>().0) {
-            for (sum, number) in sums.iter_mut().zip(point) {
-                *sum += weight * number;
-            }
-        }
+/// Two columns that lie between the same points in every layer, or one twice.
+fn pairs_of(layers: &[Combined<'_>], across: usize) -> Result<Vec<[usize; 2]>> {
+    let mut pairs = with_room(across)?;
+    let mut j = 0;
+    while j < across {
+        let together = j + 1 < across
+            && layers.iter().all(|Combined { columns, .. }| columns.intervals[j] == columns.intervals[j + 1]);
+        let second = j + usize::from(together);
+        pairs.push([j, second]);
+        j = second + 1;
     }
+    Ok(pairs)
 }
 
 /// Positions and normals of a row of vertices, and the squares of ∂ᵤσ × ∂ᵥσ; whether all of those are above `doubtful`.
 ///
-/// It calls nothing, and works on two vertices at a time where they lie between the same points.
+/// It calls nothing, and works on a pair of vertices at a time.
 #[inline(never)]
 fn fill_row(
     layers: &[Combined<'_>],
+    pairs: &[[usize; 2]],
     doubtful: f64,
     positions: &mut [[f64; 3]],
     normals: &mut [[f64; 3]],
     squares: &mut [f64],
 ) -> bool {
-    let (across, mut certain, mut j) = (positions.len().min(normals.len()).min(squares.len()), true, 0);
-    while j < across {
-        let mut beside = usize::from(j + 1 < across);
-        for Combined { columns, .. } in layers.iter().filter(|layer| layer.active) {
-            if columns.intervals[j] != columns.intervals[j + beside] {
-                beside = 0;
-            }
+    let across = positions.len().min(normals.len()).min(squares.len());
+    let mut certain = true;
+    for (pair, &[first, second]) in pairs.iter().enumerate() {
+        // Never so: one check for all the lists.
+        if first.max(second) >= across {
+            break;
         }
         let mut sums = [Pair::twice(0.0); 9];
         for layer in layers.iter().filter(|layer| layer.active) {
-            layer.add_tangents([j, j + beside], &mut sums);
+            layer.add_tangents(pair, &mut sums);
         }
         let [x, y, z, a, b, c, d, e, f] = sums;
         let (p, q, r) = (b * f - c * e, c * d - a * f, a * e - b * d);
@@ -244,14 +269,13 @@ fn fill_row(
         let scale = Pair::twice(1.0) / square.sqrt();
         let (p, q, r) = (p * scale, q * scale, r * scale);
         // The second is the first where it is alone.
-        positions[j + beside] = [x.second(), y.second(), z.second()];
-        normals[j + beside] = [p.second(), q.second(), r.second()];
-        positions[j] = [x.first(), y.first(), z.first()];
-        normals[j] = [p.first(), q.first(), r.first()];
-        squares[j + beside] = square.second();
-        squares[j] = square.first();
+        positions[second] = [x.second(), y.second(), z.second()];
+        normals[second] = [p.second(), q.second(), r.second()];
+        positions[first] = [x.first(), y.first(), z.first()];
+        normals[first] = [p.first(), q.first(), r.first()];
+        squares[second] = square.second();
+        squares[first] = square.first();
         certain &= square.first() > doubtful && square.second() > doubtful;
-        j += 1 + beside;
     }
     certain
 }
@@ -288,11 +312,11 @@ impl TensorSurface {
     }
 
     /// The combined layers of a mesh, after its checks.
-    fn combined(&self, grid: Grid, region: &Region, stride: usize) -> Result<Vec<Combined<'_>>> {
+    fn combined(&self, grid: Grid, region: &Region, kinds: usize) -> Result<Vec<Combined<'_>>> {
         grid.check()?;
         check("rows", None, region.rows.len() as f64, 0.0, grid.rows as f64)?;
         check("cols", None, region.cols.len() as f64, 0.0, grid.cols as f64)?;
-        self.layers.iter().map(|layer| Combined::new(layer, grid, region, stride)).collect()
+        self.layers.iter().map(|layer| Combined::new(layer, grid, region, kinds)).collect()
     }
 
     /// The parameters of vertex (i, j).
@@ -321,7 +345,7 @@ impl TensorSurface {
         positions: &mut [f64],
         normals: &mut [f64],
     ) -> Result<usize> {
-        let mut layers = self.combined(grid, region, 6)?;
+        let mut layers = self.combined(grid, region, 2)?;
         let needed = 3 * region.rows.len() * region.cols.len();
         for (argument, array) in [("positions", &*positions), ("normals", &*normals)] {
             if array.len() != needed {
@@ -337,13 +361,17 @@ impl TensorSurface {
         // No vertex sees more than the whole net: what is certain by that is certain.
         let most = doubtful(self.extent());
         let (mut scratch, mut without, mut squares) = (Scratch::default(), 0, filled(0.0, across)?);
+        let pairs = pairs_of(&layers, across)?;
+        for layer in &mut layers {
+            layer.pair_up(&pairs)?;
+        }
         for i in 0..region.rows.len() {
             for layer in &mut layers {
                 layer.prepare(i);
             }
             let vertices = i * across..(i + 1) * across;
             let (positions, normals) = (&mut positions[vertices.clone()], &mut normals[vertices]);
-            if fill_row(&layers, most, positions, normals, &mut squares) {
+            if fill_row(&layers, &pairs, most, positions, normals, &mut squares) {
                 continue;
             }
             for (j, (normal, &square)) in normals.iter_mut().zip(&squares).enumerate() {
@@ -370,7 +398,7 @@ impl TensorSurface {
     ///
     /// Those of [`TensorSurface::mesh_into`].
     pub fn mesh_curvatures_into(&self, grid: Grid, region: &Region, out: &mut [f64]) -> Result<()> {
-        let mut layers = self.combined(grid, region, 9)?;
+        let mut layers = self.combined(grid, region, 3)?;
         let needed = 2 * region.rows.len() * region.cols.len();
         if out.len() != needed {
             return Err(Error::wrong_length("out", out.len(), needed));

@@ -3,6 +3,7 @@
 //! A closed spline's equations are a band whose last rows reach back to the first column. In an envelope that is
 //! nothing special: those rows are long.
 
+use crate::numerics::lists::{add_scaled, dot};
 use crate::numerics::pair::Pair;
 
 /// A symmetric matrix, then its Cholesky factor in the same place.
@@ -54,10 +55,8 @@ impl Envelope {
     }
 
     /// Adds `times` some numbers to the first entries of row i, which reaches back to the first column.
-    #[inline(never)]
     pub(super) fn add_to_row(&mut self, i: usize, numbers: &[f64], times: f64) {
-        let row = &mut self.entries[self.start[i]..self.start[i] + numbers.len()];
-        row.iter_mut().zip(numbers).for_each(|(entry, number)| *entry += times * number);
+        add_scaled(&mut self.entries[self.start[i]..self.start[i] + numbers.len()], times, numbers);
     }
 
     /// The diagonal entry of row i.
@@ -164,12 +163,6 @@ impl Envelope {
         self.forward(x, 0);
         self.backward(x);
     }
-}
-
-/// The scalar product of two lists of one length.
-#[inline(always)]
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 #[cfg(test)]

@@ -8,8 +8,9 @@ pub(super) use self::moments::product;
 use self::moments::{Moments, gather};
 pub(super) use self::sliding::in_order;
 use super::breaks::{Breaks, HIGHEST, Polynomial, STIFF, Space, derivative};
-use super::envelope::{Envelope, dot};
+use super::envelope::Envelope;
 use crate::numerics::Point;
+use crate::numerics::lists::dot;
 use crate::numerics::pair::Pair;
 
 /// Points with the parameters that they belong to, and their weights (empty: all one).

@@ -2,6 +2,7 @@
 //! both coordinates of a point together. Loops of known length become vector instructions without a remainder.
 
 use super::{least_pivots, scale_by_pivot};
+use crate::numerics::lists::dot;
 
 /// Twice the half-width of the widest of these bands, and two.
 const ROOM: usize = 20;
@@ -101,7 +102,7 @@ pub(super) fn backward<const H: usize, const B: usize, const S: usize>(
                     known += behind[i] * column[1 + i];
                 }
             }
-            None => known += super::dot(&band[j + 1..], &column[1..=H]),
+            None => known += dot(&band[j + 1..], &column[1..=H]),
         }
         band[j] = (band[j] - known) / column[0];
     }

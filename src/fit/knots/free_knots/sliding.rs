@@ -3,8 +3,9 @@
 use super::moments::product;
 use super::{FreeKnots, Located};
 use crate::fit::knots::breaks::{Breaks, HIGHEST, Polynomial, derivative};
-use crate::fit::knots::envelope::{Envelope, dot};
+use crate::fit::knots::envelope::Envelope;
 use crate::numerics::Point;
+use crate::numerics::lists::dot;
 
 /// A part of a list of coefficients, and those of the border; all others are 0.
 #[derive(Clone, Debug)]
