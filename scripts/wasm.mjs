@@ -40,10 +40,11 @@ export async function buildXtask() {
   });
 }
 
-/** The flags of .cargo/config.toml, and those of a kind. */
-function flags({ inline }) {
+/** The flags of .cargo/config.toml, and how much the compiler may copy; loops that run who knows how often are never there several times. */
+function flags({ inline, unroll, unswitch }) {
   const [, list = ""] = /^rustflags = \[([^\]]*)\]/m.exec(readFileSync(at(".cargo/config.toml"), "utf8")) ?? [];
-  return [...JSON.parse(`[${list.replace(/,\s*$/, "")}]`), "-C", `llvm-args=-inline-threshold=${inline}`];
+  const copies = [`inline-threshold=${inline}`, `unroll-threshold=${unroll}`, "unroll-runtime=false", `unswitch-threshold=${unswitch}`];
+  return [...JSON.parse(`[${list.replace(/,\s*$/, "")}]`), "-C", `llvm-args=${copies.map((option) => `-${option}`).join(" ")}`];
 }
 
 /** Every kind, side by side: the last part of each build, the longest, uses one core only. */
