@@ -172,6 +172,7 @@ fn decaying_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f64 {
     total
 }
 
+#[inline(never)]
 fn interval_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f64 {
     let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
     let jet = piece.jet(middle);

@@ -29,6 +29,7 @@ impl<'a> Numbers<'a> {
 }
 
 /// Appends one section: its length, then what `write` appends.
+#[inline(never)]
 pub(super) fn section(output: &mut Vec<f64>, write: &mut dyn FnMut(&mut Vec<f64>)) {
     let start = output.len();
     output.push(0.0);

@@ -70,6 +70,7 @@ pub(super) fn mend(
 }
 
 /// The bound of the distance between a piece and its chord.
+#[inline(never)]
 fn bound(piece: &Piece, lo: f64, hi: f64) -> f64 {
     let (start, end, h) = (piece.jet(lo), piece.jet(hi), hi - lo);
     let chord = end.position - start.position;

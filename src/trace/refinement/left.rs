@@ -13,6 +13,7 @@ pub(super) struct Left {
 }
 
 impl Left {
+    #[inline(never)]
     pub(super) fn add(&mut self, parts: &[Part], field: &Field) {
         self.add_some(parts.iter(), field);
     }
