@@ -6,6 +6,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { spawnSync } from "node:child_process";
 import { test } from "node:test";
 import { join } from "node:path";
+import { gzipSync } from "node:zlib";
 
 import { transform } from "esbuild";
 
@@ -90,4 +91,21 @@ test("the README's tables of times are those of the run that was kept", () => {
   const recorded = JSON.parse(readFileSync(join(process.cwd(), "bench", "recorded.json"), "utf8")) as Recorded;
   assert.ok(recorded.rows.length > 15, "a whole run");
   assert.equal(inserted(text, recorded), text, "`npm run bench -- --record` makes them");
+});
+
+test("the README's sizes are those of the package, gzipped, within a kilobyte", () => {
+  const line = /^Size, gzipped: .*$/m.exec(text)?.[0] ?? "";
+  const files = {
+    "curves and paths": "core.js",
+    "what a pointer does": "edit.js",
+    "curves of any roots": "spline.js",
+    surfaces: "surface.js",
+    fitting: "fit.js",
+    tracing: "trace.js",
+  };
+  for (const [words, file] of Object.entries(files)) {
+    const said = Number(new RegExp(`${words} ([0-9.]+) kB`).exec(line)?.[1]);
+    const { length } = gzipSync(readFileSync(join(consumer, "node_modules", "expline", "pkg", file)), { level: 9 });
+    assert.ok(Math.abs(length / 1000 - said) < 1, `${words}: the README says ${said} kB, ${file} has ${length} bytes`);
+  }
 });
