@@ -135,6 +135,26 @@ test("refining a place adds points there alone and moves nothing; the finer poin
   assert.equal(net.length, (await surfaceOf(demo)).net.length);
 });
 
+test("the count of triangles follows the tessellation, and the time of a frame the turning of the view", async (t) => {
+  const demo = await open(t, "#/surface?sample=surf-torus");
+  const coarse = await demo.metric("m-triangles");
+  await demo.slide("surf-tess", 32);
+  assert.equal(await demo.metric("m-triangles"), 4 * coarse);
+  await demo.page.evaluate(() => {
+    const shown = document.querySelector('[data-testid="m-ms"]');
+    const seen = new Set<string>();
+    Reflect.set(window, "frameTimes", seen);
+    if (shown !== null) new MutationObserver(() => seen.add(shown.getAttribute("data-value") ?? "")).observe(shown, { attributes: true });
+  });
+  const { x } = await demo.centre("stage");
+  await demo.page.mouse.move(x, 120);
+  await demo.page.mouse.down();
+  for (let i = 1; i <= 10; i += 1) await demo.page.mouse.move(x + 12 * i, 120);
+  await demo.page.mouse.up();
+  await demo.idle();
+  assert.ok(await demo.page.evaluate(() => (Reflect.get(window, "frameTimes") as Set<string>).size) > 2);
+});
+
 for (const sample of ["surf-torus", "surf-roman", "surf-paraboloid", "surf-cylinder", "surf-character"]) {
   test(`V25 ${sample} is drawn`, async (t) => {
     const demo = await open(t, `#/surface?sample=${sample}`);

@@ -6,7 +6,7 @@ import { createEditor } from "../src/editor/create-editor.ts";
 import type { Editor } from "../src/editor/editor.ts";
 import { fittingDistance, projector, stepAlong, stepInView, type Orbit } from "../src/editor/surface/orbit.ts";
 import { chooseNet, ensureSurface, nudgeNet, openSurfaceSample, refineHere, setNetSize, setSurfaceLevels } from "../src/editor/surface/surface-edits.ts";
-import { meshOf, netPoints } from "../src/kernel/surface/surface-mesh.ts";
+import { meshOf, netPoints, triangles, trianglesOf } from "../src/kernel/surface/surface-mesh.ts";
 import { largestDistance, recurrence } from "../src/kernel/surface/surface-net.ts";
 import { ridgesOf } from "../src/kernel/surface/surface-weights.ts";
 import { deviationOf } from "../src/kernel/surface/surface-truth.ts";
@@ -169,4 +169,16 @@ test("the generators of a control point are 1 at its own place, 0 at every other
       assert.ok(weights.some((weight) => weight > 0.3 && weight < 0.7), "it acts between its neighbours, too");
     }
   }
+});
+
+test("the triangles that the status counts are those that are drawn, also where a tessellation would be too fine", () => {
+  for (const sample of ["surf-torus", "surf-cylinder", "surf-sphere"]) {
+    const document = surface(opened(sample));
+    for (const sides of [4, 16, 20, 64]) {
+      const mesh = meshOf(document, sides, false);
+      assert.ok(mesh !== null);
+      assert.equal(trianglesOf(document, sides), triangles(mesh.rows, mesh.cols).length / 3);
+    }
+  }
+  assert.equal(trianglesOf(emptySurface, 16), 0);
 });

@@ -1,4 +1,4 @@
-import type { SurfaceMesh as LibraryMesh } from "expline/slim";
+import type { SurfaceMesh as LibraryMesh, TensorSurface } from "expline/slim";
 import type { NetDirection, NetRef, SurfaceDocument } from "../../document/surface/surface.ts";
 import { beforeMove, surfaceOf } from "./surface.ts";
 
@@ -43,13 +43,25 @@ export function meshOf(document: SurfaceDocument, sides: number, withCurvature: 
   return made?.mesh ?? null;
 }
 
+/** How many triangles `meshOf` makes of a surface; none where it makes no mesh. */
+export function trianglesOf(document: SurfaceDocument, sides: number): number {
+  const surface = surfaceOf(document);
+  if (surface === null) return 0;
+  const { rows, cols } = gridOf(surface, sides);
+  return 2 * (rows - 1) * (cols - 1);
+}
+
+function gridOf({ domain: { u, v } }: TensorSurface, sides: number): Pick<SurfaceMesh, "size" | "rows" | "cols"> {
+  const size = [u[1] - u[0], v[1] - v[0]] as const;
+  const wanted = verticesOf(size[0], sides) * verticesOf(size[1], sides);
+  const scale = Math.min(1, Math.sqrt(mostVertices / wanted));
+  return { size, rows: verticesOf(size[0], sides * scale), cols: verticesOf(size[1], sides * scale) };
+}
+
 function makeMesh(document: SurfaceDocument, sides: number, withCurvature: boolean): Made | null {
   const surface = surfaceOf(document);
   if (surface === null) return null;
-  const size = [surface.domain.u[1] - surface.domain.u[0], surface.domain.v[1] - surface.domain.v[0]] as const;
-  const wanted = verticesOf(size[0], sides) * verticesOf(size[1], sides);
-  const scale = Math.min(1, Math.sqrt(mostVertices / wanted));
-  const [rows, cols] = [verticesOf(size[0], sides * scale), verticesOf(size[1], sides * scale)];
+  const { size, rows, cols } = gridOf(surface, sides);
   const { u, v } = surface;
   const [ownRows, ownCols] = [u.closed ? rows - 1 : rows, v.closed ? cols - 1 : cols];
   const own = movedMesh(document, sides) ?? surface.mesh(ownRows, ownCols);

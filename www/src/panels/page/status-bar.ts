@@ -25,11 +25,13 @@ export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement; p
   const modes = new Map<Mode, ModeMetrics>([["curve", curveMetrics]]);
   let shownMode: Mode | null = null;
   let all: ReturnType<typeof make>[] = [];
+  let cost: ReturnType<typeof make> | undefined;
   const build = (mode: Mode): void => {
     shownMode = mode;
     const [first, second, third] = modes.get(mode) ?? [[], [], []];
     const groups = [first, second, [...third, frame]].map((metrics) => metrics.map(make));
     all = groups.flat();
+    cost = all.at(-1);
     element.replaceChildren(
       ...groups.map((group, i) => h("div", { class: `metric-group${i === 1 ? " truth" : ""}`, role: "group", "aria-label": ["Drawing", "Accuracy", "Cost"][i] ?? "" },
         ...group.map((entry) => entry.element),
@@ -53,9 +55,11 @@ export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement; p
     for (const { metric, element: shown } of all) if (metric.slow !== true || slowToo) show(shown, metric.read(state));
   };
   const soon = inNextFrame(shell.frame, () => editor.state.value.engine.status === "ready" && update());
+  // A view that is turned or moved changes no number of the drawing, but each of its frames costs something.
+  shell.frame.add("paint", () => cost !== undefined && show(cost.element, cost.metric.read(editor.state.value)));
   editor.state.subscribe((state, before) => {
     if (state.curve !== before.curve || state.surface !== before.surface || state.fit !== before.fit || state.fitRun !== before.fitRun
-      || state.traceRun !== before.traceRun
+      || state.traceRun !== before.traceRun || state.solid.tessellation !== before.solid.tessellation
       || state.trace !== before.trace || state.settings !== before.settings || state.mode !== before.mode || state.engine !== before.engine) soon.request();
   }, { until });
   build("curve");
