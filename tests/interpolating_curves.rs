@@ -399,6 +399,20 @@ fn a_curve_of_one_point_becomes_few_cubics_whatever_its_coordinates() {
 }
 
 #[test]
+fn finer_control_points_are_at_most_four_million_in_the_plane_as_in_space() {
+    for dimension in [2, 3] {
+        let points = (0..10_000 * dimension).map(|i| (i % 7) as f64).collect();
+        let roots = Roots::polynomials(2).expect("in range");
+        let curve = InterpolatingCurve::new(points, dimension, true, Some(roots)).expect("finite");
+        let fine = curve.refine(1, 2, 2).expect("within the limits");
+        assert_eq!(fine.refine(200).expect("exactly at the limit").points().len(), 4_000_000 * dimension);
+        let refused = unboxed(fine.refine(202)).map(|_| ());
+        let limited = matches!(refused, Err(Error::LimitExceeded { argument: "m", most: 4e6, .. }));
+        assert!(limited, "{dimension}: {refused:?}");
+    }
+}
+
+#[test]
 fn finer_control_points_beyond_the_limits_are_refused_where_they_are_made() {
     let points: Vec<f64> = (0..14).map(|i| if i / 2 % 2 == 0 { -9e8 } else { 9e8 }).collect();
     let roots = Roots::hyperbola(1.85).expect("in range");

@@ -202,3 +202,49 @@ fn what_does_not_fit_is_refused() {
         Err(Error::WrongLength { argument: "point", .. })
     ));
 }
+
+#[test]
+fn a_point_of_a_patch_moves_by_what_can_be_loaded_again_or_not_at_all() {
+    let points = vec![-9e8, 0.0, 0.0, -9e8, 9e8, 0.0, 0.0, 9e8, 1e8, 1e8];
+    let base = InterpolatingCurve::new(points, 2, true, None).expect("finite");
+    let mut curve = LocalCurve::new(base);
+    for _ in 0..2 {
+        curve = curve.refine_at(0.0, 1, 0.6).expect("inside");
+    }
+    // Two patches of one grid that pull to either side: each step is from one end of the coordinates to the other.
+    let mut refused = false;
+    for (k, x) in [(0, 1e9), (1, -1e9), (0, 1e9), (1, -1e9), (0, 1e9)] {
+        match unboxed(curve.with_patch_point(k, 0, &[x, 0.0])) {
+            Ok(moved) => curve = moved,
+            Err(error) => {
+                let fits =
+                    matches!(error, Error::OutOfRange { argument: "displacements", index: Some(0), .. });
+                assert!(fits, "{error:?}");
+                refused = true;
+            }
+        }
+        let mut again = LocalCurve::new(curve.base().clone());
+        for k in 0..curve.patch_count() {
+            let window = curve.patch_window(k).expect("there");
+            again =
+                again.add_patch(window, curve.displacements(k).expect("there")).expect("what was made fits");
+        }
+        assert_eq!(again.sample(64, 0).expect("in range"), curve.sample(64, 0).expect("in range"));
+    }
+    assert!(refused, "displacements of more than 2e9 were asked for");
+}
+
+#[test]
+fn a_hair_before_the_start_of_a_closed_curve_is_its_start() {
+    let mut random = Random::new(6);
+    for roots in lists() {
+        let base = blob(&mut random, &roots, 2, true);
+        let curve = base.refine_at(0.3, 2, 0.5).expect("inside");
+        for t in [-1e-20, -1e-300, 16.0 - 1e-16, -16.0 - 1e-20] {
+            let (start, before) =
+                (curve.curvature(0.0).expect("moving"), curve.curvature(t).expect("moving"));
+            // The same place of the same piece, to the last bit; the piece at the end has another curvature where roots are few.
+            assert_eq!(before, start, "{roots:?} {t}");
+        }
+    }
+}

@@ -192,6 +192,12 @@ fn refinements_beyond_the_limits_are_refused() {
     assert!(matches!(refused, Err(Error::LimitExceeded { argument: "levels", .. })), "{refused:?}");
     let refused = unboxed(surface.refine(13, 0)).map(|_| ());
     assert!(matches!(refused, Err(Error::OutOfRange { argument: "levels", .. })), "{refused:?}");
+    // Rows and columns closed: 2⁹·8 times 2⁷·8 are 4,194,304 to the point, and as many as may be.
+    let torus = TensorSurface::torus(3.0, 1.0, [8, 8]).expect("in the ranges");
+    let finest = torus.refine(9, 7).expect("exactly at the limit");
+    assert_eq!(finest.net().len(), 3 * 4_194_304, "as many as the limit");
+    let refused = unboxed(torus.refine(9, 8)).map(|_| ());
+    assert!(matches!(refused, Err(Error::LimitExceeded { argument: "levels", .. })), "{refused:?}");
     let refused = unboxed(surface.refine_at(3.0, 3.0, 1, 1e-9)).map(|_| ());
     assert!(matches!(refused, Err(Error::Degenerate { argument: "reach", .. })), "{refused:?}");
 }

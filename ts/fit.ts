@@ -1,7 +1,7 @@
 /** Sparse curves through noisy points: all at once, in short tasks, or again and again for a slider. */
 import { ExplineError, type PointsLike, wrong } from "./core.js";
 import { type Question, Resident, initFit } from "./fit/fit-engine.js";
-import { type FitProgress, type FitWatch, type Order, type SparseFitOptions, type SparseFitStrength, change, checkNames, knowsNoise, order, withNoise } from "./fit/fit-options.js";
+import { type FitProgress, type FitWatch, type Order, type SparseFitOptions, type SparseFitStrength, change, knowsNoise, order, watchOf, withNoise } from "./fit/fit-options.js";
 import { type SparseFit, readFit } from "./fit/fit-result.js";
 import { checkSignal, inOneGo, inTasks } from "./tasks/yielding.js";
 
@@ -103,7 +103,8 @@ export type SparseFitAllOptions = Omit<SparseFitOptions, "parameters" | "period"
  */
 export function fitSparseAll(contours: readonly PointsLike[], options?: SparseFitAllOptions): SparseFit[] {
   const op = "fitSparseAll";
-  return alike(op, orders(op, contours, options)).map((job) => one(op, job));
+  const { jobs } = orders(op, contours, options);
+  return inOneGo(alike(op, jobs)).map((job) => one(op, job));
 }
 
 /**
@@ -113,25 +114,30 @@ export function fitSparseAll(contours: readonly PointsLike[], options?: SparseFi
  */
 export async function fitSparseAllAsync(contours: readonly PointsLike[], options?: SparseFitAllOptions): Promise<SparseFit[]> {
   const op = "fitSparseAllAsync";
-  const jobs = orders(op, contours, options);
-  checkSignal(op, jobs[0]?.signal);
+  const { jobs, signal } = orders(op, contours, options);
+  checkSignal(op, signal);
   await initFit();
   const fits: SparseFit[] = [];
-  for (const job of alike(op, jobs)) fits.push(await oneAsync(op, job));
+  for (const job of await inTasks(op, signal, alike(op, jobs))) fits.push(await oneAsync(op, job));
   return fits;
 }
 
 /** What is to be done for each contour; the points are copied. */
-function orders(op: string, contours: unknown, options: unknown): Order[] {
+function orders(op: string, contours: unknown, options: unknown): { jobs: Order[]; signal: FitWatch["signal"] } {
   if (!Array.isArray(contours)) throw wrong("E_TYPE", op, "contours", contours, "an array of contours");
-  checkNames(op, options);
-  return Array.from(contours, (points) => order(op, points, options));
+  const { signal } = watchOf(op, options);
+  return { jobs: Array.from(contours, (points) => order(op, points, options)), signal };
 }
 
 /** The same with one level of noise: that of the options, or the median of what each contour says alone. */
-function alike(op: string, jobs: readonly Order[]): readonly Order[] {
+function* alike(op: string, jobs: readonly Order[]): Generator<void, readonly Order[]> {
   if (jobs.every(knowsNoise)) return jobs;
-  const levels = jobs.map((job) => noiseOf(op, job)).sort((a, b) => a - b);
+  const levels: number[] = [];
+  for (const job of jobs) {
+    levels.push(noiseOf(op, job));
+    yield;
+  }
+  levels.sort((a, b) => a - b);
   return jobs.map((job) => withNoise(job, levels[levels.length >> 1] ?? 0));
 }
 

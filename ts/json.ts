@@ -118,8 +118,9 @@ export function fromJSON(value: unknown, options?: ReadOptions): Readable {
   const kind = kindOf(own);
   const known = ["type", "version", ...kind.required, ...kind.optional];
   const extra: [string, unknown][] = [];
+  const copies: Copies = new Map();
   for (const name of Object.keys(object)) {
-    if (!known.includes(name)) extra.push([name, plain(object[name], `$${step(name)}`, [object])]);
+    if (!known.includes(name)) extra.push([name, plain(object[name], `$${step(name)}`, [object], copies)]);
   }
   const made = read(kind, own, extra.length > 0 ? Object.fromEntries(extra) : undefined);
   for (const [name] of extra) {
@@ -203,8 +204,11 @@ function located(error: ExplineError): ExplineError {
   return new ExplineError(code, OP, `$.${what}`, { ...fields, path: `$.${error.argument}`, cause: error });
 }
 
+/** What was copied, and how many brackets stand inside one another in it. What is shared is copied once: else a few lists of lists never end. */
+type Copies = Map<unknown, { readonly copy: unknown; readonly depth: number }>;
+
 /** A copy that is nothing but JSON: own properties, finite numbers, whole characters, no circle. */
-function plain(value: unknown, path: string, around: readonly unknown[]): unknown {
+function plain(value: unknown, path: string, around: readonly unknown[], copies: Copies): unknown {
   if (typeof value === "string") return value.replace(/\p{Surrogate}/gu, "\ufffd");
   if (value === null || typeof value === "boolean") return value;
   if (typeof value === "number") {
@@ -213,13 +217,23 @@ function plain(value: unknown, path: string, around: readonly unknown[]): unknow
   }
   if (typeof value !== "object") throw expected(path, value, "something that JSON can carry");
   if (around.includes(value)) throw schema(path, "contains itself");
-  if (around.length >= MAX_DEPTH) {
+  const known = copies.get(value);
+  if (around.length + (known?.depth ?? 1) > MAX_DEPTH) {
     throw schema(path, `is too deep; maxDepth is ${MAX_DEPTH}`, "E_LIMIT", { limit: "maxDepth", max: MAX_DEPTH });
   }
+  if (known !== undefined) return known.copy;
   const inside = [...around, value];
-  if (Array.isArray(value)) return Array.from(value as unknown[], (item, i) => plain(item, `${path}[${i}]`, inside));
-  const entries = Object.keys(value).map((name): [string, unknown] => {
-    return [name, plain((value as Record<string, unknown>)[name], `${path}${step(name)}`, inside)];
-  });
-  return Object.fromEntries(entries);
+  let depth = 1;
+  const copied = (item: unknown, at: string): unknown => {
+    const copy = plain(item, at, inside, copies);
+    depth = Math.max(depth, 1 + (copies.get(item)?.depth ?? 0));
+    return copy;
+  };
+  const copy = Array.isArray(value)
+    ? Array.from(value as unknown[], (item, i) => copied(item, `${path}[${i}]`))
+    : Object.fromEntries(
+        Object.keys(value).map((name) => [name, copied((value as Record<string, unknown>)[name], `${path}${step(name)}`)]),
+      );
+  copies.set(value, { copy, depth });
+  return copy;
 }

@@ -6,7 +6,7 @@
 
 use crate::error::{Error, Result};
 use crate::generator::{Interpolator, Roots, affine_refinement_filter};
-use crate::limits::{MOST_OUTPUT_POINTS, filled, too_many};
+use crate::limits::{MOST_OUTPUT_POINTS, MOST_SURFACE_POINTS, filled, too_many};
 
 /// From points on the curve to control points on the grid 1/m₀.
 ///
@@ -32,7 +32,9 @@ pub fn from_points(
     let ends = if closed { 0 } else { 2 * (interpolator.order() - 2) + 1 };
     let count = counted(points, dimension, ends + 1)?;
     let filter = interpolator.affine_pre_filter(m0)?;
-    Target::from_points(count, closed, interpolator.order(), m0).fill(points, dimension, m0, &filter)
+    let target =
+        Target::from_points(count, closed, interpolator.order(), m0).within_limits("m0", dimension)?;
+    target.fill(points, dimension, m0, &filter)
 }
 
 /// From control points on a grid to control points on the grid that is finer by m; `roots` are those of the coarser grid,
@@ -50,7 +52,8 @@ pub fn from_points(
 pub fn finer(points: &[f64], dimension: usize, closed: bool, roots: &Roots, m: usize) -> Result<Vec<f64>> {
     let count = counted(points, dimension, 1)?;
     let filter = affine_refinement_filter(roots, m)?;
-    Target::finer(count, closed, roots.order(), m)?.fill(points, dimension, m, &filter)
+    let target = Target::finer(count, closed, roots.order(), m)?.within_limits("m", dimension)?;
+    target.fill(points, dimension, m, &filter)
 }
 
 /// The points of an open curve with n₀ − 2 more on each side, so that the curve is defined from its first point to its last.
@@ -134,6 +137,15 @@ impl Target {
         Ok(Self { lead: (m - 1) * (order - 1), count: m * (count + 1 - order) + order - 1, closed })
     }
 
+    /// The same places, if they are as many as one call may give back; a row of a net counts by its numbers, too.
+    fn within_limits(self, argument: &'static str, dimension: usize) -> Result<Self> {
+        let numbers = self.count.saturating_mul(dimension);
+        if self.count > MOST_OUTPUT_POINTS || numbers > 3 * MOST_SURFACE_POINTS {
+            return Err(too_many(argument, "maxOutputPoints", MOST_OUTPUT_POINTS, self.count));
+        }
+        Ok(self)
+    }
+
     /// Σ filter[i]·point k at place mk + i − lead.
     pub(crate) fn fill(
         &self,
@@ -142,11 +154,7 @@ impl Target {
         m: usize,
         filter: &[f64],
     ) -> Result<Vec<f64>> {
-        let needed = self.count.saturating_mul(dimension);
-        if needed > 3 * MOST_OUTPUT_POINTS {
-            return Err(too_many("levels", "maxOutputPoints", MOST_OUTPUT_POINTS, self.count));
-        }
-        let mut sums = filled(0.0, needed)?;
+        let mut sums = filled(0.0, self.count * dimension)?;
         for (k, point) in points.chunks_exact(dimension).enumerate() {
             for (i, tap) in filter.iter().enumerate() {
                 let Some(place) = self.place(m * k + i) else { continue };

@@ -164,16 +164,13 @@ fn window(
     let least = base.direction.level;
     check(of_level, None, f64::from(level), f64::from(least.max(1)), f64::from(MOST_LEVELS))?;
     let points = grown(base, level - least);
-    check(of_first, None, first as f64, 0.0, points as f64)?;
-    check(of_count, None, count as f64, 1.0, points as f64)?;
+    check(of_first, None, first as f64, 0.0, (points - 1) as f64)?;
+    let room = if base.direction.closed { points } else { points - first };
+    check(of_count, None, count as f64, 1.0, room as f64)?;
     let mut fine = base.clone();
     for _ in least..level {
         fine = doubled(&fine)?;
     }
-    let most = fine.direction.count;
-    check(of_first, None, first as f64, 0.0, (most - 1) as f64)?;
-    let room = if fine.direction.closed { most } else { most - first };
-    check(of_count, None, count as f64, 1.0, room as f64)?;
     Ok((fine, Window { first, count }))
 }
 

@@ -87,11 +87,14 @@ impl Layer {
     }
 }
 
-/// How many points a direction has `levels` doublings on.
+/// How many points a direction has `levels` doublings on, which are 12 at most.
 pub(super) fn grown(axis: &Axis, levels: u32) -> usize {
-    let intervals = axis.intervals.checked_shl(levels).unwrap_or(usize::MAX);
-    let order = axis.direction.roots.order();
-    if levels == 0 { axis.direction.count } else { intervals.saturating_add(order) }
+    let Direction { ref roots, count, closed, .. } = axis.direction;
+    if levels == 0 {
+        return count;
+    }
+    let intervals = axis.intervals.saturating_mul(1 << levels);
+    if closed { intervals } else { intervals.saturating_add(roots.order() - 1) }
 }
 
 impl TensorSurface {
@@ -107,7 +110,7 @@ impl TensorSurface {
     /// # Errors
     ///
     /// `OutOfRange` for more than 12 levels in all, and for a finer `net` that is not within ±1e9; `LimitExceeded` for `levels`
-    /// beyond 16 million points.
+    /// beyond 4,194,304 points.
     ///
     /// # Source
     ///

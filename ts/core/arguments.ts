@@ -37,6 +37,12 @@ export function isFloat64Array(value: unknown): value is Float64Array {
   return tagOf?.call(value) === "Float64Array";
 }
 
+/** Whether it really holds floating-point numbers, of either width. */
+export function isFloats(value: unknown): value is Float64Array | Float32Array {
+  const tag = tagOf?.call(value) as unknown;
+  return tag === "Float64Array" || tag === "Float32Array";
+}
+
 /** Whether it really holds bytes. */
 export function isBytes(value: unknown): value is Uint8Array | Uint8ClampedArray {
   const tag = tagOf?.call(value) as unknown;
@@ -44,7 +50,7 @@ export function isBytes(value: unknown): value is Uint8Array | Uint8ClampedArray
 }
 
 /** The true length, whatever a subclass says; refuses an array whose buffer has gone. */
-export function lengthOfArray(op: string, arg: string, value: Float64Array | Uint8Array | Uint8ClampedArray): number {
+export function lengthOfArray(op: string, arg: string, value: Float64Array | Float32Array | Uint8Array | Uint8ClampedArray): number {
   const length = lengthOf?.call(value) as number;
   if (length === 0) {
     const buffer = value.buffer as ArrayBufferLike & { readonly resizable?: boolean; readonly growable?: boolean };

@@ -30,13 +30,13 @@ export type ErrorCode =
   | "E_DETACHED"
   /** The engine could not be started; `reason` is one of csp, network, mime, compile, version, memory, unsupported. */
   | "E_INIT"
-  /** `expline/slim` was used before `init`, or its fitting before `initFit`. */
+  /** `expline/slim` was used before `init`, or other work than curves before its own: `initSpline`, `initSurface`, `initFit`, `initTrace`. */
   | "E_NOT_READY"
   /** The caller's AbortSignal ended the work; `cause` is the signal's reason. */
   | "E_CANCELLED"
   /** An object was used after `dispose`. */
   | "E_DISPOSED"
-  /** An object was used from inside its own progress callback. */
+  /** An object was used while it is at work: from inside its own progress callback, or before its promise has settled. */
   | "E_BUSY"
   /** The engine stopped: a fault of ours. It is replaced at the next call, and nothing is lost. */
   | "E_INTERNAL";

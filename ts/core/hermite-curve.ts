@@ -303,7 +303,7 @@ export class HermiteCurve extends MeasuredCurve {
     return copy(call(op, (kernel) => kernel.bezier_points(slot)));
   }
 
-  /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit. */
+  /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit, of up to a million points. */
   toJSON(): HermiteCurveJSON {
     const data = dataOf(this, "toJSON");
     return {
@@ -377,17 +377,16 @@ function asMany(data: CurveData, arg: string, value: unknown): Floats {
 function frequency(op: string, value: unknown): number {
   const omega = finite(op, "omega", value);
   if (omega < 0) throw wrong("E_RANGE", op, "omega", omega, ">= 0");
-  return omega;
+  return omega + 0;
 }
 
-/** One number for all segments, or one for each, or nothing; finite, and the rest is for the kernel to say. */
+/** One number for all segments, or one for each, or nothing; finite and not −0, and the rest is for the kernel to say. */
 function perSegment(op: string, arg: string, value: unknown, segments: number): Floats {
   if (value === undefined) return new Float64Array();
-  if (typeof value === "number") return Float64Array.of(finite(op, arg, value));
+  if (typeof value === "number") return Float64Array.of(finite(op, arg, value) + 0);
   // Fewer than two points have no segments: what is wrong with them is said by the kernel.
   const array = sameLength(op, arg, numbers(op, arg, value, "maxPoints", MAX_POINTS), Math.max(segments, 0));
-  array.forEach((number, i) => finite(op, arg, number, i));
-  return array;
+  return array.map((number, i) => finite(op, arg, number, i) + 0);
 }
 
 /** One number per segment, from the short form. */

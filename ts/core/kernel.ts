@@ -111,7 +111,7 @@ export function outputText(bytes: number): string {
   return textAt(result(15), bytes);
 }
 
-/** Above this many numbers the input is given back after use. */
+/** An input of more numbers than this is given back before a larger one is made: the two would not lie side by side. */
 const KEPT = 1 << 17;
 
 function room<K extends AnyKernel>(to: Engine<K>, instance: Instance<K>, op: string, count: number): number {

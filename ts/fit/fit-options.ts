@@ -119,9 +119,9 @@ export interface Order extends FitWatch {
   readonly deadline: number | undefined;
 }
 
-/** Refuses what is no options object, or has a name that is not known; of no contours nothing else looks at it. @internal */
-export function checkNames(op: string, options: unknown): void {
-  checkOptions(op, options, NAMES);
+/** Who watches work on many contours: of none nothing else looks at the options. @internal */
+export function watchOf(op: string, options: unknown): FitWatch {
+  return watch(op, checkOptions(op, options, NAMES));
 }
 
 /** All checks of a fit's arguments that need no arithmetic. @internal */

@@ -90,7 +90,7 @@ export class BSplineCurve extends SplineCurve {
     return { maxError: result(0), curve: bSplineOf(readSpline(count)) };
   }
 
-  /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit. */
+  /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit, of up to a million points. */
   toJSON(): BSplineCurveJSON {
     const { closed, dimension, points, roots, step, offset, extra } = splineOf(this, "toJSON");
     const list = { points: Array.from(points), roots: rootList(roots) };

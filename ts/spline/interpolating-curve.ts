@@ -87,7 +87,7 @@ export class InterpolatingCurve extends SplineCurve {
     return { maxError: result(0), curve: interpolatingOf(readSpline(count)) };
   }
 
-  /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit. */
+  /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit, of up to a million points. */
   toJSON(): InterpolatingCurveJSON {
     const { closed, dimension, points, roots, extra } = splineOf(this, "toJSON");
     const list = { points: Array.from(points), roots: rootList(roots) };

@@ -119,7 +119,7 @@ export class LocalCurve extends SplineCurve {
     return localOf(readSpline(call(op, (kernel) => kernel.drop_patch(slot, which))));
   }
 
-  /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit. */
+  /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit, of up to a million points. */
   toJSON(): LocalCurveJSON {
     const { closed, dimension, points, roots, patches, extra } = splineOf(this, "toJSON");
     const list = patches.map(({ level, first, displacements }) => ({ level, first, displacements: Array.from(displacements) }));

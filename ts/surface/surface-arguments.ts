@@ -61,9 +61,12 @@ export const MAX_LEVEL = 12;
 
 /** A net's numbers: finite, within ±1e9, as many as there should be. @internal */
 export function netOf(op: string, value: unknown, needed: number): Floats {
-  const net = isFloat64Array(value) && lengthOfArray(op, "net", value) !== needed ? value : numbers(op, "net", value, "maxSurfacePoints", 3 * MAX_NET);
+  // One that is as long as it likes is refused before it is copied.
+  const length = isFloat64Array(value) ? lengthOfArray(op, "net", value) : needed;
+  if (length !== needed) throw wrongLength(op, "net", length, String(needed));
+  const net = numbers(op, "net", value, "maxSurfacePoints", 3 * MAX_NET);
   if (net.length !== needed) throw wrongLength(op, "net", net.length, String(needed));
-  return within(op, "net", net as Floats);
+  return within(op, "net", net);
 }
 
 /** A pair of indices within a net or a patch. @internal */

@@ -1,5 +1,5 @@
 /** Meshes of surfaces as they are handed out, filled again, and mended where a point has moved. */
-import { type Floats, MAX_OUTPUT, integer, isFloat64Array, overLimit, wrong, wrongLength } from "../core.js";
+import { type Floats, MAX_OUTPUT, integer, isFloats, lengthOfArray, overLimit, wrong, wrongLength } from "../core.js";
 import { call, peek, result } from "./surface-engine.js";
 
 /** Triangles of a surface. */
@@ -36,10 +36,6 @@ export function sizes(op: string, rows: unknown, cols: unknown): Grid {
   return grid;
 }
 
-function isFloats(value: unknown): value is Float64Array | Float32Array {
-  return value instanceof Float32Array || isFloat64Array(value);
-}
-
 /** The arrays of a mesh that a caller hands in, read once. */
 interface Target {
   readonly grid: Grid;
@@ -53,8 +49,18 @@ function targetOf(op: string, arg: "mesh" | "out", value: unknown, wanted?: Grid
   if (!isFloats(positions) || !isFloats(normals)) throw wrong("E_TYPE", op, arg, value, "a mesh of this package");
   const grid = wanted ?? sizes(op, rows, cols);
   const needed = 3 * grid[0] * grid[1];
-  for (const { length } of [positions, normals]) if (length !== needed) throw wrongLength(op, arg, length, String(needed));
+  for (const array of [positions, normals]) {
+    const length = lengthOfArray(op, arg, array);
+    if (length !== needed) throw wrongLength(op, arg, length, String(needed));
+  }
   return { grid, positions, normals };
+}
+
+/** Refuses a mesh that is frozen before anything of it is written. */
+function writable(op: string, arg: "mesh" | "out", value: unknown): SurfaceMesh {
+  const mesh = value as SurfaceMesh;
+  if (!Reflect.set(mesh, "withoutNormal", mesh.withoutNormal)) throw wrong("E_TYPE", op, arg, value, "a mesh that can be written to");
+  return mesh;
 }
 
 /** All vertices, as they lie in the kernel: positions, then normals. */
@@ -80,9 +86,7 @@ export function newMesh(op: string, slot: number, grid: Grid): SurfaceMesh & { p
 /** Fills a mesh of the same size again; its triangles stay. @internal */
 export function refill(op: string, slot: number, grid: Grid, out: unknown): SurfaceMesh {
   const target = targetOf(op, "out", out, grid);
-  const mesh = out as SurfaceMesh;
-  // One that is frozen is refused before anything is written.
-  if (!Reflect.set(mesh, "withoutNormal", mesh.withoutNormal)) throw wrong("E_TYPE", op, "out", out, "a mesh that can be written to");
+  const mesh = writable(op, "out", out);
   const { positions, normals } = vertices(op, slot, grid);
   target.positions.set(positions);
   target.normals.set(normals);
@@ -90,23 +94,35 @@ export function refill(op: string, slot: number, grid: Grid, out: unknown): Surf
   return mesh;
 }
 
+/** How many of the vertices have no normal. */
+function withoutNormal(normals: Float64Array | Float32Array): number {
+  let count = 0;
+  for (let k = 0; k < normals.length; k += 3) if (normals[k] === 0 && normals[k + 1] === 0 && normals[k + 2] === 0) count += 1;
+  return count;
+}
+
 /** Computes again what a control point of the net (`patch` −1) or of a patch touches, and says which part that is. @internal */
-export function mend(op: string, slot: number, mesh: unknown, patch: number, row: number, col: number): MeshRegion {
-  const { grid, positions, normals } = targetOf(op, "mesh", mesh);
+export function mend(op: string, slot: number, value: unknown, patch: number, row: number, col: number): MeshRegion {
+  const { grid, positions, normals } = targetOf(op, "mesh", value);
+  const mesh = writable(op, "mesh", value);
   const [rows, cols] = grid;
   call(op, (kernel) => kernel.surface_touched(slot, ...grid, patch, row, col));
   const [first, count, left, across] = [result(0), result(1), result(2), result(3)];
   const total = call(op, (kernel) => kernel.surface_mesh(slot, ...grid, first, count, left, across));
   const all = peek(total);
+  // A line that runs across the seam goes on at the beginning of the row.
+  const before = 3 * Math.min(across, cols - left);
+  let without = 0;
   for (const [array, start] of [[positions, 0], [normals, total / 2]] as const) {
     for (let k = 0; k < count; k += 1) {
       const line = all.subarray(start + 3 * across * k, start + 3 * across * (k + 1));
       const to = 3 * cols * ((first + k) % rows);
-      // A line that runs across the seam goes on at the beginning of the row.
-      const before = 3 * Math.min(across, cols - left);
-      array.set(line.subarray(0, before), to + 3 * left);
-      array.set(line.subarray(before), to);
+      for (const [part, at] of [[line.subarray(0, before), to + 3 * left], [line.subarray(before), to]] as const) {
+        if (array === normals) without += withoutNormal(part) - withoutNormal(array.subarray(at, at + part.length));
+        array.set(part, at);
+      }
     }
   }
+  mesh.withoutNormal += without;
   return { rows: [first, count], cols: [left, across] };
 }

@@ -1,5 +1,5 @@
 /** The tools of the weighted quasi-interpolant: splines of clouds, what they miss, and the whole way from a profile's points to its curve. */
-import { type HermiteCurve, type PointsLike, curveOf, curvesIn, doorOf, finite, flag, integer, numbers, options as checkOptions, points as checkPoints, tooFewPoints, word, wrong } from "../core.js";
+import { type HermiteCurve, MAX_POINTS, type PointsLike, curveOf, curvesIn, doorOf, finite, flag, integer, numbers, options as checkOptions, points as checkPoints, tooFewPoints, word, wrong } from "../core.js";
 import { traces } from "./trace-engine.js";
 import { LEAST_CORNER } from "./trace-options.js";
 import type { TraceMetrics } from "./trace-result.js";
@@ -50,14 +50,13 @@ export interface ProfileFit {
   metrics: TraceMetrics;
 }
 
-const MAX_POINTS = 1_000_000;
 const MAX_KNOTS = 1_000_000;
 
 const { call, copy, peek, result, write } = /* @__PURE__ */ doorOf(traces);
 
 /** Writes a cloud and its knots; how many of both, the degree and the neighbours. */
 function cloud(op: string, points: unknown, options: unknown): readonly [number, number, number, number] {
-  const given = checkPoints(op, "points", points, MAX_POINTS);
+  const given = checkPoints(op, "points", points);
   const own = checkOptions(op, options, ["degree", "knots", "neighbours"]);
   const degree = integer(op, "degree", own.degree, 1, 9);
   const knots = numbers(op, "knots", own.knots, "maxKnots", MAX_KNOTS);
@@ -94,7 +93,7 @@ export function looScore(points: PointsLike, options: QuasiInterpolantOptions): 
  */
 export function fitProfile(points: PointsLike, options?: ProfileOptions): ProfileFit {
   const op = "fitProfile";
-  const given = checkPoints(op, "points", points, MAX_POINTS);
+  const given = checkPoints(op, "points", points);
   const own = checkOptions(op, options, ["closed", "degree", "corner", "method"]);
   const closed = flag(op, "closed", own.closed, true) ? 1 : 0;
   const degree = own.degree === undefined ? 2 : integer(op, "degree", own.degree, 1, 3);
@@ -137,7 +136,7 @@ function residual(op: string, residuals: unknown, which: 0 | 1): number {
 }
 
 function comparison(op: string, from: unknown, to: unknown, which: 0 | 1 | 2): number {
-  const [first, second] = [checkPoints(op, "from", from, MAX_POINTS), checkPoints(op, "to", to, MAX_POINTS)];
+  const [first, second] = [checkPoints(op, "from", from), checkPoints(op, "to", to)];
   if (which === 0 && first.length > 0 && second.length === 0) throw tooFewPoints(op, "to", 0, 1);
   write(op, first, second);
   call(op, (kernel) => kernel.compare(first.length / 2, second.length / 2));

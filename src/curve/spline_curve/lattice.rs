@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::error::{Error, Result};
 use crate::generator::{ExponentialBSpline, Interpolator, PolynomialPieces, Roots};
 use crate::limits::{LARGEST_COORDINATE, MOST_EVALUATIONS, MOST_POINTS, check, too_many, with_room};
+use crate::numerics::angle::wrapped;
 
 /// A curve Σ cₖ g((t − start)/step − k) in 2-D or 3-D, with all that evaluation needs beside it.
 #[derive(Clone, Debug)]
@@ -168,13 +169,8 @@ impl Lattice {
         let (least, most) = if self.closed { (f64::MIN, f64::MAX) } else { self.domain() };
         check("t", index, t, least, most)?;
         let cells = self.cells as f64;
-        let mut u = (t - self.start) / self.step;
-        if self.closed && !(0.0..cells).contains(&u) {
-            u -= cells * (u / cells).floor();
-            if !(0.0..cells).contains(&u) {
-                u = 0.0;
-            }
-        }
+        let u = (t - self.start) / self.step;
+        let u = if self.closed { wrapped(u, cells) } else { u };
         let cell = (u as usize).min(self.cells - 1);
         let x = (u - cell as f64).clamp(0.0, 1.0) * self.shape.per_cell as f64;
         let part = (x as usize).min(self.shape.per_cell - 1);

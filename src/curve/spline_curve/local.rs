@@ -163,9 +163,8 @@ impl LocalCurve {
                 count * self.base.dimension(),
             ));
         }
-        let size = 2.0 * LARGEST_COORDINATE;
         for (i, &d) in displacements.iter().enumerate() {
-            check("displacements", Some(i), d, -size, size)?;
+            check_displacement(i, d)?;
         }
         let mut displacements = displacements.to_vec();
         settle(&mut displacements);
@@ -240,7 +239,8 @@ impl LocalCurve {
     ///
     /// # Errors
     ///
-    /// k or i beyond the last; a point of another dimension, or with a number that is not finite or not within ±1e9.
+    /// k or i beyond the last; a point of another dimension, or with a number that is not finite or not within ±1e9; `displacements`
+    /// where the point would be moved by more than 2e9.
     pub fn with_patch_point(&self, k: usize, i: usize, point: &[f64]) -> Result<Self> {
         let (patch, dimension) = (self.patch(k)?, self.base.dimension());
         let mut points = self.patch_points(k)?;
@@ -250,6 +250,7 @@ impl LocalCurve {
         let mut displacements = patch.displacements.clone();
         for d in at..at + dimension {
             displacements[d] += points[d] - before[d];
+            check_displacement(d, displacements[d])?;
         }
         let mut curve = self.clone();
         let lattice = self.over(patch.lattice.shape.clone(), (patch.level, patch.first), &displacements)?;
@@ -328,6 +329,11 @@ impl LocalCurve {
     pub fn piece_count(&self) -> usize {
         self.knots.len() - 1
     }
+}
+
+/// From one end of what is allowed to the other at most.
+fn check_displacement(i: usize, d: f64) -> Result<()> {
+    check("displacements", Some(i), d, -2.0 * LARGEST_COORDINATE, 2.0 * LARGEST_COORDINATE)
 }
 
 fn scale(level: usize) -> f64 {

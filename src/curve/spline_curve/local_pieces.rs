@@ -7,6 +7,8 @@ use crate::curve::pieces::Pieces;
 use crate::error::Result;
 use crate::generator::recentre;
 use crate::limits::with_room;
+use crate::numerics::angle::wrapped;
+use crate::numerics::order::sort_numbers;
 
 impl LocalCurve {
     /// All knots: those of the base, and those of the patches within them.
@@ -23,14 +25,14 @@ impl LocalCurve {
             }
         }
         // All are multiples of a power of 2 and exact: equal ones are equal to the last bit.
-        let mut knots = sorted(knots);
+        sort_numbers(&mut knots);
         knots.dedup();
         Ok(knots)
     }
 
     fn wrapped(&self, t: f64) -> f64 {
         let (_, end) = self.base.domain();
-        if self.base.is_closed() { t - end * (t / end).floor() } else { t }
+        if self.base.is_closed() { wrapped(t, end) } else { t }
     }
 
     /// Where t is on a patch; more than once if the patch reaches around the curve.
@@ -115,25 +117,4 @@ impl Curve for LocalCurve {
     fn as_pieces(&self) -> &dyn Pieces {
         self
     }
-}
-
-/// The numbers in rising order, by merging: a tenth of the code of the library's sort.
-fn sorted(mut from: Vec<f64>) -> Vec<f64> {
-    let count = from.len();
-    let (mut to, mut width) = (from.clone(), 1);
-    while width < count {
-        for start in (0..count).step_by(2 * width) {
-            let (middle, end) = ((start + width).min(count), (start + 2 * width).min(count));
-            let (mut left, mut right) = (start, middle);
-            for place in &mut to[start..end] {
-                let first = right >= end || left < middle && from[left] <= from[right];
-                let next = if first { &mut left } else { &mut right };
-                *place = from[*next];
-                *next += 1;
-            }
-        }
-        core::mem::swap(&mut from, &mut to);
-        width *= 2;
-    }
-    from
 }
