@@ -28,7 +28,7 @@ export function mountFitMode({ editor, frame, stage, surface, proxies, panels, c
     run: editInCurve,
   });
   editor.modes.set("fit", {
-    tool: createFitTool(editor), hint: fitHint, summary: fitSummary, drawing: fittedDrawing, program: fitProgram,
+    label: "Points to fit", tool: createFitTool(editor), hint: fitHint, summary: fitSummary, drawing: fittedDrawing, program: fitProgram,
     box: ({ fit }) => boxOf(fit.data),
   });
   panels.shell.samples.set("fit", (done) => fitSampleCards(panels.shell, done));
@@ -49,7 +49,6 @@ export function mountFitMode({ editor, frame, stage, surface, proxies, panels, c
   editor.state.subscribe(({ mode, tool, fitView }, before) => {
     if (mode !== was) {
       was = mode;
-      surface.setAttribute("aria-label", mode === "fit" ? "Points to fit" : "Curve canvas");
       // The rail's buttons stand for Fit's tools while Fit is open.
       if (mode === "fit") chooseFitTool(editor, fitView.tool);
       else if (before.mode === "fit") editor.patch({ tool: "select" });

@@ -12,7 +12,7 @@ import { startEngine } from "./kernel/engine.ts";
 import { mountPanels } from "./panels/mount.ts";
 import { createProxies } from "./render/proxies.ts";
 import { createStage } from "./render/stage.ts";
-import { mountHint, mountLive, mountZoomBox } from "./render/stage-parts.ts";
+import { mountHint, mountLabel, mountLive, mountZoomBox } from "./render/stage-parts.ts";
 import { createTools } from "./tools/tools.ts";
 
 /** Puts the page together: the editor, the stage, the panels, and the first document. */
@@ -51,6 +51,7 @@ function mount(): ExplineDemo {
   if (!(canvas instanceof HTMLCanvasElement)) throw new Error("index.html has no canvas");
   const stage = createStage(editor, frame, surface, canvas, until);
   createProxies(editor, frame, surface, part("proxies"), until);
+  mountLabel(editor, surface, until);
   mountHint(editor, part("hint"), until);
   mountZoomBox(editor, part("zoom"), until);
   mountLive(editor, part("live"), part("summary"), until);

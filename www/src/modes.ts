@@ -1,6 +1,7 @@
 import type { ContractParts } from "./contract.ts";
 import type { Mode } from "./document/document.ts";
 import type { Editor } from "./editor/editor.ts";
+import { sayMissing } from "./editor/loading.ts";
 import type { Frame } from "./editor/frame.ts";
 import type { Panels } from "./panels/mount.ts";
 import type { Stage } from "./render/stage.ts";
@@ -29,11 +30,11 @@ export function loadModes(editor: Editor, loaders: Partial<Record<Mode, () => Pr
   const ask = (mode: Mode): void => {
     const load = loaders[mode];
     if (load === undefined || asked.has(mode) || editor.state.value.engine.status !== "ready") return;
-    asked.set(mode, load().catch((error: unknown) => {
+    // What is shown of the mode as soon as it is there is looked up again.
+    asked.set(mode, load().then(() => editor.patch({ hint: "" })).catch((error: unknown) => {
       // The next visit tries again: a connection may have been lost for a moment.
       asked.delete(mode);
-      const text = error instanceof Error ? error.message : String(error);
-      editor.notify({ kind: "error", id: "engine", text: `This mode could not be loaded (${text}). Check the connection, then open it again.` });
+      sayMissing(editor, "This mode", error);
     }));
   };
   editor.state.subscribe(({ mode, engine }, before) => {

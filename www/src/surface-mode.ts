@@ -35,7 +35,7 @@ export async function mountSurfaceMode({ editor, frame, stage, surface, panels, 
   const { painter } = await createSurfaceStage(editor, frame, surface, until);
   createNetProxies(editor, frame, surface, until);
   editor.modes.set("surface", {
-    tool, view: surfaceView(editor), hint: surfaceHint, summary: surfaceSummary,
+    label: "Surface", tool, view: surfaceView(editor), hint: surfaceHint, summary: surfaceSummary,
     sample: ({ surface: shown }) => (shown === surfaceSample(shown.sample) ? shown.sample : null),
   });
   stage.painters.set("surface", painter);
@@ -45,9 +45,7 @@ export async function mountSurfaceMode({ editor, frame, stage, surface, panels, 
   contract.mesh = (rows, cols) => meshPoints(editor.state.value.surface, rows, cols);
   // Undo may go back to a sample that was only named.
   editor.state.subscribe(({ mode }) => {
-    surface.setAttribute("aria-label", mode === "surface" ? "Surface" : "Curve canvas");
     if (mode === "surface") ensureSurface(editor);
   }, { until, now: true });
-  editor.patch({ hint: "" });
   stage.repaint();
 }

@@ -46,7 +46,7 @@ function resultOf(state: EditorState): object | null {
 /** Trace mode, put together when it is first opened. */
 export function mountTraceMode({ editor, frame, stage, surface, proxies, panels, contract, until }: ModeParts): void {
   const { shell } = panels;
-  const start = (): Worker => endingWith(until, new Worker(new URL("./kernel/trace/trace-worker.ts", import.meta.url), { type: "module" }));
+  const start = endingWith(until, () => new Worker(new URL("./kernel/trace/trace-worker.ts", import.meta.url), { type: "module" }));
   const runner = createTraceRunner({
     editor, until, clock: pageClock, now: () => performance.now(),
     connect: (handlers) => createTraceClient(start, handlers),
@@ -57,7 +57,7 @@ export function mountTraceMode({ editor, frame, stage, surface, proxies, panels,
   });
   registerTraceActions(editor, runner);
   editor.modes.set("trace", {
-    tool: createTraceTool(editor), hint: traceHint, summary: traceSummary, drawing: tracedDrawing, layers: tracedLayers, program: traceProgram, saved: savedTrace,
+    label: "Picture and its outlines", tool: createTraceTool(editor), hint: traceHint, summary: traceSummary, drawing: tracedDrawing, layers: tracedLayers, program: traceProgram, saved: savedTrace,
     box(state) {
       const size = sizeOf(state);
       return size === null ? null : { minX: 0, minY: 0, maxX: size.width, maxY: size.height };
@@ -80,13 +80,7 @@ export function mountTraceMode({ editor, frame, stage, surface, proxies, panels,
     working: () => runner.idle(),
   };
   editor.state.subscribe(({ mode }, before) => {
-    if (mode === before.mode) return;
-    if (mode === "trace") surface.setAttribute("aria-label", "Picture and its outlines");
-    else if (before.mode === "trace") {
-      surface.setAttribute("aria-label", "Curve canvas");
-      editor.patch({ cursor: "default" });
-    }
+    if (mode !== before.mode && before.mode === "trace") editor.patch({ cursor: "default" });
   }, { until });
-  if (editor.state.value.mode === "trace") surface.setAttribute("aria-label", "Picture and its outlines");
   stage.repaint();
 }

@@ -16,7 +16,7 @@ import { Hand } from "./harness.ts";
 
 function hand(): Hand {
   const made = new Hand();
-  made.editor.modes.set("fit", { tool: createFitTool(made.editor) });
+  made.editor.modes.set("fit", { label: "", tool: createFitTool(made.editor) });
   made.editor.patch({ mode: "fit", fitView: made.editor.state.value.fitView });
   clearFit(made.editor);
   made.editor.fitEdits.amend(() => ({ fit: { ...fitDefaults, data: [] } }));
@@ -210,6 +210,17 @@ test("the data are sent once for all steps of a slider", () => {
   workers[0]?.answer({ kind: "fitted", subject: 1, id: 1, fits: [], ms: 1 });
   fits.fit(subject, { by: "smoothing", smoothing: 0.2 }, true);
   assert.equal(workers[0]?.asked.filter(({ kind }) => kind === "subject").length, 1);
+});
+
+test("an engine that did not start is started anew with the next request, which says again what is fitted", () => {
+  const failures: string[] = [];
+  const { client: fits, workers } = client({ failed: (code) => failures.push(code) });
+  const subject = what(1);
+  fits.fit(subject, { by: "smoothing", smoothing: 0.1 }, true);
+  workers[0]?.answer({ kind: "failed", subject: 1, id: 1, code: "E_INIT", message: "no connection" });
+  assert.deepEqual([failures, workers[0]?.terminated, fits.busy], [["E_INIT"], true, false]);
+  fits.fit(subject, { by: "smoothing", smoothing: 0.1 }, true);
+  assert.deepEqual(workers[1]?.asked.map(({ kind }) => kind), ["subject", "fit"]);
 });
 
 test("a worker that dies is replaced, and its request tried once more and no oftener", () => {

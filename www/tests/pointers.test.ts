@@ -94,6 +94,17 @@ test("the middle button and the space bar pan with any tool, and the history doe
   assert.equal(editor.state.value.canUndo, false);
 });
 
+test("the hand stays a hand after the space bar", () => {
+  const { input, editor } = new Hand("circle-8");
+  for (const [tool, cursor] of [["hand", "grab"], ["select", "default"]] as const) {
+    editor.patch({ tool });
+    input.space(true);
+    assert.equal(editor.state.value.cursor, "grab");
+    input.space(false);
+    assert.equal(editor.state.value.cursor, cursor);
+  }
+});
+
 test("once a pen has been seen, fingers pan", () => {
   const hand = new Hand("circle-8");
   const { input, editor } = hand;

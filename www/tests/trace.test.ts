@@ -189,13 +189,17 @@ function tracing(): { hand: Hand; asked: Asked[]; clock: Waiting; runner: TraceR
           busy = false;
           return was;
         },
-        probe: ({ key }) => (key === "bad" ? Promise.reject(new Error("no picture")) : Promise.resolve([640, 480])),
+        async probe({ key }) {
+          if (key === "bad") throw new Error("no picture");
+          if (key === "large") await new Promise((resolve) => setTimeout(resolve, 5));
+          return [640, 480];
+        },
         idle: () => Promise.resolve(),
       };
     },
   });
   registerTraceActions(hand.editor, runner);
-  hand.editor.modes.set("trace", { tool: createTraceTool(hand.editor) });
+  hand.editor.modes.set("trace", { label: "", tool: createTraceTool(hand.editor) });
   return {
     hand, asked, clock, runner, handlers, refused,
     say(result = found()) {
@@ -272,6 +276,29 @@ test("a picture without edges is said to have none", () => {
   openTraceSample(hand.editor, "trace-disc");
   say({ ...found(), outlines: [] });
   assert.equal(hand.editor.state.value.traceRun.failure?.id, "trace-none");
+});
+
+test("of two pictures the one that was brought in last stays, though the other one is looked at longer", async () => {
+  const { hand } = tracing();
+  for (const [name, key] of [["large.png", "large"], ["small.png", "small"]] as const) {
+    hand.editor.patch({ incoming: { name, source: { kind: "file", key, content: new Blob() } } });
+  }
+  await new Promise((resolve) => setTimeout(resolve, 20));
+  assert.equal(hand.editor.state.value.trace.picture?.name, "small.png");
+});
+
+test("the views of a picture that nobody waits for any more give their pixels back", () => {
+  let closed = 0;
+  const bitmap = { close: () => (closed += 1) } as unknown as ImageBitmap;
+  const { traces, workers } = client();
+  traces.trace(disc, how);
+  traces.trace(disc, how);
+  const answer = (id: number): TraceAnswer => ({ kind: "picture", id, width: 1, height: 1, analysed: [1, 1], source: bitmap, edges: bitmap, threshold: 0 });
+  const [first = 0, second = 0] = (workers[0]?.asked ?? []).flatMap((request) => (request.kind === "trace" ? [request.id] : []));
+  workers[0]?.answer(answer(second));
+  assert.equal(closed, 0);
+  workers[0]?.answer(answer(first));
+  assert.equal(closed, 2);
 });
 
 test("a file that is no picture leaves what is there, and one that is starts at once", async () => {

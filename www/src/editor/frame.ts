@@ -6,7 +6,7 @@
 export interface Frame {
   /** Asks for a frame; asking twice before it comes is asking once. */
   request(): void;
-  /** Runs in every frame: all that takes in input, then all that paints what came of it. */
+  /** Runs in every frame: all that takes in input, then all that paints what came of it. One that throws stops nothing but itself. */
   add(phase: "input" | "paint", task: () => void): void;
   /** Resolves when no frame is wanted. */
   idle(): Promise<void>;
@@ -16,18 +16,33 @@ export interface Frame {
 
 const keptTimes = 240;
 
-export function createFrame(schedule: (callback: () => void) => void, now: () => number): Frame {
+/** Says that a task failed as a page says it of a listener: the others are called all the same. */
+const reported = (error: unknown): void => queueMicrotask(() => {
+  throw error;
+});
+
+export function createFrame(schedule: (callback: () => void) => void, now: () => number, failed: (error: unknown) => void = reported): Frame {
   const tasks: Record<"input" | "paint", (() => void)[]> = { input: [], paint: [] };
   const times: number[] = [];
   let waiting: (() => void)[] = [];
   let wanted = false;
 
+  function runAll(phase: "input" | "paint"): void {
+    for (const task of tasks[phase]) {
+      try {
+        task();
+      } catch (error) {
+        failed(error);
+      }
+    }
+  }
+
   function run(): void {
     const start = now();
     // What input changes is painted in this very frame, so requests made until here are met.
-    for (const task of tasks.input) task();
+    runAll("input");
     wanted = false;
-    for (const task of tasks.paint) task();
+    runAll("paint");
     times.push(now() - start);
     if (times.length > keptTimes) times.shift();
     if (wanted) return;

@@ -16,44 +16,70 @@ export interface OnDemand<T> {
   load(): Promise<T>;
 }
 
+/** Says that something did not come. */
+export function sayMissing(editor: Editor, what: string, error: unknown): void {
+  const text = error instanceof Error ? error.message : String(error);
+  editor.notify({ kind: "error", id: "engine", text: `${what} could not be loaded (${text}). Check the connection, then try again.` });
+}
+
 export function onDemand<T>(load: () => Promise<T>): OnDemand<T> {
   let loaded: T | null = null;
   const arrive = (): Promise<T> => load().then((it) => (loaded = it));
   const work = (editor: Editor, run: (loaded: T) => void): void => {
-    if (loaded === null) void whileLoading(editor, arrive().then(run));
+    if (loaded === null) void whileLoading(editor, arrive().then(run, (error: unknown) => sayMissing(editor, "What this needs", error)));
     else run(loaded);
   };
   return Object.assign(work, { load: arrive });
 }
 
-/** What is loaded when it is first wanted; null until it is there. */
-export function late<T>(editor: Editor, wanted: (state: EditorState) => boolean, load: () => Promise<T>, arrived: (loaded: T) => void = () => undefined): () => T | null {
+/** What is loaded when it is first wanted. */
+export interface Late<T> {
+  /** Null until it is there. */
+  (): T | null;
+  /** Whether it is on its way. */
+  readonly coming: boolean;
+}
+
+/** What did not come is asked for again when it is wanted anew, not with every change until then. */
+export function late<T>(editor: Editor, wanted: (state: EditorState) => boolean, load: () => Promise<T>, arrived: (loaded: T) => void = () => undefined): Late<T> {
   let loaded: T | null = null;
-  let asked = false;
+  let [coming, refused] = [false, false];
   editor.state.subscribe((state) => {
-    if (asked || !wanted(state)) return;
-    asked = true;
-    void whileLoading(editor, load().then((it) => {
-      loaded = it;
-      arrived(it);
-    }));
+    if (!wanted(state)) refused = false;
+    else if (loaded === null && !coming && !refused) {
+      coming = true;
+      void whileLoading(editor, load().then((it) => {
+        [loaded, coming] = [it, false];
+        arrived(it);
+      }, (error: unknown) => {
+        [coming, refused] = [false, true];
+        sayMissing(editor, "What this needs", error);
+      }));
+    }
   }, { now: true });
-  return () => loaded;
+  return Object.defineProperty(() => loaded, "coming", { get: () => coming }) as Late<T>;
 }
 
 /** A tool that is loaded when it first comes up; what the pointer does before it is there is done as soon as it is. */
 export function lazyTool(editor: Editor, isUp: () => boolean, load: () => Promise<Tool>): Tool {
-  const waiting: ((loaded: Tool) => void)[] = [];
+  let waiting: ((loaded: Tool) => void)[] = [];
+  let passing: Parameters<Tool["hover"]>[0] | null = null;
   const there = late(editor, isUp, load, (loaded) => {
+    if (passing !== null) loaded.hover(passing);
     for (const work of waiting.splice(0)) work(loaded);
   });
   const soon = (work: (loaded: Tool) => void): void => {
     const tool = there();
-    if (tool === null) waiting.push(work);
-    else work(tool);
+    if (tool !== null) return work(tool);
+    // What was done before something that never came is not done later, out of the blue.
+    waiting = there.coming ? [...waiting, work] : [];
   };
   return {
-    hover: (sample) => soon((loaded) => loaded.hover(sample)),
+    hover(sample) {
+      // Of where the pointer passed by, only the last place is of use later.
+      passing = sample;
+      there()?.hover(sample);
+    },
     press: (sample) => soon((loaded) => loaded.press(sample)),
     drag: (sample) => soon((loaded) => loaded.drag(sample)),
     release: (sample) => soon((loaded) => loaded.release(sample)),

@@ -20,6 +20,8 @@ export interface ModeView {
 
 /** What a mode brings of its own; what it does not bring is the plane's. */
 export interface ModeParts {
+  /** What the stage is, for those who do not see it. */
+  readonly label: string;
   /** Works the pointer in place of the rail's tools. */
   readonly tool: Tool;
   readonly view?: ModeView;

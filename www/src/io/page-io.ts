@@ -13,9 +13,21 @@ import { hasKept, localStore, rememberTab, tabShows } from "./keeping/store.ts";
 /** Keeping begins with the first change; until then there is nothing to keep. */
 function createAutosave(options: AutosaveOptions): Autosave {
   let keeping: Promise<Autosave> | null = null;
+  let missing = false;
   const begun = (): Promise<Autosave> => (keeping ??= import("./keeping/autosave.ts").then((loaded) => loaded.createAutosave(options)));
+  const tell = (is: boolean): void => {
+    if (is !== missing) options.failing(is);
+    missing = is;
+  };
   return {
-    touch: () => void begun().then((autosave) => autosave.touch()),
+    touch: () => void begun().then((autosave) => {
+      tell(false);
+      autosave.touch();
+    }, () => {
+      // The next change tries again.
+      keeping = null;
+      tell(true);
+    }),
   };
 }
 

@@ -43,10 +43,11 @@ export function createDesk<Request, Answer>(start: () => Worker, { receive, died
   };
 }
 
-/** A worker that ends when its page does. */
-export function endingWith(until: AbortSignal, worker: Worker): Worker {
-  until.addEventListener("abort", () => worker.terminate(), { once: true });
-  return worker;
+/** Starts workers, one at a time, of which the last one ends when its page does. */
+export function endingWith(until: AbortSignal, start: () => Worker): () => Worker {
+  let last: Worker | null = null;
+  until.addEventListener("abort", () => last?.terminate(), { once: true });
+  return () => (last = start());
 }
 
 /** Those who wait until nothing is under way. */

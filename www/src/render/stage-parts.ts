@@ -5,6 +5,15 @@ import { measureCurve } from "../kernel/curve/measure.ts";
 
 /** The small DOM parts of the stage: the hint line, the zoom box, and what screen readers hear. */
 
+/** What the stage is called, which is up to the mode. */
+export function mountLabel(editor: Editor, surface: HTMLElement, until: AbortSignal): void {
+  const plane = surface.ariaLabel ?? "";
+  editor.state.subscribe(({ mode }) => {
+    const label = editor.modes.get(mode)?.label ?? plane;
+    if (surface.ariaLabel !== label) surface.ariaLabel = label;
+  }, { until, now: true });
+}
+
 export function mountHint(editor: Editor, element: HTMLElement, until: AbortSignal): void {
   editor.state.subscribe(
     (state) => {

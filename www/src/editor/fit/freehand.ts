@@ -3,7 +3,7 @@ import { differentPoints, isJoined, type Pair } from "../../document/fit/fit.ts"
 import { contourOfFit } from "../../kernel/fit/as-contour.ts";
 import { createFitClient, type FitClient, type FitHandlers } from "../../kernel/fit/fit-client.ts";
 import type { FitSubject } from "../../kernel/fit/job.ts";
-import { startFitWorker } from "../../kernel/fit/start-worker.ts";
+import { fitWorkers } from "../../kernel/fit/start-worker.ts";
 import type { Editor } from "../editor.ts";
 
 /** Strokes drawn by hand in Curve: each becomes the contour with the fewest knots within a pixel or two of it. */
@@ -20,7 +20,7 @@ export interface Freehand {
 
 /** Fits in a worker of its own, that starts with the first stroke. */
 export function connectFit(until: AbortSignal): (handlers: FitHandlers) => FitClient {
-  return (handlers) => createFitClient(() => startFitWorker(until), handlers);
+  return (handlers) => createFitClient(fitWorkers(until), handlers);
 }
 
 export function createFreehand(editor: Editor, connect: (handlers: FitHandlers) => FitClient): Freehand {

@@ -130,7 +130,7 @@ class Pointers implements PointerInput {
   space(held: boolean): void {
     if (held === this.#spaceHeld) return;
     this.#spaceHeld = held;
-    if (this.#activity === null) this.#editor.patch({ cursor: held ? "grab" : "default" });
+    if (this.#activity === null) this.#restCursor();
   }
 
   cancel(): boolean {

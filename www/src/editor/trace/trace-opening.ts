@@ -28,10 +28,16 @@ export function ensureSample(editor: Editor): void {
   editor.patch({ hint: sample.note });
 }
 
+/** Pictures that were brought in so far: a small one may be looked at before a large one that came earlier. */
+let brought = 0;
+
 export async function openIncoming(editor: Editor, client: TraceClient, refuse: Refuse, { name, source }: Incoming): Promise<void> {
   editor.patch({ incoming: null });
+  brought += 1;
+  const own = brought;
   try {
     const [width, height] = await client.probe(source);
+    if (own !== brought) return dropPicture(source.key);
     openPicture(editor, { name, width, height, key: source.key });
     editor.notify({ kind: "announce", text: `${name} opened, ${width} by ${height} pixels` });
   } catch (error) {

@@ -18,8 +18,11 @@ function opened(): Promise<IDBDatabase> {
     request.onblocked = () => reject(new Error("the database is blocked"));
     request.onsuccess = () => {
       const database = request.result;
-      // Another tab may want a newer form of it, and the browser may take it away.
-      database.onversionchange = () => database.close();
+      // Another tab may want a newer form of it, and the browser may take it away: the next call opens it again.
+      database.onversionchange = () => {
+        database.close();
+        opening = null;
+      };
       database.onclose = () => (opening = null);
       resolve(database);
     };

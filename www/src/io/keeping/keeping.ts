@@ -50,21 +50,26 @@ export async function allKept(): Promise<KeptText[]> {
 /** Sessions that stay; the oldest give way. */
 const mostSessions = 4;
 
-/** Keeps a text: in the database, else in the local store; makes room among the oldest sessions once. Says whether it is kept. */
-export async function keep(kept: KeptText): Promise<boolean> {
-  for (const retry of [false, true]) {
-    if (retry) await makeRoom(sessionOf(kept.key), 1);
-    try {
-      if (await write(kept)) {
-        forgetLocally([kept.key]);
-        markKept(localStore());
-        return true;
-      }
-    } catch {
-      // Full or blocked; the second turn has made all the room there is.
-    }
+/** Whether the database took it, or said that it is full. */
+async function written(kept: KeptText): Promise<boolean | "full"> {
+  try {
+    if (!(await write(kept))) return false;
+  } catch (error) {
+    return (error as { name?: unknown } | null)?.name === "QuotaExceededError" ? "full" : false;
   }
-  return keepAtOnce(kept);
+  forgetLocally([kept.key]);
+  markKept(localStore());
+  return true;
+}
+
+/** Keeps a text: in the database, else in the local store. Says whether it is kept. Only for want of room other sessions give way. */
+export async function keep(kept: KeptText): Promise<boolean> {
+  let done = await written(kept);
+  if (done === "full") {
+    await makeRoom(sessionOf(kept.key), 1);
+    done = await written(kept);
+  }
+  return done === true || keepAtOnce(kept);
 }
 
 /** Leaves so many sessions, this one among them. */

@@ -44,10 +44,15 @@ export function createFitClient(start: () => Worker, handlers: FitHandlers): Fit
   const { post } = desk;
   const { idle, settle } = createWaiters(() => running === null && waiting === null);
 
-  /** A dead worker's request is tried once more in a new one. Where it only filled the chart, the fit that is shown stands. */
-  function replace(message: string): void {
+  /** The next worker has to be told what is fitted. */
+  function dismiss(): void {
     desk.dismiss();
     known = null;
+  }
+
+  /** A dead worker's request is tried once more in a new one. Where it only filled the chart, the fit that is shown stands. */
+  function replace(message: string): void {
+    dismiss();
     const lost = waiting ?? running;
     running = null;
     waiting = null;
@@ -81,7 +86,11 @@ export function createFitClient(start: () => Worker, handlers: FitHandlers): Fit
     const done = running;
     running = null;
     if (answer.kind === "fitted") handlers.fitted(answer.fits, done.what, answer.ms);
-    else if (answer.kind === "failed") handlers.failed(answer.code, answer.message);
+    else if (answer.kind === "failed") {
+      // An engine that did not start is started anew with the next request.
+      if (answer.code === "E_INIT") dismiss();
+      handlers.failed(answer.code, answer.message);
+    }
     else if (waiting === null) handlers.stopped();
     const next = waiting;
     waiting = null;

@@ -72,34 +72,22 @@ function plain({ curve, parts, knots, parameters, rms, maxError, lambda, smoothi
 }
 
 async function fit(request: Extract<FitRequest, { kind: "fit" }>, signal: AbortSignal): Promise<void> {
-  const { id } = request;
-  try {
-    const start = performance.now();
-    const fits = await solve(request.strength, request.live, signal);
-    answer({ kind: "fitted", subject, id, fits: fits.map(plain), ms: performance.now() - start });
-  } catch (error) {
-    if (error instanceof ExplineError && error.code === "E_CANCELLED") answer({ kind: "stopped", subject, id });
-    else answer({ kind: "failed", subject, id, code: error instanceof ExplineError ? error.code : "", message: String(error) });
-  }
+  const start = performance.now();
+  const fits = await solve(request.strength, request.live, signal);
+  answer({ kind: "fitted", subject, id: request.id, fits: fits.map(plain), ms: performance.now() - start });
 }
 
 async function chart(at: readonly number[], signal: AbortSignal): Promise<void> {
-  try {
-    // From strong to weak: knots come one after the other, and each solve begins near its end.
-    for (const smoothing of [...at].sort((a, b) => b - a)) {
-      const fits = await solve({ by: "smoothing", smoothing: smoothing / 100 }, true, signal);
-      const sizes = what.strokes.map(({ points }) => points.length / 2);
-      const squares = fits.reduce((sum, { rms }, i) => sum + rms ** 2 * (sizes[i] ?? 0), 0);
-      answer({ kind: "chart", subject, smoothing, knots: knotsOf(fits), rms: Math.sqrt(squares / Math.max(1, sizes.reduce((sum, size) => sum + size, 0))) });
-    }
-  } catch (error) {
-    // A chart that was interrupted is asked for again; whatever else goes wrong, the fit itself will say.
-    if (!(error instanceof ExplineError)) throw error;
+  // From strong to weak: knots come one after the other, and each solve begins near its end.
+  for (const smoothing of [...at].sort((a, b) => b - a)) {
+    const fits = await solve({ by: "smoothing", smoothing: smoothing / 100 }, true, signal);
+    const sizes = what.strokes.map(({ points }) => points.length / 2);
+    const squares = fits.reduce((sum, { rms }, i) => sum + rms ** 2 * (sizes[i] ?? 0), 0);
+    answer({ kind: "chart", subject, smoothing, knots: knotsOf(fits), rms: Math.sqrt(squares / Math.max(1, sizes.reduce((sum, size) => sum + size, 0))) });
   }
 }
 
-async function work(request: FitRequest, signal: AbortSignal): Promise<void> {
-  await ready;
+function work(request: FitRequest, signal: AbortSignal): void | Promise<void> {
   switch (request.kind) {
     case "subject":
       return open(request.subject, request.what);
@@ -112,9 +100,26 @@ async function work(request: FitRequest, signal: AbortSignal): Promise<void> {
   }
 }
 
+/** What failed is said of a fit. A chart that was interrupted is asked for again; whatever else goes wrong, the next fit will say. */
+function refuse(request: FitRequest, error: unknown): void {
+  if (request.kind !== "fit") return;
+  const { id } = request;
+  const code = error instanceof ExplineError ? error.code : "";
+  answer(code === "E_CANCELLED" ? { kind: "stopped", subject, id } : { kind: "failed", subject, id, code, message: String(error) });
+}
+
+async function answered(request: FitRequest, signal: AbortSignal): Promise<void> {
+  try {
+    await ready;
+    await work(request, signal);
+  } catch (error) {
+    refuse(request, error);
+  }
+}
+
 onmessage = (event: MessageEvent<FitRequest>) => {
   under.abort();
   under = new AbortController();
   const { signal } = under;
-  last = last.then(() => work(event.data, signal));
+  last = last.then(() => answered(event.data, signal));
 };

@@ -45,6 +45,12 @@ export function createTraceClient(start: () => Worker, handlers: TraceHandlers, 
   return new Client(start, handlers, clock);
 }
 
+/** A picture that nobody will see gives its pixels back at once. */
+function discard({ source, edges }: PictureAnswer): void {
+  source.close();
+  edges.close();
+}
+
 /** A worker has this long to say that it has stopped, in milliseconds. */
 const patience = 300;
 
@@ -130,6 +136,7 @@ class Client implements TraceClient {
     const isLast = answer.kind !== "progress" && answer.kind !== "picture";
     if (running?.id !== answer.id) {
       if (isLast) this.#leaving.heard(answer.id);
+      if (answer.kind === "picture") discard(answer);
       return;
     }
     if (isLast) this.#running = null;
