@@ -3,7 +3,7 @@
 use super::Vector;
 use super::plane::{cross, norm, square};
 
-/// A circle; a radius below zero means none yet.
+/// A circle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circle {
     /// Its centre.

@@ -33,7 +33,7 @@ fn rows(axis: &Axis, i: usize, count: usize) -> Range<usize> {
     start..start + (to - from + 1) as usize
 }
 
-/// The smallest range that holds both.
+/// A range that holds both; where one of them runs across the seam it may be longer than need be.
 fn joined(a: Range<usize>, b: &Range<usize>, count: usize) -> Range<usize> {
     let (start, end) = (a.start.min(b.start), a.end.max(b.end));
     if end - start >= count { 0..count } else { start..end }

@@ -26,7 +26,7 @@ impl HermiteCurve {
     ///
     /// # Accuracy
     ///
-    /// The deviation is the largest distance between old and new segments, measured both ways at 96 places each;
+    /// The deviation is the largest distance between old and new segments, measured both ways at up to 97 places each;
     /// at an end of an open curve, how far the segment taken away reaches from the one beside it.
     ///
     /// # Errors
