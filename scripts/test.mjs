@@ -24,27 +24,37 @@ const FILES = ["js", "package", "www", "demo"];
 
 const total = { passed: 0, failed: 0, failedSteps: [] };
 
+/** A check as a whole that came to nothing. */
+function failed(name, error) {
+  if (!(error instanceof StepError)) throw error;
+  total.failed += 1;
+  total.failedSteps.push(name);
+  console.log(error.output.split("\n").slice(-60).join("\n"));
+  console.log(`✗ ${error.message}`);
+}
+
 /** A check that passes or fails as a whole and counts as one. */
 async function check(name, action) {
   try {
     await step(name, {}, action);
     total.passed += 1;
   } catch (error) {
-    if (!(error instanceof StepError)) throw error;
-    total.failed += 1;
-    total.failedSteps.push(name);
-    console.log(error.output.split("\n").slice(-60).join("\n"));
-    console.log(`✗ ${error.message}`);
+    failed(name, error);
   }
 }
 
-/** A suite of tests with counts of its own. */
+/** A suite of tests with counts of its own; one that cannot be built or started is one that failed, and so is one without tests. */
 async function suite(name, action) {
   let result;
-  await step(name, {}, async () => {
-    result = await action();
-    return `${result.passed} passed, ${result.failed} failed`;
-  });
+  try {
+    await step(name, {}, async () => {
+      result = await action();
+      if (result.passed + result.failed === 0) throw new StepError("no test was run");
+      return `${result.passed} passed, ${result.failed} failed`;
+    });
+  } catch (error) {
+    return failed(name, error);
+  }
   for (const note of result.notes ?? []) console.log(`    ${note}`);
   total.passed += result.passed;
   total.failed += result.failed;

@@ -75,8 +75,8 @@ async function buildDecoder() {
 /** The bindings of a kind, and its wasm as text. */
 async function bind(kind) {
   const { name, file, bytes, inline } = kind;
-  const inputs = [raw(kind), "target/xtask/xtask", "package.json", "scripts/snip.mjs", "scripts/inline-wasm.mjs", "scripts/split-wasm.mjs", "scripts/wasm.mjs", "scripts/kinds.mjs"];
-  const outputs = [`${file}.d.ts`, `${file}_bg.wasm`, `${bytes}.js`, "version.js"].map((f) => `${BINDINGS}/${f}`);
+  const inputs = [raw(kind), "target/xtask/xtask", "scripts/snip.mjs", "scripts/inline-wasm.mjs", "scripts/split-wasm.mjs", "scripts/wasm.mjs", "scripts/kinds.mjs"];
+  const outputs = [`${file}.d.ts`, `${file}_bg.wasm`, `${bytes}.js`].map((f) => `${BINDINGS}/${f}`);
   await step(`bindings, ${name}`, { inputs, outputs, alone: false }, async () => {
     const flags = ["--target", "web", "--omit-default-module-path", "--remove-producers-section", "--out-name", file, "--out-dir", at(BOUND)];
     await run(at("target/xtask/xtask"), ["bindgen", at(raw(kind)), ...flags]);
@@ -92,14 +92,23 @@ async function bind(kind) {
     writeFileSync(at(BINDINGS, `${bytes}.json`), JSON.stringify(text));
     writeFileSync(at(BINDINGS, `${bytes}.js`), code);
     writeFileSync(at(BINDINGS, `${bytes}.d.ts`), declarations);
+  });
+}
+
+/** The version of the package, as a module. */
+async function writeVersion() {
+  const outputs = ["version.js", "version.d.ts"].map((f) => `${BINDINGS}/${f}`);
+  await step("version", { inputs: ["package.json"], outputs }, async () => {
     const { version } = JSON.parse(readFileSync(at("package.json"), "utf8"));
+    mkdirSync(at(BINDINGS), { recursive: true });
     writeFileSync(at(BINDINGS, "version.js"), `export const version = ${JSON.stringify(version)};\n`);
     writeFileSync(at(BINDINGS, "version.d.ts"), "/** The version of the package. */\nexport declare const version: string;\n");
   });
 }
 
-/** The bindings of every kind, and the decoder of their text. */
+/** The bindings of every kind, the decoder of their text, and the version. */
 export async function buildBindings() {
   await sideBySide(KINDS, bind);
   await buildDecoder();
+  await writeVersion();
 }

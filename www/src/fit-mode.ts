@@ -10,6 +10,7 @@ import { fitSampleCards, mountEmptyFit } from "./panels/fit/empty-fit.ts";
 import { fitMetrics } from "./panels/fit/fit-metrics.ts";
 import { fitProgram } from "./panels/fit/fit-program.ts";
 import { fitPanel } from "./panels/fit/fit-panel.ts";
+import { mountFitProgress } from "./panels/fit/fit-progress.ts";
 import { createFitPainter } from "./render/fit/fit-painter.ts";
 import { createKnotProxies } from "./render/fit/knot-proxies.ts";
 import { createFitTool } from "./tools/fit/fit-tool.ts";
@@ -36,6 +37,7 @@ export function mountFitMode({ editor, frame, stage, surface, proxies, panels, c
   createKnotProxies(editor, frame, surface, proxies, until);
   panels.addMode("fit", { panel: fitPanel(panels.shell), metrics: fitMetrics });
   mountEmptyFit(panels.shell);
+  mountFitProgress(panels.shell);
   contract.fit = {
     sample: (count, stroke) => (editor.state.value.fitRun.outcome === null ? null : sampleFit(editor.state.value.fitRun.outcome, count, stroke)),
     result() {

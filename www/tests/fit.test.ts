@@ -4,7 +4,9 @@ import { emptyFit, fitDefaults, isJoined, strokesOf, withoutDisc, withStroke, ty
 import { fitSample, fitSamples, samplePoints } from "../src/document/fit/fit-samples.ts";
 import { readState, writeState, parseState } from "../src/document/file/file.ts";
 import { bringStrokes } from "../src/editor/fit/bring.ts";
-import { chooseFitTool, clearFit, eraseAt, openFitSample, setNoise, setSmoothing, setTarget } from "../src/editor/fit/fit-edits.ts";
+import { toggleFitOverlay } from "../src/editor/fit/fit-actions.ts";
+import { chooseFitTool, clearFit, eraseAt, openFitSample, setModel, setNoise, setSmoothing, setTarget, setTargetValue } from "../src/editor/fit/fit-edits.ts";
+import { mostDifferent, sameSubject, subjectOf } from "../src/editor/fit/fit-question.ts";
 import { createFitRunner } from "../src/editor/fit/fit-runner.ts";
 import { createFitClient, type FitClient } from "../src/kernel/fit/fit-client.ts";
 import type { FitAnswer, FitRequest, FitSubject } from "../src/kernel/fit/job.ts";
@@ -174,7 +176,7 @@ class Puppet extends EventTarget {
 }
 
 const what = (seed: number): FitSubject => ({ strokes: [{ points: Float64Array.of(seed, 0, 1, 1), closed: false }], degree: 3, mix: 0.5, corners: true });
-const nothing = { fitted: () => undefined, stopped: () => undefined, failed: () => undefined, chart: () => undefined, restarted: () => undefined };
+const nothing = { progress: () => undefined, fitted: () => undefined, stopped: () => undefined, failed: () => undefined, chart: () => undefined, restarted: () => undefined };
 
 function client(handlers: Partial<Parameters<typeof createFitClient>[1]> = {}): { client: FitClient; workers: Puppet[] } {
   const workers: Puppet[] = [];
@@ -304,4 +306,65 @@ test("a target is asked for by its own name, and moving the slider lets go of it
   setSmoothing(made.editor, 70);
   assert.equal(fitOf(made).target, "off");
   assert.equal(asked.at(-1)?.by, "smoothing");
+});
+
+test("corners that are not to be kept are none: what smooth pieces alone make", () => {
+  const fit = { ...fitDefaults, data: [[0, 0], [9, 0], [9, 9], [0, 9]] } satisfies FitDocument;
+  const degree = (change: Partial<FitDocument>): unknown => subjectOf({ ...fit, ...change }, false)?.degree;
+  assert.deepEqual(degree({}), [1, 3]);
+  assert.equal(degree({ corners: false }), 3);
+  assert.deepEqual(degree({ corners: false, target: "error" }), [1, 3], "there the fit itself leaves them out");
+  assert.equal(degree({ model: "linear", corners: false }), 1);
+  assert.equal(sameSubject({ ...fit, corners: false }, { ...fit, corners: false, target: "error" }), false);
+});
+
+test("too few points are counted within a stroke", () => {
+  const fit = { ...fitDefaults, data: [[0, 0], [1, 0], [2, 0], [5, 5]], starts: [3] } satisfies FitDocument;
+  assert.equal(subjectOf(fit, false), null);
+  assert.equal(mostDifferent(fit), 3);
+});
+
+test("a fit that is stopped leaves the curve before, and the settings that it was made with", async () => {
+  const made = hand();
+  const { editor } = made;
+  const workers: Puppet[] = [];
+  const start = (): Worker => {
+    workers.push(new Puppet());
+    return workers.at(-1) as unknown as Worker;
+  };
+  const runner = createFitRunner(editor, (handlers) => createFitClient(start, handlers), () => 0, new AbortController().signal);
+  const data = [[0, 0], [9, 0], [9, 9], [0, 9]] as const;
+  editor.fitEdits.amend(() => ({ fit: { ...fitDefaults, data } }));
+  const [worker] = workers;
+  assert.ok(worker !== undefined);
+  worker.answer({ kind: "fitted", subject: 1, id: 1, fits: [], ms: 1 });
+  setTarget(editor, "knots");
+  setTargetValue(editor, 300.7);
+  assert.equal(editor.state.value.fit.targetKnots, 300, "at most");
+  const said: string[] = [];
+  editor.notices.subscribe((notice) => notice?.kind === "toast" && said.push(notice.text));
+  worker.answer({ kind: "progress", subject: 1, id: worker.ids.at(-1) ?? 0, value: 0.25 });
+  runner.cancel();
+  worker.answer({ kind: "stopped", subject: 1, id: worker.ids.at(-1) ?? 0 });
+  await runner.idle();
+  assert.deepEqual([said, editor.state.value.fit.target, editor.state.value.fitRun.since], [["Cancelled"], "off", null]);
+  assert.equal(worker.asked.at(-1)?.kind, "stop", "nothing is asked anew");
+});
+
+test("the parts of a curve are asked for when they are to be seen, and only where there are two", () => {
+  const made = hand();
+  const { editor } = made;
+  const puppet = new Puppet();
+  createFitRunner(editor, (handlers) => createFitClient(() => puppet as unknown as Worker, handlers), () => 0, new AbortController().signal);
+  const data = [[0, 0], [9, 0], [9, 9], [0, 9]] as const;
+  const parts = (): unknown[] => puppet.asked.flatMap((request) => (request.kind === "subject" ? [request.what.parts] : []));
+  editor.fitEdits.amend(() => ({ fit: { ...fitDefaults, data } }));
+  puppet.answer({ kind: "fitted", subject: 1, id: 1, fits: [], ms: 1 });
+  toggleFitOverlay(editor, "heat");
+  assert.deepEqual(parts(), [false]);
+  toggleFitOverlay(editor, "parts");
+  assert.deepEqual(parts(), [false, true]);
+  puppet.answer({ kind: "fitted", subject: 2, id: 2, fits: [], ms: 1 });
+  setModel(editor, "cubic");
+  assert.deepEqual(parts(), [false, true, false]);
 });

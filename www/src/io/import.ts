@@ -129,7 +129,7 @@ function readPoints(text: string, space: Space): Imported {
     if (x === undefined || y === undefined || rest.length > 0 || !(Math.abs(x) <= 1e9 && Math.abs(y) <= 1e9)) throw new Problem("points-rows", { line: i + 1 });
     const last = points.at(-1);
     if (last === undefined || last[0] !== x || last[1] !== y) points.push([x, y]);
-    if (points.length > mostPoints) throw new Problem("svg-big", { field: "points", most: mostPoints });
+    if (points.length > mostPoints) throw new Problem("points-big", { most: mostPoints });
   });
   const [first, last] = [points[0], points.at(-1)];
   // A last row that repeats the first closes the curve.

@@ -129,7 +129,7 @@ function sample(id: string, title: string, note: string, settings: Partial<FitDo
 }
 
 export const fitSamples: readonly FitSample[] = [
-  sample("fit-star", "Noisy star", "Drag Smoothing: knots go, the ten corners stay.", { noise: 1.5, seed: 5, closing: "closed" },
+  sample("fit-star", "Noisy star", "Drag Smoothing: the knots go, the corners stay longest.", { noise: 1.5, seed: 5, closing: "closed" },
     () => [alongPolygon(starCorners(center, 5, 180, 75), 300)]),
   sample("fit-circle", "Noisy circle", "Two hundred points; smooth knots only, and few of them.", { noise: 2, seed: 2, closing: "closed", model: "cubic" },
     () => [circle(160, 200)]),

@@ -2,6 +2,7 @@ import type { FitDocument } from "../../document/fit/fit.ts";
 import { smoothingLike, type ChartPoint, type FitOutcome } from "../../kernel/fit/outcome.ts";
 import type { Editor } from "../editor.ts";
 import { showSmoothing } from "./fit-edits.ts";
+import { mostDifferent } from "./fit-question.ts";
 import { noFitRun, type FitFailure, type FitRun } from "./fit-state.ts";
 
 /** Puts what the fitter answers into the state. */
@@ -36,16 +37,15 @@ function followTarget(editor: Editor): void {
 }
 
 /** No stroke has enough points; with none at all there is nothing to complain of. */
-export function showTooFew(editor: Editor, { data }: FitDocument): void {
-  const count = new Set(data.map(String)).size;
-  editor.patch({ fitRun: { ...noFitRun, failure: data.length === 0 ? null : { id: "points-few", details: { count } } } });
+export function showTooFew(editor: Editor, fit: FitDocument): void {
+  editor.patch({ fitRun: { ...noFitRun, failure: fit.data.length === 0 ? null : { id: "points-few", details: { count: mostDifferent(fit) } } } });
 }
 
 export function showFailure(editor: Editor, code: string, message: string): void {
   setFitRun(editor, { since: null, outcome: null, failure: failureOf(editor.state.value.fit, code, message) });
 }
 
-function failureOf({ data }: FitDocument, code: string, message: string): FitFailure {
-  if (code === "E_TOO_FEW_POINTS" || code === "E_DEGENERATE") return { id: "points-few", details: { count: data.length } };
+function failureOf(fit: FitDocument, code: string, message: string): FitFailure {
+  if (code === "E_TOO_FEW_POINTS" || code === "E_DEGENERATE") return { id: "points-few", details: { count: mostDifferent(fit) } };
   return { id: "engine", details: { code: code === "" ? message.slice(0, 60) : code } };
 }

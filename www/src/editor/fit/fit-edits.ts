@@ -65,7 +65,7 @@ export function setTarget(editor: Editor, target: FitTarget): void {
 }
 
 export function setTargetValue(editor: Editor, value: number): void {
-  change(editor, "Target", (fit) => (fit.target === "knots" ? { ...fit, targetKnots: Math.round(value) } : { ...fit, targetError: value }), "target");
+  change(editor, "Target", (fit) => (fit.target === "knots" ? { ...fit, targetKnots: Math.floor(value) } : { ...fit, targetError: value }), "target");
 }
 
 /** A sample's points with other noise. */

@@ -6,7 +6,7 @@ import { outcomeOf } from "../../kernel/fit/outcome.ts";
 import type { Editor } from "../editor.ts";
 import { setFitRun, showChartPoint, showFailure, showFit, showTooFew } from "./fit-answers.ts";
 import { opened, sampleZoom, showData } from "./fit-edits.ts";
-import { sameQuestion, sameSubject, strengthOf, subjectOf } from "./fit-question.ts";
+import { hasParts, sameQuestion, sameSubject, strengthOf, subjectOf } from "./fit-question.ts";
 
 /** Keeps the curve up to date with the document: asks for fits whenever it asks something else. */
 
@@ -21,7 +21,7 @@ export interface FitRunner {
 export function createFitRunner(editor: Editor, connect: (handlers: FitHandlers) => FitClient, now: () => number, until: AbortSignal): FitRunner {
   const runner = new Runner(editor, connect, now);
   editor.state.subscribe((state, before) => {
-    if (state.fit !== before.fit || state.mode !== before.mode || runner.owesFit) runner.update();
+    if (state.fit !== before.fit || state.mode !== before.mode || state.fitView.overlays !== before.fitView.overlays || runner.owesFit) runner.update();
   }, { until });
   runner.update();
   return runner;
@@ -34,15 +34,20 @@ class Runner implements FitRunner {
   /** The document that was asked for last, and what of it is fitted. */
   #asked: FitDocument | null = null;
   #subject: FitSubject | null = null;
+  /** The document whose fit is on the stage. */
+  #shown: FitDocument | null = null;
   /** The fit that is on the stage or under way is of a drag, and is to be done again from nothing. */
   #unsettled = false;
+  /** Somebody did not want to wait for the fit that is under way. */
+  #cancelled = false;
 
   constructor(editor: Editor, connect: (handlers: FitHandlers) => FitClient, now: () => number) {
     this.#editor = editor;
     this.#now = now;
     this.#client = connect({
       fitted: (fits, what, ms) => this.#fitted(fits, what, ms),
-      stopped: () => setFitRun(editor, { since: null }),
+      progress: (progress) => setFitRun(editor, { progress }),
+      stopped: () => this.#stopped(),
       failed: (code, message) => showFailure(editor, code, message),
       chart: (point) => this.#subject !== null && showChartPoint(editor, point),
       restarted: () => editor.notify({ kind: "error", id: "engine", text: "The engine that fits stopped and was started again. Your drawing is safe." }),
@@ -54,7 +59,9 @@ class Runner implements FitRunner {
   }
 
   cancel(): void {
+    this.#cancelled = this.#client.busy;
     this.#client.cancel();
+    if (this.#cancelled) this.#editor.notify({ kind: "toast", text: "Cancelled" });
   }
 
   /** A drag is over, and its fit has not been done again yet. */
@@ -66,13 +73,14 @@ class Runner implements FitRunner {
   update(): void {
     if (this.#editor.state.value.mode !== "fit") return;
     ensureFit(this.#editor);
-    const [before, { fit }] = [this.#asked, this.#editor.state.value];
-    if (before !== null && sameQuestion(before, fit) && !this.owesFit) return;
+    const [before, { fit, fitView }] = [this.#asked, this.#editor.state.value];
+    const parts = fitView.overlays.parts && hasParts(fit);
+    const sameParts = this.#subject === null || this.#subject.parts === parts;
+    if (before !== null && sameQuestion(before, fit) && sameParts && !this.owesFit) return;
     this.#asked = fit;
-    if (before === null || !sameSubject(before, fit)) {
-      this.#subject = subjectOf(fit);
-      setFitRun(this.#editor, { chart: [] });
-    }
+    const same = before !== null && sameSubject(before, fit);
+    if (!same || !sameParts) this.#subject = subjectOf(fit, parts);
+    if (!same) setFitRun(this.#editor, { chart: [] });
     if (this.#subject === null) this.#giveUp(fit);
     else this.#ask(this.#subject, fit);
   }
@@ -86,14 +94,26 @@ class Runner implements FitRunner {
   #ask(subject: FitSubject, fit: FitDocument): void {
     const live = this.#editor.fitEdits.inGesture;
     this.#unsettled = live;
-    setFitRun(this.#editor, { since: this.#editor.state.value.fitRun.since ?? this.#now(), failure: null });
+    setFitRun(this.#editor, { since: this.#editor.state.value.fitRun.since ?? this.#now(), progress: 0, failure: null });
+    this.#cancelled = false;
     this.#client.fit(subject, strengthOf(fit), live);
   }
 
   #fitted(fits: readonly PlainFit[], what: FitSubject, ms: number): void {
     if (what !== this.#subject) return;
+    this.#shown = this.#asked;
     showFit(this.#editor, outcomeOf(what.strokes, fits), ms, this.#client.busy);
     if (!this.#client.busy && !this.#unsettled) this.#fillChart();
+  }
+
+  /** The curve before stays, and so does what was asked for it: of the same points, the settings are those of the curve that is shown. */
+  #stopped(): void {
+    setFitRun(this.#editor, { since: null });
+    const [shown, { fit }] = [this.#shown, this.#editor.state.value];
+    if (!this.#cancelled || shown === null || shown.data !== fit.data) return;
+    this.#asked = shown;
+    this.#subject = subjectOf(shown, this.#subject?.parts ?? false);
+    this.#editor.fitEdits.amend(() => ({ fit: shown }));
   }
 
   #fillChart(): void {

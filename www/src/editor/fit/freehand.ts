@@ -28,6 +28,7 @@ export function createFreehand(editor: Editor, connect: (handlers: FitHandlers) 
   const waiting: { readonly subject: FitSubject; readonly tolerance: number }[] = [];
 
   const client = connect({
+    progress: () => undefined,
     fitted(fits) {
       const contours = fits.map(({ curve }) => contourOfFit(curve));
       const count = contours.reduce((sum, { points }) => sum + points.length, 0);

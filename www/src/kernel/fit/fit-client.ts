@@ -7,6 +7,8 @@ import type { FitAnswer, FitRequest, FitStrength, FitSubject, PlainFit } from ".
  */
 
 export interface FitHandlers {
+  /** How much of the fit that is under way is done, from 0 to 1. */
+  progress(value: number): void;
   fitted(fits: readonly PlainFit[], subject: FitSubject, ms: number): void;
   stopped(): void;
   failed(code: string, message: string): void;
@@ -83,6 +85,7 @@ export function createFitClient(start: () => Worker, handlers: FitHandlers): Fit
       return;
     }
     if (running === null || answer.id !== running.id) return;
+    if (answer.kind === "progress") return handlers.progress(answer.value);
     const done = running;
     running = null;
     if (answer.kind === "fitted") handlers.fitted(answer.fits, done.what, answer.ms);

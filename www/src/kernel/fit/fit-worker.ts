@@ -1,5 +1,5 @@
 /** The worker that fits: one subject at a time, the newest request first, and the chart while there is nothing else to do. */
-import init, { ExplineError, fitSparseAsync, initFit, SparseFitter, type SparseFit, type SparseFitOptions } from "expline/slim";
+import init, { ExplineError, fitSparseAsync, initFit, SparseFitter, type HermiteCurve, type SparseFit, type SparseFitOptions } from "expline/slim";
 import wasmUrl from "expline/expline_bg.wasm?url";
 import fitUrl from "expline/expline_fit_bg.wasm?url";
 import type { FitAnswer, FitRequest, FitStrength, FitSubject, PlainFit } from "./job.ts";
@@ -38,49 +38,81 @@ function liveFitters(): readonly SparseFitter[] {
   return fitters;
 }
 
-async function solve(strength: FitStrength, live: boolean, signal: AbortSignal): Promise<SparseFit[]> {
-  if (strength.by === "knots") return fewest(strength.knots, signal);
+/** Is told how much of a piece of work is done, from 0 to 1. */
+type Report = (share: number) => void;
+
+const nobody: Report = () => undefined;
+
+/** Digits that a solver gains until it is done; what is done to the knots afterwards has no measure. */
+const digits = 8;
+
+async function solve(strength: FitStrength, live: boolean, signal: AbortSignal, report: Report): Promise<SparseFit[]> {
+  if (strength.by === "knots") return fewest(strength.knots, signal, report);
   const asked = strength.by === "smoothing" ? { smoothing: strength.smoothing } : { tolerance: strength.tolerance };
   const fits: SparseFit[] = [];
   const warm = live ? liveFitters() : [];
   for (const [i, { points, closed }] of what.strokes.entries()) {
+    const onProgress = ({ gap }: { gap: number }): void => report((i + Math.min(1, Math.max(0, -Math.log10(gap) / digits))) / what.strokes.length);
     // From nothing, what stays depends on the values alone and not on the way to them.
-    const cold = (): Promise<SparseFit> => fitSparseAsync(points, { ...optionsOf(what, closed), ...asked, signal });
-    fits.push(await (warm[i]?.solveAsync({ ...asked, signal }) ?? cold()));
+    const cold = (): Promise<SparseFit> => fitSparseAsync(points, { ...optionsOf(what, closed), ...asked, signal, onProgress });
+    fits.push(await (warm[i]?.solveAsync({ ...asked, signal, onProgress }) ?? cold()));
   }
   return fits;
+}
+
+/** The straight and the smooth part of each stroke, before knots are joined to one curve; none where no smoothing was asked for. */
+async function partsOf(fits: readonly SparseFit[], signal: AbortSignal): Promise<readonly HermiteCurve[][]> {
+  const all: HermiteCurve[][] = [];
+  for (const [i, { points, closed }] of what.strokes.entries()) {
+    const smoothing = what.parts === true ? fits[i]?.smoothing : undefined;
+    const { parts } = smoothing === undefined ? { parts: [] } : await fitSparseAsync(points, { ...optionsOf(what, closed), smoothing, finish: "none", signal });
+    all.push(parts);
+  }
+  return all;
 }
 
 const knotsOf = (fits: readonly SparseFit[]): number => fits.reduce((sum, { knots }) => sum + new Set(knots.map(({ t }) => t)).size, 0);
 
 /** The least smoothing whose fit has at most so many knots; the strongest there is if none has. */
-async function fewest(most: number, signal: AbortSignal): Promise<SparseFit[]> {
+async function fewest(most: number, signal: AbortSignal, report: Report): Promise<SparseFit[]> {
   let [low, high] = [0, 1];
   let best: SparseFit[] | undefined;
   for (let i = 0; i < halvings; i += 1) {
     const middle = (low + high) / 2;
-    const fits = await solve({ by: "smoothing", smoothing: middle }, false, signal);
+    const fits = await solve({ by: "smoothing", smoothing: middle }, false, signal, (share) => report((i + share) / halvings));
     if (knotsOf(fits) <= most) [high, best] = [middle, fits];
     else low = middle;
   }
-  return best ?? solve({ by: "smoothing", smoothing: 1 }, false, signal);
+  return best ?? solve({ by: "smoothing", smoothing: 1 }, false, signal, nobody);
 }
 
-function plain({ curve, parts, knots, parameters, rms, maxError, lambda, smoothing, gap, status }: SparseFit): PlainFit {
+function plain({ curve, knots, parameters, rms, maxError, lambda, smoothing, gap, status }: SparseFit, parts: readonly HermiteCurve[]): PlainFit {
   const shown = { curve: curve.toJSON(), parts: parts.map((part) => part.toJSON()), knots, parameters, rms, maxError, lambda, gap, status };
   return smoothing === undefined ? shown : { ...shown, smoothing };
 }
 
+/** Says how far a fit has come, in whole percents that never go back. */
+function progressOf(id: number): Report {
+  let most = 0;
+  return (share) => {
+    const value = Math.floor(100 * share) / 100;
+    if (value <= most) return;
+    most = value;
+    answer({ kind: "progress", subject, id, value });
+  };
+}
+
 async function fit(request: Extract<FitRequest, { kind: "fit" }>, signal: AbortSignal): Promise<void> {
   const start = performance.now();
-  const fits = await solve(request.strength, request.live, signal);
-  answer({ kind: "fitted", subject, id: request.id, fits: fits.map(plain), ms: performance.now() - start });
+  const fits = await solve(request.strength, request.live, signal, progressOf(request.id));
+  const parts = await partsOf(fits, signal);
+  answer({ kind: "fitted", subject, id: request.id, fits: fits.map((each, i) => plain(each, parts[i] ?? [])), ms: performance.now() - start });
 }
 
 async function chart(at: readonly number[], signal: AbortSignal): Promise<void> {
   // From strong to weak: knots come one after the other, and each solve begins near its end.
   for (const smoothing of [...at].sort((a, b) => b - a)) {
-    const fits = await solve({ by: "smoothing", smoothing: smoothing / 100 }, true, signal);
+    const fits = await solve({ by: "smoothing", smoothing: smoothing / 100 }, true, signal, nobody);
     const sizes = what.strokes.map(({ points }) => points.length / 2);
     const squares = fits.reduce((sum, { rms }, i) => sum + rms ** 2 * (sizes[i] ?? 0), 0);
     answer({ kind: "chart", subject, smoothing, knots: knotsOf(fits), rms: Math.sqrt(squares / Math.max(1, sizes.reduce((sum, size) => sum + size, 0))) });

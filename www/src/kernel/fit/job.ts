@@ -16,6 +16,8 @@ export interface FitSubject {
   readonly mix: number;
   /** Whether there are corners; a number: the least angle in radians that they turn by. */
   readonly corners: boolean | number;
+  /** Whether the straight part and the smooth part are wanted by themselves, too. */
+  readonly parts?: boolean;
 }
 
 export type FitStrength =
@@ -52,6 +54,8 @@ export interface PlainFit {
 }
 
 export type FitAnswer =
+  /** How much of the work is done, from 0 to 1. */
+  | { readonly kind: "progress"; readonly subject: number; readonly id: number; readonly value: number }
   | { readonly kind: "fitted"; readonly subject: number; readonly id: number; readonly fits: readonly PlainFit[]; readonly ms: number }
   | { readonly kind: "stopped"; readonly subject: number; readonly id: number }
   | { readonly kind: "failed"; readonly subject: number; readonly id: number; readonly code: string; readonly message: string }

@@ -38,7 +38,8 @@ export const fitMetrics: ModeMetrics = [
     {
       testid: "m-gap",
       about: "Certified distance from the optimum, relative",
-      read: of(({ gap, smoothing }) => (smoothing === null ? null : { value: gap, lead: "gap", strong: formatDeviation(gap) })),
+      // Of points that are met to rounding nothing is left that could be certified.
+      read: of(({ gap, smoothing, rms, diagonal }) => (smoothing === null || rms < 1e-9 * diagonal ? null : { value: gap, lead: "gap", strong: formatDeviation(gap) })),
     },
     {
       testid: "m-lambda",

@@ -3,6 +3,7 @@ import { fitSample } from "../../document/fit/fit-samples.ts";
 import type { FitClosing, FitModel, FitTarget } from "../../document/fit/fit.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { chooseFitTool, describeData, setClosing, setCorners, setMix, setModel, setNoise, setSmoothing, setTarget, setTargetValue } from "../../editor/fit/fit-edits.ts";
+import { choosesCorners } from "../../editor/fit/fit-question.ts";
 import type { FitTool } from "../../editor/fit/fit-state.ts";
 import { h, setAttribute, setText } from "../controls/dom.ts";
 import { choiceField, numberField, selectField, sliderField, toggleField } from "../controls/fields.ts";
@@ -78,21 +79,29 @@ function smoothingSection(shell: Shell): Section & { readonly slider: HTMLElemen
     options: [["off", "Off"], ["knots", "Number of knots"], ["error", "Largest error"]],
     write: (value) => setTarget(editor, value), reset: () => setTarget(editor, "off"),
   });
-  const most = numberField({
-    label: "At most", testid: "fit-target-value", about: "Knots, or pixels of the largest error.",
-    least: 0.01, most: 1000, step: 1, format: (value) => String(Number(value.toFixed(2))),
-    write: (value) => value !== null && setTargetValue(editor, value),
-  });
+  const write = (value: number | null): void => {
+    if (value !== null) setTargetValue(editor, value);
+  };
+  const most = {
+    knots: numberField({ label: "At most", testid: "fit-target-value", about: "Knots: places where the curve changes.", least: 2, most: 1000, step: 1, format: String, write }),
+    error: numberField({
+      label: "At most", testid: "fit-target-value", about: "Pixels that a point may be away from the curve.",
+      least: 0.01, most: 1000, step: 1, format: (value) => String(Number(value.toFixed(2))), write,
+    }),
+  };
+  const value = h("div", { class: "fit-target-value" });
   return {
     slider: smoothing.element,
-    element: h("section", { class: "section", "aria-label": "Smoothing" }, smoothing.element, chart.element, target.element, most.element),
+    element: h("section", { class: "section", "aria-label": "Smoothing" }, smoothing.element, chart.element, target.element, value),
     update(state: EditorState) {
       const { fit } = state;
       smoothing.show(fit.data.length === 0 ? null : fit.smoothing);
       chart.update(state);
       target.show(fit.target);
-      most.element.hidden = fit.target === "off";
-      most.show(fit.target === "knots" ? fit.targetKnots : fit.targetError);
+      const field = fit.target === "off" ? null : most[fit.target];
+      if (value.firstChild !== (field?.element ?? null)) value.replaceChildren(...(field === null ? [] : [field.element]));
+      most.knots.show(fit.targetKnots);
+      most.error.show(fit.targetError);
     },
   };
 }
@@ -116,7 +125,7 @@ function modelSection(shell: Shell): Section {
   const corners = toggleField({
     label: "Keep corners",
     testid: "fit-corners",
-    about: "Sharp corners of the points stay as they are (C).",
+    about: "Sharp corners stay corners; without, the curve is smooth everywhere (C).",
     write: (on) => setCorners(editor, on),
   });
   const closing = choiceField<FitClosing>({
@@ -134,7 +143,7 @@ function modelSection(shell: Shell): Section {
       model.show(fit.model);
       mix.element.hidden = fit.model !== "hybrid";
       mix.show(fit.mix);
-      corners.show(fit.corners);
+      corners.show(choosesCorners(fit) ? fit.corners : null);
       closing.show(fit.closing);
       setAttribute(mix.input, "aria-label", "Mix, from straight to smooth");
     },

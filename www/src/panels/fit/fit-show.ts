@@ -1,6 +1,7 @@
 import type { EditorState } from "../../editor/editor.ts";
 import { toggleFitOverlay } from "../../editor/fit/fit-actions.ts";
 import { chooseKnots, setFitView } from "../../editor/fit/fit-edits.ts";
+import { hasParts } from "../../editor/fit/fit-question.ts";
 import type { Compare, FitOverlay } from "../../editor/fit/fit-state.ts";
 import type { KnotType } from "../../kernel/fit/knots.ts";
 import { h, setAttribute, setText } from "../controls/dom.ts";
@@ -32,26 +33,10 @@ export function readingSection(shell: Shell): Section {
     title: "Copy the curve to Curve mode, ready to edit.",
     click: () => editor.actions.run("fit-edit"),
   }, h("span", {}, "Edit in Curve"));
-  const cancel = h("button", {
-    class: "button",
-    type: "button",
-    testid: "fit-cancel",
-    title: "Stop the fit that is under way.",
-    click: () => editor.actions.run("fit-cancel"),
-  }, h("span", {}, "Cancel"));
-  const bar = h("div", { class: "fit-bar", testid: "progress", role: "progressbar", "aria-label": "Fitting", hidden: true });
-  const showBusy = (since: number | null): void => {
-    const waited = since === null ? 0 : performance.now() - since;
-    bar.hidden = waited < 150;
-    cancel.hidden = waited < 1000;
-    clearTimeout(timer);
-    if (since !== null) timer = setTimeout(() => showBusy(editor.state.value.fitRun.since), 100);
-  };
-  let timer: ReturnType<typeof setTimeout> | undefined;
   return {
     element: h("section", { class: "section", "aria-label": "Result" },
-      h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Knots"), bar), failure, reduction,
-      h("div", { class: "legend" }, ...legend.map(({ row }) => row)), errors, h("div", { class: "field-row fit-actions" }, edit, cancel)),
+      h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Knots")), failure, reduction,
+      h("div", { class: "legend" }, ...legend.map(({ row }) => row)), errors, h("div", { class: "field-row fit-actions" }, edit)),
     update({ fitRun }: EditorState) {
       const { outcome } = fitRun;
       for (const { type, show } of legend) show(outcome?.counts[type] ?? 0);
@@ -66,7 +51,6 @@ export function readingSection(shell: Shell): Section {
         : `The engine stopped (${fitRun.failure.details.code ?? "unknown"}). Your points are safe; change something to try again.`);
       setAttribute(failure, "data-testid", fitRun.failure === null ? null : "error");
       setAttribute(failure, "data-error", fitRun.failure?.id ?? null);
-      showBusy(fitRun.since);
     },
   };
 }
@@ -102,7 +86,7 @@ export function showSection(shell: Shell): Section {
       h("div", { class: "toggles" }, ...toggles.map(({ field }) => field.element)),
       ramp, compare.element, split.element, h("div", { class: "field-row fit-actions" }, hold)),
     update({ fitView, fitRun, fit }: EditorState) {
-      for (const { id, field } of toggles) field.show(id === "parts" && fit.model !== "hybrid" ? null : fitView.overlays[id]);
+      for (const { id, field } of toggles) field.show(id === "parts" && !hasParts(fit) ? null : fitView.overlays[id]);
       compare.show(fitView.compare);
       split.element.hidden = fitView.compare !== "split";
       split.show(Math.round(100 * fitView.split));

@@ -24,6 +24,7 @@ const farMessages: Readonly<Record<FarProblem, (d: ProblemDetails) => string>> =
   "d-big": () => "The path is too large to read here. Simplify it and try again.",
   "points-rows": (d) => `Line ${d.line ?? 1} is not two numbers. Write one point a line, as 120,80.`,
   "points-few": (d) => `A curve needs at least 2 different points; there are ${d.count ?? 0}.`,
+  "points-big": (d) => `The file has more than ${d.most ?? 0} points. Leave some out and try again.`,
   "json-version": (d) => `This file was made by a newer version (${d.version ?? "?"}). This page reads up to ${stateVersion}.`,
   "json-broken": (d) => `Not an expline file: ${d.field ?? "it is not JSON"}.`,
   "json-big": (d) => `The file is too large to open: ${d.field ?? "it"}.`,

@@ -2,14 +2,12 @@ import { traceLimits } from "../../document/trace/trace.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { setTrace } from "../../editor/trace/trace-edits.ts";
 import type { TraceFailure, TraceProgress } from "../../editor/trace/trace-state.ts";
-import { h, setAttribute, setText } from "../controls/dom.ts";
+import { h } from "../controls/dom.ts";
 import { icon } from "../controls/icons.ts";
+import { mountBusy } from "../mode/busy.ts";
 import type { Shell } from "../shell.ts";
 
 /** Over the stage: how far the tracer has come, with a way to stop it; or why there is nothing to see, with a way on. */
-
-/** What is done sooner needs no bar; what takes longer gets words and a way out. */
-const [barAfterMs, wordsAfterMs] = [150, 300];
 
 const names: Readonly<Record<TraceProgress["stage"], string>> = {
   decoding: "Decoding", edges: "Edges", contours: "Contours", corners: "Corners", splines: "Splines", refinement: "Refinement", layers: "Layers", measuring: "Measuring",
@@ -22,36 +20,14 @@ export function progressText({ stage, value, done, total }: TraceProgress): stri
 
 export function mountTraceProgress(shell: Shell): void {
   const { editor, regions, until } = shell;
-  const words = h("span", { class: "num" });
-  const fill = h("div", { class: "trace-fill" });
-  const cancel = h("button", { class: "small-button", type: "button", title: "Stop; the outlines before stay.", click: () => editor.actions.run("trace-cancel") },
-    "Cancel",
-  );
-  const bar = h("div", { class: "trace-progress", testid: "progress", role: "progressbar", "aria-label": "Tracing", "aria-valuemin": "0", "aria-valuemax": "100" },
-    fill,
-    words,
-  );
-  const box = h("div", { class: "trace-busy", hidden: true }, bar, cancel);
+  const busy = mountBusy(shell, { label: "Tracing", about: "Stop; the outlines before stay.", testid: "trace-stop", stop: () => editor.actions.run("trace-cancel") });
   const notice = h("div", { class: "trace-notice", hidden: true });
-  regions.stage.append(box, notice);
-  let timer: ReturnType<typeof setTimeout> | undefined;
+  regions.stage.append(notice);
   let said: TraceFailure | null = null;
 
   const show = ({ mode, traceRun }: EditorState): void => {
-    clearTimeout(timer);
     const { since, progress, failure } = traceRun;
-    const waited = since === null || mode !== "trace" ? 0 : performance.now() - since;
-    box.hidden = waited < barAfterMs;
-    const worded = waited >= wordsAfterMs;
-    words.hidden = cancel.hidden = !worded;
-    if (since !== null && mode === "trace" && !worded) timer = setTimeout(() => show(editor.state.value), 60);
-    if (progress !== null) {
-      const percent = Math.round(100 * progress.value);
-      setText(words, progressText(progress));
-      setAttribute(bar, "aria-valuenow", String(percent));
-      setAttribute(bar, "aria-valuetext", progressText(progress));
-      fill.style.transform = `scaleX(${progress.value.toFixed(3)})`;
-    }
+    busy.show(mode !== "trace" || since === null || progress === null ? null : { since, value: progress.value, text: progressText(progress) });
     const shown = mode === "trace" && since === null ? failure : null;
     if (shown === said) return;
     said = shown;
@@ -61,7 +37,6 @@ export function mountTraceProgress(shell: Shell): void {
   editor.state.subscribe((state, before) => {
     if (state.traceRun !== before.traceRun || state.mode !== before.mode) show(state);
   }, { until });
-  until.addEventListener("abort", () => clearTimeout(timer), { once: true });
   show(editor.state.value);
 }
 
