@@ -4,7 +4,10 @@ import { baseCount } from "../src/document/document.ts";
 import { affectedSegments, rootsOf } from "../src/document/curve/roots.ts";
 import { parseState, writeState } from "../src/document/file/file.ts";
 import { refineCurveHere, setFamily, setOrder } from "../src/editor/curve/family-edits.ts";
+import { insertAt, resample, reverse, setClosed, startHere } from "../src/editor/curve/contour-edits.ts";
 import { setLevel } from "../src/editor/curve/level-edits.ts";
+import { combOf, segmentPolygon } from "../src/kernel/curve/samples.ts";
+import { commandsOf } from "../src/kernel/paths/export.ts";
 import { Hand, largestDistance } from "./harness.ts";
 
 /** A point of the drawing as the only chosen one. */
@@ -107,4 +110,60 @@ test("refining a place of a Hermite contour is exact insertion around the chosen
   refineCurveHere(hand.editor);
   assert.equal(contourOf(hand).points.length, 10);
   assert.ok(largestDistance(hand.sample(640), before) < 1e-9);
+});
+
+test("a refined contour that is opened is drawn, dragged and brought down again as one that was opened first", () => {
+  const hand = new Hand("blob-16");
+  setLevel(hand.editor, 1);
+  setClosed(hand.editor, false);
+  const first = new Hand("blob-16");
+  setClosed(first.editor, false);
+  assert.ok(largestDistance(hand.sample(500), first.sample(500)) < 1e-12);
+  const { curve } = hand;
+  assert.ok(combOf(curve, contourOf(hand), 8));
+  assert.equal(segmentPolygon(curve, contourOf(hand), 0, 8).length, 18);
+  setLevel(hand.editor, 0);
+  assert.equal(contourOf(hand).points.length, 16);
+  assert.equal(contourOf(hand).grid, undefined);
+  setClosed(hand.editor, true);
+  assert.equal(contourOf(hand).points.length, 16);
+});
+
+test("turned round or begun elsewhere at a finer level a curve comes down as it is, and nothing is said to move", () => {
+  for (const [name, edit] of [["reverse", reverse], ["start here", startHere]] as const) {
+    for (const index of [1, 2, 5]) {
+      const hand = new Hand("blob-16");
+      setLevel(hand.editor, 1);
+      choose(hand, index);
+      const before = hand.sample(2000);
+      edit(hand.editor);
+      setLevel(hand.editor, 0);
+      assert.equal(hand.editor.state.value.sketch.proposal, null, `${name} ${index}`);
+      assert.equal(contourOf(hand).points.length, 16);
+      const after = hand.sample(20);
+      for (let i = 0; i < after.length; i += 2) {
+        let nearest = Infinity;
+        for (let k = 0; k < before.length; k += 2) nearest = Math.min(nearest, Math.hypot((after[i] ?? 0) - (before[k] ?? 0), (after[i + 1] ?? 0) - (before[k + 1] ?? 0)));
+        assert.ok(nearest < 1, `${name} ${index}: on the curve, as closely as 2000 points tell`);
+      }
+    }
+  }
+});
+
+test("a contour that came with many points gets one more and one fewer, and a point where it is asked for", () => {
+  const hand = new Hand("blob-16");
+  const points = Array.from({ length: 300 }, (_, i) => ({ x: i, y: 10 * Math.sin(i / 9), kind: "smooth", in: { dx: 0, dy: 0 }, out: { dx: 0, dy: 0 } }) as const);
+  const open = (): void => hand.editor.dispatch({ name: "Open", apply: (curve) => ({ ...curve, contours: [{ ...contourOf(hand), closed: false, points }] }) });
+  for (const count of [301, 299]) {
+    open();
+    resample(hand.editor, count);
+    assert.equal(contourOf(hand).points.length, count);
+  }
+  open();
+  insertAt(hand.editor, 0, 7.5);
+  assert.equal(contourOf(hand).points.length, 301);
+});
+
+test("commands are counted, not letters", () => {
+  assert.equal(commandsOf("M0 0l1 1 2-2.5.5 3h1 2zM1e-3 2A40 40 0 0 1 90 50 40 40 0 0 1 10 50"), 1 + 3 + 2 + 1 + 1 + 2);
 });

@@ -86,6 +86,9 @@ function selectHint(state: EditorState): string {
       return hover.hint;
     case "empty":
       if (curve.contours.length === 0) return "";
+      if (curve.contours[state.selection.points[0]?.contour ?? 0]?.family === "interpolating") {
+        return `Drag a point: only nearby segments follow. ${state.touch ? "Drag elsewhere to move the view, two fingers to zoom." : "Drag across empty space to select."}`;
+      }
       if (state.touch) return "Drag a point or a handle. Drag elsewhere to move the view, two fingers to zoom.";
       return state.selection.points.length > 0 ? "Drag a point. Alt-drag a handle to make a cusp." : "Drag a point or a handle. Drag across empty space to select.";
   }

@@ -79,12 +79,13 @@ export function mountLive(editor: Editor, live: HTMLElement, summary: HTMLElemen
   }, { until });
   editor.state.subscribe((state, before) => {
     if (state.curve === before.curve && state.surface === before.surface && state.fitRun === before.fitRun && state.traceRun === before.traceRun
-      && state.mode === before.mode) return;
+      && state.mode === before.mode && state.engine === before.engine) return;
+    if (state.engine.status !== "ready") return;
     clearTimeout(timer);
-    timer = setTimeout(summarise, settleMs);
+    // The first drawing is there as soon as it is shown.
+    timer = setTimeout(summarise, summary.textContent === "" ? 0 : settleMs);
   }, { until });
   until.addEventListener("abort", () => clearTimeout(timer), { once: true });
-  summarise();
 }
 
 function counted(count: number, one: string, many: string): string {

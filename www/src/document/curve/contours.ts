@@ -63,6 +63,7 @@ export function startedAt(contour: Contour, index: number): Contour {
   return {
     ...contour,
     points: rotated(contour.points, index),
+    ...(contour.grid === undefined ? {} : { grid: { ...contour.grid, offset: contour.grid.offset + ((index * contour.grid.step) % 1) } }),
     ...(contour.omega === undefined ? {} : { omega: rotated(contour.omega, index) }),
     ...(contour.lengths === undefined ? {} : { lengths: rotated(contour.lengths, index) }),
   };

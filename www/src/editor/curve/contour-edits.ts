@@ -3,6 +3,7 @@ import { withoutPoints } from "../../document/curve/contours.ts";
 import { baseCount, lengthOf, nothingSelected, segmentCount, type Contour, type PointRef, type Selection } from "../../document/document.ts";
 import { healed, inserted, resampled } from "../../kernel/curve/points/contours.ts";
 import { withoutPlaces } from "../../kernel/curve/fine-places.ts";
+import { closedRefined } from "../../kernel/curve/interpolating.ts";
 import { insertedInterpolating, removedInterpolating, resampledInterpolating } from "../../kernel/curve/points/interpolating.ts";
 import { largestMove } from "../../kernel/curve/samples.ts";
 import { activeContour, hasPlaces, isRefined, mostPoints, printed, refuse, say, unnoticed } from "./edits.ts";
@@ -10,12 +11,15 @@ import type { Editor } from "../editor.ts";
 
 /** Edits that change which points a contour has: one more, fewer, another number of them, another first one, the other way round, closed or open. */
 
+/** As many points as a file may bring. */
+const mostInserted = 100_000;
+
 /** Inserts a point at parameter `t` without changing the curve, and chooses it. */
 export function insertAt(editor: Editor, contour: number, t: number): void {
   const { curve } = editor.state.value;
   const before = curve.contours[contour];
   if (before === undefined) return;
-  if (before.points.length >= mostPoints) return refuse(editor, `A contour holds at most ${mostPoints} points here.`);
+  if (before.points.length >= mostInserted) return refuse(editor, `A contour holds at most ${mostInserted} points.`);
   if (isRefined(editor, before)) return;
   const isHermite = before.family === "hermite";
   const result: { contour: Contour; index: number; moved?: number } | null = isHermite ? inserted(curve, before, t) : insertedInterpolating(curve, before, t);
@@ -115,9 +119,12 @@ export function resample(editor: Editor, count: number, run?: string): void {
   const { curve } = editor.state.value;
   const index = activeContour(editor);
   const contour = curve.contours[index];
-  const isHermite = contour?.family === "hermite";
-  const points = Math.max(isHermite ? 2 : 3, Math.min(mostPoints, Math.round(count)));
-  if (contour === undefined || contour.points.length === points || contour.points.length < 2 || isRefined(editor, contour)) return;
+  if (contour === undefined) return;
+  const isHermite = contour.family === "hermite";
+  // A contour that came with more points than are set here still gets one more.
+  const most = Math.max(mostPoints, Math.min(mostInserted, contour.points.length + 1));
+  const points = Math.max(isHermite ? 2 : 3, Math.min(most, Math.round(count)));
+  if (contour.points.length === points || contour.points.length < 2 || isRefined(editor, contour)) return;
   const next = isHermite ? resampled(curve, contour, points) : resampledInterpolating(curve, contour, points);
   editor.dispatch({
     name: "Points",
@@ -135,7 +142,11 @@ export function setClosed(editor: Editor, closed: boolean): void {
   if (contour === undefined || hasPlaces(editor, contour)) return;
   if (!closed && contour.points.length < 3) return refuse(editor, "Opening drops the last segment; this contour has too few points for that.");
   if (closed && contour.points.length < 2) return refuse(editor, "A closed contour needs two points.");
-  editor.dispatch(closeContour(index, closed));
+  if (contour.grid === undefined) return editor.dispatch(closeContour(index, closed));
+  const { name } = closeContour(index, closed);
+  const { contour: next, moved } = closedRefined(editor.state.value.curve, contour, closed);
+  editor.dispatch({ name, apply: (document) => replaceContour(document, index, next), select: nothingSelected });
+  if (moved > unnoticed) say(editor, `What was edited on the finer points is gone: the curve moved by up to ${printed(moved)}.`);
 }
 
 export function duplicate(editor: Editor): void {

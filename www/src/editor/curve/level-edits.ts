@@ -28,6 +28,8 @@ export function setLevel(editor: Editor, level: number): void {
     return;
   }
   editor.dispatch({ name: `Level ${target}`, apply: () => next, select: nothingSelected, run: "level" });
+  // What was said of the points before need not be so of these.
+  editor.patch({ hint: "" });
 }
 
 /** Makes the change of level that is being shown. */

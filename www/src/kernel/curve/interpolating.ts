@@ -2,7 +2,9 @@ import { BSplineCurve, InterpolatingCurve } from "expline/slim";
 import { baseCount, noOffset, type Contour, type ControlPoint, type CurveDocument } from "../../document/document.ts";
 import { rootsOf, supportOf } from "../../document/curve/roots.ts";
 import type { Root } from "../../document/surface/surface.ts";
+import { withClosed } from "../../document/curve/contours.ts";
 import { curveOf } from "./curve-cache.ts";
+import { largestMove, within } from "./samples.ts";
 
 /** Interpolating contours: their levels, and the way to and from tangents. */
 
@@ -60,10 +62,17 @@ export function coarserInterpolating(document: CurveDocument, contour: Contour, 
     const { curve: coarse } = curve.reduce(Math.round(0.5 ** level / contour.grid.step));
     return supported(document, { ...contour, points: pointsOf(coarse.points), grid: { ...contour.grid, step: coarse.step, offset: coarse.offset + 0 } });
   }
-  const base = withoutGrid({ ...contour, points: pointsOf(curve.evaluate(placesOf(contour).t)) });
+  const base = withoutGrid({ ...contour, points: pointsOf(curve.evaluate(within(curve, placesOf(contour).t))) });
   // The roots that were written down for the grid go, if they are what the base would have by itself.
   const own = rootsOf(document, base);
   const same = contour.roots === undefined || contour.roots.every((root, i) => Math.hypot(root.re - (own[i]?.re ?? NaN), root.im - (own[i]?.im ?? NaN)) <= 1e-12);
   const next = supported(document, same || contour.roots === undefined ? base : { ...base, roots: contour.roots });
   return next;
+}
+
+/** A refined contour opened or closed: the grid of an open one ends elsewhere, so it is refined again. And how far the curve is without what was finer. */
+export function closedRefined(document: CurveDocument, contour: Contour, closed: boolean): { contour: Contour; moved: number } {
+  const base = coarserInterpolating(document, contour, 0);
+  const doublings = Math.round(-Math.log2(contour.grid?.step ?? 1));
+  return { contour: finerInterpolating(document, withClosed(document, base, closed), doublings), moved: largestMove(document, contour, base) };
 }

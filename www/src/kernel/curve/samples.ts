@@ -1,4 +1,4 @@
-import { BSplineCurve, HermiteCurve, InterpolatingCurve } from "expline/slim";
+import { BSplineCurve, HermiteCurve, InterpolatingCurve, type Curve } from "expline/slim";
 import { lengthOf, segmentCount, type Contour, type CurveDocument } from "../../document/document.ts";
 import { curveOf } from "./curve-cache.ts";
 
@@ -28,6 +28,11 @@ export function bezierPolygon(document: CurveDocument, contour: Contour): Float6
   return curve instanceof HermiteCurve ? curve.bezierPoints() : (curve?.points ?? nothing);
 }
 
+/** Parameters as far as an open curve has them: of a file its grid may end early, and the sum of lengths is rounded. */
+export function within({ closed, domain: [start, end] }: Curve, t: Float64Array): Float64Array {
+  return closed ? t : t.map((each) => Math.min(end, Math.max(start, each)));
+}
+
 /** One segment as a polygon of `count` sides; with the curve's own points at its ends. */
 export function segmentPolygon(document: CurveDocument, contour: Contour, segment: number, count: number): Float64Array {
   const curve = curveOf(document, contour);
@@ -35,10 +40,7 @@ export function segmentPolygon(document: CurveDocument, contour: Contour, segmen
   let start = 0;
   for (let before = 0; before < segment; before += 1) start += lengthOf(contour, before);
   const length = lengthOf(contour, segment);
-  const [, end] = curve.domain;
-  // The last parameter of an open contour is its end, whatever the sum of the lengths was rounded to.
-  const t = Float64Array.from({ length: count + 1 }, (_, i) => Math.min(end, start + (length * i) / count));
-  return curve.evaluate(t);
+  return curve.evaluate(within(curve, Float64Array.from({ length: count + 1 }, (_, i) => start + (length * i) / count)));
 }
 
 export interface Nearest {
@@ -106,22 +108,31 @@ export function combOf(document: CurveDocument, contour: Contour, perSegment: nu
   const curve = curveOf(document, contour);
   if (curve === null) return null;
   const segments = segmentCount(contour);
-  const t = new Float64Array(segments * perSegment);
+  const places = new Float64Array(segments * perSegment);
   let start = 0;
   for (let segment = 0; segment < segments; segment += 1) {
     const length = lengthOf(contour, segment);
     for (let i = 0; i < perSegment; i += 1) {
-      t[segment * perSegment + i] = start + length * (inset + (1 - 2 * inset) * (i / (perSegment - 1)));
+      places[segment * perSegment + i] = start + length * (inset + (1 - 2 * inset) * (i / (perSegment - 1)));
     }
     start += length;
   }
+  const t = within(curve, places);
   return { points: curve.evaluate(t), tangents: curve.evaluate(t, 1), curvature: curve.curvature(t) };
+}
+
+/** Points at uniform parameters, from 0 on where the curve is closed: the grid of a refined one may begin before or after that. */
+function fromZero(document: CurveDocument, contour: Contour, count: number): Float64Array {
+  const curve = curveOf(document, contour);
+  if (curve === null) return nothing;
+  const [start, end] = curve.domain;
+  return curve.closed && start !== 0 ? curve.evaluate(Float64Array.from({ length: count }, (_, i) => (i * (end - start)) / count)) : curve.sample(count);
 }
 
 /** The largest distance between two contours at `count` uniform parameters, each on its own scale. */
 export function largestMove(document: CurveDocument, before: Contour, after: Contour, count = 512): number {
-  const a = samplePoints(document, before, count);
-  const b = samplePoints(document, after, count);
+  const a = fromZero(document, before, count);
+  const b = fromZero(document, after, count);
   let worst = 0;
   for (let i = 0; i + 1 < Math.min(a.length, b.length); i += 2) {
     worst = Math.max(worst, Math.hypot((a[i] ?? 0) - (b[i] ?? 0), (a[i + 1] ?? 0) - (b[i + 1] ?? 0)));

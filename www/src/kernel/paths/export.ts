@@ -37,7 +37,20 @@ export function exportPath(document: CurveDocument, options: ExportOptions): Exp
     const share = Math.round((samplesInAll * (curve.points.length / 2)) / segments);
     deviation = Math.max(deviation, distanceBetween(curve, text, Math.min(4000, Math.max(leastSamples, share))));
   }
-  return { d, commands: d.match(/[a-df-z]/giu)?.length ?? 0, deviation };
+  return { d, commands: commandsOf(d), deviation };
+}
+
+/** How many numbers a command takes. */
+const numbersOf: Readonly<Record<string, number>> = { m: 2, l: 2, h: 1, v: 1, c: 6, s: 4, q: 4, t: 2, a: 7 };
+
+/** How many commands path data has: a letter that is the same as the one before may have been left out. */
+export function commandsOf(d: string): number {
+  let count = 0;
+  for (const [, letter = "", rest = ""] of d.matchAll(/([a-df-z])([^a-df-z]*)/giu)) {
+    const numbers = rest.match(/[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?/giu)?.length ?? 0;
+    count += Math.max(1, numbers / (numbersOf[letter.toLowerCase()] ?? 1));
+  }
+  return count;
 }
 
 /** Both ways: no piece of either is far from the other. */
