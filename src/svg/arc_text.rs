@@ -17,6 +17,8 @@ use crate::numerics::{Point, Vector};
 
 /// Chords this close to the diameter may be taken for it.
 const HALF_TURN_SLACK: f64 = 1e-13;
+/// So much more than a half turn counts as one: what is drawn is measured.
+const HALF_TURN_SUM: f64 = 1e-9;
 /// Digits are added to radii and rotation up to this many.
 const MOST_EXTRA_DIGITS: u32 = 7;
 
@@ -42,12 +44,13 @@ impl Span {
 
     /// The angle that it covers, if it lies on an ellipse.
     pub(super) fn sweep(self, curve: &HermiteCurve) -> f64 {
-        let mut sweep = 0.0;
-        for i in self.first..=self.last {
-            let (from, to) = self.part(i);
-            sweep += curve.segment(i).basis.frequency() * (to - from);
-        }
-        sweep
+        (self.first..=self.last).map(|i| self.sweep_of(curve, i)).sum()
+    }
+
+    /// The angle that its part of segment `i` covers.
+    fn sweep_of(self, curve: &HermiteCurve, i: usize) -> f64 {
+        let (from, to) = self.part(i);
+        curve.segment(i).basis.frequency() * (to - from)
     }
 
     /// Cut at the point of the curve next to its middle, or in the middle where there is none inside.
@@ -56,16 +59,16 @@ impl Span {
             let middle = 0.5 * (self.from + self.to);
             return [Self { to: middle, ..self }, Self { from: middle, ..self }];
         }
-        let half = 0.5 * self.sweep(curve);
-        let mut one = Self { last: self.first, to: 1.0, ..self };
-        while one.last + 1 < self.last {
-            let longer = Self { last: one.last + 1, ..one };
-            if one.sweep(curve) + longer.sweep(curve) > 2.0 * half {
+        let whole = self.sweep(curve);
+        let (mut last, mut sweep) = (self.first, self.sweep_of(curve, self.first));
+        while last + 1 < self.last {
+            let longer = sweep + self.sweep_of(curve, last + 1);
+            if sweep + longer > whole {
                 break;
             }
-            one = longer;
+            (last, sweep) = (last + 1, longer);
         }
-        [one, Self { first: one.last + 1, from: 0.0, ..self }]
+        [Self { last, to: 1.0, ..self }, Self { first: last + 1, from: 0.0, ..self }]
     }
 }
 
@@ -152,7 +155,8 @@ impl Shape {
             radii,
             degrees: rotation * (180.0 / PI),
             height: 2.0 * quarter * quarter,
-            large: sweep > PI,
+            // Of half a turn in very many parts the sum is a rounding more or less.
+            large: sweep > PI + HALF_TURN_SUM,
             positive: ellipse.sweep > 0.0,
         }
     }

@@ -5,7 +5,7 @@ mod beziers;
 
 use super::number;
 use super::text::{Grid, Placed, Text};
-use crate::curve::measures::tolerance::LEAST_TOLERANCE;
+use crate::curve::measures::tolerance::{LEAST_DIGITS, LEAST_TOLERANCE};
 use crate::curve::{Curve, HermiteCurve, Segment};
 use crate::error::{Error, Result};
 use crate::numerics::{Point, Vector};
@@ -27,7 +27,8 @@ const FAR: f64 = 1.0;
 /// How [`to_path_d`] writes.
 #[derive(Clone, Copy, Debug)]
 pub struct PrintOptions {
-    /// The largest distance between the curve and what the text draws; below 1e-9 of the extent it is raised to that.
+    /// The largest distance between the curve and what the text draws; below 1e-9 of the extent, or 1e-15 of the largest
+    /// coordinate, it is raised to that.
     pub tolerance: f64,
     /// Digits behind the point, up to 17; `None` for as many as the tolerance needs. With 17 every coordinate is read
     /// back to the last bit.
@@ -133,6 +134,8 @@ struct Printer<'a> {
     /// What is left of the tolerance for approximations.
     share: f64,
     straight: f64,
+    /// What a coordinate is off by its last place.
+    rounding: f64,
     elliptic: f64,
     deviation: f64,
     /// The last control point written, for `S`.
@@ -157,7 +160,8 @@ impl<'a> Printer<'a> {
             return out_of_range("decimals", f64::from(asked), 0.0, f64::from(EXACT_DECIMALS));
         }
         let (extent, largest) = size(curve);
-        let tolerance = tolerance.max(LEAST_TOLERANCE * extent).max(f64::MIN_POSITIVE);
+        let least = (LEAST_TOLERANCE * extent).max(LEAST_DIGITS * largest);
+        let tolerance = tolerance.max(least).max(f64::MIN_POSITIVE);
         let grid = match decimals {
             Some(EXACT_DECIMALS..) => Grid::EXACT,
             Some(decimals) => Grid::new(decimals, largest),
@@ -174,7 +178,8 @@ impl<'a> Printer<'a> {
             arcs,
             tolerance,
             share,
-            straight: STRAIGHT * extent.max(largest),
+            straight: (STRAIGHT * extent.max(largest)).min(0.25 * tolerance),
+            rounding: f64::EPSILON * extent.max(largest),
             elliptic: ELLIPTIC * extent,
             deviation: 0.0,
             control: None,
@@ -217,13 +222,15 @@ impl<'a> Printer<'a> {
             let chord = segment.end - segment.start;
             return segment.leaving * segment.length == chord && segment.arriving * segment.length == chord;
         }
-        segment.as_line(self.straight)
+        segment.bend() <= self.straight
     }
 
     /// A straight segment; the last one of a closed curve is what `Z` draws.
     fn line(&mut self, segment: &Segment<'_>, last: bool) {
         let end = self.grid.place(segment.end);
-        self.measured(displacement(self.text.current(), segment.start).max(displacement(end, segment.end)));
+        let ends = displacement(self.text.current(), segment.start).max(displacement(end, segment.end));
+        let bend = segment.bend();
+        self.measured(ends + if bend > self.rounding { bend } else { 0.0 });
         // Where nothing is written, a reader goes on mirroring the control point before.
         if !last && end != self.text.current() {
             self.text.line(end);
@@ -246,7 +253,8 @@ fn grid_for(tolerance: f64, largest: f64) -> Grid {
         decimals += 1;
     }
     let grid = Grid::new(decimals, largest);
-    if grid.decimals() == Some(decimals) { grid } else { Grid::EXACT }
+    let fine = HALF_DIAGONAL <= ROUNDING_SHARE * tolerance * number::power(decimals);
+    if fine && grid.decimals() == Some(decimals) { grid } else { Grid::EXACT }
 }
 
 /// Extent and largest coordinate of the points and their generalised Bézier points, in whose hull the curve lies; of nearly full turns,

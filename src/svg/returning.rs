@@ -16,7 +16,16 @@ pub(super) fn returning(p: f64, d: f64) -> f64 {
 #[inline(never)]
 pub(super) fn returning_both(p: f64, leaving: f64, q: f64, arriving: f64) -> Option<f64> {
     let good = &mut |c: f64| (c - p) * 2.0 == leaving && (q - c) * 2.0 == arriving;
-    around(p + 0.5 * leaving, 5, good).or_else(|| around(q - 0.5 * arriving, 5, good))
+    let (one, two) = (p + 0.5 * leaving, q - 0.5 * arriving);
+    // Near 0 there are many that one of the two allows, and few that both do: those between their bounds.
+    let (a, b) = (0.25 * last_place(leaving), 0.25 * last_place(arriving));
+    let both = 0.5 * ((one - a).max(two - b) + (one + a).min(two + b));
+    [one, two, both].into_iter().find_map(|near| around(near, 5, good))
+}
+
+/// From a double to the next one further from 0.
+fn last_place(value: f64) -> f64 {
+    (neighbour(value, 1) - value).abs()
 }
 
 /// The first good one of `count` doubles: `near` itself, then by turns the next further from 0 and the next towards it.

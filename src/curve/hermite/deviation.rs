@@ -6,6 +6,12 @@ use crate::numerics::Point;
 /// Places on every segment from which the distance is measured, and among which a foot point is looked for.
 const PLACES: usize = 97;
 
+/// Newton's steps to a foot point: beside a sharp bend it takes more than the three that are usual.
+const STEPS: usize = 8;
+
+/// Squares of distances by which places are told apart.
+const ALIKE: f64 = 1.0 + 1e-6;
+
 /// The larger of the two directed distances.
 pub(super) fn two_way_deviation(first: &[Segment], second: &[Segment]) -> f64 {
     deviation_of(first, second).max(deviation_of(second, first))
@@ -16,22 +22,33 @@ pub(super) fn two_way_deviation(first: &[Segment], second: &[Segment]) -> f64 {
 pub(super) fn deviation_of(from: &[Segment], to: &[Segment]) -> f64 {
     let mut largest = 0.0_f64;
     let (lattice, targets) = (places(to), places(from));
+    let lattice = &lattice[..to.len() * PLACES];
     for target in &targets[..from.len() * PLACES] {
-        let (mut best, mut least) = (0, f64::INFINITY);
-        for (k, point) in lattice[..to.len() * PLACES].iter().enumerate() {
-            let square = (point - target).norm_squared();
-            if square < least {
-                (best, least) = (k, square);
-            }
-        }
-        let (segment, mut x) = (&to[best / PLACES], place(best));
-        for _ in 0..4 {
-            x = segment.foot(*target, x);
-        }
-        let foot = (segment.position(x) - target).norm();
-        largest = largest.max(foot.min(least.sqrt()));
+        largest = largest.max(distance(*target, lattice, to));
     }
     largest
+}
+
+/// The distance of a point to one or two segments, from the foot next to each place of theirs that is nearer than those beside it.
+///
+/// The nearest place alone may be on another branch, which is farther. A joint is two places, as its foot may lie on either segment.
+fn distance(target: Point, lattice: &[Point], to: &[Segment]) -> f64 {
+    let square = |k: usize| lattice.get(k).map_or(f64::INFINITY, |point| (point - target).norm_squared());
+    let mut least = f64::INFINITY;
+    let (mut before, mut here) = (f64::INFINITY, square(0));
+    for k in 0..lattice.len() {
+        let after = square(k + 1);
+        // The two places of a joint are one but for rounding.
+        if here <= ALIKE * before && here <= ALIKE * after {
+            let (segment, mut x) = (&to[k / PLACES], place(k));
+            for _ in 0..STEPS {
+                x = segment.foot(target, x);
+            }
+            least = least.min(here.sqrt()).min((segment.position(x) - target).norm());
+        }
+        (before, here) = (here, after);
+    }
+    least
 }
 
 /// `PLACES` on each of one or two segments, its ends among them.

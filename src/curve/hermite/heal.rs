@@ -80,7 +80,8 @@ impl Healed {
         let [first, second] = old;
         let space = first.basis.space();
         let length = first.length + second.length;
-        let angle = first.basis.frequency() + second.basis.frequency();
+        // Of cubics the frequency means nothing, but is kept within what it may be.
+        let angle = first_omega * first.length + second_omega * second.length;
         let most = if space == Space::Trigonometric { TAU - POLE_MARGIN } else { LARGEST_FREQUENCY };
         let omega = if angle > most {
             PI / length

@@ -45,6 +45,11 @@ impl Segment<'_> {
     ///
     /// Proved, not sampled: the segment lies in the hull of its generalised Bézier points, and those are measured.
     pub fn as_line(&self, tolerance: f64) -> bool {
+        self.bend() <= tolerance
+    }
+
+    /// A bound of the distance from the segment to its chord.
+    pub(crate) fn bend(&self) -> f64 {
         let reach = self.basis.kappa() * self.length;
         let chord = self.end - self.start;
         let square = chord.norm_squared();
@@ -52,7 +57,7 @@ impl Segment<'_> {
             let along = if square > 0.0 { (offset.dot(&chord) / square).clamp(0.0, 1.0) } else { 0.0 };
             (offset - chord * along).norm()
         };
-        beside(self.leaving * reach) <= tolerance && beside(chord - self.arriving * reach) <= tolerance
+        beside(self.leaving * reach).max(beside(chord - self.arriving * reach))
     }
 
     /// The arc of an ellipse that the segment is, if it deviates from one by no more than `tolerance`.

@@ -3,7 +3,7 @@
 use crate::curve::piece::panels;
 use crate::curve::pieces::{Pieces, in_space};
 use crate::error::{Error, Result};
-use crate::numerics::plane::cross;
+use crate::numerics::plane::{cross, norm};
 use crate::numerics::quadrature::{EIGHT, Rule, TWENTY_FOUR, nodes};
 use crate::numerics::{Point, Vector};
 
@@ -12,8 +12,8 @@ pub(crate) fn area(curve: &dyn Pieces) -> Result<f64> {
 }
 
 pub(crate) fn centroid(curve: &dyn Pieces) -> Result<Point> {
-    let Swept { origin, twice, size, moment } = Swept::new(curve)?;
-    if twice.abs() <= 1e-14 * size {
+    let Swept { origin, twice, size, moment, rounding } = Swept::new(curve)?;
+    if twice.abs() <= 1e-14 * size + rounding {
         let reason = "the curve encloses no area";
         return Err(Error::degenerate("curve", None, reason));
     }
@@ -29,6 +29,8 @@ struct Swept {
     size: f64,
     /// ∮ r (r × dr).
     moment: Vector,
+    /// By how much `twice` is off as points are rounded to the digits of their coordinates.
+    rounding: f64,
 }
 
 impl Swept {
@@ -40,7 +42,7 @@ impl Swept {
             return Err(Error::degenerate("curve", None, "a curve in space encloses no area"));
         }
         let origin = curve.start(0);
-        let mut swept = Self { origin, twice: 0.0, size: 0.0, moment: Vector::zeros() };
+        let mut swept = Self { origin, twice: 0.0, size: 0.0, moment: Vector::zeros(), rounding: 0.0 };
         for i in 0..curve.piece_count() {
             let piece = curve.piece(i);
             panels(&piece, &mut |lo, hi| {
@@ -54,6 +56,8 @@ impl Swept {
                     swept.twice += sweep;
                     swept.size += sweep.abs();
                     swept.moment += r * sweep;
+                    let last_place = f64::EPSILON * jet.position.amax();
+                    swept.rounding += last_place * norm(jet.first) * weight * half;
                 });
             });
         }

@@ -25,6 +25,8 @@ const STACK: usize = 64;
 const START: [f64; 4] = [0.5, 0.25, 0.0, -0.25];
 /// Points that are placed before they are written.
 const BATCH: usize = 64;
+/// Where a cell is looked at: in the middle, where it is off most, and where it is when it is right there by chance.
+const LOOKS: [f64; 3] = [0.5, 0.3, 0.72];
 /// Cells of less than this share of a segment are taken as they are.
 const LEAST_WIDTH: f64 = 1e-14;
 /// The most cells of a piece. Towards a cusp they shrink by a factor each, so that a few hundred are many.
@@ -251,9 +253,9 @@ fn tabulate(piece: &Piece, tolerance: f64, share: f64, cells: &mut Vec<Cell>) {
         let length_to = |y: f64| piece_length(piece, lo, y, 0.25 * share);
         let (to, length) = (Node::new(piece, hi), length_to(hi));
         let mut cell = Cell::new(&from, &to, length);
-        let off = (length_to(cell.parameter(0.5 * length)) - 0.5 * length).abs();
         let dividable = hi - lo > LEAST_WIDTH && open < STACK && cells.len() < MOST_CELLS;
-        if off > tolerance && length > tolerance && dividable {
+        let off = |s: f64| (length_to(cell.parameter(s * length)) - s * length).abs() > tolerance;
+        if length > tolerance && dividable && LOOKS.into_iter().any(off) {
             ends[open] = 0.5 * (lo + hi);
             open += 1;
             continue;

@@ -7,9 +7,6 @@ use crate::curve::speed::LengthSum;
 use crate::error::{Error, Result};
 use crate::numerics::roots::bracketed_root;
 
-/// A length beyond the end by this share of the whole is a rounding of the whole.
-const ROUNDING: f64 = 1e-14;
-
 pub(crate) fn length(curve: &dyn Pieces, tolerance: f64) -> Result<f64> {
     check_tolerance(tolerance)?;
     let count = curve.piece_count();
@@ -47,7 +44,8 @@ pub(crate) fn parameter_at_length(curve: &dyn Pieces, length: f64, tolerance: f6
         }
         before += whole;
     }
-    if length > before && length <= before + tolerance.min(ROUNDING * before) {
+    // Of two lengths that are within the tolerance of the true one, either may be the larger.
+    if length > before && length <= before + 2.0 * tolerance {
         return Ok(curve.knot(count));
     }
     Err(Error::unfit("length", None, length, 0.0, before))

@@ -9,7 +9,7 @@ use crate::numerics::plane::larger;
 /// Tolerances below this share of the extent are raised to it.
 pub(crate) const LEAST_TOLERANCE: f64 = 1e-9;
 /// So are those below this share of the largest coordinate.
-const LEAST_DIGITS: f64 = 1e-15;
+pub(crate) const LEAST_DIGITS: f64 = 1e-15;
 
 /// An error where a tolerance is not a positive number.
 pub(super) fn check_tolerance(tolerance: f64) -> Result<()> {
