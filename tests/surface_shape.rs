@@ -10,7 +10,9 @@ use expline::numerics::Vector3;
 use expline::surface::{Direction, Grid, Region};
 use expline::{Error, TensorSurface};
 use support::curves::Random;
-use support::tolerance::{CURVATURES, CURVATURES_AT_POLES, NORMALS, NORMALS_AT_POLES};
+use support::tolerance::{
+    CURVATURES, CURVATURES_AT_POLES, CURVATURES_BESIDE_POLES, NORMALS, NORMALS_AT_POLES,
+};
 use support::unboxed;
 
 fn sphere() -> TensorSurface {
@@ -106,6 +108,141 @@ fn curvatures_of_sphere_and_torus_are_the_closed_forms() {
         assert!((got.gaussian - gaussian).abs() <= CURVATURES, "K at {v}");
         assert!((got.mean - mean).abs() <= CURVATURES, "H at {v}");
     }
+}
+
+/// K and H of the ellipsoid with these half axes at the angles a (round) and b (from the south pole), and the outer normal.
+fn of_ellipsoid(radii: [f64; 3], a: f64, b: f64) -> (f64, f64, Vector3) {
+    let [p, q, r] = radii;
+    let at = [a.cos() * b.sin(), a.sin() * b.sin(), -b.cos()];
+    let gradient = Vector3::new(at[0] / p, at[1] / q, at[2] / r);
+    let (h, volume) = (gradient.norm(), p * q * r);
+    let inside = (0..3).map(|k| radii[k] * radii[k] * (at[k] * at[k] - 1.0)).sum::<f64>();
+    let gaussian = 1.0 / (volume * h * h) / (volume * h * h);
+    (gaussian, 0.5 * inside / (volume * h) / (volume * h) / h, gradient / h)
+}
+
+/// The largest relative deviations of K and H from the closed forms, and that of normals, at a list of v.
+fn off_ellipsoid(radii: [f64; 3], [m, n]: [usize; 2], places: &[f64]) -> [f64; 3] {
+    let surface = TensorSurface::ellipsoid(Vector3::from(radii), [m, n]).expect("in the ranges");
+    let mut most = [0.0_f64; 3];
+    for k in 0..23 {
+        for &v in places {
+            let u = m as f64 * f64::from(k) / 23.0;
+            let (a, b) = (core::f64::consts::TAU * u / m as f64, core::f64::consts::PI * v / n as f64);
+            let (gaussian, mean, normal) = of_ellipsoid(radii, a, b);
+            let got = surface.curvature(u, v).expect("in the domain");
+            let got_normal = surface.normal(u, v).expect("in the domain").expect("there is one");
+            most[0] = most[0].max((got.gaussian / gaussian - 1.0).abs());
+            most[1] = most[1].max((got.mean / mean - 1.0).abs());
+            most[2] = most[2].max((got_normal - normal).norm());
+        }
+    }
+    most
+}
+
+#[test]
+fn curvatures_and_normals_of_what_is_thin_are_the_closed_forms() {
+    let places = [0.0, 0.4, 1.0, 1.7, 2.0, 2.9, 3.5, 4.0];
+    for thin in [1e-3, 3e-4, 1e-5, 1e-7, 1e-9] {
+        for radii in
+            [[1.0, thin, thin], [thin, 1.0, thin], [thin, thin, 1.0], [1.0, 1.0, thin], [1.0, thin, 1.0]]
+        {
+            for size in [1.0, 1e-6, 1e6] {
+                let radii = radii.map(|radius| size * radius);
+                let off = off_ellipsoid(radii, [8, 4], &places);
+                // A derivative's rounding, 1e-16 of the length, is this part of the thickness; curvatures feel its square.
+                assert!(off[0].max(off[1]) <= CURVATURES, "curvatures of {radii:?}: {off:?}");
+                assert!(off[2] <= NORMALS + 1e-15 / thin, "normals of {radii:?}: {off:?}");
+            }
+        }
+    }
+    let wire = TensorSurface::cylinder(1e-6, 1.0, [8, 2]).expect("in the ranges");
+    let mean = wire.curvature(0.3, 1.0).expect("in the domain").mean;
+    assert!((mean / -5e5 - 1.0).abs() <= CURVATURES, "H of a wire: {mean}");
+    for tube in [3e-6, 1e-6] {
+        let ring = TensorSurface::torus(1.0, tube, [8, 6]).expect("in the ranges");
+        let cos = (core::f64::consts::TAU / 6.0).cos();
+        let exact = cos / (tube * (1.0 + tube * cos));
+        let got = ring.curvature(0.3, 1.0).expect("closed").gaussian;
+        assert!((got / exact - 1.0).abs() <= 1e-15 / tube, "K of a ring: {got} for {exact}");
+    }
+}
+
+#[test]
+fn a_mesh_has_the_curvatures_of_what_is_thin() {
+    let surface = TensorSurface::ellipsoid(Vector3::new(1e5, 1.0, 1.0), [8, 4]).expect("in the ranges");
+    let grid = Grid { rows: 16, cols: 9 };
+    let mut got = vec![0.0; 2 * 16 * 9];
+    surface.mesh_curvatures_into(grid, &TensorSurface::whole(grid), &mut got).expect("within the limits");
+    for i in 0..16 {
+        for j in 0..9 {
+            let turn = core::f64::consts::TAU / 16.0;
+            let (gaussian, mean, _) = of_ellipsoid([1e5, 1.0, 1.0], turn * i as f64, turn * j as f64);
+            let [k, h] = [0, 16 * 9].map(|first| got[first + 9 * i + j]);
+            assert!((k / gaussian - 1.0).abs() <= 1e-10, "K at {i}, {j}: {k} for {gaussian}");
+            assert!((h / mean - 1.0).abs() <= 1e-10, "H at {i}, {j}: {h} for {mean}");
+        }
+    }
+}
+
+#[test]
+fn curvatures_at_a_pole_are_the_same_from_all_sides() {
+    for segments in [[3, 2], [5, 3], [8, 4], [64, 32]] {
+        let off = off_ellipsoid([1.0, 2.0, 3.0], segments, &[0.0, segments[1] as f64]);
+        assert!(off[0].max(off[1]) <= CURVATURES_AT_POLES, "{segments:?}: {off:?}");
+    }
+    // So many points: their rounding, over the square of the distance between two that are beside each other round the pole.
+    let off = off_ellipsoid([1.0; 3], [1024, 1024], &[0.0, 1024.0]);
+    assert!(off[0].max(off[1]) <= 1e-9, "1024 segments: {off:?}");
+    let sphere = sphere().refine(3, 2).expect("within the limits");
+    for u in [0.0, 0.3, 5.1] {
+        for v in [0.0, 4.0] {
+            let got = sphere.curvature(u, v).expect("in the domain");
+            assert!((got.gaussian - 0.25).abs() <= CURVATURES_AT_POLES, "K at {u}, {v}: {}", got.gaussian);
+            assert!((got.mean + 0.5).abs() <= CURVATURES_AT_POLES, "H at {u}, {v}: {}", got.mean);
+        }
+    }
+}
+
+#[test]
+fn poles_of_u_have_the_curvatures_of_poles_of_v() {
+    let surface = TensorSurface::ellipsoid(Vector3::new(1.0, 2.0, 3.0), [5, 3]).expect("in the ranges");
+    let [u, v] = surface.directions().map(Clone::clone);
+    let points = surface.net().as_chunks::<3>().0;
+    let turned = (0..v.count).flat_map(|j| (0..u.count).flat_map(move |i| points[i * v.count + j]));
+    let turned = TensorSurface::new(turned.collect(), v.clone(), u.clone()).expect("the net fits");
+    for t in [0.0, 1e-5, 1e-3, 1.3, 3.0 - 1e-5, 3.0] {
+        let (got, of) = (turned.curvature(t, 0.7), surface.curvature(0.7, t));
+        let (got, of) = (got.expect("in the domain"), of.expect("in the domain"));
+        // The normal points the other way.
+        assert!((got.gaussian / of.gaussian - 1.0).abs() <= CURVATURES_BESIDE_POLES, "K at {t}");
+        assert!((got.mean / of.mean + 1.0).abs() <= CURVATURES_BESIDE_POLES, "H at {t}");
+    }
+}
+
+#[test]
+fn curvatures_beside_a_pole_are_the_closed_forms() {
+    let near: Vec<f64> = (1..60).map(|k| 0.5_f64.powi(k)).chain([4.1e-4, 4.9e-4, 5.1e-4]).collect();
+    for segments in [[3, 2], [5, 3], [8, 4]] {
+        let end = segments[1] as f64;
+        let places: Vec<f64> = near.iter().flat_map(|d| [*d, end - d]).collect();
+        let off = off_ellipsoid([1.0, 2.0, 3.0], segments, &places);
+        assert!(off[0].max(off[1]) <= CURVATURES_BESIDE_POLES, "{segments:?}: {off:?}");
+    }
+}
+
+#[test]
+fn curvatures_inside_a_surface_that_degenerates_there_are_its_limits_or_0() {
+    // z = x² − y², all of whose lines of one direction meet at the origin: K = −4 there, H = 0.
+    let saddle = TensorSurface::hyperbolic_paraboloid([1.0; 3], [3, 4]).expect("in the ranges");
+    for v in [0.0, 0.7, 2.0, 4.0] {
+        let got = saddle.curvature(1.5, v).expect("in the domain");
+        assert!((got.gaussian + 4.0).abs() <= CURVATURES && got.mean.abs() <= CURVATURES, "{v}: {got:?}");
+    }
+    // A torus that touches itself has a cone's tip there: no limit.
+    let horn = TensorSurface::torus(1.0, 1.0, [8, 6]).expect("in the ranges");
+    let got = horn.curvature(0.3, 3.0).expect("closed");
+    assert_eq!((got.gaussian, got.mean), (0.0, 0.0), "no limit");
 }
 
 #[test]

@@ -379,11 +379,10 @@ impl TensorSurface {
                     continue;
                 }
                 let (u, v) = self.vertex(grid, region.rows.start + i, region.cols.start + j);
-                let size = self.extent_at(u, v);
-                if square > doubtful(size) {
+                if square > doubtful(self.extent_at(u, v)) {
                     continue;
                 }
-                let limit = self.normal_at(u, v, size, &mut scratch);
+                let limit = self.normal_at(u, v, &mut scratch);
                 without += usize::from(limit == Vector3::zeros());
                 normal.copy_from_slice(limit.as_slice());
             }
@@ -403,23 +402,29 @@ impl TensorSurface {
         if out.len() != needed {
             return Err(Error::wrong_length("out", out.len(), needed));
         }
-        let (size, mut scratch) = (self.extent(), Scratch::default());
+        let (most, mut scratch) = (self.most(), Scratch::default());
         let across = region.cols.len().max(1);
         let (gaussian, mean) = out.split_at_mut(needed / 2);
         let rows = gaussian.chunks_exact_mut(across).zip(mean.chunks_exact_mut(across));
+        let vertex = |i: usize, j: usize| self.vertex(grid, region.rows.start + i, region.cols.start + j);
+        let mut beside = with_room(region.cols.len())?;
+        beside.extend((0..region.cols.len()).map(|j| self.end_beside(false, vertex(0, j).1).is_some()));
         for (i, (gaussian, mean)) in rows.enumerate() {
             for layer in &mut layers {
                 layer.prepare(i);
             }
+            let row_beside = self.end_beside(true, vertex(i, 0).0).is_some();
             for (j, (gaussian, mean)) in gaussian.iter_mut().zip(mean).enumerate() {
                 let mut jet = Jet::default();
                 for layer in layers.iter().filter(|layer| layer.active) {
                     layer.add_jet(j, &mut jet);
                 }
-                let curvature = jet.curvature(size).unwrap_or_else(|| {
-                    let (u, v) = self.vertex(grid, region.rows.start + i, region.cols.start + j);
+                let curvature = if !row_beside && !beside[j] && jet.is_regular(&most) {
+                    jet.curvature()
+                } else {
+                    let (u, v) = vertex(i, j);
                     self.curvature_at(u, v, &mut scratch)
-                });
+                };
                 (*gaussian, *mean) = (curvature.gaussian, curvature.mean);
             }
         }

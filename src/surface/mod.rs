@@ -20,6 +20,7 @@
 
 mod axis;
 mod character;
+mod curvature;
 mod extent;
 mod layer;
 mod mesh;
@@ -33,6 +34,6 @@ mod tensor;
 mod touched;
 
 pub use axis::Direction;
+pub use curvature::Curvature;
 pub use mesh::{Grid, Region};
-pub use normal::Curvature;
 pub use tensor::TensorSurface;

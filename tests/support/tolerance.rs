@@ -82,8 +82,11 @@ pub(crate) const NORMALS_AT_POLES: f64 = 1e-7;
 /// Curvatures, relative: second derivatives over the square of first ones, which are small beside poles.
 pub(crate) const CURVATURES: f64 = 1e-11;
 
-/// Curvatures at poles, relative: extrapolated from places where first derivatives are a fortieth of the size.
-pub(crate) const CURVATURES_AT_POLES: f64 = 1e-10;
+/// Curvatures at poles, relative: fourth derivatives' rounding over the square of the first that are not 0.
+pub(crate) const CURVATURES_AT_POLES: f64 = 1e-12;
+
+/// Curvatures beside poles, relative: rounding over the square of the distance, 2⁻¹¹, where a cubic's error takes over.
+pub(crate) const CURVATURES_BESIDE_POLES: f64 = 3e-8;
 
 /// Refined surfaces, relative to their size.
 pub(crate) const REFINED: f64 = 1e-12;
