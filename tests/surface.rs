@@ -285,3 +285,43 @@ fn what_is_wrong_with_a_net_is_said_before_anything_is_made() {
     let huge = unboxed(surface.refine(12, 12)).map(|_| ());
     assert!(matches!(huge, Err(Error::LimitExceeded { argument: "levels", .. })), "{huge:?}");
 }
+
+#[test]
+fn roots_without_an_interpolator_are_refused_at_every_level() {
+    let root = |re: f64| Root { re, im: 0.0 };
+    let ellipse = Direction {
+        roots: Roots::ellipse(8).expect("a root list by intent"),
+        count: 8,
+        closed: true,
+        level: 1,
+    };
+    let mut one_sided = ellipse.clone();
+    one_sided.roots = Roots::new(&[root(0.0), root(0.0), root(1.0)], "roots").expect("conjugates are there");
+    let mut two = ellipse.clone();
+    two.roots = Roots::polynomials(1).expect("a root list by intent");
+    for level in [0, 1, 5] {
+        for list in [&mut one_sided, &mut two] {
+            list.level = level;
+            for (u, v, name) in [(&*list, &ellipse, "u.roots"), (&ellipse, &*list, "v.roots")] {
+                let refused = unboxed(TensorSurface::new(vec![0.5; 192], u.clone(), v.clone())).map(|_| ());
+                let named = match refused {
+                    Err(Error::Degenerate { argument, .. } | Error::TooFewPoints { argument, .. }) => {
+                        argument
+                    }
+                    _ => "nothing",
+                };
+                assert_eq!(named, name, "level {level}: {refused:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_torus_may_reach_as_far_as_coordinates_and_no_farther() {
+    assert!(TensorSurface::torus(6e8, 4e8, [8, 6]).is_ok(), "1e9 to the point");
+    let refused = unboxed(TensorSurface::torus(6e8, 6e8, [8, 6])).map(|_| ());
+    assert!(
+        matches!(refused, Err(Error::OutOfRange { argument: "tube", most, .. }) if most == 4e8),
+        "{refused:?}"
+    );
+}

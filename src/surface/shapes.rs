@@ -90,11 +90,11 @@ impl TensorSurface {
     ///
     /// # Errors
     ///
-    /// `NotFinite` and `OutOfRange` for `radius` and `tube`: positive, together at most 1e9; `OutOfRange` for `segments`: 3 at least.
+    /// `NotFinite` and `OutOfRange` for `radius` and `tube`: positive, together at most 1e9, of which `tube` is told what is left; `OutOfRange` for `segments`: 3 at least.
     pub fn torus(radius: f64, tube: f64, segments: [usize; 2]) -> Result<Self> {
         check_segments(segments, [3, 3])?;
         positive("radius", radius)?;
-        positive("tube", tube)?;
+        check("tube", None, tube, f64::MIN_POSITIVE, LARGEST_COORDINATE - radius)?;
         let [round, tubes] = segments;
         let u = closed(Roots::ellipse(round)?, round);
         let v = closed(Roots::ellipse(tubes)?, tubes);

@@ -43,8 +43,8 @@ impl TensorSurface {
         if points > MOST_SURFACE_POINTS {
             return Err(too_many("net", "maxSurfacePoints", MOST_SURFACE_POINTS, points));
         }
-        let u = Axis::new(u, ["u.count", "u.roots"])?;
-        let v = if u.direction == v { u.clone() } else { Axis::new(v, ["v.count", "v.roots"])? };
+        let u = Axis::given(u, ["u.count", "u.roots"])?;
+        let v = if u.direction == v { u.clone() } else { Axis::given(v, ["v.count", "v.roots"])? };
         if net.len() != 3 * points {
             return Err(Error::wrong_length("net", net.len(), 3 * points));
         }
