@@ -183,6 +183,26 @@ fn a_patch_point_changes_its_surroundings_only_and_a_coarse_point_takes_it_along
 }
 
 #[test]
+fn patches_pushed_one_after_the_other_are_those_that_were_added_and_one_that_is_refused_changes_nothing() {
+    let sphere = TensorSurface::sphere(1.0, [8, 4]).expect("in the ranges");
+    let (mut pushed, mut added) = (sphere.clone(), sphere);
+    let mut random = Random::new(8);
+    for k in 0..40 {
+        let [u, v] = [(1 + k % 3, random.below(8), 1 + random.below(3)), (1 + k % 2, random.below(4), 2)];
+        let displacements: Vec<f64> = (0..3 * u.2 * v.2).map(|_| random.symmetric()).collect();
+        added = added.add_patch(u, v, &displacements).expect("it fits");
+        pushed.push_patch(u, v, &displacements).expect("it fits");
+        let mut bad = displacements.clone();
+        bad[1] = f64::NAN;
+        let refused = unboxed(pushed.push_patch(u, v, &bad));
+        assert_eq!(refused, Err(Error::NotFinite { argument: "displacements", index: Some(1) }));
+        let refused = unboxed(pushed.push_patch(u, (2, 0, 99), &displacements));
+        assert!(matches!(refused, Err(Error::OutOfRange { argument: "v.count", .. })), "{refused:?}");
+        assert_eq!(pushed, added, "after patch {k}");
+    }
+}
+
+#[test]
 fn refinements_beyond_the_limits_are_refused() {
     let roots = Roots::polynomials(2).expect("a root list by intent");
     let direction = Direction { roots, count: 1000, closed: false, level: 0 };

@@ -26,10 +26,9 @@ impl TensorSurface {
         check("levels", None, f64::from(levels), 1.0, f64::from(MOST_LEVELS))?;
         let base = self.base();
         check_levels(base, [levels, levels])?;
-        let [mut fine_u, mut fine_v] = [base.u.clone(), base.v.clone()];
-        for _ in 0..levels {
-            (fine_u, fine_v) = (doubled(&fine_u)?, doubled(&fine_v)?);
-        }
+        let [level_u, level_v] = base.levels().map(|level| level + levels);
+        let (fine_u, fine_v) =
+            (self.finer(level_u, |layer| &layer.u)?, self.finer(level_v, |layer| &layer.v)?);
         let (Some(rows), Some(columns)) = (around(&fine_u, u, reach), around(&fine_v, v, reach)) else {
             return Err(Error::degenerate("reach", None, "no control point is within it"));
         };
@@ -115,21 +114,37 @@ impl TensorSurface {
         Ok(())
     }
 
-    /// Adds a patch with its displacements, as [`TensorSurface::patch_window`] and [`TensorSurface::displacements`] tell them.
+    /// The surface with one more patch and its displacements, as [`TensorSurface::patch_window`] and
+    /// [`TensorSurface::displacements`] tell them.
     ///
     /// # Errors
     ///
-    /// `OutOfRange` for `u.level`, `u.first`, `u.count` and those of `v`; `WrongLength`, `NotFinite` and `OutOfRange` for
-    /// `displacements`.
+    /// Those of [`TensorSurface::push_patch`].
     pub fn add_patch(
         &self,
         u: (u32, usize, usize),
         v: (u32, usize, usize),
         displacements: &[f64],
     ) -> Result<Self> {
+        let mut surface = self.clone();
+        surface.push_patch(u, v, displacements)?;
+        Ok(surface)
+    }
+
+    /// Adds a patch to the surface itself: the way to add many, each at the cost of its own points.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfRange` for `u.level`, `u.first`, `u.count` and those of `v`; `WrongLength`, `NotFinite` and `OutOfRange` for
+    /// `displacements`. The surface is as it was then.
+    pub fn push_patch(
+        &mut self,
+        u: (u32, usize, usize),
+        v: (u32, usize, usize),
+        displacements: &[f64],
+    ) -> Result<()> {
         let names = [["u.level", "u.first", "u.count"], ["v.level", "v.first", "v.count"]];
-        let Layer { u: base_u, v: base_v, .. } = self.base();
-        let ((u, rows), (v, columns)) = (window(base_u, u, names[0])?, window(base_v, v, names[1])?);
+        let (rows, columns) = (window(&self.base().u, u, names[0])?, window(&self.base().v, v, names[1])?);
         if displacements.len() != 3 * rows.count * columns.count {
             return Err(Error::wrong_length(
                 "displacements",
@@ -140,12 +155,24 @@ impl TensorSurface {
         for (i, &number) in displacements.iter().enumerate() {
             check("displacements", Some(i), number, -2.0 * LARGEST_COORDINATE, 2.0 * LARGEST_COORDINATE)?;
         }
-        let mut surface = self.with_patch(u, v, rows, columns)?;
-        if let Some(layer) = surface.layers.last_mut() {
-            layer.net.copy_from_slice(displacements);
-            settle(&mut layer.net);
+        let mut net = filled(0.0, displacements.len())?;
+        net.copy_from_slice(displacements);
+        settle(&mut net);
+        let (u, v) = (self.finer(u.0, |layer| &layer.u)?, self.finer(v.0, |layer| &layer.v)?);
+        self.layers.push(Layer { u, v, rows, columns, net });
+        Ok(())
+    }
+
+    /// The axis of a level that was checked: that of the last layer that has it, as patches are many and levels few.
+    fn finer(&self, level: u32, axis: fn(&Layer) -> &Axis) -> Result<Axis> {
+        if let Some(layer) = self.layers.iter().rev().find(|layer| axis(layer).direction.level == level) {
+            return Ok(axis(layer).clone());
         }
-        Ok(surface)
+        let mut fine = axis(self.base()).clone();
+        while fine.direction.level < level {
+            fine = doubled(&fine)?;
+        }
+        Ok(fine)
     }
 
     pub(super) fn patch(&self, patch: usize) -> Result<&Layer> {
@@ -155,23 +182,19 @@ impl TensorSurface {
     }
 }
 
-/// The axis that is finer by so many levels, and the window on it; `names` are what the caller knows the three numbers by.
+/// The window on the grid of a level; `names` are what the caller knows the three numbers by.
 fn window(
     base: &Axis,
     (level, first, count): (u32, usize, usize),
     [of_level, of_first, of_count]: [&'static str; 3],
-) -> Result<(Axis, Window)> {
+) -> Result<Window> {
     let least = base.direction.level;
     check(of_level, None, f64::from(level), f64::from(least.max(1)), f64::from(MOST_LEVELS))?;
     let points = grown(base, level - least);
     check(of_first, None, first as f64, 0.0, (points - 1) as f64)?;
     let room = if base.direction.closed { points } else { points - first };
     check(of_count, None, count as f64, 1.0, room as f64)?;
-    let mut fine = base.clone();
-    for _ in least..level {
-        fine = doubled(&fine)?;
-    }
-    Ok((fine, Window { first, count }))
+    Ok(Window { first, count })
 }
 
 /// The rows of an axis within `reach` of a parameter.

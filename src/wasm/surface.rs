@@ -60,7 +60,7 @@ fn read(numbers: &[f64], patch: &mut f64) -> Result<TensorSurface> {
         let part = |i: usize| window.get(i).map_or(0, |n| *n as usize);
         let [u, v] = [0, 3].map(|at| (part(at) as u32, part(at + 1), part(at + 2)));
         let displacements = take(u.2.saturating_mul(v.2).saturating_mul(3));
-        surface = surface.add_patch(u, v, displacements)?;
+        surface.push_patch(u, v, displacements)?;
     }
     Ok(surface)
 }
