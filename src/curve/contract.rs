@@ -230,7 +230,8 @@ pub trait Curve: Pieces {
     /// The same plane curve with points and tangents, and the deviation: 0 where its functions are those of a Hermite curve
     /// (roots 0 up to twice and one pair ±iω or ±k, or 0 up to four times), else that of cubics, which is proved.
     ///
-    /// The parameter stays, up to the deviation; it starts at 0.
+    /// The parameter stays, up to the deviation; it starts at 0. Where a tangent would be beyond ±1e9 or a segment shorter than
+    /// 1e-12 it runs slower, by a power of 2.
     ///
     /// # Errors
     ///

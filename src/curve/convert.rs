@@ -5,8 +5,11 @@ use super::measures::cubics::to_cubics;
 use super::pieces::{Pieces, hermite, in_space};
 use crate::error::{Error, Result};
 use crate::generator::{Roots, Space};
-use crate::limits::with_room;
+use crate::limits::{LARGEST_COORDINATE, LEAST_LENGTH, with_room};
 use crate::numerics::{Point, Vector};
+
+/// Tangents are below 2⁶⁵·1e9: six coordinates of 1e9 in the least step of 1e-12, cut into four million cubics.
+const MOST_DOUBLINGS: usize = 65;
 
 /// The space and the frequency of Hermite curves that hold everything these roots stand for.
 ///
@@ -51,7 +54,7 @@ fn exactly(curve: &dyn Pieces, space: Space, omega: f64) -> Result<HermiteCurve>
     let mut parts = Parts::new(curve, space, curve.piece_count())?;
     parts.data.omega = vec![omega];
     for i in 0..curve.piece_count() {
-        let length = curve.knot(i + 1) - curve.knot(i);
+        let length = curve.span(i);
         let [leaving, arriving] = curve.tangents(i);
         parts.push(curve.start(i), leaving / length, arriving / length, length);
     }
@@ -65,7 +68,7 @@ fn by_cubics(curve: &dyn Pieces, tolerance: f64) -> Result<(HermiteCurve, f64)> 
     let mut next = 0;
     for i in 0..curve.piece_count() {
         let until = cubics.first.get(i + 1).map_or(count, |&first| first as usize);
-        let length = (curve.knot(i + 1) - curve.knot(i)) / (until - next).max(1) as f64;
+        let length = curve.span(i) / (until - next).max(1) as f64;
         for cubic in cubics.path[8 * next..8 * until].chunks_exact(8) {
             let at = |k: usize| Point::new(cubic[2 * k], cubic[2 * k + 1]);
             let scale = 3.0 / length;
@@ -115,6 +118,27 @@ impl Parts {
             self.data.tangents.push(self.arriving);
             self.data.tangents_in.push(self.arriving);
         }
+        self.slow_down();
         HermiteCurve::new(self.data)
+    }
+
+    /// Makes the parameter run slower by a power of 2, which changes no bit of the shape, where Hermite curves cannot have so
+    /// large tangents or so short segments.
+    fn slow_down(&mut self) {
+        let data = &mut self.data;
+        let sides = data.tangents.iter().chain(&data.tangents_in);
+        let fastest = sides.fold(0.0, |most: f64, v| most.max(v.x.abs()).max(v.y.abs()));
+        let shortest = data.lengths.iter().fold(f64::INFINITY, |least: f64, &length| least.min(length));
+        let mut factor = 1.0;
+        for _ in 0..MOST_DOUBLINGS {
+            if fastest > LARGEST_COORDINATE * factor || shortest * factor < LEAST_LENGTH {
+                factor *= 2.0;
+            }
+        }
+        for tangent in data.tangents.iter_mut().chain(&mut data.tangents_in) {
+            *tangent /= factor;
+        }
+        data.omega.iter_mut().for_each(|omega| *omega /= factor);
+        data.lengths.iter_mut().for_each(|length| *length *= factor);
     }
 }

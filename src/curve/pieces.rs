@@ -25,6 +25,11 @@ pub trait Pieces {
     /// The parameter where piece i starts; that of the end for i = `piece_count`.
     fn knot(&self, i: usize) -> f64;
 
+    /// How much of the parameter piece i takes. Far from 0 the difference of its knots would be of their roundings.
+    fn span(&self, i: usize) -> f64 {
+        self.knot(i + 1) - self.knot(i)
+    }
+
     /// The coefficients of ascending powers of y = x − 1/2 on piece i, all coordinates of each in turn. Not for kinds
     /// whose pieces have another closed form.
     fn coefficients(&self, i: usize, out: &mut Vec<f64>);
@@ -50,10 +55,15 @@ pub trait Pieces {
         Piece::polynomial(&list(&|out| self.coefficients(i, out)))
     }
 
+    /// The point where piece i starts, or the end, to the last bit.
+    fn start_into(&self, i: usize, out: &mut [f64]) -> Result<()> {
+        self.values(&[self.knot(i)], 0, out)
+    }
+
     /// The point of a plane curve where piece i starts, or the end.
     fn start(&self, i: usize) -> Point {
         let mut point = Point::zeros();
-        match self.values(&[self.knot(i)], 0, point.as_mut_slice()) {
+        match self.start_into(i, point.as_mut_slice()) {
             Ok(()) => point,
             // A knot that is a rounding outside the domain.
             Err(_) => self.piece(i.min(self.piece_count() - 1)).position(if i == 0 { -0.5 } else { 0.5 }),
@@ -98,7 +108,7 @@ pub(super) fn space_piece(curve: &dyn Pieces, i: usize) -> SpacePiece {
 /// The point where piece i of a curve in space starts, to the last bit.
 pub(super) fn space_start(curve: &dyn Pieces, i: usize) -> Result<Triple> {
     let mut point = [0.0; 3];
-    curve.values(&[curve.knot(i)], 0, &mut point)?;
+    curve.start_into(i, &mut point)?;
     Ok(point)
 }
 
@@ -173,6 +183,15 @@ impl<G: Generator> Pieces for SplineCurve<G> {
 
     fn knot(&self, i: usize) -> f64 {
         self.lattice.knot(i)
+    }
+
+    fn span(&self, _: usize) -> f64 {
+        self.lattice.span()
+    }
+
+    fn start_into(&self, i: usize, out: &mut [f64]) -> Result<()> {
+        self.lattice.start_into(i, out);
+        Ok(())
     }
 
     fn coefficients(&self, i: usize, out: &mut Vec<f64>) {

@@ -135,6 +135,20 @@ impl Lattice {
         self.start + i as f64 * self.step / self.shape.per_cell as f64
     }
 
+    /// How much of the parameter a piece takes.
+    pub(in crate::curve) fn span(&self) -> f64 {
+        self.step / self.shape.per_cell as f64
+    }
+
+    /// The point where piece i starts, or the end. Its knot would not do: far from 0 that is rounded, by any share of a cell.
+    pub(in crate::curve) fn start_into(&self, i: usize, out: &mut [f64]) {
+        let count = self.piece_count();
+        let i = if self.closed { i % count } else { i };
+        let (piece, y) = if i < count { (i, -0.5) } else { (count - 1, 0.5) };
+        let (cell, part) = self.shape.part_of(piece);
+        self.value(Place { cell, part, y }, 0, out);
+    }
+
     /// The control points that act on a cell.
     #[inline]
     pub(super) fn window(&self, cell: usize) -> &[f64] {
