@@ -79,7 +79,7 @@ const KINDS: Readonly<Record<string, Kind>> = {
   },
   BSplineCurve: {
     required: ["closed", "dimension", "points", "roots", "step", "offset"],
-    optional: [],
+    optional: ["domain"],
     make: (options, extra) => bSplineOf(withExtra(checkedBSpline(OP, options), extra)),
   },
   TensorSurface: {

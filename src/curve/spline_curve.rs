@@ -14,7 +14,7 @@ use core::fmt::Debug;
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use self::lattice::{Lattice, Shape};
+use self::lattice::{Grid, Lattice, Shape};
 use self::spline_sampler::SplineSampler;
 use crate::error::{Error, Result};
 use crate::generator::Roots;
@@ -46,14 +46,14 @@ pub struct SplineCurve<G> {
 }
 
 impl<G: Generator> SplineCurve<G> {
-    /// The curve whose first knot is at `grid.0`, with cells of the length `grid.1`.
+    /// The curve on a grid.
     pub(super) fn lay(
         points: Vec<f64>,
         generator: G,
         shape: Arc<Shape>,
         dimension: usize,
         closed: bool,
-        grid: (f64, f64),
+        grid: Grid,
     ) -> Result<Self> {
         let (all, first) = generator.acting(&points, dimension, closed)?;
         let lattice = Lattice::new(shape, &all, dimension, closed, first, grid)?;
@@ -99,9 +99,9 @@ impl<G: Generator> SplineCurve<G> {
 
     /// The curve of other points on the same grid.
     pub(super) fn with_points(&self, points: Vec<f64>) -> Result<Self> {
-        let Lattice { dimension, closed, start, step, .. } = self.lattice;
-        let shape = self.lattice.shape.clone();
-        Self::lay(points, self.generator.clone(), shape, dimension, closed, (start, step))
+        let Lattice { dimension, closed, .. } = self.lattice;
+        let (shape, grid) = (self.lattice.shape.clone(), self.lattice.grid());
+        Self::lay(points, self.generator.clone(), shape, dimension, closed, grid)
     }
 
     /// The point at t, or a derivative of an order to n₀ − 1; where that jumps, the limit from the right.

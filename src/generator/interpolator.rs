@@ -8,7 +8,7 @@ use super::exponential_b_spline::{ExponentialBSpline, tabulate};
 use super::pieces::{Pieces, polynomial};
 use super::propagation::{Propagated, recentre};
 use super::riesz::RieszBounds;
-use super::roots::Roots;
+use super::roots::{Roots, too_fast};
 use crate::error::{Error, Result};
 use crate::limits::with_room;
 use crate::numerics::angle::sin_cos;
@@ -79,8 +79,7 @@ impl Interpolator {
     /// Fewer than 3 roots; a root without its opposite; |im| ≥ π; a system whose condition exceeds 1e12.
     pub fn new(roots: &Roots) -> Result<Self> {
         if let Some(i) = roots.too_fast() {
-            let im = roots.as_slice()[i].im;
-            return Err(Error::out_of_range("roots", Some(i), im, -PI, PI));
+            return Err(too_fast(i, roots.as_slice()[i].im, PI));
         }
         Self::beyond_pi(roots)
     }

@@ -39,6 +39,7 @@ pub use hermite::{HermiteGenerators, Pair};
 pub use interpolator::Interpolator;
 pub(crate) use pieces::{Pieces as PolynomialPieces, recentre};
 pub use riesz::{Gram, RieszBounds};
+pub(crate) use roots::too_fast;
 pub use roots::{Root, Roots};
 
 /// The space that a Hermite exponential spline is piecewise in.

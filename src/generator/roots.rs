@@ -289,6 +289,13 @@ impl Roots {
     }
 }
 
+/// A root whose frequency is not below a limit: the error has the largest number that is, as the range that it prints has its ends.
+#[cold]
+pub(crate) fn too_fast(i: usize, im: f64, limit: f64) -> Box<Error> {
+    let most = limit.min(im.abs()).next_down();
+    Error::out_of_range("roots", Some(i), im, -most, most)
+}
+
 /// Multiplies a polynomial by one of degree at most 2, in place; there is room for the product.
 #[inline(never)]
 fn multiply(product: &mut [Twofold], factor: [Twofold; 3]) {

@@ -19,7 +19,8 @@ const LOCAL: u32 = 3;
 /// keeps it.
 ///
 /// No roots stand for the default of an interpolating curve. A patch is its level, the first of its points, how many they are,
-/// and their displacements. Leaves the ends of the domain in the record and the roots in the output.
+/// and their displacements. A start that is no number leaves the domain of a B-spline curve to its step and offset. Leaves the
+/// ends of the domain in the record and the roots in the output.
 #[wasm_bindgen]
 #[allow(clippy::too_many_arguments, reason = "numbers are all that crosses")]
 pub fn load_spline(
@@ -32,6 +33,8 @@ pub fn load_spline(
     patches: u32,
     step: f64,
     offset: f64,
+    start: f64,
+    end: f64,
 ) -> i32 {
     run(&mut |kernel| {
         let given = kernel.input.as_slice();
@@ -40,7 +43,8 @@ pub fn load_spline(
         let (points, dimension, closed) = (points.to_vec(), dimension as usize, closed != 0);
         let curve = if kind == B_SPLINE {
             let roots = roots_of(given_roots)?;
-            AnyCurve::BSpline(BSplineCurve::new(points, dimension, closed, roots, step, offset)?)
+            let curve = BSplineCurve::new(points, dimension, closed, roots, step, offset)?;
+            AnyCurve::BSpline(if start.is_nan() { curve } else { curve.with_domain(start, end)? })
         } else {
             let roots = if roots == 0 { None } else { Some(roots_of(given_roots)?) };
             let base = match roots.as_ref().and_then(|roots| known(kernel, roots)) {

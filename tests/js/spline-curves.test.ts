@@ -268,6 +268,32 @@ const cases: Case[] = [
   { id: "SC-026", what: "m of 1 changes nothing", run: () => fine().refine(1).points, gives: (got: Float64Array) => assert.deepEqual(got, fine().points) },
   { id: "SC-027", what: "a reduction that does not divide", run: () => fine().reduce(3), refuses: { code: "E_DEGENERATE", arg: "m" } },
   { id: "SC-028", what: "a step of 0", run: () => new BSplineCurve({ points: POINTS, roots: [0, 0, 0], step: 0 }), refuses: { code: "E_RANGE", arg: "step" } },
+  { id: "SC-028a", what: "a million times the points", run: () => fine().refine(1e7), refuses: { code: "E_RANGE", arg: "m", bound: "[1, 1024]" } },
+  {
+    id: "SC-028b",
+    what: "a step below the least",
+    run: () => new BSplineCurve({ points: POINTS, roots: [0, 0, 0], step: 1e-12 }).refine(2),
+    refuses: { code: "E_RANGE", arg: "m", bound: "[1, 1]" },
+  },
+  { id: "SC-028c", what: "a grid as coarse as half a turn", run: () => fine().reduce(5), refuses: { code: "E_RANGE", arg: "m", bound: "[1, 4]" } },
+  {
+    id: "SC-028d",
+    what: "JSON with the domain of another curve",
+    run: () => fromJSON({ ...fine().toJSON(), domain: [0, 6] }),
+    refuses: { code: "E_RANGE", path: "$.domain[1]" },
+  },
+  {
+    id: "SC-028e",
+    what: "the end of a refined curve, of its file and of it after an edit",
+    run: () => {
+      const thirds = made({ closed: false }).refine(6, { m: 3 });
+      const again = fromJSON(JSON.parse(JSON.stringify(thirds)) as BSplineCurveJSON);
+      again.setPoint(0, 0, 0);
+      return [thirds, again].map((curve) => (curve.evaluate(4), curve.domain[1]));
+    },
+    gives: (got: number[]) => assert.deepEqual(got, [4, 4]),
+  },
+  { id: "SC-028f", what: "JSON without a domain", run: () => fromJSON(hostile<BSplineCurveJSON>({ ...fine().toJSON(), domain: undefined })).domain, gives: (got: number[]) => assert.deepEqual(got, [0, 5]) },
   { id: "SC-029", what: "an unknown option", run: () => made({ root: [] }), refuses: { code: "E_TYPE", arg: "root" } },
   { id: "SC-030", what: "setPoint beyond the last", run: () => made({}).setPoint(5, 0, 0), refuses: { code: "E_RANGE", arg: "i" } },
   { id: "SC-031", what: "setPoint in space without z", run: () => made({ points: [[0, 0, 0], [1, 1, 1], [2, 0, 1]] }).setPoint(0, 1, 1), refuses: { code: "E_TYPE", arg: "z" } },

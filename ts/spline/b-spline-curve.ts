@@ -1,5 +1,5 @@
 /** B-spline curves of any roots: control points near the curve, as many as are wanted. */
-import { MAX_OUTPUT, type Root, finite, flag, integer, options as checkOptions, rootList, rootNumbers } from "../core.js";
+import { type Root, exactly, finite, flag, integer, options as checkOptions, rootList, rootNumbers } from "../core.js";
 import { type AnyPointsLike, SplineCurve, anyPoints, splineOf } from "./spline-curve.js";
 import { SplineData, SplineKind, readSpline } from "./spline-data.js";
 import { call, result } from "./spline-engine.js";
@@ -18,6 +18,11 @@ export interface BSplineCurveOptions {
   step?: number | undefined;
   /** The parameter of control point 0. Default 0. */
   offset?: number | undefined;
+  /**
+   * Both ends of the parameter, within 1e-12 of what step and offset say. Default: just that; but a curve that was refined keeps its
+   * `domain` to the last bit, which no rounded step can.
+   */
+  domain?: readonly [number, number] | undefined;
 }
 
 /** A {@link BSplineCurve} as plain data. Fields that a newer version wrote are kept. */
@@ -38,6 +43,8 @@ export interface BSplineCurveJSON {
   step: number;
   /** The parameter of the first control point. */
   offset: number;
+  /** Both ends of the parameter. Files of before 0.2 have none. */
+  domain?: [number, number];
   [unknown: string]: unknown;
 }
 
@@ -68,11 +75,11 @@ export class BSplineCurve extends SplineCurve {
     return splineOf(this, "offset").offset;
   }
 
-  /** The same curve with m times the control points. */
+  /** The same curve with m times the control points, m to 1024; same `domain`. */
   refine(m = 2): BSplineCurve {
     const op = "refine";
     const data = splineOf(this, op);
-    const arity = integer(op, "m", m, 1, MAX_OUTPUT);
+    const arity = integer(op, "m", m, 1, 1024);
     const slot = data.resident(op);
     return bSplineOf(readSpline(call(op, (kernel) => kernel.refine_spline(slot, 1, 2, arity))));
   }
@@ -92,9 +99,9 @@ export class BSplineCurve extends SplineCurve {
 
   /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit, of up to a million points. */
   toJSON(): BSplineCurveJSON {
-    const { closed, dimension, points, roots, step, offset, extra } = splineOf(this, "toJSON");
+    const { closed, dimension, points, roots, step, offset, start, end, extra } = splineOf(this, "toJSON");
     const list = { points: Array.from(points), roots: rootList(roots) };
-    return { type: "BSplineCurve", version: 1, closed, dimension, ...list, step, offset, ...extra };
+    return { type: "BSplineCurve", version: 1, closed, dimension, ...list, step, offset, domain: [start, end], ...extra };
   }
 }
 
@@ -105,7 +112,7 @@ export function bSplineOf(data: SplineData): BSplineCurve {
 
 /** The arrays of a curve that a caller or a file describes, checked. @internal */
 export function checkedBSpline(op: string, options: unknown): SplineData {
-  const own = checkOptions(op, options, ["points", "dimension", "closed", "roots", "step", "offset"]);
+  const own = checkOptions(op, options, ["points", "dimension", "closed", "roots", "step", "offset", "domain"]);
   const { points, dimension } = anyPoints(op, own.points, own.dimension);
   const data = new SplineData(
     SplineKind.BSpline,
@@ -116,6 +123,11 @@ export function checkedBSpline(op: string, options: unknown): SplineData {
     own.step === undefined ? 1 : finite(op, "step", own.step),
     own.offset === undefined ? 0 : finite(op, "offset", own.offset) + 0,
   );
+  if (own.domain !== undefined) {
+    const [start, end] = exactly(op, "domain", own.domain, 2);
+    data.start = finite(op, "domain", start, 0) + 0;
+    data.end = finite(op, "domain", end, 1) + 0;
+  }
   data.load(op);
   return data;
 }

@@ -38,6 +38,8 @@ export class SplineData extends Held {
     public patches: readonly Patch[] = [],
   ) {
     super(points, closed, dimension);
+    // Until a file or the kernel has said what they are.
+    this.start = this.end = NaN;
   }
 
   get door(): Door<CurveKernel> {
@@ -62,14 +64,14 @@ export class SplineData extends Held {
   }
 
   protected send(op: string, slot: number): void {
-    const { kind, points, dimension, roots, step, offset, patches } = this;
+    const { kind, points, dimension, roots, step, offset, start, end, patches } = this;
     const arrays = patches.map(({ level, first, displacements }) => {
       const head = [level, first, displacements.length / dimension];
       return [Float64Array.from(head), displacements];
     });
     door.write(op, points, roots, ...arrays.flat());
     const counts = [points.length, dimension, this.closed ? 1 : 0, roots.length / 2, patches.length] as const;
-    const given = door.call(op, (kernel) => kernel.load_spline(slot, kind, ...counts, step, offset), points);
+    const given = door.call(op, (kernel) => kernel.load_spline(slot, kind, ...counts, step, offset, start, end), points);
     this.roots = door.copy(given);
     this.start = door.result(0);
     this.end = door.result(1);

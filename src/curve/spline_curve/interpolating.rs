@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::b_spline::BSplineCurve;
-use super::lattice::{Shape, check_points};
+use super::lattice::{Grid, Shape, check_points};
 use super::{Generator, SplineCurve};
 use crate::error::Result;
 use crate::generator::{Interpolator, Roots};
@@ -78,7 +78,8 @@ impl InterpolatingCurve {
         check_points(&points, dimension, if closed { 3 } else { 2 })?;
         settle(&mut points);
         let shape = Arc::new(Shape::of_interpolator(&interpolator));
-        Self::lay(points, interpolator, shape, dimension, closed, (0.0, 1.0))
+        let grid = Grid { start: 0.0, step: 1.0, end: None };
+        Self::lay(points, interpolator, shape, dimension, closed, grid)
     }
 
     /// The function whose shifts weigh the points.
@@ -111,8 +112,8 @@ impl InterpolatingCurve {
         let (points, _) = self.generator.acting(&self.points, dimension, closed)?;
         let fine = from_points(&points, dimension, closed, &self.generator, m0)?;
         check_points(&fine, dimension, 1)?;
-        let mut curve =
-            BSplineCurve::with_roots(fine, dimension, closed, self.roots().clone(), (0.0, 1.0 / m0 as f64))?;
+        let grid = Grid { step: 1.0 / m0 as f64, ..self.lattice.grid() };
+        let mut curve = BSplineCurve::with_roots(fine, dimension, closed, self.roots().clone(), grid)?;
         for _ in 1..levels {
             curve = curve.refine(m)?;
         }

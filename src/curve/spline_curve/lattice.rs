@@ -17,10 +17,26 @@ pub(in crate::curve) struct Lattice {
     /// Parameter of the first knot, and the length of a cell.
     pub(super) start: f64,
     pub(super) step: f64,
+    /// Parameter of the last knot: see [`Grid::end`].
+    end: f64,
     /// How many cells there are.
     pub(super) cells: usize,
     /// The control points that act on cell j are numbers j … j + window − 1 here: closed lists go round.
     points: Vec<f64>,
+}
+
+/// Where the cells of a lattice lie.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::curve) struct Grid {
+    /// Parameter of the first knot.
+    pub(super) start: f64,
+    /// The length of a cell.
+    pub(super) step: f64,
+    /// Parameter of the last knot, or none for the first plus all steps.
+    ///
+    /// A curve and its refinements have one domain to the last bit. A third of a step is rounded, and no choice of its last
+    /// bit makes three of them the step: the end is handed on, and with it the parameter at which a curve closes.
+    pub(super) end: Option<f64>,
 }
 
 /// The function whose shifts are combined.
@@ -108,7 +124,7 @@ impl Lattice {
         dimension: usize,
         closed: bool,
         first: usize,
-        place: (f64, f64),
+        grid: Grid,
     ) -> Result<Self> {
         let (count, window) = (points.len() / dimension, shape.window);
         let cells = if closed { count } else { count + 1 - window };
@@ -117,12 +133,19 @@ impl Lattice {
             let k = if closed { (k + first) % count } else { k };
             all.extend_from_slice(&points[k * dimension..(k + 1) * dimension]);
         }
-        Ok(Self { shape, dimension, closed, start: place.0, step: place.1, cells, points: all })
+        let Grid { start, step, end } = grid;
+        let end = end.unwrap_or(start + cells as f64 * step);
+        Ok(Self { shape, dimension, closed, start, step, end, cells, points: all })
     }
 
     /// First and last parameter.
     pub(super) fn domain(&self) -> (f64, f64) {
-        (self.start, self.start + self.cells as f64 * self.step)
+        (self.start, self.end)
+    }
+
+    /// The grid, for another curve with the same domain.
+    pub(super) fn grid(&self) -> Grid {
+        Grid { start: self.start, step: self.step, end: Some(self.end) }
     }
 
     /// How many polynomial pieces there are.
@@ -132,7 +155,11 @@ impl Lattice {
 
     /// The parameter where piece i starts; that of the end for i = `piece_count`.
     pub(in crate::curve) fn knot(&self, i: usize) -> f64 {
-        self.start + i as f64 * self.step / self.shape.per_cell as f64
+        if i == self.piece_count() {
+            return self.end;
+        }
+        // Not beyond the end, where steps are rounded up.
+        (self.start + i as f64 * self.step / self.shape.per_cell as f64).min(self.end)
     }
 
     /// How much of the parameter a piece takes.
@@ -184,7 +211,12 @@ impl Lattice {
         check("t", index, t, least, most)?;
         let cells = self.cells as f64;
         let u = (t - self.start) / self.step;
-        let u = if self.closed { wrapped(u, cells) } else { u };
+        let u = match self.closed {
+            true => wrapped(u, cells),
+            // Roundings of the step must not keep the end from being reached.
+            false if t == self.end => cells,
+            false => u,
+        };
         let cell = (u as usize).min(self.cells - 1);
         let x = (u - cell as f64).clamp(0.0, 1.0) * self.shape.per_cell as f64;
         let part = (x as usize).min(self.shape.per_cell - 1);

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::b_spline::BSplineCurve;
 use super::interpolating::InterpolatingCurve;
-use super::lattice::{Lattice, Shape};
+use super::lattice::{Grid, Lattice, Shape};
 use super::spline_sampler::SplineSampler;
 use crate::error::{Error, Result};
 use crate::generator::ExponentialBSpline;
@@ -195,7 +195,8 @@ impl LocalCurve {
         // Control point `first` acts from n₀/2 cells before it.
         let before = if self.base.is_closed() { (order / 2) as f64 } else { (order - 1) as f64 };
         let start = (first as f64 - before) / scale(level);
-        Lattice::new(shape, &padded, dimension, false, 0, (start, 1.0 / scale(level)))
+        let grid = Grid { start, step: 1.0 / scale(level), end: None };
+        Lattice::new(shape, &padded, dimension, false, 0, grid)
     }
 
     /// The control points of patch k, interleaved: where the refined curve has them, coarser patches included.

@@ -2,7 +2,7 @@
 
 use super::b_spline::BSplineCurve;
 use super::interpolating::InterpolatingCurve;
-use super::lattice::{Lattice, check_points};
+use super::lattice::{Grid, Lattice, check_points};
 use super::spline_sampler::SplineSampler;
 use crate::error::{Error, Result};
 use crate::generator::affine_refinement_filter;
@@ -11,6 +11,8 @@ use crate::refine::{Target, least_squares};
 
 /// Places per piece at which a change is measured.
 const LOOKS: usize = 8;
+/// Of a closed curve.
+const LEAST_CELLS: usize = 3;
 
 impl BSplineCurve {
     /// The curve on the grid that is coarser by m whose refinement has the control points nearest to these, in the sum of
@@ -20,8 +22,8 @@ impl BSplineCurve {
     ///
     /// # Errors
     ///
-    /// m not from 1 to 1024, or not a divisor of the number of cells; a coarse grid of fewer than 3 closed cells, or with
-    /// |im|·step ≥ π; points that would not be within ±1e9.
+    /// m not from 1 to 1024, or not a divisor of the number of cells, or so large that |im|·step ≥ π or the offset is not within
+    /// ±1e9; a coarse grid of fewer than 3 closed cells; points that would not be within ±1e9.
     ///
     /// # Accuracy
     ///
@@ -37,10 +39,14 @@ impl BSplineCurve {
         if !lattice.cells.is_multiple_of(m) {
             return Err(Error::degenerate("m", None, "it does not divide the number of cells"));
         }
+        self.check_factor(m, &|m| self.step() * m)?;
         let cells = lattice.cells / m;
+        if closed && cells < LEAST_CELLS {
+            return Err(Error::too_few("points", cells, LEAST_CELLS));
+        }
         let count = if closed { cells } else { cells + order - 1 };
         let local = self.roots().scaled(1.0 / (lattice.step * m as f64));
-        let grid = (lattice.start, lattice.step * m as f64);
+        let grid = Grid { step: lattice.step * m as f64, ..lattice.grid() };
         // Zeros that tell at once whether there is such a grid.
         let coarse =
             Self::with_roots(filled(0.0, count * dimension)?, dimension, closed, self.roots().clone(), grid)?;
