@@ -174,3 +174,20 @@ fn a_closed_curve_is_not_reduced_to_fewer_than_three_cells() {
     let error = unboxed(curve.expect("four points").reduce(2)).expect_err("two cells");
     assert!(matches!(error, Error::TooFewPoints { got: 2, needed: 3, .. }), "{error}");
 }
+
+#[test]
+fn a_curve_of_any_fineness_comes_back_as_the_one_through_its_points() {
+    for (levels, m0, m) in [(11, 2, 2), (12, 2, 2), (4, 6, 11), (3, 1024, 3)] {
+        let base = InterpolatingCurve::new(POINTS.to_vec(), 2, false, None).expect("a curve");
+        let (back, off) =
+            base.refine(levels, m0, m).and_then(|fine| fine.interpolating()).expect("a whole grid");
+        assert!(off <= 1e-11 && apart(back.points(), base.points()) <= 1e-11, "{levels} {m0} {m}: {off}");
+    }
+    // 1031 is prime: no steps of at most 1024 lead there.
+    let step = 1.0 / 2062.0;
+    let points: Vec<f64> = (0..2 * (2062 + 3)).map(f64::from).collect();
+    let offset = -step;
+    let curve = BSplineCurve::new(points, 2, false, Roots::polynomials(3).expect("four"), step, offset);
+    let error = unboxed(curve.expect("a curve").interpolating()).expect_err("no steps");
+    assert_eq!(error.argument(), Some("step"), "{error}");
+}

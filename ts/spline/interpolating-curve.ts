@@ -79,6 +79,8 @@ export class InterpolatingCurve extends SplineCurve {
   /**
    * The interpolating curve through the points that a B-spline curve has at the integers, and the largest distance between the
    * two: 0 to rounding where nothing was changed since `refine`.
+   *
+   * @throws {ExplineError} E_DEGENERATE of `step` where the grid is no even part of a unit from 0 on, or one that no factors to 1024 make.
    */
   static from(curve: BSplineCurve): { curve: InterpolatingCurve; maxError: number } {
     const op = "InterpolatingCurve.from";

@@ -65,8 +65,8 @@ impl BSplineCurve {
     ///
     /// # Errors
     ///
-    /// A grid that is not 1/2, 1/4, 1/6, … of a unit or does not start at 0; a length that is not whole; too few points, or
-    /// roots without an interpolator.
+    /// `step` where the grid is not 1/2, 1/4, 1/6, … of a unit or does not start at 0, where a prime factor of that number is
+    /// above 1024, or where the length is not whole; too few points, or roots without an interpolator.
     pub fn interpolating(&self) -> Result<(InterpolatingCurve, f64)> {
         let lattice = &self.lattice;
         let factor = (1.0 / lattice.step).round();
@@ -83,10 +83,34 @@ impl BSplineCurve {
         self.evaluate_into(&t, 0, &mut points)?;
         let roots = Some(self.roots().clone());
         let curve = InterpolatingCurve::new(points, self.dimension(), self.is_closed(), roots)?;
-        let refined = curve.refine(1, m0, 2)?;
+        let Some((first, others)) = factors(m0) else {
+            return Err(Error::degenerate("step", None, "a prime factor of 1/step is above 1024"));
+        };
+        let mut refined = curve.refine(1, first, 2)?;
+        for m in others {
+            refined = refined.refine(m)?;
+        }
         let difference = refined.points().iter().zip(self.points()).map(|(a, b)| a - b).collect();
         Ok((curve, self.with_points(difference)?.lattice.reach()?))
     }
+}
+
+/// An even number as a product of numbers to 1024 of which the first is even, if it is one.
+fn factors(number: usize) -> Option<(usize, Vec<usize>)> {
+    let divisor = |number: usize, most: usize| {
+        (1..=most.min(number)).rev().find(|&divisor| number.is_multiple_of(divisor)).unwrap_or(1)
+    };
+    let first = divisor(number / 2, LARGEST_FACTOR / 2);
+    let (mut rest, mut others) = (number / 2 / first, Vec::new());
+    while rest > 1 {
+        let next = divisor(rest, LARGEST_FACTOR);
+        if next == 1 {
+            return None;
+        }
+        rest /= next;
+        others.push(next);
+    }
+    Some((2 * first, others))
 }
 
 impl Lattice {
