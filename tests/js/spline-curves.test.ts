@@ -294,6 +294,8 @@ const cases: Case[] = [
     gives: (got: number[]) => assert.deepEqual(got, [4, 4]),
   },
   { id: "SC-028f", what: "JSON without a domain", run: () => fromJSON(hostile<BSplineCurveJSON>({ ...fine().toJSON(), domain: undefined })).domain, gives: (got: number[]) => assert.deepEqual(got, [0, 5]) },
+  { id: "SC-028g", what: "an empty list of roots", run: () => made({ roots: [] }), refuses: { code: "E_TOO_FEW_POINTS", arg: "roots", bound: ">= 3" } },
+  { id: "SC-028h", what: "JSON with patches and no roots", run: () => fromJSON({ ...new LocalCurve({ points: POINTS }).toJSON(), roots: [] }), refuses: { code: "E_TOO_FEW_POINTS", path: "$.roots" } },
   { id: "SC-029", what: "an unknown option", run: () => made({ root: [] }), refuses: { code: "E_TYPE", arg: "root" } },
   { id: "SC-030", what: "setPoint beyond the last", run: () => made({}).setPoint(5, 0, 0), refuses: { code: "E_RANGE", arg: "i" } },
   { id: "SC-031", what: "setPoint in space without z", run: () => made({ points: [[0, 0, 0], [1, 1, 1], [2, 0, 1]] }).setPoint(0, 1, 1), refuses: { code: "E_TYPE", arg: "z" } },

@@ -1,8 +1,8 @@
 /** Curves through their points, smooth to any order, on which every point acts near by only. */
 import { type BSplineCurve, bSplineOf } from "./b-spline-curve.js";
-import { type Root, flag, integer, options as checkOptions, rootList, rootNumbers } from "../core.js";
+import { type Root, flag, integer, options as checkOptions, rootList } from "../core.js";
 import { type LocalCurve, refinedAt } from "./local-curve.js";
-import { type AnyPointsLike, SplineCurve, anyPoints, splineOf } from "./spline-curve.js";
+import { type AnyPointsLike, SplineCurve, anyPoints, rootsOrDefault, splineOf } from "./spline-curve.js";
 import { SplineData, SplineKind, readSpline } from "./spline-data.js";
 import { call, result } from "./spline-engine.js";
 
@@ -106,7 +106,7 @@ export function interpolatingOf(data: SplineData): InterpolatingCurve {
 export function checkedInterpolating(op: string, options: unknown): SplineData {
   const own = checkOptions(op, options, ["points", "dimension", "closed", "roots"]);
   const { points, dimension } = anyPoints(op, own.points, own.dimension);
-  const roots = own.roots === undefined ? new Float64Array() : rootNumbers(op, own.roots);
+  const roots = rootsOrDefault(op, own.roots);
   const closed = flag(op, "closed", own.closed, true);
   const data = new SplineData(SplineKind.Interpolating, points, dimension, closed, roots);
   data.load(op);

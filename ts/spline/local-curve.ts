@@ -10,11 +10,10 @@ import {
   options as checkOptions,
   overLimit,
   rootList,
-  rootNumbers,
   wrong,
   wrongLength,
 } from "../core.js";
-import { type AnyPointsLike, SplineCurve, anyPoints, splineOf } from "./spline-curve.js";
+import { type AnyPointsLike, SplineCurve, anyPoints, rootsOrDefault, splineOf } from "./spline-curve.js";
 import { type Patch, SplineData, SplineKind, readSpline } from "./spline-data.js";
 import { call, copy } from "./spline-engine.js";
 
@@ -148,7 +147,7 @@ export function localOf(data: SplineData): LocalCurve {
 export function checkedLocal(op: string, options: unknown): SplineData {
   const own = checkOptions(op, options, ["points", "dimension", "closed", "roots", "patches"]);
   const { points, dimension } = anyPoints(op, own.points, own.dimension);
-  const roots = own.roots === undefined ? new Float64Array() : rootNumbers(op, own.roots);
+  const roots = rootsOrDefault(op, own.roots);
   const closed = flag(op, "closed", own.closed, true);
   const patches = own.patches ?? [];
   if (!Array.isArray(patches)) throw wrong("E_TYPE", op, "patches", patches, "an array");

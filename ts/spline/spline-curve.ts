@@ -12,7 +12,9 @@ import {
   integer,
   points as checkPoints,
   rootList,
+  rootNumbers,
   tolerance as checkTolerance,
+  tooFewPoints,
   wrongLength,
 } from "../core.js";
 import { SplineData, hermiteData } from "./spline-data.js";
@@ -37,6 +39,14 @@ function shownBy(value: unknown): number {
   const first: unknown = Array.isArray(value) ? value[0] : undefined;
   if (typeof first !== "object" || first === null) return 2;
   return Array.isArray(first) ? first.length : "z" in first ? 3 : 2;
+}
+
+/** Roots that may be left out: none at all are what the kernel takes for the default, so that an empty list must not get there. @internal */
+export function rootsOrDefault(op: string, value: unknown): Floats {
+  if (value === undefined) return new Float64Array();
+  const roots = rootNumbers(op, value);
+  if (roots.length === 0) throw tooFewPoints(op, "roots", 0, 3);
+  return roots;
 }
 
 /** A curve on a grid. */
