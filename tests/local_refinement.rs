@@ -235,6 +235,52 @@ fn a_point_of_a_patch_moves_by_what_can_be_loaded_again_or_not_at_all() {
 }
 
 #[test]
+fn many_patches_at_once_are_the_same_as_one_after_the_other() {
+    let mut random = Random::new(7);
+    for closed in [true, false] {
+        let base = blob(&mut random, &lists()[0], 2, closed);
+        let patches: Vec<_> =
+            (0..40).map(|k| ((1 + 7 * k % 5, k % 9, 1 + k % 3), [0.1 + k as f64; 6])).collect();
+        let given = || patches.iter().map(|(window, d)| (*window, &d[..2 * window.2]));
+        let all = base.add_patches(given()).expect("they fit");
+        let mut each = base.clone();
+        for (window, displacements) in given() {
+            each = each.add_patch(window, displacements).expect("it fits");
+        }
+        assert_eq!(all.patch_count(), 40);
+        for k in 0..40 {
+            assert_eq!(all.patch_window(k).expect("there"), each.patch_window(k).expect("there"));
+            assert_eq!(all.displacements(k).expect("there"), each.displacements(k).expect("there"));
+        }
+        assert_eq!(all.piece_count(), each.piece_count());
+        assert_eq!(all.sample(200, 0).expect("points"), each.sample(200, 0).expect("points"));
+        let moved = all.with_base(base.base().clone()).expect("the same base");
+        assert_eq!(moved.sample(200, 0).expect("points"), all.sample(200, 0).expect("points"));
+    }
+}
+
+#[test]
+fn a_patch_that_does_not_fit_is_named_before_any_is_added() {
+    let base = blob(&mut Random::new(8), &lists()[0], 2, true);
+    let (mut seen, fine) = (0, [0.0; 2]);
+    let patches = [((1, 0, 1), &fine[..]), ((1, 99, 1), &fine[..]), ((2, 0, 1), &fine[..])];
+    let refused = unboxed(base.add_patches(patches.into_iter().inspect(|_| seen += 1)));
+    assert!(matches!(refused, Err(Error::OutOfRange { argument: "first", .. })));
+    assert_eq!(seen, 2, "no further than the one that is wrong");
+}
+
+#[test]
+fn as_many_patches_as_there_may_be_are_made_in_a_moment() {
+    // One after the other, with knots cut anew for each, they took seconds: 60 times this.
+    let base = blob(&mut Random::new(9), &lists()[0], 2, true);
+    let one = [0.5, 0.5];
+    let patches = |count: usize| (0..count).map(|k| ((12, 16 * k % 4096, 1), &one[..])).collect::<Vec<_>>();
+    let curve = base.add_patches(patches(4096)).expect("they fit");
+    assert_eq!(curve.patch_count(), 4096);
+    assert_eq!(curve.with_base(base.base().clone()).expect("they fit").patch_count(), 4096);
+}
+
+#[test]
 fn a_hair_before_the_start_of_a_closed_curve_is_its_start() {
     let mut random = Random::new(6);
     for roots in lists() {

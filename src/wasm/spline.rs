@@ -53,7 +53,7 @@ pub fn load_spline(
             };
             if kind == LOCAL {
                 AnyCurve::Local(with_patches(
-                    LocalCurve::new(base),
+                    &LocalCurve::new(base),
                     patches,
                     rest,
                     &mut kernel.record[PATCH],
@@ -86,22 +86,17 @@ fn known(kernel: &Kernel, roots: &Roots) -> Option<Arc<Interpolator>> {
     })
 }
 
-fn with_patches(
-    mut curve: LocalCurve,
-    patches: u32,
-    mut rest: &[f64],
-    patch: &mut f64,
-) -> Result<LocalCurve> {
+/// The curve with the patches that lie in `rest`; `patch` counts them, so that an error says which.
+fn with_patches(curve: &LocalCurve, patches: u32, mut rest: &[f64], patch: &mut f64) -> Result<LocalCurve> {
+    let mut list = Vec::new();
     for _ in 0..patches {
-        *patch += 1.0;
         let [level, first, count] = *rest.first_chunk::<3>().ok_or_else(wrong_kind)?;
         let size = count as usize * curve.base().dimension();
         let numbers = rest.get(3..3 + size).ok_or_else(wrong_kind)?;
-        let window = (level as usize, first as usize, count as usize);
-        curve = curve.add_patch(window, numbers)?;
+        list.push(((level as usize, first as usize, count as usize), numbers));
         rest = &rest[3 + size..];
     }
-    Ok(curve)
+    curve.add_patches(list.into_iter().inspect(|_| *patch += 1.0))
 }
 
 fn roots_in(curve: &AnyCurve) -> Option<&crate::generator::Roots> {

@@ -9,6 +9,7 @@ use super::spline_sampler::SplineSampler;
 use crate::error::{Error, Result};
 use crate::generator::ExponentialBSpline;
 use crate::limits::{LARGEST_COORDINATE, MOST_OUTPUT_POINTS, check, filled, settle, too_many, with_room};
+use crate::numerics::order::sort_by_number;
 
 /// The finest grid of a patch has 2¹² cells in a segment.
 const FINEST: usize = 12;
@@ -67,11 +68,9 @@ impl LocalCurve {
     ///
     /// A base on which the patches do not fit.
     pub fn with_base(&self, base: InterpolatingCurve) -> Result<Self> {
-        let mut curve = Self::new(base);
-        for patch in &self.patches {
-            curve = curve.add_patch((patch.level, patch.first, self.count(patch)), &patch.displacements)?;
-        }
-        Ok(curve)
+        let patches = self.patches.iter();
+        let given = patches.map(|p| ((p.level, p.first, self.count(p)), p.displacements.as_slice()));
+        Self::new(base).add_patches(given)
     }
 
     /// The same curve with room for detail around t: a patch of all control points on the grid 2^−`levels` that lie within
@@ -147,6 +146,48 @@ impl LocalCurve {
     /// A level not from 1 to 12; a window that does not fit on it; displacements of another number, or not finite, or not within
     /// ±2e9; more than 4 million control points.
     pub fn add_patch(&self, window: (usize, usize, usize), displacements: &[f64]) -> Result<Self> {
+        self.add_patches([(window, displacements)])
+    }
+
+    /// Adds many patches at once, each a window with its displacements as for [`Self::add_patch`]: the same as one after the other.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::add_patch`] for the first patch that does not fit.
+    ///
+    /// # Cost
+    ///
+    /// The curve is copied and its knots are sorted once for all of them: 4096 patches take some milliseconds.
+    pub fn add_patches<'a>(
+        &self,
+        patches: impl IntoIterator<Item = ((usize, usize, usize), &'a [f64])>,
+    ) -> Result<Self> {
+        let mut curve = self.clone();
+        let mut shapes: [Option<Arc<Shape>>; FINEST + 1] = [const { None }; FINEST + 1];
+        for patch in &self.patches {
+            shapes[patch.level] = Some(patch.lattice.shape.clone());
+        }
+        for (window, displacements) in patches {
+            self.check_window(window, displacements)?;
+            let (level, first, _) = window;
+            let shape = match &shapes[level] {
+                Some(shape) => shape.clone(),
+                None => self.shape_of(level)?,
+            };
+            shapes[level] = Some(shape.clone());
+            let mut displacements = displacements.to_vec();
+            settle(&mut displacements);
+            let lattice = self.over(shape, (level, first), &displacements)?;
+            curve.patches.push(Patch { level, first, displacements, lattice });
+        }
+        // Of one level in the order in which they came.
+        sort_by_number(&mut curve.patches, &|patch| patch.level as f64);
+        curve.knots = curve.cut()?;
+        Ok(curve)
+    }
+
+    /// Refuses a patch that cannot be.
+    fn check_window(&self, window: (usize, usize, usize), displacements: &[f64]) -> Result<()> {
         let (level, first, count) = window;
         check("level", None, level as f64, 1.0, FINEST as f64)?;
         let (_, total) = self.grid(level);
@@ -156,31 +197,17 @@ impl LocalCurve {
         check("first", None, first as f64, 0.0, (total - 1) as f64)?;
         let most = if self.base.is_closed() { total } else { total - first };
         check("displacements", None, count as f64, 1.0, most as f64)?;
-        if displacements.len() != count * self.base.dimension() {
-            return Err(Error::wrong_length(
-                "displacements",
-                displacements.len(),
-                count * self.base.dimension(),
-            ));
+        let needed = count * self.base.dimension();
+        if displacements.len() != needed {
+            return Err(Error::wrong_length("displacements", displacements.len(), needed));
         }
-        for (i, &d) in displacements.iter().enumerate() {
-            check_displacement(i, d)?;
-        }
-        let mut displacements = displacements.to_vec();
-        settle(&mut displacements);
-        let shape = match self.patches.iter().find(|other| other.level == level) {
-            Some(other) => other.lattice.shape.clone(),
-            None => {
-                let roots = self.base.roots().scaled(scale(level));
-                Arc::new(Shape::of_b_spline(&ExponentialBSpline::new(&roots)?))
-            }
-        };
-        let lattice = self.over(shape, (level, first), &displacements)?;
-        let mut curve = self.clone();
-        let at = curve.patches.partition_point(|other| other.level <= level);
-        curve.patches.insert(at, Patch { level, first, displacements, lattice });
-        curve.knots = curve.cut()?;
-        Ok(curve)
+        displacements.iter().enumerate().try_for_each(|(i, &d)| check_displacement(i, d))
+    }
+
+    /// The B-spline of a level.
+    fn shape_of(&self, level: usize) -> Result<Arc<Shape>> {
+        let roots = self.base.roots().scaled(scale(level));
+        Ok(Arc::new(Shape::of_b_spline(&ExponentialBSpline::new(&roots)?)))
     }
 
     /// The lattice of a patch: its displacements and n₀ − 1 zeros on either side.
