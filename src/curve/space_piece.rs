@@ -3,7 +3,7 @@
 //! Everything rests on Taylor's formula about the middle of an interval: the first three derivatives there and a bound of
 //! the fourth bound what the curve can do around it, for complex parameters as well.
 
-use super::speed::{ROUNDING, RULES, rule_index};
+use super::speed::{MOST_INTERVALS, ROUNDING, RULES, rule_index};
 
 /// The most intervals that are open at once while a length is added up.
 const STACK: usize = 60;
@@ -104,10 +104,11 @@ impl SpacePiece {
     pub(super) fn length(&self, lo: f64, hi: f64, tolerance: f64) -> f64 {
         let mut stack = [(0.0, 0.0); STACK];
         stack[0] = (lo, hi);
-        let (mut open, mut total) = (1, 0.0);
+        let (mut open, mut seen, mut total) = (1, 0, 0.0);
         let density = 0.5 * tolerance / (hi - lo).max(f64::MIN_POSITIVE);
         while open > 0 {
             open -= 1;
+            seen += 1;
             let (lo, hi) = stack[open];
             let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
             let [_, first, second, third] = self.jet(middle);
@@ -128,7 +129,8 @@ impl SpacePiece {
             if 2.0 * half * most <= tolerance / 16.0 {
                 index = 0;
             }
-            if index >= RULES.len() && open + 2 <= STACK && middle > lo && middle < hi {
+            let dividable = open + 2 <= STACK && seen < MOST_INTERVALS && middle > lo && middle < hi;
+            if index >= RULES.len() && dividable {
                 stack[open] = (middle, hi);
                 stack[open + 1] = (lo, middle);
                 open += 2;

@@ -20,7 +20,7 @@ pub(super) const ROUNDING: f64 = 1e-15;
 /// Halvings of an interval after which what is left counts as nothing.
 const MOST_HALVINGS: usize = 60;
 /// Intervals of one piece at most: two cusps take some hundred.
-const MOST_INTERVALS: usize = 8192;
+pub(super) const MOST_INTERVALS: usize = 8192;
 /// How many cubics choose their rules together, as vector code.
 const BLOCK: usize = 8;
 /// Ellipses are not taken larger than this half-axis: fewer than eight nodes are never used.
