@@ -217,6 +217,31 @@ fn far_from_the_axis_and_close_to_it_all_is_well() {
 }
 
 #[test]
+fn real_roots_as_large_as_any_have_their_interpolator() {
+    for (zeros, rate) in [(3, 14.0), (2, 20.0), (4, 11.0), (6, 8.0), (12, 4.0), (14, 1.0)] {
+        let ends = [Root { re: rate, im: 0.0 }, Root { re: -rate, im: 0.0 }];
+        let roots = list(&[vec![Root::default(); zeros], ends.to_vec()].concat());
+        let phi = Interpolator::new(&roots).expect("λ is there, and right");
+        // The check itself: some roundings of the transform, of up to 16 factors.
+        assert!(phi.identity() < 1e-13, "{zeros} {rate}: {:e}", phi.identity());
+        // e^{αt} comes back between the points, to the roundings of what is added up.
+        let (reach, x) = (phi.support() as i32, 0.37);
+        let (mut sum, mut size) = (0.0, 0.0);
+        for k in 1 - reach..=reach {
+            let term = (rate * (f64::from(k) - x)).exp() * phi.at(x - f64::from(k), 0);
+            (sum, size) = (sum + term, size + term.abs());
+        }
+        // The tail of φ is right to 1e-15 of its largest value, and e^{20·15} times that is no number to compare with.
+        if f64::from(reach) * rate < 30.0 {
+            assert!(
+                (sum - 1.0).abs() < 1e-13 * size + 1e-15 * (rate * f64::from(reach)).exp(),
+                "{zeros} {rate}: {sum}"
+            );
+        }
+    }
+}
+
+#[test]
 fn lists_that_make_no_sense_are_named() {
     let new = |roots: &[Root]| unboxed(Roots::new(roots, "roots"));
     let zero = Root::default();

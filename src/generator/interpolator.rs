@@ -8,14 +8,14 @@ use super::exponential_b_spline::{ExponentialBSpline, tabulate};
 use super::pieces::{Pieces, polynomial};
 use super::propagation::{Propagated, recentre};
 use super::riesz::RieszBounds;
-use super::roots::{Roots, too_fast};
+use super::roots::{Root, Roots, too_fast};
 use crate::error::{Error, Result};
 use crate::limits::with_room;
 use crate::numerics::angle::sin_cos;
 use crate::numerics::dense::inverse;
 use crate::numerics::entire::stumpff;
 use crate::numerics::lists::dot;
-use crate::numerics::twofold::Twofold;
+use crate::numerics::twofold::{Twofold, exponential, sine_and_cosine};
 
 /// Above this condition the linear system counts as singular.
 const WORST_CONDITION: f64 = 1e12;
@@ -23,6 +23,8 @@ const WORST_CONDITION: f64 = 1e12;
 const IDENTITY: f64 = 1e-6;
 /// What the roundings of λ do to it, relative to their sum.
 const ROUNDING: f64 = 1e-12;
+/// And what those of λ in twofold numbers do, relative to the largest and to the condition.
+const TWOFOLD_ROUNDING: f64 = 1e-30;
 /// Rounds of elimination: each adds the digits that the condition leaves of sixteen, four at the worst.
 const MOST_ROUNDS: usize = 8;
 /// Below this the shifts do not form a Riesz basis.
@@ -102,8 +104,8 @@ impl Interpolator {
         let (weights, condition) = solve(order, &exact)?;
         let halves = halves(order, &exact, &weights)?;
         let lambda = closed_form(roots).unwrap_or_else(|| weights.iter().map(|l| l.high).collect());
-        let mut interpolator = Self { spline, lambda, halves, condition, identity: 0.0 };
-        interpolator.identity = interpolator.deviation_of_identity();
+        let identity = deviation_of_identity(roots, &weights, condition);
+        let interpolator = Self { spline, lambda, halves, condition, identity };
         // Written so that NaN fails.
         let rounding = interpolator.lambda.iter().fold(0.0, |sum, l| sum + l.abs()) * ROUNDING;
         let sound = interpolator.identity <= IDENTITY + rounding && condition <= WORST_CONDITION;
@@ -179,8 +181,8 @@ impl Interpolator {
         self.condition
     }
 
-    /// How far Σₙλₙe^{−αn/2}·β̂(α) is from 1, at the worst root α: a check on all of the computation
-    /// (D 9.5).
+    /// How far Σₙλₙe^{−αn/2}·β̂(α) is from 1, at the worst root α and beyond what roundings explain: a check on all of the
+    /// computation, in twofold precision (D 9.5).
     pub fn identity(&self) -> f64 {
         self.identity
     }
@@ -219,32 +221,54 @@ impl Interpolator {
     pub(crate) fn pieces(&self) -> &Pieces {
         &self.halves
     }
+}
 
-    #[inline(never)]
-    fn deviation_of_identity(&self) -> f64 {
-        let roots = self.roots();
-        let mut worst: f64 = 0.0;
-        for root in roots.upper() {
-            let mut sum = Complex::new(self.lambda[0], 0.0);
-            for (n, lambda) in self.lambda.iter().enumerate().skip(1) {
-                // e^{−αn/2} + e^{αn/2} = 2 cosh(αn/2).
-                let (x, y) = (0.5 * n as f64 * root.re, 0.5 * n as f64 * root.im);
-                let (up, down) = (libm::exp(x), libm::exp(-x));
-                let (sine, cosine) = sin_cos(y);
-                sum += Complex::new((up + down) * cosine, (up - down) * sine) * *lambda;
-            }
-            // β is β⁺ shifted to the left by n₀/2, which multiplies its transform by e^{α·n₀/2}.
-            let (x, y) = (0.5 * roots.order() as f64 * root.re, 0.5 * roots.order() as f64 * root.im);
-            let (sine, cosine) = sin_cos(y);
-            let shift = Complex::new(cosine, sine) * libm::exp(x);
-            let off = sum * roots.transform(Complex::new(root.re, root.im)) * shift - Complex::new(1.0, 0.0);
-            let size = (off.re * off.re + off.im * off.im).sqrt();
-            if size > worst || size.is_nan() {
-                worst = size;
-            }
+/// How far Σₙλₙe^{−αn/2}·β̂(α) is from 1, at the worst root α, beyond what the roundings of λ explain.
+///
+/// In twofold numbers λ is right to 1e-30 of the largest, times the condition.
+#[inline(never)]
+fn deviation_of_identity(roots: &Roots, weights: &[Twofold], condition: f64) -> f64 {
+    let rounding =
+        weights.iter().fold(0.0, |most: f64, l| most.max(l.high.abs())) * TWOFOLD_ROUNDING * condition;
+    let mut worst: f64 = 0.0;
+    for root in roots.upper() {
+        let (sum, size) = weighted_exponentials(root, weights);
+        // β is β⁺ shifted to the left by n₀/2, which multiplies its transform by e^{α·n₀/2}.
+        let (x, y) = (0.5 * roots.order() as f64 * root.re, 0.5 * roots.order() as f64 * root.im);
+        let (sine, cosine) = sin_cos(y);
+        let shift = Complex::new(cosine, sine) * libm::exp(x);
+        let transform = roots.transform(Complex::new(root.re, root.im)) * shift;
+        let off = sum * transform - Complex::new(1.0, 0.0);
+        let deviation = length(off) - rounding * size * length(transform);
+        if deviation > worst || deviation.is_nan() {
+            worst = deviation;
         }
-        worst
     }
+    worst
+}
+
+fn length(z: Complex<f64>) -> f64 {
+    (z.re * z.re + z.im * z.im).sqrt()
+}
+
+/// λ₀ + Σ λₙ(e^{−αn/2} + e^{αn/2}), and the sum of the sizes of what is multiplied by λ.
+///
+/// The terms of real roots are up to e^{|α|(n₀ − 1)} times their sum: in doubles nothing of it would be left.
+fn weighted_exponentials(root: Root, weights: &[Twofold]) -> (Complex<f64>, f64) {
+    let (up, down) = (exponential(0.5 * root.re), exponential(-0.5 * root.re));
+    let (sine, cosine) = sine_and_cosine(0.5 * root.im);
+    let first = [up.plus(down).times(cosine), up.plus(down.negative()).times(sine)];
+    let (mut before, mut now) = ([Twofold::new(2.0), Twofold::ZERO], first);
+    let (mut sum, mut size) = ([weights[0], Twofold::ZERO], 1.0);
+    for weight in &weights[1..] {
+        sum = [sum[0].plus_product(*weight, now[0]), sum[1].plus_product(*weight, now[1])];
+        size += now[0].high.abs() + now[1].high.abs();
+        // 2 cosh (n + 1)a = 2 cosh a · 2 cosh na − 2 cosh (n − 1)a.
+        let re = first[0].times(now[0]).plus_product(first[1].negative(), now[1]);
+        let im = first[0].times(now[1]).plus_product(first[1], now[0]);
+        (before, now) = (now, [re.plus(before[0].negative()), im.plus(before[1].negative())]);
+    }
+    (Complex::new(sum[0].value(), sum[1].value()), size)
 }
 
 fn nonexistent() -> Box<Error> {
