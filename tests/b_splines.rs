@@ -4,6 +4,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod support;
 
+use expline::Error;
 use expline::generator::{ExponentialBSpline, Root, Roots};
 use serde::Deserialize;
 use support::{golden, roots, tolerance};
@@ -107,4 +108,48 @@ fn shifts_reproduce_the_exponential_of_every_root() {
             }
         }
     }
+}
+
+#[test]
+fn every_derivative_is_the_difference_of_the_one_below_without_the_root_0() {
+    // β⁽ᵈ⁾(x) = γ⁽ᵈ⁻¹⁾(x + ½) − γ⁽ᵈ⁻¹⁾(x − ½), with γ of all roots but one 0.
+    let mut lists: Vec<Roots> =
+        hard().into_iter().filter(|roots| roots.order() > 1 && roots.keeps_constants()).collect();
+    for (zeros, rate) in [(6, 12.0), (10, 8.0), (14, 5.0)] {
+        lists.push(list(&[vec![0.0; zeros], vec![rate, -rate]].concat(), &[]));
+    }
+    for roots in lists {
+        let mut fewer = roots.as_slice().to_vec();
+        let zero =
+            fewer.iter().position(|root| root.re == 0.0 && root.im == 0.0).expect("it keeps constants");
+        fewer.remove(zero);
+        let spline = ExponentialBSpline::new(&roots).expect("in range");
+        let lower =
+            Roots::new(&fewer, "roots").and_then(|fewer| ExponentialBSpline::new(&fewer)).expect("in range");
+        for derivative in 1..roots.order() {
+            let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
+            // Not at knots: the highest derivative jumps there.
+            for i in 0..37 * roots.order() {
+                let x = (i as f64 + 0.5) / 37.0 - 0.5 * roots.order() as f64;
+                let (above, below) = (lower.at(x + 0.5, derivative - 1), lower.at(x - 0.5, derivative - 1));
+                worst = worst.max((spline.at(x, derivative) - (above - below)).abs());
+                largest = largest.max(spline.at(x, derivative).abs());
+            }
+            let off = worst / largest;
+            assert!(off < 1e-13, "{roots:?}: derivative {derivative} is off by {off:e}");
+        }
+    }
+}
+
+#[test]
+fn roots_that_leave_no_digits_are_refused() {
+    let zeros_and = |zeros: usize, rate: f64| {
+        let mut reals = vec![0.0; zeros];
+        reals.extend([rate, -rate]);
+        ExponentialBSpline::new(&list(&reals, &[])).map(|_| ()).map_err(|error| *error)
+    };
+    assert!(matches!(zeros_and(14, 20.0), Err(Error::Degenerate { argument: "roots", .. })));
+    assert!(zeros_and(6, 20.0).is_ok() && zeros_and(14, 8.0).is_ok(), "few digits are digits");
+    // Where the integral is 0 it says as much.
+    assert!(ExponentialBSpline::new(&list(&[0.0], &[(0.0, core::f64::consts::TAU)])).is_ok());
 }

@@ -368,7 +368,7 @@ fn halves(order: usize, exact: &Propagated, lambda: &[Twofold]) -> Result<Pieces
             coefficients[mirror + q] = if q % 2 == 1 { c.negative() } else { c };
         }
     }
-    let mut pieces = Propagated { coefficients, terms }.rounded(2)?;
+    let mut pieces = Propagated { coefficients, terms }.rounded(2, order - 1)?;
     settle(&mut pieces);
     Ok(pieces)
 }

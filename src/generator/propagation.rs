@@ -4,7 +4,7 @@
 
 use super::pieces::Pieces;
 use super::roots::Roots;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::limits::with_room;
 use crate::numerics::twofold::Twofold;
 
@@ -12,6 +12,11 @@ use crate::numerics::twofold::Twofold;
 const NEGLIGIBLE: f64 = 1e-30;
 /// Coefficients below this share of the largest, at the end of a piece, are cut off: derivatives amplify what is missing.
 const CUT: f64 = 1e-19;
+/// And those below this share of each derivative: large roots that hardly show in the values do show there.
+const CUT_OF_DERIVATIVES: f64 = 1e-16;
+
+/// The integral is known from the roots; where that of the pieces is off by this share of their size, their digits are lost.
+const SOUND: f64 = 1e-9;
 
 /// Pieces of length 1 in ascending powers of the distance from their middle, `terms` coefficients each.
 #[derive(Debug)]
@@ -51,12 +56,29 @@ impl Propagated {
         }
         // About their middles pieces need far fewer terms than the way to the next knot.
         let whole = Self { coefficients: whole, terms };
-        let kept = whole.needed(NEGLIGIBLE, 0.5);
+        let kept = whole.needed(0.5, [NEGLIGIBLE; 2], order - 1);
         let mut coefficients = with_room(order * kept)?;
         for piece in whole.coefficients.chunks_exact(terms) {
             coefficients.extend_from_slice(&piece[..kept]);
         }
-        Ok(Self { coefficients, terms: kept })
+        let pieces = Self { coefficients, terms: kept };
+        // Written so that NaN fails.
+        let sound =
+            (pieces.integral() - roots.integral()).abs() <= SOUND * order as f64 * pieces.largest(0.5)[0];
+        if sound { Ok(pieces) } else { Err(cancelled()) }
+    }
+
+    /// The integral of all pieces, of which even powers have one.
+    fn integral(&self) -> f64 {
+        let mut sum = Twofold::ZERO;
+        for piece in self.coefficients.chunks_exact(self.terms) {
+            let mut reach = 1.0;
+            for (k, c) in piece.iter().enumerate().step_by(2) {
+                sum = sum.plus_product(*c, Twofold::new(reach).over(Twofold::new((k + 1) as f64)));
+                reach *= 0.25;
+            }
+        }
+        sum.value()
     }
 
     /// The function at the end of piece k (from 0), or in its middle.
@@ -70,9 +92,9 @@ impl Propagated {
         piece.iter().rev().fold(Twofold::ZERO, |sum, c| c.plus(scaled(sum, -0.5)))
     }
 
-    /// How many coefficients there are up to the last that is no less than a share of the largest, at the ends of pieces.
+    /// The largest of each coefficient, times its power of the distance from the middle to the ends.
     #[inline(never)]
-    fn needed(&self, share: f64, half: f64) -> usize {
+    fn largest(&self, half: f64) -> Vec<f64> {
         let mut most = vec![0.0_f64; self.terms];
         for piece in self.coefficients.chunks_exact(self.terms) {
             let mut reach = 1.0;
@@ -81,20 +103,44 @@ impl Propagated {
                 reach *= half;
             }
         }
-        let largest = most.iter().fold(0.0, |a: f64, &b| a.max(b));
-        most.iter().rposition(|&m| m > share * largest).map_or(1, |last| last + 1)
+        most
     }
 
-    /// Rounded, and cut to the length that the longest piece needs.
+    /// How many coefficients the function needs, cut at a share of its largest term, and its derivatives, cut at one of theirs.
+    fn needed(&self, half: f64, [share, of_derivatives]: [f64; 2], derivatives: usize) -> usize {
+        let mut terms = self.largest(half);
+        let mut needed = last_above(share, &terms);
+        for derivative in 0..derivatives {
+            // k(k − 1)… times the coefficient of a power, and none of the powers that are gone.
+            for (k, term) in terms.iter_mut().enumerate() {
+                *term *= k as f64 - derivative as f64;
+            }
+            needed = needed.max(last_above(of_derivatives, &terms));
+        }
+        needed
+    }
+
+    /// Rounded, and cut to the length that the longest piece needs, for the function and its derivatives up to one.
     #[inline(never)]
-    pub(super) fn rounded(&self, per_unit: usize) -> Result<Pieces> {
-        let stride = self.needed(CUT, 0.5 / per_unit as f64);
+    pub(super) fn rounded(&self, per_unit: usize, derivatives: usize) -> Result<Pieces> {
+        let stride = self.needed(0.5 / per_unit as f64, [CUT, CUT_OF_DERIVATIVES], derivatives);
         let mut coefficients = with_room(self.coefficients.len() / self.terms * stride)?;
         for piece in self.coefficients.chunks_exact(self.terms) {
             coefficients.extend(piece[..stride].iter().map(|c| c.high));
         }
         Ok(Pieces { coefficients, stride, per_unit })
     }
+}
+
+#[cold]
+fn cancelled() -> Box<Error> {
+    Error::degenerate("roots", None, "so large ones among so many leave no digits of the B-spline")
+}
+
+/// How many terms there are up to the last above a share of the largest.
+fn last_above(share: f64, terms: &[f64]) -> usize {
+    let largest = terms.iter().fold(0.0, |a: f64, &b| a.max(b));
+    terms.iter().rposition(|&term| term > share * largest).map_or(1, |last| last + 1)
 }
 
 /// How many Taylor terms cover a step of 1 for roots to this size.
