@@ -61,6 +61,11 @@ pub fn finer(points: &[f64], dimension: usize, closed: bool, roots: &Roots, m: u
 /// They continue the sequence by the recurrence of the roots, Π(1 − e^a z): what the roots stand for goes on as it is, an arc as
 /// an arc. Fewer points than roots are continued by the polynomial through them.
 ///
+/// # Accuracy
+///
+/// That of doubles, of numbers that may be e^{(n₀ − 2)a} as large as the points for the largest real part a: on the curve they
+/// cancel again.
+///
 /// # Errors
 ///
 /// Fewer than two points; more than fit.
