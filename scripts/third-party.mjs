@@ -5,9 +5,12 @@ import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 
+import { KINDS } from "./kinds.mjs";
 import { at, environment, root } from "./steps.mjs";
 
 const TARGET = "wasm32-unknown-unknown";
+/** Bindings and allocator are linked with these only: the crate has no default features. */
+const FEATURES = ["--features", KINDS.map(({ feature }) => feature).join()];
 
 function cargo(...parameters) {
   const options = { cwd: root, env: environment(), encoding: "utf8", maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] };
@@ -16,8 +19,8 @@ function cargo(...parameters) {
 
 /** The packages that the wasm is built from: normal dependencies, no procedural macros and no build scripts. */
 function linkedPackages() {
-  const { packages } = JSON.parse(cargo("metadata", "--locked", "--format-version", "1", "--filter-platform", TARGET));
-  const tree = ["--locked", "-e", "normal,no-proc-macro", "--target", TARGET, "-p", "expline", "--prefix", "none"];
+  const { packages } = JSON.parse(cargo("metadata", "--locked", "--format-version", "1", "--filter-platform", TARGET, ...FEATURES));
+  const tree = ["--locked", "-e", "normal,no-proc-macro", "--target", TARGET, "-p", "expline", "--prefix", "none", ...FEATURES];
   const linked = new Set(cargo("tree", ...tree, "--format", "{p}").split("\n").map((line) => line.split(" ").slice(0, 2).join(" ")));
   const isLinked = (p) => p.name !== "expline" && linked.has(`${p.name} v${p.version}`);
   return packages.filter(isLinked).sort((a, b) => (a.name < b.name ? -1 : 1));

@@ -182,3 +182,10 @@ test("nothing in the tarball names the folder that it was built in", () => {
     assert.ok(!/\/(home|root|Users)\//.test(text), `${file} names a home folder`);
   }
 });
+
+test("the licences of what is linked are there, those of allocator and bindings too", () => {
+  const text = readFileSync(join(consumer, "node_modules", "expline", "THIRD_PARTY_LICENSES"), "utf8");
+  const linked = ["nalgebra", "libm", "wide", "talc", "lock_api", "scopeguard", "allocator-api2", "wasm-bindgen", "js-sys", "fast-png", "jpeg-js"];
+  for (const name of linked) assert.match(text, new RegExp(`^${name} [0-9.]+: `, "m"), `${name} is not listed`);
+  assert.ok(!/^(?:proptest|kurbo|serde) /m.test(text), "what only tests use is listed");
+});
