@@ -14,8 +14,8 @@ import { writeThirdPartyLicenses } from "./third-party.mjs";
 const nothingInside = (file, start) => `
   import { ExplineError } from "${file === "expline" ? "./core/error.js" : "./core.js"}";
   export const wasmAddress = () => new URL("${file}_bg.wasm", import.meta.url);
-  export function wasmBytes() {
-    throw new ExplineError("E_NOT_READY", "engine", "expline/slim has no engine inside; await ${start}() first");
+  export function wasmBytes(op) {
+    throw new ExplineError("E_NOT_READY", op, "expline/slim has no engine inside; await ${start}() first");
   }
 `;
 
@@ -26,11 +26,11 @@ const nothingInside = (file, start) => `
 const fileBeside = (file, start) => `
   import { ExplineError } from "./core/error.js";
   export const wasmAddress = () => new URL("${file}_bg.wasm", import.meta.url ?? process.getBuiltinModule("node:url").pathToFileURL(__filename));
-  export function wasmBytes() {
+  export function wasmBytes(op) {
     try {
       return process.getBuiltinModule("node:fs").readFileSync(wasmAddress());
     } catch (cause) {
-      throw new ExplineError("E_NOT_READY", "engine", "${file}_bg.wasm does not lie beside the program; await ${start}({ bytes }) first", { cause });
+      throw new ExplineError("E_NOT_READY", op, "${file}_bg.wasm does not lie beside the program; await ${start}({ bytes }) first", { cause });
     }
   }
 `;

@@ -36,8 +36,8 @@ async function installRust() {
 /** Rust with the wasm target, and the npm packages. */
 export async function setUp() {
   const [major = 0, minor = 0] = process.versions.node.split(".").map(Number);
-  if (major < 20 || (major === 20 && minor < 19)) {
-    throw new StepError(`Node ${process.versions.node} is too old; 20.19 or newer is needed`);
+  if (major < 20 || major === 21 || (major === 20 && minor < 19) || (major === 22 && minor < 12)) {
+    throw new StepError(`Node ${process.versions.node} is too old; 20.19, 22.12 or newer is needed`);
   }
   if (!(await rustIsReady())) await step("rust toolchain", {}, installRust);
   await step("npm packages", { inputs: ["package-lock.json"], outputs: ["node_modules/.package-lock.json"] }, async () => {

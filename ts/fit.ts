@@ -99,12 +99,13 @@ export type SparseFitAllOptions = Omit<SparseFitOptions, "parameters" | "period"
  * {@link fitSparse} for the contours of one drawing. They come from one pen or one picture, so that one level of noise holds for all: unless
  * `noise` is given, the median of what each of them says alone.
  *
- * @throws {ExplineError} as fitSparse does, for the first contour that is wrong; E_TYPE where `contours` is no array.
+ * @throws {ExplineError} as fitSparse does, for the first contour that is wrong, with `argument` "contours[1]", or "contours[1][5]" where one of its
+ *   numbers is at fault; E_TYPE where `contours` is no array.
  */
 export function fitSparseAll(contours: readonly PointsLike[], options?: SparseFitAllOptions): SparseFit[] {
   const op = "fitSparseAll";
   const { jobs } = orders(op, contours, options);
-  return inOneGo(alike(op, jobs)).map((job) => one(op, job));
+  return inOneGo(alike(op, jobs)).map((job, i) => named(i, () => one(op, job)));
 }
 
 /**
@@ -118,7 +119,12 @@ export async function fitSparseAllAsync(contours: readonly PointsLike[], options
   checkSignal(op, signal);
   await initFit();
   const fits: SparseFit[] = [];
-  for (const job of await inTasks(op, signal, alike(op, jobs))) fits.push(await oneAsync(op, job));
+  for (const [i, job] of (await inTasks(op, signal, alike(op, jobs))).entries()) {
+    const fit = oneAsync(op, job).catch((error: unknown) => {
+      throw ofContour(error, i);
+    });
+    fits.push(await fit);
+  }
   return fits;
 }
 
@@ -126,15 +132,33 @@ export async function fitSparseAllAsync(contours: readonly PointsLike[], options
 function orders(op: string, contours: unknown, options: unknown): { jobs: Order[]; signal: FitWatch["signal"] } {
   if (!Array.isArray(contours)) throw wrong("E_TYPE", op, "contours", contours, "an array of contours");
   const { signal } = watchOf(op, options);
-  return { jobs: Array.from(contours, (points) => order(op, points, options)), signal };
+  return { jobs: Array.from(contours, (points, i) => named(i, () => order(op, points, options))), signal };
+}
+
+function named<R>(i: number, work: () => R): R {
+  try {
+    return work();
+  } catch (error) {
+    throw ofContour(error, i);
+  }
+}
+
+/** What is wrong with the points of contour i, said of the contour: who calls has no `points`. */
+function ofContour(error: unknown, i: number): unknown {
+  if (!(error instanceof ExplineError) || error.arg !== "points") return error;
+  const { name: _, code, op, argument = "", ...details } = error;
+  const contour = `contours[${i}]`;
+  const place = (text: string): string => text.replace("points", contour);
+  const what = place(error.message.slice(op.length + 2, -code.length - 3));
+  return new ExplineError(code, op, what, { ...details, arg: "contours", argument: place(argument) });
 }
 
 /** The same with one level of noise: that of the options, or the median of what each contour says alone. */
 function* alike(op: string, jobs: readonly Order[]): Generator<void, readonly Order[]> {
   if (jobs.every(knowsNoise)) return jobs;
   const levels: number[] = [];
-  for (const job of jobs) {
-    levels.push(noiseOf(op, job));
+  for (const [i, job] of jobs.entries()) {
+    levels.push(named(i, () => noiseOf(op, job)));
     yield;
   }
   levels.sort((a, b) => a - b);

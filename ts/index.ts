@@ -22,7 +22,7 @@ export type {
 export { bendCurve, handlesOf, hitTest, moveHandle, movePoint, tangentWeights } from "./edit.js";
 export type { HandleSide, Hit, HitOptions, Joint } from "./edit.js";
 export { SparseFitter, fitSparse, fitSparseAll, fitSparseAllAsync, fitSparseAsync, initFit, initFitSync } from "./fit.js";
-export type { FitChange, FitProgress, FitStatus, FitStep, SparseFit, SparseFitOptions, SparseFitStrength, SparseKnot } from "./fit.js";
+export type { FitChange, FitProgress, FitStatus, FitStep, SparseFit, SparseFitAllOptions, SparseFitOptions, SparseFitStrength, SparseKnot } from "./fit.js";
 export { fromJSON } from "./json.js";
 export type { JSONWarning, ReadOptions } from "./json.js";
 export {

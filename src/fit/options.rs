@@ -42,8 +42,8 @@ pub struct Finish {
 /// How to fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// One degree, or two ascending ones for the sum of two splines; 1 to 5. Curves of degree 4 and 5 come as cubics, see
-    /// [`Fit::deviation`](super::Fit::deviation).
+    /// One degree, or two ascending ones for the sum of two splines; 1 to 5. Where fewest knots are asked for the last one
+    /// counts alone. Curves of degree 4 and 5 come as cubics, see [`Fit::deviation`](super::Fit::deviation).
     pub degrees: Vec<usize>,
     /// Whether the curve is closed; `None` where ends that are close belong together.
     pub closed: Option<bool>,
@@ -55,9 +55,10 @@ pub struct Options {
     pub period: Option<f64>,
     /// Weights, one per point; empty for 1 each.
     pub weights: Vec<f64>,
-    /// Steps of the grid that knots may be on; `None` chooses (the number of points, at most 2000 above degree 1).
+    /// Steps of the grid that knots may be on, for [`Ask::Lambda`] and [`Ask::Smoothing`]; `None` chooses (the number of points, at
+    /// most 5000 for degree 1 and 2000 above).
     pub grid_size: Option<usize>,
-    /// How the size of a jump is measured.
+    /// How the size of a jump is measured, for [`Ask::Lambda`] and [`Ask::Smoothing`].
     pub norm: Norm,
     /// For two degrees with [`Ask::Smoothing`]: from 0, as straight as can be, to 1, as smooth as can be.
     pub mix: f64,
@@ -70,11 +71,11 @@ pub struct Options {
     pub robust: bool,
     /// The noise's standard deviation in each coordinate; `None` has it estimated.
     pub noise: Option<f64>,
-    /// The relative duality gap to reach.
+    /// The relative duality gap to reach, for [`Ask::Lambda`] and [`Ask::Smoothing`].
     pub gap: f64,
-    /// The most iterations of the solver.
+    /// The most iterations of the solver, for [`Ask::Lambda`] and [`Ask::Smoothing`].
     pub most_iterations: usize,
-    /// What is done after the convex problem is solved.
+    /// What is done after the convex problem of [`Ask::Lambda`] and [`Ask::Smoothing`] is solved.
     pub finish: Finish,
 }
 

@@ -302,6 +302,12 @@ const cubics: Case[] = [
   },
 ];
 
+/** 80 bytes that may become others: of a later library than the tests are checked against. */
+function resizable(): ArrayBuffer & { resize(bytes: number): void } {
+  const Resizable = ArrayBuffer as unknown as new (bytes: number, options: { maxByteLength: number }) => ArrayBuffer & { resize(bytes: number): void };
+  return new Resizable(80, { maxByteLength: 160 });
+}
+
 const more: Case[] = [
   { id: "EV-101", what: "an unknown option", run: () => made(SQUARE, hostile({ omga: 1 })), refuses: { code: "E_TYPE", arg: "omga", bound: "omega" } },
   { id: "EV-102", what: "an odd number of coordinates", run: () => made([1, 2, 3]), refuses: { code: "E_LENGTH", arg: "points", bound: "even" } },
@@ -317,6 +323,23 @@ const more: Case[] = [
       return made(points);
     },
     refuses: { code: "E_DETACHED", arg: "points" },
+  },
+  {
+    id: "EV-106a",
+    what: "an array of fixed length whose buffer has shrunk to nothing",
+    run: () => {
+      const buffer = resizable();
+      const points = new Float64Array(buffer, 0, 10);
+      buffer.resize(0);
+      return made(points);
+    },
+    refuses: { code: "E_DETACHED", arg: "points" },
+  },
+  {
+    id: "EV-106b",
+    what: "an array of no numbers, whose buffer lives and may change its size",
+    run: () => made(new Float64Array(resizable(), 8, 0)),
+    refuses: { code: "E_TOO_FEW_POINTS", arg: "points" },
   },
   {
     id: "EV-107",

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { ExplineError, ExponentialBSpline, HermiteCurve, TensorSurface, fitSparse, roots, traceImage } from "expline";
+import { ExplineError, ExponentialBSpline, HermiteCurve, TensorSurface, fitSparse, fitSparseAll, fitSparseAllAsync, roots, traceImage } from "expline";
 
 const circle = HermiteCurve.ellipse({ center: [0, 0], radii: [5, 5], count: 4 });
 const along = { roots: roots.ellipse(8), count: 8, closed: true };
@@ -40,6 +40,42 @@ for (const [what, call, words] of [
 ] as const) {
   test(`${what}: the message says so`, () => assert.equal(said(call), words));
 }
+
+const TRIANGLE = [0, 0, 9, 0, 9, 9];
+
+for (const [what, call, argument, index] of [
+  ["a point that is no pair", () => HermiteCurve.through(as([[0, 0], [1], [2, 2]])), "points[1]", 1],
+  ["a coordinate of a pair that is text", () => HermiteCurve.through(as([[0, 0], [1, "x"]])), "points[1][1]", 3],
+  ["a coordinate of a pair that is NaN", () => HermiteCurve.through([[0, 0], [NaN, 1]]), "points[1][0]", 2],
+  ["a coordinate of an object that is missing", () => HermiteCurve.through(as([{ x: 0, y: 0 }, { x: 1 }])), "points[1].y", 3],
+  ["one of interleaved numbers", () => HermiteCurve.through([0, 0, 1, Infinity]), "points[3]", 3],
+  ["one of several contours, too short", () => fitSparseAll([TRIANGLE, [1, 1]]), "contours[1]", undefined],
+  ["one of several contours, all in one place", () => fitSparseAll([TRIANGLE, [1, 1, 1, 1, 1, 1]], { noise: 1 }), "contours[1]", undefined],
+  ["one of several contours, no list", () => fitSparseAll(as([TRIANGLE, 5])), "contours[1]", undefined],
+  ["a number of one of several contours", () => fitSparseAll([TRIANGLE, [1, 1, 2, NaN]]), "contours[1][3]", 3],
+  ["a coordinate of a pair of one of several contours", () => fitSparseAll([TRIANGLE, [[1, 1], [2, NaN]]]), "contours[1][1][1]", 3],
+] as const) {
+  test(`${what}: the error says which`, () => {
+    assert.throws(call, (error) => {
+      assert.ok(error instanceof ExplineError);
+      assert.deepEqual([error.argument, error.arg, error.index], [argument, argument.split("[")[0], index]);
+      return error.message.includes(`: ${argument} `);
+    });
+  });
+}
+
+test("contours that are fitted in short tasks are named as well", async () => {
+  const one = { code: "E_DEGENERATE", op: "fitSparseAllAsync", argument: "contours[1]" };
+  await assert.rejects(fitSparseAllAsync([TRIANGLE, [1, 1, 1, 1, 1, 1]], { noise: 1 }), one);
+  await assert.rejects(fitSparseAllAsync([TRIANGLE, [1, 1, 1, 1, 1, 1]]), one);
+});
+
+test("too many points are counted as points, however they are given", () => {
+  const most = { code: "E_LIMIT", limit: "maxFitSamples", max: 500_000, actual: 600_000 };
+  for (const points of [new Float64Array(1_200_000), new Array<number>(1_200_000).fill(0), new Array<number[]>(600_000).fill([0, 0])]) {
+    assert.throws(() => fitSparse(points), most);
+  }
+});
 
 test("how few points a fit takes is what its documentation says", () => {
   const least = (options: object): number => [1, 2, 3, 4, 5, 6, 7].find((count) => {

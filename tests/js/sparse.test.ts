@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { HermiteCurve, fitSparse, fitSparseAll, fitSparseAllAsync } from "expline";
+import { HermiteCurve, type SparseFitOptions, fitSparse, fitSparseAll, fitSparseAllAsync } from "expline";
 
 import { noisyCircle } from "./fit-data.ts";
 
@@ -132,6 +132,22 @@ test("what comes after the optimum can be named step by step, and every step say
   assert.equal(fitSparse(points, { degree: 3, tolerance: 8 }).changes[0]?.step, "search");
   assert.throws(() => fitSparse(points, { finish: ["slide", "bend" as never] }), { code: "E_RANGE", arg: "finish" });
   assert.throws(() => fitSparse(points, { finish: Array.from({ length: 6 }, () => "merge" as const) }), { code: "E_LENGTH", arg: "finish" });
+});
+
+test("options about the optimum change nothing of a search for the fewest knots, and those about the search nothing of an optimum", () => {
+  const points = noisyCircle(200, 0.01, 3);
+  const said = (options: SparseFitOptions): string => JSON.stringify({ ...fitSparse(points, options), curve: fitSparse(points, options).curve.toJSON() });
+  const ofOptimum: SparseFitOptions[] = [{ finish: "none" }, { norm: "l1" }, { gridSize: 20 }, { gap: 1e-2 }, { maxIterations: 1 }, { mix: 0 }, { degree: 3 }];
+  for (const search of [{}, { tolerance: 0.05 }]) {
+    for (const idle of ofOptimum) assert.equal(said({ ...search, ...idle }), said(search), JSON.stringify({ ...search, ...idle }));
+    assert.equal(fitSparse(points, search).parts.length, 1);
+  }
+  for (const strength of [{ smoothing: 0.4 }, { lambda: [1, 1] as const }]) {
+    for (const idle of [{ corners: false }, { corners: 1 }]) assert.equal(said({ ...strength, ...idle }), said(strength), JSON.stringify({ ...strength, ...idle }));
+    assert.equal(fitSparse(points, strength).parts.length, 1);
+    assert.equal(fitSparse(points, { ...strength, finish: "gridless" }).parts.length, 2);
+  }
+  assert.equal(said({ lambda: [1, 1], mix: 0 }), said({ lambda: [1, 1] }));
 });
 
 test("contours of one drawing are fitted with one level of noise", () => {

@@ -41,8 +41,12 @@ test("the worker's snippets run: a newer picture ends the work on an older one, 
   const inPage = `
     import { Worker as Thread } from "node:worker_threads";
     globalThis.Worker = class {
-      constructor(url) { this.thread = new Thread(url); this.thread.setMaxListeners(20); globalThis.thread = this.thread; }
-      addEventListener(_, hear) { this.thread.on("message", (data) => hear({ data })); }
+      constructor(url) { this.thread = new Thread(url); this.heard = new Map(); globalThis.thread = this.thread; }
+      addEventListener(_, hear) {
+        this.heard.set(hear, (data) => hear({ data }));
+        this.thread.on("message", this.heard.get(hear));
+      }
+      removeEventListener(_, hear) { this.thread.off("message", this.heard.get(hear)); }
       postMessage(message) { this.thread.postMessage(message); }
     };
     const { trace, traced } = await import("./page.mjs");
@@ -55,14 +59,16 @@ test("the worker's snippets run: a newer picture ends the work on an older one, 
     const ends = await Promise.allSettled([traced(1), traced(2), traced(3)]);
     trace(4, disc);
     const [round] = await traced(4);
-    console.log(JSON.stringify([ends.map(({ reason }) => reason?.code), round.asEllipse(0.05).radii]));
+    const listening = globalThis.thread.listenerCount("message");
+    console.log(JSON.stringify([ends.map(({ reason }) => reason?.code), round.asEllipse(0.05).radii, listening]));
     await globalThis.thread.terminate();
   `;
   writeFileSync(join(consumer, "page.mjs"), page);
   writeFileSync(join(consumer, "in-page.mjs"), inPage);
   const { stdout, stderr, status } = spawnSync(process.execPath, [join(consumer, "in-page.mjs")], { encoding: "utf8", timeout: 60_000 });
   assert.equal(status, 0, stderr);
-  const [codes, [radius]] = JSON.parse(stdout) as [(string | null)[], [number, number]];
+  const [codes, [radius], listening] = JSON.parse(stdout) as [(string | null)[], [number, number], number];
+  assert.equal(listening, 0, "nobody listens to answers that have come");
   assert.deepEqual(codes, ["E_CANCELLED", "E_CANCELLED", "E_RANGE"]);
   assert.ok(Math.abs(radius - 20) < 0.05, `a disc of radius 20 has ${radius}`);
 });

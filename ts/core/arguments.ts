@@ -31,6 +31,7 @@ export type SpacePointsLike =
 export type Coordinates = OwnFloats;
 
 const lengthOf = Object.getOwnPropertyDescriptor(typedArray, "length")?.get;
+const { indexOf: search } = typedArray as Float64Array;
 
 /** Whether it really is a Float64Array, of whichever realm, and not something that says so. */
 export function isFloat64Array(value: unknown): value is Float64Array {
@@ -49,25 +50,26 @@ export function isBytes(value: unknown): value is Uint8Array | Uint8ClampedArray
   return tag === "Uint8Array" || tag === "Uint8ClampedArray";
 }
 
-/** The true length, whatever a subclass says; refuses an array whose buffer has gone. */
+/** The true length, whatever a subclass says; refuses an array whose buffer has gone, or has become too short for it. */
 export function lengthOfArray(op: string, arg: string, value: Float64Array | Float32Array | Uint8Array | Uint8ClampedArray): number {
   const length = lengthOf?.call(value) as number;
-  if (length === 0) {
-    const buffer = value.buffer as ArrayBufferLike & { readonly resizable?: boolean; readonly growable?: boolean };
-    let gone = buffer.resizable === true && buffer.byteLength > 0;
-    try {
-      new Uint8Array(buffer);
-    } catch {
-      gone = true;
-    }
-    if (gone) {
-      throw new ExplineError("E_DETACHED", op, `${arg} lies on a buffer that was transferred or resized`, {
-        arg,
-        argument: arg,
-      });
-    }
+  if (length === 0 && isLost(value)) {
+    throw new ExplineError("E_DETACHED", op, `${arg} lies on a buffer that was transferred or resized`, {
+      arg,
+      argument: arg,
+    });
   }
   return length;
+}
+
+/** Tells an array that has nothing to lie on from an honest one of length 0: all but a few methods refuse the former. */
+function isLost(value: unknown): boolean {
+  try {
+    search.call(value as Float64Array, 0);
+    return false;
+  } catch {
+    return true;
+  }
 }
 
 /** A finite number. */
@@ -77,12 +79,12 @@ export function finite(op: string, arg: string, value: unknown, index?: number):
   return value;
 }
 
-/** A finite number within ±1e9. */
-export function coordinate(op: string, arg: string, value: unknown, index?: number): number {
-  if (typeof value !== "number") throw wrong("E_TYPE", op, arg, value, "number", index);
+/** A finite number within ±1e9. `argument` says where it stands, if not at `index`. */
+export function coordinate(op: string, arg: string, value: unknown, index?: number, argument?: string): number {
+  if (typeof value !== "number") throw wrong("E_TYPE", op, arg, value, "number", index, argument);
   if (!(Math.abs(value) <= LARGEST)) {
     const code = Number.isFinite(value) ? "E_RANGE" : "E_NOT_FINITE";
-    throw wrong(code, op, arg, value, `a finite number with ${BOUND}`, index);
+    throw wrong(code, op, arg, value, `a finite number with ${BOUND}`, index, argument);
   }
   return value + 0;
 }
@@ -151,16 +153,19 @@ export function options<K extends string>(
   return own;
 }
 
-/** A copy of the numbers of a Float64Array or of an array of numbers; finite or not is not looked at. `or` says what else the caller takes. */
-export function numbers(op: string, arg: string, value: unknown, limit: string, max: number, or = ""): Coordinates {
+/**
+ * A copy of the numbers of a Float64Array or of an array of numbers; finite or not is not looked at. `or` says what else the caller takes; the
+ * limit is on things of `each` numbers.
+ */
+export function numbers(op: string, arg: string, value: unknown, limit: string, max: number, or = "", each = 1): Coordinates {
   if (isFloat64Array(value)) {
     const length = lengthOfArray(op, arg, value);
-    if (length > max) throw overLimit(op, arg, limit, max, length);
+    if (length > each * max) throw overLimit(op, arg, limit, max, Math.ceil(length / each));
     return new Float64Array(value);
   }
   if (!Array.isArray(value)) throw wrong("E_TYPE", op, arg, value, `${or}Float64Array or an array of numbers`);
   const list = value as readonly unknown[];
-  const length = honestLength(op, arg, list, limit, max, (item) => typeof item === "number");
+  const length = honestLength(op, arg, list, limit, max, (item) => typeof item === "number", each);
   const copy = new Float64Array(length);
   for (let i = 0; i < length; i += 1) {
     const item = list[i];
@@ -183,29 +188,29 @@ function honestLength(
   limit: string,
   max: number,
   fits: (item: unknown) => boolean,
+  each = 1,
 ): number {
   const { length } = list;
-  if (length > max) {
+  if (length > each * max) {
     if (!fits(list[length - 1])) throw wrong("E_TYPE", op, arg, list[length - 1], "number", length - 1);
-    throw overLimit(op, arg, limit, max, length);
+    throw overLimit(op, arg, limit, max, Math.ceil(length / each));
   }
   return length;
 }
 
 /** A copy of points or vectors, `dimension` numbers each, every one of them finite and within ±1e9. */
 export function points(op: string, arg: string, value: unknown, max: number = MAX_POINTS, dimension: 2 | 3 = 2, limit = "maxPoints"): Coordinates {
-  let copy: Coordinates;
   if (Array.isArray(value) && value.length > 0 && typeof value[0] === "object" && value[0] !== null) {
     const list = value as readonly unknown[];
     const length = honestLength(op, arg, list, limit, max, (item) => typeof item === "object" && item !== null);
-    copy = new Float64Array(dimension * length);
+    const copy = new Float64Array(dimension * length);
     for (let i = 0; i < length; i += 1) copy.set(one(op, arg, list[i], i, dimension), dimension * i);
-  } else {
-    copy = numbers(op, arg, value, limit, dimension * max);
-    if (copy.length % dimension !== 0) {
-      const bound = dimension === 2 ? "an even number, two for each point" : "a multiple of 3, three for each point";
-      throw wrongLength(op, arg, copy.length, bound);
-    }
+    return copy;
+  }
+  const copy = numbers(op, arg, value, limit, max, "", dimension);
+  if (copy.length % dimension !== 0) {
+    const bound = dimension === 2 ? "an even number, two for each point" : "a multiple of 3, three for each point";
+    throw wrongLength(op, arg, copy.length, bound);
   }
   return within(op, arg, copy);
 }
@@ -219,8 +224,9 @@ function one(op: string, arg: string, item: unknown, i: number, dimension: 2 | 3
   }
   return AXES.slice(0, dimension).map((axis, k) => {
     const value: unknown = isArray ? (item as unknown[])[k] : (item as Record<string, unknown>)[axis];
-    if (typeof value !== "number") throw wrong("E_TYPE", op, arg, value, "number", dimension * i + k);
-    return value;
+    // The name is made only where something is wrong: there may be a million points.
+    if (typeof value === "number" && Math.abs(value) <= LARGEST) return value + 0;
+    return coordinate(op, arg, value, dimension * i + k, `${arg}[${i}]${isArray ? `[${k}]` : `.${axis}`}`);
   });
 }
 

@@ -61,7 +61,7 @@ export abstract class Held {
 
   /** The slot that holds this curve in the living instance, loaded now if need be. */
   resident(op: string): number {
-    const { ids, used } = this.door.instance();
+    const { ids, used } = this.door.instance(op);
     clock += 1;
     if (ids[this.slot] !== this.id) this.load(op);
     used[this.slot] = clock;
@@ -71,7 +71,7 @@ export abstract class Held {
   /** Has the kernel check the curve and keep it. */
   load(op: string): void {
     const { count, door } = this;
-    const instance = door.instance();
+    const instance = door.instance(op);
     if (instance.points + count > MOST_RESIDENT && instance.points > 0) {
       door.call(op, (kernel) => (kernel.forget(), 0));
       instance.ids.fill(0);

@@ -87,8 +87,8 @@ export interface Engine<K extends AnyKernel = Kernel> {
   readonly op: string;
   /** A function that its wasm has and the others have not. */
   readonly mark: string;
-  /** The bytes inside the package. */
-  readonly bytes: () => Uint8Array<ArrayBuffer>;
+  /** The bytes inside the package, for the operation that is waiting for them. */
+  readonly bytes: (op: string) => Uint8Array<ArrayBuffer>;
   /** Where the file lies beside the slim package. */
   readonly address: (() => URL) | undefined;
   module?: WebAssembly.Module | undefined;
@@ -99,9 +99,9 @@ export interface Engine<K extends AnyKernel = Kernel> {
 /** The engine of curves. @internal */
 export const core: Engine = { op: "init", mark: "load", bytes: wasmBytes, address: wasmAddress };
 
-/** The living instance; compiles and starts one where there is none. @internal */
-export function instanceOf<K extends AnyKernel>(engine: Engine<K>): Instance<K> {
-  return engine.current ?? (engine.current = instantiate(engine, (engine.module ??= compile(engine.op, inlined(engine)))));
+/** The living instance; compiles and starts one where there is none, for the operation `by`. @internal */
+export function instanceOf<K extends AnyKernel>(engine: Engine<K>, by: string = engine.op): Instance<K> {
+  return engine.current ?? (engine.current = instantiate(engine, (engine.module ??= compile(engine.op, inlined(engine, by)))));
 }
 
 /** Takes the instance out of service after anything but a clear answer came out of it. @internal */
@@ -131,10 +131,10 @@ function compileError(op: string, cause: unknown): ExplineError {
 }
 
 /** The bytes that are inside the package. */
-function inlined({ op, bytes }: Pick<Engine, "op" | "bytes">): BufferSource {
+function inlined({ op, bytes }: Pick<Engine, "op" | "bytes">, by: string): BufferSource {
   wasm(op);
   try {
-    return bytes();
+    return bytes(by);
   } catch (cause) {
     // Where the page forbids wasm, the decoder is the first to notice.
     throw cause instanceof ExplineError ? cause : compileError(op, cause);
@@ -206,7 +206,7 @@ async function start<K extends AnyKernel>(engine: Engine<K>, given: unknown): Pr
   else if (given === undefined && engine.module !== undefined) next = engine.module;
   else if (wasmUrl !== undefined) next = await fetched(op, wasmUrl);
   else if (bytes === undefined && address !== undefined) next = await fetched(op, address());
-  else next = await compiled(op, bytes === undefined ? inlined(engine) : asBytes(op, bytes));
+  else next = await compiled(op, bytes === undefined ? inlined(engine, op) : asBytes(op, bytes));
   adopt(engine, next);
 }
 

@@ -30,7 +30,10 @@ export type ErrorCode =
   | "E_DETACHED"
   /** The engine could not be started; `reason` is one of csp, network, mime, compile, version, memory, unsupported. */
   | "E_INIT"
-  /** `expline/slim` was used before `init`, or other work than curves before its own: `initSpline`, `initSurface`, `initFit`, `initTrace`. */
+  /**
+   * `expline/slim` was used before `init`, or other work than curves before its own: `initSpline`, `initSurface`, `initFit`, `initTrace`. The curves of
+   * fits and traces need `init`, too.
+   */
   | "E_NOT_READY"
   /** The caller's AbortSignal ended the work; `cause` is the signal's reason. */
   | "E_CANCELLED"
@@ -43,7 +46,7 @@ export type ErrorCode =
 
 /** The fields of an {@link ExplineError} beside its code and message. */
 export interface ErrorDetails {
-  /** The argument at fault, with the position where there is one: `points[17]`. */
+  /** The argument at fault, with the position where there is one: `points[17]`, of pairs and objects `points[8][1]`, `points[8].y`. */
   readonly argument?: string;
   /** The argument's bare name: `points`. */
   readonly arg?: string;
@@ -88,7 +91,7 @@ export class ExplineError extends Error {
   readonly op: string;
   /** True when the engine's instance died of it and was replaced. */
   readonly fatal: boolean;
-  /** The argument at fault, with the position where there is one: `points[17]`. */
+  /** The argument at fault, with the position where there is one: `points[17]`, of pairs and objects `points[8][1]`, `points[8].y`. */
   declare readonly argument?: string;
   /** The argument's bare name: `points`. */
   declare readonly arg?: string;
@@ -154,8 +157,8 @@ function typed(value: object): string {
 }
 
 /** The details and the name of an argument, or of one place in it. */
-function place(arg: string, index: number | undefined): ErrorDetails & { argument: string } {
-  return index === undefined ? { arg, argument: arg } : { arg, index, argument: `${arg}[${index}]` };
+function place(arg: string, index: number | undefined, argument = index === undefined ? arg : `${arg}[${index}]`): ErrorDetails & { argument: string } {
+  return index === undefined ? { arg, argument } : { arg, index, argument };
 }
 
 /** `argument is value; expected bound`. */
@@ -166,8 +169,9 @@ export function wrong(
   value: unknown,
   bound: string,
   index?: number,
+  argument?: string,
 ): ExplineError {
-  const at = place(arg, index);
+  const at = place(arg, index, argument);
   const kept = typeof value === "number" || typeof value === "string" ? { value: cut(value) } : {};
   const what = `${at.argument} is ${shown(value)}; expected ${bound}`;
   return new ExplineError(code, op, what, { ...at, ...kept, bound });

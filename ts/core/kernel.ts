@@ -29,7 +29,7 @@ const enum Failure {
  * @internal
  */
 export function callOf<K extends AnyKernel>(from: Engine<K>, op: string, body: (kernel: K) => number, given?: Given): number {
-  const instance = from.current ?? instanceOf(from);
+  const instance = from.current ?? instanceOf(from, op);
   let count: number;
   try {
     count = body(instance.kernel);
@@ -55,7 +55,7 @@ export function peekOf({ floats, record }: Instance<AnyKernel>, count: number): 
 export function writeTo<K extends AnyKernel>(to: Engine<K>, op: string, ...arrays: Float64Array[]): void {
   let total = 0;
   for (const array of arrays) total += array.length;
-  const instance = instanceOf(to);
+  const instance = instanceOf(to, op);
   let place = room(to, instance, op, total);
   for (const array of arrays) {
     instance.floats.set(array, place);
@@ -65,8 +65,8 @@ export function writeTo<K extends AnyKernel>(to: Engine<K>, op: string, ...array
 
 /** One engine as all that is worked on in it sees it. @internal */
 export interface Door<K extends AnyKernel> {
-  /** The living instance. */
-  instance(): Instance<K>;
+  /** The living instance; where there is none, one is started for the operation. */
+  instance(op?: string): Instance<K>;
   /** Runs one function and returns how many numbers it left in the output. */
   call(op: string, body: (kernel: K) => number, given?: Given): number;
   /** Number i of the record of scalar results. */
@@ -81,7 +81,7 @@ export interface Door<K extends AnyKernel> {
 
 /** The door of an engine. @internal */
 export function doorOf<K extends AnyKernel>(engine: Engine<K>): Door<K> {
-  const instance = (): Instance<K> => engine.current ?? instanceOf(engine);
+  const instance = (op?: string): Instance<K> => engine.current ?? instanceOf(engine, op);
   return {
     instance,
     call: (op, body, given) => callOf(engine, op, body, given),
@@ -139,7 +139,7 @@ export function writeBytesTo<K extends AnyKernel>(to: Engine<K>, op: string, byt
 
 /** Where an engine reads so many bytes of text. */
 function textRoom<K extends AnyKernel>(to: Engine<K>, op: string, bytes: number): Uint8Array {
-  const { kernel } = instanceOf(to);
+  const { kernel } = instanceOf(to, op);
   let address: number;
   try {
     address = kernel.text_address(bytes) >>> 0;

@@ -12,7 +12,8 @@ export const fits: Engine<FitKernel> = { op: "initFit", mark: "fit_open", bytes:
 
 /**
  * Loads the engine for fitting early, or from elsewhere. Not needed before the first fit: without it the wasm inside the package is
- * compiled when it is first used. `expline/slim` needs it before `fitSparse`; `fitSparseAsync` waits for it by itself.
+ * compiled when it is first used. `expline/slim` needs it before `fitSparse`; `fitSparseAsync` waits for it by itself. The curves that come out
+ * are Hermite curves: whatever is asked of them, but for their data, needs `init()` as well there.
  *
  * @throws {ExplineError} E_INIT with `reason` csp, network, mime, compile, version, memory or unsupported.
  */

@@ -11,7 +11,10 @@ export interface FitProgress {
   gap: number;
 }
 
-/** How strongly a fit is simplified: one of the three, or none, and the noise of the data decides. */
+/**
+ * How strongly a fit is simplified: one of the three, or none, and the noise of the data decides. λ and `smoothing` are a convex problem with a
+ * certified optimum; a tolerance, and the noise, are a search for the fewest knots, which the options about the optimum do not concern.
+ */
 export interface SparseFitStrength {
   /** The λ of the papers, in the unit of the data: one for each degree. */
   lambda?: number | readonly [number, number] | undefined;
@@ -24,7 +27,7 @@ export interface SparseFitStrength {
   tolerance?: number | undefined;
 }
 
-/** A step after the optimum on the grid is found. */
+/** A step after the optimum on the grid is found, with `lambda` or `smoothing`. */
 export type FitStep =
   /** Knots that others can stand for go: neither the curve at the points nor the objective changes. Only grids finer than the points have such. */
   | "extreme"
@@ -40,21 +43,29 @@ export type FitStep =
 /** What {@link fitSparse} can be told. */
 export interface SparseFitOptions extends SparseFitStrength {
   /**
-   * 1 to 5; a pair fits the sum of two splines, straight pieces with corners and smooth ones. Default [1, 3]. The curve of a degree above 3 is
-   * written as cubics, see `deviation` of the result.
+   * 1 to 5; a pair fits the sum of two splines, straight pieces with corners and smooth ones. Default [1, 3]. With a tolerance, or without any
+   * strength, a pair means its higher degree: one spline with as smooth or as sharp a knot as each place needs. The curve of a degree above 3
+   * is written as cubics, see `deviation` of the result.
    */
   degree?: number | readonly [number, number] | undefined;
-  /** Of a pair of degrees with `smoothing` or `tolerance`: 0 prefers straight pieces, 1 smooth ones. Default 0.5. */
+  /** Of a pair of degrees with `smoothing`: 0 prefers straight pieces, 1 smooth ones. Default 0.5; ignored otherwise. */
   mix?: number | undefined;
-  /** Places where knots may begin, N. Default: the number of points, at most 2000 for degrees above 1. */
+  /**
+   * Places where knots may begin, N, with `lambda` or `smoothing`: 1 to 65,536. Default: the number of points, at most 5000 for degree 1 and 2000 above.
+   * Ignored with a tolerance and without any strength.
+   */
   gridSize?: number | undefined;
-  /** "l2", the default, does not see how the picture is turned; "l1" treats x and y apart. */
+  /**
+   * How a jump is measured, with `lambda` or `smoothing`: "l2", the default, does not see how the picture is turned; "l1" treats x and y apart.
+   * Ignored with a tolerance and without any strength.
+   */
   norm?: "l2" | "l1" | undefined;
   /** Whether the last point is followed by the first. Default true. */
   closed?: boolean | undefined;
   /**
    * Whether sharp corners of the data are kept as they are. Default true: wherever a corner spares a knot. A number is the least turn of a corner,
-   * in radians: with `tolerance`, or neither that nor λ nor `smoothing`, the curve is smooth where it turns less, for a knot or two more.
+   * in radians, 0 to π: the curve is smooth where it turns less, for a knot or two more. Ignored with `lambda` and `smoothing`: a pair with
+   * degree 1 has corners there, degree 2 and above alone has none.
    */
   corners?: boolean | number | undefined;
   /** Whether points far off the curve count for little: they are named in `outliers`. Default false. */
@@ -62,20 +73,24 @@ export interface SparseFitOptions extends SparseFitStrength {
   /** Standard deviation of the noise, in the unit of the points. Default: estimated from them. */
   noise?: number | undefined;
   /**
-   * What is made of the optimum: "none" leaves it as it is, on its grid; "gridless" joins neighbouring knots and moves them between the places
+   * What is made of the optimum, with `lambda` or `smoothing`: "none" leaves it as it is, on its grid; "gridless" joins neighbouring knots and moves them between the places
    * of the grid, to the optimum that no grid limits; "full", the default, also takes the bias out and drops knots that the error allows. Or the
-   * steps one by one, in whatever order: they are taken in that of {@link FitStep}. What each of them changed is in `changes`.
+   * steps one by one, in whatever order: they are taken in that of {@link FitStep}. What each of them changed is in `changes`. Ignored with a
+   * tolerance and without any strength: there is no optimum then.
    */
   finish?: "none" | "gridless" | "full" | readonly FitStep[] | undefined;
-  /** Increasing parameters of the points, one each. Default: as long as the way between them. */
+  /** Parameters of the points, one each: none below the one before it, and not all the same. Default: as long as the way between them. */
   parameters?: Float64Array | readonly number[] | undefined;
   /** Length of the parameter's period of a closed fit with `parameters`, beyond the last of them; refused without them. */
   period?: number | undefined;
-  /** How much each point counts, one positive number each. Default: all the same. */
+  /** How much each point counts, one number from 1e-6 to 1e6 each. Default: all the same. */
   weights?: Float64Array | readonly number[] | undefined;
-  /** Relative duality gap at which to stop. Default 1e-6. */
+  /** Relative duality gap at which to stop, 0 to 1, with `lambda` or `smoothing`. Default 1e-6. Ignored with a tolerance and without any strength. */
   gap?: number | undefined;
-  /** Steps of the solver at most. Default 2000. */
+  /**
+   * Steps of the solver at most, up to 100,000, with `lambda` or `smoothing`. Default 400. Ignored with a tolerance and without any strength; `deadline`
+   * ends those.
+   */
   maxIterations?: number | undefined;
   /** Milliseconds after which the best that was found so far is given, with status "deadline". Default: none. */
   deadline?: number | undefined;
@@ -214,7 +229,6 @@ function perPoint(op: string, name: string, value: unknown, size: number): Float
   if (given.length !== size) throw wrongLength(op, name, given.length, `${size}, one for each point`);
   given.forEach((number, i) => {
     if (!Number.isFinite(number)) throw wrong("E_NOT_FINITE", op, name, number, "a finite number", i);
-    if (name === "weights" && !(number > 0 && number <= 1e9)) throw wrong("E_RANGE", op, name, number, "a number in (0, 1e9]", i);
   });
   return given;
 }

@@ -10,7 +10,10 @@ export interface SparseKnot {
   x: number;
   /** Where the curve is there. */
   y: number;
-  /** Degree of the component that it belongs to: 1 is a corner. Two components may have a knot at the same t. */
+  /**
+   * The order of the derivative that jumps: 1 is a corner. As `finish: "none"` and "gridless" leave the optimum, the degree of the component that it
+   * belongs to, and two components may have a knot at the same t; of one spline the lowest order that jumps.
+   */
   degree: number;
   /** By how much the derivative of that order jumps. */
   jump: [number, number];
@@ -32,7 +35,7 @@ export interface FitChange {
 export type FitStatus =
   /** The gap that was asked for is certified. */
   | "converged"
-  /** `maxIterations` came first. */
+  /** `maxIterations` came first, with `lambda` or `smoothing`. */
   | "max_iterations"
   /** Rounding allows no smaller gap, and `gap` is what is certified; or no curve was found within `tolerance`, and `maxError` says how near this one is. */
   | "stalled"
@@ -49,7 +52,10 @@ export interface SparseFit {
    * `deviation` is how far, and `coefficients` are the spline's own.
    */
   curve: HermiteCurve;
-  /** Each component as a curve of its own, degrees 4 and 5 as cubics; their sum is `curve`. One where there is one degree. */
+  /**
+   * Each component as a curve of its own, degrees 4 and 5 as cubics; their sum is `curve`. Two only of a pair of degrees with `lambda` or `smoothing` whose
+   * `finish` leaves the bias in ("none", "gridless"): "full" makes one spline of both, and with a tolerance or without any strength there never are two.
+   */
   parts: HermiteCurve[];
   /** B-spline coefficients of each component on its knots, x and y in turn. */
   coefficients: Float64Array[];
@@ -79,7 +85,7 @@ export interface SparseFit {
   rms: number;
   /** How far `curve` may be from the spline: 0 up to degree 3, proved above. `maxError` has it in it. */
   deviation: number;
-  /** Steps of the solver. */
+  /** Steps of the solver, or of the search where no λ was involved. */
   iterations: number;
   /** One for each degree; none where no λ was involved. */
   lambda: number[];

@@ -83,7 +83,7 @@ export class SurfaceData {
 
   /** The place that holds this surface in the living instance, loaded now if need be. */
   resident(op: string): number {
-    const places = placesOf.get(engine());
+    const places = placesOf.get(engine(op));
     if (places === undefined || places.ids[this.place] !== this.id) this.load(op);
     const now = placesOf.get(engine());
     clock += 1;
@@ -94,7 +94,7 @@ export class SurfaceData {
   /** Has the kernel check the surface and keep it. */
   load(op: string): void {
     const count = this.net.length / 3;
-    let places = placesOf.get(engine());
+    let places = placesOf.get(engine(op));
     if (places === undefined || places.points + count > MOST_RESIDENT) {
       if (places !== undefined) call(op, (kernel) => kernel.surface_forget());
       places = { ids: new Array<number>(PLACES).fill(0), used: new Array<number>(PLACES).fill(0), points: 0 };

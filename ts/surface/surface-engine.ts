@@ -10,7 +10,7 @@ const surfaces: Engine<SurfaceKernel> = { op: "initSurface", mark: "surface_load
 
 /**
  * Loads the engine of surfaces early, or from elsewhere. Not needed before the first surface: without it the wasm inside the package is
- * compiled when it is first used. `expline/slim` needs it before the first surface.
+ * compiled when it is first used. `expline/slim` needs it before the first surface, and nothing else for surfaces.
  *
  * @throws {ExplineError} E_INIT with `reason` csp, network, mime, compile, version, memory or unsupported.
  */

@@ -48,7 +48,7 @@ export class OpenWork<K extends AnyKernel> {
   /** The number in the living instance. Where that is a new one, the work is opened again, and `again` has a call of its own. */
   number(op: string, again?: (number: number) => void): number {
     const place = this.#place;
-    const instance = instanceOf(this.#kind.engine);
+    const instance = instanceOf(this.#kind.engine, op);
     if (place?.instance === instance) return place.number;
     if (place !== undefined) forgotten?.unregister(this.#key);
     const number = this.#open(op);

@@ -12,7 +12,8 @@ export const traces: Engine<TraceKernel> = { op: "initTrace", mark: "trace_open"
 
 /**
  * Loads the engine for tracing early, or from elsewhere. Not needed before the first picture: without it the wasm inside the package is
- * compiled when it is first used. `expline/slim` needs it before `traceImage`; `traceImageAsync` waits for it by itself.
+ * compiled when it is first used. `expline/slim` needs it before `traceImage`; `traceImageAsync` waits for it by itself. The curves that come out
+ * are Hermite curves: `toSvg`, and whatever is asked of them but for their data, needs `init()` as well there.
  *
  * @throws {ExplineError} E_INIT with `reason` csp, network, mime, compile, version, memory or unsupported.
  */
