@@ -1,7 +1,7 @@
 /** The ES module of Hermite curves and path data: the public names, and what the other modules need of it. */
 export { default, initSync, version } from "./core/engine.js";
 export type { InitOptions, InitSyncOptions } from "./core/engine.js";
-export type { OwnBytes } from "./core/host.js";
+export type { OwnBytes, Signal } from "./core/host.js";
 export { ExplineError } from "./core/error.js";
 export type { ErrorCode, ErrorDetails } from "./core/error.js";
 export type { PointsLike, SpacePointsLike } from "./core/arguments.js";

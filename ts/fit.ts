@@ -1,5 +1,5 @@
 /** Sparse curves through noisy points: all at once, in short tasks, or again and again for a slider. */
-import { ExplineError, type PointsLike, wrong } from "./core.js";
+import { ExplineError, type PointsLike, type Signal, wrong } from "./core.js";
 import { type Question, Resident, initFit } from "./fit/fit-engine.js";
 import { type FitProgress, type FitWatch, type Order, type SparseFitOptions, type SparseFitStrength, change, knowsNoise, order, watchOf, withNoise } from "./fit/fit-options.js";
 import { type SparseFit, readFit } from "./fit/fit-result.js";
@@ -252,7 +252,7 @@ export class SparseFitter {
 
   /** The same in short tasks; an abort leaves the fitter as usable as it was. */
   async solveAsync(
-    strength?: SparseFitStrength & { signal?: AbortSignal | undefined; onProgress?: ((progress: FitProgress) => void) | undefined },
+    strength?: SparseFitStrength & { signal?: Signal | undefined; onProgress?: ((progress: FitProgress) => void) | undefined },
   ): Promise<SparseFit> {
     const op = "solveAsync";
     const held = take(this, op);

@@ -76,32 +76,32 @@ export class TensorSurface {
     this.#data = options instanceof SurfaceData ? options : checkedSurface(NAME, options);
   }
 
-  /** A sphere about the origin: u runs round, v from the south pole (0, 0, −radius) to the north pole. `segments`: units in u and v, at least 3 and 2. */
+  /** A sphere about the origin: u runs round, v from the south pole (0, 0, −radius) to the north pole. `segments`: units in u and v, at least 3 and 2, by default [8, 4]. */
   static sphere(radius: number, segments?: readonly [number, number]): TensorSurface {
     return shape("sphere", 0, [["radius", radius]], segments, [8, 4]);
   }
 
-  /** An ellipsoid about the origin with its half axes along x, y and z, otherwise as {@link TensorSurface.sphere}. */
+  /** An ellipsoid about the origin with its half axes along x, y and z, otherwise as {@link TensorSurface.sphere}, also in `segments`. */
   static ellipsoid(radii: readonly [number, number, number], segments?: readonly [number, number]): TensorSurface {
     return shape("ellipsoid", 1, three("ellipsoid", "radii", radii), segments, [8, 4]);
   }
 
-  /** A torus about the z axis: u runs round the axis at distance `radius`, v round the tube. `segments` at least 3. */
+  /** A torus about the z axis: u runs round the axis at distance `radius`, v round the tube. `segments` at least 3, by default [8, 6]. */
   static torus(radius: number, tube: number, segments?: readonly [number, number]): TensorSurface {
     return shape("torus", 2, [["radius", radius], ["tube", tube]], segments, [8, 6]);
   }
 
-  /** A cylinder about the z axis, without lids, from z = −height/2 to height/2. `segments` at least 3 and 1. */
+  /** A cylinder about the z axis, without lids, from z = −height/2 to height/2. `segments` at least 3 and 1, by default [8, 2]. */
   static cylinder(radius: number, height: number, segments?: readonly [number, number]): TensorSurface {
     return shape("cylinder", 3, [["radius", radius], ["height", height]], segments, [8, 2]);
   }
 
-  /** Steiner's Roman surface ½r²(cos a·sin 2b, sin a·sin 2b, sin 2a·cos² b), covered twice. `segments` at least 5. */
+  /** Steiner's Roman surface ½r²(cos a·sin 2b, sin a·sin 2b, sin 2a·cos² b), covered twice. `segments` at least 5, by default [5, 5]. */
   static romanSurface(r: number, segments?: readonly [number, number]): TensorSurface {
     return shape("romanSurface", 4, [["r", r]], segments, [5, 5]);
   }
 
-  /** A piece of x²/a² − y²/b² = z/h: (a·p·cosh q, b·p·sinh q, h·p²) for p and q from −1 to 1. `segments` at least 1. */
+  /** A piece of x²/a² − y²/b² = z/h: (a·p·cosh q, b·p·sinh q, h·p²) for p and q from −1 to 1. `segments` at least 1, by default [6, 6]. */
   static hyperbolicParaboloid(a: number, b: number, h: number, segments?: readonly [number, number]): TensorSurface {
     return shape("hyperbolicParaboloid", 5, [["a", a], ["b", b], ["h", h]], segments, [6, 6]);
   }
@@ -384,5 +384,6 @@ function fileOptions(op: string, options: unknown): { rows: number; cols: number
   const [m, n] = sizes(op, rows, cols);
   // No literal: engines look all letters up while they read one, at the import of whoever writes no file.
   const strange = new RegExp("[^\\p{L}\\p{N} ._-]", "gu");
-  return { rows: m, cols: n, name: name.replace(strange, "_").slice(0, 200) };
+  const [cut = ""] = /^[^]{0,200}/u.exec(name) ?? [];
+  return { rows: m, cols: n, name: cut.replace(strange, "_") };
 }

@@ -53,7 +53,8 @@ function stepOf(op: string, picture: Picture): Step {
  * stay corners, straight lines are lines, circles are circles, and the curves are refined until they cover of every pixel what the picture says.
  * The same picture gives the same bits everywhere.
  *
- * @throws {ExplineError} E_LIMIT with `limit` "maxContours", `actual` and `offer` for a photograph, "maxPixels" above 40 megapixels.
+ * @throws {ExplineError} E_LIMIT with `limit` "maxContours", `actual` and `offer` for a photograph; "maxContourPoints" where contours cross more places
+ *   between pixels than half as many as there are pixels, and 65,536 (noise, dithering: a `blur` helps); "maxPixels" above 40 megapixels.
  */
 export function traceImage(image: ImageLike, options?: TraceOptions): Trace {
   const op = "traceImage";

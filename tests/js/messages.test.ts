@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { ExplineError, ExponentialBSpline, HermiteCurve, TensorSurface, fitSparse, fitSparseAll, fitSparseAllAsync, roots, traceImage } from "expline";
+import { ExplineError, ExponentialBSpline, HermiteCurve, HermiteGenerators, TensorSurface, fitSparse, fitSparseAll, fitSparseAllAsync, roots, traceImage } from "expline";
 
 const circle = HermiteCurve.ellipse({ center: [0, 0], radii: [5, 5], count: 4 });
 const along = { roots: roots.ellipse(8), count: 8, closed: true };
@@ -28,7 +28,7 @@ const NUMBERS = "Float64Array or an array of numbers";
 for (const [what, call, words] of [
   ["a parameter that is text", () => circle.evaluate(as("0.5")), `t is "0.5"; expected a number, ${NUMBERS}`],
   ["a parameter that is missing", () => circle.curvature(as(undefined)), `t is undefined; expected a number, ${NUMBERS}`],
-  ["a place that is no list", () => new ExponentialBSpline([0, 0]).evaluate(as(1)), `x is 1; expected ${NUMBERS}`],
+  ["a place of a generator that is text", () => new ExponentialBSpline([0, 0]).evaluate(as("1")), `x is "1"; expected a number, ${NUMBERS}`],
   ["a parameter of a surface that is null", () => TensorSurface.sphere(1).evaluate(as(null), 0), `u is null; expected a number, ${NUMBERS}`],
   ["a curve behind a proxy", () => new Proxy(circle, {}).length(), "this is an object; expected a curve of this package, no proxy"],
   ["points in single precision", () => fitSparse(as(new Float32Array(8))), `points is of type Float32Array; expected ${NUMBERS}`],
@@ -40,6 +40,13 @@ for (const [what, call, words] of [
 ] as const) {
   test(`${what}: the message says so`, () => assert.equal(said(call), words));
 }
+
+test("generators take one place, a list or an array, as curves do", () => {
+  const [spline, pair] = [new ExponentialBSpline([0, 0]), new HermiteGenerators(1)];
+  const of = (x: number | number[] | Float64Array): unknown => [spline.evaluate(x), pair.evaluate(x), pair.bernstein(x), pair.greens(x)];
+  assert.deepEqual(of(0.25), of(Float64Array.of(0.25)));
+  assert.deepEqual(of([0.25, 0.5]), of(Float64Array.of(0.25, 0.5)));
+});
 
 const TRIANGLE = [0, 0, 9, 0, 9, 9];
 

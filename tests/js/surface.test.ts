@@ -167,6 +167,13 @@ test("curvatures of a torus are the closed forms, in bulk as one by one", () => 
   }
 });
 
+test("a long name is cut after 200 characters, never within one", () => {
+  const nameOf = (name: string): string => TensorSurface.sphere(1).toObj({ rows: 3, cols: 3, name }).split("\n", 1)[0] ?? "";
+  const [letter, longer] = ["a", "\u{1d4d0}"];
+  assert.equal(nameOf(letter.repeat(300)), `o ${letter.repeat(200)}`);
+  assert.equal(nameOf(letter + longer.repeat(300)), `o ${letter}${longer.repeat(199)}`);
+});
+
 test("SU-018: an OBJ file reads back as the mesh to the last bit, and a name in it is no line", () => {
   const surface = TensorSurface.character();
   const mesh = surface.mesh(16, 12);

@@ -1,7 +1,7 @@
 // What an editor shows of the package: every name and every member says what it is.
 
 import assert from "node:assert/strict";
-import { readFileSync, readdirSync } from "node:fs";
+import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
 import { dirname, join } from "node:path";
 
@@ -60,4 +60,41 @@ test("TypeScript from 5.0 on reads the declarations", () => {
     return tooNew(ts.createSourceFile(name, text, ts.ScriptTarget.ES2022)).map((what) => `${name}: ${what}`);
   });
   assert.deepEqual(found, []);
+});
+
+/** What the compiler says of a file that uses the package, with so much of TypeScript's library and nothing else. */
+function complaints(code: string, ...lib: string[]): string[] {
+  const file = join(dirname(DECLARATIONS), "..", "..", "..", "..", "use.ts");
+  writeFileSync(file, code);
+  const kind = { module: ts.ModuleKind.ESNext, moduleResolution: ts.ModuleResolutionKind.Bundler, noEmit: true };
+  const options = { ...kind, target: ts.ScriptTarget.ES2022, lib: lib.map((part) => `lib.${part}.d.ts`), types: [], strict: true, exactOptionalPropertyTypes: true };
+  const all = ts.getPreEmitDiagnostics(ts.createProgram([file], options));
+  return all.map(({ messageText }) => ts.flattenDiagnosticMessageText(messageText, " "));
+}
+
+test("the declarations hold where no browser is declared, and the library is of ES2020", () => {
+  const code = `
+    import init, { ExplineError, ExponentialBSpline, HermiteGenerators, type InitOptions, type SparseFitAllOptions, fitSparseAll } from "expline";
+    const options: InitOptions = { wasmUrl: "a.wasm", bytes: undefined, module: undefined };
+    const alike: SparseFitAllOptions = { tolerance: 1 };
+    const reason = (error: unknown) => (error instanceof ExplineError ? error.cause : undefined);
+    export const all = [init(options), fitSparseAll([], alike), reason, new ExponentialBSpline([0]).evaluate([1, 2]), new HermiteGenerators(1).evaluate(0.5)];
+    export const classes: (new (...parts: any[]) => Error)[] = [ExplineError];
+    // @ts-expect-error errors are made by the package alone
+    new ExplineError("hi");
+    // @ts-expect-error so they are with whatever the package itself makes them of
+    new ExplineError("E_TYPE", "me", "this");
+  `;
+  for (const lib of ["es2020", "es2022"]) assert.deepEqual(complaints(code, lib), [], lib);
+});
+
+test("where a browser is declared, addresses and signals are its own", () => {
+  const code = `
+    import init, { fitSparse, traceImage } from "expline";
+    const { signal } = new AbortController();
+    export const all = [init({ wasmUrl: new URL("a.wasm", "https://example.org") }), fitSparse([], { signal }), traceImage(new ImageData(1, 1), { signal })];
+    // @ts-expect-error a signal has more to it
+    fitSparse([], { signal: { aborted: false } });
+  `;
+  assert.deepEqual(complaints(code, "es2022", "dom"), []);
 });

@@ -104,7 +104,7 @@ export interface Curve {
   asEllipse(tolerance?: number): Ellipse | undefined;
   /** Its length, to an absolute tolerance; default 1e-9 of its size. */
   length(tolerance?: number): number;
-  /** The parameter up to which the curve has the given length. */
+  /** The parameter up to which the curve has the given length: from 0 to its own, of a closed curve no more than one round. */
   parameterAtLength(length: number, tolerance?: number): number;
   /** The signed area of a closed curve of the plane. */
   area(): number;
@@ -251,7 +251,7 @@ export abstract class MeasuredCurve implements Curve {
     return measure(dataOf(this, op), op, (slot, kernel) => kernel.length(slot, within));
   }
 
-  /** The parameter up to which the curve has the given length. */
+  /** The parameter up to which the curve has the given length: from 0 to its own, of a closed curve no more than one round. */
   parameterAtLength(length: number, tolerance?: number): number {
     const op = "parameterAtLength";
     const along = finite(op, "length", length);
@@ -297,7 +297,7 @@ export abstract class MeasuredCurve implements Curve {
   nearestAll(places: PointsLike | SpacePointsLike): Float64Array {
     const op = "nearestAll";
     const data = dataOf(this, op);
-    const given = checkPoints(op, "points", places, MAX_EVALUATIONS / 2, data.dimension);
+    const given = checkPoints(op, "places", places, MAX_EVALUATIONS / 2, data.dimension, "maxEvalPoints");
     const slot = data.resident(op);
     data.door.write(op, given);
     return data.door.copy(data.door.call(op, (kernel) => kernel.nearest_many(slot, given.length / data.dimension)));

@@ -4,7 +4,7 @@ import { version as builtVersion } from "../../build/bindings/version.js";
 import { wasmAddress, wasmBytes } from "../../build/bindings/wasm-bytes.js";
 import { options as checkOptions } from "./arguments.js";
 import { ExplineError, shown, wrong } from "./error.js";
-import type { Bytes, CompiledModule } from "./host.js";
+import type { Address, Bytes, CompiledModule } from "./host.js";
 
 /** The version of the package. */
 export const version: string = builtVersion;
@@ -39,15 +39,15 @@ export type CurveKernel = AnyKernel &
 /** Where an engine comes from, if not from the package itself. */
 export interface InitOptions {
   /** Where the .wasm file is. */
-  wasmUrl?: string | URL;
+  wasmUrl?: string | Address | undefined;
   /** The bytes of the .wasm file. */
-  bytes?: Bytes;
+  bytes?: Bytes | undefined;
   /** The compiled module, for instance one that another worker sent. */
-  module?: CompiledModule;
+  module?: CompiledModule | undefined;
 }
 
 /** Where an engine comes from that starts at once. */
-export type InitSyncOptions = { bytes: Bytes } | { module: CompiledModule };
+export type InitSyncOptions = { bytes: Bytes; module?: undefined } | { bytes?: undefined; module: CompiledModule };
 
 /** How many curves an instance keeps at once. @internal */
 export const SLOTS = 16;

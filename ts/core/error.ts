@@ -76,7 +76,19 @@ export interface ErrorDetails {
   readonly cause?: unknown;
 }
 
+declare const nobody: unique symbol;
+/** Nothing is of this type, but a class whose constructor asks for it is still one that tests can name. */
+interface Nobodys {
+  readonly [nobody]: never;
+}
+
 const NAME = "ExplineError";
+
+/** What a class cannot declare that has it from `Error`, of which libraries before ES2022 do not know. */
+export interface ExplineError {
+  /** The error that caused this one: the signal's reason of E_CANCELLED. */
+  readonly cause?: unknown;
+}
 
 /** Every failure of this package: a clear message for people, stable fields for programs. */
 export class ExplineError extends Error {
@@ -116,8 +128,12 @@ export class ExplineError extends Error {
   /** Options that would let the call through: `{ speckle: 12 }`. */
   declare readonly offer?: Readonly<Record<string, number>>;
 
+  /** Errors are made by the package alone: no one else has what it takes. */
+  constructor(none: Nobodys);
   /** @internal */
-  constructor(code: ErrorCode, op: string, what: string, details: ErrorDetails = {}) {
+  constructor(code: ErrorCode, op: string, what: string, details?: ErrorDetails);
+  constructor(given: ErrorCode | Nobodys, op = "", what = "", details: ErrorDetails = {}) {
+    const code = given as ErrorCode;
     const { cause, fatal = false, ...rest } = details;
     super(`${op}: ${what} [${code}]`, cause === undefined ? undefined : { cause });
     this.code = code;

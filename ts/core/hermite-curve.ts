@@ -240,7 +240,7 @@ export class HermiteCurve extends MeasuredCurve {
     return { maxError: result(0), curve: derived(count) };
   }
 
-  /** The two parts of an open curve, cut at t; a closed curve gives one, opened at t. */
+  /** The two parts of an open curve, cut at t, or the curve alone where t is one of its ends; a closed curve gives one, opened at t. */
   split(t: number): HermiteCurve[] {
     const op = "split";
     const data = dataOf(this, op);

@@ -1,5 +1,5 @@
 /** The cardinal Hermite exponential splines φ₁ and φ₂. */
-import { MAX_EVALUATIONS, finite, integer, numbers, word } from "./arguments.js";
+import { MAX_EVALUATIONS, finite, integer, parameters, word } from "./arguments.js";
 import { SPACES, type Space } from "./curve-data.js";
 import { wrong } from "./error.js";
 import type { Kernel } from "./engine.js";
@@ -57,16 +57,16 @@ export class HermiteGenerators {
   }
 
   /** φ₁ and φ₂, or their derivative of order 1 or 2, at every x; at a knot the limit from the right. */
-  evaluate(x: Float64Array, derivative: 0 | 1 | 2 = 0): { phi1: Float64Array; phi2: Float64Array } {
-    const given = places("evaluate", x);
+  evaluate(x: number | Float64Array | readonly number[], derivative: 0 | 1 | 2 = 0): { phi1: Float64Array; phi2: Float64Array } {
+    const given = parameters("evaluate", "x", x);
     const order = integer("evaluate", "derivative", derivative, 0, 2);
     const both = array(this, "evaluate", (kernel, w, s) => kernel.generators_evaluate(w, s, given.length, order), given);
     return { phi1: both.slice(0, given.length), phi2: both.slice(given.length) };
   }
 
   /** The four functions of the Bernstein basis, or their derivative of order 1 or 2, at every x in [0, 1]: four numbers each. */
-  bernstein(x: Float64Array, derivative: 0 | 1 | 2 = 0): Float64Array {
-    const given = places("bernstein", x);
+  bernstein(x: number | Float64Array | readonly number[], derivative: 0 | 1 | 2 = 0): Float64Array {
+    const given = parameters("bernstein", "x", x);
     const order = integer("bernstein", "derivative", derivative, 0, 2);
     return array(this, "bernstein", (kernel, w, s) => kernel.generators_bernstein(w, s, given.length, order), given);
   }
@@ -94,15 +94,11 @@ export class HermiteGenerators {
   }
 
   /** The two Green's functions ρ₁ and ρ₂ at every x. */
-  greens(x: Float64Array): { rho1: Float64Array; rho2: Float64Array } {
-    const given = places("greens", x);
+  greens(x: number | Float64Array | readonly number[]): { rho1: Float64Array; rho2: Float64Array } {
+    const given = parameters("greens", "x", x);
     const both = array(this, "greens", (kernel, w, s) => kernel.generators_greens(w, s, given.length), given);
     return { rho1: both.slice(0, given.length), rho2: both.slice(given.length) };
   }
-}
-
-function places(op: string, x: unknown): Floats {
-  return numbers(op, "x", x, "maxEvalPoints", MAX_EVALUATIONS);
 }
 
 /** Calls the kernel with the generators' own numbers. */

@@ -12,5 +12,11 @@ export type OwnFloats = ReturnType<typeof Float64Array.of>;
 /** A `WebAssembly.Module`, where the project's libraries know of one. */
 export type CompiledModule = typeof globalThis extends { WebAssembly: { Module: { prototype: infer Module } } } ? Module : object;
 
+/** A `URL`, where the project's libraries know of one. */
+export type Address = typeof globalThis extends { URL: { prototype: infer Url } } ? Url : { readonly href: string };
+
+/** An `AbortSignal`, where the project's libraries know of one. */
+export type Signal = typeof globalThis extends { AbortSignal: { prototype: infer Abort } } ? Abort : { readonly aborted: boolean };
+
 /** A `Path2D`, where the project's libraries know of one. */
 export type PathObject = typeof globalThis extends { Path2D: { prototype: infer Path } } ? Path : object;

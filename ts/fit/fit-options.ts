@@ -1,5 +1,5 @@
 /** What can be asked of a fit, checked and written down as the engine reads it. */
-import { count, finite, flag, integer, numbers, options as checkOptions, points as checkPoints, word, wrong, wrongLength } from "../core.js";
+import { type Signal, count, finite, flag, integer, numbers, options as checkOptions, points as checkPoints, word, wrong, wrongLength } from "../core.js";
 import { Asked, type Question } from "./fit-engine.js";
 import { type Watch, watch } from "../tasks/yielding.js";
 
@@ -95,7 +95,7 @@ export interface SparseFitOptions extends SparseFitStrength {
   /** Milliseconds after which the best that was found so far is given, with status "deadline". Default: none. */
   deadline?: number | undefined;
   /** Ends the work: E_CANCELLED. A synchronous fit looks at it once, before it begins. */
-  signal?: AbortSignal | undefined;
+  signal?: Signal | undefined;
   /** Told how far the work is. What it throws ends the fit and reaches the caller as it is. */
   onProgress?: ((progress: FitProgress) => void) | undefined;
 }

@@ -1,5 +1,5 @@
 /** Exponential B-splines and the interpolators made of them, for any list of roots. */
-import { type Floats, MAX_EVALUATIONS, type Root, flag, integer, numbers, options as checkOptions, rootList, rootNumbers, wrong } from "../core.js";
+import { type Floats, MAX_EVALUATIONS, type Root, flag, integer, options as checkOptions, parameters, rootList, rootNumbers, wrong } from "../core.js";
 import { roots as named } from "./roots.js";
 import { type SplineKernel, call, copy, result, write } from "./spline-engine.js";
 
@@ -70,10 +70,10 @@ abstract class Exponential {
   }
 
   /** Values, or those of a derivative of an order up to n₀ − 1, at every x; where a derivative jumps the limit from the right. */
-  evaluate(x: Float64Array, derivative = 0): Float64Array {
+  evaluate(x: number | Float64Array | readonly number[], derivative = 0): Float64Array {
     const op = "evaluate";
     const source = own(this, op);
-    const places = numbers(op, "x", x, "maxEvalPoints", MAX_EVALUATIONS);
+    const places = parameters(op, "x", x);
     const order = integer(op, "derivative", derivative, 0, source.roots.length / 2 - 1);
     return ask(source, op, What.Values, order, places);
   }

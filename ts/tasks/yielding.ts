@@ -1,5 +1,5 @@
 /** Long work in short tasks. */
-import { ExplineError, wrong } from "../core.js";
+import { ExplineError, type Signal, wrong } from "../core.js";
 
 /** What of the host is asked for: Node's own way to the next turn, which browsers have not. */
 interface Host {
@@ -27,13 +27,13 @@ export function nextTurn(): Promise<void> {
 }
 
 /** Throws once the caller has given up. */
-export function checkSignal(op: string, signal: AbortSignal | undefined): void {
+export function checkSignal(op: string, signal: Signal | undefined): void {
   if (signal?.aborted === true) throw new ExplineError("E_CANCELLED", op, "the signal was aborted", { cause: signal.reason });
 }
 
 /** How work is watched and stopped. @internal */
 export interface Watch<Progress> {
-  readonly signal: AbortSignal | undefined;
+  readonly signal: Signal | undefined;
   readonly onProgress: ((progress: Progress) => void) | undefined;
 }
 
@@ -45,7 +45,7 @@ export function watch<Progress>(op: string, own: { readonly signal?: unknown; re
   return { signal, onProgress: onProgress as Watch<Progress>["onProgress"] };
 }
 
-function isSignal(value: unknown): value is AbortSignal {
+function isSignal(value: unknown): value is Signal {
   return typeof value === "object" && value !== null && typeof (value as { aborted?: unknown }).aborted === "boolean";
 }
 
@@ -61,7 +61,7 @@ export function inOneGo<R>(work: Generator<void, R>): R {
 const TASK = 6;
 
 /** Work in short tasks; between two of them everybody else has his turn. @internal */
-export async function inTasks<R>(op: string, signal: AbortSignal | undefined, work: Generator<void, R>): Promise<R> {
+export async function inTasks<R>(op: string, signal: Signal | undefined, work: Generator<void, R>): Promise<R> {
   for (;;) {
     const end = performance.now() + TASK;
     do {

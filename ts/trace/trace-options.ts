@@ -1,5 +1,5 @@
 /** What can be asked of a trace, checked and written down as the engine reads it. */
-import { count, finite, flag, integer, isBytes, lengthOfArray, options as checkOptions, overLimit, word, wrong, wrongLength } from "../core.js";
+import { type Signal, count, finite, flag, integer, isBytes, lengthOfArray, options as checkOptions, overLimit, word, wrong, wrongLength } from "../core.js";
 import type { Pixels } from "./trace-engine.js";
 import { type Watch, watch } from "../tasks/yielding.js";
 
@@ -42,11 +42,11 @@ export interface TraceOptions {
   blur?: number | undefined;
   /** Light ink on dark paper. Default false; a light drawing on a transparent ground is ink without being asked for. */
   invert?: boolean | undefined;
-  /** Contours that enclose fewer square pixels are left out, and edges shorter than the outline of a square of so many. Default 2. */
+  /** Contours that enclose fewer square pixels are left out, and edges shorter than the outline of a square of so many: 0 to 1e9. Default 2. */
   speckle?: number | undefined;
   /** The least turning of a corner, in radians, 0.05 … π: π knows no corners. Default 0.49, 28°. */
   corner?: number | undefined;
-  /** Largest distance between a contour and its curve, in pixels, before the curve is refined against the picture. Default 0.22. */
+  /** Largest distance between a contour and its curve, in pixels, before the curve is refined against the picture: 0.01 to 1000. Default 0.22. */
   tolerance?: number | undefined;
   /**
    * A picture of a few flat colours: how many at most, 2 … 64, are looked for, or which they are, as "#rrggbb". Each becomes a layer, and layers lie
@@ -60,7 +60,7 @@ export interface TraceOptions {
   /** More contours than this is taken for a photograph: E_LIMIT with `actual`, how many there are. Default 1500, at most 200,000. */
   maxContours?: number | undefined;
   /** Ends the work: E_CANCELLED. A synchronous trace looks at it once, before it begins. */
-  signal?: AbortSignal | undefined;
+  signal?: Signal | undefined;
   /** Told how far the work is. What it throws ends the trace and reaches the caller as it is. */
   onProgress?: ((progress: TraceProgress) => void) | undefined;
 }
