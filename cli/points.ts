@@ -37,7 +37,8 @@ export function readPoints(text: string, file: string): Stroke[] {
     const first = heading;
     heading = false;
     if (first && cells.every((cell) => !/\d/u.test(cell[0] ?? "") && (cell === "" || Number.isNaN(Number(cell))))) return;
-    if (cells.length < 2) throw new Failure(INPUT, `${sourceName(file)}:${i + 1}: ${shown(row)} is not two numbers`);
+    // Of three it is not known which are x and y: an index or a time may come before them.
+    if (cells.length < 2 || cells.slice(2).some((cell) => cell !== "")) throw new Failure(INPUT, `${sourceName(file)}:${i + 1}: ${shown(row)} is not two numbers`);
     if (!open) strokes.push({ numbers: [], row: i + 1 });
     open = true;
     for (const cell of cells.slice(0, 2)) strokes.at(-1)?.numbers.push(coordinate(cell, `${sourceName(file)}:${i + 1}`));

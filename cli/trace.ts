@@ -14,7 +14,7 @@ const FLAGS: Readonly<Record<string, Flag>> = {
   blur: { value: "S", about: "deviation in pixels of a blur before all else; by default as much as the noise needs" },
   invert: { about: "light ink on dark paper" },
   speckle: { value: "A", about: "leave out contours that enclose fewer square pixels" },
-  corner: { value: "DEG", about: "the least turning of a corner in degrees; 180 knows no corners" },
+  corner: { value: "DEG", about: "the least turning of a corner in degrees, 2.87 … 180; 180 knows no corners, 28 is the default" },
   source: { value: "S", about: "what is followed: brightness, the default, edges, or lines, the middle of thin strokes" },
   model: { value: "M", about: "sparse, the default, or wqisa" },
   colors: { value: "N", about: "at most so many flat colours, or a list: #ffffff,#cc0000,#00aa00; without --source, --threshold and --invert" },
@@ -34,6 +34,9 @@ ${describeFlags(FLAGS)}
 `;
 
 type Format = "svg" | "json";
+
+/** Degrees; the package has a twentieth, in radians. */
+const LEAST_CORNER = 2.87;
 
 /** Runs the command; what is returned goes to standard output. */
 export function trace(words: readonly string[]): string {
@@ -116,6 +119,7 @@ function optionsOf(given: Given): TraceOptions {
   const { values } = given;
   const colors = values.get("colors");
   if (colors !== undefined) checkColors(colors, values);
+  checkCorner(numberOf(given, "corner"));
   return {
     ...optional("tolerance", "tolerance"),
     ...optional("threshold", "threshold"),
@@ -129,6 +133,12 @@ function optionsOf(given: Given): TraceOptions {
     invert: values.has("invert"),
     refine: !values.has("no-refine"),
   };
+}
+
+/** As it is given, in degrees: the package would speak of radians. */
+function checkCorner(degrees: number | undefined): void {
+  if (degrees === undefined || (degrees >= LEAST_CORNER && degrees <= 180)) return;
+  throw new Failure(USAGE, `--corner is ${degrees}; expected degrees in [${LEAST_CORNER}, 180]`);
 }
 
 /** Each colour is a layer of its own: what tells ink from paper has no say there. */

@@ -37,6 +37,7 @@ export {
   numbers,
   options,
   parameters,
+  patchNumber,
   points,
   tolerance,
   within,

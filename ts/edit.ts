@@ -1,6 +1,6 @@
 /** What an editor's pointer does to curves: what lies under it, handles that turn, a curve that bends. */
 import { type Curve, type CurveData, HermiteCurve, MeasuredCurve, coordinate, dataOf, finite, integer, numbers, options as checkOptions, word, wrong } from "./core.js";
-import { type HandleSide, type Joint, SIDES, THIRD, type Place, handleOf, jointOf, keptStraight, moved, pointsOf, scaled, turn } from "./edit/edit-joints.js";
+import { type HandleSide, type Joint, SIDES, THIRD, type Place, handleOf, jointOf, keptStraight, moved, notCurve, pointsOf, scaled, turn } from "./edit/edit-joints.js";
 
 export type { HandleSide, Joint } from "./edit/edit-joints.js";
 
@@ -131,7 +131,7 @@ function distance(op: string, arg: string, value: unknown): number {
 }
 
 function planeCurve(op: string, curve: unknown, i: number): MeasuredCurve {
-  if (!(curve instanceof MeasuredCurve) || curve.dimension !== 2) throw wrong("E_TYPE", op, "curves", curve, "a curve of the plane", i);
+  if (!(curve instanceof MeasuredCurve) || curve.dimension !== 2) throw notCurve(op, "curves", curve, "a curve of the plane", i);
   return curve;
 }
 
@@ -203,7 +203,7 @@ function bothHandles({ points, tangents, tangentsIn, lengths, segments, closed }
 
 /** The segment of a parameter, and the place in it; of two segments at a point, the later. */
 function segmentAt(op: string, curve: HermiteCurve, t: unknown): SegmentPlace {
-  if (!(curve instanceof HermiteCurve)) throw wrong("E_TYPE", op, "curve", curve, "a HermiteCurve");
+  if (!(curve instanceof HermiteCurve)) throw notCurve(op, "curve", curve, "a HermiteCurve");
   const { lengths, closed } = curve;
   const [, end] = curve.domain;
   const given = finite(op, "t", t);

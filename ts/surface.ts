@@ -7,6 +7,7 @@ import {
   finite,
   integer,
   parameters,
+  patchNumber,
   options as checkOptions,
   overLimit,
   rootList,
@@ -206,7 +207,7 @@ export class TensorSurface {
   remesh(mesh: SurfaceMesh, i: number, j: number, patch?: number): MeshRegion {
     const op = "remesh";
     const data = dataOf(this, op);
-    const which = patch === undefined ? -1 : integer(op, "patch", patch, 0, data.patches.length - 1);
+    const which = patch === undefined ? -1 : patchNumber(op, "patch", patch, data.patches.length);
     const { u, v } = which < 0 ? data : (data.patches[which] as PatchData);
     const [row, col] = place(op, i, j, u.count, v.count);
     return mend(op, data.resident(op), mesh, which, row, col);
@@ -270,7 +271,7 @@ export class TensorSurface {
   patchPoints(patch: number): Float64Array {
     const op = "patchPoints";
     const data = dataOf(this, op);
-    const which = integer(op, "patch", patch, 0, data.patches.length - 1);
+    const which = patchNumber(op, "patch", patch, data.patches.length);
     const slot = data.resident(op);
     return copy(call(op, (kernel) => kernel.surface_patch_points(slot, which)));
   }
@@ -296,7 +297,7 @@ export class TensorSurface {
   setPatchPoint(patch: number, i: number, j: number, x: number, y: number, z: number): void {
     const op = "setPatchPoint";
     const data = dataOf(this, op);
-    const which = integer(op, "patch", patch, 0, data.patches.length - 1);
+    const which = patchNumber(op, "patch", patch, data.patches.length);
     const { u, v, displacements } = data.patches[which] as PatchData;
     const [row, col] = place(op, i, j, u.count, v.count);
     const to = [coordinate(op, "x", x), coordinate(op, "y", y), coordinate(op, "z", z)] as const;

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { ExplineError, ExponentialBSpline, HermiteCurve, HermiteGenerators, TensorSurface, fitSparse, fitSparseAll, fitSparseAllAsync, roots, traceImage } from "expline";
+import { ExplineError, ExponentialBSpline, HermiteCurve, HermiteGenerators, Interpolator, LocalCurve, TensorSurface, fitSparse, fitSparseAll, fitSparseAllAsync, roots, traceImage } from "expline";
 
 const circle = HermiteCurve.ellipse({ center: [0, 0], radii: [5, 5], count: 4 });
 const along = { roots: roots.ellipse(8), count: 8, closed: true };
@@ -19,6 +19,8 @@ function said(call: () => unknown): string {
   }
   assert.fail("nothing was wrong");
 }
+
+const TRIANGLE = [0, 0, 9, 0, 9, 9];
 
 /** Something of a type that the declarations would have refused. */
 const as = <T>(value: unknown): T => value as T;
@@ -36,7 +38,13 @@ for (const [what, call, words] of [
   ["points as an object", () => HermiteCurve.through(as({ x: 1 })), `points is an object; expected ${NUMBERS}`],
   ["a picture in single precision", () => traceImage({ width: 1, height: 1, data: as(new Float32Array(4)) }), "data is of type Float32Array; expected Uint8ClampedArray | Uint8Array"],
   ["a surface without a number of points", () => new TensorSurface({ net: [], u: as({ ...along, count: undefined }), v: along }), "u.count is undefined; expected an integer in [0, 4194304]"],
-  ["an ellipse without a number of points", () => HermiteCurve.ellipse(as({ center: [0, 0], radii: [5, 5] })), "count is undefined; expected an integer in [0, 1000000]"],
+  ["an ellipse without a number of points", () => HermiteCurve.ellipse(as({ center: [0, 0], radii: [5, 5] })), "count is undefined; expected an integer in [2, 1000000]"],
+  ["two strengths of a fit", () => fitSparse(TRIANGLE, { lambda: [1, 1], smoothing: 0.5 }), "smoothing and lambda exclude each other"],
+  ["a patch of a surface that has none", () => TensorSurface.sphere(1).patchPoints(0), "patch is 0; there are no patches"],
+  ["a patch of a curve that has none", () => new LocalCurve({ points: TRIANGLE }).withoutPatch(0), "k is 0; there are no patches"],
+  ["a frequency that is text", () => new HermiteCurve({ points: TRIANGLE, tangents: TRIANGLE, omega: as("x") }), `omega is "x"; expected a number, ${NUMBERS}`],
+  ["an interpolator for too few points", () => Interpolator.forEllipse(2), "count is 2; expected an integer in [3, 4294967295]"],
+  ["nearest points of no places", () => circle.nearestAll(as("here")), `places is "here"; expected ${NUMBERS}`],
 ] as const) {
   test(`${what}: the message says so`, () => assert.equal(said(call), words));
 }
@@ -47,8 +55,6 @@ test("generators take one place, a list or an array, as curves do", () => {
   assert.deepEqual(of(0.25), of(Float64Array.of(0.25)));
   assert.deepEqual(of([0.25, 0.5]), of(Float64Array.of(0.25, 0.5)));
 });
-
-const TRIANGLE = [0, 0, 9, 0, 9, 9];
 
 for (const [what, call, argument, index] of [
   ["a point that is no pair", () => HermiteCurve.through(as([[0, 0], [1], [2, 2]])), "points[1]", 1],

@@ -89,6 +89,12 @@ test("a heading may follow comments, and semicolons leave commas to the numbers"
   assert.equal(out, expline(["fit", "-", "--tolerance", "0.5", "--format", "path"], SQUARE).out);
 });
 
+test("a separator at the end of a row is no third number", () => {
+  const { status, out } = expline(["fit", "-", "--tolerance", "0.5", "--format", "path"], SQUARE.replaceAll("\n", ",\n"));
+  assert.equal(status, 0);
+  assert.equal(out, expline(["fit", "-", "--tolerance", "0.5", "--format", "path"], SQUARE).out);
+});
+
 test("flat colours become layers", () => {
   const { status, out } = expline(["trace", "square.png", "--colors", "#fff,#000"]);
   assert.equal(status, 0);
@@ -151,6 +157,8 @@ for (const [what, parameters, status, words, input] of [
   ["a row that is no point", ["fit", "-"], 1, /standard input:2: "abc" is not a number/, "1,2\nabc,3\n"],
   ["numbers with a comma in them", ["fit", "-"], 1, /standard input:1: "1,5" is not a number/, "1,5;2,5\n3,5;4,5\n"],
   ["a single number in a row", ["fit", "-"], 1, /standard input:1: "7" is not two numbers/, "7\n"],
+  ["three numbers in a row", ["fit", "-"], 1, /standard input:2: "1,2,3" is not two numbers/, "id,x,y\n1,2,3\n2,5,4\n"],
+  ["a corner in other degrees", ["trace", "square.png", "--corner", "200"], 2, /--corner is 200; expected degrees in \[2\.87, 180\]/],
   ["no picture", ["trace"], 2, /needs a PNG or JPEG file/],
   ["a picture that is not there", ["trace", "nowhere.png"], 1, /nowhere\.png: there is no such file/],
   ["a picture that is none", ["trace", "square.csv"], 1, /neither a PNG nor a JPEG/],

@@ -98,6 +98,13 @@ export function integer(op: string, arg: string, value: unknown, least: number, 
   return value;
 }
 
+/** The number of a patch. */
+export function patchNumber(op: string, arg: string, value: unknown, patches: number): number {
+  if (patches > 0) return integer(op, arg, value, 0, patches - 1);
+  const bound = "there are no patches";
+  throw new ExplineError("E_RANGE", op, `${arg} is ${finite(op, arg, value)}; ${bound}`, { arg, argument: arg, bound });
+}
+
 /** A count of things to be returned: a whole number from `least`, with a limit of its own. */
 export function count(op: string, arg: string, value: unknown, least: number, limit: string, max: number): number {
   if (Number.isSafeInteger(value) && (value as number) > max) throw overLimit(op, arg, limit, max, value as number);

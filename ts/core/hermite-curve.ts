@@ -100,7 +100,8 @@ export class HermiteCurve extends MeasuredCurve {
     const op = `${CURVE}.ellipse`;
     const { center, radii, rotation, count } = checkOptions(op, options, ["center", "radii", "rotation", "count"]);
     const [x, y, rx, ry, angle] = frame(op, center, radii, rotation);
-    const n = checkCount(op, "count", count, 0, "maxPoints", MAX_POINTS);
+    // Too few points are an error of their own, which the kernel has.
+    const n = count === 0 || count === 1 ? count : checkCount(op, "count", count, 2, "maxPoints", MAX_POINTS);
     return derived(call(op, (kernel) => kernel.ellipse(x, y, rx, ry, angle, n)));
   }
 
@@ -385,7 +386,7 @@ function perSegment(op: string, arg: string, value: unknown, segments: number): 
   if (value === undefined) return new Float64Array();
   if (typeof value === "number") return Float64Array.of(finite(op, arg, value) + 0);
   // Fewer than two points have no segments: what is wrong with them is said by the kernel.
-  const array = sameLength(op, arg, numbers(op, arg, value, "maxPoints", MAX_POINTS), Math.max(segments, 0));
+  const array = sameLength(op, arg, numbers(op, arg, value, "maxPoints", MAX_POINTS, "a number, "), Math.max(segments, 0));
   return array.map((number, i) => finite(op, arg, number, i) + 0);
 }
 

@@ -1,5 +1,5 @@
 /** The two sides of a point: where their handles end, and what they become when one of them is turned. */
-import { HermiteCurve, coordinate, integer, wrong } from "../core.js";
+import { ExplineError, HermiteCurve, MeasuredCurve, coordinate, integer, wrong } from "../core.js";
 
 /** The side of a point: where the curve arrives, or where it leaves. */
 export type HandleSide = "in" | "out";
@@ -32,9 +32,24 @@ export interface PointOfCurve {
   readonly out: SideOfPoint;
 }
 
+/** What is no curve of this copy of the package; one of another, as `expline/slim` is beside `expline`, looks as if it were. */
+export function notCurve(op: string, arg: string, value: unknown, bound: string, index?: number): ExplineError {
+  if (!isForeign(value)) return wrong("E_TYPE", op, arg, value, bound, index);
+  const argument = index === undefined ? arg : `${arg}[${index}]`;
+  return new ExplineError("E_TYPE", op, `${argument} is a curve of another copy of expline; expected ${bound}`, { arg, argument, bound });
+}
+
+function isForeign(value: unknown): boolean {
+  try {
+    return /Curve\]$/.test(Object.prototype.toString.call(value)) && !(value instanceof MeasuredCurve);
+  } catch {
+    return false;
+  }
+}
+
 /** Every point of a curve, by its number; a number that is not one throws. The curve's lists are copied once for all of them. */
 export function pointsOf(op: string, curve: HermiteCurve): (i: unknown, arg?: string) => PointOfCurve {
-  if (!(curve instanceof HermiteCurve)) throw wrong("E_TYPE", op, "curve", curve, "a HermiteCurve");
+  if (!(curve instanceof HermiteCurve)) throw notCurve(op, "curve", curve, "a HermiteCurve");
   const { points, tangents, tangentsIn, lengths, closed } = curve;
   const last = points.length / 2 - 1;
   return (i, arg = "i") => {

@@ -1,5 +1,5 @@
 /** What can be asked of a fit, checked and written down as the engine reads it. */
-import { type Signal, count, finite, flag, integer, numbers, options as checkOptions, points as checkPoints, word, wrong, wrongLength } from "../core.js";
+import { ExplineError, type Signal, count, finite, flag, integer, numbers, options as checkOptions, points as checkPoints, word, wrong, wrongLength } from "../core.js";
 import { Asked, type Question } from "./fit-engine.js";
 import { type Watch, watch } from "../tasks/yielding.js";
 
@@ -235,7 +235,7 @@ function perPoint(op: string, name: string, value: unknown, size: number): Float
 
 function question(op: string, own: { readonly [name in (typeof STRENGTHS)[number]]?: unknown }, degrees: number): Question {
   const [name, more] = STRENGTHS.filter((each) => own[each] !== undefined);
-  if (more !== undefined) throw wrong("E_TYPE", op, more, "given", `one of ${STRENGTHS.join(", ")}, not ${String(name)} as well`);
+  if (more !== undefined) throw new ExplineError("E_TYPE", op, `${more} and ${String(name)} exclude each other`, { arg: more, argument: more });
   switch (name) {
     case "smoothing":
       return { kind: Asked.Smoothing, first: within(op, name, own.smoothing, 0, 1), second: 0, degrees };

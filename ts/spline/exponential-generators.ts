@@ -1,6 +1,6 @@
 /** Exponential B-splines and the interpolators made of them, for any list of roots. */
 import { type Floats, MAX_EVALUATIONS, type Root, flag, integer, options as checkOptions, parameters, rootList, rootNumbers, wrong } from "../core.js";
-import { roots as named } from "./roots.js";
+import { ellipseRoots } from "./roots.js";
 import { type SplineKernel, call, copy, result, write } from "./spline-engine.js";
 
 /** The kinds and questions in the kernel's order. */
@@ -154,7 +154,7 @@ export class Interpolator extends Exponential {
 
   /** The interpolator that keeps ellipses of `count` ≥ 3 points: roots 0, ±2πi/count. */
   static forEllipse(count: number): Interpolator {
-    return new Interpolator(named.ellipse(count));
+    return new Interpolator(ellipseRoots(`${INTERPOLATOR}.forEllipse`, count));
   }
 
   /** λ[0] … λ[n₀ − 2] of φ = λ[0]·β + Σ λ[n]·(β(· − n/2) + β(· + n/2)): a copy. */

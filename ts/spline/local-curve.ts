@@ -9,6 +9,7 @@ import {
   numbers,
   options as checkOptions,
   overLimit,
+  patchNumber,
   rootList,
   wrong,
   wrongLength,
@@ -91,7 +92,7 @@ export class LocalCurve extends SplineCurve {
   patchPoints(k: number): Float64Array {
     const op = "patchPoints";
     const data = splineOf(this, op);
-    const which = integer(op, "k", k, 0, data.patches.length - 1);
+    const which = patchNumber(op, "k", k, data.patches.length);
     const slot = data.resident(op);
     return copy(call(op, (kernel) => kernel.patch_points(slot, which)));
   }
@@ -100,7 +101,7 @@ export class LocalCurve extends SplineCurve {
   setPatchPoint(k: number, i: number, x: number, y: number, z?: number): void {
     const op = "setPatchPoint";
     const data = splineOf(this, op);
-    const which = integer(op, "k", k, 0, data.patches.length - 1);
+    const which = patchNumber(op, "k", k, data.patches.length);
     const { displacements = new Float64Array() } = data.patches[which] ?? {};
     const at = integer(op, "i", i, 0, displacements.length / data.dimension - 1);
     const place = [coordinate(op, "x", x), coordinate(op, "y", y), data.dimension === 3 ? coordinate(op, "z", z) : 0] as const;
@@ -113,7 +114,7 @@ export class LocalCurve extends SplineCurve {
   withoutPatch(k: number): LocalCurve {
     const op = "withoutPatch";
     const data = splineOf(this, op);
-    const which = integer(op, "k", k, 0, data.patches.length - 1);
+    const which = patchNumber(op, "k", k, data.patches.length);
     const slot = data.resident(op);
     return localOf(readSpline(call(op, (kernel) => kernel.drop_patch(slot, which))));
   }

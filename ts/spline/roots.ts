@@ -6,6 +6,12 @@ function listed(op: string, body: (kernel: SplineKernel) => number): Root[] {
   return rootList(copy(call(op, body)));
 }
 
+/** {@link roots.ellipse}, for whoever asks. @internal */
+export function ellipseRoots(op: string, count: unknown): Root[] {
+  const n = integer(op, "count", count, 3, 0xffffffff);
+  return listed(op, (kernel) => kernel.roots_keeping(1, n, 1, 0));
+}
+
 /** Lists of roots by what they keep exact, for {@link Interpolator}, `InterpolatingCurve` and their like. */
 export const roots = {
   /** Polynomials up to a degree: 0, degree + 1 times. 3 gives cubics. */
@@ -16,8 +22,7 @@ export const roots = {
 
   /** Ellipses that are given by `count` points, at least 3. */
   ellipse(count: number): Root[] {
-    const n = integer("ellipse", "count", count, 0, 0xffffffff);
-    return listed("ellipse", (kernel) => kernel.roots_keeping(1, n, 1, 0));
+    return ellipseRoots("ellipse", count);
   },
 
   /** Closed curves of `count` points whose coordinates are trigonometric polynomials up to order k. */
