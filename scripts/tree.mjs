@@ -54,10 +54,21 @@ function lostWays(documents) {
   return found;
 }
 
-/** A fresh clone can start, documents lead where they say, versions agree, lock files name no host besides crates.io's index, sources stay readable in length. */
+/** Headings of the third level that the contents of their document leave out; a document without contents leaves none out. */
+function leftOut(documents) {
+  return documents.flatMap((document) => {
+    const text = readFileSync(at(document), "utf8");
+    const listed = new Set([...text.matchAll(/^- \[.*\]\(#(.*)\)$/gm)].map(([, anchor]) => anchor));
+    const headings = anchorsOf(text.replace(/^##? .*$/gm, ""));
+    return listed.size === 0 ? [] : headings.filter((anchor) => !listed.has(anchor)).map((anchor) => `the contents of ${document} lack #${anchor}`);
+  });
+}
+
+/** A fresh clone can start, documents lead where they say and list what they have, versions agree, lock files name no host besides crates.io's index, sources stay readable in length. */
 export async function checkTree() {
   const files = (await run("git", ["ls-files"])).split("\n").filter((file) => existsSync(at(file)));
-  const problems = [...earlyPackages(), ...lostWays(files.filter((file) => file.endsWith(".md")))];
+  const documents = files.filter((file) => file.endsWith(".md"));
+  const problems = [...earlyPackages(), ...lostWays(documents), ...leftOut(documents)];
   const { version } = JSON.parse(readFileSync(at("package.json"), "utf8"));
   const crate = /^version = "([^"]+)"/m.exec(readFileSync(at("Cargo.toml"), "utf8"))?.[1];
   if (crate !== version) problems.push(`package.json says ${version}, Cargo.toml ${crate}`);
