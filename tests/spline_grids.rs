@@ -135,7 +135,8 @@ fn what_refine_and_reduce_give_can_be_made_again_or_is_refused_with_the_largest_
             assert!(most < value, "the value breaks the bound");
             most
         }
-        other => panic!("{other:?}"),
+        // Equal to no factor.
+        _ => f64::NAN,
     };
     let quadratic = Roots::polynomials(2).expect("three");
     let short = on_grid(quadratic.clone(), false, 1e-12, 0.0);
@@ -146,7 +147,7 @@ fn what_refine_and_reduce_give_can_be_made_again_or_is_refused_with_the_largest_
     assert_eq!(largest(far.refine(2)), 1.0);
     again(&far.refine(1).expect("the curve itself"));
     again(&on_grid(quadratic, false, 1.0, 1e9 - 0.25).refine(2).expect("at the limit"));
-    // Five points round: ω = 2π/5 a unit, so that four units make more than half a turn.
+    // Five points round: ω = 2π/5 a unit, so that a step of five halves is half a turn.
     let refined =
         InterpolatingCurve::new(POINTS.to_vec(), 2, true, None).and_then(|curve| curve.refine(1, 2, 2));
     assert_eq!(largest(refined.expect("finer").reduce(5).map(|(curve, _)| curve)), 4.0);
@@ -160,10 +161,11 @@ fn a_bound_that_is_not_to_be_reached_is_printed_as_one_that_the_value_breaks() {
         unboxed(expline::generator::Interpolator::new(&roots).map(|_| ())),
         unboxed(BSplineCurve::new(POINTS.to_vec(), 2, true, roots, 1.0, 0.0).map(|_| ())),
     ] {
-        let Err(Error::OutOfRange { argument: "roots", value, most, .. }) = error else {
-            panic!("{error:?}")
+        let fits = |error: &Error| match error {
+            Error::OutOfRange { argument: "roots", value, most, .. } => *value == pi && *most < pi,
+            _ => false,
         };
-        assert!(value == pi && most < pi, "{value} {most}");
+        assert!(error.as_ref().is_err_and(fits), "{error:?}");
     }
 }
 
