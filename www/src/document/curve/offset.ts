@@ -77,6 +77,13 @@ export function areOpposite(point: ControlPoint, tolerance = 1e-6): boolean {
   return dot < 0 && Math.abs(cross) <= tolerance * product;
 }
 
+/** By how much the direction changes at a point, 0 … π radians; 0 where a handle has no length and so no direction. */
+export function turnAt({ in: before, out: after }: Pick<ControlPoint, "in" | "out">): number {
+  const cross = after.dx * before.dy - after.dy * before.dx;
+  const dot = -(before.dx * after.dx + before.dy * after.dy);
+  return Math.atan2(Math.abs(cross), dot);
+}
+
 /** The kind that a point's handles show. */
 export function kindOf(point: Pick<ControlPoint, "in" | "out">): Kind {
   const probe: ControlPoint = { x: 0, y: 0, kind: "cusp", in: point.in, out: point.out };

@@ -1,6 +1,6 @@
 import { HermiteCurve } from "expline/slim";
-import type { Contour } from "../../document/document.ts";
 import { contourFrom } from "../curve/points/contours.ts";
+import { withFoundCorners } from "../../document/trace/corners.ts";
 import type { Trace } from "./engine.ts";
 import type { TracedOutline, TraceResult, TraceSizes } from "./job.ts";
 import { coverage } from "./raster.ts";
@@ -13,6 +13,8 @@ const drawnWithin = 2e-3;
 /** Of the path text: the defaults of Export. */
 const printed = { tolerance: 0.02, decimals: 3 } as const;
 const polygonWithin = 0.1;
+/** The tracer finds a corner where its sides meet, and the curve is fitted after that: it passes within an eighth of a pixel or so. */
+const cornerWithin = 0.5;
 
 type Found = Trace["contours"][number];
 
@@ -23,11 +25,12 @@ export interface Thresholded {
   readonly rows: number;
 }
 
-export async function measured(trace: Trace, scale: readonly [number, number], seen: Thresholded): Promise<TraceResult> {
+/** `corner`: radians of turning from which on a corner was asked for. */
+export async function measured(trace: Trace, scale: readonly [number, number], seen: Thresholded, corner: number): Promise<TraceResult> {
   const start = performance.now();
   const curves = trace.contours.map((found) => inPicture(found, scale));
   const texts = curves.map((curve) => curve.toPathD(printed).d);
-  const outlines = trace.contours.map((found, i) => outlineOf(found, curves[i], scale));
+  const outlines = trace.contours.map((found, i) => outlineOf(found, curves[i], scale, corner));
   const segments = { lines: 0, arcs: 0, curves: 0 };
   for (const { contour } of outlines) for (const kind of kindsOf(contour)) segments[kind] += 1;
   const polygons = curves.map((curve) => polygonText(curve.flatten(polygonWithin)));
@@ -42,29 +45,19 @@ function inPicture({ curve }: Found, [x, y]: readonly [number, number]): Hermite
   return x === 1 && y === 1 ? curve : curve.transform([x, 0, 0, y, 0, 0]);
 }
 
-function outlineOf(found: Found, curve: HermiteCurve | undefined, scale: readonly [number, number]): TracedOutline {
+function outlineOf(found: Found, curve: HermiteCurve | undefined, scale: readonly [number, number], corner: number): TracedOutline {
   if (curve === undefined) throw new TypeError("every outline has a curve");
   const larger = Math.max(...scale);
   const { rmse, mae, max, hausdorff, jaccard } = found.metrics;
   const corners = found.cusps.map(([x, y]) => [x * scale[0], y * scale[1]] as const);
   return {
-    contour: withKinds(contourFrom(curve, "trigonometric"), corners),
+    contour: withFoundCorners(contourFrom(curve, "trigonometric"), corners, { within: cornerWithin * larger, least: corner }),
     hole: found.hole,
     layer: found.layer,
     length: curve.length(),
     metrics: { rmse: rmse * larger, mae: mae * larger, max: max * larger, hausdorff: hausdorff * larger, jaccard },
     cubics: curve.toCubics(drawnWithin).path,
   };
-}
-
-/** Which points are corners is for the tracer to say: handles that differ by a rounding error are no corner. */
-function withKinds(contour: Contour, corners: readonly (readonly [number, number])[]): Contour {
-  const points = contour.points.map((point) => {
-    const isCorner = corners.some(([x, y]) => Math.hypot(point.x - x, point.y - y) < 1e-3);
-    if (isCorner === (point.kind === "cusp")) return point;
-    return { ...point, kind: isCorner ? "cusp" as const : "smooth" as const };
-  });
-  return { ...contour, points };
 }
 
 function polygonText(vertices: Float64Array): string {

@@ -94,7 +94,7 @@ async function trace(request: Extract<TraceRequest, { kind: "trace" }>, signal: 
     onProgress: ({ stage, done, total }) => report(stage, done, total),
   });
   report("measuring", 0, 1);
-  const result = await measured(found, scale, { ink, columns: pixels.columns, rows: pixels.rows });
+  const result = await measured(found, scale, { ink, columns: pixels.columns, rows: pixels.rows }, how.corner);
   if (signal.aborted) return answer({ kind: "stopped", id });
   answer({ kind: "traced", id, result, ms: performance.now() - start });
 }
