@@ -2,7 +2,7 @@ import { isEmptyTrace, type TraceDocument } from "./document/trace/trace.ts";
 import type { EditorState } from "./editor/editor.ts";
 import { tracedDrawing, tracedLayers } from "./editor/trace/hand-over.ts";
 import { registerTraceActions } from "./editor/trace/trace-actions.ts";
-import { drawingOf, sizeOf } from "./editor/trace/trace-edits.ts";
+import { drawingOf, shownOf, sizeOf } from "./editor/trace/trace-edits.ts";
 import { traceHint, traceSummary } from "./editor/trace/trace-hint.ts";
 import { createTraceRunner } from "./editor/trace/trace-runner.ts";
 import { samplePoints } from "./kernel/curve/samples.ts";
@@ -32,10 +32,9 @@ function savedTrace(state: EditorState): TraceDocument {
 }
 
 function resultOf(state: EditorState): object | null {
-  const drawing = drawingOf(state);
-  const { outcome } = state.traceRun;
-  if (drawing === null || outcome === null) return null;
-  const { holes, segments, rms, max, iou, colors } = outcome;
+  const shown = shownOf(state);
+  if (shown === null) return null;
+  const { drawing, holes, segments, rms, max, iou, colors } = shown;
   return {
     contours: drawing.contours.length, holes: holes.filter((hole) => hole).length, cusps: cornersIn(drawing).map(({ x, y }) => ({ x, y })),
     segments: segments === null ? 0 : segments.lines + segments.arcs + segments.curves, rms, max, iou,

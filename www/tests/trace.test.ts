@@ -2,15 +2,16 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { parseState, readState, writeState } from "../src/document/file/file.ts";
 import { traceSample, traceSamples } from "../src/document/trace/trace-samples.ts";
-import { emptyTrace, toleranceOf, traceDefaults, withChoice } from "../src/document/trace/trace.ts";
-import { drawingOf, openPicture, openTraceSample, setTrace } from "../src/editor/trace/trace-edits.ts";
+import { emptyTrace, toleranceOf, traceDefaults } from "../src/document/trace/trace.ts";
+import { drawingOf, openPicture, openTraceSample, setTrace, shownOf } from "../src/editor/trace/trace-edits.ts";
+import { traceSummary } from "../src/editor/trace/trace-hint.ts";
 import { registerTraceActions } from "../src/editor/trace/trace-actions.ts";
 import { howOf } from "../src/editor/trace/trace-question.ts";
 import { createTraceRunner, type TraceRunner } from "../src/editor/trace/trace-runner.ts";
 import { readShareHash, shareHash } from "../src/io/link/share.ts";
 import { contoursOfPath } from "../src/kernel/curve/points/contours.ts";
 import type { PictureSource, TraceAnswer, TraceHow, TraceRequest, TraceResult } from "../src/kernel/trace/job.ts";
-import { cornersIn, outcomeOf, shownDrawing } from "../src/kernel/trace/outcome.ts";
+import { cornersIn, outcomeOf } from "../src/kernel/trace/outcome.ts";
 import { keepPicture } from "../src/kernel/trace/pictures.ts";
 import { createTraceClient, type Clock, type TraceClient, type TraceHandlers } from "../src/kernel/trace/trace-client.ts";
 import { traceProgram } from "../src/panels/trace/trace-program.ts";
@@ -338,15 +339,19 @@ test("a double-click makes a corner smooth, another makes it what it was to the 
   assert.equal(asked.length, 1);
 });
 
-test("a smooth point that is made a corner goes straight for its neighbours on both sides", () => {
-  const outcome = outcomeOf(found(), undefined);
-  const once = withChoice([], { x: 110, y: 10, kind: "smooth" });
-  const smooth = shownDrawing(outcome, once);
-  assert.equal(smooth.contours[1], outcome.drawing.contours[1], "the other outline stays the same object");
-  const round = { ...outcome, drawing: smooth };
-  const corner = shownDrawing(round, [{ x: 110, y: 10, kind: "cusp" }]).contours[0]?.points[1];
-  assert.equal(corner?.kind, "cusp");
-  assert.ok(Math.abs((corner?.in.dy ?? 1)) < 1e-12 && Math.abs(corner?.out.dx ?? 1) < 1e-12, JSON.stringify(corner));
+test("the numbers beside a corner that was smoothed are of what is shown: its segments are counted anew, and what only the tracer knows is left out", () => {
+  const { hand, say } = tracing();
+  openTraceSample(hand.editor, "trace-disc");
+  say();
+  const before = shownOf(hand.editor.state.value);
+  hand.doubleClick(110, 10);
+  const shown = shownOf(hand.editor.state.value);
+  assert.equal(shown?.drawing.contours[1], before?.drawing.contours[1], "the other outline stays the same object");
+  assert.deepEqual(shown?.segments, { lines: 5, arcs: 0, curves: 2 });
+  assert.deepEqual([shown.rms, shown.max, shown.beyond, shown.iou, shown.sizes], [null, null, null, null, null]);
+  assert.ok(!traceSummary(hand.editor.state.value).includes("No place is farther"));
+  hand.doubleClick(110, 10);
+  assert.equal(shownOf(hand.editor.state.value), before);
 });
 
 test("the program beside flat colours says nothing of ink, which the panel hides then", () => {

@@ -4,8 +4,9 @@ import init, { initTrace, traceImage, type Trace, type TraceOptions } from "expl
 import { turnAt } from "../src/document/curve/offset.ts";
 import { withFoundCorners } from "../src/document/trace/corners.ts";
 import { contoursOfPath } from "../src/kernel/curve/points/contours.ts";
+import { samplePoints } from "../src/kernel/curve/samples.ts";
 import { measured } from "../src/kernel/trace/measured.ts";
-import { cornersIn, outcomeOf, type TraceOutcome } from "../src/kernel/trace/outcome.ts";
+import { cornersIn, outcomeOf, shownOutcome, type TraceOutcome } from "../src/kernel/trace/outcome.ts";
 import { coverage } from "../src/kernel/trace/raster.ts";
 
 // What becomes of a picture with the tracer of the library itself.
@@ -62,4 +63,57 @@ test("a corner that the tracer found is the point nearest to its place, and a tu
   assert.equal(kinds([[110.1, 9.9], [10, 110]], Math.PI), "scsc", "an eighth of a pixel away is found, and what turns less than was asked is smooth");
   assert.equal(kinds([[111, 10]], Math.PI), "ssss", "a pixel away is another place");
   assert.equal(kinds([], corner), "cccc");
+});
+
+/** The outlines as places. */
+const placesOn = ({ drawing }: TraceOutcome): Pair[] => drawing.contours.flatMap((contour) => {
+  const places = samplePoints(drawing, contour, 2000);
+  return Array.from({ length: places.length / 2 }, (_, i): Pair => [places[2 * i] ?? 0, places[2 * i + 1] ?? 0]);
+});
+
+test("a smooth point that is made a corner frees its handles and moves nothing: every number stays true", async () => {
+  const { outcome } = await traced(picture([[0, circle(200, 150, 100)]]));
+  const point = outcome.drawing.contours[0]?.points[0];
+  assert.ok(point !== undefined && point.kind !== "cusp");
+  const shown = shownOutcome(outcome, [{ x: point.x, y: point.y, kind: "cusp" }]);
+  assert.deepEqual(cornersIn(shown.drawing).map(({ index }) => index), [0]);
+  assert.deepEqual(placesOn(shown), placesOn(outcome));
+  assert.deepEqual({ ...shown, drawing: null }, { ...outcome, drawing: null });
+});
+
+for (const [what, tip] of [["sharp", 250], ["flat", 160]] as const) {
+  test(`the outline of a ${what} star stays within a pixel and a half of its ink when all of its corners are smoothed`, async () => {
+    const star = Array.from({ length: 10 }, (_, i): Pair => [200 + (i % 2 === 0 ? tip / 2 : 50) * Math.cos(Math.PI * i / 5), 150 + (i % 2 === 0 ? tip / 2 : 50) * Math.sin(Math.PI * i / 5)]);
+    const { outcome } = await traced(picture([[0, star]]));
+    const corners = cornersIn(outcome.drawing);
+    assert.ok(corners.length >= 5);
+    const shown = shownOutcome(outcome, corners.map(({ x, y }) => ({ x, y, kind: "smooth" })));
+    assert.equal(cornersIn(shown.drawing).length, 0);
+    for (const { contour, index } of corners) {
+      const point = shown.drawing.contours[contour]?.points[index];
+      assert.ok(point !== undefined && turnAt(point) < 1e-9 && Math.hypot(point.out.dx, point.out.dy) > 0.5, JSON.stringify(point));
+    }
+    const side = (i: number): Pair => star[i % 10] ?? [0, 0];
+    const away = Math.max(...placesOn(shown).map((place) => Math.min(...star.map((_, i) => toSide(place, side(i), side(i + 1))))));
+    assert.ok(away < 1.5, `${away} px`);
+  });
+}
+
+function toSide([x, y]: Pair, [ax, ay]: Pair, [bx, by]: Pair): number {
+  const [ux, uy] = [bx - ax, by - ay];
+  const t = Math.max(0, Math.min(1, ((x - ax) * ux + (y - ay) * uy) / (ux * ux + uy * uy)));
+  return Math.hypot(x - ax - t * ux, y - ay - t * uy);
+}
+
+test("a corner between two long arcs is smoothed without leaving them by more than a thirtieth of their length", async () => {
+  // A lens: two arcs of 120° that meet at 120°.
+  const r = 150;
+  const arc = (middle: number, from: number): Pair[] => Array.from({ length: 200 }, (_, i) => [200 + r * Math.cos(from + i * Math.PI / 300), middle + r * Math.sin(from + i * Math.PI / 300)] as const);
+  const lens = [...arc(225, (7 * Math.PI) / 6), ...arc(75, Math.PI / 6)];
+  const { outcome } = await traced(picture([[0, lens]]));
+  const corners = cornersIn(outcome.drawing);
+  assert.equal(corners.length, 2);
+  const shown = shownOutcome(outcome, corners.slice(1).map(({ x, y }) => ({ x, y, kind: "smooth" })));
+  const away = Math.max(...placesOn(shown).map(([x, y]) => Math.min(...lens.map(([a, b]) => Math.hypot(a - x, b - y)))));
+  assert.ok(away < (r * 2 * Math.PI) / 3 / 30, `${away} px`);
 });

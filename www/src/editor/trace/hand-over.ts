@@ -5,7 +5,7 @@ import { byColor } from "../../kernel/trace/outcome.ts";
 import type { Editor, EditorState } from "../editor.ts";
 import { bringStrokes, handOver } from "../fit/bring.ts";
 import { openInCurve } from "../curve/open-in-curve.ts";
-import { drawingOf } from "./trace-edits.ts";
+import { drawingOf, shownOf } from "./trace-edits.ts";
 
 /** From outlines to points that are fitted, and to a drawing that is edited: copies, both times. */
 
@@ -19,9 +19,8 @@ export function tracedDrawing(state: EditorState): CurveDocument | null {
 
 /** The outlines by their colours, for a file of them. */
 export function tracedLayers(state: EditorState): { readonly color: string; readonly drawing: CurveDocument }[] {
-  const drawing = drawingOf(state);
-  const { outcome } = state.traceRun;
-  return drawing === null || outcome === null ? [] : byColor(outcome, drawing);
+  const shown = shownOf(state);
+  return shown === null ? [] : byColor(shown);
 }
 
 export function smoothInFit(editor: Editor): void {

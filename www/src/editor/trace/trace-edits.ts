@@ -1,6 +1,6 @@
 import { traceSample, type TraceSample } from "../../document/trace/trace-samples.ts";
 import { emptyTrace, isEmptyTrace, traceDefaults, withChoice, withPicture, type OwnPicture, type TraceDocument, type TraceSettings } from "../../document/trace/trace.ts";
-import { pointCount, shownDrawing } from "../../kernel/trace/outcome.ts";
+import { pointCount, shownOutcome, type TraceOutcome } from "../../kernel/trace/outcome.ts";
 import type { CurveDocument } from "../../document/document.ts";
 import { fitted } from "../pointer/camera.ts";
 import type { Editor, EditorState } from "../editor.ts";
@@ -69,9 +69,14 @@ export function traceAnyway(editor: Editor): void {
   change(editor, "Trace anyway", (trace) => ({ ...trace, anyway: true }));
 }
 
-/** The outlines on the stage, with what was decided about their corners. */
-export function drawingOf({ trace, traceRun }: EditorState): CurveDocument | null {
-  return traceRun.outcome === null ? null : shownDrawing(traceRun.outcome, trace.corners);
+/** What is on the stage, with what was decided about its corners, and the numbers that are true of it. */
+export function shownOf({ trace, traceRun }: EditorState): TraceOutcome | null {
+  return traceRun.outcome === null ? null : shownOutcome(traceRun.outcome, trace.corners);
+}
+
+/** The outlines of that. */
+export function drawingOf(state: EditorState): CurveDocument | null {
+  return shownOf(state)?.drawing ?? null;
 }
 
 /** A corner becomes smooth, a smooth point a corner; the same once more takes it back. */

@@ -1,7 +1,7 @@
 import { isEmptyTrace } from "../../document/trace/trace.ts";
 import { cornersIn, pointCount } from "../../kernel/trace/outcome.ts";
 import type { EditorState } from "../editor.ts";
-import { describePoint, drawingOf } from "./trace-edits.ts";
+import { describePoint, shownOf } from "./trace-edits.ts";
 
 /** What the next press would do in Trace. */
 export function traceHint(state: EditorState): string {
@@ -20,11 +20,12 @@ export function traceHint(state: EditorState): string {
 /** The picture in words, for those who do not see it. */
 export function traceSummary(state: EditorState): string {
   const { trace, traceRun } = state;
-  const drawing = drawingOf(state);
+  const shown = shownOf(state);
   if (isEmptyTrace(trace)) return "No picture yet. Choose a file, paste one, or open a sample.";
-  if (drawing === null || traceRun.outcome === null) return traceRun.since === null ? "The picture has no outlines." : "Outlines are being found.";
-  const { outcome, picture } = traceRun;
-  const holes = outcome.holes.filter((hole) => hole).length;
-  const error = outcome.max === null ? "" : ` No place is farther than ${outcome.max.toPrecision(2)} pixels from the edge in the picture.`;
+  if (shown === null) return traceRun.since === null ? "The picture has no outlines." : "Outlines are being found.";
+  const { drawing, max } = shown;
+  const { picture } = traceRun;
+  const holes = shown.holes.filter((hole) => hole).length;
+  const error = max === null ? "" : ` No place is farther than ${max.toPrecision(2)} pixels from the edge in the picture.`;
   return `${picture?.name ?? trace.kept?.name ?? "The picture"}: ${drawing.contours.length} outlines, ${holes} of them holes, ${pointCount(drawing)} points, ${cornersIn(drawing).length} corners.${error} Brackets step from point to point, C toggles a corner.`;
 }

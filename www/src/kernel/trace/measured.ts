@@ -4,7 +4,7 @@ import { withFoundCorners } from "../../document/trace/corners.ts";
 import type { Trace } from "./engine.ts";
 import type { TracedOutline, TraceResult, TraceSizes } from "./job.ts";
 import { coverage } from "./raster.ts";
-import { kindsOf } from "./segments.ts";
+import { segmentsIn } from "./segments.ts";
 
 /** What a trace came to: outlines in pixels of the picture, and the numbers that are printed about them. */
 
@@ -31,8 +31,7 @@ export async function measured(trace: Trace, scale: readonly [number, number], s
   const curves = trace.contours.map((found) => inPicture(found, scale));
   const texts = curves.map((curve) => curve.toPathD(printed).d);
   const outlines = trace.contours.map((found, i) => outlineOf(found, curves[i], scale, corner));
-  const segments = { lines: 0, arcs: 0, curves: 0 };
-  for (const { contour } of outlines) for (const kind of kindsOf(contour)) segments[kind] += 1;
+  const segments = segmentsIn(outlines.map(({ contour }) => contour));
   const polygons = curves.map((curve) => polygonText(curve.flatten(polygonWithin)));
   const sizes = await sizesOf(texts.join(""), polygons.join(""));
   const colors = trace.layers.map(({ color }) => color);

@@ -1,8 +1,8 @@
 import { emptyCurve, type Contour, type CurveDocument } from "../../document/document.ts";
-import { automaticHandles } from "../../document/curve/contours.ts";
-import { withKind } from "../../document/curve/offset.ts";
-import { choiceAt, type CornerChoice, type KeptTrace } from "../../document/trace/trace.ts";
+import type { CornerChoice, KeptTrace } from "../../document/trace/trace.ts";
+import { withDecided } from "../../document/trace/corners.ts";
 import type { TracedOutline, TraceResult } from "./job.ts";
+import { segmentsIn } from "./segments.ts";
 
 /** What is on the stage of Trace: the picture, its outlines, and what is printed about them. */
 
@@ -75,49 +75,39 @@ function signedArea({ points }: Contour): number {
 }
 
 /** A drawing's outlines by their colours, the lowest layer first; none where there is only ink. */
-export function byColor({ colors, layers }: TraceOutcome, drawing: CurveDocument): { readonly color: string; readonly drawing: CurveDocument }[] {
+export function byColor({ colors, layers, drawing }: TraceOutcome): { readonly color: string; readonly drawing: CurveDocument }[] {
   return colors.map((color, layer) => ({ color, drawing: { ...drawing, contours: drawing.contours.filter((_, i) => layers[i] === layer) } }));
 }
 
-const decided = new WeakMap<TraceOutcome, { readonly corners: readonly CornerChoice[]; readonly drawing: CurveDocument }>();
+interface Decided {
+  readonly corners: readonly CornerChoice[];
+  readonly shown: TraceOutcome;
+}
 
-/** The outlines with the corners that were decided by hand. Contours of which nothing was decided stay the same objects. */
-export function shownDrawing(outcome: TraceOutcome, corners: readonly CornerChoice[]): CurveDocument {
-  if (corners.length === 0) return outcome.drawing;
+const decided = new WeakMap<TraceOutcome, Decided>();
+
+/**
+ * What is shown once corners were decided by hand: the drawing, and of the numbers those that are known of it. Where a
+ * corner was smoothed, only the tracer could measure again. Contours of which nothing was decided stay the same objects.
+ */
+export function shownOutcome(outcome: TraceOutcome, corners: readonly CornerChoice[]): TraceOutcome {
+  if (corners.length === 0) return outcome;
   const known = decided.get(outcome);
-  if (known !== undefined && known.corners === corners) return known.drawing;
+  if (known?.corners === corners) return known.shown;
   const { drawing } = outcome;
-  const contours = drawing.contours.map((contour) => withCorners(drawing, contour, corners));
-  const fresh = { ...drawing, contours };
-  decided.set(outcome, { corners, drawing: fresh });
-  return fresh;
+  const contours = drawing.contours.map((contour) => withDecided(contour, corners));
+  const still = contours.every((contour, i) => sameCurve(contour, drawing.contours[i]));
+  const shown: TraceOutcome = {
+    ...outcome, drawing: { ...drawing, contours },
+    ...(still ? {} : { cubics: [], segments: outcome.segments === null ? null : segmentsIn(contours), rms: null, max: null, beyond: null, iou: null, sizes: null }),
+  };
+  decided.set(outcome, { corners, shown });
+  return shown;
 }
 
-function withCorners(drawing: CurveDocument, contour: Contour, corners: readonly CornerChoice[]): Contour {
-  const points = contour.points.map((point, i) => {
-    const choice = choiceAt(corners, point.x, point.y);
-    if (choice === undefined || (choice.kind === "cusp") === (point.kind === "cusp")) return point;
-    if (choice.kind === "smooth") return withKind(point, "smooth", automaticHandles(drawing, contour, i));
-    const [before, after] = [neighbour(contour, i, -1), neighbour(contour, i, 1)];
-    // Each side goes straight for its neighbour: a corner that can be seen.
-    return {
-      ...point,
-      kind: "cusp" as const,
-      in: before === null ? point.in : thirdOfTheWay(point, before),
-      out: after === null ? point.out : thirdOfTheWay(point, after),
-    };
-  });
-  return points.every((point, i) => point === contour.points[i]) ? contour : { ...contour, points };
-}
-
-function neighbour({ points, closed }: Contour, i: number, by: number): { x: number; y: number } | null {
-  const count = points.length;
-  if (!closed && (i + by < 0 || i + by >= count)) return null;
-  return points[(i + by + count) % count] ?? null;
-}
-
-function thirdOfTheWay(from: { x: number; y: number }, to: { x: number; y: number }): { dx: number; dy: number } {
-  return { dx: (to.x - from.x) / 3, dy: (to.y - from.y) / 3 };
+/** Whether one came of the other without a handle being touched. */
+function sameCurve(a: Contour, b: Contour | undefined): boolean {
+  return a === b || a.points.every((point, i) => point.in === b?.points[i]?.in && point.out === b.points[i]?.out);
 }
 
 export interface Corner {

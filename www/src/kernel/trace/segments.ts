@@ -7,7 +7,13 @@ export type SegmentKind = "lines" | "arcs" | "curves";
 /** Of the segment's size: rounding, not shape. */
 const tolerance = 1e-6;
 
-export function kindsOf(contour: Contour): SegmentKind[] {
+export function segmentsIn(contours: readonly Contour[]): Record<SegmentKind, number> {
+  const segments = { lines: 0, arcs: 0, curves: 0 };
+  for (const contour of contours) for (const kind of kindsOf(contour)) segments[kind] += 1;
+  return segments;
+}
+
+function kindsOf(contour: Contour): SegmentKind[] {
   return Array.from({ length: segmentCount(contour) }, (_, i) => kindOf(contour, i));
 }
 

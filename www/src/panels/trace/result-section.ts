@@ -1,5 +1,5 @@
 import type { EditorState } from "../../editor/editor.ts";
-import { drawingOf } from "../../editor/trace/trace-edits.ts";
+import { shownOf } from "../../editor/trace/trace-edits.ts";
 import { cornersIn, pointCount, type TraceOutcome } from "../../kernel/trace/outcome.ts";
 import { h, setText } from "../controls/dom.ts";
 import { formatBytes, formatCount, formatDeviation } from "../controls/format.ts";
@@ -30,33 +30,31 @@ export function resultSection(shell: Shell): Section {
     click: () => editor.actions.run("export"),
   }, h("span", {}, "Export"));
   let printed: TraceOutcome | null = null;
-  let printedCorners: readonly object[] = [];
   return {
     element: h("section", { class: "section", "aria-label": "Result" },
       h("div", { class: "field-row" }, run, cancel, state),
       h("div", { class: "legend" }, corners.row, smooth.row), list,
       h("div", { class: "field-row trace-actions" }, edit, fit, save)),
     update(now) {
-      const { trace, traceRun } = now;
-      const { outcome, progress, since } = traceRun;
+      const { trace, traceRun: { progress, since } } = now;
       run.disabled = trace.sample === undefined && trace.picture === undefined;
       cancel.hidden = since === null;
       setText(state, since === null || progress === null ? "" : progressText(progress));
-      for (const button of [edit, fit, save]) button.disabled = outcome === null;
-      const drawing = drawingOf(now);
-      const sharp = drawing === null ? 0 : cornersIn(drawing).length;
+      const shown = shownOf(now);
+      for (const button of [edit, fit, save]) button.disabled = shown === null;
+      const sharp = shown === null ? 0 : cornersIn(shown.drawing).length;
       corners.show(sharp);
-      smooth.show(drawing === null ? 0 : pointCount(drawing) - sharp);
-      if (outcome === printed && trace.corners === printedCorners) return;
-      [printed, printedCorners] = [outcome, trace.corners];
-      list.replaceChildren(...(outcome === null ? [] : rowsOf(outcome, now)));
+      smooth.show(shown === null ? 0 : pointCount(shown.drawing) - sharp);
+      if (shown === printed) return;
+      printed = shown;
+      list.replaceChildren(...(shown === null ? [] : rowsOf(shown, now)));
     },
   };
 }
 
-function rowsOf(outcome: TraceOutcome, { trace, traceRun }: EditorState): HTMLElement[] {
+function rowsOf(shown: TraceOutcome, { trace, traceRun }: EditorState): HTMLElement[] {
   const row = (label: string, testid: string, text: string): HTMLElement => h("div", {}, h("dt", {}, label), h("dd", { testid }, text));
-  const { holes, segments, sizes, rms, max, beyond, iou, stages } = outcome;
+  const { holes, segments, sizes, rms, max, beyond, iou, stages } = shown;
   const rows: HTMLElement[] = [];
   const inner = holes.filter((hole) => hole).length;
   rows.push(row("Contours", "trace-contours", inner === 0 ? String(holes.length) : `${holes.length}, ${formatCount(inner, "hole")}`));
@@ -66,6 +64,8 @@ function rowsOf(outcome: TraceOutcome, { trace, traceRun }: EditorState): HTMLEl
     rows.push(row("Segments", "trace-segments", kinds.length === 0 ? "none" : kinds.join(", ")));
   }
   if (rms !== null && max !== null) rows.push(row("To the edge", "trace-error", `rms ${formatDeviation(rms)}, max ${formatDeviation(max)} px`));
+  // Only the tracer knows the edge, and it has not seen what was smoothed by hand.
+  else if (typeof traceRun.outcome?.max === "number") rows.push(row("To the edge", "trace-unmeasured", "unknown, smoothed by hand"));
   if (max !== null && beyond !== null && beyond > 2 * max + 0.1) {
     const tips = row("Corners beyond it", "trace-beyond", `up to ${formatDeviation(beyond)} px`);
     tips.title = "Pixels cut sharp corners off; the outline goes on to where its sides meet.";

@@ -1,6 +1,5 @@
-import { emptyCurve } from "../../document/document.ts";
 import type { EditorState } from "../../editor/editor.ts";
-import { drawingOf } from "../../editor/trace/trace-edits.ts";
+import { shownOf } from "../../editor/trace/trace-edits.ts";
 import { cornersIn, pointCount, type TraceOutcome } from "../../kernel/trace/outcome.ts";
 import { formatBytes, formatDeviation } from "../controls/format.ts";
 import type { Metric, ModeMetrics } from "../mode/metric.ts";
@@ -9,16 +8,18 @@ import type { Metric, ModeMetrics } from "../mode/metric.ts";
 
 type Reading = ReturnType<Metric["read"]>;
 
-const of = (read: (outcome: TraceOutcome, state: EditorState) => Reading) => (state: EditorState): Reading =>
-  state.traceRun.outcome === null ? null : read(state.traceRun.outcome, state);
+const of = (read: (shown: TraceOutcome, state: EditorState) => Reading) => (state: EditorState): Reading => {
+  const shown = shownOf(state);
+  return shown === null ? null : read(shown, state);
+};
 
 const counted = (value: number, one: string): Reading => ({ value, strong: String(value), rest: value === 1 ? one : `${one}s` });
 
 export const traceMetrics: ModeMetrics = [
   [
     { testid: "m-contours", about: "Outlines, holes among them", read: of(({ holes }) => counted(holes.length, "contour")) },
-    { testid: "m-cusps", about: "Sharp corners", read: of((_, state) => counted(cornersIn(drawingOf(state) ?? emptyCurve).length, "cusp")) },
-    { testid: "m-points", about: "Control points", read: of((_, state) => counted(pointCount(drawingOf(state) ?? emptyCurve), "point")) },
+    { testid: "m-cusps", about: "Sharp corners", read: of(({ drawing }) => counted(cornersIn(drawing).length, "cusp")) },
+    { testid: "m-points", about: "Control points", read: of(({ drawing }) => counted(pointCount(drawing), "point")) },
   ],
   [
     {

@@ -1,5 +1,5 @@
 import type { CurveDocument } from "../../document/document.ts";
-import { drawingOf } from "../../editor/trace/trace-edits.ts";
+import { shownOf } from "../../editor/trace/trace-edits.ts";
 import { showsPoints } from "../../editor/trace/trace-hit.ts";
 import { byColor, type ShownPicture, type TraceOutcome } from "../../kernel/trace/outcome.ts";
 import { drawGrid } from "../layers/grid.ts";
@@ -23,10 +23,10 @@ export function createTracePainter(): Painter {
         drawPixels(scene, picture, view === "edges" ? picture.edges : picture.source, view === "result" ? traceView.alpha / 100 : 1);
       }
       drawFrame(scene);
-      const drawing = drawingOf(scene.state);
-      if (drawing === null || view === "source") return;
-      drawOutlines(scene, drawing, view === "edges");
-      if (showsPoints(scene.state)) drawPoints(scene, drawing, view === "outline");
+      const shown = shownOf(scene.state);
+      if (shown === null || view === "source") return;
+      drawOutlines(scene, shown, view === "edges");
+      if (showsPoints(scene.state)) drawPoints(scene, shown.drawing, view === "outline");
     },
   };
 }
@@ -63,21 +63,20 @@ interface Paths {
 
 const wholes = new WeakMap<readonly Float64Array[], Paths>();
 
-/** All outlines in one path, and the closed ones in another: as the worker gave them, or anew where corners were decided by hand. */
-function pathsOf(scene: Scene, drawing: CurveDocument): Paths {
-  const { outcome } = scene.state.traceRun;
-  if (outcome === null || outcome.drawing !== drawing || outcome.cubics.length === 0) return documentPaths(scene, drawing);
-  const known = wholes.get(outcome.cubics);
+/** All outlines in one path, and the closed ones in another: as the worker gave them, or anew where corners were smoothed by hand. */
+function pathsOf(scene: Scene, { drawing, cubics: found }: TraceOutcome): Paths {
+  if (found.length === 0) return documentPaths(scene, drawing);
+  const known = wholes.get(found);
   if (known !== undefined) return known;
   const every = drawing.contours.every(({ closed }) => closed);
   const all = new Path2D();
   const paths = { all, closed: every ? all : new Path2D() };
-  outcome.cubics.forEach((cubics, i) => {
+  found.forEach((cubics, i) => {
     const closed = drawing.contours[i]?.closed === true;
     addCubics(all, cubics, closed);
     if (closed && !every) addCubics(paths.closed, cubics, true);
   });
-  wholes.set(outcome.cubics, paths);
+  wholes.set(found, paths);
   return paths;
 }
 
@@ -89,14 +88,14 @@ function addCubics(path: Path2D, cubics: Float64Array, closed: boolean): void {
   if (closed) path.closePath();
 }
 
-function drawOutlines(scene: Scene, drawing: CurveDocument, thin: boolean): void {
+function drawOutlines(scene: Scene, shown: TraceOutcome, thin: boolean): void {
   const { state, palette } = scene;
   const context = inPage(scene);
-  const { all: path, closed } = pathsOf(scene, drawing);
+  const { all: path, closed } = pathsOf(scene, shown);
   const alone = state.traceView.view === "outline";
-  const inColor = !thin && !alone && (state.traceRun.outcome?.colors.length ?? 0) > 0;
+  const inColor = !thin && !alone && shown.colors.length > 0;
   context.lineJoin = "round";
-  if (inColor) drawColors(scene, drawing);
+  if (inColor) drawColors(scene, shown);
   // A stroke that closes encloses paper, not ink.
   else if (!thin && state.trace.settings.mode !== "lines") {
     context.fillStyle = palette.point;
@@ -121,24 +120,22 @@ function drawRim(scene: Scene, path: Path2D, width: number, strength: number): v
 }
 
 /** Layer on layer, as a file of them looks. */
-function drawColors(scene: Scene, drawing: CurveDocument): void {
-  const { outcome } = scene.state.traceRun;
-  if (outcome === null) return;
+function drawColors(scene: Scene, shown: TraceOutcome): void {
   const context = inPage(scene);
-  for (const { color, drawing: layer } of layersOf(outcome, drawing)) {
+  for (const { color, drawing: layer } of layersOf(shown)) {
     context.fillStyle = color;
     context.fill(documentPaths(scene, layer).closed, "evenodd");
   }
 }
 
-const layered = new WeakMap<CurveDocument, ReturnType<typeof byColor>>();
+const layered = new WeakMap<TraceOutcome, ReturnType<typeof byColor>>();
 
 /** The same drawings for the same outlines, so that their paths are made once. */
-function layersOf(outcome: TraceOutcome, drawing: CurveDocument): ReturnType<typeof byColor> {
-  const known = layered.get(drawing);
+function layersOf(shown: TraceOutcome): ReturnType<typeof byColor> {
+  const known = layered.get(shown);
   if (known !== undefined) return known;
-  const fresh = byColor(outcome, drawing);
-  layered.set(drawing, fresh);
+  const fresh = byColor(shown);
+  layered.set(shown, fresh);
   return fresh;
 }
 
