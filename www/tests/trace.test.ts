@@ -15,6 +15,7 @@ import { cornersIn, outcomeOf } from "../src/kernel/trace/outcome.ts";
 import { keepPicture } from "../src/kernel/trace/pictures.ts";
 import { createTraceClient, type Clock, type TraceClient, type TraceHandlers } from "../src/kernel/trace/trace-client.ts";
 import { traceProgram } from "../src/panels/trace/trace-program.ts";
+import { drawnDiffers } from "../src/render/drawn.ts";
 import { createTraceTool } from "../src/tools/trace/trace-tool.ts";
 import { Hand } from "./harness.ts";
 
@@ -270,6 +271,23 @@ test("a photograph is refused, and traced when somebody wants it all the same", 
   hand.run("trace-anyway");
   clock.pass(200);
   assert.ok((asked[1]?.how.mostContours ?? 0) > 4321);
+});
+
+test("progress changes nothing that a stage draws, and is over with the job", () => {
+  const { hand, handlers, say } = tracing();
+  openTraceSample(hand.editor, "trace-disc");
+  say();
+  hand.run("trace-run");
+  const before = hand.editor.state.value;
+  handlers.progress("splines", 0.5, 3, 6);
+  const now = hand.editor.state.value;
+  assert.deepEqual({ ...now, traceProgress: null }, { ...before, traceProgress: null });
+  assert.equal(now.traceRun, before.traceRun);
+  assert.equal(now.traceProgress?.value, 0.5);
+  assert.equal(drawnDiffers(now, before), false);
+  say();
+  assert.equal(hand.editor.state.value.traceProgress, null);
+  assert.equal(drawnDiffers(hand.editor.state.value, now), true);
 });
 
 test("a picture without edges is said to have none", () => {

@@ -12,7 +12,7 @@ import type { ModeParts } from "./mode.ts";
 import type { Readable } from "./signal.ts";
 import type { SolidState } from "./surface/solid.ts";
 import type { Timeline } from "./history/timeline.ts";
-import type { Incoming, TraceRun, TraceView } from "./trace/trace-state.ts";
+import type { Incoming, TraceProgress, TraceRun, TraceView } from "./trace/trace-state.ts";
 
 export type ToolId = "select" | "pen" | "draw" | "hand";
 
@@ -116,6 +116,8 @@ export interface EditorState {
   readonly traceView: TraceView;
   /** The picture, what came of the last trace, and what is under way. */
   readonly traceRun: TraceRun;
+  /** How far the trace has come that is under way. Beside `traceRun`: who draws that need not draw it again for a percent. */
+  readonly traceProgress: TraceProgress | null;
   /** A picture that has just been brought in, until Trace takes it. */
   readonly incoming: Incoming | null;
   readonly surface: SurfaceDocument;

@@ -33,6 +33,7 @@ export const initialState: EditorState = {
   trace: emptyTrace,
   traceView: initialTraceView,
   traceRun: noTraceRun,
+  traceProgress: null,
   incoming: null,
   surface: emptySurface,
   chosen: noNetPoints,

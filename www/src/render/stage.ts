@@ -8,6 +8,7 @@ import { drawBefore, drawBezier, drawCurves, drawFill, drawSpans } from "./layer
 import { drawGrid } from "./layers/grid.ts";
 import { drawHandles, drawPoints } from "./layers/points.ts";
 import { drawLoupe, drawSketch } from "./layers/sketch.ts";
+import { drawnDiffers } from "./drawn.ts";
 import { readPalette } from "./palette.ts";
 import type { Scene } from "./scene.ts";
 
@@ -94,7 +95,9 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
     palette = readPalette(document.documentElement);
     repaint();
   };
-  editor.state.subscribe(repaint, { until });
+  editor.state.subscribe((state, before) => {
+    if (drawnDiffers(state, before)) repaint();
+  }, { until });
   editor.state.subscribe(({ cursor }) => {
     if (surface.style.cursor !== cursor) surface.style.cursor = cursor;
   }, { until });

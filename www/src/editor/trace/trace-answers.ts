@@ -7,10 +7,13 @@ import type { TraceRun } from "./trace-state.ts";
 
 /** Puts what the tracer answers into the state. */
 
-export const atRest = { progress: null, since: null } as const;
-
 export function setTraceRun(editor: Editor, change: Partial<TraceRun>): void {
   editor.patch({ traceRun: { ...editor.state.value.traceRun, ...change } });
+}
+
+/** Nothing is under way any more. */
+export function restTraceRun(editor: Editor, change: Partial<TraceRun> = {}): void {
+  editor.patch({ traceRun: { ...editor.state.value.traceRun, ...change, since: null }, traceProgress: null });
 }
 
 /** A bitmap holds its pixels outside of the script's memory until it is closed. */
@@ -22,10 +25,10 @@ export function closePicture({ state }: Editor): void {
 
 /** `settle` is called whenever a job is over. */
 export function traceAnswers(editor: Editor, settle: () => void): TraceHandlers {
-  const over = (change: Partial<TraceRun>): void => setTraceRun(editor, { ...atRest, ...change });
+  const over = (change: Partial<TraceRun>): void => restTraceRun(editor, change);
   return {
     progress(stage, value, done, total) {
-      setTraceRun(editor, { progress: { stage, value, done, total } });
+      editor.patch({ traceProgress: { stage, value, done, total } });
     },
     picture({ width, height, analysed, source, edges, threshold }, { key }) {
       const { trace, traceRun } = editor.state.value;

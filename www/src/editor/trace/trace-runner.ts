@@ -3,7 +3,7 @@ import { outcomeOfKept } from "../../kernel/trace/outcome.ts";
 import type { Clock, TraceClient, TraceHandlers } from "../../kernel/trace/trace-client.ts";
 import { createWaiters } from "../../kernel/worker-desk.ts";
 import type { Editor } from "../editor.ts";
-import { atRest, closePicture, setTraceRun, traceAnswers } from "./trace-answers.ts";
+import { closePicture, restTraceRun, traceAnswers } from "./trace-answers.ts";
 import { ensureSample, openIncoming, type Refuse } from "./trace-opening.ts";
 import { howOf, sameQuestion, sourceOf } from "./trace-question.ts";
 import { noTraceRun, type Incoming } from "./trace-state.ts";
@@ -65,7 +65,7 @@ class Runner implements TraceRunner {
   cancel(): void {
     this.dropWait();
     if (this.#client.cancel()) this.#editor.notify({ kind: "toast", text: "Cancelled" });
-    setTraceRun(this.#editor, atRest);
+    restTraceRun(this.#editor);
     this.#waiters.settle();
   }
 
@@ -111,7 +111,10 @@ class Runner implements TraceRunner {
     const source = sourceOf(trace);
     this.#asked = trace;
     if (source === null) return this.#showKept(trace);
-    setTraceRun(this.#editor, { since: this.#options.now(), progress: { stage: "decoding", value: 0, done: 0, total: 1 } });
+    this.#editor.patch({
+      traceRun: { ...this.#editor.state.value.traceRun, since: this.#options.now() },
+      traceProgress: { stage: "decoding", value: 0, done: 0, total: 1 },
+    });
     this.#client.trace(source, howOf(trace));
   }
 
@@ -119,7 +122,7 @@ class Runner implements TraceRunner {
   #showKept({ kept }: TraceDocument): void {
     this.#client.cancel();
     closePicture(this.#editor);
-    this.#editor.patch({ traceRun: kept === undefined ? noTraceRun : { ...noTraceRun, outcome: outcomeOfKept(kept) } });
+    this.#editor.patch({ traceProgress: null, traceRun: kept === undefined ? noTraceRun : { ...noTraceRun, outcome: outcomeOfKept(kept) } });
     this.#waiters.settle();
   }
 }

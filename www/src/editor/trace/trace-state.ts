@@ -40,7 +40,6 @@ export interface TraceRun {
   /** The last outlines that came back; while others are under way they stay on the stage. */
   readonly outcome: TraceOutcome | null;
   readonly failure: TraceFailure | null;
-  readonly progress: TraceProgress | null;
   /** Since when a job is under way, in milliseconds of the page; null: none is. */
   readonly since: number | null;
   /** Milliseconds that the last job took. */
@@ -55,4 +54,4 @@ export interface Incoming {
 
 export const initialTraceView: TraceView = { view: "result", alpha: 35, chosen: null, over: null };
 
-export const noTraceRun: TraceRun = { picture: null, outcome: null, failure: null, progress: null, since: null, lastMs: 0 };
+export const noTraceRun: TraceRun = { picture: null, outcome: null, failure: null, since: null, lastMs: 0 };

@@ -36,7 +36,7 @@ export function resultSection(shell: Shell): Section {
       h("div", { class: "legend" }, corners.row, smooth.row), list,
       h("div", { class: "field-row trace-actions" }, edit, fit, save)),
     update(now) {
-      const { trace, traceRun: { progress, since } } = now;
+      const { trace, traceRun: { since }, traceProgress: progress } = now;
       run.disabled = trace.sample === undefined && trace.picture === undefined;
       cancel.hidden = since === null;
       setText(state, since === null || progress === null ? "" : progressText(progress));

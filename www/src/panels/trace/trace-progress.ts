@@ -25,8 +25,8 @@ export function mountTraceProgress(shell: Shell): void {
   regions.stage.append(notice);
   let said: TraceFailure | null = null;
 
-  const show = ({ mode, traceRun }: EditorState): void => {
-    const { since, progress, failure } = traceRun;
+  const show = ({ mode, traceRun, traceProgress: progress }: EditorState): void => {
+    const { since, failure } = traceRun;
     busy.show(mode !== "trace" || since === null || progress === null ? null : { since, value: progress.value, text: progressText(progress) });
     const shown = mode === "trace" && since === null ? failure : null;
     if (shown === said) return;
@@ -35,7 +35,7 @@ export function mountTraceProgress(shell: Shell): void {
     notice.replaceChildren(...(shown === null ? [] : sayingOf(shell, shown)));
   };
   editor.state.subscribe((state, before) => {
-    if (state.traceRun !== before.traceRun || state.mode !== before.mode) show(state);
+    if (state.traceRun !== before.traceRun || state.traceProgress !== before.traceProgress || state.mode !== before.mode) show(state);
   }, { until });
   show(editor.state.value);
 }
