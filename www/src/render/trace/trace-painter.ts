@@ -1,11 +1,14 @@
-import type { CurveDocument } from "../../document/document.ts";
+import type { ControlPoint, CurveDocument } from "../../document/document.ts";
+import type { ScreenPoint } from "../../editor/pointer/camera.ts";
 import { shownOf } from "../../editor/trace/trace-edits.ts";
 import { showsPoints } from "../../editor/trace/trace-hit.ts";
+import type { PointOfOutline, TraceViewId } from "../../editor/trace/trace-state.ts";
 import { byColor, type ShownPicture, type TraceOutcome } from "../../kernel/trace/outcome.ts";
 import { drawGrid } from "../layers/grid.ts";
 import { addSmallPoint, drawPoint, drawSmallPoints } from "../markers.ts";
 import { documentPaths, inPage, inScreen, onScreen, type Scene } from "../scene.ts";
 import type { Painter } from "../stage.ts";
+import { createStillLayer } from "./still-layer.ts";
 
 /** Trace's picture, from the paper up: the pixels, the outlines over them, and the points where they change. */
 
@@ -13,22 +16,30 @@ import type { Painter } from "../stage.ts";
 const [largeApart, smallApart] = [40, 11];
 
 export function createTracePainter(): Painter {
+  const still = createStillLayer();
   return {
     paint(scene) {
-      const { traceView, traceRun, originalOnly } = scene.state;
+      const { trace, traceView, traceRun, originalOnly, settings } = scene.state;
       const view = originalOnly ? "source" : traceView.view;
-      const { picture } = traceRun;
-      drawGrid(scene);
-      if (picture !== null && view !== "outline") {
-        drawPixels(scene, picture, view === "edges" ? picture.edges : picture.source, view === "result" ? traceView.alpha / 100 : 1);
-      }
-      drawFrame(scene);
       const shown = shownOf(scene.state);
-      if (shown === null || view === "source") return;
-      drawOutlines(scene, shown, view === "edges");
-      if (showsPoints(scene.state)) drawPoints(scene, shown.drawing, view === "outline");
+      const { picture } = traceRun;
+      const { overlays: { grid }, gridStep } = settings;
+      const of = [view, shown, picture, traceView.alpha, trace.kept, trace.settings.mode, grid, gridStep];
+      still.paint(scene, of, (layer) => drawStill(layer, view, shown));
+      if (shown !== null && showsPoints(scene.state)) drawLargePoints(scene, shown.drawing, view === "outline");
     },
   };
+}
+
+/** Everything but the points that a pointer or a key may mark. */
+function drawStill(scene: Scene, view: TraceViewId, shown: TraceOutcome | null): void {
+  const { traceView: { alpha }, traceRun: { picture } } = scene.state;
+  drawGrid(scene);
+  if (picture !== null && view !== "outline") drawPixels(scene, picture, view === "edges" ? picture.edges : picture.source, view === "result" ? alpha / 100 : 1);
+  drawFrame(scene);
+  if (shown === null || view === "source") return;
+  drawOutlines(scene, shown, view === "edges");
+  if (showsPoints(scene.state)) drawSmall(scene, shown.drawing, view === "outline");
 }
 
 function drawPixels(scene: Scene, { width, height }: ShownPicture, pixels: ImageBitmap, alpha: number): void {
@@ -158,23 +169,38 @@ function spacingOf(drawing: CurveDocument): number {
   return fresh;
 }
 
-function drawPoints(scene: Scene, drawing: CurveDocument, all: boolean): void {
-  const { state, palette, focused } = scene;
-  const { stage, traceView } = state;
-  const context = inScreen(scene);
-  const apart = spacingOf(drawing) * state.view.zoom;
-  const crowded = apart < largeApart;
+/** Which points are large: none where they are crowded, all of an outline that is alone, the corners of one over its picture. */
+function isLarge(scene: Scene, drawing: CurveDocument, all: boolean): (point: ControlPoint) => boolean {
+  if (spacingOf(drawing) * scene.state.view.zoom < largeApart) return () => false;
+  return ({ kind }) => all || kind === "cusp";
+}
+
+function isInSight({ state: { stage } }: Scene, { x, y }: ScreenPoint): boolean {
+  return x >= -24 && y >= -24 && x <= stage.width + 24 && y <= stage.height + 24;
+}
+
+function drawSmall(scene: Scene, drawing: CurveDocument, all: boolean): void {
+  if (spacingOf(drawing) * scene.state.view.zoom < smallApart) return;
+  const large = isLarge(scene, drawing, all);
   const small = { discs: new Path2D(), diamonds: new Path2D() };
-  const late: (() => void)[] = [];
+  for (const { points } of drawing.contours) {
+    for (const point of points) {
+      const at = onScreen(scene, point);
+      if (!large(point) && isInSight(scene, at)) addSmallPoint(small, at, point.kind, false);
+    }
+  }
+  drawSmallPoints(inScreen(scene), small, scene.palette);
+}
+
+function drawLargePoints(scene: Scene, drawing: CurveDocument, all: boolean): void {
+  const { state: { traceView: { over, chosen }, keyboard }, palette, focused } = scene;
+  const context = inScreen(scene);
+  const large = isLarge(scene, drawing, all);
   drawing.contours.forEach(({ points }, contour) => points.forEach((point, index) => {
+    const is = (ref: PointOfOutline | null): boolean => ref !== null && ref.contour === contour && ref.index === index;
+    const [hovered, selected] = [is(over), is(chosen)];
+    if (!hovered && !selected && !large(point)) return;
     const at = onScreen(scene, point);
-    if (at.x < -24 || at.y < -24 || at.x > stage.width + 24 || at.y > stage.height + 24) return;
-    const is = (ref: { contour: number; index: number } | null): boolean => ref !== null && ref.contour === contour && ref.index === index;
-    const marker = { hovered: is(traceView.over), selected: is(traceView.chosen), focused: is(traceView.chosen) && focused && state.keyboard };
-    const marked = marker.hovered || marker.selected;
-    if (marked || (!crowded && (all || point.kind === "cusp"))) late.push(() => drawPoint(context, at, point.kind, marker, palette));
-    else if (apart >= smallApart) addSmallPoint(small, at, point.kind, false);
+    if (isInSight(scene, at)) drawPoint(context, at, point.kind, { hovered, selected, focused: selected && focused && keyboard }, palette);
   }));
-  drawSmallPoints(context, small, palette);
-  for (const draw of late) draw();
 }
