@@ -25,6 +25,25 @@ function distance(a: string, b: string): number {
   return Math.max(...channels(a).map((value, i) => Math.abs(value - (channels(b)[i] ?? 0))));
 }
 
+/** How much of a picture's opaque pixels has each of these colours. */
+function sharesOf(demo: Demo, png: readonly number[], wanted: readonly string[]): Promise<number[]> {
+  return demo.page.evaluate(async ([bytes, hexes]) => {
+    const bitmap = await createImageBitmap(new Blob([Uint8Array.from(bytes)]));
+    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+    context?.drawImage(bitmap, 0, 0);
+    const data = context?.getImageData(0, 0, bitmap.width, bitmap.height).data ?? new Uint8ClampedArray();
+    const counts = new Map<string, number>();
+    let opaque = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      if (data[i + 3] !== 255) continue;
+      opaque += 1;
+      const hex = `#${[0, 1, 2].map((k) => (data[i + k] ?? 0).toString(16).padStart(2, "0")).join("")}`;
+      counts.set(hex, (counts.get(hex) ?? 0) + 1);
+    }
+    return hexes.map((hex) => (counts.get(hex) ?? 0) / opaque);
+  }, [png, wanted] as const);
+}
+
 test("flat colours are found, shown as swatches, and saved as layers; without them there is ink", async (t) => {
   const demo = await open(t, "#/trace?sample=trace-postcard");
   const found = (await result(demo)).colors ?? [];
@@ -35,6 +54,10 @@ test("flat colours are found, shown as swatches, and saved as layers; without th
   const [file] = await Promise.all([demo.page.waitForEvent("download"), demo.byId("export-svg").click()]);
   const svg = await readFile(await file.path(), "utf8");
   assert.deepEqual([...svg.matchAll(/fill="(#[0-9a-f]{6})"/gu)].map(([, color]) => color), found);
+  const [picture] = await Promise.all([demo.page.waitForEvent("download"), demo.byId("export-png").click()]);
+  const shares = await sharesOf(demo, [...(await readFile(await picture.path()))], found);
+  // Each colour is somewhere, and edges between them apart nothing else is.
+  assert.ok(shares.every((share) => share > 1e-4) && shares.reduce((all, share) => all + share, 0) > 0.9, shares.map((share) => share.toFixed(4)).join(" "));
   await demo.page.keyboard.press("Escape");
   await demo.byId("export-dialog").waitFor({ state: "detached" });
 

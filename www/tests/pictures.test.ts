@@ -3,6 +3,8 @@ import { test } from "node:test";
 import { Problem } from "../src/document/problem.ts";
 import { traceSample, traceSamples } from "../src/document/trace/trace-samples.ts";
 import { checkPicture, headerSize } from "../src/io/picture/picture-file.ts";
+import { pngPaths } from "../src/io/picture/png.ts";
+import { writeSvg } from "../src/io/svg/svg-write.ts";
 import { pixelsOf } from "../src/kernel/trace/picture.ts";
 import { coverage, drawSample } from "../src/kernel/trace/raster.ts";
 import { blurred, foundThreshold, inkOf, pieceAreas, shadesOf, steepness } from "../src/kernel/trace/shades.ts";
@@ -154,4 +156,15 @@ test("DM-026 a canvas that gives back nothing at all, as some do beyond an area,
   assert.equal((await readThrough(1200, 1000, 255)).columns, 1200);
   // So small a canvas is read everywhere: a black and clear picture is what it is.
   assert.equal((await readThrough(120, 100, 0)).data.length, 48_000);
+});
+
+test("a picture of a trace has the colours, the areas and the lines of its SVG, whatever the theme", () => {
+  const layers = [{ color: "#102030", d: "M0 0H9V9Z" }, { color: "#a0b0c0", d: "M1 1H5V5Z" }];
+  for (const look of [{ layers }, { filled: true }, { filled: false }]) {
+    const file = { d: "M0 0H9V9H0Z", box: null, ...look };
+    const svg = writeSvg({ title: "", ...file });
+    const inSvg = [...svg.matchAll(/<path d="([^"]+)" fill="([^"]+)"(?: fill-rule="(\w+)")?(?: stroke="([^"]+)")?/gu)]
+      .map(([, d, fill, rule = "nonzero", stroke]) => ({ d, ...(fill === "none" ? {} : { fill: { color: fill, alpha: 1, rule } }), ...(stroke === undefined ? {} : { stroke }) }));
+    assert.deepEqual(pngPaths({ ...file, scale: 1, paper: null }), inSvg, svg);
+  }
 });

@@ -13,9 +13,9 @@ export interface PageIo {
   shareHash(state: DemoState): Promise<string>;
   readShareHash(hash: string): Promise<DemoState>;
   gzippedSize(text: string): Promise<number>;
-  writeSvg(options: { title: string; d: string; box: Box | null; filled?: boolean; layers?: readonly { readonly color: string; readonly d: string }[] }): Promise<string>;
+  writeSvg(options: FileLook & { title: string; d: string; box: Box | null }): Promise<string>;
   pngSize(box: Box | null, scale: number): { width: number; height: number } | null;
-  writePng(options: { d: string; box: Box | null; scale: number; paper: string | null; ink: string; fill: string }): Promise<Blob | null>;
+  writePng(options: FileLook & { d: string; box: Box | null; scale: number; paper: string | null; stage?: { ink: string; fill: string } }): Promise<Blob | null>;
   download(name: string, content: Blob): void;
   copyText(text: string): Promise<boolean>;
   createAutosave(options: {
@@ -31,6 +31,14 @@ export interface PageIo {
   hasKept(): boolean;
   /** Of a session, if it is still kept, else of all. */
   newestKept(own: string | null): Promise<{ readonly state: DemoState; readonly damaged?: { readonly text: string; forget(): Promise<void> } } | null>;
+}
+
+/** How a drawing looks in a file. */
+export interface FileLook {
+  /** Areas of ink, holes left out, in place of lines. */
+  readonly filled?: boolean;
+  /** Areas in colours in place of the one path, the lowest first. */
+  readonly layers?: readonly { readonly color: string; readonly d: string }[];
 }
 
 export interface IncomingHandlers {

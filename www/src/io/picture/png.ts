@@ -1,4 +1,5 @@
 import type { Box } from "../../document/imported.ts";
+import { inkOfFiles } from "../svg/svg-write.ts";
 import { margin, pngSize } from "./png-size.ts";
 
 export interface PngOptions {
@@ -7,8 +8,26 @@ export interface PngOptions {
   readonly scale: number;
   /** Colour under the drawing; null leaves it transparent. */
   readonly paper: string | null;
-  readonly ink: string;
-  readonly fill: string;
+  /** A drawing as the stage shows it. Without, it looks as its SVG does: ink or lines, or `layers`. */
+  readonly stage?: { readonly ink: string; readonly fill: string };
+  /** Areas of ink, holes left out, in place of lines. */
+  readonly filled?: boolean;
+  /** Areas in colours in place of the one path, the lowest first. */
+  readonly layers?: readonly { readonly color: string; readonly d: string }[];
+}
+
+/** One path, and how it is drawn. */
+export interface PngPath {
+  readonly d: string;
+  readonly fill?: { readonly color: string; readonly alpha: number; readonly rule: CanvasFillRule };
+  readonly stroke?: string;
+}
+
+/** What is drawn, from the lowest up. */
+export function pngPaths({ d, stage, filled, layers = [] }: PngOptions): PngPath[] {
+  if (stage !== undefined) return [{ d, fill: { color: stage.fill, alpha: 0.08, rule: "evenodd" }, stroke: stage.ink }];
+  if (layers.length > 0) return layers.map((layer) => ({ d: layer.d, fill: { color: layer.color, alpha: 1, rule: "nonzero" } }));
+  return [filled === true ? { d, fill: { color: inkOfFiles, alpha: 1, rule: "evenodd" } } : { d, stroke: inkOfFiles }];
 }
 
 export async function writePng(options: PngOptions): Promise<Blob | null> {
@@ -24,14 +43,21 @@ export async function writePng(options: PngOptions): Promise<Blob | null> {
     context.fillRect(0, 0, size.width, size.height);
   }
   context.setTransform(options.scale, 0, 0, options.scale, options.scale * (margin - options.box.minX), options.scale * (margin - options.box.minY));
-  const path = new Path2D(options.d);
-  context.globalAlpha = 0.08;
-  context.fillStyle = options.fill;
-  context.fill(path, "evenodd");
-  context.globalAlpha = 1;
-  context.strokeStyle = options.ink;
+  for (const path of pngPaths(options)) draw(context, path);
+  return new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
+}
+
+function draw(context: CanvasRenderingContext2D, { d, fill, stroke }: PngPath): void {
+  const path = new Path2D(d);
+  if (fill !== undefined) {
+    context.globalAlpha = fill.alpha;
+    context.fillStyle = fill.color;
+    context.fill(path, fill.rule);
+    context.globalAlpha = 1;
+  }
+  if (stroke === undefined) return;
+  context.strokeStyle = stroke;
   context.lineWidth = 2;
   context.lineJoin = "round";
   context.stroke(path);
-  return new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
 }

@@ -15,6 +15,9 @@ function plain(value: number): string {
   return fixed === "-0" ? "0" : fixed;
 }
 
+/** A file is read where the page's colours are not known: dark ink for light paper. */
+export const inkOfFiles = "#1b1f24";
+
 export interface SvgOptions {
   readonly title: string;
   readonly d: string;
@@ -31,7 +34,7 @@ export function writeSvg({ title, d, box, filled, layers = [] }: SvgOptions): st
   const { minX, minY, maxX, maxY } = box ?? { minX: 0, minY: 0, maxX: 1, maxY: 1 };
   const [x, y] = [Math.floor(minX - margin), Math.floor(minY - margin)];
   const size = [Math.ceil(maxX + margin) - x, Math.ceil(maxY + margin) - y].map(plain);
-  const look = filled === true ? 'fill="#1b1f24" fill-rule="evenodd"' : 'fill="none" stroke="#1b1f24" stroke-width="2" stroke-linejoin="round"';
+  const look = filled === true ? `fill="${inkOfFiles}" fill-rule="evenodd"` : `fill="none" stroke="${inkOfFiles}" stroke-width="2" stroke-linejoin="round"`;
   const path = (text: string, how: string): string => (text === "" ? "" : `  <path d="${escapeXml(text)}" ${how}/>\n`);
   const paths = layers.length === 0 ? [path(d, look)] : layers.map((layer) => path(layer.d, `fill="${escapeXml(layer.color)}"`));
   return [

@@ -8,6 +8,7 @@ import { snippetFor } from "../code/snippets.ts";
 import { button, openDialog } from "../controls/dialog.ts";
 import { h } from "../controls/dom.ts";
 import { errorText } from "../messages/errors.ts";
+import type { FileLook } from "../page-io.ts";
 import type { Shell } from "../shell.ts";
 import { chosenOptions, optionFields } from "./export-options.ts";
 import { pngGroup } from "./export-png.ts";
@@ -26,11 +27,14 @@ export function openExport(shell: Shell): void {
     ),
   );
   const stem = curve.sample ?? "expline";
+  const { mode } = shell.editor.state.value;
+  const look = (): FileLook => fileLook(shell.editor, curve);
   dialog.foot.append(
     button("Copy path", { class: "primary", testid: "export-d", title: "Copy the path's d", click: () => copy(shell, result.d(), "the path") }),
-    svgButton(shell, stem, curve, box, result.d),
+    svgButton(shell, stem, curve, box, result.d, look),
     jsonButton(shell, stem),
-    pngGroup(shell, stem, result.d, box),
+    // Of a trace the picture is that of its SVG; a drawing's is that of the stage.
+    pngGroup(shell, { stem, d: result.d, box, ...(mode === "trace" ? { look } : {}) }),
     button("TypeScript", {
       testid: "export-ts",
       title: "Copy TypeScript that makes this drawing",
@@ -57,15 +61,20 @@ function jsonButton({ editor, io }: Shell, stem: string): HTMLElement {
   });
 }
 
-function svgButton({ editor, io }: Shell, stem: string, curve: CurveDocument, box: Box, d: () => string): HTMLElement {
-  const { mode } = editor.state.value;
+/** What was traced is ink or colours, not lines; its paths are written with the options that are chosen now. */
+function fileLook({ modes, state }: Editor, curve: CurveDocument): FileLook {
+  const { mode } = state.value;
+  const colored = modes.get(mode)?.layers?.(state.value) ?? [];
+  return {
+    filled: mode === "trace" && curve.contours.every(({ closed }) => closed),
+    layers: colored.map(({ color, drawing }) => ({ color, d: exportPath(drawing, chosenOptions()).d })),
+  };
+}
+
+function svgButton({ io }: Shell, stem: string, curve: CurveDocument, box: Box, d: () => string, look: () => FileLook): HTMLElement {
   const title = curveSample(curve.sample ?? "")?.title ?? "expline drawing";
-  // What was traced is ink, not lines.
-  const filled = mode === "trace" && curve.contours.every(({ closed }) => closed);
-  const colored = editor.modes.get(mode)?.layers?.(editor.state.value) ?? [];
   const write = async (): Promise<void> => {
-    const layers = colored.map(({ color, drawing }) => ({ color, d: exportPath(drawing, chosenOptions()).d }));
-    const text = await io.writeSvg({ title, d: d(), box, filled, layers });
+    const text = await io.writeSvg({ title, d: d(), box, ...look() });
     io.download(`${stem}.svg`, new Blob([text], { type: "image/svg+xml" }));
   };
   return button("SVG", { testid: "export-svg", title: "Download an SVG file", click: () => void write() });

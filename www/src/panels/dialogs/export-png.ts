@@ -1,5 +1,6 @@
 import { button } from "../controls/dialog.ts";
 import { h, setAttribute, setText } from "../controls/dom.ts";
+import type { FileLook } from "../page-io.ts";
 import type { Shell } from "../shell.ts";
 import type { Box } from "./export-result.ts";
 
@@ -7,18 +8,32 @@ import type { Box } from "./export-result.ts";
 let scale = 2;
 let onPaper = false;
 
+/** What there is a picture of. */
+interface PngSubject {
+  readonly stem: string;
+  readonly d: () => string;
+  readonly box: Box;
+  /** How it looks as a file; without, it looks as on the stage. */
+  readonly look?: () => FileLook;
+}
+
+/** Under ink that is dark in any theme. */
+const lightPaper = "#fff";
+
 /** The picture, its scale and what is under it; the size it will have is printed on the button. */
-export function pngGroup(shell: Shell, stem: string, d: () => string, box: Box): HTMLElement {
-  const save = button("PNG", { testid: "export-png", title: "Download a picture", click: () => void download(shell, stem, d(), box) });
+export function pngGroup(shell: Shell, subject: PngSubject): HTMLElement {
+  const { box } = subject;
+  const save = button("PNG", { testid: "export-png", title: "Download a picture", click: () => void download(shell, subject) });
   const show = (): void => showSize(save, shell.io.pngSize(box, scale));
   show();
   return h("span", { class: "button-group", role: "group", "aria-label": "Picture" }, save, scaleChoice(show), paperChoice());
 }
 
-async function download({ io, toasts }: Shell, stem: string, d: string, box: Box): Promise<void> {
+async function download({ io, toasts }: Shell, { stem, d, box, look }: PngSubject): Promise<void> {
   const colour = (name: string): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-  const paper = onPaper ? colour("--canvas") : null;
-  const blob = await io.writePng({ d, box, scale, paper, ink: colour("--curve"), fill: colour("--point") });
+  const paper = !onPaper ? null : look === undefined ? colour("--canvas") : lightPaper;
+  const how = look?.() ?? { stage: { ink: colour("--curve"), fill: colour("--point") } };
+  const blob = await io.writePng({ d: d(), box, scale, paper, ...how });
   if (blob === null) toasts.say("This picture is larger than the browser can draw. Choose a smaller scale.");
   else io.download(`${stem}@${scale}x.png`, blob);
 }
