@@ -160,6 +160,10 @@ test("V23 what is no picture is refused by name, and the result before stays", a
     assert.equal((await result(demo)).contours, 1);
   }
   assert.equal(await demo.byId("stage").isVisible(), true);
+  // "The previous picture is kept" is over when the next one opens.
+  await bring(demo, "drop", "good.png", "image/png", await png(demo));
+  await traced(demo, "good.png");
+  assert.equal(await demo.byId("error").count(), 0);
 });
 
 test("a drawing on paper in uneven light has its own outlines, and the numbers beside it are of the paper in even light", async (t) => {

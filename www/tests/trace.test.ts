@@ -320,6 +320,16 @@ test("the views of a picture that nobody waits for any more give their pixels ba
   assert.equal(closed, 2);
 });
 
+test("an error about a picture that was refused goes with the next one that opens", () => {
+  const { hand } = tracing();
+  openTraceSample(hand.editor, "trace-disc");
+  const seen: (string | undefined)[] = [];
+  hand.editor.notices.subscribe((notice) => seen.push(notice?.kind));
+  hand.editor.notify({ kind: "error", id: "image-broken", text: "trunc.png could not be decoded. The previous picture is kept." });
+  openPicture(hand.editor, { name: "logo.png", width: 10, height: 10, key: keepPicture(new Blob()) });
+  assert.deepEqual(seen, ["error", "well"]);
+});
+
 test("a file that is no picture leaves what is there, and one that is starts at once", async () => {
   const { hand, asked, refused, runner, say } = tracing();
   openTraceSample(hand.editor, "trace-disc");

@@ -155,7 +155,9 @@ export interface EditorState {
 export type Notice =
   | { readonly kind: "toast"; readonly text: string; readonly actionId?: string }
   | { readonly kind: "error"; readonly id: string; readonly text: string }
-  | { readonly kind: "announce"; readonly text: string };
+  | { readonly kind: "announce"; readonly text: string }
+  /** What was wrong is over, though there is nothing to say about it: an error that still shows goes. */
+  | { readonly kind: "well" };
 
 /** One definition serves toolbar, menu, keys and help. */
 export interface Action {

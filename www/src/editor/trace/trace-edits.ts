@@ -55,6 +55,8 @@ export function openPicture(editor: Editor, picture: OwnPicture): void {
 }
 
 function begun(editor: Editor): void {
+  // "The previous picture is kept" is not true of the next one.
+  editor.notify({ kind: "well" });
   setTraceView(editor, { chosen: null, over: null, view: "result" });
 }
 

@@ -50,6 +50,7 @@ export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
       say(notice.text, action === undefined ? undefined : { label: action.label, run: () => void editor.actions.run(action.id) });
     }
     if (notice?.kind === "error") error(notice.id, notice.text);
+    if (notice?.kind === "well") errors.replaceChildren();
   });
   return { say, error };
 }
