@@ -12,6 +12,8 @@ export function report(shell: Shell, error: unknown): void {
 /** A whole state from outside in place of the present one; false (and a message) when it cannot be drawn. */
 export function openState(shell: Shell, state: DemoState, fresh: boolean): boolean {
   try {
+    // What is said of the drawing before, as of the sample that a page begins with, is not said of this one.
+    shell.editor.patch({ hint: "" });
     shell.editor.setState(state, { fresh });
     return true;
   } catch {
