@@ -142,6 +142,25 @@ test("V23 a picture comes in by the field, by drop and by paste; each is named a
   assert.deepEqual(demo.complaints, []);
 });
 
+test("of a picture of one's own the outlines are there after a reload, and what only its pixels could answer is out of reach", async (t) => {
+  const demo = await open(t, "#/trace");
+  await bring(demo, "drop", "own.png", "image/png", await png(demo));
+  await traced(demo, "own.png");
+  await demo.until(() => demo.keptTexts(), (all) => all.some(({ text }) => text.includes('"kept"')), "the outlines are kept");
+  await demo.page.reload();
+  await demo.page.evaluate(() => window.explineDemo.ready);
+  await traced(demo, "own.png");
+  for (const id of ["trace-detail", "trace-corner", "trace-speckle", "trace-flat", "trace-threshold", "trace-blur", "trace-invert", "trace-size", "trace-run", "trace-alpha"]) {
+    assert.equal(await demo.byId(id).isDisabled(), true, id);
+  }
+  const view = (name: string): Promise<boolean> => demo.byId("trace-view").locator(`[value="${name}"]`).isDisabled();
+  assert.deepEqual([await view("result"), await view("outline"), await view("source"), await view("edges")], [false, false, true, true]);
+  assert.match(await demo.page.locator(".trace-about").innerText(), /drop the picture again/u);
+  assert.doesNotMatch(await demo.textOf("hint"), /circle/u, "what was said of the landing sample is not said of a picture");
+  await bring(demo, "drop", "own.png", "image/png", await png(demo));
+  await demo.until(() => demo.byId("trace-detail").isDisabled(), (off) => !off, "with the picture there is something to be asked");
+});
+
 test("V23 what is no picture is refused by name, and the result before stays", async (t) => {
   const demo = await open(t, "#/trace?sample=trace-disc");
   const before = await asked(demo);

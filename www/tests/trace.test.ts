@@ -4,7 +4,7 @@ import { parseState, readState, writeState } from "../src/document/file/file.ts"
 import { traceSample, traceSamples } from "../src/document/trace/trace-samples.ts";
 import { emptyTrace, toleranceOf, traceDefaults } from "../src/document/trace/trace.ts";
 import { drawingOf, openPicture, openTraceSample, setTrace, shownOf } from "../src/editor/trace/trace-edits.ts";
-import { traceSummary } from "../src/editor/trace/trace-hint.ts";
+import { traceHint, traceSummary } from "../src/editor/trace/trace-hint.ts";
 import { registerTraceActions } from "../src/editor/trace/trace-actions.ts";
 import { howOf } from "../src/editor/trace/trace-question.ts";
 import { createTraceRunner, type TraceRunner } from "../src/editor/trace/trace-runner.ts";
@@ -454,12 +454,20 @@ test("a trace survives a file and a link: the sample by its name, a picture of o
 test("outlines that came without their picture are shown, and can be handed on", () => {
   const { hand, asked } = tracing();
   const state = hand.editor.getState();
-  const { contours } = outcomeOf(found(), undefined).drawing;
+  const round = contoursOfPath("M60 60A9 9 0 0 0 78 60A9 9 0 0 0 60 60Z", "trigonometric");
+  const contours = [...outcomeOf(found(), undefined).drawing.contours, ...round];
   hand.editor.setState(readState({ ...state, mode: "trace", trace: { settings: {}, kept: { name: "logo.png", width: 120, height: 120, contours } } }));
   const { traceRun } = hand.editor.state.value;
   assert.equal(asked.length, 0);
-  assert.deepEqual(traceRun.outcome?.holes, [false, true]);
+  assert.deepEqual(traceRun.outcome?.holes, [false, true, true]);
   assert.equal(traceRun.outcome?.rms, null);
+  // There is nothing to be traced, and of the picture nothing to be seen.
+  const { trace } = hand.editor.state.value;
+  hand.run("trace-invert").run("trace-smoother").run("trace-run");
+  assert.equal(hand.editor.state.value.trace, trace);
+  assert.equal(hand.run("trace-next-view").editor.state.value.traceView.view, "outline");
+  assert.equal(hand.run("trace-next-view").editor.state.value.traceView.view, "result");
+  assert.doesNotMatch(traceHint(hand.editor.state.value), /see the picture/u);
 });
 
 for (const [what, trace, path] of [

@@ -84,6 +84,11 @@ export function isEmptyTrace({ sample, picture, kept }: TraceDocument): boolean 
   return sample === undefined && picture === undefined && kept === undefined;
 }
 
+/** Whether there are pixels to trace. Outlines that came back without their picture have none. */
+export function hasPicture({ sample, picture }: TraceDocument): boolean {
+  return sample !== undefined || picture !== undefined;
+}
+
 /** Choices this near each other, in pixels, are about one corner. */
 const samePlace = 3;
 

@@ -1,14 +1,14 @@
-import { isEmptyTrace } from "../../document/trace/trace.ts";
+import { hasPicture, isEmptyTrace } from "../../document/trace/trace.ts";
 import type { Action, Editor, EditorState } from "../editor.ts";
 import { editTraceInCurve, smoothInFit } from "./hand-over.ts";
-import { clearTrace, setTrace, setTraceView, showBox, sizeOf, stepPoint, toggleCorner, traceAnyway } from "./trace-edits.ts";
+import { canView, clearTrace, setTrace, setTraceView, showBox, sizeOf, stepPoint, toggleCorner, traceAnyway } from "./trace-edits.ts";
 import type { TraceRunner } from "./trace-runner.ts";
 import type { TraceViewId } from "./trace-state.ts";
 
 /** Trace's commands: one definition for its panel, its keys and the help. */
 
 const inTrace = (state: EditorState): boolean => state.mode === "trace";
-const hasPicture = (state: EditorState): boolean => inTrace(state) && (state.trace.sample !== undefined || state.trace.picture !== undefined);
+const canTrace = (state: EditorState): boolean => inTrace(state) && hasPicture(state.trace);
 const hasOutlines = (state: EditorState): boolean => inTrace(state) && state.traceRun.outcome !== null;
 const hasChosen = (state: EditorState): boolean => hasOutlines(state) && state.traceView.chosen !== null;
 
@@ -24,9 +24,9 @@ export function registerTraceActions(editor: Editor, runner: TraceRunner): void 
     editor.actions.register({ id, label, group, keys, run, enabled });
   };
   const state = (): EditorState => editor.state.value;
-  add("trace-run", "Trace", "Curve", [], () => runner.again(), hasPicture);
+  add("trace-run", "Trace", "Curve", [], () => runner.again(), canTrace);
   add("trace-cancel", "Cancel the trace", "Edit", [], () => runner.cancel(), (now) => inTrace(now) && now.traceRun.since !== null);
-  add("trace-anyway", "Trace anyway", "Curve", [], () => traceAnyway(editor), hasPicture);
+  add("trace-anyway", "Trace anyway", "Curve", [], () => traceAnyway(editor), canTrace);
   add("trace-clear", "Clear the picture", "Edit", [], () => clearTrace(editor), (now) => inTrace(now) && !isEmptyTrace(now.trace));
   add("trace-next", "Next point of the outlines", "Points", ["]"], () => stepPoint(editor, 1, false), hasOutlines);
   add("trace-previous", "Previous point of the outlines", "Points", ["["], () => stepPoint(editor, -1, false), hasOutlines);
@@ -40,14 +40,15 @@ export function registerTraceActions(editor: Editor, runner: TraceRunner): void 
     () => state().traceView.chosen !== null && toggleCorner(editor, state().traceView.chosen ?? { contour: 0, index: 0 }),
     hasChosen,
   );
-  add("trace-smoother", "Smoother outlines", "Curve", ["}"], () => setTrace(editor, "Detail", { detail: Math.min(100, state().trace.settings.detail + 5) }), hasPicture);
-  add("trace-finer", "Finer outlines", "Curve", ["{"], () => setTrace(editor, "Detail", { detail: Math.max(0, state().trace.settings.detail - 5) }), hasPicture);
-  add("trace-invert", "Invert the picture", "Curve", ["I"], () => setTrace(editor, "Invert", { invert: !state().trace.settings.invert }), hasPicture);
+  add("trace-smoother", "Smoother outlines", "Curve", ["}"], () => setTrace(editor, "Detail", { detail: Math.min(100, state().trace.settings.detail + 5) }), canTrace);
+  add("trace-finer", "Finer outlines", "Curve", ["{"], () => setTrace(editor, "Detail", { detail: Math.max(0, state().trace.settings.detail - 5) }), canTrace);
+  add("trace-invert", "Invert the picture", "Curve", ["I"], () => setTrace(editor, "Invert", { invert: !state().trace.settings.invert }), canTrace);
   add("trace-smooth-in-fit", "Smooth the trace in Fit", "Curve", [], () => smoothInFit(editor), hasOutlines);
   add("trace-edit", "Edit the trace in Curve", "Curve", [], () => editTraceInCurve(editor), hasOutlines);
   add("trace-next-view", "Next view of the trace", "View", ["W"], () => {
-    const at = traceViews.findIndex(([id]) => id === state().traceView.view);
-    const [id] = traceViews[(at + 1) % traceViews.length] ?? ["result"];
+    const views = traceViews.filter(([id]) => canView(state(), id));
+    const at = views.findIndex(([id]) => id === state().traceView.view);
+    const [id] = views[(at + 1) % views.length] ?? ["result"];
     setTraceView(editor, { view: id });
   });
   add("trace-show", "The picture in view", "View", [], () => {

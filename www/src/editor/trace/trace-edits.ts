@@ -4,12 +4,17 @@ import { pointCount, shownOutcome, type TraceOutcome } from "../../kernel/trace/
 import type { CurveDocument } from "../../document/document.ts";
 import { fitted } from "../pointer/camera.ts";
 import type { Editor, EditorState } from "../editor.ts";
-import type { PointOfOutline, TraceView } from "./trace-state.ts";
+import type { PointOfOutline, TraceView, TraceViewId } from "./trace-state.ts";
 
 /** Everything that changes what is traced and how: each is one entry of Trace's history. */
 
 export function setTraceView(editor: Editor, change: Partial<TraceView>): void {
   editor.patch({ traceView: { ...editor.state.value.traceView, ...change } });
+}
+
+/** Of outlines that came back without their picture there are two views. */
+export function canView({ trace }: EditorState, view: TraceViewId): boolean {
+  return trace.kept === undefined || view === "result" || view === "outline";
 }
 
 function change(editor: Editor, name: string, next: (trace: TraceDocument) => TraceDocument, run?: string): void {

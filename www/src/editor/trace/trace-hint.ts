@@ -14,7 +14,7 @@ export function traceHint(state: EditorState): string {
   }
   return traceRun.outcome === null
     ? ""
-    : state.touch ? "Tap a point twice to make it a corner or smooth." : "Double-click a point to make it a corner or smooth. Hold O to see the picture alone.";
+    : state.touch ? "Tap a point twice to make it a corner or smooth." : `Double-click a point to make it a corner or smooth.${traceRun.picture === null ? "" : " Hold O to see the picture alone."}`;
 }
 
 /** The picture in words, for those who do not see it. */

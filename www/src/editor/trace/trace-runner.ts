@@ -4,6 +4,7 @@ import type { Clock, TraceClient, TraceHandlers } from "../../kernel/trace/trace
 import { createWaiters } from "../../kernel/worker-desk.ts";
 import type { Editor } from "../editor.ts";
 import { closePicture, restTraceRun, traceAnswers } from "./trace-answers.ts";
+import { canView, setTraceView } from "./trace-edits.ts";
 import { ensureSample, openIncoming, type Refuse } from "./trace-opening.ts";
 import { howOf, sameQuestion, sourceOf } from "./trace-question.ts";
 import { noTraceRun, type Incoming } from "./trace-state.ts";
@@ -123,6 +124,8 @@ class Runner implements TraceRunner {
     this.#client.cancel();
     closePicture(this.#editor);
     this.#editor.patch({ traceProgress: null, traceRun: kept === undefined ? noTraceRun : { ...noTraceRun, outcome: outcomeOfKept(kept) } });
+    // Of the picture itself there is nothing to be seen.
+    if (!canView(this.#editor.state.value, this.#editor.state.value.traceView.view)) setTraceView(this.#editor, { view: "result" });
     this.#waiters.settle();
   }
 }

@@ -66,11 +66,12 @@ export function outcomeOfKept({ contours }: KeptTrace): TraceOutcome {
   };
 }
 
-/** Twice the area of the polygon of the points: its sign tells ink from hole. */
+/** Twice the area of the polygon of the points and the ends of their handles, as a circle may have two points: its sign tells ink from hole. */
 function signedArea({ points }: Contour): number {
-  return points.reduce((sum, { x, y }, i) => {
-    const next = points[(i + 1) % points.length];
-    return next === undefined ? sum : sum + x * next.y - next.x * y;
+  const corners = points.flatMap(({ x, y, in: before, out: after }) => [[x + before.dx, y + before.dy], [x, y], [x + after.dx, y + after.dy]] as const);
+  return corners.reduce((sum, [x, y], i) => {
+    const [nextX, nextY] = corners[(i + 1) % corners.length] ?? [x, y];
+    return sum + x * nextY - nextX * y;
   }, 0);
 }
 

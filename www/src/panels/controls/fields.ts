@@ -190,7 +190,7 @@ export interface ChoiceOption<T extends string> {
   readonly label: string;
   readonly about: string;
   readonly mark?: Node;
-  readonly disabled?: boolean;
+  readonly disabled?: boolean | (() => boolean);
 }
 
 /** One of a few, as a row of radio buttons. */
@@ -212,7 +212,8 @@ export function choiceField<T extends string>(options: Common & { readonly optio
     show(value) {
       for (const { input, option } of inputs) {
         input.checked = option.value === value;
-        setAttribute(input, "disabled", value === null || option.disabled === true ? "" : null);
+        const off = typeof option.disabled === "function" ? option.disabled() : option.disabled;
+        setAttribute(input, "disabled", value === null || off === true ? "" : null);
       }
     },
   };

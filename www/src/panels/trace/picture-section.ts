@@ -1,6 +1,6 @@
 import type { EditorState } from "../../editor/editor.ts";
 import { traceViews } from "../../editor/trace/trace-actions.ts";
-import { setTraceView } from "../../editor/trace/trace-edits.ts";
+import { canView, setTraceView } from "../../editor/trace/trace-edits.ts";
 import type { TraceViewId } from "../../editor/trace/trace-state.ts";
 import type { ShownPicture } from "../../kernel/trace/outcome.ts";
 import { h, setText } from "../controls/dom.ts";
@@ -25,7 +25,7 @@ export function pictureSection(shell: Shell): Section {
   );
   const view = choiceField<TraceViewId>({
     label: "View", testid: "trace-view", about: "What is on the stage (W for the next).",
-    options: traceViews.map(([value, label, about]) => ({ value, label, about })),
+    options: traceViews.map(([value, label, about]) => ({ value, label, about, disabled: () => !canView(editor.state.value, value) })),
     write: (value) => setTraceView(editor, { view: value }),
   });
   const alpha = sliderField({
@@ -44,6 +44,7 @@ export function pictureSection(shell: Shell): Section {
       setText(size, sizeText(state));
       view.show(state.traceView.view);
       alpha.show(state.traceView.alpha);
+      alpha.input.disabled = state.trace.kept !== undefined;
       hold.disabled = picture === null;
       if (picture === drawn) return;
       drawn = picture;
@@ -73,7 +74,7 @@ export function pictureField(shell: Shell, testid = "trace-file"): HTMLElement {
 
 function sizeText({ trace, traceRun }: EditorState): string {
   const { picture } = traceRun;
-  if (picture === null) return trace.kept === undefined ? "" : `${trace.kept.width} × ${trace.kept.height} px; the picture itself was not kept`;
+  if (picture === null) return trace.kept === undefined ? "" : `${trace.kept.width} × ${trace.kept.height} px. The outlines were kept; drop the picture again to trace it anew.`;
   const [columns, rows] = picture.analysed;
   const own = `${picture.width} × ${picture.height} px`;
   return columns === picture.width && rows === picture.height ? own : `${own}, analysed at ${columns} × ${rows}`;

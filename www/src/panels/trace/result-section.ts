@@ -1,3 +1,4 @@
+import { hasPicture } from "../../document/trace/trace.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { shownOf } from "../../editor/trace/trace-edits.ts";
 import { cornersIn, pointCount, type TraceOutcome } from "../../kernel/trace/outcome.ts";
@@ -37,7 +38,7 @@ export function resultSection(shell: Shell): Section {
       h("div", { class: "field-row trace-actions" }, edit, fit, save)),
     update(now) {
       const { trace, traceRun: { since }, traceProgress: progress } = now;
-      run.disabled = trace.sample === undefined && trace.picture === undefined;
+      run.disabled = !hasPicture(trace);
       cancel.hidden = since === null;
       setText(state, since === null || progress === null ? "" : progressText(progress));
       const shown = shownOf(now);

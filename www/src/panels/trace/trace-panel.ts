@@ -18,8 +18,20 @@ import { area, settingSlider } from "./setting-slider.ts";
 /** Trace mode's properties. */
 export function tracePanel(shell: Shell): ModePanel {
   const settings = settingsSection(shell);
-  const sections = [pictureSection(shell), settings, colorSection(shell), resultSection(shell), imageSection(shell)];
+  const sections = [pictureSection(shell), asksTracer(settings), asksTracer(colorSection(shell)), resultSection(shell), asksTracer(imageSection(shell))];
   return stackedPanel("trace-panel", sections, { peek: settings.detail, note: ({ trace }) => traceSample(trace.sample ?? "")?.title ?? "" });
+}
+
+/** Controls of the tracer show how outlines were found; where those came back without their picture, there is nothing to be asked. */
+function asksTracer(section: Section): Section {
+  return {
+    element: section.element,
+    update(state) {
+      section.update(state);
+      if (state.trace.kept === undefined) return;
+      for (const control of section.element.querySelectorAll<HTMLInputElement | HTMLSelectElement>("input, select")) control.disabled = true;
+    },
+  };
 }
 
 function settingsSection(shell: Shell): Section & { readonly detail: HTMLElement } {
