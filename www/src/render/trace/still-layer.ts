@@ -1,32 +1,42 @@
 import type { Scene } from "../scene.ts";
 
-/** The part of the stage that stays while a pointer goes over it: drawn once, and laid down again until what it shows is another. */
+/** The part of the stage that stays while a pointer goes over it: laid down again until what it shows is another. */
 
 export interface StillLayer {
-  /** Draws with `draw` if one of `of` is another than last time, and puts the outcome on the scene. */
+  /** Puts on the scene what `draw` draws, as long as nothing in `of` is another, without drawing it anew. */
   paint(scene: Scene, of: readonly unknown[], draw: (scene: Scene) => void): void;
 }
+
+const same = (a: readonly unknown[], b: readonly unknown[]): boolean => a.length === b.length && a.every((each, i) => each === b[i]);
 
 export function createStillLayer(): StillLayer {
   const canvas = document.createElement("canvas");
   const context = canvas.getContext("2d");
-  let drawn: readonly unknown[] = [];
+  let last: readonly unknown[] = [];
+  let kept: readonly unknown[] = [];
+
+  function keep(target: CanvasRenderingContext2D, scene: Scene, draw: (scene: Scene) => void): void {
+    const { width, height } = scene.context.canvas;
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    target.setTransform(1, 0, 0, 1, 0, 0);
+    target.clearRect(0, 0, width, height);
+    target.save();
+    draw({ ...scene, context: target });
+    target.restore();
+  }
+
   return {
     paint(scene, of, draw) {
+      const { view, stage } = scene.state;
       const { width, height } = scene.context.canvas;
-      // Without a second canvas every picture is drawn anew, as any other.
-      if (context === null || width === 0 || height === 0) return draw(scene);
-      const shown = [...of, scene.state.view, scene.state.stage, scene.palette, scene.ratio, width, height];
-      if (shown.length !== drawn.length || shown.some((each, i) => each !== drawn[i])) {
-        if (canvas.width !== width) canvas.width = width;
-        if (canvas.height !== height) canvas.height = height;
-        context.setTransform(1, 0, 0, 1, 0, 0);
-        context.clearRect(0, 0, width, height);
-        context.save();
-        draw({ ...scene, context });
-        context.restore();
-        drawn = shown;
-      }
+      const shown = [...of, view, stage, scene.palette, scene.ratio, width, height];
+      // While the paper moves every frame is another, and keeping it would be work for nothing.
+      const stays = same(shown, last);
+      last = shown;
+      if (context === null || !stays) return draw(scene);
+      if (!same(shown, kept)) keep(context, scene, draw);
+      kept = shown;
       scene.context.setTransform(1, 0, 0, 1, 0, 0);
       scene.context.drawImage(canvas, 0, 0);
     },
