@@ -158,6 +158,15 @@ test("DM-026 a canvas that gives back nothing at all, as some do beyond an area,
   assert.equal((await readThrough(120, 100, 0)).data.length, 48_000);
 });
 
+test("coverage by the even-odd rule leaves out what is inside twice, whichever way its outline turns", () => {
+  for (const backwards of [false, true]) {
+    const ring = coverage([circle(32.3, 31.8, 20.4), circle(32.3, 31.8, 11.7, backwards)], 64, 64, 1, "evenodd");
+    // Pixels that are cut by no edge are exact; those that are, are so for a share of one outline and not of two.
+    assert.ok(Math.abs(sum(ring) - Math.PI * (20.4 ** 2 - 11.7 ** 2)) < 0.05, String(sum(ring)));
+    assert.ok((ring[32 * 64 + 32] ?? 1) < 1e-6);
+  }
+});
+
 test("a picture of a trace has the colours, the areas and the lines of its SVG, whatever the theme", () => {
   const layers = [{ color: "#102030", d: "M0 0H9V9Z" }, { color: "#a0b0c0", d: "M1 1H5V5Z" }];
   for (const look of [{ layers }, { filled: true }, { filled: false }]) {

@@ -64,7 +64,7 @@ function found(): TraceResult {
       { contour: square, hole: false, layer: 0, length: 400, metrics, cubics: new Float64Array(0) },
       { contour: triangle, hole: true, layer: 0, length: 136, metrics: { ...metrics, max: 0.5 }, cubics: new Float64Array(0) },
     ],
-    colors: [], segments: { lines: 7, arcs: 0, curves: 0 }, iou: 0.99,
+    colors: [], segments: { lines: 7, arcs: 0, curves: 0 }, iou: 0.99, beyond: null,
     sizes: { raw: 40, gzip: 50, polygonRaw: 40, polygonGzip: 50 }, stages: { contours: 3 },
   };
 }

@@ -7,6 +7,7 @@ import { contoursOfPath } from "../src/kernel/curve/points/contours.ts";
 import { samplePoints } from "../src/kernel/curve/samples.ts";
 import { measured } from "../src/kernel/trace/measured.ts";
 import { cornersIn, outcomeOf, shownOutcome, type TraceOutcome } from "../src/kernel/trace/outcome.ts";
+import { distanceToBorder } from "../src/kernel/trace/shades.ts";
 import { coverage } from "../src/kernel/trace/raster.ts";
 
 // What becomes of a picture with the tracer of the library itself.
@@ -38,7 +39,7 @@ interface Seen {
 async function traced(data: Uint8Array<ArrayBuffer>, options: TraceOptions = {}): Promise<Seen> {
   const trace = traceImage({ data, width: columns, height: rows }, { speckle: 16, corner, ...options });
   const ink = data.map((shade) => (shade < 128 ? 1 : 0));
-  return { trace, outcome: outcomeOf(await measured(trace, [1, 1], { ink, columns, rows }, corner), undefined) };
+  return { trace, outcome: outcomeOf(await measured(trace, [1, 1], { ink, columns, rows, border: { shades: { values: data, columns, rows }, threshold: 127.5 } }, corner), undefined) };
 }
 
 const nearest = ([x, y]: Pair, among: readonly { readonly x: number; readonly y: number }[]): number => Math.min(...among.map((each) => Math.hypot(each.x - x, each.y - y)));
@@ -63,6 +64,37 @@ test("a corner that the tracer found is the point nearest to its place, and a tu
   assert.equal(kinds([[110.1, 9.9], [10, 110]], Math.PI), "scsc", "an eighth of a pixel away is found, and what turns less than was asked is smooth");
   assert.equal(kinds([[111, 10]], Math.PI), "ssss", "a pixel away is another place");
   assert.equal(kinds([], corner), "cccc");
+});
+
+test("how far corners go beyond the ink is what pixels cut off them: much of a needle, little of a square, and nothing is said of a disc", async () => {
+  const beyond = async (outline: readonly Pair[]): Promise<number> => (await traced(picture([[0, outline]]))).outcome.beyond ?? NaN;
+  // A tip of 20° is a pixel wide, and so half ink, at 1 / (2 tan 10°) = 2.8 px from its end.
+  const needle = await beyond([[50, 150], [50 + 280, 150 - 280 * Math.tan(Math.PI / 18)], [50 + 280, 150 + 280 * Math.tan(Math.PI / 18)]]);
+  assert.ok(needle > 1.5 && needle < 4, `${needle} px`);
+  assert.ok(await beyond(box(100, 100, 100, 100)) < 0.75);
+  assert.equal(await beyond(circle(200, 150, 100)), 0);
+  assert.ok(await beyond(box(0, 0, 100, 100)) < 0.75, "ink that ends with the picture has its border there");
+});
+
+test("the distance to the border of ink is that to the nearest of all", () => {
+  const data = picture([[0, circle(200, 150, 60)], [0, box(300, 20, 41, 33)]]);
+  const ink = data.map((shade) => (shade < 128 ? 1 : 0));
+  for (const [x, y] of [[200.5, 150.5], [10, 10], [262.3, 151.1], [320, 36], [350, 200]] as const) {
+    const toBox = Math.max(300 - x, x - 341, 20 - y, y - 53) <= 0 ? Math.min(x - 300, 341 - x, y - 20, 53 - y) : Math.hypot(Math.max(300 - x, 0, x - 341), Math.max(20 - y, 0, y - 53));
+    const known = Math.min(Math.abs(Math.hypot(x - 200, y - 150) - 60), toBox);
+    const found = distanceToBorder({ values: data, columns, rows }, ink, 127.5, x, y);
+    // Borders are known where they pass between two pixels: half a pixel beside that, along a straight one.
+    assert.ok(Math.abs(found - known) < 0.5, `${x}, ${y}: ${found}, not ${known}`);
+  }
+});
+
+test("what is shared with the ink is counted by the areas that are drawn, of a stroke between two outlines by its own", async () => {
+  const ring = picture([[0, circle(200, 150, 100)], [255, circle(200, 150, 80)]]);
+  for (const source of ["brightness", "edges"] as const) {
+    const { outcome } = await traced(ring, { source });
+    assert.equal(outcome.drawing.contours.length, 2, source);
+    assert.ok((outcome.iou ?? 0) > 0.97, `${source}: ${outcome.iou}`);
+  }
 });
 
 /** The outlines as places. */

@@ -72,6 +72,8 @@ export interface TraceResult {
   readonly segments: { readonly lines: number; readonly arcs: number; readonly curves: number };
   /** Area that closed outlines and thresholded picture have in common, by the area of either; null where lines end openly and where there are colours. */
   readonly iou: number | null;
+  /** The largest distance of a corner from the border of the ink, in pixels; null where edges, lines or colours were followed. */
+  readonly beyond: number | null;
   readonly sizes: TraceSizes;
   /** Milliseconds by stage. */
   readonly stages: Readonly<Record<string, number>>;

@@ -5,6 +5,7 @@ import type { Trace } from "./engine.ts";
 import type { TracedOutline, TraceResult, TraceSizes } from "./job.ts";
 import { coverage } from "./raster.ts";
 import { segmentsIn } from "./segments.ts";
+import { distanceToBorder, type Shades } from "./shades.ts";
 
 /** What a trace came to: outlines in pixels of the picture, and the numbers that are printed about them. */
 
@@ -23,6 +24,8 @@ export interface Thresholded {
   readonly ink: Uint8Array;
   readonly columns: number;
   readonly rows: number;
+  /** What parted it from the paper, where outlines are its border. */
+  readonly border?: { readonly shades: Shades; readonly threshold: number };
 }
 
 /** `corner`: radians of turning from which on a corner was asked for. */
@@ -36,7 +39,7 @@ export async function measured(trace: Trace, scale: readonly [number, number], s
   const sizes = await sizesOf(texts.join(""), polygons.join(""));
   const colors = trace.layers.map(({ color }) => color);
   const iou = colors.length === 0 && outlines.every(({ contour }) => contour.closed) ? overlap(outlines, scale, seen) : null;
-  return { outlines, colors, segments, iou, sizes, stages: { ...trace.milliseconds, measuring: performance.now() - start } };
+  return { outlines, colors, segments, iou, beyond: beyondBorder(trace, scale, seen), sizes, stages: { ...trace.milliseconds, measuring: performance.now() - start } };
 }
 
 function inPicture({ curve }: Found, [x, y]: readonly [number, number]): HermiteCurve {
@@ -59,6 +62,13 @@ function outlineOf(found: Found, curve: HermiteCurve | undefined, scale: readonl
   };
 }
 
+/** How far the farthest corner is from the ink's border; null where it was not a border that was followed. */
+function beyondBorder(trace: Trace, scale: readonly [number, number], { ink, border }: Thresholded): number | null {
+  if (border === undefined) return null;
+  const distances = trace.contours.flatMap(({ cusps }) => cusps.map(([x, y]) => distanceToBorder(border.shades, ink, border.threshold, x, y)));
+  return distances.filter(Number.isFinite).reduce((most, distance) => Math.max(most, distance), 0) * Math.max(...scale);
+}
+
 function polygonText(vertices: Float64Array): string {
   let text = "";
   for (let i = 0; i + 1 < vertices.length; i += 2) text += `${i === 0 ? "M" : "L"}${short(vertices[i] ?? 0)} ${short(vertices[i + 1] ?? 0)}`;
@@ -77,9 +87,9 @@ async function gzipped(text: string): Promise<number> {
   return (await packed.arrayBuffer()).byteLength;
 }
 
-/** Pixels inside of the outlines against pixels of ink. */
+/** Pixels inside of the outlines against pixels of ink. Outlines of edges turn the same way on both sides of a stroke: as they are drawn and saved, so here every other one is paper. */
 function overlap(outlines: readonly TracedOutline[], [x, y]: readonly [number, number], { ink, columns, rows }: Thresholded): number {
-  const inside = coverage(outlines.map(({ cubics }) => flattened(cubics, x, y)), columns, rows, 1);
+  const inside = coverage(outlines.map(({ cubics }) => flattened(cubics, x, y)), columns, rows, 1, "evenodd");
   let [both, either] = [0, 0];
   for (let i = 0; i < ink.length; i += 1) {
     const [a, b] = [(inside[i] ?? 0) >= 0.5, ink[i] === 1];

@@ -1,7 +1,7 @@
 import { emptyCurve, type Contour, type CurveDocument } from "../../document/document.ts";
 import type { CornerChoice, KeptTrace } from "../../document/trace/trace.ts";
 import { withDecided } from "../../document/trace/corners.ts";
-import type { TracedOutline, TraceResult } from "./job.ts";
+import type { TraceResult } from "./job.ts";
 import { segmentsIn } from "./segments.ts";
 
 /** What is on the stage of Trace: the picture, its outlines, and what is printed about them. */
@@ -30,7 +30,7 @@ export interface TraceOutcome {
   /** Root of the mean square and largest of the distances to the sub-pixel edge, pixels of the picture; null without a picture. */
   readonly rms: number | null;
   readonly max: number | null;
-  /** How far outlines go beyond that edge: at sharp corners, which pixels cut off. */
+  /** How far the farthest corner is from that edge: pixels cut sharp corners off. */
   readonly beyond: number | null;
   readonly iou: number | null;
   readonly segments: TraceResult["segments"] | null;
@@ -38,7 +38,7 @@ export interface TraceOutcome {
   readonly stages: TraceResult["stages"];
 }
 
-export function outcomeOf({ outlines, colors, segments, iou, sizes, stages }: TraceResult, sample: string | undefined): TraceOutcome {
+export function outcomeOf({ outlines, colors, segments, iou, beyond, sizes, stages }: TraceResult, sample: string | undefined): TraceOutcome {
   const length = outlines.reduce((sum, outline) => sum + outline.length, 0);
   const squares = outlines.reduce((sum, { metrics, length: own }) => sum + metrics.rmse ** 2 * own, 0);
   return {
@@ -48,14 +48,9 @@ export function outcomeOf({ outlines, colors, segments, iou, sizes, stages }: Tr
     layers: outlines.map(({ layer }) => layer),
     cubics: outlines.map(({ cubics }) => cubics),
     rms: length === 0 ? 0 : Math.sqrt(squares / length),
-    max: largest(outlines, "max"),
-    beyond: largest(outlines, "hausdorff"),
-    segments, iou, sizes, stages,
+    max: outlines.reduce((most, { metrics }) => Math.max(most, metrics.max), 0),
+    segments, iou, beyond, sizes, stages,
   };
-}
-
-function largest(outlines: readonly TracedOutline[], which: "max" | "hausdorff"): number {
-  return outlines.reduce((most, { metrics }) => Math.max(most, metrics[which]), 0);
 }
 
 /** Outlines that came without their picture. */

@@ -10,10 +10,11 @@ export interface DrawnPicture {
 }
 
 /**
- * Share of every pixel that lies inside, 0 … 1. Each edge leaves in a pixel the area between itself and the pixel's
+ * Share of every pixel that lies inside, 0 … 1: of any outline, or of an odd number of them. Each edge leaves in a pixel the area between itself and the pixel's
  * right side; summed along a row that is the area inside.
  */
-export function coverage(outlines: readonly Outline[], width: number, height: number, scale: number): Float32Array {
+export function coverage(outlines: readonly Outline[], width: number, height: number, scale: number, rule: CanvasFillRule = "nonzero"): Float32Array {
+  const inside = rule === "nonzero" ? (around: number): number => Math.min(1, around) : (around: number): number => Math.abs(around - 2 * Math.round(around / 2));
   const sums = new Float32Array(width * height + 1);
   for (const outline of outlines) {
     for (let i = 0; i + 1 < outline.length; i += 2) {
@@ -25,7 +26,7 @@ export function coverage(outlines: readonly Outline[], width: number, height: nu
     let sum = 0;
     for (let i = y * width; i < (y + 1) * width; i += 1) {
       sum += sums[i] ?? 0;
-      sums[i] = Math.min(1, Math.abs(sum));
+      sums[i] = inside(Math.abs(sum));
     }
   }
   return sums.subarray(0, width * height);

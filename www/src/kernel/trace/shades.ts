@@ -98,6 +98,43 @@ export function inkOf({ values }: Shades, threshold: number, invert: boolean): U
   return ink;
 }
 
+/**
+ * How far a place is from the nearest border between ink and paper, in pixels: between two pixels, where their shades
+ * pass the threshold; where ink ends with the picture, there. Infinite where there is no border at all.
+ */
+export function distanceToBorder(shades: Shades, ink: Uint8Array, threshold: number, x: number, y: number): number {
+  const { columns, rows } = shades;
+  const [column, row] = [Math.floor(x), Math.floor(y)];
+  let best = Infinity;
+  // Ring by ring of pixels: the borders of ring r, and of all around it, are at least r − 1.5 away.
+  const far = Math.max(column, columns - column, row, rows - row);
+  for (let r = 0; r <= far && best > r - 1.5; r += 1) {
+    for (let down = -r; down <= r; down += 1) {
+      const step = Math.abs(down) === r ? 1 : Math.max(1, 2 * r);
+      for (let right = -r; right <= r; right += step) best = Math.min(best, toOwnBorders(shades, ink, threshold, column + right, row + down, x, y));
+    }
+  }
+  return best;
+}
+
+const sides = [[1, 0], [-1, 0], [0, 1], [0, -1]] as const;
+
+/** The distance of a place from the borders of a pixel of ink with its neighbours. */
+function toOwnBorders({ columns, rows, values }: Shades, ink: Uint8Array, threshold: number, column: number, row: number, x: number, y: number): number {
+  const isIn = (i: number, j: number): boolean => i >= 0 && j >= 0 && i < columns && j < rows;
+  if (!isIn(column, row) || ink[row * columns + column] !== 1) return Infinity;
+  const own = values[row * columns + column] ?? 0;
+  let best = Infinity;
+  for (const [right, down] of sides) {
+    const [i, j] = [column + right, row + down];
+    const other = isIn(i, j) ? j * columns + i : -1;
+    if (ink[other] === 1) continue;
+    const share = other < 0 ? 0.5 : (threshold - own) / ((values[other] ?? 0) - own);
+    best = Math.min(best, Math.hypot(column + 0.5 + right * share - x, row + 0.5 + down * share - y));
+  }
+  return best;
+}
+
 /** How steep the shades are at each pixel, 0 … 255. */
 export function steepness({ values, columns, rows }: Shades): Uint8Array<ArrayBuffer> {
   const steep = new Uint8Array(values.length);

@@ -94,7 +94,8 @@ async function trace(request: Extract<TraceRequest, { kind: "trace" }>, signal: 
     onProgress: ({ stage, done, total }) => report(stage, done, total),
   });
   report("measuring", 0, 1);
-  const result = await measured(found, scale, { ink, columns: pixels.columns, rows: pixels.rows }, how.corner);
+  const border = how.source === "brightness" && how.colors === 0 ? { border: { shades: soft, threshold } } : {};
+  const result = await measured(found, scale, { ink, columns: pixels.columns, rows: pixels.rows, ...border }, how.corner);
   if (signal.aborted) return answer({ kind: "stopped", id });
   answer({ kind: "traced", id, result, ms: performance.now() - start });
 }

@@ -53,6 +53,9 @@ export function resultSection(shell: Shell): Section {
   };
 }
 
+/** Every corner is cut off by a part of a pixel; only of more is anything to be seen. */
+const worthSaying = 1;
+
 function rowsOf(shown: TraceOutcome, { trace, traceRun }: EditorState): HTMLElement[] {
   const row = (label: string, testid: string, text: string): HTMLElement => h("div", {}, h("dt", {}, label), h("dd", { testid }, text));
   const { holes, segments, sizes, rms, max, beyond, iou, stages } = shown;
@@ -67,7 +70,7 @@ function rowsOf(shown: TraceOutcome, { trace, traceRun }: EditorState): HTMLElem
   if (rms !== null && max !== null) rows.push(row("To the edge", "trace-error", `rms ${formatDeviation(rms)}, max ${formatDeviation(max)} px`));
   // Only the tracer knows the edge, and it has not seen what was smoothed by hand.
   else if (typeof traceRun.outcome?.max === "number") rows.push(row("To the edge", "trace-unmeasured", "unknown, smoothed by hand"));
-  if (max !== null && beyond !== null && beyond > 2 * max + 0.1) {
+  if (beyond !== null && beyond > worthSaying) {
     const tips = row("Corners beyond it", "trace-beyond", `up to ${formatDeviation(beyond)} px`);
     tips.title = "Pixels cut sharp corners off; the outline goes on to where its sides meet.";
     rows.push(tips);
