@@ -118,6 +118,8 @@ export interface EditorState {
   readonly traceRun: TraceRun;
   /** How far the trace has come that is under way. Beside `traceRun`: who draws that need not draw it again for a percent. */
   readonly traceProgress: TraceProgress | null;
+  /** How much is done of the fit that is under way, from 0 to 1. */
+  readonly fitProgress: number;
   /** A picture that has just been brought in, until Trace takes it. */
   readonly incoming: Incoming | null;
   readonly surface: SurfaceDocument;

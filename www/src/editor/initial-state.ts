@@ -34,6 +34,7 @@ export const initialState: EditorState = {
   traceView: initialTraceView,
   traceRun: noTraceRun,
   traceProgress: null,
+  fitProgress: 0,
   incoming: null,
   surface: emptySurface,
   chosen: noNetPoints,

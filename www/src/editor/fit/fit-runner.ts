@@ -46,7 +46,7 @@ class Runner implements FitRunner {
     this.#now = now;
     this.#client = connect({
       fitted: (fits, what, ms) => this.#fitted(fits, what, ms),
-      progress: (progress) => setFitRun(editor, { progress }),
+      progress: (fitProgress) => editor.patch({ fitProgress }),
       stopped: () => this.#stopped(),
       failed: (code, message) => showFailure(editor, code, message),
       chart: (point) => this.#subject !== null && showChartPoint(editor, point),
@@ -94,7 +94,8 @@ class Runner implements FitRunner {
   #ask(subject: FitSubject, fit: FitDocument): void {
     const live = this.#editor.fitEdits.inGesture;
     this.#unsettled = live;
-    setFitRun(this.#editor, { since: this.#editor.state.value.fitRun.since ?? this.#now(), progress: 0, failure: null });
+    setFitRun(this.#editor, { since: this.#editor.state.value.fitRun.since ?? this.#now(), failure: null });
+    this.#editor.patch({ fitProgress: 0 });
     this.#cancelled = false;
     this.#client.fit(subject, strengthOf(fit), live);
   }

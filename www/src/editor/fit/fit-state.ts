@@ -38,8 +38,6 @@ export interface FitRun {
   readonly failure: FitFailure | null;
   /** Since when a fit is under way, in milliseconds of the page; null: none is. */
   readonly since: number | null;
-  /** How much of it is done, from 0 to 1. */
-  readonly progress: number;
   /** Knots and error over the smoothing, filled while nothing else is to be done. */
   readonly chart: readonly ChartPoint[];
   /** Milliseconds that the last fit took. */
@@ -57,4 +55,4 @@ export const initialFitView: FitView = {
   brush: null,
 };
 
-export const noFitRun: FitRun = { outcome: null, failure: null, since: null, progress: 0, chart: [], lastMs: 0 };
+export const noFitRun: FitRun = { outcome: null, failure: null, since: null, chart: [], lastMs: 0 };

@@ -6,11 +6,11 @@ import type { Shell } from "../shell.ts";
 export function mountFitProgress(shell: Shell): void {
   const { editor, until } = shell;
   const busy = mountBusy(shell, { label: "Fitting", about: "Stop; the curve before stays.", testid: "fit-cancel", stop: () => editor.actions.run("fit-cancel") });
-  const show = ({ mode, fitRun: { since, progress } }: EditorState): void => {
+  const show = ({ mode, fitProgress: progress, fitRun: { since } }: EditorState): void => {
     busy.show(mode !== "fit" || since === null ? null : { since, value: progress, text: `Fitting · ${Math.round(100 * progress)} %` });
   };
   editor.state.subscribe((state, before) => {
-    if (state.fitRun !== before.fitRun || state.mode !== before.mode) show(state);
+    if (state.fitRun !== before.fitRun || state.fitProgress !== before.fitProgress || state.mode !== before.mode) show(state);
   }, { until });
   show(editor.state.value);
 }
