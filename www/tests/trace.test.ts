@@ -11,7 +11,7 @@ import { createTraceRunner, type TraceRunner } from "../src/editor/trace/trace-r
 import { readShareHash, shareHash } from "../src/io/link/share.ts";
 import { contoursOfPath } from "../src/kernel/curve/points/contours.ts";
 import type { PictureSource, TraceAnswer, TraceHow, TraceRequest, TraceResult } from "../src/kernel/trace/job.ts";
-import { cornersIn, outcomeOf } from "../src/kernel/trace/outcome.ts";
+import { cornersIn, outcomeOf, type ShownPicture } from "../src/kernel/trace/outcome.ts";
 import { keepPicture } from "../src/kernel/trace/pictures.ts";
 import { createTraceClient, type Clock, type TraceClient, type TraceHandlers } from "../src/kernel/trace/trace-client.ts";
 import { traceProgram } from "../src/panels/trace/trace-program.ts";
@@ -392,6 +392,17 @@ test("the program beside flat colours says nothing of ink, which the panel hides
   const program = traceProgram(hand.editor.state.value);
   assert.equal(program.match(ofInk), null, program);
   assert.match(program, /colors: 4/u);
+});
+
+test("beside flat colours, which no threshold parts, the view of edges speaks of steep places", () => {
+  const { hand } = tracing();
+  openTraceSample(hand.editor, "trace-disc");
+  const picture = { key: "sample:trace-disc", name: "Disc", width: 512, height: 512, analysed: [512, 512], threshold: 99 } as const;
+  const { traceRun, traceView } = hand.editor.state.value;
+  hand.editor.patch({ hint: "", traceRun: { ...traceRun, picture: picture as unknown as ShownPicture }, traceView: { ...traceView, view: "edges" } });
+  assert.match(traceHint(hand.editor.state.value), /99 of 255/u);
+  setTrace(hand.editor, "Flat colours", { colors: 4 });
+  assert.equal(traceHint(hand.editor.state.value), "Steep places are bright.");
 });
 
 test("a drag moves the paper and nothing else", () => {

@@ -10,7 +10,8 @@ export function traceHint(state: EditorState): string {
   if (isEmptyTrace(trace)) return "";
   if (hint !== "") return hint;
   if (traceView.view === "edges" && traceRun.picture !== null) {
-    return trace.settings.mode !== "brightness" ? "Steep places are bright." : `What is darker than ${Math.round(traceRun.picture.threshold)} of 255 is ink.`;
+    // Between colours there is no threshold.
+    return trace.settings.mode !== "brightness" || trace.settings.colors > 0 ? "Steep places are bright." : `What is darker than ${Math.round(traceRun.picture.threshold)} of 255 is ink.`;
   }
   return traceRun.outcome === null
     ? ""

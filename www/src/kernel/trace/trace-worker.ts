@@ -84,17 +84,18 @@ async function trace(request: Extract<TraceRequest, { kind: "trace" }>, signal: 
   const soft = how.blur === "auto" ? seen : blurred(seen, how.blur);
   const threshold = how.threshold === "auto" ? foundThreshold(soft) : how.threshold;
   const ink = inkOf(soft, threshold, invert);
-  await show(id, pixels, how.source !== "brightness" ? steepness(soft) : ink.map((on) => 255 * (1 - on)), threshold);
+  const byShade = how.source === "brightness" && how.colors === 0;
+  await show(id, pixels, byShade ? ink.map((on) => 255 * (1 - on)) : steepness(soft), threshold);
   if (await ended(signal)) return answer({ kind: "stopped", id });
   const scale = [pixels.width / pixels.columns, pixels.height / pixels.rows] as const;
   const least = how.speckle / (scale[0] * scale[1]);
-  if (how.source === "brightness" && how.colors === 0 && tooMany(request, ink, pixels, least)) return;
+  if (byShade && tooMany(request, ink, pixels, least)) return;
   const found = await tracePixels(pixels, {
     ...options(how, least), signal,
     onProgress: ({ stage, done, total }) => report(stage, done, total),
   });
   report("measuring", 0, 1);
-  const border = how.source === "brightness" && how.colors === 0 ? { border: { shades: soft, threshold } } : {};
+  const border = byShade ? { border: { shades: soft, threshold } } : {};
   const result = await measured(found, scale, { ink, columns: pixels.columns, rows: pixels.rows, ...border }, how.corner);
   if (signal.aborted) return answer({ kind: "stopped", id });
   answer({ kind: "traced", id, result, ms: performance.now() - start });

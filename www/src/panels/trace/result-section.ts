@@ -18,7 +18,7 @@ export function resultSection(shell: Shell): Section {
   const run = action("Trace", "trace-run", "Trace the picture once more.");
   const cancel = action("Cancel", "trace-cancel", "Stop; the outlines before stay.");
   const state = h("span", { class: "trace-state num", "aria-hidden": "true" });
-  const corners = legendRow("cusp", "Corners", "Go to the next corner", () => editor.actions.run("trace-next-corner"));
+  const corners = legendRow("cusp", "Cusps", "Sharp corners; go to the next", () => editor.actions.run("trace-next-corner"));
   const smooth = legendRow("point", "Smooth", "Go to the next point", () => editor.actions.run("trace-next"));
   const list = h("dl", { class: "trace-numbers num" });
   const edit = action("Edit in Curve", "trace-edit", "Copy the outlines to Curve mode, ready to edit.", "primary");
@@ -65,7 +65,7 @@ function rowsOf(shown: TraceOutcome, { trace, traceRun }: EditorState): HTMLElem
   if (segments !== null) {
     const { lines, arcs, curves } = segments;
     const kinds = ([[lines, "line"], [arcs, "exact arc"], [curves, "curve"]] as const).flatMap(([count, kind]) => (count === 0 ? [] : [formatCount(count, kind)]));
-    rows.push(row("Segments", "trace-segments", kinds.length === 0 ? "none" : kinds.join(", ")));
+    rows.push(h("div", {}, h("dt", {}, "Segments"), h("dd", { testid: "trace-segments" }, ...unbroken(kinds.length === 0 ? ["none"] : kinds))));
   }
   if (rms !== null && max !== null) rows.push(row("To the edge", "trace-error", `rms ${formatDeviation(rms)}, max ${formatDeviation(max)} px`));
   // Only the tracer knows the edge, and it has not seen what was smoothed by hand.
@@ -81,9 +81,15 @@ function rowsOf(shown: TraceOutcome, { trace, traceRun }: EditorState): HTMLElem
     rows.push(row("As a polygon", "trace-polygon-bytes", `${formatBytes(sizes.polygonRaw)}, ${formatBytes(sizes.polygonGzip)} gzip`));
   }
   if (trace.corners.length > 0) rows.push(row("By hand", "trace-by-hand", formatCount(trace.corners.length, "corner")));
-  const times = Object.entries(stages).filter(([, ms]) => ms >= 0.5).map(([stage, ms]) => `${stage} ${ms < 10 ? ms.toFixed(1) : Math.round(ms)}`);
+  // The row itself begins with the whole.
+  const times = Object.entries(stages).filter(([stage, ms]) => ms >= 0.5 && stage !== "total").map(([stage, ms]) => `${stage} ${ms < 10 ? ms.toFixed(1) : Math.round(ms)}`);
   if (times.length > 0) {
-    rows.push(h("div", { class: "trace-times" }, h("dt", {}, `${Math.round(traceRun.lastMs)} ms`), h("dd", { testid: "trace-stages" }, times.join(" · "))));
+    rows.push(h("div", { class: "trace-times" }, h("dt", {}, `${Math.round(traceRun.lastMs)} ms`), h("dd", { testid: "trace-stages" }, ...unbroken(times))));
   }
   return rows;
+}
+
+/** A list whose lines break between its items and nowhere else. */
+function unbroken(items: readonly string[]): (HTMLElement | string)[] {
+  return items.flatMap((item, i) => [h("span", { class: "unbroken" }, i + 1 < items.length ? `${item},` : item), " "]);
 }
