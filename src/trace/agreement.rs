@@ -9,6 +9,9 @@ use crate::numerics::{Point, Vector};
 
 /// How far ahead the nearest place is looked for, in pixels: contours and their curves run side by side.
 const AHEAD: f64 = 4.0;
+/// A point that is farther away than this, in pixels, may have left the walk behind: at the other side of a corner that
+/// stands out, say, where all that is ahead is the way to its tip and back.
+const ASTRAY: f64 = 1.0;
 /// The pixels of a polyline are looked for at about this distance, in pixels.
 const PIXEL: f64 = 0.75;
 /// Chords of a curve are about this long, in pixels: a parabola over each is as good as the curve.
@@ -199,7 +202,7 @@ impl Offs {
         let (Some(first), Some(last), Some(_)) = (ends.first(), ends.last(), chords.first()) else {
             return offs;
         };
-        let mut walk = Walk { chords, closed, at: nearest(first.from, chords), near: true };
+        let mut walk = Walk { chords, closed, at: nearest(first.from, chords), trusted: ASTRAY };
         let mut stride = 0.0;
         for &Chord { from, length, .. } in ends {
             offs.note(walk.distance(from, stride));
@@ -223,9 +226,10 @@ impl Offs {
 struct Walk<'a> {
     chords: &'a [Chord],
     closed: bool,
-    /// The chord that is nearest to the last point, and whether it is near.
+    /// The chord that is nearest to the last point.
     at: usize,
-    near: bool,
+    /// As far as that is believed without looking at all of the chords: twice of what was found when they were last.
+    trusted: f64,
 }
 
 impl Walk<'_> {
@@ -255,13 +259,14 @@ impl Walk<'_> {
             }
             ahead -= chords[i].length;
         }
-        if root <= AHEAD {
-            self.near = true;
-        } else if core::mem::take(&mut self.near) {
+        if root <= ASTRAY {
+            self.trusted = ASTRAY;
+        } else if root > self.trusted {
             // After a long side the walk may have gone on to the other edge of a narrow place.
             self.at = nearest(p, chords);
             (best, share) = chords[self.at].off(p);
             root = best.sqrt();
+            self.trusted = larger(2.0 * root, ASTRAY);
         }
         chords[self.at].distance(p, share, root)
     }
@@ -331,6 +336,33 @@ mod tests {
         let Offs { most, .. } = Offs::of(&closed(&band(1.0)), &chords, true);
         // The gaps' corners are 3 from where these end, and the other edge is nearer still.
         assert!(most <= 3.0, "{most}");
+    }
+
+    #[test]
+    fn a_corner_that_stands_beyond_its_contour_does_not_keep_the_walk_at_its_tip() {
+        // A needle whose contour ends up to 12 before it does.
+        for cut in [1.0, 3.0, 6.0, 12.0] {
+            let slope = 0.06;
+            let tip = [[0.0, 100.0 * slope], [100.0, 0.0], [0.0, -100.0 * slope], [-60.0, 0.0]];
+            let blunt = [
+                [0.0, 100.0 * slope],
+                [100.0 - cut, cut * slope],
+                [100.0 - cut, -cut * slope],
+                [0.0, -100.0 * slope],
+                [-60.0, 0.0],
+            ];
+            let chords = closed(&tip.map(|[x, y]| Point::new(x, y)));
+            let corners = blunt.map(|[x, y]| Point::new(x, y));
+            let sides = (0..5).map(|i| (corners[i], corners[(i + 1) % 5]));
+            let dense: Vec<Point> = sides
+                .flat_map(|(a, b)| (0..150).map(move |k| a + (b - a) * (f64::from(k) / 150.0)))
+                .collect();
+            let Offs { most, .. } = Offs::of(&closed(&dense), &chords, true);
+            assert!(most <= 1.0, "{cut}: {most}");
+            // The other way, the tip is as far from its contour as that ends before it.
+            let Offs { most, .. } = Offs::of(&chords, &closed(&dense), true);
+            assert!((most - cut).abs() < 1e-3 * cut, "{cut}: {most}");
+        }
     }
 
     #[test]
