@@ -1,3 +1,4 @@
+import { bracketDepth } from "./brackets.ts";
 import { withoutEntities } from "./entities.ts";
 import { overLimit, type SvgLimits } from "./limits.ts";
 
@@ -14,7 +15,18 @@ export function checkMarkup(source: string, limits: SvgLimits): string {
     const end = skipDeclaration(text, at);
     at = text.indexOf("<", end ?? readTag(text, at, count, limits));
   }
+  checkSheets(text, limits);
   return text.trimStart();
+}
+
+/** Far more than any sheet has, as the brackets of other text are counted along. */
+const bracketsPerDepth = 16;
+
+/** The parser reads style sheets at once, whether or not they are ever asked for. */
+function checkSheets(text: string, limits: SvgLimits): void {
+  if (!/<(?:[\w.-]+:)?style\b/iu.test(text)) return;
+  const depth = bracketDepth(text);
+  if (depth > bracketsPerDepth * limits.maxDepth) throw overLimit("maxDepth", limits.maxDepth, depth);
 }
 
 /** Every document type blanked, not cut: the parser's line numbers stay those of the file. */
