@@ -119,6 +119,20 @@ for (const [name, markup, d] of shapes) {
   });
 }
 
+test("icons of a sprite, and what a style sheet moves, sizes and hides, come in as browsers draw them", async (t) => {
+  const demo = await open(t);
+  await imported(demo, `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 50">
+    <style>.far { transform: translate(60px, 10px) } .far > rect { width: 20px; height: 10px } .layers .off, [data-off] { display: none } .unseen { visibility: hidden }</style>
+    <symbol id="icon" viewBox="0 0 10 10"><path d="M0 0H10V10H0Z"/></symbol>
+    <use href="#icon" x="5" y="5" width="50%" height="20" style="fill: red"/>
+    <g class="far"><rect/></g><g class="layers"><path class="off" d="M0 0H99"/><path data-off="" d="M0 0V99"/><path class="unseen" d="M0 0L99 99"/></g></svg>`);
+  const { contours } = (await demo.state()).curve;
+  assert.deepEqual(contours.map(({ points }) => points.map(({ x, y }) => [x, y])), [
+    [[20, 5], [40, 5], [40, 25], [20, 25]],
+    [[60, 10], [80, 10], [80, 20], [60, 20]],
+  ]);
+});
+
 for (const [name, text] of [
   ["an attribute", 'd="M3 3h18v18H3z"'], ["CSS", 'clip-path: path("M3 3h18v18H3z");'], ["a program", "const shape = new Path2D('M3 3h18v18H3z');"], ["an element", '<path fill="red" d="M3 3h18v18H3z" />'],
 ] as const) {

@@ -108,6 +108,7 @@ const notesByCode: Readonly<Record<SvgWarningCode, string>> = {
   W_BAD_LENGTH: "a shape without a proper size was left out",
   W_UNIT: "a length in a unit that needs a page was ignored",
   W_ODD_POINTS: "a lone last coordinate was dropped",
+  W_STYLE: "a style sheet was not followed in full",
   W_STYLE_TRANSFORM: "a transform by CSS in percent or in space was ignored",
   W_TEXT: "text was left out; as outlines it would come along",
   W_CLIP: "what a clip or a mask hides came along",

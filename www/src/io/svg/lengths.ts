@@ -1,5 +1,5 @@
 import type { SvgWarningCode } from "./limits.ts";
-import { numbersOf } from "./matrix.ts";
+import type { Declared } from "./style/styles.ts";
 
 export type Warn = (code: SvgWarningCode, element: Element) => void;
 
@@ -20,13 +20,31 @@ const units: ReadonlyMap<string, number> = new Map([
 const ofText: ReadonlySet<string> = new Set(["em", "rem", "ex"]);
 const length = /^([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)(%|[a-z]*)$/iu;
 
-/** A length attribute in user units: the fallback when absent, null (with a warning) when it cannot be one. */
-export function lengthOf(element: Element, attribute: string, fallback: number | null, warn: Warn): number | null {
-  const text = element.getAttribute(attribute)?.trim();
+/** The width and height of a viewport in the units inside it; NaN where the page would say. */
+export interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+export const unknownSize: Size = { width: NaN, height: NaN };
+
+/** What the lengths of an element are read with. */
+export interface Measures {
+  /** What CSS says of the element, before its attributes. */
+  readonly css: Declared;
+  /** What percentages refer to: the viewport around the element. */
+  readonly around: Size;
+  readonly warn: Warn;
+}
+
+/** A length in user units: the fallback when absent, null (with a warning) when it cannot be one. */
+export function lengthOf(element: Element, name: string, fallback: number | null, { css, around, warn }: Measures): number | null {
+  const text = css.get(name)?.replace(/^calc\((.*)\)$/iu, "$1") ?? element.getAttribute(name)?.trim();
   if (text === undefined || text === "") return fallback;
   const isRoot = element.localName === "svg" && element.parentElement?.closest("svg") == null;
+  if (text === "auto" && !isRoot) return fallback;
   const [, number, unit = ""] = length.exec(text) ?? [];
-  const each = unit === "%" && !isRoot ? hundredth(element, attribute) : isRoot && ofText.has(unit) ? undefined : units.get(unit.toLowerCase());
+  const each = unit === "%" ? hundredth(around, name) : isRoot && ofText.has(unit) ? undefined : units.get(unit.toLowerCase());
   if (number !== undefined && each !== undefined) return Number(number) * each;
   if (number === undefined && text !== "auto") {
     warn("W_BAD_LENGTH", element);
@@ -40,13 +58,8 @@ export function lengthOf(element: Element, attribute: string, fallback: number |
 const across = new Set(["x", "cx", "x1", "x2", "rx", "width"]);
 const down = new Set(["y", "cy", "y1", "y2", "ry", "height"]);
 
-/** A hundredth of the picture around an element, in the direction of the attribute; of its diagonal over √2 for a radius. */
-function hundredth(element: Element, attribute: string): number | undefined {
-  const around = element.parentElement?.closest("svg");
-  const box = numbersOf(around?.getAttribute("viewBox") ?? "") ?? [];
-  const [wide, high] = box.length === 4
-    ? box.slice(2)
-    : ["width", "height"].map((side) => (around == null ? NaN : (lengthOf(around, side, null, () => undefined) ?? NaN)));
-  const size = across.has(attribute) ? wide : down.has(attribute) ? high : Math.hypot(wide ?? NaN, high ?? NaN) / Math.SQRT2;
-  return size !== undefined && Number.isFinite(size) ? size / 100 : undefined;
+/** A hundredth of a viewport in the direction of a length; of its diagonal over √2 for a radius. */
+function hundredth({ width, height }: Size, name: string): number | undefined {
+  const size = across.has(name) ? width : down.has(name) ? height : Math.hypot(width, height) / Math.SQRT2;
+  return Number.isFinite(size) ? size / 100 : undefined;
 }

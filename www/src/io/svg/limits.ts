@@ -54,6 +54,7 @@ export type SvgWarningCode =
   | "W_BAD_LENGTH"
   | "W_UNIT"
   | "W_ODD_POINTS"
+  | "W_STYLE"
   | "W_STYLE_TRANSFORM"
   | "W_TEXT"
   | "W_CLIP"

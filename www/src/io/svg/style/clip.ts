@@ -1,7 +1,7 @@
-import type { Warn } from "../lengths.ts";
+import type { Size } from "../lengths.ts";
 import type { Matrix } from "../matrix.ts";
 import { pathDataOf } from "../shapes.ts";
-import { declarations } from "./declarations.ts";
+import { nothingDeclared, type Declared } from "./styles.ts";
 
 /** Clips and masks are not applied: what they would hide comes along, and that is said. */
 
@@ -14,8 +14,7 @@ export interface Box {
 }
 
 /** Whether a clip or a mask of the element may hide something of a picture; `matrix` leads to the picture's units. */
-export function mayHide(element: Element, matrix: Matrix, picture: Box | null): boolean {
-  const style = declarations(element);
+export function mayHide(element: Element, style: Declared, { matrix, around }: { matrix: Matrix; around: Size }, picture: Box | null): boolean {
   return ["clip-path", "mask"].some((property) => {
     const value = style.get(property) ?? element.getAttribute(property) ?? "none";
     if (value === "none" || value === "") return false;
@@ -23,24 +22,23 @@ export function mayHide(element: Element, matrix: Matrix, picture: Box | null): 
     const hider = id === undefined ? undefined : element.ownerDocument.getElementById(id);
     // Browsers draw all of what refers to nothing.
     if (hider === null) return false;
-    const shown = hider === undefined ? null : shownBy(hider);
+    const shown = hider === undefined ? null : shownBy(hider, around);
     return shown === null || picture === null || !covers(shown, matrix, picture);
   });
 }
 
-const silent: Warn = () => undefined;
 const placing = ["transform", "style", "class", "clip-path", "mask", "clipPathUnits", "maskContentUnits"];
 const white = /^(?:#fff|#ffffff|white)$/iu;
 
 /** The box that a clip or a mask leaves, where it is one and no more: editors clip whole drawings to their frames. */
-function shownBy(hider: Element): Box | null {
+function shownBy(hider: Element, around: Size): Box | null {
   const [only, ...others] = hider.children;
   if (only === undefined || others.length > 0) return null;
   // Of which kind a mask is, is the same for a white one.
-  const kind = hider.localName === "mask" && [...declarations(hider).keys()].every((property) => property === "mask-type");
+  const kind = hider.localName === "mask" && /^\s*mask-type\s*:[^;]*;?\s*$/iu.test(hider.getAttribute("style") ?? "");
   if (placing.some((name) => only.hasAttribute(name) || (hider.hasAttribute(name) && !(kind && name === "style")))) return null;
   if (hider.localName === "mask" && !white.test(only.getAttribute("fill") ?? "")) return null;
-  return boxOf(pathDataOf(only, silent) ?? "");
+  return boxOf(pathDataOf(only, { css: nothingDeclared, around, warn: () => undefined }) ?? "");
 }
 
 const alternating = /^M[\d\s.,+-]+(?:H[\d\s.+-]+V[\d\s.+-]+H[\d\s.+-]+(?:V[\d\s.+-]+)?|V[\d\s.+-]+H[\d\s.+-]+V[\d\s.+-]+(?:H[\d\s.+-]+)?)Z$/u;

@@ -1,7 +1,7 @@
 import { identity, multiply, parseTransform, translate, type Matrix } from "../matrix.ts";
-import { declarations } from "./declarations.ts";
+import type { Declared } from "./styles.ts";
 
-/** What a `style` attribute says of where an element is. The browser reads the values; percentages and 3D are not applied. */
+/** What CSS says of where an element is. The browser reads the values; percentages and 3D are not applied. */
 
 /** A list of transform functions as CSS writes them; null when it needs a box or a third dimension. */
 function listed(functions: string): Matrix | null {
@@ -23,9 +23,11 @@ function alone(name: string, value: string | undefined): Matrix | null {
 const place = /^([+-]?[\d.]+(?:e[+-]?\d+)?)(?:px)?\s+([+-]?[\d.]+(?:e[+-]?\d+)?)(?:px)?$/iu;
 
 /** The matrix about the place that stays; null when that depends on a box. */
-function about(origin: string | null | undefined, matrix: Matrix): Matrix | null {
+function about(origin: string | null | undefined, box: string, matrix: Matrix): Matrix | null {
   const [a, b, c, d] = matrix;
-  if (origin == null || (a === 1 && b === 0 && c === 0 && d === 1)) return matrix;
+  if (a === 1 && b === 0 && c === 0 && d === 1) return matrix;
+  if (box !== "view-box") return null;
+  if (origin == null) return matrix;
   const [, x = "", y = ""] = place.exec(origin.trim()) ?? [];
   if (x === "" || y === "") return null;
   return multiply(multiply(translate(Number(x), Number(y)), matrix), translate(-Number(x), -Number(y)));
@@ -36,15 +38,14 @@ export interface OwnTransform {
   readonly problem: "W_BAD_TRANSFORM" | "W_STYLE_TRANSFORM" | null;
 }
 
-/** An element's own transform: what its style says comes before its attribute. What cannot be applied is left out. */
-export function ownTransformOf(element: Element): OwnTransform {
-  const style = declarations(element);
+/** An element's own transform: what CSS says comes before its attribute. What cannot be applied is left out. */
+export function ownTransformOf(element: Element, style: Declared): OwnTransform {
   const attribute = element.getAttribute("transform");
   const css = style.get("transform");
   const list = css === undefined ? parseTransform(attribute ?? "") : css === "none" ? identity : listed(css);
   const parts = [...["translate", "rotate", "scale"].map((name) => alone(name, style.get(name))), list];
   const matrix = parts.some((part) => part === null) ? null : parts.reduce<Matrix>((all, part) => (part === null ? all : multiply(all, part)), identity);
-  const whole = matrix === null ? null : about(style.get("transform-origin") ?? element.getAttribute("transform-origin"), matrix);
+  const whole = matrix === null ? null : about(style.get("transform-origin") ?? element.getAttribute("transform-origin"), style.get("transform-box") ?? "view-box", matrix);
   if (whole !== null) return { matrix: whole, problem: null };
   const byAttribute = css === undefined && list === null;
   return { matrix: css === undefined ? (list ?? identity) : identity, problem: byAttribute ? "W_BAD_TRANSFORM" : "W_STYLE_TRANSFORM" };
