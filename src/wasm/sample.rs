@@ -96,15 +96,14 @@ fn spread(
     match curve {
         AnyCurve::Interpolating(curve) => sampler.blocks(curve, count, first, derivative, out),
         AnyCurve::BSpline(curve) => sampler.blocks(curve, count, first, derivative, out),
-        _ => {
-            let curve = curve.pieces();
-            let (start, end) = (curve.knot(0), curve.knot(curve.piece_count()));
-            let steps = if curve.closed() { count } else { count.saturating_sub(1) }.max(1) as f64;
-            let place = |i: usize| (start + (end - start) * ((first + i) as f64 / steps)).min(end);
-            let parameters: Vec<f64> = (0..out.len() / curve.dimension()).map(place).collect();
-            curve.values(&parameters, derivative, out)?;
-            Ok(parameters.len())
+        AnyCurve::Local(curve) => {
+            let made = sampler.blocks(curve.base(), count, first, derivative, out)?;
+            let numbers = made * curve.base().dimension();
+            curve.displace_samples((count, first), derivative, &mut out[..numbers])?;
+            Ok(made)
         }
+        #[cfg(feature = "wasm")]
+        AnyCurve::Hermite(_) => Ok(0),
     }
 }
 

@@ -330,12 +330,23 @@ impl LocalCurve {
     /// More than 4 million points; a derivative above n₀ − 1.
     pub fn sample(&self, count: usize, derivative: usize) -> Result<Vec<f64>> {
         let mut points = SplineSampler::all(&self.base.lattice, count, derivative)?;
+        self.displace_samples((count, 0), derivative, &mut points)?;
+        Ok(points)
+    }
+
+    /// Adds what the patches displace to samples of the base: of `count` uniform ones, those from `first` on.
+    pub(crate) fn displace_samples(
+        &self,
+        (count, first): (usize, usize),
+        derivative: usize,
+        out: &mut [f64],
+    ) -> Result<()> {
         let (_, end) = self.base.domain();
         let steps = if self.base.is_closed() { count } else { count.saturating_sub(1).max(1) };
-        for (i, point) in points.chunks_exact_mut(self.base.dimension()).enumerate() {
-            self.displace((i as f64 * end / steps as f64).min(end), derivative, point)?;
+        for (i, point) in out.chunks_exact_mut(self.base.dimension()).enumerate() {
+            self.displace(((first + i) as f64 * end / steps as f64).min(end), derivative, point)?;
         }
-        Ok(points)
+        Ok(())
     }
 
     /// Adds what the patches displace at t.
