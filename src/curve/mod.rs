@@ -49,10 +49,7 @@ pub use spline_curve::interpolating::InterpolatingCurve;
 pub use spline_curve::local::LocalCurve;
 pub use spline_curve::spline_sampler::SplineSampler;
 
-#[cfg(all(target_arch = "wasm32", feature = "wasm-spline"))]
 pub(crate) use convert::to_hermite;
+pub(crate) use pieces::Pieces;
 #[cfg(all(target_arch = "wasm32", any(feature = "wasm", feature = "wasm-spline")))]
-pub(crate) use {
-    hermite::sample::check_parameters,
-    pieces::{Pieces, in_space},
-};
+pub(crate) use {hermite::sample::check_parameters, pieces::in_space};

@@ -24,6 +24,8 @@ mod text;
 #[cfg(all(target_arch = "wasm32", feature = "wasm"))]
 pub(crate) use parse::parse_bytes;
 pub use parse::{MOST_PATH_BYTES, MOST_PATH_POINTS, MOST_SUBPATHS, ParsedPath, Truncation, parse_path};
+#[cfg(all(target_arch = "wasm32", feature = "wasm-spline"))]
+pub(crate) use print::outline;
 #[cfg(all(target_arch = "wasm32", feature = "wasm"))]
 pub(crate) use print::print_hermite;
 pub use print::{PrintOptions, Printed, to_path_d};

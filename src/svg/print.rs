@@ -6,7 +6,7 @@ mod beziers;
 use super::number;
 use super::text::{Grid, Placed, Text};
 use crate::curve::measures::tolerance::{LEAST_DIGITS, LEAST_TOLERANCE};
-use crate::curve::{Curve, HermiteCurve, Segment};
+use crate::curve::{Curve, HermiteCurve, Pieces, Segment, to_hermite};
 use crate::error::{Error, Result};
 use crate::numerics::{Point, Vector};
 
@@ -103,10 +103,15 @@ pub fn to_path_d(curve: &dyn Curve, options: &PrintOptions) -> Result<Printed> {
 
 /// A curve of another kind is printed as the Hermite curve that it is, or that is near; the tolerance is shared then.
 fn print_converted(curve: &dyn Curve, options: &PrintOptions) -> Result<(Vec<u8>, f64)> {
-    let (curve, near) = curve.to_hermite(0.5 * options.tolerance)?;
-    let rest = PrintOptions { tolerance: (options.tolerance - near).max(near), ..*options };
-    let (text, deviation) = print_hermite(&curve, &rest, &mut None)?;
+    let (curve, near, rest) = outline(curve.as_pieces(), options.tolerance)?;
+    let (text, deviation) = print_hermite(&curve, &PrintOptions { tolerance: rest, ..*options }, &mut None)?;
     Ok((text, deviation + near))
+}
+
+/// The Hermite curve that is printed in place of a curve, how far it is from that, and what is left of the tolerance.
+pub(crate) fn outline(curve: &dyn Pieces, tolerance: f64) -> Result<(HermiteCurve, f64, f64)> {
+    let (curve, near) = to_hermite(curve, 0.5 * tolerance)?;
+    Ok((curve, near, (tolerance - near).max(near)))
 }
 
 /// The path data as bytes, which need no check, and the deviation.

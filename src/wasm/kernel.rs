@@ -208,6 +208,7 @@ impl Kernel {
 
 impl Kernel {
     /// The first `count` numbers that JavaScript wrote.
+    #[cfg(any(feature = "wasm", feature = "wasm-spline", feature = "wasm-fit", feature = "wasm-trace"))]
     pub(super) fn given(&self, count: usize) -> &[f64] {
         &self.input[..count.min(self.input.len())]
     }

@@ -3,9 +3,8 @@
 use super::describe::give;
 use super::kernel::{AnyCurve, Kernel, PATCH, run, times};
 use super::roots::{push_roots, roots_of};
-use crate::curve::to_hermite;
 use crate::generator::{Interpolator, Roots};
-use crate::svg::PrintOptions;
+use crate::svg::{PrintOptions, outline as outline_of};
 use crate::{BSplineCurve, Error, InterpolatingCurve, LocalCurve, Result};
 use std::sync::Arc;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -194,8 +193,8 @@ pub fn reduce_spline(slot: u32, m: u32) -> i32 {
 pub fn outline(slot: u32, tolerance: f64) -> i32 {
     run(&mut |kernel| {
         let asked = if tolerance == 0.0 { PrintOptions::default().tolerance } else { tolerance };
-        let (curve, near) = to_hermite(kernel.pieces(slot)?, 0.5 * asked)?;
-        kernel.record([near, (asked - near).max(near)]);
+        let (curve, near, rest) = outline_of(kernel.pieces(slot)?, asked)?;
+        kernel.record([near, rest]);
         give(kernel, &[curve])
     })
 }
