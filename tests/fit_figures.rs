@@ -52,10 +52,11 @@ fn noise_does_not_add_knots() {
     let (rows, shown) = experiments::noise().expect("it can be fitted");
     is_shown("noise", &shown, include_str!("../docs/figures/fit-noise.svg"));
     for row in &rows {
-        let ((grid, joined), (others, _)) = (row.coupled.knots(), row.apart.knots());
+        let ((grid, joined), (others, apart)) = (row.coupled.knots(), row.apart.knots());
         assert!((row.coupled.square() / row.square - 1.0).abs() < 1e-3, "{}", row.square);
         assert!((20..=26).contains(&joined), "{joined} knots for 20 corners");
-        assert!(2 * others > 3 * grid, "{others} with coordinates apart, {grid} coupled");
+        assert!(4 * others > 5 * grid, "{others} with coordinates apart, {grid} coupled");
+        assert!(2 * apart > 3 * joined, "{apart} joined with coordinates apart, {joined} coupled");
         assert!(row.truth[0] < 0.85 * row.truth[1], "{:?} from the truth", row.truth);
     }
     let counts: Vec<usize> = rows.iter().map(|row| row.coupled.knots().0).collect();

@@ -14,5 +14,6 @@ mod iterate;
 mod play;
 pub(super) mod polish;
 mod reduced;
+mod run;
 pub mod solver;
 mod warm;

@@ -1,7 +1,7 @@
 //! The problem in units in which points, steps and weights are about one. All factors are powers of two: nothing is
 //! rounded but the centre.
 
-use super::problem::{Norm, Problem};
+use super::problem::Problem;
 use crate::error::Result;
 use crate::limits;
 use crate::numerics::Vector;
@@ -27,7 +27,6 @@ pub(crate) struct Scaled {
     /// The length of the domain, which starts at 0.
     pub(crate) length: f64,
     pub(crate) closed: bool,
-    pub(crate) norm: Norm,
     /// What Σ w |r − p|² is beyond the sum over the samples kept here.
     pub(crate) beyond: f64,
     pub(crate) components: Vec<ScaledComponent>,
@@ -72,7 +71,6 @@ impl Scaled {
             w: limits::with_room(count)?,
             length: span / step,
             closed: problem.closed,
-            norm: problem.norm,
             beyond: 0.0,
             components: Vec::new(),
             centre,

@@ -92,7 +92,7 @@ impl Fitter {
             _ => self.smoothing_of(),
         };
         fit.iterations = solver.iterations();
-        fit.status = match solver.status() {
+        fit.status = match solution.status {
             Status::Running => FitStatus::Running,
             Status::Converged => FitStatus::Converged,
             Status::IterationLimit => FitStatus::MostIterations,

@@ -19,6 +19,7 @@ const HOLD: f64 = 1e-4;
 #[derive(Clone, Debug)]
 pub struct Admm {
     data: Scaled,
+    norm: Norm,
     reduced: Reduced,
     unknowns: Vec<Vector>,
     split: Vec<Vector>,
@@ -54,6 +55,7 @@ impl Admm {
             split: vec![Vector::zeros(); knots],
             dual: vec![Vector::zeros(); knots],
             data,
+            norm: problem.norm,
             reduced,
             penalties,
             lambdas,
@@ -94,7 +96,7 @@ impl Admm {
         for (k, jump) in jumps.iter().enumerate() {
             let relaxed = jump * RELAXATION + self.split[k] * (1.0 - RELAXATION);
             let limit = self.lambdas[k] / self.penalties[k];
-            let next = shrunk(relaxed + self.dual[k], limit, self.data.norm);
+            let next = shrunk(relaxed + self.dual[k], limit, self.norm);
             let penalty = self.penalties[k];
             primal += (jump - next).norm_squared() * penalty;
             moved += (next - self.split[k]).norm_squared() * penalty;
@@ -118,7 +120,7 @@ impl Admm {
         let data_term = self.reduced.residuals(&self.data, &self.unknowns, &mut weighted, &mut Vec::new());
         let mut jumps = Vec::new();
         self.reduced.jumps(&self.unknowns, &mut jumps);
-        let size = |v: &Vector| match self.data.norm {
+        let size = |v: &Vector| match self.norm {
             Norm::L2 => norm(*v),
             Norm::L1 => v.x.abs() + v.y.abs(),
         };

@@ -4,17 +4,19 @@
 //! optimum the weighted residuals vanish against them. Bounds assume it (D 12.4). Where rounding has taken it, the curve
 //! could be moved for less, and a bound says more than is true.
 
-use super::solver::Solver;
+use super::polish::Fixed;
+use super::run::Run;
 use crate::error::Result;
 use crate::fit::convex::interval::TERMS;
 use crate::fit::convex::scaled::Scaled;
+use crate::limits;
 use crate::numerics::Vector;
 use crate::numerics::banded::Bordered;
 
 /// Rounding that shows in what can be checked is larger elsewhere: by so much, as a rule less.
 const CAUTION: f64 = 100.0;
 
-impl Solver {
+impl Run {
     /// Adds to the gap what the curve lacks of balance, so that no bound counts that is none.
     pub(super) fn doubt(&mut self) -> Result<()> {
         if let Some(fixed) = &self.finished {
@@ -26,6 +28,17 @@ impl Solver {
             fixed.measure = self.measure;
         }
         Ok(())
+    }
+}
+
+impl Run {
+    /// What the gap of a curve that the run has not come to lacks of balance.
+    pub(super) fn lacking(&self, fixed: &Fixed) -> Result<f64> {
+        let mut weighted = limits::with_room(self.data.t.len())?;
+        weighted.resize(self.data.t.len(), Vector::zeros());
+        let _ = fixed.reduced.residuals(&self.data, &fixed.unknowns, &mut weighted, &mut Vec::new());
+        let lacking = imbalance(&self.data, &weighted)?;
+        Ok(CAUTION * lacking / fixed.measure.primal.max(f64::MIN_POSITIVE))
     }
 }
 

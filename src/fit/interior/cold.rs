@@ -1,14 +1,13 @@
 //! The first point of a run that has nothing to start from.
 
 use super::cone::{Lorentz, Metric, dot, norm};
-use super::iterate::{Iterate, Pair, lanes, seen};
+use super::iterate::{Iterate, Pair};
 use super::reduced::Reduced;
 use crate::error::Result;
 use crate::fit::convex::scaled::Scaled;
 
 /// A first point: few knots at equal distances, a smoothing spline on them whose forces are half of what is allowed.
 pub(crate) fn start(data: &Scaled) -> Result<Iterate> {
-    let lanes = lanes(data.norm);
     let chosen = data
         .components
         .iter()
@@ -33,7 +32,8 @@ pub(crate) fn start(data: &Scaled) -> Result<Iterate> {
         for part in &reduced.parts {
             let range = knot..knot + part.chosen.len();
             let largest = jumps[range.clone()].iter().fold(0.0_f64, |most, v| most.max(norm(*v)));
-            for k in range {
+            // Points that are all one have no jumps, and any stiffness will do.
+            for k in range.filter(|_| largest > 0.0) {
                 stiffness[k] = 0.5 * lambdas[k] / largest.max(1e-300);
             }
             knot += part.chosen.len();
@@ -48,13 +48,10 @@ pub(crate) fn start(data: &Scaled) -> Result<Iterate> {
         0.3 * jumps.iter().zip(&lambdas).map(|(v, l)| l * norm(*v)).sum::<f64>() / jumps.len().max(1) as f64;
     let mut cones = Vec::new();
     for (k, jump) in jumps.iter().enumerate() {
-        for lane in 0..lanes {
-            let plane = seen(*jump, lane, lanes);
-            let height = (dot(plane, plane) + (mean / lambdas[k]) * (mean / lambdas[k])).sqrt();
-            let force = plane * -stiffness[k];
-            let z = Lorentz::new(lambdas[k].max(norm(force) / 0.9), force);
-            cones.push(Pair { s: Lorentz::new(height, plane), z, lambda: lambdas[k] });
-        }
+        let height = (dot(*jump, *jump) + (mean / lambdas[k]) * (mean / lambdas[k])).sqrt();
+        let force = *jump * -stiffness[k];
+        let z = Lorentz::new(lambdas[k].max(norm(force) / 0.9), force);
+        cones.push(Pair { s: Lorentz::new(height, *jump), z, lambda: lambdas[k] });
     }
     Ok(Iterate { reduced, unknowns, jumps, cones })
 }

@@ -7,11 +7,10 @@
 //! at one price, so no set comes twice. (D 12.13)
 
 use super::cone::{dot, norm};
-use super::iterate::lanes;
 use super::play::{maxima, median};
-use super::polish::{Fixed, Newton, accuracy, newton, wanted};
+use super::polish::{Fixed, Newton, accuracy, newton};
 use super::reduced::Reduced;
-use super::solver::Solver;
+use super::run::Run;
 use crate::error::Result;
 use crate::fit::convex::solution::Status;
 use crate::numerics::Vector;
@@ -49,7 +48,7 @@ pub(crate) struct Descent {
     work: f64,
 }
 
-impl Solver {
+impl Run {
     /// Begins where no knot is left; the run goes on.
     pub(super) fn begin_descent(&mut self) -> Result<()> {
         let none: Vec<Active> = vec![Vec::new(); self.data.components.len()];
@@ -105,7 +104,6 @@ impl Solver {
 
     /// One set of knots; answers whether there is no further one at this price.
     fn round(&self, descent: &mut Descent, gap: f64) -> Result<bool> {
-        let lanes = lanes(self.data.norm);
         descent.rounds += 1;
         for set in &mut descent.active {
             // The jumps of a closed curve sum to zero: one alone is none.
@@ -118,14 +116,14 @@ impl Solver {
         let start: Vec<Vector> = descent.active.iter().flatten().map(|(_, jump)| *jump).collect();
         let reduced = Reduced::new(&self.data, chosen, &self.iterate.reduced.elements)?;
         descent.work += reduced.work();
-        let Some(newton) = newton(&self.data, reduced, &start, lanes, accuracy(gap)) else { return Ok(true) };
-        if lanes == 1 && leave_first(&mut descent.active, &start, &newton) {
+        let Some(newton) = newton(&self.data, reduced, &start, accuracy(gap)) else { return Ok(true) };
+        if leave_first(&mut descent.active, &start, &newton) {
             return Ok(false);
         }
         let settled = newton.settled;
-        let (fixed, eta) = self.assessed(newton, lanes);
+        let (fixed, eta) = self.assessed(newton);
         let found = fixed.measure.gap;
-        let any = self.join(&mut descent.active, &fixed.jumps, &eta, lanes);
+        let any = self.join(&mut descent.active, &fixed.jumps, &eta);
         if descent.best.as_ref().is_none_or(|(best, _)| found < best.measure.gap) {
             descent.best = Some((fixed, eta));
         }
@@ -133,7 +131,7 @@ impl Solver {
     }
 
     /// The jumps as they were found, and knots where the dual curve is too long; answers whether there are any.
-    fn join(&self, active: &mut [Active], jumps: &[Vector], eta: &[Vec<Vector>], lanes: usize) -> bool {
+    fn join(&self, active: &mut [Active], jumps: &[Vector], eta: &[Vec<Vector>]) -> bool {
         let (mut jumps, mut any) = (jumps.iter(), false);
         for (set, eta) in active.iter_mut().zip(eta) {
             for (_, jump) in set.iter_mut() {
@@ -141,9 +139,9 @@ impl Solver {
             }
             let typical = median(set.iter().map(|(_, jump)| norm(*jump)).collect());
             let first = if typical > 0.0 { FIRST_JUMP.0 * typical } else { FIRST_JUMP.1 };
-            for place in maxima(eta, self.data.closed, lanes, 1.0 + 1e-11) {
+            for place in maxima(eta, self.data.closed, 1.0 + 1e-11) {
                 if let Err(at) = set.binary_search_by_key(&place, |(place, _)| *place) {
-                    set.insert(at, (place, wanted(eta[place], lanes) * first));
+                    set.insert(at, (place, eta[place] * first));
                     any = true;
                 }
             }

@@ -5,7 +5,6 @@
 //! short a way, and corrected by the polynomial that the known values around ask for. (D 12.5)
 
 use crate::fit::convex::interval::TERMS;
-use crate::fit::convex::problem::Norm;
 use crate::fit::convex::scaled::{Scaled, ScaledComponent};
 use crate::numerics::Vector;
 use crate::numerics::enclosing_circle::enclosing_circle;
@@ -242,16 +241,7 @@ fn around(walk: &Walk<'_>, chosen: &[usize], known: &[Vector], eta: &mut [Vector
     // The constant: from the known values, or so that the longest is shortest.
     let mut constant = Vector::zeros();
     if chosen.is_empty() {
-        constant -= match data.norm {
-            Norm::L2 => enclosing_circle(eta).centre,
-            Norm::L1 => {
-                let bound = |pick: fn(f64, f64) -> f64, start: f64| {
-                    eta.iter()
-                        .fold(Vector::new(start, start), |b, v| Vector::new(pick(b.x, v.x), pick(b.y, v.y)))
-                };
-                (bound(f64::min, f64::INFINITY) + bound(f64::max, f64::NEG_INFINITY)) * 0.5
-            }
-        };
+        constant -= enclosing_circle(eta).centre;
     } else {
         for (&k, value) in chosen.iter().zip(known) {
             constant += (value - eta[k]) / chosen.len() as f64;

@@ -5,15 +5,12 @@
 //! zero. (D 12.12)
 
 use super::cone::{Metric, dot, norm, stretch};
-use super::iterate::{jump_length, lanes, seen};
 use super::play::transfer;
 use super::polish::Fixed;
 use super::reduced::{Part, Reduced};
-use super::solver::Solver;
+use super::run::Run;
 use crate::error::Result;
-use crate::fit::convex::problem::Norm;
 use crate::fit::convex::scaled::Scaled;
-use crate::fit::convex::solution::Solution;
 use crate::numerics::Vector;
 
 /// A pivot of this share of its diagonal is zero: curves that the samples tell apart have larger ones.
@@ -25,32 +22,30 @@ const NOTHING: f64 = 1e-10;
 /// What the objective may grow by rounding, all in all.
 const ROUNDING: f64 = 1e-9;
 
-impl Solver {
-    /// The curve of [`Solver::solution`] after exchanges of jumps that change neither residuals nor objective: at most as many
+impl Run {
+    /// The curve of [`Run::best`] after exchanges of jumps that change neither residuals nor objective: at most as many
     /// knots are left as the samples can tell apart. On a grid that is not finer than the samples the optimum is unique, and
     /// nothing changes. O(K) for each knot that goes. (D 12.12)
     ///
     /// # Errors
     ///
     /// `OutOfMemory` only.
-    pub fn extreme(&self) -> Result<Solution> {
+    pub(crate) fn extreme(&self) -> Result<Fixed> {
         let first = self.best()?;
         let most = first.measure.primal * (1.0 + ROUNDING);
-        let lanes = lanes(self.data.norm);
         let mut fixed = first;
-        for _ in 0..lanes * fixed.jumps.len() {
+        for _ in 0..fixed.jumps.len() {
             match exchanged(&self.data, &mut fixed)? {
                 Some(next) if next.measure.primal <= most => fixed = next,
                 _ => break,
             }
         }
-        Ok(self.in_units_of_the_caller(&fixed))
+        Ok(fixed)
     }
 }
 
 /// One exchange, after which at least one jump more is zero; `None` where the optimum is an extreme point already.
 fn exchanged(data: &Scaled, fixed: &mut Fixed) -> Result<Option<Fixed>> {
-    let lanes = lanes(data.norm);
     let largest = fixed.jumps.iter().fold(0.0_f64, |most, v| most.max(norm(*v)));
     let Some(kernel) = kernel(data, &mut fixed.reduced, &fixed.jumps) else { return Ok(None) };
     let mut rates = Vec::new();
@@ -58,13 +53,10 @@ fn exchanged(data: &Scaled, fixed: &mut Fixed) -> Result<Option<Fixed>> {
     // The shortest way to where a jump is zero, forwards or backwards.
     let mut step = f64::INFINITY;
     for (jump, rate) in fixed.jumps.iter().zip(&rates) {
-        for lane in 0..lanes {
-            let (jump, rate) = (seen(*jump, lane, lanes), seen(*rate, lane, lanes));
-            let (size, along) = (norm(jump), dot(jump, rate));
-            if size > NOTHING * largest && along.abs() > NOTHING * size * norm(rate) {
-                let to_zero = -size * size / along;
-                step = if to_zero.abs() < step.abs() { to_zero } else { step };
-            }
+        let (size, along) = (norm(*jump), dot(*jump, *rate));
+        if size > NOTHING * largest && along.abs() > NOTHING * size * norm(*rate) {
+            let to_zero = -size * size / along;
+            step = if to_zero.abs() < step.abs() { to_zero } else { step };
         }
     }
     if !step.is_finite() {
@@ -73,7 +65,7 @@ fn exchanged(data: &Scaled, fixed: &mut Fixed) -> Result<Option<Fixed>> {
     let unknowns: Vec<Vector> = fixed.unknowns.iter().zip(&kernel).map(|(c, by)| c + by * step).collect();
     let mut after = Vec::new();
     fixed.reduced.jumps(&unknowns, &mut after);
-    let kept = |k: usize| (0..lanes).any(|lane| norm(seen(after[k], lane, lanes)) > NOTHING * largest);
+    let kept = |k: usize| norm(after[k]) > NOTHING * largest;
     let mut knot = 0;
     let chosen = fixed.reduced.parts.iter().map(|part| {
         let first = knot;
@@ -84,23 +76,16 @@ fn exchanged(data: &Scaled, fixed: &mut Fixed) -> Result<Option<Fixed>> {
     let unknowns = transfer(&fixed.reduced, &mut reduced, &unknowns);
     let mut jumps = Vec::new();
     reduced.jumps(&unknowns, &mut jumps);
-    for jump in &mut jumps {
-        let alone =
-            |value: f64| if data.norm == Norm::L1 && value.abs() <= NOTHING * largest { 0.0 } else { value };
-        *jump = Vector::new(alone(jump.x), alone(jump.y));
-    }
     let mut measure = fixed.measure;
     let mut weighted = vec![Vector::zeros(); data.t.len()];
     measure.data_term = reduced.residuals(data, &unknowns, &mut weighted, &mut Vec::new());
     let prices = reduced.lambdas(data);
-    let price: f64 = jumps.iter().zip(&prices).map(|(jump, lambda)| lambda * jump_length(*jump, lanes)).sum();
+    let price: f64 = jumps.iter().zip(&prices).map(|(jump, lambda)| lambda * norm(*jump)).sum();
     measure.primal = measure.data_term + price;
     measure.gap = if measure.primal > 0.0 { (measure.primal - measure.dual) / measure.primal } else { 0.0 };
     let fewer = |part: &Part| part.chosen.len();
     let (before, now) = (fixed.reduced.parts.iter().map(fewer), reduced.parts.iter().map(fewer));
-    // A coordinate that has become zero counts as well.
-    let zeros = |jumps: &[Vector]| jumps.iter().filter(|v| v.x == 0.0 || v.y == 0.0).count();
-    if now.sum::<usize>() == before.sum::<usize>() && zeros(&jumps) <= zeros(&fixed.jumps) {
+    if now.sum::<usize>() == before.sum::<usize>() {
         return Ok(None);
     }
     Ok(Some(Fixed { reduced, unknowns, jumps, measure }))
@@ -115,21 +100,9 @@ fn kernel(data: &Scaled, reduced: &mut Reduced, jumps: &[Vector]) -> Option<Vec<
         .zip(jumps)
         .map(|(row, jump)| {
             let price = stiffness / row.weights.iter().map(|weight| weight * weight).sum::<f64>();
-            match data.norm {
-                Norm::L2 => {
-                    let unit = jump / norm(*jump).max(f64::MIN_POSITIVE);
-                    let across = 1.0 - dot(unit, unit);
-                    [
-                        price * (unit.y * unit.y + across),
-                        -price * unit.x * unit.y,
-                        price * (unit.x * unit.x + across),
-                    ]
-                }
-                Norm::L1 => {
-                    let held = |value: f64| if value == 0.0 { price } else { 0.0 };
-                    [held(jump.x), 0.0, held(jump.y)]
-                }
-            }
+            let unit = jump / norm(*jump).max(f64::MIN_POSITIVE);
+            let across = 1.0 - dot(unit, unit);
+            [price * (unit.y * unit.y + across), -price * unit.x * unit.y, price * (unit.x * unit.x + across)]
         })
         .collect();
     if reduced.factor_above(&metrics, KERNEL) == 0 {

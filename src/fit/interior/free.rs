@@ -4,7 +4,7 @@ use super::cone::{Metric, dot};
 use super::iterate::Measure;
 use super::polish::Fixed;
 use super::reduced::Reduced;
-use super::solver::Solver;
+use super::run::Run;
 use crate::error::Result;
 use crate::fit::convex::scaled::Scaled;
 use crate::fit::convex::solution::Status;
@@ -17,7 +17,7 @@ const REFINEMENTS: usize = 4;
 /// A sum of squares below this is rounding: points are within ±1 here.
 const ROUNDING: f64 = 1e-24;
 
-impl Solver {
+impl Run {
     /// The whole run where every λ is 0: one linear system. O(M + N).
     pub(crate) fn solve_for_free(&mut self) -> Result<()> {
         let fixed = least_squares(&self.data)?;

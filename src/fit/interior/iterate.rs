@@ -2,10 +2,9 @@
 
 use super::cone::{Lorentz, norm};
 use super::reduced::Reduced;
-use crate::fit::convex::problem::Norm;
 use crate::numerics::Vector;
 
-/// A point of the method: coefficients, and one cone per knot (two where jumps are measured by |x| + |y|).
+/// A point of the method: coefficients, and one cone per knot.
 #[derive(Clone, Debug)]
 pub(crate) struct Iterate {
     pub(crate) reduced: Reduced,
@@ -38,36 +37,6 @@ pub(crate) struct Measure {
     /// The longest dual vector anywhere on the grids.
     pub(crate) longest: f64,
     pub(crate) gap: f64,
-}
-
-/// How many cones a knot has.
-pub(crate) fn lanes(norm: Norm) -> usize {
-    match norm {
-        Norm::L2 => 1,
-        Norm::L1 => 2,
-    }
-}
-
-/// The part of a vector that a cone sees: all of it, or one coordinate.
-#[inline]
-pub(crate) fn seen(v: Vector, lane: usize, lanes: usize) -> Vector {
-    match (lanes, lane) {
-        (1, _) => v,
-        (_, 0) => Vector::new(v.x, 0.0),
-        _ => Vector::new(0.0, v.y),
-    }
-}
-
-/// The length of a dual vector in the norm that its cones ask for.
-#[inline]
-pub(crate) fn dual_length(v: Vector, lanes: usize) -> f64 {
-    if lanes == 1 { norm(v) } else { v.x.abs().max(v.y.abs()) }
-}
-
-/// The size of a jump.
-#[inline]
-pub(crate) fn jump_length(v: Vector, lanes: usize) -> f64 {
-    if lanes == 1 { norm(v) } else { v.x.abs() + v.y.abs() }
 }
 
 /// Objective, bound and gap. The dual vector of residuals is feasible when scaled by 1/longest; a shorter scale that is

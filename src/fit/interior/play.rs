@@ -1,18 +1,17 @@
 //! Which knots are in play: those where the dual curve is longest join.
 
 use super::cone::{Lorentz, dot, norm};
-use super::iterate::{Iterate, Pair, lanes, seen};
+use super::iterate::{Iterate, Pair};
 use super::reduced::Reduced;
-use super::solver::Solver;
+use super::run::Run;
 use crate::error::Result;
 use crate::limits;
 use crate::numerics::Vector;
 use crate::numerics::order::nth;
 
-impl Solver {
+impl Run {
     /// Puts the places where the dual curve is longest into play.
     pub(crate) fn insert_knots(&mut self) -> Result<()> {
-        let lanes = lanes(self.data.norm);
         let (longest, gap) = (self.measure.longest, self.measure.gap);
         // What the knots that are missing cost is little beside what is asked for.
         if longest - 1.0 < 0.2 * self.settings.gap {
@@ -24,7 +23,7 @@ impl Solver {
         let mut any = false;
         for (part, eta) in self.iterate.reduced.parts.iter().zip(&self.eta) {
             let mut set = part.chosen.clone();
-            for k in maxima(eta, closed, lanes, threshold) {
+            for k in maxima(eta, closed, threshold) {
                 if let Err(at) = set.binary_search(&k) {
                     set.insert(at, k);
                     any = true;
@@ -40,8 +39,7 @@ impl Solver {
         let mean = old.cones.iter().map(|pair| pair.s.dot(pair.z)).sum::<f64>() / rank;
         let mut reduced = Reduced::new(&self.data, sets, &old.reduced.elements)?;
         let unknowns = transfer(&old.reduced, &mut reduced, &old.unknowns);
-        let mut cones =
-            limits::with_room(lanes * reduced.parts.iter().map(|p| p.chosen.len()).sum::<usize>())?;
+        let mut cones = limits::with_room(reduced.parts.iter().map(|p| p.chosen.len()).sum())?;
         let mut knot = 0;
         for (i, part) in reduced.parts.iter().enumerate() {
             let lambda = self.data.components[i].lambda;
@@ -51,26 +49,23 @@ impl Solver {
             let mut known = 0;
             for &k in &part.chosen {
                 if before.get(known) == Some(&k) {
-                    let at = (knot + known) * lanes;
-                    cones.extend_from_slice(&old.cones[at..at + lanes]);
+                    cones.push(old.cones[knot + known]);
                     known += 1;
                     continue;
                 }
-                for lane in 0..lanes {
-                    let plane = seen(self.eta[i][k] * -lambda, lane, lanes);
-                    let length = norm(plane);
-                    let z = Lorentz::new(lambda.max(length / (1.0 - margin)), plane);
-                    let inverse = mean * z.height / ((z.height - length) * (z.height + length));
-                    let s = Lorentz::new(inverse.min(20.0 * mean / z.height), Vector::zeros());
-                    cones.push(Pair { s, z, lambda });
-                }
+                let plane = self.eta[i][k] * -lambda;
+                let length = norm(plane);
+                let z = Lorentz::new(lambda.max(length / (1.0 - margin)), plane);
+                let inverse = mean * z.height / ((z.height - length) * (z.height + length));
+                let s = Lorentz::new(inverse.min(20.0 * mean / z.height), Vector::zeros());
+                cones.push(Pair { s, z, lambda });
             }
             knot += before.len();
         }
         let mut jumps = Vec::new();
         reduced.jumps(&unknowns, &mut jumps);
-        for (k, pair) in cones.iter_mut().enumerate() {
-            pair.s.plane = seen(jumps[k / lanes], k % lanes, lanes);
+        for (pair, jump) in cones.iter_mut().zip(&jumps) {
+            pair.s.plane = *jump;
             let least = norm(pair.s.plane) * (1.0 + 1e-12);
             pair.s.height = pair.s.height.max(least);
         }
@@ -83,10 +78,10 @@ impl Solver {
 }
 
 /// Places where the dual curve is locally longest and longer than `threshold`.
-pub(crate) fn maxima(eta: &[Vector], closed: bool, lanes: usize, threshold: f64) -> Vec<usize> {
+pub(crate) fn maxima(eta: &[Vector], closed: bool, threshold: f64) -> Vec<usize> {
     let count = eta.len();
-    let size = |v: Vector| if lanes == 1 { dot(v, v) } else { v.x.abs().max(v.y.abs()) };
-    let threshold = if lanes == 1 { threshold * threshold } else { threshold };
+    let size = |v: Vector| dot(v, v);
+    let threshold = threshold * threshold;
     let outside = if closed { eta.last().map_or(0.0, |v| size(*v)) } else { 0.0 };
     let (mut before, mut found) = (outside, Vec::new());
     for (k, v) in eta.iter().enumerate() {

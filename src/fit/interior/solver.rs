@@ -1,34 +1,22 @@
-//! The solver: an interior-point method on the knots in play, which are found on the way.
+//! The solver: a run of the method, or one for each coordinate.
+//!
+//! Where jumps are measured by |x| + |y| nothing joins the coordinates: the objective is the sum of two, each with knots
+//! of its own. So each is solved for itself, as points on a line, and what comes out is one curve on all of their knots. (D 12.15)
 
-mod newton_step;
-
-use super::cold::start;
 use super::compress::compress;
-use super::cone::{Lorentz, Metric, Scaling, dot};
-use super::descent::Descent;
-use super::dual::dual_curve;
-use super::iterate::{Iterate, Measure, dual_length, jump_length, lanes, measure};
-use super::polish::{Fixed, GLIMPSE};
-use super::warm::Middle;
-use crate::error::Result;
-use crate::fit::convex::interval::TERMS;
-use crate::fit::convex::problem::Problem;
+use super::cone::norm;
+use super::iterate::Measure;
+use super::play::transfer;
+use super::polish::Fixed;
+use super::reduced::{Part, Reduced};
+use super::run::{LEAST_LAMBDA, Run};
+use crate::error::{Error, Result};
+use crate::fit::convex::problem::{Norm, Problem};
 use crate::fit::convex::scaled::Scaled;
-use crate::fit::convex::solution::Status;
+use crate::fit::convex::solution::{Solution, Spline, Status};
 use crate::limits;
 use crate::numerics::Vector;
-
-/// λ in scaled units is not less than this: the curve goes through the points to within 1e-10 of the drawing then.
-pub(crate) const LEAST_LAMBDA: f64 = 1e-10;
-
-/// The gap from which on the knots are looked for that stay.
-const FIRST_FINISH: f64 = 1e-3;
-/// The same for smooth splines on a grid that is finer than their knots: neighbours are told apart late.
-const FIRST_FINE: f64 = 1e-5;
-/// So many iterations more than the gap needs are made for true knots.
-const MOST_FOR_KNOTS: usize = 4;
-/// Below this share of the asked gap more iterations would tell no more.
-const LEAST_FOR_KNOTS: f64 = 1e-4;
+use crate::numerics::order::sort_in_place;
 
 /// When to stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,51 +40,8 @@ impl Default for Settings {
 /// O(K) for the K knots in play. (D 12.4), (D 12.6).
 #[derive(Clone, Debug)]
 pub struct Solver {
-    pub(crate) data: Scaled,
-    pub(crate) settings: Settings,
-    pub(crate) iterate: Iterate,
-    pub(crate) eta: Vec<Vec<Vector>>,
-    pub(crate) weighted: Vec<Vector>,
-    pub(crate) measure: Measure,
-    pub(crate) middle: Option<Middle>,
-    pub(crate) status: Status,
-    pub(crate) iteration: usize,
-    /// Whether every λ is 0.
-    pub(crate) free: bool,
-    /// The optimum on true knots, where the run has found it.
-    pub(crate) finished: Option<Fixed>,
-    /// Whether it was looked for at the iterate as it is, and not found.
-    pub(crate) tried: bool,
-    /// The gap below which to look for it again.
-    next_finish: f64,
-    /// Iterations since the asked gap was reached, on the way to true knots.
-    beyond: usize,
-    /// Whether this run has left out the knots that its first iterations brought in vain.
-    thinned: bool,
-    /// Jump and slack of every cone before the last step, when that was a long one.
-    pub(crate) before: Vec<(f64, f64)>,
-    /// Iterations since the gap last fell by a tenth, and the gap then.
-    idle: (usize, f64),
-    /// What goes on where rounding ended the iterations.
-    pub(crate) descent: Option<Descent>,
-    pub(crate) buffers: Buffers,
-}
-
-/// Memory that iterations share.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Buffers {
-    scalings: Vec<Scaling>,
-    metrics: Vec<Metric>,
-    residual: Vec<Vector>,
-    constants: Vec<Vector>,
-    forces: Vec<Vector>,
-    direction: Vec<Vector>,
-    jump_direction: Vec<Vector>,
-    steps: Vec<(Lorentz, Lorentz)>,
-    complements: Vec<Lorentz>,
-    line: Vec<f64>,
-    known: Vec<Vector>,
-    pub(crate) element_forces: Vec<[Vector; TERMS]>,
+    /// One, or one for x and one for y.
+    runs: Vec<Run>,
 }
 
 impl Solver {
@@ -112,52 +57,19 @@ impl Solver {
         for component in &mut data.components {
             component.lambda = component.lambda.max(LEAST_LAMBDA);
         }
-        let mut weighted = limits::with_room(data.t.len())?;
-        weighted.resize(data.t.len(), Vector::zeros());
-        let iterate = start(&data)?;
-        let mut solver = Self {
-            eta: vec![Vec::new(); data.components.len()],
-            data,
-            settings,
-            iterate,
-            weighted,
-            measure: Measure::default(),
-            middle: None,
-            status: Status::Running,
-            iteration: 0,
-            free: problem.components.iter().all(|component| component.lambda <= 0.0),
-            finished: None,
-            tried: false,
-            next_finish: FIRST_FINISH,
-            beyond: 0,
-            thinned: false,
-            before: Vec::new(),
-            idle: (0, f64::INFINITY),
-            descent: None,
-            buffers: Buffers::default(),
-        };
-        solver.restart(false);
-        if solver.free {
-            solver.solve_for_free()?;
+        let free = problem.components.iter().all(|component| component.lambda <= 0.0);
+        let mut runs = limits::with_room(2)?;
+        if problem.norm == Norm::L1 {
+            let mut other = data.clone();
+            other.x.fill(0.0);
+            // What compression left out is that of both: it is counted once.
+            other.beyond = 0.0;
+            data.y.fill(0.0);
+            runs.push(Run::new(data, settings, free)?);
+            data = other;
         }
-        Ok(solver)
-    }
-
-    /// A new run from the iterate as it is.
-    pub(crate) fn restart(&mut self, warm: bool) {
-        self.status = Status::Running;
-        self.iteration = 0;
-        // A warm start is thin already.
-        self.thinned = warm;
-        self.finished = None;
-        self.tried = false;
-        self.next_finish = FIRST_FINISH;
-        self.beyond = 0;
-        self.before.clear();
-        self.idle = (0, f64::INFINITY);
-        self.descent = None;
-        self.look();
-        self.settle();
+        runs.push(Run::new(data, settings, free)?);
+        Ok(Self { runs })
     }
 
     /// One iteration; nothing when the run is over. Answers how it stands then.
@@ -166,103 +78,10 @@ impl Solver {
     ///
     /// `OutOfMemory` only.
     pub fn step(&mut self) -> Result<Status> {
-        if self.status != Status::Running {
-            return Ok(self.status);
+        for run in &mut self.runs {
+            let _ = run.step()?;
         }
-        if let Some(descent) = self.descent.take() {
-            return self.descend(descent);
-        }
-        if self.iteration >= self.settings.most_iterations {
-            self.status = self.given_up(Status::IterationLimit);
-            return Ok(self.status);
-        }
-        if !self.thinned && self.middle.is_some() {
-            self.thinned = true;
-            self.leave_knots_out()?;
-        }
-        self.tried = false;
-        self.insert_knots()?;
-        self.iteration += 1;
-        let before = (self.iterate.unknowns.clone(), self.iterate.cones.clone(), self.measure);
-        let moved = self.advance();
-        self.look();
-        if !moved || !self.measure.gap.is_finite() {
-            // Rounding has the last word: back to the last good point.
-            (self.iterate.unknowns, self.iterate.cones, self.measure) = before;
-            self.iterate.reduced.jumps(&self.iterate.unknowns, &mut self.iterate.jumps);
-            self.look();
-            self.status = self.given_up(Status::Stalled);
-        } else {
-            self.settle();
-            self.try_to_finish()?;
-        }
-        if self.status == Status::Converged {
-            self.doubt()?;
-        }
-        if self.status == Status::Stalled || self.status == Status::Converged && !self.is_near() {
-            self.begin_descent()?;
-        }
-        Ok(self.status)
-    }
-
-    /// How a run stands that ends before its knots are told apart.
-    fn given_up(&self, why: Status) -> Status {
-        if self.is_near() { Status::Converged } else { why }
-    }
-
-    /// Whether the gap is what was asked for.
-    pub(super) fn is_near(&self) -> bool {
-        self.measure.gap <= self.settings.gap
-    }
-
-    /// Whether there is one spline, without corners.
-    fn is_smooth(&self) -> bool {
-        matches!(&self.data.components[..], [component] if component.degree > 1)
-    }
-
-    /// Whether splines without corners could have their knots in many more places than there are some.
-    pub(crate) fn is_fine(&self) -> bool {
-        let smooth = self.data.components.iter().filter(|component| component.degree > 1);
-        2 * self.knots_in_play() < smooth.map(|component| component.grid.len()).sum()
-    }
-
-    /// Whether the knots are not told apart: on fine grids that takes longer than a glimpse of the curve may.
-    pub(crate) fn is_hurried(&self) -> bool {
-        self.settings.gap >= GLIMPSE && self.data.components.iter().any(|component| component.degree > 1)
-    }
-
-    /// Where the knots may already be told apart, finds the optimum on them: when its own gap is small, that is the end.
-    fn try_to_finish(&mut self) -> Result<()> {
-        if self.is_hurried() {
-            return Ok(());
-        }
-        // Two components couple widely on few knots: there it costs more than an iteration, and is tried later.
-        let dear = if self.data.components.len() > 1 { 0.1 } else { 1.0 };
-        let late = if self.is_smooth() && self.is_fine() {
-            FIRST_FINE.max(self.settings.gap)
-        } else {
-            f64::INFINITY
-        };
-        if self.measure.gap > (dear * self.next_finish).min(late) || self.iteration == 0 {
-            return Ok(());
-        }
-        // Beyond the asked gap nothing else is waited for.
-        self.next_finish = if self.beyond > 0 { 0.7 } else { 0.1 } * self.measure.gap / dear;
-        match self.polished(true)? {
-            Some((fixed, eta)) if fixed.measure.gap <= self.settings.gap => self.end_with(fixed, eta),
-            Some((fixed, _)) => self.tried = fixed.measure.gap > self.measure.gap,
-            // Of two splines a trial ends early here; the last one, for the curve that is asked for, does not.
-            None => self.tried = self.data.components.len() == 1,
-        }
-        Ok(())
-    }
-
-    /// The run is over with the optimum on true knots.
-    pub(crate) fn end_with(&mut self, fixed: Fixed, eta: Vec<Vec<Vector>>) {
-        self.measure = fixed.measure;
-        self.eta = eta;
-        self.finished = Some(fixed);
-        self.status = Status::Converged;
+        Ok(self.status())
     }
 
     /// Iterates until the run is over.
@@ -272,95 +91,200 @@ impl Solver {
     /// `OutOfMemory` only.
     pub fn run(&mut self) -> Result<Status> {
         while self.step()? == Status::Running {}
-        Ok(self.status)
+        Ok(self.status())
+    }
+
+    /// Starts a new run for other λ of the components. Where the last one ended on true knots and these, or few others,
+    /// are near enough to the new optimum already, the run ends at once, after no iteration. Otherwise it is warm where the
+    /// last one came far enough: from an iterate on its way, with the knots that mattered there and at its end.
+    ///
+    /// # Errors
+    ///
+    /// `WrongLength`, `OutOfRange` for a λ not in 0 … 1e60, `OutOfMemory`; the last run stays as it is then.
+    pub fn set_lambdas(&mut self, lambdas: &[f64]) -> Result<()> {
+        let needed = self.data().components.len();
+        if lambdas.len() != needed {
+            return Err(Error::wrong_length("lambda", lambdas.len(), needed));
+        }
+        for (i, &lambda) in lambdas.iter().enumerate() {
+            limits::check("lambda", Some(i), lambda, 0.0, limits::LARGEST_LAMBDA)?;
+        }
+        self.runs.iter_mut().try_for_each(|run| run.set_lambdas(lambdas))
     }
 
     /// How the run stands.
     pub fn status(&self) -> Status {
-        self.status
+        match &self.runs[..] {
+            [run] => run.status,
+            runs => stands(runs.iter().map(|run| run.status), self.gap() <= runs[0].settings.gap),
+        }
     }
 
     /// Iterations of this run.
     pub fn iterations(&self) -> usize {
-        self.iteration
+        self.runs.iter().map(|run| run.iteration).fold(0, usize::max)
     }
 
     /// The relative duality gap: (objective − bound)/objective.
     pub fn gap(&self) -> f64 {
-        self.measure.gap
+        self.measure().gap
     }
 
     /// The objective at the iterate, in the caller's units.
     pub fn objective(&self) -> f64 {
-        self.measure.primal * self.data.objective_factor()
+        self.measure().primal * self.data().objective_factor()
     }
 
     /// How many knots are in play.
     pub fn knots_in_play(&self) -> usize {
-        self.iterate.reduced.parts.iter().map(|part| part.chosen.len()).sum()
+        self.runs.iter().map(Run::knots_in_play).sum()
     }
 
-    /// Decides whether the run goes on, and remembers what a warm start will need.
-    fn settle(&mut self) {
-        let gap = self.measure.gap;
-        if gap < 3e-2 && self.measure.longest < 1.02 && self.middle.is_none() {
-            let parts = &self.iterate.reduced.parts;
-            self.middle = Some(Middle {
-                chosen: parts.iter().map(|part| part.chosen.clone()).collect(),
-                jumps: self.iterate.jumps.clone(),
-                cones: self.iterate.cones.clone(),
-                eta: self.eta.clone(),
-                lambdas: self.data.components.iter().map(|c| c.lambda).collect(),
-                slack: self.measure.primal - self.measure.dual,
-            });
+    /// The curve that the run has come to, on its true knots; the run can go on afterwards. Its gap is its own, and at
+    /// most that of the run.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfMemory` only.
+    pub fn solution(&self) -> Result<Solution> {
+        self.answer(Run::best)
+    }
+
+    /// The curve of [`Solver::solution`] after exchanges of jumps that change neither residuals nor objective: at most as many
+    /// knots are left as the samples can tell apart. On a grid that is not finer than the samples the optimum is unique, and
+    /// nothing changes. O(K) for each knot that goes. (D 12.12)
+    ///
+    /// # Errors
+    ///
+    /// `OutOfMemory` only.
+    pub fn extreme(&self) -> Result<Solution> {
+        self.answer(Run::extreme)
+    }
+
+    fn answer(&self, of_run: impl Fn(&Run) -> Result<Fixed>) -> Result<Solution> {
+        let mut found = limits::with_room(2)?;
+        for run in &self.runs {
+            found.push(of_run(run)?);
         }
-        if gap <= self.settings.gap {
-            // The curve is good enough; its knots may still stand beside the true ones.
-            let enough = self.beyond >= MOST_FOR_KNOTS || gap <= LEAST_FOR_KNOTS * self.settings.gap;
-            let over = enough || self.is_hurried() || !self.is_smooth() || self.iteration == 0;
-            self.beyond += 1;
-            if over {
-                self.status = Status::Converged;
-            }
-        } else if gap < 0.9 * self.idle.1 {
-            self.idle = (0, gap);
-        } else {
-            self.idle.0 += 1;
-            if self.idle.0 > 25 {
-                self.status = Status::Stalled;
-            }
+        let both = match &found[..] {
+            [x, y] => Some(joined(self.data(), [x, y])?),
+            _ => None,
+        };
+        Ok(self.in_units_of_the_caller(both.as_ref().unwrap_or(&found[0])))
+    }
+
+    /// Both runs are on the same places.
+    fn data(&self) -> &Scaled {
+        &self.runs[0].data
+    }
+
+    fn measure(&self) -> Measure {
+        match &self.runs[..] {
+            [x, y] => sum([&x.measure, &y.measure]),
+            runs => runs[0].measure,
         }
     }
 
-    /// Residuals, dual curves, objective and bound at the iterate.
-    pub(crate) fn look(&mut self) {
-        let lanes = lanes(self.data.norm);
-        let iterate = &self.iterate;
-        let data_term = iterate.reduced.residuals(
-            &self.data,
-            &iterate.unknowns,
-            &mut self.weighted,
-            &mut self.buffers.element_forces,
-        );
-        let (mut regularizer, mut work, mut longest) = (0.0, 0.0, 0.0_f64);
+    fn in_units_of_the_caller(&self, fixed: &Fixed) -> Solution {
+        let data = self.data();
+        let factor = data.objective_factor();
+        let free = self.runs[0].free;
+        let alone = self.runs.len() == 1;
         let mut knot = 0;
-        for (i, part) in iterate.reduced.parts.iter().enumerate() {
-            let component = &self.data.components[i];
-            self.buffers.known.clear();
-            for jump in &iterate.jumps[knot..knot + part.chosen.len()] {
-                let mut pull = Vector::zeros();
-                for pair in &iterate.cones[knot * lanes..(knot + 1) * lanes] {
-                    pull -= pair.z.plane;
-                }
-                regularizer += component.lambda * jump_length(*jump, lanes);
-                work += dot(pull, *jump);
-                self.buffers.known.push(pull / component.lambda);
-                knot += 1;
+        let mut regularizers = Vec::new();
+        let last = fixed.reduced.parts.len() - 1;
+        let components = fixed.reduced.parts.iter().enumerate().map(|(i, part)| {
+            let component = &data.components[i];
+            let mut jump_factor = data.size;
+            for _ in 0..component.degree {
+                jump_factor /= data.step;
             }
-            let known = &self.buffers.known;
-            dual_curve(&self.data, component, &part.chosen, &self.weighted, known, &mut self.eta[i]);
-            longest = self.eta[i].iter().fold(longest, |most, v| most.max(dual_length(*v, lanes)));
+            let jumps: Vec<Vector> =
+                fixed.jumps[knot..knot + part.chosen.len()].iter().map(|v| v * jump_factor).collect();
+            knot += part.chosen.len();
+            let lambda = if free { 0.0 } else { component.lambda / data.lambda_factor(component.degree) };
+            let size = |v: &Vector| if alone { norm(*v) } else { v.x.abs() + v.y.abs() };
+            regularizers.push(lambda * jumps.iter().map(size).sum::<f64>());
+            // The centre of the points belongs to the last component, which has the constants.
+            let centre = if i == last { data.centre } else { Vector::zeros() };
+            Spline {
+                degree: component.degree,
+                lambda,
+                knots: part.chosen.iter().map(|&k| component.grid[k] * data.step + data.start).collect(),
+                jumps,
+                coefficients: part.order.iter().map(|&k| fixed.unknowns[k] * data.size + centre).collect(),
+            }
+        });
+        let components = components.collect();
+        let status = self.status();
+        let reached = fixed.measure.gap <= self.runs[0].settings.gap;
+        Solution {
+            components,
+            domain: (data.start, data.start + data.length * data.step, data.closed),
+            objective: fixed.measure.primal * factor,
+            data_term: fixed.measure.data_term * factor,
+            regularizers,
+            gap: fixed.measure.gap.max(0.0),
+            // A run that ended early may have come to a curve that, on its true knots, is near enough.
+            status: if status != Status::Running && reached { Status::Converged } else { status },
+            iterations: self.iterations(),
         }
-        self.measure = measure(data_term, regularizer, work, longest);
     }
+}
+
+/// How two runs stand together, of which the sum is near the optimum or not.
+fn stands(of: impl Iterator<Item = Status> + Clone, near: bool) -> Status {
+    let any = |status: Status| of.clone().any(|own| own == status);
+    if any(Status::Running) {
+        Status::Running
+    } else if near || of.clone().all(|own| own == Status::Converged) {
+        Status::Converged
+    } else if any(Status::IterationLimit) {
+        Status::IterationLimit
+    } else {
+        Status::Stalled
+    }
+}
+
+/// Objective and bound of two problems as one: both are sums.
+fn sum([x, y]: [&Measure; 2]) -> Measure {
+    let primal = x.primal + y.primal;
+    // Of each its own, with what was added where a bound is in doubt.
+    let missing = x.gap * x.primal + y.gap * y.primal;
+    Measure {
+        data_term: x.data_term + y.data_term,
+        primal,
+        dual: x.dual + y.dual,
+        longest: x.longest.max(y.longest),
+        gap: if primal > 0.0 { missing / primal } else { 0.0 },
+    }
+}
+
+/// The curve whose coordinates are those of two: on the knots of both, where each jumps at its own only.
+fn joined(data: &Scaled, [x, y]: [&Fixed; 2]) -> Result<Fixed> {
+    let both = |(x, y): (&Part, &Part)| {
+        let mut all = x.chosen.clone();
+        all.extend_from_slice(&y.chosen);
+        sort_in_place(&mut all);
+        all.dedup();
+        all
+    };
+    let chosen = x.reduced.parts.iter().zip(&y.reduced.parts).map(both).collect();
+    let mut reduced = Reduced::new(data, chosen, &x.reduced.elements)?;
+    let of_x = transfer(&x.reduced, &mut reduced, &x.unknowns);
+    let of_y = transfer(&y.reduced, &mut reduced, &y.unknowns);
+    let (mut jumps, mut from) = (Vec::new(), [0, 0]);
+    for (i, part) in reduced.parts.iter().enumerate() {
+        let own = [&x.reduced.parts[i].chosen, &y.reduced.parts[i].chosen];
+        let at = |of: usize, place: &usize| own[of].binary_search(place).ok().map(|k| from[of] + k);
+        for place in &part.chosen {
+            jumps.push(Vector::new(
+                at(0, place).map_or(0.0, |k| x.jumps[k].x),
+                at(1, place).map_or(0.0, |k| y.jumps[k].y),
+            ));
+        }
+        from = [from[0] + own[0].len(), from[1] + own[1].len()];
+    }
+    let unknowns = of_x.iter().zip(&of_y).map(|(x, y)| Vector::new(x.x, y.y)).collect();
+    Ok(Fixed { reduced, unknowns, jumps, measure: sum([&x.measure, &y.measure]) })
 }

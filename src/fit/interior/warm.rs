@@ -2,12 +2,11 @@
 
 use super::cold::start;
 use super::cone::{Lorentz, Metric, Scaling, dot, norm, stretch};
-use super::iterate::{Iterate, Pair, lanes, seen};
+use super::iterate::{Iterate, Pair};
 use super::play::maxima;
 use super::reduced::Reduced;
-use super::solver::Solver;
-use crate::error::{Error, Result};
-use crate::limits;
+use super::run::Run;
+use crate::error::Result;
 use crate::numerics::Vector;
 use crate::numerics::order::sort_in_place;
 
@@ -30,24 +29,14 @@ struct Seed {
     metric: Metric,
 }
 
-impl Solver {
+impl Run {
     /// Starts a new run for other λ of the components. Where the last one ended on true knots and these, or few others,
     /// are near enough to the new optimum already, the run ends at once, after no iteration. Otherwise it is warm where the
     /// last one came far enough: from an iterate on its way, with the knots that mattered there and at its end.
-    ///
-    /// # Errors
-    ///
-    /// `WrongLength`, `OutOfRange` for a λ not in 0 … 1e60, `OutOfMemory`; the last run stays as it is then.
-    pub fn set_lambdas(&mut self, lambdas: &[f64]) -> Result<()> {
-        if lambdas.len() != self.data.components.len() {
-            return Err(Error::wrong_length("lambda", lambdas.len(), self.data.components.len()));
-        }
-        for (i, &lambda) in lambdas.iter().enumerate() {
-            limits::check("lambda", Some(i), lambda, 0.0, limits::LARGEST_LAMBDA)?;
-        }
+    pub(crate) fn set_lambdas(&mut self, lambdas: &[f64]) -> Result<()> {
         for (i, &lambda) in lambdas.iter().enumerate() {
             let scaled = lambda * self.data.lambda_factor(self.data.components[i].degree);
-            self.data.components[i].lambda = scaled.max(super::solver::LEAST_LAMBDA);
+            self.data.components[i].lambda = scaled.max(super::run::LEAST_LAMBDA);
         }
         let free = lambdas.iter().all(|lambda| *lambda <= 0.0);
         let followed = if free || self.free { None } else { self.followed()? };
@@ -82,7 +71,6 @@ impl Solver {
 
     /// A stationary point on the knots that mattered: a step of the quadratic model from the iterate remembered.
     fn warm(&self, middle: &Middle) -> Result<Iterate> {
-        let lanes = lanes(self.data.norm);
         let mut seeds: Vec<Vec<Seed>> = Vec::new();
         let mut knot = 0;
         for (i, component) in self.data.components.iter().enumerate() {
@@ -108,11 +96,8 @@ impl Solver {
         for (i, set) in seeds.iter().enumerate() {
             for _ in set {
                 let pull = forces[knot] - stretch(&metrics[knot], jumps[knot]);
-                for lane in 0..lanes {
-                    let (pull, jump) = (seen(pull, lane, lanes), seen(jumps[knot], lane, lanes));
-                    total += self.data.components[i].lambda * norm(jump) + dot(pull, jump);
-                    count += 1.0;
-                }
+                total += self.data.components[i].lambda * norm(jumps[knot]) + dot(pull, jumps[knot]);
+                count += 1.0;
                 pulls.push(pull);
                 knot += 1;
             }
@@ -123,10 +108,7 @@ impl Solver {
         for (i, set) in seeds.iter().enumerate() {
             let lambda = self.data.components[i].lambda;
             for _ in set {
-                for lane in 0..lanes {
-                    let (pull, jump) = (seen(pulls[knot], lane, lanes), seen(jumps[knot], lane, lanes));
-                    cones.push(pair(lambda, pull, jump, mean));
-                }
+                cones.push(pair(lambda, pulls[knot], jumps[knot], mean));
                 knot += 1;
             }
         }
@@ -140,11 +122,10 @@ impl Solver {
 
     /// The knots of one component for a new run, with their jumps, forces and stiffnesses.
     fn seeds(&self, middle: &Middle, i: usize, from: usize, ratio: f64) -> Vec<Seed> {
-        let lanes = lanes(self.data.norm);
         let (eta, old) = (&middle.eta[i], &middle.chosen[i]);
         let closed = self.data.closed;
-        let mut set = maxima(eta, closed, lanes, 0.9);
-        set.extend(maxima(&self.eta[i], closed, lanes, 0.9));
+        let mut set = maxima(eta, closed, 0.9);
+        set.extend(maxima(&self.eta[i], closed, 0.9));
         match &self.finished {
             Some(fixed) => set.extend(&fixed.reduced.parts[i].chosen),
             None => set.extend(self.active(i, self.first_knot(i)).into_iter().map(|(place, _)| place)),
@@ -165,19 +146,11 @@ impl Solver {
                 let pull = eta[place] * (-lambda * force_ratio);
                 let known = old.binary_search(&place);
                 let jump = known.map_or_else(|_| Vector::zeros(), |k| middle.jumps[from + k]);
-                let scaling = |lane: usize| match known {
-                    Ok(k) => {
-                        let pair = &middle.cones[(from + k) * lanes + lane];
-                        Scaling::new(pair.s, pair.z)
-                    }
-                    Err(_) => {
-                        let pair = pair(lambda, seen(pull, lane, lanes), Vector::zeros(), typical);
-                        Scaling::new(pair.s, pair.z)
-                    }
-                };
-                let first = scaling(0).metric();
-                let metric = if lanes == 1 { first } else { [first[0], 0.0, scaling(1).metric()[2]] };
-                Seed { place, jump, pull, metric }
+                let pair = known.map_or_else(
+                    |_| pair(lambda, pull, Vector::zeros(), typical),
+                    |k| middle.cones[from + k],
+                );
+                Seed { place, jump, pull, metric: Scaling::new(pair.s, pair.z).metric() }
             })
             .collect()
     }

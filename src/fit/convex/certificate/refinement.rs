@@ -11,6 +11,12 @@ use crate::numerics::banded::Bordered;
 /// Systems of more unknowns than this are not refined: the bound is then what the residuals as they are give.
 const MOST_DENSE: usize = 1200;
 
+/// A coordinate that jumps by this share of the largest jump, or less, does not jump where |x| + |y| is measured: what it
+/// does then is rounding.
+const NOTHING: f64 = 1e-8;
+/// The dual curve of a coordinate that does not jump may be anything up to one: it stays as it is found.
+const ANY: f64 = f64::NAN;
+
 /// Rounding of the residuals, integrated often, bends the dual curve away from the directions of the jumps. A change of
 /// v by a spline on the knots of the solution takes it back; whatever the change, the bound stays a bound.
 pub(super) struct Refinement {
@@ -25,6 +31,8 @@ impl Refinement {
         for spline in &solution.components {
             spaces.push(solution.space(spline)?);
             let jumps = spline_jumps(spline, solution.domain);
+            let nothing = NOTHING * jumps.iter().fold(0.0_f64, |most, v| most.max(v.amax()));
+            let sign = |v: f64| if v.abs() <= nothing { ANY } else { v.signum() };
             let unit = |v: &Vector| match problem.norm {
                 Norm::L2 => v / size(*v, Norm::L2).max(f64::MIN_POSITIVE),
                 Norm::L1 => Vector::new(sign(v.x), sign(v.y)),
@@ -32,7 +40,7 @@ impl Refinement {
             targets.push(jumps.iter().map(unit).collect::<Vec<Vector>>());
         }
         let unknowns: usize = spaces.iter().map(KnotSpace::dimension).sum();
-        if problem.norm == Norm::L1 || (spaces.len() > 1 && unknowns > MOST_DENSE) {
+        if spaces.len() > 1 && unknowns > MOST_DENSE {
             return Ok(None);
         }
         let mut matrix = if spaces.len() == 1 {
@@ -52,7 +60,7 @@ impl Refinement {
             let offset = right.len();
             right.resize(offset + space.dimension(), Vector::zeros());
             for (k, (target, found)) in self.targets[i].iter().zip(&curves[i].at_knots).enumerate() {
-                let missing = target - found;
+                let missing = (target - found).map(|v| if v.is_nan() { 0.0 } else { v });
                 drift = drift.max(size(missing, Norm::L2));
                 let (first, weights) = space.jump_weights(k, space.degree());
                 for (j, weight) in weights.iter().enumerate().take(space.degree() + 2) {
@@ -77,10 +85,6 @@ impl Refinement {
         }
         drift
     }
-}
-
-fn sign(v: f64) -> f64 {
-    if v == 0.0 { 0.0 } else { v.signum() }
 }
 
 /// Gram's matrix of both components together; what they share is held by the floor of the factorisation.

@@ -1,14 +1,12 @@
 //! One step of the method: a predictor, and a corrector that keeps to the middle.
 
-use super::{Buffers, Solver};
+use super::{Buffers, Run};
 use crate::fit::interior::cone::{Lorentz, Scaling, dot, norm, stretch};
-use crate::fit::interior::iterate::{Iterate, Pair, lanes, seen};
-use crate::numerics::Vector;
+use crate::fit::interior::iterate::{Iterate, Pair};
 
-impl Solver {
+impl Run {
     /// One predictor and one corrector step. Answers whether there was a step.
     pub(super) fn advance(&mut self) -> bool {
-        let lanes = lanes(self.data.norm);
         let iterate = &mut self.iterate;
         let b = &mut self.buffers;
         let rank = iterate.cones.len() as f64;
@@ -19,28 +17,23 @@ impl Solver {
         b.scalings.clear();
         b.scalings.extend(iterate.cones.iter().map(|pair| Scaling::new(pair.s, pair.z)));
         b.metrics.clear();
-        for group in b.scalings.chunks_exact(lanes) {
-            let first = group[0].metric();
-            b.metrics.push(if lanes == 1 { first } else { [first[0], 0.0, group[1].metric()[2]] });
-        }
+        b.metrics.extend(b.scalings.iter().map(Scaling::metric));
         let _ = iterate.reduced.factor(&b.metrics);
         // Stationarity: Q c − b − L′ z.
         iterate.reduced.gradient(&b.element_forces, &mut b.residual);
         b.forces.clear();
-        b.forces.extend(
-            iterate.cones.chunks_exact(lanes).map(|group| -group.iter().map(|p| p.z.plane).sum::<Vector>()),
-        );
+        b.forces.extend(iterate.cones.iter().map(|pair| -pair.z.plane));
         iterate.reduced.pull(&b.forces, &mut b.residual);
         b.complements.clear();
         b.complements.extend(iterate.cones.iter().map(|pair| pair.s));
-        direction(iterate, b, lanes);
+        direction(iterate, b);
         let affine = longest_step(&iterate.cones, &b.steps, 1.0);
         let centring = (1.0 - affine) * (1.0 - affine) * (1.0 - affine);
         for (k, pair) in iterate.cones.iter().enumerate() {
             let (ds, dz) = b.steps[k];
             b.complements[k] = b.scalings[k].corrector(pair.s, ds, dz, centring * mean);
         }
-        direction(iterate, b, lanes);
+        direction(iterate, b);
         let step = (0.99 * longest_step(&iterate.cones, &b.steps, 1.0 / 0.99)).min(1.0);
         if !(step > 1e-9 && step.is_finite()) {
             return false;
@@ -55,7 +48,7 @@ impl Solver {
         iterate.reduced.jumps(&iterate.unknowns, &mut iterate.jumps);
         for (k, pair) in iterate.cones.iter_mut().enumerate() {
             pair.s.height += step * b.steps[k].0.height;
-            pair.s.plane = seen(iterate.jumps[k / lanes], k % lanes, lanes);
+            pair.s.plane = iterate.jumps[k];
             pair.z = pair.z.advanced(b.steps[k].1, step);
         }
         iterate
@@ -66,17 +59,11 @@ impl Solver {
 }
 
 /// Solves one Newton system for the given complementarity residuals; leaves directions of everything in the buffers.
-fn direction(iterate: &Iterate, b: &mut Buffers, lanes: usize) {
+fn direction(iterate: &Iterate, b: &mut Buffers) {
     b.constants.clear();
-    for (k, group) in iterate.cones.chunks_exact(lanes).enumerate() {
-        let mut sum = Vector::zeros();
-        for (lane, pair) in group.iter().enumerate() {
-            let at = k * lanes + lane;
-            let missing = pair.lambda - pair.z.height;
-            let pull = b.scalings[at].slope() * missing - stretch(&b.metrics[k], b.complements[at].plane);
-            sum += seen(pull, lane, lanes);
-        }
-        b.constants.push(sum);
+    for (k, pair) in iterate.cones.iter().enumerate() {
+        let missing = pair.lambda - pair.z.height;
+        b.constants.push(b.scalings[k].slope() * missing - stretch(&b.metrics[k], b.complements[k].plane));
     }
     b.direction.clear();
     b.direction.extend(b.residual.iter().map(|v| -v));
@@ -84,14 +71,13 @@ fn direction(iterate: &Iterate, b: &mut Buffers, lanes: usize) {
     iterate.reduced.solve(&mut b.direction, &mut b.line);
     iterate.reduced.jumps(&b.direction, &mut b.jump_direction);
     b.steps.clear();
-    for (at, pair) in iterate.cones.iter().enumerate() {
-        let (k, lane) = (at / lanes, at % lanes);
-        let (scaling, complement) = (&b.scalings[at], b.complements[at]);
+    for (k, pair) in iterate.cones.iter().enumerate() {
+        let (scaling, complement) = (&b.scalings[k], b.complements[k]);
         let missing = pair.lambda - pair.z.height;
-        let dw = seen(b.jump_direction[k], lane, lanes);
+        let dw = b.jump_direction[k];
         let moved = dw + complement.plane;
         let height = -complement.height - (missing * scaling.compliance() + dot(scaling.slope(), moved));
-        let plane = seen(scaling.slope() * missing - stretch(&b.metrics[k], moved), lane, lanes);
+        let plane = scaling.slope() * missing - stretch(&b.metrics[k], moved);
         b.steps.push((Lorentz::new(height, dw), Lorentz::new(missing, plane)));
     }
 }
