@@ -5,7 +5,7 @@ mod support;
 
 use expline::fit::certificate::verify;
 use expline::fit::gridless::gridless;
-use expline::fit::{Ask, Finish, Norm, Options, Problem, Settings, Solver, fit};
+use expline::fit::{Ask, Finish, FitStatus, Knot, Norm, Options, Problem, Settings, Solver, fit};
 use expline::numerics::Point;
 use serde::Deserialize;
 use support::golden;
@@ -118,4 +118,54 @@ fn every_step_after_the_optimum_says_what_it_changed() {
         let off = (pair[0].qfe.1 / pair[1].qfe.0 - 1.0).abs();
         assert!(off <= 1e-9, "the mean square after {} is not that before {}", pair[0].step, pair[1].step);
     }
+}
+
+/// A rounded shape of `count` points with some waves, smooth or scattered.
+fn waves(random: &mut impl FnMut() -> f64, count: usize, sigma: f64) -> Vec<Point> {
+    let (waves, depth) = (1.0 + (5.0 * random()).floor(), 0.4 * random());
+    let place = |i: usize| {
+        let t = core::f64::consts::TAU * i as f64 / count as f64;
+        let radius = 1.0 + depth * (waves * t).cos();
+        Point::new(100.0 * radius * t.cos(), 80.0 * radius * t.sin())
+    };
+    // The sum of twelve is about normal, of variance 1.
+    let mut noise = || sigma * ((0..12).map(|_| random()).sum::<f64>() - 6.0);
+    (0..count).map(|i| place(i) + Point::new(noise(), noise())).collect()
+}
+
+#[test]
+fn a_curve_off_the_grid_is_converged_only_where_the_gap_that_it_says_is_the_one_asked_for() {
+    let mut state = 7_u64;
+    let mut random = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let (mut near, mut all) = (0, 0);
+    for round in 0..24 {
+        for (degree, norm) in [(2, Norm::L2), (3, Norm::L2), (2, Norm::L1), (3, Norm::L1)] {
+            let count = 40 + (random() * 160.0) as usize;
+            let points = waves(&mut random, count, [0.0, 0.1, 1.0, 3.0][round % 4]);
+            let finish = Finish { merge: true, slide: true, ..Finish::default() };
+            let closed = Some(round % 2 == 0);
+            let options = Options { degrees: vec![degree], closed, finish, norm, ..Options::default() };
+            let smoothing = 0.3 + 0.6 * random();
+            let fitted = fit(&points, Ask::Smoothing(smoothing), &options).expect("it can be fitted");
+            let what = format!("degree {degree}, {norm:?}, {count} points, {smoothing:.3}");
+            let reached = fitted.gap <= options.gap;
+            assert_eq!(fitted.status == FitStatus::Converged, reached, "{what}: gap {:e}", fitted.gap);
+            // What the curve is said to cost is what it costs: jumps of cubics have eight digits.
+            let own =
+                |k: &Knot| if norm == Norm::L1 { k.jump.x.abs() + k.jump.y.abs() } else { k.jump.norm() };
+            let cost = fitted.lambda[0] * fitted.knots.iter().map(own).sum::<f64>() + fitted.data_term;
+            assert!((cost / fitted.objective - 1.0).abs() < 1e-7, "{what}: {cost:e}, {:e}", fitted.objective);
+            // The optimum on the grid is one of all curves: not below the bound that the gap gives.
+            let plain = Options { finish: Finish::default(), ..options.clone() };
+            let grid = fit(&points, Ask::Smoothing(smoothing), &plain).expect("it can be fitted");
+            let bound = fitted.objective * (1.0 - fitted.gap);
+            assert!(grid.objective >= bound * (1.0 - 1e-9), "{what}: {:e} for {bound:e}", grid.objective);
+            (near, all) = (near + usize::from(fitted.gap < 1e-2), all + 1);
+        }
+    }
+    // By |x| + |y| all gaps were .25, which is no bound at all.
+    assert!(10 * near > 9 * all, "{near} of {all} gaps are below a hundredth");
 }

@@ -16,7 +16,8 @@ pub enum FitStatus {
     Converged,
     /// The limit on iterations was reached first.
     MostIterations,
-    /// No step helped any more, though the gap or the tolerance was not reached.
+    /// No step helped any more, though the gap or the tolerance was not reached; or knots that were joined or slid off the
+    /// grid are farther than the gap from the optimum over all knots.
     Stalled,
 }
 

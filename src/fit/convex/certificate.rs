@@ -279,7 +279,7 @@ impl Curve {
     }
 }
 
-/// The dual curve of v for that λ at ascending places, and the length of its longest vector.
+/// The dual curve of v for that λ at ascending places, and the length of its longest vector there.
 pub(crate) fn dual_values(
     problem: &Problem,
     degree: usize,
@@ -287,6 +287,24 @@ pub(crate) fn dual_values(
     v: &[Vector],
     places: &[f64],
 ) -> (Vec<Vector>, f64) {
+    let mut values = uncentred(problem, degree, lambda, v, places);
+    let centre = centre(&values, problem);
+    let mut longest = 0.0_f64;
+    for value in &mut values {
+        *value -= centre;
+        longest = longest.max(dual_size(*value, problem.norm));
+    }
+    (values, longest)
+}
+
+/// The same up to a constant of closed curves, which is one for all places.
+pub(crate) fn uncentred(
+    problem: &Problem,
+    degree: usize,
+    lambda: f64,
+    v: &[Vector],
+    places: &[f64],
+) -> Vec<Vector> {
     let integral = Integral { problem, degree, lambda, v };
     let mut values = Vec::with_capacity(places.len());
     let mut state = [[Twofold::ZERO; 2]; 6];
@@ -295,21 +313,23 @@ pub(crate) fn dual_values(
         state = integral.periodic(&end);
     }
     let _ = integral.run(&state, places, &mut values);
-    let centre = if problem.closed { centre(&values, problem.norm) } else { Vector::zeros() };
-    let mut longest = 0.0_f64;
-    for value in &mut values {
-        *value -= centre;
-        longest = longest.max(match problem.norm {
-            Norm::L2 => size(*value, Norm::L2),
-            Norm::L1 => value.x.abs().max(value.y.abs()),
-        });
-    }
-    (values, longest)
+    values
 }
 
-/// The constant to take from a closed dual curve so that it is shortest.
-fn centre(values: &[Vector], norm: Norm) -> Vector {
+/// The length of a dual vector in the norm that jumps of length one ask for.
+pub(crate) fn dual_size(v: Vector, norm: Norm) -> f64 {
     match norm {
+        Norm::L2 => size(v, Norm::L2),
+        Norm::L1 => v.x.abs().max(v.y.abs()),
+    }
+}
+
+/// The constant to take from a dual curve so that it is shortest: an open one has none to give.
+pub(crate) fn centre(values: &[Vector], problem: &Problem) -> Vector {
+    if !problem.closed {
+        return Vector::zeros();
+    }
+    match problem.norm {
         Norm::L2 => enclosing_circle(values).centre,
         Norm::L1 => {
             let first = values.first().copied().unwrap_or_else(Vector::zeros);

@@ -15,6 +15,16 @@ use crate::fit::knots::sparsest::Sparsest;
 use crate::numerics::Point;
 use crate::numerics::order::sort_by_number;
 
+/// How a run of the solver ended, in the words of fits.
+pub(super) fn ended(status: Status) -> FitStatus {
+    match status {
+        Status::Running => FitStatus::Running,
+        Status::Converged => FitStatus::Converged,
+        Status::IterationLimit => FitStatus::MostIterations,
+        Status::Stalled => FitStatus::Stalled,
+    }
+}
+
 impl Fitter {
     pub(super) fn described(&self) -> Result<Fit> {
         match &self.run {
@@ -92,12 +102,7 @@ impl Fitter {
             _ => self.smoothing_of(),
         };
         fit.iterations = solver.iterations();
-        fit.status = match solution.status {
-            Status::Running => FitStatus::Running,
-            Status::Converged => FitStatus::Converged,
-            Status::IterationLimit => FitStatus::MostIterations,
-            Status::Stalled => FitStatus::Stalled,
-        };
+        fit.status = ended(solution.status);
         let shift = if closed { whole.space.breaks.at.first().copied().unwrap_or(0.0) } else { 0.0 };
         for (component, spline) in solution.components.iter().zip(&splines) {
             if !component.knots.is_empty() {

@@ -3,11 +3,13 @@
 
 use super::solver::{Settings, Solver};
 use crate::error::Result;
-use crate::fit::convex::certificate::dual_values;
-use crate::fit::convex::problem::Problem;
-use crate::fit::convex::solution::Solution;
+use crate::fit::convex::certificate::{centre, dual_size, dual_values, uncentred};
+use crate::fit::convex::problem::{Norm, Problem};
+use crate::fit::convex::solution::{Solution, Spline};
+use crate::fit::convex::spline_space::KnotSpace;
 use crate::fit::knots::breaks::{Breaks, HIGHEST, Polynomial, Space, derivative};
 use crate::fit::knots::envelope::Envelope;
+use crate::limits;
 use crate::numerics::Vector;
 use crate::numerics::order::sort_numbers;
 
@@ -81,6 +83,9 @@ pub(in crate::fit) fn merged(problem: &Problem, solution: &Solution) -> Result<G
     if !may_leave(problem, solution) {
         return Ok(whole);
     }
+    if problem.norm == Norm::L1 {
+        return apart(problem, solution, 0, merged);
+    }
     let (component, spline) = (&problem.components[0], &solution.components[0]);
     let step = (problem.end - problem.start) / component.grid.len().max(1) as f64;
     let joined = on_knots(problem, &merge(&spline.knots, &spline.jumps, step))?;
@@ -97,6 +102,12 @@ pub(in crate::fit) fn slid(problem: &Problem, from: Gridless, target: f64, most:
     if !may_leave(problem, &best.solution) {
         return Ok(best);
     }
+    if problem.norm == Norm::L1 {
+        return apart(problem, &best.solution, best.slides, |problem, solution| {
+            let alone = Gridless { gap: gap(problem, solution)?, solution: solution.clone(), slides: 0 };
+            slid(problem, alone, target, most)
+        });
+    }
     let mut damping = 1e-9;
     while best.slides < most && best.gap > target {
         best.slides += 1;
@@ -112,6 +123,66 @@ pub(in crate::fit) fn slid(problem: &Problem, from: Gridless, target: f64, most:
     Ok(best)
 }
 
+/// Jumps measured by |x| + |y|: each coordinate for itself, on knots of its own, and both together again. (D 12.15)
+fn apart(
+    problem: &Problem,
+    solution: &Solution,
+    slides: usize,
+    freed: impl Fn(&Problem, &Solution) -> Result<Gridless>,
+) -> Result<Gridless> {
+    let mut found = limits::with_room(2)?;
+    for axis in 0..2 {
+        let mut alone = Problem { norm: Norm::L2, ..problem.clone() };
+        alone.points.iter_mut().for_each(|point| point[1 - axis] = 0.0);
+        let spline = &solution.components[0];
+        let jumping = spline.knots.iter().zip(&spline.jumps).filter(|(_, jump)| jump[axis] != 0.0);
+        let knots: Vec<f64> = jumping.map(|(knot, _)| *knot).collect();
+        let own = match on_knots(&alone, &knots)? {
+            Some(own) => own,
+            // Too few for a problem of their own: that on the grid.
+            None => solved(&alone)?,
+        };
+        found.push(freed(&alone, &own)?);
+    }
+    let both = together(&found[0].solution, &found[1].solution)?;
+    let slides = slides + found[0].slides.max(found[1].slides);
+    Ok(Gridless { gap: gap(problem, &both)?, solution: both, slides })
+}
+
+/// The curve with one coordinate of each, by knot insertion.
+fn together(x: &Solution, y: &Solution) -> Result<Solution> {
+    let (first, second) = (&x.components[0], &y.components[0]);
+    let mut knots = first.knots.clone();
+    knots.extend_from_slice(&second.knots);
+    sort_numbers(&mut knots);
+    knots.dedup();
+    let (start, end, closed) = x.domain;
+    let finer = KnotSpace::new(first.degree, &knots, start, end, closed)?;
+    let mut coefficients = [Vec::new(), Vec::new()];
+    for ((solution, spline), result) in [(x, first), (y, second)].into_iter().zip(&mut coefficients) {
+        solution.space(spline)?.refine_into(&spline.coefficients, &finer, result);
+    }
+    let jump = |spline: &Spline, knot: &f64, axis: usize| {
+        let at = spline.knots.partition_point(|own| own < knot);
+        if spline.knots.get(at) == Some(knot) { spline.jumps[at][axis] } else { 0.0 }
+    };
+    let both = Spline {
+        jumps: knots.iter().map(|t| Vector::new(jump(first, t, 0), jump(second, t, 1))).collect(),
+        coefficients: (coefficients[0].iter().zip(&coefficients[1]))
+            .map(|(x, y)| Vector::new(x.x, y.y))
+            .collect(),
+        knots,
+        ..first.clone()
+    };
+    Ok(Solution {
+        components: vec![both],
+        objective: x.objective + y.objective,
+        data_term: x.data_term + y.data_term,
+        regularizers: vec![x.regularizers[0] + y.regularizers[0]],
+        ..x.clone()
+    })
+}
+
 /// The optimum with knots at some places only; `None` where there are too few for a problem, or where a step has carried
 /// one onto another or out of the domain.
 fn on_knots(problem: &Problem, knots: &[f64]) -> Result<Option<Solution>> {
@@ -125,9 +196,13 @@ fn on_knots(problem: &Problem, knots: &[f64]) -> Result<Option<Solution>> {
         return Ok(None);
     }
     small.components[0].grid = knots.to_vec();
-    let mut solver = Solver::new(&small, Settings { gap: 1e-12, most_iterations: 200 })?;
+    Ok(Some(solved(&small)?))
+}
+
+fn solved(problem: &Problem) -> Result<Solution> {
+    let mut solver = Solver::new(problem, Settings { gap: 1e-12, most_iterations: 200 })?;
     solver.run()?;
-    Ok(Some(solver.solution()?))
+    solver.solution()
 }
 
 /// 2we: the dual vector that the residuals are.
@@ -160,25 +235,28 @@ fn longest_between(problem: &Problem, degree: usize, lambda: f64, v: &[Vector]) 
     let place = |i: usize| problem.start + step * i as f64;
     let places: Vec<f64> = (0..=count).map(place).collect();
     let places = if problem.closed { &places[..count] } else { &places[..] };
-    let (values, _) = dual_values(problem, degree, lambda, v, places);
-    let coarse = bounds(&values, problem.closed);
-    let highest = values.iter().fold(0.0_f64, |most, v| most.max(v.norm()));
+    // Both looks are at one curve: a closed one has a constant to give, which is chosen once.
+    let mut values = uncentred(problem, degree, lambda, v, places);
+    let constant = centre(&values, problem);
+    values.iter_mut().for_each(|v| *v -= constant);
+    let length = |v: &Vector| dual_size(*v, problem.norm);
+    let highest = values.iter().map(length).fold(0.0, f64::max);
+    let coarse = bounds(&values, problem.closed, problem.norm);
     // Where the coarse bound says too much, sixteen places stand for each.
     let mut close = Vec::new();
-    for (i, bound) in coarse.iter().enumerate().filter(|(_, bound)| **bound > highest) {
-        let _ = bound;
+    for i in (0..coarse.len()).filter(|&i| coarse[i] > highest) {
         close.extend((0..16).map(|k| places[i] + step * (k as f64 - 8.0) / 16.0));
     }
     close.retain(|t| (problem.start..problem.end).contains(t));
     sort_numbers(&mut close);
     close.dedup();
-    let (fine, _) = dual_values(problem, degree, lambda, v, &close);
-    let sharpest = coarse.iter().zip(&values).fold(0.0_f64, |most, (b, v)| most.max(b - v.norm())) / 256.0;
-    fine.iter().fold(highest, |most, v| most.max(v.norm())) + sharpest
+    let fine = uncentred(problem, degree, lambda, v, &close);
+    let sharpest = coarse.iter().zip(&values).fold(0.0_f64, |most, (b, v)| most.max(b - length(v))) / 256.0;
+    fine.iter().map(|v| length(&(v - constant))).fold(highest, f64::max) + sharpest
 }
 
 /// Around every place, half a step to both sides, how long the curve can be.
-fn bounds(values: &[Vector], closed: bool) -> Vec<f64> {
+fn bounds(values: &[Vector], closed: bool, norm: Norm) -> Vec<f64> {
     let count = values.len();
     (0..count)
         .map(|i| {
@@ -188,7 +266,7 @@ fn bounds(values: &[Vector], closed: bool) -> Vec<f64> {
                 (false, _) => (values[i - 1], values.get(i + 1).copied().unwrap_or_else(Vector::zeros)),
             };
             // Twice what a parabola would need.
-            values[i].norm() + (before - 2.0 * values[i] + after).norm() * 0.25
+            dual_size(values[i], norm) + dual_size(before - 2.0 * values[i] + after, norm) * 0.25
         })
         .collect()
 }
