@@ -79,6 +79,14 @@ pub(crate) fn with_room<T>(count: usize) -> Result<Vec<T>> {
     }
 }
 
+/// Whether there is room for so many bytes in one piece, or an error: before work whose many lists cannot fail one by one.
+pub(crate) fn probe(bytes: usize) -> Result<()> {
+    let room: Vec<u8> = with_room(bytes)?;
+    // What is not looked at may be left out altogether.
+    let _ = core::hint::black_box(&room);
+    Ok(())
+}
+
 /// Makes a vector one of equal values, or an error where the allocator says no.
 pub(crate) fn refill<T: Copy>(values: &mut Vec<T>, value: T, count: usize) -> Result<()> {
     values.clear();

@@ -17,7 +17,7 @@ use super::parametrise::Parametrisation;
 use super::report;
 use super::samples::Samples;
 use crate::error::{Error, Result};
-use crate::limits::LARGEST_LAMBDA;
+use crate::limits::{self, LARGEST_LAMBDA};
 use crate::numerics::Point;
 use crate::numerics::order::{sort_by_number, sort_numbers};
 
@@ -25,6 +25,8 @@ use crate::numerics::order::{sort_by_number, sort_numbers};
 const MOST_TWICE: usize = 2000;
 /// More points than this have a curve through them only on a grid that is asked for.
 const MOST_THROUGH: usize = 50_000;
+/// Bytes that a point takes until its fit begins, copies and sorted lists together: 125 were measured.
+const PER_POINT: usize = 160;
 
 /// How far a run has come.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,9 +117,10 @@ impl Fitter {
     /// # Errors
     ///
     /// Those of [`Samples::new`]; degrees that are not one or two ascending numbers from 1 to 5; parameters that decrease;
-    /// lists of the wrong length; numbers out of their range.
+    /// lists of the wrong length; numbers out of their range; `OutOfMemory`.
     pub fn new(points: &[Point], options: &Options) -> Result<Self> {
         options.check(points.len())?;
+        limits::probe(points.len().saturating_mul(PER_POINT))?;
         let keep = !options.parameters.is_empty()
             || !options.weights.is_empty()
             || options.parametrisation == Parametrisation::Index;
@@ -214,7 +217,7 @@ impl Fitter {
         Ok(())
     }
 
-    fn search(&mut self, aim: Aim) {
+    fn search(&mut self, aim: Aim) -> Result<()> {
         let degree = self.options.degrees.last().copied().unwrap_or(3);
         let sharpest = match aim {
             Aim::Squares(_) => 1,
@@ -231,24 +234,26 @@ impl Fitter {
             spaced: self.even,
             even: false,
         };
-        let start =
-            |located: &Located, smoothest| Sparsest::new(located.clone(), plan(smoothest), aim, self.noise);
+        let start = |located: &Located, smoothest| -> Result<Sparsest> {
+            Ok(Sparsest::new(located.copied()?, plan(smoothest), aim, self.noise))
+        };
         // Knots that all count twice often get by with fewer of them.
         let mut others = Vec::new();
         if matches!(aim, Aim::Tolerance(_)) && sharpest > 1 && self.located.points.len() <= MOST_TWICE {
-            others.push(start(&self.located, 2));
+            others.push(start(&self.located, 2)?);
         }
         // Points that follow one another evenly are placed along the curve once smooth knots are thinned out.
         let even = self.even && degree > 1 && matches!(aim, Aim::Noise(_));
         let smooth = Plan { even, ..plan(1) };
-        let mut rivals = vec![Sparsest::new(self.located.clone(), smooth, aim, self.noise)];
+        let mut rivals = vec![Sparsest::new(self.located.copied()?, smooth, aim, self.noise)];
         if self.options.corners {
-            let corners = Sparsest::from_corners(self.located.clone(), plan(1), aim, self.noise);
+            let corners = Sparsest::from_corners(self.located.copied()?, plan(1), aim, self.noise)?;
             let few = self.located.points.len() <= MOST_TWICE || aim.is_fine();
             let apart = matches!(aim, Aim::Tolerance(_)) && few;
             if apart { others.extend(corners) } else { rivals.extend(corners) }
         }
         self.run = Run::Choice(rivals, others);
+        Ok(())
     }
 
     /// Takes the run further by about `budget` microseconds' worth of work, at least by one round.
@@ -293,7 +298,7 @@ impl Fitter {
                     done = next + 1 == searches.len() && searches[next].is_done();
                 }
                 if done && searches.iter().all(|search| search.missed().is_some()) {
-                    searches[0].resort_to_polyline();
+                    searches[0].resort_to_polyline()?;
                 }
             }
             Run::Choice(rivals, others) => {

@@ -6,7 +6,7 @@ use super::knots::free_knots::Located;
 use super::outcome::{Fit, FitStatus, Joints, Knot, Part};
 use super::samples::Samples;
 use crate::error::Result;
-use crate::limits::LARGEST_COORDINATE;
+use crate::limits::{self, LARGEST_COORDINATE};
 use crate::numerics::Vector;
 
 /// Most cubics that a piece of degree 4 or 5 becomes.
@@ -15,6 +15,10 @@ const MOST_CUTS: usize = 64;
 const CLOSE: f64 = 1e-9;
 /// A distance of so many standard deviations is no noise.
 const OUTLYING: f64 = 5.0;
+
+/// Bytes that a piece and each of its cubics take on the way to what the caller sees: polynomials and knots; joints, curve, part.
+const PER_PIECE: usize = 250;
+const PER_CUBIC: usize = 300;
 
 /// Between inner and outer units.
 pub(super) struct Frame<'a> {
@@ -55,6 +59,7 @@ pub(super) fn fit(
     let samples = frame.samples;
     let breaks = &spline.space.breaks;
     let (cuts, deviation) = cuts(spline);
+    limits::probe(breaks.pieces().saturating_mul(PER_PIECE + PER_CUBIC * cuts))?;
     let at_parameters = squares.unwrap_or_else(|| spline.squares(located));
     let mut feet = located.parameters.clone();
     let distances =

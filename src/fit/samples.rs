@@ -1,7 +1,7 @@
 //! What comes in: points checked, rid of repetitions, centred and scaled, so that everything after works near 1.
 
 use crate::error::{Error, Result};
-use crate::limits::{LARGEST_COORDINATE, check, too_many};
+use crate::limits::{LARGEST_COORDINATE, check, too_many, with_room};
 use crate::numerics::Point;
 
 /// The most points that one fit takes.
@@ -57,8 +57,9 @@ impl Samples {
         }
         let closed = closed.unwrap_or_else(|| joins(points, extent.norm()));
         let (center, scale) = (low + extent * 0.5, power_of_two(size));
+        let (lists, weights) = (with_room(points.len())?, with_room(points.len())?);
         let mut samples =
-            Self { points: Vec::new(), weights: Vec::new(), place: Vec::new(), center, scale, closed };
+            Self { points: lists, weights, place: with_room(points.len())?, center, scale, closed };
         for point in points {
             samples.take((point - center) / scale, keep);
         }

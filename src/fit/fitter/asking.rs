@@ -55,18 +55,18 @@ impl Fitter {
                 // Nearer than coordinates are told apart nothing can be.
                 let place = self.samples.center.amax() / self.samples.scale;
                 let least = f64::EPSILON * (ROUNDINGS + place);
-                self.search(Aim::Tolerance((tolerance / self.samples.scale).max(least)));
+                self.search(Aim::Tolerance((tolerance / self.samples.scale).max(least)))?;
             }
             Ask::MeanSquare(square) => {
                 check("meanSquare", None, *square, 0.0, LARGEST_COORDINATE * LARGEST_COORDINATE)?;
                 self.locate(true)?;
                 let unit = self.samples.scale * self.samples.scale;
-                self.search(Aim::Squares(square * report::weight(&self.located) / unit));
+                self.search(Aim::Squares(square * report::weight(&self.located) / unit))?;
             }
             Ask::Noise => {
                 self.locate(false)?;
                 // What is less than a ten-thousandth of the drawing is not worth a knot.
-                self.search(Aim::Noise(self.noise.max(1e-4)));
+                self.search(Aim::Noise(self.noise.max(1e-4)))?;
             }
         }
         self.ask = ask;

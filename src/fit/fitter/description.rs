@@ -55,7 +55,14 @@ impl Fitter {
         let status = if search.is_done() { search.status() } else { FitStatus::Running };
         let rounds = search.rounds();
         let before = search.knots_at_first();
-        let found = search.clone().finish();
+        let polished;
+        let found = match search.found() {
+            Some(found) => found,
+            None => {
+                polished = search.clone().finish();
+                &polished
+            }
+        };
         let frame = self.frame();
         let mut fit = report::fit(&frame, &found.spline, &found.located, None)?;
         fit.knots = report::knots(&frame, &found.spline);

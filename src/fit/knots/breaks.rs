@@ -48,6 +48,12 @@ impl Breaks {
         Self { degree, closed, end, at, multiplicity, sharpest: degree, smoothest: 1, straight: Vec::new() }
     }
 
+    /// The same without knots.
+    pub(super) fn bare(&self) -> Self {
+        let (at, multiplicity, straight) = (Vec::new(), Vec::new(), Vec::new());
+        Self { at, multiplicity, straight, ..*self }
+    }
+
     /// How many knots there are, each counted once.
     pub fn len(&self) -> usize {
         self.at.len()
@@ -142,16 +148,21 @@ impl Space {
     pub(in crate::fit) fn new(breaks: Breaks) -> Self {
         let degree = breaks.degree;
         let clamp = if breaks.closed { 0 } else { degree + 1 };
-        let mut flat = vec![0.0; clamp];
+        let mut flat = Vec::with_capacity(breaks.coefficients() + clamp);
+        flat.resize(clamp, 0.0);
         // The last copy of the break that a span starts with.
-        let mut last = if breaks.closed { Vec::new() } else { vec![degree] };
+        let mut last = Vec::with_capacity(breaks.pieces());
+        if !breaks.closed {
+            last.push(degree);
+        }
         for (&t, &m) in breaks.at.iter().zip(&breaks.multiplicity) {
             flat.extend(core::iter::repeat_n(t, m));
             last.push(flat.len() - 1);
         }
         flat.extend(core::iter::repeat_n(breaks.end, clamp));
         let count = breaks.coefficients();
-        let mut space = Self { breaks, spans: Vec::new(), basis: Vec::new(), count: count.max(1), flat };
+        let (spans, basis) = (Vec::with_capacity(last.len()), Vec::with_capacity(last.len()));
+        let mut space = Self { breaks, spans, basis, count: count.max(1), flat };
         for mu in last {
             let mut local = [0.0; 2 * HIGHEST];
             for (i, knot) in local.iter_mut().take(2 * degree).enumerate() {

@@ -9,6 +9,8 @@ use self::moments::{Moments, gather};
 pub(super) use self::sliding::in_order;
 use super::breaks::{Breaks, HIGHEST, Polynomial, STIFF, Space, derivative};
 use super::envelope::Envelope;
+use crate::error::Result;
+use crate::limits;
 use crate::numerics::Point;
 use crate::numerics::lists::dot;
 use crate::numerics::pair::Pair;
@@ -25,6 +27,19 @@ pub struct Located {
 }
 
 impl Located {
+    /// The same again, or an error where there is no memory for it.
+    pub(in crate::fit) fn copied(&self) -> Result<Self> {
+        let mut copy = Self {
+            points: limits::with_room(self.points.len())?,
+            parameters: limits::with_room(self.parameters.len())?,
+            weights: limits::with_room(self.weights.len())?,
+        };
+        copy.points.extend_from_slice(&self.points);
+        copy.parameters.extend_from_slice(&self.parameters);
+        copy.weights.extend_from_slice(&self.weights);
+        Ok(copy)
+    }
+
     /// Weight of point m.
     pub(super) fn weight(&self, m: usize) -> f64 {
         self.weights.get(m).copied().unwrap_or(1.0)

@@ -1,13 +1,18 @@
 //! The points' own corners: a polyline that no point is far from, as a spline whose knots are all corners.
 
-use super::breaks::Breaks;
+use super::breaks::{Breaks, Space};
 use super::foot_points::Spline;
-use super::free_knots::{FreeKnots, Located};
+use super::free_knots::Located;
+use crate::error::Result;
+use crate::limits;
 use crate::numerics::Point;
 use crate::numerics::order::sort_in_place;
 
 /// An edge of the fewest vertices passes at most so many points.
 const REACH: usize = 64;
+/// What a piece of a polyline takes in all, as a spline and in the lists that are made of it: 340 bytes of the space, 50 of
+/// coefficients, 100 of polynomials.
+const PER_PIECE: usize = 600;
 
 /// Numbers of the points that a polyline goes through so that no point is farther from it than `tolerance`: Ramer's and
 /// Douglas and Peucker's way, without recursion. O(M log M) on drawings, O(M²) at worst for `most` vertices; `None`
@@ -50,12 +55,13 @@ pub(super) fn vertices(points: &[Point], closed: bool, tolerance: f64, most: usi
 /// The fewest vertices of such a polyline, among those that have one every `REACH` points at least. A larger tolerance
 /// never takes more of them. O(M·REACH²) at worst.
 #[inline(never)]
-pub(super) fn fewest(points: &[Point], closed: bool, tolerance: f64) -> Vec<usize> {
+pub(super) fn fewest(points: &[Point], closed: bool, tolerance: f64) -> Result<Vec<usize>> {
     let count = points.len();
     let (first, last) = if closed { (farthest(points, 0), count) } else { (0, count - 1) };
     let at = |m: usize| points[(first + m) % count];
     // With how many edges every point is reached, and from where.
-    let mut reached = vec![(usize::MAX, 0); last + 1];
+    let mut reached = Vec::new();
+    limits::refill(&mut reached, (u32::MAX, 0_u32), last + 1)?;
     reached[0] = (0, 0);
     for from in 0..last {
         let edges = reached[from].0 + 1;
@@ -68,19 +74,22 @@ pub(super) fn fewest(points: &[Point], closed: bool, tolerance: f64) -> Vec<usiz
             }
             match (from + 1..to).find(is_far) {
                 Some(far) => far_before = far,
-                None if edges < reached[to].0 => reached[to] = (edges, from),
+                None if edges < reached[to].0 => reached[to] = (edges, from as u32),
                 None => {}
             }
         }
     }
-    let mut kept = if closed { Vec::new() } else { vec![last] };
+    let mut kept = limits::with_room(reached[last].0 as usize + 1)?;
+    if !closed {
+        kept.push(last);
+    }
     let mut m = last;
     while m > 0 {
-        m = reached[m].1;
+        m = reached[m].1 as usize;
         kept.push((first + m) % count);
     }
     sort_in_place(&mut kept);
-    kept
+    Ok(kept)
 }
 
 /// The point that is farthest from one of them.
@@ -102,29 +111,40 @@ fn share_of([a, b]: [Point; 2], point: Point) -> f64 {
 }
 
 /// Corners at these points; on open curves the ends are none.
-pub(super) fn corners(vertices: &[usize], located: &Located, like: &Breaks) -> Breaks {
-    let mut breaks = like.clone();
-    breaks.at.clear();
-    breaks.straight.clear();
-    let least = if breaks.closed { -1.0 } else { 0.0 };
-    let mut last = least;
-    for &m in vertices {
+pub(super) fn corners(vertices: &[usize], located: &Located, like: &Breaks) -> Result<Breaks> {
+    let mut breaks = Breaks { at: limits::with_room(vertices.len())?, ..like.bare() };
+    for m in inner(vertices, located, like) {
+        breaks.at.push(located.parameters[m]);
+    }
+    limits::refill(&mut breaks.multiplicity, breaks.sharpest, breaks.at.len())?;
+    Ok(breaks)
+}
+
+/// The vertices that are knots: each has a parameter of its own, inside the domain.
+fn inner<'a>(vertices: &'a [usize], located: &'a Located, like: &Breaks) -> impl Iterator<Item = usize> + 'a {
+    let (closed, end) = (like.closed, like.end);
+    let mut last = if closed { -1.0 } else { 0.0 };
+    vertices.iter().copied().filter(move |&m| {
         let t = located.parameters[m];
-        if t > last && t < breaks.end && (breaks.closed || t > 0.0) {
-            breaks.at.push(t);
+        let is_knot = t > last && t < end && (closed || t > 0.0);
+        if is_knot {
             last = t;
         }
-    }
-    breaks.multiplicity = vec![breaks.sharpest; breaks.at.len()];
-    breaks
+        is_knot
+    })
 }
 
 /// The polyline through these points as a spline with those corners, and all points at their feet on the edges that pass
 /// them. From elsewhere a way to the foot need not lead there: where noise turns back, it goes round a vertex to another edge.
-pub(super) fn through(vertices: &[usize], located: &Located, breaks: Breaks) -> (Spline, Located) {
+///
+/// # Errors
+///
+/// `OutOfMemory`: nearly all of many points may be vertices.
+pub(super) fn through(vertices: &[usize], located: &Located, breaks: Breaks) -> Result<(Spline, Located)> {
+    limits::probe(breaks.pieces().saturating_mul(PER_PIECE))?;
     let (count, all) = (vertices.len(), located.points.len());
     let edges = if breaks.closed { count } else { count - 1 };
-    let (mut dense, mut feet) = (Located::default(), located.clone());
+    let mut feet = located.copied()?;
     for edge in 0..edges {
         let (from, to) = (vertices[edge], vertices[(edge + 1) % count]);
         let ends = [located.points[from], located.points[to]];
@@ -135,20 +155,36 @@ pub(super) fn through(vertices: &[usize], located: &Located, breaks: Breaks) -> 
         } else {
             (located.parameters[to] + breaks.end - start, to + all - from)
         };
-        let at = |share: f64| {
-            let t = start + way * share;
-            if breaks.closed && t >= breaks.end { t - breaks.end } else { t }
-        };
         for m in (from..from + passed).map(|m| m % all) {
-            feet.parameters[m] = at(share_of(ends, located.points[m]));
-        }
-        let steps = 2 * breaks.degree;
-        for step in 0..=steps {
-            // Strictly inside: the ends belong to two edges.
-            let share = (step as f64 / steps as f64).clamp(1e-3, 1.0 - 1e-3);
-            dense.points.push(ends[0] + (ends[1] - ends[0]) * share);
-            dense.parameters.push(at(share));
+            let t = start + way * share_of(ends, located.points[m]);
+            feet.parameters[m] = if breaks.closed && t >= breaks.end { t - breaks.end } else { t };
         }
     }
-    (Spline::of(&FreeKnots::new(breaks, &dense)), feet)
+    Ok((joined(vertices, located, breaks)?, feet))
+}
+
+/// The spline that is straight between its corners: on every piece its coefficients are evenly spread from end to end.
+fn joined(vertices: &[usize], located: &Located, mut breaks: Breaks) -> Result<Spline> {
+    let degree = breaks.degree;
+    breaks.multiplicity.fill(degree);
+    let mut places: Vec<Point> = limits::with_room(breaks.len() + 2)?;
+    let knots = inner(vertices, located, &breaks).map(|m| located.points[m]);
+    if breaks.closed {
+        places.extend(knots);
+        places.extend(places.first().copied());
+    } else {
+        let end = |m: Option<&usize>| m.map(|&m| located.points[m]);
+        places.extend(end(vertices.first()));
+        places.extend(knots);
+        places.extend(end(vertices.last()));
+    }
+    let space = Space::new(breaks);
+    let (mut x, mut y) = (limits::filled(0.0, space.count)?, limits::filled(0.0, space.count)?);
+    for (s, ends) in places.windows(2).enumerate() {
+        for i in 0..=degree {
+            let (place, at) = (ends[0] + (ends[1] - ends[0]) * (i as f64 / degree as f64), space.index(s, i));
+            (x[at], y[at]) = (place.x, place.y);
+        }
+    }
+    Ok(Spline { space, x, y })
 }

@@ -230,6 +230,11 @@ impl Sparsest {
         self.effort.rounds
     }
 
+    /// The best spline so far, where one was kept.
+    pub(in crate::fit) fn found(&self) -> Option<&Found> {
+        self.found.as_ref()
+    }
+
     /// The best spline so far.
     pub(in crate::fit) fn finish(mut self) -> Found {
         match self.found.take() {

@@ -3,6 +3,7 @@
 use super::{
     Aim, Asked, Effort, Evening, FEW, Found, LEAP, PER_NUMBER, Phase, Plan, Pricing, Sparsest, View, WARMING,
 };
+use crate::error::Result;
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::search::{Price, least};
@@ -54,11 +55,20 @@ impl Sparsest {
 
     /// A search that begins with corners only: those of a polyline near the points, which for a tolerance is an answer
     /// already. `None` where a polyline needs more vertices than are worth it.
-    pub(in crate::fit) fn from_corners(full: Located, plan: Plan, aim: Aim, noise: f64) -> Option<Self> {
+    ///
+    /// # Errors
+    ///
+    /// `OutOfMemory`.
+    pub(in crate::fit) fn from_corners(
+        full: Located,
+        plan: Plan,
+        aim: Aim,
+        noise: f64,
+    ) -> Result<Option<Self>> {
         let near = match aim {
             Aim::Noise(noise) => 4.0 * noise,
             Aim::Tolerance(tolerance) => 0.9 * tolerance,
-            Aim::Squares(_) => return None,
+            Aim::Squares(_) => return Ok(None),
         };
         let count = full.points.len();
         let most = MOST_VERTICES.min(count / 3);
@@ -67,58 +77,63 @@ impl Sparsest {
         if let Aim::Tolerance(tolerance) = aim
             && (near_noise && count <= FEW || aim.is_fine() && count <= MOST_THROUGH)
         {
-            let fewest = polyline::fewest(&full.points, plan.closed, ALMOST * tolerance);
+            let fewest = polyline::fewest(&full.points, plan.closed, ALMOST * tolerance)?;
             vertices = vertices.filter(|found| found.len() <= fewest.len()).or(Some(fewest));
         }
-        let vertices = vertices?;
+        let Some(vertices) = vertices else { return Ok(None) };
         let mut search = Self::new(full, plan, aim, noise);
-        let breaks = search.corners_at(&vertices)?;
+        let Some(breaks) = search.corners_at(&vertices)? else { return Ok(None) };
         // Corners are not averaged away.
         if search.view.full.points.len() < 16 * vertices.len() {
-            search.view.seen = search.view.full.clone();
+            search.view.seen = search.view.full.copied()?;
         }
         search.at_first = breaks.len();
         search.fitted = FreeKnots::new(breaks.clone(), &search.view.seen);
         (search.phase, search.effort.warming) = (Phase::Thin, WARMING);
         if let Aim::Tolerance(tolerance) = aim {
-            let found = search.polyline(&vertices, breaks);
+            let found = search.polyline(&vertices, breaks)?;
             // Through nearly all points it is as near as can be.
             if found.distances.largest <= tolerance || aim.is_fine() {
                 search.found = Some(found);
             }
         }
-        Some(search)
+        Ok(Some(search))
     }
 
     /// Takes the polyline of the fewest vertices for an answer, where the tolerance is missed and any corner may be. O(M) but
     /// for points that are many times denser than the tolerance.
-    pub(in crate::fit) fn resort_to_polyline(&mut self) {
-        let Some(tolerance) = self.missed() else { return };
+    ///
+    /// # Errors
+    ///
+    /// `OutOfMemory`.
+    pub(in crate::fit) fn resort_to_polyline(&mut self) -> Result<()> {
+        let Some(tolerance) = self.missed() else { return Ok(()) };
         let Breaks { degree, closed, .. } = *self.fitted.breaks();
         if self.sharpest < degree || self.asked.least_turn > 0.0 {
-            return;
+            return Ok(());
         }
-        let vertices = polyline::fewest(&self.view.full.points, closed, ALMOST * tolerance);
-        let Some(breaks) = self.corners_at(&vertices) else { return };
-        let found = self.polyline(&vertices, breaks);
+        let vertices = polyline::fewest(&self.view.full.points, closed, ALMOST * tolerance)?;
+        let Some(breaks) = self.corners_at(&vertices)? else { return Ok(()) };
+        let found = self.polyline(&vertices, breaks)?;
         if found.distances.largest <= tolerance {
             self.found = Some(found);
         }
+        Ok(())
     }
 
     /// Knots at the corners of a polyline through some of the points, if that is enough of them.
     #[inline(never)]
-    fn corners_at(&self, vertices: &[usize]) -> Option<Breaks> {
-        let breaks = polyline::corners(vertices, &self.view.full, self.fitted.breaks());
-        (breaks.len() >= least(&breaks).max(1)).then_some(breaks)
+    fn corners_at(&self, vertices: &[usize]) -> Result<Option<Breaks>> {
+        let breaks = polyline::corners(vertices, &self.view.full, self.fitted.breaks())?;
+        Ok((breaks.len() >= least(&breaks).max(1)).then_some(breaks))
     }
 
     /// The polyline through some of the points.
     #[inline(never)]
-    fn polyline(&self, vertices: &[usize], breaks: Breaks) -> Found {
-        let (spline, mut located) = polyline::through(vertices, &self.view.full, breaks);
+    fn polyline(&self, vertices: &[usize], breaks: Breaks) -> Result<Found> {
+        let (spline, mut located) = polyline::through(vertices, &self.view.full, breaks)?;
         let distances = spline.project_beyond(&mut located, 3, self.near());
-        Found { spline, located, distances, wild: None }
+        Ok(Found { spline, located, distances, wild: None })
     }
 
     /// A search for fewer knots than those of `breaks` with a sum of squares that is not larger than `target`.
