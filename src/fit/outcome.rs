@@ -86,7 +86,7 @@ pub struct Fit {
     /// The curve's own sum of squares at the parameters that points were fitted at, by the sum of weights; the places
     /// at `parameters` may be nearer, of which `rms` tells.
     pub qfe: f64,
-    /// No given point is farther from the curve than this.
+    /// No given point is farther from the curve than this, four roundings of the largest coordinate included.
     pub max_error: f64,
     /// Root of the weighted mean square of the distances between the points and their places.
     pub rms: f64,
@@ -94,7 +94,7 @@ pub struct Fit {
     pub iterations: usize,
     /// λ for every degree; empty where none was involved.
     pub lambda: Vec<f64>,
-    /// The smoothing that this λ is.
+    /// The smoothing that these λ are, where there is one.
     pub smoothing: Option<f64>,
     /// The noise that was estimated or given.
     pub noise: f64,

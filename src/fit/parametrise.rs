@@ -83,7 +83,9 @@ pub fn given(parameters: &[f64], count: usize, closed: bool, period: Option<f64>
     let mean = span * count as f64 / (count - 1) as f64;
     let end = if closed { period.unwrap_or(mean) } else { span };
     if end < span || (closed && end <= span) || !end.is_finite() {
-        return Err(Error::out_of_range("period", None, end, span, crate::limits::LARGEST_COORDINATE));
+        // A closed curve comes back after its last point: the least period is the next number.
+        let least = if closed { span.next_up() } else { span };
+        return Err(Error::out_of_range("period", None, end, least, crate::limits::LARGEST_COORDINATE));
     }
     Ok((parameters.iter().map(|t| t - first).collect(), end))
 }

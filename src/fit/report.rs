@@ -38,6 +38,13 @@ pub(super) fn size(samples: &Samples) -> f64 {
     samples.scale * (high - low).max()
 }
 
+/// What the coordinates of a curve are off by where it lies: joints are rounded as they are put there, and values between
+/// them in products and sums of joints, two roundings of each coordinate in all.
+pub(super) fn rounding(samples: &Samples) -> f64 {
+    const ROUNDINGS: f64 = 4.0;
+    ROUNDINGS * f64::EPSILON * (samples.center.amax() + samples.scale)
+}
+
 /// (ℓ/2π)^(degree + 1).
 pub(super) fn power(detail: f64, degree: usize) -> f64 {
     let turn = detail / core::f64::consts::TAU;
@@ -87,7 +94,7 @@ pub(super) fn fit(
         regularizer: f64::INFINITY,
         gap: f64::INFINITY,
         qfe: at_parameters * square / total,
-        max_error: distances.largest * samples.scale + deviation,
+        max_error: distances.largest * samples.scale + deviation + rounding(samples),
         rms: (distances.squares / total).sqrt() * samples.scale,
         iterations: 0,
         lambda: Vec::new(),

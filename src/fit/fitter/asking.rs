@@ -55,7 +55,8 @@ impl Fitter {
                 // Nearer than coordinates are told apart nothing can be.
                 let place = self.samples.center.amax() / self.samples.scale;
                 let least = f64::EPSILON * (ROUNDINGS + place);
-                self.search(Aim::Tolerance((tolerance / self.samples.scale).max(least)))?;
+                let left = tolerance - report::rounding(&self.samples);
+                self.search(Aim::Tolerance((left / self.samples.scale).max(least)))?;
             }
             Ask::MeanSquare(square) => {
                 check("meanSquare", None, *square, 0.0, LARGEST_COORDINATE * LARGEST_COORDINATE)?;
@@ -134,7 +135,7 @@ impl Fitter {
         degrees.iter().enumerate().map(|(i, &degree)| size * report::power(part(i), degree)).collect()
     }
 
-    /// The slider's place of the last degree's λ.
+    /// The slider's place of all λ, where there is one.
     pub(super) fn smoothing_of(&self) -> Option<f64> {
         let (degree, lambda) = (*self.options.degrees.last()?, *self.lambdas.last()?);
         let count = self.samples.points.len() as f64;
@@ -143,7 +144,12 @@ impl Fitter {
         }
         let root = libm::log(lambda / report::size(&self.samples)) / (degree + 1) as f64;
         let detail = libm::exp(root) * core::f64::consts::TAU;
-        Some((libm::log(0.5 * detail) / libm::log(0.5 * count)).clamp(0.0, 1.0))
+        let place = (libm::log(0.5 * detail) / libm::log(0.5 * count)).clamp(0.0, 1.0);
+        // What lies beyond an end of the slider, and pairs in another ratio, are at no place: going back tells, but for the
+        // rounding of logarithms and powers.
+        let back = self.lambdas_of(place);
+        let same = |(own, back): (&f64, &f64)| (own - back).abs() <= 1e-9 * own;
+        self.lambdas.iter().zip(&back).all(same).then_some(place)
     }
 
     /// Whether nothing is paid for knots: the curve goes through the points.

@@ -4,6 +4,7 @@
 //! optimum the weighted residuals vanish against them. Bounds assume it (D 12.4). Where rounding has taken it, the curve
 //! could be moved for less, and a bound says more than is true.
 
+use super::iterate::ROUNDING;
 use super::polish::Fixed;
 use super::run::Run;
 use crate::error::Result;
@@ -23,7 +24,7 @@ impl Run {
             let _ = fixed.reduced.residuals(&self.data, &fixed.unknowns, &mut self.weighted, &mut Vec::new());
         }
         let lacking = imbalance(&self.data, &self.weighted)?;
-        self.measure.gap += CAUTION * lacking / self.measure.primal.max(f64::MIN_POSITIVE);
+        self.measure.gap += share(lacking, self.measure.primal);
         if let Some(fixed) = &mut self.finished {
             fixed.measure = self.measure;
         }
@@ -38,8 +39,13 @@ impl Run {
         weighted.resize(self.data.t.len(), Vector::zeros());
         let _ = fixed.reduced.residuals(&self.data, &fixed.unknowns, &mut weighted, &mut Vec::new());
         let lacking = imbalance(&self.data, &weighted)?;
-        Ok(CAUTION * lacking / fixed.measure.primal.max(f64::MIN_POSITIVE))
+        Ok(share(lacking, fixed.measure.primal))
     }
+}
+
+/// What is lacking as a part of the gap; nothing where the objective is rounding itself.
+fn share(lacking: f64, primal: f64) -> f64 {
+    if primal > ROUNDING { CAUTION * lacking / primal } else { 0.0 }
 }
 
 /// By how much the sum of squares falls when the curve is moved by the best of what costs nothing: Σ|⟨we, q⟩|² over

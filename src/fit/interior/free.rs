@@ -1,7 +1,7 @@
 //! λ = 0: jumps cost nothing, so the optimum is the least-squares spline with a knot at every place there is.
 
 use super::cone::{Metric, dot};
-use super::iterate::Measure;
+use super::iterate::{Measure, ROUNDING};
 use super::polish::Fixed;
 use super::reduced::Reduced;
 use super::run::Run;
@@ -14,8 +14,6 @@ use crate::numerics::Vector;
 const HOLD: f64 = 1e-9;
 /// How often the solution is refined: what is well determined loses nine digits of its error each time.
 const REFINEMENTS: usize = 4;
-/// A sum of squares below this is rounding: points are within ±1 here.
-const ROUNDING: f64 = 1e-24;
 
 impl Run {
     /// The whole run where every λ is 0: one linear system. O(M + N).
