@@ -11,7 +11,8 @@ pub enum Ask {
     /// The minimiser of the sum of squares and λ times the jumps, one λ per degree, in the unit of the points.
     Lambda(Vec<f64>),
     /// The same with λ = size·(ℓ/2π)^(degree + 1), ℓ = 2·(M/2)^s points, for s in [0, 1]: the same drawing at another
-    /// size, or with more points, is smoothed alike.
+    /// size, or with more points, is smoothed alike. The size is the longer side of the points' box: turned by 45°, a square
+    /// has 1.41 times the λ. At one λ nothing depends on how the drawing is turned.
     Smoothing(f64),
     /// The fewest knots with which no point is farther from the curve. Below the noise that is a polyline with the fewest
     /// vertices; where corners may not be anywhere, a tolerance may be missed there.
@@ -73,7 +74,7 @@ pub struct Options {
     pub noise: Option<f64>,
     /// The relative duality gap to reach, for [`Ask::Lambda`] and [`Ask::Smoothing`].
     pub gap: f64,
-    /// The most iterations of the solver, for [`Ask::Lambda`] and [`Ask::Smoothing`].
+    /// The most iterations of the solver, for [`Ask::Lambda`] and [`Ask::Smoothing`]; a search for the fewest knots has limits of its own.
     pub most_iterations: usize,
     /// What is done after the convex problem of [`Ask::Lambda`] and [`Ask::Smoothing`] is solved.
     pub finish: Finish,
