@@ -4,6 +4,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod support;
 
+use expline::curve::Curve;
 use expline::numerics::Point;
 use expline::trace::{Gray, TraceOptions, trace};
 use support::pictures::{draw, inside, traced};
@@ -83,5 +84,35 @@ fn a_corner_between_an_arc_and_its_chord_is_no_round_of_a_pixel() {
         let nearest =
             cusps.iter().map(|p| (p - Point::new(x + across, 32.0)).norm()).fold(f64::MAX, f64::min);
         assert!(nearest < 0.05, "{x}, {y}: the corner is {nearest} px off");
+    }
+}
+
+/// How much of each pixel is in a bar, exactly.
+fn bar((width, height): (usize, usize), [left, right]: [f64; 2], [top, bottom]: [f64; 2]) -> Vec<u8> {
+    let share = |from: f64, to: f64, i: usize| (to.min(i as f64 + 1.0) - from.max(i as f64)).max(0.0);
+    let cover = |i: usize| share(left, right, i % width) * share(top, bottom, i / width);
+    (0..width * height).map(|i| (255.0 * (1.0 - cover(i))).round() as u8).collect()
+}
+
+#[test]
+fn a_bar_little_more_than_a_pixel_thick_is_a_bar_wherever_it_lies() {
+    for (thick, long) in [(1.25, 15.0), (1.5, 15.0), (1.5, 40.0), (1.75, 15.0), (2.5, 15.0)] {
+        for place in 0..64 {
+            let (x, y) = (20.0 + f64::from(place % 8) / 8.0, 8.0 + f64::from(place / 8) / 8.0);
+            let (across, along) = ([x, x + thick], [y, y + long]);
+            for (size, xs, ys) in [((48, 64), across, along), ((64, 48), along, across)] {
+                let drawing = traced(size.0, size.1, &bar(size, xs, ys));
+                assert_eq!(drawing.contours.len(), 1, "{xs:?} {ys:?}");
+                let curve = &drawing.contours[0].curve;
+                let share = curve.area().expect("closed") / (thick * long);
+                // Where no pixel is all ink the tone of ink is not known: coverage of a half is taken for all, and the bar is up to twice as thick.
+                assert!((0.75..1.7).contains(&share), "{share} of {xs:?} {ys:?}");
+                let bounds = curve.bounds();
+                let beyond =
+                    [xs[0] - bounds.min_x, bounds.max_x - xs[1], ys[0] - bounds.min_y, bounds.max_y - ys[1]];
+                // For the same reason; it is a pixel at most.
+                assert!(beyond.iter().all(|&beyond| beyond < 1.0), "{beyond:?} of {xs:?} {ys:?}");
+            }
+        }
     }
 }

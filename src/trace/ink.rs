@@ -233,6 +233,9 @@ impl InkWork {
             return (cost, false);
         };
         self.division = None;
+        if !outline.encloses(self.found[i].area) {
+            outline = Outline::polygon(samples.places());
+        }
         outline.cut_to([self.gray.width() as f64, self.gray.height() as f64]);
         self.outlines.push(outline);
         (cost, true)
@@ -263,8 +266,14 @@ impl InkWork {
         }
         let still = self.kinds.iter().map(|&other| other != kind).collect();
         let last = kind == Kind::Sampled || !is_there(Kind::Sampled);
-        let mut refinement =
-            Refinement::new((&mut self.gray, last), &shading, outlines, contours, quality, still)?;
+        let mut refinement = Refinement::new(
+            (&mut self.gray, self.tones.noise, last),
+            &shading,
+            outlines,
+            contours,
+            quality,
+            still,
+        )?;
         refinement.allow(self.options.tolerance, self.options.corner);
         let rounds = 1 + usize::from(is_there(Kind::Covered) && is_there(Kind::Sampled));
         let total = rounds * refinement.total() + self.found.len();

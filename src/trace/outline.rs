@@ -19,6 +19,9 @@ use crate::numerics::{Point, Vector};
 /// How far neighbours of a piece that becomes straight may move, in pixels.
 const SWING: f64 = 0.1;
 
+/// An outline encloses at least this share of the area that its contour does, and at most so many times as much.
+const AREAS: [f64; 2] = [0.6, 4.0];
+
 /// What leads from one node to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Piece {
@@ -87,6 +90,29 @@ impl Outline {
             }
             Piece::Cubic { leaving, arriving } => Cubic { start, leaving, arriving, end },
         }
+    }
+
+    /// The area inside, positive as a contour's.
+    pub(super) fn area(&self) -> f64 {
+        let seen = self.nodes.first().map_or(Point::zeros(), |node| node.point);
+        (0..self.len()).fold(0.0, |sum, i| {
+            let Cubic { start, leaving, arriving, end } = self.cubic(i);
+            let chord = end - start;
+            // Green's theorem: the triangle under the chord, and what is between the chord and the cubic.
+            let bow = 2.0 * cross(leaving - arriving, chord) - cross(leaving, arriving);
+            sum + 0.5 * cross(start - seen, end - seen) + 0.15 * bow
+        })
+    }
+
+    /// Whether it has about the area of what it is the outline of: two sides that became one line enclose nothing.
+    pub(super) fn encloses(&self, area: f64) -> bool {
+        (AREAS[0]..=AREAS[1]).contains(&(self.area() / area))
+    }
+
+    /// Straight pieces from one place to the next.
+    pub(super) fn polygon(places: &[Point]) -> Self {
+        let node = |&point: &Point| Node { point, smooth: false, kept: false };
+        Self { nodes: places.iter().map(node).collect(), pieces: vec![Piece::Line; places.len()] }
     }
 
     /// Makes the ways to the control points at smooth nodes parallel: to the straight piece, if there is one, else to

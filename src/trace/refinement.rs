@@ -10,6 +10,7 @@ mod grain;
 mod left;
 mod phases;
 mod refine;
+mod restraint;
 mod settling;
 mod showing;
 mod sides;
@@ -65,11 +66,15 @@ pub(super) struct Refinement {
     field: Field,
     refiner: Refiner,
     shapes: Vec<Shape>,
+    /// The outlines as they were at first.
+    first: Vec<Outline>,
     /// Which outlines stay as they are.
     still: Vec<bool>,
     /// What makes the field as blurred as the picture, once all outlines are shown.
     blurring: Option<Blurring>,
     picture: Exactness,
+    /// The noise of a pixel, as a share of the way from ink to paper.
+    noise: f64,
     limits: Limits,
     bends: BendRule,
     place: Place,
@@ -150,10 +155,10 @@ impl Refinement {
     /// Begins with outlines of contours, some of which stay as they are. A noisy picture may be blurred; by how much is found. The picture
     /// gives its pixels back, if this is the last time that they are asked for.
     pub(super) fn new<'a>(
-        (gray, last): (&mut Gray, bool),
+        (gray, noise, last): (&mut Gray, f64, bool),
         shading: &Shading,
         outlines: Vec<Outline>,
-        contours: impl Iterator<Item = &'a [Point]>,
+        contours: impl Iterator<Item = &'a [Point]> + Clone,
         quality: Quality,
         still: Vec<bool>,
     ) -> Result<Self> {
@@ -170,14 +175,17 @@ impl Refinement {
         };
         let exact = quality == Quality::Clean;
         let blurring = (noisy || sampled).then(|| Blurring::new(&mut field, sampled.then_some(AVERAGED)));
+        let first = outlines.clone();
         let shapes = outlines.into_iter().map(Shape::new).collect();
         Ok(Self {
             field,
             refiner: Refiner::new(if exact { Relaxing::BOLD } else { Relaxing::CAREFUL }),
             shapes,
+            first,
             still,
             blurring,
             picture: Exactness { quality, grain: 0.0, slack },
+            noise,
             limits: Limits {
                 rms: 0.012,
                 most: 0.055,
@@ -289,6 +297,7 @@ impl Refinement {
                 if let Some(cost) = self.fewer()? {
                     return Ok(cost);
                 }
+                self.restrain();
             }
             Phase::Done => {}
         }

@@ -3,10 +3,10 @@
 mod sides;
 
 use self::sides::Sides;
-use crate::numerics::Point;
 use crate::numerics::order::sort_by_keys;
 use crate::numerics::plane::{dot, norm, square};
-use crate::trace::samples::{Samples, line_through, turn};
+use crate::numerics::{Point, Vector};
+use crate::trace::samples::{Line, Samples, line_through, turn, unit};
 
 /// Corners this near each other, in pixels, may be one.
 const DOUBLE: f64 = 1.5;
@@ -15,6 +15,8 @@ const DETOUR: f64 = 1.8;
 /// The cosine of the least turning at a narrow end, its least and largest width and how far its corners may be from the contour, in pixels.
 const BACK: f64 = -0.75;
 const BLUNT: f64 = 1.4;
+/// How far from a tip, in pixels, its sides may meet for it to be one.
+const ELSEWHERE: f64 = 2.0;
 const WIDEST: f64 = 5.0;
 const CUT: f64 = 0.6;
 
@@ -73,7 +75,10 @@ pub(in crate::trace) fn corners(samples: &Samples, rules: &[CornerRule]) -> Vec<
             if let Some(ends) = blunt(samples, i, rule) {
                 found.extend(ends);
             } else if let Some(point) = place(samples, i, rule) {
-                found.push(Corner { index: i, point });
+                match rules.first().and_then(|wide| rounded_end(samples, i, wide, point)) {
+                    Some(ends) => found.extend(ends),
+                    None => found.push(Corner { index: i, point }),
+                }
             }
         }
         for corner in &found[known..] {
@@ -186,6 +191,27 @@ fn place(samples: &Samples, i: isize, rule: &CornerRule) -> Option<Point> {
     let (sine, cosine) = crate::numerics::angle::sin_cos(half);
     let reach = rule.reach * (0.5 + 0.5 * sine / cosine.max(0.15));
     (norm(point - samples.at(i)) <= reach).then_some(point)
+}
+
+/// The two corners of a narrow end that looks like a tip from near by, where pixels round it, though its sides do not lead there when more of
+/// them is looked at: both would become one line, with nothing inside. Nothing where it is a tip.
+fn rounded_end(samples: &Samples, i: isize, wide: &CornerRule, tip: Point) -> Option<[Corner; 2]> {
+    let here = samples.at(i);
+    if norm(tip - here) <= wide.reach {
+        return None;
+    }
+    let [near, far] = reach(samples, wide).map(|steps| steps as isize);
+    let first = line_through(samples.stretch(i - far, i - near));
+    let second = line_through(samples.stretch(i + near, i + far));
+    let is_tip = first.meets(&second).is_some_and(|point| norm(point - tip) < ELSEWHERE);
+    if is_tip || dot(first.direction, second.direction) > BACK {
+        return None;
+    }
+    let back = unit(second.direction - first.direction);
+    let end = Line { middle: here, direction: Vector::new(back.y, -back.x) };
+    let half = samples.steps(0.5 * (first.offset(here).abs() + second.offset(here).abs())).max(2);
+    let corner = |d: isize, point| Corner { index: (i + d).rem_euclid(samples.len() as isize), point };
+    Some([corner(-half, first.meets(&end)?), corner(half, end.meets(&second)?)])
 }
 
 /// The two corners of a narrow end that is cut off straight, where the contour turns back at place i.

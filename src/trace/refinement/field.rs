@@ -24,6 +24,9 @@ pub(super) const NONE: u32 = u32::MAX;
 /// The share of pixels beside outlines that are off their tone from which on a picture is not one of exact coverage.
 const ROUGH: f64 = 0.2;
 
+/// Tiles reach farther than this from contours of a blurred picture, in pixels: corners are twice as far from those.
+const BLURRED: f64 = 4.0;
+
 /// How shades become coverage.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::trace) struct Shading {
@@ -63,6 +66,8 @@ pub(super) struct Field {
     slots: Vec<u32>,
     /// Where each tile is.
     places: Vec<u32>,
+    /// Which pixels of each tile are next to a point of the polylines: one bit for each.
+    near: Vec<u64>,
     /// What is left: what the picture shows less what the outlines cover, blurred like the picture.
     pub(super) rest: Vec<f32>,
     /// Of the pixels that are nearly ink or nearly paper, the share that is neither: strong compression leaves most of them so.
@@ -86,6 +91,22 @@ impl Shading {
 impl Field {
     /// The tiles within `reach` pixels of the polylines; nothing covers them yet.
     pub(super) fn new<'a>(
+        gray: &Gray,
+        shading: &Shading,
+        polylines: impl Iterator<Item = &'a [Point]> + Clone,
+        reach: f64,
+    ) -> Result<Self> {
+        let mut field = Self::of_pixels(gray, shading, polylines.clone(), reach)?;
+        field.near = with_room(field.tiles())?;
+        field.near.resize(field.tiles(), 0);
+        for polyline in polylines {
+            polyline.iter().for_each(|&point| field.mark(point, if reach > BLURRED { 2 } else { 1 }));
+        }
+        Ok(field)
+    }
+
+    /// The same, before it is known what is next to the polylines.
+    fn of_pixels<'a>(
         gray: &Gray,
         shading: &Shading,
         polylines: impl Iterator<Item = &'a [Point]>,
@@ -136,7 +157,8 @@ impl Field {
         }
         let stain = off as f64 / near.max(1) as f64;
         let extent = [gray.width() as f64, gray.height() as f64];
-        Ok(Self { across, down, extent, slots, places, rest, stain, blur: None, journal: Journal::default() })
+        let (near, blur, journal) = (Vec::new(), None, Journal::default());
+        Ok(Self { across, down, extent, slots, places, near, rest, stain, blur, journal })
     }
 
     /// Whether pixels beside outlines are off their tone, as compression leaves them.
@@ -148,6 +170,31 @@ impl Field {
     pub(super) fn is_beyond(&self, point: Point) -> bool {
         let [width, height] = self.extent;
         !(point.x > -1.0 && point.y > -1.0 && point.x < width + 1.0 && point.y < height + 1.0)
+    }
+
+    /// The pixel around a point and those so near to it are near.
+    fn mark(&mut self, point: Point, reach: i32) {
+        let (columns, rows) = self.size();
+        let [column, row] = [point.x, point.y].map(|v| (v + SIDE as f64).floor() as i32);
+        for (x, y) in (-reach..=reach).flat_map(|y| (-reach..=reach).map(move |x| (column + x, row + y))) {
+            if (0..columns as i32).contains(&x) && (0..rows as i32).contains(&y) {
+                let pixel = self.pixel(x as usize, y as usize) as usize;
+                if let Some(tile) = self.near.get_mut(pixel / AREA) {
+                    *tile |= 1 << (pixel % AREA);
+                }
+            }
+        }
+    }
+
+    /// Whether a point is within a pixel of the polylines, or less than three. What is beyond the picture is not.
+    pub(super) fn is_near(&self, point: Point) -> bool {
+        let [x, y] = [point.x, point.y].map(|v| v + SIDE as f64);
+        let (columns, rows) = self.size();
+        if !(x >= 0.0 && y >= 0.0 && x < columns as f64 && y < rows as f64) {
+            return false;
+        }
+        let pixel = self.pixel(x as usize, y as usize) as usize;
+        self.near.get(pixel / AREA).is_some_and(|tile| tile >> (pixel % AREA) & 1 == 1)
     }
 
     /// Pixels in a row, and rows.

@@ -354,7 +354,7 @@ fn is_far(cubic: &Cubic, bend: Point) -> bool {
 }
 
 /// How much so many pieces turn, to and fro, and the joints between them.
-fn turning(outline: &Outline, first: usize, count: usize) -> f64 {
+pub(super) fn turning(outline: &Outline, first: usize, count: usize) -> f64 {
     let (mut sum, mut piece) = (0.0, first);
     let mut way = outline.cubic(first).velocity(0.0);
     for _ in 0..count {
