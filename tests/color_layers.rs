@@ -4,6 +4,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod support;
 
+use expline::Error;
 use expline::numerics::Point;
 use expline::trace::{Census, Color, LayerTracer, Layers, TraceOptions, TracedLayer};
 use support::colors::{BLUE, Paint, RED, WHITE, YELLOW, disc, draw, palette, traced};
@@ -246,4 +247,42 @@ fn noise_in_colours_is_refused_with_the_count() {
         }
     };
     assert_eq!(error.code(), "E_LIMIT");
+}
+
+#[test]
+fn a_refusal_of_colours_counts_the_contours_of_all_layers_so_that_its_count_is_enough() {
+    let side = 60;
+    let colors = [[200, 0, 0], [0, 160, 0], [0, 0, 220]];
+    let bytes: Vec<u8> = (0..side * side)
+        .flat_map(|i| {
+            let (x, y) = (i % side, i / side);
+            let [r, g, b] = if x % 6 < 4 && y % 6 < 4 { colors[(x / 6 + y / 6) % 3] } else { [255; 3] };
+            [r, g, b, 255]
+        })
+        .collect();
+    let traced = |most_contours: usize| {
+        let mut rows = Layers::begin(side, side, &palette(side, &bytes, 4)).expect("a valid picture");
+        rows.push_rgba_rows(&bytes).expect("whole rows");
+        let options = TraceOptions { most_contours, ..TraceOptions::default() };
+        let mut tracer = LayerTracer::new(rows.finish().expect("all rows"), &options);
+        loop {
+            match tracer.step(f64::INFINITY) {
+                Ok(false) => {}
+                Ok(true) => {
+                    return Ok(tracer.layers().iter().map(|layer| layer.contours.len()).sum::<usize>());
+                }
+                Err(error) => return Err(error),
+            }
+        }
+    };
+    let all = traced(1000).expect("few enough");
+    for most in [1, 5, 60, all - 1] {
+        let refused = traced(most).expect_err("too many");
+        let limits = match *refused {
+            Error::LimitExceeded { needed, most, .. } => Some((needed, most)),
+            _ => None,
+        };
+        assert_eq!(limits, Some((all as f64, most as f64)));
+    }
+    assert_eq!(traced(all).expect("as many as there may be"), all);
 }

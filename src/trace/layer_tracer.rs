@@ -6,7 +6,7 @@ use super::picture::layers::Layers;
 use super::picture::palette::Color;
 use super::picture::shape::{Shape, drawn};
 use super::tracer::Tracer;
-use super::work::TracedContour;
+use super::work::{Progress, Stage, TracedContour};
 use crate::error::{Error, Result};
 
 /// One layer.
@@ -36,6 +36,9 @@ pub struct LayerTracer {
     order: Vec<u8>,
     visible: Vec<(usize, Color)>,
     found: Vec<TracedLayer>,
+    /// Layers that are done, and contours in those. Where these are too many, all other layers are only counted.
+    done: usize,
+    count: usize,
     phase: Option<Phase>,
 }
 
@@ -45,21 +48,21 @@ impl LayerTracer {
         let (order, visible) = drawn(&layers);
         let source = Source::Brightness;
         let options = TraceOptions { source, threshold: None, inverted: false, ..*options };
-        Self { layers, options, order, visible, found: Vec::new(), phase: None }
+        Self { layers, options, order, visible, found: Vec::new(), done: 0, count: 0, phase: None }
     }
 
     /// How many layers are done, and how many there are.
     pub fn progress(&self) -> (usize, usize) {
-        (self.found.len(), self.visible.len())
+        (self.done, self.visible.len())
     }
 
     /// Goes on for about `budget` microseconds, at least by the least bit of work; whether all is done.
     ///
     /// # Errors
     ///
-    /// More contours in all layers together than a drawing has, no memory.
+    /// More contours in all layers together than a drawing has, once all are counted; no memory.
     pub fn step(&mut self, budget: f64) -> Result<bool> {
-        let Some(&(rank, color)) = self.visible.get(self.found.len()) else { return Ok(true) };
+        let Some(&(rank, color)) = self.visible.get(self.done) else { return self.ended() };
         match &mut self.phase {
             None => self.phase = Some(Phase::Shape(Box::new(Shape::new(&self.layers, &self.order, rank)?))),
             Some(Phase::Shape(shape)) => {
@@ -72,44 +75,61 @@ impl LayerTracer {
                 }
             }
             Some(Phase::Tracing(tracer)) => {
-                let done = tracer.step(budget).map_err(|error| self.all_contours(error))?.done;
-                if done {
-                    self.finish(color)?;
-                }
+                let step = tracer.step(budget);
+                self.traced(step, color)?;
             }
         }
-        Ok(self.found.len() == self.visible.len())
+        if self.done == self.visible.len() { self.ended() } else { Ok(false) }
     }
 
-    fn count(&self) -> usize {
-        self.found.iter().map(|layer| layer.contours.len()).sum()
+    fn is_over(&self) -> bool {
+        self.count > self.options.most_contours
+    }
+
+    /// All layers are done.
+    fn ended(&self) -> Result<bool> {
+        if self.is_over() {
+            return Err(Error::limit("data", "maxContours", self.options.most_contours, self.count as f64));
+        }
+        Ok(true)
     }
 
     fn begin(&mut self, gray: Gray) -> Result<()> {
-        let rest = self.options.most_contours.saturating_sub(self.count()).max(1);
+        let rest = self.options.most_contours.saturating_sub(self.count).max(1);
         let options = TraceOptions { most_contours: rest, ..self.options };
         self.phase = Some(Phase::Tracing(Box::new(Tracer::new(gray, &options)?)));
         Ok(())
     }
 
-    fn finish(&mut self, color: Color) -> Result<()> {
-        if let Some(Phase::Tracing(tracer)) = self.phase.take() {
-            self.found.push(TracedLayer { color, contours: tracer.result()?.contours });
-        }
-        let (count, most) = (self.count(), self.options.most_contours);
-        if count > most {
-            return Err(Error::limit("data", "maxContours", most, count as f64));
+    /// A layer's trace went on. If it has more contours than there may be, the next layer is next, so that the refusal says how many all have.
+    fn traced(&mut self, step: Result<Progress>, color: Color) -> Result<()> {
+        let progress = match step {
+            Ok(progress) => progress,
+            Err(error) => {
+                let Error::LimitExceeded { limit: "maxContours", needed, .. } = *error else {
+                    return Err(error);
+                };
+                self.counted(needed as usize);
+                return Ok(());
+            }
+        };
+        if self.is_over() && progress.stage > Stage::Contours {
+            // Of those that are only counted the first stage behind contours is as long as there are any.
+            self.counted(progress.total);
+        } else if progress.done
+            && let Some(Phase::Tracing(tracer)) = self.phase.take()
+        {
+            let contours = tracer.result()?.contours;
+            let count = contours.len();
+            self.found.push(TracedLayer { color, contours });
+            self.counted(count);
         }
         Ok(())
     }
 
-    /// A limit that one layer broke is that of all of them.
-    fn all_contours(&self, mut error: Box<Error>) -> Box<Error> {
-        if let Error::LimitExceeded { limit: "maxContours", most, needed, .. } = &mut *error {
-            *most = self.options.most_contours as f64;
-            *needed += self.count() as f64;
-        }
-        error
+    /// A layer with so many contours is done.
+    fn counted(&mut self, count: usize) {
+        (self.done, self.count, self.phase) = (self.done + 1, self.count + count, None);
     }
 
     /// What was found so far, the lowest layer first.
