@@ -61,6 +61,20 @@ test("toSvg is one path, relative where that is shorter, and draws what was foun
   assert.ok(d.length < separate.length, `${d.length} and ${separate.length} characters`);
 });
 
+test("toSvg keeps the tolerance that it is asked for, with as many decimals as that needs", () => {
+  const trace = traceImage(discs(64, 4));
+  for (const tolerance of [0.1, 1e-3, 1e-6]) {
+    const read = parsePath(dataOf(trace.toSvg({ tolerance }))[0] ?? "");
+    read.forEach((curve, i) => {
+      const { minX, minY, maxX, maxY } = trace.contours[i]!.curve.bounds();
+      const own = curve.bounds();
+      const off = Math.max(...[own.minX - minX, own.minY - minY, own.maxX - maxX, own.maxY - maxY].map(Math.abs));
+      // Bounds move no farther than the curve.
+      assert.ok(off <= tolerance, `${off} of ${tolerance}`);
+    });
+  }
+});
+
 test("toSvg rounds as it is asked to", () => {
   const trace = traceImage(discs(64, 4));
   const [whole = ""] = dataOf(trace.toSvg({ decimals: 0, tolerance: 1 }));

@@ -40,9 +40,12 @@ export interface TraceLayer {
 
 /** How {@link Trace.toSvg} writes. */
 export interface TraceSvgOptions {
-  /** Largest distance in pixels between the curves and what the text draws. Default 0.02. */
+  /** Largest distance in pixels between the curves and what the text draws, with decimals enough for it. Default 0.02, and .007 for two decimals. */
   tolerance?: number | undefined;
-  /** Digits behind the point, up to 17. Default 2. */
+  /**
+   * Digits behind the point, up to 17. Default: as many as the tolerance needs that is asked for, else 2. They cost half a unit of the last one in x
+   * and in y besides the tolerance: 2 draw up to .0071 pixels farther off, 1 up to .071 and 0 up to .71.
+   */
   decimals?: number | undefined;
 }
 
@@ -120,10 +123,11 @@ const short = (color: string): string => color.replace(/^#(.)\1(.)\2(.)\3$/u, "#
 
 function written(width: number, height: number, paths: readonly Path[], options: unknown): string {
   const op = "toSvg";
-  const { tolerance = 0.02, decimals = 2 } = checkOptions(op, options, ["tolerance", "decimals"]);
-  const within = finite(op, "tolerance", tolerance);
+  const { tolerance, decimals } = checkOptions(op, options, ["tolerance", "decimals"]);
+  const within = finite(op, "tolerance", tolerance ?? 0.02);
   if (!(within > 0)) throw wrong("E_RANGE", op, "tolerance", within, "> 0");
-  const digits = integer(op, "decimals", decimals, 0, 17);
+  // The engine takes as many as a tolerance needs that is asked for.
+  const digits = decimals === undefined && tolerance !== undefined ? -1 : integer(op, "decimals", decimals ?? 2, 0, 17);
   const body = paths.map(({ attributes, curves }) => `<path${attributes} d="${pathsOf(op, curves, within, digits)}"/>`).join("");
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}">${body}</svg>`;
 }
