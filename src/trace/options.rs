@@ -41,7 +41,11 @@ pub struct TraceOptions {
     pub speckle: f64,
     /// The least turning of a corner, in radians.
     pub corner: f64,
-    /// The largest deviation of the first curve from the contour, in pixels; refined curves are nearer.
+    /// How far the first curve of a contour may be from its points, in pixels, about: pieces are fitted to places half a pixel apart, and the
+    /// ends of a piece, corners and pieces of two pixels may be farther: of smooth shapes the largest distance was up to 1.3 times as much at the
+    /// default, and 5 times at .05. A refined curve begins within .18 and goes where the picture says; above the default joints may leave
+    /// more in proportion. Twice as much is allowed in noise, three times where pixels only say which centres are inside.
+    /// What was reached is [`Metrics::max`](super::Metrics::max).
     pub tolerance: f64,
     /// Whether curves are refined against the picture's coverage.
     pub refined: bool,

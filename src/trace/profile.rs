@@ -96,6 +96,11 @@ impl Chain {
     /// Splines meet at the cusps' own points, and elsewhere at the smoothed point of the chain, with its tangent: the curve is
     /// smooth there.
     ///
+    /// # Domain
+    ///
+    /// Points in pixels, about one apart, as edges have them: windows, corners and noise are known in pixels. Scale others: a circle of 150 points is
+    /// off by a thousandth of its radius at 10, by a third at 1.
+    ///
     /// # Errors
     ///
     /// Options out of range.

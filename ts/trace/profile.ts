@@ -89,6 +89,9 @@ export function looScore(points: PointsLike, options: QuasiInterpolantOptions): 
  * The whole method on the points of one profile, in their order: cusps, tubes, a spline for each with its own knots and neighbours, joined at
  * cusps and smooth elsewhere.
  *
+ * Points are expected in pixels, about one apart, as edges have them: how far corners are rounded and what is noise is known in pixels. Scale others:
+ * a circle of 150 points is off by a thousandth of its radius at 10, by a third at 1.
+ *
  * @throws {ExplineError} E_TOO_FEW_POINTS below two points.
  */
 export function fitProfile(points: PointsLike, options?: ProfileOptions): ProfileFit {

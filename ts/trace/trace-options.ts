@@ -46,7 +46,11 @@ export interface TraceOptions {
   speckle?: number | undefined;
   /** The least turning of a corner, in radians, 0.05 … π: π knows no corners. Default 0.49, 28°. */
   corner?: number | undefined;
-  /** Largest distance between a contour and its curve, in pixels, before the curve is refined against the picture: 0.01 to 1000. Default 0.22. */
+  /**
+   * How far the first curve of a contour may be from its points in pixels, about: pieces are fitted to points half a pixel apart, and the ends of a
+   * piece, corners and pieces of two pixels may be farther. A refined curve begins within .18 and goes where the picture says; above the default
+   * joints may leave more in proportion. In noise twice as much is allowed. What was reached is `metrics.max`. 0.01 to 1000; default 0.22.
+   */
   tolerance?: number | undefined;
   /**
    * A picture of a few flat colours: how many at most, 2 … 64, are looked for, or which they are, as "#rrggbb". Each becomes a layer, and layers lie
