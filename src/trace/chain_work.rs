@@ -8,6 +8,7 @@ use super::edges::strands::profiles;
 use super::options::{Model, Source, TraceOptions};
 use super::outline::corners::{CornerRule, corners};
 use super::outline::division::{DivisionRule, divide, divide_open};
+use super::outline::{Outline, is_about};
 use super::picture::contour::{Contour, ContourScan};
 use super::picture::gray::Gray;
 use super::picture::light::Evening;
@@ -176,6 +177,15 @@ fn quasi_interpolant(chain: &Chain, options: &TraceOptions, rounding: f64) -> Re
     let profile = chain.follow(&ProfileOptions { cusps, ..ProfileOptions::default() })?;
     let cusps = profile.cusps().iter().map(|cusp| cusp.point).collect();
     let (curve, metrics) = (profile.curve()?, profile.metrics()?);
+    if chain.is_closed() {
+        let ring = Outline::polygon(chain.points());
+        if !is_about(curve.area()?, ring.area()) {
+            // Splines of a few points may enclose nothing.
+            let curve = ring.to_curve(vec![0.0; ring.len()])?;
+            let metrics = agreement(&curve, chain.points())?;
+            return Ok(TracedContour { curve, closed: true, hole: false, cusps: Vec::new(), metrics });
+        }
+    }
     Ok(TracedContour { curve, closed: chain.is_closed(), hole: false, cusps, metrics })
 }
 

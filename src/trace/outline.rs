@@ -22,6 +22,11 @@ const SWING: f64 = 0.1;
 /// An outline encloses at least this share of the area that its contour does, and at most so many times as much.
 const AREAS: [f64; 2] = [0.6, 4.0];
 
+/// Whether an outline may have an area where its contour has another.
+pub(super) fn is_about(area: f64, of_contour: f64) -> bool {
+    (AREAS[0]..=AREAS[1]).contains(&(area / of_contour))
+}
+
 /// What leads from one node to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Piece {
@@ -106,7 +111,7 @@ impl Outline {
 
     /// Whether it has about the area of what it is the outline of: two sides that became one line enclose nothing.
     pub(super) fn encloses(&self, area: f64) -> bool {
-        (AREAS[0]..=AREAS[1]).contains(&(self.area() / area))
+        is_about(self.area(), area)
     }
 
     /// Straight pieces from one place to the next.
