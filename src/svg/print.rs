@@ -227,7 +227,7 @@ impl<'a> Printer<'a> {
             let chord = segment.end - segment.start;
             return segment.leaving * segment.length == chord && segment.arriving * segment.length == chord;
         }
-        segment.bend() <= self.straight
+        segment.as_line(self.straight)
     }
 
     /// A straight segment; the last one of a closed curve is what `Z` draws.

@@ -8,6 +8,8 @@ const PLACES: usize = 97;
 
 /// Newton's steps to a foot point: beside a sharp bend it takes more than the three that are usual.
 const STEPS: usize = 8;
+/// A step of this share of a segment moves a foot by less than its distance is told to.
+const STILL: f64 = 1e-9;
 
 /// Squares of distances by which places are told apart.
 const ALIKE: f64 = 1.0 + 1e-6;
@@ -42,7 +44,12 @@ fn distance(target: Point, lattice: &[Point], to: &[Segment]) -> f64 {
         if here <= ALIKE * before && here <= ALIKE * after {
             let (segment, mut x) = (&to[k / PLACES], place(k));
             for _ in 0..STEPS {
-                x = segment.foot(target, x);
+                let next = segment.foot(target, x);
+                let step = (next - x).abs();
+                x = next;
+                if step <= STILL {
+                    break;
+                }
             }
             least = least.min(here.sqrt()).min((segment.position(x) - target).norm());
         }

@@ -45,19 +45,28 @@ impl Segment<'_> {
     ///
     /// Proved, not sampled: the segment lies in the hull of its generalised Bézier points, and those are measured.
     pub fn as_line(&self, tolerance: f64) -> bool {
-        self.bend() <= tolerance
+        let [first, second] = self.inner_offsets();
+        self.beside(first) <= tolerance && self.beside(second) <= tolerance
     }
 
     /// A bound of the distance from the segment to its chord.
     pub(crate) fn bend(&self) -> f64 {
+        let [first, second] = self.inner_offsets();
+        self.beside(first).max(self.beside(second))
+    }
+
+    /// The inner generalised Bézier points, from the start.
+    fn inner_offsets(&self) -> [Vector; 2] {
         let reach = self.basis.kappa() * self.length;
+        [self.leaving * reach, self.end - self.start - self.arriving * reach]
+    }
+
+    /// The distance of a point, given from the start, to the chord.
+    fn beside(&self, offset: Vector) -> f64 {
         let chord = self.end - self.start;
         let square = chord.norm_squared();
-        let beside = |offset: Vector| {
-            let along = if square > 0.0 { (offset.dot(&chord) / square).clamp(0.0, 1.0) } else { 0.0 };
-            (offset - chord * along).norm()
-        };
-        beside(self.leaving * reach).max(beside(chord - self.arriving * reach))
+        let along = if square > 0.0 { (offset.dot(&chord) / square).clamp(0.0, 1.0) } else { 0.0 };
+        (offset - chord * along).norm()
     }
 
     /// The arc of an ellipse that the segment is, if it deviates from one by no more than `tolerance`.
