@@ -56,12 +56,14 @@ impl Segment<'_> {
     }
 
     /// The inner generalised Bézier points, from the start.
+    #[inline]
     fn inner_offsets(&self) -> [Vector; 2] {
         let reach = self.basis.kappa() * self.length;
         [self.leaving * reach, self.end - self.start - self.arriving * reach]
     }
 
     /// The distance of a point, given from the start, to the chord.
+    #[inline]
     fn beside(&self, offset: Vector) -> f64 {
         let chord = self.end - self.start;
         let square = chord.norm_squared();
