@@ -145,7 +145,7 @@ export function drawParts(scene: Scene, outcome: FitOutcome): void {
       const screen = inScreen(scene);
       screen.font = "12px system-ui, sans-serif";
       screen.fillStyle = i === 0 ? palette.linear : palette.cubic;
-      screen.fillText(i === 0 ? "straight part" : "smooth part", at.x + 8, at.y + (i === 0 ? -8 : 16));
+      screen.fillText(i === 0 ? "straight part" : "smooth part", at.x + 12, at.y + (i === 0 ? -8 : 16));
     });
   }
 }
