@@ -348,7 +348,7 @@ test("a fit that is stopped leaves the curve before, and the settings that it wa
   worker.answer({ kind: "stopped", subject: 1, id: worker.ids.at(-1) ?? 0 });
   await runner.idle();
   assert.deepEqual([said, editor.state.value.fit.target, editor.state.value.fitRun.since], [["Cancelled"], "off", null]);
-  assert.equal(worker.asked.at(-1)?.kind, "stop", "nothing is asked anew");
+  assert.deepEqual([worker.ids.length, worker.asked.at(-1)?.kind], [2, "chart"], "nothing is fitted anew, and the chart goes on");
 });
 
 test("the parts of a curve are asked for when they are to be seen, and only where there are two", () => {

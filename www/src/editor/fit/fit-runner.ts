@@ -115,6 +115,7 @@ class Runner implements FitRunner {
     this.#asked = shown;
     this.#subject = subjectOf(shown, this.#subject?.parts ?? false);
     this.#editor.fitEdits.amend(() => ({ fit: shown }));
+    this.#fillChart();
   }
 
   #fillChart(): void {
