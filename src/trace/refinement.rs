@@ -1,6 +1,7 @@
 //! All outlines of a picture refined against it, one after another: first as they are, then with fewer and fewer joints.
 
 mod bends;
+mod blocks;
 mod coverage;
 mod equations;
 mod fewer;
@@ -25,7 +26,7 @@ mod unknowns;
 mod window;
 
 use self::bends::BendRule;
-use self::coverage::Part;
+use self::blocks::{BLOCK, block_end};
 use self::fewer::Thinning;
 use self::field::{Blurring, Field, Shading};
 use self::grain::level;
@@ -56,9 +57,6 @@ const STEPS: (usize, f64) = (6, 0.02);
 const LAST_STEPS: (usize, f64) = (8, 4e-3);
 /// Pictures that say only which centres are inside are blurred by so many pixels, together with the coverage of their outlines (D 14.27).
 const AVERAGED: f64 = 1.2;
-/// Nodes of a long outline that move together, and about how many parts beside them do.
-const BLOCK: usize = 512;
-const PARTS: usize = 32_768;
 
 /// Refinement on its way.
 #[derive(Debug)]
@@ -429,21 +427,6 @@ impl Fine {
         self.left.join(&left);
         level(shape, field, &mut self.level);
     }
-}
-
-/// The end of the nodes that move together, from one on: all, if they are not too many.
-fn block_end(shape: &Shape, first: usize) -> usize {
-    let parts: usize = shape.parts.iter().map(Vec::len).sum();
-    let count = shape.outline.len();
-    if count <= 2 * BLOCK && parts <= 2 * PARTS {
-        return count;
-    }
-    let mut room = PARTS;
-    let fits = |parts: &&Vec<Part>| {
-        room = room.saturating_sub(parts.len());
-        room > 0
-    };
-    first + shape.parts[first..].iter().take(BLOCK).take_while(fits).count().max(1)
 }
 
 /// Which curved pieces leave what is too much.

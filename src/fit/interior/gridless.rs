@@ -1,26 +1,23 @@
 //! From the optimum on a grid to the one without: neighbouring knots are joined, all slide by Newton's method, and the
 //! duality gap is certified on the continuum.
 
-use super::iterate::ROUNDING;
+mod gap;
+mod newton;
+
+use self::gap::gap;
+use self::newton::Newton;
 use super::solver::{Settings, Solver};
 use crate::error::Result;
-use crate::fit::convex::certificate::{centre, dual_size, dual_values, uncentred};
+use crate::fit::convex::certificate::dual_values;
 use crate::fit::convex::problem::{Norm, Problem};
-use crate::fit::convex::scaled::Scaled;
 use crate::fit::convex::solution::{Solution, Spline};
 use crate::fit::convex::spline_space::KnotSpace;
-use crate::fit::knots::breaks::{Breaks, HIGHEST, Polynomial, Space, derivative};
-use crate::fit::knots::envelope::Envelope;
 use crate::limits;
 use crate::numerics::Vector;
 use crate::numerics::order::sort_numbers;
 
-/// Places per step of the parameter at which the dual curve is looked at, before it is looked at closely.
-const PLACES: usize = 8;
 /// More knots than this do not slide: the system is dense.
 const MOST_SLIDING: usize = 300;
-/// The step of differences of the dual curve.
-const STEP: f64 = 0.02;
 
 /// An optimum on chosen knots, and how far from the optimum over all knots it can be.
 #[derive(Clone, Debug)]
@@ -215,92 +212,6 @@ fn residual_forces(problem: &Problem, solution: &Solution) -> Result<Vec<Vector>
     Ok(problem.points.iter().zip(places).enumerate().map(force).collect())
 }
 
-/// The relative duality gap when knots may be anywhere: the dual curve's longest vector is bounded between the places
-/// at which it is known by their second difference. (D 13.8)
-fn gap(problem: &Problem, solution: &Solution) -> Result<f64> {
-    let v = residual_forces(problem, solution)?;
-    let mut longest = 1.0_f64;
-    for component in &problem.components {
-        longest = longest.max(longest_between(problem, component.degree, component.lambda, &v));
-    }
-    let data = solution.data_term;
-    let along = 2.0 * data + solution.regularizers.iter().sum::<f64>();
-    let scale = if data > 0.0 { (0.5 * along / data).min(1.0 / longest) } else { 1.0 / longest };
-    let bound = scale * along - scale * scale * data;
-    // Of what is rounding no share could be saved, as the solver has it.
-    let some = solution.objective > ROUNDING * Scaled::new(problem)?.objective_factor();
-    Ok(if some { (solution.objective - bound) / solution.objective } else { 0.0 })
-}
-
-/// A bound of the dual curve's length on the whole domain.
-fn longest_between(problem: &Problem, degree: usize, lambda: f64, v: &[Vector]) -> f64 {
-    let count = problem.points.len().min(60_000) * PLACES;
-    let step = (problem.end - problem.start) / count as f64;
-    let place = |i: usize| problem.start + step * i as f64;
-    let places: Vec<f64> = (0..=count).map(place).collect();
-    let places = if problem.closed { &places[..count] } else { &places[..] };
-    // Both looks are at one curve: a closed one has a constant to give, which is chosen once.
-    let mut values = uncentred(problem, degree, lambda, v, places);
-    let constant = centre(&values, problem);
-    values.iter_mut().for_each(|v| *v -= constant);
-    let length = |v: &Vector| dual_size(*v, problem.norm);
-    let highest = values.iter().map(length).fold(0.0, f64::max);
-    let coarse = bounds(&values, problem.closed, problem.norm);
-    // Where the coarse bound says too much, sixteen places stand for each.
-    let mut close = Vec::new();
-    for i in (0..coarse.len()).filter(|&i| coarse[i] > highest) {
-        close.extend((0..16).map(|k| places[i] + step * (k as f64 - 8.0) / 16.0));
-    }
-    close.retain(|t| (problem.start..problem.end).contains(t));
-    sort_numbers(&mut close);
-    close.dedup();
-    let fine = uncentred(problem, degree, lambda, v, &close);
-    let sharpest = coarse.iter().zip(&values).fold(0.0_f64, |most, (b, v)| most.max(b - length(v))) / 256.0;
-    fine.iter().map(|v| length(&(v - constant))).fold(highest, f64::max) + sharpest
-}
-
-/// Around every place, half a step to both sides, how long the curve can be.
-fn bounds(values: &[Vector], closed: bool, norm: Norm) -> Vec<f64> {
-    let count = values.len();
-    (0..count)
-        .map(|i| {
-            let (before, after) = match (closed, i) {
-                (true, _) => (values[(i + count - 1) % count], values[(i + 1) % count]),
-                (false, 0) => (Vector::zeros(), values[1.min(count - 1)]),
-                (false, _) => (values[i - 1], values.get(i + 1).copied().unwrap_or_else(Vector::zeros)),
-            };
-            // Twice what a parabola would need.
-            dual_size(values[i], norm) + dual_size(before - 2.0 * values[i] + after, norm) * 0.25
-        })
-        .collect()
-}
-
-/// The dual curve and its first two derivatives at the knots.
-fn dual_at(problem: &Problem, v: &[Vector], knots: &[f64]) -> Vec<[Vector; 3]> {
-    let component = &problem.components[0];
-    let inside = |t: f64| {
-        let period = problem.end - problem.start;
-        match problem.closed {
-            true if t < problem.start => t + period,
-            true if t >= problem.end => t - period,
-            _ => t.clamp(problem.start, problem.end),
-        }
-    };
-    let mut places: Vec<f64> = knots.iter().flat_map(|&t| [inside(t - STEP), t, inside(t + STEP)]).collect();
-    let wanted = places.clone();
-    sort_numbers(&mut places);
-    places.dedup();
-    let (values, _) = dual_values(problem, component.degree, component.lambda, v, &places);
-    let at = |t: f64| values[places.partition_point(|&place| place < t).min(values.len() - 1)];
-    wanted
-        .chunks_exact(3)
-        .map(|three| {
-            let (before, here, after) = (at(three[0]), at(three[1]), at(three[2]));
-            [here, (after - before) / (2.0 * STEP), (after - 2.0 * here + before) / (STEP * STEP)]
-        })
-        .collect()
-}
-
 /// Knots added where the dual curve is longer than one, away from those that are there.
 fn with_violators(problem: &Problem, solution: &Solution) -> Result<Option<Solution>> {
     let v = residual_forces(problem, solution)?;
@@ -354,157 +265,4 @@ fn slide(problem: &Problem, solution: &Solution, damping: &mut f64) -> Result<Op
         *damping = (*damping * 100.0).max(1e-6);
     }
     Ok(None)
-}
-
-/// The quadratic model of the objective in coefficients and knots. (D 13.8)
-struct Newton {
-    matrix: Envelope,
-    right: Vec<f64>,
-    coefficients: usize,
-    room: Vec<f64>,
-}
-
-impl Newton {
-    fn new(problem: &Problem, solution: &Solution) -> Result<Self> {
-        let spline = &solution.components[0];
-        let (degree, lambda) = (spline.degree, problem.components[0].lambda);
-        let knots = &spline.knots;
-        let at: Vec<f64> = knots.iter().map(|t| t - problem.start).collect();
-        let breaks = Breaks::simple(degree, problem.closed, problem.end - problem.start, at);
-        let room: Vec<f64> =
-            (0..knots.len()).map(|k| 0.3 * breaks.gap_before(k).min(breaks.gap_after(k)).min(6.0)).collect();
-        let space = Space::new(breaks);
-        let count = 2 * space.count;
-        let mut newton = Self {
-            matrix: Envelope::new(vec![0; count + knots.len()]),
-            right: vec![0.0; count + knots.len()],
-            coefficients: count,
-            room,
-        };
-        let bumps: Vec<(Vec<(usize, Polynomial)>, Vector)> = (0..knots.len())
-            .map(|k| {
-                let (pieces, jump) = space.bump(k, 1);
-                (pieces, -spline.jumps[k] / jump)
-            })
-            .collect();
-        newton.data(problem, &space, &bumps);
-        let dual = dual_at(problem, &residual_forces(problem, solution)?, knots);
-        for (k, jump) in spline.jumps.iter().enumerate() {
-            newton.price(&space, &bumps, k, lambda, *jump, &dual[k]);
-        }
-        Ok(newton)
-    }
-
-    fn add(&mut self, row: &[(usize, f64)], factor: f64) {
-        for &(i, a) in row {
-            for &(j, b) in row {
-                self.matrix.add(i, j, factor * a * b);
-            }
-        }
-    }
-
-    /// 2|change of the curve|² at the samples.
-    fn data(&mut self, problem: &Problem, space: &Space, bumps: &[(Vec<(usize, Polynomial)>, Vector)]) {
-        let mut of_span: Vec<Vec<(usize, Polynomial)>> = vec![Vec::new(); space.spans.len()];
-        for (k, (pieces, _)) in bumps.iter().enumerate() {
-            for (s, polynomial) in pieces {
-                of_span[*s].push((k, *polynomial));
-            }
-        }
-        let degree = space.breaks.degree;
-        let mut at = 0;
-        let mut rows: [Vec<(usize, f64)>; 2] = [Vec::new(), Vec::new()];
-        for (m, t) in problem.parameters.iter().enumerate() {
-            let (s, t) = space.find(t - problem.start, at);
-            at = s;
-            let span = &space.spans[s];
-            let u = (t - span.middle) / span.half;
-            rows.iter_mut().for_each(Vec::clear);
-            for i in 0..=degree {
-                let b = derivative(&space.basis[s][i], degree, u, 1.0, 0);
-                let index = 2 * space.index(s, i);
-                rows[0].push((index, b));
-                rows[1].push((index + 1, b));
-            }
-            for (k, polynomial) in &of_span[s] {
-                let value = derivative(polynomial, degree, u, 1.0, 0);
-                rows[0].push((self.coefficients + k, value * bumps[*k].1.x));
-                rows[1].push((self.coefficients + k, value * bumps[*k].1.y));
-            }
-            let weight = problem.weights.get(m).copied().unwrap_or(1.0);
-            for row in &rows {
-                self.add(row, 2.0 * weight);
-            }
-        }
-    }
-
-    /// λ|jump| to second order, and what the knot's place adds.
-    fn price(
-        &mut self,
-        space: &Space,
-        bumps: &[(Vec<(usize, Polynomial)>, Vector)],
-        k: usize,
-        lambda: f64,
-        jump: Vector,
-        dual: &[Vector; 3],
-    ) {
-        let size = jump.norm();
-        if size <= 0.0 {
-            return;
-        }
-        let unit = jump / size;
-        let normal = Vector::new(-unit.y, unit.x);
-        let (before, after) = space.sides(k);
-        let degree = space.breaks.degree;
-        let jump_of = |side_after: &Polynomial, side_before: &Polynomial| {
-            derivative(side_after, degree, -1.0, space.spans[after].half, degree)
-                - derivative(side_before, degree, 1.0, space.spans[before].half, degree)
-        };
-        // Change of the jump at knot k, for each coordinate, by each unknown.
-        let zero = [0.0; HIGHEST + 1];
-        let mut changes: Vec<(usize, Vector)> = Vec::new();
-        for i in 0..=degree {
-            let value = jump_of(&space.basis[after][i], &zero);
-            let index = 2 * space.index(after, i);
-            changes.push((index, Vector::new(value, 0.0)));
-            changes.push((index + 1, Vector::new(0.0, value)));
-            let value = jump_of(&zero, &space.basis[before][i]);
-            let index = 2 * space.index(before, i);
-            changes.push((index, Vector::new(value, 0.0)));
-            changes.push((index + 1, Vector::new(0.0, value)));
-        }
-        for (other, (pieces, direction)) in bumps.iter().enumerate() {
-            let side = |s: usize| pieces.iter().find(|(span, _)| *span == s).map_or(&zero, |(_, p)| p);
-            let value = jump_of(side(after), side(before));
-            if value != 0.0 {
-                changes.push((self.coefficients + other, direction * value));
-            }
-        }
-        let across: Vec<(usize, f64)> = changes.iter().map(|(i, c)| (*i, c.dot(&normal))).collect();
-        self.add(&across, lambda / size);
-        let own = self.coefficients + k;
-        for (i, change) in &changes {
-            let value = -lambda * dual[1].dot(change);
-            let twice = if *i == own { 2.0 } else { 1.0 };
-            self.matrix.add(own.max(*i), own.min(*i), twice * value);
-        }
-        let bend = (-lambda * size * unit.dot(&dual[2])).max(0.0);
-        self.matrix.add(own, own, bend);
-        self.right[own] += lambda * size * unit.dot(&dual[1]);
-    }
-
-    /// How far each knot is to go.
-    fn steps(&self, damping: f64) -> Vec<f64> {
-        let mut matrix = self.matrix.clone();
-        let size = matrix.size();
-        for i in 0..size {
-            let more = if i < self.coefficients { 1e-13 } else { damping + 1e-12 } * matrix.diagonal(i);
-            matrix.add(i, i, more + 1e-280);
-        }
-        matrix.factor();
-        let mut steps = self.right.clone();
-        matrix.solve(&mut steps);
-        let bounded = |(by, room): (&f64, &f64)| if by.is_finite() { by.clamp(-*room, *room) } else { 0.0 };
-        steps[self.coefficients..].iter().zip(&self.room).map(bounded).collect()
-    }
 }

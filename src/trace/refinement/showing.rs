@@ -1,6 +1,7 @@
 //! How outlines come into the field and leave it, a bit at a time: one of a long way would keep a trace from being stopped.
 
-use super::{BLOCK, Refinement};
+use super::Refinement;
+use super::blocks::BLOCK;
 use crate::trace::outline::Outline;
 
 /// Tiles that an outline is put into in about one step.
