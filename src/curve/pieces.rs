@@ -1,10 +1,10 @@
 //! A curve as the measures see it: one smooth piece after another.
 
+use super::HermiteCurve;
 use super::piece::{ANY_ROOTS, HERMITE, Piece};
 use super::space_piece::{SpacePiece, Triple};
 use super::spline_curve::lattice::Place;
 use super::spline_curve::{Generator, SplineCurve};
-use super::{HermiteCurve, Segment};
 use crate::error::Result;
 use crate::generator::Roots;
 use crate::numerics::{Point, Vector};
@@ -157,15 +157,8 @@ impl Pieces for HermiteCurve {
     }
 
     fn handles(&self, i: usize) -> [Point; 2] {
-        handles_of(&self.segment(i))
+        self.segment(i).inner_points()
     }
-}
-
-/// The inner generalised Bézier points of a segment.
-#[inline]
-pub(super) fn handles_of(segment: &Segment<'_>) -> [Point; 2] {
-    let reach = segment.length * segment.basis.kappa();
-    [segment.start + segment.leaving * reach, segment.end - segment.arriving * reach]
 }
 
 impl<G: Generator> Pieces for SplineCurve<G> {

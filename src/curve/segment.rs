@@ -52,6 +52,13 @@ impl Segment<'_> {
         value / divisor
     }
 
+    /// The inner generalised Bézier points: on the end tangents, P₀ + κ·H·D₀ and P₁ − κ·H·D₁ with κ = κ(ω·H).
+    #[inline]
+    pub(super) fn inner_points(&self) -> [Point; 2] {
+        let reach = self.basis.kappa() * self.length;
+        [self.start + self.leaving * reach, self.end - self.arriving * reach]
+    }
+
     /// Chord and end derivatives with these weights: a value or a derivative with respect to x.
     pub(super) fn combine(&self, weights: &Weights) -> Vector {
         (self.end - self.start) * weights.chord

@@ -86,9 +86,8 @@ impl HermiteCurve {
     pub fn bezier_points(&self) -> Vec<f64> {
         let mut values = Vec::with_capacity(8 * self.segment_count());
         for segment in self.segments() {
-            let reach = segment.basis.kappa() * segment.length;
-            let (first, last) = (segment.start, segment.end);
-            for p in [first, first + segment.leaving * reach, last - segment.arriving * reach, last] {
+            let [first, second] = segment.inner_points();
+            for p in [segment.start, first, second, segment.end] {
                 append(&mut values, p);
             }
         }

@@ -1,8 +1,10 @@
 //! The smallest upright box around a curve.
 
+use crate::curve::HermiteCurve;
 use crate::curve::piece::Piece;
-use crate::curve::pieces::{Pieces, handles_of, hermite, in_space, space_piece};
+use crate::curve::pieces::{Pieces, hermite, in_space, space_piece};
 use crate::curve::space_piece::{SpacePiece, Triple};
+use crate::numerics::Point;
 use crate::numerics::plane::{larger, taxi};
 use crate::numerics::roots::bracketed_root;
 
@@ -93,11 +95,7 @@ pub(crate) fn bounds(curve: &dyn Pieces) -> Bounds {
         None => (0..=last).for_each(|i| grown.include(curve.start(i).as_slice())),
     }
     for i in 0..last {
-        // Without a call through a table where it would show.
-        let [first, second] = match own {
-            Some(curve) => handles_of(&curve.segment(i)),
-            None => curve.handles(i),
-        };
+        let [first, second] = handles(curve, own, i);
         for axis in 0..2 {
             if !(grown.holds(axis, first[axis]) && grown.holds(axis, second[axis])) {
                 let piece = curve.piece(i);
@@ -106,6 +104,15 @@ pub(crate) fn bounds(curve: &dyn Pieces) -> Bounds {
         }
     }
     grown.bounds(2)
+}
+
+/// [`Pieces::handles`], without a call through a table where it would show.
+#[inline]
+fn handles(curve: &dyn Pieces, own: Option<&HermiteCurve>, i: usize) -> [Point; 2] {
+    match own {
+        Some(own) => own.segment(i).inner_points(),
+        None => curve.handles(i),
+    }
 }
 
 /// A box that holds the curve, quicker than the smallest one.
@@ -117,17 +124,14 @@ pub(crate) fn hull(curve: &dyn Pieces) -> Bounds {
     let last = curve.piece_count();
     for i in 0..=last {
         let start = match own {
-            Some(curve) => curve.points()[if i < curve.points().len() { i } else { 0 }],
+            Some(own) => own.start(i),
             None => curve.start(i),
         };
         grown.include(start.as_slice());
         if i < last {
-            let [first, second] = match own {
-                Some(curve) => handles_of(&curve.segment(i)),
-                None => curve.handles(i),
-            };
-            grown.include(first.as_slice());
-            grown.include(second.as_slice());
+            for handle in handles(curve, own, i) {
+                grown.include(handle.as_slice());
+            }
         }
     }
     grown.bounds(2)
