@@ -37,11 +37,17 @@ pub fn sin_cos(angle: f64) -> (f64, f64) {
     let rest = QUARTER.iter().fold(angle, |rest, part| rest - quarters * part);
     let u = rest * rest;
     let (c2, c3) = series(u);
-    let (sine, cosine) = (rest - rest * u * c3, 1.0 - u * c2);
+    let (cos, sin) = quarter_turned(quarters, (1.0 - u * c2, rest - rest * u * c3));
+    (sin, cos)
+}
+
+/// (cos, sin) of an angle that has so many quarter turns more, exact as those are.
+#[inline]
+pub(crate) fn quarter_turned(quarters: f64, (cos, sin): (f64, f64)) -> (f64, f64) {
     match quarters as i64 & 3 {
-        0 => (sine, cosine),
-        1 => (cosine, -sine),
-        2 => (-sine, -cosine),
-        _ => (-cosine, sine),
+        0 => (cos, sin),
+        1 => (-sin, cos),
+        2 => (-cos, -sin),
+        _ => (sin, -cos),
     }
 }

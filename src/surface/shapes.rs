@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::generator::{Root, Roots};
 use crate::limits::{LARGEST_COORDINATE, check, with_room};
 use crate::numerics::Vector3;
-use crate::numerics::angle::sin_cos;
+use crate::numerics::angle::{quarter_turned, sin_cos};
 use crate::numerics::entire::{Stumpff, stumpff};
 
 /// The most segments in one direction.
@@ -184,16 +184,11 @@ pub(super) struct Turn {
 /// Of k parts of `count`; quarters are exact, so that poles are points.
 pub(super) fn turn(k: f64, count: usize) -> Turn {
     let quarters = 4.0 * k / count as f64;
-    if quarters == quarters.floor() {
-        let (cos, sin) = match quarters as i64 & 3 {
-            0 => (1.0, 0.0),
-            1 => (0.0, 1.0),
-            2 => (-1.0, 0.0),
-            _ => (0.0, -1.0),
-        };
-        return Turn { cos, sin };
-    }
-    let angle = TAU * k / count as f64;
-    let (sin, cos) = sin_cos(angle);
+    let (cos, sin) = if quarters == quarters.floor() {
+        quarter_turned(quarters, (1.0, 0.0))
+    } else {
+        let (sin, cos) = sin_cos(TAU * k / count as f64);
+        (cos, sin)
+    };
     Turn { cos, sin }
 }

@@ -4,7 +4,7 @@
 //! s = sin(sweep/2), the centre lies at ±cos(sweep/2) across it, and the directions to the ends are h − c and
 //! −h − c: tangents need no angle, and a flat arc of a huge circle keeps all its digits (D 8.1).
 
-use crate::numerics::angle::sin_cos;
+use crate::numerics::angle::{quarter_turned, sin_cos};
 use crate::numerics::{Point, Vector};
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -92,10 +92,5 @@ pub(super) fn cos_sin_degrees(degrees: f64) -> (f64, f64) {
     let quarters = (degrees / 90.0).round_ties_even();
     let rest = (degrees - 90.0 * quarters) * (PI / 180.0);
     let (sin, cos) = sin_cos(rest);
-    match (quarters as i64).rem_euclid(4) {
-        0 => (cos, sin),
-        1 => (-sin, cos),
-        2 => (-cos, -sin),
-        _ => (sin, -cos),
-    }
+    quarter_turned(quarters, (cos, sin))
 }

@@ -8,7 +8,7 @@ use core::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI, TAU};
 use super::{HermiteCurve, HermiteOptions};
 use crate::error::{Error, Result};
 use crate::limits::{LARGEST_COORDINATE, MOST_POINTS, check, too_many, with_room};
-use crate::numerics::angle::sin_cos;
+use crate::numerics::angle::{quarter_turned, sin_cos};
 use crate::numerics::{Point, Vector};
 
 impl HermiteCurve {
@@ -112,14 +112,14 @@ pub(super) fn turn(k: usize, n: usize) -> (f64, f64) {
         let angle = FRAC_PI_2 * (part as f64 / n as f64);
         cos_sin(angle)
     };
-    quarter_turns(quarter, if mirrored { (sin, cos) } else { (cos, sin) })
+    quarter_turned(quarter as f64, if mirrored { (sin, cos) } else { (cos, sin) })
 }
 
 /// (cos, sin) of an angle, exact where it is the double nearest to a multiple of a quarter turn.
 pub(super) fn direction(angle: f64) -> (f64, f64) {
     let quarters = (angle / FRAC_PI_2).round_ties_even();
     if quarters.abs() < 1e6 && (angle - quarters * FRAC_PI_2).abs() <= f64::EPSILON * angle.abs() {
-        return quarter_turns((quarters as i64).rem_euclid(4) as u64, (1.0, 0.0));
+        return quarter_turned(quarters, (1.0, 0.0));
     }
     cos_sin(angle)
 }
@@ -127,13 +127,4 @@ pub(super) fn direction(angle: f64) -> (f64, f64) {
 fn cos_sin(angle: f64) -> (f64, f64) {
     let (sin, cos) = sin_cos(angle);
     (cos, sin)
-}
-
-fn quarter_turns(quarters: u64, (cos, sin): (f64, f64)) -> (f64, f64) {
-    match quarters {
-        0 => (cos, sin),
-        1 => (-sin, cos),
-        2 => (-cos, -sin),
-        _ => (sin, -cos),
-    }
 }
