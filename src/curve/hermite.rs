@@ -23,6 +23,7 @@ use crate::limits::{
     too_many, with_room,
 };
 use crate::numerics::angle::wrapped;
+use crate::numerics::lists::steps;
 use crate::numerics::{Point, Vector};
 
 /// Which side of a control point.
@@ -237,7 +238,7 @@ impl Inner {
         if count > MOST_POINTS {
             return Err(too_many("points", "maxPoints", MOST_POINTS, count));
         }
-        let segments = if data.closed { count } else { count - 1 };
+        let segments = steps(count, data.closed);
         if data.tangents_in.is_empty() {
             data.tangents_in.clone_from(&data.tangents);
         }

@@ -4,6 +4,7 @@ use super::check_levels;
 use crate::error::{Error, Result};
 use crate::generator::{Basis, Space};
 use crate::limits::with_room;
+use crate::numerics::lists::steps;
 use crate::numerics::{Point, Vector};
 
 /// Points on a curve with the derivatives that leave and arrive there.
@@ -35,7 +36,7 @@ impl HermiteData {
         if count < 2 {
             return Err(Error::too_few("points", count, 2));
         }
-        let segments = if self.closed { count } else { count - 1 };
+        let segments = steps(count, self.closed);
         for (argument, got, needed) in [
             ("tangents", self.leaving.len(), count),
             ("tangentsIn", self.arriving.len(), count),

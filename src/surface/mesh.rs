@@ -13,7 +13,7 @@ use super::tensor::TensorSurface;
 use crate::error::{Error, Result};
 use crate::limits::{MOST_OUTPUT_POINTS, check, filled, too_many, with_room};
 use crate::numerics::Vector3;
-use crate::numerics::lists::add_scaled;
+use crate::numerics::lists::{add_scaled, steps};
 use crate::numerics::pair::Pair;
 
 /// A vertex whose ∂ᵤσ × ∂ᵥσ is below this part of the size squared asks [`TensorSurface::normal_at`]: the size of what it sees, so that
@@ -55,8 +55,7 @@ impl Grid {
 
 /// The parameter of row i of `count`.
 fn parameter(axis: &Axis, i: usize, count: usize) -> f64 {
-    let steps = if axis.direction.closed { count } else { count - 1 };
-    axis.end() * (i as f64 / steps as f64)
+    axis.end() * (i as f64 / steps(count, axis.direction.closed) as f64)
 }
 
 /// Where each of a range of rows lies, and the weights of its points: for value and two derivatives.
@@ -293,7 +292,7 @@ impl TensorSurface {
         grid.check()?;
         let [u, v] = self.directions().map(|direction| direction.closed);
         let Grid { rows, cols } = grid;
-        let (bands, across) = (if u { rows } else { rows - 1 }, if v { cols } else { cols - 1 });
+        let (bands, across) = (steps(rows, u), steps(cols, v));
         let mut indices = with_room(6 * bands * across)?;
         for i in 0..bands {
             let next = if i + 1 == rows { 0 } else { i + 1 };

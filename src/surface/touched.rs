@@ -8,6 +8,7 @@ use super::mesh::{Grid, Region};
 use super::tensor::TensorSurface;
 use crate::error::Result;
 use crate::limits::check;
+use crate::numerics::lists::steps;
 
 /// Mesh rows whose parameters lie in the intervals that row `i` of the net weighs on, and one more on each side.
 fn rows(axis: &Axis, i: usize, count: usize) -> Range<usize> {
@@ -20,9 +21,9 @@ fn rows(axis: &Axis, i: usize, count: usize) -> Range<usize> {
     } else {
         ((i as i64 - width as i64 + 1).max(0), (i as i64 + 1).min(intervals as i64))
     };
-    let steps = if closed { count } else { count - 1 } as f64 / intervals as f64;
-    let from = (first as f64 * steps).floor() as i64 - 1;
-    let to = (last as f64 * steps).ceil() as i64 + 1;
+    let each = steps(count, closed) as f64 / intervals as f64;
+    let from = (first as f64 * each).floor() as i64 - 1;
+    let to = (last as f64 * each).ceil() as i64 + 1;
     if !closed {
         return from.max(0) as usize..(to.max(0) as usize + 1).min(count);
     }

@@ -1,6 +1,7 @@
 //! Where the samples of a uniform sampling lie: which segment, and where in it.
 
 use super::HermiteCurve;
+use crate::numerics::lists::steps;
 
 /// The parameters i·end/steps, i = 0 … count − 1.
 ///
@@ -31,7 +32,7 @@ pub(super) fn place([factor, divisor, offset]: Run, i: usize) -> f64 {
 impl Grid {
     pub(super) fn new(curve: &HermiteCurve, count: usize) -> Self {
         let (_, end) = curve.domain();
-        let steps = if curve.is_closed() { count } else { count.saturating_sub(1) }.max(1) as f64;
+        let steps = steps(count, curve.is_closed()) as f64;
         let even = curve.is_even().then_some(curve.segment_count() as u64);
         let segments = curve.segment_count() as u64;
         let each =

@@ -17,6 +17,7 @@ use crate::curve::pieces::{AnyPiece, Pieces};
 use crate::curve::speed::{ROUNDING, fastest, piece_length};
 use crate::error::Result;
 use crate::limits::{MOST_OUTPUT_POINTS, filled, too_many, with_room};
+use crate::numerics::lists::steps;
 use crate::numerics::plane::{dot, norm, smaller, square};
 
 /// The most intervals that wait to be looked at: halves of halves down to the least width.
@@ -106,8 +107,7 @@ impl LengthTable {
         if count > MOST_OUTPUT_POINTS {
             return Err(too_many("count", "maxOutputPoints", MOST_OUTPUT_POINTS, count));
         }
-        let steps = if curve.closed() { count } else { count.saturating_sub(1) };
-        let step = self.total / steps.max(1) as f64;
+        let step = self.total / steps(count, curve.closed()) as f64;
         let share = share(self.tolerance, self.lengths.len());
         let mut out = filled(0.0, each * count)?;
         let mut rest = out.as_mut_slice();

@@ -1,6 +1,7 @@
 //! How uniform samples fall on the pieces of curves on a lattice.
 
 use super::lattice::{Lattice, Place};
+use crate::numerics::lists::steps;
 
 /// How samples fall on pieces: sample i at i·pieces/steps, in whole numbers.
 #[derive(Clone, Copy, Debug)]
@@ -14,7 +15,7 @@ pub(super) struct Fall {
 
 impl Fall {
     pub(super) fn new(lattice: &Lattice, count: usize) -> Self {
-        let steps = if lattice.closed { count } else { count.saturating_sub(1) }.max(1) as u64;
+        let steps = steps(count, lattice.closed) as u64;
         let pieces = lattice.piece_count() as u64;
         let each = if steps.is_multiple_of(pieces) { (steps / pieces) as usize } else { 0 };
         Self { pieces, steps, count, each }

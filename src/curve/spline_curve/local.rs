@@ -9,6 +9,7 @@ use super::spline_sampler::SplineSampler;
 use crate::error::{Error, Result};
 use crate::generator::ExponentialBSpline;
 use crate::limits::{LARGEST_COORDINATE, MOST_OUTPUT_POINTS, check, filled, settle, too_many, with_room};
+use crate::numerics::lists::steps;
 use crate::numerics::order::sort_by_number;
 
 /// The finest grid of a patch has 2¹² cells in a segment.
@@ -342,7 +343,7 @@ impl LocalCurve {
         out: &mut [f64],
     ) -> Result<()> {
         let (_, end) = self.base.domain();
-        let steps = if self.base.is_closed() { count } else { count.saturating_sub(1).max(1) };
+        let steps = steps(count, self.base.is_closed());
         for (i, point) in out.chunks_exact_mut(self.base.dimension()).enumerate() {
             self.displace(((first + i) as f64 * end / steps as f64).min(end), derivative, point)?;
         }
