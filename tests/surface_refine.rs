@@ -165,9 +165,7 @@ fn a_patch_point_changes_its_surroundings_only_and_a_coarse_point_takes_it_along
     // Its mesh, its refinement and its copy from plain numbers have the detail too.
     let grid = Grid { rows: 40, cols: 30 };
     let (mut positions, mut normals) = (vec![0.0; 3600], vec![0.0; 3600]);
-    patched
-        .mesh_into(grid, &TensorSurface::whole(grid), &mut positions, &mut normals)
-        .expect("within the limits");
+    patched.mesh_into(grid, &grid.whole(), &mut positions, &mut normals).expect("within the limits");
     let at = patched.evaluate(8.0 * 39.0 / 40.0, 3.0, 0, 0).expect("closed");
     assert!(
         (at - Vector3::from_column_slice(&positions[3 * (39 * 30 + 15)..][..3])).norm() < 1e-14,

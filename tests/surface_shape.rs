@@ -80,7 +80,7 @@ fn a_surface_without_a_tangent_plane_has_no_normal() {
     let line: Vec<f64> = (0..16).flat_map(|i| [f64::from(i), 2.0 * f64::from(i), 0.5]).collect();
     let line = TensorSurface::new(line, direction(false), direction(false)).expect("the net fits");
     let grid = Grid { rows: 8, cols: 8 };
-    let (positions, normals, without) = mesh(&line, grid, &TensorSurface::whole(grid));
+    let (positions, normals, without) = mesh(&line, grid, &grid.whole());
     assert!(positions.iter().chain(&normals).all(|x| x.is_finite()), "finite");
     assert_eq!(without, 64, "every vertex is counted");
     assert!(normals.iter().all(|x| *x == 0.0), "and has no normal");
@@ -173,7 +173,7 @@ fn a_mesh_has_the_curvatures_of_what_is_thin() {
     let surface = TensorSurface::ellipsoid(Vector3::new(1e5, 1.0, 1.0), [8, 4]).expect("in the ranges");
     let grid = Grid { rows: 16, cols: 9 };
     let mut got = vec![0.0; 2 * 16 * 9];
-    surface.mesh_curvatures_into(grid, &TensorSurface::whole(grid), &mut got).expect("within the limits");
+    surface.mesh_curvatures_into(grid, &grid.whole(), &mut got).expect("within the limits");
     for i in 0..16 {
         for j in 0..9 {
             let turn = core::f64::consts::TAU / 16.0;
@@ -249,11 +249,9 @@ fn curvatures_inside_a_surface_that_degenerates_there_are_its_limits_or_0() {
 fn a_mesh_has_the_surfaces_points_normals_and_curvatures() {
     for surface in [sphere(), torus(), character(), random_surface(5, 7, true)] {
         let grid = Grid { rows: 24, cols: 17 };
-        let (positions, normals, without) = mesh(&surface, grid, &TensorSurface::whole(grid));
+        let (positions, normals, without) = mesh(&surface, grid, &grid.whole());
         let mut curvatures = vec![0.0; 2 * 24 * 17];
-        surface
-            .mesh_curvatures_into(grid, &TensorSurface::whole(grid), &mut curvatures)
-            .expect("within the limits");
+        surface.mesh_curvatures_into(grid, &grid.whole(), &mut curvatures).expect("within the limits");
         assert_eq!(without, 0, "every vertex has a normal");
         let [end_u, end_v] = surface.domain();
         let [closed_u, closed_v] = surface.directions().map(|direction| direction.closed);
@@ -292,7 +290,7 @@ fn a_part_of_a_mesh_is_that_part_of_the_whole_to_the_bit() {
         let mut random = Random::new(rows as u64);
         for _ in 0..12 {
             let (i, j) = (random.below(rows), random.below(cols));
-            let (mut positions, mut normals, _) = mesh(&before, grid, &TensorSurface::whole(grid));
+            let (mut positions, mut normals, _) = mesh(&before, grid, &grid.whole());
             let mut surface = before.clone();
             let point = Vector3::new(random.symmetric(), random.symmetric(), random.symmetric());
             surface.set_point(i, j, point).expect("in the net");
@@ -306,7 +304,7 @@ fn a_part_of_a_mesh_is_that_part_of_the_whole_to_the_bit() {
                     normals[to..to + 3].copy_from_slice(&part_normals[from..from + 3]);
                 }
             }
-            let (whole, whole_normals, _) = mesh(&surface, grid, &TensorSurface::whole(grid));
+            let (whole, whole_normals, _) = mesh(&surface, grid, &grid.whole());
             assert_eq!(positions, whole, "positions after net point {i}, {j} moved");
             assert_eq!(normals, whole_normals, "normals after net point {i}, {j} moved");
         }
@@ -317,14 +315,14 @@ fn a_part_of_a_mesh_is_that_part_of_the_whole_to_the_bit() {
 fn a_point_that_is_moved_far_away_changes_no_normal_where_it_does_not_act() {
     let grid = Grid { rows: 64, cols: 64 };
     let before = TensorSurface::sphere(1.0, [16, 16]).expect("in the ranges");
-    let (positions, normals, _) = mesh(&before, grid, &TensorSurface::whole(grid));
+    let (positions, normals, _) = mesh(&before, grid, &grid.whole());
     // A million times as large as the sphere: all other normals were once taken for those of degenerate places.
     for x in [1e3, 1e6, 1e9] {
         let mut surface = before.clone();
         let (i, j) = (0, 10);
         surface.set_point(i, j, Vector3::new(x, 0.0, 0.0)).expect("in the net");
         let region = surface.touched(grid, i, j).expect("in the net");
-        let (moved, moved_normals, without) = mesh(&surface, grid, &TensorSurface::whole(grid));
+        let (moved, moved_normals, without) = mesh(&surface, grid, &grid.whole());
         assert_eq!(without, 0, "{x}: every vertex has a normal");
         let within = |range: &core::ops::Range<usize>, k: usize, count: usize| {
             range.contains(&k) || range.contains(&(k + count))
@@ -364,7 +362,7 @@ fn triangles_close_the_surface_and_face_where_normals_point() {
     }
     let surface = torus();
     let indices = surface.indices(grid).expect("within the limits");
-    let (positions, normals, _) = mesh(&surface, grid, &TensorSurface::whole(grid));
+    let (positions, normals, _) = mesh(&surface, grid, &grid.whole());
     for t in indices.chunks_exact(3) {
         let at = |list: &[f64], vertex: u32| Vector3::from_column_slice(&list[3 * vertex as usize..][..3]);
         let [a, b, c] = [t[0], t[1], t[2]].map(|vertex| at(&positions, vertex));
@@ -378,7 +376,7 @@ fn meshes_beyond_the_limits_are_refused_before_memory_is_asked_for() {
     let grid = Grid { rows: 100_000, cols: 100_000 };
     let refused = unboxed(surface.indices(grid));
     assert!(matches!(refused, Err(Error::LimitExceeded { argument: "rows", .. })), "{refused:?}");
-    let refused = unboxed(surface.mesh_into(grid, &TensorSurface::whole(grid), &mut [], &mut []));
+    let refused = unboxed(surface.mesh_into(grid, &grid.whole(), &mut [], &mut []));
     assert!(matches!(refused, Err(Error::LimitExceeded { argument: "rows", .. })), "{refused:?}");
     let one = Grid { rows: 1, cols: 5 };
     let refused = unboxed(surface.indices(one));

@@ -1,8 +1,9 @@
 //! One direction of a net: which points weigh on a parameter, and how much.
 
+use super::weights::Weights;
 use crate::error::{Error, Result};
-use crate::generator::{ExponentialBSpline, Interpolator, Roots};
-use crate::limits::{MOST_SURFACE_POINTS, check, filled, too_many};
+use crate::generator::{Interpolator, Roots};
+use crate::limits::{MOST_SURFACE_POINTS, check, too_many};
 use crate::numerics::angle::wrapped;
 
 /// The finest level: a unit of the parameter then has 4096 points.
@@ -37,16 +38,9 @@ pub(super) struct Axis {
     pub(super) scale: f64,
     /// Grid intervals that the domain has.
     pub(super) intervals: usize,
-    /// How many points weigh on an interval.
-    pub(super) width: usize,
     /// Point of the grid that is the first to weigh on interval 0.
     pub(super) start: i64,
-    /// Pieces of an interval: an interpolator has a knot in the middle of each.
-    halves: usize,
-    /// Coefficients of a piece.
-    length: usize,
-    /// `halves` × `width` × `length` coefficients, ascending powers of the distance from the piece's middle.
-    pieces: Vec<f64>,
+    weights: Weights,
 }
 
 /// How many points an open direction has beyond the number of its intervals.
@@ -72,8 +66,9 @@ impl Axis {
         if count > MOST_SURFACE_POINTS {
             return Err(too_many(argument, "maxSurfacePoints", MOST_SURFACE_POINTS, count));
         }
-        let generator = if level == 0 { interpolating(roots) } else { b_spline(roots, level) };
-        let generator = generator.map_err(|error| error.about(of_roots))?;
+        let weights =
+            if level == 0 { Weights::of_interpolator(roots) } else { Weights::of_b_spline(roots, level) };
+        let weights = weights.map_err(|error| error.about(of_roots))?;
         let surplus = surplus(roots, level);
         let least = if closed { 3 } else { surplus + 1 };
         if count < least {
@@ -82,9 +77,8 @@ impl Axis {
         let intervals = if closed { count } else { count - surplus };
         let order = roots.order() as i64;
         let start = if level == 0 { 2 - order } else { 1 - (order + 1) / 2 };
-        let (halves, width, length, pieces) = generator;
         let scale = f64::from(1_u32 << level);
-        Ok(Self { direction, scale, intervals, width, start, halves, length, pieces })
+        Ok(Self { direction, scale, intervals, start, weights })
     }
 
     /// The last parameter of the domain, which begins at 0.
@@ -121,21 +115,20 @@ impl Axis {
         // The end itself belongs to the last interval.
         let interval = (x as usize).min(self.intervals - 1);
         let rest = x - interval as f64;
-        if self.halves == 1 {
-            return Place { interval, half: 0, x: rest - 0.5 };
-        }
-        let half = usize::from(rest >= 0.5);
-        Place { interval, half, x: rest - if half == 0 { 0.25 } else { 0.75 } }
+        let (half, x) = self.weights.half(rest);
+        Place { interval, half, x }
     }
 
-    /// Weights of the `width` points that count at a place, or of a derivative there.
-    pub(super) fn weights(&self, place: Place, derivative: usize, out: &mut [f64]) {
-        let first = place.half * self.width * self.length;
-        let pieces = self.pieces[first..].chunks_exact(self.length);
+    /// How many points weigh on an interval.
+    #[inline]
+    pub(super) fn width(&self) -> usize {
+        self.weights.width
+    }
+
+    /// Weights of those points at a place, or of a derivative there.
+    pub(super) fn weights(&self, Place { half, x, .. }: Place, derivative: usize, out: &mut [f64]) {
         let scale = (0..derivative).fold(1.0, |s, _| s * self.scale);
-        for (weight, piece) in out.iter_mut().zip(pieces).take(self.width) {
-            *weight = scale * horner(piece, derivative, place.x);
-        }
+        self.weights.fill(half, x, derivative, scale, out);
     }
 
     /// The net's row that is the w-th to weigh on an interval; `at` counts intervals and w together.
@@ -149,50 +142,6 @@ impl Axis {
 
     /// Rows of the net in the order in which intervals meet them; interval i is weighed on by places i … i + width − 1.
     pub(super) fn run(&self) -> usize {
-        self.intervals + self.width - 1
+        self.intervals + self.width() - 1
     }
-}
-
-/// A derivative of Σ cₙxⁿ.
-fn horner(coefficients: &[f64], derivative: usize, x: f64) -> f64 {
-    let mut value = 0.0;
-    for (n, c) in coefficients.iter().enumerate().skip(derivative).rev() {
-        let falling = (0..derivative).fold(1.0, |f, i| f * (n - i) as f64);
-        value = value * x + c * falling;
-    }
-    value
-}
-
-/// Two pieces an interval, 2(n₀ − 1) points on each.
-fn interpolating(roots: &Roots) -> Result<(usize, usize, usize, Vec<f64>)> {
-    let interpolator = Interpolator::new(roots)?;
-    let order = roots.order() as i64;
-    let width = 2 * (roots.order() - 1);
-    let length = interpolator.half_piece(0).len();
-    let mut pieces = filled(0.0, 2 * width * length)?;
-    let mut rest = pieces.chunks_exact_mut(length);
-    for half in 0..2 {
-        for w in 0..width as i64 {
-            if let Some(piece) = rest.next() {
-                piece.copy_from_slice(interpolator.half_piece((2 * (order - 2 - w) + half) as isize));
-            }
-        }
-    }
-    Ok((2, width, length, pieces))
-}
-
-/// One piece an interval, n₀ points on it; divided by what they sum to where constants are reproduced, so that control points
-/// move with the surface.
-fn b_spline(roots: &Roots, level: u32) -> Result<(usize, usize, usize, Vec<f64>)> {
-    let fine = roots.scaled(f64::from(1_u32 << level));
-    let (spline, integral) = (ExponentialBSpline::new(&fine)?, fine.integral());
-    let width = roots.order();
-    let length = spline.piece(0).len();
-    let mut pieces = filled(0.0, width * length)?;
-    for (w, piece) in pieces.chunks_exact_mut(length).enumerate() {
-        for (coefficient, of_spline) in piece.iter_mut().zip(spline.piece(width - 1 - w)) {
-            *coefficient = of_spline / integral;
-        }
-    }
-    Ok((1, width, length, pieces))
 }

@@ -60,7 +60,7 @@ impl TensorSurface {
     /// The size of the points that weigh on a place. What lies elsewhere has no part in it: a point that is moved far away
     /// changes nothing where it does not act.
     pub(super) fn extent_at(&self, u: f64, v: f64) -> f64 {
-        self.layers.iter().map(|layer| layer.size(layer.seen(u, v), [layer.u.width, layer.v.width])).sum()
+        self.layers.iter().map(|layer| layer.size(layer.seen(u, v), [layer.u.width(), layer.v.width()])).sum()
     }
 
     /// How large derivatives can be anywhere.
@@ -71,7 +71,7 @@ impl TensorSurface {
 
     /// How large derivatives can be at a place.
     pub(super) fn most_at(&self, u: f64, v: f64) -> Jet {
-        let of = |layer: &Layer| layer.most(layer.seen(u, v), [layer.u.width, layer.v.width]);
+        let of = |layer: &Layer| layer.most(layer.seen(u, v), [layer.u.width(), layer.v.width()]);
         self.layers.iter().map(of).fold(Jet::default(), Jet::plus)
     }
 }

@@ -67,8 +67,8 @@ impl Layer {
         scratch: &mut Scratch,
         sum: &mut [f64; 3],
     ) {
-        scratch.u.resize(self.u.width, 0.0);
-        scratch.v.resize(self.v.width, 0.0);
+        scratch.u.resize(self.u.width(), 0.0);
+        scratch.v.resize(self.v.width(), 0.0);
         self.u.weights(u, du, &mut scratch.u);
         self.v.weights(v, dv, &mut scratch.v);
         for (a, wu) in scratch.u.iter().enumerate() {

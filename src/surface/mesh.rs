@@ -41,6 +41,11 @@ pub struct Region {
 }
 
 impl Grid {
+    /// All of it.
+    pub fn whole(self) -> Region {
+        Region { rows: 0..self.rows, cols: 0..self.cols }
+    }
+
     /// Refuses grids that are too small or have too many vertices.
     pub(crate) fn check(self) -> Result<()> {
         check("rows", None, self.rows as f64, 2.0, MOST_OUTPUT_POINTS as f64)?;
@@ -66,7 +71,7 @@ struct Table {
 
 impl Table {
     fn new(axis: &Axis, range: &Range<usize>, count: usize) -> Result<Self> {
-        let width = axis.width;
+        let width = axis.width();
         let mut intervals = with_room(range.len())?;
         let mut weights = with_room(range.len().saturating_mul(width))?;
         let mut of_one = [filled(0.0, width)?, filled(0.0, width)?, filled(0.0, width)?];
@@ -118,7 +123,7 @@ impl<'a> Combined<'a> {
             rows: Table::new(&layer.u, &region.rows, grid.rows)?,
             columns: Table::new(&layer.v, &region.cols, grid.cols)?,
             places,
-            lines: filled(0.0, v.run().saturating_mul(3 * layer.u.width))?,
+            lines: filled(0.0, v.run().saturating_mul(3 * layer.u.width()))?,
             interval: usize::MAX,
             row: filled(0.0, v.run().saturating_mul(3 * kinds))?,
             active: false,
@@ -129,7 +134,7 @@ impl<'a> Combined<'a> {
 
     /// Lays the weights of pairs of columns out side by side.
     fn pair_up(&mut self, pairs: &[[usize; 2]]) -> Result<()> {
-        let width = self.layer.v.width;
+        let width = self.layer.v.width();
         self.intervals = with_room(pairs.len())?;
         self.pairs = with_room(pairs.len().saturating_mul(width))?;
         for &[first, second] in pairs {
@@ -144,7 +149,7 @@ impl<'a> Combined<'a> {
 
     /// Combines the net's rows for row i of the region.
     fn prepare(&mut self, i: usize) {
-        let (interval, weights) = self.rows.at(i, self.layer.u.width);
+        let (interval, weights) = self.rows.at(i, self.layer.u.width());
         if self.interval != interval {
             self.interval = interval;
             self.active = lay(self.layer, interval, &self.places, &mut self.lines);
@@ -165,13 +170,13 @@ impl<'a> Combined<'a> {
     #[inline(always)]
     fn points(&self, kind: usize, interval: usize) -> &[[f64; 3]] {
         let first = kind * self.places.len() + interval;
-        &self.row.as_chunks::<3>().0[first..first + self.layer.v.width]
+        &self.row.as_chunks::<3>().0[first..first + self.layer.v.width()]
     }
 
     /// Adds position, ∂ᵤ and ∂ᵥ at a pair of columns. Number by number, written out: this is where the time goes.
     #[inline(always)]
     fn add_tangents(&self, pair: usize, sums: &mut [Pair; 9]) {
-        let width = self.layer.v.width;
+        let width = self.layer.v.width();
         let interval = self.intervals[pair];
         let points = self.points(0, interval).iter().zip(self.points(1, interval));
         let weights = &self.pairs[width * pair..width * (pair + 1)];
@@ -195,7 +200,7 @@ impl<'a> Combined<'a> {
 
     /// Adds ∂ᵤ, ∂ᵥ, ∂ᵤᵤ, ∂ᵤᵥ and ∂ᵥᵥ at column c.
     fn add_jet(&self, c: usize, jet: &mut Jet) {
-        let (interval, weights) = self.columns.at(c, self.layer.v.width);
+        let (interval, weights) = self.columns.at(c, self.layer.v.width());
         let [points, by_u, by_uu] = [0, 1, 2].map(|kind| self.points(kind, interval));
         for (((&point, &by_u), &by_uu), &[w0, w1, w2]) in points.iter().zip(by_u).zip(by_uu).zip(weights) {
             let [p, by_u, by_uu] = [point, by_u, by_uu].map(Vector3::from);
@@ -303,11 +308,6 @@ impl TensorSurface {
             }
         }
         Ok(indices)
-    }
-
-    /// The whole grid as a region.
-    pub fn whole(grid: Grid) -> Region {
-        Region { rows: 0..grid.rows, cols: 0..grid.cols }
     }
 
     /// The combined layers of a mesh, after its checks.

@@ -32,6 +32,7 @@ mod refine;
 mod shapes;
 mod tensor;
 mod touched;
+mod weights;
 
 pub use axis::Direction;
 pub use curvature::Curvature;

@@ -40,6 +40,15 @@ impl Pole {
         if self.last { self.row + r } else { self.row - r }
     }
 
+    /// The row that moves with net point (i, j): that of the pole itself, or the one beyond that is opposite.
+    fn takes_along(self, i: usize, j: usize) -> Option<usize> {
+        let row = if self.open_u { i } else { j };
+        if row == self.row {
+            return Some(row);
+        }
+        (1..=self.beyond).find(|&r| self.inside(r) == row).map(|r| self.outside(r))
+    }
+
     /// Place in the net of point k of a row.
     fn place(self, row: usize, k: usize) -> (usize, usize) {
         if self.open_u { (row, k) } else { (k, row) }
@@ -47,7 +56,7 @@ impl Pole {
 }
 
 impl TensorSurface {
-    /// Moves net point (i, j).
+    /// Moves net point (i, j); says whether others moved along.
     ///
     /// A smooth pole stays smooth: its points move together, and the rows beyond it follow the rows inside. That holds
     /// as long as the points beyond are left to themselves; after one of them was moved, all are the caller's.
@@ -56,7 +65,7 @@ impl TensorSurface {
     ///
     /// `OutOfRange` for `i` and `j`; `NotFinite` and `OutOfRange` for `x`, `y` and `z`; `OutOfRange` for `net` where a point that
     /// follows would not be within ±1e9. The surface is as it was then.
-    pub fn set_point(&mut self, i: usize, j: usize, point: Vector3) -> Result<()> {
+    pub fn set_point(&mut self, i: usize, j: usize, point: Vector3) -> Result<bool> {
         let base = self.base();
         check("i", None, i as f64, 0.0, (base.u.direction.count - 1) as f64)?;
         check("j", None, j as f64, 0.0, (base.v.direction.count - 1) as f64)?;
@@ -64,14 +73,15 @@ impl TensorSurface {
             check(argument, None, number, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
         }
         let poles = self.smooth_poles();
-        if poles.is_empty() {
+        let along = poles.iter().any(|&pole| pole.takes_along(i, j).is_some());
+        if along {
+            let mut moved = self.clone();
+            moved.follow(&poles, i, j, point);
+            *self = moved.within_limits()?;
+        } else {
             self.set(i, j, point);
-            return Ok(());
         }
-        let mut moved = self.clone();
-        moved.follow(&poles, i, j, point);
-        *self = moved.within_limits()?;
-        Ok(())
+        Ok(along)
     }
 
     /// Moves point (i, j), and what the poles take along.
@@ -96,22 +106,11 @@ impl TensorSurface {
     pub(super) fn companions(&self, i: usize, j: usize) -> Vec<(usize, usize)> {
         let mut found = Vec::new();
         for pole in self.smooth_poles() {
-            let row = if pole.open_u { i } else { j };
-            let moved = if row == pole.row {
-                Some(pole.row)
-            } else {
-                (1..=pole.beyond).find(|&r| pole.inside(r) == row).map(|r| pole.outside(r))
-            };
-            if let Some(row) = moved {
+            if let Some(row) = pole.takes_along(i, j) {
                 found.extend((0..pole.around).map(|k| pole.place(row, k)));
             }
         }
         found
-    }
-
-    /// Whether other points of the net move with (i, j).
-    pub fn moves_others(&self, i: usize, j: usize) -> bool {
-        !self.companions(i, j).is_empty()
     }
 
     fn get(&self, i: usize, j: usize) -> Vector3 {

@@ -12,7 +12,7 @@ use crate::numerics::lists::steps;
 
 /// Mesh rows whose parameters lie in the intervals that row `i` of the net weighs on, and one more on each side.
 fn rows(axis: &Axis, i: usize, count: usize) -> Range<usize> {
-    let Axis { intervals, width, .. } = *axis;
+    let (intervals, width) = (axis.intervals, axis.width());
     let closed = axis.direction.closed;
     let (first, last) = if closed {
         // Interval m is weighed on by m + start … m + start + width − 1, so point i by m = i − start − width + 1 … i − start.

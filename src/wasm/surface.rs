@@ -174,10 +174,9 @@ pub fn surface_mesh_curvature(slot: u32, rows: u32, cols: u32) -> i32 {
     with(slot, &mut |surface, kernel| {
         let grid = Grid { rows: rows as usize, cols: cols as usize };
         grid.check()?;
-        let region = Region { rows: 0..grid.rows, cols: 0..grid.cols };
         let vertices = times(rows, grid.cols);
         grow(&mut kernel.output, 2 * vertices, 0.0)?;
-        surface.mesh_curvatures_into(grid, &region, &mut kernel.output[..2 * vertices])?;
+        surface.mesh_curvatures_into(grid, &grid.whole(), &mut kernel.output[..2 * vertices])?;
         Ok(2 * vertices)
     })
 }
@@ -220,12 +219,8 @@ pub fn surface_touched(slot: u32, rows: u32, cols: u32, patch: i32, i: u32, j: u
 #[wasm_bindgen]
 pub fn surface_set_point(slot: u32, i: u32, j: u32, x: f64, y: f64, z: f64) -> i32 {
     with(slot, &mut |surface, kernel| {
-        let others = surface.moves_others(i as usize, j as usize);
-        surface.set_point(i as usize, j as usize, Vector3::new(x, y, z))?;
-        if !others {
-            return Ok(0);
-        }
-        Ok(kernel.give(surface.net().iter().map(|x| x + 0.0).collect()))
+        let others = surface.set_point(i as usize, j as usize, Vector3::new(x, y, z))?;
+        Ok(if others { kernel.give(surface.net().iter().map(|x| x + 0.0).collect()) } else { 0 })
     })
 }
 
