@@ -93,6 +93,34 @@ fn places_on_a_cubic_are_on_it_wherever_it_turns_sharply() {
 }
 
 #[test]
+fn places_on_a_curve_that_nearly_runs_over_itself_are_on_it() {
+    let mut random = Random::new(3);
+    for case in 0..200 {
+        let mut vector = || Point::new(random.symmetric(), random.symmetric());
+        let (p, q, leaving, arriving) = (vector(), vector(), vector(), vector());
+        // Back again beside itself, farther off than what counts as equally near.
+        let off = vector() * [3e-13, 1e-12, 1e-11, 1e-10][case % 4];
+        let curve = HermiteCurve::new(HermiteOptions {
+            points: vec![p, q, p + off],
+            tangents: vec![leaving, -arriving, -leaving],
+            tangents_in: vec![leaving, arriving, -leaving],
+            closed: false,
+            omega: vec![0.0],
+            ..HermiteOptions::default()
+        })
+        .expect("a cubic, there and back");
+        let finder = NearestFinder::new(&curve);
+        // Two ties, and some roundings of coordinates up to 2.
+        let within = 2e-13 * curve.bounds().extent() + 8.0 * f64::EPSILON;
+        for k in 0..=500 {
+            let place = curve.evaluate(2.0 * f64::from(k) / 500.0, 0).expect("t is in the domain");
+            let found = finder.nearest(place);
+            assert!(found.distance <= within, "{case}: {:e} at {k} of 500", found.distance);
+        }
+    }
+}
+
+#[test]
 fn centre_of_a_circle_is_answered_with_the_smallest_parameter() {
     for count in [2, 3, 4, 7, 16] {
         let circle =

@@ -19,6 +19,9 @@ const MOST_STEPS: usize = 8;
 const SMALL_STEP: f64 = 1e-4;
 /// Newton's steps up to this share of a segment are exact to rounding.
 const LAST_STEP: f64 = 1e-9;
+/// What is left of |e|² after such a step, where it is a smaller share than this, is rounding: of a place on a branch 1e-12 away from
+/// another the wrong one would be taken.
+const CANCELLED: f64 = 1e-10;
 /// The most intervals that are open at once.
 const STACK: usize = 64;
 /// Intervals below this share of a segment are not halved any more.
@@ -191,8 +194,9 @@ impl Question {
             y = next;
             let is_small = moved < SMALL_STEP;
             if is_small && piece.is_cubic() {
+                let before = at.square;
                 at = at.after(step, &jet);
-                if at.is_settled() {
+                if at.is_settled() && at.square > CANCELLED * before {
                     break;
                 }
             }
