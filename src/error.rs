@@ -192,6 +192,16 @@ impl Error {
         self
     }
 
+    /// The same error, said of an argument that is one number, where a list of one was looked at.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn of_one(mut self: Box<Self>) -> Box<Self> {
+        if let Self::NotFinite { index, .. } | Self::OutOfRange { index, .. } = &mut *self {
+            *index = None;
+        }
+        self
+    }
+
     /// The stable code of the kind of error; part of semantic versioning.
     pub fn code(&self) -> &'static str {
         match self {

@@ -112,6 +112,8 @@ fn impossible_ellipses_are_refused_by_name() {
         let error = result.expect_err("it is impossible");
         assert_eq!((error.code(), error.argument()), (code, Some(argument)), "{error}");
     }
+    let error = ellipse(1.0, -1.0, 4).expect_err("a negative radius");
+    assert!(error.to_string().starts_with("radii[1] is -1;"), "{error}");
 }
 
 #[test]

@@ -306,8 +306,12 @@ fn what_is_wrong_is_named() {
         Err(Error::OutOfRange { index: Some(2), .. })
     ));
     let fine = curve(&[0.0, 1.0, 2.0, 0.0, 2.0, 1.0], false, None).expect("three points");
-    assert!(matches!(unboxed(fine.evaluate(2.5, 0)), Err(Error::OutOfRange { argument: "t", .. })));
-    assert!(matches!(unboxed(fine.evaluate(f64::NAN, 0)), Err(Error::NotFinite { argument: "t", .. })));
+    // One number has no index.
+    assert!(matches!(
+        unboxed(fine.evaluate(2.5, 0)),
+        Err(Error::OutOfRange { argument: "t", index: None, .. })
+    ));
+    assert_eq!(unboxed(fine.evaluate(f64::NAN, 0)), Err(Error::NotFinite { argument: "t", index: None }));
     assert!(matches!(unboxed(fine.evaluate(1.0, 4)), Err(Error::OutOfRange { argument: "derivative", .. })));
     assert!(matches!(unboxed(fine.refine(1, 3, 2)), Err(Error::Degenerate { argument: "m0", .. })));
     assert!(matches!(unboxed(fine.refine(0, 2, 2)), Err(Error::OutOfRange { argument: "levels", .. })));

@@ -281,7 +281,11 @@ fn what_is_wrong_with_a_net_is_said_before_anything_is_made() {
     let surface =
         TensorSurface::new(vec![0.0; 48], direction(4, false), direction(4, false)).expect("the net fits");
     let beyond = unboxed(surface.evaluate(1.0 + 1e-15, 0.5, 0, 0));
-    assert!(matches!(beyond, Err(Error::OutOfRange { argument: "u", .. })), "{beyond:?}");
+    assert!(matches!(beyond, Err(Error::OutOfRange { argument: "u", index: None, .. })), "{beyond:?}");
+    let beyond = unboxed(surface.normal(0.5, f64::NAN));
+    assert_eq!(beyond, Err(Error::NotFinite { argument: "v", index: None }), "one number has no index");
+    let beyond = unboxed(surface.curvature(-1.0, 0.5));
+    assert!(matches!(beyond, Err(Error::OutOfRange { argument: "u", index: None, .. })), "{beyond:?}");
     let huge = unboxed(surface.refine(12, 12)).map(|_| ());
     assert!(matches!(huge, Err(Error::LimitExceeded { argument: "levels", .. })), "{huge:?}");
 }

@@ -210,6 +210,10 @@ fn refinements_beyond_the_limits_are_refused() {
     assert!(matches!(refused, Err(Error::LimitExceeded { argument: "levels", .. })), "{refused:?}");
     let refused = unboxed(surface.refine(13, 0)).map(|_| ());
     assert!(matches!(refused, Err(Error::OutOfRange { argument: "levels", .. })), "{refused:?}");
+    // Told what is asked for in all: one level alone is in its range.
+    let refused = unboxed(surface.refine(1, 0).and_then(|finer| finer.refine(12, 0))).map(|_| ());
+    let limit = Error::LimitExceeded { argument: "levels", limit: "maxLevels", most: 12.0, needed: 13.0 };
+    assert_eq!(refused, Err(limit), "twelve levels on one");
     // Rows and columns closed: 2⁹·8 times 2⁷·8 are 4,194,304 to the point, and as many as may be.
     let torus = TensorSurface::torus(3.0, 1.0, [8, 8]).expect("in the ranges");
     let finest = torus.refine(9, 7).expect("exactly at the limit");

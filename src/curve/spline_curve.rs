@@ -111,7 +111,7 @@ impl<G: Generator> SplineCurve<G> {
     /// t not finite or, on an open curve, outside the domain; a derivative above n₀ − 1.
     pub fn evaluate(&self, t: f64, derivative: usize) -> Result<Vec<f64>> {
         let mut point = vec![0.0; self.dimension()];
-        self.evaluate_into(&[t], derivative, &mut point)?;
+        self.evaluate_into(&[t], derivative, &mut point).map_err(Error::of_one)?;
         Ok(point)
     }
 

@@ -68,7 +68,7 @@ impl TensorSurface {
     ///
     /// Those of [`TensorSurface::evaluate`].
     pub fn curvature(&self, u: f64, v: f64) -> Result<Curvature> {
-        self.check_places(&[u], &[v])?;
+        self.check_place(u, v)?;
         Ok(self.curvature_at(u, v, &mut Scratch::default()))
     }
 

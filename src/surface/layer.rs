@@ -1,6 +1,8 @@
 //! A net over a window of two axes: the base of a surface, or detail that is added to it.
 
 use super::axis::{Axis, Place};
+use crate::error::Result;
+use crate::limits::check;
 
 /// Rows first, first + 1, … of an axis, round its end where it is closed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,6 +49,12 @@ pub(super) struct Scratch {
 }
 
 impl Layer {
+    /// Checks the numbers of a point of the window.
+    pub(super) fn check(&self, i: usize, j: usize) -> Result<()> {
+        check("i", None, i as f64, 0.0, (self.rows.count - 1) as f64)?;
+        check("j", None, j as f64, 0.0, (self.columns.count - 1) as f64)
+    }
+
     /// The three numbers of the point at a place in the window.
     pub(super) fn point(&self, i: usize, j: usize) -> &[f64] {
         let at = 3 * (i * self.columns.count + j);

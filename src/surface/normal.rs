@@ -141,15 +141,7 @@ impl TensorSurface {
     ///
     /// Those of [`TensorSurface::evaluate_into`].
     pub fn normals_into(&self, u: &[f64], v: &[f64], out: &mut [f64]) -> Result<()> {
-        self.check_places(u, v)?;
-        if out.len() != 3 * u.len() {
-            return Err(Error::wrong_length("out", out.len(), 3 * u.len()));
-        }
-        let mut scratch = Scratch::default();
-        for ((&u, &v), normal) in u.iter().zip(v).zip(out.chunks_exact_mut(3)) {
-            normal.copy_from_slice(self.normal_at(u, v, &mut scratch).as_slice());
-        }
-        Ok(())
+        self.at_each(u, v, out, &|u, v, scratch| self.normal_at(u, v, scratch).into())
     }
 
     /// The unit normal at (u, v), or nothing where the surface has none.
@@ -159,7 +151,7 @@ impl TensorSurface {
     /// Those of [`TensorSurface::evaluate`].
     pub fn normal(&self, u: f64, v: f64) -> Result<Option<Vector3>> {
         let mut out = [0.0; 3];
-        self.normals_into(&[u], &[v], &mut out)?;
+        self.normals_into(&[u], &[v], &mut out).map_err(Error::of_one)?;
         Ok((out != [0.0; 3]).then(|| Vector3::from(out)))
     }
 }

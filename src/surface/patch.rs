@@ -3,9 +3,9 @@
 use super::axis::{Axis, Direction, MOST_LEVELS};
 use super::layer::{Layer, Window};
 use super::refine::{check_levels, doubled, grown};
-use super::tensor::TensorSurface;
+use super::tensor::{TensorSurface, check_displacement, check_point};
 use crate::error::{Error, Result};
-use crate::limits::{LARGEST_COORDINATE, check, filled, settle};
+use crate::limits::{check, filled, settle};
 use crate::numerics::Vector3;
 use crate::numerics::angle::wrapped;
 
@@ -21,7 +21,7 @@ impl TensorSurface {
     /// Those of [`TensorSurface::refine`]; `OutOfRange` for `u`, `v` and `reach` (0 to 1e6); `Degenerate` for `reach` where
     /// no control point is within it.
     pub fn refine_at(&self, u: f64, v: f64, levels: u32, reach: f64) -> Result<Self> {
-        self.check_places(&[u], &[v])?;
+        self.check_place(u, v)?;
         check("reach", None, reach, 0.0, 1e6)?;
         check("levels", None, f64::from(levels), 1.0, f64::from(MOST_LEVELS))?;
         let base = self.base();
@@ -90,25 +90,15 @@ impl TensorSurface {
     /// `OutOfRange` for `patch`, `i` and `j`; `NotFinite` and `OutOfRange` for `x`, `y` and `z`; `OutOfRange` for `displacements`
     /// where the point would be moved by more than 2e9.
     pub fn set_patch_point(&mut self, patch: usize, i: usize, j: usize, point: Vector3) -> Result<()> {
-        let Layer { rows, columns, .. } = self.patch(patch)?;
-        let (rows, columns) = (rows.count, columns.count);
-        check("i", None, i as f64, 0.0, (rows - 1) as f64)?;
-        check("j", None, j as f64, 0.0, (columns - 1) as f64)?;
-        for (argument, &number) in ["x", "y", "z"].into_iter().zip(point.iter()) {
-            check(argument, None, number, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
-        }
+        let layer = self.patch(patch)?;
+        layer.check(i, j)?;
+        check_point(&point)?;
         let shown = self.patch_points(patch)?;
-        let at = 3 * (i * columns + j);
+        let at = 3 * (i * layer.columns.count + j);
         let mut moved = [0.0; 3];
         for (k, number) in moved.iter_mut().enumerate() {
-            *number = self.patch(patch)?.point(i, j)[k] + (point[k] - shown[at + k]);
-            check(
-                "displacements",
-                Some(at + k),
-                *number,
-                -2.0 * LARGEST_COORDINATE,
-                2.0 * LARGEST_COORDINATE,
-            )?;
+            *number = layer.point(i, j)[k] + (point[k] - shown[at + k]);
+            check_displacement(Some(at + k), *number)?;
         }
         self.layers[patch + 1].point_mut(i, j).copy_from_slice(&moved);
         Ok(())
@@ -153,7 +143,7 @@ impl TensorSurface {
             ));
         }
         for (i, &number) in displacements.iter().enumerate() {
-            check("displacements", Some(i), number, -2.0 * LARGEST_COORDINATE, 2.0 * LARGEST_COORDINATE)?;
+            check_displacement(Some(i), number)?;
         }
         let mut net = filled(0.0, displacements.len())?;
         net.copy_from_slice(displacements);

@@ -6,9 +6,8 @@
 use core::f64::consts::TAU;
 
 use super::axis::Axis;
-use super::tensor::TensorSurface;
+use super::tensor::{TensorSurface, check_point};
 use crate::error::Result;
-use crate::limits::{LARGEST_COORDINATE, check};
 use crate::numerics::Vector3;
 use crate::numerics::angle::sin_cos;
 
@@ -66,12 +65,8 @@ impl TensorSurface {
     /// `OutOfRange` for `i` and `j`; `NotFinite` and `OutOfRange` for `x`, `y` and `z`; `OutOfRange` for `net` where a point that
     /// follows would not be within ±1e9. The surface is as it was then.
     pub fn set_point(&mut self, i: usize, j: usize, point: Vector3) -> Result<bool> {
-        let base = self.base();
-        check("i", None, i as f64, 0.0, (base.u.direction.count - 1) as f64)?;
-        check("j", None, j as f64, 0.0, (base.v.direction.count - 1) as f64)?;
-        for (argument, &number) in ["x", "y", "z"].into_iter().zip(point.iter()) {
-            check(argument, None, number, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
-        }
+        self.base().check(i, j)?;
+        check_point(&point)?;
         let poles = self.smooth_poles();
         let along = poles.iter().any(|&pole| pole.takes_along(i, j).is_some());
         if along {

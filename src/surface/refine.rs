@@ -109,8 +109,8 @@ impl TensorSurface {
     ///
     /// # Errors
     ///
-    /// `OutOfRange` for more than 12 levels in all, and for a finer `net` that is not within ±1e9; `LimitExceeded` for `levels`
-    /// beyond 4,194,304 points.
+    /// `OutOfRange` for more than 12 levels, and for a finer `net` that is not within ±1e9; `LimitExceeded` for `levels` that make
+    /// more than 12 with those that there are, or more than 4,194,304 points.
     ///
     /// # Source
     ///
@@ -136,7 +136,11 @@ impl TensorSurface {
 
 pub(super) fn check_levels(base: &Layer, levels: [u32; 2]) -> Result<()> {
     for (finer, level) in levels.into_iter().zip(base.levels()) {
-        check("levels", None, f64::from(finer), 0.0, f64::from(MOST_LEVELS - level))?;
+        check("levels", None, f64::from(finer), 0.0, f64::from(MOST_LEVELS))?;
+        let total = level + finer;
+        if total > MOST_LEVELS {
+            return Err(too_many("levels", "maxLevels", MOST_LEVELS as usize, total as usize));
+        }
     }
     let needed = grown(&base.u, levels[0]).saturating_mul(grown(&base.v, levels[1]));
     if needed > MOST_SURFACE_POINTS {

@@ -57,8 +57,8 @@ impl TensorSurface {
         for (i, &number) in self.net().iter().enumerate() {
             check("net", Some(i), number, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
         }
-        for number in self.layers[1..].iter().flat_map(|patch| &patch.net) {
-            check("displacements", None, *number, -2.0 * LARGEST_COORDINATE, 2.0 * LARGEST_COORDINATE)?;
+        for &number in self.layers[1..].iter().flat_map(|patch| &patch.net) {
+            check_displacement(None, number)?;
         }
         Ok(self)
     }
@@ -109,7 +109,7 @@ impl TensorSurface {
     /// `NotFinite` and `OutOfRange` for `u`, `v`, `du`, `dv` (at most 8).
     pub fn evaluate(&self, u: f64, v: f64, du: usize, dv: usize) -> Result<Vector3> {
         let mut out = [0.0; 3];
-        self.evaluate_into(&[u], &[v], du, dv, &mut out)?;
+        self.evaluate_into(&[u], &[v], du, dv, &mut out).map_err(Error::of_one)?;
         Ok(Vector3::from(out))
     }
 
@@ -122,15 +122,32 @@ impl TensorSurface {
     pub fn evaluate_into(&self, u: &[f64], v: &[f64], du: usize, dv: usize, out: &mut [f64]) -> Result<()> {
         check("du", None, du as f64, 0.0, MOST_DERIVATIVES as f64)?;
         check("dv", None, dv as f64, 0.0, MOST_DERIVATIVES as f64)?;
+        self.at_each(u, v, out, &|u, v, scratch| self.value(u, v, (du, dv), scratch))
+    }
+
+    /// Three numbers for each pair of parameters, after all checks.
+    pub(super) fn at_each(
+        &self,
+        u: &[f64],
+        v: &[f64],
+        out: &mut [f64],
+        at: &dyn Fn(f64, f64, &mut Scratch) -> [f64; 3],
+    ) -> Result<()> {
         self.check_places(u, v)?;
         if out.len() != 3 * u.len() {
             return Err(Error::wrong_length("out", out.len(), 3 * u.len()));
         }
         let mut scratch = Scratch::default();
-        for ((&u, &v), point) in u.iter().zip(v).zip(out.chunks_exact_mut(3)) {
-            point.copy_from_slice(&self.value(u, v, (du, dv), &mut scratch));
+        for ((&u, &v), numbers) in u.iter().zip(v).zip(out.as_chunks_mut::<3>().0) {
+            *numbers = at(u, v, &mut scratch);
         }
         Ok(())
+    }
+
+    /// Checks a pair of parameters.
+    pub(super) fn check_place(&self, u: f64, v: f64) -> Result<()> {
+        self.base().u.check("u", None, u)?;
+        self.base().v.check("v", None, v)
     }
 
     /// Checks pairs of parameters.
@@ -157,4 +174,17 @@ impl TensorSurface {
         }
         sum
     }
+}
+
+/// Checks the coordinates of a point.
+pub(super) fn check_point(point: &Vector3) -> Result<()> {
+    for (argument, &number) in ["x", "y", "z"].into_iter().zip(point.iter()) {
+        check(argument, None, number, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
+    }
+    Ok(())
+}
+
+/// From one end of what is allowed to the other at most.
+pub(super) fn check_displacement(index: Option<usize>, number: f64) -> Result<()> {
+    check("displacements", index, number, -2.0 * LARGEST_COORDINATE, 2.0 * LARGEST_COORDINATE)
 }

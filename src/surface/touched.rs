@@ -7,7 +7,6 @@ use super::layer::Layer;
 use super::mesh::{Grid, Region};
 use super::tensor::TensorSurface;
 use crate::error::Result;
-use crate::limits::check;
 use crate::numerics::lists::steps;
 
 /// Mesh rows whose parameters lie in the intervals that row `i` of the net weighs on, and one more on each side.
@@ -53,8 +52,7 @@ impl TensorSurface {
     /// `OutOfRange` for `i`, `j`, `rows`, `cols`.
     pub fn touched(&self, grid: Grid, i: usize, j: usize) -> Result<Region> {
         let base = self.base();
-        check("i", None, i as f64, 0.0, (base.u.direction.count - 1) as f64)?;
-        check("j", None, j as f64, 0.0, (base.v.direction.count - 1) as f64)?;
+        base.check(i, j)?;
         grid.check()?;
         let mut region = region(base, grid, i, j);
         // A point beside a pole takes others with it.
@@ -65,6 +63,7 @@ impl TensorSurface {
         }
         Ok(region)
     }
+
     /// The part of a mesh that control point (i, j) of a patch moves.
     ///
     /// # Errors
@@ -72,8 +71,7 @@ impl TensorSurface {
     /// `OutOfRange` for `patch`, `i`, `j`, `rows`, `cols`.
     pub fn touched_by_patch(&self, grid: Grid, patch: usize, i: usize, j: usize) -> Result<Region> {
         let layer = self.patch(patch)?;
-        check("i", None, i as f64, 0.0, (layer.rows.count - 1) as f64)?;
-        check("j", None, j as f64, 0.0, (layer.columns.count - 1) as f64)?;
+        layer.check(i, j)?;
         grid.check()?;
         Ok(region(layer, grid, layer.rows.row(&layer.u, i), layer.columns.row(&layer.v, j)))
     }

@@ -66,14 +66,14 @@ struct Frame {
 impl Frame {
     fn new(center: Point, radii: Vector, rotation: f64) -> Result<Self> {
         let most = LARGEST_COORDINATE;
-        for (argument, value, least) in [
-            ("center", center.x, -most),
-            ("center", center.y, -most),
-            ("radii", radii.x, f64::MIN_POSITIVE),
-            ("radii", radii.y, f64::MIN_POSITIVE),
-            ("rotation", rotation, -most),
+        for (argument, index, value, least) in [
+            ("center", Some(0), center.x, -most),
+            ("center", Some(1), center.y, -most),
+            ("radii", Some(0), radii.x, f64::MIN_POSITIVE),
+            ("radii", Some(1), radii.y, f64::MIN_POSITIVE),
+            ("rotation", None, rotation, -most),
         ] {
-            check(argument, None, value, least, most)?;
+            check(argument, index, value, least, most)?;
         }
         let (cos, sin) = direction(rotation);
         let (first, second) = (Vector::new(cos, sin) * radii.x, Vector::new(-sin, cos) * radii.y);

@@ -31,12 +31,12 @@ impl HermiteCurve {
     ///
     /// # Errors
     ///
-    /// An index beyond the last point; too few points if fewer than 2 would be left.
+    /// An index beyond the last point; too few points if there are 2.
     pub fn remove(&self, i: usize) -> Result<(Self, f64)> {
         self.check_index(i)?;
         let left = self.points().len() - 1;
         if left < 2 {
-            return Err(Error::too_few("points", left, 2));
+            return Err(Error::too_few("points", left + 1, 3));
         }
         let segments = self.segment_count();
         let (before, after) = (if i == 0 { segments - 1 } else { i - 1 }, i);

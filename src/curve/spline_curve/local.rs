@@ -307,7 +307,7 @@ impl LocalCurve {
     /// As [`InterpolatingCurve::evaluate`].
     pub fn evaluate(&self, t: f64, derivative: usize) -> Result<Vec<f64>> {
         let mut point = vec![0.0; self.base.dimension()];
-        self.evaluate_into(&[t], derivative, &mut point)?;
+        self.evaluate_into(&[t], derivative, &mut point).map_err(Error::of_one)?;
         Ok(point)
     }
 
