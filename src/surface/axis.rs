@@ -1,6 +1,6 @@
 //! One direction of a net: which points weigh on a parameter, and how much.
 
-use super::weights::Weights;
+use super::weights::IntervalWeights;
 use crate::error::{Error, Result};
 use crate::generator::{Interpolator, Roots};
 use crate::limits::{MOST_SURFACE_POINTS, check, too_many};
@@ -40,7 +40,7 @@ pub(super) struct Axis {
     pub(super) intervals: usize,
     /// Point of the grid that is the first to weigh on interval 0.
     pub(super) start: i64,
-    weights: Weights,
+    weights: IntervalWeights,
 }
 
 /// How many points an open direction has beyond the number of its intervals.
@@ -66,8 +66,11 @@ impl Axis {
         if count > MOST_SURFACE_POINTS {
             return Err(too_many(argument, "maxSurfacePoints", MOST_SURFACE_POINTS, count));
         }
-        let weights =
-            if level == 0 { Weights::of_interpolator(roots) } else { Weights::of_b_spline(roots, level) };
+        let weights = if level == 0 {
+            IntervalWeights::of_interpolator(roots)
+        } else {
+            IntervalWeights::of_b_spline(roots, level)
+        };
         let weights = weights.map_err(|error| error.about(of_roots))?;
         let surplus = surplus(roots, level);
         let least = if closed { 3 } else { surplus + 1 };

@@ -6,7 +6,7 @@ use crate::limits::filled;
 
 /// The pieces of a generator that an interval meets, one point's after the other.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Weights {
+pub(super) struct IntervalWeights {
     /// How many points weigh on an interval.
     pub(super) width: usize,
     /// Pieces of an interval: an interpolator has a knot in the middle of each.
@@ -17,7 +17,7 @@ pub(super) struct Weights {
     pieces: Vec<f64>,
 }
 
-impl Weights {
+impl IntervalWeights {
     /// Two pieces an interval, 2(n₀ − 1) points on each.
     pub(super) fn of_interpolator(roots: &Roots) -> Result<Self> {
         let interpolator = Interpolator::new(roots)?;
@@ -53,6 +53,7 @@ impl Weights {
     }
 
     /// Which piece of an interval a place on it from 0 to 1 is on, and how far from the piece's middle.
+    #[inline]
     pub(super) fn half(&self, place: f64) -> (usize, f64) {
         if self.halves == 1 {
             return (0, place - 0.5);
@@ -62,6 +63,7 @@ impl Weights {
     }
 
     /// The weights at a place, or a derivative, times `scale`.
+    #[inline]
     pub(super) fn fill(&self, half: usize, x: f64, derivative: usize, scale: f64, out: &mut [f64]) {
         let pieces = self.pieces[half * self.width * self.length..].chunks_exact(self.length);
         for (weight, piece) in out.iter_mut().zip(pieces).take(self.width) {
