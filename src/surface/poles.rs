@@ -39,13 +39,9 @@ impl Pole {
         if self.last { self.row + r } else { self.row - r }
     }
 
-    /// The row that moves with net point (i, j): that of the pole itself, or the one beyond that is opposite.
-    fn takes_along(self, i: usize, j: usize) -> Option<usize> {
-        let row = if self.open_u { i } else { j };
-        if row == self.row {
-            return Some(row);
-        }
-        (1..=self.beyond).find(|&r| self.inside(r) == row).map(|r| self.outside(r))
+    /// How many rows inside a row is, if one beyond follows it.
+    fn steps_inside(self, row: usize) -> Option<usize> {
+        (1..=self.beyond).find(|&r| self.inside(r) == row)
     }
 
     /// Place in the net of point k of a row.
@@ -68,40 +64,44 @@ impl TensorSurface {
         self.base().check(i, j)?;
         check_point(&point)?;
         let poles = self.smooth_poles();
-        let along = poles.iter().any(|&pole| pole.takes_along(i, j).is_some());
-        if along {
-            let mut moved = self.clone();
-            moved.follow(&poles, i, j, point);
-            *self = moved.within_limits()?;
-        } else {
+        if poles.is_empty() {
             self.set(i, j, point);
+            return Ok(false);
         }
+        let mut moved = self.clone();
+        let along = moved.follow(&poles, i, j, point);
+        *self = moved.within_limits()?;
         Ok(along)
     }
 
-    /// Moves point (i, j), and what the poles take along.
-    fn follow(&mut self, poles: &[Pole], i: usize, j: usize, point: Vector3) {
+    /// Moves point (i, j), and what the poles take along; says whether there was any.
+    fn follow(&mut self, poles: &[Pole], i: usize, j: usize, point: Vector3) -> bool {
         self.set(i, j, point);
+        let mut along = false;
         for &pole in poles {
-            if pole.place(pole.row, if pole.open_u { j } else { i }) == (i, j) {
+            let row = if pole.open_u { i } else { j };
+            if row == pole.row {
                 for k in 0..pole.around {
-                    let (i, j) = pole.place(pole.row, k);
+                    let (i, j) = pole.place(row, k);
                     self.set(i, j, point);
                 }
-            }
-            for r in 1..=pole.beyond {
-                if pole.place(pole.inside(r), if pole.open_u { j } else { i }) == (i, j) {
-                    self.mirror(pole, r);
-                }
+                along = true;
+            } else if let Some(r) = pole.steps_inside(row) {
+                self.mirror(pole, r);
+                along = true;
             }
         }
+        along
     }
 
     /// The other points of the net that move with (i, j).
     pub(super) fn companions(&self, i: usize, j: usize) -> Vec<(usize, usize)> {
         let mut found = Vec::new();
         for pole in self.smooth_poles() {
-            if let Some(row) = pole.takes_along(i, j) {
+            let row = if pole.open_u { i } else { j };
+            let moved =
+                if row == pole.row { Some(row) } else { pole.steps_inside(row).map(|r| pole.outside(r)) };
+            if let Some(row) = moved {
                 found.extend((0..pole.around).map(|k| pole.place(row, k)));
             }
         }
