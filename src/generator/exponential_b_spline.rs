@@ -1,6 +1,6 @@
 //! Exponential B-splines for any list of roots.
 
-use super::pieces::Pieces;
+use super::pieces::PolynomialPieces;
 use super::propagation::Propagated;
 use super::riesz::RieszBounds;
 use super::roots::Roots;
@@ -35,7 +35,7 @@ use crate::limits::{MOST_EVALUATIONS, check, too_many, with_room};
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExponentialBSpline {
     roots: Roots,
-    pieces: Pieces,
+    pieces: PolynomialPieces,
 }
 
 impl ExponentialBSpline {
@@ -97,7 +97,7 @@ impl ExponentialBSpline {
         self.pieces.riesz_bounds()
     }
 
-    pub(crate) fn pieces(&self) -> &Pieces {
+    pub(crate) fn pieces(&self) -> &PolynomialPieces {
         &self.pieces
     }
 }

@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 use nalgebra::Complex;
 
 use super::exponential_b_spline::{ExponentialBSpline, tabulate};
-use super::pieces::{Pieces, polynomial};
+use super::pieces::{PolynomialPieces, polynomial};
 use super::propagation::{Propagated, recentre};
 use super::riesz::RieszBounds;
 use super::roots::{Root, Roots, too_fast};
@@ -68,7 +68,7 @@ const LOOKS: usize = 40;
 pub struct Interpolator {
     spline: ExponentialBSpline,
     lambda: Vec<f64>,
-    halves: Pieces,
+    halves: PolynomialPieces,
     condition: f64,
     identity: f64,
 }
@@ -218,7 +218,7 @@ impl Interpolator {
         (1 - reach..=reach).map(|k| self.at(t - k as f64, 0).abs()).sum()
     }
 
-    pub(crate) fn pieces(&self) -> &Pieces {
+    pub(crate) fn pieces(&self) -> &PolynomialPieces {
         &self.halves
     }
 }
@@ -337,7 +337,7 @@ fn closed_form(roots: &Roots) -> Option<Vec<f64>> {
 
 /// φ on every half interval: the halves of the B-spline's pieces, weighted by λ, about the middles of the halves (D 9.3).
 #[inline(never)]
-fn halves(order: usize, exact: &Propagated, lambda: &[Twofold]) -> Result<Pieces> {
+fn halves(order: usize, exact: &Propagated, lambda: &[Twofold]) -> Result<PolynomialPieces> {
     let terms = exact.terms;
     let mut parts: Vec<Twofold> = with_room(2 * order * terms)?;
     for piece in exact.coefficients.chunks_exact(terms) {
@@ -375,7 +375,7 @@ fn halves(order: usize, exact: &Propagated, lambda: &[Twofold]) -> Result<Pieces
 
 /// Makes φ(k) = 0 hold to the last bit and φ(0) = 1 to the last but one, from either side, by what rounding took from the
 /// constant terms.
-fn settle(pieces: &mut Pieces) {
+fn settle(pieces: &mut PolynomialPieces) {
     let count = pieces.count();
     for (k, piece) in pieces.coefficients.chunks_exact_mut(pieces.stride).enumerate() {
         // Every half interval has an integer at one end: at its start if its number from the left is even.

@@ -37,7 +37,7 @@ pub(crate) use filters::affine_refinement_filter;
 pub(crate) use hermite::Table;
 pub use hermite::{HermiteGenerators, Pair};
 pub use interpolator::Interpolator;
-pub(crate) use pieces::{Pieces as PolynomialPieces, recentre};
+pub(crate) use pieces::{PolynomialPieces, recentre};
 pub use riesz::{Gram, RieszBounds};
 pub(crate) use roots::too_fast;
 pub use roots::{Root, Roots};

@@ -11,14 +11,14 @@ const LOOKS: usize = 16;
 
 /// Polynomials in ascending powers of the distance from the middle of their piece, `stride` coefficients each.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Pieces {
+pub(crate) struct PolynomialPieces {
     pub(crate) coefficients: Vec<f64>,
     pub(crate) stride: usize,
     /// How many pieces make a unit: 1 or 2.
     pub(crate) per_unit: usize,
 }
 
-impl Pieces {
+impl PolynomialPieces {
     /// Piece k from the left.
     pub(crate) fn piece(&self, k: usize) -> &[f64] {
         self.coefficients.get(k * self.stride..(k + 1) * self.stride).unwrap_or(&[])

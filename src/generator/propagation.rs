@@ -2,7 +2,7 @@
 //!
 //! Roots far from the imaginary axis, and interpolators of roots near ±iπ, cancel up to 16 digits; twofold numbers have 32.
 
-use super::pieces::Pieces;
+use super::pieces::PolynomialPieces;
 use super::roots::Roots;
 use crate::error::{Error, Result};
 use crate::limits::with_room;
@@ -122,13 +122,13 @@ impl Propagated {
 
     /// Rounded, and cut to the length that the longest piece needs, for the function and its derivatives up to one.
     #[inline(never)]
-    pub(super) fn rounded(&self, per_unit: usize, derivatives: usize) -> Result<Pieces> {
+    pub(super) fn rounded(&self, per_unit: usize, derivatives: usize) -> Result<PolynomialPieces> {
         let stride = self.needed(0.5 / per_unit as f64, [CUT, CUT_OF_DERIVATIVES], derivatives);
         let mut coefficients = with_room(self.coefficients.len() / self.terms * stride)?;
         for piece in self.coefficients.chunks_exact(self.terms) {
             coefficients.extend(piece[..stride].iter().map(|c| c.high));
         }
-        Ok(Pieces { coefficients, stride, per_unit })
+        Ok(PolynomialPieces { coefficients, stride, per_unit })
     }
 }
 

@@ -9,7 +9,7 @@
 use core::f64::consts::{FRAC_PI_4, PI};
 
 use super::arc::{Arc, ArcCommand, cos_sin_degrees};
-use super::text::{ArcText, Grid, Placed, Plain};
+use super::text::{ArcText, DecimalGrid, Placed, Plain};
 use crate::curve::{EllipseArc, HermiteCurve};
 use crate::limits::LARGEST_COORDINATE;
 use crate::numerics::angle::sin_cos;
@@ -88,7 +88,7 @@ pub(super) fn plan(
     ellipse: &EllipseArc,
     span: Span,
     from: Placed,
-    grid: Grid,
+    grid: DecimalGrid,
     tolerance: f64,
 ) -> Option<Planned> {
     let end = span.end(curve);
@@ -107,7 +107,7 @@ pub(super) fn plan(
     // radius is off by moves a quarter's centre 1.4 times as far: it has a digit more.
     let fitted = (0..=MOST_EXTRA_DIGITS).flat_map(|extra| [false, true].map(|down| (extra, down, true)));
     for (extra, down, over_chord) in core::iter::once((1, false, false)).chain(fitted) {
-        if over_chord && extra > 0 && grid == Grid::EXACT {
+        if over_chord && extra > 0 && grid == DecimalGrid::EXACT {
             break;
         }
         let Some((text, command)) = shape.command(over_chord.then_some(chord), grid, extra, down) else {
@@ -166,7 +166,7 @@ impl Shape {
     fn command(
         &self,
         chord: Option<Vector>,
-        grid: Grid,
+        grid: DecimalGrid,
         extra: u32,
         down: bool,
     ) -> Option<(ArcText, ArcCommand)> {
@@ -213,7 +213,7 @@ impl Shape {
 
 /// A radius with `extra` digits more than the grid has, rounded down if so wanted.
 #[inline(never)]
-fn radius_text(radius: f64, grid: Grid, extra: u32, down: bool) -> Plain {
+fn radius_text(radius: f64, grid: DecimalGrid, extra: u32, down: bool) -> Plain {
     let number = match grid.decimals() {
         Some(decimals) => Plain::nearest(radius, fitting(decimals + extra, radius)),
         None => Plain::shortest(if down { radius * (1.0 - 8.0 * f64::EPSILON) } else { radius }),

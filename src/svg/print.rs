@@ -4,7 +4,7 @@ mod arcs;
 mod beziers;
 
 use super::number;
-use super::text::{Grid, Placed, Text};
+use super::text::{DecimalGrid, Placed, Text};
 use crate::curve::measures::tolerance::{LEAST_DIGITS, LEAST_TOLERANCE};
 use crate::curve::{Curve, HermiteCurve, Pieces, Segment, to_hermite};
 use crate::error::{Error, Result};
@@ -133,7 +133,7 @@ pub(crate) fn print_hermite(
 struct Printer<'a> {
     curve: &'a HermiteCurve,
     text: Text,
-    grid: Grid,
+    grid: DecimalGrid,
     arcs: bool,
     tolerance: f64,
     /// What is left of the tolerance for approximations.
@@ -168,8 +168,8 @@ impl<'a> Printer<'a> {
         let least = (LEAST_TOLERANCE * extent).max(LEAST_DIGITS * largest);
         let tolerance = tolerance.max(least).max(f64::MIN_POSITIVE);
         let grid = match decimals {
-            Some(EXACT_DECIMALS..) => Grid::EXACT,
-            Some(decimals) => Grid::new(decimals, largest),
+            Some(EXACT_DECIMALS..) => DecimalGrid::EXACT,
+            Some(decimals) => DecimalGrid::new(decimals, largest),
             None => grid_for(tolerance, largest),
         };
         let start = grid.place(curve.points()[0]);
@@ -222,7 +222,7 @@ impl<'a> Printer<'a> {
     }
 
     fn is_line(&self, segment: &Segment<'_>) -> bool {
-        if self.grid == Grid::EXACT {
+        if self.grid == DecimalGrid::EXACT {
             // Only what a reader of `L` gets back as it was.
             let chord = segment.end - segment.start;
             return segment.leaving * segment.length == chord && segment.arriving * segment.length == chord;
@@ -250,16 +250,16 @@ fn displacement(placed: Placed, p: Point) -> f64 {
 }
 
 /// Fewest decimals for which rounding uses no more than its share of the tolerance.
-fn grid_for(tolerance: f64, largest: f64) -> Grid {
+fn grid_for(tolerance: f64, largest: f64) -> DecimalGrid {
     // Not known to the compiler, which would unroll the loop.
     let most = core::hint::black_box(EXACT_DECIMALS);
     let mut decimals = 0;
     while decimals < most && HALF_DIAGONAL > ROUNDING_SHARE * tolerance * number::power(decimals) {
         decimals += 1;
     }
-    let grid = Grid::new(decimals, largest);
+    let grid = DecimalGrid::new(decimals, largest);
     let fine = HALF_DIAGONAL <= ROUNDING_SHARE * tolerance * number::power(decimals);
-    if fine && grid.decimals() == Some(decimals) { grid } else { Grid::EXACT }
+    if fine && grid.decimals() == Some(decimals) { grid } else { DecimalGrid::EXACT }
 }
 
 /// Extent and largest coordinate of the points and their generalised Bézier points, in whose hull the curve lies; of nearly full turns,

@@ -8,7 +8,7 @@ const LARGEST_INDEX: f64 = 1.5e18;
 
 /// Which decimal numbers coordinates may be.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Grid {
+pub(super) struct DecimalGrid {
     /// `None`: any `f64`, in the shortest text that brings it back.
     decimals: Option<u32>,
 }
@@ -35,7 +35,7 @@ impl Placed {
     }
 }
 
-impl Grid {
+impl DecimalGrid {
     pub(super) const EXACT: Self = Self { decimals: None };
 
     /// `decimals` behind the point, or fewer where coordinates up to `largest` have no more to say: beyond
@@ -141,7 +141,7 @@ struct Before {
 pub(super) struct Text {
     out: Vec<u8>,
     before: Before,
-    grid: Grid,
+    grid: DecimalGrid,
     /// Whether relative commands are written where they are shorter.
     relative: bool,
     /// Where the pen is.
@@ -150,7 +150,7 @@ pub(super) struct Text {
 
 impl Text {
     /// Begins a path at `start`, after one that has ended at `pen`.
-    pub(super) fn new(grid: Grid, relative: bool, start: Placed, pen: Option<Point>) -> Self {
+    pub(super) fn new(grid: DecimalGrid, relative: bool, start: Placed, pen: Option<Point>) -> Self {
         // Differences of arbitrary doubles need not lead back to them.
         let relative = relative && grid.decimals.is_some();
         let before = Before { implied: 0, number: false, pointed: false };

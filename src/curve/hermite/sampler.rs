@@ -13,7 +13,7 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use super::HermiteCurve;
-use super::grid::{Grid, Run, place};
+use super::places::{Places, Run, place};
 use crate::curve::Segment;
 use crate::generator::Space;
 use crate::numerics::entire::stumpff;
@@ -134,29 +134,29 @@ impl Sampler {
         stride: usize,
         whole: bool,
     ) -> usize {
-        let grid = Grid::new(curve, count);
+        let places = Places::new(curve, count);
         let end = count.min(first.saturating_add(out.len() / stride));
         if first >= end {
             return 0;
         }
         let (mut i, mut rest) = (first, out);
-        let mut s = grid.segment_of(curve, i);
-        let mut start = grid.first_sample(curve, s);
+        let mut s = places.segment_of(curve, i);
+        let mut start = places.first_sample(curve, s);
         while i < end {
-            let stop = if s + 1 == curve.segment_count() { count } else { grid.first_sample(curve, s + 1) };
+            let stop = if s + 1 == curve.segment_count() { count } else { places.first_sample(curve, s + 1) };
             // A short one between long ones, or one whose knots are the same number.
             if start == stop {
                 s += 1;
                 continue;
             }
             let segment = curve.segment(s);
-            self.suit(&segment, grid.step);
+            self.suit(&segment, places.step);
             let samples = stop - start;
             let few = samples < FEWEST || self.square == 0.0 && samples < FEWEST_OF_CUBIC;
             if few || self.pairs == 0 {
                 let number = (stop - i).min(end - i);
                 let (now, later) = rest.split_at_mut(number * stride);
-                self.few(curve, &segment, &grid, (s, i), now, stride);
+                self.few(curve, &segment, &places, (s, i), now, stride);
                 (i, rest) = (i + number, later);
             }
             let block = 2 * self.pairs;
@@ -167,7 +167,7 @@ impl Sampler {
                 // The odd one at the end of a segment.
                 if skipped >= size {
                     let (now, later) = rest.split_at_mut(stride);
-                    self.few(curve, &segment, &grid, (s, i), now, stride);
+                    self.few(curve, &segment, &places, (s, i), now, stride);
                     (i, rest) = (i + 1, later);
                     continue;
                 }
@@ -175,9 +175,9 @@ impl Sampler {
                 if whole && number < size - skipped && i > first {
                     return i - first;
                 }
-                let place = grid.place(curve, s, 2 * begin + size - 1);
+                let place = places.place(curve, s, 2 * begin + size - 1);
                 if self.place != place {
-                    self.weigh(&segment, place, grid.unit(curve, s));
+                    self.weigh(&segment, place, places.unit(curve, s));
                 }
                 let jet = self.jet(&segment, &self.weights);
                 let (now, later) = rest.split_at_mut(number * stride);
@@ -186,7 +186,7 @@ impl Sampler {
                 } else {
                     self.fill_part(&jet, size, skipped, now, stride);
                 }
-                if i == start && grid.is_at_knot(curve, s, i) {
+                if i == start && places.is_at_knot(curve, s, i) {
                     put(&mut now[..stride], segment.start, segment.leaving);
                 }
                 let last = i + number == count && !curve.is_closed();
@@ -206,12 +206,12 @@ impl Sampler {
         &self,
         curve: &HermiteCurve,
         segment: &Segment,
-        grid: &Grid,
+        places: &Places,
         (s, i): (usize, usize),
         out: &mut [f64],
         stride: usize,
     ) {
-        let (unit, run) = (grid.unit(curve, s), grid.run(curve, s));
+        let (unit, run) = (places.unit(curve, s), places.run(curve, s));
         if self.square == 0.0 {
             let jet = self.jet(segment, &self.middle);
             let middle = [1.0 / unit, segment.length];
@@ -224,7 +224,7 @@ impl Sampler {
         if place(run, i) == 0.0 {
             put(&mut out[..stride], segment.start, segment.leaving);
         }
-        if i + out.len() / stride == grid.count && grid.count > 1 && !curve.is_closed() {
+        if i + out.len() / stride == places.count && places.count > 1 && !curve.is_closed() {
             let last = out.len() - stride;
             put(&mut out[last..], segment.end, segment.arriving);
         }

@@ -203,7 +203,7 @@ fn balanced(piece: &Piece, whole: Candidate, tolerance: f64, out: &mut Vec<Cubic
     if piece.is_decaying() && piece.rate() * (hi - lo) * (hi - lo) < -STIFF * STIFF {
         return None;
     }
-    let mut parts = Parts { edges: vec![lo, hi], before: vec![0.0], candidates: vec![whole] };
+    let mut parts = Division { edges: vec![lo, hi], before: vec![0.0], candidates: vec![whole] };
     parts.weigh(tolerance);
     // So many parts are too few, and so many passes have been made with the same number.
     let (mut too_few, mut rounds) = (1, 0);
@@ -235,14 +235,14 @@ fn enough(wanted: f64) -> usize {
 }
 
 /// A piece in parts, each with a cubic.
-struct Parts {
+struct Division {
     edges: Vec<f64>,
     /// How many parts are wanted before each edge, by the estimates of those that there are.
     before: Vec<f64>,
     candidates: Vec<Candidate>,
 }
 
-impl Parts {
+impl Division {
     fn wanted(&self) -> f64 {
         self.before.last().copied().unwrap_or(f64::INFINITY)
     }

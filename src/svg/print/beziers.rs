@@ -5,7 +5,7 @@ use crate::curve::{Segment, segment_cubics};
 use crate::numerics::plane::{cross, dot};
 use crate::numerics::{Point, Vector};
 use crate::svg::returning::{returning, returning_both};
-use crate::svg::text::{Grid, Placed};
+use crate::svg::text::{DecimalGrid, Placed};
 
 /// No handle has to be turned less by the grid, in radians: two of them at a joint are twice as much.
 const TURNED: f64 = 0.0175;
@@ -54,7 +54,7 @@ impl Printer<'_> {
             return self.measured(plain);
         }
         if self.mirrors(leaving, mirrored, first)
-            || self.grid != Grid::EXACT && short <= self.tolerable(plain)
+            || self.grid != DecimalGrid::EXACT && short <= self.tolerable(plain)
         {
             self.measured(short);
             self.text.bezier(b'S', &[second, to]);
@@ -69,7 +69,7 @@ impl Printer<'_> {
     fn mirrors(&self, leaving: Vector, mirrored: Placed, first: Placed) -> bool {
         match self.control {
             // Readers of this crate go on with the derivative itself, not with the mirrored point.
-            Some(control) if self.grid == Grid::EXACT => {
+            Some(control) if self.grid == DecimalGrid::EXACT => {
                 let from = self.text.current().point();
                 let arrived = (from - control.point()) * 3.0;
                 arrived == leaving || arrived == (first.point() - from) * 3.0
@@ -91,7 +91,7 @@ impl Printer<'_> {
             return false;
         }
         let (from, to) = (self.text.current(), self.grid.place(end));
-        let control = if self.grid == Grid::EXACT {
+        let control = if self.grid == DecimalGrid::EXACT {
             let mut control = Point::zeros();
             for k in 0..2 {
                 let Some(c) = returning_both(start[k], leaving[k], end[k], arriving[k]) else { return false };
@@ -114,7 +114,7 @@ impl Printer<'_> {
     /// one along `d` that is turned less, at most so far from where it should be: a joint that is smooth has to look it.
     fn handle(&self, p: Point, d: Vector, end: Placed, most: f64) -> Placed {
         let q = end.point();
-        if self.grid == Grid::EXACT {
+        if self.grid == DecimalGrid::EXACT {
             return self.grid.place(Point::new(returning(q.x, d.x), returning(q.y, d.y)));
         }
         let way = d / 3.0;

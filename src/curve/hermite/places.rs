@@ -7,7 +7,7 @@ use crate::numerics::lists::steps;
 ///
 /// With segments of one length, places are worked out in whole numbers: the same places recur in every segment to
 /// the last bit when the samples divide evenly among them.
-pub(super) struct Grid {
+pub(super) struct Places {
     /// From sample to sample, in t.
     pub(super) step: f64,
     /// How many samples there are.
@@ -23,13 +23,13 @@ pub(super) struct Grid {
 /// Factor, divisor and offset of places on one segment.
 pub(super) type Run = [f64; 3];
 
-/// Where sample i is, as [`Grid::place`] of twice i.
+/// Where sample i is, as [`Places::place`] of twice i.
 #[inline(always)]
 pub(super) fn place([factor, divisor, offset]: Run, i: usize) -> f64 {
     i as f64 * factor / divisor - offset
 }
 
-impl Grid {
+impl Places {
     pub(super) fn new(curve: &HermiteCurve, count: usize) -> Self {
         let (_, end) = curve.domain();
         let steps = steps(count, curve.is_closed()) as f64;
@@ -74,7 +74,7 @@ impl Grid {
         i
     }
 
-    /// Where in segment s sample half/2 is, in shares of [`Grid::unit`]; odd `half` are halfway between two samples.
+    /// Where in segment s sample half/2 is, in shares of [`Places::unit`]; odd `half` are halfway between two samples.
     #[inline]
     pub(super) fn place(&self, curve: &HermiteCurve, s: usize, half: usize) -> f64 {
         match self.even {
@@ -91,7 +91,7 @@ impl Grid {
         }
     }
 
-    /// The whole of segment s in the unit of [`Grid::place`].
+    /// The whole of segment s in the unit of [`Places::place`].
     pub(super) fn unit(&self, curve: &HermiteCurve, s: usize) -> f64 {
         if self.even.is_some() { 2.0 * self.steps } else { curve.lengths()[s] }
     }
