@@ -268,6 +268,7 @@ const REFUSED: readonly [string, () => unknown, Partial<ExplineError>][] = [
   ["SU-014 just beyond the end", () => made(4, 4).evaluate(1 + 4e-16, 0.5), { code: "E_RANGE", argument: "u[0]" }],
   ["SU-015 two closed columns", () => made(4, 2, grid(4, 2), true), { code: "E_TOO_FEW_POINTS", argument: "v.count", bound: ">= 3" }],
   ["SU-017 refine 1000 × 1000 by 6 levels", () => made(1000, 1000).refine(6, 6), { code: "E_LIMIT", argument: "levels", limit: "maxSurfacePoints" }],
+  ["a level beyond twelve in all", () => shapes.torus.refine(1, 0).refine(12, 0), { code: "E_LIMIT", argument: "levels", limit: "maxLevels", max: 12, actual: 13 }],
   ["no options", () => new TensorSurface(undefined as never), { code: "E_TYPE" }],
   ["an option that is not known", () => new TensorSurface({ net: [], u: {}, v: {}, w: 1 } as never), { code: "E_TYPE", argument: "w" }],
   ["an option of a direction that is not known", () => new TensorSurface({ net: [], u: { root: [] }, v: {} } as never), { code: "E_TYPE", argument: "u.root" }],
