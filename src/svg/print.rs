@@ -8,6 +8,7 @@ use super::text::{DecimalGrid, Placed, Text};
 use crate::curve::measures::tolerance::{LEAST_DIGITS, LEAST_TOLERANCE};
 use crate::curve::{Curve, HermiteCurve, Pieces, Segment, to_hermite};
 use crate::error::{Error, Result};
+use crate::numerics::plane::{larger, smaller};
 use crate::numerics::{Point, Vector};
 
 /// From this many decimals on, coordinates are written so that every bit comes back.
@@ -218,7 +219,7 @@ impl<'a> Printer<'a> {
     }
 
     fn measured(&mut self, deviation: f64) {
-        self.deviation = self.deviation.max(deviation);
+        self.deviation = larger(self.deviation, deviation);
     }
 
     fn is_line(&self, segment: &Segment<'_>) -> bool {
@@ -233,7 +234,7 @@ impl<'a> Printer<'a> {
     /// A straight segment; the last one of a closed curve is what `Z` draws.
     fn line(&mut self, segment: &Segment<'_>, last: bool) {
         let end = self.grid.place(segment.end);
-        let ends = displacement(self.text.current(), segment.start).max(displacement(end, segment.end));
+        let ends = larger(displacement(self.text.current(), segment.start), displacement(end, segment.end));
         let bend = segment.bend();
         self.measured(ends + if bend > self.rounding { bend } else { 0.0 });
         // Where nothing is written, a reader goes on mirroring the control point before.
@@ -272,13 +273,13 @@ fn size(curve: &HermiteCurve) -> (f64, f64) {
     let first = curve.points()[0];
     let (mut low, mut high) = (first, first);
     for segment in curve.segments() {
-        let reach = segment.length * segment.basis.kappa().max(1.0 / 3.0);
+        let reach = segment.length * larger(segment.basis.kappa(), 1.0 / 3.0);
         for p in
             [segment.start, segment.start + segment.leaving * reach, segment.end - segment.arriving * reach]
         {
-            (low, high) = (low.inf(&p), high.sup(&p));
+            (low, high) = (low.zip_map(&p, smaller), high.zip_map(&p, larger));
         }
-        (low, high) = (low.inf(&segment.end), high.sup(&segment.end));
+        (low, high) = (low.zip_map(&segment.end, smaller), high.zip_map(&segment.end, larger));
     }
     ((high - low).norm(), low.amax().max(high.amax()))
 }

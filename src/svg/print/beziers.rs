@@ -2,7 +2,7 @@
 
 use super::{Printer, displacement};
 use crate::curve::{Segment, segment_cubics};
-use crate::numerics::plane::{cross, dot};
+use crate::numerics::plane::{cross, dot, larger, smaller};
 use crate::numerics::{Point, Vector};
 use crate::svg::returning::{returning, returning_both};
 use crate::svg::text::{DecimalGrid, Placed};
@@ -34,7 +34,7 @@ impl Printer<'_> {
     fn cubic(&mut self, start: Point, leaving: Vector, arriving: Vector, end: Point, near: f64) {
         let from = self.text.current();
         let to = self.grid.place(end);
-        let ends = displacement(from, start).max(displacement(to, end));
+        let ends = larger(displacement(from, start), displacement(to, end));
         if self.quadratic(start, leaving, arriving, end, near) {
             return;
         }
@@ -80,7 +80,7 @@ impl Printer<'_> {
 
     /// The deviation up to which a shorter form may be used.
     fn tolerable(&self, plain: f64) -> f64 {
-        plain.max(self.tolerance.min(plain + 2.0 * self.grid.unit()))
+        larger(plain, smaller(self.tolerance, plain + 2.0 * self.grid.unit()))
     }
 
     /// Writes `Q` where the cubic is a parabola.
@@ -101,8 +101,8 @@ impl Printer<'_> {
         } else {
             self.grid.place(one)
         };
-        let ends = displacement(from, start).max(displacement(to, end));
-        self.measured(ends + 0.5 * (displacement(control, one) - ends).max(0.0) + 0.5 * gap);
+        let ends = larger(displacement(from, start), displacement(to, end));
+        self.measured(ends + 0.5 * larger(displacement(control, one) - ends, 0.0) + 0.5 * gap);
         self.text.bezier(b'Q', &[control, to]);
         self.control = None;
         true
@@ -122,9 +122,9 @@ impl Printer<'_> {
         if best == end {
             return best;
         }
-        let step = way * (0.5 * self.grid.unit() / way.norm());
         for k in OTHERS {
-            let other = if k == 0.0 { best } else { self.grid.place(q + way + step * k) };
+            let longer = || way * (k * 0.5 * self.grid.unit() / way.norm());
+            let other = if k == 0.0 { best } else { self.grid.place(q + way + longer()) };
             let there = other.point() - q;
             let (across, along) = (cross(way, there).abs(), dot(way, there));
             let turned = if along > 0.0 { across / along } else { f64::MAX };
@@ -142,6 +142,6 @@ impl Printer<'_> {
 /// How far a cubic moves at most when its ends do by `ends` and its handles by `one` and `two`: the Bernstein weights of
 /// the handles reach 4/9 each, 3/4 together (D 8.4).
 fn moved(ends: f64, one: f64, two: f64) -> f64 {
-    let (one, two) = ((one - ends).max(0.0), (two - ends).max(0.0));
-    ends + (4.0 / 9.0 * (one + two)).min(0.75 * one.max(two))
+    let (one, two) = (larger(one - ends, 0.0), larger(two - ends, 0.0));
+    ends + smaller(4.0 / 9.0 * (one + two), 0.75 * larger(one, two))
 }
