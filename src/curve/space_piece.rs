@@ -63,13 +63,29 @@ impl SpacePiece {
 
     /// A bound of |r⁗| for all complex y of at most this modulus.
     pub(super) fn fourth(&self, radius: f64) -> f64 {
+        self.fourth_of(radius, &norm)
+    }
+
+    /// The same of a part of r: what is as large as its powers are.
+    #[inline(never)]
+    pub(super) fn fourth_of(&self, radius: f64, size: &dyn Fn(&Triple) -> f64) -> f64 {
         let mut sum = 0.0;
         // Powers below the fourth have no fourth derivative.
         for (k, power) in self.powers.iter().enumerate().skip(4).rev() {
             let k = k as f64;
-            sum = sum * radius + k * (k - 1.0) * (k - 2.0) * (k - 3.0) * norm(power);
+            sum = sum * radius + k * (k - 1.0) * (k - 2.0) * (k - 3.0) * size(power);
         }
         sum
+    }
+
+    /// Two corners of a box that holds the piece.
+    pub(super) fn corners(&self) -> [Triple; 2] {
+        let (mut around, mut share) = ([0.0; 3], 1.0);
+        for power in self.powers.iter().skip(1) {
+            share *= 0.5;
+            around = along(&around, &power.map(f64::abs), share);
+        }
+        [-1.0, 1.0].map(|side| along(&self.position(0.0), &around, side))
     }
 
     /// A bound of |r″| on the whole piece.
