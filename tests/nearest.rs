@@ -167,3 +167,32 @@ fn a_curve_smaller_than_its_rounding_far_from_the_origin_is_asked_without_end_of
         assert!((found.distance - truth).abs() <= within, "{dx}, {dy} in space");
     }
 }
+
+#[test]
+fn from_what_is_no_place_nothing_is_at_a_finite_distance_and_the_answer_comes_at_once() {
+    let circle = HermiteCurve::ellipse(Point::zeros(), Point::new(2.0, 1.0), 0.0, 4).expect("an ellipse");
+    let ring = [1.0, 0.0, 0.0, 0.0, 1.0, 0.5, -1.0, -1.0, 1.0];
+    let in_space = InterpolatingCurve::new(ring.to_vec(), 3, true, None).expect("a ring");
+    let (nan, far) = (f64::NAN, f64::INFINITY);
+    for (x, y) in [
+        (nan, 1.0),
+        (1.0, nan),
+        (nan, nan),
+        (far, 0.0),
+        (far, -far),
+        (-far, nan),
+        (1e155, 0.0),
+        (0.0, -1e300),
+    ] {
+        let found = circle.nearest(Point::new(x, y));
+        // A number that is none equals nothing: its bits do.
+        let same = |a: f64, b: f64| a.to_bits() == b.to_bits();
+        assert!(found.t == 0.0 && found.distance == far, "{x}, {y}: {found:?}");
+        assert!(same(found.point.x, x) && same(found.point.y, y), "{x}, {y}: {found:?}");
+        for place in [[x, y, 0.0], [0.0, x, y]] {
+            let found = in_space.nearest_in_space(place);
+            assert!(found.t == 0.0 && found.distance == far, "{place:?}: {found:?}");
+            assert!((0..3).all(|k| same(found.point[k], place[k])), "{place:?}: {found:?}");
+        }
+    }
+}

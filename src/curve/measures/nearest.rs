@@ -184,7 +184,10 @@ impl NearestFinder {
         let far = place - self.center;
         let slack = self.slack + 4.0 * f64::EPSILON * (far.x.abs() + far.y.abs());
         let mut question = Question::new(place, slack);
-        self.visit(&mut question, self.levels.len() - 1, 0);
+        // Comparisons with what is not a number would drop no arc, and halve them all.
+        if slack.is_finite() {
+            self.visit(&mut question, self.levels.len() - 1, 0);
+        }
         let (piece, y) = question.found();
         let Some(on) = self.pieces.get(piece) else {
             return Nearest { t: 0.0, point: place, distance: f64::INFINITY };

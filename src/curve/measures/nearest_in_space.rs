@@ -45,8 +45,11 @@ impl Near for View<'_> {
 }
 
 pub(crate) fn nearest_in_space(curve: &dyn Pieces, place: Triple) -> SpaceNearest {
-    let far = place.iter().map(|x| x.abs()).fold(0.0, f64::max);
+    let far = norm(&place);
     let slack = hull(curve).tie() + 4.0 * f64::EPSILON * far;
+    if !far.is_finite() {
+        return SpaceNearest { t: 0.0, point: place, distance: f64::INFINITY };
+    }
     let mut question = Question::new(Point::zeros(), slack);
     for i in 0..curve.piece_count() {
         search(&View { piece: &space_piece(curve, i), place }, i, &mut question, -0.5, 0.5);
