@@ -250,7 +250,10 @@ export class HermiteCurve extends MeasuredCurve {
     return readCurves(call(op, (kernel) => kernel.split(slot, at))).map(curveOf);
   }
 
-  /** The part from parameter t0 to t1, open; on a closed curve it may run across the start. */
+  /**
+   * The part from parameter t0 to t1, open. On a closed curve it runs forward from t0 to the next place where t is t1, across the start if need
+   * be: all the way round where both are one place, and never further.
+   */
   trim(t0: number, t1: number): HermiteCurve {
     const op = "trim";
     const data = dataOf(this, op);

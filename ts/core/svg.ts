@@ -23,7 +23,8 @@ export interface PathWarning {
 const MAX_PATH = 8 << 20;
 
 /**
- * Every subpath of SVG path data as a curve, exactly: lines, cubics, raised quadratics, arcs of ellipses.
+ * Every subpath of SVG path data that draws something as a curve, exactly: lines, cubics, raised quadratics, arcs of ellipses. Segments of no
+ * extent are left out, and so is a subpath of nothing else: a dot that only a round line cap would show.
  *
  * @param d - the text of a `d` attribute, at most 8 MiB with at most 100 000 subpaths. No text gives no curves.
  * @param options - with `onWarning` a text that breaks off after its first point gives what came before, and a warning.
