@@ -4,7 +4,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use expline::{HermiteCurve, HermiteOptions, Space};
+use expline::{Error, HermiteCurve, HermiteOptions, Space};
 use nalgebra::Vector2;
 
 type Point = Vector2<f64>;
@@ -223,4 +223,23 @@ fn straight_segments_are_lines_and_arcs_are_not() {
             "a line is no arc"
         );
     }
+}
+
+#[test]
+fn an_ellipse_says_which_radius_or_coordinate_is_wrong() {
+    let refused = |x: f64, first: f64, second: f64| {
+        HermiteCurve::ellipse(Point::new(0.0, x), Point::new(first, second), 0.0, 4).map_err(|error| *error)
+    };
+    assert!(matches!(
+        refused(0.0, -1.0, 1.0),
+        Err(Error::OutOfRange { argument: "radii", index: Some(0), .. })
+    ));
+    assert!(matches!(
+        refused(0.0, 1.0, -1.0),
+        Err(Error::OutOfRange { argument: "radii", index: Some(1), .. })
+    ));
+    assert!(matches!(
+        refused(2e9, 1.0, 1.0),
+        Err(Error::OutOfRange { argument: "center", index: Some(1), .. })
+    ));
 }

@@ -25,22 +25,22 @@ export {
   MAX_OUTPUT,
   MAX_POINTS,
   coordinate,
+  coordinates,
   count,
   exactly,
   finite,
   flag,
+  inRange,
   integer,
-  isBytes,
   isFloat64Array,
-  isFloats,
   lengthOfArray,
   numbers,
+  oneOr,
   options,
   parameters,
   patchNumber,
   points,
   tolerance,
-  within,
   word,
 } from "./core/arguments.js";
 /** @internal */
@@ -51,7 +51,7 @@ export type { CurveData } from "./core/curve-data.js";
 export { dataOf, pathsOf } from "./core/curve.js";
 export { MeasuredCurve } from "./core/curve.js";
 /** @internal */
-export { overLimit, shown, tooFewPoints, wrong, wrongLength } from "./core/error.js";
+export { overLimit, shown, tagOf, tooFewPoints, wrong, wrongLength } from "./core/error.js";
 /** @internal */
 export { checked, curveOf } from "./core/hermite-curve.js";
 /** @internal */

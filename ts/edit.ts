@@ -1,5 +1,5 @@
 /** What an editor's pointer does to curves: what lies under it, handles that turn, a curve that bends. */
-import { type Curve, type CurveData, HermiteCurve, MeasuredCurve, coordinate, dataOf, finite, integer, numbers, options as checkOptions, word, wrong } from "./core.js";
+import { type Curve, type CurveData, HermiteCurve, MeasuredCurve, coordinate, dataOf, finite, inRange, integer, numbers, options as checkOptions, word, wrong } from "./core.js";
 import { type HandleSide, type Joint, SIDES, THIRD, type Place, handleOf, jointOf, keptStraight, moved, notCurve, pointsOf, scaled, turn } from "./edit/edit-joints.js";
 
 export type { HandleSide, Joint } from "./edit/edit-joints.js";
@@ -36,8 +36,8 @@ export function hitTest(curves: readonly Curve[], x: number, y: number, options:
   const list = curves.map((curve: unknown, i) => planeCurve(op, curve, i));
   const at: Place = [coordinate(op, "x", x), coordinate(op, "y", y)];
   const { reach, curveReach, handles } = checkOptions(op, options, ["reach", "curveReach", "handles"]);
-  const far = distance(op, "reach", reach);
-  const near = curveReach === undefined ? CURVE_REACH * far : distance(op, "curveReach", curveReach);
+  const far = inRange(op, "reach", reach, 0, Infinity);
+  const near = curveReach === undefined ? CURVE_REACH * far : inRange(op, "curveReach", curveReach, 0, Infinity);
   const best: Best = { hit: undefined, distance: far };
   list.forEach((curve, c) => everyPoint(curve, at, best, c));
   list.forEach((curve, c) => everyHandle(op, curve, handles, at, best, c));
@@ -124,12 +124,6 @@ function between([x, y]: Place, [u, v]: Place): number {
   return Math.hypot(x - u, y - v);
 }
 
-function distance(op: string, arg: string, value: unknown): number {
-  const given = finite(op, arg, value);
-  if (given < 0) throw wrong("E_RANGE", op, arg, given, "a number >= 0");
-  return given;
-}
-
 function planeCurve(op: string, curve: unknown, i: number): MeasuredCurve {
   if (!(curve instanceof MeasuredCurve) || curve.dimension !== 2) throw notCurve(op, "curves", curve, "a curve of the plane", i);
   return curve;
@@ -180,7 +174,7 @@ function everyHandle(op: string, curve: MeasuredCurve, shown: unknown, at: Place
     return;
   }
   const arg = `handles[${c}]`;
-  for (const index of numbers(op, arg, shown[c] ?? [], "maxPoints", 2 * count)) bothHandles(data, integer(op, arg, index, 0, count - 1), at, best, c);
+  numbers(op, arg, shown[c] ?? [], "maxPoints", 2 * count).forEach((index, i) => bothHandles(data, integer(op, arg, index, 0, count - 1, i), at, best, c));
 }
 
 /** The two handles of a point, from the curve's own lists: with every handle of every curve shown, copies of them are what takes the time. */

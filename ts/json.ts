@@ -201,7 +201,8 @@ function located(error: ExplineError): ExplineError {
   const { name, message, stack, code: kind, op, ...fields } = error;
   const code = kind === "E_TYPE" || kind === "E_LENGTH" ? "E_SCHEMA" : kind;
   const what = message.slice(op.length + 2, -kind.length - 3);
-  return new ExplineError(code, OP, `$.${what}`, { ...fields, path: `$.${error.argument}`, cause: error });
+  const path = `$.${error.argument}`;
+  return new ExplineError(code, OP, `$.${what}`, { ...fields, arg: "json", argument: path, path, cause: error });
 }
 
 /** What was copied, and how many brackets stand inside one another in it. What is shared is copied once: else a few lists of lists never end. */

@@ -6,6 +6,7 @@ import {
   exactly,
   finite,
   integer,
+  oneOr,
   parameters,
   patchNumber,
   options as checkOptions,
@@ -347,36 +348,36 @@ function pairwise(
   const data = dataOf(surface, op);
   const list = (arg: string, value: unknown): Floats => {
     const given = parameters(op, arg, value);
-    given.forEach((number, i) => finite(op, arg, number, i));
+    given.forEach((number, i) => finite(op, arg, number, typeof value === "number" ? undefined : i));
     return given;
   };
   const [first, second] = [list("u", u), list("v", v)];
   if (second.length !== first.length) throw wrongLength(op, "v", second.length, String(first.length));
   const slot = data.resident(op);
   write(op, first, second);
-  return copy(call(op, (kernel) => body(kernel, slot, first.length)));
+  return copy(call(op, (kernel) => body(kernel, slot, first.length), { u: oneOr(u, first), v: oneOr(v, second) }));
 }
 
 function shape(
   name: string,
   which: number,
-  lengths: readonly (readonly [string, unknown])[],
+  lengths: readonly (readonly [arg: string, value: unknown, index?: number])[],
   segments: unknown,
   byDefault: readonly [number, number],
 ): TensorSurface {
   const op = `${NAME}.${name}`;
-  const [a = 0, b = 0, c = 0] = lengths.map(([arg, value]) => finite(op, arg, value));
+  const [a = 0, b = 0, c = 0] = lengths.map(([arg, value, index]) => finite(op, arg, value, index));
   let [m, n] = byDefault;
   if (segments !== undefined) {
     const given = exactly(op, "segments", segments, 2);
-    [m, n] = [integer(op, "segments", given[0], 0, 0xffff), integer(op, "segments", given[1], 0, 0xffff)];
+    [m, n] = [integer(op, "segments", given[0], 0, 0xffff, 0), integer(op, "segments", given[1], 0, 0xffff, 1)];
   }
-  return derived(call(op, (kernel) => kernel.surface_shape(which, a, b, c, m, n), a));
+  return derived(call(op, (kernel) => kernel.surface_shape(which, a, b, c, m, n)));
 }
 
-function three(name: string, arg: string, value: unknown): [string, unknown][] {
+function three(name: string, arg: string, value: unknown): [string, unknown, number][] {
   const op = `${NAME}.${name}`;
-  return Array.from(exactly(op, arg, value, 3), (number) => [arg, number]);
+  return Array.from(exactly(op, arg, value, 3), (number, i) => [arg, number, i]);
 }
 
 function fileOptions(op: string, options: unknown): { rows: number; cols: number; name: string } {

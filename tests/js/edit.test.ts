@@ -213,7 +213,7 @@ test("a call that throws says which argument is wrong, and changes nothing", () 
     [() => hitTest([curve, {} as HermiteCurve], 0, 0, reach), "E_TYPE", "curves[1]"],
     [() => hitTest([new InterpolatingCurve({ points: [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 1]] })], 0, 0, reach), "E_TYPE", "curves[0]"],
     [() => hitTest([curve], 0, 0, { reach: -1 }), "E_RANGE", "reach"],
-    [() => hitTest([curve], 0, 0, { reach: 1, handles: [[7]] }), "E_RANGE", "handles[0]"],
+    [() => hitTest([curve], 0, 0, { reach: 1, handles: [[7]] }), "E_RANGE", "handles[0][0]"],
     [() => hitTest([curve], 0, 0, { reach: 1, handles: "some" as "all" }), "E_TYPE", "handles"],
   ] as const) {
     assert.throws(run, (error) => error instanceof ExplineError && error.code === code && error.argument === argument, `${code} ${argument}`);

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { ExplineError, ExponentialBSpline, HermiteCurve, HermiteGenerators, Interpolator, LocalCurve, TensorSurface, fitSparse, fitSparseAll, fitSparseAllAsync, roots, traceImage } from "expline";
+import { BSplineCurve, ExplineError, ExponentialBSpline, HermiteCurve, HermiteGenerators, InterpolatingCurve, Interpolator, LocalCurve, TensorSurface, fitSparse, fitSparseAll, fitSparseAllAsync, fromJSON, hitTest, roots, traceImage } from "expline";
 
 const circle = HermiteCurve.ellipse({ center: [0, 0], radii: [5, 5], count: 4 });
 const along = { roots: roots.ellipse(8), count: 8, closed: true };
@@ -45,6 +45,11 @@ for (const [what, call, words] of [
   ["a frequency that is text", () => new HermiteCurve({ points: TRIANGLE, tangents: TRIANGLE, omega: as("x") }), `omega is "x"; expected a number, ${NUMBERS}`],
   ["an interpolator for too few points", () => Interpolator.forEllipse(2), "count is 2; expected an integer in [3, 4294967295]"],
   ["nearest points of no places", () => circle.nearestAll(as("here")), `places is "here"; expected ${NUMBERS}`],
+  ["a number that is missing", () => circle.flatten(as(undefined)), "tolerance is undefined; expected a finite number"],
+  ["a coordinate that is missing", () => circle.nearest(0, as(undefined)), "y is undefined; expected a finite number with |x| <= 1e9"],
+  ["an angle that is text", () => traceImage({ width: 1, height: 1, data: new Uint8Array(1) }, { corner: as("right") }), `corner is "right"; expected a number in [0.05, π]`],
+  ["a curve to be made an interpolating one that is missing", () => InterpolatingCurve.from(as(undefined)), "curve is undefined; expected a curve of this package, no proxy"],
+  ["a union of no lists", () => roots.union(), "lists has 0; expected at least 1"],
 ] as const) {
   test(`${what}: the message says so`, () => assert.equal(said(call), words));
 }
@@ -67,6 +72,22 @@ for (const [what, call, argument, index] of [
   ["one of several contours, no list", () => fitSparseAll(as([TRIANGLE, 5])), "contours[1]", undefined],
   ["a number of one of several contours", () => fitSparseAll([TRIANGLE, [1, 1, 2, NaN]]), "contours[1][3]", 3],
   ["a coordinate of a pair of one of several contours", () => fitSparseAll([TRIANGLE, [[1, 1], [2, NaN]]]), "contours[1][1][1]", 3],
+  ["the second radius of an ellipse", () => HermiteCurve.ellipse({ center: [0, 0], radii: [1, -1], count: 4 }), "radii[1]", 1],
+  ["a coordinate of a centre", () => HermiteCurve.arc({ center: [0, 2e9], radii: [1, 1], start: 0, sweep: 1 }), "center[1]", 1],
+  ["a half axis that is NaN", () => TensorSurface.ellipsoid([1, NaN, 1]), "radii[1]", 1],
+  ["a half axis that is negative", () => TensorSurface.ellipsoid([1, 1, -1]), "radii[2]", 2],
+  ["a number of segments that is not whole", () => TensorSurface.sphere(1, [8, 1.5]), "segments[1]", 1],
+  ["one of two prices", () => fitSparse(TRIANGLE, { lambda: [1, -1] }), "lambda[1]", 1],
+  ["one of two degrees", () => fitSparse(TRIANGLE, { degree: [1, 9] }), "degree[1]", 1],
+  ["one of several steps", () => fitSparse(TRIANGLE, { finish: as(["merge", "mend"]) }), "finish[1]", 1],
+  ["a point whose handles are shown", () => hitTest([circle, circle], 0, 0, { reach: 1, handles: [[], [3, 4]] }), "handles[1][1]", 1],
+  ["the imaginary part of a root", () => new ExponentialBSpline([0, as({ re: 1 })]), "roots[1].im", 1],
+  ["a root of one of several lists", () => roots.union([0], [NaN]), "lists[1][0]", 0],
+  ["one of several parameters", () => circle.evaluate([0, NaN]), "t[1]", 1],
+  ["the only parameter of a list", () => circle.curvature([NaN]), "t[0]", 0],
+  ["one of several frequencies", () => new HermiteCurve({ points: TRIANGLE, tangents: TRIANGLE, omega: [1, 1, 9] }), "omega[2]", 2],
+  ["the frequency of all segments, on one that is too long for it", () => new HermiteCurve({ points: TRIANGLE, tangents: TRIANGLE, omega: 3, lengths: [1, 1, 9] }), "omega[2]", 2],
+  ["one of several places on a surface", () => TensorSurface.sphere(1).normal([0, 0], [0, 9]), "v[1]", 1],
 ] as const) {
   test(`${what}: the error says which`, () => {
     assert.throws(call, (error) => {
@@ -76,6 +97,58 @@ for (const [what, call, argument, index] of [
     });
   });
 }
+
+const line = { points: TRIANGLE, tangents: [9, 9, 9, 9, 9, 9], closed: false };
+const still = { ...line, tangents: [0, 0, 0, 0, 0, 0] };
+
+for (const [what, call, argument, code] of [
+  ["a parameter that is NaN", () => circle.evaluate(NaN), "t", "E_NOT_FINITE"],
+  ["a parameter beyond the end", () => new HermiteCurve(line).evaluate(9), "t", "E_RANGE"],
+  ["a parameter of a curvature", () => new HermiteCurve(line).curvature(9), "t", "E_RANGE"],
+  ["a parameter where nothing moves", () => new HermiteCurve(still).curvature(0), "t", "E_DEGENERATE"],
+  ["a place of generators", () => new HermiteGenerators(1).bernstein(2), "x", "E_RANGE"],
+  ["a place of a B-spline", () => new ExponentialBSpline([0, 0]).evaluate(NaN), "x", "E_NOT_FINITE"],
+  ["a frequency for all segments", () => new HermiteCurve({ ...line, omega: 9 }), "omega", "E_RANGE"],
+  ["a length for all segments", () => new HermiteCurve({ ...line, lengths: -1 }), "lengths", "E_RANGE"],
+  ["a frequency to go through points with", () => HermiteCurve.through(TRIANGLE, { omega: 9 }), "omega", "E_RANGE"],
+  ["a parameter of a surface that is NaN", () => TensorSurface.sphere(1).evaluate(NaN, 0), "u", "E_NOT_FINITE"],
+  ["a parameter beyond the end of a surface", () => TensorSurface.sphere(1).curvature(0, 9), "v", "E_RANGE"],
+  ["the one price of one degree", () => fitSparse(TRIANGLE, { degree: 1, lambda: -1 }), "lambda", "E_RANGE"],
+] as const) {
+  test(`${what}, a number that stands alone: the error gives it no index`, () => {
+    assert.throws(call, (error) => {
+      assert.ok(error instanceof ExplineError);
+      assert.deepEqual([error.code, error.argument, error.arg, error.index], [code, argument, argument, undefined]);
+      return error.message.includes(`: ${argument} `);
+    });
+  });
+}
+
+test("what is wrong with a file is named by its place in the JSON, whatever it is of", () => {
+  const points = new InterpolatingCurve({ points: [0, 0, 9, 0, 9, 9, 0, 9] });
+  const [local, fine] = [points.refineAt(1).toJSON(), points.refine(1).toJSON()];
+  const torus = TensorSurface.torus(2, 1).toJSON();
+  for (const [file, place] of [
+    [{ ...circle.toJSON(), omega: 99 }, "$.omega"],
+    [{ ...circle.toJSON(), points: [0, 0, null, 0] }, "$.points[2]"],
+    [{ ...points.toJSON(), roots: [0, { re: 0, im: 1 }] }, "$.roots[1]"],
+    [{ ...points.toJSON(), roots: [0, { re: 0 }] }, "$.roots[1].im"],
+    [{ ...local, patches: [{ ...local.patches[0], level: 99 }] }, "$.patches[0].level"],
+    [{ ...fine, domain: [0, null] }, "$.domain[1]"],
+    [{ ...fine, step: -1 }, "$.step"],
+    [{ ...torus, u: { ...torus.u, count: -1 } }, "$.u.count"],
+    [{ ...torus, net: undefined }, "$.net"],
+    [{ ...torus, version: 0 }, "$.version"],
+    [{ ...torus, note: NaN }, "$.note"],
+  ] as const) {
+    assert.throws(() => fromJSON(file), (error) => {
+      assert.ok(error instanceof ExplineError);
+      assert.deepEqual([error.op, error.arg, error.argument, error.path], ["fromJSON", "json", place, place]);
+      return error.message.includes(`: ${place} `);
+    });
+  }
+  assert.ok(fromJSON(fine) instanceof BSplineCurve);
+});
 
 test("contours that are fitted in short tasks are named as well", async () => {
   const one = { code: "E_DEGENERATE", op: "fitSparseAllAsync", argument: "contours[1]" };

@@ -1,5 +1,5 @@
 /** Checks of what callers hand in, before anything crosses the boundary. */
-import { ExplineError, overLimit, shown, tagOf, typedArray, wrong, wrongLength } from "./error.js";
+import { ExplineError, overLimit, range, shown, tagOf, typedArray, wrong, wrongLength } from "./error.js";
 import type { OwnFloats } from "./host.js";
 
 /** The largest coordinate, tangent component, radius or parameter length, in the user's unit. */
@@ -10,8 +10,6 @@ export const MAX_POINTS = 1_000_000;
 export const MAX_EVALUATIONS = 4_000_000;
 /** The most points that one call may return. */
 export const MAX_OUTPUT = 4_000_000;
-
-const BOUND = "|x| <= 1e9";
 
 /** Points as they may be given: interleaved, as pairs, which need not be tuples for the compiler, or as objects with x and y. */
 export type PointsLike =
@@ -35,19 +33,7 @@ const { indexOf: search } = typedArray as Float64Array;
 
 /** Whether it really is a Float64Array, of whichever realm, and not something that says so. */
 export function isFloat64Array(value: unknown): value is Float64Array {
-  return tagOf?.call(value) === "Float64Array";
-}
-
-/** Whether it really holds floating-point numbers, of either width. */
-export function isFloats(value: unknown): value is Float64Array | Float32Array {
-  const tag = tagOf?.call(value) as unknown;
-  return tag === "Float64Array" || tag === "Float32Array";
-}
-
-/** Whether it really holds bytes. */
-export function isBytes(value: unknown): value is Uint8Array | Uint8ClampedArray {
-  const tag = tagOf?.call(value) as unknown;
-  return tag === "Uint8Array" || tag === "Uint8ClampedArray";
+  return tagOf(value) === "Float64Array";
 }
 
 /** The true length, whatever a subclass says; refuses an array whose buffer has gone, or has become too short for it. */
@@ -72,30 +58,33 @@ function isLost(value: unknown): boolean {
   }
 }
 
-/** A finite number. */
-export function finite(op: string, arg: string, value: unknown, index?: number): number {
-  if (typeof value !== "number") throw wrong("E_TYPE", op, arg, value, "number", index);
-  if (!Number.isFinite(value)) throw wrong("E_NOT_FINITE", op, arg, value, "a finite number", index);
-  return value;
+/** A finite number in a range. `argument` says where it stands, if not at `index`. */
+export function inRange(op: string, arg: string, value: unknown, least: number, most: number, index?: number, argument?: string): number {
+  if (isNumber(value) && value >= least && value <= most) return value;
+  throw wrong(codeOf(value), op, arg, value, range(least, most), index, argument);
 }
 
-/** A finite number within ±1e9. `argument` says where it stands, if not at `index`. */
+const isNumber = Number.isFinite as (value: unknown) => value is number;
+
+/** What is wrong with something that should be a number in a range. */
+function codeOf(value: unknown): "E_TYPE" | "E_RANGE" | "E_NOT_FINITE" {
+  return typeof value !== "number" ? "E_TYPE" : isNumber(value) ? "E_RANGE" : "E_NOT_FINITE";
+}
+
+/** A finite number. */
+export function finite(op: string, arg: string, value: unknown, index?: number, argument?: string): number {
+  return inRange(op, arg, value, -Infinity, Infinity, index, argument);
+}
+
+/** A finite number within ±1e9. */
 export function coordinate(op: string, arg: string, value: unknown, index?: number, argument?: string): number {
-  if (typeof value !== "number") throw wrong("E_TYPE", op, arg, value, "number", index, argument);
-  if (!(Math.abs(value) <= LARGEST)) {
-    const code = Number.isFinite(value) ? "E_RANGE" : "E_NOT_FINITE";
-    throw wrong(code, op, arg, value, `a finite number with ${BOUND}`, index, argument);
-  }
-  return value + 0;
+  return inRange(op, arg, value, -LARGEST, LARGEST, index, argument) + 0;
 }
 
 /** A whole number in a range. */
-export function integer(op: string, arg: string, value: unknown, least: number, most: number): number {
-  const bound = `an integer in [${least}, ${most}]`;
-  if (typeof value !== "number") throw wrong("E_TYPE", op, arg, value, bound);
-  if (!Number.isFinite(value)) throw wrong("E_NOT_FINITE", op, arg, value, bound);
-  if (!Number.isInteger(value) || value < least || value > most) throw wrong("E_RANGE", op, arg, value, bound);
-  return value;
+export function integer(op: string, arg: string, value: unknown, least: number, most: number, index?: number): number {
+  if (Number.isInteger(value) && (value as number) >= least && (value as number) <= most) return value as number;
+  throw wrong(codeOf(value), op, arg, value, `an integer in [${least}, ${most}]`, index);
 }
 
 /** The number of a patch. */
@@ -126,11 +115,11 @@ export function flag(op: string, arg: string, value: unknown, byDefault: boolean
 }
 
 /** One of a few words. */
-export function word<W extends string>(op: string, arg: string, value: unknown, words: readonly W[]): W {
+export function word<W extends string>(op: string, arg: string, value: unknown, words: readonly W[], index?: number): W {
   const found = words.find((w) => w === value);
   if (found === undefined) {
     const code = typeof value === "string" ? "E_RANGE" : "E_TYPE";
-    throw wrong(code, op, arg, value, `one of ${words.join(", ")}`);
+    throw wrong(code, op, arg, value, `one of ${words.join(", ")}`, index);
   }
   return found;
 }
@@ -187,6 +176,11 @@ export function parameters(op: string, arg: string, value: unknown): Coordinates
   return typeof value === "number" ? Float64Array.of(value) : numbers(op, arg, value, "maxEvalPoints", MAX_EVALUATIONS, "a number, ");
 }
 
+/** What a message is about: the number that stands alone and has no index, or the list that was made of what was given. */
+export function oneOr(value: unknown, list: Coordinates): number | Coordinates {
+  return typeof value === "number" ? value : list;
+}
+
 /** The length of an array; one that is too long for the limit must at least have something at its end. */
 function honestLength(
   op: string,
@@ -219,7 +213,7 @@ export function points(op: string, arg: string, value: unknown, max: number = MA
     const bound = dimension === 2 ? "an even number, two for each point" : "a multiple of 3, three for each point";
     throw wrongLength(op, arg, copy.length, bound);
   }
-  return within(op, arg, copy);
+  return coordinates(op, arg, copy);
 }
 
 const AXES = ["x", "y", "z"] as const;
@@ -238,7 +232,7 @@ function one(op: string, arg: string, item: unknown, i: number, dimension: 2 | 3
 }
 
 /** Refuses the first number that is not a coordinate; turns −0 into 0, so that JSON can carry every number. */
-export function within(op: string, arg: string, array: Coordinates): Coordinates {
+export function coordinates(op: string, arg: string, array: Coordinates): Coordinates {
   for (let i = 0; i < array.length; i += 1) {
     const value = array[i] ?? 0;
     if (!(Math.abs(value) <= LARGEST)) coordinate(op, arg, value, i);
@@ -256,7 +250,7 @@ export function exactly(op: string, arg: string, value: unknown, needed: number)
 
 /** Two coordinates. */
 export function twoNumbers(op: string, arg: string, value: unknown): [number, number] {
-  const [x = 0, y = 0] = within(op, arg, exactly(op, arg, value, 2));
+  const [x = 0, y = 0] = coordinates(op, arg, exactly(op, arg, value, 2));
   return [x, y];
 }
 

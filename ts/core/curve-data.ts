@@ -130,7 +130,8 @@ export class CurveData extends Held {
     write(op, points, tangents, tangentsIn, omega, lengths);
     const space = SPACES.indexOf(this.space);
     const arrays = [tangentsIn.length / 2, omega.length, lengths.length] as const;
-    const omegas = call(op, (kernel) => kernel.load(slot, this.count, ...arrays, space, this.closed ? 1 : 0));
+    const given = lengths.length < 2 ? { lengths: 0, omega: omega.length === 1 ? 0 : omega } : undefined;
+    const omegas = call(op, (kernel) => kernel.load(slot, this.count, ...arrays, space, this.closed ? 1 : 0), given);
     this.omega = copy(omegas);
     this.end = result(0);
   }

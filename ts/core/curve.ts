@@ -10,6 +10,7 @@ import {
   flag,
   integer,
   isFloat64Array,
+  oneOr,
   options as checkOptions,
   output,
   parameters,
@@ -128,7 +129,7 @@ const BLOCK = 8192;
 const BY_DEFAULT = 0;
 
 /** The arrays of a curve, and the proof that it is one, of the kind that is asked for. @internal */
-export let dataOf: <D extends Held = Held>(curve: MeasuredCurve, op: string, kind?: Kind<D>) => D;
+export let dataOf: <D extends Held = Held>(curve: MeasuredCurve, op: string, kind?: Kind<D>, arg?: string) => D;
 
 type Kind<D extends Held> = abstract new (...parts: never[]) => D;
 
@@ -137,9 +138,9 @@ export abstract class MeasuredCurve implements Curve {
   readonly #data: Held;
 
   static {
-    dataOf = <D extends Held>(curve: MeasuredCurve, op: string, kind?: Kind<D>): D => {
+    dataOf = <D extends Held>(curve: MeasuredCurve, op: string, kind?: Kind<D>, arg = "this"): D => {
       if (typeof curve !== "object" || curve === null || !(#data in curve) || !(curve.#data instanceof (kind ?? Held))) {
-        throw wrong("E_TYPE", op, "this", curve, "a curve of this package, no proxy");
+        throw wrong("E_TYPE", op, arg, curve, "a curve of this package, no proxy");
       }
       return curve.#data as D;
     };
@@ -238,7 +239,7 @@ export abstract class MeasuredCurve implements Curve {
     const op = "sampleByLength";
     const data = dataOf(this, op);
     const { tolerance } = checkOptions(op, options, ["tolerance"]);
-    const within = tolerance === undefined ? BY_DEFAULT : checkTolerance(op, tolerance);
+    const within = orDefault(op, tolerance);
     const n = checkCount(op, "count", count, 1, "maxOutputPoints", MAX_OUTPUT);
     const slot = data.resident(op);
     return data.door.copy(data.door.call(op, (kernel) => kernel.sample_by_length(slot, n, within)));
@@ -315,9 +316,9 @@ export abstract class MeasuredCurve implements Curve {
     const given = parameters(op, "t", t);
     const slot = data.resident(op);
     data.door.write(op, given);
-    const values = data.door.copy(data.door.call(op, (kernel) => kernel.curvature(slot, given.length), given));
+    const values = data.door.copy(data.door.call(op, (kernel) => kernel.curvature(slot, given.length), oneOr(t, given)));
     const still = data.door.result(0);
-    if (still >= 0) throw degenerate(op, "t", "the speed is zero there", still, values);
+    if (still >= 0) throw degenerate(op, "t", "the speed is zero there", typeof t === "number" ? undefined : still, values);
     return values;
   }
 
@@ -351,7 +352,7 @@ export abstract class MeasuredCurve implements Curve {
     const op = "toPathD";
     const data = dataOf(this, op);
     const { tolerance, decimals, arcs, relative } = checkOptions(op, options, ["tolerance", "decimals", "arcs", "relative"]);
-    const within = tolerance === undefined ? BY_DEFAULT : checkTolerance(op, tolerance);
+    const within = orDefault(op, tolerance);
     const digits = decimals === undefined ? -1 : integer(op, "decimals", decimals, 0, 17);
     const flags = (flag(op, "arcs", arcs, true) ? 1 : 0) + (flag(op, "relative", relative, false) ? 2 : 0);
     const outline = data.outline(op, within);
@@ -401,7 +402,7 @@ function measure(data: Held, op: string, body: (slot: number, kernel: CurveKerne
   return data.door.result(0);
 }
 
-function orDefault(op: string, tolerance: number | undefined): number {
+function orDefault(op: string, tolerance: unknown): number {
   return tolerance === undefined ? BY_DEFAULT : checkTolerance(op, tolerance);
 }
 

@@ -146,8 +146,12 @@ export class ExplineError extends Error {
 
 /** @internal */
 export const typedArray: object = Object.getPrototypeOf(Float64Array.prototype) as object;
+const ownTag = Object.getOwnPropertyDescriptor(typedArray, Symbol.toStringTag)?.get;
+
 /** What a typed array is, of whichever realm and whatever it says; undefined for anything else. @internal */
-export const tagOf = Object.getOwnPropertyDescriptor(typedArray, Symbol.toStringTag)?.get;
+export function tagOf(value: unknown): unknown {
+  return ownTag?.call(value);
+}
 
 /** A value in at most 40 characters, never an object's insides. */
 export function shown(value: unknown): string {
@@ -168,12 +172,13 @@ export function shown(value: unknown): string {
 }
 
 function typed(value: object): string {
-  const tag = tagOf?.call(value) as string | undefined;
-  return tag === undefined ? "an object" : `of type ${tag}`;
+  const tag = tagOf(value);
+  return tag === undefined ? "an object" : `of type ${tag as string}`;
 }
 
 /** The details and the name of an argument, or of one place in it. */
-function place(arg: string, index: number | undefined, argument = index === undefined ? arg : `${arg}[${index}]`): ErrorDetails & { argument: string } {
+function place(at: string, index?: number, argument = index === undefined ? at : `${at}[${index}]`): ErrorDetails & { argument: string } {
+  const arg = at.replace(/\W.*/, "");
   return index === undefined ? { arg, argument } : { arg, index, argument };
 }
 
@@ -188,19 +193,33 @@ export function wrong(
   argument?: string,
 ): ExplineError {
   const at = place(arg, index, argument);
-  const kept = typeof value === "number" || typeof value === "string" ? { value: cut(value) } : {};
+  const kept = typeof value === "string" ? { value: value.slice(0, 40) } : typeof value === "number" ? { value } : {};
   const what = `${at.argument} is ${shown(value)}; expected ${bound}`;
   return new ExplineError(code, op, what, { ...at, ...kept, bound });
 }
 
-function cut(value: number | string): number | string {
-  return typeof value === "string" ? value.slice(0, 40) : value;
+/** The least number above 0 that the engine asks for. */
+const LEAST = 2 ** -1022;
+
+/** What lies between two numbers, in words. */
+export function range(least: number, most: number): string {
+  if (least === -most) return most === Infinity ? "a finite number" : `a finite number with |x| <= ${power(most)}`;
+  if (least === -Infinity) return `a number <= ${power(most)}`;
+  if (most >= Number.MAX_VALUE) return least === LEAST ? "a number > 0" : `a number >= ${power(least)}`;
+  if (least === LEAST) return `a number in (0, ${power(most)}]`;
+  return `a number in [${power(least)}, ${power(most)}]`;
+}
+
+/** 1e9 rather than 1000000000, π rather than its digits. */
+function power(value: number): string {
+  if (value === Math.PI) return "π";
+  return String(value).replace(/^(\d)0{6,}$/, (digits, first: string) => `${first}e${digits.length - 1}`);
 }
 
 /** `argument has 3 numbers; expected 8`. */
 export function wrongLength(op: string, arg: string, actual: number, bound: string): ExplineError {
   return new ExplineError("E_LENGTH", op, `${arg} has length ${actual}; expected ${bound}`, {
-    ...place(arg, undefined),
+    ...place(arg),
     actual,
     bound,
   });
@@ -209,7 +228,7 @@ export function wrongLength(op: string, arg: string, actual: number, bound: stri
 /** A limit would be exceeded. */
 export function overLimit(op: string, arg: string, limit: string, max: number, actual: number): ExplineError {
   const what = `${arg} needs ${actual}; ${limit} is ${max}`;
-  return new ExplineError("E_LIMIT", op, what, { ...place(arg, undefined), limit, max, actual });
+  return new ExplineError("E_LIMIT", op, what, { ...place(arg), limit, max, actual });
 }
 
 /** No unique answer. */
@@ -226,5 +245,5 @@ export function degenerate(op: string, arg: string, why: string, index?: number,
 export function tooFewPoints(op: string, arg: string, actual: number, least: number): ExplineError {
   const things = arg === "points" ? `${actual} ${actual === 1 ? "point" : "points"}` : String(actual);
   const what = `${arg} ${arg.endsWith("count") ? "is" : "has"} ${things}; expected at least ${least}`;
-  return new ExplineError("E_TOO_FEW_POINTS", op, what, { ...place(arg, undefined), actual, bound: `>= ${least}` });
+  return new ExplineError("E_TOO_FEW_POINTS", op, what, { ...place(arg), actual, bound: `>= ${least}` });
 }

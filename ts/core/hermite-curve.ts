@@ -8,6 +8,7 @@ import {
   exactly,
   finite,
   flag,
+  inRange,
   integer,
   numbers,
   options as checkOptions,
@@ -17,7 +18,7 @@ import {
 } from "./arguments.js";
 import { CurveData, SPACES, type Space, readCurves } from "./curve-data.js";
 import { MeasuredCurve, dataOf as anyDataOf } from "./curve.js";
-import { wrong, wrongLength } from "./error.js";
+import { wrongLength } from "./error.js";
 import { type Floats, call, copy, result, write } from "./kernel.js";
 
 /** A {@link HermiteCurve} as plain data. Fields that a newer version wrote are kept. */
@@ -130,10 +131,11 @@ export class HermiteCurve extends MeasuredCurve {
     const own = checkOptions(op, options, ["closed", "omega", "space"]);
     const given = checkPoints(op, "points", points);
     const closed = flag(op, "closed", own.closed, true) ? 1 : 0;
-    const omega = own.omega === undefined ? -1 : frequency(op, own.omega);
+    // How large it may be is for the kernel to say.
+    const omega = own.omega === undefined ? -1 : inRange(op, "omega", own.omega, 0, Infinity) + 0;
     const space = SPACES.indexOf(own.space === undefined ? "trigonometric" : word(op, "space", own.space, SPACES));
     write(op, given);
-    return derived(call(op, (kernel) => kernel.through(given.length / 2, closed, omega, space)));
+    return derived(call(op, (kernel) => kernel.through(given.length / 2, closed, omega, space), { omega }));
   }
 
   /** The space. */
@@ -375,13 +377,6 @@ function sameLength(op: string, arg: string, array: Floats, length: number): Flo
 
 function asMany(data: CurveData, arg: string, value: unknown): Floats {
   return sameLength(CURVE, arg, checkPoints(CURVE, arg, value), data.points.length);
-}
-
-/** A frequency that is at least not negative; how large it may be is for the kernel to say. */
-function frequency(op: string, value: unknown): number {
-  const omega = finite(op, "omega", value);
-  if (omega < 0) throw wrong("E_RANGE", op, "omega", omega, ">= 0");
-  return omega + 0;
 }
 
 /** One number for all segments, or one for each, or nothing; finite and not −0, and the rest is for the kernel to say. */

@@ -1,5 +1,5 @@
 /** The cardinal Hermite exponential splines φ₁ and φ₂. */
-import { MAX_EVALUATIONS, finite, integer, parameters, word } from "./arguments.js";
+import { MAX_EVALUATIONS, finite, integer, oneOr, parameters, word } from "./arguments.js";
 import { SPACES, type Space } from "./curve-data.js";
 import { wrong } from "./error.js";
 import type { Kernel } from "./engine.js";
@@ -58,17 +58,15 @@ export class HermiteGenerators {
 
   /** φ₁ and φ₂, or their derivative of order 1 or 2, at every x; at a knot the limit from the right. */
   evaluate(x: number | Float64Array | readonly number[], derivative: 0 | 1 | 2 = 0): { phi1: Float64Array; phi2: Float64Array } {
-    const given = parameters("evaluate", "x", x);
     const order = integer("evaluate", "derivative", derivative, 0, 2);
-    const both = array(this, "evaluate", (kernel, w, s) => kernel.generators_evaluate(w, s, given.length, order), given);
-    return { phi1: both.slice(0, given.length), phi2: both.slice(given.length) };
+    const both = at(this, "evaluate", x, (kernel, w, s, count) => kernel.generators_evaluate(w, s, count, order));
+    return { phi1: both.slice(0, both.length / 2), phi2: both.slice(both.length / 2) };
   }
 
   /** The four functions of the Bernstein basis, or their derivative of order 1 or 2, at every x in [0, 1]: four numbers each. */
   bernstein(x: number | Float64Array | readonly number[], derivative: 0 | 1 | 2 = 0): Float64Array {
-    const given = parameters("bernstein", "x", x);
     const order = integer("bernstein", "derivative", derivative, 0, 2);
-    return array(this, "bernstein", (kernel, w, s) => kernel.generators_bernstein(w, s, given.length, order), given);
+    return at(this, "bernstein", x, (kernel, w, s, count) => kernel.generators_bernstein(w, s, count, order));
   }
 
   /**
@@ -78,7 +76,7 @@ export class HermiteGenerators {
   mask(arity: number, level: number): Float64Array {
     const m = integer("mask", "arity", arity, 2, MAX_EVALUATIONS);
     const j = integer("mask", "level", level, 0, 24);
-    return array(this, "mask", (kernel, w, s) => kernel.generators_mask(w, s, m, j));
+    return copy(run(this, "mask", (kernel, w, s) => kernel.generators_mask(w, s, m, j)));
   }
 
   /** a = ⟨φ₁, φ₁(·−1)⟩, b = ‖φ₁‖², c = ⟨φ₁, φ₂(·−1)⟩, d = ⟨φ₂, φ₂(·−1)⟩, e = ‖φ₂‖². */
@@ -95,9 +93,8 @@ export class HermiteGenerators {
 
   /** The two Green's functions ρ₁ and ρ₂ at every x. */
   greens(x: number | Float64Array | readonly number[]): { rho1: Float64Array; rho2: Float64Array } {
-    const given = parameters("greens", "x", x);
-    const both = array(this, "greens", (kernel, w, s) => kernel.generators_greens(w, s, given.length), given);
-    return { rho1: both.slice(0, given.length), rho2: both.slice(given.length) };
+    const both = at(this, "greens", x, (kernel, w, s, count) => kernel.generators_greens(w, s, count));
+    return { rho1: both.slice(0, both.length / 2), rho2: both.slice(both.length / 2) };
   }
 }
 
@@ -106,13 +103,20 @@ function run(
   generators: HermiteGenerators,
   op: string,
   body: (kernel: Kernel, omega: number, space: number) => number,
-  given?: Floats,
+  x?: number | Floats,
 ): number {
   const { omega, space } = own(generators, op);
-  if (given !== undefined) write(op, given);
-  return call(op, (kernel) => body(kernel, omega, space), given);
+  return call(op, (kernel) => body(kernel, omega, space), x);
 }
 
-function array(...question: Parameters<typeof run>): Floats {
-  return copy(run(...question));
+/** What the generators are at one place or many. */
+function at(
+  generators: HermiteGenerators,
+  op: string,
+  x: unknown,
+  body: (kernel: Kernel, omega: number, space: number, count: number) => number,
+): Floats {
+  const places = parameters(op, "x", x);
+  write(op, places);
+  return copy(run(generators, op, (...own) => body(...own, places.length), oneOr(x, places)));
 }

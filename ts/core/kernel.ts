@@ -1,11 +1,14 @@
 /** Calls into a living instance: numbers in, numbers out, failures as errors. */
 import { type AnyKernel, type Engine, type Instance, core, instanceOf, retire } from "./engine.js";
-import { ExplineError, degenerate, overLimit, tooFewPoints, wrong, wrongLength } from "./error.js";
+import { ExplineError, degenerate, overLimit, range, tooFewPoints, wrong, wrongLength } from "./error.js";
 import type { OwnFloats } from "./host.js";
 import { textOf } from "./utf8.js";
 
-/** What a caller handed in, for messages. */
-type Given = number | ArrayLike<number>;
+/** What a caller handed in, for messages: one number, or a list of them. */
+type Numbers = number | ArrayLike<number>;
+
+/** The same, or several of them by their names. */
+type Given = Numbers | { readonly [arg: string]: Numbers };
 
 /** Numbers that nobody else holds. */
 export type Floats = OwnFloats;
@@ -25,7 +28,8 @@ const enum Failure {
 /**
  * Runs one function of an engine and returns how many numbers it left in the output.
  *
- * Whatever else comes out of it than an answer ends the instance. `given` is the number, or the array that an error's index points into.
+ * Whatever else comes out of it than an answer ends the instance. `given` is the array that an error's index points into, or the number that
+ * stands alone and has none.
  * @internal
  */
 export function callOf<K extends AnyKernel>(from: Engine<K>, op: string, body: (kernel: K) => number, given?: Given): number {
@@ -161,10 +165,11 @@ function failure<K extends AnyKernel>(from: Engine<K>, instance: Instance<K>, op
     instance.floats.slice(at, at + 10);
   const arg = (patch > 0 ? `patches[${patch - 1}].` : "") + textIn(instance, a, aLength);
   const words = textIn(instance, w, wLength);
-  const index = place < 0 ? undefined : place;
+  const numbers = (given as { readonly [arg: string]: Numbers } | undefined)?.[arg] ?? (given as Numbers | undefined);
+  const index = place < 0 || typeof numbers === "number" ? undefined : place;
   switch (kind as Failure) {
     case Failure.NotFinite:
-      return wrong("E_NOT_FINITE", op, arg, typeof given === "object" ? given[place] : given, "a finite number", index);
+      return wrong("E_NOT_FINITE", op, arg, typeof numbers === "object" ? numbers[place] : numbers, "a finite number", index);
     case Failure.OutOfRange:
       return wrong("E_RANGE", op, arg, value, range(least, most), index);
     case Failure.WrongLength:
@@ -187,20 +192,4 @@ function failure<K extends AnyKernel>(from: Engine<K>, instance: Instance<K>, op
     default:
       return retire(from, op, undefined);
   }
-}
-
-/** The least number above 0 that the engine asks for. */
-const LEAST = 2 ** -1022;
-
-function range(least: number, most: number): string {
-  if (least === -most) return `a finite number with |x| <= ${power(most)}`;
-  if (least === -Infinity) return `a number <= ${power(most)}`;
-  if (most >= Number.MAX_VALUE) return least === LEAST ? "a number > 0" : `a number >= ${power(least)}`;
-  if (least === LEAST) return `a number in (0, ${power(most)}]`;
-  return `a number in [${power(least)}, ${power(most)}]`;
-}
-
-/** 1e9 rather than 1000000000. */
-function power(value: number): string {
-  return String(value).replace(/^(\d)0{6,}$/, (digits, first: string) => `${first}e${digits.length - 1}`);
 }

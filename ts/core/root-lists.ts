@@ -20,8 +20,9 @@ export function rootNumbers(op: string, value: unknown, arg = "roots"): Floats {
     const isPair = typeof root === "object" && root !== null && !Array.isArray(root);
     if (typeof root !== "number" && !isPair) throw wrong("E_TYPE", op, arg, root, "a number or { re, im }", i);
     const { re, im } = isPair ? (root as { re?: unknown; im?: unknown }) : { re: root, im: 0 };
-    numbers[2 * i] = finite(op, arg, re, i) + 0;
-    numbers[2 * i + 1] = finite(op, arg, im, i) + 0;
+    const place = `${arg}[${i}]`;
+    numbers[2 * i] = finite(op, arg, re, i, isPair ? `${place}.re` : place) + 0;
+    numbers[2 * i + 1] = finite(op, arg, im, i, `${place}.im`) + 0;
   }
   return numbers;
 }

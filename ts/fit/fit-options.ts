@@ -1,5 +1,5 @@
 /** What can be asked of a fit, checked and written down as the engine reads it. */
-import { ExplineError, type Signal, count, finite, flag, integer, numbers, options as checkOptions, points as checkPoints, word, wrong, wrongLength } from "../core.js";
+import { ExplineError, type Signal, count, flag, inRange, integer, numbers, options as checkOptions, points as checkPoints, word, wrong, wrongLength } from "../core.js";
 import { Asked, type Question } from "./fit-engine.js";
 import { type Watch, watch } from "../tasks/yielding.js";
 
@@ -149,7 +149,7 @@ export function order(op: string, points: unknown, options: unknown): Order {
   const weights = perPoint(op, "weights", own.weights, size);
   if (own.period !== undefined && own.parameters === undefined) throw wrong("E_TYPE", op, "period", own.period, "given with parameters");
   const optional = (value: unknown, name: string, least: number, most: number): number =>
-    value === undefined ? -1 : within(op, name, value, least, most);
+    value === undefined ? -1 : inRange(op, name, value, least, most);
   const record = Float64Array.of(
     size,
     degrees.length,
@@ -168,13 +168,13 @@ export function order(op: string, points: unknown, options: unknown): Order {
     optional(own.noise, "noise", 0, 1e9),
     parameters.length,
     weights.length,
-    typeof own.corners === "number" ? within(op, "corners", own.corners, 0, Math.PI) : 0,
+    typeof own.corners === "number" ? inRange(op, "corners", own.corners, 0, Math.PI) : 0,
   );
   return {
     input: [record, given, parameters, weights],
     question: question(op, own, degrees.length),
     degrees,
-    deadline: own.deadline === undefined ? undefined : within(op, "deadline", own.deadline, 0, Infinity),
+    deadline: own.deadline === undefined ? undefined : inRange(op, "deadline", own.deadline, 0, Infinity),
     ...watch(op, own),
   };
 }
@@ -199,18 +199,11 @@ export function change(op: string, given: unknown, degrees: number): { question:
   return { question: asked ? question(op, own, degrees) : undefined, ...watch(op, own) };
 }
 
-function within(op: string, name: string, value: unknown, least: number, most: number): number {
-  const number = finite(op, name, value);
-  const bound = most === Infinity ? `a number >= ${least}` : `a number in [${least}, ${most === MAX_LAMBDA ? "1e12" : most}]`;
-  if (!(number >= least && number <= most)) throw wrong("E_RANGE", op, name, number, bound);
-  return number;
-}
-
 function finishOf(op: string, value: unknown): number {
   if (!Array.isArray(value)) return FINISHES[word(op, "finish", value, ["none", "gridless", "full"])];
   const steps = value as readonly unknown[];
   if (steps.length > STEPS.length) throw wrongLength(op, "finish", steps.length, `at most ${STEPS.length}`);
-  return steps.reduce<number>((bits, step) => bits | (1 << STEPS.indexOf(word(op, "finish", step, STEPS))), 0);
+  return steps.reduce<number>((bits, step, i) => bits | (1 << STEPS.indexOf(word(op, "finish", step, STEPS, i))), 0);
 }
 
 function degreesOf(op: string, value: unknown): readonly number[] {
@@ -218,7 +211,7 @@ function degreesOf(op: string, value: unknown): readonly number[] {
   if (!Array.isArray(value)) return [integer(op, "degree", value, 1, 5)];
   const list = value as readonly unknown[];
   if (list.length !== 2) throw wrongLength(op, "degree", list.length, "2");
-  const [first, second] = list.map((degree) => integer(op, "degree", degree, 1, 5)) as [number, number];
+  const [first, second] = list.map((degree, i) => integer(op, "degree", degree, 1, 5, i)) as [number, number];
   if (first >= second) throw wrong("E_RANGE", op, "degree", second, `more than ${first}`, 1);
   return [first, second];
 }
@@ -238,9 +231,9 @@ function question(op: string, own: { readonly [name in (typeof STRENGTHS)[number
   if (more !== undefined) throw new ExplineError("E_TYPE", op, `${more} and ${String(name)} exclude each other`, { arg: more, argument: more });
   switch (name) {
     case "smoothing":
-      return { kind: Asked.Smoothing, first: within(op, name, own.smoothing, 0, 1), second: 0, degrees };
+      return { kind: Asked.Smoothing, first: inRange(op, name, own.smoothing, 0, 1), second: 0, degrees };
     case "tolerance":
-      return { kind: Asked.Tolerance, first: within(op, name, own.tolerance, 0, 1e9), second: 0, degrees };
+      return { kind: Asked.Tolerance, first: inRange(op, name, own.tolerance, 0, 1e9), second: 0, degrees };
     case "lambda":
       return lambdas(op, own.lambda, degrees);
     default:
@@ -250,7 +243,7 @@ function question(op: string, own: { readonly [name in (typeof STRENGTHS)[number
 
 function lambdas(op: string, value: unknown, degrees: number): Question {
   const list: readonly unknown[] = Array.isArray(value) ? value : [value];
-  const all = list.map((lambda) => within(op, "lambda", lambda, 0, MAX_LAMBDA));
+  const all = list.map((lambda, i) => inRange(op, "lambda", lambda, 0, MAX_LAMBDA, Array.isArray(value) ? i : undefined));
   if (all.length !== degrees) throw wrongLength(op, "lambda", all.length, `${degrees}, one for each degree`);
   const [first = 0, second = 0] = all;
   if (degrees === 2 && first + second === 0) throw wrong("E_RANGE", op, "lambda", 0, "at least one of them > 0");

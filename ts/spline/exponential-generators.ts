@@ -1,5 +1,5 @@
 /** Exponential B-splines and the interpolators made of them, for any list of roots. */
-import { type Floats, MAX_EVALUATIONS, type Root, flag, integer, options as checkOptions, parameters, rootList, rootNumbers, wrong } from "../core.js";
+import { type Floats, MAX_EVALUATIONS, type Root, flag, integer, oneOr, options as checkOptions, parameters, rootList, rootNumbers, wrong } from "../core.js";
 import { ellipseRoots } from "./roots.js";
 import { type SplineKernel, call, copy, result, write } from "./spline-engine.js";
 
@@ -28,12 +28,12 @@ const INTERPOLATOR = "Interpolator";
 
 let own: (generator: Exponential, op: string) => Source;
 
-function ask(source: Source, op: string, what: What, argument = 0, places: Floats = new Float64Array()): Floats {
+function ask(source: Source, op: string, what: What, argument = 0, places: Floats = new Float64Array(), x?: unknown): Floats {
   write(op, source.roots, places);
   const count = source.roots.length / 2;
   const body = (kernel: SplineKernel): number =>
     kernel.exponential(source.kind, count, what, places.length, argument);
-  return copy(call(op, body, what === What.Values ? places : undefined));
+  return copy(call(op, body, { x: oneOr(x, places) }));
 }
 
 /** What both kinds have. */
@@ -75,7 +75,7 @@ abstract class Exponential {
     const source = own(this, op);
     const places = parameters(op, "x", x);
     const order = integer(op, "derivative", derivative, 0, source.roots.length / 2 - 1);
-    return ask(source, op, What.Values, order, places);
+    return ask(source, op, What.Values, order, places, x);
   }
 
   /** The largest `lower` and smallest `upper` with lower·‖c‖ ≤ ‖Σ c[k]·g(· − k)‖ ≤ upper·‖c‖; not squared. */

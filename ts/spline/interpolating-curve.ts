@@ -87,7 +87,7 @@ export class InterpolatingCurve extends SplineCurve {
    */
   static from(curve: BSplineCurve): { curve: InterpolatingCurve; maxError: number } {
     const op = "InterpolatingCurve.from";
-    const slot = splineOf(curve, op).resident(op);
+    const slot = splineOf(curve, op, "curve").resident(op);
     const count = call(op, (kernel) => kernel.reduce_spline(slot, 0));
     return { maxError: result(0), curve: interpolatingOf(readSpline(count)) };
   }

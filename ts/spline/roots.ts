@@ -1,5 +1,5 @@
 /** Lists of roots: what an exponential spline is made of, and what it keeps exact. */
-import { type Floats, MAX_ROOTS, type Root, finite, integer, rootList, rootNumbers } from "../core.js";
+import { type Floats, MAX_ROOTS, type Root, finite, integer, rootList, rootNumbers, tooFewPoints } from "../core.js";
 import { type SplineKernel, call, copy, write } from "./spline-engine.js";
 
 function listed(op: string, body: (kernel: SplineKernel) => number): Root[] {
@@ -41,13 +41,12 @@ export const roots = {
   /** What each list keeps, the union keeps. */
   union(...lists: readonly (readonly Root[])[]): Root[] {
     const op = "union";
-    let all: Floats | undefined;
-    for (const list of lists) {
-      const next = rootNumbers(op, list);
-      const first: Floats = all ?? next;
-      write(op, first, next);
-      all = copy(call(op, (kernel) => kernel.roots_union(first.length / 2, next.length / 2)));
-    }
-    return rootList(all ?? rootNumbers(op, undefined));
+    if (lists.length === 0) throw tooFewPoints(op, "lists", 0, 1);
+    const union = (all: Floats, next: Floats): Floats => {
+      write(op, all, next);
+      return copy(call(op, (kernel) => kernel.roots_union(all.length / 2, next.length / 2)));
+    };
+    const [first = new Float64Array(), ...rest] = lists.map((list, i) => rootNumbers(op, list, `lists[${i}]`));
+    return rootList(rest.reduce(union, union(first, first)));
   },
 } as const;

@@ -24,8 +24,8 @@ import { call, result } from "./spline-engine.js";
 export type AnyPointsLike = PointsLike | SpacePointsLike;
 
 /** The arrays of a curve on a grid, and the proof that it is one. @internal */
-export function splineOf(curve: SplineCurve, op: string): SplineData {
-  return dataOf(curve, op, SplineData);
+export function splineOf(curve: SplineCurve, op: string, arg?: string): SplineData {
+  return dataOf(curve, op, SplineData, arg);
 }
 
 /** Points of the dimension that is asked for, or else that they show: triples and objects with z are in space. @internal */

@@ -3,6 +3,7 @@ import {
   type Floats,
   LARGEST,
   type Root,
+  coordinates,
   count as checkCount,
   flag,
   integer,
@@ -12,7 +13,6 @@ import {
   options as checkOptions,
   overLimit,
   rootNumbers,
-  within,
   wrong,
   wrongLength,
 } from "../core.js";
@@ -66,7 +66,7 @@ export function netOf(op: string, value: unknown, needed: number): Floats {
   if (length !== needed) throw wrongLength(op, "net", length, String(needed));
   const net = numbers(op, "net", value, "maxSurfacePoints", 3 * MAX_NET);
   if (net.length !== needed) throw wrongLength(op, "net", net.length, String(needed));
-  return within(op, "net", net);
+  return coordinates(op, "net", net);
 }
 
 /** A pair of indices within a net or a patch. @internal */

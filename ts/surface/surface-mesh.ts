@@ -1,5 +1,5 @@
 /** Meshes of surfaces as they are handed out, filled again, and mended where a point has moved. */
-import { type Floats, MAX_OUTPUT, integer, isFloats, lengthOfArray, overLimit, wrong, wrongLength } from "../core.js";
+import { type Floats, MAX_OUTPUT, integer, lengthOfArray, overLimit, tagOf, wrong, wrongLength } from "../core.js";
 import { call, peek, result } from "./surface-engine.js";
 
 /** Triangles of a surface. */
@@ -41,6 +41,11 @@ interface Target {
   readonly grid: Grid;
   readonly positions: Float64Array | Float32Array;
   readonly normals: Float64Array | Float32Array;
+}
+
+/** Whether it really holds floating-point numbers, of either width. */
+function isFloats(value: unknown): value is Float64Array | Float32Array {
+  return /^Float(?:32|64)Array$/.test(String(tagOf(value)));
 }
 
 /** A mesh of ours, or one like it, that is as large as it says, or as it should be. */

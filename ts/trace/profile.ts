@@ -1,5 +1,5 @@
 /** The tools of the weighted quasi-interpolant: splines of clouds, what they miss, and the whole way from a profile's points to its curve. */
-import { type HermiteCurve, MAX_POINTS, type PointsLike, curveOf, curvesIn, doorOf, finite, flag, integer, numbers, options as checkOptions, points as checkPoints, tooFewPoints, word, wrong } from "../core.js";
+import { type HermiteCurve, MAX_POINTS, type PointsLike, curveOf, curvesIn, doorOf, finite, flag, inRange, integer, numbers, options as checkOptions, points as checkPoints, tooFewPoints, word } from "../core.js";
 import { traces } from "./trace-engine.js";
 import { LEAST_CORNER } from "./trace-options.js";
 import type { TraceMetrics } from "./trace-result.js";
@@ -100,8 +100,7 @@ export function fitProfile(points: PointsLike, options?: ProfileOptions): Profil
   const own = checkOptions(op, options, ["closed", "degree", "corner", "method"]);
   const closed = flag(op, "closed", own.closed, true) ? 1 : 0;
   const degree = own.degree === undefined ? 2 : integer(op, "degree", own.degree, 1, 3);
-  const corner = own.corner === undefined ? 0 : finite(op, "corner", own.corner);
-  if (own.corner !== undefined && !(corner >= LEAST_CORNER && corner <= Math.PI)) throw wrong("E_RANGE", op, "corner", corner, `a number in [${LEAST_CORNER}, π]`);
+  const corner = own.corner === undefined ? 0 : inRange(op, "corner", own.corner, LEAST_CORNER, Math.PI);
   const printed = own.method !== undefined && word(op, "method", own.method, ["local", "mean"]) === "mean" ? 1 : 0;
   write(op, given);
   const count = call(op, (kernel) => kernel.follow_profile(given.length / 2, closed, degree, printed, corner), given);

@@ -1,5 +1,5 @@
 /** What can be asked of a trace, checked and written down as the engine reads it. */
-import { type Signal, count, finite, flag, integer, isBytes, lengthOfArray, options as checkOptions, overLimit, word, wrong, wrongLength } from "../core.js";
+import { type Signal, count, flag, inRange, integer, lengthOfArray, options as checkOptions, overLimit, tagOf, word, wrong, wrongLength } from "../core.js";
 import type { Pixels } from "./trace-engine.js";
 import { type Watch, watch } from "../tasks/yielding.js";
 
@@ -97,7 +97,7 @@ export function traceOrder(op: string, image: unknown, options: unknown): TraceO
   const own = checkOptions(op, options, NAMES);
   const { source, threshold, blur, invert, speckle, corner, tolerance, model, refine, maxContours } = own;
   const optional = (name: string, value: unknown, least: number, most: number): number =>
-    value === undefined ? -1 : within(op, name, value, least, most);
+    value === undefined ? -1 : inRange(op, name, value, least, most);
   const [mostColors, palette] = colorsOf(op, own.colors);
   const record = Float64Array.of(
     pixels.width,
@@ -148,12 +148,9 @@ function colorsOf(op: string, value: unknown): [number, number[]] {
   return [0, palette.flat()];
 }
 
-function within(op: string, name: string, value: unknown, least: number, most: number): number {
-  const number = finite(op, name, value);
-  const last = most === Math.PI ? "π" : most === MAX_AREA ? "1e9" : most;
-  const bound = `a number in [${least}, ${last}]`;
-  if (!(number >= least && number <= most)) throw wrong("E_RANGE", op, name, number, bound);
-  return number;
+/** Whether it really holds bytes. */
+function isBytes(value: unknown): value is Uint8Array | Uint8ClampedArray {
+  return /^Uint8(?:Clamped)?Array$/.test(String(tagOf(value)));
 }
 
 function pixelsOf(op: string, image: unknown): Pixels {

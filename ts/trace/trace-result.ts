@@ -1,5 +1,5 @@
 /** What a trace gives, read from what the engine leaves. */
-import { type HermiteCurve, curveOf, curvesIn, finite, integer, options as checkOptions, pathsOf, wrong } from "../core.js";
+import { type HermiteCurve, curveOf, curvesIn, integer, options as checkOptions, pathsOf, tolerance as checkTolerance } from "../core.js";
 import type { TraceStage } from "./trace-options.js";
 
 /** How far a curve is from the sub-pixel contour that it follows, in pixels. */
@@ -124,8 +124,7 @@ const short = (color: string): string => color.replace(/^#(.)\1(.)\2(.)\3$/u, "#
 function written(width: number, height: number, paths: readonly Path[], options: unknown): string {
   const op = "toSvg";
   const { tolerance, decimals } = checkOptions(op, options, ["tolerance", "decimals"]);
-  const within = finite(op, "tolerance", tolerance ?? 0.02);
-  if (!(within > 0)) throw wrong("E_RANGE", op, "tolerance", within, "> 0");
+  const within = checkTolerance(op, tolerance ?? 0.02);
   // The engine takes as many as a tolerance needs that is asked for.
   const digits = decimals === undefined && tolerance !== undefined ? -1 : integer(op, "decimals", decimals ?? 2, 0, 17);
   const body = paths.map(({ attributes, curves }) => `<path${attributes} d="${pathsOf(op, curves, within, digits)}"/>`).join("");
