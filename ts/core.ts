@@ -44,7 +44,9 @@ export {
   word,
 } from "./core/arguments.js";
 /** @internal */
-export { Held, curvesIn } from "./core/curve-data.js";
+export { HeldCurve, curvesIn } from "./core/curve-data.js";
+/** @internal */
+export { Held } from "./core/held.js";
 /** @internal */
 export type { CurveData } from "./core/curve-data.js";
 /** @internal */

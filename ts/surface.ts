@@ -18,7 +18,7 @@ import {
 import { type MeshFileOptions, gltfOf, objOf } from "./surface/mesh-files.js";
 import { type Direction, MAX_LEVEL, type SurfacePatch, type TensorSurfaceOptions, checkedSurface, netOf, place } from "./surface/surface-arguments.js";
 import { type DirectionData, type PatchData, SurfaceData, readSurface } from "./surface/surface-data.js";
-import { type SurfaceKernel, call, copy, peek, result, write } from "./surface/surface-engine.js";
+import { type SurfaceKernel, call, copy, peek, result } from "./surface/surface-engine.js";
 import { type TensorSurfaceJSON, surfaceJSON } from "./surface/surface-json.js";
 import { type MeshRegion, type SurfaceMesh, mend, newMesh, refill, sizes } from "./surface/surface-mesh.js";
 
@@ -219,8 +219,7 @@ export class TensorSurface {
     const op = "meshCurvature";
     const data = dataOf(this, op);
     const grid = sizes(op, rows, cols);
-    const slot = data.resident(op);
-    return halves(copy(call(op, (kernel) => kernel.surface_mesh_curvature(slot, ...grid))));
+    return halves(copy(data.ask(op, (kernel, slot) => kernel.surface_mesh_curvature(slot, ...grid))));
   }
 
   /**
@@ -232,8 +231,7 @@ export class TensorSurface {
     const op = "refine";
     const data = dataOf(this, op);
     const levels = [integer(op, "levelsU", levelsU, 0, MAX_LEVEL), integer(op, "levelsV", levelsV, 0, MAX_LEVEL)] as const;
-    const slot = data.resident(op);
-    return derived(call(op, (kernel) => kernel.surface_refine(slot, ...levels)));
+    return derived(data.ask(op, (kernel, slot) => kernel.surface_refine(slot, ...levels)));
   }
 
   /**
@@ -244,8 +242,7 @@ export class TensorSurface {
     const op = "reduce";
     const data = dataOf(this, op);
     const levels = [integer(op, "levelsU", levelsU, 0, data.u.level), integer(op, "levelsV", levelsV, 0, data.v.level)] as const;
-    const slot = data.resident(op);
-    const count = call(op, (kernel) => kernel.surface_reduce(slot, ...levels));
+    const count = data.ask(op, (kernel, slot) => kernel.surface_reduce(slot, ...levels));
     return { maxError: result(4), surface: derived(count) };
   }
 
@@ -264,8 +261,7 @@ export class TensorSurface {
     const at = [finite(op, "u", u), finite(op, "v", v)] as const;
     const levels = own.levels === undefined ? 1 : integer(op, "levels", own.levels, 1, MAX_LEVEL);
     const reach = own.reach === undefined ? 1 : finite(op, "reach", own.reach);
-    const slot = data.resident(op);
-    return derived(call(op, (kernel) => kernel.surface_refine_at(slot, ...at, levels, reach)));
+    return derived(data.ask(op, (kernel, slot) => kernel.surface_refine_at(slot, ...at, levels, reach)));
   }
 
   /** The control points of a patch, three numbers each, v fastest. */
@@ -273,8 +269,7 @@ export class TensorSurface {
     const op = "patchPoints";
     const data = dataOf(this, op);
     const which = patchNumber(op, "patch", patch, data.patches.length);
-    const slot = data.resident(op);
-    return copy(call(op, (kernel) => kernel.surface_patch_points(slot, which)));
+    return copy(data.ask(op, (kernel, slot) => kernel.surface_patch_points(slot, which)));
   }
 
   /**
@@ -287,8 +282,7 @@ export class TensorSurface {
     const data = dataOf(this, op);
     const [row, col] = place(op, i, j, data.u.count, data.v.count);
     const to = [coordinate(op, "x", x), coordinate(op, "y", y), coordinate(op, "z", z)] as const;
-    const slot = data.resident(op);
-    const count = call(op, (kernel) => kernel.surface_set_point(slot, row, col, ...to));
+    const count = data.ask(op, (kernel, slot) => kernel.surface_set_point(slot, row, col, ...to));
     if (count > 0) data.net.set(peek(count));
     else data.net.set(to, 3 * (row * data.v.count + col));
     data.touchBoth();
@@ -302,8 +296,7 @@ export class TensorSurface {
     const { u, v, displacements } = data.patches[which] as PatchData;
     const [row, col] = place(op, i, j, u.count, v.count);
     const to = [coordinate(op, "x", x), coordinate(op, "y", y), coordinate(op, "z", z)] as const;
-    const slot = data.resident(op);
-    call(op, (kernel) => kernel.surface_set_patch_point(slot, which, row, col, ...to));
+    data.ask(op, (kernel, slot) => kernel.surface_set_patch_point(slot, which, row, col, ...to));
     displacements.set([result(0), result(1), result(2)], 3 * (row * v.count + col));
     data.touchBoth();
   }
@@ -353,9 +346,8 @@ function pairwise(
   };
   const [first, second] = [list("u", u), list("v", v)];
   if (second.length !== first.length) throw wrongLength(op, "v", second.length, String(first.length));
-  const slot = data.resident(op);
-  write(op, first, second);
-  return copy(call(op, (kernel) => body(kernel, slot, first.length), { u: oneOr(u, first), v: oneOr(v, second) }));
+  const given = { u: oneOr(u, first), v: oneOr(v, second) };
+  return copy(data.ask(op, (kernel, slot) => body(kernel, slot, first.length), given, [first, second]));
 }
 
 function shape(

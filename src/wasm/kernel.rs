@@ -370,6 +370,10 @@ pub fn forget() {
             for place in &mut kernel.slots {
                 *place = None;
             }
+            #[cfg(feature = "wasm-surface")]
+            for place in &mut kernel.surfaces {
+                *place = None;
+            }
             for buffer in [&mut kernel.input, &mut kernel.output] {
                 *buffer = Vec::new();
             }

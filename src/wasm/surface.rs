@@ -105,15 +105,6 @@ pub fn surface_load(slot: u32, count: u32) -> i32 {
     })
 }
 
-/// Gives the memory of all resident surfaces back.
-#[wasm_bindgen]
-pub fn surface_forget() -> i32 {
-    run(&mut |kernel| {
-        kernel.surfaces = [const { None }; SURFACES];
-        Ok(0)
-    })
-}
-
 /// Points or derivatives at the `count` parameters u in the input and as many v after them; where `du` is 255, unit normals.
 #[wasm_bindgen]
 pub fn surface_evaluate(slot: u32, count: u32, du: u32, dv: u32) -> i32 {

@@ -1,5 +1,6 @@
-/** What a curve is made of, owned here; the kernel only ever holds a copy of it in one of its slots. */
-import { type CurveKernel, SLOTS } from "./engine.js";
+/** What a curve is made of. */
+import type { CurveKernel, Kernel } from "./engine.js";
+import { Held } from "./held.js";
 import { type Door, type Floats, call, copy, door, peek, result, write } from "./kernel.js";
 
 /** The space that a segment lies in. */
@@ -8,33 +9,24 @@ export type Space = "trigonometric" | "hyperbolic" | "polynomial";
 /** The spaces in the kernel's order. */
 export const SPACES: readonly Space[] = ["trigonometric", "hyperbolic", "polynomial"];
 
-/** Points of all resident curves together, above which the kernel forgets the others first. */
-const MOST_RESIDENT = 1_500_000;
-
-/** Every state of every curve has a number of its own. */
-let lastId = 0;
-let clock = 0;
-
-/** What one curve of any kind is made of. An edit gives it a new number, so that the kernel's copy no longer counts. */
-export abstract class Held {
-  id = 0;
-  slot = 0;
+/** What one curve of any kind is made of. @internal */
+export abstract class HeldCurve<K extends CurveKernel = CurveKernel> extends Held<K> {
   /** First and last parameter of the domain. */
   start = 0;
   end = 0;
-  /** Fields that a file had and this version does not know: own properties, kept for the next file. */
-  extra: Readonly<Record<string, unknown>> | undefined;
 
   constructor(
     readonly points: Floats,
     readonly closed: boolean,
     readonly dimension: 2 | 3,
   ) {
-    this.touch();
+    super();
   }
 
-  /** The engine that such curves are worked on in. @internal */
-  abstract get door(): Door<CurveKernel>;
+  /** How many points there are. */
+  get count(): number {
+    return this.points.length / this.dimension;
+  }
 
   /** The highest derivative that can be asked for. */
   abstract get orders(): number;
@@ -44,50 +36,10 @@ export abstract class Held {
 
   /** The curve as one with points and tangents, if it is one. */
   abstract exactly(op: string, tolerance: number): CurveData | undefined;
-
-  /** Writes the arrays and has the kernel make and keep the curve. */
-  protected abstract send(op: string, slot: number): void;
-
-  /** To be called after every change of the arrays. */
-  touch(): void {
-    lastId += 1;
-    this.id = lastId;
-  }
-
-  /** How many points there are. */
-  get count(): number {
-    return this.points.length / this.dimension;
-  }
-
-  /** The slot that holds this curve in the living instance, loaded now if need be. */
-  resident(op: string): number {
-    const { ids, used } = this.door.instance(op);
-    clock += 1;
-    if (ids[this.slot] !== this.id) this.load(op);
-    used[this.slot] = clock;
-    return this.slot;
-  }
-
-  /** Has the kernel check the curve and keep it. */
-  load(op: string): void {
-    const { count, door } = this;
-    const instance = door.instance(op);
-    if (instance.points + count > MOST_RESIDENT && instance.points > 0) {
-      door.call(op, (kernel) => (kernel.forget(), 0));
-      instance.ids.fill(0);
-      instance.points = 0;
-      instance.capacity = 0;
-    }
-    const slot = oldest(instance.used, instance.ids);
-    this.send(op, slot);
-    this.slot = slot;
-    instance.ids[slot] = this.id;
-    instance.points += count;
-  }
 }
 
-/** The arrays of one Hermite curve. */
-export class CurveData extends Held {
+/** The arrays of one Hermite curve. @internal */
+export class CurveData extends HeldCurve<Kernel> {
   constructor(
     points: Floats,
     readonly tangents: Floats,
@@ -104,7 +56,7 @@ export class CurveData extends Held {
   }
 
   /** @internal */
-  get door(): Door<CurveKernel> {
+  get door(): Door<Kernel> {
     return door;
   }
 
@@ -142,21 +94,12 @@ export class CurveData extends Held {
   }
 }
 
-function oldest(used: readonly number[], ids: readonly number[]): number {
-  let best = 0;
-  for (let slot = 0; slot < SLOTS; slot += 1) {
-    if (ids[slot] === 0) return slot;
-    if ((used[slot] ?? 0) < (used[best] ?? 0)) best = slot;
-  }
-  return best;
-}
-
-/** The curves that the kernel has left in its output, one after the other. */
+/** The curves that the kernel has left in its output, one after the other. @internal */
 export function readCurves(count: number): CurveData[] {
   return curvesIn(peek(count));
 }
 
-/** Curves as an engine describes them, one after the other. */
+/** Curves as an engine describes them, one after the other. @internal */
 export function curvesIn(numbers: Float64Array): CurveData[] {
   const count = numbers.length;
   const curves: CurveData[] = [];

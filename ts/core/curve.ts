@@ -17,11 +17,11 @@ import {
   points as checkPoints,
   tolerance as checkTolerance,
 } from "./arguments.js";
-import { Held } from "./curve-data.js";
+import { HeldCurve } from "./curve-data.js";
 import { ExplineError, degenerate, wrong } from "./error.js";
 import type { CurveKernel } from "./engine.js";
 import type { PathObject } from "./host.js";
-import { call, outputText, result } from "./kernel.js";
+import { outputText, result } from "./kernel.js";
 
 /** A rectangle along the axes, in the user's unit; a box for a curve in space. */
 export interface Bounds {
@@ -129,17 +129,17 @@ const BLOCK = 8192;
 const BY_DEFAULT = 0;
 
 /** The arrays of a curve, and the proof that it is one, of the kind that is asked for. @internal */
-export let dataOf: <D extends Held = Held>(curve: MeasuredCurve, op: string, kind?: Kind<D>, arg?: string) => D;
+export let dataOf: <D extends HeldCurve = HeldCurve>(curve: MeasuredCurve, op: string, kind?: Kind<D>, arg?: string) => D;
 
-type Kind<D extends Held> = abstract new (...parts: never[]) => D;
+type Kind<D extends HeldCurve> = abstract new (...parts: never[]) => D;
 
 /** A curve of any kind, in the plane or in space. */
 export abstract class MeasuredCurve implements Curve {
-  readonly #data: Held;
+  readonly #data: HeldCurve;
 
   static {
-    dataOf = <D extends Held>(curve: MeasuredCurve, op: string, kind?: Kind<D>, arg = "this"): D => {
-      if (typeof curve !== "object" || curve === null || !(#data in curve) || !(curve.#data instanceof (kind ?? Held))) {
+    dataOf = <D extends HeldCurve>(curve: MeasuredCurve, op: string, kind?: Kind<D>, arg = "this"): D => {
+      if (typeof curve !== "object" || curve === null || !(#data in curve) || !(curve.#data instanceof (kind ?? HeldCurve))) {
         throw wrong("E_TYPE", op, arg, curve, "a curve of this package, no proxy");
       }
       return curve.#data as D;
@@ -147,7 +147,7 @@ export abstract class MeasuredCurve implements Curve {
   }
 
   /** @internal */
-  constructor(data: Held) {
+  constructor(data: HeldCurve) {
     this.#data = data;
   }
 
@@ -199,10 +199,10 @@ export abstract class MeasuredCurve implements Curve {
     }
     const given = parameters(op, "t", t);
     const to = out === undefined ? undefined : output(op, out, each * given.length, isFloat64Array(t) ? t : undefined);
-    const slot = data.resident(op);
-    data.door.write(op, given);
-    const count = data.door.call(op, (kernel) => kernel.evaluate_many(slot, given.length, order), given);
-    return into(data, to, count);
+    const count = data.ask(op, (kernel, slot) => kernel.evaluate_many(slot, given.length, order), given, [given]);
+    if (to === undefined) return data.door.copy(count);
+    to.set(data.door.peek(count));
+    return to;
   }
 
   /**
@@ -241,15 +241,14 @@ export abstract class MeasuredCurve implements Curve {
     const { tolerance } = checkOptions(op, options, ["tolerance"]);
     const within = orDefault(op, tolerance);
     const n = checkCount(op, "count", count, 1, "maxOutputPoints", MAX_OUTPUT);
-    const slot = data.resident(op);
-    return data.door.copy(data.door.call(op, (kernel) => kernel.sample_by_length(slot, n, within)));
+    return data.door.copy(data.ask(op, (kernel, slot) => kernel.sample_by_length(slot, n, within)));
   }
 
   /** The length of the curve, to an absolute tolerance; default 1e-9 of its size. */
   length(tolerance?: number): number {
     const op = "length";
     const within = orDefault(op, tolerance);
-    return measure(dataOf(this, op), op, (slot, kernel) => kernel.length(slot, within));
+    return measure(dataOf(this, op), op, (kernel, slot) => kernel.length(slot, within));
   }
 
   /** The parameter up to which the curve has the given length: from 0 to its own, of a closed curve no more than one round. */
@@ -257,18 +256,18 @@ export abstract class MeasuredCurve implements Curve {
     const op = "parameterAtLength";
     const along = finite(op, "length", length);
     const within = orDefault(op, tolerance);
-    return measure(dataOf(this, op), op, (slot, kernel) => kernel.parameter_at_length(slot, along, within));
+    return measure(dataOf(this, op), op, (kernel, slot) => kernel.parameter_at_length(slot, along, within));
   }
 
   /** The signed area of a closed curve, positive where it turns from the x axis towards the y axis. */
   area(): number {
-    return measure(dataOf(this, "area"), "area", (slot, kernel) => kernel.area(slot));
+    return measure(dataOf(this, "area"), "area", (kernel, slot) => kernel.area(slot));
   }
 
   /** The centre of gravity of the area of a closed curve. */
   centroid(): { x: number; y: number } {
     const data = dataOf(this, "centroid");
-    const x = measure(data, "centroid", (slot, kernel) => kernel.centroid(slot));
+    const x = measure(data, "centroid", (kernel, slot) => kernel.centroid(slot));
     return { x, y: data.door.result(1) };
   }
 
@@ -276,7 +275,7 @@ export abstract class MeasuredCurve implements Curve {
   bounds(): Bounds {
     const data = dataOf(this, "bounds");
     const { result } = data.door;
-    const minX = measure(data, "bounds", (slot, kernel) => kernel.bounds(slot));
+    const minX = measure(data, "bounds", (kernel, slot) => kernel.bounds(slot));
     const plane = { minX, minY: result(1), maxX: result(2), maxY: result(3) };
     return data.dimension === 2 ? plane : { ...plane, minZ: result(4), maxZ: result(5) };
   }
@@ -289,7 +288,7 @@ export abstract class MeasuredCurve implements Curve {
     const data = dataOf(this, op);
     const { result } = data.door;
     const toZ = data.dimension === 3 ? coordinate(op, "z", z) : 0;
-    const t = measure(data, op, (slot, kernel) => kernel.nearest(slot, toX, toY, toZ));
+    const t = measure(data, op, (kernel, slot) => kernel.nearest(slot, toX, toY, toZ));
     const found = { t, x: result(1), y: result(2), distance: result(3) };
     return data.dimension === 2 ? found : { ...found, z: result(3), distance: result(4) };
   }
@@ -299,9 +298,8 @@ export abstract class MeasuredCurve implements Curve {
     const op = "nearestAll";
     const data = dataOf(this, op);
     const given = checkPoints(op, "places", places, MAX_EVALUATIONS / 2, data.dimension, "maxEvalPoints");
-    const slot = data.resident(op);
-    data.door.write(op, given);
-    return data.door.copy(data.door.call(op, (kernel) => kernel.nearest_many(slot, given.length / data.dimension)));
+    const count = given.length / data.dimension;
+    return data.door.copy(data.ask(op, (kernel, slot) => kernel.nearest_many(slot, count), given, [given]));
   }
 
   /**
@@ -314,9 +312,7 @@ export abstract class MeasuredCurve implements Curve {
     const op = "curvature";
     const data = dataOf(this, op);
     const given = parameters(op, "t", t);
-    const slot = data.resident(op);
-    data.door.write(op, given);
-    const values = data.door.copy(data.door.call(op, (kernel) => kernel.curvature(slot, given.length), oneOr(t, given)));
+    const values = data.door.copy(data.ask(op, (kernel, slot) => kernel.curvature(slot, given.length), oneOr(t, given), [given]));
     const still = data.door.result(0);
     if (still >= 0) throw degenerate(op, "t", "the speed is zero there", typeof t === "number" ? undefined : still, values);
     return values;
@@ -330,8 +326,7 @@ export abstract class MeasuredCurve implements Curve {
     const op = "flatten";
     const data = dataOf(this, op);
     const within = checkTolerance(op, tolerance);
-    const slot = data.resident(op);
-    return data.door.copy(data.door.call(op, (kernel) => kernel.flatten(slot, within)));
+    return data.door.copy(data.ask(op, (kernel, slot) => kernel.flatten(slot, within)));
   }
 
   /**
@@ -342,23 +337,21 @@ export abstract class MeasuredCurve implements Curve {
     const op = "toCubics";
     const data = dataOf(this, op);
     const within = checkTolerance(op, tolerance);
-    const slot = data.resident(op);
-    const path = data.door.copy(data.door.call(op, (kernel) => kernel.to_cubics(slot, within)));
+    const path = data.door.copy(data.ask(op, (kernel, slot) => kernel.to_cubics(slot, within)));
     return { path, maxError: data.door.result(0) };
   }
 
   /** The curve as SVG path data: lines and, by default, arcs as they are, all else as cubics; `maxError` is the distance that results. */
   toPathD(options?: PathOptions): { d: string; maxError: number } {
     const op = "toPathD";
-    const data = dataOf(this, op);
+    const curve = dataOf(this, op);
     const { tolerance, decimals, arcs, relative } = checkOptions(op, options, ["tolerance", "decimals", "arcs", "relative"]);
     const within = orDefault(op, tolerance);
     const digits = decimals === undefined ? -1 : integer(op, "decimals", decimals, 0, 17);
     const flags = (flag(op, "arcs", arcs, true) ? 1 : 0) + (flag(op, "relative", relative, false) ? 2 : 0);
-    const outline = data.outline(op, within);
-    const slot = outline.data.resident(op);
-    const d = outputText(call(op, (kernel) => kernel.to_path(slot, outline.rest, digits, flags)));
-    return { d, maxError: outline.near + result(0) };
+    const { data, near, rest } = curve.outline(op, within);
+    const d = outputText(data.ask(op, (kernel, slot) => kernel.to_path(slot, rest, digits, flags)));
+    return { d, maxError: near + result(0) };
   }
 
   /**
@@ -380,8 +373,7 @@ export abstract class MeasuredCurve implements Curve {
     const within = orDefault(op, tolerance);
     const data = dataOf(this, op).exactly(op, within);
     if (data === undefined) return undefined;
-    const slot = data.resident(op);
-    if (call(op, (kernel) => kernel.as_ellipse(slot, within)) === 0) return undefined;
+    if (data.ask(op, (kernel, slot) => kernel.as_ellipse(slot, within)) === 0) return undefined;
     return {
       center: [result(0), result(1)],
       radii: [result(2), result(3)],
@@ -396,9 +388,8 @@ export abstract class MeasuredCurve implements Curve {
 }
 
 /** One number that the kernel leaves in its record, where more may follow. */
-function measure(data: Held, op: string, body: (slot: number, kernel: CurveKernel) => number): number {
-  const slot = data.resident(op);
-  data.door.call(op, (kernel) => body(slot, kernel));
+function measure(data: HeldCurve, op: string, body: (kernel: CurveKernel, slot: number) => number): number {
+  data.ask(op, body);
   return data.door.result(0);
 }
 
@@ -406,20 +397,12 @@ function orDefault(op: string, tolerance: unknown): number {
   return tolerance === undefined ? BY_DEFAULT : checkTolerance(op, tolerance);
 }
 
-/** The output in the caller's array, or a copy of it. */
-function into({ door }: Held, to: Float64Array | undefined, count: number): Float64Array {
-  if (to === undefined) return door.copy(count);
-  to.set(door.peek(count));
-  return to;
-}
-
 /** Curves as one path, with relative commands where they are shorter. @internal */
 export function pathsOf(op: string, curves: readonly MeasuredCurve[], tolerance: number, decimals: number): string {
   return curves
     .map((curve, i) => {
       const { data, rest } = dataOf(curve, op).outline(op, tolerance);
-      const slot = data.resident(op);
-      return outputText(call(op, (kernel) => kernel.to_path(slot, rest, decimals, i === 0 ? 3 : 7)));
+      return outputText(data.ask(op, (kernel, slot) => kernel.to_path(slot, rest, decimals, i === 0 ? 3 : 7)));
     })
     .join("");
 }

@@ -217,8 +217,7 @@ export class HermiteCurve extends MeasuredCurve {
     const op = "refine";
     const data = dataOf(this, op);
     const m = integer(op, "arity", arity, 1, MAX_OUTPUT);
-    const slot = data.resident(op);
-    return derived(call(op, (kernel) => kernel.refine(slot, m)));
+    return derived(data.ask(op, (kernel, slot) => kernel.refine(slot, m)));
   }
 
   /** The same curve with one more point, at parameter t. */
@@ -226,8 +225,7 @@ export class HermiteCurve extends MeasuredCurve {
     const op = "insert";
     const data = dataOf(this, op);
     const at = finite(op, "t", t);
-    const slot = data.resident(op);
-    return derived(call(op, (kernel) => kernel.insert(slot, at)));
+    return derived(data.ask(op, (kernel, slot) => kernel.insert(slot, at)));
   }
 
   /**
@@ -238,8 +236,7 @@ export class HermiteCurve extends MeasuredCurve {
     const op = "remove";
     const data = dataOf(this, op);
     const at = integer(op, "i", i, 0, data.points.length / 2 - 1);
-    const slot = data.resident(op);
-    const count = call(op, (kernel) => kernel.remove(slot, at));
+    const count = data.ask(op, (kernel, slot) => kernel.remove(slot, at));
     return { maxError: result(0), curve: derived(count) };
   }
 
@@ -248,8 +245,7 @@ export class HermiteCurve extends MeasuredCurve {
     const op = "split";
     const data = dataOf(this, op);
     const at = finite(op, "t", t);
-    const slot = data.resident(op);
-    return readCurves(call(op, (kernel) => kernel.split(slot, at))).map(curveOf);
+    return readCurves(data.ask(op, (kernel, slot) => kernel.split(slot, at))).map(curveOf);
   }
 
   /**
@@ -261,15 +257,13 @@ export class HermiteCurve extends MeasuredCurve {
     const data = dataOf(this, op);
     const from = finite(op, "t0", t0);
     const to = finite(op, "t1", t1);
-    const slot = data.resident(op);
-    return derived(call(op, (kernel) => kernel.trim(slot, from, to)));
+    return derived(data.ask(op, (kernel, slot) => kernel.trim(slot, from, to)));
   }
 
   /** The same curve run backwards. */
   reverse(): HermiteCurve {
     const op = "reverse";
-    const slot = dataOf(this, op).resident(op);
-    return derived(call(op, (kernel) => kernel.reverse(slot)));
+    return derived(dataOf(this, op).ask(op, (kernel, slot) => kernel.reverse(slot)));
   }
 
   /** The image under x′ = a·x + c·y + e, y′ = b·x + d·y + f, the order of SVG's `matrix(a b c d e f)`; exact. */
@@ -279,8 +273,7 @@ export class HermiteCurve extends MeasuredCurve {
     const given = exactly(op, "matrix", matrix, 6);
     given.forEach((number, i) => finite(op, "matrix", number, i));
     const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = given;
-    const slot = data.resident(op);
-    return derived(call(op, (kernel) => kernel.transform(slot, a, b, c, d, e, f)));
+    return derived(data.ask(op, (kernel, slot) => kernel.transform(slot, a, b, c, d, e, f)));
   }
 
   /**
@@ -298,15 +291,13 @@ export class HermiteCurve extends MeasuredCurve {
     const steps = integer(op, "levels", levels, 0, 24);
     const m = arity === undefined ? 2 : integer(op, "arity", arity, 1, MAX_OUTPUT);
     const scalar = scheme !== undefined && word(op, "scheme", scheme, ["hermite", "scalar"]) === "scalar" ? 1 : 0;
-    const slot = data.resident(op);
-    return copy(call(op, (kernel) => kernel.subdivide(slot, steps, m, scalar)));
+    return copy(data.ask(op, (kernel, slot) => kernel.subdivide(slot, steps, m, scalar)));
   }
 
   /** Four generalised Bézier points per segment, eight numbers each; a segment lies in the hull of its four. */
   bezierPoints(): Float64Array {
     const op = "bezierPoints";
-    const slot = dataOf(this, op).resident(op);
-    return copy(call(op, (kernel) => kernel.bezier_points(slot)));
+    return copy(dataOf(this, op).ask(op, (kernel, slot) => kernel.bezier_points(slot)));
   }
 
   /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit, of up to a million points. */

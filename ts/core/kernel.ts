@@ -7,8 +7,8 @@ import { textOf } from "./utf8.js";
 /** What a caller handed in, for messages: one number, or a list of them. */
 type Numbers = number | ArrayLike<number>;
 
-/** The same, or several of them by their names. */
-type Given = Numbers | { readonly [arg: string]: Numbers };
+/** The same, or several of them by their names. @internal */
+export type Given = Numbers | { readonly [arg: string]: Numbers };
 
 /** Numbers that nobody else holds. */
 export type Floats = OwnFloats;
@@ -32,11 +32,17 @@ const enum Failure {
  * stands alone and has none.
  * @internal
  */
-export function callOf<K extends AnyKernel>(from: Engine<K>, op: string, body: (kernel: K) => number, given?: Given): number {
+export function callOf<K extends AnyKernel>(
+  from: Engine<K>,
+  op: string,
+  body: (kernel: K, slot: number) => number,
+  given?: Given,
+  slot = 0,
+): number {
   const instance = from.current ?? instanceOf(from, op);
   let count: number;
   try {
-    count = body(instance.kernel);
+    count = body(instance.kernel, slot);
   } catch (cause) {
     throw retire(from, op, cause);
   }
@@ -71,8 +77,8 @@ export function writeTo<K extends AnyKernel>(to: Engine<K>, op: string, ...array
 export interface Door<K extends AnyKernel> {
   /** The living instance; where there is none, one is started for the operation. */
   instance(op?: string): Instance<K>;
-  /** Runs one function and returns how many numbers it left in the output. */
-  call(op: string, body: (kernel: K) => number, given?: Given): number;
+  /** Runs one function, on what lies in a slot if it is about one, and returns how many numbers it left in the output. */
+  call(op: string, body: (kernel: K, slot: number) => number, given?: Given, slot?: number): number;
   /** Number i of the record of scalar results. */
   result(i: number): number;
   /** The output as it lies in the instance: valid until the next call. */
@@ -88,7 +94,7 @@ export function doorOf<K extends AnyKernel>(engine: Engine<K>): Door<K> {
   const instance = (op?: string): Instance<K> => engine.current ?? instanceOf(engine, op);
   return {
     instance,
-    call: (op, body, given) => callOf(engine, op, body, given),
+    call: (op, body, given, slot) => callOf(engine, op, body, given, slot),
     result: (i) => resultOf(instance(), i),
     peek: (count) => peekOf(instance(), count),
     copy: (count) => peekOf(instance(), count).slice() as Floats,

@@ -2,7 +2,7 @@
 import { type Root, exactly, finite, flag, integer, options as checkOptions, rootList, rootNumbers } from "../core.js";
 import { type AnyPointsLike, SplineCurve, anyPoints, splineOf } from "./spline-curve.js";
 import { SplineData, SplineKind, readSpline } from "./spline-data.js";
-import { call, result } from "./spline-engine.js";
+import { result } from "./spline-engine.js";
 
 /** What a {@link BSplineCurve} is made from. */
 export interface BSplineCurveOptions {
@@ -80,8 +80,7 @@ export class BSplineCurve extends SplineCurve {
     const op = "refine";
     const data = splineOf(this, op);
     const arity = integer(op, "m", m, 1, 1024);
-    const slot = data.resident(op);
-    return bSplineOf(readSpline(call(op, (kernel) => kernel.refine_spline(slot, 1, 2, arity))));
+    return bSplineOf(readSpline(data.ask(op, (kernel, slot) => kernel.refine_spline(slot, 1, 2, arity))));
   }
 
   /**
@@ -92,8 +91,7 @@ export class BSplineCurve extends SplineCurve {
     const op = "reduce";
     const data = splineOf(this, op);
     const arity = integer(op, "m", m, 1, 1024);
-    const slot = data.resident(op);
-    const count = call(op, (kernel) => kernel.reduce_spline(slot, arity));
+    const count = data.ask(op, (kernel, slot) => kernel.reduce_spline(slot, arity));
     return { maxError: result(0), curve: bSplineOf(readSpline(count)) };
   }
 

@@ -4,7 +4,7 @@ import { type Root, flag, integer, options as checkOptions, rootList } from "../
 import { type LocalCurve, refinedAt } from "./local-curve.js";
 import { type AnyPointsLike, SplineCurve, anyPoints, rootsOrDefault, splineOf } from "./spline-curve.js";
 import { SplineData, SplineKind, readSpline } from "./spline-data.js";
-import { call, result } from "./spline-engine.js";
+import { result } from "./spline-engine.js";
 
 /** What an {@link InterpolatingCurve} is made from. */
 export interface InterpolatingCurveOptions {
@@ -70,8 +70,7 @@ export class InterpolatingCurve extends SplineCurve {
     const steps = integer(op, "levels", levels, 1, 24);
     const first = m0 === undefined ? 2 : integer(op, "m0", m0, 2, 1024);
     const arity = m === undefined ? 2 : integer(op, "m", m, 1, 1024);
-    const slot = data.resident(op);
-    return bSplineOf(readSpline(call(op, (kernel) => kernel.refine_spline(slot, steps, first, arity))));
+    return bSplineOf(readSpline(data.ask(op, (kernel, slot) => kernel.refine_spline(slot, steps, first, arity))));
   }
 
   /** The same curve with room for detail around t; see {@link LocalCurve.refineAt}. */
@@ -87,8 +86,7 @@ export class InterpolatingCurve extends SplineCurve {
    */
   static from(curve: BSplineCurve): { curve: InterpolatingCurve; maxError: number } {
     const op = "InterpolatingCurve.from";
-    const slot = splineOf(curve, op, "curve").resident(op);
-    const count = call(op, (kernel) => kernel.reduce_spline(slot, 0));
+    const count = splineOf(curve, op, "curve").ask(op, (kernel, slot) => kernel.reduce_spline(slot, 0));
     return { maxError: result(0), curve: interpolatingOf(readSpline(count)) };
   }
 

@@ -16,7 +16,7 @@ import {
 } from "../core.js";
 import { type AnyPointsLike, SplineCurve, anyPoints, rootsOrDefault, splineOf } from "./spline-curve.js";
 import { type Patch, SplineData, SplineKind, readSpline } from "./spline-data.js";
-import { call, copy } from "./spline-engine.js";
+import { copy } from "./spline-engine.js";
 
 /** What a {@link LocalCurve} is made from. */
 export interface LocalCurveOptions {
@@ -93,8 +93,7 @@ export class LocalCurve extends SplineCurve {
     const op = "patchPoints";
     const data = splineOf(this, op);
     const which = patchNumber(op, "k", k, data.patches.length);
-    const slot = data.resident(op);
-    return copy(call(op, (kernel) => kernel.patch_points(slot, which)));
+    return copy(data.ask(op, (kernel, slot) => kernel.patch_points(slot, which)));
   }
 
   /** Moves control point i of patch k; in space `z` goes with x and y. */
@@ -105,8 +104,7 @@ export class LocalCurve extends SplineCurve {
     const { displacements = new Float64Array() } = data.patches[which] ?? {};
     const at = integer(op, "i", i, 0, displacements.length / data.dimension - 1);
     const place = [coordinate(op, "x", x), coordinate(op, "y", y), data.dimension === 3 ? coordinate(op, "z", z) : 0] as const;
-    const slot = data.resident(op);
-    data.patches = readSpline(call(op, (kernel) => kernel.move_patch_point(slot, which, at, ...place))).patches;
+    data.patches = readSpline(data.ask(op, (kernel, slot) => kernel.move_patch_point(slot, which, at, ...place))).patches;
     data.touch();
   }
 
@@ -115,8 +113,7 @@ export class LocalCurve extends SplineCurve {
     const op = "withoutPatch";
     const data = splineOf(this, op);
     const which = patchNumber(op, "k", k, data.patches.length);
-    const slot = data.resident(op);
-    return localOf(readSpline(call(op, (kernel) => kernel.drop_patch(slot, which))));
+    return localOf(readSpline(data.ask(op, (kernel, slot) => kernel.drop_patch(slot, which))));
   }
 
   /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit, of up to a million points. */
@@ -135,8 +132,7 @@ export function refinedAt(data: SplineData, t: unknown, options: unknown): Local
   const at = finite(op, "t", t);
   const levels = own.levels === undefined ? 2 : integer(op, "levels", own.levels, 1, 12);
   const reach = own.reach === undefined ? 1 : finite(op, "reach", own.reach);
-  const slot = data.resident(op);
-  return localOf(readSpline(call(op, (kernel) => kernel.refine_at(slot, at, levels, reach))));
+  return localOf(readSpline(data.ask(op, (kernel, slot) => kernel.refine_at(slot, at, levels, reach))));
 }
 
 /** Makes a curve of arrays that the kernel or a check has vouched for. @internal */

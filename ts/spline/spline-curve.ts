@@ -18,7 +18,7 @@ import {
   wrongLength,
 } from "../core.js";
 import { SplineData, hermiteData } from "./spline-data.js";
-import { call, result } from "./spline-engine.js";
+import { result } from "./spline-engine.js";
 
 /** Points in the plane or in space. */
 export type AnyPointsLike = PointsLike | SpacePointsLike;
@@ -91,8 +91,7 @@ export abstract class SplineCurve extends MeasuredCurve {
     const op = "toHermite";
     const data = splineOf(this, op);
     const within = tolerance === undefined ? 0 : checkTolerance(op, tolerance);
-    const slot = data.resident(op);
-    const count = call(op, (kernel) => kernel.to_hermite(slot, within));
+    const count = data.ask(op, (kernel, slot) => kernel.to_hermite(slot, within));
     return { curve: curveOf(hermiteData(count)), maxError: result(0) };
   }
 }

@@ -1,6 +1,6 @@
 /** What a curve on a grid is made of. */
-import { type CurveData, type CurveKernel, type Door, type Floats, Held, curvesIn } from "../core.js";
-import { door } from "./spline-engine.js";
+import { type CurveData, type Door, type Floats, HeldCurve, curvesIn } from "../core.js";
+import { type SplineKernel, door } from "./spline-engine.js";
 
 /** The one curve with points and tangents that the engine has left in its output. @internal */
 export function hermiteData(count: number): CurveData {
@@ -25,7 +25,7 @@ export interface Patch {
 }
 
 /** The arrays of one curve on a grid. @internal */
-export class SplineData extends Held {
+export class SplineData extends HeldCurve<SplineKernel> {
   constructor(
     readonly kind: SplineKind,
     points: Floats,
@@ -42,20 +42,18 @@ export class SplineData extends Held {
     this.start = this.end = NaN;
   }
 
-  get door(): Door<CurveKernel> {
+  get door(): Door<SplineKernel> {
     return door;
   }
 
   outline(op: string, tolerance: number): { data: CurveData; near: number; rest: number } {
-    const slot = this.resident(op);
-    const data = hermiteData(door.call(op, (kernel) => kernel.outline(slot, tolerance)));
+    const data = hermiteData(this.ask(op, (kernel, slot) => kernel.outline(slot, tolerance)));
     return { data, near: door.result(0), rest: door.result(1) };
   }
 
   exactly(op: string, tolerance: number): CurveData | undefined {
     if (this.dimension === 3) return undefined;
-    const slot = this.resident(op);
-    const data = hermiteData(door.call(op, (kernel) => kernel.to_hermite(slot, tolerance)));
+    const data = hermiteData(this.ask(op, (kernel, slot) => kernel.to_hermite(slot, tolerance)));
     return door.result(0) === 0 ? data : undefined;
   }
 

@@ -1,13 +1,11 @@
 /** What a surface is made of, owned here; the kernel only ever holds a copy of it in one of its places. */
-import type { Floats } from "../core/kernel.js";
-import { call, engine, peek, result, write } from "./surface-engine.js";
+import { type Door, type Floats, Held } from "../core.js";
+import { type SurfaceKernel, call, door, peek, result, write } from "./surface-engine.js";
 
 /** How many surfaces an instance keeps at once. */
 const PLACES = 4;
-/** Points of all resident surfaces together, above which the kernel forgets the others first. */
-const MOST_RESIDENT = 1_500_000;
 
-/** One direction of a net. */
+/** One direction of a net. @internal */
 export interface DirectionData {
   /** Two numbers for each root. */
   readonly roots: Floats;
@@ -27,7 +25,7 @@ export interface PatchWindow {
   readonly count: number;
 }
 
-/** Detail on a finer grid over a part of the net. */
+/** Detail on a finer grid over a part of the net. @internal */
 export interface PatchData {
   readonly u: PatchWindow;
   readonly v: PatchWindow;
@@ -35,28 +33,11 @@ export interface PatchData {
   readonly displacements: Floats;
 }
 
-/** Which surfaces lie in an instance, and when each was last used. */
-interface Places {
-  readonly ids: number[];
-  readonly used: number[];
-  points: number;
-}
-
-const placesOf = new WeakMap<object, Places>();
-
-/** Every state of every surface has a number of its own. */
-let lastId = 0;
-let clock = 0;
-
-/** The arrays of one surface. An edit gives it a new number, so that the kernel's copy no longer counts. */
-export class SurfaceData {
-  id = 0;
-  place = 0;
+/** The arrays of one surface. @internal */
+export class SurfaceData extends Held<SurfaceKernel> {
   /** Ends of the domain and parameters of the first point. */
   end: readonly [number, number] = [0, 0];
   first: readonly [number, number] = [0, 0];
-  /** Fields that a file had and this version does not know. */
-  extra: Readonly<Record<string, unknown>> | undefined;
 
   constructor(
     readonly net: Floats,
@@ -64,54 +45,27 @@ export class SurfaceData {
     readonly v: DirectionData,
     readonly patches: readonly PatchData[],
   ) {
-    this.touch();
+    super();
   }
 
-  /** To be called after every change of the arrays. */
-  touch(): void {
-    lastId += 1;
-    this.id = lastId;
+  get door(): Door<SurfaceKernel> {
+    return door;
   }
 
-  /** To be called where the kernel's copy was changed in the same way. */
-  touchBoth(): void {
-    const places = placesOf.get(engine());
-    const same = places?.ids[this.place] === this.id;
-    this.touch();
-    if (same && places !== undefined) places.ids[this.place] = this.id;
+  get count(): number {
+    return this.net.length / 3;
   }
 
-  /** The place that holds this surface in the living instance, loaded now if need be. */
-  resident(op: string): number {
-    const places = placesOf.get(engine(op));
-    if (places === undefined || places.ids[this.place] !== this.id) this.load(op);
-    const now = placesOf.get(engine());
-    clock += 1;
-    if (now !== undefined) now.used[this.place] = clock;
-    return this.place;
+  override get slots(): number {
+    return PLACES;
   }
 
-  /** Has the kernel check the surface and keep it. */
-  load(op: string): void {
-    const count = this.net.length / 3;
-    let places = placesOf.get(engine(op));
-    if (places === undefined || places.points + count > MOST_RESIDENT) {
-      if (places !== undefined) call(op, (kernel) => kernel.surface_forget());
-      places = { ids: new Array<number>(PLACES).fill(0), used: new Array<number>(PLACES).fill(0), points: 0 };
-      placesOf.set(engine(), places);
-    }
-    const { ids, used } = places;
-    let place = 0;
-    for (let i = 1; i < PLACES; i += 1) if ((used[i] ?? 0) < (used[place] ?? 0)) place = i;
+  protected send(op: string, slot: number): void {
     const numbers = this.numbers();
-    let total = 0;
-    for (const array of numbers) total += array.length;
+    const total = numbers.reduce((sum, array) => sum + array.length, 0);
     write(op, ...numbers);
-    call(op, (kernel) => kernel.surface_load(place, total), this.net);
+    call(op, (kernel) => kernel.surface_load(slot, total), this.net);
     this.describe();
-    this.place = place;
-    ids[place] = this.id;
-    places.points += count;
   }
 
   /** Takes what the kernel left in the record about a surface. */
@@ -133,7 +87,7 @@ export class SurfaceData {
   }
 }
 
-/** The surface that the kernel has left in its output. */
+/** The surface that the kernel has left in its output. @internal */
 export function readSurface(count: number): SurfaceData {
   const numbers = peek(count);
   let at = 0;

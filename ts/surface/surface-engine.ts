@@ -24,4 +24,6 @@ export function initSurfaceSync(options: InitSyncOptions): void {
 }
 
 /** What the engine is asked through. @internal */
-export const { call, copy, instance: engine, peek, result, write } = /* @__PURE__ */ doorOf(surfaces);
+export const door = /* @__PURE__ */ doorOf(surfaces);
+/** @internal */
+export const { call, copy, peek, result, write } = door;
