@@ -55,11 +55,11 @@ export { MeasuredCurve } from "./core/curve.js";
 /** @internal */
 export { overLimit, shown, tagOf, tooFewPoints, wrong, wrongLength } from "./core/error.js";
 /** @internal */
-export { checked, curveOf } from "./core/hermite-curve.js";
+export { checked, curveIn, curveOf } from "./core/hermite-curve.js";
 /** @internal */
 export { MAX_ROOTS, rootList, rootNumbers } from "./core/root-lists.js";
 /** @internal */
-export { callOf, doorOf, peekOf, resultOf, writeBytesTo, writeTo } from "./core/kernel.js";
+export { callOf, doorOf } from "./core/kernel.js";
 /** @internal */
 export type { Door, Floats } from "./core/kernel.js";
 /** @internal */

@@ -139,11 +139,7 @@ function parsed(text: string): unknown {
     const [, digits] = /position (\d+)/.exec(String(cause)) ?? [];
     const index = digits === undefined ? undefined : Number(digits) + text.length - clean.length;
     const where = index === undefined ? "" : ` at offset ${index}`;
-    const details: ErrorDetails = { arg: "json", argument: "json", cause };
-    throw new ExplineError("E_PARSE_JSON", OP, `json makes no sense${where}`, {
-      ...details,
-      ...(index === undefined ? {} : { index }),
-    });
+    throw new ExplineError("E_PARSE_JSON", OP, `json makes no sense${where}`, { arg: "json", argument: "json", index, cause });
   }
 }
 

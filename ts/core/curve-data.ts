@@ -1,7 +1,7 @@
 /** What a curve is made of. */
 import type { CurveKernel, Kernel } from "./engine.js";
 import { Held } from "./held.js";
-import { type Door, type Floats, call, copy, door, peek, result, write } from "./kernel.js";
+import { type Door, type Floats, call, copy, door, result, write } from "./kernel.js";
 
 /** The space that a segment lies in. */
 export type Space = "trigonometric" | "hyperbolic" | "polynomial";
@@ -82,6 +82,7 @@ export class CurveData extends HeldCurve<Kernel> {
     write(op, points, tangents, tangentsIn, omega, lengths);
     const space = SPACES.indexOf(this.space);
     const arrays = [tangentsIn.length / 2, omega.length, lengths.length] as const;
+    // One number stands for all and has no index, unless lengths say of which segment more is wrong.
     const given = lengths.length < 2 ? { lengths: 0, omega: omega.length === 1 ? 0 : omega } : undefined;
     const omegas = call(op, (kernel) => kernel.load(slot, this.count, ...arrays, space, this.closed ? 1 : 0), given);
     this.omega = copy(omegas);
@@ -92,11 +93,6 @@ export class CurveData extends HeldCurve<Kernel> {
   separate(): void {
     if (this.tangentsIn.length === 0) this.tangentsIn = this.tangents.slice();
   }
-}
-
-/** The curves that the kernel has left in its output, one after the other. @internal */
-export function readCurves(count: number): CurveData[] {
-  return curvesIn(peek(count));
 }
 
 /** Curves as an engine describes them, one after the other. @internal */

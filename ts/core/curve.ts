@@ -221,9 +221,8 @@ export abstract class MeasuredCurve implements Curve {
     const n = checkCount(op, "count", count, 1, "maxOutputPoints", MAX_OUTPUT);
     const both = flag(op, "tangents", tangents, false) ? 1 : 0;
     const each = data.dimension * (1 + both);
-    const to = out === undefined ? undefined : output(op, out, each * n);
+    const all = out === undefined ? new Float64Array(each * n) : output(op, out, each * n);
     const slot = data.resident(op);
-    const all = to ?? new Float64Array(each * n);
     for (let at = 0; at < each * n; ) {
       // As many as the kernel likes to make at a time.
       const first = at / each;

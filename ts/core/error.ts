@@ -66,7 +66,7 @@ export interface ErrorDetails {
   readonly actual?: number;
   /** Which kind of failure within the code: `csp`, `duplicate-key`. */
   readonly reason?: string;
-  /** What could be done before the failure. */
+  /** What could be done before the failure: the curves of a path up to its mistake. */
   readonly partial?: unknown;
   /** Options that would let the call through: `{ speckle: 12 }`. */
   readonly offer?: Readonly<Record<string, number>>;
@@ -76,6 +76,9 @@ export interface ErrorDetails {
   readonly cause?: unknown;
 }
 
+/** The same, where something may be unknown. @internal */
+export type Details = { readonly [name in keyof ErrorDetails]: ErrorDetails[name] | undefined };
+
 declare const nobody: unique symbol;
 /** Nothing is of this type, but a class whose constructor asks for it is still one that tests can name. */
 interface Nobodys {
@@ -84,9 +87,9 @@ interface Nobodys {
 
 const NAME = "ExplineError";
 
-/** What a class cannot declare that has it from `Error`, of which libraries before ES2022 do not know. */
-export interface ExplineError {
-  /** The error that caused this one: the signal's reason of E_CANCELLED. */
+/** What is known of it: whatever there is, is an own field. */
+export interface ExplineError extends ErrorDetails {
+  /** Said here: `Error` has it, too, but in libraries before ES2022. The error that caused this one: the signal's reason of E_CANCELLED. */
   readonly cause?: unknown;
 }
 
@@ -103,36 +106,12 @@ export class ExplineError extends Error {
   readonly op: string;
   /** True when the engine's instance died of it and was replaced. */
   readonly fatal: boolean;
-  /** The argument at fault, with the position where there is one: `points[17]`, of pairs and objects `points[8][1]`, `points[8].y`. */
-  declare readonly argument?: string;
-  /** The argument's bare name: `points`. */
-  declare readonly arg?: string;
-  /** Position in the array (interleaved numbers are counted singly), or offset in the text. */
-  declare readonly index?: number;
-  /** Place in a JSON value: `$.points[2]`. */
-  declare readonly path?: string;
-  /** The bad value: a number, or a short piece of text. */
-  declare readonly value?: unknown;
-  /** What is allowed: `|x| <= 1e9`. */
-  declare readonly bound?: string;
-  /** Name of the limit: `maxPoints`. */
-  declare readonly limit?: string;
-  /** The limit's value. */
-  declare readonly max?: number;
-  /** What the call would have needed. */
-  declare readonly actual?: number;
-  /** Which kind of failure within the code: `csp`, `duplicate-key`. */
-  declare readonly reason?: string;
-  /** What could be done before the failure: the curves of a path up to its mistake. */
-  declare readonly partial?: unknown;
-  /** Options that would let the call through: `{ speckle: 12 }`. */
-  declare readonly offer?: Readonly<Record<string, number>>;
 
   /** Errors are made by the package alone: no one else has what it takes. */
   constructor(none: Nobodys);
   /** @internal */
-  constructor(code: ErrorCode, op: string, what: string, details?: ErrorDetails);
-  constructor(given: ErrorCode | Nobodys, op = "", what = "", details: ErrorDetails = {}) {
+  constructor(code: ErrorCode, op: string, what: string, details?: Details);
+  constructor(given: ErrorCode | Nobodys, op = "", what = "", details: Details = {}) {
     const code = given as ErrorCode;
     const { cause, fatal = false, ...rest } = details;
     super(`${op}: ${what} [${code}]`, cause === undefined ? undefined : { cause });
@@ -140,7 +119,7 @@ export class ExplineError extends Error {
     this.op = op;
     this.fatal = fatal;
     // Defined, not assigned: a setter that a page has put on Object.prototype must not see them.
-    for (const [name, value] of Object.entries(rest)) Object.defineProperty(this, name, { value, enumerable: true });
+    for (const [name, value] of Object.entries(rest)) if (value !== undefined) Object.defineProperty(this, name, { value, enumerable: true });
   }
 }
 
@@ -177,9 +156,8 @@ function typed(value: object): string {
 }
 
 /** The details and the name of an argument, or of one place in it. */
-function place(at: string, index?: number, argument = index === undefined ? at : `${at}[${index}]`): ErrorDetails & { argument: string } {
-  const arg = at.replace(/\W.*/, "");
-  return index === undefined ? { arg, argument } : { arg, index, argument };
+function place(at: string, index?: number, argument = index === undefined ? at : `${at}[${index}]`): Details & { argument: string } {
+  return { arg: at.replace(/\W.*/, ""), index, argument };
 }
 
 /** `argument is value; expected bound`. */
@@ -193,9 +171,9 @@ export function wrong(
   argument?: string,
 ): ExplineError {
   const at = place(arg, index, argument);
-  const kept = typeof value === "string" ? { value: value.slice(0, 40) } : typeof value === "number" ? { value } : {};
+  const kept = typeof value === "string" ? value.slice(0, 40) : typeof value === "number" ? value : undefined;
   const what = `${at.argument} is ${shown(value)}; expected ${bound}`;
-  return new ExplineError(code, op, what, { ...at, ...kept, bound });
+  return new ExplineError(code, op, what, { ...at, value: kept, bound });
 }
 
 /** The least number above 0 that the engine asks for. */
@@ -237,7 +215,7 @@ export function degenerate(op: string, arg: string, why: string, index?: number,
   return new ExplineError("E_DEGENERATE", op, `${at.argument} has no unique answer: ${why}`, {
     ...at,
     bound: why,
-    ...(partial === undefined ? {} : { partial }),
+    partial,
   });
 }
 

@@ -16,10 +16,10 @@ import {
   twoNumbers,
   word,
 } from "./arguments.js";
-import { CurveData, SPACES, type Space, readCurves } from "./curve-data.js";
+import { CurveData, SPACES, type Space, curvesIn } from "./curve-data.js";
 import { MeasuredCurve, dataOf as anyDataOf } from "./curve.js";
 import { wrongLength } from "./error.js";
-import { type Floats, call, copy, result, write } from "./kernel.js";
+import { type Floats, call, copy, peek, result, write } from "./kernel.js";
 
 /** A {@link HermiteCurve} as plain data. Fields that a newer version wrote are kept. */
 export interface HermiteCurveJSON {
@@ -133,7 +133,7 @@ export class HermiteCurve extends MeasuredCurve {
     const closed = flag(op, "closed", own.closed, true) ? 1 : 0;
     // How large it may be is for the kernel to say.
     const omega = own.omega === undefined ? -1 : inRange(op, "omega", own.omega, 0, Infinity) + 0;
-    const space = SPACES.indexOf(own.space === undefined ? "trigonometric" : word(op, "space", own.space, SPACES));
+    const space = SPACES.indexOf(spaceOf(op, own.space));
     write(op, given);
     return derived(call(op, (kernel) => kernel.through(given.length / 2, closed, omega, space), { omega }));
   }
@@ -245,7 +245,7 @@ export class HermiteCurve extends MeasuredCurve {
     const op = "split";
     const data = dataOf(this, op);
     const at = finite(op, "t", t);
-    return readCurves(data.ask(op, (kernel, slot) => kernel.split(slot, at))).map(curveOf);
+    return curvesIn(peek(data.ask(op, (kernel, slot) => kernel.split(slot, at)))).map(curveOf);
   }
 
   /**
@@ -328,10 +328,14 @@ export function curveOf(data: CurveData): HermiteCurve {
   return new HermiteCurve(data as unknown as HermiteCurveOptions);
 }
 
+/** The curve that an engine describes. @internal */
+export function curveIn(numbers: Float64Array): HermiteCurve {
+  return curveOf(curvesIn(numbers)[0] as CurveData);
+}
+
 /** The curve that the kernel left in its output. */
 function derived(count: number): HermiteCurve {
-  const [data] = readCurves(count);
-  return curveOf(data as CurveData);
+  return curveIn(peek(count));
 }
 
 function frame(op: string, center: unknown, radii: unknown, rotation: unknown): [number, number, number, number, number] {
@@ -354,11 +358,15 @@ export function checked(op: string, options: unknown): CurveData {
       : sameLength(op, "tangentsIn", checkPoints(op, "tangentsIn", own.tangentsIn), points.length),
     perSegment(op, "omega", own.omega, segments),
     perSegment(op, "lengths", own.lengths, segments),
-    own.space === undefined ? "trigonometric" : word(op, "space", own.space, SPACES),
+    spaceOf(op, own.space),
     closed,
   );
   data.load(op);
   return data;
+}
+
+function spaceOf(op: string, value: unknown = SPACES[0]): Space {
+  return word(op, "space", value, SPACES);
 }
 
 function sameLength(op: string, arg: string, array: Floats, length: number): Floats {

@@ -50,19 +50,19 @@ export function callOf<K extends AnyKernel>(
   return count;
 }
 
-/** Number i of the record of scalar results. @internal */
-export function resultOf({ floats, record }: Instance<AnyKernel>, i: number): number {
+/** Number i of the record of scalar results. */
+function resultOf({ floats, record }: Instance<AnyKernel>, i: number): number {
   return floats[record + i] ?? 0;
 }
 
-/** The output as it lies in an instance: valid until the next call. @internal */
-export function peekOf({ floats, record }: Instance<AnyKernel>, count: number): Float64Array {
+/** The output as it lies in an instance: valid until the next call. */
+function peekOf({ floats, record }: Instance<AnyKernel>, count: number): Float64Array {
   const start = (floats[record + 14] ?? 0) / 8;
   return floats.subarray(start, start + count);
 }
 
-/** Writes arrays one after the other to where an engine reads numbers. @internal */
-export function writeTo<K extends AnyKernel>(to: Engine<K>, op: string, ...arrays: Float64Array[]): void {
+/** Writes arrays one after the other to where an engine reads numbers. */
+function writeTo<K extends AnyKernel>(to: Engine<K>, op: string, arrays: readonly Float64Array[]): void {
   let total = 0;
   for (const array of arrays) total += array.length;
   const instance = instanceOf(to, op);
@@ -87,6 +87,8 @@ export interface Door<K extends AnyKernel> {
   copy(count: number): Floats;
   /** Writes arrays one after the other to where the engine reads numbers. */
   write(op: string, ...arrays: Float64Array[]): void;
+  /** Writes bytes to where the engine reads text, and returns how many they are. */
+  writeBytes(op: string, bytes: Uint8Array | Uint8ClampedArray): number;
 }
 
 /** The door of an engine. @internal */
@@ -98,14 +100,15 @@ export function doorOf<K extends AnyKernel>(engine: Engine<K>): Door<K> {
     result: (i) => resultOf(instance(), i),
     peek: (count) => peekOf(instance(), count),
     copy: (count) => peekOf(instance(), count).slice() as Floats,
-    write: (op, ...arrays) => writeTo(engine, op, ...arrays),
+    write: (op, ...arrays) => writeTo(engine, op, arrays),
+    writeBytes: (op, bytes) => (textRoom(engine, op, bytes.length).set(bytes), bytes.length),
   };
 }
 
 /** The engine of Hermite curves. @internal */
 export const door = /* @__PURE__ */ doorOf(core);
 /** @internal */
-export const { call, copy, peek, result, write } = door;
+export const { call, copy, peek, result, write, writeBytes } = door;
 
 /** Text in the core's memory. */
 export function textAt(address: number, bytes: number): string {
@@ -139,12 +142,6 @@ function room<K extends AnyKernel>(to: Engine<K>, instance: Instance<K>, op: str
     instance.input = address / 8;
   }
   return instance.input;
-}
-
-/** Writes bytes to where an engine reads text, and returns how many they are. @internal */
-export function writeBytesTo<K extends AnyKernel>(to: Engine<K>, op: string, bytes: Uint8Array | Uint8ClampedArray): number {
-  textRoom(to, op, bytes.length).set(bytes);
-  return bytes.length;
 }
 
 /** Where an engine reads so many bytes of text. */
@@ -192,7 +189,7 @@ function failure<K extends AnyKernel>(from: Engine<K>, instance: Instance<K>, op
       return new ExplineError("E_PARSE_SVG", op, `${arg} makes no sense at offset ${place}; expected ${words}`, {
         arg,
         argument: arg,
-        ...(index === undefined ? {} : { index }),
+        index,
         bound: words,
       });
     default:

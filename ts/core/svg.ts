@@ -1,10 +1,9 @@
 /** SVG path data in. */
 import { options as checkOptions, text } from "./arguments.js";
-import { readCurves } from "./curve-data.js";
-import { core } from "./engine.js";
+import { curvesIn } from "./curve-data.js";
 import { ExplineError, wrong } from "./error.js";
 import { type HermiteCurve, curveOf } from "./hermite-curve.js";
-import { call, result, textAt, writeBytesTo } from "./kernel.js";
+import { call, peek, result, textAt, writeBytes } from "./kernel.js";
 import { utf8 } from "./utf8.js";
 
 /** Path text that was read up to a place where it stops making sense. */
@@ -41,12 +40,12 @@ export function parsePath(
   if (onWarning !== undefined && typeof onWarning !== "function") {
     throw wrong("E_TYPE", op, "onWarning", onWarning, "a function");
   }
-  const bytes = writeBytesTo(core, op, utf8(text(op, "d", d, "maxPathBytes", MAX_PATH)));
+  const bytes = writeBytes(op, utf8(text(op, "d", d, "maxPathBytes", MAX_PATH)));
   const count = call(op, (kernel) => kernel.parse_path(bytes));
   const offset = result(0);
   const index = result(1);
   const expected = offset < 0 ? "" : textAt(result(2), result(3));
-  const curves = readCurves(count).map(curveOf);
+  const curves = curvesIn(peek(count)).map(curveOf);
   if (offset < 0) return curves;
   if (onWarning === undefined) throw brokenPath(op, index, expected, curves);
   (onWarning as (warning: PathWarning) => void)({ code: "W_PATH_TRUNCATED", offset, index, expected });

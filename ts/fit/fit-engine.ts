@@ -1,14 +1,13 @@
 /** The wasm of fitting: started when something is fitted for the first time, replaced when it dies. */
 import type { InitOutput } from "../../build/bindings/expline_fit.js";
 import { wasmAddress, wasmBytes } from "../../build/bindings/fit-bytes.js";
-import { type Engine, type InitOptions, type InitSyncOptions, begin, beginSync, callOf, instanceOf, peekOf, resultOf, writeTo } from "../core.js";
+import { type Engine, type InitOptions, type InitSyncOptions, begin, beginSync, doorOf } from "../core.js";
 import { type Kind, OpenWork } from "../tasks/open-work.js";
 
 /** The functions of the wasm that the package calls. @internal */
 export type FitKernel = InitOutput;
 
-/** The engine of fitting. @internal */
-export const fits: Engine<FitKernel> = { op: "initFit", mark: "fit_open", bytes: wasmBytes, address: wasmAddress };
+const fits: Engine<FitKernel> = { op: "initFit", mark: "fit_open", bytes: wasmBytes, address: wasmAddress };
 
 /**
  * Loads the engine for fitting early, or from elsewhere. Not needed before the first fit: without it the wasm inside the package is
@@ -26,6 +25,7 @@ export function initFitSync(options: InitSyncOptions): void {
   beginSync(fits, "initFitSync", options);
 }
 
+const { call, peek, result, write } = /* @__PURE__ */ doorOf(fits);
 const FIT: Kind<FitKernel> = { engine: fits, close: (kernel, number) => kernel.fit_close(number) };
 
 /** How far a run is. @internal */
@@ -65,8 +65,8 @@ export class Resident {
   constructor(op: string, input: readonly Float64Array[]) {
     const total = input.reduce((sum, array) => sum + array.length, 0);
     this.#work = new OpenWork(op, FIT, (now) => {
-      writeTo(fits, now, ...input);
-      return callOf(fits, now, (kernel) => kernel.fit_open(total), input[1]);
+      write(now, ...input);
+      return call(now, (kernel) => kernel.fit_open(total), input[1]);
     });
   }
 
@@ -79,7 +79,7 @@ export class Resident {
   }
 
   #put(op: string, number: number, { kind, first, second, degrees }: Question): void {
-    callOf(fits, op, (kernel) => kernel.fit_ask(number, kind, first, second, degrees));
+    call(op, (kernel) => kernel.fit_ask(number, kind, first, second, degrees));
   }
 
   /** Starts a run, from where the last one ended. */
@@ -93,23 +93,21 @@ export class Resident {
   /** The noise of the points, as given or as found. */
   noise(op: string): number {
     const number = this.#number(op);
-    callOf(fits, op, (kernel) => kernel.fit_noise(number));
-    return resultOf(instanceOf(fits), 0);
+    call(op, (kernel) => kernel.fit_noise(number));
+    return result(0);
   }
 
   /** Goes on for about so many microseconds. */
   step(op: string, budget: number): Step {
     const number = this.#number(op);
-    const done = callOf(fits, op, (kernel) => kernel.fit_step(number, budget)) === 1;
-    const instance = instanceOf(fits);
-    return { done, iteration: resultOf(instance, 0), gap: resultOf(instance, 1) };
+    const done = call(op, (kernel) => kernel.fit_step(number, budget)) === 1;
+    return { done, iteration: result(0), gap: result(1) };
   }
 
   /** The best that the run has found, as the kernel describes it: valid until the next call. */
   describe(op: string): Float64Array {
     const number = this.#number(op);
-    const count = callOf(fits, op, (kernel) => kernel.fit_describe(number));
-    return peekOf(instanceOf(fits), count);
+    return peek(call(op, (kernel) => kernel.fit_describe(number)));
   }
 
   /** Gives the memory back; a second call does nothing. */

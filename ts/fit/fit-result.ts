@@ -1,5 +1,6 @@
 /** What a fit gives, read from what the engine leaves. */
-import { type HermiteCurve, curveOf, curvesIn } from "../core.js";
+import type { HermiteCurve } from "../core.js";
+import { Sections } from "../tasks/sections.js";
 import { type FitStep, STEPS } from "./fit-options.js";
 
 /** A place where the spline's derivative of order `degree` jumps. */
@@ -106,29 +107,23 @@ const STATUSES: readonly FitStatus[] = ["converged", "max_iterations", "stalled"
 /** Numbers of one knot, and of one change. */
 const RECORD = 6;
 
-/** Reads a fit: sections, each with its length in front. @internal */
+/** Reads a fit from what the engine says of it. @internal */
 export function readFit(numbers: Float64Array, late: boolean): SparseFit {
-  let at = 0;
-  const section = (): Float64Array<ArrayBuffer> => {
-    const length = numbers[at] ?? 0;
-    const values = numbers.slice(at + 1, at + 1 + length);
-    at += 1 + length;
-    return values;
-  };
-  const [components = 1, objective = 0, dataTerm = 0, regularizer = 0, gap = 1, qfe = 0, maxError = 0, ...rest] = section();
+  const sections = new Sections(numbers);
+  const [components = 1, objective = 0, dataTerm = 0, regularizer = 0, gap = 1, qfe = 0, maxError = 0, ...rest] = sections.next();
   const [rms = 0, iterations = 0, status = 0, smoothing = -1, sigma = 0, deviation = 0] = rest;
-  const lambda = Array.from(section());
-  const curve = curveFrom(section());
+  const lambda = Array.from(sections.next());
+  const curve = sections.curve();
   const parts: HermiteCurve[] = [];
   const coefficients: Float64Array[] = [];
   for (let i = 0; i < components; i += 1) {
-    parts.push(curveFrom(section()));
-    coefficients.push(section());
+    parts.push(sections.curve());
+    coefficients.push(sections.next().slice());
   }
-  const knots = records(section(), knotFrom);
-  const parameters = section();
-  const outliers = Array.from(section());
-  const changes = records(section(), changeFrom);
+  const knots = sections.records(RECORD, knotFrom);
+  const parameters = sections.next().slice();
+  const outliers = Array.from(sections.next());
+  const changes = sections.records(RECORD, changeFrom);
   return {
     ...{ curve, parts, coefficients, knots, parameters, outliers, objective, dataTerm, regularizer, gap, qfe, maxError, rms, deviation, iterations, lambda },
     ...(smoothing < 0 ? {} : { smoothing }),
@@ -136,15 +131,6 @@ export function readFit(numbers: Float64Array, late: boolean): SparseFit {
     changes,
     status: late ? "deadline" : (STATUSES[status] ?? "stalled"),
   };
-}
-
-function curveFrom(numbers: Float64Array): HermiteCurve {
-  const [data] = curvesIn(numbers);
-  return curveOf(data as NonNullable<typeof data>);
-}
-
-function records<R>(numbers: Float64Array, read: (record: Float64Array) => R): R[] {
-  return Array.from({ length: numbers.length / RECORD }, (_, i) => read(numbers.subarray(RECORD * i, RECORD * i + RECORD)));
 }
 
 function knotFrom([t = 0, x = 0, y = 0, degree = 0, dx = 0, dy = 0]: Float64Array): SparseKnot {

@@ -7,7 +7,7 @@ import {
   type Root,
   type SpacePointsLike,
   coordinate,
-  curveOf,
+  curveIn,
   dataOf,
   integer,
   points as checkPoints,
@@ -17,8 +17,8 @@ import {
   tooFewPoints,
   wrongLength,
 } from "../core.js";
-import { SplineData, hermiteData } from "./spline-data.js";
-import { result } from "./spline-engine.js";
+import { SplineData } from "./spline-data.js";
+import { peek, result } from "./spline-engine.js";
 
 /** Points in the plane or in space. */
 export type AnyPointsLike = PointsLike | SpacePointsLike;
@@ -92,6 +92,6 @@ export abstract class SplineCurve extends MeasuredCurve {
     const data = splineOf(this, op);
     const within = tolerance === undefined ? 0 : checkTolerance(op, tolerance);
     const count = data.ask(op, (kernel, slot) => kernel.to_hermite(slot, within));
-    return { curve: curveOf(hermiteData(count)), maxError: result(0) };
+    return { curve: curveIn(peek(count)), maxError: result(0) };
   }
 }

@@ -2,8 +2,8 @@
 import { type CurveData, type Door, type Floats, HeldCurve, curvesIn } from "../core.js";
 import { type SplineKernel, door } from "./spline-engine.js";
 
-/** The one curve with points and tangents that the engine has left in its output. @internal */
-export function hermiteData(count: number): CurveData {
+/** The one curve with points and tangents that the engine has left in its output. */
+function hermiteData(count: number): CurveData {
   return curvesIn(door.peek(count))[0] as CurveData;
 }
 

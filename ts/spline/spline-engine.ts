@@ -27,4 +27,4 @@ export function initSplineSync(options: InitSyncOptions): void {
 /** What the engine is asked through. @internal */
 export const door = /* @__PURE__ */ doorOf(splines);
 /** @internal */
-export const { call, copy, result, write } = door;
+export const { call, copy, peek, result, write } = door;

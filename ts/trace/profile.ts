@@ -1,6 +1,7 @@
 /** The tools of the weighted quasi-interpolant: splines of clouds, what they miss, and the whole way from a profile's points to its curve. */
-import { type HermiteCurve, MAX_POINTS, type PointsLike, curveOf, curvesIn, doorOf, finite, flag, inRange, integer, numbers, options as checkOptions, points as checkPoints, tooFewPoints, word } from "../core.js";
-import { traces } from "./trace-engine.js";
+import { type HermiteCurve, MAX_POINTS, type PointsLike, finite, flag, inRange, integer, numbers, options as checkOptions, points as checkPoints, tooFewPoints, word } from "../core.js";
+import { Sections } from "../tasks/sections.js";
+import { door } from "./trace-engine.js";
 import { LEAST_CORNER } from "./trace-options.js";
 import type { TraceMetrics } from "./trace-result.js";
 
@@ -52,7 +53,7 @@ export interface ProfileFit {
 
 const MAX_KNOTS = 1_000_000;
 
-const { call, copy, peek, result, write } = /* @__PURE__ */ doorOf(traces);
+const { call, copy, peek, result, write } = door;
 
 /** Writes a cloud and its knots; how many of both, the degree and the neighbours. */
 function cloud(op: string, points: unknown, options: unknown): readonly [number, number, number, number] {
@@ -108,25 +109,12 @@ export function fitProfile(points: PointsLike, options?: ProfileOptions): Profil
 }
 
 function readProfile(output: Float64Array): ProfileFit {
-  let at = 0;
-  const section = (): Float64Array => {
-    const length = output[at] ?? 0;
-    const values = output.subarray(at + 1, at + 1 + length);
-    at += 1 + length;
-    return values;
-  };
-  const [data] = curvesIn(section());
-  const [places, metrics, tubes] = [section(), section(), section()];
-  const [rmse = 0, mae = 0, max = 0, hausdorff = 0, jaccard = 0] = metrics;
-  return {
-    curve: curveOf(data as NonNullable<typeof data>),
-    cusps: Array.from({ length: places.length / 2 }, (_, i) => [places[2 * i] ?? 0, places[2 * i + 1] ?? 0]),
-    tubes: Array.from({ length: tubes.length / 4 }, (_, i) => {
-      const [first = 0, many = 0, knots = 0, neighbours = 0] = tubes.subarray(4 * i, 4 * i + 4);
-      return { first, count: many, knots, neighbours };
-    }),
-    metrics: { rmse, mae, max, hausdorff, jaccard },
-  };
+  const sections = new Sections(output);
+  const curve = sections.curve();
+  const cusps = sections.places();
+  const [rmse = 0, mae = 0, max = 0, hausdorff = 0, jaccard = 0] = sections.next();
+  const tubes = sections.records(4, ([first = 0, count = 0, knots = 0, neighbours = 0]): ProfileTube => ({ first, count, knots, neighbours }));
+  return { curve, cusps, tubes, metrics: { rmse, mae, max, hausdorff, jaccard } };
 }
 
 function residual(op: string, residuals: unknown, which: 0 | 1): number {

@@ -1,14 +1,13 @@
 /** The wasm of tracing: started when something is traced for the first time, replaced when it dies. */
 import type { InitOutput } from "../../build/bindings/expline_trace.js";
 import { wasmAddress, wasmBytes } from "../../build/bindings/trace-bytes.js";
-import { type Engine, type InitOptions, type InitSyncOptions, begin, beginSync, callOf, instanceOf, lengthOfArray, peekOf, resultOf, writeBytesTo, writeTo, wrongLength } from "../core.js";
+import { type Engine, type InitOptions, type InitSyncOptions, begin, beginSync, doorOf, lengthOfArray, wrongLength } from "../core.js";
 import { type Kind, OpenWork } from "../tasks/open-work.js";
 
 /** The functions of the wasm that the package calls. @internal */
 export type TraceKernel = InitOutput;
 
-/** The engine of tracing. @internal */
-export const traces: Engine<TraceKernel> = { op: "initTrace", mark: "trace_open", bytes: wasmBytes, address: wasmAddress };
+const traces: Engine<TraceKernel> = { op: "initTrace", mark: "trace_open", bytes: wasmBytes, address: wasmAddress };
 
 /**
  * Loads the engine for tracing early, or from elsewhere. Not needed before the first picture: without it the wasm inside the package is
@@ -60,6 +59,9 @@ function rowsOf(bytes: number): number {
   return Math.max(1, Math.floor(BLOCK / bytes));
 }
 
+/** What the engine is asked through. @internal */
+export const door = /* @__PURE__ */ doorOf(traces);
+const { call, instance, peek, result, write, writeBytes } = door;
 const TRACE: Kind<TraceKernel> = { engine: traces, close: (kernel, number) => kernel.trace_close(number) };
 
 /**
@@ -77,8 +79,8 @@ export class Picture {
     this.#pixels = pixels;
     this.#work = new OpenWork(op, TRACE, (now) => {
       this.#rows = 0;
-      writeTo(traces, now, options);
-      return callOf(traces, now, (kernel) => kernel.trace_open(options.length));
+      write(now, options);
+      return call(now, (kernel) => kernel.trace_open(options.length));
     });
   }
 
@@ -90,23 +92,22 @@ export class Picture {
       this.#fill(op, number, budget);
       return { done: false, stage: 0, completed: this.#rows, total: height };
     }
-    const answer = callOf(traces, op, (kernel) => kernel.trace_step(number, budget)) as Answer;
+    const answer = call(op, (kernel) => kernel.trace_step(number, budget)) as Answer;
     if (answer === Answer.Again) this.#rows = 0;
-    const instance = instanceOf(traces);
-    return { done: answer === Answer.Done, stage: resultOf(instance, 0), completed: resultOf(instance, 1), total: resultOf(instance, 2) };
+    return { done: answer === Answer.Done, stage: result(0), completed: result(1), total: result(2) };
   }
 
   /** Its shades in even light; undefined where light is even already, or is none on paper. Instead of tracing. */
   inEvenLight(op: string): Uint8Array<ArrayBuffer> | undefined {
     const number = this.#work.number(op);
     this.#fill(op, number, Infinity);
-    if (callOf(traces, op, (kernel) => kernel.trace_even_light(number)) === 0) return undefined;
+    if (call(op, (kernel) => kernel.trace_even_light(number)) === 0) return undefined;
     const { width, height } = this.#pixels;
     const shades = new Uint8Array(width * height);
     const rows = rowsOf(width);
     for (let row = 0; row < height; row += rows) {
-      const count = callOf(traces, op, (kernel) => kernel.trace_shades(number, row, Math.min(rows, height - row)));
-      const { kernel } = instanceOf(traces);
+      const count = call(op, (kernel) => kernel.trace_shades(number, row, Math.min(rows, height - row)));
+      const { kernel } = instance();
       shades.set(new Uint8Array(kernel.memory.buffer, kernel.text_address(count) >>> 0, count), row * width);
     }
     return shades;
@@ -122,8 +123,8 @@ export class Picture {
     if (length < height * bytes) throw wrongLength(op, "data", length, `${height * bytes}, as at first`);
     do {
       const next = Math.min(this.#rows + block, height);
-      const count = writeBytesTo(traces, op, data.subarray(this.#rows * bytes, next * bytes));
-      callOf(traces, op, (kernel) => kernel.trace_rows(number, count));
+      const count = writeBytes(op, data.subarray(this.#rows * bytes, next * bytes));
+      call(op, (kernel) => kernel.trace_rows(number, count));
       this.#rows = next;
     } while (this.#rows < height && performance.now() < end);
   }
@@ -131,15 +132,14 @@ export class Picture {
   /** The speckle that would leave as many contours as there may be, after an error that says that there are more. */
   offer(op: string): number | undefined {
     const number = this.#work.number(op);
-    const known = callOf(traces, op, (kernel) => kernel.trace_offer(number)) === 1;
-    return known ? resultOf(instanceOf(traces), 0) : undefined;
+    const known = call(op, (kernel) => kernel.trace_offer(number)) === 1;
+    return known ? result(0) : undefined;
   }
 
   /** What was found, as the kernel describes it: valid until the next call. */
   describe(op: string): Float64Array {
     const number = this.#work.number(op);
-    const count = callOf(traces, op, (kernel) => kernel.trace_describe(number));
-    return peekOf(instanceOf(traces), count);
+    return peek(call(op, (kernel) => kernel.trace_describe(number)));
   }
 
   /** Gives the memory back; a second call does nothing. */

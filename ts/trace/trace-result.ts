@@ -1,5 +1,6 @@
 /** What a trace gives, read from what the engine leaves. */
-import { type HermiteCurve, curveOf, curvesIn, integer, options as checkOptions, pathsOf, tolerance as checkTolerance } from "../core.js";
+import { type HermiteCurve, integer, options as checkOptions, pathsOf, tolerance as checkTolerance } from "../core.js";
+import { Sections } from "../tasks/sections.js";
 import type { TraceStage } from "./trace-options.js";
 
 /** How far a curve is from the sub-pixel contour that it follows, in pixels. */
@@ -68,31 +69,16 @@ export interface Trace {
   milliseconds: Record<string, number>;
 }
 
-/** Reads a trace: sections, each with its length in front. @internal */
+/** Reads a trace from what the engine says of it. @internal */
 export function readTrace(numbers: Float64Array, { width, height }: { width: number; height: number }, spent: ReadonlyMap<TraceStage, number>): Trace {
-  let at = 0;
-  const section = (): Float64Array => {
-    const length = numbers[at] ?? 0;
-    const values = numbers.subarray(at + 1, at + 1 + length);
-    at += 1 + length;
-    return values;
-  };
-  const colors = section();
-  const layers = Array.from({ length: colors.length / 3 }, (_, i): TraceLayer => ({ color: hex(colors.subarray(3 * i, 3 * i + 3)) }));
+  const sections = new Sections(numbers);
+  const layers = sections.records(3, (color): TraceLayer => ({ color: hex(color) }));
   const contours: TracedContour[] = [];
-  while (at < numbers.length) {
-    const [data] = curvesIn(section());
-    const curve = curveOf(data as NonNullable<typeof data>);
-    const [closed = 0, hole = 0, rmse = 0, mae = 0, max = 0, hausdorff = 0, jaccard = 0, layer = 0] = section();
-    const cusps = section();
-    contours.push({
-      curve,
-      closed: closed === 1,
-      hole: hole === 1,
-      cusps: Array.from({ length: cusps.length / 2 }, (_, i) => [cusps[2 * i] ?? 0, cusps[2 * i + 1] ?? 0]),
-      metrics: { rmse, mae, max, hausdorff, jaccard },
-      layer,
-    });
+  while (sections.more) {
+    const curve = sections.curve();
+    const [closed = 0, hole = 0, rmse = 0, mae = 0, max = 0, hausdorff = 0, jaccard = 0, layer = 0] = sections.next();
+    const cusps = sections.places();
+    contours.push({ curve, closed: closed === 1, hole: hole === 1, cusps, metrics: { rmse, mae, max, hausdorff, jaccard }, layer });
   }
   const milliseconds = Object.fromEntries(spent);
   milliseconds["total"] = [...spent.values()].reduce((sum, time) => sum + time, 0);
