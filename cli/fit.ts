@@ -75,10 +75,10 @@ function optionsOf(given: Given): SparseFitOptions {
   if (asked.length > 1) throw new Failure(USAGE, "of --tolerance, --smoothing and --lambda only one can be given");
   if (given.values.has("open") && given.values.has("closed")) throw new Failure(USAGE, "--open and --closed exclude each other");
   return {
-    ...(tolerance === undefined ? {} : { tolerance }),
-    ...(smoothing === undefined ? {} : { smoothing }),
-    ...(lambda === undefined ? {} : { lambda }),
-    ...(degree === undefined ? {} : { degree }),
+    tolerance,
+    smoothing,
+    lambda,
+    degree,
     corners: !given.values.has("no-corners"),
     finish: given.values.has("no-finish") ? "none" : "full",
   };
@@ -99,7 +99,7 @@ function written(fits: readonly SparseFit[], format: Format, decimals: number | 
   const size = Math.max(extent.width, extent.height);
   // A tenth of what was asked for, so that writing it down does not use the tolerance up.
   const within = tolerance === undefined || tolerance === 0 ? size / 1e4 : tolerance / 10;
-  const d = fits.map(({ curve }) => curve.toPathD({ tolerance: within || 1e-9, ...(decimals === undefined ? {} : { decimals }) }).d).join("");
+  const d = fits.map(({ curve }) => curve.toPathD({ tolerance: within || 1e-9, decimals }).d).join("");
   if (format === "path") return `${d}\n`;
   const stroke = Number((size / 200 || 1).toPrecision(2));
   const box = [extent.x - stroke, extent.y - stroke, extent.width + 2 * stroke, extent.height + 2 * stroke];

@@ -78,7 +78,7 @@ function each(files: readonly string[], outputs: readonly (string | undefined)[]
 function one(file: string, output: string | undefined, options: TraceOptions, format: Format, decimals: number | undefined): string {
   const picture = readPicture(file);
   const traced = traceImage(picture, options);
-  const text = format === "json" ? `${JSON.stringify(asData(traced), undefined, 1)}\n` : `${traced.toSvg(decimals === undefined ? {} : { decimals })}\n`;
+  const text = format === "json" ? `${JSON.stringify(asData(traced), undefined, 1)}\n` : `${traced.toSvg({ decimals })}\n`;
   if (output === undefined) return text;
   writeText(output, text);
   return `${output}: ${summary(picture, traced)}\n`;
@@ -112,32 +112,28 @@ function asFolder(path: string, count: number): void {
 }
 
 function optionsOf(given: Given): TraceOptions {
-  const optional = (name: string, key: keyof TraceOptions, unit = 1): TraceOptions => {
-    const value = numberOf(given, name);
-    return value === undefined ? {} : { [key]: value * unit };
-  };
   const { values } = given;
   const colors = values.get("colors");
   if (colors !== undefined) checkColors(colors, values);
-  checkCorner(numberOf(given, "corner"));
   return {
-    ...optional("tolerance", "tolerance"),
-    ...optional("threshold", "threshold"),
-    ...optional("blur", "blur"),
-    ...optional("speckle", "speckle"),
-    ...optional("corner", "corner", Math.PI / 180),
-    ...optional("max-contours", "maxContours"),
-    ...(colors === undefined ? {} : colors.startsWith("#") ? { colors: colors.split(",") } : optional("colors", "colors")),
-    ...oneOf(values, "source", ["brightness", "edges", "lines"]),
-    ...oneOf(values, "model", ["sparse", "wqisa"]),
+    tolerance: numberOf(given, "tolerance"),
+    threshold: numberOf(given, "threshold"),
+    blur: numberOf(given, "blur"),
+    speckle: numberOf(given, "speckle"),
+    corner: cornerOf(numberOf(given, "corner")),
+    maxContours: numberOf(given, "max-contours"),
+    colors: colors?.startsWith("#") === true ? colors.split(",") : numberOf(given, "colors"),
+    source: oneOf(values, "source", ["brightness", "edges", "lines"]),
+    model: oneOf(values, "model", ["sparse", "wqisa"]),
     invert: values.has("invert"),
     refine: !values.has("no-refine"),
   };
 }
 
-/** As it is given, in degrees: the package would speak of radians. */
-function checkCorner(degrees: number | undefined): void {
-  if (degrees === undefined || (degrees >= LEAST_CORNER && degrees <= 180)) return;
+/** In radians; checked as it is given, in degrees: the package would speak of radians. */
+function cornerOf(degrees: number | undefined): number | undefined {
+  if (degrees === undefined) return undefined;
+  if (degrees >= LEAST_CORNER && degrees <= 180) return degrees * (Math.PI / 180);
   throw new Failure(USAGE, `--corner is ${degrees}; expected degrees in [${LEAST_CORNER}, 180]`);
 }
 
@@ -149,11 +145,11 @@ function checkColors(colors: string, values: Given["values"]): void {
   throw new Failure(USAGE, `--colors is ${JSON.stringify(colors.slice(0, 40))}; expected a number, or colours like #ffffff,#cc0000`);
 }
 
-function oneOf<N extends "source" | "model">(values: Given["values"], name: N, words: readonly string[]): TraceOptions {
+function oneOf<W extends string>(values: Given["values"], name: string, words: readonly W[]): W | undefined {
   const value = values.get(name);
-  if (value === undefined) return {};
-  if (!words.includes(value)) throw new Failure(USAGE, `--${name} is ${JSON.stringify(value.slice(0, 40))}; expected ${words.join(", ")}`);
-  return { [name]: value };
+  const found = words.find((word) => word === value);
+  if (value === undefined || found !== undefined) return found;
+  throw new Failure(USAGE, `--${name} is ${JSON.stringify(value.slice(0, 40))}; expected ${words.join(", ")}`);
 }
 
 function formatOf({ values }: Given): Format {
