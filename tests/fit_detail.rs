@@ -2,27 +2,20 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
+mod support;
+
 use core::f64::consts::TAU;
 use expline::fit::{Ask, Fit, FitStatus, Options, fit};
 use expline::numerics::Point;
-
-fn normal(seed: &mut u64) -> f64 {
-    let mut sum = -6.0;
-    for _ in 0..12 {
-        *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        sum += (*seed >> 11) as f64 / (1_u64 << 53) as f64;
-    }
-    sum
-}
+use support::curves::Random;
 
 /// A wave of so many periods, each 10 long and 8 high, through so many points with noise of 0.1.
 fn wave(periods: usize, count: usize) -> Fit {
-    let mut seed = 7;
+    let mut random = Random::new(7);
     let points: Vec<Point> = (0..count)
         .map(|i| {
             let turns = periods as f64 * i as f64 / count as f64;
-            let noise = Point::new(0.1 * normal(&mut seed), 0.1 * normal(&mut seed));
-            Point::new(10.0 * turns, 4.0 * (TAU * turns).sin()) + noise
+            Point::new(10.0 * turns, 4.0 * (TAU * turns).sin()) + random.noise() * 0.1
         })
         .collect();
     let options = Options { closed: Some(false), ..Options::default() };

@@ -10,17 +10,12 @@ use expline::numerics::Point;
 use support::curves::Random;
 use support::unboxed;
 
-/// Normally distributed, by twelve uniform numbers: the tails do not matter here.
-fn normal(random: &mut Random) -> f64 {
-    (0..12).map(|_| random.unit()).sum::<f64>() - 6.0
-}
-
 fn noisy_circle(count: usize, radius: f64, sigma: f64, seed: u64) -> Vec<Point> {
     let mut random = Random::new(seed);
     (0..count)
         .map(|k| {
             let angle = core::f64::consts::TAU * k as f64 / count as f64;
-            let noise = Point::new(normal(&mut random), normal(&mut random)) * sigma;
+            let noise = random.noise() * sigma;
             Point::new(libm::cos(angle), libm::sin(angle)) * radius + noise
         })
         .collect()

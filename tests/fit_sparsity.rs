@@ -25,12 +25,6 @@ fn closed(degree: usize) -> Options {
     Options { degrees: vec![degree], closed: Some(true), ..Options::default() }
 }
 
-/// Normally distributed (Box and Muller), tails included.
-fn normal(random: &mut Random) -> f64 {
-    let radius = (-2.0 * random.unit().max(1e-300).ln()).sqrt();
-    radius * (core::f64::consts::TAU * random.unit()).cos()
-}
-
 /// Fourteen cubics: the uniform Catmull-Rom curve through fourteen places round a centre, 512 in size.
 fn fourteen_cubics(seed: u64) -> HermiteCurve {
     let mut random = Random::new(seed);
@@ -54,7 +48,7 @@ fn sampled(curve: &HermiteCurve, count: usize) -> Vec<Point> {
 
 fn noisy(points: &[Point], sigma: f64, seed: u64) -> Vec<Point> {
     let mut random = Random::new(seed);
-    points.iter().map(|p| p + Point::new(normal(&mut random), normal(&mut random)) * sigma).collect()
+    random.noisy(points, sigma)
 }
 
 /// Root mean square and largest distance from the fit to a closed polyline that is fine enough to be the truth.

@@ -10,12 +10,6 @@ use support::curves::Random;
 
 const TURN: f64 = core::f64::consts::TAU;
 
-/// A normal number, by Box and Muller.
-fn normal(random: &mut Random) -> f64 {
-    let radius = libm::sqrt(-2.0 * libm::log(1.0 - random.unit()));
-    radius * libm::cos(TURN * random.unit())
-}
-
 /// Points evenly far apart along a closed polyline.
 fn evenly(corners: &[Point], count: usize) -> Vec<Point> {
     let next = |i: usize| corners[(i + 1) % corners.len()];
@@ -50,7 +44,7 @@ fn outline(smooth: bool) -> Vec<Point> {
 
 fn noisy(points: &[Point], sigma: f64, seed: u64) -> Vec<Point> {
     let mut random = Random::new(1_000_003 * seed + 77);
-    points.iter().map(|p| p + Point::new(normal(&mut random), normal(&mut random)) * sigma).collect()
+    random.noisy(points, sigma)
 }
 
 /// The square of a point's distance from an edge.

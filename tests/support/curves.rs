@@ -36,6 +36,22 @@ impl Random {
         Vector::new(self.symmetric() * size, self.symmetric() * size)
     }
 
+    /// Normally distributed, of variance 1 (Box and Muller).
+    pub(crate) fn normal(&mut self) -> f64 {
+        let radius = libm::sqrt(-2.0 * libm::log(1.0 - self.unit()));
+        radius * libm::cos(core::f64::consts::TAU * self.unit())
+    }
+
+    /// Noise of the plane, of variance 1 in each coordinate.
+    pub(crate) fn noise(&mut self) -> Vector {
+        Vector::new(self.normal(), self.normal())
+    }
+
+    /// The points with noise of this standard deviation in each coordinate.
+    pub(crate) fn noisy(&mut self, points: &[Point], sigma: f64) -> Vec<Point> {
+        points.iter().map(|point| point + self.noise() * sigma).collect()
+    }
+
     /// A natural number below `n`.
     pub(crate) fn below(&mut self, n: usize) -> usize {
         (self.bits() % n as u64) as usize
