@@ -21,6 +21,8 @@ use crate::limits::{self, LARGEST_LAMBDA};
 use crate::numerics::Point;
 use crate::numerics::order::{sort_by_number, sort_numbers};
 
+/// So many iterations the solver has, where nobody says how many.
+const MOST_ITERATIONS: usize = 400;
 /// More points than this are not fitted a second time with knots that all count twice.
 const MOST_TWICE: usize = 2000;
 /// More points than this have a curve through them only on a grid that is asked for.
@@ -74,6 +76,8 @@ pub struct Fitter {
     ask: Ask,
     lambdas: Vec<f64>,
     run: Run,
+    /// Rounds of the search so far.
+    rounds: usize,
     problem: Option<Problem>,
     /// Whether its grid lets the curve through the points.
     through: bool,
@@ -143,6 +147,7 @@ impl Fitter {
             ask: Ask::Noise,
             lambdas: Vec::new(),
             run: Run::Idle,
+            rounds: 0,
             problem: None,
             through: false,
             warm: None,
@@ -211,7 +216,8 @@ impl Fitter {
             components,
             norm: self.options.norm,
         };
-        let settings = Settings { gap: self.options.gap, most_iterations: self.options.most_iterations };
+        let most_iterations = self.options.most_iterations.unwrap_or(MOST_ITERATIONS);
+        let settings = Settings { gap: self.options.gap, most_iterations };
         self.run = Run::Convex(Box::new(Solver::new(&problem, settings)?));
         self.problem = Some(problem);
         Ok(())
@@ -277,10 +283,17 @@ impl Fitter {
         }
     }
 
+    /// Whether the search has made all the rounds that it may make.
+    fn is_spent(&self) -> bool {
+        self.options.most_iterations.is_some_and(|most| self.rounds >= most)
+    }
+
     fn round(&mut self) -> Result<Progress> {
         let (mut done, mut iteration, mut gap) = (true, 0, f64::INFINITY);
+        let spent = self.is_spent();
         match &mut self.run {
             Run::Idle => {}
+            Run::Choice(..) | Run::Search(_) if spent => iteration = self.rounds,
             Run::Convex(solver) => {
                 done = solver.step()? != Status::Running;
                 (iteration, gap) = (solver.iterations(), solver.gap());
@@ -298,9 +311,10 @@ impl Fitter {
             Run::Search(searches) => {
                 if let Some(next) = searches.iter().position(|search| !search.is_done()) {
                     searches[next].step();
-                    iteration = searches.iter().map(Sparsest::rounds).sum();
+                    self.rounds += 1;
                     done = next + 1 == searches.len() && searches[next].is_done();
                 }
+                iteration = self.rounds;
                 if done && searches.iter().all(|search| search.missed().is_some()) {
                     searches[0].resort_to_polyline()?;
                 }
@@ -308,7 +322,10 @@ impl Fitter {
             Run::Choice(rivals, others) => {
                 done = false;
                 match rivals.iter_mut().find(|search| !search.is_thinned()) {
-                    Some(search) => search.step(),
+                    Some(search) => {
+                        search.step();
+                        self.rounds += 1;
+                    }
                     None => {
                         sort_by_number(rivals, &|rival| rival.cost());
                         rivals.truncate(1);
@@ -316,6 +333,7 @@ impl Fitter {
                         self.run = Run::Search(core::mem::take(rivals));
                     }
                 }
+                iteration = self.rounds;
             }
         }
         Ok(Progress { done, iteration, gap })

@@ -74,8 +74,9 @@ pub struct Options {
     pub noise: Option<f64>,
     /// The relative duality gap to reach, for [`Ask::Lambda`] and [`Ask::Smoothing`].
     pub gap: f64,
-    /// The most iterations of the solver, for [`Ask::Lambda`] and [`Ask::Smoothing`]; a search for the fewest knots has limits of its own.
-    pub most_iterations: usize,
+    /// The most iterations: of the solver for [`Ask::Lambda`] and [`Ask::Smoothing`], where `None` allows 400, of the search for the fewest
+    /// knots otherwise, where `None` allows as many as it takes.
+    pub most_iterations: Option<usize>,
     /// What is done after the convex problem of [`Ask::Lambda`] and [`Ask::Smoothing`] is solved.
     pub finish: Finish,
 }
@@ -127,7 +128,7 @@ impl Default for Options {
             robust: false,
             noise: None,
             gap: 1e-6,
-            most_iterations: 400,
+            most_iterations: None,
             finish: Finish::default(),
         }
     }

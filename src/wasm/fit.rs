@@ -52,7 +52,7 @@ pub fn fit_open(count: u32) -> i32 {
         options.finish =
             Finish { extreme: step(1), merge: step(2), slide: step(4), debias: step(8), prune: step(16) };
         options.gap = head.optional().unwrap_or(options.gap);
-        options.most_iterations = head.optional().map_or(options.most_iterations, |most| most as usize);
+        options.most_iterations = head.optional().map(|most| most as usize);
         options.mix = head.optional().unwrap_or(options.mix);
         options.period = head.optional();
         options.noise = head.optional();

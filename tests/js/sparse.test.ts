@@ -137,7 +137,7 @@ test("what comes after the optimum can be named step by step, and every step say
 test("options about the optimum change nothing of a search for the fewest knots, and those about the search nothing of an optimum", () => {
   const points = noisyCircle(200, 0.01, 3);
   const said = (options: SparseFitOptions): string => JSON.stringify({ ...fitSparse(points, options), curve: fitSparse(points, options).curve.toJSON() });
-  const ofOptimum: SparseFitOptions[] = [{ finish: "none" }, { norm: "l1" }, { gridSize: 20 }, { gap: 1e-2 }, { maxIterations: 1 }, { mix: 0 }, { degree: 3 }];
+  const ofOptimum: SparseFitOptions[] = [{ finish: "none" }, { norm: "l1" }, { gridSize: 20 }, { gap: 1e-2 }, { mix: 0 }, { degree: 3 }];
   for (const search of [{}, { tolerance: 0.05 }]) {
     for (const idle of ofOptimum) assert.equal(said({ ...search, ...idle }), said(search), JSON.stringify({ ...search, ...idle }));
     assert.equal(fitSparse(points, search).parts.length, 1);
@@ -195,4 +195,18 @@ test("corners turn by no less than is asked for, and the tolerance is kept", () 
     assert.ok(turn < 1e-6 || turn >= least, `a corner of ${turn}`);
   }
   assert.throws(() => fitSparse(wave, { tolerance: 2, corners: 4 }), { code: "E_RANGE" });
+});
+
+test("a search ends after maxIterations and says so, and enough of them change nothing", () => {
+  const points = noisyCircle(200, 0.01, 3);
+  for (const search of [{}, { tolerance: 0.05 }]) {
+    const whole = fitSparse(points, search);
+    for (const maxIterations of [0, 1, whole.iterations - 1]) {
+      const early = fitSparse(points, { ...search, maxIterations });
+      assert.deepEqual([early.status, early.iterations], ["max_iterations", maxIterations]);
+      assert.ok(early.maxError > 0 && Number.isFinite(early.maxError));
+    }
+    const same = fitSparse(points, { ...search, maxIterations: whole.iterations });
+    assert.deepEqual([same.status, same.knots], [whole.status, whole.knots]);
+  }
 });

@@ -5,7 +5,7 @@ import { type Watch, watch } from "../tasks/yielding.js";
 
 /** How far a fit has come. */
 export interface FitProgress {
-  /** Steps of the solver so far. */
+  /** Steps so far, of the solver or of the search. */
   iteration: number;
   /** The relative duality gap that is certified by now. */
   gap: number;
@@ -88,8 +88,8 @@ export interface SparseFitOptions extends SparseFitStrength {
   /** Relative duality gap at which to stop, 0 to 1, with `lambda` or `smoothing`. Default 1e-6. Ignored with a tolerance and without any strength. */
   gap?: number | undefined;
   /**
-   * Steps of the solver at most, up to 100,000, with `lambda` or `smoothing`. Default 400. Ignored with a tolerance and without any strength; `deadline`
-   * ends those.
+   * Steps at most, up to 100,000: of the solver with `lambda` or `smoothing`, 400 by default; of the search with a tolerance and without any strength,
+   * by default as many as it takes. What was found by then is given, with status "max_iterations".
    */
   maxIterations?: number | undefined;
   /** Milliseconds after which the best that was found so far is given, with status "deadline". Default: none. */

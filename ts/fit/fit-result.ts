@@ -36,7 +36,7 @@ export interface FitChange {
 export type FitStatus =
   /** The gap that was asked for is certified. */
   | "converged"
-  /** `maxIterations` came first, with `lambda` or `smoothing`. */
+  /** `maxIterations` came first: `gap` or `maxError` says how near the curve is that was found by then. */
   | "max_iterations"
   /** Rounding allows no smaller gap, and `gap` is what is certified; or no curve was found within `tolerance`, and `maxError` says how near this one is. */
   | "stalled"

@@ -70,7 +70,7 @@ impl Fitter {
                 self.search(Aim::Noise(self.noise.max(1e-4)))?;
             }
         }
-        self.ask = ask;
+        (self.ask, self.rounds) = (ask, 0);
         Ok(())
     }
 

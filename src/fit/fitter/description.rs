@@ -52,8 +52,12 @@ impl Fitter {
     }
 
     fn searched(&self, search: &Sparsest) -> Result<Fit> {
-        let status = if search.is_done() { search.status() } else { FitStatus::Running };
-        let rounds = search.rounds();
+        let over = matches!(&self.run, Run::Search(searches) if searches.iter().all(Sparsest::is_done));
+        let status = match (over, self.is_spent()) {
+            (true, _) => search.status(),
+            (false, true) => FitStatus::MostIterations,
+            (false, false) => FitStatus::Running,
+        };
         let before = search.knots_at_first();
         let polished;
         let found = match search.found() {
@@ -73,7 +77,7 @@ impl Fitter {
         }];
         let kept = !matches!(self.ask, Ask::Tolerance(tolerance) if fit.max_error > tolerance);
         fit.status = if status == FitStatus::Converged && !kept { FitStatus::Stalled } else { status };
-        fit.iterations = rounds;
+        fit.iterations = self.rounds;
         let after = fit.knots.len();
         fit.changes =
             vec![Changed { step: "search", knots: (before, after), qfe: (fit.qfe, fit.qfe), gap: None }];

@@ -225,11 +225,6 @@ impl Sparsest {
         self.phase == Phase::Done
     }
 
-    /// How many rounds there were.
-    pub(in crate::fit) fn rounds(&self) -> usize {
-        self.effort.rounds
-    }
-
     /// The best spline so far, where one was kept.
     pub(in crate::fit) fn found(&self) -> Option<&Found> {
         self.found.as_ref()
