@@ -1,16 +1,14 @@
 //! Which part of every pixel near an outline it covers, exactly, and how that changes with its control points.
 
-use super::field::{Field, NONE, SIDE};
+use super::field::{BEYOND, Field, SIDE};
 use crate::numerics::plane::{larger, norm, smaller, taxi};
 use crate::trace::outline::cubic::Cubic;
 
 /// A part of a piece inside one pixel.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
-    /// The pixel of the field.
+    /// The pixel of the field; where it has none, the row.
     pub(super) pixel: u32,
-    pub(super) row: u16,
-    pub(super) column: u16,
     /// The parameter of its middle.
     pub(super) t: f32,
     /// Its extent.
@@ -65,7 +63,7 @@ pub(super) fn parts(cubic: &Cubic, field: &Field, out: &mut Vec<Part>) {
 
 /// Parts that are written over.
 fn make_room(out: &mut Vec<Part>, count: usize) {
-    const BLANK: Part = Part { pixel: NONE, row: 0, column: 0, t: 0.0, dx: 0.0, dy: 0.0, right: 0.0 };
+    const BLANK: Part = Part { pixel: BEYOND, t: 0.0, dx: 0.0, dy: 0.0, right: 0.0 };
     if out.len() < count {
         // Doubling would leave half of the memory that all pieces take to nobody.
         out.reserve_exact(count + count / 8 - out.len());
@@ -89,12 +87,10 @@ impl Edge {
     }
 
     #[inline(always)]
-    fn part(&self, share: [f64; 2], cell: [i32; 2], (pixel, right): (u32, f64)) -> Part {
+    fn part(&self, share: [f64; 2], (pixel, right): (u32, f64)) -> Part {
         let (middle, extent) = (0.5 * (share[0] + share[1]), share[1] - share[0]);
         Part {
             pixel,
-            row: cell[1] as u16,
-            column: cell[0] as u16,
             t: (self.t[0] + self.t[1] * middle) as f32,
             dx: (self.way[0] * extent) as f32,
             dy: (self.way[1] * extent) as f32,
@@ -198,7 +194,7 @@ impl<'a> Frame<'a> {
         let [x, _] = edge.at(0.5 * (share[0] + share[1]));
         let right = f64::from(cell[0] + 1) - x;
         let pixel = self.field.pixel(cell[0] as usize, cell[1] as usize);
-        edge.part(share, cell, (pixel, right))
+        edge.part(share, (pixel, right))
     }
 
     /// An edge that leaves the frame: left of it it covers whole pixels; right of it, above and below nothing that is seen.
@@ -221,11 +217,12 @@ impl<'a> Frame<'a> {
             let [x, y] = edge.at(0.5 * (share + until));
             if y >= 0.0 && y < rows {
                 let column = smaller(larger(x, 0.0), columns - 1.0) as i32;
-                let cell = [column, y as i32];
                 if x < 0.0 {
-                    out.push(edge.part([share, until], cell, (NONE, 1.0)));
+                    out.push(
+                        edge.part([share, until], (self.field.row_at(column as usize, y as usize), 1.0)),
+                    );
                 } else if x < columns {
-                    out.push(self.part(&edge, [share, until], cell));
+                    out.push(self.part(&edge, [share, until], [column, y as i32]));
                 }
             }
             share = until;

@@ -1,7 +1,7 @@
 //! The equations of one step of the refinement: what moves, what the pixels say to it, and the step that they ask for.
 
 use super::coverage::Part;
-use super::field::{Field, NONE};
+use super::field::{BEYOND, Field};
 use super::left::Left;
 use super::skyline::Skyline;
 use super::unknowns::{Term, Unknowns};
@@ -171,7 +171,7 @@ fn add(terms: &[Term], pull: &[Vector; 4], matrix: &Matrix, right: &mut [f64], f
 /// What the pixels say to the four vectors of a piece; `left` sees what is left in them.
 fn pull(parts: &[Part], field: &Field, line: bool, left: &mut Left) -> [Vector; 4] {
     // Moments of the parameter: x and y in turn.
-    let (mut moments, mut last) = ([[0.0_f64; 2]; 4], NONE);
+    let (mut moments, mut last) = ([[0.0_f64; 2]; 4], BEYOND);
     let lead = field.lead();
     let mut seen = *left;
     for part in parts {

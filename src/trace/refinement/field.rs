@@ -19,8 +19,10 @@ use wide::f32x4;
 pub(super) const SIDE: usize = 8;
 /// Pixels of a tile.
 pub(super) const AREA: usize = SIDE * SIDE;
-/// No tile, no pixel.
+/// No tile.
 pub(super) const NONE: u32 = u32::MAX;
+/// From here on numbers are not of pixels but of rows where no tile is: rows of a tile times its place, and the row.
+pub(super) const BEYOND: u32 = 1 << 31;
 /// The share of pixels beside outlines that are off their tone from which on a picture is not one of exact coverage.
 const ROUGH: f64 = 0.2;
 
@@ -204,8 +206,23 @@ impl Field {
 
     /// The pixel at a column and a row, counted from the frame's corner.
     pub(super) fn pixel(&self, x: usize, y: usize) -> u32 {
-        let slot = self.slots[y / SIDE * self.across + x / SIDE];
-        if slot == NONE { NONE } else { slot * AREA as u32 + (x % SIDE * SIDE + y % SIDE) as u32 }
+        let place = y / SIDE * self.across + x / SIDE;
+        let slot = self.slots[place];
+        if slot == NONE {
+            Self::row(place, y)
+        } else {
+            slot * AREA as u32 + (x % SIDE * SIDE + y % SIDE) as u32
+        }
+    }
+
+    /// A row of the tile that could be at a place.
+    fn row(place: usize, y: usize) -> u32 {
+        BEYOND | (place * SIDE + y % SIDE) as u32
+    }
+
+    /// The row that a column and a row are in, counted from the frame's corner, whether a tile is there or not.
+    pub(super) fn row_at(&self, x: usize, y: usize) -> u32 {
+        Self::row(y / SIDE * self.across + x / SIDE, y)
     }
 
     /// How many tiles there are.
@@ -213,13 +230,9 @@ impl Field {
         self.places.len()
     }
 
-    /// The place of a tile, of the tile at a column and a row, and which tile is there.
+    /// The place of a tile, and which tile is there.
     pub(super) fn place(&self, slot: usize) -> u32 {
         self.places[slot]
-    }
-
-    pub(super) fn place_at(&self, x: usize, y: usize) -> u32 {
-        (y / SIDE * self.across + x / SIDE) as u32
     }
 
     pub(super) fn slot(&self, place: u32) -> Option<usize> {

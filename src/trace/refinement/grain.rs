@@ -1,7 +1,7 @@
 //! How well a picture's pixels know where an edge is: what no outline explains of them.
 
 use super::coverage::Part;
-use super::field::{Field, NONE};
+use super::field::{BEYOND, Field};
 use super::refine::Shape;
 use crate::numerics::order::nth;
 
@@ -82,7 +82,7 @@ fn windows(shape: &Shape, field: &Field, level: bool, squares: &mut Vec<f64>) {
             window.clear();
         }
         for part in parts {
-            if part.pixel == NONE {
+            if part.pixel >= BEYOND {
                 window.clear();
                 continue;
             }

@@ -1,7 +1,7 @@
 //! What the outlines leave of the picture.
 
 use super::coverage::Part;
-use super::field::{Field, NONE};
+use super::field::{BEYOND, Field};
 use crate::numerics::plane::larger;
 
 /// What is left of the picture in the pixels of some pieces.
@@ -20,9 +20,9 @@ impl Left {
 
     /// Only some parts.
     pub(super) fn add_some<'a>(&mut self, parts: impl Iterator<Item = &'a Part>, field: &Field) {
-        let mut last = NONE;
+        let mut last = BEYOND;
         for part in parts {
-            if part.pixel == last || part.pixel == NONE {
+            if part.pixel == last || part.pixel >= BEYOND {
                 continue;
             }
             last = part.pixel;

@@ -1,7 +1,7 @@
 //! What parts that come and go change of the pixels that outlines cover, tile by tile.
 
 use super::coverage::Part;
-use super::field::{AREA, Change, Field, NONE, SIDE};
+use super::field::{AREA, BEYOND, Change, Field, NONE, SIDE};
 use crate::numerics::order::sort_in_place;
 
 /// Changes of height of an edge where no pixel is: they count for the pixels to the right.
@@ -40,8 +40,8 @@ impl Sweep {
         let mut rest = parts;
         while let Some(first) = rest.first() {
             let slot = first.pixel / AREA as u32;
-            if first.pixel == NONE {
-                self.stray(field, first, sign * first.dy);
+            if first.pixel >= BEYOND {
+                self.stray(first.pixel - BEYOND, sign * first.dy);
                 rest = &rest[1..];
                 continue;
             }
@@ -76,9 +76,9 @@ impl Sweep {
         self.slots.len() as u32 - 1
     }
 
-    fn stray(&mut self, field: &Field, part: &Part, height: f32) {
-        let place = field.place_at(usize::from(part.column), usize::from(part.row));
-        self.strays.push(Stray { place, row: usize::from(part.row) % SIDE, height });
+    fn stray(&mut self, row: u32, height: f32) {
+        let place = row / SIDE as u32;
+        self.strays.push(Stray { place, row: row as usize % SIDE, height });
         self.touched.push(place);
     }
 
