@@ -30,13 +30,17 @@ function* steps(op: string, picture: Picture, { onProgress, pixels }: TraceOrder
   }
 }
 
-/** One step; a picture with too many contours is a photograph, and what would help is said. */
+/** One step; where the picture has too many contours or needs too much memory, what would help is said. */
 function stepOf(op: string, picture: Picture): Step {
   try {
     return picture.step(op, BUDGET);
   } catch (error) {
-    if (!(error instanceof ExplineError) || error.limit !== "maxContours") throw error;
-    const { max = 0, actual = 0 } = error;
+    if (!(error instanceof ExplineError)) throw error;
+    const { code, limit, max = 0, actual = 0 } = error;
+    if (code === "E_MEMORY") {
+      throw new ExplineError(code, op, `the image needs more memory than there is, for ${actual} bytes more; half its size needs less than half`, { actual });
+    }
+    if (limit !== "maxContours") throw error;
     const speckle = picture.offer(op);
     const help = speckle === undefined ? "" : `, and a speckle of ${Number(speckle.toPrecision(3))} would leave as many`;
     throw new ExplineError("E_LIMIT", op, `the image has ${actual} contours, like a photograph; maxContours is ${max}${help}`, {
@@ -55,6 +59,7 @@ function stepOf(op: string, picture: Picture): Step {
  *
  * @throws {ExplineError} E_LIMIT with `limit` "maxContours", `actual` and `offer` for a photograph; "maxContourPoints" where contours cross more places
  *   between pixels than half as many as there are pixels, and 65,536 (noise, dithering: a `blur` helps); "maxPixels" above 40 megapixels.
+ *   E_MEMORY where outlines are so many or so long that the 512 MiB of an engine do not do; half the size needs less than half.
  */
 export function traceImage(image: ImageLike, options?: TraceOptions): Trace {
   const op = "traceImage";

@@ -178,7 +178,7 @@ fn quasi_interpolant(chain: &Chain, options: &TraceOptions, rounding: f64) -> Re
     let cusps = profile.cusps().iter().map(|cusp| cusp.point).collect();
     let (curve, metrics) = (profile.curve()?, profile.metrics()?);
     if chain.is_closed() {
-        let ring = Outline::polygon(chain.points());
+        let ring = Outline::polygon(chain.points())?;
         if !is_about(curve.area()?, ring.area()) {
             // Splines of a few points may enclose nothing.
             let curve = ring.to_curve(vec![0.0; ring.len()])?;
@@ -192,7 +192,7 @@ fn quasi_interpolant(chain: &Chain, options: &TraceOptions, rounding: f64) -> Re
 /// A chain as few lines and cubics between its corners.
 fn sparse(chain: &Chain, options: &TraceOptions, rounding: f64) -> Result<TracedContour> {
     let closed = chain.is_closed();
-    let samples = if closed { Samples::new(chain.points()) } else { Samples::open(chain.points()) };
+    let samples = if closed { Samples::new(chain.points())? } else { Samples::open(chain.points()) };
     let rules =
         [CornerRule { gap: rounding, window: 3.0 + rounding, angle: options.corner, reach: 1.2 * rounding }];
     let corners = corners(&samples, &rules);

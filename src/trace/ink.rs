@@ -24,6 +24,7 @@ use super::samples::Samples;
 use super::work::{Progress, Stage, Trace, TracedContour, Work};
 use crate::curve::HermiteCurve;
 use crate::error::Result;
+use crate::limits::probe;
 use crate::numerics::Point;
 use crate::numerics::plane::larger;
 
@@ -33,6 +34,12 @@ const ROUND: f64 = 0.16;
 const BENT: f64 = 4.0;
 /// Contours of sampled edges are evened over so many pixels before their first outline is made, the deviation of a Gaussian.
 const EVENED: f64 = 1.7;
+
+/// Bytes that corners and a first outline take for each place of their contour, at most.
+const ROOM: usize = 32;
+
+/// And that an outline takes that goes around pixels, for each side of them.
+const STAIRS: usize = 96;
 
 /// Outlines of ink on their way.
 #[derive(Debug)]
@@ -53,7 +60,8 @@ pub(super) struct InkWork {
     found: Vec<Contour>,
     /// Whether the contour that is looked at goes between pixels of two tones by now.
     between: bool,
-    samples: Vec<Samples>,
+    /// Places along the contour that is being looked at.
+    samples: Option<Samples>,
     corners: Vec<Vec<Corner>>,
     /// The contour whose first outline is on its way.
     division: Option<Division>,
@@ -130,7 +138,7 @@ impl InkWork {
             blurring: None,
             found: Vec::new(),
             between: false,
-            samples: Vec::new(),
+            samples: None,
             corners: Vec::new(),
             division: None,
             rough_corners: None,
@@ -153,20 +161,23 @@ impl InkWork {
     }
 
     /// What pixels say of a contour; where they are of two tones, it goes between them first.
-    fn look_at(&mut self, i: usize) -> Option<Kind> {
+    fn look_at(&mut self, i: usize) -> Result<Option<Kind>> {
         let (contour, tones) = (&mut self.found[i], &self.tones);
         if !self.between {
-            let middles =
-                if self.quality == Quality::Clean { steps(&contour.points, &self.gray, tones) } else { None };
+            let middles = if self.quality == Quality::Clean {
+                steps(&contour.points, &self.gray, tones)?
+            } else {
+                None
+            };
             self.between = middles.is_some();
-            return middles.map_or(Some(Kind::Covered), |middles| {
+            return Ok(middles.map_or(Some(Kind::Covered), |middles| {
                 contour.points = middles;
                 None
-            });
+            }));
         }
         self.between = false;
         let aslant = is_sampled(&contour.points, &self.gray, tones.middle(), false);
-        Some(if aslant { Kind::Sampled } else { Kind::Stairs })
+        Ok(Some(if aslant { Kind::Sampled } else { Kind::Stairs }))
     }
 
     fn quality_of(&self, i: usize) -> Quality {
@@ -186,41 +197,47 @@ impl InkWork {
         }
     }
 
+    /// Finds places along a contour; what it cost.
+    fn sample(&mut self, i: usize) -> Result<f64> {
+        let samples = self.samples.insert(sampled(&self.found[i], self.kinds[i])?);
+        Ok(0.25 * samples.len() as f64)
+    }
+
     /// First what pixels say of each contour; then places along one, and its corners: what it cost, and whether that was all.
-    fn corner(&mut self, i: usize) -> (f64, bool) {
+    fn corner(&mut self, i: usize) -> Result<(f64, bool)> {
         let next = self.kinds.len();
         if next < self.found.len() {
-            if let Some(kind) = self.look_at(next) {
+            if let Some(kind) = self.look_at(next)? {
                 self.kinds.push(kind);
                 if next + 1 == self.found.len() {
                     self.look_again();
                 }
             }
-            return (0.25 * self.found[next].points.len() as f64, false);
+            return Ok((0.25 * self.found[next].points.len() as f64, false));
         }
-        if self.samples.len() == i {
-            self.samples.push(Samples::new(&self.found[i].points));
-            return (0.25 * self.samples[i].len() as f64, false);
+        if self.kinds[i] == Kind::Stairs {
+            self.corners.push(Vec::new());
+            return Ok((1.0, true));
         }
-        let samples = &mut self.samples[i];
-        if self.kinds[i] == Kind::Sampled {
-            *samples = samples.evened(EVENED);
+        if self.samples.is_none() {
+            return Ok((self.sample(i)?, false));
         }
-        let cost = 0.25 * samples.len() as f64;
         let rules = self.quality_of(i).corner_rules(self.options.corner);
-        let samples = &self.samples[i];
-        self.corners.push(if self.kinds[i] == Kind::Stairs { Vec::new() } else { corners(samples, &rules) });
-        (cost, true)
+        let samples = self.samples.take();
+        self.corners.extend(samples.as_ref().map(|samples| corners(samples, &rules)));
+        Ok((0.25 * samples.map_or(0.0, |samples| samples.len() as f64), true))
     }
 
     /// A bit of the first outline of one contour: its cost, and whether it was the last.
-    fn spline(&mut self, i: usize) -> (f64, bool) {
-        let samples = &self.samples[i];
-        let cost = 0.5 * samples.len() as f64;
+    fn spline(&mut self, i: usize) -> Result<(f64, bool)> {
         if self.kinds[i] == Kind::Stairs {
-            self.outlines.push(stairs(&self.found[i].points));
-            return (cost, true);
+            let points = &self.found[i].points;
+            probe(STAIRS * points.len())?;
+            self.outlines.push(stairs(points));
+            return Ok((0.5 * points.len() as f64, true));
         }
+        let Some(samples) = &self.samples else { return Ok((self.sample(i)?, false)) };
+        let cost = 0.5 * samples.len() as f64;
         let quality = self.quality_of(i);
         let whole = if self.options.refined && self.division.is_none() {
             round(samples.places(), ROUND * quality.slack())
@@ -230,15 +247,16 @@ impl InkWork {
         let rule = quality.division_rule(&self.options);
         let division = self.division.get_or_insert_with(Division::new);
         let Some(mut outline) = whole.or_else(|| division.step(samples, &self.corners[i], &rule)) else {
-            return (cost, false);
+            return Ok((cost, false));
         };
         self.division = None;
         if !outline.encloses(self.found[i].area) {
-            outline = Outline::polygon(samples.places());
+            outline = Outline::polygon(samples.places())?;
         }
         outline.cut_to([self.gray.width() as f64, self.gray.height() as f64]);
         self.outlines.push(outline);
-        (cost, true)
+        self.samples = None;
+        Ok((cost, true))
     }
 
     /// Begins to refine the outlines of a kind, while the others stay; without outlines of that kind, those of the next.
@@ -260,10 +278,6 @@ impl InkWork {
         let contours = self.found.iter().map(|contour| contour.points.as_slice());
         let outlines = core::mem::take(&mut self.outlines);
         let quality = if kind == Kind::Sampled { Quality::Sampled } else { self.quality };
-        if quality != Quality::Clean {
-            // Only outlines of coverage may become rough ones.
-            self.samples = Vec::new();
-        }
         let still = self.kinds.iter().map(|&other| other != kind).collect();
         let last = kind == Kind::Sampled || !is_there(Kind::Sampled);
         let mut refinement = Refinement::new(
@@ -291,6 +305,7 @@ impl InkWork {
         let contour = &self.found[i];
         let cost = 0.2 * contour.points.len() as f64;
         let Some(compared) = &mut self.compared else {
+            probe(4 * self.outlines[i].bytes())?;
             let Some((curve, cusps)) = self.curve_of(i)? else { return Ok(cost) };
             self.compared = Some(Box::new(Compared { curve, cusps, comparison: None }));
             return Ok(cost);
@@ -337,14 +352,14 @@ impl InkWork {
     }
 
     /// A bit of one contour more in this phase, which says what it cost and whether it was the contour's last; whether it was the last of all.
-    fn advance(&mut self, work: &dyn Fn(&mut Self, usize) -> (f64, bool)) -> (f64, bool) {
+    fn advance(&mut self, work: &dyn Fn(&mut Self, usize) -> Result<(f64, bool)>) -> Result<(f64, bool)> {
         let i = self.progress.completed;
         if i >= self.found.len() {
-            return (0.0, true);
+            return Ok((0.0, true));
         }
-        let (cost, done) = work(self, i);
+        let (cost, done) = work(self, i)?;
         self.progress.completed += usize::from(done);
-        (cost, done && i + 1 == self.found.len())
+        Ok((cost, done && i + 1 == self.found.len()))
     }
 
     /// A bit of the refinement.
@@ -352,11 +367,14 @@ impl InkWork {
         let Phase::Refinement(refinement) = &mut self.phase else { return Ok(0.0) };
         let chords = refinement.is_grainy();
         let rule = DivisionRule { chords, ..Quality::Rough.division_rule(&self.options) };
-        let samples = &self.samples;
+        let (contours, kinds, places) = (&self.found, &self.kinds, &mut self.samples);
         let corner_rules = Quality::Rough.corner_rules(self.options.corner);
         let (found, division) = (&mut self.rough_corners, &mut self.division);
         let mut rough = |i: usize| {
-            let samples = &samples[i];
+            let Some(samples) = places else {
+                *places = Some(sampled(&contours[i], kinds[i])?);
+                return Ok(None);
+            };
             let outline = if let Some(corners) = found.as_ref() {
                 division.get_or_insert_with(Division::new).step(samples, corners, &rule)
             } else {
@@ -364,9 +382,9 @@ impl InkWork {
                 round(samples.places(), ROUND * Quality::Rough.slack())
             };
             if outline.is_some() {
-                (*found, *division) = (None, None);
+                (*found, *division, *places) = (None, None, None);
             }
-            outline
+            Ok(outline)
         };
         let cost = refinement.step(&mut rough)?;
         let is_sampled = self.kind == Kind::Sampled;
@@ -388,12 +406,22 @@ impl InkWork {
     }
 }
 
+/// Places along a contour. They are not kept: those of all contours take more memory than all else.
+fn sampled(contour: &Contour, kind: Kind) -> Result<Samples> {
+    let mut samples = Samples::new(&contour.points)?;
+    if kind == Kind::Sampled {
+        samples = samples.evened(EVENED)?;
+    }
+    probe(ROOM * samples.len())?;
+    Ok(samples)
+}
+
 impl Work for InkWork {
     fn step(&mut self) -> Result<f64> {
         match &self.phase {
             Phase::Light(_) | Phase::Tones(_) | Phase::Contours(_) => self.look(),
             Phase::Corners => {
-                let (cost, last) = self.advance(&|work, i| work.corner(i));
+                let (cost, last) = self.advance(&|work, i| work.corner(i))?;
                 if last {
                     let again = if self.options.refined { 1 } else { 2 };
                     self.enter(Phase::Splines, Stage::Splines, again * self.found.len());
@@ -401,7 +429,7 @@ impl Work for InkWork {
                 Ok(cost)
             }
             Phase::Splines => {
-                let (cost, last) = self.advance(&|work, i| work.spline(i));
+                let (cost, last) = self.advance(&|work, i| work.spline(i))?;
                 if last && self.options.refined {
                     self.refinement(Kind::Covered)?;
                 } else if last {

@@ -13,6 +13,7 @@ use self::cubic::Cubic;
 use super::samples::{turn, unit};
 use crate::curve::{HermiteCurve, HermiteOptions};
 use crate::error::Result;
+use crate::limits::with_room;
 use crate::numerics::plane::{cross, larger, norm};
 use crate::numerics::{Point, Vector};
 
@@ -114,10 +115,21 @@ impl Outline {
         is_about(self.area(), area)
     }
 
+    /// What its lists take.
+    pub(super) fn bytes(&self) -> usize {
+        self.len() * (size_of::<Node>() + size_of::<Piece>())
+    }
+
     /// Straight pieces from one place to the next.
-    pub(super) fn polygon(places: &[Point]) -> Self {
-        let node = |&point: &Point| Node { point, smooth: false, kept: false };
-        Self { nodes: places.iter().map(node).collect(), pieces: vec![Piece::Line; places.len()] }
+    ///
+    /// # Errors
+    ///
+    /// `OutOfMemory` only.
+    pub(super) fn polygon(places: &[Point]) -> Result<Self> {
+        let (mut nodes, mut pieces) = (with_room(places.len())?, with_room(places.len())?);
+        nodes.extend(places.iter().map(|&point| Node { point, smooth: false, kept: false }));
+        pieces.resize(places.len(), Piece::Line);
+        Ok(Self { nodes, pieces })
     }
 
     /// Makes the ways to the control points at smooth nodes parallel: to the straight piece, if there is one, else to

@@ -12,6 +12,7 @@ mod left;
 mod phases;
 mod refine;
 mod restraint;
+mod room;
 mod settling;
 mod showing;
 mod sides;
@@ -38,6 +39,7 @@ use super::outline::ellipse::ellipse;
 use super::picture::gray::Gray;
 use super::quality::Quality;
 use crate::error::Result;
+use crate::limits::probe;
 use crate::numerics::Point;
 
 /// How far pieces may be from an arc that they are, in pixels: in a picture of exact coverage, a compressed, a noisy and one that samples and chords made.
@@ -76,6 +78,8 @@ pub(super) struct Refinement {
     limits: Limits,
     bends: BendRule,
     place: Place,
+    /// The outline and phase that there is room for, in numbers of outlines that have been through phases.
+    sure: Option<usize>,
     fine: Fine,
     thinning: Thinning,
 }
@@ -172,7 +176,12 @@ impl Refinement {
             quality => quality,
         };
         let exact = quality == Quality::Clean;
-        let blurring = (noisy || sampled).then(|| Blurring::new(&mut field, sampled.then_some(AVERAGED)));
+        let blurring = if noisy || sampled {
+            Some(Blurring::new(&mut field, sampled.then_some(AVERAGED))?)
+        } else {
+            None
+        };
+        probe(4 * outlines.iter().map(Outline::bytes).sum::<usize>())?;
         let first = outlines.clone();
         let shapes = outlines.into_iter().map(Shape::new).collect();
         Ok(Self {
@@ -209,6 +218,7 @@ impl Refinement {
                 descent: None,
                 halvings: 0,
             },
+            sure: None,
             fine: Fine::default(),
             thinning: Thinning::default(),
         })
@@ -235,7 +245,7 @@ impl Refinement {
 
     /// A bit more; its cost in about microseconds. `rough` goes on with a coarser outline of a contour, and gives it
     /// in the end.
-    pub(super) fn step(&mut self, rough: &mut dyn FnMut(usize) -> Option<Outline>) -> Result<f64> {
+    pub(super) fn step(&mut self, rough: &mut dyn FnMut(usize) -> Result<Option<Outline>>) -> Result<f64> {
         if let Some(blurring) = &mut self.blurring
             && self.place.phase > Phase::Show
         {
@@ -258,6 +268,7 @@ impl Refinement {
         if self.passes_over() {
             return Ok(1.0);
         }
+        self.make_sure()?;
         match self.place.phase {
             Phase::Show => {
                 if !self.show_on() {
@@ -280,7 +291,7 @@ impl Refinement {
             Phase::Rough => {
                 let at = self.place.at;
                 if self.fine.replaced == at {
-                    if let Some(mut outline) = rough(at) {
+                    if let Some(mut outline) = rough(at)? {
                         outline.cut_to(self.field.extent);
                         self.exchange(outline);
                         self.fine.replaced += 1;

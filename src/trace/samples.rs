@@ -1,6 +1,8 @@
 //! Evenly spaced places of a closed polyline, and what a few of them say about line, tangent and curvature.
 
 use super::picture::blur::half_gaussian;
+use crate::error::Result;
+use crate::limits::with_room;
 use crate::numerics::Point;
 use crate::numerics::Vector;
 use crate::numerics::plane::{cross, dot, norm, square};
@@ -44,13 +46,18 @@ pub(super) struct Line {
 }
 
 impl Samples {
-    pub(super) fn new(polyline: &[Point]) -> Self {
+    /// A closed polyline.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfMemory` only.
+    pub(super) fn new(polyline: &[Point]) -> Result<Self> {
         let back = [polyline[polyline.len() - 1], polyline[0]];
         let sides = || polyline.windows(2).chain([&back[..]]).map(|side| (side[0], side[1]));
         let length: f64 = sides().map(|(from, to)| norm(to - from)).sum();
         let count = ((length / SPACING).round() as usize).max(8);
         let spacing = length / count as f64;
-        let mut points = Vec::with_capacity(2 * count);
+        let mut points = with_room(2 * count)?;
         let (mut travelled, mut next) = (0.0, 0.0);
         sides().for_each(|(from, to)| {
             let way = to - from;
@@ -66,11 +73,11 @@ impl Samples {
             points.push(polyline[0]);
         }
         points.extend_from_within(..);
-        Self { ring: points, count, spacing, closed: true }
+        Ok(Self { ring: points, count, spacing, closed: true })
     }
 
     /// The closed polyline with every place at the mean of those around it, weighted by a Gaussian of so many pixels along the polyline.
-    pub(super) fn evened(&self, deviation: f64) -> Self {
+    pub(super) fn evened(&self, deviation: f64) -> Result<Self> {
         let half = half_gaussian(deviation / self.spacing);
         let mean = |i: isize| {
             let here = self.at(i);
@@ -80,7 +87,8 @@ impl Samples {
             }
             here + way
         };
-        let places: Vec<Point> = (0..self.count as isize).map(mean).collect();
+        let mut places = with_room(self.count)?;
+        places.extend((0..self.count as isize).map(mean));
         Self::new(&places)
     }
 

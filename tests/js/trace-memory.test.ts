@@ -70,6 +70,40 @@ test("24 megapixels of drawing take at most six bytes of the engine's memory a p
   assert.ok(each <= 6, `${each}`);
 });
 
+/** Rings in one another, dark and light, so many pixels wide each; edges of exact coverage, but for what bends inside a pixel. */
+function rings(side: number, width: number, spiral: number): ImageLike {
+  const data = new Uint8ClampedArray(side * side);
+  const half = side / 2;
+  for (let at = 0; at < data.length; at += 1) {
+    const [x, y] = [(at % side) + 0.5 - half, Math.floor(at / side) + 0.5 - half];
+    const radius = Math.hypot(x, y);
+    const from = (radius + (spiral * Math.atan2(y, x)) / Math.PI) % (2 * width);
+    const inside = from < width ? Math.min(from, width - from) : -Math.min(from - width, 2 * width - from);
+    data[at] = radius < half ? 255 - 255 * Math.min(1, Math.max(0, inside + 0.5)) : 255;
+  }
+  return { data, width: side, height: side };
+}
+
+test("sixteen megapixels of 800 rings, which are outlines all over, are traced", (t) => {
+  const side = 4000;
+  const { contours } = traceImage(rings(side, 2.5, 0));
+  t.diagnostic(`${(bytesOfEngines() / side ** 2).toFixed(2)} bytes a pixel`);
+  // The innermost ring is a disc, and every radius of 2.5 k up to 2000 is an edge.
+  assert.equal(contours.length, 799);
+  for (const [k, { curve }] of [...contours].sort((a, b) => Math.abs(a.curve.area()) - Math.abs(b.curve.area())).entries()) {
+    const radius = Math.sqrt(Math.abs(curve.area()) / Math.PI);
+    assert.ok(Math.abs(radius - 2.5 * (k + 1)) < 0.05, `${radius} instead of ${2.5 * (k + 1)}`);
+  }
+});
+
+test("a picture for which there is no memory is refused with what helps, and the engine lives on", () => {
+  assert.throws(
+    () => traceImage(rings(6300, 2.6, 2.6)),
+    (error) => error instanceof ExplineError && error.code === "E_MEMORY" && (error.actual ?? 0) > 0 && /half its size/.test(error.message),
+  );
+  assert.equal(traceImage(rings(100, 10, 0)).contours.length, 5);
+});
+
 test("a photograph of 24 megapixels is refused with its count, within the 512 MiB that an engine may have", (t) => {
   const photograph = tiled(photoNoise(600, 500, 1));
   assert.throws(

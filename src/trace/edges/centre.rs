@@ -145,7 +145,7 @@ fn depths(ink: &Bitmap) -> Result<Vec<u16>> {
 fn sides(ink: &Ink, contours: &[Contour], deepest: f64) -> Result<(Vec<Side>, f64)> {
     let mut places: Vec<(Point, Vector, f64)> = Vec::new();
     for contour in contours {
-        let samples = Samples::new(&contour.points);
+        let samples = Samples::new(&contour.points)?;
         for i in 0..samples.len() as isize {
             let (before, here, after) = (samples.at(i - 4), samples.at(i), samples.at(i + 4));
             let bend = crate::trace::samples::turn(here - before, after - here);

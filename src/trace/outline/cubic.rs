@@ -3,6 +3,7 @@
 mod fit;
 
 pub(in crate::trace) use self::fit::Fitted;
+use crate::numerics::plane::taxi;
 use crate::numerics::{Point, Vector};
 
 /// A cubic by its ends and the way from each end to its control point.
@@ -50,9 +51,18 @@ impl Cubic {
         Self { start, leaving: leaving * share, arriving: arriving * share, end }
     }
 
+    /// The way between its control points.
+    pub(in crate::trace) fn middle(&self) -> Vector {
+        self.end - self.start - self.leaving - self.arriving
+    }
+
+    /// How far it is along its control polygon by rows and columns: at least as many borders of pixels as it crosses, but for those at its ends.
+    pub(in crate::trace) fn taxi_length(&self) -> f64 {
+        taxi(self.leaving) + taxi(self.middle()) + taxi(self.arriving)
+    }
+
     pub(in crate::trace) fn velocity(&self, t: f64) -> Vector {
         let u = 1.0 - t;
-        let middle = self.end - self.start - self.leaving - self.arriving;
-        (self.leaving * (u * u) + middle * (2.0 * u * t) + self.arriving * (t * t)) * 3.0
+        (self.leaving * (u * u) + self.middle() * (2.0 * u * t) + self.arriving * (t * t)) * 3.0
     }
 }

@@ -47,6 +47,7 @@ impl Crossings {
         if count >= self.most {
             return Err(Error::limit("data", "maxContourPoints", self.most, count as f64 + 1.0));
         }
+        self.list.try_reserve(1).map_err(|_| Error::memory(24 * count))?;
         self.list.push(Crossing { place: [x as f32, y as f32], next: NONE });
         Ok(count as u32)
     }

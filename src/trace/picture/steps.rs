@@ -2,6 +2,8 @@
 
 use super::gray::Gray;
 use super::tones::Tones;
+use crate::error::Result;
+use crate::limits::with_room;
 use crate::numerics::Point;
 
 /// How far a pixel may be from its tone, as a share of the way from ink to paper.
@@ -20,7 +22,11 @@ const LARGE: usize = 2 * SMALL;
 /// # Cost
 ///
 /// O(points); where edges have shades between, most often the first point says so.
-pub(in crate::trace) fn steps(contour: &[Point], gray: &Gray, tones: &Tones) -> Option<Vec<Point>> {
+///
+/// # Errors
+///
+/// `OutOfMemory` only.
+pub(in crate::trace) fn steps(contour: &[Point], gray: &Gray, tones: &Tones) -> Result<Option<Vec<Point>>> {
     let near = NEAR * (tones.paper - tones.ink);
     let is_tone = |column: f64, row: f64| {
         if column < 0.0 || row < 0.0 || column >= gray.width() as f64 || row >= gray.height() as f64 {
@@ -42,7 +48,12 @@ pub(in crate::trace) fn steps(contour: &[Point], gray: &Gray, tones: &Tones) -> 
             None
         }
     };
-    contour.iter().map(middle).collect()
+    let mut middles = with_room(contour.len())?;
+    for point in contour {
+        let Some(middle) = middle(point) else { return Ok(None) };
+        middles.push(middle);
+    }
+    Ok(Some(middles))
 }
 
 /// Whether contours together are a drawing of edges that run aslant: most of their sides are those of large ones that do.

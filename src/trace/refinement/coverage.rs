@@ -1,7 +1,7 @@
 //! Which part of every pixel near an outline it covers, exactly, and how that changes with its control points.
 
 use super::field::{BEYOND, Field, SIDE};
-use crate::numerics::plane::{larger, norm, smaller, taxi};
+use crate::numerics::plane::{larger, norm, smaller};
 use crate::trace::outline::cubic::Cubic;
 
 /// A part of a piece inside one pixel.
@@ -25,13 +25,12 @@ const MOST_WAYS: f64 = 4096.0;
 
 /// Parts a piece at the borders of the pixels, rows and columns alike.
 pub(super) fn parts(cubic: &Cubic, field: &Field, out: &mut Vec<Part>) {
-    let middle = cubic.end - cubic.start - cubic.leaving - cubic.arriving;
+    let middle = cubic.middle();
     let (second, third) = ((middle - cubic.leaving) * 3.0, cubic.arriving - middle * 2.0 + cubic.leaving);
     let bend = larger(norm(middle - cubic.leaving), norm(cubic.arriving - middle));
     let steps = (bend * FINENESS).sqrt().ceil().clamp(1.0, 4000.0);
     // Every chord is one part, and every border that is crossed begins another.
-    let ways = taxi(cubic.leaving) + taxi(middle) + taxi(cubic.arriving);
-    make_room(out, (steps + smaller(ways, MOST_WAYS)) as usize + 2);
+    make_room(out, (steps + smaller(cubic.taxi_length(), MOST_WAYS)) as usize + 2);
     // A chord lies inside its arc, by h²|p″|/12 in the mean: its ends are moved outwards by as much, but for those of the piece.
     let outwards = -1.0 / (6.0 * steps * steps);
     let first = cubic.leaving * 3.0 + third * (3.0 * outwards);

@@ -221,9 +221,7 @@ fn is_far(cubic: &Cubic, field: &Field) -> bool {
 
 /// At how many places a piece is looked at.
 fn looks(cubic: &Cubic) -> usize {
-    let middle = cubic.end - cubic.start - cubic.leaving - cubic.arriving;
-    let way = taxi(cubic.leaving) + taxi(middle) + taxi(cubic.arriving);
-    (LOOKS * way).ceil().clamp(2.0, MOST_LOOKS) as usize
+    (LOOKS * cubic.taxi_length()).ceil().clamp(2.0, MOST_LOOKS) as usize
 }
 
 /// The way along an outline between the places of it that are nearest to two points; straight where both are the same, or the wrong way round.

@@ -38,7 +38,7 @@ impl Refinement {
         let end = (self.place.block + 2 * BLOCK).min(count);
         self.refiner.show(&self.field, shape, self.place.block..end);
         self.place.block = end;
-        let done = end == count && self.refiner.sweep.cover_rows(&mut self.field, TILES).1;
+        let done = end == count && self.refiner.sweep.cover_rows(&mut self.field, TILES);
         if done {
             self.place.block = 0;
         }

@@ -84,12 +84,22 @@ impl Sweep {
 
     /// Covers what has been noted, tile by tile from the left: every tile goes on with the heights that those before it leave.
     pub(super) fn cover(&mut self, field: &mut Field) -> f64 {
-        self.cover_rows(field, usize::MAX).0
+        self.cover_tiles(field, usize::MAX, true).0
     }
 
-    /// The same for as many rows of tiles as have `most` of what has been noted; how much the sum of squares grows, and whether these
-    /// rows were the last.
-    pub(super) fn cover_rows(&mut self, field: &mut Field, most: usize) -> (f64, bool) {
+    /// The same for as many rows of tiles as have `most` of what has been noted, without taking note of what takes it back: all that an outline
+    /// encloses is as much as the picture. Whether these rows were the last.
+    pub(super) fn cover_rows(&mut self, field: &mut Field, most: usize) -> bool {
+        let last = self.cover_tiles(field, most, false).1;
+        if last {
+            self.slots.clear();
+            self.covered = false;
+        }
+        last
+    }
+
+    /// Covers rows of tiles, which can be taken back or not; how much the sum of squares grows, and whether these rows were the last.
+    fn cover_tiles(&mut self, field: &mut Field, most: usize, revocable: bool) -> (f64, bool) {
         // Heights cancel to rounding behind what has changed.
         const NOTHING: f32 = 1e-5;
         let mut touched = core::mem::take(&mut self.touched);
@@ -107,14 +117,14 @@ impl Sweep {
                 running = [0.0; SIDE];
             } else if running.iter().any(|height| height.abs() > NOTHING) {
                 for between in before + 1..place {
-                    growth += self.cover_tile(field, between, &mut running);
+                    growth += self.cover_tile(field, between, &mut running, revocable);
                 }
             }
             before = place;
             for stray in self.strays.iter().filter(|stray| stray.place == place) {
                 running[stray.row] += stray.height;
             }
-            growth += self.cover_tile(field, place, &mut running);
+            growth += self.cover_tile(field, place, &mut running, revocable);
         }
         touched.clear();
         self.touched = touched;
@@ -124,13 +134,25 @@ impl Sweep {
     }
 
     /// Covers the tile at a place, if there is one.
-    fn cover_tile(&mut self, field: &mut Field, place: u32, running: &mut [f32; SIDE]) -> f64 {
+    fn cover_tile(
+        &mut self,
+        field: &mut Field,
+        place: u32,
+        running: &mut [f32; SIDE],
+        revocable: bool,
+    ) -> f64 {
         let Some(slot) = field.slot(place) else { return 0.0 };
         let mut at = core::mem::replace(&mut self.known[slot], NONE);
-        if at == NONE {
+        let passed = at == NONE;
+        if passed {
             at = self.open(slot as u32);
         }
-        self.changes.get_mut(at as usize).map_or(0.0, |change| field.cover(slot, change, running))
+        let growth =
+            self.changes.get_mut(at as usize).map_or(0.0, |change| field.cover(slot, change, running));
+        if passed && !revocable {
+            self.slots.pop();
+        }
+        growth
     }
 
     /// All tiles are again what they were before the last time that something was covered.
@@ -185,8 +207,8 @@ mod tests {
         sweep.note(&field, &list, 1.0);
         slow.note(&other, &list, 1.0);
         sweep.cover(&mut field);
-        assert!(!slow.cover_rows(&mut other, 1).1, "the wave is in more than one row of tiles");
-        while !slow.cover_rows(&mut other, 1).1 {}
+        assert!(!slow.cover_rows(&mut other, 1), "the wave is in more than one row of tiles");
+        while !slow.cover_rows(&mut other, 1) {}
         assert_eq!(field.rest, other.rest);
         Ok(())
     }

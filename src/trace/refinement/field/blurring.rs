@@ -3,6 +3,8 @@
 use super::blurred::{Blur, EMPTY, Gaussian, Region};
 use super::levels::Levels;
 use super::{AREA, Field};
+use crate::error::Result;
+use crate::limits::with_room;
 use core::ops::Range;
 
 /// Tiles of one bit of work.
@@ -31,24 +33,29 @@ impl Blurring {
     /// Begins with a field that nothing covers yet. Its picture is blurred by a Gaussian of a deviation, so that it says where an edge is
     /// by more than the pixels that the edge is in; or else it is blurred already, by as much as makes the outlines, which are rendered,
     /// most like it.
-    pub(in crate::trace::refinement) fn new(field: &mut Field, deviation: Option<f64>) -> Self {
-        let mut target = Levels::between(&field.rest);
-        let mut sharp = Vec::new();
+    ///
+    /// # Errors
+    ///
+    /// `OutOfMemory` only.
+    pub(in crate::trace::refinement) fn new(field: &mut Field, deviation: Option<f64>) -> Result<Self> {
+        let count = field.rest.len();
+        let mut target = Levels::between(&field.rest)?;
+        let [cover, mut sharp] = [with_room(count)?, with_room(count)?];
         if deviation.is_some() {
-            sharp.clone_from(&field.rest);
+            sharp.extend_from_slice(&field.rest);
         } else {
             target.extend(&field.rest);
             // Both are the same numbers.
             target.read(0, &mut field.rest);
         }
-        Self {
+        Ok(Self {
             target,
             sharp,
-            cover: Vec::new(),
+            cover,
             slot: 0,
             gaussian: Gaussian::new(deviation.unwrap_or(0.0)),
             squares: deviation.is_none().then(|| vec![0.0]),
-        }
+        })
     }
 
     /// Some tiles more, now that outlines cover the field; whether these were the last.
@@ -178,7 +185,7 @@ mod tests {
     fn a_field_is_blurred_some_tiles_at_a_time_and_every_pixel_is_the_mean_of_those_around_it() -> Result<()>
     {
         let mut field = striped()?;
-        let mut blurring = Blurring::new(&mut field, Some(1.2));
+        let mut blurring = Blurring::new(&mut field, Some(1.2))?;
         cover(&mut field);
         let before = field.rest.clone();
         assert_eq!(steps(&mut blurring, &mut field), field.tiles().div_ceil(TILES));
@@ -201,7 +208,7 @@ mod tests {
     #[test]
     fn a_sharp_picture_is_found_to_be_sharp_some_tiles_at_a_time() -> Result<()> {
         let mut field = striped()?;
-        let mut blurring = Blurring::new(&mut field, None);
+        let mut blurring = Blurring::new(&mut field, None)?;
         // Outlines cover all ink but a little.
         field.rest.iter_mut().for_each(|rest| *rest *= 0.01);
         let before = field.rest.clone();
@@ -220,7 +227,7 @@ mod tests {
         };
         for deviation in [1.2, 2.0] {
             let mut field = striped()?;
-            let mut blurring = Blurring::new(&mut field, Some(deviation));
+            let mut blurring = Blurring::new(&mut field, Some(deviation))?;
             cover(&mut field);
             steps(&mut blurring, &mut field);
             let all = 0..field.rest.len() as u32;

@@ -1,5 +1,8 @@
 //! A plane that is read only: two bytes a number.
 
+use crate::error::Result;
+use crate::limits::with_room;
+
 /// Numbers of a range, each rounded to one of 65,536 levels of it: noise is hundreds of times as much.
 #[derive(Debug, Default)]
 pub(super) struct Levels {
@@ -10,7 +13,11 @@ pub(super) struct Levels {
 
 impl Levels {
     /// Room for numbers that are between the least and the most of some.
-    pub(super) fn between(numbers: &[f32]) -> Self {
+    ///
+    /// # Errors
+    ///
+    /// `OutOfMemory` only.
+    pub(super) fn between(numbers: &[f32]) -> Result<Self> {
         let first = numbers.first().copied().unwrap_or_default();
         let (mut least, mut most) = (first, first);
         for &v in numbers {
@@ -21,7 +28,7 @@ impl Levels {
             }
         }
         let step = (most - least) / f32::from(u16::MAX);
-        Self { least, step, values: Vec::with_capacity(numbers.len()) }
+        Ok(Self { least, step, values: with_room(numbers.len())? })
     }
 
     /// Adds numbers of the range.
@@ -50,13 +57,14 @@ impl Levels {
 #[cfg(test)]
 mod tests {
     use super::Levels;
+    use crate::error::Result;
     #[cfg(target_arch = "wasm32")]
     use wasm_bindgen_test::wasm_bindgen_test as test;
 
     #[test]
-    fn numbers_are_kept_to_half_a_level_and_the_ends_of_their_range_nearly_exactly() {
+    fn numbers_are_kept_to_half_a_level_and_the_ends_of_their_range_nearly_exactly() -> Result<()> {
         let numbers: Vec<f32> = (0..1000).map(|k| ((k * 619) % 1000) as f32 * 0.003 - 1.1).collect();
-        let mut levels = Levels::between(&numbers);
+        let mut levels = Levels::between(&numbers)?;
         levels.extend(&numbers);
         assert_eq!(levels.len(), 1000);
         let mut read = [0.0; 1000];
@@ -65,26 +73,29 @@ mod tests {
             // Half of 2.997 / 65,535, and the rounding of 24 bits.
             assert!((level - number).abs() < 2.31e-5, "{level} for {number}");
         }
+        Ok(())
     }
 
     #[test]
-    fn what_is_read_and_kept_again_is_the_same() {
+    fn what_is_read_and_kept_again_is_the_same() -> Result<()> {
         let numbers: Vec<f32> = (0..1000).map(|k| ((k * 619) % 1000) as f32 * 0.003 - 1.1).collect();
-        let mut levels = Levels::between(&numbers);
+        let mut levels = Levels::between(&numbers)?;
         levels.extend(&numbers);
         let [mut read, mut again] = [[0.0; 1000]; 2];
         levels.read(0, &mut read);
         levels.extend(&read);
         levels.read(1000, &mut again);
         assert_eq!(again, read);
+        Ok(())
     }
 
     #[test]
-    fn numbers_that_are_all_one_are_kept_exactly() {
-        let mut levels = Levels::between(&[0.3; 8]);
+    fn numbers_that_are_all_one_are_kept_exactly() -> Result<()> {
+        let mut levels = Levels::between(&[0.3; 8])?;
         levels.extend(&[0.3; 8]);
         let mut read = [0.0; 8];
         levels.read(0, &mut read);
         assert_eq!(read, [0.3; 8]);
+        Ok(())
     }
 }
