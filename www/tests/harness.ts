@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { before } from "node:test";
 import init, { initSpline, initSurface } from "expline/slim";
-import type { ControlPoint, CurveDocument } from "../src/document/document.ts";
+import type { Contour, ControlPoint, CurveDocument } from "../src/document/document.ts";
 import { curveSample } from "../src/document/curve/samples.ts";
 import { toScreen } from "../src/editor/pointer/camera.ts";
 import { createEditor } from "../src/editor/create-editor.ts";
@@ -130,4 +130,29 @@ export function largestDistance(a: Float64Array, b: Float64Array): number {
   let worst = 0;
   for (let i = 0; i < a.length; i += 2) worst = Math.max(worst, Math.hypot((a[i] ?? 0) - (b[i] ?? 0), (a[i + 1] ?? 0) - (b[i + 1] ?? 0)));
   return worst;
+}
+
+/** A closed curve of many points, with waves and a cusp here and there. */
+export function longContour(count: number): Contour {
+  const step = (2 * Math.PI) / count;
+  const place = (t: number): readonly [number, number] => {
+    const radius = 250 + 30 * Math.sin(11 * t);
+    return [400 + radius * Math.cos(t), 300 + radius * Math.sin(t)];
+  };
+  const points = Array.from({ length: count }, (_, i): ControlPoint => {
+    const [[x, y], [x0, y0], [x1, y1]] = [place(i * step), place((i - 0.5) * step), place((i + 0.5) * step)];
+    const out = { dx: (x1 - x0) / 3, dy: (y1 - y0) / 3 };
+    const isCusp = i % 50 === 17;
+    return { x, y, kind: isCusp ? "cusp" : "symmetric", in: { dx: -out.dx, dy: -out.dy }, out: isCusp ? { dx: 1.25 * out.dx, dy: 1.25 * out.dy } : out };
+  });
+  return { family: "hermite", closed: true, points, support: 1 };
+}
+
+/** An editor with these contours on its stage. */
+export function handOf(contours: readonly Contour[]): Hand {
+  const hand = new Hand();
+  loadCurve(hand.editor, "Open", { space: "trigonometric", omega: "auto", level: 0, contours });
+  hand.editor.setState(hand.editor.getState(), { fresh: true });
+  hand.editor.setSettings({ snap: false });
+  return hand;
 }

@@ -188,10 +188,17 @@ export function lengthOf(contour: Contour, segment: number): number {
   return contour.grid?.step ?? contour.lengths?.[segment] ?? 1;
 }
 
+/** Contours are immutable, and every segment of one may ask for the length of all. */
+const domainLengths = new WeakMap<Contour, number>();
+
 /** The parameter length of the whole contour. */
 export function domainLength(contour: Contour): number {
+  const known = domainLengths.get(contour);
+  if (known !== undefined) return known;
+  const segments = segmentCount(contour);
   let sum = 0;
-  for (let segment = 0; segment < segmentCount(contour); segment += 1) sum += lengthOf(contour, segment);
+  for (let segment = 0; segment < segments; segment += 1) sum += lengthOf(contour, segment);
+  domainLengths.set(contour, sum);
   return sum;
 }
 

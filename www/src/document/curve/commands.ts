@@ -1,6 +1,6 @@
 import { automaticHandles, reversedContour, startedAt, translated, withClosed } from "./contours.ts";
 import {
-  isSelected, nothingSelected, type Contour, type ControlPoint, type CurveDocument, type Kind, type Offset, type PointRef, type Selection, type Side,
+  nothingSelected, type Contour, type ControlPoint, type CurveDocument, type Kind, type Offset, type PointRef, type Selection, type Side,
   type Space,
 } from "../document.ts";
 import { withHandle, withKind } from "./offset.ts";
@@ -20,16 +20,30 @@ export interface Command {
 export function withPoints(
   curve: CurveDocument, selection: Selection, change: (point: ControlPoint, ref: PointRef, contour: Contour) => ControlPoint,
 ): CurveDocument {
-  const touched = new Set(selection.points.map((ref) => ref.contour));
+  const chosen = chosenIn(selection);
   const contours = curve.contours.map((contour, index) => {
-    if (!touched.has(index)) return contour;
-    const points = contour.points.map((point, i) => {
-      const ref = { contour: index, index: i };
-      return isSelected(selection, ref) ? change(point, ref, contour) : point;
-    });
+    const indices = chosen.get(index);
+    if (indices === undefined) return contour;
+    // One point of very many is changed in a copy: going through all of them takes many times as long.
+    const points = contour.points.slice();
+    for (const i of indices) {
+      const point = contour.points[i];
+      if (point !== undefined) points[i] = change(point, { contour: index, index: i }, contour);
+    }
     return { ...contour, points };
   });
   return { ...curve, contours };
+}
+
+/** The chosen points by their contours. */
+function chosenIn({ points }: Selection): Map<number, number[]> {
+  const chosen = new Map<number, number[]>();
+  for (const { contour, index } of points) {
+    const list = chosen.get(contour);
+    if (list === undefined) chosen.set(contour, [index]);
+    else list.push(index);
+  }
+  return chosen;
 }
 
 function only(point: PointRef): Selection {
@@ -50,16 +64,13 @@ export function movePoints(selection: Selection, dx: number, dy: number, run?: s
 
 /** Contours of which every point is chosen move as a whole. */
 function moved(curve: CurveDocument, selection: Selection, dx: number, dy: number): CurveDocument {
-  const chosen = new Map<number, number>();
-  for (const { contour } of selection.points) chosen.set(contour, (chosen.get(contour) ?? 0) + 1);
-  const step = (point: ControlPoint): ControlPoint => ({ ...point, x: point.x + dx, y: point.y + dy });
-  const contours = curve.contours.map((contour, c) => {
-    const count = chosen.get(c) ?? 0;
-    if (count === 0) return contour;
-    if (count === contour.points.length) return translated(contour, dx, dy);
-    return { ...contour, points: contour.points.map((point, index) => (isSelected(selection, { contour: c, index }) ? step(point) : point)) };
-  });
-  return { ...curve, contours };
+  const counts = new Map<number, number>();
+  for (const { contour } of selection.points) counts.set(contour, (counts.get(contour) ?? 0) + 1);
+  const isWhole = (c: number): boolean => counts.get(c) === curve.contours[c]?.points.length;
+  const others = selection.points.every(({ contour }) => isWhole(contour))
+    ? curve
+    : withPoints(curve, { points: selection.points.filter(({ contour }) => !isWhole(contour)), handle: null }, (point) => ({ ...point, x: point.x + dx, y: point.y + dy }));
+  return { ...others, contours: others.contours.map((contour, c) => (counts.has(c) && isWhole(c) ? translated(contour, dx, dy) : contour)) };
 }
 
 export function placePoint(ref: PointRef, place: { x?: number; y?: number }, run?: string): Command {

@@ -106,12 +106,14 @@ function nearestHandle(state: EditorState, handles: readonly HandleRef[], at: Sc
 
 function nearestPoint(state: EditorState, at: ScreenPoint, reach: number): Found<PointRef> | null {
   let best: Found<PointRef> | null = null;
-  state.curve.contours.forEach((contour, c) => {
-    contour.points.forEach((point, index) => {
-      const screen = toScreen(state.view, state.stage, point);
-      best = nearer(best, { contour: c, index }, Math.hypot(screen.x - at.x, screen.y - at.y), reach);
-    });
-  });
+  const page = toPage(state.view, state.stage, at);
+  // A little more than the reach, for what rounding takes away.
+  const near = (1.01 * reach) / state.view.zoom;
+  state.curve.contours.forEach(({ points }, contour) => points.forEach((point, index) => {
+    if (Math.abs(point.x - page.x) > near || Math.abs(point.y - page.y) > near) return;
+    const screen = toScreen(state.view, state.stage, point);
+    best = nearer(best, { contour, index }, Math.hypot(screen.x - at.x, screen.y - at.y), reach);
+  }));
   return best;
 }
 

@@ -1,5 +1,4 @@
-import type { ControlPoint, CurveDocument, Offset, PointRef, Selection } from "../../document/document.ts";
-import { isSelected } from "../../document/document.ts";
+import { isSelected, pointAt, type ControlPoint, type CurveDocument, type Offset, type PointRef, type Selection } from "../../document/document.ts";
 import { against, lengthOfOffset } from "../../document/curve/offset.ts";
 import type { PagePoint } from "./camera.ts";
 import type { Guide } from "../editor.ts";
@@ -17,22 +16,39 @@ export interface Snapped<T> {
 
 const reachPx = 6;
 
-function others(curve: CurveDocument, moving: Selection): { place: PagePoint; name: string; ref: PointRef }[] {
-  return curve.contours.flatMap((contour, c) =>
-    contour.points
-      .map((point, index) => ({ place: { x: point.x, y: point.y }, name: `point ${index + 1}`, ref: { contour: c, index } }))
-      .filter(({ ref }) => !isSelected(moving, ref)),
-  );
+interface Candidate {
+  readonly place: PagePoint;
+  readonly name: string;
+  readonly ref: PointRef;
+}
+
+/** What is nearest by each of the three measures: onto the place, in a column with it, level with it. Of two as near, the later. */
+function nearestOthers(curve: CurveDocument, moving: Selection, at: PagePoint, reach: number): Record<"onto" | "column" | "row", Candidate | null> {
+  const found: { onto: PointRef | null; column: PointRef | null; row: PointRef | null } = { onto: null, column: null, row: null };
+  let [onto, column, row] = [reach, reach, reach];
+  curve.contours.forEach(({ points }, contour) => points.forEach(({ x, y }, index) => {
+    const [across, down] = [Math.abs(x - at.x), Math.abs(y - at.y)];
+    // Of very many points nearly all are near in no way.
+    if (across > column && down > row && (across > onto || down > onto)) return;
+    const ref = { contour, index };
+    if (isSelected(moving, ref)) return;
+    const distance = Math.hypot(x - at.x, y - at.y);
+    if (distance <= onto) [found.onto, onto] = [ref, distance];
+    if (across <= column) [found.column, column] = [ref, across];
+    if (down <= row) [found.row, row] = [ref, down];
+  }));
+  const candidate = (ref: PointRef | null): Candidate | null => {
+    const point = ref === null ? undefined : pointAt(curve, ref);
+    return ref === null || point === undefined ? null : { place: { x: point.x, y: point.y }, name: `point ${ref.index + 1}`, ref };
+  };
+  return { onto: candidate(found.onto), column: candidate(found.column), row: candidate(found.row) };
 }
 
 /** A point near another goes onto it; else in line with others, each way by itself; else onto the grid. */
 export function snapPlace(curve: CurveDocument, moving: Selection, at: PagePoint, zoom: number, grid: number | null): Snapped<PagePoint> {
   const reach = reachPx / zoom;
-  const candidates = others(curve, moving);
-  const onto = closest(candidates, ({ place }) => Math.hypot(place.x - at.x, place.y - at.y), reach);
+  const { onto, column, row } = nearestOthers(curve, moving, at, reach);
   if (onto !== null) return { value: onto.place, guides: [], to: `on ${onto.name}`, onto: onto.ref };
-  const column = closest(candidates, ({ place }) => Math.abs(place.x - at.x), reach);
-  const row = closest(candidates, ({ place }) => Math.abs(place.y - at.y), reach);
   if (column !== null || row !== null) {
     const value = { x: column?.place.x ?? at.x, y: row?.place.y ?? at.y };
     const guides = [column, row].flatMap((found) => (found === null ? [] : [{ from: found.place, to: value }]));
@@ -41,19 +57,6 @@ export function snapPlace(curve: CurveDocument, moving: Selection, at: PagePoint
   }
   if (grid === null) return { value: at, guides: [], to: null };
   return { value: { x: Math.round(at.x / grid) * grid, y: Math.round(at.y / grid) * grid }, guides: [], to: "on the grid" };
-}
-
-function closest<T>(list: readonly T[], distance: (item: T) => number, reach: number): T | null {
-  let best: T | null = null;
-  let least = reach;
-  for (const item of list) {
-    const d = distance(item);
-    if (d <= least) {
-      best = item;
-      least = d;
-    }
-  }
-  return best;
 }
 
 /** A handle near its point goes in; near its partner's line, straight; near an axis, level or upright. */

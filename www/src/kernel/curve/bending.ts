@@ -1,5 +1,5 @@
 import { tangentWeights } from "expline/slim";
-import { lengthOf, noOffset, type Contour, type CurveDocument } from "../../document/document.ts";
+import { lengthOf, noOffset, omegaOf, type Contour, type ControlPoint, type CurveDocument } from "../../document/document.ts";
 import { hermiteOf } from "./curve-cache.ts";
 
 /** What points and handles weigh at a place of the curve: how far it goes with them. */
@@ -18,13 +18,13 @@ export function handleWeights(document: CurveDocument, contour: Contour, segment
 
 /** How far the place at `x` of a segment goes with a step of the point before it, and with one of the point behind it. */
 export function pointWeights(document: CurveDocument, contour: Contour, segment: number, x: number): readonly [number, number] {
-  const [from, to] = [segment, (segment + 1) % contour.points.length];
-  // A curve is linear in its points: one that is nothing but a unit of one in x and of the other in y shows what each of them weighs.
-  const probe = contour.points.map((point, i) => ({ ...point, x: i === from ? 1 : 0, y: i === to ? 1 : 0, in: noOffset, out: noOffset }));
-  const curve = hermiteOf(document, { ...contour, points: probe });
+  const length = lengthOf(contour, segment);
+  // A segment is linear in its two points: one that is nothing but a unit of one in x and of the other in y shows what each of them weighs.
+  const points = [[1, 0], [0, 1]].map(([x = 0, y = 0]): ControlPoint => ({ x, y, kind: "cusp", in: noOffset, out: noOffset }));
+  const { space } = contour;
+  const probe: Contour = { family: "hermite", closed: false, points, lengths: [length], omega: [omegaOf(document, contour, segment)], ...(space === undefined ? {} : { space }) };
+  const curve = contour.family === "hermite" ? hermiteOf(document, probe) : null;
   if (curve === null) return [0, 0];
-  let start = 0;
-  for (let i = 0; i < segment; i += 1) start += lengthOf(contour, i);
-  const [before = 0, behind = 0] = curve.evaluate(start + x * lengthOf(contour, segment));
+  const [before = 0, behind = 0] = curve.evaluate(x * length);
   return [before, behind];
 }

@@ -67,15 +67,15 @@ function build(document: CurveDocument, contour: Contour, space: Space): Hermite
   const places = new Float64Array(2 * count);
   const leaving = new Float64Array(2 * count);
   const arriving = new Float64Array(2 * count);
-  points.forEach((point, i) => {
+  for (const [i, { x, y, in: before, out: after }] of points.entries()) {
     // The free ends of an open contour have no segment on one side; any length serves them.
-    const after = lengthOf(contour, Math.min(i, segments - 1));
-    const before = lengthOf(contour, closed ? (i + segments - 1) % segments : Math.max(0, i - 1));
-    places.set([point.x, point.y], 2 * i);
-    leaving.set(tangentOf(point.out, after), 2 * i);
-    const [dx, dy] = tangentOf(point.in, before);
-    arriving.set([-dx, -dy], 2 * i);
-  });
+    const leaves = lengthOf(contour, Math.min(i, segments - 1));
+    const arrives = lengthOf(contour, closed ? (i + segments - 1) % segments : Math.max(0, i - 1));
+    [places[2 * i], places[2 * i + 1]] = [x, y];
+    [leaving[2 * i], leaving[2 * i + 1]] = tangentOf(after, leaves);
+    const [dx, dy] = tangentOf(before, arrives);
+    [arriving[2 * i], arriving[2 * i + 1]] = [-dx, -dy];
+  }
   const ordinary = contour.omega === undefined && document.omega === "auto";
   return new HermiteCurve({
     points: places,
