@@ -35,34 +35,6 @@ export function halo(context: CanvasRenderingContext2D, color: string, outline: 
   context.globalAlpha = 1;
 }
 
-/** Very many points: without halo and half as large, so that the curve can still be seen, and filled all at once. */
-export interface SmallPoints {
-  readonly discs: Path2D;
-  readonly diamonds: Path2D;
-}
-
-/** Chosen ones are larger: there are too many for rings. */
-export function addSmallPoint({ discs, diamonds }: SmallPoints, at: ScreenPoint, kind: Kind, chosen: boolean): void {
-  const radius = (kind === "cusp" ? 3.5 : 2.5) + (chosen ? 1.5 : 0);
-  if (kind === "cusp") {
-    diamonds.moveTo(at.x, at.y - radius);
-    diamonds.lineTo(at.x + radius, at.y);
-    diamonds.lineTo(at.x, at.y + radius);
-    diamonds.lineTo(at.x - radius, at.y);
-    diamonds.closePath();
-  } else {
-    discs.moveTo(at.x + radius, at.y);
-    discs.arc(at.x, at.y, radius, 0, 2 * Math.PI);
-  }
-}
-
-export function drawSmallPoints(context: CanvasRenderingContext2D, { discs, diamonds }: SmallPoints, palette: Palette): void {
-  context.fillStyle = palette.point;
-  context.fill(discs);
-  context.fillStyle = palette.cusp;
-  context.fill(diamonds);
-}
-
 /** A control point: a disc, or a diamond where it is a cusp. */
 export function drawPoint(context: CanvasRenderingContext2D, at: ScreenPoint, kind: Kind, marker: MarkerState, palette: Palette): void {
   const shape = kind === "cusp" ? diamond : disc;

@@ -1,6 +1,7 @@
 import type { Contour, CurveDocument } from "../document/document.ts";
 import { toScreen, type PagePoint, type ScreenPoint } from "../editor/pointer/camera.ts";
 import type { EditorState } from "../editor/editor.ts";
+import type { Bounds } from "../kernel/curve/samples.ts";
 import { cubicsOf } from "../kernel/paths/paths.ts";
 import type { Palette } from "./palette.ts";
 
@@ -42,14 +43,18 @@ export function pathOfCubics(cubics: Float64Array, closed: boolean): Path2D {
   const known = curvePaths.get(cubics);
   if (known !== undefined) return known;
   const path = new Path2D();
-  for (let i = 0; i + 7 < cubics.length; i += 8) {
-    const [x0 = 0, y0 = 0, x1 = 0, y1 = 0, x2 = 0, y2 = 0, x3 = 0, y3 = 0] = cubics.subarray(i, i + 8);
-    if (i === 0) path.moveTo(x0, y0);
-    path.bezierCurveTo(x1, y1, x2, y2, x3, y3);
-  }
+  if (cubics.length > 0) path.moveTo(cubics[0] ?? 0, cubics[1] ?? 0);
+  addCubics(path, cubics);
   if (closed && cubics.length > 0) path.closePath();
   curvePaths.set(cubics, path);
   return path;
+}
+
+/** Goes on with cubics from where the path is. */
+export function addCubics(path: Path2D, cubics: Float64Array): void {
+  for (let i = 0; i + 7 < cubics.length; i += 8) {
+    path.bezierCurveTo(cubics[i + 2] ?? 0, cubics[i + 3] ?? 0, cubics[i + 4] ?? 0, cubics[i + 5] ?? 0, cubics[i + 6] ?? 0, cubics[i + 7] ?? 0);
+  }
 }
 
 /** The contour's path, within a twentieth of a pixel at this zoom; the tolerance moves in powers of two, so that zooming seldom makes a new path. */
@@ -57,37 +62,28 @@ export function contourPath(scene: Scene, document: CurveDocument, contour: Cont
   return pathOfCubics(cubicsOf(document, contour, toleranceOf(scene)), contour.closed);
 }
 
-function toleranceOf({ state }: Scene): number {
+/** In document units. */
+export function toleranceOf({ state }: Scene): number {
   return 0.05 / 2 ** Math.ceil(Math.log2(state.view.zoom));
-}
-
-interface Whole {
-  readonly tolerance: number;
-  readonly all: Path2D;
-  readonly closed: Path2D;
-}
-
-const wholes = new WeakMap<CurveDocument, Whole>();
-
-/** Every contour in one path, and the closed ones in another: a drawing of thousands is stroked and filled at once, and panning makes nothing new. */
-export function documentPaths(scene: Scene, document: CurveDocument): Whole {
-  const tolerance = toleranceOf(scene);
-  const known = wholes.get(document);
-  if (known !== undefined && known.tolerance === tolerance) return known;
-  const fresh: Whole = { tolerance, all: new Path2D(), closed: new Path2D() };
-  for (const contour of document.contours) {
-    const path = contourPath(scene, document, contour);
-    fresh.all.addPath(path);
-    if (contour.closed) fresh.closed.addPath(path);
-  }
-  wholes.set(document, fresh);
-  return fresh;
 }
 
 /** A polygon of interleaved points. */
 export function pathOfPoints(points: Float64Array, closed: boolean): Path2D {
   const path = new Path2D();
-  for (let i = 0; i + 1 < points.length; i += 2) path.lineTo(points[i] ?? 0, points[i + 1] ?? 0);
+  addVertices(path, points);
   if (closed && points.length > 0) path.closePath();
   return path;
 }
+
+export function addVertices(path: Path2D, points: Float64Array): void {
+  for (let i = 0; i + 1 < points.length; i += 2) path.lineTo(points[i] ?? 0, points[i + 1] ?? 0);
+}
+
+/** What is to be drawn of the document: what is in sight, and a little more all around, for whatever stands out. */
+export function sightOf({ state: { view, stage } }: Scene): Bounds {
+  const [width, height] = [(stage.width / 2 + outstanding) / view.zoom, (stage.height / 2 + outstanding) / view.zoom];
+  return { minX: view.x - width, minY: view.y - height, maxX: view.x + width, maxY: view.y + height };
+}
+
+/** CSS pixels that no mark and no line stands out by. */
+const outstanding = 24;

@@ -27,7 +27,12 @@ export function translated(from: Contour, dx: number, dy: number): Contour {
   const moved = { ...from, points: from.points.map((point) => ({ ...point, x: point.x + dx, y: point.y + dy })) };
   // Moves of moves count from the first: a chain would keep every place that the contour has ever been.
   const before = translations.get(from);
-  translations.set(moved, before === undefined ? { from, dx, dy } : { from: before.from, dx: before.dx + dx, dy: before.dy + dy });
+  return translatedAs(moved, before === undefined ? { from, dx, dy } : { from: before.from, dx: before.dx + dx, dy: before.dy + dy });
+}
+
+/** Notes of a contour that it is another one that was moved. */
+export function translatedAs(moved: Contour, by: Translation): Contour {
+  translations.set(moved, by);
   return moved;
 }
 

@@ -1,4 +1,5 @@
 import { translationOf } from "../../document/curve/contours.ts";
+import { partsOf } from "../../document/curve/parts.ts";
 import { pointAt, type Contour, type CurveDocument, type Selection } from "../../document/document.ts";
 import { curveOf } from "../../kernel/curve/curve-cache.ts";
 import { settled } from "../../kernel/curve/fine-places.ts";
@@ -28,7 +29,7 @@ export function objection(curve: CurveDocument, before: CurveDocument): Error | 
       if (known.has(contour)) continue;
       const moved = translationOf(contour);
       // What was good stays good where else it stands; its curve is made when something asks for it.
-      if (moved === undefined || !known.has(moved.from) || !isOnPaper(contour)) curveOf(curve, contour);
+      if (moved === undefined || !known.has(moved.from) || !isOnPaper(contour)) for (const part of partsOf(curve, contour)) curveOf(curve, part);
     }
     return null;
   } catch (error) {

@@ -1,3 +1,4 @@
+import { partsOf } from "../../document/curve/parts.ts";
 import type { Contour, CurveDocument } from "../../document/document.ts";
 import { curveOf } from "./curve-cache.ts";
 import { boundsOf } from "./samples.ts";
@@ -12,6 +13,8 @@ export interface Ghost {
   readonly path: Float64Array;
   /** Largest distance from the curve, relative to the radius of an ellipse or to half the extent of another curve. */
   readonly error: number;
+  /** The same distance in document units. */
+  readonly distance: number;
   readonly shape: "ellipse" | "handles";
   /** For an ellipse: the Bézier with its error made `magnified` times as large, as a closed polygon; the true one cannot be told apart by eye. */
   readonly magnified: Float64Array | null;
@@ -29,11 +32,16 @@ const kappa = (4 / 3) * (Math.SQRT2 - 1);
 const ghosts = new WeakMap<object, Ghost>();
 const ellipses = new WeakMap<object, Ellipse | null>();
 
+/** A contour of more points than anybody would draw an ellipse with is not looked at: it would be built anew as a whole with every step of a drag. */
+const mostOfEllipse = 8192;
+
 /** The ellipse that a closed contour is, if it is one to a thousandth of its extent. */
 export function ellipseOf(document: CurveDocument, contour: Contour): Ellipse | null {
-  const curve = curveOf(document, contour);
+  if (!contour.closed || contour.points.length > mostOfEllipse) return null;
   const box = boundsOf(document, contour);
-  if (curve === null || box === null || !contour.closed) return null;
+  if (box === null) return null;
+  const curve = curveOf(document, contour);
+  if (curve === null) return null;
   const known = ellipses.get(curve);
   if (known !== undefined) return known;
   const found = curve.asEllipse(1e-3 * Math.max(box.maxX - box.minX, box.maxY - box.minY, 1e-9)) ?? null;
@@ -42,6 +50,8 @@ export function ellipseOf(document: CurveDocument, contour: Contour): Ellipse | 
 }
 
 export function bezierGhost(document: CurveDocument, contour: Contour): Ghost | null {
+  const parts = partsOf(document, contour);
+  if (parts.length > 1) return ofParts(document, contour, parts);
   const curve = curveOf(document, contour);
   if (curve === null) return null;
   const known = ghosts.get(curve);
@@ -53,6 +63,23 @@ export function bezierGhost(document: CurveDocument, contour: Contour): Ghost | 
   return ghost;
 }
 
+const longGhosts = new WeakMap<Contour, Ghost>();
+
+/** Of a contour in parts: the error is the worst of theirs, and each draws its own path. */
+function ofParts(document: CurveDocument, contour: Contour, parts: readonly Contour[]): Ghost {
+  const known = longGhosts.get(contour);
+  if (known !== undefined) return known;
+  const distance = parts.reduce((worst, part) => Math.max(worst, bezierGhost(document, part)?.distance ?? 0), 0);
+  const fresh: Ghost = { path: new Float64Array(0), distance, error: distance / halfExtent(document, contour), shape: "handles", magnified: null };
+  longGhosts.set(contour, fresh);
+  return fresh;
+}
+
+function halfExtent(document: CurveDocument, contour: Contour): number {
+  const box = boundsOf(document, contour);
+  return box === null ? 1 : Math.max(1e-9, Math.max(box.maxX - box.minX, box.maxY - box.minY) / 2);
+}
+
 function fourArcs(ellipse: Ellipse): Ghost {
   const path = new Float64Array(32);
   for (let quarter = 0; quarter < 4; quarter += 1) {
@@ -61,7 +88,7 @@ function fourArcs(ellipse: Ellipse): Ghost {
     const unit = [cos, sin, cos - kappa * sin, sin + kappa * cos, -sin + kappa * cos, cos + kappa * sin, -sin, cos];
     for (let k = 0; k < 8; k += 2) path.set(onEllipse(ellipse, unit[k] ?? 0, unit[k + 1] ?? 0), quarter * 8 + k);
   }
-  return { path, error: fourArcError, shape: "ellipse", magnified: magnifiedErrors(ellipse) };
+  return { path, error: fourArcError, distance: fourArcError * Math.max(...ellipse.radii), shape: "ellipse", magnified: magnifiedErrors(ellipse) };
 }
 
 const magnifiedCount = 256;
@@ -115,16 +142,16 @@ function sameHandles(document: CurveDocument, contour: Contour): Ghost {
     if (from === undefined || to === undefined) continue;
     path.set([from.x, from.y, from.x + from.out.dx, from.y + from.out.dy, to.x + to.in.dx, to.y + to.in.dy, to.x, to.y], 8 * segment);
   }
-  return { path, error: cubicError(document, contour, path), shape: "handles", magnified: null };
+  const distance = cubicDistance(document, contour, path);
+  return { path, distance, error: distance / halfExtent(document, contour), shape: "handles", magnified: null };
 }
 
 const perSegment = 16;
 
-/** Largest distance at equal parameters, which both curves share, relative to half the extent. */
-function cubicError(document: CurveDocument, contour: Contour, path: Float64Array): number {
+/** Largest distance at equal parameters, which both curves share. */
+function cubicDistance(document: CurveDocument, contour: Contour, path: Float64Array): number {
   const curve = curveOf(document, contour);
-  const box = boundsOf(document, contour);
-  if (curve === null || box === null) return 0;
+  if (curve === null) return 0;
   const segments = path.length / 8;
   const t: number[] = [];
   let start = 0;
@@ -140,7 +167,7 @@ function cubicError(document: CurveDocument, contour: Contour, path: Float64Arra
     const [px, py] = onCubic(path, 8 * Math.floor(k / perSegment), x);
     worst = Math.max(worst, Math.hypot(px - (exact[2 * k] ?? 0), py - (exact[2 * k + 1] ?? 0)));
   }
-  return worst / Math.max(1e-9, Math.max(box.maxX - box.minX, box.maxY - box.minY) / 2);
+  return worst;
 }
 
 function onCubic(path: Float64Array, at: number, t: number): [number, number] {

@@ -1,4 +1,5 @@
-import type { CurveDocument } from "../../document/document.ts";
+import { closedByChord, partsOf } from "../../document/curve/parts.ts";
+import type { Contour, CurveDocument } from "../../document/document.ts";
 import { bezierGhost, ellipseOf } from "./bezier-ghost.ts";
 import { curveOf } from "./curve-cache.ts";
 import { samplePoints } from "./samples.ts";
@@ -13,8 +14,10 @@ export interface Measures {
   readonly length: number;
   /** Signed, of the closed contours. */
   readonly area: number;
-  /** Characters of the path text at the export dialog's defaults. */
+  /** Characters of the path text at the export dialog's defaults; of long contours, which are printed part by part, up to a few for each part. */
   readonly bytes: number;
+  /** Some contour is measured in parts. */
+  readonly isLong: boolean;
   /** Where one of the first contours is an ellipse: its largest distance from that ellipse, relative to the radius. */
   readonly modelError: number | undefined;
   /** The Bézier's error on the first contour (see `bezierGhost`). */
@@ -39,16 +42,18 @@ function lazily(document: CurveDocument): Measures {
     if (!once.has(name)) once.set(name, compute());
     return once.get(name) as T;
   };
+  const parts = (): readonly Contour[] => keep("parts", () => contours.flatMap((contour) => partsOf(document, contour)));
   const sum = (of: (index: number) => number): number => contours.reduce((total, _, index) => total + of(index), 0);
   return {
-    get points() { return sum((i) => contours[i]?.points.length ?? 0); },
+    get points() { return keep("points", () => sum((i) => contours[i]?.points.length ?? 0)); },
     contours: contours.length,
     closed: contours.filter((contour) => contour.closed).length,
-    get cusps() { return sum((i) => contours[i]?.points.filter((point) => point.kind === "cusp").length ?? 0); },
+    get cusps() { return keep("cusps", () => sum((i) => contours[i]?.points.filter((point) => point.kind === "cusp").length ?? 0)); },
     get segments() { return sum((i) => { const c = contours[i]; return c === undefined ? 0 : c.closed ? c.points.length : Math.max(0, c.points.length - 1); }); },
-    get length() { return keep("length", () => sumOver(document, "length", (curve) => curve.length())); },
-    get area() { return keep("area", () => sumOver(document, "area", (curve) => (curve.closed ? curve.area() : 0))); },
-    get bytes() { return keep("bytes", () => sumOver(document, "bytes", (curve) => curve.toPathD({ tolerance: 0.02, decimals: 3 }).d.length)); },
+    get length() { return keep("length", () => sumOver(parts(), (part) => lengthOfPart(document, part))); },
+    get area() { return keep("area", () => sumOver(contours, (contour) => areaOfContour(document, contour))); },
+    get bytes() { return keep("bytes", () => sumOver(parts(), (part) => bytesOfPart(document, part))); },
+    get isLong() { return parts().length > contours.length; },
     get modelError() { return keep("model", () => ellipseError(document)); },
     get bezierError() { return keep("bezier", () => firstGhost(document)?.error); },
     get bezierShape() { return keep("shape", () => firstGhost(document)?.shape); },
@@ -57,21 +62,64 @@ function lazily(document: CurveDocument): Measures {
 
 type Curve = NonNullable<ReturnType<typeof curveOf>>;
 
-/** What was measured of a curve; while one contour of many is dragged, the others keep theirs. */
+/** What was measured of a curve; while one contour or part of many is dragged, the others keep theirs. */
 const measured = new WeakMap<Curve, Map<string, number>>();
 
-function sumOver(document: CurveDocument, name: string, measure: (curve: Curve) => number): number {
-  let total = 0;
+function kept(document: CurveDocument, contour: Contour, name: string, measure: (curve: Curve) => number): number {
+  const curve = curveOf(document, contour);
+  if (curve === null) return 0;
+  const known = measured.get(curve) ?? new Map<string, number>();
+  measured.set(curve, known);
+  const value = known.get(name) ?? measure(curve);
+  known.set(name, value);
+  return value;
+}
+
+function lengthOfPart(document: CurveDocument, part: Contour): number {
+  return kept(document, part, "length", (curve) => curve.length());
+}
+
+/** Of a contour in parts, what a part encloses with its chord. */
+function areaOfPart(document: CurveDocument, contour: Contour, part: Contour): number {
+  if (!contour.closed) return 0;
+  return kept(document, part, "area", (curve) => (part === contour ? curve.area() : (curveOf(document, closedByChord(part))?.area() ?? 0)));
+}
+
+/** Of a contour in parts, as if each were a path of its own that begins where the last one ends. */
+function bytesOfPart(document: CurveDocument, part: Contour): number {
+  return kept(document, part, "bytes", (curve) => curve.toPathD({ tolerance: 0.02, decimals: 3 }).d.length);
+}
+
+function areaOfContour(document: CurveDocument, contour: Contour): number {
+  const parts = partsOf(document, contour);
+  const behindChords = sumOver(parts, (part) => areaOfPart(document, contour, part));
+  if (!contour.closed || parts.length === 1) return behindChords;
+  return behindChords + sumOver(parts, ({ points }) => {
+    const [from, to] = [points[0], points.at(-1)];
+    return from === undefined || to === undefined ? 0 : (from.x * to.y - to.x * from.y) / 2;
+  });
+}
+
+function sumOver<T>(list: readonly T[], measure: (each: T) => number): number {
+  return list.reduce((total, each) => total + measure(each), 0);
+}
+
+/**
+ * Measures length, area and size of a drawing, part by part, until all is known or the time is `spent`; says whether all is.
+ * Of 100,000 points it takes seconds the first time, after an edit no more than the changed part.
+ */
+export function measureUntil(document: CurveDocument, spent: () => boolean): boolean {
   for (const contour of document.contours) {
-    const curve = curveOf(document, contour);
-    if (curve === null) continue;
-    const known = measured.get(curve) ?? new Map<string, number>();
-    measured.set(curve, known);
-    const value = known.get(name) ?? measure(curve);
-    known.set(name, value);
-    total += value;
+    for (const part of partsOf(document, contour)) {
+      const curve = curveOf(document, part);
+      if (curve === null || measured.get(curve)?.has("bytes") === true) continue;
+      if (spent()) return false;
+      lengthOfPart(document, part);
+      areaOfPart(document, contour, part);
+      bytesOfPart(document, part);
+    }
   }
-  return total;
+  return true;
 }
 
 function firstGhost(document: CurveDocument): ReturnType<typeof bezierGhost> {

@@ -1,5 +1,6 @@
 import { BSplineCurve, HermiteCurve, InterpolatingCurve, type Curve } from "expline/slim";
-import { lengthOf, segmentCount, type Contour, type CurveDocument } from "../../document/document.ts";
+import { partAt, partsOf } from "../../document/curve/parts.ts";
+import { domainLength, lengthOf, segmentCount, type Contour, type CurveDocument } from "../../document/document.ts";
 import { curveOf } from "./curve-cache.ts";
 
 /** Points of curves, for drawing, hit-testing and for testers. */
@@ -25,8 +26,13 @@ export function subdivided(document: CurveDocument, contour: Contour, steps: num
 /** The generalised Bézier points, four per segment; the control points of a curve that has no others. */
 export function bezierPolygon(document: CurveDocument, contour: Contour): Float64Array {
   const curve = curveOf(document, contour);
-  return curve instanceof HermiteCurve ? curve.bezierPoints() : (curve?.points ?? nothing);
+  if (curve === null) return nothing;
+  const points = polygons.get(curve) ?? (curve instanceof HermiteCurve ? curve.bezierPoints() : curve.points);
+  polygons.set(curve, points);
+  return points;
 }
+
+const polygons = new WeakMap<Curve, Float64Array>();
 
 /** Parameters as far as an open curve has them: of a file its grid may end early, and the sum of lengths is rounded. */
 export function within({ closed, domain: [start, end] }: Curve, t: Float64Array): Float64Array {
@@ -35,10 +41,11 @@ export function within({ closed, domain: [start, end] }: Curve, t: Float64Array)
 
 /** One segment as a polygon of `count` sides; with the curve's own points at its ends. */
 export function segmentPolygon(document: CurveDocument, contour: Contour, segment: number, count: number): Float64Array {
-  const curve = curveOf(document, contour);
+  const own = partAt(document, contour, segment);
+  const curve = curveOf(document, own.part);
   if (curve === null) return nothing;
   let start = 0;
-  for (let before = 0; before < segment; before += 1) start += lengthOf(contour, before);
+  for (let before = 0; before < own.segment; before += 1) start += lengthOf(own.part, before);
   const length = lengthOf(contour, segment);
   return curve.evaluate(within(curve, Float64Array.from({ length: count + 1 }, (_, i) => start + (length * i) / count)));
 }
@@ -52,12 +59,26 @@ export interface Nearest {
 
 /** The nearest point of the contour, or null when there is no curve within `reach`. */
 export function nearestOn(document: CurveDocument, contour: Contour, x: number, y: number, reach: number): Nearest | null {
-  const curve = curveOf(document, contour);
-  if (curve === null) return null;
-  const box = boundsOf(document, contour);
-  if (box !== null && (x < box.minX - reach || x > box.maxX + reach || y < box.minY - reach || y > box.maxY + reach)) return null;
-  const found = curve.nearest(x, y);
-  return found.distance <= reach ? found : null;
+  const parts = partsOf(document, contour);
+  let best: Nearest | null = null;
+  let [least, start] = [reach, 0];
+  for (const part of parts) {
+    const found = nearestWithin(document, part, x, y, least);
+    // Of several as near, the one that the curve reaches first.
+    if (found !== null && (best === null || found.distance < least)) [best, least] = [{ ...found, t: start + found.t }, found.distance];
+    if (parts.length > 1) start += domainLength(part);
+  }
+  return best;
+}
+
+function nearestWithin(document: CurveDocument, part: Contour, x: number, y: number, reach: number): Nearest | null {
+  const box = boundsOf(document, part);
+  const found = box === null || isOutside(box, x, y, reach) ? undefined : curveOf(document, part)?.nearest(x, y);
+  return found === undefined || found.distance > reach ? null : found;
+}
+
+function isOutside({ minX, minY, maxX, maxY }: Bounds, x: number, y: number, reach: number): boolean {
+  return x < minX - reach || x > maxX + reach || y < minY - reach || y > maxY + reach;
 }
 
 export interface Bounds {
@@ -70,6 +91,11 @@ export interface Bounds {
 const boxes = new WeakMap<object, Bounds>();
 
 export function boundsOf(document: CurveDocument, contour: Contour): Bounds | null {
+  const parts = partsOf(document, contour);
+  return parts.length > 1 ? parts.reduce((box: Bounds | null, part) => union(box, boundsOf(document, part)), null) : ownBounds(document, contour);
+}
+
+function ownBounds(document: CurveDocument, contour: Contour): Bounds | null {
   const curve = curveOf(document, contour);
   if (curve === null) return null;
   const known = boxes.get(curve);
@@ -79,17 +105,18 @@ export function boundsOf(document: CurveDocument, contour: Contour): Bounds | nu
   return fresh;
 }
 
+function union(a: Bounds | null, b: Bounds | null): Bounds | null {
+  if (a === null || b === null) return a ?? b;
+  return { minX: Math.min(a.minX, b.minX), minY: Math.min(a.minY, b.minY), maxX: Math.max(a.maxX, b.maxX), maxY: Math.max(a.maxY, b.maxY) };
+}
+
 /** The box around every curve and lone point of the drawing; null when there is nothing. */
 export function documentBounds(document: CurveDocument): Bounds | null {
   let box: Bounds | null = null;
   for (const contour of document.contours) {
     const point = contour.points[0];
     const own = boundsOf(document, contour) ?? (point === undefined ? null : { minX: point.x, minY: point.y, maxX: point.x, maxY: point.y });
-    if (own === null) continue;
-    box = box === null ? own : {
-      minX: Math.min(box.minX, own.minX), minY: Math.min(box.minY, own.minY),
-      maxX: Math.max(box.maxX, own.maxX), maxY: Math.max(box.maxY, own.maxY),
-    };
+    box = union(box, own);
   }
   return box;
 }

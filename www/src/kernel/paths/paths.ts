@@ -1,6 +1,7 @@
 import { translationOf } from "../../document/curve/contours.ts";
 import type { Contour, CurveDocument, Space } from "../../document/document.ts";
 import { curveOf } from "../curve/curve-cache.ts";
+import { shifted } from "./polylines.ts";
 
 /** Curves as cubic Béziers and as path text, within a tolerance in document units. */
 
@@ -24,7 +25,7 @@ function movedAlong(document: CurveDocument, contour: Contour, tolerance: number
   const moved = translationOf(contour);
   if (moved === undefined) return null;
   const from = cubicsOf(document, moved.from, tolerance);
-  return from.map((value, i) => value + (i % 2 === 0 ? moved.dx : moved.dy));
+  return shifted(from, moved.dx, moved.dy);
 }
 
 export interface PathOptions {

@@ -1,5 +1,5 @@
 import type { EditorState } from "../../editor/editor.ts";
-import { measureCurve } from "../../kernel/curve/measure.ts";
+import { measureCurve, measureUntil } from "../../kernel/curve/measure.ts";
 import { formatBytes, formatCount, formatMeasure, formatRatio } from "../controls/format.ts";
 import type { Metric, ModeMetrics } from "../mode/metric.ts";
 
@@ -44,6 +44,7 @@ const truth: readonly Metric[] = [
       return curve.contours.length === 0 ? null : { value: measureCurve(curve).length, lead: "length", strong: formatMeasure(measureCurve(curve).length) };
     },
     slow: true,
+    prepare: ({ curve }, spent) => measureUntil(curve, spent),
   },
   {
     testid: "m-area",
@@ -61,7 +62,8 @@ const cost: readonly Metric[] = [
     testid: "m-bytes",
     about: "Size of the path text at a tolerance of 0.02 and three decimals",
     read({ curve }) {
-      return { value: measureCurve(curve).bytes, lead: "d", strong: formatBytes(measureCurve(curve).bytes) };
+      const { bytes, isLong } = measureCurve(curve);
+      return { value: bytes, lead: isLong ? "d ≈" : "d", strong: formatBytes(bytes) };
     },
     slow: true,
   },

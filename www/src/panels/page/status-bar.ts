@@ -5,6 +5,8 @@ import type { Metric, ModeMetrics } from "../mode/metric.ts";
 import { inNextFrame, type Shell } from "../shell.ts";
 
 const slowEveryMs = 120;
+/** Of a frame, for measuring what is very large. */
+const shareOfFrameMs = 8;
 const mostMeasuredLive = 200;
 
 /** What is there, what is true about it, what it costs. Every number can be copied by a press and carries itself in `data-value`. */
@@ -50,9 +52,12 @@ export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement; p
     const slowToo = !waits && performance.now() - lastSlow >= slowEveryMs;
     // The very first frame has no time of its own yet.
     if (shell.frame.times.length === 0) setTimeout(soon.request);
-    if (slowToo) lastSlow = performance.now();
+    const start = performance.now();
+    const prepared = slowToo && all.every(({ metric }) => metric.prepare?.(state, () => performance.now() - start > shareOfFrameMs) !== false);
+    if (slowToo && !prepared) soon.request();
+    else if (slowToo) lastSlow = performance.now();
     else pending ??= setTimeout(() => { pending = null; soon.request(); }, slowEveryMs);
-    for (const { metric, element: shown } of all) if (metric.slow !== true || slowToo) show(shown, metric.read(state));
+    for (const { metric, element: shown } of all) if (metric.slow !== true || slowToo) show(shown, metric.slow === true && !prepared ? null : metric.read(state));
   };
   const soon = inNextFrame(shell.frame, () => editor.state.value.engine.status === "ready" && update());
   // A view that is turned or moved changes no number of the drawing, but each of its frames costs something.

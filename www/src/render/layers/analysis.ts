@@ -1,7 +1,9 @@
+import { partsOf } from "../../document/curve/parts.ts";
 import type { Contour, CurveDocument } from "../../document/document.ts";
 import { bezierPolygon, combOf, documentBounds, subdivided } from "../../kernel/curve/samples.ts";
 import { drawKnot } from "../markers.ts";
-import { inPage, inScreen, onScreen, pathOfPoints, type Scene } from "../scene.ts";
+import { isDense, isSeen, partPath } from "../outlines.ts";
+import { inPage, inScreen, onScreen, pathOfPoints, sightOf, type Scene } from "../scene.ts";
 
 /** Overlays that explain a curve: its comb, its control polygon, the subdivision polygons, its knots. */
 
@@ -90,6 +92,15 @@ function combPaths({ state }: Scene, contour: Contour, half: number, scale: numb
   return fresh;
 }
 
+const polygons = new WeakMap<Float64Array, Path2D>();
+
+function polygonPath(document: CurveDocument, contour: Contour): Path2D {
+  const points = bezierPolygon(document, contour);
+  const path = polygons.get(points) ?? pathOfPoints(points, contour.closed);
+  polygons.set(points, path);
+  return path;
+}
+
 export function drawPolygon(scene: Scene): void {
   const { state, palette } = scene;
   if (!state.settings.overlays.polygon || state.originalOnly) return;
@@ -98,7 +109,13 @@ export function drawPolygon(scene: Scene): void {
   context.strokeStyle = palette.line;
   context.lineWidth = 1 / zoom;
   context.setLineDash([4 / zoom, 4 / zoom]);
-  for (const contour of state.curve.contours) context.stroke(pathOfPoints(bezierPolygon(state.curve, contour), contour.closed));
+  const sight = sightOf(scene);
+  for (const contour of state.curve.contours) {
+    const parts = partsOf(state.curve, contour);
+    if (parts.length === 1) context.stroke(polygonPath(state.curve, contour));
+    // Where points are nearly dense, the polygon is nowhere beside the curve.
+    else for (const part of parts) if (isSeen(state.curve, part, sight)) context.stroke(isDense(scene, part) ? partPath(scene, state.curve, part) : polygonPath(state.curve, part));
+  }
   context.setLineDash([]);
 }
 
@@ -122,5 +139,16 @@ export function drawKnots(scene: Scene): void {
   const { state, palette } = scene;
   if (!state.settings.overlays.knots || state.originalOnly) return;
   const context = inScreen(scene);
-  for (const contour of state.curve.contours) for (const point of contour.points) drawKnot(context, onScreen(scene, point), palette);
+  const { minX, minY, maxX, maxY } = sightOf(scene);
+  let last = { x: Infinity, y: Infinity };
+  for (const { points } of state.curve.contours) {
+    for (const point of points) {
+      if (point.x < minX || point.y < minY || point.x > maxX || point.y > maxY) continue;
+      const at = onScreen(scene, point);
+      // Of those beside one another at the same pixel one is seen.
+      if (Math.abs(at.x - last.x) < 0.5 && Math.abs(at.y - last.y) < 0.5) continue;
+      drawKnot(context, at, palette);
+      last = at;
+    }
+  }
 }

@@ -1,9 +1,11 @@
 import { locate } from "../../document/curve/contours.ts";
+import { partsOf } from "../../document/curve/parts.ts";
 import { pointAt, segmentCount } from "../../document/document.ts";
 import { affectedSegments } from "../../document/curve/roots.ts";
 import { bezierGhost, magnification } from "../../kernel/curve/bezier-ghost.ts";
 import { segmentPolygon } from "../../kernel/curve/samples.ts";
-import { contourPath, documentPaths, inPage, inScreen, onScreen, pathOfCubics, pathOfPoints, type Scene } from "../scene.ts";
+import { documentPaths, isDense, isSeen, partPath } from "../outlines.ts";
+import { inPage, inScreen, onScreen, pathOfCubics, pathOfPoints, sightOf, type Scene } from "../scene.ts";
 
 /** The drawing itself, what it was before the drag, and the Bézier to compare with. */
 
@@ -28,8 +30,12 @@ export function drawBefore(scene: Scene): void {
   context.lineWidth = 1.5 / zoom;
   context.lineCap = "round";
   context.setLineDash([0.01 / zoom, 4 / zoom]);
-  const kept = new Set(state.curve.contours);
-  for (const contour of origin.contours) if (!kept.has(contour)) context.stroke(contourPath(scene, origin, contour));
+  const contours = new Set(state.curve.contours);
+  const changed = origin.contours.filter((contour) => !contours.has(contour));
+  const kept = new Set(state.curve.contours.flatMap((contour) => partsOf(state.curve, contour)));
+  for (const contour of changed) {
+    for (const part of partsOf(origin, contour)) if (!kept.has(part)) context.stroke(partPath(scene, origin, part));
+  }
   context.setLineDash([]);
   context.lineCap = "butt";
 }
@@ -41,7 +47,13 @@ export function drawBefore(scene: Scene): void {
 export function drawBezier(scene: Scene): void {
   const { state, palette } = scene;
   if (!state.settings.overlays.bezier && !state.originalOnly) return;
-  const compared = state.curve.contours.slice(0, mostCompared).flatMap((contour) => bezierGhost(state.curve, contour) ?? []);
+  const sight = sightOf(scene);
+  const compared = state.curve.contours.slice(0, mostCompared).flatMap((contour) => {
+    const parts = partsOf(state.curve, contour);
+    // Of long contours, what can be seen beside the curve.
+    const seen = parts.length === 1 ? parts : parts.filter((part) => !isDense(scene, part) && isSeen(state.curve, part, sight));
+    return seen.flatMap((part) => bezierGhost(state.curve, part) ?? []);
+  });
   const context = inPage(scene);
   const { zoom } = state.view;
   context.strokeStyle = palette.warn;

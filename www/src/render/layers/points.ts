@@ -1,7 +1,8 @@
 import { baseCount, isSelected, samePoint, type HandleRef, type PointRef } from "../../document/document.ts";
 import { hasSide, shownHandles } from "../../editor/pointer/hit-test.ts";
-import { addSmallPoint, drawHandleEnd, drawPoint, drawSmallPoints, drawStart, drawVertex, type MarkerState } from "../markers.ts";
-import { inScreen, onScreen, type Scene } from "../scene.ts";
+import { drawHandleEnd, drawPoint, drawStart, drawVertex, type MarkerState } from "../markers.ts";
+import { inScreen, onScreen, sightOf, type Scene } from "../scene.ts";
+import { createSmallPoints } from "../small-points.ts";
 
 /** Control points, the handles of the chosen ones, and where each contour begins. */
 
@@ -57,12 +58,12 @@ export function drawPoints(scene: Scene): void {
   const { state, palette } = scene;
   if (state.originalOnly) return;
   const context = inScreen(scene);
-  const { hover, selection, stage } = state;
-  const margin = 24;
+  const { hover, selection } = state;
+  const { minX, minY, maxX, maxY } = sightOf(scene);
   const crowded = state.curve.contours.reduce((sum, contour) => sum + contour.points.length, 0) > mostLargePoints;
   // When a great many are chosen, large marks would hide the drawing.
   const few = selection.points.length <= mostLargePoints;
-  const small = { discs: new Path2D(), diamonds: new Path2D() };
+  const small = createSmallPoints();
   state.curve.contours.forEach((contour, c) => {
     const first = contour.points[0];
     if (first !== undefined && contour.points.length > 1 && !crowded && contour.grid === undefined) {
@@ -72,18 +73,19 @@ export function drawPoints(scene: Scene): void {
       drawStart(context, onScreen(scene, first), along, palette);
     }
     contour.points.forEach((point, index) => {
+      const { x, y } = point;
+      if (x < minX || y < minY || x > maxX || y > maxY) return;
       const at = onScreen(scene, point);
-      if (at.x < -margin || at.y < -margin || at.x > stage.width + margin || at.y > stage.height + margin) return;
       const ref = { contour: c, index };
       const marker = {
         hovered: hover.kind === "point" && samePoint(hover.point, ref),
         selected: isSelected(selection, ref),
         focused: isFocused(scene, ref, null),
       };
-      if (crowded && !marker.hovered && !(marker.selected && few)) addSmallPoint(small, at, point.kind, marker.selected);
+      if (crowded && !marker.hovered && !(marker.selected && few)) small.add(at, point.kind, marker.selected);
       else if (contour.grid !== undefined || index >= baseCount(contour)) drawVertex(context, at, marker, palette);
       else drawPoint(context, at, point.kind, marker, palette);
     });
   });
-  if (crowded) drawSmallPoints(context, small, palette);
+  if (crowded) small.draw(context, palette);
 }

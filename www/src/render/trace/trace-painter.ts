@@ -5,8 +5,10 @@ import { showsPoints } from "../../editor/trace/trace-hit.ts";
 import type { PointOfOutline, TraceViewId } from "../../editor/trace/trace-state.ts";
 import { byColor, type ShownPicture, type TraceOutcome } from "../../kernel/trace/outcome.ts";
 import { drawGrid } from "../layers/grid.ts";
-import { addSmallPoint, drawPoint, drawSmallPoints } from "../markers.ts";
-import { documentPaths, inPage, inScreen, onScreen, type Scene } from "../scene.ts";
+import { drawPoint } from "../markers.ts";
+import { documentPaths, type Outlines } from "../outlines.ts";
+import { addCubics, inPage, inScreen, onScreen, type Scene } from "../scene.ts";
+import { createSmallPoints } from "../small-points.ts";
 import type { Painter } from "../stage.ts";
 import { createStillLayer } from "./still-layer.ts";
 
@@ -67,15 +69,10 @@ function drawFrame(scene: Scene): void {
   context.globalAlpha = 1;
 }
 
-interface Paths {
-  readonly all: Path2D;
-  readonly closed: Path2D;
-}
-
-const wholes = new WeakMap<readonly Float64Array[], Paths>();
+const wholes = new WeakMap<readonly Float64Array[], Outlines>();
 
 /** All outlines in one path, and the closed ones in another: as the worker gave them, or anew where corners were smoothed by hand. */
-function pathsOf(scene: Scene, { drawing, cubics: found }: TraceOutcome): Paths {
+function pathsOf(scene: Scene, { drawing, cubics: found }: TraceOutcome): Outlines {
   if (found.length === 0) return documentPaths(scene, drawing);
   const known = wholes.get(found);
   if (known !== undefined) return known;
@@ -84,18 +81,16 @@ function pathsOf(scene: Scene, { drawing, cubics: found }: TraceOutcome): Paths 
   const paths = { all, closed: every ? all : new Path2D() };
   found.forEach((cubics, i) => {
     const closed = drawing.contours[i]?.closed === true;
-    addCubics(all, cubics, closed);
-    if (closed && !every) addCubics(paths.closed, cubics, true);
+    addOutline(all, cubics, closed);
+    if (closed && !every) addOutline(paths.closed, cubics, true);
   });
   wholes.set(found, paths);
   return paths;
 }
 
-function addCubics(path: Path2D, cubics: Float64Array, closed: boolean): void {
+function addOutline(path: Path2D, cubics: Float64Array, closed: boolean): void {
   path.moveTo(cubics[0] ?? 0, cubics[1] ?? 0);
-  for (let i = 0; i + 7 < cubics.length; i += 8) {
-    path.bezierCurveTo(cubics[i + 2] ?? 0, cubics[i + 3] ?? 0, cubics[i + 4] ?? 0, cubics[i + 5] ?? 0, cubics[i + 6] ?? 0, cubics[i + 7] ?? 0);
-  }
+  addCubics(path, cubics);
   if (closed) path.closePath();
 }
 
@@ -182,14 +177,14 @@ function isInSight({ state: { stage } }: Scene, { x, y }: ScreenPoint): boolean 
 function drawSmall(scene: Scene, drawing: CurveDocument, all: boolean): void {
   if (spacingOf(drawing) * scene.state.view.zoom < smallApart) return;
   const large = isLarge(scene, drawing, all);
-  const small = { discs: new Path2D(), diamonds: new Path2D() };
+  const small = createSmallPoints();
   for (const { points } of drawing.contours) {
     for (const point of points) {
       const at = onScreen(scene, point);
-      if (!large(point) && isInSight(scene, at)) addSmallPoint(small, at, point.kind, false);
+      if (!large(point) && isInSight(scene, at)) small.add(at, point.kind, false);
     }
   }
-  drawSmallPoints(inScreen(scene), small, scene.palette);
+  small.draw(inScreen(scene), scene.palette);
 }
 
 function drawLargePoints(scene: Scene, drawing: CurveDocument, all: boolean): void {
