@@ -63,7 +63,7 @@ export function mountTraceMode({ editor, frame, stage, surface, proxies, panels,
     },
   });
   shell.samples.set("trace", (done) => traceSampleCards(shell, done));
-  stage.painters.set("trace", createTracePainter());
+  stage.painters.set("trace", createTracePainter(() => stage.repaint()));
   createPointProxies(editor, frame, surface, proxies, until);
   panels.addMode("trace", { panel: tracePanel(shell), metrics: traceMetrics });
   mountEmptyTrace(shell);

@@ -3,7 +3,7 @@ import type { Contour, CurveDocument } from "../document/document.ts";
 import { boundsOf, type Bounds } from "../kernel/curve/samples.ts";
 import { cubicsOf } from "../kernel/paths/paths.ts";
 import { polylineOf } from "../kernel/paths/polylines.ts";
-import { addCubics, addVertices, contourPath, pathOfPoints, sightOf, toleranceOf, type Scene } from "./scene.ts";
+import { addCubics, addVertices, contourPath, overlap, pathOfPoints, sightOf, toleranceOf, type Scene } from "./scene.ts";
 
 /** All contours of a drawing in one path. Of long contours it has what is in sight, and as fine as can be seen. */
 export interface Outlines {
@@ -53,7 +53,7 @@ function encloses(outer: Bounds, inner: Bounds): boolean {
 /** Whether a contour or a part may be in sight; else all of it lies beyond one and the same side. */
 export function isSeen(document: CurveDocument, part: Contour, sight: Bounds): boolean {
   const box = boundsOf(document, part);
-  return box !== null && box.maxX >= sight.minX && box.minX <= sight.maxX && box.maxY >= sight.minY && box.minY <= sight.maxY;
+  return box !== null && overlap(box, sight);
 }
 
 /**

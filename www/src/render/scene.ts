@@ -1,5 +1,5 @@
 import type { Contour, CurveDocument } from "../document/document.ts";
-import { toScreen, type PagePoint, type ScreenPoint } from "../editor/pointer/camera.ts";
+import { toPage, toScreen, type PagePoint, type ScreenPoint } from "../editor/pointer/camera.ts";
 import type { EditorState } from "../editor/editor.ts";
 import type { Bounds } from "../kernel/curve/samples.ts";
 import { cubicsOf } from "../kernel/paths/paths.ts";
@@ -16,6 +16,16 @@ export interface Scene {
   readonly origin: CurveDocument;
   /** The stage has the keyboard focus. */
   readonly focused: boolean;
+  /** Where alone something is to be drawn; absent: everywhere. */
+  readonly cut?: ScreenBox;
+}
+
+/** A rectangle of the stage, in CSS pixels or in those of the device. */
+export interface ScreenBox {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
 }
 
 /** Draw in CSS pixels of the stage. */
@@ -80,10 +90,31 @@ export function addVertices(path: Path2D, points: Float64Array): void {
 }
 
 /** What is to be drawn of the document: what is in sight, and a little more all around, for whatever stands out. */
-export function sightOf({ state: { view, stage } }: Scene): Bounds {
-  const [width, height] = [(stage.width / 2 + outstanding) / view.zoom, (stage.height / 2 + outstanding) / view.zoom];
-  return { minX: view.x - width, minY: view.y - height, maxX: view.x + width, maxY: view.y + height };
+export function sightOf({ state: { view, stage }, cut = { x: 0, y: 0, width: stage.width, height: stage.height } }: Scene): Bounds {
+  const from = toPage(view, stage, { x: cut.x - outstanding, y: cut.y - outstanding });
+  const to = toPage(view, stage, { x: cut.x + cut.width + outstanding, y: cut.y + cut.height + outstanding });
+  return { minX: from.x, minY: from.y, maxX: to.x, maxY: to.y };
 }
 
 /** CSS pixels that no mark and no line stands out by. */
 const outstanding = 24;
+
+const boxes = new WeakMap<Float64Array, Bounds>();
+
+/** A box around cubics and their handles. */
+export function boxAround(cubics: Float64Array): Bounds {
+  const known = boxes.get(cubics);
+  if (known !== undefined) return known;
+  let [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (let i = 0; i + 1 < cubics.length; i += 2) {
+    const [x, y] = [cubics[i] ?? 0, cubics[i + 1] ?? 0];
+    [minX, minY, maxX, maxY] = [Math.min(minX, x), Math.min(minY, y), Math.max(maxX, x), Math.max(maxY, y)];
+  }
+  const fresh = { minX, minY, maxX, maxY };
+  boxes.set(cubics, fresh);
+  return fresh;
+}
+
+export function overlap(a: Bounds, b: Bounds): boolean {
+  return a.maxX >= b.minX && a.minX <= b.maxX && a.maxY >= b.minY && a.minY <= b.maxY;
+}

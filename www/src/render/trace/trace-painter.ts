@@ -1,13 +1,14 @@
 import type { ControlPoint, CurveDocument } from "../../document/document.ts";
-import type { ScreenPoint } from "../../editor/pointer/camera.ts";
 import { shownOf } from "../../editor/trace/trace-edits.ts";
 import { showsPoints } from "../../editor/trace/trace-hit.ts";
 import type { PointOfOutline, TraceViewId } from "../../editor/trace/trace-state.ts";
-import { byColor, type ShownPicture, type TraceOutcome } from "../../kernel/trace/outcome.ts";
+import { byColor, pointCount, type ShownPicture, type TraceOutcome } from "../../kernel/trace/outcome.ts";
+import type { Bounds } from "../../kernel/curve/samples.ts";
+import { cubicsOf } from "../../kernel/paths/paths.ts";
 import { drawGrid } from "../layers/grid.ts";
 import { drawPoint } from "../markers.ts";
 import { documentPaths, type Outlines } from "../outlines.ts";
-import { addCubics, inPage, inScreen, onScreen, type Scene } from "../scene.ts";
+import { addCubics, boxAround, inPage, inScreen, onScreen, overlap, sightOf, toleranceOf, type Scene } from "../scene.ts";
 import { createSmallPoints } from "../small-points.ts";
 import type { Painter } from "../stage.ts";
 import { createStillLayer } from "./still-layer.ts";
@@ -17,8 +18,11 @@ import { createStillLayer } from "./still-layer.ts";
 /** Marks nearer to each other than this would hide what they mark, in CSS pixels along the outlines; nearer than the first, they are drawn small. */
 const [largeApart, smallApart] = [40, 11];
 
-export function createTracePainter(): Painter {
-  const still = createStillLayer();
+/** So many points are outlines that take no longer than a frame has. */
+const mostAtOnce = 1000;
+
+export function createTracePainter(repaint: () => void): Painter {
+  const still = createStillLayer(repaint);
   return {
     paint(scene) {
       const { trace, traceView, traceRun, originalOnly, settings } = scene.state;
@@ -27,7 +31,8 @@ export function createTracePainter(): Painter {
       const { picture } = traceRun;
       const { overlays: { grid }, gridStep } = settings;
       const of = [view, shown, picture, traceView.alpha, trace.kept, trace.settings.mode, grid, gridStep];
-      still.paint(scene, of, (layer) => drawStill(layer, view, shown));
+      const heavy = shown !== null && pointCount(shown.drawing) > mostAtOnce;
+      still.paint(scene, of, heavy, (layer) => drawStill(layer, view, shown));
       if (shown !== null && showsPoints(scene.state)) drawLargePoints(scene, shown.drawing, view === "outline");
     },
   };
@@ -73,18 +78,26 @@ const wholes = new WeakMap<readonly Float64Array[], Outlines>();
 
 /** All outlines in one path, and the closed ones in another: as the worker gave them, or anew where corners were smoothed by hand. */
 function pathsOf(scene: Scene, { drawing, cubics: found }: TraceOutcome): Outlines {
+  if (scene.cut !== undefined) return pathsOfOutlines(scene, drawing, found, sightOf(scene));
   if (found.length === 0) return documentPaths(scene, drawing);
   const known = wholes.get(found);
   if (known !== undefined) return known;
+  const paths = pathsOfOutlines(scene, drawing, found, null);
+  wholes.set(found, paths);
+  return paths;
+}
+
+/** Of those that may be in sight; null: of all. */
+function pathsOfOutlines(scene: Scene, drawing: CurveDocument, found: readonly Float64Array[], sight: Bounds | null): Outlines {
   const every = drawing.contours.every(({ closed }) => closed);
   const all = new Path2D();
   const paths = { all, closed: every ? all : new Path2D() };
-  found.forEach((cubics, i) => {
-    const closed = drawing.contours[i]?.closed === true;
-    addOutline(all, cubics, closed);
-    if (closed && !every) addOutline(paths.closed, cubics, true);
+  drawing.contours.forEach((contour, i) => {
+    const cubics = found[i] ?? cubicsOf(drawing, contour, toleranceOf(scene));
+    if (sight !== null && !overlap(boxAround(cubics), sight)) return;
+    addOutline(all, cubics, contour.closed);
+    if (contour.closed && !every) addOutline(paths.closed, cubics, true);
   });
-  wholes.set(found, paths);
   return paths;
 }
 
@@ -170,18 +183,18 @@ function isLarge(scene: Scene, drawing: CurveDocument, all: boolean): (point: Co
   return ({ kind }) => all || kind === "cusp";
 }
 
-function isInSight({ state: { stage } }: Scene, { x, y }: ScreenPoint): boolean {
-  return x >= -24 && y >= -24 && x <= stage.width + 24 && y <= stage.height + 24;
+function isInSight({ minX, minY, maxX, maxY }: Bounds, { x, y }: ControlPoint): boolean {
+  return x >= minX && y >= minY && x <= maxX && y <= maxY;
 }
 
 function drawSmall(scene: Scene, drawing: CurveDocument, all: boolean): void {
   if (spacingOf(drawing) * scene.state.view.zoom < smallApart) return;
   const large = isLarge(scene, drawing, all);
   const small = createSmallPoints();
+  const sight = sightOf(scene);
   for (const { points } of drawing.contours) {
     for (const point of points) {
-      const at = onScreen(scene, point);
-      if (!large(point) && isInSight(scene, at)) small.add(at, point.kind, false);
+      if (!large(point) && isInSight(sight, point)) small.add(onScreen(scene, point), point.kind, false);
     }
   }
   small.draw(inScreen(scene), scene.palette);
@@ -191,11 +204,11 @@ function drawLargePoints(scene: Scene, drawing: CurveDocument, all: boolean): vo
   const { state: { traceView: { over, chosen }, keyboard }, palette, focused } = scene;
   const context = inScreen(scene);
   const large = isLarge(scene, drawing, all);
+  const sight = sightOf(scene);
   drawing.contours.forEach(({ points }, contour) => points.forEach((point, index) => {
     const is = (ref: PointOfOutline | null): boolean => ref !== null && ref.contour === contour && ref.index === index;
     const [hovered, selected] = [is(over), is(chosen)];
     if (!hovered && !selected && !large(point)) return;
-    const at = onScreen(scene, point);
-    if (isInSight(scene, at)) drawPoint(context, at, point.kind, { hovered, selected, focused: selected && focused && keyboard }, palette);
+    if (isInSight(sight, point)) drawPoint(context, onScreen(scene, point), point.kind, { hovered, selected, focused: selected && focused && keyboard }, palette);
   }));
 }
