@@ -5,6 +5,7 @@ import { omegaOf, segmentCount, type Contour, type ControlPoint, type CurveDocum
 import { snapPlace } from "../src/editor/pointer/snapping.ts";
 import { hitTest } from "../src/editor/pointer/hit-test.ts";
 import { initialState } from "../src/editor/initial-state.ts";
+import { abridged } from "../src/panels/code/snippets.ts";
 import { handOf, longContour } from "./harness.ts";
 
 /** What a drawing of very many points must not cost: counted, not timed. */
@@ -78,4 +79,13 @@ test("the pointer finds the nearest of very many points at any zoom", () => {
       assert.ok(found.kind === "point" && found.point.index === index, `zoom ${zoom}, point ${index}`);
     }
   }
+});
+
+test("a very long program is shown by its two ends, and says how much is left out; any other whole", () => {
+  const short = "x".repeat(100_000);
+  assert.equal(abridged(short), short);
+  const long = `begin${"x".repeat(1_000_000)}end`;
+  const shown = abridged(long);
+  assert.ok(shown.startsWith("begin") && shown.endsWith("end") && shown.length < 101_000);
+  assert.match(shown, /900,008 characters/);
 });

@@ -4,7 +4,7 @@ import { h, setAttribute, setText } from "../controls/dom.ts";
 import { icon } from "../controls/icons.ts";
 import { errorText } from "../messages/errors.ts";
 import { inNextFrame, type Shell } from "../shell.ts";
-import { snippetFor, snippetNames, type SnippetId } from "./snippets.ts";
+import { abridged, snippetFor, snippetNames, type SnippetId } from "./snippets.ts";
 
 const options = { segments: "arcs", tolerance: 0.02, decimals: 3, relative: false } as const;
 
@@ -17,6 +17,7 @@ export interface CodeDrawer {
 export function mountCodeDrawer(shell: Shell, changed: (open: boolean) => void): CodeDrawer {
   const { editor, io, toasts, regions, until } = shell;
   let active: SnippetId = "vanilla";
+  let whole = "";
   const code = h("code", {});
   const listing = h("pre", { class: "code-listing", testid: "code-listing", tabindex: "0", role: "tabpanel", "aria-label": "Program" }, code);
   const tabs = snippetNames.map(([id, name]) => h("button", { class: "code-tab", type: "button", role: "tab", testid: `code-${id}`, click: () => choose(id) }, name));
@@ -34,7 +35,8 @@ export function mountCodeDrawer(shell: Shell, changed: (open: boolean) => void):
     const { mode, curve } = editor.state.value;
     const program = editor.modes.get(mode)?.program?.(editor.state.value);
     list.hidden = program !== undefined;
-    setText(code, program ?? snippetFor(active, curve, options));
+    whole = program ?? snippetFor(active, curve, options);
+    setText(code, abridged(whole));
   };
   const choose = (id: SnippetId): void => {
     active = id;
@@ -70,7 +72,7 @@ export function mountCodeDrawer(shell: Shell, changed: (open: boolean) => void):
     set(false);
   });
   copy.addEventListener("click", () => {
-    void io.copyText(code.textContent ?? "").then((done) => (done ? toasts.say("Copied the program.") : toasts.error("clipboard", errorText("clipboard"))));
+    void io.copyText(whole).then((done) => (done ? toasts.say("Copied the program.") : toasts.error("clipboard", errorText("clipboard"))));
   });
   const soon = inNextFrame(shell.frame, refresh);
   editor.state.subscribe((state, before) => {
