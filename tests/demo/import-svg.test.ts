@@ -33,7 +33,7 @@ before(async () => {
 after(() => browser?.close());
 
 interface Reader {
-  readSvg(text: string): { shapes: { d: string; transform: number[] }[]; warnings: { code: string }[] };
+  readSvg(text: string, boundsOf: (d: string) => { left: number; top: number; right: number; bottom: number }): { shapes: { d: string; transform: number[] }[]; warnings: { code: string }[] };
   selectorsOf(list: string): { text: string; weight: number }[];
 }
 
@@ -41,7 +41,13 @@ function read(svg: string): Promise<Outcome> {
   assert.ok(page !== undefined);
   return page.evaluate((text) => {
     const start = performance.now();
-    const { shapes, warnings } = (globalThis as unknown as { reader: Reader }).reader.readSvg(text);
+    const { shapes, warnings } = (globalThis as unknown as { reader: Reader }).reader.readSvg(text, (d) => {
+      const svg = document.body.appendChild(document.createElementNS("http://www.w3.org/2000/svg", "svg"));
+      svg.innerHTML = `<path d="${d}"/>`;
+      const { x, y, width, height } = (svg.firstChild as SVGPathElement).getBBox();
+      svg.remove();
+      return { left: x, top: y, right: x + width, bottom: y + height };
+    });
     const ms = performance.now() - start;
     document.body.innerHTML = `<svg>${shapes.map(({ d, transform }) => `<path d="${d}" transform="matrix(${transform.join()})"/>`).join("")}</svg>`;
     const corner = document.querySelector("svg")?.getBoundingClientRect();
@@ -81,7 +87,7 @@ async function drawn(svg: string): Promise<Box | null> {
 }
 
 const ns = 'xmlns="http://www.w3.org/2000/svg"';
-const framed = (inner: string): string => `<svg ${ns} viewBox="0 0 100 50" width="100" height="50" style="display:block">${inner}</svg>`;
+const framed = (inner: string): string => `<svg ${ns} viewBox="0 0 100 50" width="100" height="50" style="display:block">${inner.replace(/&(?!\w+;)/gu, "&amp;")}</svg>`;
 const tile = '<rect width="10" height="10"/>';
 const symbol = (attributes: string, inner = tile): string => `<symbol id="s" viewBox="0 0 10 10" ${attributes}>${inner}</symbol>`;
 
@@ -136,7 +142,54 @@ const bySheets: readonly Case[] = [
   ["a sheet of another language", `<style type="text/less">rect{x:20px}</style>${tile}`, [0, 0, 10, 10]],
 ];
 
-for (const [title, cases] of [["frames", frames], ["CSS", bySheets]] as const) {
+const nested: readonly Case[] = [
+  ["a rule in a rule", `<style>.g{rect{x:20px}}</style><rect width="10" height="10"/><g class="g"><rect width="10" height="10"/></g>`, [0, 0, 30, 10]],
+  ["a rule for the same element", `<style>rect{&.a{x:20px}}</style><rect class="a" width="10" height="10"/>`, [20, 0, 30, 10]],
+  ["a rule for children alone", `<style>.g{>rect{x:20px}}</style><g class="g"><g><rect width="10" height="10"/></g></g>`, [0, 0, 10, 10]],
+  ["a rule for an element inside another that follows", `<style>.a,.b{x:5px;g &{x:20px}}</style><g><rect class="b" width="10" height="10"/></g>`, [20, 0, 30, 10]],
+  ["rules three deep", `<style>svg{.g{y:1px;& .h{&>rect{x:20px}}}}</style><g class="g"><g class="h"><rect width="10" height="10"/></g></g>`, [20, 0, 30, 10]],
+  ["what stands after a rule in a rule", `<style>rect{x:20px;&.z{x:9px}x:30px}</style><rect class="a" width="10" height="10"/>`, [30, 0, 40, 10]],
+  ["a condition in a rule", `<style>rect{@media screen{x:20px;&.a{y:5px}}@media print{x:70px}}</style><rect class="a" width="10" height="10"/>`, [20, 5, 30, 15]],
+  ["a rule in a rule, as heavy as the heaviest of the outer ones", `<style>#no,.g{rect{x:20px}} .g.g.g rect{x:50px}</style><g class="g"><rect width="10" height="10"/></g>`, [20, 0, 30, 10]],
+  ["a rule in a rule of one selector, as heavy as both", `<style>.g{.a{x:20px}} .a{x:50px}</style><g class="g"><rect class="a" width="10" height="10"/></g>`, [20, 0, 30, 10]],
+  ["an outer rule in brackets", `<style>.a{:is(&,.z){x:20px} rect&{y:5px} & &{x:60px}}</style><rect class="a" width="10" height="10"/>`, [20, 5, 30, 15]],
+  ["an outer rule where there is none", `<style>& rect{x:20px}</style>${tile}`, [20, 0, 30, 10]],
+  ["a kind after a class", `<style>.a{&:not(circle){x:20px}}</style><rect class="a" width="10" height="10"/>`, [20, 0, 30, 10]],
+];
+
+const layered: readonly Case[] = [
+  ["a rule of a layer", `<style>@layer a{rect{x:20px}}</style>${tile}`, [20, 0, 30, 10]],
+  ["a light rule of a later layer", `<style>@layer a{#r{x:50px}}@layer b{rect{x:20px}}</style><rect id="r" width="10" height="10"/>`, [20, 0, 30, 10]],
+  ["layers in the order that was said first", `<style>@layer b,a;@layer a{rect{x:20px}}@layer b{#r{x:50px}}</style><rect id="r" width="10" height="10"/>`, [20, 0, 30, 10]],
+  ["a rule of no layer", `<style>rect{x:20px}@layer a{#r{x:50px}}</style><rect id="r" width="10" height="10"/>`, [20, 0, 30, 10]],
+  ["an important rule of the earlier layer", `<style>@layer a{rect{x:20px!important}}@layer b{#r{x:50px!important}}#r{x:60px!important}</style><rect id="r" width="10" height="10"/>`, [20, 0, 30, 10]],
+  ["a layer's own rules over those of layers in it", `<style>@layer a{rect{x:20px}@layer b{#r{x:50px}}}</style><rect id="r" width="10" height="10"/>`, [20, 0, 30, 10]],
+  ["a layer in a layer by its long name", `<style>@layer a.b,a.c;@layer a{@layer c{rect{x:20px}}@layer b{#r{x:50px}}}</style><rect id="r" width="10" height="10"/>`, [20, 0, 30, 10]],
+  ["layers without names, each its own", `<style>@layer{#r{x:50px}}@layer{rect{x:20px}}</style><rect id="r" width="10" height="10"/>`, [20, 0, 30, 10]],
+  ["layers of two sheets", `<style>@layer b,a;</style><style>@layer a{rect{x:20px}}@layer b{#r{x:50px}}</style><rect id="r" width="10" height="10"/>`, [20, 0, 30, 10]],
+  ["a layer in a rule, and a condition in a layer", `<style>@layer a{@media screen{g{@layer b{rect{x:20px}}}}}</style><g>${tile}</g>`, [20, 0, 30, 10]],
+  ["where an animation starts, which is not where it stands", `<style>@starting-style{rect{x:20px}}</style>${tile}`, [0, 0, 10, 10]],
+  ["rules for what has a style", `<style>[style]{x:20px} rect[ style*="fill" ]{y:5px}</style><rect style="fill:#000" width="10" height="10"/>`, [20, 5, 30, 15]],
+];
+
+const boxes: readonly Case[] = [
+  ["a step by a share of the viewport", '<rect style="transform:translate(20%,calc(10% + 5px))" width="10" height="10"/>', [20, 10, 30, 20]],
+  ["a step by a share of an inner picture", '<svg width="50" height="50" viewBox="0 0 100 100"><rect style="transform:translateX(20%) translateY(10%)" width="10" height="10"/></svg>', [10, 5, 15, 10]],
+  ["a step of its own by a share", '<rect style="translate:20% 10%" width="10" height="10"/>', [20, 5, 30, 15]],
+  ["a step by a share of the shape", '<rect style="transform-box:fill-box;transform:translate(200%,50%)" x="5" width="10" height="20"/>', [25, 10, 35, 30]],
+  ["a step back by half of the shape", '<circle style="transform-box:fill-box;transform:translate(-50%,-50%)" cx="30" cy="20" r="10"/>', [10, 0, 30, 20]],
+  ["a growth about the middle of the viewport", '<rect style="transform:scale(2);transform-origin:center" x="40" y="20" width="10" height="10"/>', [30, 15, 50, 35]],
+  ["a growth about the middle of the shape", '<rect style="transform:scale(2);transform-box:fill-box;transform-origin:center" x="40" y="20" width="10" height="10"/>', [35, 15, 55, 35]],
+  ["a growth about a corner of the shape by an attribute", '<rect transform="scale(2)" transform-origin="bottom right" style="transform-box:fill-box" x="40" y="20" width="10" height="10"/>', [30, 10, 50, 30]],
+  ["a growth about one side", '<rect style="transform:scale(2);transform-box:fill-box;transform-origin:top" x="40" y="20" width="10" height="10"/>', [35, 20, 55, 40]],
+  ["a growth about a share of the viewport", '<rect style="scale:50%;transform-origin:100% 20%" width="10" height="10"/>', [50, 5, 55, 10]],
+  ["a turn about the middle of a group", '<g style="rotate:90deg;transform-box:fill-box;transform-origin:50% 50%"><rect x="20" y="20" width="10" height="5"/><rect x="40" y="25" width="20" height="5" transform="translate(5 0)"/></g>', [37.5, 2.5, 47.5, 47.5]],
+  ["a growth about the middle of what a use draws, before it is placed", `${symbol('width="20" height="20"')}<use href="#s" x="30" y="10" style="scale:.5;transform-box:fill-box;transform-origin:center"/>`, [20, 10, 30, 20]],
+  ["a growth inside another", '<g style="scale:2;transform-box:fill-box;transform-origin:0 0"><rect style="scale:2;transform-box:fill-box;transform-origin:center" x="20" y="10" width="10" height="10"/></g>', [15, 5, 55, 45]],
+  ["what is in no third dimension", '<rect style="transform:translateZ(0) translate3d(20px,5px,0) rotateZ(90deg) scale3d(1,2,1)" width="10" height="10"/>', [0, 5, 20, 15]],
+];
+
+for (const [title, cases] of [["frames", frames], ["CSS", bySheets], ["rules in rules", nested], ["layers", layered], ["boxes", boxes]] as const) {
   for (const [what, inner, box] of cases) {
     test(`${title}: ${what} is where the browser draws it`, async () => {
       const outcome = await read(framed(inner));
@@ -151,7 +204,7 @@ for (const [title, cases] of [["frames", frames], ["CSS", bySheets]] as const) {
 }
 
 test("what of a style sheet is not followed is told", async () => {
-  for (const inner of [`<style>@layer a{rect{x:20px}}</style>`, `<style>g{&amp; rect{x:20px}}</style>`, '<style>rect{transform-box:fill-box;transform:scale(2)}</style>', '<path d="M0 0" style="d:var(--d)"/>']) {
+  for (const inner of ["<style>@container (width>1px){rect{x:20px}}</style>", "<style>@scope (g){rect{x:20px}}</style>", '<style>rect{transform-box:stroke-box;transform-origin:center;transform:scale(2)}</style>', '<style>rect{transform:rotateX(30deg)}</style>', '<path d="M0 0" style="d:var(--d)"/>']) {
     const { warnings } = await read(framed(inner + tile));
     assert.ok(warnings.some((code) => code.startsWith("W_STYLE")), inner.slice(0, 80));
   }
@@ -178,6 +231,7 @@ const hostile: readonly (readonly [what: string, css: string])[] = [
   ["counts", ":nth-last-child(2n+1 of .a:nth-child(2n of .a)){x:1px}"],
   ["has 20,000 rules", Array.from({ length: 20_000 }, (_, i) => `.a:not(.b${i}){x:${i}px}`).join("")],
   ["has 400,000 rules", "a{x:1}".repeat(400_000)],
+  ["has rules in rules that double", `${"&,& &{".repeat(30)}x:1px`],
   ["has calls within calls", `${":is(".repeat(500)}a${")".repeat(500)}{x:1px}`],
   ["has a selector of 100,000 parts", `${"a,".repeat(100_000)}a{x:1px}`],
   ["has conditions in conditions", `${"@media all{".repeat(500)}a{x:1px}`],
@@ -185,7 +239,7 @@ const hostile: readonly (readonly [what: string, css: string])[] = [
 
 for (const [what, css] of hostile) {
   test(`a hostile style sheet that ${what} is given up in time, and that is told`, async (t) => {
-    const { ms, warnings } = await read(`<svg ${ns}><style>${css.replaceAll(">", "&gt;")}</style>${'<rect class="a" width="1" height="1"/>'.repeat(20_000)}</svg>`);
+    const { ms, warnings } = await read(`<svg ${ns}><style>${css.replaceAll("&", "&amp;").replaceAll(">", "&gt;")}</style>${'<rect class="a" width="1" height="1"/>'.repeat(20_000)}</svg>`);
     t.diagnostic(`${ms.toFixed(0)} ms`);
     assert.ok(warnings.includes("W_STYLE"), warnings.join());
     // A page that is asked for as much by a plain drawing of this size answers as late on a busy machine.

@@ -47,6 +47,24 @@ test("V15 a path of every kind of command comes in as it is drawn", async (t) =>
   assert.ok(onRight.length > 50 && onRight.every(([x]) => Math.abs(x - 90) <= 0.01));
 });
 
+test("an import applies nothing of the file to the page: the console stays silent", async (t) => {
+  const demo = await open(t);
+  const said: string[] = [];
+  demo.page.on("console", (message) => said.push(message.text()));
+  const styled = '<style>.a{display:none}@import url(a.css);</style><g style="fill:red" onclick="x()"><path class="a" d="M9 9h9v9z"/><path style="x:1px" d="M0 0h9v9z"/></g><script>x()</script><image href="a.png"/>';
+  const prefixed = '<s:style xmlns:s="http://www.w3.org/2000/svg">.b{fill:red}</s:style>';
+  const files = [
+    `<?xml-stylesheet href="a.css"?><svg xmlns="http://www.w3.org/2000/svg">${prefixed}${styled}</svg>`,
+    `<div style='color:red'><base href="/x"><style>p{color:red}</style><svg STYLE = "color:red">${styled}</svg></div>`,
+    "<svg viewBox='0 0 9 9' style={{ color: 'red' }}><path d='M0 0h9v9z' style={{ fill: 'red' }}/></svg>",
+  ];
+  for (const file of files) {
+    await imported(demo, file);
+    assert.equal((await demo.state()).curve.contours.length, 1);
+  }
+  assert.deepEqual(said, []);
+});
+
 test("V15 an ellipse under nested transforms is still exactly an ellipse", async (t) => {
   const demo = await open(t);
   const [cx, cy, rx, ry] = [30, 10, 25, 12];

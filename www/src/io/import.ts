@@ -3,7 +3,7 @@ import type { Contour, Space } from "../document/document.ts";
 import { FileError, parseState } from "../document/file/file.ts";
 import type { Imported } from "../document/imported.ts";
 import { Problem } from "../document/problem.ts";
-import { importPath, importPoints } from "../kernel/paths/import.ts";
+import { boundsOfPath, importPath, importPoints } from "../kernel/paths/import.ts";
 import { readSvg, type SvgFile } from "./svg/svg-file.ts";
 import { SvgFileError, type SvgWarningCode } from "./svg/limits.ts";
 
@@ -90,7 +90,7 @@ function readDrawing(text: string, space: Space): Imported {
 
 function readFile(text: string): SvgFile {
   try {
-    return readSvg(text);
+    return readSvg(text, boundsOfPath);
   } catch (error) {
     if (!(error instanceof SvgFileError)) throw error;
     if (error.code === "E_LIMIT") throw new Problem("svg-big", { field: error.detail.limit ?? "size", most: error.detail.max ?? 0, code: error.code });
@@ -109,7 +109,7 @@ const notesByCode: Readonly<Record<SvgWarningCode, string>> = {
   W_UNIT: "a length in a unit that needs a page was ignored",
   W_ODD_POINTS: "a lone last coordinate was dropped",
   W_STYLE: "a style sheet was not followed in full",
-  W_STYLE_TRANSFORM: "a transform by CSS in percent or in space was ignored",
+  W_STYLE_TRANSFORM: "a transform by CSS in space, or in percent of an unknown size, was ignored",
   W_TEXT: "text was left out; as outlines it would come along",
   W_CLIP: "what a clip or a mask hides came along",
   W_NO_TARGET: "a reference to something outside the file was left out",

@@ -1,5 +1,8 @@
 /** Browsers read style sheets by recursion: brackets within brackets, ten thousand deep, bring a page down. */
 
+/** Nobody writes brackets in a style deeper than this. */
+export const deepest = 64;
+
 /** A bracket that is written as a character reference, decimal, hexadecimal or by name. */
 const coded = /&(?:#0*(?:40|91|123);?|#x0*(?:28|5b|7b);?|(?:lpar|lbrack|lsqb|lbrace|lcub);)/iuy;
 

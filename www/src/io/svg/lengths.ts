@@ -1,5 +1,5 @@
 import type { SvgWarningCode } from "./limits.ts";
-import type { Declared } from "./style/styles.ts";
+import type { Declared } from "./style/declared.ts";
 
 export type Warn = (code: SvgWarningCode, element: Element) => void;
 

@@ -1,3 +1,4 @@
+import { withInertNames } from "./inert.ts";
 import { SvgFileError, type SvgLimits } from "./limits.ts";
 import { checkMarkup } from "./scan.ts";
 import { shapeNames } from "./shapes.ts";
@@ -13,7 +14,7 @@ const inBraces = /=\{\s*(["'])([^"'{}]*)\1\s*\}/gu;
  * in it, a `path` alone. The browser's own parsers read it into a document that is never attached to the page.
  */
 export function rootOf(source: string, limits: SvgLimits): Element {
-  const text = checkMarkup(source, limits);
+  const text = withInertNames(checkMarkup(source, limits));
   if (asFile.test(text) && !braces.test(text)) return strictRoot(text);
   const loose = text.replace(inBraces, "=$1$2$1");
   const found = htmlOf(loose).querySelector("svg");

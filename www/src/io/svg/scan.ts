@@ -46,7 +46,7 @@ function withoutDoctype(source: string, limits: SvgLimits): string {
 }
 
 /** Where a comment, CDATA section, processing instruction or document type that starts here ends; null for a tag. */
-function skipDeclaration(text: string, at: number): number | null {
+export function skipDeclaration(text: string, at: number): number | null {
   if (text.startsWith("<!--", at)) return after(text, "-->", at + 4);
   if (text.startsWith("<![CDATA[", at)) return after(text, "]]>", at + 9);
   if (text.startsWith("<?", at)) return after(text, "?>", at + 2);
@@ -72,27 +72,34 @@ function afterDoctype(text: string, from: number): number {
   return text.length;
 }
 
-/** Past the tag that starts here; counts it. */
-function readTag(text: string, at: number, count: { nodes: number; depth: number }, limits: SvgLimits): number {
-  const closing = text[at + 1] === "/";
-  let attributes = 0;
+/** Past the last character of the tag that starts here but its `>`; each sign of an attribute is told. */
+export function tagEnd(text: string, at: number, attribute: () => void = () => undefined): number {
   let i = at + 1;
   for (; i < text.length && text[i] !== ">"; i += 1) {
     const char = text[i];
     if (char === '"' || char === "'") i = after(text, char, i + 1) - 1;
-    else if (char === "=") attributes += 1;
+    else if (char === "=") attribute();
     else if (char === "<") break; // broken markup: let the parser say where
-    if (attributes > limits.maxAttributes) throw overLimit("maxAttributes", limits.maxAttributes, attributes);
   }
-  if (closing) {
+  return i;
+}
+
+/** Past the tag that starts here; counts it. */
+function readTag(text: string, at: number, count: { nodes: number; depth: number }, limits: SvgLimits): number {
+  let attributes = 0;
+  const end = tagEnd(text, at, () => {
+    attributes += 1;
+    if (attributes > limits.maxAttributes) throw overLimit("maxAttributes", limits.maxAttributes, attributes);
+  });
+  if (text[at + 1] === "/") {
     count.depth -= 1;
-    return i;
+    return end;
   }
   count.nodes += 1;
   if (count.nodes > limits.maxNodes) throw overLimit("maxNodes", limits.maxNodes, count.nodes);
-  if (text[i - 1] !== "/") {
+  if (text[end - 1] !== "/") {
     count.depth += 1;
     if (count.depth > limits.maxDepth) throw overLimit("maxDepth", limits.maxDepth, count.depth);
   }
-  return i;
+  return end;
 }

@@ -7,8 +7,10 @@ import { overLimit, svgLimits, type SvgLimits, type SvgWarning } from "./limits.
 import { rootOf } from "./markup.ts";
 import { identity, multiply, translate, type Matrix } from "./matrix.ts";
 import { pathDataOf, shapeNames } from "./shapes.ts";
-import { mayHide, type Box } from "./style/clip.ts";
-import { isHidden, isVisible, stylesOf, type Declared, type Styles } from "./style/styles.ts";
+import { enclosing, type Box } from "./style/box.ts";
+import { mayHide } from "./style/clip.ts";
+import type { Declared } from "./style/declared.ts";
+import { isHidden, isVisible, stylesOf, type Styles } from "./style/styles.ts";
 import { ownTransformOf } from "./style/transform.ts";
 import { innerViewport, nothingWanted, pictureOf, rootViewport, wantedBy, type Viewport, type Wanted } from "./viewport.ts";
 
@@ -36,6 +38,7 @@ interface Reading {
   readonly styles: Styles;
   /** What is seen of the whole drawing, in its own units. */
   readonly picture: Box | null;
+  readonly boundsOf: BoundsOf;
   expanded: number;
   commands: number;
 }
@@ -50,8 +53,11 @@ interface Place {
   readonly depth: number;
 }
 
+/** The box around what path data draw; null where it is nothing, or not known. */
+export type BoundsOf = (d: string) => Box | null;
+
 /** @throws SvgFileError with `E_PARSE_SVG`, `E_LIMIT` or `E_RANGE`. */
-export function readSvg(source: string, limits: SvgLimits = svgLimits): SvgFile {
+export function readSvg(source: string, boundsOf: BoundsOf = () => null, limits: SvgLimits = svgLimits): SvgFile {
   const root = rootOf(source, limits);
   const warnings: SvgWarning[] = [];
   const warn: Warn = (code, element) => {
@@ -65,6 +71,7 @@ export function readSvg(source: string, limits: SvgLimits = svgLimits): SvgFile 
     entered: new Set(),
     styles: stylesOf(root, warn),
     picture: pictureOf(root),
+    boundsOf,
     expanded: 0,
     commands: 0,
   };
@@ -78,7 +85,14 @@ function walk(element: Element, outer: Place, reading: Reading, byUse: Wanted | 
   if (outer.depth > 4 * reading.limits.maxDepth) throw overLimit("maxDepth", reading.limits.maxDepth, outer.depth);
   const css = reading.styles(element);
   if (isHidden(element, css)) return;
-  const place = { ...outer, matrix: multiply(outer.matrix, ownTransform(element, css, reading.warn)), visible: isVisible(element, css, outer.visible) };
+  const fill = (): Box | null => boxOfShapes(element, css, outer, reading, byUse);
+  const { matrix, problem } = ownTransformOf(element, css, { view: outer.around, fill });
+  if (problem !== null) reading.warn(problem, element);
+  draw(element, css, { ...outer, matrix: multiply(outer.matrix, matrix), visible: isVisible(element, css, outer.visible) }, reading, byUse);
+}
+
+/** An element in its own place. */
+function draw(element: Element, css: Declared, place: Place, reading: Reading, byUse: Wanted | null): void {
   const kind = element.localName;
   if (!place.visible && (shapeNames.has(kind) || kind === "text")) return;
   if (mayHide(element, css, place, reading.picture)) reading.warn("W_CLIP", element);
@@ -87,6 +101,18 @@ function walk(element: Element, outer: Place, reading: Reading, byUse: Wanted | 
   // A symbol is a group that only a use draws.
   else if (groups.has(kind) || (kind === "symbol" && byUse !== null)) walkChildren(element, place, reading, byUse ?? nothingWanted);
   else if (kind === "text") reading.warn("W_TEXT", element);
+}
+
+/** The box around an element's shapes in its own units; they are read once more, which counts against the limits. */
+function boxOfShapes(element: Element, css: Declared, outer: Place, reading: Reading, byUse: Wanted | null): Box | null {
+  const inner: Reading = { ...reading, shapes: [], warn: () => undefined };
+  const { x, y } = element.localName === "use" ? placeOfUse(element, { css, around: outer.around, warn: inner.warn }) : { x: 0, y: 0 };
+  // Browsers take the box of what a use draws before it is placed.
+  draw(element, css, { ...outer, matrix: translate(-x, -y), visible: true }, inner, byUse);
+  reading.expanded = inner.expanded;
+  reading.commands = inner.commands;
+  const boxes = inner.shapes.map(({ d, transform }) => [reading.boundsOf(d), transform] as const);
+  return boxes.reduce<Box | null>((all, [box, transform]) => (box === null ? all : enclosing(all, box, transform)), null);
 }
 
 function walkChildren(element: Element, outer: Place, reading: Reading, byUse: Wanted): void {
@@ -101,12 +127,6 @@ function walkChildren(element: Element, outer: Place, reading: Reading, byUse: W
 function viewportOf(element: Element, { around, depth }: Place, warn: Warn, byUse: Wanted): Viewport | null {
   if (element.localName !== "svg" && element.localName !== "symbol") return { matrix: identity, size: around };
   return depth === 1 ? rootViewport(element, warn) : innerViewport(element, around, byUse, warn);
-}
-
-function ownTransform(element: Element, css: Declared, warn: Warn): Matrix {
-  const { matrix, problem } = ownTransformOf(element, css);
-  if (problem !== null) warn(problem, element);
-  return matrix;
 }
 
 function addShape(element: Element, measures: Measures, transform: Matrix, reading: Reading): void {
@@ -141,8 +161,13 @@ function expand(use: Element, css: Declared, outer: Place, reading: Reading): vo
   if (reading.expanded > max) throw overLimit("maxUseExpansion", max, reading.expanded);
   const { around, depth } = outer;
   const measures = { css, around, warn: reading.warn };
-  const matrix = multiply(outer.matrix, translate(lengthOf(use, "x", 0, measures) ?? 0, lengthOf(use, "y", 0, measures) ?? 0));
+  const { x, y } = placeOfUse(use, measures);
+  const matrix = multiply(outer.matrix, translate(x, y));
   const sizes = target.localName === "svg" || target.localName === "symbol";
   walk(target, { ...outer, matrix, depth: depth + 1 }, reading, sizes ? wantedBy(use, around, reading.warn) : nothingWanted);
   reading.entered.delete(use);
+}
+
+function placeOfUse(use: Element, measures: Measures): { x: number; y: number } {
+  return { x: lengthOf(use, "x", 0, measures) ?? 0, y: lengthOf(use, "y", 0, measures) ?? 0 };
 }

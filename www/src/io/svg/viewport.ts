@@ -1,7 +1,7 @@
 import { lengthOf, unknownSize, type Size, type Warn } from "./lengths.ts";
 import { identity, multiply, numbersOf, scale, translate, type Matrix } from "./matrix.ts";
-import type { Box } from "./style/clip.ts";
-import { nothingDeclared } from "./style/styles.ts";
+import type { Box } from "./style/box.ts";
+import { nothingDeclared } from "./style/declared.ts";
 
 /** The frames that drawings stand in: the whole picture, pictures inside it, and symbols where they are used. */
 

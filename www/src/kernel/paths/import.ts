@@ -28,6 +28,20 @@ export function importPath(d: string, space: Space, matrix: Matrix | null = null
   }
 }
 
+/** The box around the outlines of a `d`; null where they cannot be read, or there are none. */
+export function boundsOfPath(d: string): { left: number; top: number; right: number; bottom: number } | null {
+  try {
+    const boxes = parsePath(d, { onWarning: () => undefined }).map((curve) => curve.bounds());
+    if (boxes.length === 0) return null;
+    const least = (of: "minX" | "minY"): number => boxes.reduce((least, box) => Math.min(least, box[of]), Infinity);
+    const most = (of: "maxX" | "maxY"): number => boxes.reduce((most, box) => Math.max(most, box[of]), -Infinity);
+    return { left: least("minX"), top: least("minY"), right: most("maxX"), bottom: most("maxY") };
+  } catch {
+    // Whoever reads it for its shapes hears why.
+    return null;
+  }
+}
+
 /** Files are written with few decimals: what was drawn smooth comes in with a kink of a fraction of a degree. */
 const kinkDegrees = 2;
 

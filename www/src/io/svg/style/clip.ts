@@ -1,17 +1,11 @@
+import { inertStyle } from "../inert.ts";
 import type { Size } from "../lengths.ts";
 import type { Matrix } from "../matrix.ts";
 import { pathDataOf } from "../shapes.ts";
-import { nothingDeclared, type Declared } from "./styles.ts";
+import type { Box } from "./box.ts";
+import { nothingDeclared, type Declared } from "./declared.ts";
 
 /** Clips and masks are not applied: what they would hide comes along, and that is said. */
-
-/** A rectangle along the axes. */
-export interface Box {
-  readonly left: number;
-  readonly top: number;
-  readonly right: number;
-  readonly bottom: number;
-}
 
 /** Whether a clip or a mask of the element may hide something of a picture; `matrix` leads to the picture's units. */
 export function mayHide(element: Element, style: Declared, { matrix, around }: { matrix: Matrix; around: Size }, picture: Box | null): boolean {
@@ -27,7 +21,7 @@ export function mayHide(element: Element, style: Declared, { matrix, around }: {
   });
 }
 
-const placing = ["transform", "style", "class", "clip-path", "mask", "clipPathUnits", "maskContentUnits"];
+const placing = ["transform", inertStyle, "class", "clip-path", "mask", "clipPathUnits", "maskContentUnits"];
 const white = /^(?:#fff|#ffffff|white)$/iu;
 
 /** The box that a clip or a mask leaves, where it is one and no more: editors clip whole drawings to their frames. */
@@ -35,8 +29,8 @@ function shownBy(hider: Element, around: Size): Box | null {
   const [only, ...others] = hider.children;
   if (only === undefined || others.length > 0) return null;
   // Of which kind a mask is, is the same for a white one.
-  const kind = hider.localName === "mask" && /^\s*mask-type\s*:[^;]*;?\s*$/iu.test(hider.getAttribute("style") ?? "");
-  if (placing.some((name) => only.hasAttribute(name) || (hider.hasAttribute(name) && !(kind && name === "style")))) return null;
+  const kind = hider.localName === "mask" && /^\s*mask-type\s*:[^;]*;?\s*$/iu.test(hider.getAttribute(inertStyle) ?? "");
+  if (placing.some((name) => only.hasAttribute(name) || (hider.hasAttribute(name) && !(kind && name === inertStyle)))) return null;
   if (hider.localName === "mask" && !white.test(only.getAttribute("fill") ?? "")) return null;
   return boxOf(pathDataOf(only, { css: nothingDeclared, around, warn: () => undefined }) ?? "");
 }

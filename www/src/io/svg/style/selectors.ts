@@ -34,6 +34,28 @@ export function selectorsOf(list: string): readonly Selector[] {
   return untilClosed();
 }
 
+/** Longer selectors come of rules in rules that multiply. */
+const longest = 10_000;
+
+/**
+ * The selectors of a rule that stands in another of those selectors, or in none: `&` is what the outer rule chooses. Null where
+ * that becomes too long.
+ */
+export function nestedIn(list: string, outer: readonly Selector[] | null): string | null {
+  if (!list.includes("&")) return list;
+  // In no rule it is the document's root, and weighs nothing.
+  const whole = outer === null ? ":where(:root)" : `:is(${outer.map(({ text }) => text).join()})`;
+  const alone = outer?.length === 1 ? outer[0]?.text : undefined;
+  const tokens = list.match(token) ?? [];
+  let text = "";
+  tokens.forEach((part, i) => {
+    // At the start of a selector the outer one can be written as it is, which is looked up faster.
+    const isFirst = i === 0 && /^[\s.#:[>+~]/u.test(tokens[1] ?? " ");
+    if (text.length <= longest) text += part === "&" ? (isFirst ? (alone ?? whole) : whole) : part;
+  });
+  return text.length > longest ? null : text;
+}
+
 function weightOf(part: string): number {
   if (part.startsWith("#")) return anId;
   if (/^(?:[.[]|:(?!:))/u.test(part)) return aClass;
