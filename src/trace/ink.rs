@@ -352,7 +352,7 @@ impl InkWork {
     }
 
     /// A bit of one contour more in this phase, which says what it cost and whether it was the contour's last; whether it was the last of all.
-    fn advance(&mut self, work: &dyn Fn(&mut Self, usize) -> Result<(f64, bool)>) -> Result<(f64, bool)> {
+    fn advance(&mut self, work: fn(&mut Self, usize) -> Result<(f64, bool)>) -> Result<(f64, bool)> {
         let i = self.progress.completed;
         if i >= self.found.len() {
             return Ok((0.0, true));
@@ -421,7 +421,7 @@ impl Work for InkWork {
         match &self.phase {
             Phase::Light(_) | Phase::Tones(_) | Phase::Contours(_) => self.look(),
             Phase::Corners => {
-                let (cost, last) = self.advance(&|work, i| work.corner(i))?;
+                let (cost, last) = self.advance(Self::corner)?;
                 if last {
                     let again = if self.options.refined { 1 } else { 2 };
                     self.enter(Phase::Splines, Stage::Splines, again * self.found.len());
@@ -429,7 +429,7 @@ impl Work for InkWork {
                 Ok(cost)
             }
             Phase::Splines => {
-                let (cost, last) = self.advance(&|work, i| work.spline(i))?;
+                let (cost, last) = self.advance(Self::spline)?;
                 if last && self.options.refined {
                     self.refinement(Kind::Covered)?;
                 } else if last {
