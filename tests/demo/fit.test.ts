@@ -143,6 +143,22 @@ test("the target drives the slider, and shows where it has led", async (t) => {
   const found = await result(demo);
   assert.ok(found.knots.length <= 8, `${found.knots.length} knots`);
   assert.equal(Number(await demo.byId("fit-smoothing").inputValue()), (await demo.state()).fit.smoothing);
+  assert.equal(await demo.byId("fit-target-note").isVisible(), false);
+});
+
+test("where a number of knots cannot be had, it is said beside the number", async (t) => {
+  // A closed curve of straight pieces and smooth ones does not come down to two places.
+  const demo = await open(t, "#/fit?sample=fit-star");
+  await demo.byId("fit-target").selectOption("knots");
+  await demo.byId("fit-target-value").fill("2");
+  await demo.byId("fit-target-value").press("Enter");
+  await demo.idle();
+  const { knots } = await result(demo);
+  assert.ok(knots.length > 2, `${knots.length} knots`);
+  assert.match(await demo.textOf("fit-target-note"), new RegExp(`No fewer than ${knots.length} knots`, "u"));
+  await demo.byId("fit-target").selectOption("off");
+  await demo.idle();
+  assert.equal(await demo.byId("fit-target-note").isVisible(), false);
 });
 
 test("a shared link holds the sample by its name, its noise and its seed", async (t) => {

@@ -1,5 +1,5 @@
 import { locate } from "../document/curve/contours.ts";
-import { isEnd, pointAt, segmentCount, type Contour } from "../document/document.ts";
+import { isEnd, pointAt, segmentCount } from "../document/document.ts";
 import { affectedSegments } from "../document/curve/roots.ts";
 import { measureCurve } from "../kernel/curve/measure.ts";
 import { isStraight } from "./curve/bending.ts";
@@ -49,24 +49,31 @@ function fixed(value: number): string {
 }
 
 function penHint(state: EditorState): string {
-  if (state.sketch.rubber?.closing === true) return "Click to close the contour.";
+  const press = state.touch ? "Tap" : "Click";
+  if (state.sketch.rubber?.closing === true) return `${press} to close the contour.`;
   if (state.sketch.rubber !== null) {
-    return `${state.touch ? "Tap" : "Click"} for a corner, drag for a smooth point. ${state.touch ? "A double tap finishes." : "Enter finishes, Esc drops the segment."}`;
+    return `${press} for a corner, drag for a smooth point. ${state.touch ? "A double tap finishes." : "Enter finishes, Esc drops the segment."}`;
   }
-  return "Click to place the first point, or drag to pull its handles.";
+  return `${press} to place the first point, or drag to pull its handles.`;
 }
 
-function curveHint(contour: Contour | undefined, t: number): string {
+/** A second press at the same place, as whoever has no mouse calls it; fingers have no Alt either. */
+function twice(touch: boolean): string {
+  return touch ? "Double-tap" : "Double-click";
+}
+
+function curveHint({ curve, touch }: EditorState, index: number, t: number): string {
+  const contour = curve.contours[index];
   if (contour === undefined) return "";
-  if (contour.family === "interpolating") return "Drag to move this segment. Double-click to insert a point; it says how far the curve moves.";
-  const drag = isStraight(contour, locate(contour, t).segment)
-    ? "Drag to move this line, Alt-drag to bend it."
-    : "Drag to bend the curve, Alt-drag to move this segment.";
-  return `${drag} Double-click to insert a point; the curve stays.`;
+  if (contour.family === "interpolating") return `Drag to move this segment. ${twice(touch)} to insert a point; it says how far the curve moves.`;
+  const [drag, alt] = isStraight(contour, locate(contour, t).segment)
+    ? ["Drag to move this line", "Alt-drag to bend it"]
+    : ["Drag to bend the curve", "Alt-drag to move this segment"];
+  return `${touch ? drag : `${drag}, ${alt}`}. ${twice(touch)} to insert a point; the curve stays.`;
 }
 
 function selectHint(state: EditorState): string {
-  const { hover, modifiers, curve } = state;
+  const { hover, modifiers, curve, touch } = state;
   switch (hover.kind) {
     case "point": {
       const kind = pointAt(curve, hover.point)?.kind;
@@ -74,22 +81,23 @@ function selectHint(state: EditorState): string {
       if (curve.contours[hover.point.contour]?.family === "interpolating") return `${name}: drag to move; only nearby segments follow`;
       if (modifiers.alt) return `${name}: drag pulls out fresh handles`;
       if (isEnd(curve, hover.point)) return `${name}: drag to move, onto another end to join them`;
-      return `${name}: drag to move, double-click for ${kind === "cusp" ? "smooth" : "a cusp"}`;
+      return `${name}: drag to move, ${twice(touch).toLowerCase()} for ${kind === "cusp" ? "smooth" : "a cusp"}`;
     }
     case "handle": {
       const name = describe(curve, hover.handle, hover.handle.side);
-      return modifiers.alt ? `${name}: drag breaks it into a cusp` : `${name}: drag to turn, Alt breaks, Shift keeps 15° steps`;
+      if (modifiers.alt) return `${name}: drag breaks it into a cusp`;
+      return touch ? `${name}: drag to turn` : `${name}: drag to turn, Alt breaks, Shift keeps 15° steps`;
     }
     case "curve":
-      return curveHint(curve.contours[hover.contour], hover.t);
+      return curveHint(state, hover.contour, hover.t);
     case "grip":
       return hover.hint;
     case "empty":
       if (curve.contours.length === 0) return "";
       if (curve.contours[state.selection.points[0]?.contour ?? 0]?.family === "interpolating") {
-        return `Drag a point: only nearby segments follow. ${state.touch ? "Drag elsewhere to move the view, two fingers to zoom." : "Drag across empty space to select."}`;
+        return `Drag a point: only nearby segments follow. ${touch ? "Drag elsewhere to move the view, two fingers to zoom." : "Drag across empty space to select."}`;
       }
-      if (state.touch) return "Drag a point or a handle. Drag elsewhere to move the view, two fingers to zoom.";
+      if (touch) return "Drag a point or a handle. Drag elsewhere to move the view, two fingers to zoom.";
       return state.selection.points.length > 0 ? "Drag a point. Alt-drag a handle to make a cusp." : "Drag a point or a handle. Drag across empty space to select.";
   }
 }

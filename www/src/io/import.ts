@@ -117,7 +117,7 @@ const notesByCode: Readonly<Record<SvgWarningCode, string>> = {
 
 function notesOf(file: SvgFile): string[] {
   const codes = new Set(file.warnings.map((warning) => warning.code));
-  return [...codes].map((code) => `${notesByCode[code]} (${code})`);
+  return [...codes].map((code) => notesByCode[code]);
 }
 
 /** Rows of two numbers, with a comma, semicolon, tab or blanks between them; a first row of words is a heading. */

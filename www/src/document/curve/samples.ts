@@ -149,7 +149,7 @@ function heart(): CurveSample {
   return {
     id: "heart",
     title: "Heart",
-    note: "Two cusps. Hold Alt and drag a handle to make another; double-click a point to smooth it.",
+    note: "Two cusps. Press a point twice to make it another, or smooth.",
     curve: document("heart", "trigonometric", "auto", [contour(points)]),
     overlays: [],
   };

@@ -6,7 +6,7 @@ import { describePoint, shownOf } from "./trace-edits.ts";
 /** What the next press would do in Trace. */
 export function traceHint(state: EditorState): string {
   const { traceView, traceRun, trace, hint } = state;
-  if (traceView.over !== null) return `${describePoint(state, traceView.over)}: double-click to toggle the corner`;
+  if (traceView.over !== null) return `${describePoint(state, traceView.over)}: ${state.touch ? "double-tap" : "double-click"} to toggle the corner`;
   if (isEmptyTrace(trace)) return "";
   if (hint !== "") return hint;
   if (traceView.view === "edges" && traceRun.picture !== null) {

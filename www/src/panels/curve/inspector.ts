@@ -19,7 +19,7 @@ function angleOf({ dx, dy }: Offset): number {
 export function inspectorSection({ editor }: Shell): Section {
   const rows = [placeRow(editor), kindRow(editor), handleRow(editor, "in", "In"), handleRow(editor, "out", "Out")];
   const which = h("span", { class: "section-note num" });
-  const none = h("p", { class: "quiet" }, "Nothing. Click a point on the stage, or press ] to step through them.");
+  const none = h("p", { class: "quiet" }, "Nothing. Choose a point on the stage, or press ] to step through them.");
   const numbers = h("div", { class: "inspector" }, ...rows.map(({ element }) => element));
   const pad = nudgePad(editor);
   const together = h("div", { class: "inspector" });

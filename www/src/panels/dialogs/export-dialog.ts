@@ -18,7 +18,8 @@ import { exportResult, type Box } from "./export-result.ts";
 export function openExport(shell: Shell): void {
   const curve = drawingOnStage(shell.editor);
   const box = documentBounds(curve);
-  const result = exportResult(shell, curve, box);
+  const look = (): FileLook => fileLook(shell.editor, curve);
+  const result = exportResult(shell, curve, box, look);
   const dialog = openDialog(
     { title: "Export", testid: "export-dialog", wide: true },
     h("div", { class: "export" },
@@ -28,7 +29,6 @@ export function openExport(shell: Shell): void {
   );
   const stem = curve.sample ?? "expline";
   const { mode } = shell.editor.state.value;
-  const look = (): FileLook => fileLook(shell.editor, curve);
   dialog.foot.append(
     button("Copy path", { class: "primary", testid: "export-d", title: "Copy the path's d", click: () => copy(shell, result.d(), "the path") }),
     svgButton(shell, stem, curve, box, result.d, look),

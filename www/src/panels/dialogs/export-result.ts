@@ -5,6 +5,7 @@ import { h, svg } from "../controls/dom.ts";
 import { formatBytes, formatDeviation } from "../controls/format.ts";
 import { asProblem } from "../messages/errors.ts";
 import { problemText } from "../messages/file-errors.ts";
+import type { FileLook } from "../page-io.ts";
 import type { Shell } from "../shell.ts";
 import { chosenOptions } from "./export-options.ts";
 
@@ -22,7 +23,7 @@ export interface ExportResult {
   refresh(): void;
 }
 
-export function exportResult(shell: Shell, curve: CurveDocument, box: Box): ExportResult {
+export function exportResult(shell: Shell, curve: CurveDocument, box: Box, look: () => FileLook): ExportResult {
   const picture = h("div", { class: "export-picture" });
   const preview = h("textarea", { class: "code-field", testid: "export-preview", rows: "5", readonly: true, "aria-label": "Path data", spellcheck: "false" });
   const numbers = h("dl", { class: "export-numbers num" });
@@ -40,7 +41,7 @@ export function exportResult(shell: Shell, curve: CurveDocument, box: Box): Expo
       }
       message.replaceChildren();
       preview.value = exported.d;
-      picture.replaceChildren(drawn(exported.d, box));
+      picture.replaceChildren(drawn(exported.d, box, look()));
       void showNumbers(shell, numbers, exported);
     },
   };
@@ -51,11 +52,14 @@ function complaint(error: unknown): HTMLElement {
   return h("p", { class: "message message-error", testid: "error", "data-error": id, role: "alert" }, problemText(id, details));
 }
 
-function drawn(d: string, box: Box): SVGSVGElement {
+/** What the file will show: what was traced as ink or in its colours, a drawing as its lines. */
+function drawn(d: string, box: Box, { filled, layers = [] }: FileLook): SVGSVGElement {
   if (box === null) return svg("svg", { "aria-hidden": "true" });
   const margin = Math.max(box.maxX - box.minX, box.maxY - box.minY) * 0.06 + 1e-6;
   const viewBox = [box.minX - margin, box.minY - margin, box.maxX - box.minX + 2 * margin, box.maxY - box.minY + 2 * margin].join(" ");
-  return svg("svg", { viewBox, role: "img", "aria-label": "Preview of the exported path" }, svg("path", { class: "thumbnail-curve", d }));
+  const one = svg("path", { class: filled === true ? "export-ink" : "thumbnail-curve", d });
+  const shapes = layers.length === 0 ? [one] : layers.map((layer) => svg("path", { d: layer.d, fill: layer.color }));
+  return svg("svg", { viewBox, role: "img", "aria-label": "Preview of the exported path" }, ...shapes);
 }
 
 /** The numbers of a path, at once; what it weighs compressed takes its place in them when it is known. */

@@ -26,7 +26,7 @@ function dataSection(shell: Shell): Section {
     label: "Tool", testid: "fit-tool", about: "What the pointer does on the stage.",
     options: [
       { value: "draw", label: "Draw", about: "Drag to draw a stroke (D)." },
-      { value: "points", label: "Points", about: "Click to place points (P)." },
+      { value: "points", label: "Points", about: "Each press places a point (P)." },
       { value: "erase", label: "Erase", about: "Drag over points to erase them (E)." },
     ],
     write: (value) => chooseFitTool(editor, value),
@@ -90,9 +90,10 @@ function smoothingSection(shell: Shell): Section & { readonly slider: HTMLElemen
     }),
   };
   const value = h("div", { class: "fit-target-value" });
+  const beyond = h("p", { class: "field-note", testid: "fit-target-note", role: "status" });
   return {
     slider: smoothing.element,
-    element: h("section", { class: "section", "aria-label": "Smoothing" }, smoothing.element, chart.element, target.element, value),
+    element: h("section", { class: "section", "aria-label": "Smoothing" }, smoothing.element, chart.element, target.element, value, beyond),
     update(state: EditorState) {
       const { fit } = state;
       smoothing.show(fit.data.length === 0 ? null : fit.smoothing);
@@ -102,8 +103,17 @@ function smoothingSection(shell: Shell): Section & { readonly slider: HTMLElemen
       if (value.firstChild !== (field?.element ?? null)) value.replaceChildren(...(field === null ? [] : [field.element]));
       most.knots.show(fit.targetKnots);
       most.error.show(fit.targetError);
+      const text = beyondTarget(state);
+      beyond.hidden = text === "";
+      setText(beyond, text);
     },
   };
+}
+
+/** What is said where more knots are left than were asked for, once a fit has tried. */
+function beyondTarget({ fit, fitRun: { outcome, since } }: EditorState): string {
+  if (fit.target !== "knots" || outcome === null || since !== null || outcome.knots.length <= fit.targetKnots) return "";
+  return `No fewer than ${outcome.knots.length} knots were found for these points and this model.`;
 }
 
 function modelSection(shell: Shell): Section {

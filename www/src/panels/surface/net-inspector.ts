@@ -35,7 +35,7 @@ export function netInspector(shell: Shell): Section {
   });
   const pad = nudgePad(shell);
   const which = h("span", { class: "section-note num" });
-  const none = h("p", { class: "quiet" }, "Nothing. Click a control point, or press ] to step through them.");
+  const none = h("p", { class: "quiet" }, "Nothing. Choose a control point, or press ] to step through them.");
   const triple = h("div", { class: "triple" }, ...fields.map((field) => field.element));
   const element = h("section", { class: "section", "aria-label": "Selected" },
     h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Selected"), which), none, triple, axis.element, pad.element);
