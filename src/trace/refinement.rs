@@ -249,7 +249,7 @@ impl Refinement {
         if let Some(blurring) = &mut self.blurring
             && self.place.phase > Phase::Show
         {
-            if blurring.step(&mut self.field) {
+            if blurring.step(&mut self.field)? {
                 self.blurring = None;
             }
             return Ok(2000.0);

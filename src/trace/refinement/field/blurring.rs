@@ -4,7 +4,7 @@ use super::blurred::{Blur, EMPTY, Gaussian, Region};
 use super::levels::Levels;
 use super::{AREA, Field};
 use crate::error::Result;
-use crate::limits::with_room;
+use crate::limits::{refill, with_room};
 use core::ops::Range;
 
 /// Tiles of one bit of work.
@@ -38,10 +38,10 @@ impl Blurring {
     ///
     /// `OutOfMemory` only.
     pub(in crate::trace::refinement) fn new(field: &mut Field, deviation: Option<f64>) -> Result<Self> {
-        let count = field.rest.len();
         let mut target = Levels::between(&field.rest)?;
-        let [cover, mut sharp] = [with_room(count)?, with_room(count)?];
+        let mut sharp = Vec::new();
         if deviation.is_some() {
+            sharp = with_room(field.rest.len())?;
             sharp.extend_from_slice(&field.rest);
         } else {
             target.extend(&field.rest);
@@ -51,7 +51,7 @@ impl Blurring {
         Ok(Self {
             target,
             sharp,
-            cover,
+            cover: Vec::new(),
             slot: 0,
             gaussian: Gaussian::new(deviation.unwrap_or(0.0)),
             squares: deviation.is_none().then(|| vec![0.0]),
@@ -59,9 +59,13 @@ impl Blurring {
     }
 
     /// Some tiles more, now that outlines cover the field; whether these were the last.
-    pub(in crate::trace::refinement) fn step(&mut self, field: &mut Field) -> bool {
+    ///
+    /// # Errors
+    ///
+    /// `OutOfMemory` only.
+    pub(in crate::trace::refinement) fn step(&mut self, field: &mut Field) -> Result<bool> {
         if self.cover.is_empty() {
-            self.cover.resize(field.rest.len(), 0.0);
+            refill(&mut self.cover, 0.0, field.rest.len())?;
             if self.sharp.is_empty() {
                 self.target.read(0, &mut self.cover);
             } else {
@@ -74,16 +78,16 @@ impl Blurring {
         self.slot = if last { 0 } else { tiles.end };
         if self.squares.is_some() {
             self.compare(field, tiles);
-            return last && self.choose();
+            return Ok(last && self.choose());
         }
         self.blur(field, tiles);
         if last {
             let [cover, mut lead] = [&mut self.cover, &mut self.sharp].map(core::mem::take);
             // What it holds does not matter before it is heard.
-            lead.resize(cover.len(), 0.0);
+            refill(&mut lead, 0.0, cover.len())?;
             field.blur = Some(Blur::new(self.gaussian, core::mem::take(&mut self.target), [cover, lead]));
         }
-        last
+        Ok(last)
     }
 
     /// Finds what the blur on trial leaves of some tiles.
@@ -173,12 +177,12 @@ mod tests {
         field.rest.iter_mut().enumerate().for_each(|(i, rest)| *rest -= ((i * 37) % 101) as f32 / 101.0);
     }
 
-    fn steps(blurring: &mut Blurring, field: &mut Field) -> usize {
+    fn steps(blurring: &mut Blurring, field: &mut Field) -> Result<usize> {
         let mut steps = 1;
-        while !blurring.step(field) {
+        while !blurring.step(field)? {
             steps += 1;
         }
-        steps
+        Ok(steps)
     }
 
     #[test]
@@ -188,7 +192,7 @@ mod tests {
         let mut blurring = Blurring::new(&mut field, Some(1.2))?;
         cover(&mut field);
         let before = field.rest.clone();
-        assert_eq!(steps(&mut blurring, &mut field), field.tiles().div_ceil(TILES));
+        assert_eq!(steps(&mut blurring, &mut field)?, field.tiles().div_ceil(TILES));
         let half = half_gaussian(1.2);
         let weight = |d: usize| half[d.abs_diff(4)];
         for (x, y) in [(60, 61), (127, 128), (200, 33), (333, 300)] {
@@ -212,7 +216,7 @@ mod tests {
         // Outlines cover all ink but a little.
         field.rest.iter_mut().for_each(|rest| *rest *= 0.01);
         let before = field.rest.clone();
-        assert_eq!(steps(&mut blurring, &mut field), 9 * field.tiles().div_ceil(TILES), "nine blurs");
+        assert_eq!(steps(&mut blurring, &mut field)?, 9 * field.tiles().div_ceil(TILES), "nine blurs");
         assert_eq!(field.rest, before);
         Ok(())
     }
@@ -229,7 +233,7 @@ mod tests {
             let mut field = striped()?;
             let mut blurring = Blurring::new(&mut field, Some(deviation))?;
             cover(&mut field);
-            steps(&mut blurring, &mut field);
+            steps(&mut blurring, &mut field)?;
             let all = 0..field.rest.len() as u32;
             // Some of it is heard before, and some is not.
             field.hear(all.clone().filter(|pixel| !(pixel / AREA as u32).is_multiple_of(3)));
