@@ -6,7 +6,8 @@ import { parseState, writeState } from "../src/document/file/file.ts";
 import { refineCurveHere, setFamily, setOrder } from "../src/editor/curve/family-edits.ts";
 import { insertAt, resample, reverse, setClosed, startHere } from "../src/editor/curve/contour-edits.ts";
 import { setLevel } from "../src/editor/curve/level-edits.ts";
-import { combOf, segmentPolygon } from "../src/kernel/curve/samples.ts";
+import { combOf } from "../src/kernel/curve/overlays/comb.ts";
+import { segmentPolygon } from "../src/kernel/curve/samples.ts";
 import { commandsOf } from "../src/kernel/paths/export.ts";
 import { Hand, largestDistance } from "./harness.ts";
 

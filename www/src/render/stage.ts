@@ -1,13 +1,12 @@
 import type { Mode } from "../document/document.ts";
 import { resized } from "../editor/pointer/camera.ts";
-import type { Editor } from "../editor/editor.ts";
+import type { Editor, EditorState } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
 import { late } from "../editor/loading.ts";
-import { drawComb, drawKnots, drawPolygon, drawSubdivision } from "./layers/analysis.ts";
+import { nothingSketched } from "../editor/sketch.ts";
 import { drawBefore, drawBezier, drawCurves, drawFill, drawSpans } from "./layers/curves.ts";
 import { drawGrid } from "./layers/grid.ts";
-import { drawHandles, drawPoints } from "./layers/points.ts";
-import { drawLoupe, drawSketch } from "./layers/sketch.ts";
+import { drawHandles, drawPoints, isCrowded } from "./layers/points.ts";
 import { drawnDiffers } from "./drawn.ts";
 import { readPalette } from "./palette.ts";
 import type { Scene } from "./scene.ts";
@@ -58,14 +57,22 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
     repaint();
   }
 
-  /** Few ever look at the weights, and frames are for contours that are chosen as a whole: they come when they are first to be shown. */
+  /** Most of what may lie over a curve is seldom shown, or not before a pointer is there: it comes when it is first to be shown. */
+  const analysis = late(editor, explains, () => import("./layers/analysis.ts"), repaint);
+  const many = late(editor, ({ curve }) => isCrowded(curve), () => import("./small-points.ts"), repaint);
+  const sketch = late(editor, sketches, () => import("./layers/sketch.ts"), repaint);
   const weights = late(editor, ({ settings }) => settings.overlays.weights, () => import("./layers/weights.ts"), repaint);
   const framing = late(editor, ({ selection }) => selection.points.length > 1, () => import("./layers/frame.ts"), repaint);
   const curve = (scene: Scene): void => {
     for (const layer of below) layer(scene);
+    analysis()?.drawBelow(scene);
     weights()?.drawWeights(scene);
     framing()?.drawFrame(scene);
-    for (const layer of above) layer(scene);
+    for (const layer of curves) layer(scene);
+    analysis()?.drawKnots(scene);
+    drawHandles(scene);
+    drawPoints(scene, many()?.createSmallPoints());
+    sketch()?.drawSketch(scene);
   };
   const painters = new Map<Mode, Painter>([["curve", { paint: curve }]]);
 
@@ -117,5 +124,15 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
 }
 
 /** From the paper up, below and above the weights and the frame. */
-const below: readonly ((scene: Scene) => void)[] = [drawGrid, drawFill, drawBefore, drawBezier, drawSubdivision, drawPolygon, drawComb];
-const above: readonly ((scene: Scene) => void)[] = [drawSpans, drawCurves, drawKnots, drawHandles, drawPoints, drawSketch, drawLoupe];
+const below: readonly ((scene: Scene) => void)[] = [drawGrid, drawFill, drawBefore, drawBezier];
+const curves: readonly ((scene: Scene) => void)[] = [drawSpans, drawCurves];
+
+/** Whether anything is to be shown that only explains the curve. */
+function explains({ settings: { overlays, subdivisionSteps } }: EditorState): boolean {
+  return overlays.comb || overlays.polygon || overlays.knots || overlays.subdivision || subdivisionSteps > 0;
+}
+
+/** Whether a tool may have something to show, beginning with where it would take hold. */
+function sketches({ hover, drag, sketch }: EditorState): boolean {
+  return hover.kind !== "empty" || drag !== null || sketch !== nothingSketched;
+}

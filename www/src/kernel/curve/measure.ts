@@ -1,6 +1,6 @@
 import { closedByChord, partsOf } from "../../document/curve/parts.ts";
 import type { Contour, CurveDocument } from "../../document/document.ts";
-import { bezierGhost, ellipseOf } from "./bezier-ghost.ts";
+import { bezierGhost, ellipseOf } from "./overlays/bezier-ghost.ts";
 import { curveOf } from "./curve-cache.ts";
 import { samplePoints } from "./samples.ts";
 

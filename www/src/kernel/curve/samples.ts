@@ -23,17 +23,6 @@ export function subdivided(document: CurveDocument, contour: Contour, steps: num
   return curve instanceof BSplineCurve ? curve.refine(2 ** steps).points : curve.sample(segmentCount(contour) * 2 ** steps);
 }
 
-/** The generalised Bézier points, four per segment; the control points of a curve that has no others. */
-export function bezierPolygon(document: CurveDocument, contour: Contour): Float64Array {
-  const curve = curveOf(document, contour);
-  if (curve === null) return nothing;
-  const points = polygons.get(curve) ?? (curve instanceof HermiteCurve ? curve.bezierPoints() : curve.points);
-  polygons.set(curve, points);
-  return points;
-}
-
-const polygons = new WeakMap<Curve, Float64Array>();
-
 /** Parameters as far as an open curve has them: of a file its grid may end early, and the sum of lengths is rounded. */
 export function within({ closed, domain: [start, end] }: Curve, t: Float64Array): Float64Array {
   return closed ? t : t.map((each) => Math.min(end, Math.max(start, each)));
@@ -119,33 +108,6 @@ export function documentBounds(document: CurveDocument): Bounds | null {
     box = union(box, own);
   }
   return box;
-}
-
-/** Curve points, tangents and curvature, `perSegment` of each for every segment: what a comb is drawn from. */
-export interface Comb {
-  readonly points: Float64Array;
-  readonly tangents: Float64Array;
-  readonly curvature: Float64Array;
-}
-
-/** Just inside the ends of a segment: on a point two curvatures may meet. */
-const inset = 1e-6;
-
-export function combOf(document: CurveDocument, contour: Contour, perSegment: number): Comb | null {
-  const curve = curveOf(document, contour);
-  if (curve === null) return null;
-  const segments = segmentCount(contour);
-  const places = new Float64Array(segments * perSegment);
-  let start = 0;
-  for (let segment = 0; segment < segments; segment += 1) {
-    const length = lengthOf(contour, segment);
-    for (let i = 0; i < perSegment; i += 1) {
-      places[segment * perSegment + i] = start + length * (inset + (1 - 2 * inset) * (i / (perSegment - 1)));
-    }
-    start += length;
-  }
-  const t = within(curve, places);
-  return { points: curve.evaluate(t), tangents: curve.evaluate(t, 1), curvature: curve.curvature(t) };
 }
 
 /** Points at uniform parameters, from 0 on where the curve is closed: the grid of a refined one may begin before or after that. */

@@ -4,7 +4,7 @@ import { h } from "../controls/dom.ts";
 import type { ModePanel, Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
 import { actionsRow, familyRow, frequencyRow, levelRow, orderRow, pointsRow, spaceRow } from "./curve-rows.ts";
-import { inspectorSection } from "./inspector.ts";
+import { inspectorSection } from "./inspector/inspector.ts";
 import { generatorSection, pointsTableSection } from "./points-table.ts";
 import { legendSection, showSection } from "./show.ts";
 

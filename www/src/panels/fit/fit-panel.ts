@@ -1,4 +1,5 @@
 import "../../styles/buttons.css";
+import "../../styles/fit.css";
 import { fitSample } from "../../document/fit/fit-samples.ts";
 import type { FitClosing, FitModel, FitTarget } from "../../document/fit/fit.ts";
 import type { EditorState } from "../../editor/editor.ts";

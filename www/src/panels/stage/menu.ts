@@ -1,9 +1,35 @@
-import type { Action, Editor } from "../../editor/editor.ts";
+import { isSelected, type CurveDocument } from "../../document/document.ts";
+import type { Action, Editor, Target } from "../../editor/editor.ts";
 import { h } from "../controls/dom.ts";
 import { printedKey } from "../shell.ts";
 
+/** What can be done with what is under the pointer. */
+function itemsFor(over: Target, { contours }: CurveDocument): readonly string[] {
+  switch (over.kind) {
+    case "point":
+    case "handle":
+      return ["smooth", "symmetric", "cusp", "reset-handles", "delete", "delete-open", "join", "start-here", "reverse", "select-contour"];
+    case "curve":
+      return ["insert-here", "reverse", "select-contour"];
+    case "grip":
+      return ["flip-across", "flip-down", "turn-right", "turn-left", "duplicate", "reverse"];
+    case "empty":
+      return contours.length > 0 ? ["paste", "zoom-fit", "select-all"] : ["paste", "samples"];
+  }
+}
+
+/** The menu of what is under the pointer, which is chosen if it is a point. */
+export function openMenuOver(editor: Editor, over: Target, { clientX, clientY }: MouseEvent): void {
+  const { selection } = editor.state.value;
+  const point = over.kind === "point" ? over.point : over.kind === "handle" ? { contour: over.handle.contour, index: over.handle.index } : null;
+  if (point !== null && !isSelected(selection, point)) editor.patch({ selection: { points: [point], handle: null } });
+  const state = editor.state.value;
+  const actions = itemsFor(over, state.curve).flatMap((id) => editor.actions.get(id) ?? []).filter((action) => action.enabled?.(state) !== false);
+  if (actions.length > 0) openMenu(editor, clientX, clientY, actions);
+}
+
 /** A menu at a place of the window: the first thing in it has the focus, which goes back to where it was. */
-export function openMenu(editor: Editor, x: number, y: number, actions: readonly Action[]): void {
+function openMenu(editor: Editor, x: number, y: number, actions: readonly Action[]): void {
   const before = document.activeElement;
   const items = actions.map((action) =>
     h("button", {

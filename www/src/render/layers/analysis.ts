@@ -1,16 +1,24 @@
 import { partsOf } from "../../document/curve/parts.ts";
 import type { Contour, CurveDocument } from "../../document/document.ts";
-import { bezierPolygon, combOf, documentBounds, subdivided } from "../../kernel/curve/samples.ts";
+import { bezierPolygon, combOf } from "../../kernel/curve/overlays/comb.ts";
+import { documentBounds, subdivided } from "../../kernel/curve/samples.ts";
 import { drawKnot } from "../markers.ts";
 import { isDense, isSeen, partPath } from "../outlines.ts";
 import { inPage, inScreen, onScreen, pathOfPoints, sightOf, type Scene } from "../scene.ts";
 
-/** Overlays that explain a curve: its comb, its control polygon, the subdivision polygons, its knots. */
+/** Overlays that explain a curve: its comb, its control polygon, the subdivision polygons, its knots. Loaded when one is shown first. */
+
+/** What lies below the curve, from the paper up. */
+export function drawBelow(scene: Scene): void {
+  drawSubdivision(scene);
+  drawPolygon(scene);
+  drawComb(scene);
+}
 
 const mostTeeth = 1024;
 
 /** Teeth at right angles to the curve on its convex side, as long as the curvature is great. */
-export function drawComb(scene: Scene): void {
+function drawComb(scene: Scene): void {
   const { state, palette } = scene;
   if (!state.settings.overlays.comb || state.originalOnly) return;
   const context = inPage(scene);
@@ -101,7 +109,7 @@ function polygonPath(document: CurveDocument, contour: Contour): Path2D {
   return path;
 }
 
-export function drawPolygon(scene: Scene): void {
+function drawPolygon(scene: Scene): void {
   const { state, palette } = scene;
   if (!state.settings.overlays.polygon || state.originalOnly) return;
   const context = inPage(scene);
@@ -120,7 +128,7 @@ export function drawPolygon(scene: Scene): void {
 }
 
 /** The polygons of the subdivision scheme, fainter the coarser. */
-export function drawSubdivision(scene: Scene): void {
+function drawSubdivision(scene: Scene): void {
   const { state, palette } = scene;
   const steps = state.settings.subdivisionSteps;
   if ((!state.settings.overlays.subdivision && steps === 0) || state.originalOnly) return;

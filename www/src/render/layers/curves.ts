@@ -2,7 +2,7 @@ import { locate } from "../../document/curve/contours.ts";
 import { partsOf } from "../../document/curve/parts.ts";
 import { pointAt, segmentCount } from "../../document/document.ts";
 import { affectedSegments } from "../../document/curve/roots.ts";
-import { bezierGhost, magnification } from "../../kernel/curve/bezier-ghost.ts";
+import { bezierGhost, magnification } from "../../kernel/curve/overlays/bezier-ghost.ts";
 import { segmentPolygon } from "../../kernel/curve/samples.ts";
 import { documentPaths, isDense, isSeen, partPath } from "../outlines.ts";
 import { inPage, inScreen, onScreen, pathOfCubics, pathOfPoints, sightOf, type Scene } from "../scene.ts";

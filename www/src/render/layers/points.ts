@@ -1,8 +1,8 @@
-import { baseCount, isSelected, samePoint, type HandleRef, type PointRef } from "../../document/document.ts";
+import { baseCount, isSelected, samePoint, type CurveDocument, type HandleRef, type PointRef } from "../../document/document.ts";
 import { hasSide, shownHandles } from "../../editor/pointer/hit-test.ts";
 import { drawHandleEnd, drawPoint, drawStart, drawVertex, type MarkerState } from "../markers.ts";
 import { inScreen, onScreen, sightOf, type Scene } from "../scene.ts";
-import { createSmallPoints } from "../small-points.ts";
+import type { SmallPoints } from "../small-points.ts";
 
 /** Control points, the handles of the chosen ones, and where each contour begins. */
 
@@ -54,16 +54,21 @@ function handleState(scene: Scene, handle: HandleRef): MarkerState {
 
 const mostLargePoints = 300;
 
-export function drawPoints(scene: Scene): void {
+/** Whether there are so many points that most of them are small ones. */
+export function isCrowded({ contours }: CurveDocument): boolean {
+  return contours.reduce((sum, contour) => sum + contour.points.length, 0) > mostLargePoints;
+}
+
+/** With the small ones, once they are there. */
+export function drawPoints(scene: Scene, small: SmallPoints | undefined): void {
   const { state, palette } = scene;
   if (state.originalOnly) return;
   const context = inScreen(scene);
   const { hover, selection } = state;
   const { minX, minY, maxX, maxY } = sightOf(scene);
-  const crowded = state.curve.contours.reduce((sum, contour) => sum + contour.points.length, 0) > mostLargePoints;
+  const crowded = isCrowded(state.curve);
   // When a great many are chosen, large marks would hide the drawing.
   const few = selection.points.length <= mostLargePoints;
-  const small = createSmallPoints();
   state.curve.contours.forEach((contour, c) => {
     const first = contour.points[0];
     if (first !== undefined && contour.points.length > 1 && !crowded && contour.grid === undefined) {
@@ -82,10 +87,10 @@ export function drawPoints(scene: Scene): void {
         selected: isSelected(selection, ref),
         focused: isFocused(scene, ref, null),
       };
-      if (crowded && !marker.hovered && !(marker.selected && few)) small.add(at, point.kind, marker.selected);
+      if (crowded && !marker.hovered && !(marker.selected && few)) small?.add(at, point.kind, marker.selected);
       else if (contour.grid !== undefined || index >= baseCount(contour)) drawVertex(context, at, marker, palette);
       else drawPoint(context, at, point.kind, marker, palette);
     });
   });
-  if (crowded) small.draw(context, palette);
+  if (crowded) small?.draw(context, palette);
 }

@@ -2,7 +2,10 @@ import type { PagePoint } from "../../editor/pointer/camera.ts";
 import { cubicsOf } from "../../kernel/paths/paths.ts";
 import { contourPath, inPage, inScreen, onScreen, pathOfCubics, pathOfPoints, type Scene } from "../scene.ts";
 
-/** What tools show while they work: guides, marquee, the pen's next segment, where a point would go in, the loupe. */
+/**
+ * What tools show while they work: guides, marquee, the pen's next segment, where a point would go in, the loupe. Loaded when a pointer
+ * has something to show first.
+ */
 
 export function drawSketch(scene: Scene): void {
   drawProposal(scene);
@@ -12,6 +15,7 @@ export function drawSketch(scene: Scene): void {
   drawStroke(scene);
   drawGuides(scene);
   drawMarquee(scene);
+  drawLoupe(scene);
 }
 
 function drawProposal(scene: Scene): void {
@@ -114,7 +118,7 @@ const loupeRadius = 48;
 const loupeZoom = 2;
 
 /** A finger hides what it drags: the loupe shows it above. It copies the finished picture, so it is drawn last. */
-export function drawLoupe(scene: Scene): void {
+function drawLoupe(scene: Scene): void {
   const { state, palette, ratio } = scene;
   const { finger } = state.sketch;
   if (finger === null) return;

@@ -1,7 +1,7 @@
-import type { Axis, Part } from "../../document/curve/aligning.ts";
-import { align, distribute } from "../../editor/curve/aligning.ts";
-import type { Editor } from "../../editor/editor.ts";
-import { h, svg } from "../controls/dom.ts";
+import type { Axis, Part } from "../../../document/curve/aligning.ts";
+import { align, distribute } from "../../../editor/curve/aligning.ts";
+import type { Editor } from "../../../editor/editor.ts";
+import { h, svg } from "../../controls/dom.ts";
 
 /** Buttons that bring what is chosen in line. Loaded when several points are chosen first. */
 

@@ -1,46 +1,28 @@
-import { baseCount, pointAt, type Kind, type Offset, type PointRef, type Side } from "../../document/document.ts";
-import type { Editor, EditorState } from "../../editor/editor.ts";
-import { nudge, setHandlePolar, setKind, setPoint } from "../../editor/curve/edits.ts";
-import { late } from "../../editor/loading.ts";
-import { h, setText } from "../controls/dom.ts";
-import { choiceField, numberField, type Field } from "../controls/fields.ts";
-import { glyph, icon, type IconName } from "../controls/icons.ts";
-import type { Section } from "../mode/panel-parts.ts";
-import type { Shell } from "../shell.ts";
+import { pointAt, type Kind, type Offset, type PointRef, type Side } from "../../../document/document.ts";
+import type { Editor, EditorState } from "../../../editor/editor.ts";
+import { nudge, setHandlePolar, setKind, setPoint } from "../../../editor/curve/edits.ts";
+import { h } from "../../controls/dom.ts";
+import { choiceField, numberField, type Field } from "../../controls/fields.ts";
+import { glyph, icon, type IconName } from "../../controls/icons.ts";
+import type { Section } from "../../mode/panel-parts.ts";
+
+/** The numbers of a chosen point, its kind, and the nudge pad. Loaded when a point is chosen first. */
 
 const limit = 1e6;
 
-/** Degrees counter-clockwise from 3 o'clock, as people draw angles; the screen's y points down. */
-function angleOf({ dx, dy }: Offset): number {
-  return dx === 0 && dy === 0 ? 0 : (-Math.atan2(dy, dx) * 180) / Math.PI + 0;
-}
-
-/** The chosen point in numbers: typed values are exact. Several points: what they share, and the nudge pad. */
-export function inspectorSection({ editor }: Shell): Section {
+export function pointNumbers(editor: Editor): Section {
   const rows = [placeRow(editor), kindRow(editor), handleRow(editor, "in", "In"), handleRow(editor, "out", "Out")];
-  const which = h("span", { class: "section-note num" });
-  const none = h("p", { class: "quiet" }, "Nothing. Choose a point on the stage, or press ] to step through them.");
-  const numbers = h("div", { class: "inspector" }, ...rows.map(({ element }) => element));
-  const pad = nudgePad(editor);
-  const together = h("div", { class: "inspector" });
-  late(editor, hasSeveral, () => import("./align-rows.ts"), ({ alignRows }) => together.append(...alignRows(editor)));
-  const head = h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Selected"), which);
   return {
-    element: h("section", { class: "section", "aria-label": "Selected" }, head, none, numbers, pad, together),
+    element: h("div", { class: "inspector" }, ...rows.map(({ element }) => element), nudgePad(editor)),
     update(state) {
-      const isEmpty = state.selection.points.length === 0;
-      none.hidden = !isEmpty;
-      numbers.hidden = isEmpty;
-      pad.hidden = isEmpty;
-      together.hidden = !hasSeveral(state);
-      setText(which, describeSelection(state));
       for (const row of rows) row.update(state);
     },
   };
 }
 
-function hasSeveral({ selection }: EditorState): boolean {
-  return selection.points.length > 1;
+/** Degrees counter-clockwise from 3 o'clock, as people draw angles; the screen's y points down. */
+function angleOf({ dx, dy }: Offset): number {
+  return dx === 0 && dy === 0 ? 0 : (-Math.atan2(dy, dx) * 180) / Math.PI + 0;
 }
 
 /** The point whose numbers are shown and typed: several have none. */
@@ -155,18 +137,6 @@ function hasHandle(state: EditorState, ref: PointRef, side: Side): boolean {
 function kindOf(state: EditorState): Kind | null {
   const first = state.selection.points[0];
   return first === undefined ? null : (pointAt(state.curve, first)?.kind ?? null);
-}
-
-function describeSelection({ selection, curve }: EditorState): string {
-  const { points } = selection;
-  const first = points[0];
-  if (first === undefined) return "";
-  if (points.length > 1) return `${points.length} points`;
-  const contour = curve.contours[first.contour];
-  const of = contour === undefined ? 0 : baseCount(contour);
-  if (contour !== undefined && first.index >= of) return `finer point ${first.index - of + 1} of ${contour.points.length - of}`;
-  const where = curve.contours.length > 1 ? `, contour ${first.contour + 1}` : "";
-  return `point ${first.index + 1} of ${of}${where}`;
 }
 
 /** Moving without dragging: four buttons, Shift for ten, Alt for a tenth. */

@@ -1,7 +1,7 @@
-import { partsOf } from "../../document/curve/parts.ts";
-import type { Contour, CurveDocument } from "../../document/document.ts";
-import { curveOf } from "./curve-cache.ts";
-import { boundsOf } from "./samples.ts";
+import { partsOf } from "../../../document/curve/parts.ts";
+import type { Contour, CurveDocument } from "../../../document/document.ts";
+import { curveOf } from "../curve-cache.ts";
+import { boundsOf } from "../samples.ts";
 
 /**
  * The Bézier to compare with. For an ellipse it is the one that editors draw: four cubics with handles of 0.5523 of
