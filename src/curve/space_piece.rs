@@ -81,6 +81,7 @@ impl SpacePiece {
     /// Two corners of a box that holds the piece.
     pub(super) fn corners(&self) -> [Triple; 2] {
         let (mut around, mut share) = ([0.0; 3], 1.0);
+        // The first power is the middle of the box; each other one reaches |y|ⁿ ≤ 2⁻ⁿ of itself away from it.
         for power in self.powers.iter().skip(1) {
             share *= 0.5;
             around = along(&around, &power.map(f64::abs), share);

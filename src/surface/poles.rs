@@ -74,7 +74,7 @@ impl TensorSurface {
         Ok(along)
     }
 
-    /// Moves point (i, j), and what the poles take along; says whether there was any.
+    /// Moves point (i, j) and the points that follow it at smooth poles; whether any did.
     fn follow(&mut self, poles: &[Pole], i: usize, j: usize, point: Vector3) -> bool {
         self.set(i, j, point);
         let mut along = false;

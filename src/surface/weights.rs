@@ -75,6 +75,7 @@ impl IntervalWeights {
 /// A derivative of Σ cₙxⁿ.
 fn horner(coefficients: &[f64], derivative: usize, x: f64) -> f64 {
     let mut value = 0.0;
+    // Lower powers vanish.
     for (n, c) in coefficients.iter().enumerate().skip(derivative).rev() {
         let falling = (0..derivative).fold(1.0, |f, i| f * (n - i) as f64);
         value = value * x + c * falling;

@@ -8,6 +8,7 @@ mod fewer;
 pub(super) mod field;
 mod fillets;
 mod grain;
+mod halving;
 mod left;
 mod phases;
 mod refine;
@@ -35,7 +36,6 @@ use self::left::Left;
 use self::refine::{Descent, NOISY_SHARE, Refiner, Relaxing, Shape};
 use self::trial::Limits;
 use super::outline::Outline;
-use super::outline::ellipse::ellipse;
 use super::picture::gray::Gray;
 use super::quality::Quality;
 use crate::error::Result;
@@ -48,12 +48,6 @@ const BOWS: [f64; 4] = [0.01, 0.05, 0.075, 0.15];
 const KNOWN: f64 = 4.0;
 /// The tolerance at which outlines are as near as pixels tell.
 const USUAL: f64 = 0.22;
-/// How often pieces are halved; in a compressed picture once.
-const HALVINGS: usize = 2;
-/// By how many of its standard deviations a sum of squares is above what noise makes it where something is missing.
-const SURELY: f64 = 2.0;
-/// Pixels that a piece crosses at least to be halved.
-const PIXELS: f64 = 8.0;
 /// Steps of all nodes at first and at last, and the share of what is left that a step has to take away for another.
 const STEPS: (usize, f64) = (6, 0.02);
 const LAST_STEPS: (usize, f64) = (8, 4e-3);
@@ -353,40 +347,6 @@ impl Refinement {
         Ok(end == count)
     }
 
-    /// Halves pieces that explain the picture worse than joints are taken away for, or than noise; whether there were any.
-    fn is_halved(&mut self) -> Result<bool> {
-        let shape = &mut self.shapes[self.place.at];
-        let most = match self.place.phase {
-            Phase::Rough => usize::from(self.field.is_compressed()),
-            _ if !self.picture.is_clean() => 0,
-            _ => HALVINGS,
-        };
-        if self.place.halvings == most {
-            return Ok(false);
-        }
-        // A circle that was not drawn by exact coverage is still a circle.
-        if self.place.halvings == 0 && ellipse(&shape.outline, self.picture.slack)?.is_some() {
-            return Ok(false);
-        }
-        let (limits, noise) = (&self.limits, self.fine.left.rms());
-        let is_much = |left: &Left| {
-            if self.picture.is_rough() {
-                // More than noise of that deviation leaves (D 14.26).
-                left.square > noise * noise * (left.count + SURELY * (2.0 * left.count).sqrt())
-            } else {
-                left.rms() > 1.5 * limits.rms || left.most > 2.0 * limits.most
-            }
-        };
-        let far = far(shape, &self.field, is_much);
-        let any = far.contains(&true);
-        if any {
-            let halved = shape.outline.halved(&far);
-            self.exchange(halved);
-            self.place.halvings += 1;
-        }
-        Ok(any)
-    }
-
     /// Steps that stop where the picture says no more.
     fn steps(&self, (most, enough): (usize, f64)) -> (usize, f64) {
         (most, if self.picture.is_clean() { enough } else { NOISY_SHARE })
@@ -438,14 +398,4 @@ impl Fine {
         self.left.join(&left);
         level(shape, field, &mut self.level);
     }
-}
-
-/// Which curved pieces leave what is too much.
-fn far(shape: &Shape, field: &Field, is_much: impl Fn(&Left) -> bool) -> Vec<bool> {
-    let is_far = |i: usize| {
-        let mut left = Left::default();
-        left.add(&shape.parts[i], field);
-        !shape.outline.is_line(i) && left.count > PIXELS && is_much(&left)
-    };
-    (0..shape.outline.len()).map(is_far).collect()
 }
