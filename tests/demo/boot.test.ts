@@ -119,6 +119,23 @@ test("a part that cannot be loaded is said", async (t) => {
   assert.match(await demo.textOf("error"), /could not be loaded/);
 });
 
+test("a part that was asked for is waited for, and asked for twice it is there once", async (t) => {
+  const demo = await open(t, "", { serviceWorkers: "block" });
+  await demo.page.route(/(dialog|code-drawer|menu)-?[^/]*\.js/u, (route) => void setTimeout(() => void route.continue(), 500));
+  await demo.focusStage();
+  await demo.press("?");
+  assert.equal(await demo.byId("help-dialog").count(), 1, "the page is not idle before it is there");
+  await demo.press("Escape");
+  await demo.page.evaluate(() => ["btn-export", "btn-export"].forEach((id) => document.querySelector<HTMLElement>(`[data-testid=${id}]`)?.click()));
+  await demo.idle();
+  assert.equal(await demo.byId("export-dialog").count(), 1);
+  await demo.press("Escape");
+  await demo.page.evaluate(() => ["btn-code", "btn-code", "btn-code"].forEach((id) => document.querySelector<HTMLElement>(`[data-testid=${id}]`)?.click()));
+  await demo.idle();
+  assert.deepEqual([await demo.byId("code-drawer").count(), await demo.byId("code-drawer").isVisible()], [1, true], "opened, closed and opened");
+  assert.deepEqual(demo.complaints, []);
+});
+
 test("an idle page asks for no frames", async (t) => {
   const demo = await open(t);
   await demo.page.waitForTimeout(500);

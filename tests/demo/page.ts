@@ -34,6 +34,7 @@ export function useBrowser(): {
     const fresh = await browser.newContext({ viewport: { width: 1280, height: 800 }, deviceScaleFactor: 1, ...options });
     t.after(() => fresh.close());
     if (slowness > 1) fresh.on("page", (page) => void slowDown(fresh, page));
+    if (lateness > 0) await fresh.route(/\/assets\//u, (route) => void setTimeout(() => void route.continue().catch(() => undefined), lateness));
     return fresh;
   }
   return {
@@ -48,6 +49,9 @@ export function useBrowser(): {
 
 /** `DEMO_SLOWNESS=4` runs the pages on a quarter of the processor: what depends on a fast machine shows. */
 const slowness = Number(process.env["DEMO_SLOWNESS"] ?? 1);
+
+/** `DEMO_LATENESS=400` hands out every part of the page so many milliseconds later: what does not wait for a part shows. */
+const lateness = Number(process.env["DEMO_LATENESS"] ?? 0);
 
 async function slowDown(context: BrowserContext, page: Page): Promise<void> {
   const devtools = await context.newCDPSession(page);

@@ -51,6 +51,7 @@ test("flat colours are found, shown as swatches, and saved as layers; without th
   for (const color of colors) assert.ok(found.some((each) => distance(each, color) <= 3), `${color} among ${found.join(" ")}`);
   assert.deepEqual(await demo.byId("trace-palette").locator("li").allTextContents(), found);
   await demo.byId("trace-export").click();
+  await demo.idle();
   const preview = demo.page.locator(".export-picture path");
   assert.deepEqual(await preview.evaluateAll((paths) => paths.map((path) => path.getAttribute("fill"))), found, "the preview shows what the file does");
   const [file] = await Promise.all([demo.page.waitForEvent("download"), demo.byId("export-svg").click()]);

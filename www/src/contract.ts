@@ -90,7 +90,8 @@ export function createContract({ editor, frame, ready, readState, parts, unmount
     unmount,
     async idle() {
       await ready;
-      await Promise.all(editor.loading);
+      // What has come may ask for more.
+      while (editor.loading.size > 0) await Promise.allSettled(editor.loading);
       await parts.settled?.();
       await working();
       await frame.idle();

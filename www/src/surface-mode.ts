@@ -1,3 +1,4 @@
+import { whenLoaded } from "./editor/loading.ts";
 import { registerSurfaceActions } from "./editor/surface/surface-actions.ts";
 import { ensureSurface } from "./editor/surface/surface-edits.ts";
 import { surfaceHint, surfaceSummary } from "./editor/surface/surface-hint.ts";
@@ -21,7 +22,7 @@ function exportOf(shell: Shell): void {
     ...action,
     run(editor) {
       if (editor.state.value.mode !== "surface") return action.run(editor);
-      void import("./panels/surface/surface-export.ts").then(({ openSurfaceExport }) => openSurfaceExport(shell));
+      whenLoaded(editor, import("./panels/surface/surface-export.ts"), ({ openSurfaceExport }) => openSurfaceExport(shell));
     },
   });
 }

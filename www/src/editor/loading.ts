@@ -9,6 +9,11 @@ export function whileLoading<T>(editor: Editor, work: Promise<T>): Promise<T> {
   return work;
 }
 
+/** Does something with what is on its way; the page is not idle before it is done. */
+export function whenLoaded<T>(editor: Editor, coming: Promise<T>, run: (loaded: T) => unknown): void {
+  void whileLoading(editor, coming.then(run, (error: unknown) => sayMissing(editor, "What this needs", error)));
+}
+
 /** Work with what is loaded when it is first wanted: done as soon as it is there, and at once from then on. */
 export interface OnDemand<T> {
   (editor: Editor, work: (loaded: T) => void): void;
@@ -24,9 +29,10 @@ export function sayMissing(editor: Editor, what: string, error: unknown): void {
 
 export function onDemand<T>(load: () => Promise<T>): OnDemand<T> {
   let loaded: T | null = null;
-  const arrive = (): Promise<T> => load().then((it) => (loaded = it));
+  let coming: Promise<T> | null = null;
+  const arrive = (): Promise<T> => (coming ??= load().then((it) => (loaded = it)).finally(() => (coming = null)));
   const work = (editor: Editor, run: (loaded: T) => void): void => {
-    if (loaded === null) void whileLoading(editor, arrive().then(run, (error: unknown) => sayMissing(editor, "What this needs", error)));
+    if (loaded === null) whenLoaded(editor, arrive(), run);
     else run(loaded);
   };
   return Object.assign(work, { load: arrive });

@@ -1,11 +1,11 @@
 import { writeState } from "../document/file/write.ts";
 import type { Action } from "../editor/editor.ts";
-import { whileLoading } from "../editor/loading.ts";
+import { whenLoaded, whileLoading } from "../editor/loading.ts";
 import { errorText } from "./messages/errors.ts";
 import type { Shell } from "./shell.ts";
 
 /** What copies, shares and takes in is loaded when something first is. */
-const work = (): Promise<typeof import("./files/file-work.ts")> => import("./files/file-work.ts");
+const fileWork = (): Promise<typeof import("./files/file-work.ts")> => import("./files/file-work.ts");
 
 /** The actions that reach outside the page: files, links, the clipboard, and the dialogs for them. */
 export function registerFileActions(shell: Shell): void {
@@ -17,21 +17,23 @@ export function registerFileActions(shell: Shell): void {
   const shown: Action["enabled"] = (state) => drawn(state) || (editor.modes.get(state.mode)?.drawing?.(state) ?? null) !== null;
   const running: Action["enabled"] = (state) => state.engine.status === "ready";
 
-  // Dialogs come when they are first asked for: the page opens sooner without them.
-  add("samples", "Samples", "File", [], () => void import("./dialogs/samples-dialog.ts").then(({ openSamples }) => openSamples(shell)), running);
-  add("import", "Import", "File", ["Mod+O"], () => void import("./dialogs/import-dialog.ts").then(({ openImport }) => openImport(shell)), running);
-  add("export", "Export", "File", ["Mod+E"], () => void import("./dialogs/export-dialog.ts").then(({ openExport }) => openExport(shell)), running);
-  add("share", "Copy a link", "File", [], () => void work().then(({ share }) => share(shell)));
-  add("help", "Help", "Help", ["?"], () => void import("./dialogs/help-dialog.ts").then(({ openHelp }) => openHelp(shell)));
+  // Dialogs come when they are first asked for, and one at a time: who asked again before it was there gets it once.
+  const dialog = <T>(load: () => Promise<T>, open: (loaded: T) => void) => (): void =>
+    whenLoaded(editor, load(), (loaded) => document.querySelector("dialog[open]") === null && open(loaded));
+  add("samples", "Samples", "File", [], dialog(() => import("./dialogs/samples-dialog.ts"), ({ openSamples }) => openSamples(shell)), running);
+  add("import", "Import", "File", ["Mod+O"], dialog(() => import("./dialogs/import-dialog.ts"), ({ openImport }) => openImport(shell)), running);
+  add("export", "Export", "File", ["Mod+E"], dialog(() => import("./dialogs/export-dialog.ts"), ({ openExport }) => openExport(shell)), running);
+  add("share", "Copy a link", "File", [], () => whenLoaded(editor, fileWork(), ({ share }) => share(shell)));
+  add("help", "Help", "Help", ["?"], dialog(() => import("./dialogs/help-dialog.ts"), ({ openHelp }) => openHelp(shell)));
   add("save-json", "Download JSON", "File", ["Mod+S"], () => {
     const stem = editor.state.value.curve.sample ?? "expline";
     io.download(`${stem}.json`, new Blob([writeState(editor.getState())], { type: "application/json" }));
   });
-  add("copy", "Copy as SVG", "Edit", ["Mod+C"], () => void work().then(({ copySvg }) => copySvg(shell)), shown);
-  add("cut", "Cut contours", "Edit", ["Mod+X"], () => void work().then(({ cut }) => cut(shell)), drawn);
+  add("copy", "Copy as SVG", "Edit", ["Mod+C"], () => whenLoaded(editor, fileWork(), ({ copySvg }) => copySvg(shell)), shown);
+  add("cut", "Cut contours", "Edit", ["Mod+X"], () => whenLoaded(editor, fileWork(), ({ cut }) => cut(shell)), drawn);
   // Mod+V is the browser's paste event; this is the menu's way to the same place.
   add("paste", "Paste", "Edit", [], () => {
-    const pasted = navigator.clipboard.readText().then(async (text) => (await work()).receiveText(shell, text), () => toasts.error("clipboard", errorText("clipboard")));
+    const pasted = navigator.clipboard.readText().then(async (text) => (await fileWork()).receiveText(shell, text), () => toasts.error("clipboard", errorText("clipboard")));
     void whileLoading(editor, pasted);
   }, running);
 }

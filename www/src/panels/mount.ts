@@ -1,7 +1,7 @@
 import type { Mode } from "../document/document.ts";
 import type { Editor } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
-import { whileLoading } from "../editor/loading.ts";
+import { whenLoaded } from "../editor/loading.ts";
 import { mountEmptyCurve } from "./curve/empty-curve.ts";
 import { registerFileActions } from "./file-actions.ts";
 import { openSession } from "./files/session.ts";
@@ -57,8 +57,8 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
     { signal },
   );
   io.listenForIncoming({
-    files: (files) => void whileLoading(editor, import("./files/file-work.ts").then(({ receiveFiles }) => receiveFiles(shell, files))),
-    text: (text) => void whileLoading(editor, import("./files/file-work.ts").then(({ receiveText }) => receiveText(shell, text))),
+    files: (files) => whenLoaded(editor, import("./files/file-work.ts"), ({ receiveFiles }) => receiveFiles(shell, files)),
+    text: (text) => whenLoaded(editor, import("./files/file-work.ts"), ({ receiveText }) => receiveText(shell, text)),
     dragging: (over) => regions.stage.toggleAttribute("data-drop", over),
   }, signal);
   return {

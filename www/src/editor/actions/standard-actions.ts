@@ -4,7 +4,7 @@ import { fitted, mostZoom, zoomedAt, type ScreenPoint } from "../pointer/camera.
 import {
   clearCurve, nudge, renewing, resetSelectedHandles, selectAll, selectEnd, selectNone, setKind, stepPart, stepSelection, toggleCusp,
 } from "../curve/edits.ts";
-import { late, onDemand, whileLoading } from "../loading.ts";
+import { late, onDemand, whenLoaded } from "../loading.ts";
 import { applyProposal, setLevel } from "../curve/level-edits.ts";
 import type { Action, Editor, EditorState, OverlayId, ToolId } from "../editor.ts";
 
@@ -137,7 +137,7 @@ const pointActions: readonly Action[] = [
     "Refine here",
     "Curve",
     [],
-    (editor) => void whileLoading(editor, import("../curve/family-edits.ts").then(({ refineCurveHere }) => refineCurveHere(editor))),
+    (editor) => whenLoaded(editor, import("../curve/family-edits.ts"), ({ refineCurveHere }) => refineCurveHere(editor)),
     { enabled: hasSelection },
   ),
   action(
@@ -145,7 +145,7 @@ const pointActions: readonly Action[] = [
     "Simplify in Fit",
     "Curve",
     [],
-    (editor) => void whileLoading(editor, import("../fit/bring.ts").then(({ simplifyInFit }) => simplifyInFit(editor))),
+    (editor) => whenLoaded(editor, import("../fit/bring.ts"), ({ simplifyInFit }) => simplifyInFit(editor)),
     { enabled: hasCurve },
   ),
   renewal("reverse", "Reverse", "Curve", [], "reverse", hasCurve),

@@ -2,7 +2,7 @@ import { omegaOf, type Contour, type CurveDocument, type Space } from "../../doc
 import { activeContour, renewing, setOmega, setSpace } from "../../editor/curve/edits.ts";
 import { setLevel } from "../../editor/curve/level-edits.ts";
 import type { Editor, EditorState } from "../../editor/editor.ts";
-import { whileLoading } from "../../editor/loading.ts";
+import { whenLoaded } from "../../editor/loading.ts";
 import { h, setAttribute, setText } from "../controls/dom.ts";
 import { choiceField, numberField, selectField, sliderField, toggleField } from "../controls/fields.ts";
 import { icon } from "../controls/icons.ts";
@@ -22,7 +22,7 @@ function isRefined(contour: Contour | undefined): boolean {
 
 /** Families are changed seldom: what it takes comes with the first change. */
 function editFamily(editor: Editor, run: (edits: typeof import("../../editor/curve/family-edits.ts")) => void): void {
-  void whileLoading(editor, import("../../editor/curve/family-edits.ts").then(run));
+  whenLoaded(editor, import("../../editor/curve/family-edits.ts"), run);
 }
 
 export function familyRow(editor: Editor): Row {

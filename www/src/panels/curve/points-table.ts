@@ -1,3 +1,4 @@
+import { whenLoaded } from "../../editor/loading.ts";
 import { h } from "../controls/dom.ts";
 import type { Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
@@ -11,7 +12,7 @@ export function folded(shell: Shell, title: string, testid: string, load: () => 
     part?.update(shell.editor.state.value);
     if (!details.open || asked) return;
     asked = true;
-    void load().then((loaded) => {
+    whenLoaded(shell.editor, load(), (loaded) => {
       part = loaded;
       details.append(loaded.element);
       loaded.update(shell.editor.state.value);

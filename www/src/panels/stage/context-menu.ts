@@ -1,3 +1,4 @@
+import { whenLoaded } from "../../editor/loading.ts";
 import type { Shell } from "../shell.ts";
 
 /** The menu of the stage: right press, long press, or the menu key. It acts on what it was opened over. */
@@ -8,6 +9,6 @@ export function mountContextMenu({ editor, regions, until }: Shell): void {
     const { value: state } = editor.state;
     if (state.mode !== "curve" || state.engine.status !== "ready") return;
     const { hover } = state;
-    void import("./menu.ts").then(({ openMenuOver }) => openMenuOver(editor, hover, event));
+    whenLoaded(editor, import("./menu.ts"), ({ openMenuOver }) => openMenuOver(editor, hover, event));
   }, { signal: until });
 }

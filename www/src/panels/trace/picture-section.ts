@@ -1,4 +1,5 @@
 import type { EditorState } from "../../editor/editor.ts";
+import { whenLoaded } from "../../editor/loading.ts";
 import { traceViews } from "../../editor/trace/trace-actions.ts";
 import { canView, setTraceView } from "../../editor/trace/trace-edits.ts";
 import type { TraceViewId } from "../../editor/trace/trace-state.ts";
@@ -66,7 +67,7 @@ export function pictureField(shell: Shell, testid = "trace-file"): HTMLElement {
   });
   file.addEventListener("change", () => {
     const [chosen] = file.files ?? [];
-    if (chosen !== undefined) void import("../files/file-work.ts").then(({ receiveFiles }) => receiveFiles(shell, [chosen]));
+    if (chosen !== undefined) whenLoaded(shell.editor, import("../files/file-work.ts"), ({ receiveFiles }) => receiveFiles(shell, [chosen]));
     file.value = "";
   });
   return h("label", { class: "file-drop trace-drop" }, icon("plus"), h("span", {}, "Drop, paste or choose…"), file);
