@@ -251,3 +251,20 @@ test("the points table is the model without the picture: read, edited and select
   await demo.idle();
   assert.equal(await rows.locator("xpath=self::*[@aria-selected='true']").count(), 3);
 });
+
+test("with text twice as large nothing in the surface's export, and nothing on an empty Trace, lies over anything else", async (t) => {
+  const demo = await open(t, "#/trace");
+  await demo.page.evaluate(() => { document.documentElement.style.fontSize = "200%"; });
+  await demo.still();
+  const [card, zoom] = await Promise.all([demo.byId("empty-trace").boundingBox(), demo.page.locator(".stage-zoom").boundingBox()]);
+  assert.ok(card !== null && zoom !== null && card.y + card.height <= zoom.y, JSON.stringify({ card, zoom }));
+  // What a card has in it is inside of it.
+  assert.deepEqual(await demo.page.locator(".empty-trace .sample").evaluateAll((cards) => cards.filter((each) => each.scrollWidth > each.clientWidth).map((each) => each.textContent)), []);
+  await demo.click("tab-surface");
+  await demo.click("btn-export");
+  await demo.byId("export-dialog").waitFor();
+  await demo.still();
+  const rows = await demo.page.locator(".dialog-body > *").evaluateAll((all) => all.map((each) => each.getBoundingClientRect()).map(({ top, bottom }) => ({ top, bottom })));
+  assert.ok(rows.length >= 4);
+  for (const [i, { top }] of rows.entries()) assert.ok(i === 0 || top >= (rows[i - 1]?.bottom ?? 0), JSON.stringify(rows));
+});

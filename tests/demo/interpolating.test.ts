@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { boxDiagonal, directedDistance, useBrowser, type Demo, type Pair } from "./page.ts";
+import { boxDiagonal, directedDistance, radiusError, useBrowser, type Demo, type Pair } from "./page.ts";
 
 const { open } = useBrowser();
 
@@ -167,6 +167,37 @@ test("a circle changes its family without moving; a blob says how far it moved",
   await demo.idle();
   assert.equal((await demo.state()).curve.contours[0]?.family, "hermite");
   assert.ok((await demo.metric("m-error")) <= 1e-9);
+});
+
+test("the first circle becomes an interpolating one of four points, which a closed contour of two cannot, and one undo takes it back", async (t) => {
+  const demo = await open(t);
+  const before = (await demo.state()).curve;
+  await demo.byId("family").getByLabel("Interpolating").check();
+  await demo.idle();
+  const [contour] = (await demo.state()).curve.contours;
+  assert.deepEqual([contour?.family, contour?.points.length], ["interpolating", 4]);
+  // The circle of the sample: centre 400, 300 and radius 160.
+  assert.ok(radiusError(await demo.sample(400)) <= 1e-12);
+  assert.match(await demo.textOf("toast"), /same curve.*2 points more/);
+  assert.doesNotMatch(await demo.textOf("hint"), /two points/);
+  assert.doesNotMatch(await demo.page.locator(".panel").innerText(), /2 points/);
+  await demo.press("Control+z");
+  assert.deepEqual((await demo.state()).curve, before);
+});
+
+test("a control whose change was refused shows what is", async (t) => {
+  const demo = await open(t, "#/curve?sample=blob-16");
+  await demo.click("pt-0-3");
+  await demo.click("curve-refine");
+  const { curve } = await demo.state();
+  // Twice: the second refusal is the same as the first.
+  for (let i = 0; i < 2; i += 1) {
+    await demo.byId("family").getByLabel("Hermite").click();
+    await demo.idle();
+    assert.deepEqual((await demo.state()).curve, curve);
+    assert.match(await demo.textOf("hint"), /refined places/);
+    assert.ok(await demo.byId("family").getByLabel("Interpolating").isChecked());
+  }
 });
 
 test("the generator of the present roots is drawn on demand", async (t) => {

@@ -229,7 +229,7 @@ function blob16(): CurveSample {
 function net64(): CurveSample {
   return {
     id: "net-64",
-    title: "64 points",
+    title: "Net, 64 points",
     note: "Sixty-four points on the curve, under one finger: drag any of them and watch the milliseconds below.",
     curve: document("net-64", "trigonometric", "auto", [through(64, (angle) => 190 + 34 * Math.sin(6 * angle))]),
     overlays: ["comb"],

@@ -1,5 +1,5 @@
 import { replaceContour } from "../../document/curve/commands.ts";
-import { nothingSelected, segmentCount, type Contour, type Family, type Order, type PointRef } from "../../document/document.ts";
+import { nothingSelected, segmentCount, type Contour, type CurveDocument, type Family, type Order, type PointRef } from "../../document/document.ts";
 import { finePlaceOf, rootsOf, supportOf } from "../../document/curve/roots.ts";
 import { inserted } from "../../kernel/curve/points/contours.ts";
 import { refinedAround } from "../../kernel/curve/fine-places.ts";
@@ -14,12 +14,11 @@ import type { Editor } from "../editor.ts";
 export function setFamily(editor: Editor, family: Family): void {
   const { curve } = editor.state.value;
   const index = activeContour(editor);
-  const contour = curve.contours[index];
-  if (contour === undefined || contour.family === family || hasPlaces(editor, contour)) return;
-  const least = contour.closed ? 3 : 2;
-  if (family === "interpolating" && contour.points.length < least) {
-    return refuse(editor, `An interpolating contour needs ${least} points; this one has ${contour.points.length}.`);
-  }
+  const drawn = curve.contours[index];
+  if (drawn === undefined || drawn.family === family || hasPlaces(editor, drawn)) return;
+  const contour = family === "interpolating" ? withEnoughPoints(curve, drawn) : drawn;
+  if (contour === null) return refuse(editor, "An interpolating contour needs 2 points; this one has fewer.");
+  const added = contour.points.length - drawn.points.length;
   const { contour: next, moved } = family === "hermite" ? asHermite(curve, contour) : asInterpolating(curve, contour);
   // Levels belong to the drawing; a contour of the other family begins at level 0.
   const level = curve.contours.length === 1 ? 0 : curve.level;
@@ -29,7 +28,20 @@ export function setFamily(editor: Editor, family: Family): void {
     apply: (document) => ({ ...replaceContour(document, index, put), level }),
     select: nothingSelected,
   });
-  say(editor, moved <= unnoticed ? "The same curve in the other family." : `The curve moved by at most ${printed(moved)}.`);
+  // What was said of the curve as it was is over.
+  editor.patch({ hint: "" });
+  const more = added === 0 ? "" : `, with ${added} points more: a closed one needs 3`;
+  say(editor, moved <= unnoticed ? `The same curve in the other family${more}.` : `The curve moved by at most ${printed(moved)}${more}.`);
+}
+
+/** A closed contour of two points with one more in the middle of each segment, which changes nothing; any other as it is. */
+function withEnoughPoints(document: CurveDocument, contour: Contour): Contour | null {
+  if (contour.points.length < 2) return null;
+  if (!contour.closed || contour.points.length > 2) return contour;
+  // The second segment first, so that its new point does not renumber the first one.
+  let next: Contour | undefined = contour;
+  for (const segment of [1, 0]) next = next && inserted(document, next, middleOf(next, segment))?.contour;
+  return next ?? null;
 }
 
 /** How many roots the active contour's generator has: one more is one more continuous derivative. */

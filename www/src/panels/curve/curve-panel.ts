@@ -14,7 +14,8 @@ export function curvePanel(shell: Shell): ModePanel & { readonly peek: HTMLEleme
   return {
     element: h("div", {}, ...sections.map(({ element }) => element)),
     peek: curve.level,
-    note: (state) => curveSample(state.curve.sample ?? "")?.title ?? "",
+    // Points may be added to what was opened: only its name is still true then.
+    note: (state) => curveSample(state.curve.sample ?? "")?.title.split(",")[0] ?? "",
     update(state) {
       if (state.engine.status === "ready") for (const section of sections) section.update(state);
     },

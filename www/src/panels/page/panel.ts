@@ -42,6 +42,8 @@ export function mountPanel(shell: Shell, metrics: HTMLElement): PanelHost {
     const hasOwn = state.mode !== "curve" && panels.has(state.mode);
     if (hasOwn || !looksSame(state, before)) soon.request();
   }, { until });
+  // What was asked for with a control may have been refused.
+  scroll.addEventListener("change", soon.request);
   update(editor.state.value);
   return {
     put(mode, panel) {
