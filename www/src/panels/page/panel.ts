@@ -42,8 +42,8 @@ export function mountPanel(shell: Shell, metrics: HTMLElement): PanelHost {
     const hasOwn = state.mode !== "curve" && panels.has(state.mode);
     if (hasOwn || !looksSame(state, before)) soon.request();
   }, { until });
-  // What was asked for with a control may have been refused.
-  scroll.addEventListener("change", soon.request);
+  // What was asked for with a control may have been refused, by what is loaded for it.
+  scroll.addEventListener("change", () => void Promise.allSettled(editor.loading).then(soon.request));
   update(editor.state.value);
   return {
     put(mode, panel) {
