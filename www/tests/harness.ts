@@ -5,7 +5,7 @@ import type { Contour, ControlPoint, CurveDocument } from "../src/document/docum
 import { curveSample } from "../src/document/curve/samples.ts";
 import { toScreen } from "../src/editor/pointer/camera.ts";
 import { createEditor } from "../src/editor/create-editor.ts";
-import { loadCurve, renewing } from "../src/editor/curve/edits.ts";
+import { levelling, loadCurve, renewing } from "../src/editor/curve/edits.ts";
 import type { Editor, Modifiers } from "../src/editor/editor.ts";
 import type { PointerKind } from "../src/editor/pointer/hit-test.ts";
 import { createPointerInput, type PointerInput } from "../src/editor/pointer/pointer-input.ts";
@@ -15,7 +15,7 @@ import { createPenTool } from "../src/tools/pen/pen-tool.ts";
 import { createTools } from "../src/tools/tools.ts";
 
 // In Node the engine finds itself; the page tells it where the bundler has put it.
-before(() => Promise.all([init(), initSpline(), initSurface(), renewing.load()]));
+before(() => Promise.all([init(), initSpline(), initSurface(), renewing.load(), levelling.load()]));
 
 /** The editor without a browser: pointers and keys in, documents out. Places are in document units. */
 export class Hand {

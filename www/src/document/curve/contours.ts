@@ -1,9 +1,14 @@
 import {
-  domainLength, lengthOf, omegaOf, segmentCount, type Contour, type ControlPoint, type CurveDocument, type Offset,
+  domainLength, lengthOf, noOffset, omegaOf, segmentCount, type Contour, type ControlPoint, type CurveDocument, type Offset,
 } from "../document.ts";
 import { kindOf, opposite, scaled } from "./offset.ts";
 
 /** Structure of a contour: turned round, opened, closed, begun elsewhere. Nothing here moves the curve unless its name says so. */
+
+/** A point without handles. */
+export function plainPoint(x: number, y: number): ControlPoint {
+  return { x: x + 0, y: y + 0, kind: "smooth", in: noOffset, out: noOffset };
+}
 
 /** The same contour with every frequency written down, so that opening or closing it does not change what "auto" means. */
 export function withPinnedOmega(curve: CurveDocument, contour: Contour): Contour {

@@ -2,10 +2,9 @@ import { modes, type Mode } from "../../document/document.ts";
 import { documentBounds } from "../../kernel/curve/samples.ts";
 import { fitted, mostZoom, zoomedAt, type ScreenPoint } from "../pointer/camera.ts";
 import {
-  clearCurve, nudge, renewing, resetSelectedHandles, selectAll, selectEnd, selectNone, setKind, stepPart, stepSelection, toggleCusp,
+  clearCurve, levelling, nudge, renewing, resetSelectedHandles, selectAll, selectEnd, selectNone, setKind, stepPart, stepSelection, toggleCusp,
 } from "../curve/edits.ts";
 import { late, onDemand, whenLoaded } from "../loading.ts";
-import { applyProposal, setLevel } from "../curve/level-edits.ts";
 import type { Action, Editor, EditorState, OverlayId, ToolId } from "../editor.ts";
 
 /** The actions of the stage and the editor. Panels add those of files and dialogs. */
@@ -23,6 +22,8 @@ function insertAtHover(editor: Editor): void {
   const { hover } = editor.state.value;
   if (hover.kind === "curve") renewing(editor, ({ insertAt }) => insertAt(editor, hover.contour, hover.t));
 }
+
+const byLevels = (by: number) => (editor: Editor): void => levelling(editor, ({ setLevel }) => setLevel(editor, editor.state.value.curve.level + by));
 
 /** What turns, stretches and chooses whole contours. */
 const framing = onDemand(() => import("../curve/framing.ts"));
@@ -149,9 +150,9 @@ const pointActions: readonly Action[] = [
     { enabled: hasCurve },
   ),
   renewal("reverse", "Reverse", "Curve", [], "reverse", hasCurve),
-  action("level-up", "Level up", "Curve", ["}"], (editor) => setLevel(editor, editor.state.value.curve.level + 1), { enabled: hasCurve }),
-  action("apply-level", "Change the level", "Curve", [], applyProposal, { enabled: (state) => state.sketch.proposal !== null }),
-  action("level-down", "Level down", "Curve", ["{"], (editor) => setLevel(editor, editor.state.value.curve.level - 1), { enabled: hasCurve }),
+  action("level-up", "Level up", "Curve", ["}"], byLevels(1), { enabled: hasCurve }),
+  action("apply-level", "Change the level", "Curve", [], (editor) => levelling(editor, ({ applyProposal }) => applyProposal(editor)), { enabled: (state) => state.sketch.proposal !== null }),
+  action("level-down", "Level down", "Curve", ["{"], byLevels(-1), { enabled: hasCurve }),
 ];
 
 const transforms: readonly Action[] = ([

@@ -2,7 +2,7 @@ import { translationOf } from "../../document/curve/contours.ts";
 import { partsOf } from "../../document/curve/parts.ts";
 import { pointAt, type Contour, type CurveDocument, type Selection } from "../../document/document.ts";
 import { curveOf } from "../../kernel/curve/curve-cache.ts";
-import { settled } from "../../kernel/curve/fine-places.ts";
+import { settled } from "../../kernel/curve/settling.ts";
 
 /** What a drawing must be before it is put on the stage, and a selection before it goes with it. */
 

@@ -29,6 +29,8 @@ export function say(editor: Editor, text: string): void {
 
 /** What changes the points of a contour, or renews it as a whole. */
 export const renewing = onDemand(() => import("./contour-edits.ts"));
+/** What goes up and down the levels. */
+export const levelling = onDemand(() => import("./level-edits.ts"));
 
 /** Refuses in the hint line and aloud, without an entry in the history. */
 export function refuse(editor: Editor, text: string): void {

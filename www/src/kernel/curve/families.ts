@@ -1,7 +1,8 @@
 import type { Contour, ControlPoint, CurveDocument } from "../../document/document.ts";
+import { plainPoint } from "../../document/curve/contours.ts";
 import { curveOf } from "./curve-cache.ts";
 import { distanceBetween } from "./distance.ts";
-import { placesOf, plainPoint, supported } from "./interpolating.ts";
+import { placesOf, supported } from "./interpolating.ts";
 
 /** From one family of contours to the other, through the same points. */
 

@@ -1,17 +1,12 @@
 import { BSplineCurve, InterpolatingCurve } from "expline/slim";
-import { baseCount, noOffset, type Contour, type ControlPoint, type CurveDocument } from "../../document/document.ts";
+import { baseCount, type Contour, type ControlPoint, type CurveDocument } from "../../document/document.ts";
 import { rootsOf, supportOf } from "../../document/curve/roots.ts";
 import type { Root } from "../../document/surface/surface.ts";
-import { withClosed } from "../../document/curve/contours.ts";
+import { plainPoint, withClosed } from "../../document/curve/contours.ts";
 import { curveOf } from "./curve-cache.ts";
 import { largestMove, within } from "./samples.ts";
 
 /** Interpolating contours: their levels, and the way to and from tangents. */
-
-/** A point without handles. */
-export function plainPoint(x: number, y: number): ControlPoint {
-  return { x: x + 0, y: y + 0, kind: "smooth", in: noOffset, out: noOffset };
-}
 
 export function pointsOf(flat: Float64Array): ControlPoint[] {
   return Array.from({ length: flat.length / 2 }, (_, i) => plainPoint(flat[2 * i] ?? 0, flat[2 * i + 1] ?? 0));

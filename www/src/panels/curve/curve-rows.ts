@@ -1,6 +1,5 @@
 import { omegaOf, type Contour, type CurveDocument, type Space } from "../../document/document.ts";
-import { activeContour, renewing, setOmega, setSpace } from "../../editor/curve/edits.ts";
-import { setLevel } from "../../editor/curve/level-edits.ts";
+import { activeContour, levelling, renewing, setOmega, setSpace } from "../../editor/curve/edits.ts";
 import type { Editor, EditorState } from "../../editor/editor.ts";
 import { whenLoaded } from "../../editor/loading.ts";
 import { h, setAttribute, setText } from "../controls/dom.ts";
@@ -180,6 +179,7 @@ function stepper(editor: Editor): HTMLElement {
 }
 
 export function levelRow(editor: Editor): Row & { readonly element: HTMLElement } {
+  const write = (level: number): void => levelling(editor, ({ setLevel }) => setLevel(editor, level));
   const level = sliderField({
     label: "Level",
     testid: "level",
@@ -189,8 +189,8 @@ export function levelRow(editor: Editor): Row & { readonly element: HTMLElement 
     step: 1,
     direction: "finer",
     print: String,
-    write: (value) => setLevel(editor, value),
-    reset: () => setLevel(editor, 0),
+    write,
+    reset: () => write(0),
     gesture: { begin: () => editor.begin("Level"), commit: () => editor.commit() },
   });
   return {

@@ -1,7 +1,8 @@
 import type { Contour, CurveDocument } from "../../../document/document.ts";
+import { plainPoint } from "../../../document/curve/contours.ts";
 import { curveOf } from "../curve-cache.ts";
 import { distanceBetween } from "../distance.ts";
-import { plainPoint, pointsOf, supported, withoutGrid } from "../interpolating.ts";
+import { pointsOf, supported, withoutGrid } from "../interpolating.ts";
 
 /** Interpolating contours with more points or fewer. */
 
