@@ -6,7 +6,7 @@ import { parseState, writeState } from "../src/document/file/file.ts";
 import { refineCurveHere, setFamily, setOrder } from "../src/editor/curve/family-edits.ts";
 import { insertAt, resample, reverse, setClosed, startHere } from "../src/editor/curve/contour-edits.ts";
 import { setLevel } from "../src/editor/curve/level-edits.ts";
-import { combOf } from "../src/kernel/curve/overlays/comb.ts";
+import { teethOf } from "../src/kernel/curve/overlays/comb.ts";
 import { segmentPolygon } from "../src/kernel/curve/samples.ts";
 import { commandsOf } from "../src/kernel/paths/export.ts";
 import { Hand, largestDistance } from "./harness.ts";
@@ -121,7 +121,7 @@ test("a refined contour that is opened is drawn, dragged and brought down again 
   setClosed(first.editor, false);
   assert.ok(largestDistance(hand.sample(500), first.sample(500)) < 1e-12);
   const { curve } = hand;
-  assert.ok(combOf(curve, contourOf(hand), 8));
+  assert.ok(teethOf(curve, contourOf(hand), 8));
   assert.equal(segmentPolygon(curve, contourOf(hand), 0, 8).length, 18);
   setLevel(hand.editor, 0);
   assert.equal(contourOf(hand).points.length, 16);

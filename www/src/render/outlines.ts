@@ -90,12 +90,14 @@ const steps = new WeakMap<Contour, number>();
 
 /** Whether the segments of a part are too short to be seen one by one. */
 export function isDense({ state }: Scene, part: Contour): boolean {
-  if (part.points.length < partSegments / 2) return false;
-  let step = steps.get(part);
-  if (step === undefined) {
-    const { points } = part;
-    step = points.reduce((sum, { x, y }, i) => sum + Math.hypot(x - (points[i - 1]?.x ?? x), y - (points[i - 1]?.y ?? y)), 0) / points.length;
-    steps.set(part, step);
-  }
-  return step * state.view.zoom < dense;
+  return part.points.length >= partSegments / 2 && stepOf(part) * state.view.zoom < dense;
+}
+
+/** From one point to the next, on average. */
+export function stepOf(part: Contour): number {
+  const { points } = part;
+  const step = steps.get(part)
+    ?? points.reduce((sum, { x, y }, i) => sum + Math.hypot(x - (points[i - 1]?.x ?? x), y - (points[i - 1]?.y ?? y)), 0) / points.length;
+  steps.set(part, step);
+  return step;
 }

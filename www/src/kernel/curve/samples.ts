@@ -1,4 +1,5 @@
 import { BSplineCurve, HermiteCurve, InterpolatingCurve, type Curve } from "expline/slim";
+import { translationOf } from "../../document/curve/contours.ts";
 import { partAt, partsOf } from "../../document/curve/parts.ts";
 import { domainLength, lengthOf, segmentCount, type Contour, type CurveDocument } from "../../document/document.ts";
 import { curveOf } from "./curve-cache.ts";
@@ -85,6 +86,8 @@ export function boundsOf(document: CurveDocument, contour: Contour): Bounds | nu
 }
 
 function ownBounds(document: CurveDocument, contour: Contour): Bounds | null {
+  const moved = translationOf(contour);
+  if (moved !== undefined) return shifted(ownBounds(document, moved.from), moved);
   const curve = curveOf(document, contour);
   if (curve === null) return null;
   const known = boxes.get(curve);
@@ -92,6 +95,10 @@ function ownBounds(document: CurveDocument, contour: Contour): Bounds | null {
   const fresh = curve.bounds();
   boxes.set(curve, fresh);
   return fresh;
+}
+
+function shifted(box: Bounds | null, { dx, dy }: { readonly dx: number; readonly dy: number }): Bounds | null {
+  return box && { minX: box.minX + dx, minY: box.minY + dy, maxX: box.maxX + dx, maxY: box.maxY + dy };
 }
 
 function union(a: Bounds | null, b: Bounds | null): Bounds | null {

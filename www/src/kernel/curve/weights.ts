@@ -1,4 +1,5 @@
-import { pointAt, type Contour, type ControlPoint, type CurveDocument, type PointRef } from "../../document/document.ts";
+import { stretchAround } from "../../document/curve/stretch.ts";
+import { pointAt, segmentCount, type Contour, type ControlPoint, type CurveDocument, type PointRef } from "../../document/document.ts";
 import { samplePoints } from "./samples.ts";
 
 /** How strongly one control point acts along its curve: the generators, where they work. */
@@ -9,6 +10,8 @@ export interface Weights {
   readonly point: Float64Array;
   /** φ₂, of its tangent; null where points have none. */
   readonly tangent: Float64Array | null;
+  /** Whether the places go round the curve; of a long contour they are those near the point. */
+  readonly closed: boolean;
 }
 
 /** Curves are linear in their points, so that a step of any size tells the weight; a large one loses no digits. */
@@ -23,10 +26,14 @@ export function weightsOf(document: CurveDocument, ref: PointRef): Weights | nul
   const key = `${ref.index} ${document.space} ${document.omega}`;
   const last = known.get(contour);
   if (last?.key === key) return last.weights;
-  const weights = measured(document, contour, ref.index, point);
+  const near = segmentCount(contour) > longest && contour.family === "hermite" ? stretchAround(document, contour, ref.index) : { contour, index: ref.index };
+  const weights = measured(document, near.contour, near.index, point);
   known.set(contour, { key, weights });
   return weights;
 }
+
+/** Segments up to which the weights are looked for along all of a contour. */
+const longest = 1024;
 
 function measured(document: CurveDocument, contour: Contour, index: number, point: ControlPoint): Weights {
   const count = contour.points.length * Math.max(4, Math.min(48, Math.floor(2048 / contour.points.length)));
@@ -39,5 +46,5 @@ function measured(document: CurveDocument, contour: Contour, index: number, poin
   const { in: before, out: after, moved } = point;
   // A handle is drawn at a third of its tangent.
   const tangent = contour.family === "hermite" ? withPoint({ in: { ...before, dx: before.dx - step / 3 }, out: { ...after, dx: after.dx + step / 3 } }) : null;
-  return { places, point: withPoint(moved === undefined ? { x: point.x + step } : { moved: { ...moved, dx: moved.dx + step } }), tangent };
+  return { closed: contour.closed, places, point: withPoint(moved === undefined ? { x: point.x + step } : { moved: { ...moved, dx: moved.dx + step } }), tangent };
 }

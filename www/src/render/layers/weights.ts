@@ -12,13 +12,12 @@ export function drawWeights(scene: Scene): void {
   const ref = state.selection.points[0] ?? { contour: 0, index: 0 };
   const weights = weightsOf(state.curve, ref);
   if (weights === null) return;
-  const closed = state.curve.contours[ref.contour]?.closed === true;
   const context = inPage(scene);
   const scale = high / state.view.zoom;
   context.lineJoin = "round";
   for (const [values, colour, dash] of [[weights.point, palette.point, []], [weights.tangent, palette.cubic, [4, 3]]] as const) {
     if (values === null) continue;
-    const path = standing(weights.places, values, closed, scale);
+    const path = standing(weights.places, values, weights.closed, scale);
     context.globalAlpha = 0.16;
     context.fillStyle = colour;
     context.fill(path);

@@ -1,3 +1,4 @@
+import { translationOf } from "../../../document/curve/contours.ts";
 import { partsOf } from "../../../document/curve/parts.ts";
 import type { Contour, CurveDocument } from "../../../document/document.ts";
 import { curveOf } from "../curve-cache.ts";
@@ -69,7 +70,8 @@ const longGhosts = new WeakMap<Contour, Ghost>();
 function ofParts(document: CurveDocument, contour: Contour, parts: readonly Contour[]): Ghost {
   const known = longGhosts.get(contour);
   if (known !== undefined) return known;
-  const distance = parts.reduce((worst, part) => Math.max(worst, bezierGhost(document, part)?.distance ?? 0), 0);
+  // What was moved as a whole is as far away as before.
+  const distance = parts.reduce((worst, part) => Math.max(worst, bezierGhost(document, translationOf(part)?.from ?? part)?.distance ?? 0), 0);
   const fresh: Ghost = { path: new Float64Array(0), distance, error: distance / halfExtent(document, contour), shape: "handles", magnified: null };
   longGhosts.set(contour, fresh);
   return fresh;
@@ -152,31 +154,30 @@ const perSegment = 16;
 function cubicDistance(document: CurveDocument, contour: Contour, path: Float64Array): number {
   const curve = curveOf(document, contour);
   if (curve === null) return 0;
-  const segments = path.length / 8;
-  const t: number[] = [];
+  const places = new Float64Array((path.length / 8) * perSegment);
   let start = 0;
-  for (let segment = 0; segment < segments; segment += 1) {
-    const length = contour.lengths?.[segment] ?? 1;
-    for (let i = 0; i < perSegment; i += 1) t.push(start + ((i + 0.5) / perSegment) * length);
-    start += length;
+  for (let k = 0; k < places.length; k += 1) {
+    const length = contour.lengths?.[Math.floor(k / perSegment)] ?? 1;
+    places[k] = start + within(k) * length;
+    if ((k + 1) % perSegment === 0) start += length;
   }
-  const exact = curve.evaluate(Float64Array.from(t));
+  const exact = curve.evaluate(places);
   let worst = 0;
-  for (let k = 0; k < t.length; k += 1) {
-    const x = ((k % perSegment) + 0.5) / perSegment;
-    const [px, py] = onCubic(path, 8 * Math.floor(k / perSegment), x);
-    worst = Math.max(worst, Math.hypot(px - (exact[2 * k] ?? 0), py - (exact[2 * k + 1] ?? 0)));
+  for (let k = 0; k < places.length; k += 1) {
+    const [t, at] = [within(k), 8 * Math.floor(k / perSegment)];
+    const off = (side: 0 | 1): number => onCubic(path, at + side, t) - (exact[2 * k + side] ?? 0);
+    worst = Math.max(worst, Math.hypot(off(0), off(1)));
   }
   return worst;
 }
 
-function onCubic(path: Float64Array, at: number, t: number): [number, number] {
+/** Of the segment that the place is in, from 0 to 1. */
+function within(k: number): number {
+  return ((k % perSegment) + 0.5) / perSegment;
+}
+
+/** One coordinate. */
+function onCubic(path: Float64Array, at: number, t: number): number {
   const s = 1 - t;
-  const weights = [s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t];
-  let [x, y] = [0, 0];
-  weights.forEach((weight, k) => {
-    x += weight * (path[at + 2 * k] ?? 0);
-    y += weight * (path[at + 2 * k + 1] ?? 0);
-  });
-  return [x, y];
+  return s * s * s * (path[at] ?? 0) + 3 * s * s * t * (path[at + 2] ?? 0) + 3 * s * t * t * (path[at + 4] ?? 0) + t * t * t * (path[at + 6] ?? 0);
 }

@@ -2,6 +2,7 @@ import { parsePath, type HermiteCurve } from "expline/slim";
 import { domainLength, lengthOf, omegaOf, segmentCount, type Contour, type ControlPoint, type CurveDocument, type Space } from "../../../document/document.ts";
 import { locate } from "../../../document/curve/contours.ts";
 import { kindOf, scaled } from "../../../document/curve/offset.ts";
+import { stretchAround } from "../../../document/curve/stretch.ts";
 import { arraysOf, pointOf } from "./control-points.ts";
 import { curveOf, hermiteOf } from "../curve-cache.ts";
 import { isOrdinary } from "../refining.ts";
@@ -79,30 +80,43 @@ export function inserted(document: CurveDocument, contour: Contour, t: number): 
 
 /** The contour without one point, its neighbours' handles chosen anew for the least change of shape; with the change measured. */
 export function healed(document: CurveDocument, contour: Contour, index: number): { contour: Contour; deviation: number } | null {
-  const curve = hermiteOf(document, contour);
-  if (curve === null || contour.points.length < 3) return null;
-  const result = curve.remove(index);
-  const space = contour.space ?? document.space;
-  const read = contourFrom(result.curve, space);
-  const untouched = contour.points.filter((_, i) => i !== index);
-  const count = untouched.length;
+  if (contour.points.length < 3) return null;
+  // Two segments become one: of a contour of very many nothing else is looked at.
+  const near = stretchAround(document, contour, index);
+  const result = hermiteOf(document, near.contour)?.remove(near.index);
+  if (result === undefined) return null;
+  const read = contourFrom(result.curve, contour.space ?? document.space);
+  const points = contour.points.filter((_, i) => i !== index);
+  const [count, segments] = [points.length, segmentCount(contour)];
   // An end of an open contour leaves no gap: its segment goes with it and nothing is joined.
   const isEnd = !contour.closed && (index === 0 || index === count);
-  const before = isEnd ? -1 : (index + count - 1) % count;
-  const after = isEnd ? -1 : index % count;
-  const points = untouched.map((point, i) => {
-    const fresh = read.points[i];
-    if (fresh === undefined) return point;
-    let joined = point;
-    if (i === before) joined = { ...joined, out: fresh.out };
-    if (i === after) joined = { ...joined, in: fresh.in };
-    return joined === point ? point : { ...joined, kind: point.kind === "cusp" ? "cusp" as const : kindOf(joined) };
-  });
+  const [before, after] = [(index + count - 1) % count, index % count];
+  const joined = (at: number, fresh: Partial<ControlPoint>): void => {
+    const point = points[at];
+    if (point === undefined) return;
+    const next = { ...point, ...fresh };
+    points[at] = { ...next, kind: point.kind === "cusp" ? "cusp" as const : kindOf(next) };
+  };
+  const [left, right] = [read.points[near.index - 1], read.points[near.index]];
+  if (!isEnd && left !== undefined && right !== undefined) {
+    joined(before, { out: left.out });
+    joined(after, { in: right.in });
+  }
+  const gone = isEnd && index > 0 ? index - 1 : index;
+  const [old, merged] = [(index + segments - 1) % segments, near.index - 1];
+  const shortened = (of: (segment: number) => number, fresh: number): number[] => {
+    const list = Array.from({ length: segments }, (_, segment) => of(segment));
+    if (!isEnd) list[old] = fresh;
+    return spliced(list, gone, 1);
+  };
+  const lengths = shortened((segment) => lengthOf(contour, segment), read.lengths?.[merged] ?? 1);
   const { omega: own, lengths: _lengths, ...rest } = contour;
-  const plain: Contour = { ...rest, points, ...(read.lengths === undefined ? {} : { lengths: read.lengths }) };
+  const plain: Contour = { ...rest, points, ...(lengths.every((length) => length === 1) ? {} : { lengths }) };
   // The healed segment may have a frequency of its own; then all of them are written down.
-  const follows = (read.omega ?? []).every((omega, segment) => Math.abs(omega - omegaOf(document, plain, segment)) <= 1e-12 * Math.abs(omega));
-  return { deviation: result.maxError, contour: own === undefined && follows ? plain : { ...plain, omega: read.omega ?? [] } };
+  const omega = isEnd ? 0 : read.omega?.[merged] ?? 0;
+  const follows = isEnd || Math.abs(omega - omegaOf(document, plain, before)) <= 1e-12 * Math.abs(omega);
+  if (own === undefined && follows) return { deviation: result.maxError, contour: plain };
+  return { deviation: result.maxError, contour: { ...plain, omega: shortened((segment) => omegaOf(document, contour, segment), omega) } };
 }
 
 /** `count` points at equal parameter distance. Exact where the frequency is one for all. */
