@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { assertSame, boxDiagonal, useBrowser, type Demo, type Pair } from "./page.ts";
+import { assertSame, boxDiagonal, directedDistance, useBrowser, type Demo, type Pair } from "./page.ts";
 import { bothWays, evaluatePath } from "./path-oracle.ts";
 
 const { open } = useBrowser();
@@ -160,6 +160,40 @@ for (const [name, text] of [
     assert.deepEqual((await demo.points()).map(({ x, y }) => [x, y]), [[3, 3], [21, 3], [21, 21], [3, 21]]);
   });
 }
+
+test("curved shapes that are moved, turned and stretched about boxes of their own come in where the browser draws them", async (t) => {
+  // Handles and centres of arcs stick out of these boxes: only the box of the curve itself gives these places.
+  const svg = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300" width="400" height="300">
+    <style>path, g { transform-box: fill-box; transform-origin: center } .half { transform: translate(50%, -25%) } .turn { transform: rotate(33deg) scale(1.5, .7) }
+      .corner { transform: skewX(20deg) scale(.8); transform-origin: 100% 0 } .all { transform: rotate(-15deg) translateX(10%) }</style>
+    <path class="half" d="M100 100C60 20 220 20 180 100C240 160 40 190 100 100Z"/>
+    <path class="turn" d="M250 80a40 25 30 1 1 60 20q-10 60-60-20z"/>
+    <path class="corner" d="M60 200Q100 120 140 200T220 210"/>
+    <g class="all"><path d="M260 180c40-60 90 20 20 40s-60-20-20-40z"/><path class="turn" d="M300 240A50 30 0 0 1 380 250L360 270"/></g></svg>`;
+  const demo = await open(t);
+  await imported(demo, svg);
+  const browser = await demo.page.context().newPage();
+  await browser.goto("about:blank");
+  const drawn = await browser.evaluate((text): Pair[][] => {
+    document.body.innerHTML = text;
+    const picture = document.querySelector("svg");
+    const back = picture?.getScreenCTM()?.inverse();
+    return [...document.querySelectorAll("path")].map((path) => {
+      const whole = path.getTotalLength();
+      return Array.from({ length: 400 }, (_, i): Pair => {
+        const { x, y } = path.getPointAtLength((i / 399) * whole).matrixTransform(path.getScreenCTM() ?? undefined).matrixTransform(back);
+        return [x, y];
+      });
+    });
+  }, svg);
+  assert.equal((await demo.state()).curve.contours.length, drawn.length);
+  for (const [i, places] of drawn.entries()) {
+    const closed = (await demo.state()).curve.contours[i]?.closed === true;
+    // Chromium walks along paths in single precision, and its lengths are good to a few thousandths.
+    const far = directedDistance(places, await demo.sample(4000, i), closed);
+    assert.ok(far <= 0.02, `path ${i + 1} is ${far} beside`);
+  }
+});
 
 test("a drawing far larger than the stage comes in whole, and stays in reach", async (t) => {
   const demo = await open(t);
