@@ -10,6 +10,8 @@ import { healed } from "../src/kernel/curve/points/contours.ts";
 import { boundsOf } from "../src/kernel/curve/samples.ts";
 import { weightsOf } from "../src/kernel/curve/weights.ts";
 import { drawBelow, drawKnots } from "../src/render/layers/analysis.ts";
+import { drawData, drawHeat } from "../src/render/fit/fit-layers.ts";
+import type { FitOutcome } from "../src/kernel/fit/outcome.ts";
 import type { Palette } from "../src/render/palette.ts";
 import type { Scene } from "../src/render/scene.ts";
 import { longContour } from "./harness.ts";
@@ -23,6 +25,7 @@ class Path {
   lines = 0;
   moveTo(): void {}
   closePath(): void {}
+  arc(): void {}
   lineTo(): void { this.lines += 1; }
   bezierCurveTo(): void { this.lines += 1; }
 }
@@ -155,4 +158,36 @@ test("the weights of a point of very many are those of the same point among few"
     for (const weights of [near, whole]) assert.ok(Math.abs(at(weights, x, y) - expected) <= 2 / 48, `${i}: ${at(weights, x, y)}`);
   }
   assert.ok(near.places.length <= 2 * 5 * 48, `${near.places.length / 2} places`);
+});
+
+/** Noise that comes back the same. */
+const noise = (i: number): number => ((i * 7919) % 1009) / 1009 - 0.5;
+
+/** What is drawn of so many noisy points of a circle of radius 200, and of how far they are from it. */
+function workOfFit(count: number): { readonly line: number; readonly heat: number } {
+  const angle = (i: number): number => (2 * Math.PI * i) / count;
+  const data = Array.from({ length: count }, (_, i): [number, number] => [400 + (200 + 4 * noise(i)) * Math.cos(angle(i)), 300 + (200 + 4 * noise(i)) * Math.sin(angle(i))]);
+  const state = initialState;
+  const scene = {
+    context, palette: { heat: ["a", "b", "c", "d", "e"] } as unknown as Palette, ratio: 1, origin: state.curve, focused: false,
+    state: { ...state, view: { x: 400, y: 300, zoom: 1 }, stage: { left: 0, top: 0, width: 1000, height: 800 }, fit: { ...state.fit, data, starts: [] } },
+  };
+  const lines = (draw: () => void): number => {
+    drawn.lines = 0;
+    draw();
+    return drawn.lines;
+  };
+  const curve = { closed: true, evaluate: (t: Float64Array) => Float64Array.from([...t].flatMap((i) => [400 + 200 * Math.cos(angle(i)), 300 + 200 * Math.sin(angle(i))])) };
+  const stroke = { curve, parts: [], points: Float64Array.from(data.flat()), parameters: Float64Array.from(data, (_, i) => i) };
+  const outcome = { strokes: [stroke], max: 2 } as unknown as FitOutcome;
+  return { line: lines(() => drawData(scene, 1)), heat: lines(() => drawHeat(scene, outcome)) };
+}
+
+test("of very many points of Fit the way and the errors are drawn to the pixel, of few each step", () => {
+  const [few, many] = [workOfFit(1500), workOfFit(60_000)];
+  assert.deepEqual(few, { line: 1499, heat: 1500 });
+  // The points lie in a ring 4 wide and 400 π long: so many cells of a pixel, and half as many again along its two rims.
+  assert.ok(many.line <= 6 * 400 * Math.PI, `${many.line}`);
+  // A chord of a circle of 1,257 pixels, every one two thirds of a pixel long.
+  assert.ok(many.heat <= 2001, `${many.heat}`);
 });

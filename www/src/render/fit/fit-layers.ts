@@ -1,4 +1,4 @@
-import { strokesOf } from "../../document/fit/fit.ts";
+import { strokesOf, type FitDocument } from "../../document/fit/fit.ts";
 import { cubicsOfFit, feetOf, teethOf, type FitOutcome, type FittedStroke } from "../../kernel/fit/outcome.ts";
 import { inPage, inScreen, onScreen, pathOfCubics, type Scene } from "../scene.ts";
 
@@ -35,24 +35,40 @@ export function drawData(scene: Scene, strength: number): void {
   context.globalAlpha = 1;
 }
 
-const lines = new WeakMap<object, Path2D>();
+const lines = new WeakMap<object, { readonly cell: number; readonly path: Path2D }>();
 
 /** The way from point to point, as it was drawn. */
 function drawRawLine(scene: Scene, width: number): void {
-  const { state, palette } = scene;
-  const { fit, view } = state;
+  const { fit, view } = scene.state;
+  // Powers of two, so that zooming seldom makes a new path.
+  const cell = fit.data.length > mostDots ? 1 / 2 ** Math.ceil(Math.log2(view.zoom)) : 0;
   const known = lines.get(fit.data);
-  const path = known ?? new Path2D();
-  if (known === undefined) {
-    for (const { from, to } of strokesOf(fit)) {
-      fit.data.slice(from, to).forEach(([x, y], i) => (i === 0 ? path.moveTo(x, y) : path.lineTo(x, y)));
-    }
-    lines.set(fit.data, path);
-  }
+  const path = known?.cell === cell ? known.path : rawLine(fit, cell);
+  lines.set(fit.data, { cell, path });
   const context = inPage(scene);
-  context.strokeStyle = palette.original;
+  context.strokeStyle = scene.palette.original;
   context.lineWidth = width / view.zoom;
   context.stroke(path);
+}
+
+/** Of very many points, the steps of the way that lead to where it has not been (to a cell of at most a pixel), or far from one place to another. */
+function rawLine(fit: FitDocument, cell: number): Path2D {
+  const path = new Path2D();
+  const been = new Set<number>();
+  for (const { from, to } of strokesOf(fit)) {
+    let isDrawn = false;
+    for (let i = from; i < to; i += 1) {
+      const [x, y] = fit.data[i] ?? [0, 0];
+      const [lastX, lastY] = fit.data[Math.max(from, i - 1)] ?? [x, y];
+      const place = cell === 0 ? i : Math.round(x / cell) * 2 ** 26 + Math.round(y / cell);
+      const isNew = !been.has(place) || Math.hypot(x - lastX, y - lastY) > 4 * cell;
+      been.add(place);
+      if (isNew && !isDrawn) path.moveTo(lastX, lastY);
+      if (isNew && i > from) path.lineTo(x, y);
+      isDrawn = isNew;
+    }
+  }
+  return path;
 }
 
 export function drawCurve(scene: Scene, outcome: FitOutcome): void {
@@ -103,6 +119,9 @@ export function drawHeat(scene: Scene, outcome: FitOutcome): void {
 
 const heats = new WeakMap<FittedStroke, readonly Path2D[]>();
 
+/** More chords than this are shorter than they are broad: then one is as long as several, and of the worst of their errors. */
+const mostChords = 2000;
+
 /** The curve in short chords, each in the path of its error's step. */
 function heatOf(stroke: FittedStroke, most: number, steps: number): readonly Path2D[] {
   const known = heats.get(stroke);
@@ -110,15 +129,17 @@ function heatOf(stroke: FittedStroke, most: number, steps: number): readonly Pat
   const paths = Array.from({ length: steps }, () => new Path2D());
   const [{ points, parameters, curve }, feet] = [stroke, feetOf(stroke)];
   const order = Array.from(parameters, (_, i) => i).sort((a, b) => (parameters[a] ?? 0) - (parameters[b] ?? 0));
+  if (curve.closed) order.push(order[0] ?? 0);
   const errorAt = (i: number): number => Math.hypot((points[2 * i] ?? 0) - (feet[2 * i] ?? 0), (points[2 * i + 1] ?? 0) - (feet[2 * i + 1] ?? 0));
-  order.forEach((i, place) => {
-    const next = order[place + 1] ?? (curve.closed ? order[0] : undefined);
-    if (next === undefined) return;
-    const error = (errorAt(i) + errorAt(next)) / 2;
+  const stride = Math.ceil(order.length / mostChords);
+  for (let start = 0; start + 1 < order.length; start += stride) {
+    const some = order.slice(start, start + stride + 1);
+    const [first = 0, last = 0] = [some[0], some.at(-1)];
+    const error = some.reduce((worst, i, k) => Math.max(worst, k === 0 ? 0 : (errorAt(i) + errorAt(some[k - 1] ?? i)) / 2), 0);
     const path = paths[Math.min(steps - 1, Math.floor((steps * error) / Math.max(most, 1e-12)))];
-    path?.moveTo(feet[2 * i] ?? 0, feet[2 * i + 1] ?? 0);
-    path?.lineTo(feet[2 * next] ?? 0, feet[2 * next + 1] ?? 0);
-  });
+    path?.moveTo(feet[2 * first] ?? 0, feet[2 * first + 1] ?? 0);
+    path?.lineTo(feet[2 * last] ?? 0, feet[2 * last + 1] ?? 0);
+  }
   heats.set(stroke, paths);
   return paths;
 }
