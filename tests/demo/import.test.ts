@@ -213,6 +213,17 @@ test("a drawing far larger than the stage comes in whole, and stays in reach", a
   assert.deepEqual((await demo.state()).view, kept.view);
 });
 
+test("points as a program has them, in pairs or with their names, become a smooth curve through all of them", async (t) => {
+  const demo = await open(t);
+  for (const text of ["[[10, 20], [30, -4.5e1], [50, 20]]", "[\n  [10, 20],\n  [30, -45],\n  [50, 20],\n];", '[{"x": 10, "y": 20}, {"x": 30, "y": -45}, {"x": 50, "y": 20}]', "[{ x: 10, y: 20 }, { x: 30, y: -45 }, { x: 50, y: 20 }]"]) {
+    await demo.click("btn-clear");
+    await imported(demo, text);
+    assert.deepEqual((await demo.points()).map(({ x, y }) => [x, y]), [[10, 20], [30, -45], [50, 20]], text);
+  }
+  // What only begins so is refused as a row that is none, with its number.
+  assert.equal((await refused(demo, "[[10, 20], [30, 40, 50]]")).id, "points-rows");
+});
+
 test("points as rows become a smooth curve through all of them", async (t) => {
   const demo = await open(t);
   await imported(demo, "0,0\n100,20\n180,120\n60;150");

@@ -14,6 +14,9 @@ const mostPoints = 100_000;
 /** Two words above numbers: the names of the columns. */
 const heading = /^["']?[a-z]\w*["']?\s*[,;\t]\s*["']?[a-z]\w*["']?\s*\n\s*[-+.\d]/iu;
 
+/** Points as a program has them: `[[1, 2], [3, 4]]`, `[{ x: 1, y: 2 }, …]`. */
+const listed = /^\[\s*(?:\[\s*[-+.\d]|\{\s*["']?x["']?\s*:)/u;
+
 /** Path data as a program has it: `d="…"`, `path("…")`, `new Path2D("…")`. */
 const quoted = /["'`]\s*([mM]\s*[-+.\d][^"'`]*)(?:["'`]|$)/u;
 
@@ -21,7 +24,7 @@ const quoted = /["'`]\s*([mM]\s*[-+.\d][^"'`]*)(?:["'`]|$)/u;
 export function kindOfText(text: string): ImportKind | null {
   const start = text.replace(/^[\uFEFF\s]+/u, "").slice(0, 200);
   if (start.startsWith("<")) return "svg";
-  if (heading.test(start)) return "points";
+  if (heading.test(start) || listed.test(start)) return "points";
   if (start.startsWith("{") || start.startsWith("[")) return "json";
   if (quoted.test(start)) return "path";
   if (/^[a-z]/iu.test(start)) return /^[mM]/u.test(start) || /^[a-zA-Z]\s*[-+.\d]/u.test(start) ? "path" : null;
@@ -120,9 +123,15 @@ function notesOf(file: SvgFile): string[] {
   return [...codes].map((code) => notesByCode[code]);
 }
 
+function rowsOfList(text: string): string {
+  let end = text.length;
+  while (end > 0 && " \n\r\t,;]}".includes(text[end - 1] ?? "-")) end -= 1;
+  return text.slice(0, end).replace(/[\]}]\s*(?:,\s*)?[[{]/gu, "\n").replace(/["']?\b[xy]["']?\s*:|[[\]{}]/gu, "");
+}
+
 /** Rows of two numbers, with a comma, semicolon, tab or blanks between them; a first row of words is a heading. */
 function readPoints(text: string, space: Space): Imported {
-  const rows = text.split(/\r?\n/u);
+  const rows = (listed.test(text.trim()) ? rowsOfList(text) : text).split(/\r?\n/u);
   const points: [number, number][] = [];
   rows.forEach((row, i) => {
     if (row.trim() === "" || (points.length === 0 && heading.test(`${row.trim()}\n0`))) return;
