@@ -7,6 +7,7 @@ pub(crate) mod curves;
 pub(crate) mod drawing;
 pub(crate) mod golden;
 pub(crate) mod pictures;
+pub(crate) mod printing;
 pub(crate) mod tolerance;
 
 use expline::generator::{HermiteGenerators, Root, Roots, Space};

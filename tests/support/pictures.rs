@@ -1,5 +1,7 @@
 //! Pictures drawn for tests, and what is traced from them.
 
+use expline::HermiteCurve;
+use expline::numerics::Point;
 use expline::trace::{Gray, Trace, TraceOptions, trace};
 
 /// Whether there is ink at a place.
@@ -44,3 +46,44 @@ pub(crate) fn inside(corners: &[(f64, f64)], x: f64, y: f64) -> bool {
     }
     within
 }
+
+/// The largest and the mean value of a distance along a curve.
+pub(crate) fn along(curve: &HermiteCurve, distance: &dyn Fn(Point) -> f64) -> (f64, f64) {
+    let (mut most, mut sum) = (0.0_f64, 0.0);
+    for i in 0..2000 {
+        let t = curve.domain().1 * f64::from(i) / 2000.0;
+        let off = distance(curve.evaluate(t, 0).expect("inside the domain"));
+        most = most.max(off);
+        sum += off / 2000.0;
+    }
+    (most, sum)
+}
+
+/// A small generator of noise: the same numbers everywhere.
+pub(crate) struct Noise(pub(crate) u64);
+
+impl Noise {
+    pub(crate) fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as f64 / (1_u64 << 31) as f64
+    }
+
+    /// About normal, of deviation 1.
+    pub(crate) fn normal(&mut self) -> f64 {
+        (0..12).map(|_| self.unit()).sum::<f64>() - 6.0
+    }
+}
+
+/// The corners of a star.
+pub(crate) const STAR: [(f64, f64); 10] = [
+    (32.3, 4.2),
+    (38.1, 24.4),
+    (59.2, 25.1),
+    (42.6, 37.8),
+    (48.7, 58.3),
+    (31.9, 46.4),
+    (14.2, 58.9),
+    (21.3, 38.2),
+    (4.6, 24.8),
+    (25.4, 24.1),
+];
