@@ -139,6 +139,22 @@ fn who_sees_too_many_contours_is_told_what_to_leave_out() {
     assert_eq!(trace(gray, &options(speckle)).expect("a drawing").contours.len(), 2);
 }
 
+/// The contours were gone after the refusal, and the next step found that there were none.
+#[test]
+fn after_an_error_every_further_step_fails_alike() {
+    let options = TraceOptions { most_contours: 2, ..TraceOptions::default() };
+    let mut tracer = Tracer::new(disks([2.0, 3.0, 5.0, 7.0]), &options).expect("options in range");
+    let refused = loop {
+        if let Err(error) = tracer.step(1000.0) {
+            break error;
+        }
+    };
+    for _ in 0..3 {
+        assert_eq!(tracer.step(f64::INFINITY).err(), Some(refused.clone()));
+    }
+    assert!(tracer.result().is_err(), "nothing was found");
+}
+
 #[test]
 fn who_sees_too_many_edges_is_told_what_to_leave_out() {
     let gray = disks([4.0, 6.0, 8.0, 11.0]);

@@ -2,8 +2,10 @@
 
 mod first_outlines;
 mod looking;
+mod strokes;
 
 use self::first_outlines::{ROUND, sampled};
+use self::strokes::Strokes;
 use super::agreement::Comparison;
 use super::options::TraceOptions;
 use super::outline::Outline;
@@ -40,6 +42,8 @@ pub(super) struct InkWork {
     progress: Progress,
     tones: Tones,
     quality: Quality,
+    /// What may be ink, until that is known.
+    strokes: Option<Strokes>,
     /// What pixels say of each outline, and of those that are refined now.
     kinds: Vec<Kind>,
     kind: Kind,
@@ -122,6 +126,7 @@ impl InkWork {
             progress: Progress { done: false, stage: Stage::Edges, completed: 0, total },
             tones,
             quality: Quality::Clean,
+            strokes: None,
             kinds: Vec::new(),
             kind: Kind::Covered,
             nearness: [Nearness { slack: Quality::Clean.slack(), bow: 0.0 }; 2],
@@ -170,7 +175,7 @@ impl InkWork {
         let outlines = core::mem::take(&mut self.outlines);
         let quality = if kind == Kind::Sampled { Quality::Sampled } else { self.quality };
         let still = self.kinds.iter().map(|&other| other != kind).collect();
-        let last = kind == Kind::Sampled || !is_there(Kind::Sampled);
+        let last = self.strokes.is_none() && (kind == Kind::Sampled || !is_there(Kind::Sampled));
         let mut refinement = Refinement::new(
             (&mut self.gray, self.tones.noise, last),
             &shading,
@@ -180,6 +185,10 @@ impl InkWork {
             still,
         )?;
         refinement.allow(self.options.tolerance, self.options.corner);
+        let covered = self.covered();
+        if self.strokes.is_some() || covered < 1.0 {
+            refinement.expect_strokes(covered);
+        }
         let rounds = 1 + usize::from(is_there(Kind::Covered) && is_there(Kind::Sampled));
         let total = rounds * refinement.total() + self.found.len();
         self.kind = kind;
@@ -278,9 +287,17 @@ impl InkWork {
             Ok(outline)
         };
         let cost = refinement.step(&mut rough)?;
+        if self.strokes.is_some()
+            && let Some(left) = refinement.settled()?
+        {
+            self.judge_ink(left)?;
+            return Ok(cost);
+        }
         let is_sampled = self.kind == Kind::Sampled;
         let before = self.progress.total - self.found.len() - refinement.total();
-        self.progress.completed = refinement.completed() + if is_sampled { before } else { 0 };
+        let completed = refinement.completed() + if is_sampled { before } else { 0 };
+        // Another ink begins again.
+        self.progress.completed = self.progress.completed.max(completed);
         if refinement.is_done() {
             self.nearness[usize::from(is_sampled)] =
                 Nearness { slack: refinement.slack(), bow: refinement.bow() };
@@ -312,6 +329,7 @@ impl Work for InkWork {
             Phase::Splines => {
                 let (cost, last) = self.advance(Self::spline)?;
                 if last && self.options.refined {
+                    self.try_inks()?;
                     self.refinement(Kind::Covered)?;
                 } else if last {
                     self.phase = Phase::Curves;
@@ -323,6 +341,7 @@ impl Work for InkWork {
                 let i = self.trace.contours.len();
                 self.progress.done = i >= self.found.len();
                 if self.progress.done {
+                    self.trace.tones = self.tones;
                     self.progress.completed = self.progress.total;
                     return Ok(0.0);
                 }

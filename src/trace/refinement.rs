@@ -51,6 +51,8 @@ const USUAL: f64 = 0.22;
 /// Steps of all nodes at first and at last, and the share of what is left that a step has to take away for another.
 const STEPS: (usize, f64) = (6, 0.02);
 const LAST_STEPS: (usize, f64) = (8, 4e-3);
+/// And where a step takes only its share.
+const SHARED_STEPS: (usize, f64) = (12, 4e-3);
 /// Pictures that say only which centres are inside are blurred by so many pixels, together with the coverage of their outlines (D 14.27).
 const AVERAGED: f64 = 1.2;
 
@@ -70,6 +72,8 @@ pub(super) struct Refinement {
     /// The noise of a pixel, as a share of the way from ink to paper.
     noise: f64,
     limits: Limits,
+    /// What share of the area of its contour an outline has, about.
+    share: f64,
     bends: BendRule,
     place: Place,
     /// The outline and phase that there is room for, in numbers of outlines that have been through phases.
@@ -195,6 +199,7 @@ impl Refinement {
                 share: if sampled { 24.0 } else { 12.0 },
                 grain: 0.0,
             },
+            share: 1.0,
             bends: BendRule {
                 window: if noisy || sampled { 5.0 } else { 3.0 },
                 margin: if noisy || sampled { 1.0 } else { 0.5 },
@@ -225,6 +230,12 @@ impl Refinement {
         self.limits.rms *= scale;
         self.limits.most *= scale;
         self.limits.off *= scale;
+    }
+
+    /// Outlines are those of strokes of which no pixel need be all ink, and have about this share of the areas of their contours.
+    pub(super) fn expect_strokes(&mut self, share: f64) {
+        self.share = share;
+        self.refiner = Refiner::new(Relaxing::SHARED);
     }
 
     /// How many outlines have been through how many phases.
@@ -271,7 +282,8 @@ impl Refinement {
             }
             Phase::First => {
                 if !self.place.refined {
-                    self.place.refined = self.refine_on(STEPS)?;
+                    let steps = if self.refiner.shares() { SHARED_STEPS } else { STEPS };
+                    self.place.refined = self.refine_on(steps)?;
                     if self.place.refined && self.fine.outlines.len() == self.place.at {
                         self.fine.note(&self.shapes[self.place.at], &self.field);
                     }

@@ -16,6 +16,8 @@ use crate::error::{Error, Result};
 #[derive(Debug)]
 pub struct Tracer {
     work: Box<dyn Work>,
+    /// What it failed by.
+    failed: Option<Error>,
 }
 
 impl Tracer {
@@ -31,7 +33,7 @@ impl Tracer {
             (Source::Brightness, Model::Sparse) => Box::new(InkWork::new(gray, options)?),
             _ => Box::new(ChainWork::new(gray, options)?),
         };
-        Ok(Self { work })
+        Ok(Self { work, failed: None })
     }
 
     /// Goes on for about `budget` microseconds, at least by the least bit of work, and no further than to the next stage. Whoever wants no
@@ -41,11 +43,14 @@ impl Tracer {
     ///
     /// A picture with more contours than a drawing has, no memory. After an error every further step fails alike.
     pub fn step(&mut self, budget: f64) -> Result<Progress> {
+        if let Some(error) = &self.failed {
+            return Err(Box::new(error.clone()));
+        }
         let mut spent = 0.0;
         let mut progress = self.work.progress();
         let stage = progress.stage;
         while !progress.done && progress.stage == stage {
-            spent += self.work.step()?;
+            spent += self.work.step().inspect_err(|error| self.failed = Some((**error).clone()))?;
             progress = self.work.progress();
             if spent.is_nan() || spent >= budget {
                 break;

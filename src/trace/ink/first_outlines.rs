@@ -1,5 +1,6 @@
 //! From contours to first outlines: what pixels say of each, its corners, and as few pieces as its places allow.
 
+use super::strokes::move_inside;
 use super::{InkWork, Kind};
 use crate::error::Result;
 use crate::limits::probe;
@@ -35,6 +36,9 @@ impl InkWork {
                 None
             };
             self.between = middles.is_some();
+            if middles.is_none() && self.strokes.is_some() {
+                move_inside(&mut contour.points, &self.gray, tones, self.options.inverted);
+            }
             return Ok(middles.map_or(Some(Kind::Covered), |middles| {
                 contour.points = middles;
                 None

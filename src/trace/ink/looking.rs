@@ -1,5 +1,6 @@
 //! What is done with a picture until the contours of its ink are known.
 
+use super::strokes::Strokes;
 use super::{InkWork, Phase};
 use crate::error::{Error, Result};
 use crate::trace::chain_work::speckle_for;
@@ -17,18 +18,23 @@ const NOISY_SPECKLE: f64 = 6.0;
 const BIT: usize = 131_072;
 
 impl InkWork {
-    /// Tones are known: noise decides whether the picture is blurred.
-    fn toned(&mut self, tones: Tones) -> Result<()> {
+    /// Tones are known, that of ink from flat places or not: noise decides whether the picture is blurred.
+    fn toned(&mut self, tones: Tones, seen: bool) -> Result<()> {
         (self.tones, self.trace.tones) = (tones, tones);
         if tones.noise > NOISY {
             self.quality = Quality::Noisy;
+        }
+        if !seen && self.quality == Quality::Clean && self.options.refined && self.options.threshold.is_none()
+        {
+            self.strokes = Strokes::new(tones, self.options.inverted);
         }
         let found = if self.quality == Quality::Noisy { 1.2 } else { 0.0 };
         let sigma = self.options.blur.unwrap_or(found);
         if sigma > 0.0 {
             self.blurring = Some(Blurring::new(self.gray.width(), sigma)?);
         }
-        let scan = ContourScan::new(&self.gray, self.level(), self.options.inverted);
+        let level = self.strokes.as_ref().map_or(self.level(), Strokes::level);
+        let scan = ContourScan::new(&self.gray, level, self.options.inverted);
         self.enter(Phase::Contours(scan), Stage::Contours, self.gray.height() + 1);
         Ok(())
     }
@@ -58,7 +64,8 @@ impl InkWork {
             }
             Phase::Tones(scan) => {
                 if let Some(tones) = scan.step(&self.gray) {
-                    self.toned(tones)?;
+                    let seen = scan.is_seen(self.options.inverted);
+                    self.toned(tones, seen)?;
                 }
                 return Ok(row);
             }

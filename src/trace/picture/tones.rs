@@ -100,6 +100,11 @@ impl ToneScan {
         None
     }
 
+    /// Whether flat places say what the dark tone is, or the light one; else it is the extreme shade.
+    pub(in crate::trace) fn is_seen(&self, light: bool) -> bool {
+        self.flat.as_ref().is_none_or(|flat| flat.histogram[usize::from(light)].iter().any(|&n| n > 0))
+    }
+
     fn extremes(&self) -> (usize, usize) {
         let least = self.shades[0].iter().position(|&n| n > 0).unwrap_or(0);
         (least, self.shades[0].iter().rposition(|&n| n > 0).unwrap_or(255))

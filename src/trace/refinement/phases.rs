@@ -1,6 +1,9 @@
 //! What all outlines together say of the picture, and what is done with them next.
 
 use super::{KNOWN, Phase, Refinement};
+use crate::error::Result;
+use crate::limits::with_room;
+use crate::numerics::order::nth;
 use crate::numerics::plane::{larger, smaller};
 use crate::trace::quality::Quality;
 use crate::trace::refinement::grain::{Grain, grain, middle};
@@ -26,6 +29,9 @@ const ROUGHER: [f64; 2] = [1.25, 3.5];
 const FLATTENED: f64 = 7.5;
 /// More than this no pixels in a row are wrong by, however large the grain is: the limits of what is straight.
 const GRAINIEST: f64 = 0.05;
+
+/// What is less than half of what bytes round is nothing.
+const LITTLE: f32 = 1e-3;
 
 /// The noise that outlines leave of pictures that say only which centres are inside (D 14.27).
 const SAMPLED: f64 = 0.06;
@@ -92,6 +98,28 @@ impl Refinement {
         if left > GRAINY[0] {
             self.limits.noise = left;
         }
+    }
+
+    /// What is left in no more pixels than a sixth of those that outlines cross, once all have moved to where the picture calls them: so many may be
+    /// at the ends of strokes, which lack their corners still. It counts what is left between the sides of strokes, too.
+    ///
+    /// # Errors
+    ///
+    /// `OutOfMemory` only.
+    pub(in crate::trace) fn settled(&self) -> Result<Option<f64>> {
+        if self.place.phase <= Phase::First {
+            return Ok(None);
+        }
+        let much = || self.field.rest.iter().filter(|rest| rest.abs() > LITTLE);
+        let mut left = with_room(much().count())?;
+        left.extend(much().map(|rest| f64::from(rest.abs())));
+        let others = self.crossed().count as usize / 6;
+        Ok(Some(if left.len() > others {
+            let k = left.len() - 1 - others;
+            nth(&mut left, k)
+        } else {
+            0.0
+        }))
     }
 
     /// What is left in the pixels that outlines cross.

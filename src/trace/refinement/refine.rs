@@ -13,18 +13,21 @@ use core::ops::Range;
 
 /// Weight of staying where it is, in coverage per pixel, squared.
 const DAMPING: f64 = 5e-3;
-/// How damping falls: after a good step by `factor`, and never below `least`.
+/// How damping falls: after a good step by `factor`, and never below `least`; and what share of a step is taken.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Relaxing {
     factor: f64,
     least: f64,
+    share: f64,
 }
 
 impl Relaxing {
     /// Where the picture is of exact coverage, the nearer the better.
-    pub(super) const BOLD: Self = Self { factor: 0.25, least: 1e-4 };
+    pub(super) const BOLD: Self = Self { factor: 0.25, least: 1e-4, share: 1.0 };
     /// Where it is not, long steps follow what is noise.
-    pub(super) const CAREFUL: Self = Self { factor: 0.5, least: 1e-3 };
+    pub(super) const CAREFUL: Self = Self { factor: 0.5, least: 1e-3, share: 1.0 };
+    /// Where both sides of strokes cross the same pixels: the equations of a side know nothing of the other one, and each would take all that is left.
+    pub(super) const SHARED: Self = Self { share: 0.6, ..Self::BOLD };
 }
 
 /// The square of what a byte leaves of coverage, with a little more: 1/255 over √12 is 0.0011.
@@ -141,6 +144,11 @@ impl Refiner {
         }
     }
 
+    /// Whether steps are taken by a share only.
+    pub(super) fn shares(&self) -> bool {
+        self.relaxing.share < 1.0
+    }
+
     /// An empty list of parts.
     pub(super) fn list(&mut self) -> Vec<Part> {
         self.spare.pop().unwrap_or_default()
@@ -245,6 +253,9 @@ impl Refiner {
         }
         let Equations { unknowns, pieces, step, .. } = equations;
         save(&shape.outline, pieces, &mut self.saved);
+        if self.relaxing.share < 1.0 {
+            step.iter_mut().for_each(|value| *value *= self.relaxing.share);
+        }
         unknowns.apply(&mut shape.outline, step, LONGEST_STEP);
         if pieces.iter().any(|&i| leaves(&shape.outline.cubic(i), field)) {
             restore(&mut shape.outline, pieces, &self.saved);

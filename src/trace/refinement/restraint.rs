@@ -89,7 +89,7 @@ impl Refinement {
         if lost {
             back.start_again(shape, first, Run { count: shape.outline.len(), ..whole });
         }
-        if !shape.outline.encloses(first.area()) {
+        if !shape.outline.encloses(self.share * first.area()) {
             back.refiner.replace(back.field, shape, first.clone());
         }
     }
