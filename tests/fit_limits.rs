@@ -5,7 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod support;
 
-use expline::fit::{Ask, Fit, FitStatus, Fitter, Options};
+use expline::fit::{Ask, Finish, Fit, FitStatus, Fitter, Options};
 use expline::numerics::{Point, Vector};
 use support::curves::Random;
 
@@ -71,4 +71,35 @@ fn a_solver_that_ends_early_says_so_with_the_gap_that_it_has() {
     // The best bound of the optimum is the objective of the whole run; nothing claims to be nearer than it is.
     let missing = (early.objective - whole.objective) / early.objective;
     assert!(early.gap >= missing, "gap {:e}, truly {missing:e}", early.gap);
+}
+
+/// Steps of one round each, after the number of iterations was told for the first time that is the last.
+fn rounds_at_the_end(points: &[Point], ask: Ask, options: &Options) -> usize {
+    let mut fitter = Fitter::new(points, options).expect("good points");
+    fitter.ask(ask).expect("a good question");
+    let (mut last, mut rounds) = (0, 0);
+    loop {
+        let progress = fitter.step(0.0).expect("memory");
+        (last, rounds) = (progress.iteration, if progress.iteration == last { rounds + 1 } else { 0 });
+        if progress.done {
+            return rounds;
+        }
+    }
+}
+
+#[test]
+fn what_comes_last_goes_over_many_points_in_many_steps_between_which_it_can_be_stopped() {
+    let count = 50_000;
+    let place = |i: usize| {
+        let (sine, cosine) = libm::sincos(core::f64::consts::TAU * i as f64 / count as f64);
+        Vector::new(cosine, sine) * 100.0
+    };
+    let circle: Vec<Point> = (0..count).map(place).collect();
+    let points = Random::new(7).noisy(&circle, 1.0);
+    let finish = Finish { merge: true, slide: true, ..Finish::default() };
+    let options = Options { degrees: vec![3], closed: Some(true), finish, ..Options::default() };
+    // One look at the dual curve goes around twice, far apart and closely, past 20,000 points a step.
+    assert!(rounds_at_the_end(&points, Ask::Smoothing(0.6), &options) >= 4 * 3, "off the grid");
+    // From 4,096 points a step edges are drawn for a polyline.
+    assert!(rounds_at_the_end(&points, Ask::Tolerance(0.5), &options) >= count / 4096, "a polyline");
 }

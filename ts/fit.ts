@@ -201,9 +201,11 @@ const FITTER = "SparseFitter";
 let stateOf: (fitter: SparseFitter, op: string) => { held: Held | undefined };
 
 /**
- * Fits the same points again and again, for a slider: factorisations are kept, and every solve starts where the last one ended.
+ * Fits the same points again and again, for a slider: what was made of the points is kept.
  *
- * Solves agree with those of {@link fitSparse} within the gap that is asked for.
+ * A solve gives what {@link fitSparse} does, to the last bit, whatever was solved before. With a `gap` of 1e-3 or more, for what is to be seen at
+ * once, a solve by `lambda` or `smoothing` starts where the last one ended instead: its objective agrees with that of {@link fitSparse} within the
+ * gap, and what `finish` makes of it may have other knots.
  */
 export class SparseFitter {
   /** Bundles shorten names: this one is what a console shows. @internal */

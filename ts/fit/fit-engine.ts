@@ -82,7 +82,7 @@ export class Resident {
     call(op, (kernel) => kernel.fit_ask(number, kind, first, second, degrees));
   }
 
-  /** Starts a run, from where the last one ended. */
+  /** Starts a run. */
   ask(op: string, question: Question): void {
     const number = this.#number(op);
     this.#question = undefined;

@@ -52,6 +52,7 @@ export interface SparseFitOptions extends SparseFitStrength {
   mix?: number | undefined;
   /**
    * Places where knots may begin, N, with `lambda` or `smoothing`: 1 to 65,536. Default: the number of points, at most 5000 for degree 1 and 2000 above.
+   * Where every λ is 0, more of them than there are points mean the default.
    * Ignored with a tolerance and without any strength.
    */
   gridSize?: number | undefined;

@@ -7,7 +7,7 @@
 mod integral;
 mod refinement;
 
-use self::integral::Integral;
+pub(crate) use self::integral::{Integral, Sweep};
 use self::refinement::Refinement;
 use super::problem::{Norm, Problem};
 use super::solution::{Solution, Spline};
@@ -66,8 +66,8 @@ pub fn verify(problem: &Problem, solution: &Solution) -> Result<Certificate> {
     let mut refinement = Refinement::new(problem, solution)?;
     for _ in 0..4 {
         project(problem, &mut v);
-        let curves: Vec<Curve> =
-            (0..problem.components.len()).map(|i| Curve::new(problem, solution, i, &v)).collect();
+        let curve = |i: usize| Curve::new(problem, solution, i, &v);
+        let curves: Vec<Curve> = (0..problem.components.len()).map(curve).collect::<Result<_>>()?;
         let longest: Vec<f64> = curves.iter().map(|curve| curve.longest).collect();
         let bound = bound(problem, &v, longest.iter().fold(0.0, |most, l| l.max(most)));
         let progress = bound > best.bound;
@@ -266,16 +266,16 @@ struct Curve {
 }
 
 impl Curve {
-    fn new(problem: &Problem, solution: &Solution, index: usize, v: &[Vector]) -> Self {
+    fn new(problem: &Problem, solution: &Solution, index: usize, v: &[Vector]) -> Result<Self> {
         let component = &problem.components[index];
         let knots = &solution.components[index].knots;
         let mut places = component.grid.clone();
         places.extend_from_slice(knots);
         sort_numbers(&mut places);
         places.dedup();
-        let (values, longest) = dual_values(problem, component.degree, component.lambda, v, &places);
+        let (values, longest) = dual_values(problem, component.degree, component.lambda, v, &places)?;
         let at = |knot: &f64| values[places.partition_point(|place| place < knot)];
-        Self { at_knots: knots.iter().map(at).collect(), longest }
+        Ok(Self { at_knots: knots.iter().map(at).collect(), longest })
     }
 }
 
@@ -286,8 +286,15 @@ pub(crate) fn dual_values(
     lambda: f64,
     v: &[Vector],
     places: &[f64],
-) -> (Vec<Vector>, f64) {
-    let mut values = uncentred(problem, degree, lambda, v, places);
+) -> Result<(Vec<Vector>, f64)> {
+    let integral = Integral { problem, degree, lambda, v };
+    let mut sweep = Sweep::new(problem, places.len())?;
+    while !sweep.round(&integral, places, usize::MAX) {}
+    Ok(centred(problem, sweep.values))
+}
+
+/// Values of a dual curve with the best constant taken from them, and the length of the longest.
+pub(crate) fn centred(problem: &Problem, mut values: Vec<Vector>) -> (Vec<Vector>, f64) {
     let centre = centre(&values, problem);
     let mut longest = 0.0_f64;
     for value in &mut values {
@@ -295,25 +302,6 @@ pub(crate) fn dual_values(
         longest = longest.max(dual_size(*value, problem.norm));
     }
     (values, longest)
-}
-
-/// The same up to a constant of closed curves, which is one for all places.
-pub(crate) fn uncentred(
-    problem: &Problem,
-    degree: usize,
-    lambda: f64,
-    v: &[Vector],
-    places: &[f64],
-) -> Vec<Vector> {
-    let integral = Integral { problem, degree, lambda, v };
-    let mut values = Vec::with_capacity(places.len());
-    let mut state = [[Twofold::ZERO; 2]; 6];
-    if problem.closed {
-        let end = integral.run(&state, &[], &mut values);
-        state = integral.periodic(&end);
-    }
-    let _ = integral.run(&state, places, &mut values);
-    values
 }
 
 /// The length of a dual vector in the norm that jumps of length one ask for.

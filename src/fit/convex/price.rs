@@ -24,8 +24,8 @@ pub fn lambda_max(problem: &Problem) -> Result<Vec<f64>> {
         v.push((point - centre) * (2.0 * problem.weights.get(m).copied().unwrap_or(1.0)));
     }
     project(problem, &mut v);
-    let most = |c: &super::problem::Component| dual_values(problem, c.degree, 1.0, &v, &c.grid).1;
-    Ok(problem.components.iter().map(most).collect())
+    let most = |c: &super::problem::Component| Ok(dual_values(problem, c.degree, 1.0, &v, &c.grid)?.1);
+    problem.components.iter().map(most).collect()
 }
 
 /// λ for a length of detail ℓ, counted in points: what is shorter than about ℓ points is smoothed away. It means the

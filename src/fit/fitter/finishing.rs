@@ -6,8 +6,9 @@ use super::Fitter;
 use super::description::ended;
 use crate::error::Result;
 use crate::fit::convex::solution::{Solution, Status};
-use crate::fit::interior::gridless::{merged, slid};
+use crate::fit::interior::gridless::{Freeing, Gridless};
 use crate::fit::interior::solver::Solver;
+use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::combine::combined;
 use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::FreeKnots;
@@ -26,89 +27,163 @@ pub(super) struct Finishing {
     /// The same, or what sliding has made of it.
     solution: Solution,
     changes: Vec<Changed>,
+    stage: Stage,
     pub(super) search: Option<Sparsest>,
     /// The curve after debiasing or pruning.
     spline: Option<Spline>,
 }
 
+/// What is done next; each takes a round at least.
+#[derive(Clone, Debug)]
+enum Stage {
+    Exchange,
+    Join(Freeing),
+    /// With knots and mean square before.
+    Slide(Freeing, (usize, f64)),
+    Debias,
+    /// Knots go that the sum of squares allows.
+    Prune(Breaks, f64),
+    Search,
+    Done,
+}
+
 impl Finishing {
-    /// One round of pruning; answers whether there is nothing more to do.
-    pub(super) fn round(&mut self) -> bool {
-        let Some(search) = &mut self.search else { return true };
+    pub(super) fn new(solver: Box<Solver>) -> Result<Self> {
+        let convex = solver.solution()?;
+        let (solution, stage) = (convex.clone(), Stage::Exchange);
+        Ok(Self { solver, convex, solution, changes: Vec::new(), stage, search: None, spline: None })
+    }
+
+    /// One round of pruning; answers what is next.
+    fn prune(&mut self) -> Stage {
+        let Some(search) = &mut self.search else { return Stage::Done };
         if !search.is_done() {
             search.step();
         }
-        if search.is_done() {
-            self.spline = Some(search.clone().finish().spline);
+        if !search.is_done() {
+            return Stage::Search;
         }
-        search.is_done()
+        self.spline = Some(search.clone().finish().spline);
+        Stage::Done
+    }
+
+    /// Goes on with what was found beyond the grid, if that is something else: it is certified there then, and stands as
+    /// that gap says.
+    fn leave_grid(&mut self, found: Gridless, asked: f64) {
+        if found.slides == 0 && found.solution.knot_count() == self.solution.knot_count() {
+            return;
+        }
+        let status = match self.convex.status {
+            _ if found.gap <= asked => Status::Converged,
+            Status::Converged => Status::Stalled,
+            early => early,
+        };
+        self.solution = Solution { gap: found.gap, status, ..found.solution };
     }
 }
 
 impl Fitter {
-    /// Exchanges, merging and sliding at once; debiasing and pruning get ready.
-    pub(super) fn finishing(&self, solver: Box<Solver>) -> Result<Finishing> {
+    /// One round of what comes after the convex problem; answers whether there is nothing more to do.
+    pub(super) fn finish(&self, finishing: &mut Finishing) -> Result<bool> {
         let finish = self.options.finish;
-        let convex = solver.solution()?;
-        let mut solution = convex.clone();
-        let mut changes = Vec::new();
-        let total = report::weight(&self.located);
-        let unit = self.samples.scale * self.samples.scale / total;
-        let changed = |step, before: &Solution, after: &Solution, gap| Changed {
-            step,
-            knots: (before.knot_count(), after.knot_count()),
-            qfe: (before.data_term * unit, after.data_term * unit),
-            gap,
+        let gridless = self.problem.as_ref().filter(|_| finish.merge || finish.slide);
+        finishing.stage = match (core::mem::replace(&mut finishing.stage, Stage::Done), gridless) {
+            (Stage::Exchange, gridless) => {
+                if finish.extreme {
+                    let found = finishing.solver.extreme()?;
+                    self.note(finishing, "extreme", self.size_of(&finishing.solution), &found, None);
+                    finishing.solution = found;
+                }
+                gridless.map_or(Stage::Debias, |_| Stage::Join(Freeing::joining(&finishing.solution)))
+            }
+            (Stage::Join(mut joining), Some(problem)) => {
+                if joining.round(problem)? {
+                    self.joined(finishing, joining.found())
+                } else {
+                    Stage::Join(joining)
+                }
+            }
+            (Stage::Slide(mut sliding, before), Some(problem)) => {
+                if sliding.round(problem)? {
+                    let found = sliding.found();
+                    self.note(finishing, "slide", before, &found.solution, Some(found.gap));
+                    finishing.leave_grid(found, self.options.gap);
+                    Stage::Debias
+                } else {
+                    Stage::Slide(sliding, before)
+                }
+            }
+            (Stage::Debias, _) => self.debias(finishing),
+            (Stage::Prune(breaks, target), _) => {
+                finishing.search =
+                    Some(Sparsest::pruning(self.located.copied()?, breaks, target, self.noise));
+                Stage::Search
+            }
+            (Stage::Search, _) => finishing.prune(),
+            _ => Stage::Done,
         };
-        if finish.extreme {
-            let found = solver.extreme()?;
-            changes.push(changed("extreme", &solution, &found, None));
-            solution = found;
+        Ok(matches!(finishing.stage, Stage::Done))
+    }
+
+    /// One square of the solver in the mean square of the caller.
+    fn mean_square(&self) -> f64 {
+        self.samples.scale * self.samples.scale / report::weight(&self.located)
+    }
+
+    /// Knots and mean square of a solution.
+    fn size_of(&self, solution: &Solution) -> (usize, f64) {
+        (solution.knot_count(), solution.data_term * self.mean_square())
+    }
+
+    fn note(
+        &self,
+        finishing: &mut Finishing,
+        step: &'static str,
+        before: (usize, f64),
+        after: &Solution,
+        gap: Option<f64>,
+    ) {
+        let after = self.size_of(after);
+        finishing.changes.push(Changed { step, knots: (before.0, after.0), qfe: (before.1, after.1), gap });
+    }
+
+    /// What follows once neighbours are joined.
+    fn joined(&self, finishing: &mut Finishing, found: Gridless) -> Stage {
+        let finish = self.options.finish;
+        let mut before = self.size_of(&finishing.solution);
+        if finish.merge {
+            self.note(finishing, "merge", before, &found.solution, Some(found.gap));
+            before = self.size_of(&found.solution);
         }
-        if let Some(problem) = self.problem.as_ref().filter(|_| finish.merge || finish.slide) {
-            let before = solution.knot_count();
-            let mut found = merged(problem, &solution)?;
-            if finish.merge {
-                changes.push(changed("merge", &solution, &found.solution, Some(found.gap)));
-            }
-            if finish.slide {
-                let joined = if finish.merge { found.solution.clone() } else { solution.clone() };
-                found = slid(problem, found, self.options.gap, MOST_SLIDES)?;
-                changes.push(changed("slide", &joined, &found.solution, Some(found.gap)));
-            }
-            if found.slides > 0 || found.solution.knot_count() != before {
-                // It is certified beyond the grid then, and stands as that gap says.
-                let status = match convex.status {
-                    _ if found.gap <= self.options.gap => Status::Converged,
-                    Status::Converged => Status::Stalled,
-                    early => early,
-                };
-                solution = Solution { gap: found.gap, status, ..found.solution };
-            }
+        if finish.slide {
+            return Stage::Slide(Freeing::sliding(found, self.options.gap, MOST_SLIDES), before);
         }
-        let mut finishing = Finishing { solver, convex, solution, changes, search: None, spline: None };
+        finishing.leave_grid(found, self.options.gap);
+        Stage::Debias
+    }
+
+    fn debias(&self, finishing: &mut Finishing) -> Stage {
+        let finish = self.options.finish;
         if !(finish.debias || finish.prune) {
-            return Ok(finishing);
+            return Stage::Done;
         }
-        let Some(mut whole) = combined(&self.summands(&finishing.solution)) else { return Ok(finishing) };
+        let Some(mut whole) = combined(&self.summands(&finishing.solution)) else { return Stage::Done };
         let breaks = &mut whole.space.breaks;
         breaks.sharpest = if self.options.degrees.len() == 1 { 1 } else { breaks.degree };
-        let count = finishing.solution.knot_count();
         let fitted = FreeKnots::new(breaks.clone(), &self.located);
-        let before = finishing.solution.data_term;
+        let (count, before) = self.size_of(&finishing.solution);
         finishing.changes.push(Changed {
             step: "debias",
             knots: (count, breaks.len()),
-            qfe: (before * unit, fitted.squares() * unit),
+            qfe: (before, fitted.squares() * self.mean_square()),
             gap: None,
         });
-        if finish.prune {
-            let target = before.max(fitted.squares());
-            finishing.search =
-                Some(Sparsest::pruning(self.located.clone(), breaks.clone(), target, self.noise));
-        }
         finishing.spline = Some(Spline::of(&fitted));
-        Ok(finishing)
+        if finish.prune {
+            let target = finishing.solution.data_term.max(fitted.squares());
+            return Stage::Prune(breaks.clone(), target);
+        }
+        Stage::Done
     }
 
     pub(super) fn finished(&self, finishing: &Finishing) -> Result<Fit> {

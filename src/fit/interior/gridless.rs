@@ -1,23 +1,20 @@
 //! From the optimum on a grid to the one without: neighbouring knots are joined, all slide by Newton's method, and the
 //! duality gap is certified on the continuum.
 
+mod freeing;
 mod gap;
 mod newton;
 
-use self::gap::gap;
+pub(in crate::fit) use self::freeing::Freeing;
 use self::newton::Newton;
 use super::solver::{Settings, Solver};
 use crate::error::Result;
-use crate::fit::convex::certificate::dual_values;
-use crate::fit::convex::problem::{Norm, Problem};
+use crate::fit::convex::certificate::centred;
+use crate::fit::convex::problem::Problem;
 use crate::fit::convex::solution::{Solution, Spline};
 use crate::fit::convex::spline_space::KnotSpace;
-use crate::limits;
 use crate::numerics::Vector;
 use crate::numerics::order::sort_numbers;
-
-/// More knots than this do not slide: the system is dense.
-const MOST_SLIDING: usize = 300;
 
 /// An optimum on chosen knots, and how far from the optimum over all knots it can be.
 #[derive(Clone, Debug)]
@@ -65,87 +62,8 @@ pub fn merge(knots: &[f64], jumps: &[Vector], step: f64) -> Vec<f64> {
 ///
 /// Those of [`Solver::new`]; none for a problem that was solved.
 pub fn gridless(problem: &Problem, solution: &Solution, target: f64, most: usize) -> Result<Gridless> {
-    slid(problem, merged(problem, solution)?, target, most)
-}
-
-/// Whether the knots of a solution may leave the grid.
-fn may_leave(problem: &Problem, solution: &Solution) -> bool {
-    let (degree, count) = (problem.components.first(), solution.components.first());
-    problem.components.len() == 1
-        && degree.is_some_and(|component| component.degree > 1)
-        && count.is_some_and(|spline| spline.knots.len() <= MOST_SLIDING)
-}
-
-/// The optimum on the knots of a solution, neighbours of like jumps joined.
-pub(in crate::fit) fn merged(problem: &Problem, solution: &Solution) -> Result<Gridless> {
-    let whole = Gridless { gap: gap(problem, solution)?, solution: solution.clone(), slides: 0 };
-    if !may_leave(problem, solution) {
-        return Ok(whole);
-    }
-    if problem.norm == Norm::L1 {
-        return apart(problem, solution, 0, merged);
-    }
-    let (component, spline) = (&problem.components[0], &solution.components[0]);
-    let step = (problem.end - problem.start) / component.grid.len().max(1) as f64;
-    let joined = on_knots(problem, &merge(&spline.knots, &spline.jumps, step))?;
-    // Joining may cost a little, which sliding then wins back.
-    match joined.filter(|joined| joined.objective <= 1.001 * solution.objective) {
-        Some(joined) => Ok(Gridless { gap: gap(problem, &joined)?, solution: joined, slides: 0 }),
-        None => Ok(whole),
-    }
-}
-
-/// The same with all knots free to slide.
-pub(in crate::fit) fn slid(problem: &Problem, from: Gridless, target: f64, most: usize) -> Result<Gridless> {
-    let mut best = from;
-    if !may_leave(problem, &best.solution) {
-        return Ok(best);
-    }
-    if problem.norm == Norm::L1 {
-        return apart(problem, &best.solution, best.slides, |problem, solution| {
-            let alone = Gridless { gap: gap(problem, solution)?, solution: solution.clone(), slides: 0 };
-            slid(problem, alone, target, most)
-        });
-    }
-    let mut damping = 1e-9;
-    while best.slides < most && best.gap > target {
-        best.slides += 1;
-        let Some(slid) = slide(problem, &best.solution, &mut damping)? else {
-            let Some(more) = with_violators(problem, &best.solution)? else { break };
-            best.gap = gap(problem, &more)?;
-            best.solution = more;
-            continue;
-        };
-        best.gap = gap(problem, &slid)?;
-        best.solution = slid;
-    }
-    Ok(best)
-}
-
-/// Jumps measured by |x| + |y|: each coordinate for itself, on knots of its own, and both together again. (D 12.15)
-fn apart(
-    problem: &Problem,
-    solution: &Solution,
-    slides: usize,
-    freed: impl Fn(&Problem, &Solution) -> Result<Gridless>,
-) -> Result<Gridless> {
-    let mut found = limits::with_room(2)?;
-    for axis in 0..2 {
-        let mut alone = Problem { norm: Norm::L2, ..problem.clone() };
-        alone.points.iter_mut().for_each(|point| point[1 - axis] = 0.0);
-        let spline = &solution.components[0];
-        let jumping = spline.knots.iter().zip(&spline.jumps).filter(|(_, jump)| jump[axis] != 0.0);
-        let knots: Vec<f64> = jumping.map(|(knot, _)| *knot).collect();
-        let own = match on_knots(&alone, &knots)? {
-            Some(own) => own,
-            // Too few for a problem of their own: that on the grid.
-            None => solved(&alone)?,
-        };
-        found.push(freed(&alone, &own)?);
-    }
-    let both = together(&found[0].solution, &found[1].solution)?;
-    let slides = slides + found[0].slides.max(found[1].slides);
-    Ok(Gridless { gap: gap(problem, &both)?, solution: both, slides })
+    let joined = Freeing::joining(solution).run(problem)?;
+    Freeing::sliding(joined, target, most).run(problem)
 }
 
 /// The curve with one coordinate of each, by knot insertion.
@@ -184,6 +102,7 @@ fn together(x: &Solution, y: &Solution) -> Result<Solution> {
 
 /// The optimum with knots at some places only; `None` where there are too few for a problem, or where a step has carried
 /// one onto another or out of the domain.
+#[inline(never)]
 fn on_knots(problem: &Problem, knots: &[f64]) -> Result<Option<Solution>> {
     let mut small = problem.clone();
     let degree = small.components[0].degree;
@@ -198,6 +117,7 @@ fn on_knots(problem: &Problem, knots: &[f64]) -> Result<Option<Solution>> {
     Ok(Some(solved(&small)?))
 }
 
+#[inline(never)]
 fn solved(problem: &Problem) -> Result<Solution> {
     let mut solver = Solver::new(problem, Settings { gap: 1e-12, most_iterations: 200 })?;
     solver.run()?;
@@ -205,6 +125,7 @@ fn solved(problem: &Problem) -> Result<Solution> {
 }
 
 /// 2we: the dual vector that the residuals are.
+#[inline(never)]
 fn residual_forces(problem: &Problem, solution: &Solution) -> Result<Vec<Vector>> {
     let places = solution.evaluate(&problem.parameters, 0)?;
     let weight = |m: usize| problem.weights.get(m).copied().unwrap_or(1.0);
@@ -212,14 +133,15 @@ fn residual_forces(problem: &Problem, solution: &Solution) -> Result<Vec<Vector>
     Ok(problem.points.iter().zip(places).enumerate().map(force).collect())
 }
 
-/// Knots added where the dual curve is longer than one, away from those that are there.
-fn with_violators(problem: &Problem, solution: &Solution) -> Result<Option<Solution>> {
-    let v = residual_forces(problem, solution)?;
-    let component = &problem.components[0];
-    let count = problem.points.len() * 2;
-    let step = (problem.end - problem.start) / count as f64;
-    let places: Vec<f64> = (0..count).map(|i| problem.start + step * (i as f64 + 0.5)).collect();
-    let (values, longest) = dual_values(problem, component.degree, component.lambda, &v, &places);
+/// Knots added where the dual curve is longer than one, away from those that are there, from its values at some places.
+fn with_violators(
+    problem: &Problem,
+    solution: &Solution,
+    places: &[f64],
+    values: Vec<Vector>,
+) -> Result<Option<Solution>> {
+    let (values, longest) = centred(problem, values);
+    let (count, step) = (places.len(), step_of(problem, places.len()));
     let mut knots = solution.components[0].knots.clone();
     let before = knots.len();
     for (i, place) in places.iter().enumerate().take(count - 1).skip(1) {
@@ -236,33 +158,23 @@ fn with_violators(problem: &Problem, solution: &Solution) -> Result<Option<Solut
     if knots.len() == before { Ok(None) } else { on_knots(problem, &knots) }
 }
 
-/// One Newton step of coefficients and knots together, then the optimum on the knots where they are now; `None` where
-/// the objective does not fall.
-fn slide(problem: &Problem, solution: &Solution, damping: &mut f64) -> Result<Option<Solution>> {
-    let knots = &solution.components[0].knots;
-    if knots.is_empty() {
-        return Ok(None);
-    }
-    let newton = Newton::new(problem, solution)?;
-    for _ in 0..4 {
-        let steps = newton.steps(*damping);
-        let mut moved: Vec<f64> = knots.iter().zip(&steps).map(|(t, by)| t + by).collect();
-        let period = problem.end - problem.start;
-        for t in &mut moved {
-            if problem.closed && *t < problem.start {
-                *t += period;
-            } else if problem.closed && *t >= problem.end {
-                *t -= period;
-            }
+/// One of so many steps through the domain.
+fn step_of(problem: &Problem, count: usize) -> f64 {
+    (problem.end - problem.start) / count as f64
+}
+
+/// The optimum on the knots where a damped step of Newton's carries them; `None` where the objective does not fall.
+fn slide(problem: &Problem, solution: &Solution, newton: &Newton, damping: f64) -> Result<Option<Solution>> {
+    let steps = newton.steps(damping);
+    let mut moved: Vec<f64> = solution.components[0].knots.iter().zip(&steps).map(|(t, by)| t + by).collect();
+    let period = problem.end - problem.start;
+    for t in &mut moved {
+        if problem.closed && *t < problem.start {
+            *t += period;
+        } else if problem.closed && *t >= problem.end {
+            *t -= period;
         }
-        sort_numbers(&mut moved);
-        if let Some(slid) = on_knots(problem, &moved)?
-            && slid.objective < solution.objective
-        {
-            *damping = (*damping * 0.05).max(1e-12);
-            return Ok(Some(slid));
-        }
-        *damping = (*damping * 100.0).max(1e-6);
     }
-    Ok(None)
+    sort_numbers(&mut moved);
+    Ok(on_knots(problem, &moved)?.filter(|slid| slid.objective < solution.objective))
 }

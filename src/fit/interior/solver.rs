@@ -112,6 +112,16 @@ impl Solver {
         self.runs.iter_mut().try_for_each(|run| run.set_lambdas(lambdas))
     }
 
+    /// A run for other λ from nothing, as that of a new solver: only what was made of the points is kept.
+    pub(crate) fn anew(self, lambdas: &[f64]) -> Result<Self> {
+        let free = lambdas.iter().all(|lambda| *lambda <= 0.0);
+        let again = |mut run: Run| {
+            run.take_lambdas(lambdas);
+            Run::new(run.data, run.settings, free)
+        };
+        Ok(Self { runs: self.runs.into_iter().map(again).collect::<Result<_>>()? })
+    }
+
     /// How the run stands.
     pub fn status(&self) -> Status {
         match &self.runs[..] {

@@ -5,7 +5,7 @@ use super::cone::{Lorentz, Metric, Scaling, dot, norm, stretch};
 use super::iterate::{Iterate, Pair};
 use super::play::maxima;
 use super::reduced::Reduced;
-use super::run::Run;
+use super::run::{LEAST_LAMBDA, Run};
 use crate::error::Result;
 use crate::numerics::Vector;
 use crate::numerics::order::sort_in_place;
@@ -34,10 +34,7 @@ impl Run {
     /// are near enough to the new optimum already, the run ends at once, after no iteration. Otherwise it is warm where the
     /// last one came far enough: from an iterate on its way, with the knots that mattered there and at its end.
     pub(crate) fn set_lambdas(&mut self, lambdas: &[f64]) -> Result<()> {
-        for (i, &lambda) in lambdas.iter().enumerate() {
-            let scaled = lambda * self.data.lambda_factor(self.data.components[i].degree);
-            self.data.components[i].lambda = scaled.max(super::run::LEAST_LAMBDA);
-        }
+        self.take_lambdas(lambdas);
         let free = lambdas.iter().all(|lambda| *lambda <= 0.0);
         let followed = if free || self.free { None } else { self.followed()? };
         self.free = free;
@@ -56,6 +53,14 @@ impl Run {
         let warm = self.middle.take().is_some();
         self.restart(warm);
         if self.free { self.solve_for_free() } else { Ok(()) }
+    }
+
+    /// λ of the components, in the units of the run.
+    pub(super) fn take_lambdas(&mut self, lambdas: &[f64]) {
+        for (i, &lambda) in lambdas.iter().enumerate() {
+            let scaled = lambda * self.data.lambda_factor(self.data.components[i].degree);
+            self.data.components[i].lambda = scaled.max(LEAST_LAMBDA);
+        }
     }
 
     /// Goes on with the knots that still matter, where those are much fewer than the knots in play.

@@ -52,44 +52,81 @@ pub(super) fn vertices(points: &[Point], closed: bool, tolerance: f64, most: usi
     Some(kept)
 }
 
-/// The fewest vertices of such a polyline, among those that have one every `REACH` points at least. A larger tolerance
-/// never takes more of them. O(M·REACH²) at worst.
+/// The search for the fewest vertices of such a polyline, among those that have one every `REACH` points at least. A
+/// larger tolerance never takes more of them. O(M·REACH²) at worst, and a round O(REACH²) for each of its points.
+#[derive(Clone, Debug)]
+pub(super) struct Fewest {
+    tolerance: f64,
+    /// Where the way begins, and how long it is.
+    first: usize,
+    last: usize,
+    /// With how many edges every point is reached, and from where.
+    reached: Vec<(u32, u32)>,
+    /// Points from which edges were drawn.
+    done: usize,
+}
+
+/// The fewest vertices at once.
 #[inline(never)]
 pub(super) fn fewest(points: &[Point], closed: bool, tolerance: f64) -> Result<Vec<usize>> {
-    let count = points.len();
-    let (first, last) = if closed { (farthest(points, 0), count) } else { (0, count - 1) };
-    let at = |m: usize| points[(first + m) % count];
-    // With how many edges every point is reached, and from where.
-    let mut reached = Vec::new();
-    limits::refill(&mut reached, (u32::MAX, 0_u32), last + 1)?;
-    reached[0] = (0, 0);
-    for from in 0..last {
-        let edges = reached[from].0 + 1;
-        let mut far_before = from;
-        for to in (1..=REACH.min(last - from)).map(|points| from + points) {
-            let is_far = |m: &usize| beside([at(from), at(to)], at(*m)) > tolerance * tolerance;
-            // What was too far from the last edge most often is from this one.
-            if far_before > from && is_far(&far_before) {
-                continue;
-            }
-            match (from + 1..to).find(is_far) {
-                Some(far) => far_before = far,
-                None if edges < reached[to].0 => reached[to] = (edges, from as u32),
-                None => {}
+    let mut search = Fewest::new(points, closed, tolerance)?;
+    search.round(points, points.len());
+    search.vertices(points.len(), closed)
+}
+
+impl Fewest {
+    #[inline(never)]
+    pub(super) fn new(points: &[Point], closed: bool, tolerance: f64) -> Result<Self> {
+        let count = points.len();
+        let (first, last) = if closed { (farthest(points, 0), count) } else { (0, count - 1) };
+        let mut reached = Vec::new();
+        limits::refill(&mut reached, (u32::MAX, 0_u32), last + 1)?;
+        reached[0] = (0, 0);
+        Ok(Self { tolerance, first, last, reached, done: 0 })
+    }
+
+    /// Draws edges from so many points more; answers whether those were all.
+    #[inline(never)]
+    pub(super) fn round(&mut self, points: &[Point], most: usize) -> bool {
+        let (count, last, square) = (points.len(), self.last, self.tolerance * self.tolerance);
+        let at = |m: usize| points[(self.first + m) % count];
+        let reached = &mut self.reached;
+        let until = (self.done + most).min(last);
+        for from in self.done..until {
+            let edges = reached[from].0 + 1;
+            let mut far_before = from;
+            for to in (1..=REACH.min(last - from)).map(|points| from + points) {
+                let is_far = |m: &usize| beside([at(from), at(to)], at(*m)) > square;
+                // What was too far from the last edge most often is from this one.
+                if far_before > from && is_far(&far_before) {
+                    continue;
+                }
+                match (from + 1..to).find(is_far) {
+                    Some(far) => far_before = far,
+                    None if edges < reached[to].0 => reached[to] = (edges, from as u32),
+                    None => {}
+                }
             }
         }
+        self.done = until;
+        until == last
     }
-    let mut kept = limits::with_room(reached[last].0 as usize + 1)?;
-    if !closed {
-        kept.push(last);
+
+    /// The vertices, once edges were drawn from all points.
+    #[inline(never)]
+    pub(super) fn vertices(&self, count: usize, closed: bool) -> Result<Vec<usize>> {
+        let mut kept = limits::with_room(self.reached[self.last].0 as usize + 1)?;
+        if !closed {
+            kept.push(self.last);
+        }
+        let mut m = self.last;
+        while m > 0 {
+            m = self.reached[m].1 as usize;
+            kept.push((self.first + m) % count);
+        }
+        sort_in_place(&mut kept);
+        Ok(kept)
     }
-    let mut m = last;
-    while m > 0 {
-        m = reached[m].1 as usize;
-        kept.push((first + m) % count);
-    }
-    sort_in_place(&mut kept);
-    Ok(kept)
 }
 
 /// The point that is farthest from one of them.

@@ -11,6 +11,7 @@ mod spacing;
 mod straight;
 mod view;
 
+use self::beginning::Resort;
 use self::evening::Evening;
 use self::view::View;
 use super::breaks::Breaks;
@@ -113,6 +114,7 @@ pub(in crate::fit) struct Sparsest {
     at_first: usize,
     /// Whether straight pieces were looked for.
     straightened: bool,
+    resort: Resort,
 }
 
 /// What the curve is to be, and what is known of its points.

@@ -2,7 +2,7 @@
 
 use super::residual_forces;
 use crate::error::Result;
-use crate::fit::convex::certificate::dual_values;
+use crate::fit::convex::certificate::{Integral, Sweep, centred};
 use crate::fit::convex::problem::Problem;
 use crate::fit::convex::solution::Solution;
 use crate::fit::knots::breaks::{Breaks, HIGHEST, Polynomial, Space, derivative};
@@ -13,9 +13,8 @@ use crate::numerics::order::sort_numbers;
 /// The step of differences of the dual curve.
 const STEP: f64 = 0.02;
 
-/// The dual curve and its first two derivatives at the knots.
-fn dual_at(problem: &Problem, v: &[Vector], knots: &[f64]) -> Vec<[Vector; 3]> {
-    let component = &problem.components[0];
+/// The knots and places beside them, three for each.
+fn places_at(problem: &Problem, knots: &[f64]) -> Vec<f64> {
     let inside = |t: f64| {
         let period = problem.end - problem.start;
         match problem.closed {
@@ -24,11 +23,11 @@ fn dual_at(problem: &Problem, v: &[Vector], knots: &[f64]) -> Vec<[Vector; 3]> {
             _ => t.clamp(problem.start, problem.end),
         }
     };
-    let mut places: Vec<f64> = knots.iter().flat_map(|&t| [inside(t - STEP), t, inside(t + STEP)]).collect();
-    let wanted = places.clone();
-    sort_numbers(&mut places);
-    places.dedup();
-    let (values, _) = dual_values(problem, component.degree, component.lambda, v, &places);
+    knots.iter().flat_map(|&t| [inside(t - STEP), t, inside(t + STEP)]).collect()
+}
+
+/// The dual curve and its first two derivatives at the knots, from its values at some places, these among them.
+fn dual_at(wanted: &[f64], places: &[f64], values: &[Vector]) -> Vec<[Vector; 3]> {
     let at = |t: f64| values[places.partition_point(|&place| place < t).min(values.len() - 1)];
     wanted
         .chunks_exact(3)
@@ -39,43 +38,79 @@ fn dual_at(problem: &Problem, v: &[Vector], knots: &[f64]) -> Vec<[Vector; 3]> {
         .collect()
 }
 
-/// The quadratic model of the objective in coefficients and knots. (D 13.8)
+/// What a knot's place changes: polynomials on some pieces, and the direction.
+type Bump = (Vec<(usize, Polynomial)>, Vector);
+
+/// The quadratic model of the objective in coefficients and knots, made in rounds. (D 13.8)
+#[derive(Clone, Debug)]
 pub(super) struct Newton {
     matrix: Envelope,
     right: Vec<f64>,
     coefficients: usize,
     room: Vec<f64>,
+    space: Space,
+    bumps: Vec<Bump>,
+    /// Samples that are in it, and the piece of the last of them.
+    samples: usize,
+    piece: usize,
+    /// The dual curve that is still to be known: its vector, the places in order, how far it is.
+    dual: Option<(Vec<Vector>, Vec<f64>, Sweep)>,
 }
 
 impl Newton {
-    pub(super) fn new(problem: &Problem, solution: &Solution) -> Result<Self> {
+    pub(super) fn new(problem: &Problem, solution: &Solution) -> Self {
         let spline = &solution.components[0];
-        let (degree, lambda) = (spline.degree, problem.components[0].lambda);
         let knots = &spline.knots;
         let at: Vec<f64> = knots.iter().map(|t| t - problem.start).collect();
-        let breaks = Breaks::simple(degree, problem.closed, problem.end - problem.start, at);
+        let breaks = Breaks::simple(spline.degree, problem.closed, problem.end - problem.start, at);
         let room: Vec<f64> =
             (0..knots.len()).map(|k| 0.3 * breaks.gap_before(k).min(breaks.gap_after(k)).min(6.0)).collect();
         let space = Space::new(breaks);
         let count = 2 * space.count;
-        let mut newton = Self {
+        let bump = |k: usize| {
+            let (pieces, jump) = space.bump(k, 1);
+            (pieces, -spline.jumps[k] / jump)
+        };
+        Self {
             matrix: Envelope::new(vec![0; count + knots.len()]),
             right: vec![0.0; count + knots.len()],
             coefficients: count,
             room,
-        };
-        let bumps: Vec<(Vec<(usize, Polynomial)>, Vector)> = (0..knots.len())
-            .map(|k| {
-                let (pieces, jump) = space.bump(k, 1);
-                (pieces, -spline.jumps[k] / jump)
-            })
-            .collect();
-        newton.data(problem, &space, &bumps);
-        let dual = dual_at(problem, &residual_forces(problem, solution)?, knots);
-        for (k, jump) in spline.jumps.iter().enumerate() {
-            newton.price(&space, &bumps, k, lambda, *jump, &dual[k]);
+            bumps: (0..knots.len()).map(bump).collect(),
+            space,
+            samples: 0,
+            piece: 0,
+            dual: None,
         }
-        Ok(newton)
+    }
+
+    /// One round, past so many samples at most; answers whether the model is whole.
+    pub(super) fn round(&mut self, problem: &Problem, solution: &Solution, most: usize) -> Result<bool> {
+        if self.samples < problem.points.len() {
+            self.data(problem, most);
+            return Ok(false);
+        }
+        let (component, spline) = (&problem.components[0], &solution.components[0]);
+        let (degree, lambda) = (component.degree, component.lambda);
+        let Some((v, places, sweep)) = &mut self.dual else {
+            let mut places = places_at(problem, &spline.knots);
+            sort_numbers(&mut places);
+            places.dedup();
+            let sweep = Sweep::new(problem, places.len())?;
+            self.dual = Some((residual_forces(problem, solution)?, places, sweep));
+            return Ok(false);
+        };
+        if !sweep.round(&Integral { problem, degree, lambda, v }, places, most) {
+            return Ok(false);
+        }
+        let (values, _) = centred(problem, core::mem::take(&mut sweep.values));
+        let dual = dual_at(&places_at(problem, &spline.knots), places, &values);
+        let (space, bumps) = (self.space.clone(), core::mem::take(&mut self.bumps));
+        for (k, jump) in spline.jumps.iter().enumerate() {
+            self.price(&space, &bumps, k, lambda, *jump, &dual[k]);
+        }
+        self.dual = None;
+        Ok(true)
     }
 
     fn add(&mut self, row: &[(usize, f64)], factor: f64) {
@@ -86,46 +121,47 @@ impl Newton {
         }
     }
 
-    /// 2|change of the curve|² at the samples.
-    fn data(&mut self, problem: &Problem, space: &Space, bumps: &[(Vec<(usize, Polynomial)>, Vector)]) {
-        let mut of_span: Vec<Vec<(usize, Polynomial)>> = vec![Vec::new(); space.spans.len()];
-        for (k, (pieces, _)) in bumps.iter().enumerate() {
+    /// 2|change of the curve|² at so many samples more.
+    fn data(&mut self, problem: &Problem, most: usize) {
+        let mut of_span: Vec<Vec<(usize, Polynomial)>> = vec![Vec::new(); self.space.spans.len()];
+        for (k, (pieces, _)) in self.bumps.iter().enumerate() {
             for (s, polynomial) in pieces {
                 of_span[*s].push((k, *polynomial));
             }
         }
-        let degree = space.breaks.degree;
-        let mut at = 0;
+        let degree = self.space.breaks.degree;
         let mut rows: [Vec<(usize, f64)>; 2] = [Vec::new(), Vec::new()];
-        for (m, t) in problem.parameters.iter().enumerate() {
-            let (s, t) = space.find(t - problem.start, at);
-            at = s;
-            let span = &space.spans[s];
+        let until = self.samples.saturating_add(most).min(problem.points.len());
+        for m in self.samples..until {
+            let (s, t) = self.space.find(problem.parameters[m] - problem.start, self.piece);
+            self.piece = s;
+            let span = &self.space.spans[s];
             let u = (t - span.middle) / span.half;
             rows.iter_mut().for_each(Vec::clear);
             for i in 0..=degree {
-                let b = derivative(&space.basis[s][i], degree, u, 1.0, 0);
-                let index = 2 * space.index(s, i);
+                let b = derivative(&self.space.basis[s][i], degree, u, 1.0, 0);
+                let index = 2 * self.space.index(s, i);
                 rows[0].push((index, b));
                 rows[1].push((index + 1, b));
             }
             for (k, polynomial) in &of_span[s] {
                 let value = derivative(polynomial, degree, u, 1.0, 0);
-                rows[0].push((self.coefficients + k, value * bumps[*k].1.x));
-                rows[1].push((self.coefficients + k, value * bumps[*k].1.y));
+                rows[0].push((self.coefficients + k, value * self.bumps[*k].1.x));
+                rows[1].push((self.coefficients + k, value * self.bumps[*k].1.y));
             }
             let weight = problem.weights.get(m).copied().unwrap_or(1.0);
             for row in &rows {
                 self.add(row, 2.0 * weight);
             }
         }
+        self.samples = until;
     }
 
     /// λ|jump| to second order, and what the knot's place adds.
     fn price(
         &mut self,
         space: &Space,
-        bumps: &[(Vec<(usize, Polynomial)>, Vector)],
+        bumps: &[Bump],
         k: usize,
         lambda: f64,
         jump: Vector,

@@ -6,6 +6,7 @@ use super::{
 use crate::error::Result;
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
+use crate::fit::knots::polyline::Fewest;
 use crate::fit::knots::search::{Price, least};
 use crate::fit::knots::{polyline, start};
 
@@ -17,6 +18,18 @@ const NEAR_NOISE: f64 = 4.0;
 const ALMOST: f64 = 0.98;
 /// So many points a polyline of nearly all of them may be begun with, where a tolerance takes as many.
 const MOST_THROUGH: usize = 6000;
+
+/// From so many points edges of the fewest are drawn in one round.
+const IN_A_ROUND: usize = 4096;
+
+/// How far the polyline is that is an answer where nothing else is.
+#[derive(Clone, Debug)]
+pub(super) enum Resort {
+    None,
+    Edges(Fewest),
+    Vertices(Vec<usize>),
+    Over,
+}
 
 impl Sparsest {
     /// A search among the splines of a plan. `noise` is what is known of the points even where a tolerance is asked
@@ -50,6 +63,7 @@ impl Sparsest {
             coarse: None,
             at_first: 0,
             straightened: false,
+            resort: Resort::None,
         }
     }
 
@@ -100,25 +114,40 @@ impl Sparsest {
         Ok(Some(search))
     }
 
-    /// Takes the polyline of the fewest vertices for an answer, where the tolerance is missed and any corner may be. O(M) but
-    /// for points that are many times denser than the tolerance.
+    /// Takes the polyline of the fewest vertices for an answer, where the tolerance is missed and any corner may be: a round
+    /// of it, after which it says whether that was the last. O(M) in all but for points that are many times denser than the
+    /// tolerance.
     ///
     /// # Errors
     ///
     /// `OutOfMemory`.
-    pub(in crate::fit) fn resort_to_polyline(&mut self) -> Result<()> {
-        let Some(tolerance) = self.missed() else { return Ok(()) };
+    pub(in crate::fit) fn resort_to_polyline(&mut self) -> Result<bool> {
+        let Some(tolerance) = self.missed() else { return Ok(true) };
         let Breaks { degree, closed, .. } = *self.fitted.breaks();
-        if self.sharpest < degree || self.asked.least_turn > 0.0 {
-            return Ok(());
+        let points = &self.view.full.points;
+        match &mut self.resort {
+            Resort::None if self.sharpest < degree || self.asked.least_turn > 0.0 => {
+                self.resort = Resort::Over
+            }
+            Resort::None => self.resort = Resort::Edges(Fewest::new(points, closed, ALMOST * tolerance)?),
+            Resort::Edges(fewest) => {
+                if fewest.round(points, IN_A_ROUND) {
+                    self.resort = Resort::Vertices(fewest.vertices(points.len(), closed)?);
+                }
+            }
+            Resort::Vertices(vertices) => {
+                let vertices = core::mem::take(vertices);
+                self.resort = Resort::Over;
+                if let Some(breaks) = self.corners_at(&vertices)? {
+                    let found = self.polyline(&vertices, breaks)?;
+                    if found.distances.largest <= tolerance {
+                        self.found = Some(found);
+                    }
+                }
+            }
+            Resort::Over => {}
         }
-        let vertices = polyline::fewest(&self.view.full.points, closed, ALMOST * tolerance)?;
-        let Some(breaks) = self.corners_at(&vertices)? else { return Ok(()) };
-        let found = self.polyline(&vertices, breaks)?;
-        if found.distances.largest <= tolerance {
-            self.found = Some(found);
-        }
-        Ok(())
+        Ok(matches!(self.resort, Resort::Over))
     }
 
     /// Knots at the corners of a polyline through some of the points, if that is enough of them.
