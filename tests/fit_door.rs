@@ -5,7 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod support;
 
-use expline::fit::{Ask, Fit, FitStatus, Fitter, Options, fit};
+use expline::fit::{Ask, Finish, Fit, FitStatus, Fitter, Norm, Options, fit};
 use expline::numerics::Point;
 use support::curves::Random;
 use support::unboxed;
@@ -184,4 +184,142 @@ fn a_fitter_comes_back_from_no_price_at_all() {
     assert!(solve(&mut fitter, 0.0).max_error <= 1e-6, "through the points");
     let again = solve(&mut fitter, 10.0);
     assert!((first.objective - again.objective).abs() <= 2e-6 * first.objective, "{}", again.objective);
+}
+
+fn asked(fitter: &mut Fitter, ask: &Ask) -> Fit {
+    fitter.ask(ask.clone()).expect("a good question");
+    while !fitter.step(1e6).expect("memory").done {}
+    fitter.fit().expect("a curve")
+}
+
+/// Every number that says what the curve is, bit by bit.
+fn bits(fit: &Fit) -> Vec<u64> {
+    let mut numbers = vec![fit.objective, fit.gap, fit.qfe, fit.max_error, fit.rms];
+    for knot in &fit.knots {
+        numbers.extend([knot.t, knot.point.x, knot.point.y, knot.jump.x, knot.jump.y]);
+    }
+    numbers.extend(fit.parts.iter().flat_map(|part| part.coefficients.iter().flat_map(|c| [c.x, c.y])));
+    numbers.extend(&fit.parameters);
+    numbers.iter().map(|number| number.to_bits()).collect()
+}
+
+/// A star with noise, open or closed, and options that go through degrees, norms and what is made of an optimum.
+fn various(case: usize) -> (Vec<Point>, Options) {
+    let count = [60, 150, 90][case % 3];
+    let place = |i: usize| {
+        let angle = core::f64::consts::TAU * i as f64 / count as f64;
+        Point::new(libm::cos(angle), libm::sin(angle)) * (100.0 + 30.0 * libm::cos(5.0 * angle))
+    };
+    let points: Vec<Point> = (0..count).map(place).collect();
+    let gridless = Finish { merge: true, slide: true, ..Finish::default() };
+    let options = Options {
+        degrees: [vec![3], vec![1, 3], vec![2], vec![4], vec![1]][case % 5].clone(),
+        closed: Some(case % 4 < 2),
+        norm: if case.is_multiple_of(2) { Norm::L2 } else { Norm::L1 },
+        finish: [Finish::default(), gridless, Finish { debias: true, prune: true, ..gridless }][case / 2 % 3],
+        ..Options::default()
+    };
+    (Random::new(case as u64).noisy(&points, 1.0), options)
+}
+
+#[test]
+fn the_same_question_has_the_same_bits_whatever_was_asked_before() {
+    for case in 0..15 {
+        let (points, options) = various(case);
+        let new = || Fitter::new(&points, &options).expect("good points");
+        let asks = [Ask::Smoothing(0.5), Ask::Smoothing(0.52), Ask::Lambda(vec![9.0; options.degrees.len()])];
+        let alone: Vec<Vec<u64>> = asks.iter().map(|ask| bits(&asked(&mut new(), ask))).collect();
+        let mut fitter = new();
+        for of in [0, 1, 0, 0, 2, 1] {
+            assert!(bits(&asked(&mut fitter, &asks[of])) == alone[of], "{case}: {:?}", asks[of]);
+            // What is left half-way leaves nothing behind.
+            fitter.ask(Ask::Smoothing(0.3)).expect("a good question");
+            let _ = fitter.step(0.0).expect("memory");
+        }
+    }
+}
+
+#[test]
+fn curves_to_be_seen_at_once_agree_within_the_gap_whatever_was_asked_before() {
+    for case in 0..15 {
+        let (points, mut options) = various(case);
+        (options.gap, options.finish) = (1e-3, Finish::default());
+        let mut fitter = Fitter::new(&points, &options).expect("good points");
+        for smoothing in [0.5, 0.52, 0.3, 0.5, 0.31] {
+            let ask = Ask::Smoothing(smoothing);
+            let [warm, cold] = [asked(&mut fitter, &ask), fit(&points, ask, &options).expect("a curve")];
+            // Both are above the optimum, by no more than their gaps.
+            let apart = (warm.objective - cold.objective).abs();
+            let most = (warm.gap * warm.objective).max(cold.gap * cold.objective);
+            assert!(apart <= most * (1.0 + 1e-9), "{case}: {apart:e} apart, {most:e} at {smoothing}");
+        }
+    }
+}
+
+#[test]
+fn weights_that_may_be_given_may_be_given_with_robust_too() {
+    let far = |i: usize| Point::new(i as f64, if i == 50 { 80.0 } else { 0.0 });
+    let points: Vec<Point> = (0..100).map(far).collect();
+    let options = Options {
+        degrees: vec![1],
+        closed: Some(false),
+        robust: true,
+        weights: vec![1e-6; 100],
+        ..Options::default()
+    };
+    for ask in [Ask::Smoothing(0.3), Ask::Noise, Ask::Tolerance(1.0)] {
+        assert!(
+            finite(&fit(&points, ask.clone(), &options).expect("the least weight is allowed")),
+            "{ask:?}"
+        );
+    }
+}
+
+#[test]
+fn a_curve_through_points_is_found_on_a_grid_that_is_much_finer_too() {
+    let points: Vec<Point> =
+        (0..6).map(|i| Point::new(20.0 * f64::from(i), (100.0 - 40.0 * f64::from(i)).abs())).collect();
+    for degree in 1..=5 {
+        for parameters in [vec![], vec![0.0, 1.0, 2.0, 3.0, 3.5, 4.0]] {
+            let options = Options {
+                degrees: vec![degree],
+                closed: Some(false),
+                parameters,
+                grid_size: Some(1000),
+                ..Options::default()
+            };
+            let fitted = fit(&points, Ask::Lambda(vec![0.0]), &options).expect("it can be fitted");
+            assert_eq!(fitted.status, FitStatus::Converged, "degree {degree}");
+            assert!(fitted.max_error <= 1e-6, "degree {degree}: {}", fitted.max_error);
+        }
+    }
+}
+
+#[test]
+fn points_that_share_parameters_are_met_as_nearly_as_one_curve_can() {
+    let points: Vec<Point> = (0..6).map(|i| Point::new(f64::from(i), f64::from(i % 2))).collect();
+    let options = Options {
+        degrees: vec![3],
+        closed: Some(false),
+        parameters: vec![0.0, 5.0, 5.0, 10.0, 10.0, 15.0],
+        grid_size: Some(1000),
+        ..Options::default()
+    };
+    let fitted = fit(&points, Ask::Lambda(vec![0.0]), &options).expect("it can be fitted");
+    // Two pairs one step apart in both coordinates: half a square each from their middles.
+    assert!((fitted.data_term - 2.0).abs() <= 1e-9, "{}", fitted.data_term);
+}
+
+#[test]
+fn a_mean_square_is_kept_at_the_parameters_by_straight_pieces_too() {
+    for (count, degree, target) in [(20, 2, 0.01), (24, 2, 0.01), (25, 2, 0.01), (30, 2, 0.01)] {
+        let rise = if usize::is_multiple_of(count, 2) { 0.0 } else { 0.3 };
+        let place = |i: usize| Point::new(1.0, rise) * (100.0 * libm::sin(0.7 * i as f64));
+        let points: Vec<Point> = (0..count).map(place).collect();
+        let options =
+            Options { degrees: vec![degree], closed: Some(false), noise: Some(0.0), ..Options::default() };
+        let fitted = fit(&points, Ask::MeanSquare(target), &options).expect("it can be fitted");
+        let kept = fitted.qfe <= target * (1.0 + 1e-9);
+        assert_eq!(fitted.status == FitStatus::Converged, kept, "{count} points: {}", fitted.qfe);
+    }
 }

@@ -57,7 +57,7 @@ pub struct Options {
     /// Weights, one per point; empty for 1 each.
     pub weights: Vec<f64>,
     /// Steps of the grid that knots may be on, for [`Ask::Lambda`] and [`Ask::Smoothing`]; `None` chooses (the number of points, at
-    /// most 5000 for degree 1 and 2000 above).
+    /// most 5000 for degree 1 and 2000 above). Where every λ is 0, more steps than there are points are as good as none said.
     pub grid_size: Option<usize>,
     /// How the size of a jump is measured, for [`Ask::Lambda`] and [`Ask::Smoothing`].
     pub norm: Norm,

@@ -106,6 +106,9 @@ pub struct Fit {
     pub changes: Vec<Changed>,
 }
 
+/// Joints that are less than this apart in the parameter are one for a curve.
+const CLOSEST: f64 = 1e-12;
+
 /// The places where polynomial pieces of a curve meet: value and both first derivatives.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Joints {
@@ -126,6 +129,35 @@ impl Joints {
                 *v = LARGEST_COORDINATE.copysign(*v);
                 farthest = farthest.max(core::f64::consts::SQRT_2 * beyond);
             }
+        }
+        farthest
+    }
+
+    /// Makes one joint of those that a curve does not tell apart; answers by how much that moves it at most.
+    pub(super) fn tell_apart(&mut self, closed: bool, end: f64) -> f64 {
+        let (mut kept, mut farthest) = (0, 0.0_f64);
+        for i in 1..self.at.len() {
+            let around = if closed { self.at[0] + end - self.at[i] } else { f64::INFINITY };
+            let (to, lost) = if self.at[i] - self.at[kept] < CLOSEST {
+                self.leaving[kept] = self.leaving[i];
+                (kept, i)
+            } else if around < CLOSEST && kept > 0 {
+                self.arriving[0] = self.arriving[i];
+                (0, i)
+            } else {
+                kept += 1;
+                self.at[kept] = self.at[i];
+                self.points[kept] = self.points[i];
+                self.arriving[kept] = self.arriving[i];
+                self.leaving[kept] = self.leaving[i];
+                continue;
+            };
+            // The end of a piece moves, and where it ends.
+            farthest = farthest.max(2.0 * (self.points[to] - self.points[lost]).norm());
+        }
+        self.at.truncate(kept + 1);
+        for list in [&mut self.points, &mut self.arriving, &mut self.leaving] {
+            list.truncate(kept + 1);
         }
         farthest
     }

@@ -72,7 +72,9 @@ pub(super) fn fit(
     let distances =
         if frame.hurried { spline.feet(located, &mut feet, 1) } else { spline.settle(located, &mut feet) };
     let mut joints = spline.joints(samples.center, samples.scale, frame.unit, cuts);
-    let deviation = deviation * samples.scale + joints.bound(distances.largest.max(CLOSE) * samples.scale);
+    let moved = joints.bound(distances.largest.max(CLOSE) * samples.scale)
+        + joints.tell_apart(breaks.closed, breaks.end * frame.unit);
+    let deviation = deviation * samples.scale + moved;
     let curve = joints.curve(breaks.closed, breaks.end * frame.unit)?;
     let (_, last) = curve.domain();
     let square = samples.scale * samples.scale;
@@ -240,6 +242,7 @@ pub(super) fn part(frame: &Frame<'_>, spline: &Spline, center: Vector) -> Result
     let (cuts, _) = cuts(spline);
     let mut joints = spline.joints(center, frame.samples.scale, frame.unit, cuts);
     joints.bound(CLOSE * frame.samples.scale);
+    joints.tell_apart(breaks.closed, breaks.end * frame.unit);
     let curve = joints.curve(breaks.closed, breaks.end * frame.unit)?;
     Ok(Part { degree: breaks.degree, curve, coefficients: coefficients(frame, spline) })
 }

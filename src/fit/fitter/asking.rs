@@ -12,9 +12,11 @@ use crate::limits::{LARGEST_COORDINATE, check};
 
 /// A curve is not looked for nearer to the points than one rounding of its place and so many of a drawing's size.
 const ROUNDINGS: f64 = 256.0;
+/// No point counts for less than what may be given.
+const LEAST_WEIGHT: f64 = 1e-6;
 
 impl Fitter {
-    /// Starts a run; what an earlier one knew is used.
+    /// Starts a run.
     ///
     /// # Errors
     ///
@@ -95,8 +97,8 @@ impl Fitter {
         if self.options.robust {
             let sober = sober_weights(samples, self.noise);
             let given = weights.clone();
-            weights =
-                sober.iter().enumerate().map(|(m, w)| w * given.get(m).copied().unwrap_or(1.0)).collect();
+            let both = |(m, w): (usize, &f64)| w * given.get(m).copied().unwrap_or(1.0);
+            weights = sober.iter().enumerate().map(both).map(|w| w.max(LEAST_WEIGHT)).collect();
         }
         let automatic = self.options.parametrisation == Parametrisation::Auto;
         self.even = automatic && !by_lambda && self.options.parameters.is_empty() && {

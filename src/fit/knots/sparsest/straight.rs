@@ -41,14 +41,20 @@ impl Sparsest {
             self.found = Some(best);
             return Phase::Done;
         }
+        let squares = best.distances.squares;
         if matches!(self.asked.aim, Aim::Squares(_)) {
             let mut feet = best.located.parameters.clone();
             best.distances = best.spline.feet(&best.located, &mut feet, 3);
         }
         best = self.followed(best);
         let spaced = self.asked.spaced && matches!(self.asked.aim, Aim::Noise(_));
-        let found =
+        let mut found =
             if spaced { self.straightened_by_length(best) } else { self.straightened(best, HOPELESS) };
+        if matches!(self.asked.aim, Aim::Squares(_)) {
+            // What was asked for is about the parameters, not about feet.
+            let straight = !found.spline.space.breaks.straight.is_empty();
+            found.distances.squares = if straight { found.spline.squares(&found.located) } else { squares };
+        }
         self.found = Some(found);
         Phase::Done
     }
@@ -206,7 +212,7 @@ impl Sparsest {
         let kept = match self.asked.aim {
             Aim::Noise(_) => true,
             Aim::Tolerance(tolerance) => distances.largest <= tolerance.max(best.distances.largest),
-            Aim::Squares(target) => fitted.squares <= target,
+            Aim::Squares(target) => spline.squares(&located) <= target,
         };
         let worth_it = kept && distances.squares - best.distances.squares <= worth;
         let stray = worth_it && self.is_spoiled(&spline, &located);
