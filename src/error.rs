@@ -244,6 +244,10 @@ impl fmt::Display for Error {
             }
             Self::OutOfRange { argument, index, value, least, most } => {
                 at(f, argument, index)?;
+                // A number of something of which there is none.
+                if most < least {
+                    return write!(f, " is {value}; there is none");
+                }
                 write!(f, " is {value}; expected a number from {least} to {most}")
             }
             Self::WrongLength { argument, got, needed } => {

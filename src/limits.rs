@@ -2,8 +2,10 @@
 
 use crate::error::{Error, Result};
 
-/// The largest coordinate, tangent component or parameter length that is accepted: a double keeps 1e-7 units there.
+/// The largest coordinate or parameter length that is accepted: a double keeps 1e-7 units there.
 pub(crate) const LARGEST_COORDINATE: f64 = 1e9;
+/// The largest component of a tangent: Béziers whose control points are coordinates have up to six times as much.
+pub(crate) const LARGEST_TANGENT: f64 = 8e9;
 /// What is smaller counts as 0: lengths and distances are compared by fourth powers, which would vanish.
 pub(crate) const LEAST_COORDINATE: f64 = 1e-50;
 /// The least parameter length of a segment: knots closer than this count as one.

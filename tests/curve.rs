@@ -174,10 +174,14 @@ fn the_curve_through_points_has_a_continuous_second_derivative() {
                 let curve = HermiteCurve::through(points.clone(), closed, omega, space).expect("valid");
                 assert_eq!(curve.points(), points, "it goes through its points");
                 for i in 0..points.len() {
-                    let arriving = (i > 0).then(|| curve.segment(i - 1).acceleration(1.0));
-                    let leaving = (i < curve.segment_count()).then(|| curve.segment(i).acceleration(0.0));
+                    let arriving =
+                        (i > 0).then(|| curve.segment(i - 1).expect("it is there").acceleration(1.0));
+                    let leaving = (i < curve.segment_count())
+                        .then(|| curve.segment(i).expect("it is there").acceleration(0.0));
                     let jump = match (arriving, leaving) {
-                        (None, Some(start)) if closed => start - curve.segment(4).acceleration(1.0),
+                        (None, Some(start)) if closed => {
+                            start - curve.segment(4).expect("it is there").acceleration(1.0)
+                        }
                         (Some(a), Some(b)) => a - b,
                         (None, Some(end)) | (Some(end), None) => end,
                         (None, None) => Point::zeros(),

@@ -408,7 +408,7 @@ fn the_scalar_polygon_converges_to_the_curve_with_the_square_of_the_step() {
             .chunks_exact(2)
             .enumerate()
             .map(|(k, pair)| {
-                let segment = curve.segment(k / pieces);
+                let segment = curve.segment(k / pieces).expect("it is there");
                 let x = ((k % pieces) as f64 + 0.5) / pieces as f64;
                 ((pair[0] + pair[1]) * 0.5 - segment.position(x)).norm()
             })

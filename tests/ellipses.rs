@@ -213,13 +213,22 @@ fn straight_segments_are_lines_and_arcs_are_not() {
         for omega in [0.0, 1.0, 3.0] {
             for speed in [0.0, 0.5, 1.0, 1.7] {
                 let curve = line(Point::new(3.0, 4.0) * speed, omega);
-                assert!(curve.segment(0).as_line(1e-12), "speed {speed}, omega {omega}");
+                assert!(
+                    curve.segment(0).expect("it is there").as_line(1e-12),
+                    "speed {speed}, omega {omega}"
+                );
             }
-            assert!(!line(Point::new(3.0, 4.001), omega).segment(0).as_line(1e-6), "it bends a little");
-            assert!(!line(Point::new(-3.0, -4.0), omega).segment(0).as_line(0.01), "it runs backwards first");
+            assert!(
+                !line(Point::new(3.0, 4.001), omega).segment(0).expect("it is there").as_line(1e-6),
+                "it bends a little"
+            );
+            assert!(
+                !line(Point::new(-3.0, -4.0), omega).segment(0).expect("it is there").as_line(0.01),
+                "it runs backwards first"
+            );
         }
         assert!(
-            line(Point::new(3.0, 4.0), 1.0).segment(0).as_ellipse_arc(1e-9).is_none(),
+            line(Point::new(3.0, 4.0), 1.0).segment(0).expect("it is there").as_ellipse_arc(1e-9).is_none(),
             "a line is no arc"
         );
     }

@@ -79,7 +79,7 @@ fn closed_curves_have_the_golden_control_points_on_every_level() {
         for (level, expected) in case.levels.iter().enumerate() {
             let scale = case.scale[level];
             if level > 0 {
-                let coarse = alpha.scaled(case.scale[level - 1]);
+                let coarse = alpha.scaled(case.scale[level - 1]).expect("in range");
                 points = finer(&points, 1, true, &coarse, case.m).expect("in range");
             }
             // The paper counts from the start of the support of point 0, and does not divide by the integral.
@@ -116,10 +116,10 @@ fn points_and_control_points_of_every_level_are_the_golden_curve() {
             let mut points = from_points(&case.c, 1, true, &phi, case.m0).expect("in range");
             for (level, scale) in case.scale.iter().enumerate() {
                 if level > 0 {
-                    let coarse = alpha.scaled(case.scale[level - 1]);
+                    let coarse = alpha.scaled(case.scale[level - 1]).expect("in range");
                     points = finer(&points, 1, true, &coarse, case.m).expect("in range");
                 }
-                let fine = alpha.scaled(*scale);
+                let fine = alpha.scaled(*scale).expect("in range");
                 let spline = ExponentialBSpline::new(&fine).expect("in range");
                 let first = 0.5 * (alpha.order() % 2) as f64 / scale;
                 let got = sum(&points, 1.0 / scale, first, *t, &|x| spline.at(x, 0) / fine.integral());

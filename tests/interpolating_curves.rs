@@ -81,8 +81,8 @@ fn pieces_meet_with_all_derivatives_that_are_promised() {
         let fine = curve.refine(2, 2, 3).expect("in range");
         let cancelled = 1.0 + 2.0 * curve.interpolator().lambda().iter().map(|l| l.abs()).sum::<f64>();
         let checks: [(usize, Filler); 2] = [
-            (curve.piece_count(), &|i, out| curve.piece_into(i, out)),
-            (fine.piece_count(), &|i, out| fine.piece_into(i, out)),
+            (curve.piece_count(), &|i, out| curve.piece_into(i, out).expect("it is there")),
+            (fine.piece_count(), &|i, out| fine.piece_into(i, out).expect("it is there")),
         ];
         for (count, piece_into) in checks {
             let (mut before, mut after) = (Vec::new(), Vec::new());

@@ -5,6 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod support;
 
+use expline::curve::LengthTable;
 use expline::svg::{PrintOptions, parse_path, to_path_d};
 use expline::{Curve, Error, HermiteCurve, HermiteOptions, Space};
 use nalgebra::Vector2;
@@ -250,4 +251,87 @@ fn quadratics_come_back_to_the_last_bit() {
         let printed = to_path_d(&curve, &exact).expect("finite");
         assert_eq!(format!("{:?}", path(&printed.d)), format!("{curve:?}"), "{text} → {}", printed.d);
     }
+}
+
+#[test]
+fn what_a_removal_moves_is_no_less_than_it_is_where_long_handles_go_far_from_place_to_place() {
+    let mut random = Random::new(17);
+    for case in 0..60 {
+        let long = [10.0, 30.0, 100.0][case % 3];
+        let options = HermiteOptions {
+            points: (0..3).map(|_| random.vector(1.0)).collect(),
+            tangents: (0..3).map(|_| random.vector(long)).collect(),
+            tangents_in: (0..3).map(|_| random.vector(long)).collect(),
+            space: Some(Space::Polynomial),
+            ..HermiteOptions::default()
+        };
+        let wild = HermiteCurve::new(options).expect("in range");
+        let (healed, deviation) = wild.remove(1).expect("enough points");
+        let truth = directed(&wild, &healed).max(directed(&healed, &wild));
+        assert!(deviation >= 0.999 * truth, "{case}: {deviation} {truth}");
+    }
+}
+
+#[test]
+fn what_is_written_is_read_back_however_large_it_is_or_is_refused() {
+    let mut random = Random::new(23);
+    let (mut written, mut refused) = (0, 0);
+    for case in 0..160 {
+        let size = [3e8, 9.9e8][case % 2];
+        let space = [Space::Polynomial, Space::Trigonometric][case / 2 % 2];
+        let length = [1.0, 4.0][case / 4 % 2];
+        let straight = case % 5 == 0;
+        let points: Vec<Point> = (0..3).map(|_| random.vector(size)).collect();
+        let along = |i: usize| (points[(i + 1) % 3] - points[i]) / length;
+        let tangents: Vec<Point> =
+            (0..3).map(|i| if straight { along(i) } else { random.vector(size) }).collect();
+        let options = HermiteOptions {
+            tangents_in: (0..3).map(|i| if straight { along((i + 2) % 3) } else { tangents[i] }).collect(),
+            points,
+            tangents,
+            closed: true,
+            space: Some(space),
+            omega: vec![if space == Space::Polynomial { 0.0 } else { 1.5 / length }],
+            lengths: vec![length; 3],
+        };
+        let Ok(large) = HermiteCurve::new(options) else { continue };
+        match unboxed(to_path_d(&large, &PrintOptions { tolerance: 1.0, ..PrintOptions::default() })) {
+            Ok(printed) => {
+                let back = path(&printed.d);
+                let gap = directed(&large, &back).max(directed(&back, &large));
+                // The tolerance, and what coordinates of 1e9 are rounded to.
+                assert!(gap <= printed.deviation + 1e-5, "{case}: {gap} {}", printed.deviation);
+                written += 1;
+            }
+            Err(error) => {
+                assert!(matches!(error, Error::OutOfRange { argument: "handles", .. }), "{case}: {error}");
+                refused += 1;
+            }
+        }
+    }
+    assert!(written > 20 && refused > 20, "{written} written, {refused} refused");
+    let round = HermiteCurve::ellipse(Point::zeros(), Point::new(9e8, 9e8), 0.0, 12).expect("in range");
+    let printed = to_path_d(&round, &PrintOptions::default()).expect("in range");
+    assert!(directed(&round, &path(&printed.d)) < 1e-5, "{}", printed.d);
+}
+
+#[test]
+fn one_frequency_has_no_index_and_a_tolerance_is_looked_at_where_it_is_not_needed() {
+    let points = pairs(&[0.0, 0.0, 1.0, 1.0, 2.0, 0.0]);
+    let error = unboxed(HermiteCurve::through(points.clone(), false, Some(7.0), Space::Trigonometric));
+    assert!(matches!(error, Err(Error::OutOfRange { argument: "omega", index: None, .. })), "{error:?}");
+    let hill = HermiteCurve::through(points, false, None, Space::Polynomial).expect("in range");
+    for tolerance in [f64::NAN, f64::INFINITY, 0.0, -1.0] {
+        let error = unboxed(hill.to_hermite(tolerance));
+        assert_eq!(error.expect_err("no tolerance").argument(), Some("tolerance"), "{tolerance}");
+    }
+}
+
+#[test]
+fn a_table_of_lengths_is_not_asked_about_another_curve() {
+    let round =
+        |count| HermiteCurve::ellipse(Point::zeros(), Point::new(2.0, 1.0), 0.0, count).expect("in range");
+    let mut table = LengthTable::new(&round(9), 1e-6).expect("in range");
+    let error = unboxed(table.points(&round(3), 5));
+    assert!(matches!(error, Err(Error::WrongLength { argument: "curve", got: 3, needed: 9 })), "{error:?}");
 }

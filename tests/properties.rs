@@ -161,7 +161,7 @@ proptest! {
 
     #[test]
     fn masks_keep_constants_and_the_parameter((space, w) in frequency(), arity in 1..9_usize, length in 0.01..100.0_f64) {
-        let mask = MatrixMask::new(space, w / length, length, arity);
+        let mask = MatrixMask::new(space, w / length, length, arity).expect("in range");
         let scale = size(&Basis::new(space, w), 0).max(size(&Basis::new(space, w), 1));
         for k in 1..arity {
             let (left, right) = (mask.matrix(k as isize), mask.matrix(k as isize - arity as isize));

@@ -418,7 +418,7 @@ fn equations_39_to_42_need_the_frequency_of_the_level() {
 
 #[test]
 fn the_scalar_rules_of_the_cubic_are_those_of_schwanecke_and_juttler() {
-    let mask = ScalarMask::new(Space::Polynomial, 0.0);
+    let mask = ScalarMask::new(Space::Polynomial, 0.0).expect("in range");
     assert_eq!(mask.reach, 0.5, "3/4 and 1/4 at the old points");
     for (got, expected) in mask.inner.iter().zip([0.125, 0.625, 0.25]) {
         assert!((got - expected).abs() < 1e-15, "{got} for {expected}");

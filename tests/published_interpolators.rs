@@ -159,9 +159,12 @@ fn equations_17_to_20_divide_the_roots_once() {
     // g built from h of roots divided twice does not reproduce φ; ours does.
     let roots = Roots::ellipse(3).expect("in range");
     let phi = Interpolator::new(&roots).expect("it exists");
-    let fine = ExponentialBSpline::new(&roots.scaled(2.0)).expect("in range");
+    let fine = ExponentialBSpline::new(&roots.scaled(2.0).expect("in range")).expect("in range");
     let g = phi.pre_filter(2).expect("even");
-    let twice = Interpolator::new(&roots.scaled(2.0)).expect("it exists").pre_filter(2).expect("even");
+    let twice = Interpolator::new(&roots.scaled(2.0).expect("in range"))
+        .expect("it exists")
+        .pre_filter(2)
+        .expect("even");
     let combine = |g: &[f64], t: f64| -> f64 {
         // φ⁺(t/2) with both causal: φ⁺ = φ(· − 2), β⁺ = β(· − 3/2).
         g.iter().enumerate().map(|(k, tap)| tap * fine.at(t - k as f64 - 1.5, 0)).sum()

@@ -92,7 +92,7 @@ fn the_mask_of_one_segment_is_the_mask_of_the_generators_at_that_level() {
     for (space, omega) in [(Space::Trigonometric, 2.5), (Space::Hyperbolic, 7.0), (Space::Polynomial, 0.0)] {
         for (arity, level) in [(1, 0), (2, 0), (2, 5), (3, 2), (5, 1), (7, 0)] {
             let step = (arity as f64).powi(-(level as i32));
-            let mask = MatrixMask::new(space, omega, step, arity);
+            let mask = MatrixMask::new(space, omega, step, arity).expect("in range");
             let expected = generators(space, omega).mask(arity, level).expect("in range");
             let reach = arity as isize - 1;
             let got: Vec<f64> = (-reach..=reach).flat_map(|n| mask.matrix(n)).collect();
@@ -106,7 +106,7 @@ fn the_mask_of_one_segment_is_the_mask_of_the_generators_at_that_level() {
 #[test]
 fn scalar_rules_agree_with_fifty_digits() {
     for case in mask_file().scalar {
-        let mask = ScalarMask::new(Space::Trigonometric, case.w);
+        let mask = ScalarMask::new(Space::Trigonometric, case.w).expect("in range");
         let even = [0.5 * (1.0 + mask.reach), 0.5 * (1.0 - mask.reach)];
         assert_all_close("rho", &[mask.reach], &[case.rho], tolerance::MASKS);
         assert_all_close("even rule", &even, &case.even, tolerance::MASKS);

@@ -70,7 +70,7 @@ fn worst(curve: &HermiteCurve, count: usize) -> (f64, f64) {
     let (mut points, mut tangents) = (0.0_f64, 0.0_f64);
     for (i, found) in both.chunks_exact(4).enumerate() {
         let (k, x) = place(curve, count, i);
-        let segment = curve.segment(k);
+        let segment = curve.segment(k).expect("it is there");
         let w = segment.basis.frequency();
         let speed = [segment.leaving, segment.arriving, (segment.end - segment.start) / segment.length]
             .iter()
@@ -115,7 +115,7 @@ fn segments_too_short_for_a_sample_of_their_own_are_passed_over() {
                 for (i, found) in all.chunks_exact(2).enumerate() {
                     let end = !closed && i + 1 == count;
                     let (k, x) = if end { (2, 1.0) } else { place(&curve, count, i) };
-                    let segment = curve.segment(k);
+                    let segment = curve.segment(k).expect("it is there");
                     let size = 1e2 * (1.0 + segment.length);
                     let error = (Point::new(found[0], found[1]) - segment.position(x)).norm();
                     assert!(error <= 64.0 * f64::EPSILON * size, "{lengths:?} {count} {i}: {error}");

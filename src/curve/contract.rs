@@ -11,6 +11,7 @@ use super::measures::flatten;
 use super::measures::length;
 use super::measures::nearest::{Nearest, NearestFinder};
 use super::measures::nearest_in_space::{self, SpaceNearest};
+use super::measures::tolerance::check_tolerance;
 use super::pieces::Pieces;
 use super::spline_curve::{Generator, SplineCurve};
 use crate::error::Result;
@@ -237,6 +238,7 @@ pub trait Curve: Pieces {
     ///
     /// A curve in space; as for [`Curve::to_cubics`].
     fn to_hermite(&self, tolerance: f64) -> Result<(HermiteCurve, f64)> {
+        check_tolerance(tolerance)?;
         convert::to_hermite(self.as_pieces(), tolerance)
     }
 

@@ -19,8 +19,8 @@ use super::Segment;
 use crate::error::{Error, Result};
 use crate::generator::{Basis, Space};
 use crate::limits::{
-    LARGEST_COORDINATE, LARGEST_FREQUENCY, LEAST_LENGTH, MOST_POINTS, POLE_MARGIN, check, filled, settle,
-    too_many, with_room,
+    LARGEST_COORDINATE, LARGEST_FREQUENCY, LARGEST_TANGENT, LEAST_LENGTH, MOST_POINTS, POLE_MARGIN, check,
+    filled, settle, too_many, with_room,
 };
 use crate::numerics::angle::wrapped;
 use crate::numerics::lists::steps;
@@ -82,7 +82,7 @@ impl HermiteCurve {
     /// # Errors
     ///
     /// The first thing that is wrong: too few points (2 are needed), lengths that do not match, a number that is
-    /// not finite or not within ±1e9, a segment length that is not positive, ω·length outside its range.
+    /// not finite or not within ±1e9 (tangents ±8e9), a segment length that is not positive, ω·length outside its range.
     pub fn new(options: HermiteOptions) -> Result<Self> {
         let (knots, bases, basis_of) = (Vec::new(), Vec::new(), Vec::new());
         let space = options.space.unwrap_or(Space::Trigonometric);
@@ -145,8 +145,18 @@ impl HermiteCurve {
     }
 
     /// Segment i, from point i to the next.
+    ///
+    /// # Errors
+    ///
+    /// i beyond the last segment.
+    pub fn segment(&self, i: usize) -> Result<Segment<'_>> {
+        check("i", None, i as f64, 0.0, self.segment_count() as f64 - 1.0)?;
+        Ok(self.nth_segment(i))
+    }
+
+    /// [`Self::segment`] for an i that is there.
     #[inline(never)]
-    pub fn segment(&self, i: usize) -> Segment<'_> {
+    pub(crate) fn nth_segment(&self, i: usize) -> Segment<'_> {
         let (data, next) = (&self.inner.data, self.next(i));
         Segment {
             start: data.points[i],
@@ -186,7 +196,7 @@ impl HermiteCurve {
 
     /// All segments in order.
     pub fn segments(&self) -> impl ExactSizeIterator<Item = Segment<'_>> {
-        (0..self.segment_count()).map(|i| self.segment(i))
+        (0..self.segment_count()).map(|i| self.nth_segment(i))
     }
 
     /// The segment that t lies in and the local x in [0, 1].
@@ -221,7 +231,7 @@ impl HermiteCurve {
     /// Those of [`Self::locate`]; a derivative above the second.
     pub fn evaluate(&self, t: f64, derivative: usize) -> Result<Vector> {
         let (i, x) = self.locate(t)?;
-        let segment = self.segment(i);
+        let segment = self.nth_segment(i);
         check_derivative(derivative)?;
         Ok(segment.derivative(x, derivative))
     }
@@ -267,9 +277,9 @@ impl Inner {
     /// Checks every number; where ω is `implied`, a segment that is too long for it is at fault.
     fn check(&mut self, implied: bool) -> Result<()> {
         let data = &mut self.data;
-        check_vectors("points", &mut data.points)?;
-        check_vectors("tangents", &mut data.tangents)?;
-        check_vectors("tangentsIn", &mut data.tangents_in)?;
+        check_vectors("points", &mut data.points, LARGEST_COORDINATE)?;
+        check_vectors("tangents", &mut data.tangents, LARGEST_TANGENT)?;
+        check_vectors("tangentsIn", &mut data.tangents_in, LARGEST_TANGENT)?;
         for (i, (&w, &length)) in data.omega.iter().zip(&data.lengths).enumerate() {
             if (0.0..LEAST_LENGTH).contains(&length) {
                 let (index, reason) = (Some(i), "knots closer than 1e-12");
@@ -312,18 +322,18 @@ impl Inner {
 }
 
 #[inline(never)]
-fn check_vectors(argument: &'static str, vectors: &mut [Vector]) -> Result<()> {
+fn check_vectors(argument: &'static str, vectors: &mut [Vector], most: f64) -> Result<()> {
     // Nearly always all are in range, and a loop that calls nothing sees that. NaN is in none.
     let mut fit = true;
     for v in vectors.iter_mut() {
-        fit &= v.x.abs() <= LARGEST_COORDINATE && v.y.abs() <= LARGEST_COORDINATE;
+        fit &= v.x.abs() <= most && v.y.abs() <= most;
         settle(v.as_mut_slice());
     }
     if fit {
         return Ok(());
     }
     for (i, &value) in vectors.iter().flatten().enumerate() {
-        check(argument, Some(i), value, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
+        check(argument, Some(i), value, -most, most)?;
     }
     Ok(())
 }

@@ -39,7 +39,7 @@ pub use hermite::subdivide::Scheme;
 pub use hermite::{HermiteCurve, HermiteOptions, Side};
 pub use measures::bounds::Bounds;
 pub use measures::by_length::LengthTable;
-pub use measures::cubics::{Cubics, segment_cubics};
+pub use measures::cubics::Cubics;
 pub use measures::nearest::{Nearest, NearestFinder};
 pub use measures::nearest_in_space::SpaceNearest;
 pub use segment::Segment;
@@ -50,6 +50,7 @@ pub use spline_curve::local::LocalCurve;
 pub use spline_curve::spline_sampler::SplineSampler;
 
 pub(crate) use convert::to_hermite;
+pub(crate) use measures::cubics::segment_cubics;
 pub(crate) use pieces::Pieces;
 #[cfg(all(target_arch = "wasm32", any(feature = "wasm", feature = "wasm-spline")))]
 pub(crate) use {hermite::sample::check_parameters, pieces::in_space};

@@ -144,7 +144,7 @@ impl Pieces for HermiteCurve {
     }
 
     fn piece(&self, i: usize) -> Piece {
-        Piece::new(&self.segment(i))
+        Piece::new(&self.nth_segment(i))
     }
 
     fn start(&self, i: usize) -> Point {
@@ -152,12 +152,12 @@ impl Pieces for HermiteCurve {
     }
 
     fn tangents(&self, i: usize) -> [Vector; 2] {
-        let segment = self.segment(i);
+        let segment = self.nth_segment(i);
         [segment.leaving * segment.length, segment.arriving * segment.length]
     }
 
     fn handles(&self, i: usize) -> [Point; 2] {
-        self.segment(i).inner_points()
+        self.nth_segment(i).inner_points()
     }
 }
 

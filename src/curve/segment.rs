@@ -41,7 +41,7 @@ impl Segment<'_> {
         self.derivative(x, 2)
     }
 
-    /// The point (order 0) or a derivative with respect to t (order 1, 2, …) at x.
+    /// The point (order 0) or a derivative with respect to t (order 1, 2 or 3; there is no higher one here) at x.
     #[inline(never)]
     pub fn derivative(&self, x: f64, order: usize) -> Vector {
         let value = self.combine(&self.basis.weights(x, order));

@@ -139,7 +139,7 @@ impl<G: Generator> SplineCurve<G> {
         self.lattice.piece_count()
     }
 
-    /// The parameter where piece i starts; that of the end for i = [`Self::piece_count`].
+    /// The parameter where piece i starts; that of the end for i = [`Self::piece_count`] and beyond.
     pub fn knot(&self, i: usize) -> f64 {
         self.lattice.knot(i)
     }
@@ -149,8 +149,14 @@ impl<G: Generator> SplineCurve<G> {
     /// # Accuracy
     ///
     /// That of the curve: what is not a polynomial is one to rounding.
-    pub fn piece_into(&self, i: usize, coefficients: &mut Vec<f64>) {
+    ///
+    /// # Errors
+    ///
+    /// i beyond the last piece: `coefficients` is as it was then.
+    pub fn piece_into(&self, i: usize, coefficients: &mut Vec<f64>) -> Result<()> {
+        check("i", None, i as f64, 0.0, self.piece_count() as f64 - 1.0)?;
         self.lattice.piece_into(i, coefficients);
+        Ok(())
     }
 }
 

@@ -66,7 +66,7 @@ impl ExponentialBSpline {
     /// The polynomial on [k − n₀/2, k + 1 − n₀/2], k = 0 … n₀ − 1, in ascending powers of the distance from the middle of
     /// that interval. All have one length; beyond k = n₀ − 1 there is none.
     pub fn piece(&self, k: usize) -> &[f64] {
-        self.pieces.piece(k)
+        if k < self.order() { self.pieces.piece(k) } else { &[] }
     }
 
     /// β at x, or a derivative. Orders to n₀ − 2 are continuous; beyond, the limit from the right.

@@ -71,7 +71,7 @@ impl Interpolator {
     /// As [`Self::pre_filter`].
     pub fn affine_pre_filter(&self, m0: usize) -> Result<Vec<f64>> {
         let mut g = self.pre_filter(m0)?;
-        scale(&mut g, self.roots().scaled(m0 as f64).integral());
+        scale(&mut g, self.roots().divided(m0 as f64).integral());
         Ok(g)
     }
 }
@@ -79,7 +79,7 @@ impl Interpolator {
 /// [`ExponentialBSpline::affine_refinement_filter`] from the roots alone.
 pub(crate) fn affine_refinement_filter(roots: &Roots, m: usize) -> Result<Vec<f64>> {
     let mut h = refinement_filter(roots, m)?;
-    let ratio = roots.scaled(m as f64).integral() / roots.integral();
+    let ratio = roots.divided(m as f64).integral() / roots.integral();
     if !ratio.is_finite() {
         return Err(Error::degenerate("roots", None, "the B-spline's integral is 0"));
     }
@@ -100,7 +100,7 @@ pub(crate) fn refinement_filter(roots: &Roots, m: usize) -> Result<Vec<f64>> {
     // Every factor but one brings a division by m.
     product[0] = m as f64;
     let mut degree = 0;
-    for root in roots.scaled(m as f64).upper() {
+    for root in roots.divided(m as f64).upper() {
         let growth = libm::exp(root.re);
         let pair = root.im != 0.0;
         let count = if pair { 2 * m - 1 } else { m };

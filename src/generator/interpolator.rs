@@ -153,7 +153,7 @@ impl Interpolator {
     /// of that interval; empty elsewhere. All have one length.
     pub fn half_piece(&self, k: isize) -> &[f64] {
         let first = 2 * self.support() as isize;
-        usize::try_from(k + first).map_or(&[], |k| self.halves.piece(k))
+        if (-first..first).contains(&k) { self.halves.piece((k + first) as usize) } else { &[] }
     }
 
     /// φ at x, or a derivative. Orders to n₀ − 2 are continuous; beyond, the limit from the right.

@@ -170,8 +170,18 @@ impl Roots {
     }
 
     /// The roots on a grid that is finer by `parts`: each divided by it.
+    ///
+    /// # Errors
+    ///
+    /// `parts` not finite or not positive, or so small that a root would be larger than one may be ([`Self::new`]).
+    pub fn scaled(&self, parts: f64) -> Result<Self> {
+        check("parts", None, parts, f64::MIN_POSITIVE, f64::MAX)?;
+        Self::new(&self.divided(parts).list, "roots")
+    }
+
+    /// [`Self::scaled`] for parts that leave roots that may be.
     #[inline(never)]
-    pub fn scaled(&self, parts: f64) -> Self {
+    pub(crate) fn divided(&self, parts: f64) -> Self {
         let list = self.list.iter().map(|r| Root { re: r.re / parts, im: r.im / parts }).collect();
         Self { list, without_opposite: self.without_opposite }
     }

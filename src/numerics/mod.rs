@@ -1,7 +1,7 @@
 //! Mathematics that has never heard of splines.
 
 pub mod angle;
-pub mod banded;
+pub(crate) mod banded;
 pub(crate) mod dense;
 pub mod enclosing_circle;
 pub mod entire;

@@ -1,6 +1,6 @@
 //! Control points on finer grids: the interpolator's points become B-spline points, and those more of their kind.
 //!
-//! Points are interleaved, of any dimension: a row of a surface's net is a point, too. All control points here belong
+//! Points are interleaved, of any dimension from 1 up (0 counts as 1): a row of a surface's net is a point, too. All control points here belong
 //! to B-splines that are divided by their integral, so that, where 0 is a root, a translation stays a translation on every
 //! level.
 
@@ -29,6 +29,7 @@ pub fn from_points(
     interpolator: &Interpolator,
     m0: usize,
 ) -> Result<Vec<f64>> {
+    let dimension = dimension.max(1);
     let ends = if closed { 0 } else { 2 * (interpolator.order() - 2) + 1 };
     let count = counted(points, dimension, ends + 1)?;
     let filter = interpolator.affine_pre_filter(m0)?;
@@ -50,6 +51,7 @@ pub fn from_points(
 ///
 /// [SFBGU17, eq. 15, 16, 20] (D 9.8).
 pub fn finer(points: &[f64], dimension: usize, closed: bool, roots: &Roots, m: usize) -> Result<Vec<f64>> {
+    let dimension = dimension.max(1);
     let count = counted(points, dimension, 1)?;
     let filter = affine_refinement_filter(roots, m)?;
     let target = Target::finer(count, closed, roots.order(), m)?.within_limits("m", dimension)?;
@@ -68,12 +70,13 @@ pub fn finer(points: &[f64], dimension: usize, closed: bool, roots: &Roots, m: u
 ///
 /// # Errors
 ///
-/// Fewer than two points; more than fit.
+/// Fewer than two points, or not a whole number of them; more than fit.
 ///
 /// # Source
 ///
 /// (D 9.9).
 pub fn extended(points: &[f64], dimension: usize, roots: &Roots) -> Result<Vec<f64>> {
+    let dimension = dimension.max(1);
     let count = counted(points, dimension, 2)?;
     let extra = roots.order().saturating_sub(2);
     let forward = recurrence(roots, count)?;
@@ -99,7 +102,6 @@ fn recurrence(roots: &Roots, count: usize) -> Result<Vec<f64>> {
 
 /// The number of points in an interleaved list, at least `least`.
 fn counted(points: &[f64], dimension: usize, least: usize) -> Result<usize> {
-    let dimension = dimension.max(1);
     let count = points.len() / dimension;
     if count * dimension != points.len() {
         return Err(Error::wrong_length("points", points.len(), count * dimension));

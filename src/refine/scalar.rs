@@ -1,6 +1,6 @@
 //! The scalar scheme: control points become more control points that close in on the curve.
 
-use super::vector::HermiteData;
+use super::vector::{HermiteData, check_segment};
 use super::{check_levels, subdivide_hermite};
 use crate::error::Result;
 use crate::generator::{Basis, Space};
@@ -29,7 +29,12 @@ pub struct ScalarMask {
 
 impl ScalarMask {
     /// The rules for w = ω times the step of the coarser grid.
-    pub fn new(space: Space, frequency: f64) -> Self {
+    ///
+    /// # Errors
+    ///
+    /// A frequency that is not finite or not below 2π in size in the trigonometric space, above 1e4 in others.
+    pub fn new(space: Space, frequency: f64) -> Result<Self> {
+        check_segment(None, space, frequency, 1.0)?;
         let basis = Basis::new(space, frequency);
         let (kappa, finer) = (basis.kappa(), Basis::new(space, 0.5 * frequency).kappa());
         let reach = 0.5 * finer / kappa;
@@ -37,7 +42,7 @@ impl ScalarMask {
         // p′[4n + 2] + p′[4n + 3] is twice the new point, p′[4n + 3] − p′[4n + 2] twice κ·step times its derivative.
         let slope = basis.weights(0.5, 1);
         let far = 0.5 * (1.0 - outer) - 0.5 * finer * (0.5 * slope.chord - 0.5 * slope.leaving / kappa);
-        Self { reach, inner: [outer, 1.0 - outer - far, far] }
+        Ok(Self { reach, inner: [outer, 1.0 - outer - far, far] })
     }
 
     /// One step of the scheme for a control polygon as [`control_polygon`] makes it, of a smooth curve with
@@ -81,7 +86,8 @@ impl ScalarMask {
 ///
 /// # Errors
 ///
-/// Fewer than two points; lists that do not belong to as many; where memory is short.
+/// Fewer than two points; lists that do not belong to as many; numbers that are not finite or that no curve may have; where memory is
+/// short.
 ///
 /// # Source
 ///
@@ -129,7 +135,7 @@ pub fn subdivide_scalar(data: &HermiteData, levels: usize) -> Result<Vec<Point>>
     let mut polygon = control_polygon(data)?;
     let mut frequency = data.omega[0] * data.lengths[0];
     for _ in 0..levels {
-        polygon = ScalarMask::new(data.space, frequency).apply(&polygon, data.closed)?;
+        polygon = ScalarMask::new(data.space, frequency)?.apply(&polygon, data.closed)?;
         frequency *= 0.5;
     }
     Ok(polygon)

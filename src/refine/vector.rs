@@ -1,9 +1,13 @@
 //! The vector scheme: points with derivatives become more points with derivatives, all of them on the curve.
 
+use core::f64::consts::TAU;
+
 use super::check_levels;
 use crate::error::{Error, Result};
 use crate::generator::{Basis, Space};
-use crate::limits::with_room;
+use crate::limits::{
+    LARGEST_COORDINATE, LARGEST_FREQUENCY, MOST_OUTPUT_POINTS, POLE_MARGIN, check, with_room,
+};
 use crate::numerics::lists::steps;
 use crate::numerics::{Point, Vector};
 
@@ -47,7 +51,15 @@ impl HermiteData {
                 return Err(Error::wrong_length(argument, got, needed));
             }
         }
-        Ok(())
+        for (argument, list) in
+            [("points", &self.points), ("tangents", &self.leaving), ("tangentsIn", &self.arriving)]
+        {
+            for (i, &value) in list.iter().flatten().enumerate() {
+                check(argument, Some(i), value, -LARGEST_COORDINATE, LARGEST_COORDINATE)?;
+            }
+        }
+        let mut segments = self.omega.iter().zip(&self.lengths).enumerate();
+        segments.try_for_each(|(i, (&omega, &length))| check_segment(Some(i), self.space, omega, length))
     }
 
     fn with_room(space: Space, closed: bool, segments: usize) -> Result<Self> {
@@ -80,6 +92,13 @@ impl HermiteData {
     }
 }
 
+/// Refuses lengths and frequencies that no segment can have.
+pub(super) fn check_segment(index: Option<usize>, space: Space, omega: f64, length: f64) -> Result<()> {
+    check("lengths", index, length, f64::MIN_POSITIVE, LARGEST_COORDINATE)?;
+    let most = if space == Space::Trigonometric { TAU - POLE_MARGIN } else { LARGEST_FREQUENCY };
+    check("omega", index, omega, -most / length, most / length)
+}
+
 /// The matrix mask of one refinement of one segment: how the places k/arity between its ends take their value
 /// and derivative from it.
 ///
@@ -98,10 +117,17 @@ pub struct MatrixMask {
 
 impl MatrixMask {
     /// The mask for a segment of frequency `omega` and parameter length `length`, cut into `arity` pieces.
-    pub fn new(space: Space, omega: f64, length: f64, arity: usize) -> Self {
-        let mut mask = Self { space, omega, length, arity, taps: Vec::new() };
+    ///
+    /// # Errors
+    ///
+    /// A `length` that is not positive or above 1e9; `omega·length` beyond ±2π in the trigonometric space, ±1e4 in others; an arity of 0 or
+    /// above 4 million.
+    pub fn new(space: Space, omega: f64, length: f64, arity: usize) -> Result<Self> {
+        check_segment(None, space, omega, length)?;
+        check("arity", None, arity as f64, 1.0, MOST_OUTPUT_POINTS as f64)?;
+        let mut mask = Self { space, omega, length, arity, taps: with_room(arity)? };
         mask.fill();
-        mask
+        Ok(mask)
     }
 
     /// The same mask for another segment; what is there already is kept.
@@ -185,7 +211,7 @@ impl MatrixMask {
 ///
 /// # Errors
 ///
-/// Lengths that do not match; an arity of 0; more than 24 levels; more than 4 million points.
+/// Lengths that do not match; numbers that are not finite or that no curve may have; an arity of 0; more than 24 levels; more than 4 million points.
 ///
 /// # Source
 ///
@@ -193,7 +219,7 @@ impl MatrixMask {
 pub fn subdivide_hermite(data: &HermiteData, arity: usize, levels: usize) -> Result<HermiteData> {
     data.check()?;
     check_levels(data.lengths.len(), arity, levels)?;
-    let mut mask = MatrixMask::new(data.space, data.omega[0], data.lengths[0], arity);
+    let mut mask = MatrixMask::new(data.space, data.omega[0], data.lengths[0], arity)?;
     let mut result = data.clone();
     for _ in 0..levels {
         result = mask.apply(&result)?;

@@ -30,7 +30,7 @@ fn halve(net: &[f64], fine: &Axis, coarse: &Axis, inner: usize) -> Result<Vec<f6
         let filter = Interpolator::new(roots)?.affine_pre_filter(2)?;
         (filter, Target::from_points(count, closed, roots.order(), 2))
     } else {
-        let filter = affine_refinement_filter(&roots.scaled(coarse.scale), 2)?;
+        let filter = affine_refinement_filter(&roots.divided(coarse.scale), 2)?;
         (filter, Target::finer(count, closed, roots.order(), 2)?)
     };
     let mut result = with_room(net.len())?;

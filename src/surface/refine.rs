@@ -20,7 +20,7 @@ pub(super) fn doubled(axis: &Axis) -> Result<Axis> {
 fn double(net: &[f64], axis: &Axis, inner: usize) -> Result<Vec<f64>> {
     let Direction { ref roots, count, closed, level } = axis.direction;
     let interpolator = if level == 0 { Some(Interpolator::new(roots)?) } else { None };
-    let coarse = roots.scaled(axis.scale);
+    let coarse = roots.divided(axis.scale);
     let mut result = with_room(2 * net.len())?;
     for points in net.chunks_exact(count * inner) {
         result.extend(match &interpolator {

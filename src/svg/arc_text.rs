@@ -38,7 +38,7 @@ impl Span {
     }
 
     fn end(self, curve: &HermiteCurve) -> Point {
-        let segment = curve.segment(self.last);
+        let segment = curve.nth_segment(self.last);
         if self.to == 1.0 { segment.end } else { segment.position(self.to) }
     }
 
@@ -50,7 +50,7 @@ impl Span {
     /// The angle that its part of segment `i` covers.
     fn sweep_of(self, curve: &HermiteCurve, i: usize) -> f64 {
         let (from, to) = self.part(i);
-        curve.segment(i).basis.frequency() * (to - from)
+        curve.nth_segment(i).basis.frequency() * (to - from)
     }
 
     /// Cut at the point of the curve next to its middle, or in the middle where there is none inside.
@@ -97,8 +97,9 @@ pub(super) fn plan(
     if chord == Vector::zeros() {
         return None;
     }
-    let rounded =
-        (from.point() - curve.segment(span.first).position(span.from)).norm().max((to.point() - end).norm());
+    let rounded = (from.point() - curve.nth_segment(span.first).position(span.from))
+        .norm()
+        .max((to.point() - end).norm());
     let floor = 1e-13 * (ellipse.radii.x + ellipse.center.amax());
     let good = 1.5 * rounded + 0.75 * grid.unit() + floor;
     let shape = Shape::new(ellipse, span.sweep(curve), grid.unit());
@@ -242,7 +243,7 @@ fn measure(curve: &HermiteCurve, span: Span, arc: &Arc) -> f64 {
     let (uu, vv) = (arc.u.norm_squared(), arc.v.norm_squared());
     let mut apart = 0.0_f64;
     for i in span.first..=span.last {
-        let segment = curve.segment(i);
+        let segment = curve.nth_segment(i);
         let (from, to) = span.part(i);
         let count = (segment.basis.frequency() * (to - from) * 10.0) as u32 + 8;
         for k in 0..=count {

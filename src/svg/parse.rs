@@ -5,7 +5,7 @@ use super::number;
 use super::subpath::Subpath;
 use crate::curve::HermiteCurve;
 use crate::error::{Error, Result};
-use crate::limits::{LARGEST_COORDINATE, LEAST_COORDINATE, too_many};
+use crate::limits::{LARGEST_COORDINATE, LARGEST_TANGENT, LEAST_COORDINATE, too_many};
 use crate::numerics::{Point, Vector};
 
 /// The longest path text that is read, in bytes.
@@ -60,7 +60,7 @@ pub struct Truncation {
 /// # Errors
 ///
 /// `PathSyntax` ⇐ nothing could be read at all; text that makes no sense further on is no error but a
-/// [`Truncation`]. `OutOfRange` ⇐ a number, a coordinate or a derivative beyond ±1e9, with the byte offset.
+/// [`Truncation`]. `OutOfRange` ⇐ a number or a coordinate beyond ±1e9, or a derivative beyond ±8e9, with the byte offset.
 /// `LimitExceeded` ⇐ more than [`MOST_PATH_BYTES`], [`MOST_SUBPATHS`] or [`MOST_PATH_POINTS`].
 ///
 /// # Cost
@@ -116,6 +116,9 @@ pub(crate) fn parse_bytes(d: &[u8]) -> Result<ParsedPath> {
         _ => Ok(path),
     }
 }
+
+/// What derivatives are looked at by, where points are by themselves: they may be larger.
+const PART: f64 = LARGEST_COORDINATE / LARGEST_TANGENT;
 
 /// `Some` to go on, `None` to stop; why is in the reader.
 type Step = Option<()>;
@@ -294,7 +297,7 @@ impl Reader<'_> {
         }
         // Points are in range, so this is a quick test of the derivatives; what fails it is looked at closely.
         if extent.is_nan() || extent > LARGEST_COORDINATE {
-            for v in [end, leaving, arriving] {
+            for v in [end, leaving * PART, arriving * PART] {
                 self.within(v.x)?;
                 self.within(v.y)?;
             }

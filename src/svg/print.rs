@@ -5,9 +5,10 @@ mod beziers;
 
 use super::number;
 use super::text::{DecimalGrid, Placed, Text};
-use crate::curve::measures::tolerance::{LEAST_DIGITS, LEAST_TOLERANCE};
+use crate::curve::measures::tolerance::{LEAST_DIGITS, LEAST_TOLERANCE, check_tolerance};
 use crate::curve::{Curve, HermiteCurve, Pieces, Segment, to_hermite};
-use crate::error::{Error, Result};
+use crate::error::Result;
+use crate::limits::{LARGEST_COORDINATE, check};
 use crate::numerics::plane::{larger, smaller};
 use crate::numerics::{Point, Vector};
 
@@ -76,7 +77,8 @@ pub struct Printed {
 ///
 /// # Errors
 ///
-/// `tolerance` that is not finite or not positive; more than 17 decimals; a curve in space.
+/// `tolerance` that is not finite or not positive; more than 17 decimals; a curve in space; generalised Bézier points beyond
+/// ±1e9, where [`parse_path`](super::parse_path) reads no numbers.
 ///
 /// # Cost
 ///
@@ -152,20 +154,13 @@ struct Printer<'a> {
 impl<'a> Printer<'a> {
     fn new(curve: &'a HermiteCurve, options: &PrintOptions, pen: Option<Point>) -> Result<Self> {
         let PrintOptions { tolerance, decimals, arcs, relative } = *options;
-        if !tolerance.is_finite() {
-            return Err(Error::not_finite("tolerance", None));
-        }
-        let out_of_range =
-            |argument, value, least, most| Err(Error::out_of_range(argument, None, value, least, most));
-        if tolerance <= 0.0 {
-            return out_of_range("tolerance", tolerance, f64::MIN_POSITIVE, f64::MAX);
-        }
-        if let Some(asked) = decimals
-            && asked > EXACT_DECIMALS
-        {
-            return out_of_range("decimals", f64::from(asked), 0.0, f64::from(EXACT_DECIMALS));
+        check_tolerance(tolerance)?;
+        if let Some(asked) = decimals {
+            check("decimals", None, f64::from(asked), 0.0, f64::from(EXACT_DECIMALS))?;
         }
         let (extent, largest) = size(curve);
+        // What is beyond is not read back.
+        check("handles", None, largest, 0.0, LARGEST_COORDINATE)?;
         let least = (LEAST_TOLERANCE * extent).max(LEAST_DIGITS * largest);
         let tolerance = tolerance.max(least).max(f64::MIN_POSITIVE);
         let grid = match decimals {
@@ -197,7 +192,7 @@ impl<'a> Printer<'a> {
         let count = self.curve.segment_count();
         let mut i = 0;
         while i < count {
-            let segment = self.curve.segment(i);
+            let segment = self.curve.nth_segment(i);
             let end = self.curve.is_closed() && i + 1 == count;
             if self.is_line(&segment) {
                 self.line(&segment, end);

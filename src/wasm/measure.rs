@@ -156,7 +156,7 @@ pub fn sample_by_length(slot: u32, count: u32, tolerance: f64) -> i32 {
     run(&mut |kernel| {
         let within = tolerance_of(kernel.pieces(slot)?, tolerance, FINE);
         let (curve, table) = kernel.table(slot, within)?;
-        let points = table.points(curve, count as usize)?;
+        let points = table.points_of(curve, count as usize)?;
         Ok(kernel.give(points))
     })
 }

@@ -11,6 +11,9 @@ const STEPS: usize = 8;
 /// A step of this share of a segment moves a foot by less than its distance is told to.
 const STILL: f64 = 1e-9;
 
+/// How close to the farthest place is close enough, as a share of a segment.
+const CLOSE: f64 = 1e-6;
+
 /// Squares of distances by which places are told apart.
 const ALIKE: f64 = 1.0 + 1e-6;
 
@@ -23,10 +26,23 @@ pub(super) fn two_way_deviation(first: &[Segment], second: &[Segment]) -> f64 {
 #[inline(never)]
 pub(super) fn deviation_of(from: &[Segment], to: &[Segment]) -> f64 {
     let mut largest = 0.0_f64;
-    let (lattice, targets) = (places(to), places(from));
+    let lattice = places(to);
     let lattice = &lattice[..to.len() * PLACES];
-    for target in &targets[..from.len() * PLACES] {
-        largest = largest.max(distance(*target, lattice, to));
+    for k in 0..from.len() * PLACES {
+        let (segment, mut next) = (&from[k / PLACES], place(k));
+        // Uphill from a place that is the farthest so far, and back by shorter steps: a long handle goes far between places.
+        let (mut x, mut step) = (f64::NAN, 1.0 / PLACES as f64);
+        while step.abs() > CLOSE {
+            let there = distance(segment.position(next), lattice, to);
+            if there > largest {
+                (x, largest) = (next, there);
+            } else if x.is_nan() {
+                break;
+            } else {
+                step *= -0.6;
+            }
+            next = (x + step).clamp(0.0, 1.0);
+        }
     }
     largest
 }

@@ -26,7 +26,7 @@ impl HermiteCurve {
     ///
     /// # Accuracy
     ///
-    /// The deviation is the largest distance between old and new segments, measured both ways at up to 97 places each;
+    /// The deviation is the largest distance between old and new segments, measured both ways at 97 places each and on from the farthest, uphill;
     /// at an end of an open curve, how far the segment taken away reaches from the one beside it.
     ///
     /// # Errors
@@ -44,10 +44,10 @@ impl HermiteCurve {
         let curve = self.changed(&mut |data| {
             let at = if !self.is_closed() && (i == 0 || i == left) {
                 let (gone, kept) = if i == 0 { (0, 1) } else { (before, before - 1) };
-                deviation = deviation_of(&[self.segment(gone)], &[self.segment(kept)]);
+                deviation = deviation_of(&[self.nth_segment(gone)], &[self.nth_segment(kept)]);
                 gone
             } else {
-                let old = [self.segment(before), self.segment(after)];
+                let old = [self.nth_segment(before), self.nth_segment(after)];
                 let healed = Healed::new(&old, self.omega()[before], self.omega()[after]);
                 data.tangents[before] = healed.leaving;
                 data.tangents_in[self.next(i)] = healed.arriving;

@@ -171,7 +171,7 @@ impl HermiteCurve {
                 (longest, most) = (i, segment.basis.frequency());
             }
         }
-        let longest = self.segment(longest);
+        let longest = self.nth_segment(longest);
         let ellipse = longest.as_ellipse_arc(tolerance)?;
         let middle = Middle::new(&longest, most);
         let mut sweep = 0.0;

@@ -128,7 +128,7 @@ impl<'a> Parts<'a> {
             let i = if i == self.curve.points().len() { 0 } else { i };
             (self.curve.points()[i], self.curve.tangents()[i], self.curve.tangents_in()[i])
         } else {
-            let segment = self.curve.segment(i);
+            let segment = self.curve.nth_segment(i);
             let velocity = segment.velocity(x);
             (segment.position(x), velocity, velocity)
         };

@@ -25,7 +25,7 @@ impl HermiteCurve {
         for (&t, out) in t.iter().zip(out.chunks_exact_mut(2)) {
             let x;
             (i, x) = self.place(t, i);
-            let value = self.segment(i).derivative(x, derivative);
+            let value = self.nth_segment(i).derivative(x, derivative);
             // One by one: of so few, a copy is a call.
             (out[0], out[1]) = (value.x, value.y);
         }
@@ -54,14 +54,11 @@ impl HermiteCurve {
 }
 
 /// Checks parameters that are about to be evaluated: all finite, and within the domain of an open curve.
-pub(crate) fn check_parameters(closed: bool, (least, most): (f64, f64), parameters: &[f64]) -> Result<()> {
+pub(crate) fn check_parameters(closed: bool, domain: (f64, f64), parameters: &[f64]) -> Result<()> {
+    let (least, most) = if closed { (f64::MIN, f64::MAX) } else { domain };
     for (i, &value) in parameters.iter().enumerate() {
-        let (argument, index) = ("t", Some(i));
-        if !value.is_finite() {
-            return Err(Error::not_finite(argument, index));
-        }
-        if !closed && !(least..=most).contains(&value) {
-            return Err(Error::unfit(argument, index, value, least, most));
+        if !(least..=most).contains(&value) {
+            return Err(Error::unfit("t", Some(i), value, least, most));
         }
     }
     Ok(())

@@ -134,6 +134,8 @@ impl Sampler {
         stride: usize,
         whole: bool,
     ) -> usize {
+        // Twice the number of a sample is a number, too; so many have no places of their own anyway.
+        let count = count.min(usize::MAX / 4);
         let places = Places::new(curve, count);
         let end = count.min(first.saturating_add(out.len() / stride));
         if first >= end {
@@ -149,7 +151,7 @@ impl Sampler {
                 s += 1;
                 continue;
             }
-            let segment = curve.segment(s);
+            let segment = curve.nth_segment(s);
             self.suit(&segment, places.step);
             let samples = stop - start;
             let few = samples < FEWEST || self.square == 0.0 && samples < FEWEST_OF_CUBIC;

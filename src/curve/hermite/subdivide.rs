@@ -48,9 +48,9 @@ impl HermiteCurve {
         }
         let mut polygon = with_room(2 * needed as usize)?;
         let last = self.segment_count() - 1;
-        let mut before = if self.is_closed() { reach(&self.segment(last), pieces) } else { 0.0 };
+        let mut before = if self.is_closed() { reach(&self.nth_segment(last), pieces) } else { 0.0 };
         for i in 0..self.segment_count() {
-            let segment = self.segment(i);
+            let segment = self.nth_segment(i);
             let after = reach(&segment, pieces);
             push(
                 &mut polygon,
@@ -67,7 +67,7 @@ impl HermiteCurve {
             before = after;
         }
         if !self.is_closed() {
-            let segment = self.segment(last);
+            let segment = self.nth_segment(last);
             push(&mut polygon, scalar, segment.end, segment.arriving * before, Vector::zeros());
         }
         Ok(polygon)

@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 
 use super::{HermiteCurve, HermiteOptions};
 use crate::error::Result;
-use crate::generator::{Space, Weights};
+use crate::generator::{HermiteGenerators, Space, Weights};
 use crate::numerics::tridiagonal::{self, Row};
 use crate::numerics::{Point, Vector};
 
@@ -31,6 +31,10 @@ impl HermiteCurve {
     ///
     /// O(M).
     pub fn through(points: Vec<Point>, closed: bool, omega: Option<f64>, space: Space) -> Result<Self> {
+        if let Some(omega) = omega {
+            // Refused here it is one number; a curve has a list of them.
+            HermiteGenerators::new(omega, space)?;
+        }
         // Any tangents will do until the right ones are known.
         let tangents = points.clone();
         let omega = omega.into_iter().collect();

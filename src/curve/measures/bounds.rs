@@ -110,7 +110,7 @@ pub(crate) fn bounds(curve: &dyn Pieces) -> Bounds {
 #[inline]
 fn handles(curve: &dyn Pieces, own: Option<&HermiteCurve>, i: usize) -> [Point; 2] {
     match own {
-        Some(own) => own.segment(i).inner_points(),
+        Some(own) => own.nth_segment(i).inner_points(),
         None => curve.handles(i),
     }
 }

@@ -15,7 +15,7 @@ use super::tolerance::check_tolerance;
 use crate::curve::piece::{ANY_ROOTS, Jet, Piece};
 use crate::curve::pieces::{AnyPiece, Pieces};
 use crate::curve::speed::{ROUNDING, fastest, piece_length};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::limits::{MOST_OUTPUT_POINTS, filled, too_many, with_room};
 use crate::numerics::lists::steps;
 use crate::numerics::plane::{dot, norm, smaller, square};
@@ -77,8 +77,9 @@ impl LengthTable {
     ///
     /// # Errors
     ///
-    /// More places than may be asked for at once; where memory is short.
+    /// More places than may be asked for at once; another curve, with another number of pieces; where memory is short.
     pub fn parameters(&mut self, curve: &dyn Pieces, count: usize) -> Result<Vec<f64>> {
+        self.check(curve)?;
         self.along(curve, count, 1, &mut |_, [from, to], places, out| {
             for (t, y) in out.iter_mut().zip(places) {
                 *t = smaller(from + (y + 0.5) * (to - from), to);
@@ -92,6 +93,18 @@ impl LengthTable {
     ///
     /// Those of [`Self::parameters`].
     pub fn points(&mut self, curve: &dyn Pieces, count: usize) -> Result<Vec<f64>> {
+        self.check(curve)?;
+        self.points_of(curve, count)
+    }
+
+    /// Refuses a curve that cannot be the one that was measured.
+    fn check(&self, curve: &dyn Pieces) -> Result<()> {
+        let (got, needed) = (curve.piece_count(), self.lengths.len());
+        if got == needed { Ok(()) } else { Err(Error::wrong_length("curve", got, needed)) }
+    }
+
+    /// [`Self::points`] of the curve that was measured.
+    pub(crate) fn points_of(&mut self, curve: &dyn Pieces, count: usize) -> Result<Vec<f64>> {
         self.along(curve, count, curve.dimension(), &mut |piece, _, places, out| match piece {
             AnyPiece::Plane(piece) => piece.positions(places, out),
             AnyPiece::Space(piece) if ANY_ROOTS => {

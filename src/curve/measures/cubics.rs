@@ -93,7 +93,7 @@ fn cubics_in_space(curve: &dyn Pieces, tolerance: f64) -> Result<Cubics> {
 }
 
 /// Appends the cubic Bézier curves of one segment and returns the proved bound of their distance from it.
-pub fn segment_cubics(segment: &Segment<'_>, tolerance: f64, out: &mut Vec<[Point; 4]>) -> f64 {
+pub(crate) fn segment_cubics(segment: &Segment<'_>, tolerance: f64, out: &mut Vec<[Point; 4]>) -> f64 {
     let tangents = [segment.leaving * segment.length, segment.arriving * segment.length];
     piece_cubics(&Piece::new(segment), [segment.start, segment.end], tangents, tolerance, out)
 }

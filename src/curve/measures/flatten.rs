@@ -80,7 +80,7 @@ fn take_cubics(curve: &dyn Pieces, i: usize, cutter: &mut Cutter) -> usize {
     let most = GROUP.min(own.segment_count() - i);
     let mut count = 0;
     while count < most {
-        let segment = own.segment(i + count);
+        let segment = own.nth_segment(i + count);
         let Some(middle) = cubic_middle(&segment) else { break };
         cutter.take(count, &middle, segment.start);
         count += 1;

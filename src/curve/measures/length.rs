@@ -18,7 +18,7 @@ pub(crate) fn length(curve: &dyn Pieces, tolerance: f64) -> Result<f64> {
     let own = hermite(curve);
     for i in 0..count {
         // Cubics are so quick that making a piece of each would show.
-        match own.and_then(|curve| cubic_middle(&curve.segment(i))) {
+        match own.and_then(|curve| cubic_middle(&curve.nth_segment(i))) {
             Some([_, b, p, q]) => sum.add_cubic(b, p, q),
             None => sum.add(&curve.piece(i)),
         }
@@ -28,9 +28,6 @@ pub(crate) fn length(curve: &dyn Pieces, tolerance: f64) -> Result<f64> {
 
 pub(crate) fn parameter_at_length(curve: &dyn Pieces, length: f64, tolerance: f64) -> Result<f64> {
     check_tolerance(tolerance)?;
-    if !length.is_finite() {
-        return Err(Error::not_finite("length", None));
-    }
     let count = curve.piece_count();
     let share = tolerance / count as f64;
     let mut before = 0.0;

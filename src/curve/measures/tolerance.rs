@@ -3,7 +3,7 @@
 use super::bounds::{Bounds, bounds, hull};
 use crate::curve::pieces::Pieces;
 use crate::error::{Error, Result};
-use crate::limits::{MOST_OUTPUT_POINTS, too_many};
+use crate::limits::{MOST_OUTPUT_POINTS, check, too_many};
 use crate::numerics::plane::larger;
 
 /// Tolerances below this share of the extent are raised to it.
@@ -12,15 +12,9 @@ pub(crate) const LEAST_TOLERANCE: f64 = 1e-9;
 pub(crate) const LEAST_DIGITS: f64 = 1e-15;
 
 /// An error where a tolerance is not a positive number.
-pub(super) fn check_tolerance(tolerance: f64) -> Result<()> {
-    if !tolerance.is_finite() {
-        return Err(Error::not_finite("tolerance", None));
-    }
-    if tolerance <= 0.0 {
-        let (value, least, most) = (tolerance, f64::MIN_POSITIVE, f64::MAX);
-        return Err(Error::unfit("tolerance", None, value, least, most));
-    }
-    Ok(())
+pub(crate) fn check_tolerance(tolerance: f64) -> Result<()> {
+    // From the least number above 0 on.
+    check("tolerance", None, tolerance, f64::from_bits(1), f64::MAX)
 }
 
 /// The tolerance, raised to 1e-9 of the extent, and to the digits that the coordinates have, where it is below that.

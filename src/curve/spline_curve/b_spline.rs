@@ -85,7 +85,7 @@ impl BSplineCurve {
         roots: Roots,
         grid: Grid,
     ) -> Result<Self> {
-        let local = roots.scaled(1.0 / grid.step);
+        let local = roots.divided(1.0 / grid.step);
         for (i, (root, local)) in roots.as_slice().iter().zip(local.as_slice()).enumerate() {
             if local.im.abs() >= PI {
                 return Err(too_fast(i, root.im, PI / grid.step));

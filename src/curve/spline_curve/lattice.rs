@@ -72,8 +72,8 @@ impl Shape {
             pieces: interpolator.pieces().stretched(0.5, 1.0),
             per_cell: 2,
             window: 2 * interpolator.support(),
-            roots: roots.scaled(2.0),
-            characteristic: roots.scaled(2.0).characteristic(),
+            roots: roots.divided(2.0),
+            characteristic: roots.divided(2.0).characteristic(),
             constants: roots.keeps_constants(),
             interpolating: true,
         }

@@ -207,7 +207,7 @@ impl LocalCurve {
 
     /// The B-spline of a level.
     fn shape_of(&self, level: usize) -> Result<Arc<Shape>> {
-        let roots = self.base.roots().scaled(scale(level));
+        let roots = self.base.roots().divided(scale(level));
         Ok(Arc::new(Shape::of_b_spline(&ExponentialBSpline::new(&roots)?)))
     }
 

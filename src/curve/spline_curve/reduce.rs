@@ -45,7 +45,7 @@ impl BSplineCurve {
             return Err(Error::too_few("points", cells, LEAST_CELLS));
         }
         let count = if closed { cells } else { cells + order - 1 };
-        let local = self.roots().scaled(1.0 / (lattice.step * m as f64));
+        let local = self.roots().divided(1.0 / (lattice.step * m as f64));
         let grid = Grid { step: lattice.step * m as f64, ..lattice.grid() };
         // Zeros that tell at once whether there is such a grid.
         let coarse =

@@ -16,10 +16,10 @@ impl Printer<'_> {
         if !self.arcs {
             return None;
         }
-        let ellipse = self.curve.segment(i).as_ellipse_arc(self.elliptic)?;
+        let ellipse = self.curve.nth_segment(i).as_ellipse_arc(self.elliptic)?;
         let (mut last, mut sweep) = (i, ellipse.sweep.abs());
         while last + 1 < self.curve.segment_count() {
-            let Some(next) = self.curve.segment(last + 1).as_ellipse_arc(self.elliptic) else { break };
+            let Some(next) = self.curve.nth_segment(last + 1).as_ellipse_arc(self.elliptic) else { break };
             sweep += next.sweep.abs();
             if sweep > FULL_TURN || !self.same_ellipse(&ellipse, &next) {
                 break;
@@ -44,7 +44,7 @@ impl Printer<'_> {
         let whole = run.sweep(self.curve) <= LARGEST_SWEEP && self.arcs_of(ellipse, &[run]);
         if !whole && !self.arcs_of(ellipse, &run.halves(self.curve)) {
             for i in run.first..=run.last {
-                self.bezier(&self.curve.segment(i));
+                self.bezier(&self.curve.nth_segment(i));
             }
             return;
         }
