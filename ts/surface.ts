@@ -84,7 +84,7 @@ export class TensorSurface {
   }
 
   /** An ellipsoid about the origin with its half axes along x, y and z, otherwise as {@link TensorSurface.sphere}, also in `segments`. */
-  static ellipsoid(radii: readonly [number, number, number], segments?: readonly [number, number]): TensorSurface {
+  static ellipsoid(radii: readonly [number, number, number] | Float32Array | Float64Array, segments?: readonly [number, number]): TensorSurface {
     return shape("ellipsoid", 1, three("ellipsoid", "radii", radii), segments, [8, 4]);
   }
 

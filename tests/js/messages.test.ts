@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { BSplineCurve, ExplineError, ExponentialBSpline, HermiteCurve, HermiteGenerators, InterpolatingCurve, Interpolator, LocalCurve, TensorSurface, fitSparse, fitSparseAll, fitSparseAllAsync, fromJSON, hitTest, roots, traceImage } from "expline";
+import { BSplineCurve, ExplineError, ExponentialBSpline, HermiteCurve, HermiteGenerators, InterpolatingCurve, Interpolator, LocalCurve, TensorSurface, fitSparse, fitSparseAll, fitSparseAllAsync, fromJSON, hitTest, parsePath, roots, traceImage } from "expline";
 
 const circle = HermiteCurve.ellipse({ center: [0, 0], radii: [5, 5], count: 4 });
 const along = { roots: roots.ellipse(8), count: 8, closed: true };
@@ -50,6 +50,14 @@ for (const [what, call, words] of [
   ["an angle that is text", () => traceImage({ width: 1, height: 1, data: new Uint8Array(1) }, { corner: as("right") }), `corner is "right"; expected a number in [0.05, π]`],
   ["a curve to be made an interpolating one that is missing", () => InterpolatingCurve.from(as(undefined)), "curve is undefined; expected a curve of this package, no proxy"],
   ["a union of no lists", () => roots.union(), "lists has 0; expected at least 1"],
+  ["a grid of too many vertices", () => TensorSurface.sphere(1).mesh(1e5, 1e5), "rows × cols needs 10000000000; maxOutputPoints is 4000000"],
+  ["a factor that is odd", () => new InterpolatingCurve({ points: TRIANGLE }).refine(1, { m0: 3 }), "m0 = 3 has no unique answer: half-integer shifts need an even factor"],
+  ["a factor that is no divisor", () => new InterpolatingCurve({ points: TRIANGLE }).refine(1).reduce(4), "m = 4 has no unique answer: it does not divide the number of cells"],
+  ["a factor of a filter that is odd", () => new Interpolator([0, 0, 0]).preFilter(3), "m0 = 3 has no unique answer: half-integer shifts need an even factor"],
+  ["a part of a curve that is a point", () => new HermiteCurve({ points: TRIANGLE, tangents: TRIANGLE, closed: false }).trim(1, 1), "t1 = 1 has no unique answer: it must lie beyond t0"],
+  ["an entry of a matrix that is NaN", () => circle.transform([1, 0, 0, NaN, 0, 0]), "matrix[3] is NaN; expected a finite number"],
+  ["a tangent that is too long", () => circle.setTangent(0, 9e9, 0), "dx is 9000000000; expected a finite number with |x| <= 8e9"],
+  ["a path with a handle too far away to be read", () => new HermiteCurve({ points: [1e9, 0, 0, 0], tangents: [1e9, 0, 0, 0], closed: false }).toPathD(), "handles is 1333333333.3333333; expected a number in [0, 1e9]"],
 ] as const) {
   test(`${what}: the message says so`, () => assert.equal(said(call), words));
 }
@@ -59,6 +67,30 @@ test("generators take one place, a list or an array, as curves do", () => {
   const of = (x: number | number[] | Float64Array): unknown => [spline.evaluate(x), pair.evaluate(x), pair.bernstein(x), pair.greens(x)];
   assert.deepEqual(of(0.25), of(Float64Array.of(0.25)));
   assert.deepEqual(of([0.25, 0.5]), of(Float64Array.of(0.25, 0.5)));
+});
+
+test("pairs and triples may be typed arrays, as vectors and matrices of graphics are", () => {
+  const pairs = [Float32Array.of(0, 0), Float64Array.of(1, 1), [2, 0], Uint8Array.of(3, 4)];
+  const same = [[0, 0], [1, 1], [2, 0], [3, 4]];
+  assert.deepEqual(HermiteCurve.through(pairs), HermiteCurve.through(same));
+  assert.deepEqual(circle.nearestAll(pairs), circle.nearestAll(same));
+  const triples = [Float32Array.of(0, 0, 1), Float32Array.of(1, 1, 1), Float32Array.of(2, 0, 3)];
+  assert.deepEqual(new InterpolatingCurve({ points: triples, dimension: 3 }).points, Float64Array.of(0, 0, 1, 1, 1, 1, 2, 0, 3));
+  const [center, radii] = [Float32Array.of(1, 2), Float32Array.of(3, 2)];
+  assert.deepEqual(HermiteCurve.ellipse({ center, radii, count: 4 }).bounds(), { minX: -2, minY: 0, maxX: 4, maxY: 4 });
+  assert.deepEqual(circle.transform(Float32Array.of(1, 0, 0, 1, 2, 3)).bounds(), { minX: -3, minY: -2, maxX: 7, maxY: 8 });
+  assert.deepEqual(TensorSurface.ellipsoid(Float32Array.of(1, 2, 3)).toJSON(), TensorSurface.ellipsoid([1, 2, 3]).toJSON());
+  assert.throws(() => HermiteCurve.through([[0, 0], Float32Array.of(1)]), { code: "E_TYPE", argument: "points[1]" });
+  assert.throws(() => HermiteCurve.through([[0, 0], Float32Array.of(1, NaN)]), { code: "E_NOT_FINITE", argument: "points[1][1]" });
+  assert.throws(() => HermiteCurve.through([[0, 0], as<number[]>(new DataView(new ArrayBuffer(16)))]), { code: "E_TYPE", argument: "points[1]" });
+});
+
+test("what is as large as coordinates may be is read, kept and written", () => {
+  const [wide] = parsePath("M-1e9 0L1e9 0L0 1e9Z");
+  assert.ok(wide);
+  const kept = fromJSON(wide.toJSON()) as HermiteCurve;
+  assert.deepEqual(kept.tangents, wide.tangents);
+  assert.deepEqual(parsePath(kept.toPathD({ tolerance: 1 }).d)[0]?.points, wide.points);
 });
 
 for (const [what, call, argument, index] of [

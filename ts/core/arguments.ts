@@ -2,7 +2,7 @@
 import { ExplineError, overLimit, range, shown, tagOf, typedArray, wrong, wrongLength } from "./error.js";
 import type { OwnFloats } from "./host.js";
 
-/** The largest coordinate, tangent component, radius or parameter length, in the user's unit. */
+/** The largest coordinate, radius or parameter length, in the user's unit. */
 export const LARGEST = 1e9;
 /** The most points one curve may have. */
 export const MAX_POINTS = 1_000_000;
@@ -11,18 +11,18 @@ export const MAX_EVALUATIONS = 4_000_000;
 /** The most points that one call may return. */
 export const MAX_OUTPUT = 4_000_000;
 
-/** Points as they may be given: interleaved, as pairs, which need not be tuples for the compiler, or as objects with x and y. */
+/** Points as they may be given: interleaved, as pairs, in arrays or typed arrays of any kind, or as objects with x and y. */
 export type PointsLike =
   | Float64Array
   | readonly number[]
-  | readonly (readonly number[])[]
+  | readonly ArrayLike<number>[]
   | readonly { readonly x: number; readonly y: number }[];
 
-/** Points in space as they may be given: interleaved, as triples, or as objects with x, y and z. */
+/** Points in space as they may be given: interleaved, as triples, in arrays or typed arrays of any kind, or as objects with x, y and z. */
 export type SpacePointsLike =
   | Float64Array
   | readonly number[]
-  | readonly (readonly number[])[]
+  | readonly ArrayLike<number>[]
   | readonly { readonly x: number; readonly y: number; readonly z: number }[];
 
 /** Points as kept: two or three numbers each in an array that nobody else holds. */
@@ -76,9 +76,10 @@ export function finite(op: string, arg: string, value: unknown, index?: number, 
   return inRange(op, arg, value, -Infinity, Infinity, index, argument);
 }
 
-/** A finite number within ±1e9. */
+/** A finite number within ±1e9, of a tangent within ±8e9. */
 export function coordinate(op: string, arg: string, value: unknown, index?: number, argument?: string): number {
-  return inRange(op, arg, value, -LARGEST, LARGEST, index, argument) + 0;
+  const most = /^(tan|d)/.test(arg) ? 8 * LARGEST : LARGEST;
+  return inRange(op, arg, value, -most, most, index, argument) + 0;
 }
 
 /** A whole number in a range. */
@@ -219,8 +220,8 @@ export function points(op: string, arg: string, value: unknown, max: number = MA
 const AXES = ["x", "y", "z"] as const;
 
 function one(op: string, arg: string, item: unknown, i: number, dimension: 2 | 3): number[] {
-  const isArray = Array.isArray(item);
-  if (typeof item !== "object" || item === null || (isArray && item.length !== dimension)) {
+  const isArray = Array.isArray(item) || ArrayBuffer.isView(item);
+  if (typeof item !== "object" || item === null || (isArray && (item as unknown[]).length !== dimension)) {
     throw wrong("E_TYPE", op, arg, item, dimension === 2 ? "a pair of numbers" : "three numbers", i);
   }
   return AXES.slice(0, dimension).map((axis, k) => {
@@ -241,9 +242,10 @@ export function coordinates(op: string, arg: string, array: Coordinates): Coordi
   return array;
 }
 
-/** So many numbers, finite or not. */
+/** So many numbers, finite or not; few, which may be in single precision, as vectors and matrices of graphics are. */
 export function exactly(op: string, arg: string, value: unknown, needed: number): Coordinates {
-  const given = numbers(op, arg, value, "maxPoints", MAX_POINTS);
+  const single = tagOf(value) === "Float32Array" && lengthOf?.call(value) === needed;
+  const given = numbers(op, arg, single ? new Float64Array(value as Float32Array) : value, "maxPoints", MAX_POINTS);
   if (given.length !== needed) throw wrongLength(op, arg, given.length, String(needed));
   return given;
 }

@@ -313,7 +313,7 @@ export abstract class MeasuredCurve implements Curve {
     const given = parameters(op, "t", t);
     const values = data.door.copy(data.ask(op, (kernel, slot) => kernel.curvature(slot, given.length), oneOr(t, given), [given]));
     const still = data.door.result(0);
-    if (still >= 0) throw degenerate(op, "t", "the speed is zero there", typeof t === "number" ? undefined : still, values);
+    if (still >= 0) throw degenerate(op, "t", "the speed is zero there", typeof t === "number" ? undefined : still, undefined, values);
     return values;
   }
 

@@ -209,11 +209,13 @@ export function overLimit(op: string, arg: string, limit: string, max: number, a
   return new ExplineError("E_LIMIT", op, what, { ...place(arg), limit, max, actual });
 }
 
-/** No unique answer. */
-export function degenerate(op: string, arg: string, why: string, index?: number, partial?: unknown): ExplineError {
+/** No unique answer; `value` is the number that has none, where it is one. */
+export function degenerate(op: string, arg: string, why: string, index?: number, value?: number, partial?: unknown): ExplineError {
   const at = place(arg, index);
-  return new ExplineError("E_DEGENERATE", op, `${at.argument} has no unique answer: ${why}`, {
+  const what = value === undefined ? at.argument : `${at.argument} = ${value}`;
+  return new ExplineError("E_DEGENERATE", op, `${what} has no unique answer: ${why}`, {
     ...at,
+    value,
     bound: why,
     partial,
   });

@@ -68,9 +68,9 @@ export interface HermiteCurveOptions {
 /** An ellipse: where, how large, how turned. */
 export interface EllipseOptions {
   /** The centre. */
-  center: readonly [number, number];
+  center: readonly [number, number] | Float32Array | Float64Array;
   /** The two half axes, positive. */
-  radii: readonly [number, number];
+  radii: readonly [number, number] | Float32Array | Float64Array;
   /** Angle of the first axis, in radians. Default 0. */
   rotation?: number | undefined;
 }
@@ -229,8 +229,8 @@ export class HermiteCurve extends MeasuredCurve {
   }
 
   /**
-   * The curve without point i, its neighbours' tangents adapted to change the shape least; `maxError` is by how much it changed, measured at 96
-   * places of each segment.
+   * The curve without point i, its neighbours' tangents adapted to change the shape least; `maxError` is by how much it changed, measured at 97
+   * places of each segment and on from there to where it is largest.
    */
   remove(i: number): { curve: HermiteCurve; maxError: number } {
     const op = "remove";
@@ -257,7 +257,7 @@ export class HermiteCurve extends MeasuredCurve {
     const data = dataOf(this, op);
     const from = finite(op, "t0", t0);
     const to = finite(op, "t1", t1);
-    return derived(data.ask(op, (kernel, slot) => kernel.trim(slot, from, to)));
+    return derived(data.ask(op, (kernel, slot) => kernel.trim(slot, from, to), { t0: from, t1: to }));
   }
 
   /** The same curve run backwards. */
@@ -267,13 +267,12 @@ export class HermiteCurve extends MeasuredCurve {
   }
 
   /** The image under x′ = a·x + c·y + e, y′ = b·x + d·y + f, the order of SVG's `matrix(a b c d e f)`; exact. */
-  transform(matrix: readonly [number, number, number, number, number, number] | Float64Array): HermiteCurve {
+  transform(matrix: readonly [number, number, number, number, number, number] | Float32Array | Float64Array): HermiteCurve {
     const op = "transform";
     const data = dataOf(this, op);
     const given = exactly(op, "matrix", matrix, 6);
-    given.forEach((number, i) => finite(op, "matrix", number, i));
     const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = given;
-    return derived(data.ask(op, (kernel, slot) => kernel.transform(slot, a, b, c, d, e, f)));
+    return derived(data.ask(op, (kernel, slot) => kernel.transform(slot, a, b, c, d, e, f), given));
   }
 
   /**

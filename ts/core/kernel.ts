@@ -170,9 +170,10 @@ function failure<K extends AnyKernel>(from: Engine<K>, instance: Instance<K>, op
   const words = textIn(instance, w, wLength);
   const numbers = (given as { readonly [arg: string]: Numbers } | undefined)?.[arg] ?? (given as Numbers | undefined);
   const index = place < 0 || typeof numbers === "number" ? undefined : place;
+  const bad = typeof numbers === "object" ? numbers[place] : numbers;
   switch (kind as Failure) {
     case Failure.NotFinite:
-      return wrong("E_NOT_FINITE", op, arg, typeof numbers === "object" ? numbers[place] : numbers, "a finite number", index);
+      return wrong("E_NOT_FINITE", op, arg, bad, "a finite number", index);
     case Failure.OutOfRange:
       return wrong("E_RANGE", op, arg, value, range(least, most), index);
     case Failure.WrongLength:
@@ -180,7 +181,7 @@ function failure<K extends AnyKernel>(from: Engine<K>, instance: Instance<K>, op
     case Failure.TooFewPoints:
       return tooFewPoints(op, arg, value, least);
     case Failure.Degenerate:
-      return degenerate(op, arg, words, index);
+      return degenerate(op, arg, words, index, bad);
     case Failure.LimitExceeded:
       return overLimit(op, arg, words, most, value);
     case Failure.OutOfMemory:

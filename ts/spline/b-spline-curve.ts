@@ -91,7 +91,7 @@ export class BSplineCurve extends SplineCurve {
     const op = "reduce";
     const data = splineOf(this, op);
     const arity = integer(op, "m", m, 1, 1024);
-    const count = data.ask(op, (kernel, slot) => kernel.reduce_spline(slot, arity));
+    const count = data.ask(op, (kernel, slot) => kernel.reduce_spline(slot, arity), { m: arity });
     return { maxError: result(0), curve: bSplineOf(readSpline(count)) };
   }
 

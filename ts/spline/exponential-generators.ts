@@ -33,7 +33,7 @@ function ask(source: Source, op: string, what: What, argument = 0, places: Float
   const count = source.roots.length / 2;
   const body = (kernel: SplineKernel): number =>
     kernel.exponential(source.kind, count, what, places.length, argument);
-  return copy(call(op, body, { x: oneOr(x, places) }));
+  return copy(call(op, body, { x: oneOr(x, places), m0: argument }));
 }
 
 /** What both kinds have. */

@@ -70,7 +70,7 @@ export class InterpolatingCurve extends SplineCurve {
     const steps = integer(op, "levels", levels, 1, 24);
     const first = m0 === undefined ? 2 : integer(op, "m0", m0, 2, 1024);
     const arity = m === undefined ? 2 : integer(op, "m", m, 1, 1024);
-    return bSplineOf(readSpline(data.ask(op, (kernel, slot) => kernel.refine_spline(slot, steps, first, arity))));
+    return bSplineOf(readSpline(data.ask(op, (kernel, slot) => kernel.refine_spline(slot, steps, first, arity), { m0: first })));
   }
 
   /** The same curve with room for detail around t; see {@link LocalCurve.refineAt}. */

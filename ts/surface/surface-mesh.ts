@@ -32,7 +32,7 @@ export type Grid = readonly [rows: number, cols: number];
 /** How many vertices a mesh is to have. @internal */
 export function sizes(op: string, rows: unknown, cols: unknown): Grid {
   const grid = [integer(op, "rows", rows, 2, MAX_OUTPUT), integer(op, "cols", cols, 2, MAX_OUTPUT)] as const;
-  if (grid[0] * grid[1] > MAX_OUTPUT) throw overLimit(op, "rows", "maxOutputPoints", MAX_OUTPUT, grid[0] * grid[1]);
+  if (grid[0] * grid[1] > MAX_OUTPUT) throw overLimit(op, "rows × cols", "maxOutputPoints", MAX_OUTPUT, grid[0] * grid[1]);
   return grid;
 }
 
