@@ -139,7 +139,7 @@ fn who_sees_too_many_contours_is_told_what_to_leave_out() {
     assert_eq!(trace(gray, &options(speckle)).expect("a drawing").contours.len(), 2);
 }
 
-/// The contours were gone after the refusal, and the next step found that there were none.
+/// The rows of the picture were through at the refusal, and the next step looked for one beyond the last.
 #[test]
 fn after_an_error_every_further_step_fails_alike() {
     let options = TraceOptions { most_contours: 2, ..TraceOptions::default() };
