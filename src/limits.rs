@@ -8,6 +8,9 @@ pub(crate) const LARGEST_COORDINATE: f64 = 1e9;
 pub(crate) const LARGEST_TANGENT: f64 = 8e9;
 /// What is smaller counts as 0: lengths and distances are compared by fourth powers, which would vanish.
 pub(crate) const LEAST_COORDINATE: f64 = 1e-50;
+/// What one point of a fit may count for, where an ordinary one counts 1.
+pub(crate) const LEAST_WEIGHT: f64 = 1e-6;
+pub(crate) const LARGEST_WEIGHT: f64 = 1e6;
 /// The least parameter length of a segment: knots closer than this count as one.
 pub(crate) const LEAST_LENGTH: f64 = 1e-12;
 /// Trigonometric segments need ω·length below 2π by at least this much: the basis has a pole there.

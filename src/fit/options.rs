@@ -3,7 +3,7 @@
 use super::convex::problem::Norm;
 use super::parametrise::Parametrisation;
 use crate::error::{Error, Result};
-use crate::limits::{LARGEST_COORDINATE, check};
+use crate::limits::{LARGEST_COORDINATE, LARGEST_WEIGHT, LEAST_WEIGHT, check};
 
 /// What the fit is asked for.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -99,7 +99,7 @@ impl Options {
             return Err(Error::wrong_length("weights", options.weights.len(), count));
         }
         for (i, &weight) in options.weights.iter().enumerate() {
-            check("weights", Some(i), weight, 1e-6, 1e6)?;
+            check("weights", Some(i), weight, LEAST_WEIGHT, LARGEST_WEIGHT)?;
         }
         check("mix", None, options.mix, 0.0, 1.0)?;
         check("corners", None, options.least_turn, 0.0, core::f64::consts::PI)?;

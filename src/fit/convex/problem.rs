@@ -130,7 +130,7 @@ impl Problem {
             return Err(Error::wrong_length("weights", self.weights.len(), count));
         }
         for (m, &weight) in self.weights.iter().enumerate() {
-            limits::check("weights", Some(m), weight, 1e-6, 1e6)?;
+            limits::check("weights", Some(m), weight, limits::LEAST_WEIGHT, limits::LARGEST_WEIGHT)?;
         }
         self.check_parameters()?;
         self.check_components()

@@ -8,12 +8,10 @@ use crate::fit::noise::{is_regular_at, levels, sober_weights};
 use crate::fit::options::Ask;
 use crate::fit::parametrise::{Parametrisation, given, parametrise};
 use crate::fit::report;
-use crate::limits::{LARGEST_COORDINATE, check};
+use crate::limits::{LARGEST_COORDINATE, LEAST_WEIGHT, check};
 
 /// A curve is not looked for nearer to the points than one rounding of its place and so many of a drawing's size.
 const ROUNDINGS: f64 = 256.0;
-/// No point counts for less than what may be given.
-const LEAST_WEIGHT: f64 = 1e-6;
 
 impl Fitter {
     /// Starts a run.
@@ -97,8 +95,8 @@ impl Fitter {
         if self.options.robust {
             let sober = sober_weights(samples, self.noise);
             let given = weights.clone();
-            let both = |(m, w): (usize, &f64)| w * given.get(m).copied().unwrap_or(1.0);
-            weights = sober.iter().enumerate().map(both).map(|w| w.max(LEAST_WEIGHT)).collect();
+            let both = |(m, w): (usize, &f64)| (w * given.get(m).copied().unwrap_or(1.0)).max(LEAST_WEIGHT);
+            weights = sober.iter().enumerate().map(both).collect();
         }
         let automatic = self.options.parametrisation == Parametrisation::Auto;
         self.even = automatic && !by_lambda && self.options.parameters.is_empty() && {

@@ -73,7 +73,8 @@ impl Integral<'_> {
             inverse /= i as f64;
         }
         let until = walk.samples.saturating_add(samples).min(parameters.len());
-        for (&t, v) in parameters[..until].iter().zip(self.v).skip(walk.samples) {
+        let next = walk.samples..until;
+        for (&t, v) in parameters[next.clone()].iter().zip(&self.v[next]) {
             self.pass(walk, places, values, t);
             for (term, force) in walk.state[self.degree].iter_mut().zip([v.x, v.y]) {
                 *term = term.plus(Twofold::product(force, inverse));

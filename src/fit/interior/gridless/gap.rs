@@ -1,6 +1,6 @@
 //! How far a spline is from the optimum when knots may be anywhere.
 
-use super::residual_forces;
+use super::{residual_forces, step_of};
 use crate::error::Result;
 use crate::fit::convex::certificate::{Integral, Sweep, centre, dual_size};
 use crate::fit::convex::problem::{Norm, Problem};
@@ -12,6 +12,13 @@ use crate::numerics::order::sort_numbers;
 
 /// Places per step of the parameter at which the dual curve is looked at, before it is looked at closely.
 const PLACES: usize = 8;
+/// Of more points than this the dual curve is looked at as of so many.
+const MOST_POINTS: usize = 60_000;
+
+/// Steps from one place to the next, far apart.
+fn steps(problem: &Problem) -> usize {
+    problem.points.len().min(MOST_POINTS) * PLACES
+}
 
 /// The relative duality gap when knots may be anywhere, found in rounds: the dual curve's longest vector is bounded between
 /// the places at which it is known by their second difference. (D 13.8)
@@ -103,8 +110,8 @@ impl Measuring {
 
 impl Look {
     fn new(problem: &Problem) -> Result<Self> {
-        let count = problem.points.len().min(60_000) * PLACES;
-        let step = (problem.end - problem.start) / count as f64;
+        let count = steps(problem);
+        let step = step_of(problem, count);
         let place = |i: usize| problem.start + step * i as f64;
         let last = if problem.closed { count } else { count + 1 };
         let places: Vec<f64> = (0..last).map(place).collect();
@@ -114,7 +121,7 @@ impl Look {
     /// The same closely, where the bound from far apart says too much.
     fn closer(self, problem: &Problem, constant: Vector) -> Result<Self> {
         let (places, mut values) = (self.places, self.sweep.values);
-        let step = (problem.end - problem.start) / (problem.points.len().min(60_000) * PLACES) as f64;
+        let step = step_of(problem, steps(problem));
         values.iter_mut().for_each(|v| *v -= constant);
         let length = |v: &Vector| dual_size(*v, problem.norm);
         let highest = values.iter().map(length).fold(0.0, f64::max);
