@@ -10,6 +10,7 @@ import type { Shell } from "./panels/shell.ts";
 import { surfaceCards } from "./panels/surface/surface-gallery.ts";
 import { surfaceMetrics } from "./panels/surface/surface-metrics.ts";
 import { surfacePanel } from "./panels/surface/surface-panel.ts";
+import { surfaceProgram } from "./panels/surface/surface-program.ts";
 import { createNetProxies } from "./render/surface/net-proxies.ts";
 import { createSurfaceStage } from "./render/surface/surface-stage.ts";
 import { createSurfaceTool } from "./tools/surface/surface-tool.ts";
@@ -37,6 +38,7 @@ export async function mountSurfaceMode({ editor, frame, stage, surface, panels, 
   createNetProxies(editor, frame, surface, until);
   editor.modes.set("surface", {
     label: "Surface", tool, view: surfaceView(editor), hint: surfaceHint, summary: surfaceSummary,
+    program: surfaceProgram,
     sample: ({ surface: shown }) => (shown === surfaceSample(shown.sample) ? shown.sample : null),
   });
   stage.painters.set("surface", painter);

@@ -76,7 +76,7 @@ export function mountCodeDrawer(shell: Shell, changed: (open: boolean) => void):
   });
   const soon = inNextFrame(shell.frame, refresh);
   editor.state.subscribe((state, before) => {
-    if (!drawer.hidden && (state.curve !== before.curve || state.fit !== before.fit || state.trace !== before.trace || state.traceRun !== before.traceRun
+    if (!drawer.hidden && (state.curve !== before.curve || state.fit !== before.fit || state.surface !== before.surface || state.trace !== before.trace || state.traceRun !== before.traceRun
       || state.mode !== before.mode)) soon.request();
   }, { until });
   choose(active);

@@ -1,4 +1,6 @@
 import { lengthOf, omegaOf, segmentCount, type Contour, type CurveDocument } from "../../document/document.ts";
+import { numbers, number, pairs } from "./literals.ts";
+import { splineConstruction, splineKind } from "./spline-snippet.ts";
 
 /** Programs that make the present drawing: the bridge from the page to an integration. */
 export type SnippetId = "vanilla" | "react" | "vue" | "svelte" | "worker";
@@ -21,27 +23,8 @@ export interface PrintOptions {
   readonly relative: boolean;
 }
 
-/** Twelve digits: far below what a screen or a file shows, and free of rounding noise. */
-function number(value: number): string {
-  if (Math.abs(value) < 1e-12) return "0";
-  return String(Number(value.toPrecision(12)) + 0);
-}
-
-function pairs(values: readonly (readonly [number, number])[]): string {
-  const printed = values.map(([x, y]) => `[${number(x)}, ${number(y)}]`);
-  const line = `[${printed.join(", ")}]`;
-  if (line.length <= 84) return line;
-  const rows: string[] = [];
-  for (let i = 0; i < printed.length; i += 4) rows.push(`    ${printed.slice(i, i + 4).join(", ")},`);
-  return `[\n${rows.join("\n")}\n  ]`;
-}
-
-function numbers(values: readonly number[]): string {
-  return `Float64Array.of(${values.map(number).join(", ")})`;
-}
-
 /** `new HermiteCurve({ … })` for a contour: drawn handles are a third of the tangents. */
-function construction(curve: CurveDocument, contour: Contour): string {
+function hermiteConstruction(curve: CurveDocument, contour: Contour): string {
   const segments = segmentCount(contour);
   const { points, closed } = contour;
   const before = (i: number): number => lengthOf(contour, closed ? (i + segments - 1) % segments : Math.max(0, i - 1));
@@ -52,7 +35,8 @@ function construction(curve: CurveDocument, contour: Contour): string {
   const space = contour.space ?? curve.space;
   const omega = Array.from({ length: segments }, (_, i) => omegaOf(curve, contour, i));
   const one = omega.every((value) => value === omega[0]);
-  const isDefault = one && contour.omega === undefined && curve.omega === "auto";
+  // What the library takes by itself is for lengths of 1.
+  const isDefault = one && contour.omega === undefined && contour.lengths === undefined && curve.omega === "auto";
   const lines = [
     `points: ${pairs(points.map(({ x, y }) => [x, y] as const))},`,
     `tangents: ${pairs(leaving)},`,
@@ -69,11 +53,29 @@ function indent(text: string, by: string): string {
   return text.replaceAll("\n", `\n${by}`);
 }
 
-/** `const curves = [ … ];` */
-function curvesOf(curve: CurveDocument, exported = ""): string {
-  const parts = curve.contours.filter((contour) => contour.points.length > 1).map((contour) => construction(curve, contour));
-  if (parts.length === 0) return `${exported}const curves: HermiteCurve[] = [];`;
-  return `${exported}const curves = [\n${parts.map((part) => `  ${indent(part, "  ")},`).join("\n")}\n];`;
+/** The library's name for what a contour is. */
+function kindOf(contour: Contour): "HermiteCurve" | ReturnType<typeof splineKind> {
+  return contour.family === "hermite" ? "HermiteCurve" : splineKind(contour);
+}
+
+/** What a drawing is in a program. */
+interface Written {
+  /** `import { … } from "expline";` */
+  readonly imports: string;
+  /** `const curves = [ … ];` */
+  readonly data: string;
+  readonly kinds: readonly ReturnType<typeof kindOf>[];
+}
+
+function written(curve: CurveDocument): Written {
+  const contours = curve.contours.filter((contour) => contour.points.length > 1);
+  const kinds = [...new Set(contours.length === 0 ? ["HermiteCurve" as const] : contours.map(kindOf))].sort();
+  const parts = contours.map((contour) => (contour.family === "hermite" ? hermiteConstruction(curve, contour) : splineConstruction(curve, contour)));
+  return {
+    kinds,
+    imports: `import { ${kinds.join(", ")} } from ${library};`,
+    data: parts.length === 0 ? "const curves: HermiteCurve[] = [];" : `const curves = [\n${parts.map((part) => `  ${indent(part, "  ")},`).join("\n")}\n];`,
+  };
 }
 
 function printing({ segments, tolerance, decimals, relative }: PrintOptions): string {
@@ -83,30 +85,35 @@ function printing({ segments, tolerance, decimals, relative }: PrintOptions): st
 
 export function snippetFor(id: SnippetId, curve: CurveDocument, options: PrintOptions): string {
   const print = `curves.map((curve) => curve.toPathD(${printing(options)}).d).join("")`;
-  const data = curvesOf(curve);
-  switch (id) {
-    case "vanilla":
-      return vanilla(data, print);
-    case "react":
-      return react(data, print);
-    case "vue":
-      return vue(data, print);
-    case "svelte":
-      return svelte(data, print);
-    case "worker":
-      return worker(data, print);
+  return programs[id](written(curve), print);
+}
+
+const programs: Readonly<Record<SnippetId, (drawing: Written, print: string) => string>> = { vanilla, react, vue, svelte, worker };
+
+/** More points of the same curve, in the words of what it is; what is said must hold for all curves of the drawing. */
+function finer(kinds: Written["kinds"]): string {
+  if (kinds.length > 1) return "";
+  const say = (call: string): string => `const finer = first?.${call};\n`;
+  switch (kinds[0]) {
+    case "InterpolatingCurve":
+      return say("refine(1)");
+    case "BSplineCurve":
+      return say("refine(2)");
+    case "LocalCurve":
+      return say("refineAt(0.5)");
+    default:
+      return say("insert(0.5)");
   }
 }
 
-function vanilla(data: string, print: string): string {
-  return `import { HermiteCurve } from ${library};   // npm i expline; no await, no bundler setup
+function vanilla({ imports, data, kinds }: Written, print: string): string {
+  return `${imports}   // npm i expline; no await, no bundler setup
 
 ${data}
 
-// Edit: move a point, add one without changing the shape, ask for the nearest place.
+// Edit: more points of the same shape, the nearest place; first?.setPoint(0, x, y) moves a point.
 const [first] = curves;
-const finer = first?.insert(0.5);
-const hit = first?.nearest(400, 140);       // { t, x, y, distance }
+${finer(kinds)}const hit = first?.nearest(400, 140);       // { t, x, y, distance }
 
 // Export: path text, arcs where the curve is an arc; maxError is measured.
 const d = ${print};
@@ -114,9 +121,9 @@ document.querySelector("path")?.setAttribute("d", d);
 `;
 }
 
-function react(data: string, print: string): string {
+function react({ imports, data }: Written, print: string): string {
   return `import { useMemo, useState } from ${quoted("react")};
-import { HermiteCurve } from ${library};
+${imports}
 
 ${data}
 
@@ -135,10 +142,10 @@ export function Drawing() {
 `;
 }
 
-function vue(data: string, print: string): string {
+function vue({ imports, data }: Written, print: string): string {
   return `<script setup lang="ts">
 import { shallowRef, triggerRef, computed } from ${quoted("vue")};
-import { HermiteCurve } from ${library};
+${imports}
 
 ${data}
 
@@ -159,9 +166,9 @@ function move(event: PointerEvent) {
 `;
 }
 
-function svelte(data: string, print: string): string {
+function svelte({ imports, data }: Written, print: string): string {
   return `<script lang="ts">
-  import { HermiteCurve } from ${library};
+  ${imports}
 
   ${indent(data, "  ")}
 
@@ -180,9 +187,9 @@ function svelte(data: string, print: string): string {
 `;
 }
 
-function worker(data: string, print: string): string {
+function worker({ imports, data }: Written, print: string): string {
   return `// worker.ts: the same import works in a worker, in Node and on a server
-import { HermiteCurve } from ${library};
+${imports}
 
 ${data}
 
