@@ -84,6 +84,38 @@ test("strokes drawn faster than they are fitted wait for each other, and none is
   assert.deepEqual(hand.curve.contours.map(({ points }) => points.length), [2, 2, 3, 4]);
 });
 
+test("a curve that comes while a point is dragged is there when the drag is over, whether it was done or cancelled", () => {
+  for (const end of ["release", "cancel", "rest"] as const) {
+    const { hand, answer, draw } = drawing();
+    draw(...line(500));
+    hand.run("tool-select");
+    const { x, y } = hand.point(0);
+    hand.wait().moveTo(x, y).press().moveTo(x + 10, y + 5);
+    if (end === "rest") hand.moveTo(x, y);
+    assert.ok(hand.editor.inGesture);
+    answer(3);
+    if (end !== "rest") hand.moveTo(x + 20, y + 10);
+    if (end === "cancel") hand.input.cancel();
+    else hand.release();
+    assert.deepEqual(hand.curve.contours.map(({ points }) => points.length), [2, 3], end);
+    assert.equal(hand.point(0).x, end === "release" ? x + 20 : x);
+    // Two things were done, and each is taken back by itself.
+    hand.run("undo");
+    assert.equal(hand.curve.contours.length, 1, end);
+  }
+});
+
+test("the line that is being drawn stays in sight when the one before has become a curve", () => {
+  const { hand, answer, draw } = drawing();
+  draw(...line(500));
+  draw(...line(540));
+  const { stroke } = hand.editor.state.value.sketch;
+  answer(3);
+  assert.equal(hand.editor.state.value.sketch.stroke, stroke);
+  answer(4);
+  assert.equal(hand.editor.state.value.sketch.stroke.length, 0);
+});
+
 test("a stroke that no curve can be made of is said to be none, and the next one is fitted all the same", () => {
   const { hand, asked, answer, fail, draw } = drawing();
   draw(...line(500));

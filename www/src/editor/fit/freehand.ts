@@ -5,6 +5,7 @@ import { createFitClient, type FitClient, type FitHandlers } from "../../kernel/
 import type { FitSubject } from "../../kernel/fit/job.ts";
 import { fitWorkers } from "../../kernel/fit/start-worker.ts";
 import type { Editor } from "../editor.ts";
+import { betweenGestures } from "../gestures.ts";
 
 /** Strokes drawn by hand in Curve: each becomes the contour with the fewest knots within a pixel or two of it. */
 
@@ -25,16 +26,18 @@ export function connectFit(until: AbortSignal): (handlers: FitHandlers) => FitCl
 
 export function createFreehand(editor: Editor, connect: (handlers: FitHandlers) => FitClient): Freehand {
   /** Strokes wait for each other: none is dropped for a later one. */
-  const waiting: { readonly subject: FitSubject; readonly tolerance: number }[] = [];
+  const waiting: { readonly subject: FitSubject; readonly tolerance: number; readonly line: readonly Pair[] }[] = [];
 
   const client = connect({
     progress: () => undefined,
     fitted(fits) {
       const contours = fits.map(({ curve }) => contourOfFit(curve));
       const count = contours.reduce((sum, { points }) => sum + points.length, 0);
-      editor.dispatch(addContours("Draw", contours, false));
-      editor.notify({ kind: "announce", text: `The stroke became a curve of ${count} points` });
-      next();
+      betweenGestures(editor, () => {
+        editor.dispatch(addContours("Draw", contours, false));
+        editor.notify({ kind: "announce", text: `The stroke became a curve of ${count} points` });
+        next();
+      });
     },
     failed() {
       refuse("This stroke could not be made a curve. Draw it again, a little longer.");
@@ -50,14 +53,15 @@ export function createFreehand(editor: Editor, connect: (handlers: FitHandlers) 
     editor.notify({ kind: "announce", text });
   }
 
-  /** The line has become a curve, or nothing. */
-  function shown(): void {
-    editor.patch({ sketch: { ...editor.state.value.sketch, stroke: [] } });
+  /** The line has become a curve, or nothing; another that is being drawn meanwhile stays. */
+  function shown(line: readonly Pair[]): void {
+    const { sketch } = editor.state.value;
+    if (sketch.stroke === line) editor.patch({ sketch: { ...sketch, stroke: [] } });
   }
 
   function next(): void {
-    shown();
-    waiting.shift();
+    const done = waiting.shift();
+    if (done !== undefined) shown(done.line);
     start();
   }
 
@@ -73,12 +77,13 @@ export function createFreehand(editor: Editor, connect: (handlers: FitHandlers) 
   return {
     add(data) {
       const stroke = { from: 0, to: data.length };
+      const line = editor.state.value.sketch.stroke;
       if (differentPoints({ data }, stroke, 4) < 4) {
-        shown();
+        shown(line);
         return refuse("Hold and drag to draw.");
       }
       const strokes = [{ points: Float64Array.from(data.flat()), closed: isJoined({ data, closing: "auto" }, stroke) }];
-      waiting.push({ subject: { strokes, degree: [1, 3], mix: 0.5, corners: leastCorner }, tolerance: tremble / editor.state.value.view.zoom });
+      waiting.push({ subject: { strokes, degree: [1, 3], mix: 0.5, corners: leastCorner }, tolerance: tremble / editor.state.value.view.zoom, line });
       if (waiting.length === 1) start();
     },
   };

@@ -31,7 +31,7 @@ export interface TimelineOptions<M, Also = never> {
   write(moment: M, also?: Also): void;
   /** Whether two moments hold the same drawing, whatever is selected. */
   same(a: M, b: M): boolean;
-  /** What can be undone has changed. */
+  /** What can be undone has changed, or a gesture is over that changed nothing. */
   changed(): void;
   /** Milliseconds, for joining runs. */
   now(): number;
@@ -89,7 +89,8 @@ export function createTimeline<M, Also = never>({ read, write, same, changed, no
       if (gesture === null) return;
       const { name, start } = gesture;
       gesture = null;
-      if (!same(start, read())) put(name, start, read(), undefined);
+      if (same(start, read())) changed();
+      else put(name, start, read(), undefined);
     },
     amend(change) {
       write(change(read()));

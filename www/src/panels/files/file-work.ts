@@ -1,6 +1,7 @@
 import type { CurveDocument } from "../../document/document.ts";
 import { Problem } from "../../document/problem.ts";
 import { curveSample } from "../../document/curve/samples.ts";
+import { betweenGestures } from "../../editor/gestures.ts";
 import { documentPathD } from "../../kernel/paths/paths.ts";
 import { documentBounds } from "../../kernel/curve/samples.ts";
 import { errorText } from "../messages/errors.ts";
@@ -40,9 +41,15 @@ export async function copySvg(shell: Shell): Promise<boolean> {
   return done;
 }
 
+function gestureOver({ editor }: Shell): Promise<void> {
+  return new Promise((go) => betweenGestures(editor, go));
+}
+
 export async function cut(shell: Shell): Promise<void> {
   const gone = new Set(chosenContours(shell).contours);
-  if (await copySvg(shell)) shell.editor.dispatch({ name: "Cut", apply: (curve) => ({ ...curve, contours: curve.contours.filter((contour) => !gone.has(contour)) }) });
+  if (!(await copySvg(shell))) return;
+  await gestureOver(shell);
+  shell.editor.dispatch({ name: "Cut", apply: (curve) => ({ ...curve, contours: curve.contours.filter((contour) => !gone.has(contour)) }) });
 }
 
 export async function share(shell: Shell): Promise<void> {
@@ -62,9 +69,12 @@ export async function share(shell: Shell): Promise<void> {
 
 /** Text from a paste or a drop: added to the drawing, or opened when it is a whole file. */
 export async function receiveText(shell: Shell, text: string): Promise<void> {
-  if (shell.editor.state.value.engine.status !== "ready" || pasteCopy(shell.editor, text)) return;
+  if (shell.editor.state.value.engine.status !== "ready") return;
+  await gestureOver(shell);
+  if (pasteCopy(shell.editor, text)) return;
   const imported = await readOrReport(shell, text);
   if (imported === null) return;
+  await gestureOver(shell);
   try {
     await place(shell, imported, naturalDestination(shell));
   } catch (error) {
