@@ -7,12 +7,16 @@ import { useBrowser, type Demo } from "./page.ts";
 const { open } = useBrowser();
 const permissions = ["clipboard-read", "clipboard-write"];
 
-async function paste(demo: Demo, text: string): Promise<void> {
+async function begunPaste(demo: Demo, text: string): Promise<void> {
   await demo.page.evaluate((given) => {
     const clipboardData = new DataTransfer();
     clipboardData.setData("text/plain", given);
     document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
   }, text);
+}
+
+async function paste(demo: Demo, text: string): Promise<void> {
+  await begunPaste(demo, text);
   await demo.idle();
 }
 
@@ -106,4 +110,37 @@ test("of what was deleted nothing stays under the pointer, and no curve is said 
   await demo.page.mouse.move(at.x + 200, at.y + 200);
   await demo.idle();
   assert.equal(await demo.changedPixels(empty, await demo.pixels()), 0, "no mark of the curve that was there");
+});
+
+test("a copied file is opened, and not its name, which some systems put beside it", async (t) => {
+  const demo = await open(t);
+  await demo.page.evaluate(() => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData("text/plain", "my logo.svg");
+    clipboardData.items.add(new File(["<svg xmlns='http://www.w3.org/2000/svg'><circle cx='40' cy='40' r='20'/></svg>"], "my logo.svg", { type: "image/svg+xml" }));
+    document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+  });
+  await demo.until(() => demo.state(), ({ curve }) => curve.sample === undefined, "the file is opened");
+  assert.equal((await demo.state()).curve.contours.length, 1);
+});
+
+test("what is pasted while a point is dragged is there after the drag, as a step of its own", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  await demo.drag("pt-0-1", 5, 5);
+  const { x, y } = await demo.centre("pt-0-2");
+  const before = (await demo.points())[2];
+  await demo.page.mouse.move(x, y);
+  await demo.page.mouse.down();
+  await demo.page.mouse.move(x + 20, y + 10, { steps: 4 });
+  // It waits for the drag, and the page is not idle as long.
+  await begunPaste(demo, "M10 10h80v40z");
+  await demo.page.waitForTimeout(300);
+  await demo.page.mouse.move(x + 40, y + 20, { steps: 4 });
+  await demo.page.mouse.up();
+  await demo.until(() => demo.state(), ({ curve }) => curve.contours.length === 2, "what was pasted is there");
+  assert.notDeepEqual((await demo.points())[2], before);
+  await demo.focusStage();
+  await demo.press("Control+z");
+  assert.equal((await demo.state()).curve.contours.length, 1);
+  assert.notDeepEqual((await demo.points())[2], before, "the drag is still done");
 });

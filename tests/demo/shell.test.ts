@@ -249,3 +249,49 @@ test("buttons look like buttons in every mode, whatever was opened before, and t
     assert.equal(await demo.byId("tool-hand").isVisible(), rail, hash);
   }
 });
+
+test("keys that mean nothing in a mode do nothing of the browser's on its stage, and Escape leaves it", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  await demo.focusStage();
+  await demo.press("]");
+  await demo.press("2");
+  await demo.focusStage();
+  await demo.press("]", "Control+a", "Alt+ArrowLeft");
+  assert.equal(await demo.page.evaluate(() => String(document.getSelection())), "");
+  assert.equal((await demo.state()).mode, "fit", "no page before this one is gone back to");
+  await demo.press("Escape", "Escape");
+  assert.equal(await demo.page.evaluate(() => document.activeElement === document.body), true);
+  await demo.press("1");
+  assert.match(await demo.textOf("panel"), /point 1 of 6/, "what is chosen in Curve stays chosen");
+});
+
+test("the help has the keys of each mode under its name, those of the open one first", async (t) => {
+  const demo = await open(t, "#/trace");
+  await demo.byId("btn-help").click();
+  await demo.byId("help-dialog").waitFor();
+  const groups = await demo.byId("help-dialog").locator(".key-group").evaluateAll((all) => all.map((each) => ({
+    name: each.querySelector("h3")?.textContent ?? "", keys: [...each.querySelectorAll("dt")].map((key) => key.textContent ?? ""),
+  })));
+  assert.equal(groups[1]?.name, "Trace");
+  for (const { name, keys } of groups.slice(1)) assert.equal(new Set(keys).size, keys.length, `${name} has each key once: ${keys.join(" ")}`);
+});
+
+test("an offer to undo goes with the next step and with the mode: it would take back something else", async (t) => {
+  const demo = await open(t, "#/fit");
+  await demo.dragFrom({ x: 300, y: 300 }, 300, 120, 30);
+  await demo.click("tab-curve");
+  const simplify = async (): Promise<void> => {
+    await demo.click("tab-curve");
+    await demo.byId("curve-simplify").click();
+    await demo.idle();
+    await demo.page.locator(".toast-action", { hasText: "Undo" }).waitFor();
+  };
+  await simplify();
+  await demo.click("tab-curve");
+  assert.equal(await demo.page.locator(".toast-action").count(), 0);
+  await demo.click("tab-fit");
+  await demo.dragFrom({ x: 300, y: 500 }, 200, 60, 30);
+  await simplify();
+  await demo.dragFrom({ x: 300, y: 500 }, 200, 60, 30);
+  assert.equal(await demo.page.locator(".toast-action").count(), 0);
+});

@@ -23,7 +23,7 @@ export function mountFitMode({ editor, frame, stage, surface, proxies, panels, c
   editor.actions.register({
     id: "fit-edit",
     label: "Edit the fit in Curve",
-    group: "Curve",
+    group: "Fit",
     keys: [],
     enabled: ({ mode, fitRun }) => mode === "fit" && fitRun.outcome !== null,
     run: editInCurve,

@@ -45,9 +45,14 @@ function mount(): ExplineDemo {
   const surface = part("surface");
   const canvas = part("canvas");
 
+  const leaveStage = (): void => {
+    const { activeElement } = document;
+    if (activeElement instanceof HTMLElement && surface.contains(activeElement)) activeElement.blur();
+  };
+
   registerStandardActions(editor);
   const input = createPointerInput(editor, createTools(editor, until));
-  listenToStage({ editor, input, frame, surface, until, leaveStage: () => surface.blur() });
+  listenToStage({ editor, input, frame, surface, until, leaveStage });
   if (!(canvas instanceof HTMLCanvasElement)) throw new Error("index.html has no canvas");
   const stage = createStage(editor, frame, surface, canvas, until);
   createProxies(editor, frame, surface, part("proxies"), until);

@@ -166,7 +166,7 @@ export interface Action {
   readonly id: string;
   /** "Delete and heal" */
   readonly label: string;
-  readonly group: "Edit" | "View" | "Tools" | "Points" | "Curve" | "Surface" | "File" | "Modes" | "Help";
+  readonly group: "Edit" | "View" | "Tools" | "Points" | "Curve" | "Fit" | "Trace" | "Surface" | "File" | "Modes" | "Help";
   /** As in "Mod+Shift+Z", "]", "Shift+Delete"; Mod is Ctrl, or Cmd on macOS. The first one is printed. */
   readonly keys: readonly string[];
   /** False keeps the key out of effect and greys the button. */

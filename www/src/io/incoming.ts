@@ -78,10 +78,13 @@ export function listenForIncoming(handlers: IncomingHandlers, until: AbortSignal
     const text = event.clipboardData?.getData("text/plain") ?? "";
     if (files.length === 0 && text === "") return;
     event.preventDefault();
-    if (text !== "") handlers.text(text);
-    else handlers.files(files);
+    if (files.length > 0 && (text === "" || fileName.test(text))) handlers.files(files);
+    else handlers.text(text);
   }, options);
 }
+
+/** Beside a copied file some systems put its name on the clipboard, as text. */
+const fileName = /^[^\n]*\.[a-z]\w{1,4}\s*$/iu;
 
 /** Pixels on the clipboard come as a file of this name, which is nobody's. */
 function withoutStandIn(file: File): File {

@@ -11,30 +11,30 @@ const hasKnots = (state: EditorState): boolean => inFit(state) && (state.fitRun.
 const compares: readonly Compare[] = ["off", "onion", "split"];
 
 export function registerFitActions(editor: Editor): void {
-  const add = (id: string, label: string, group: Action["group"], keys: readonly string[], run: () => void, enabled: Action["enabled"] & object = inFit): void => {
-    editor.actions.register({ id, label, group, keys, run, enabled });
+  const add = (id: string, label: string, keys: readonly string[], run: () => void, enabled: Action["enabled"] & object = inFit): void => {
+    editor.actions.register({ id, label, group: "Fit", keys, run, enabled });
   };
-  add("fit-erase", "Erase points", "Tools", ["E"], () => chooseFitTool(editor, "erase"));
-  add("fit-next-knot", "Next knot", "Points", ["]"], () => stepKnot(editor, 1), hasKnots);
-  add("fit-previous-knot", "Previous knot", "Points", ["["], () => stepKnot(editor, -1), hasKnots);
-  add("fit-smoother", "Fewer knots", "Curve", ["}"], () => setSmoothing(editor, editor.state.value.fit.smoothing + 5), hasData);
-  add("fit-rougher", "More knots", "Curve", ["{"], () => setSmoothing(editor, editor.state.value.fit.smoothing - 5), hasData);
-  add("fit-clear", "Clear the points", "Edit", [], () => clearFit(editor), hasData);
-  add("fit-redraw", "Redraw", "Edit", [], () => {
+  add("fit-erase", "Erase points", ["E"], () => chooseFitTool(editor, "erase"));
+  add("fit-next-knot", "Next knot", ["]"], () => stepKnot(editor, 1), hasKnots);
+  add("fit-previous-knot", "Previous knot", ["["], () => stepKnot(editor, -1), hasKnots);
+  add("fit-smoother", "Fewer knots", ["}"], () => setSmoothing(editor, editor.state.value.fit.smoothing + 5), hasData);
+  add("fit-rougher", "More knots", ["{"], () => setSmoothing(editor, editor.state.value.fit.smoothing - 5), hasData);
+  add("fit-clear", "Clear the points", [], () => clearFit(editor), hasData);
+  add("fit-redraw", "Redraw", [], () => {
     clearFit(editor);
     chooseFitTool(editor, "draw");
   });
-  add("fit-compare", "Compare with the points", "View", [], () => {
+  add("fit-compare", "Compare with the points", [], () => {
     const { compare } = editor.state.value.fitView;
     setFitView(editor, { compare: compares[(compares.indexOf(compare) + 1) % compares.length] ?? "off" });
   }, hasData);
-  add("fit-comb", "Curvature comb of the fit", "View", ["K"], () => toggleFitOverlay(editor, "comb"), hasKnots);
-  add("fit-show-data", "Fit the points in view", "View", [], () => showData(editor, 64), hasData);
+  add("fit-comb", "Curvature comb of the fit", ["K"], () => toggleFitOverlay(editor, "comb"), hasKnots);
+  add("fit-show-data", "Fit the points in view", [], () => showData(editor, 64), hasData);
   for (const [model, label] of [["linear", "Straight pieces"], ["cubic", "Smooth curve"], ["hybrid", "Straight and smooth"]] as const) {
-    add(`fit-model-${model}`, label, "Curve", [], () => setModel(editor, model));
+    add(`fit-model-${model}`, label, [], () => setModel(editor, model));
   }
-  add("fit-corners", "Keep corners", "Curve", ["C"], () => setCorners(editor, !editor.state.value.fit.corners));
-  add("fit-open-star", "Open the noisy star", "File", [], () => void openFitSample(editor, "fit-star"));
+  add("fit-corners", "Keep corners", ["C"], () => setCorners(editor, !editor.state.value.fit.corners));
+  add("fit-open-star", "Open the noisy star", [], () => void openFitSample(editor, "fit-star"));
 }
 
 export function toggleFitOverlay(editor: Editor, overlay: FitOverlay): void {

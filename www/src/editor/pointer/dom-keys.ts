@@ -57,7 +57,7 @@ class Keys {
     if (this.#steers(event.key, focus)) return event.preventDefault();
     if (focus === "widget" && widgetKeys.has(event.key)) return;
     const action = actionOf(this.#editor, event);
-    if (action !== undefined) this.#act(action, event);
+    if (action !== undefined) this.#act(action, event, focus);
   }
 
   up(event: KeyboardEvent): void {
@@ -91,14 +91,16 @@ class Keys {
     return true;
   }
 
-  #act(action: Action, event: KeyboardEvent): void {
+  #act(action: Action, event: KeyboardEvent, focus: Focus): void {
     if (this.#input.busy && (action.id === "undo" || action.id === "redo")) {
       // Undo during a drag takes back the drag, and no more than that, even when there is nothing else to undo.
       event.preventDefault();
       return void this.#input.cancel();
     }
-    if (action.enabled?.(this.#editor.state.value) === false) return;
-    event.preventDefault();
+    const can = action.enabled?.(this.#editor.state.value) !== false;
+    // What cannot be done now is not what the browser has on the key: going back, a bookmark, all of the page's text.
+    if (can || focus === "stage") event.preventDefault();
+    if (!can) return;
     if (action.release !== undefined) {
       if (event.repeat) return;
       this.#held.set(event.code, action.id);
@@ -114,7 +116,7 @@ class Keys {
     const { selection, sketch, mode, chosen } = this.#editor.state.value;
     if (mode === "surface") {
       if (chosen.length > 0) return this.#editor.patch({ chosen: [] });
-    } else {
+    } else if (mode === "curve") {
       if (sketch.proposal !== null) return this.#editor.patch({ sketch: { ...sketch, proposal: null } });
       if (selection.points.length > 0) return this.#editor.actions.get("select-none")?.run(this.#editor);
     }

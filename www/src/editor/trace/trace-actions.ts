@@ -20,38 +20,37 @@ export const traceViews: readonly (readonly [TraceViewId, string, string])[] = [
 ];
 
 export function registerTraceActions(editor: Editor, runner: TraceRunner): void {
-  const add = (id: string, label: string, group: Action["group"], keys: readonly string[], run: () => void, enabled: Action["enabled"] & object = inTrace): void => {
-    editor.actions.register({ id, label, group, keys, run, enabled });
+  const add = (id: string, label: string, keys: readonly string[], run: () => void, enabled: Action["enabled"] & object = inTrace): void => {
+    editor.actions.register({ id, label, group: "Trace", keys, run, enabled });
   };
   const state = (): EditorState => editor.state.value;
-  add("trace-run", "Trace", "Curve", [], () => runner.again(), canTrace);
-  add("trace-cancel", "Cancel the trace", "Edit", [], () => runner.cancel(), (now) => inTrace(now) && now.traceRun.since !== null);
-  add("trace-anyway", "Trace anyway", "Curve", [], () => traceAnyway(editor), canTrace);
-  add("trace-clear", "Clear the picture", "Edit", [], () => clearTrace(editor), (now) => inTrace(now) && !isEmptyTrace(now.trace));
-  add("trace-next", "Next point of the outlines", "Points", ["]"], () => stepPoint(editor, 1, false), hasOutlines);
-  add("trace-previous", "Previous point of the outlines", "Points", ["["], () => stepPoint(editor, -1, false), hasOutlines);
-  add("trace-next-corner", "Next corner", "Points", ["."], () => stepPoint(editor, 1, true), hasOutlines);
-  add("trace-previous-corner", "Previous corner", "Points", [","], () => stepPoint(editor, -1, true), hasOutlines);
+  add("trace-run", "Trace", [], () => runner.again(), canTrace);
+  add("trace-cancel", "Cancel the trace", [], () => runner.cancel(), (now) => inTrace(now) && now.traceRun.since !== null);
+  add("trace-anyway", "Trace anyway", [], () => traceAnyway(editor), canTrace);
+  add("trace-clear", "Clear the picture", [], () => clearTrace(editor), (now) => inTrace(now) && !isEmptyTrace(now.trace));
+  add("trace-next", "Next point of the outlines", ["]"], () => stepPoint(editor, 1, false), hasOutlines);
+  add("trace-previous", "Previous point of the outlines", ["["], () => stepPoint(editor, -1, false), hasOutlines);
+  add("trace-next-corner", "Next corner", ["."], () => stepPoint(editor, 1, true), hasOutlines);
+  add("trace-previous-corner", "Previous corner", [","], () => stepPoint(editor, -1, true), hasOutlines);
   add(
     "trace-corner",
     "Corner ↔ smooth",
-    "Points",
     ["C"],
     () => state().traceView.chosen !== null && toggleCorner(editor, state().traceView.chosen ?? { contour: 0, index: 0 }),
     hasChosen,
   );
-  add("trace-smoother", "Smoother outlines", "Curve", ["}"], () => setTrace(editor, "Detail", { detail: Math.min(100, state().trace.settings.detail + 5) }), canTrace);
-  add("trace-finer", "Finer outlines", "Curve", ["{"], () => setTrace(editor, "Detail", { detail: Math.max(0, state().trace.settings.detail - 5) }), canTrace);
-  add("trace-invert", "Invert the picture", "Curve", ["I"], () => setTrace(editor, "Invert", { invert: !state().trace.settings.invert }), canTrace);
-  add("trace-smooth-in-fit", "Smooth the trace in Fit", "Curve", [], () => smoothInFit(editor), hasOutlines);
-  add("trace-edit", "Edit the trace in Curve", "Curve", [], () => editTraceInCurve(editor), hasOutlines);
-  add("trace-next-view", "Next view of the trace", "View", ["W"], () => {
+  add("trace-smoother", "Smoother outlines", ["}"], () => setTrace(editor, "Detail", { detail: Math.min(100, state().trace.settings.detail + 5) }), canTrace);
+  add("trace-finer", "Finer outlines", ["{"], () => setTrace(editor, "Detail", { detail: Math.max(0, state().trace.settings.detail - 5) }), canTrace);
+  add("trace-invert", "Invert the picture", ["I"], () => setTrace(editor, "Invert", { invert: !state().trace.settings.invert }), canTrace);
+  add("trace-smooth-in-fit", "Smooth the trace in Fit", [], () => smoothInFit(editor), hasOutlines);
+  add("trace-edit", "Edit the trace in Curve", [], () => editTraceInCurve(editor), hasOutlines);
+  add("trace-next-view", "Next view of the trace", ["W"], () => {
     const views = traceViews.filter(([id]) => canView(state(), id));
     const at = views.findIndex(([id]) => id === state().traceView.view);
     const [id] = views[(at + 1) % views.length] ?? ["result"];
     setTraceView(editor, { view: id });
   });
-  add("trace-show", "The picture in view", "View", [], () => {
+  add("trace-show", "The picture in view", [], () => {
     const size = sizeOf(state());
     if (size !== null) showBox(editor, size);
   });

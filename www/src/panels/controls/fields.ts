@@ -146,7 +146,9 @@ export function sliderField(options: SliderOptions): Field<number> & { readonly 
     setText(output, options.print(value));
     setAttribute(input, "aria-valuetext", options.print(value));
   };
-  input.addEventListener("pointerdown", () => {
+  input.addEventListener("pointerdown", ({ button }) => {
+    // The menu that another button opens may keep the release to itself.
+    if (button !== 0) return;
     options.gesture?.begin();
     // A finger that turns out to scroll the panel ends with a cancel.
     const over = new AbortController();

@@ -64,7 +64,8 @@ export function openHelp({ editor }: Shell): void {
   }
   const keyRow = (action: Action): HTMLElement =>
     h("div", { class: "key-row" }, h("dt", {}, ...action.keys.slice(0, 2).map((key) => h("kbd", {}, printedKey(key)))), h("dd", {}, action.label));
-  const keyLists = [...groups].map(([group, actions]) =>
+  const own = ([group]: readonly [string, unknown]): number => (group.toLowerCase() === mode ? 0 : 1);
+  const keyLists = [...groups].sort((a, b) => own(a) - own(b)).map(([group, actions]) =>
     h("section", { class: "key-group" }, h("h3", { class: "section-title" }, group), h("dl", {}, ...actions.map(keyRow))));
   const gestureList = h("section", { class: "key-group" },
     h("h3", { class: "section-title" }, "Gestures"),

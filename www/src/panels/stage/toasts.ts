@@ -48,11 +48,22 @@ export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
     if (notice?.kind === "toast") {
       const action = notice.actionId === undefined ? undefined : editor.actions.get(notice.actionId);
       say(notice.text, action === undefined ? undefined : { label: action.label, run: () => void editor.actions.run(action.id) });
+      if (action !== undefined) untilNextStep(editor, news.lastElementChild);
     }
     if (notice?.kind === "error") error(notice.id, notice.text);
     if (notice?.kind === "well") errors.replaceChildren();
   });
   return { say, error };
+}
+
+/** What an action would do is another thing after the next step, or in another mode: the offer goes then. */
+function untilNextStep(editor: Editor, toast: Element | null): void {
+  const over = new AbortController();
+  editor.state.subscribe((state, before) => {
+    if (state.mode === before.mode && state.undoName === before.undoName) return;
+    over.abort();
+    toast?.remove();
+  }, { until: over.signal });
 }
 
 /** A toast under the pointer or with the focus inside waits until it is left alone. */
