@@ -268,3 +268,68 @@ test("with text twice as large nothing in the surface's export, and nothing on a
   assert.ok(rows.length >= 4);
   for (const [i, { top }] of rows.entries()) assert.ok(i === 0 || top >= (rows[i - 1]?.bottom ?? 0), JSON.stringify(rows));
 });
+
+/** Boxes of what is in sight, by name; a part that is cut off counts as far as it can be seen. */
+function boxesOf(page: Page, selectors: readonly string[]): Promise<{ name: string; left: number; right: number; top: number; bottom: number }[]> {
+  return page.evaluate((all) => all.flatMap((name) => [...document.querySelectorAll(name)]
+    .filter((element) => element.checkVisibility({ visibilityProperty: true }))
+    .map((element) => element.getBoundingClientRect())
+    .filter(({ width, height }) => width > 0 && height > 0)
+    .map(({ left, right, top, bottom }) => ({ name, left, right, top, bottom }))), selectors);
+}
+
+test("at 320 px with text twice as large nothing lies over anything else, in any mode", async (t) => {
+  const demo = await open(t, "#/curve?sample=blob-16", { viewport: { width: 320, height: 568 }, hasTouch: true, isMobile: true });
+  await demo.page.evaluate(() => { document.documentElement.style.fontSize = "200%"; });
+  for (const mode of ["curve", "fit", "trace", "surface"]) {
+    await demo.page.evaluate((hash) => { location.hash = hash; }, mode === "trace" ? "#/trace?sample=trace-logo" : `#/${mode}`);
+    await demo.still();
+    const boxes = await boxesOf(demo.page, [".header", ".stage-zoom", ".tools", ".stage-hint", ".panel", ".tabs"]);
+    const peek = await boxesOf(demo.page, [".sheet-peek .field-label", ".sheet-peek .slider", ".sheet-peek .slider-value"]);
+    assert.ok(boxes.length >= 4 && peek.length === 3, `${mode}: ${boxes.length} parts of the page and ${peek.length} of the sheet`);
+    for (const list of [boxes, peek]) {
+      list.forEach((a, i) => list.slice(i + 1).forEach((b) => {
+        const over = Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1;
+        assert.ok(!over, `${mode}: ${JSON.stringify([a, b])}`);
+      }));
+      for (const { name, left, right } of list) assert.ok(left >= 0 && right <= 320, `${mode}: ${name} from ${left} to ${right}`);
+    }
+  }
+});
+
+test("at 320 px with text twice as large every entry of the menu and every button of a dialog is within the screen", async (t) => {
+  const demo = await open(t, "#/curve?sample=blob-16", { viewport: { width: 320, height: 568 }, hasTouch: true, isMobile: true });
+  await demo.page.evaluate(() => { document.documentElement.style.fontSize = "200%"; });
+  for (const [id, dialog] of [["btn-samples", "samples-dialog"], ["btn-import", "import-dialog"], ["btn-export", "export-dialog"], ["btn-help", "help-dialog"]] as const) {
+    await demo.byId("btn-menu").click();
+    const entries = await boxesOf(demo.page, [".header-menu > *"]);
+    assert.equal(entries.length, 6);
+    for (const { left, right } of entries) assert.ok(left >= 0 && right <= 320, `${left} to ${right}`);
+    await demo.byId(id).click();
+    await demo.byId(dialog).waitFor();
+    await demo.still();
+    for (const { name, left, right } of await boxesOf(demo.page, [".dialog button", ".dialog select", ".dialog input", ".dialog textarea", ".dialog p"])) {
+      assert.ok(left >= 0 && right <= 320, `${dialog}: ${name} from ${left} to ${right}`);
+    }
+    await demo.page.keyboard.press("Escape");
+    await demo.byId(dialog).waitFor({ state: "detached" });
+  }
+});
+
+test("letters on the canvas grow with the page's text", async (t) => {
+  const demo = await open(t);
+  await demo.page.evaluate(() => {
+    const { prototype } = CanvasRenderingContext2D;
+    const write = prototype.fillText;
+    prototype.fillText = function written(this: CanvasRenderingContext2D, ...given: Parameters<typeof write>) {
+      document.body.dataset["font"] = this.font;
+      write.apply(this, given);
+    };
+    document.documentElement.style.fontSize = "200%";
+  });
+  await demo.still();
+  await demo.byId("zoom-in").click();
+  await demo.idle();
+  // Small text is three quarters of the root's size.
+  assert.match((await demo.page.evaluate(() => document.body.dataset["font"])) ?? "", /^24px /);
+});

@@ -1,4 +1,4 @@
-/** Colours of the canvas, read from the same tokens as the page. */
+/** Colours and letters of the canvas, read from the same tokens as the page. */
 
 export interface Palette {
   readonly canvas: string;
@@ -21,6 +21,9 @@ export interface Palette {
   readonly err: string;
   /** From no error to the largest, as dark to light to the eye in either theme. */
   readonly heat: readonly string[];
+  /** Of small text on the canvas, in CSS pixels, and the font: it grows with the page's. */
+  readonly em: number;
+  readonly font: string;
   /** The system's colours, of which there are few: shapes are told apart without. */
   readonly forced: boolean;
 }
@@ -51,7 +54,10 @@ export function readPalette(root: Element): Palette {
   const [canvas = "", ink = "", ink2 = "", line = "", focus = "", point = "", curve = "", handle = "", cusp = "", original = "", warn = "", linear = "", ...more] = names.map(read);
   const [solid = "", solidBack = "", cubic = "", coinc = "", err = ""] = more;
   const heat = [0, 1, 2, 3, 4].map((i) => read(`heat-${i}`));
+  const em = 0.75 * parseFloat(style.fontSize);
   return {
+    em,
+    font: `${em}px ${read("font")}`,
     canvas,
     ink,
     ink2,

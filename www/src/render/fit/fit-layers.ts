@@ -164,9 +164,9 @@ export function drawParts(scene: Scene, outcome: FitOutcome): void {
       const [x = 0, y = 0] = part.evaluate(0);
       const at = onScreen(scene, { x: x + middle.x - own.x, y: y + middle.y - own.y });
       const screen = inScreen(scene);
-      screen.font = "12px system-ui, sans-serif";
+      screen.font = palette.font;
       screen.fillStyle = i === 0 ? palette.linear : palette.cubic;
-      screen.fillText(i === 0 ? "straight part" : "smooth part", at.x + 12, at.y + (i === 0 ? -8 : 16));
+      screen.fillText(i === 0 ? "straight part" : "smooth part", at.x + 12, at.y + (i === 0 ? -8 : palette.em + 4));
     });
   }
 }

@@ -106,14 +106,12 @@ function labelHandles(scene: Scene, cubics: Float64Array): void {
   const [x0 = 0, y0 = 0, x1 = 0, y1 = 0, x2 = 0, y2 = 0, x3 = 0, y3 = 0] = cubics.subarray(0, 8);
   const place = onScreen(scene, { x: (x0 + 3 * x1 + 3 * x2 + x3) / 8, y: (y0 + 3 * y1 + 3 * y2 + y3) / 8 });
   const context = inScreen(scene);
-  context.font = labelFont;
+  context.font = scene.palette.font;
   context.fillStyle = scene.palette.warn;
   const text = "Bézier with these handles";
   const left = Math.max(8, Math.min(scene.state.stage.width - context.measureText(text).width - 8, place.x + 10));
   context.fillText(text, left, place.y - 8);
 }
-
-const labelFont = '12px system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif';
 
 /** A stage as narrow as this has the zoom box beside the curve. */
 const narrow = 600;
@@ -127,14 +125,15 @@ function label(scene: Scene, polygon: Float64Array): void {
   );
   const place = onScreen(scene, { x: polygon[at] ?? 0, y: polygon[at + 1] ?? 0 });
   const context = inScreen(scene);
-  context.font = labelFont;
-  context.fillStyle = scene.palette.warn;
+  const { em, font, warn } = scene.palette;
+  context.font = font;
+  context.fillStyle = warn;
   const text = `4-arc Bézier, error × ${magnification}`;
   const wide = context.measureText(text).width;
-  if (scene.state.stage.width < narrow) return context.fillText(text, centre.x - wide / 2, centre.y + 4);
+  if (scene.state.stage.width < narrow) return context.fillText(text, centre.x - wide / 2, centre.y + em / 3);
   const beside = place.x >= centre.x ? place.x + 8 : place.x - 8 - wide;
   const left = Math.max(8, Math.min(scene.state.stage.width - wide - 8, beside));
-  context.fillText(text, left, place.y + (place.y >= centre.y ? 16 : -8));
+  context.fillText(text, left, place.y + (place.y >= centre.y ? em + 4 : -8));
 }
 
 const sidesPerSegment = 48;
