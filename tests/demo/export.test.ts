@@ -230,3 +230,35 @@ test("the code leaves the drawing in sight, follows the sliders of every mode, a
   await demo.slide("trace-detail", 80);
   assert.notEqual(await demo.textOf("code-listing"), before);
 });
+
+test("a very long program waits for the end of a drag, and is then that of what is there", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8");
+  // Between two points of the circle so many that their program is shown in part.
+  await demo.page.evaluate(async () => {
+    const state = window.explineDemo.getState();
+    const count = 2000;
+    const points = Array.from({ length: count }, (_, i) => {
+      const angle = (2 * Math.PI * i) / count;
+      const [dx, dy] = [-Math.sin(angle), Math.cos(angle)];
+      const step = (160 * 2 * Math.PI) / count / 3;
+      return { x: 400 - 160 * dy, y: 300 + 160 * dx, kind: "symmetric" as const, in: { dx: -step * dx, dy: step * dy }, out: { dx: step * dx, dy: -step * dy } };
+    });
+    await window.explineDemo.setState({ ...state, curve: { space: state.curve.space, omega: "auto", level: 0, contours: [{ family: "hermite", closed: true, points }] } });
+  });
+  await demo.byId("btn-code").click();
+  await demo.byId("code-drawer").waitFor();
+  await demo.still();
+  const before = await demo.textOf("code-listing");
+  const { x, y } = await demo.page.evaluate(() => {
+    const [first = { x: 0, y: 0 }] = window.explineDemo.getState().curve.contours[0]?.points ?? [];
+    return window.explineDemo.toScreen(first.x, first.y);
+  });
+  await demo.page.mouse.move(x, y);
+  await demo.page.mouse.down();
+  await demo.page.mouse.move(x + 30, y + 20, { steps: 5 });
+  await demo.idle();
+  assert.equal(await demo.textOf("code-listing"), before);
+  await demo.page.mouse.up();
+  await demo.idle();
+  assert.notEqual(await demo.textOf("code-listing"), before);
+});

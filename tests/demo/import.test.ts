@@ -484,3 +484,18 @@ test("the page is not idle before what was imported is on the stage, however lon
   await demo.idle();
   assert.equal((await demo.state()).curve.contours.length, 2);
 });
+
+test("very many rows are set in Import's field at once, at the cursor, and not typed", async (t) => {
+  const demo = await open(t);
+  await demo.byId("btn-import").click();
+  const field = demo.byId("import-text");
+  await field.fill("0,0\n");
+  const rows = Array.from({ length: 50_000 }, (_, i) => `${i},${i % 100}`).join("\n");
+  // A paste that is made by a script types nothing: what is there then was set by the page.
+  await field.evaluate((element, text) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData("text/plain", text);
+    element.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+  }, rows);
+  assert.equal(await field.inputValue(), `0,0\n${rows}`);
+});

@@ -12,6 +12,7 @@ import { weightsOf } from "../src/kernel/curve/weights.ts";
 import { drawBelow, drawKnots } from "../src/render/layers/analysis.ts";
 import { drawData, drawHeat } from "../src/render/fit/fit-layers.ts";
 import type { FitOutcome } from "../src/kernel/fit/outcome.ts";
+import { documentPaths } from "../src/render/outlines.ts";
 import type { Palette } from "../src/render/palette.ts";
 import type { Scene } from "../src/render/scene.ts";
 import { longContour } from "./harness.ts";
@@ -28,6 +29,7 @@ class Path {
   arc(): void {}
   lineTo(): void { this.lines += 1; }
   bezierCurveTo(): void { this.lines += 1; }
+  addPath(path: Path): void { this.lines += path.lines; }
 }
 
 const context = new Proxy({}, {
@@ -190,4 +192,19 @@ test("of very many points of Fit the way and the errors are drawn to the pixel, 
   assert.ok(many.line <= 6 * 400 * Math.PI, `${many.line}`);
   // A chord of a circle of 1,257 pixels, every one two thirds of a pixel long.
   assert.ok(many.heat <= 2001, `${many.heat}`);
+});
+
+test("a contour of very many points without tangents is drawn in as many lines as can be told apart, and in its own pieces from near", () => {
+  const curve = drawing({ family: "interpolating", closed: true, support: 2, points: longContour(5000).points });
+  const linesAt = (zoom: number): number => {
+    const scene: Scene = {
+      context, palette: {} as Palette, ratio: 1, origin: curve, focused: false,
+      state: { ...initialState, curve, view: { x: 400, y: 300, zoom }, stage: { left: 0, top: 0, width: 1000, height: 800 } },
+    };
+    return (documentPaths(scene, curve).all as unknown as Path).lines;
+  };
+  // A twentieth of a pixel beside a circle of 250 pixels is passed by a chord of 10, so some 160 would do for a plain one; its 11 waves take more.
+  assert.ok(linesAt(1) < 1000, `${linesAt(1)} lines`);
+  // Five pixels from point to point: pieces of a curve, one or more for each.
+  assert.ok(linesAt(16) >= 5000, `${linesAt(16)} pieces`);
 });

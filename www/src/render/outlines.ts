@@ -30,7 +30,7 @@ export function documentPaths(scene: Scene, document: CurveDocument): Outlines {
   const all = new Path2D();
   const fresh: Kept = { tolerance, within, all, closed: every ? all : new Path2D() };
   for (const contour of document.contours) {
-    const path = within === null ? contourPath(scene, document, contour) : pathWithin(scene, document, contour, within);
+    const path = within === null ? partPath(scene, document, contour) : pathWithin(scene, document, contour, within);
     all.addPath(path);
     if (contour.closed && !every) fresh.closed.addPath(path);
   }
@@ -62,7 +62,7 @@ export function isSeen(document: CurveDocument, part: Contour, sight: Bounds): b
  */
 function pathWithin(scene: Scene, document: CurveDocument, contour: Contour, within: Bounds): Path2D {
   const parts = partsOf(document, contour);
-  if (parts.length === 1) return contourPath(scene, document, contour);
+  if (parts.length === 1) return partPath(scene, document, contour);
   const path = new Path2D();
   const tolerance = toleranceOf(scene);
   const [first] = contour.points;
@@ -80,8 +80,8 @@ function pathWithin(scene: Scene, document: CurveDocument, contour: Contour, wit
 
 /** A contour, or a part of one, by itself. */
 export function partPath(scene: Scene, document: CurveDocument, part: Contour): Path2D {
-  if (part.closed || !isDense(scene, part)) return contourPath(scene, document, part);
-  return pathOfPoints(polylineOf(document, part, toleranceOf(scene)), false);
+  if (!isDense(scene, part)) return contourPath(scene, document, part);
+  return pathOfPoints(polylineOf(document, part, toleranceOf(scene)), part.closed);
 }
 
 /** CSS pixels between points, up to which a polyline has fewer vertices than there are segments. */

@@ -4,7 +4,7 @@ import { h, setAttribute, setText } from "../controls/dom.ts";
 import { icon } from "../controls/icons.ts";
 import { errorText } from "../messages/errors.ts";
 import { inNextFrame, type Shell } from "../shell.ts";
-import { abridged, snippetFor, snippetNames, type SnippetId } from "./snippets.ts";
+import { abridged, mostShown, snippetFor, snippetNames, type SnippetId } from "./snippets.ts";
 
 const options = { segments: "arcs", tolerance: 0.02, decimals: 3, relative: false } as const;
 
@@ -74,9 +74,11 @@ export function mountCodeDrawer(shell: Shell, changed: (open: boolean) => void):
   copy.addEventListener("click", () => {
     void io.copyText(whole).then((done) => (done ? toasts.say("Copied the program.") : toasts.error("clipboard", errorText("clipboard"))));
   });
-  const soon = inNextFrame(shell.frame, refresh);
+  // A very long program is not printed sixty times a second: it waits for the end of the drag.
+  const soon = inNextFrame(shell.frame, () => (editor.state.value.drag === null || whole.length <= mostShown) && refresh());
   editor.state.subscribe((state, before) => {
-    if (!drawer.hidden && (state.curve !== before.curve || state.fit !== before.fit || state.surface !== before.surface || state.trace !== before.trace || state.traceRun !== before.traceRun
+    const isOver = state.drag === null && before.drag !== null;
+    if (!drawer.hidden && (isOver || state.curve !== before.curve || state.fit !== before.fit || state.surface !== before.surface || state.trace !== before.trace || state.traceRun !== before.traceRun
       || state.mode !== before.mode)) soon.request();
   }, { until });
   choose(active);

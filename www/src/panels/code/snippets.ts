@@ -208,10 +208,12 @@ self.onmessage = () => {
 
 /** Characters from either end of a program that are shown: laying out the megabytes of a very large drawing takes many seconds. */
 const shownAtEnds = 50_000;
+/** Longer programs are shown in part. */
+export const mostShown = 2 * shownAtEnds;
 
 /** A program as it is shown, with its middle left out where it is very long. */
 export function abridged(program: string): string {
-  const left = program.length - 2 * shownAtEnds;
+  const left = program.length - mostShown;
   if (left <= 0) return program;
   return `${program.slice(0, shownAtEnds)}\n\n… ${left.toLocaleString("en")} characters are left out here; Copy takes all of it …\n\n${program.slice(-shownAtEnds)}`;
 }

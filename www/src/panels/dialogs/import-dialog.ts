@@ -16,6 +16,9 @@ export function openImport(shell: Shell, given = ""): void {
   form.text.focus();
 }
 
+/** Characters from which on a browser takes a second for pasting, as if they were typed, and none for setting them. */
+const mostTyped = 50_000;
+
 class Importing {
   readonly #shell: Shell;
   readonly #form: ImportForm;
@@ -37,6 +40,13 @@ class Importing {
     });
     text.addEventListener("keydown", (event) => {
       if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) this.#busy(this.#attempt(text.value));
+    });
+    text.addEventListener("paste", (event) => {
+      const pasted = event.clipboardData?.getData("text/plain") ?? "";
+      if (pasted.length < mostTyped) return;
+      event.preventDefault();
+      text.setRangeText(pasted, text.selectionStart, text.selectionEnd, "end");
+      text.dispatchEvent(new Event("input"));
     });
     text.addEventListener("input", () => {
       this.#form.calm();
