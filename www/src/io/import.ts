@@ -4,18 +4,11 @@ import { FileError, parseState } from "../document/file/file.ts";
 import type { Imported } from "../document/imported.ts";
 import { Problem } from "../document/problem.ts";
 import { boundsOfPath, importPath, importPoints } from "../kernel/paths/import.ts";
+import { heading, listed, mostPoints, readPoints } from "./rows.ts";
 import { readSvg, type SvgFile } from "./svg/svg-file.ts";
 import { SvgFileError, type SvgWarningCode } from "./svg/limits.ts";
 
 export type ImportKind = "svg" | "path" | "points" | "json";
-
-const mostPoints = 100_000;
-
-/** Two words above numbers: the names of the columns. */
-const heading = /^["']?[a-z]\w*["']?\s*[,;\t]\s*["']?[a-z]\w*["']?\s*\n\s*[-+.\d]/iu;
-
-/** Points as a program has them: `[[1, 2], [3, 4]]`, `[{ x: 1, y: 2 }, …]`. */
-const listed = /^\[\s*(?:\[\s*[-+.\d]|\{\s*["']?x["']?\s*:)/u;
 
 /** Path data as a program has it: `d="…"`, `path("…")`, `new Path2D("…")`. */
 const quoted = /["'`]\s*([mM]\s*[-+.\d][^"'`]*)(?:["'`]|$)/u;
@@ -48,7 +41,7 @@ function readAs(text: string, space: Space): Imported {
     case "path":
       return readPath((quoted.exec(text)?.[1] ?? text).trim(), space);
     case "points":
-      return readPoints(text, space);
+      return readRows(text, space);
     case null:
       throw new Problem("paste-unknown");
   }
@@ -123,28 +116,7 @@ function notesOf(file: SvgFile): string[] {
   return [...codes].map((code) => notesByCode[code]);
 }
 
-function rowsOfList(text: string): string {
-  let end = text.length;
-  while (end > 0 && " \n\r\t,;]}".includes(text[end - 1] ?? "-")) end -= 1;
-  return text.slice(0, end).replace(/[\]}]\s*(?:,\s*)?[[{]/gu, "\n").replace(/["']?\b[xy]["']?\s*:|[[\]{}]/gu, "");
-}
-
-/** Rows of two numbers, with a comma, semicolon, tab or blanks between them; a first row of words is a heading. */
-function readPoints(text: string, space: Space): Imported {
-  const rows = (listed.test(text.trim()) ? rowsOfList(text) : text).split(/\r?\n/u);
-  const points: [number, number][] = [];
-  rows.forEach((row, i) => {
-    if (row.trim() === "" || (points.length === 0 && heading.test(`${row.trim()}\n0`))) return;
-    const [x, y, ...rest] = row.trim().split(/\s*[,;\t]\s*|\s+/u).map(Number);
-    if (x === undefined || y === undefined || rest.length > 0 || !(Math.abs(x) <= 1e9 && Math.abs(y) <= 1e9)) throw new Problem("points-rows", { line: i + 1 });
-    const last = points.at(-1);
-    if (last === undefined || last[0] !== x || last[1] !== y) points.push([x, y]);
-    if (points.length > mostPoints) throw new Problem("points-big", { most: mostPoints });
-  });
-  const [first, last] = [points[0], points.at(-1)];
-  // A last row that repeats the first closes the curve.
-  const closed = points.length > 3 && first !== undefined && last !== undefined && first[0] === last[0] && first[1] === last[1];
-  if (closed) points.pop();
-  if (points.length < 2) throw new Problem("points-few", { count: points.length });
+function readRows(text: string, space: Space): Imported {
+  const { points, closed } = readPoints(text);
   return { kind: "points", contours: [importPoints(points, closed, space)], notes: [], broken: null };
 }
