@@ -8,8 +8,13 @@ import { insertAt } from "../src/editor/curve/contour-edits.ts";
 import { setOmega, setSpace } from "../src/editor/curve/edits.ts";
 import { setLevel } from "../src/editor/curve/level-edits.ts";
 import { chooseNet, openSurfaceSample, placeNet, refineHere, setSurfaceLevels } from "../src/editor/surface/surface-edits.ts";
+import { fitSample } from "../src/document/fit/fit-samples.ts";
+import { opened } from "../src/editor/fit/fit-edits.ts";
+import { subjectOf } from "../src/editor/fit/fit-question.ts";
+import type { FitOutcome } from "../src/kernel/fit/outcome.ts";
 import { meshPoints } from "../src/kernel/surface/surface.ts";
 import { snippetFor, snippetNames } from "../src/panels/code/snippets.ts";
+import { fitProgram } from "../src/panels/fit/fit-program.ts";
 import { surfaceProgram } from "../src/panels/surface/surface-program.ts";
 import { Hand, handOf, longContour } from "./harness.ts";
 
@@ -114,6 +119,33 @@ test("the program of a surface makes it, whatever was done to it", () => {
       const own = meshPoints(editor.state.value.surface, mesh, mesh);
       // Twelve printed digits of coordinates of a few units.
       made.mesh(mesh, mesh).positions.forEach((value, i) => assert.ok(Math.abs(value - (own[i] ?? NaN)) <= 1e-10, `${sample}, ${work}: ${value} for ${own[i]}`));
+    }
+  }
+});
+
+test("the program of a fit asks for what the page asks for, whatever is chosen", async () => {
+  await library.initFit();
+  const sample = fitSample("fit-roundrect");
+  assert.ok(sample);
+  const plain = opened(sample);
+  for (const model of ["linear", "cubic", "hybrid"] as const) {
+    for (const corners of [true, false]) {
+      for (const target of ["off", "error", "knots"] as const) {
+        const fit = { ...plain, model, corners, target, mix: 30, targetError: 4, targetKnots: 6 };
+        const subject = subjectOf(fit, false);
+        const [stroke] = subject?.strokes ?? [];
+        assert.ok(subject && stroke);
+        const { degree, mix } = subject;
+        // For a number of knots the page looks for a smoothing, which lies between the steps of the slider.
+        const found = 0.361328125;
+        const asked = target === "error" ? { tolerance: fit.targetError } : { smoothing: target === "knots" ? found : fit.smoothing / 100 };
+        const page = library.fitSparse(stroke.points, { degree, corners, closed: stroke.closed, ...(typeof degree === "number" ? {} : { mix }), ...asked });
+        const { state } = createEditor(() => 0);
+        const program = fitProgram({ ...state.value, fit, fitRun: { ...state.value.fitRun, outcome: { smoothing: 100 * found } as FitOutcome } });
+        const fetched = program.replace(/await \(await fetch\("points\.json"\)\)\.json\(\)/u, JSON.stringify([...stroke.points]));
+        const made = run(fetched.replace(/^console\.log.*$/mu, ""), "fit") as library.SparseFit;
+        assert.deepEqual(Array.from(made.curve.sample(200)), Array.from(page.curve.sample(200)), `${model}, ${corners ? "" : "no "}corners, ${target}`);
+      }
     }
   }
 });

@@ -7,7 +7,7 @@ import type { FitInput, FitStrength, FitSubject } from "../../kernel/fit/job.ts"
 const leastPoints = 4;
 
 /** Of straight pieces and smooth ones by a price of knots, the smooth ones alone have no corners. */
-function degreeOf({ model, corners, target }: FitDocument): FitSubject["degree"] {
+export function degreeOf({ model, corners, target }: FitDocument): FitSubject["degree"] {
   if (model === "linear") return 1;
   return model === "cubic" || (!corners && target !== "error") ? 3 : [1, 3];
 }

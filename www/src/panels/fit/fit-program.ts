@@ -1,17 +1,24 @@
 import { isJoined, strokesOf } from "../../document/fit/fit.ts";
 import type { EditorState } from "../../editor/editor.ts";
+import { degreeOf } from "../../editor/fit/fit-question.ts";
 
 /** The program that makes the present fit: the bridge from the page to an integration. */
 
 /** More points than this would hide the program. */
 const mostListed = 120;
 
-const degrees = { linear: "1", cubic: "3", hybrid: "[1, 3]" } as const;
 /** The name stands in a text that is shown; it is no import of the page. */
 const library = JSON.stringify("expline");
 
-export function fitProgram({ fit }: EditorState): string {
-  const [stroke] = strokesOf(fit);
+/** What was found for a number of knots lies between the steps of the slider. */
+function smoothingOf({ fit, fitRun: { outcome } }: EditorState): number {
+  const found = fit.target === "knots" ? outcome?.smoothing : undefined;
+  return Number(((found ?? fit.smoothing) / 100).toPrecision(12));
+}
+
+export function fitProgram(state: EditorState): string {
+  const { fit } = state;
+  const [stroke, ...others] = strokesOf(fit);
   if (stroke === undefined) return "// Draw a line, or open a sample.";
   const points = fit.data.slice(stroke.from, stroke.to);
   const listed = points.length <= mostListed;
@@ -20,15 +27,17 @@ export function fitProgram({ fit }: EditorState): string {
   const data = listed
     ? `const points = Float64Array.of(\n${lines.join("\n")}\n);`
     : `// ${points.length} points, x and y in turn; this page's JSON file has them under "fit".\nconst points = Float64Array.from(await (await fetch("points.json")).json());`;
-  const strength = fit.target === "error" ? `tolerance: ${fit.targetError}` : `smoothing: ${fit.smoothing / 100}`;
-  const mix = fit.model === "hybrid" && fit.mix !== 50 ? `\n  mix: ${fit.mix / 100},` : "";
+  const strength = fit.target === "error" ? `tolerance: ${fit.targetError}` : `smoothing: ${smoothingOf(state)}`;
+  const degree = JSON.stringify(degreeOf(fit)).replace(",", ", ");
+  const first = others.length === 0 ? "" : `// The first of ${others.length + 1} strokes: each is fitted by itself.\n`;
+  const mix = degree.startsWith("[") && fit.mix !== 50 ? `\n  mix: ${fit.mix / 100},` : "";
   const corners = fit.corners ? "" : "\n  corners: false,";
   return `import { fitSparse } from ${library};
 
-${data}
+${first}${data}
 
 const fit = fitSparse(points, {
-  degree: ${degrees[fit.model]},
+  degree: ${degree},
   ${strength},${mix}${corners}
   closed: ${isJoined(fit, stroke)},
 });
@@ -38,7 +47,7 @@ const { d } = fit.curve.toPathD({ tolerance: 0.02 });
 document.querySelector("path")?.setAttribute("d", d);
 
 // For a slider, keep what was computed: each step starts where the last one ended.
-// const fitter = new SparseFitter(points, { degree: ${degrees[fit.model]}, closed: ${isJoined(fit, stroke)} });
+// const fitter = new SparseFitter(points, { degree: ${degree}, closed: ${isJoined(fit, stroke)} });
 // slider.oninput = () => show(fitter.solve({ smoothing: slider.valueAsNumber / 100 }));
 `;
 }

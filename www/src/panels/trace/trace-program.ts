@@ -1,5 +1,6 @@
 import { defaultTolerance, toleranceOf } from "../../document/trace/trace.ts";
 import type { EditorState } from "../../editor/editor.ts";
+import { howOf } from "../../editor/trace/trace-question.ts";
 
 /** The program that makes the present trace: the bridge from the page to an integration. */
 
@@ -22,7 +23,7 @@ export function traceProgram({ trace, traceRun }: EditorState): string {
     ...(settings.colors === 0 ? ink : [`colors: ${settings.colors},`]),
     settings.blur === "auto" ? "" : `blur: ${settings.blur},`,
     `speckle: ${settings.speckle},`,
-    `corner: ${settings.corner} * Math.PI / 180,`,
+    `corner: ${Math.round((howOf(trace).corner * 180) / Math.PI)} * Math.PI / 180,`,
     tolerance === defaultTolerance ? "" : `tolerance: ${Number(tolerance.toPrecision(3))},`,
     "onProgress: ({ stage, done, total }) => console.log(stage, done, \"of\", total),",
   ].filter((line) => line !== "");
