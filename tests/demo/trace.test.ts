@@ -185,6 +185,14 @@ test("V23 what is no picture is refused by name, and the result before stays", a
   assert.equal(await demo.byId("error").count(), 0);
 });
 
+test("where there was no picture before, a broken one says nothing of a kept one", async (t) => {
+  const demo = await open(t, "#/trace");
+  await bring(demo, "drop", "note.png", "image/png", "this was a text");
+  const error = demo.page.locator('[data-testid="error"][data-error="image-broken"]');
+  await error.waitFor();
+  assert.match((await error.textContent()) ?? "", /note\.png could not be decoded\. It may be incomplete\.$/);
+});
+
 test("a drawing on paper in uneven light has its own outlines, and the numbers beside it are of the paper in even light", async (t) => {
   const demo = await open(t, "#/trace");
   const content = await demo.page.evaluate(async () => {

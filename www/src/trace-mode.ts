@@ -16,7 +16,7 @@ import { traceMetrics } from "./panels/trace/trace-metrics.ts";
 import { tracePanel } from "./panels/trace/trace-panel.ts";
 import { traceProgram } from "./panels/trace/trace-program.ts";
 import { mountTraceProgress } from "./panels/trace/trace-progress.ts";
-import { Problem } from "./document/problem.ts";
+import { Problem, type ProblemDetails } from "./document/problem.ts";
 import { createPointProxies } from "./render/trace/point-proxies.ts";
 import { createTracePainter } from "./render/trace/trace-painter.ts";
 import { createTraceTool } from "./tools/trace/trace-tool.ts";
@@ -42,6 +42,13 @@ function resultOf(state: EditorState): object | null {
   };
 }
 
+/** What is still there when another picture could not be opened. */
+function keptPicture({ state }: ModeParts["editor"]): ProblemDetails {
+  const { picture, sample } = state.value.trace;
+  const kept = picture?.name ?? sample;
+  return kept === undefined ? {} : { kept };
+}
+
 /** Trace mode, put together when it is first opened. */
 export function mountTraceMode({ editor, frame, stage, surface, proxies, panels, contract, until }: ModeParts): void {
   const { shell } = panels;
@@ -51,7 +58,7 @@ export function mountTraceMode({ editor, frame, stage, surface, proxies, panels,
     connect: (handlers) => createTraceClient(start, handlers),
     refuse(name, code) {
       const id = code === "E_BLANK" ? "image-blank" : code === "E_IMAGE" ? "image-broken" : "engine";
-      report(shell, new Problem(id, id === "engine" ? { code: code === "" ? "unknown" : code } : { name }));
+      report(shell, new Problem(id, id === "engine" ? { code: code === "" ? "unknown" : code } : { name, ...keptPicture(editor) }));
     },
   });
   registerTraceActions(editor, runner);

@@ -5,7 +5,7 @@ import { nearMessages, type FarProblem } from "./errors.ts";
 /** What can be wrong with something that was brought in, in words. */
 const farMessages: Readonly<Record<FarProblem, (d: ProblemDetails) => string>> = {
   "image-type": (d) => `That file is not a picture this browser can read (${d.name ?? "no name"}). Try PNG, JPEG, WebP or SVG.`,
-  "image-broken": (d) => `${d.name ?? "The picture"} could not be decoded. It may be incomplete. The previous picture is kept.`,
+  "image-broken": (d) => `${d.name ?? "The picture"} could not be decoded. It may be incomplete.${d.kept === undefined ? "" : " The previous picture is kept."}`,
   "image-big": (d) => (d.width === undefined
     ? `${d.name ?? "The picture"} is ${((d.kilobytes ?? 0) / 1000).toFixed(1)} MB; the limit is 25 MB. Scale it down and try again.`
     : `${d.name ?? "The picture"} is ${d.width} × ${d.height ?? 0}; the limit is 40 MP. Scale it down and try again.`),
