@@ -99,3 +99,24 @@ test("what the waves around the first circle are can be read on every phone", as
     assert.ok(ink > 100, `${ink} pixels of letters`);
   }
 });
+
+test("with the sheet all the way up, the program and what the page says are in sight", async (t) => {
+  for (const options of [phone, smallest]) {
+    const demo = await open(t, "#/curve?sample=blob-16", options);
+    const isSeen = (selector: string): Promise<boolean> => demo.page.locator(selector).evaluate((element) => {
+      const { left, top, width, height } = element.getBoundingClientRect();
+      return element.contains(document.elementFromPoint(left + width / 2, top + height / 2));
+    });
+    for (let i = 0; i < 2; i += 1) await demo.byId("sheet-up").click();
+    await demo.byId("btn-code").click();
+    await demo.byId("code-drawer").waitFor();
+    await demo.still();
+    assert.ok(await isSeen("[data-testid=code-listing]"), "the program");
+    await demo.byId("btn-code").click();
+    await demo.still();
+    await demo.byId("curve-simplify").click();
+    await demo.byId("toast").waitFor();
+    await demo.still();
+    assert.ok(await isSeen("[data-testid=toast]"), "the message");
+  }
+});
