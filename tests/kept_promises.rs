@@ -5,7 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod support;
 
-use expline::curve::LengthTable;
+use expline::curve::{LengthTable, NearestFinder};
 use expline::svg::{PrintOptions, parse_path, to_path_d};
 use expline::{Curve, Error, HermiteCurve, HermiteOptions, Space};
 use nalgebra::Vector2;
@@ -313,6 +313,37 @@ fn what_is_written_is_read_back_however_large_it_is_or_is_refused() {
     let round = HermiteCurve::ellipse(Point::zeros(), Point::new(9e8, 9e8), 0.0, 12).expect("in range");
     let printed = to_path_d(&round, &PrintOptions::default()).expect("in range");
     assert!(directed(&round, &path(&printed.d)) < 1e-5, "{}", printed.d);
+}
+
+#[test]
+fn an_arc_is_written_where_its_bezier_points_are_too_far_away_but_it_is_not() {
+    let mut random = Random::new(29);
+    for case in 0..60 {
+        let radius = 6.4e8 + 3.4e8 * random.unit();
+        let center = random.vector(0.99e9 - radius);
+        let radii = [Point::new(radius, radius), Point::new(radius, 0.4 * radius)][case % 2];
+        let sweep = [1.0, -1.0][case / 2 % 2] * (2.5 + 3.7 * random.unit());
+        let arc =
+            HermiteCurve::arc(center, radii, random.unit(), 6.0 * random.unit(), sweep).expect("in range");
+        for (arcs, decimals) in
+            [(true, None), (true, Some(2)), (true, Some(17)), (false, None), (false, Some(3))]
+        {
+            let options = PrintOptions { decimals, arcs, relative: case % 3 == 0, ..PrintOptions::default() };
+            let printed = to_path_d(&arc, &options).expect("it is within the limits");
+            let back = path(&printed.d);
+            let (one, other) = (NearestFinder::new(&arc), NearestFinder::new(&back));
+            let from = |points: &HermiteCurve, to: &NearestFinder| {
+                let points = points.sample(301).expect("few enough");
+                pairs(&points).into_iter().map(|p| to.nearest(p).distance).fold(0.0, f64::max)
+            };
+            let gap = from(&arc, &other).max(from(&back, &one));
+            // Tolerances of 1e-9 of the extent of all Bézier points at the least; and 1e-12 of 1e9, which is what distances are found to.
+            assert!(
+                printed.deviation <= 10.0 && gap <= printed.deviation + 1e-3,
+                "{case}: {gap} {printed:?}"
+            );
+        }
+    }
 }
 
 #[test]

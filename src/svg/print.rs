@@ -77,8 +77,8 @@ pub struct Printed {
 ///
 /// # Errors
 ///
-/// `tolerance` that is not finite or not positive; more than 17 decimals; a curve in space; generalised Bézier points beyond
-/// ±1e9, where [`parse_path`](super::parse_path) reads no numbers.
+/// `tolerance` that is not finite or not positive; more than 17 decimals; a curve in space; `handles` where a Bézier point of what would be
+/// written is beyond ±1e9, where [`parse_path`](super::parse_path) reads no numbers.
 ///
 /// # Cost
 ///
@@ -129,6 +129,8 @@ pub(crate) fn print_hermite(
     let mut printer = Printer::new(curve, options, *pen)?;
     let start = printer.text.current();
     printer.draw_all();
+    // What is beyond is not read back. The Bézier points of an arc may lie there, but not what draws it.
+    check("handles", None, printer.text.largest, 0.0, LARGEST_COORDINATE)?;
     *pen = Some(if curve.is_closed() { start } else { printer.text.current() }.point());
     Ok(printer.finish())
 }
@@ -159,8 +161,6 @@ impl<'a> Printer<'a> {
             check("decimals", None, f64::from(asked), 0.0, f64::from(EXACT_DECIMALS))?;
         }
         let (extent, largest) = size(curve);
-        // What is beyond is not read back.
-        check("handles", None, largest, 0.0, LARGEST_COORDINATE)?;
         let least = (LEAST_TOLERANCE * extent).max(LEAST_DIGITS * largest);
         let tolerance = tolerance.max(least).max(f64::MIN_POSITIVE);
         let grid = match decimals {

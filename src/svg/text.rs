@@ -2,6 +2,7 @@
 
 use super::number;
 use crate::numerics::Point;
+use crate::numerics::plane::larger;
 
 /// Grid indices up to this can be mirrored and subtracted in 64 bits.
 const LARGEST_INDEX: f64 = 1.5e18;
@@ -146,6 +147,8 @@ pub(super) struct Text {
     relative: bool,
     /// Where the pen is.
     current: Placed,
+    /// The size of the largest coordinate.
+    pub(super) largest: f64,
 }
 
 impl Text {
@@ -154,7 +157,7 @@ impl Text {
         // Differences of arbitrary doubles need not lead back to them.
         let relative = relative && grid.decimals.is_some();
         let before = Before { implied: 0, number: false, pointed: false };
-        let mut text = Self { out: Vec::new(), before, grid, relative: false, current: start };
+        let mut text = Self { out: Vec::new(), before, grid, relative: false, current: start, largest: 0.0 };
         let pen = pen.filter(|_| relative).map(|pen| (grid.place(pen), pen));
         // What is written as a difference must be one of numbers of this grid.
         let pen = pen.filter(|(placed, pen)| placed.point() == *pen).map(|(placed, _)| placed);
@@ -240,6 +243,7 @@ impl Text {
         }
         let relative = letter & 0x20 != 0;
         for &(c, base) in numbers {
+            self.largest = larger(self.largest, c.value.abs());
             let number = match self.grid.decimals {
                 Some(decimals) => {
                     let index = if relative { c.index - base.index } else { c.index };

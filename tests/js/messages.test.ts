@@ -57,7 +57,7 @@ for (const [what, call, words] of [
   ["a part of a curve that is a point", () => new HermiteCurve({ points: TRIANGLE, tangents: TRIANGLE, closed: false }).trim(1, 1), "t1 = 1 has no unique answer: it must lie beyond t0"],
   ["an entry of a matrix that is NaN", () => circle.transform([1, 0, 0, NaN, 0, 0]), "matrix[3] is NaN; expected a finite number"],
   ["a tangent that is too long", () => circle.setTangent(0, 9e9, 0), "dx is 9000000000; expected a finite number with |x| <= 8e9"],
-  ["a path with a handle too far away to be read", () => new HermiteCurve({ points: [1e9, 0, 0, 0], tangents: [1e9, 0, 0, 0], closed: false }).toPathD(), "handles is 1333333333.3333333; expected a number in [0, 1e9]"],
+  ["a path with a handle too far away to be read", () => new HermiteCurve({ points: [1e9, 0, 0, 0], tangents: [1e9, 0, 0, 0], closed: false }).toPathD(), "handles is 1333333333.3; expected a number in [0, 1e9]"],
 ] as const) {
   test(`${what}: the message says so`, () => assert.equal(said(call), words));
 }
