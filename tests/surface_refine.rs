@@ -5,7 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 mod support;
 
-use expline::generator::Roots;
+use expline::generator::{Root, Roots};
 use expline::numerics::Vector3;
 use expline::surface::{Direction, Grid};
 use expline::{Error, TensorSurface};
@@ -104,6 +104,61 @@ fn reducing_gives_back_what_was_refined_and_says_how_far_anything_else_is() {
             measured <= 1.02 * deviation && deviation < 2.0 * measured,
             "surface {k}: {measured} of {deviation}"
         );
+    }
+}
+
+#[test]
+fn an_open_net_comes_back_with_its_points_beyond_the_ends_wherever_it_lies() {
+    let mut random = Random::new(22);
+    let pair = |re: f64, im: f64| [Root { re, im }, Root { re: -re, im: -im }];
+    let mixed = [&[Root::default(); 3][..], &pair(0.9, 0.0), &pair(0.0, 0.8)].concat();
+    let around = Roots::ellipse(5).expect("a root list by intent");
+    for roots in [vec![Root::default(); 4], vec![Root::default(); 6], mixed] {
+        let order = roots.len();
+        let open = |count| Direction {
+            roots: Roots::new(&roots, "roots").expect("a root list by intent"),
+            count,
+            closed: false,
+            level: 0,
+        };
+        for far in [0.0, 1e3, 9e8] {
+            // As many intervals as it takes for the surface to tell every point beyond its ends.
+            let (rows, cols) = (3 * order - 5, 5);
+            let net: Vec<f64> = (0..3 * rows * cols).map(|_| far + random.symmetric()).collect();
+            let around = Direction { roots: around.clone(), count: cols, closed: true, level: 0 };
+            let surface = TensorSurface::new(net.clone(), open(rows), around).expect("the net fits");
+            let (back, _) = surface.refine(2, 1).and_then(|fine| fine.reduce(2, 1)).expect("it was refined");
+            let off = back.net().iter().zip(&net).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+            // The point farthest out weighs 1e-5 of the others at the end of the surface.
+            assert!(off <= 1e-10 * (1.0 + far), "{order} roots, {far}: {off:e}");
+        }
+    }
+}
+
+#[test]
+fn an_open_net_too_short_to_tell_its_points_beyond_the_ends_has_them_near_by() {
+    let mut random = Random::new(24);
+    for order in [4, 5, 6] {
+        let roots = Roots::polynomials(order - 1).expect("a root list by intent");
+        let open = |count| Direction { roots: roots.clone(), count, closed: false, level: 0 };
+        let count = 2 * order - 2;
+        let net: Vec<f64> = (0..3 * count * count).map(|_| random.symmetric()).collect();
+        let reduced = |far: f64| {
+            let moved = net.iter().map(|x| x + far).collect();
+            let surface = TensorSurface::new(moved, open(count), open(count)).expect("the net fits");
+            let fine = surface.refine(1, 1).expect("within the limits");
+            let (back, deviation) = fine.reduce(1, 1).expect("it was refined");
+            assert!(
+                distance(&surface, &back).max(deviation) <= 1e-12 * (1.0 + far),
+                "{order} roots: as it was"
+            );
+            back
+        };
+        let (here, there) = (reduced(0.0), reduced(1e4));
+        for (a, b) in here.net().iter().zip(there.net()) {
+            // Rounding of what lies far away, and how little the points weigh.
+            assert!((a + 1e4 - b).abs() <= 1e-5, "{order} roots: {a} and {b} move together");
+        }
     }
 }
 
