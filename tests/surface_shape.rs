@@ -11,7 +11,7 @@ use expline::surface::{Direction, Grid, Region};
 use expline::{Error, TensorSurface};
 use support::curves::Random;
 use support::tolerance::{
-    CURVATURES, CURVATURES_AT_POLES, CURVATURES_BESIDE_POLES, NORMALS, NORMALS_AT_POLES,
+    CURVATURES, CURVATURES_AT_POLES, CURVATURES_BESIDE_POLES, CURVATURES_OF_COINS, NORMALS, NORMALS_AT_POLES,
 };
 use support::unboxed;
 
@@ -165,6 +165,22 @@ fn curvatures_and_normals_of_what_is_thin_are_the_closed_forms() {
         let exact = cos / (tube * (1.0 + tube * cos));
         let got = ring.curvature(0.3, 1.0).expect("closed").gaussian;
         assert!((got / exact - 1.0).abs() <= 1e-15 / tube, "K of a ring: {got} for {exact}");
+    }
+}
+
+#[test]
+fn curvatures_beside_the_poles_of_coins_change_as_they_do() {
+    // Up to where nothing is done about poles.
+    let places: Vec<f64> = (0..80).map(|k| 4.0 * 2e-8 * 1.12_f64.powi(k)).collect();
+    let last: Vec<f64> = places.iter().map(|v| 4.0 - v).collect();
+    for thin in [0.5, 0.1, 0.03, 1e-2, 1e-3, 1e-4] {
+        for radii in [[1.0, thin, 1.2], [thin, 1.0, 0.7], [2.0, 1.5, 2.0 * thin]] {
+            for places in [&places, &last] {
+                let off = off_ellipsoid(radii, [8, 4], places);
+                let tolerance = if thin >= 0.5 { CURVATURES_BESIDE_POLES } else { CURVATURES_OF_COINS };
+                assert!(off[0].max(off[1]) <= tolerance, "curvatures of {radii:?}: {off:?}");
+            }
+        }
     }
 }
 
