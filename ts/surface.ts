@@ -197,8 +197,7 @@ export class TensorSurface {
     const data = dataOf(this, op);
     const { out } = checkOptions(op, options, ["out"]);
     const grid = sizes(op, rows, cols);
-    const slot = data.resident(op);
-    return out === undefined ? newMesh(op, slot, grid) : refill(op, slot, grid, out);
+    return out === undefined ? newMesh(op, data.resident(op), grid) : refill(op, data, grid, out);
   }
 
   /**
@@ -211,7 +210,7 @@ export class TensorSurface {
     const which = patch === undefined ? -1 : patchNumber(op, "patch", patch, data.patches.length);
     const { u, v } = which < 0 ? data : (data.patches[which] as PatchData);
     const [row, col] = place(op, i, j, u.count, v.count);
-    return mend(op, data.resident(op), mesh, which, row, col);
+    return mend(op, data, mesh, which, row, col);
   }
 
   /** Gaussian and mean curvature at the vertices of `mesh(rows, cols)`. */

@@ -259,6 +259,20 @@ const made = (rows: number, cols: number, net: unknown = grid(rows, cols), close
 };
 
 /** Hostile inputs, and what each gives. */
+test("a mesh whose getters ask other surfaces is filled from its own", () => {
+  const surface = new TensorSurface({ net: shapes.torus.net, u: shapes.torus.u, v: shapes.torus.v });
+  const { normals, positions, ...mesh } = surface.mesh(9, 8);
+  // More than an engine keeps.
+  const others = [1, 2, 3, 4, 5, 6].map((radius) => TensorSurface.sphere(radius));
+  const asking = { ...mesh, normals, get positions() { return others.forEach((other) => other.evaluate(1, 1)), positions; } };
+  surface.setPoint(1, 2, 0.3, -0.2, 0.7);
+  surface.remesh(asking, 1, 2);
+  assert.deepEqual(positions, surface.mesh(9, 8).positions);
+  surface.setPoint(1, 2, 0.9, 0.2, 0.1);
+  surface.mesh(9, 8, { out: asking });
+  assert.deepEqual(positions, surface.mesh(9, 8).positions);
+});
+
 const REFUSED: readonly [string, () => unknown, Partial<ExplineError>][] = [
   ["SU-001 another length", () => made(4, 4, grid(4, 3)), { code: "E_LENGTH", argument: "net", bound: "48" }],
   ["SU-005 a product that wraps to 0", () => made(65536, 65536, []), { code: "E_LIMIT", argument: "net", limit: "maxSurfacePoints" }],

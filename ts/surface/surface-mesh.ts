@@ -1,5 +1,6 @@
 /** Meshes of surfaces as they are handed out, filled again, and mended where a point has moved. */
 import { type Floats, MAX_OUTPUT, integer, lengthOfArray, overLimit, tagOf, wrong, wrongLength } from "../core.js";
+import type { SurfaceData } from "./surface-data.js";
 import { call, peek, result } from "./surface-engine.js";
 
 /** Triangles of a surface. */
@@ -89,10 +90,10 @@ export function newMesh(op: string, slot: number, grid: Grid): SurfaceMesh & { p
 }
 
 /** Fills a mesh of the same size again; its triangles stay. @internal */
-export function refill(op: string, slot: number, grid: Grid, out: unknown): SurfaceMesh {
+export function refill(op: string, surface: SurfaceData, grid: Grid, out: unknown): SurfaceMesh {
   const target = targetOf(op, "out", out, grid);
   const mesh = writable(op, "out", out);
-  const { positions, normals } = vertices(op, slot, grid);
+  const { positions, normals } = vertices(op, surface.resident(op), grid);
   target.positions.set(positions);
   target.normals.set(normals);
   mesh.withoutNormal = result(0);
@@ -107,10 +108,12 @@ function withoutNormal(normals: Float64Array | Float32Array): number {
 }
 
 /** Computes again what a control point of the net (`patch` −1) or of a patch touches, and says which part that is. @internal */
-export function mend(op: string, slot: number, value: unknown, patch: number, row: number, col: number): MeshRegion {
+export function mend(op: string, surface: SurfaceData, value: unknown, patch: number, row: number, col: number): MeshRegion {
   const { grid, positions, normals } = targetOf(op, "mesh", value);
   const mesh = writable(op, "mesh", value);
   const [rows, cols] = grid;
+  // Now, when no getter of the mesh's can ask other surfaces any more.
+  const slot = surface.resident(op);
   call(op, (kernel) => kernel.surface_touched(slot, ...grid, patch, row, col));
   const [first, count, left, across] = [result(0), result(1), result(2), result(3)];
   const total = call(op, (kernel) => kernel.surface_mesh(slot, ...grid, first, count, left, across));
