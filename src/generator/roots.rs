@@ -52,7 +52,7 @@ impl Roots {
     ///
     /// # Errors
     ///
-    /// No root or more than 16; a number that is not finite, |re| > 5 or |im| > 10; a root without its conjugate.
+    /// No root or more than 16; a number that is not finite, |re| > 20 or |im| > 10; a root without its conjugate.
     pub fn new(roots: &[Root], argument: &'static str) -> Result<Self> {
         if roots.is_empty() {
             return Err(Error::too_few(argument, 0, 1));

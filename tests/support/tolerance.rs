@@ -66,6 +66,10 @@ pub(crate) const INTERPOLATORS: f64 = 1e-14;
 /// of two weights that know their last digits but one; the largest weights are 1.3.
 pub(crate) const SURFACES: f64 = 2e-13;
 
+/// Sums over all points of a net or a curve, relative to the sizes of what is added up: weights that know their last digits but one, for
+/// roots some of which nearly coincide.
+pub(crate) const SUMS: f64 = 2e-13;
+
 /// Points of exact surfaces off them, relative to their size: sixteen products of weights of 1.3 at most. The worst seen is
 /// 3e-15, on the smallest sphere, whose weights are the largest.
 pub(crate) const EXACT: f64 = 1e-14;
