@@ -185,6 +185,28 @@ fn curvatures_beside_the_poles_of_coins_change_as_they_do() {
 }
 
 #[test]
+fn normals_beside_the_poles_of_what_is_thin_point_outwards() {
+    for thin in [1e-3, 5e-6, 1e-7, 1e-9] {
+        for radii in
+            [[1.0, thin, 0.8], [thin, 1.0, 1.3], [1.0, 0.7, thin], [thin, thin, 1.0], [thin, 1.0, thin]]
+        {
+            let surface = TensorSurface::ellipsoid(Vector3::from(radii), [7, 2]).expect("in the ranges");
+            for k in 0..70 {
+                for (u, v) in [(0.3, 1e-10), (2.6, 3e-10), (5.1, 7e-10)] {
+                    let near = v * 1.3_f64.powi(k);
+                    for v in [near, 2.0 - near] {
+                        let normal = surface.normal(u, v).expect("in the domain").expect("there is one");
+                        let point = surface.evaluate(u, v, 0, 0).expect("in the domain");
+                        // The tangent plane has all of an ellipsoid on one side, its centre too.
+                        assert!(normal.dot(&point) > 0.0, "{radii:?} at {u}, {v}: {normal}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn a_mesh_has_the_curvatures_of_what_is_thin() {
     let surface = TensorSurface::ellipsoid(Vector3::new(1e5, 1.0, 1.0), [8, 4]).expect("in the ranges");
     let grid = Grid { rows: 16, cols: 9 };

@@ -11,6 +11,10 @@ const NEAR: f64 = 1e-8;
 /// Derivatives below this part of the coordinates that they are made of are rounding, coordinate by coordinate: what
 /// is thin in one direction is judged by itself, not by how long it is in another.
 const NOTHING: f64 = 1e-13;
+/// Rounding is a hundredth of that: of a longer product the sense is right, if not the direction.
+const SENSE: f64 = 0.01;
+/// Where not even that is known, a place that is so near to the last end sees its pole from the inside.
+const LAST: f64 = 1e-6;
 /// How far off, in units of the parameter, a place without first and second derivatives looks for its neighbours.
 const STEP: f64 = 1e-3;
 
@@ -111,8 +115,11 @@ impl TensorSurface {
         }
         if growth > doubt {
             // What is there of the product, be it ever so short, has the right sense; at the place itself the inside has.
-            let backwards =
-                if length > least { here.dot(&grows) < 0.0 } else { !closed && t > (1.0 - NEAR) * end };
+            let backwards = if length > SENSE * least {
+                here.dot(&grows) < 0.0
+            } else {
+                !closed && t > (1.0 - LAST) * end
+            };
             return if backwards { -grows / growth } else { grows / growth };
         }
         // Neither derivative says anything: the neighbours' mean.
