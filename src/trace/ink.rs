@@ -2,6 +2,7 @@
 
 mod first_outlines;
 mod looking;
+mod specks;
 mod strokes;
 
 use self::first_outlines::{ROUND, sampled};

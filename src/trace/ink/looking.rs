@@ -1,5 +1,6 @@
 //! What is done with a picture until the contours of its ink are known.
 
+use super::specks::{ENCLOSED, size};
 use super::strokes::Strokes;
 use super::{InkWork, Phase};
 use crate::error::{Error, Result};
@@ -39,10 +40,14 @@ impl InkWork {
         Ok(())
     }
 
-    fn scanned(&mut self, found: Vec<Contour>) -> Result<()> {
+    /// All contours at a level are known; those of less than a speckle are left out.
+    fn scanned(&mut self, mut found: Vec<Contour>, level: f64, speckle: f64) -> Result<()> {
+        let (gray, tones, shade) = (&self.gray, &self.tones, (level, self.options.inverted));
+        let extent = |contour: &Contour| size(contour, gray, tones, shade);
+        found.retain(|contour| contour.area.abs() >= speckle || extent(contour) >= speckle);
         if found.len() > self.options.most_contours {
             let most = self.options.most_contours;
-            self.offer = speckle_for(most, found.iter().map(|contour| contour.area.abs()).collect());
+            self.offer = speckle_for(most, found.iter().map(extent).collect());
             return Err(Error::limit("data", "maxContours", most, found.len() as f64));
         }
         self.found = found;
@@ -80,10 +85,13 @@ impl InkWork {
                     if !more {
                         self.blurring = None;
                         let asked = self.options.speckle;
-                        let speckle =
-                            if self.quality == Quality::Noisy { asked.max(NOISY_SPECKLE) } else { asked };
-                        let found = scan.contours(speckle)?;
-                        self.scanned(found)?;
+                        let (least, speckle) = if self.quality == Quality::Noisy {
+                            (asked.max(NOISY_SPECKLE), 0.0)
+                        } else {
+                            (ENCLOSED * asked, asked)
+                        };
+                        let (found, level) = (scan.contours(least)?, scan.level());
+                        self.scanned(found, level, speckle)?;
                         return Ok(1000.0);
                     }
                 }

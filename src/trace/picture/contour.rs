@@ -104,6 +104,11 @@ impl ContourScan {
         }
     }
 
+    /// The shade that is followed.
+    pub(in crate::trace) fn level(&self) -> f64 {
+        self.level
+    }
+
     /// Rows that are done.
     pub(in crate::trace) fn rows(&self) -> usize {
         self.line

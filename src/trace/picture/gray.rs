@@ -145,7 +145,8 @@ impl Gray {
     /// Finds the two tones and the noise. A picture of one tone is all ink or all paper, as it is dark or light.
     ///
     /// Otsu's threshold parts the shades; pixels whose eight neighbours are on the same side are flat. The medians of the flat ones are
-    /// the tones, their means where there is noise. A drawing so thin that nothing is flat has its extreme shades.
+    /// the tones, their means where there is noise. A drawing so thin that nothing is flat, or only a few places that do not agree, has its
+    /// extreme shades. Where one flat place in eight or more is even there is no noise: what the others leave is edges.
     ///
     /// # Cost
     ///

@@ -25,6 +25,14 @@ const ROWS: usize = 64;
 /// About as many pixels are looked at for flat places.
 const ENOUGH: usize = 65_536;
 
+/// Noise leaves fewer than one flat place in so many even, to a shade: an eighteenth, where it is just more than a drawing has. Of drawings
+/// as dense as hatching and letters of seven pixels a sixth of the places and more are even, and edges beside the others are no noise.
+const EVEN: u64 = 8;
+const SHADE: u64 = 256;
+
+/// Fewer flat places than one in so many pixels of their side are few.
+const FEW: u32 = 8;
+
 /// Pixels that are looked at together, and where they are not all alike.
 const BLOCK: usize = 32;
 const PART: usize = 8;
@@ -35,6 +43,8 @@ pub(in crate::trace) struct ToneScan {
     /// The shade up to which pixels are dark, if it was given.
     given: Option<usize>,
     row: usize,
+    /// One row in so many is looked at for flat places.
+    stride: usize,
     shades: Box<[[u32; 256]; 4]>,
     flat: Option<Box<Flat>>,
 }
@@ -48,12 +58,13 @@ struct Flat {
     excess: [[u64; 256]; 2],
     sum: u64,
     count: u64,
+    even: u64,
 }
 
 impl ToneScan {
     /// `threshold` is the shade, 0 … 255, up to which pixels are dark; found if it is not given.
     pub(in crate::trace) fn new(threshold: Option<usize>) -> Self {
-        Self { given: threshold, row: 0, shades: Box::new([[0; 256]; 4]), flat: None }
+        Self { given: threshold, row: 0, stride: 1, shades: Box::new([[0; 256]; 4]), flat: None }
     }
 
     /// Some rows more; the tones, when they are the last.
@@ -69,6 +80,7 @@ impl ToneScan {
                 return None;
             }
             self.row = 1;
+            self.stride = (gray.width() * height).div_ceil(ENOUGH);
             for shade in 0..256 {
                 self.shades[0][shade] = self.shades.iter().map(|counts| counts[shade]).sum();
             }
@@ -85,24 +97,40 @@ impl ToneScan {
                 excess: [[0; 256]; 2],
                 sum: 0,
                 count: 0,
+                even: 0,
             }));
             return None;
         };
         // Every so many rows: noise and tones are the same everywhere.
-        let stride = (gray.width() * height).div_ceil(ENOUGH);
-        for _ in 0..ROWS.div_ceil(stride) {
+        for _ in 0..ROWS.div_ceil(self.stride) {
             if self.row + 1 >= height {
                 return Some(self.tones());
             }
             flat.look(gray, self.row);
-            self.row += stride;
+            self.row += self.stride;
         }
         None
     }
 
     /// Whether flat places say what the dark tone is, or the light one; else it is the extreme shade.
     pub(in crate::trace) fn is_seen(&self, light: bool) -> bool {
-        self.flat.as_ref().is_none_or(|flat| flat.histogram[usize::from(light)].iter().any(|&n| n > 0))
+        self.flat.as_ref().is_none_or(|flat| self.median(flat, usize::from(light)).is_some())
+    }
+
+    /// The median shade of the flat places of one side, if they show a tone: where they are few beside all that is on that side, as where strokes
+    /// meet that are hardly thicker than a pixel, most of them have to agree.
+    fn median(&self, flat: &Flat, side: usize) -> Option<usize> {
+        let bins = &flat.histogram[side];
+        let total: u32 = bins.iter().sum();
+        let mut below = 0;
+        let middle = bins.iter().position(|&n| {
+            below += n;
+            n > 0 && 2 * below >= total
+        })?;
+        let near: u32 = bins[middle.saturating_sub(1)..(middle + 2).min(256)].iter().sum();
+        let (dark, light) = self.shades[0].split_at((flat.threshold + 1).min(256));
+        let all: u32 = if side == 0 { dark } else { light }.iter().sum();
+        (FEW * total * self.stride as u32 >= all || 2 * near >= total).then_some(middle)
     }
 
     fn extremes(&self) -> (usize, usize) {
@@ -117,24 +145,17 @@ impl ToneScan {
             return Tones { ink: 0.0, paper: 65_280.0, noise: 0.0 };
         };
         // The mask's answer to noise of deviation σ has the deviation 6σ, its absolute value the mean 6σ√(2/π).
-        let mean = flat.sum as f64 / flat.count.max(1) as f64;
+        let sum = if EVEN * flat.even > flat.count { 0 } else { flat.sum };
+        let mean = sum as f64 / flat.count.max(1) as f64;
         let roughness = mean * core::f64::consts::FRAC_PI_2.sqrt() / 6.0;
         let tone = |side: usize| {
             let bins = &flat.histogram[side];
             let total: u32 = bins.iter().sum();
-            if total == 0 {
-                return (extreme(side) << 8) as f64;
-            }
-            if roughness > 768.0 {
+            if roughness > 768.0 && total > 0 {
                 let moment: f64 = bins.iter().enumerate().map(|(i, &n)| (i << 8) as f64 * f64::from(n)).sum();
                 return moment / f64::from(total);
             }
-            let mut below = 0;
-            let middle = bins.iter().position(|&n| {
-                below += n;
-                2 * below >= total
-            });
-            let Some(bin) = middle else { return (extreme(side) << 8) as f64 };
+            let Some(bin) = self.median(flat, side) else { return (extreme(side) << 8) as f64 };
             // Colours have shades between those of bytes.
             (bin << 8) as f64 + (flat.excess[side][bin] as f64 / f64::from(bins[bin])).round()
         };
@@ -197,6 +218,7 @@ impl Flat {
             if around.iter().all(|row| alike(row, shade)) {
                 self.note(usize::from(shade > most), shade, (last - at) as u32);
                 self.count += (last - at) as u64;
+                self.even += (last - at) as u64;
             } else if block > PART {
                 self.look_by(PART, around, most);
             } else {
@@ -230,8 +252,10 @@ impl Flat {
             let value = |r: usize, c: usize| i64::from(rows[r][at + c - 1]);
             let corners = value(0, 0) + value(0, 2) + value(2, 0) + value(2, 2);
             let sides = value(0, 1) + value(1, 0) + value(1, 2) + value(2, 1);
-            self.sum += (corners - 2 * sides + 4 * value(1, 1)).unsigned_abs();
+            let off = (corners - 2 * sides + 4 * value(1, 1)).unsigned_abs();
+            self.sum += off;
             self.count += 1;
+            self.even += u64::from(off < SHADE);
         }
     }
 }
