@@ -18,6 +18,7 @@ use super::outline::rounds::Rounding;
 use super::picture::blur::Blurring;
 use super::picture::contour::{Contour, ContourScan};
 use super::picture::gray::Gray;
+use super::picture::lifting::Lifting;
 use super::picture::light::Evening;
 use super::picture::tones::{ToneScan, Tones};
 use super::quality::Quality;
@@ -52,6 +53,9 @@ pub(super) struct InkWork {
     nearness: [Nearness; 2],
     /// What blurs the picture while contours are looked for in it.
     blurring: Option<Blurring>,
+    /// What lifts thin strokes beside others meanwhile, and whether it did.
+    lifting: Option<Lifting>,
+    lifted: bool,
     found: Vec<Contour>,
     /// Whether the contour that is looked at goes between pixels of two tones by now.
     between: bool,
@@ -132,6 +136,8 @@ impl InkWork {
             kind: Kind::Covered,
             nearness: [Nearness { slack: Quality::Clean.slack(), bow: 0.0 }; 2],
             blurring: None,
+            lifting: None,
+            lifted: false,
             found: Vec::new(),
             between: false,
             samples: None,
@@ -187,7 +193,7 @@ impl InkWork {
         )?;
         refinement.allow(self.options.tolerance, self.options.corner);
         let covered = self.covered();
-        if self.strokes.is_some() || covered < 1.0 {
+        if self.strokes.is_some() || covered < 1.0 || self.lifted {
             refinement.expect_strokes(covered);
         }
         let rounds = 1 + usize::from(is_there(Kind::Covered) && is_there(Kind::Sampled));

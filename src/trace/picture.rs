@@ -5,6 +5,7 @@ pub(super) mod blur;
 pub(super) mod contour;
 pub(super) mod gray;
 pub(super) mod layers;
+pub(super) mod lifting;
 pub(super) mod light;
 mod mixture;
 pub(super) mod palette;

@@ -10,6 +10,7 @@ use crate::trace::outline::division::Division;
 use crate::trace::outline::ellipse::round;
 use crate::trace::outline::stairs::stairs;
 use crate::trace::picture::contour::Contour;
+use crate::trace::picture::lifting::FULL;
 use crate::trace::picture::steps::{is_mostly_sampled, is_sampled, steps};
 use crate::trace::quality::Quality;
 use crate::trace::samples::Samples;
@@ -36,8 +37,9 @@ impl InkWork {
                 None
             };
             self.between = middles.is_some();
-            if middles.is_none() && self.strokes.is_some() {
-                move_inside(&mut contour.points, &self.gray, tones, self.options.inverted);
+            if middles.is_none() && (self.strokes.is_some() || self.lifted) {
+                let full = if self.lifted { FULL } else { f64::INFINITY };
+                move_inside(&mut contour.points, &self.gray, tones, (self.options.inverted, full));
             }
             return Ok(middles.map_or(Some(Kind::Covered), |middles| {
                 contour.points = middles;

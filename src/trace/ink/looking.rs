@@ -7,6 +7,7 @@ use crate::error::{Error, Result};
 use crate::trace::chain_work::speckle_for;
 use crate::trace::picture::blur::Blurring;
 use crate::trace::picture::contour::{Contour, ContourScan};
+use crate::trace::picture::lifting::Lifting;
 use crate::trace::picture::tones::{ToneScan, Tones};
 use crate::trace::quality::Quality;
 use crate::trace::work::Stage;
@@ -15,19 +16,26 @@ use crate::trace::work::Stage;
 const NOISY: f64 = 3.0 / 255.0;
 /// Contours of less area, in pixels, are noise in a noisy picture.
 const NOISY_SPECKLE: f64 = 6.0;
+/// Thin strokes are looked for where they would break in so many places: the tips of a star or two are as many.
+const THIN: usize = 12;
 /// Pixels of one bit of work.
 const BIT: usize = 131_072;
 
 impl InkWork {
     /// Tones are known, that of ink from flat places or not: noise decides whether the picture is blurred.
-    fn toned(&mut self, tones: Tones, seen: bool) -> Result<()> {
+    fn toned(&mut self, tones: Tones, seen: bool, thin: usize) -> Result<()> {
         (self.tones, self.trace.tones) = (tones, tones);
         if tones.noise > NOISY {
             self.quality = Quality::Noisy;
         }
-        if !seen && self.quality == Quality::Clean && self.options.refined && self.options.threshold.is_none()
-        {
-            self.strokes = Strokes::new(tones, self.options.inverted);
+        if self.quality == Quality::Clean && self.options.refined && self.options.threshold.is_none() {
+            if !seen {
+                self.strokes = Strokes::new(tones, self.options.inverted);
+            }
+            if seen && self.options.blur.is_none() && thin >= THIN {
+                self.lifting = Some(Lifting::new(self.gray.width(), &tones, self.options.inverted)?);
+                self.lifted = true;
+            }
         }
         let found = if self.quality == Quality::Noisy { 1.2 } else { 0.0 };
         let sigma = self.options.blur.unwrap_or(found);
@@ -70,20 +78,23 @@ impl InkWork {
             Phase::Tones(scan) => {
                 if let Some(tones) = scan.step(&self.gray) {
                     let seen = scan.is_seen(self.options.inverted);
-                    self.toned(tones, seen)?;
+                    let thin = scan.thin(self.options.inverted);
+                    self.toned(tones, seen, thin)?;
                 }
                 return Ok(row);
             }
             Phase::Contours(scan) => {
                 // A row takes eight times as long where it is blurred.
-                let rows = if self.blurring.is_some() { (rows / 8).max(1) } else { rows };
+                let rows =
+                    if self.blurring.is_some() || self.lifting.is_some() { (rows / 8).max(1) } else { rows };
                 for _ in 0..rows {
-                    let more = match &mut self.blurring {
-                        Some(blurring) => scan.step_between(blurring.step(&self.gray))?,
-                        None => scan.step(&self.gray)?,
+                    let more = match (&mut self.blurring, &mut self.lifting) {
+                        (Some(blurring), _) => scan.step_between(blurring.step(&self.gray))?,
+                        (None, Some(lifting)) => scan.step_between(lifting.step(&self.gray))?,
+                        (None, None) => scan.step(&self.gray)?,
                     };
                     if !more {
-                        self.blurring = None;
+                        (self.blurring, self.lifting) = (None, None);
                         let asked = self.options.speckle;
                         let (least, speckle) = if self.quality == Quality::Noisy {
                             (asked.max(NOISY_SPECKLE), 0.0)

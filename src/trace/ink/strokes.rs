@@ -42,6 +42,9 @@ const NO_INK: f64 = 0.1;
 /// Contours are followed so far from paper to the darkest shade: half-way, strokes would break where they run between two rows of pixels.
 const LEVEL: f64 = 0.4;
 
+/// What outlines of lifted strokes have of the area of their contours, at least; where there is as much as that, others are as large as they are.
+const LIFTED: f64 = 0.45;
+
 /// The inks on trial.
 #[derive(Debug)]
 pub(super) struct Strokes {
@@ -172,13 +175,16 @@ impl InkWork {
 
     /// The share of its darkest pixel that the thickest stroke covers, at most: outlines have about this share of the area of their contours.
     pub(super) fn covered(&self) -> f64 {
+        if self.lifted {
+            return LIFTED;
+        }
         let seen = self.trace.tones;
         (seen.paper - seen.ink) / (self.tones.paper - self.tones.ink)
     }
 }
 
-/// Moves points of a contour to where there is some ink of the pixels beside them.
-pub(super) fn move_inside(contour: &mut [Point], gray: &Gray, tones: &Tones, inverted: bool) {
+/// Moves points of a contour to where there is some ink of the pixels beside them, unless one of these is full.
+pub(super) fn move_inside(contour: &mut [Point], gray: &Gray, tones: &Tones, (inverted, full): (bool, f64)) {
     let all = tones.paper - tones.ink;
     let ink = |column: f64, row: f64| {
         let inside =
@@ -194,7 +200,9 @@ pub(super) fn move_inside(contour: &mut [Point], gray: &Gray, tones: &Tones, inv
         let first = (at - 0.5).floor();
         let [before, after] = [0.0, 1.0].map(|k| if upright { ink(x, first + k) } else { ink(first + k, y) });
         let border = first + 1.0;
-        let moved = if before < NO_INK && before < after {
+        let moved = if larger(before, after) >= full {
+            continue;
+        } else if before < NO_INK && before < after {
             larger(at, border + INSIDE)
         } else if after < NO_INK && after < before {
             smaller(at, border - INSIDE)

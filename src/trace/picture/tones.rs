@@ -59,6 +59,9 @@ struct Flat {
     sum: u64,
     count: u64,
     even: u64,
+    /// Quarters of the way from the darkest to the lightest shade, and the thin places of dark ink and of light.
+    quarters: [u16; 3],
+    thin: [usize; 2],
 }
 
 impl ToneScan {
@@ -98,6 +101,8 @@ impl ToneScan {
                 sum: 0,
                 count: 0,
                 even: 0,
+                quarters: [1, 2, 3].map(|k| (64 * (4 * least + k * (most - least))) as u16),
+                thin: [0; 2],
             }));
             return None;
         };
@@ -115,6 +120,11 @@ impl ToneScan {
     /// Whether flat places say what the dark tone is, or the light one; else it is the extreme shade.
     pub(in crate::trace) fn is_seen(&self, light: bool) -> bool {
         self.flat.as_ref().is_none_or(|flat| self.median(flat, usize::from(light)).is_some())
+    }
+
+    /// About how many pixels are ink by a quarter to a half and have none that is by three beside them, but paper: ends of tips, and thin strokes that break.
+    pub(in crate::trace) fn thin(&self, light: bool) -> usize {
+        self.flat.as_ref().map_or(0, |flat| self.stride * flat.thin[usize::from(light)])
     }
 
     /// The median shade of the flat places of one side, if they show a tone: where they are few beside all that is on that side, as where strokes
@@ -241,7 +251,20 @@ impl Flat {
     fn mixed(&mut self, rows: [&[u16]; 3], most: u16) {
         let column = |at: usize| rows.iter().map(|row| u8::from(row[at] > most)).sum::<u8>();
         let (mut before, mut middle) = (column(0), column(1));
+        let [low, half, high] = self.quarters;
+        let [least, most] = [low - (half - low), high + (high - half)];
         for at in 1..rows[1].len() - 1 {
+            let shade = rows[1][at];
+            if (low..high).contains(&shade) && shade != half {
+                let light = shade < half;
+                let paper = if light { least } else { most };
+                let is_faint = |&v: &u16| if light { v < high } else { v > low };
+                let is_paper =
+                    |&v: &u16| if light { v < low / 2 + paper / 2 } else { v > high / 2 + paper / 2 };
+                let around = || rows.iter().flat_map(|row| &row[at - 1..=at + 1]);
+                let thin = around().all(is_faint) && around().any(is_paper);
+                self.thin[usize::from(light)] += usize::from(thin);
+            }
             let after = column(at + 1);
             let sum = before + middle + after;
             (before, middle) = (middle, after);
