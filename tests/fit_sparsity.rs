@@ -299,7 +299,7 @@ fn open_ways_of_even_points_keep_corners_and_ends() {
             let mut sum = 0.0;
             for i in 0..=1000 {
                 let place =
-                    fitted.curve.evaluate(end * f64::from(i) / 1000.0, 0).expect("t is in the domain");
+                    fitted.curve.evaluate(end * (f64::from(i) / 1000.0), 0).expect("t is in the domain");
                 let near = sides.iter().map(|p| (p - place).norm_squared()).fold(f64::INFINITY, f64::min);
                 sum += near / 1001.0;
             }

@@ -14,3 +14,5 @@ mod search;
 pub(super) mod sparsest;
 mod start;
 mod straight;
+mod stray;
+mod trim;

@@ -68,12 +68,16 @@ impl Fitter {
             }
         };
         let frame = self.frame();
-        let mut fit = report::fit(&frame, &found.spline, &found.located, None)?;
-        fit.knots = report::knots(&frame, &found.spline);
+        let free = !matches!(self.ask, Ask::MeanSquare(_));
+        let trimmed = if free { found.spline.trimmed(&found.located)? } else { None };
+        let (spline, located) =
+            trimmed.as_ref().map_or((&found.spline, &found.located), |(spline, located)| (spline, located));
+        let mut fit = report::fit(&frame, spline, located, None)?;
+        fit.knots = report::knots(&frame, spline);
         fit.parts = vec![Part {
-            degree: found.spline.space.breaks.degree,
+            degree: spline.space.breaks.degree,
             curve: fit.curve.clone(),
-            coefficients: report::coefficients(&frame, &found.spline),
+            coefficients: report::coefficients(&frame, spline),
         }];
         let kept = !matches!(self.ask, Ask::Tolerance(tolerance) if fit.max_error > tolerance);
         fit.status = if status == FitStatus::Converged && !kept { FitStatus::Stalled } else { status };

@@ -59,28 +59,34 @@ pub(in crate::fit) fn combined(parts: &[Spline]) -> Option<Spline> {
             }
         }
     }
-    let space = Space::new(breaks);
+    let parts: Vec<&Spline> = parts.iter().collect();
+    Some(expressed(Space::new(breaks), |middle, half| sum_on(&parts, middle, half, end)))
+}
+
+/// The spline of a space whose polynomials on middle ± half are known.
+pub(super) fn expressed(space: Space, on: impl Fn(f64, f64) -> (Polynomial, Polynomial)) -> Spline {
+    let degree = space.breaks.degree;
     let (mut x, mut y) = (vec![0.0; space.count], vec![0.0; space.count]);
     let mut nearest = vec![f64::INFINITY; space.count];
     for (s, span) in space.spans.iter().enumerate() {
-        let (px, py) = sum_on(parts, span.middle, span.half, end);
-        for i in 0..=highest {
+        let (px, py) = on(span.middle, span.half);
+        for i in 0..=degree {
             // The piece nearest to the middle of the function's support tells its coefficient best.
-            let off = (i as f64 - 0.5 * highest as f64).abs();
+            let off = (i as f64 - 0.5 * degree as f64).abs();
             let index = space.index(s, i);
             if off < nearest[index] {
                 nearest[index] = off;
                 let knots = space.inner_knots(s, i);
-                x[index] = blossom(&px, highest, &knots, span.middle, span.half);
-                y[index] = blossom(&py, highest, &knots, span.middle, span.half);
+                x[index] = blossom(&px, degree, &knots, span.middle, span.half);
+                y[index] = blossom(&py, degree, &knots, span.middle, span.half);
             }
         }
     }
-    Some(Spline { space, x, y })
+    Spline { space, x, y }
 }
 
 /// The polynomials of the sum on middle ± half, inside one piece of every part.
-fn sum_on(parts: &[Spline], middle: f64, half: f64, end: f64) -> (Polynomial, Polynomial) {
+pub(super) fn sum_on(parts: &[&Spline], middle: f64, half: f64, end: f64) -> (Polynomial, Polynomial) {
     let (mut x, mut y) = ([0.0; HIGHEST + 1], [0.0; HIGHEST + 1]);
     for part in parts {
         let degree = part.space.breaks.degree;

@@ -5,7 +5,7 @@ use super::breaks::{HIGHEST, Polynomial, STIFF, Space};
 use super::envelope::Envelope;
 use super::free_knots::{FreeKnots, Located, product};
 use super::look::{Look, Piece, taylor};
-use crate::numerics::order::sort_by_number;
+use super::stray::Stray;
 use crate::numerics::{Point, Vector};
 
 /// How much less a distance along the curve counts than one across it.
@@ -84,50 +84,22 @@ impl Spline {
         sum
     }
 
-    /// A piece on which the curve leaves the way of the points: farther from all points around than `slack` and their
-    /// distances from one another. O(M log M).
-    pub(super) fn strays(&self, data: &Located, slack: f64) -> Option<usize> {
-        let count = data.points.len();
-        let mut order: Vec<usize> = (0..count).collect();
-        sort_by_number(&mut order, &|&i| data.parameters[i]);
-        let closed = self.space.breaks.closed;
-        let neighbour = |i: usize, k: usize| {
-            let j = i + k;
-            let j = if closed { (j + count - 2) % count } else { j.saturating_sub(2).min(count - 1) };
-            data.points[order[j]]
-        };
-        let mut i = 0;
-        for (s, span) in self.space.spans.iter().enumerate() {
-            for part in 0..6 {
-                let t = span.middle + span.half * ((part as f64 + 0.5) / 3.0 - 1.0);
-                let inner = if closed && t >= self.space.breaks.end { t - self.space.breaks.end } else { t };
-                if i >= count || data.parameters[order[i]] > inner {
-                    i = 0;
-                }
-                while i + 1 < count && data.parameters[order[i + 1]] <= inner {
-                    i += 1;
-                }
-                let place = self.on(s, t, 0);
-                let (mut nearest, mut apart) = (f64::INFINITY, 0.0_f64);
-                for k in 0..6 {
-                    nearest = nearest.min((neighbour(i, k) - place).norm());
-                    apart = apart.max((neighbour(i, k + 1) - neighbour(i, k)).norm());
-                }
-                if nearest > slack + apart {
-                    return Some(s);
-                }
-            }
-        }
-        None
-    }
-
     /// One Gauss–Newton step of the distances across the curve; those along it count little, for points may slide
     /// (D 13.4), [WPL06]. O(M·degree + K·degree²).
-    #[inline(never)]
     pub(super) fn tighten(&mut self, data: &Located) {
+        self.tighten_held(data, &[]);
+    }
+
+    /// The same, with places of the curve that are pulled back and count as points do (D 13.16).
+    #[inline(never)]
+    pub(super) fn tighten_held(&mut self, data: &Located, held: &[Stray]) {
         let degree = self.space.breaks.degree;
         // Loops of a length that is known are unrolled.
-        let sums = if degree < 4 { self.across::<4>(data) } else { self.across::<{ HIGHEST + 1 }>(data) };
+        let sums = if degree < 4 {
+            self.across::<4>(data, held)
+        } else {
+            self.across::<{ HIGHEST + 1 }>(data, held)
+        };
         let n = self.space.count;
         let mut equations = self.doubled();
         let mut right = vec![0.0; 2 * n];
@@ -194,7 +166,7 @@ impl Spline {
         Envelope::new(first)
     }
 
-    fn across<const T: usize>(&self, data: &Located) -> Vec<Across> {
+    fn across<const T: usize>(&self, data: &Located, held: &[Stray]) -> Vec<Across> {
         let pieces = self.pieces();
         let mut sums = vec![Across::default(); pieces.len()];
         let mut at = 0;
@@ -215,6 +187,9 @@ impl Spline {
                 w * (1.0 - less * along.y * along.y),
             ];
             sums[s].take::<T>(u, [xx, xy, yy], [xx * rest.x + xy * rest.y, xy * rest.x + yy * rest.y]);
+        }
+        for stray in held {
+            sums[stray.piece].take::<T>(stray.u, [1.0, 0.0, 1.0], [stray.back.x, stray.back.y]);
         }
         sums
     }

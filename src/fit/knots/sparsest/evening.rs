@@ -64,7 +64,7 @@ impl Sparsest {
             return Phase::Lighten;
         }
         let spline = Spline::of(&FreeKnots::new(self.fitted.breaks().clone(), &self.view.full));
-        let wild = spline.strays(&self.view.seen, self.slack());
+        let wild = spline.strays(&self.view.seen, self.leash());
         let mut located = self.view.full.clone();
         let distances = spline.project(&mut located, 3);
         located.parameters.clone_from(&self.view.full.parameters);
@@ -139,7 +139,7 @@ impl Sparsest {
         let mut best = (self.view.full.clone(), self.view.seen.clone(), numbered);
         let mut full = self.view.full.clone();
         free.spline.project(&mut full, 6);
-        if free.spline.strays(&free.feet, self.slack()).is_none()
+        if free.spline.strays(&free.feet, self.leash()).is_none()
             && let Some((parameters, breaks)) = by_length(&free.spline, &full)
         {
             let full = Located { parameters, ..self.view.full.clone() };

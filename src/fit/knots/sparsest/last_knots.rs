@@ -57,7 +57,9 @@ impl Sparsest {
         let trial = settle(FreeKnots::new(breaks, &seen), &seen, 1e-3 * fitted.squares, 6);
         let mut spline = Spline::of(&trial);
         let distances = minimax(&mut spline, &mut seen, tolerance);
-        if distances.largest <= tolerance && spline.strays(&seen, tolerance).is_none() {
+        let pulled =
+            if distances.largest <= tolerance { spline.pulled_back(&mut seen, self.leash()) } else { None };
+        if pulled.is_some_and(|distances| distances.largest <= tolerance) {
             let mut located = if averaged { self.view.following(self.fitted.breaks()) } else { seen };
             located.weights.clone_from(&self.view.full.weights);
             let distances = spline.project_beyond(&mut located, 3, self.near());

@@ -6,6 +6,7 @@ use crate::fit::knots::foot_points::{Distances, Spline};
 use crate::fit::knots::free_knots::FreeKnots;
 use crate::fit::knots::search::{better, least};
 use crate::fit::knots::start;
+use crate::fit::knots::stray::Leash;
 use crate::fit::report::weight;
 
 /// How often pieces that swing away from the points are taken out.
@@ -24,11 +25,11 @@ impl Sparsest {
             spline.tighten(&seen);
         }
         // Free parameters let a curve with many knots wander between the points.
-        let mut wild = spline.strays(&seen, self.slack());
-        if wild.is_some() {
+        let mut wild = None;
+        if spline.pulled_back(&mut seen, self.leash()).is_none() {
             spline = Spline::of(&self.fitted);
             // A piece between sharp knots may have too few points to be held by, and swings as it likes.
-            wild = spline.strays(&self.view.seen, self.slack());
+            wild = spline.strays(&self.view.seen, Leash { slack: self.slack(), share: 1.0 });
         } else {
             self.view.seen = seen;
         }
@@ -65,7 +66,8 @@ impl Sparsest {
             self.effort.tamings += 1;
             self.view.seen = self.view.unmoved();
             self.fitted = FreeKnots::new(without_piece(breaks, piece), &self.view.seen);
-            return Phase::Refine;
+            // At the price of a number that a tolerance begins with, refining would undo what was repaired.
+            return if matches!(self.asked.aim, Aim::Tolerance(_)) { Phase::Polish } else { Phase::Refine };
         }
         match self.asked.aim {
             Aim::Noise(noise) => self.settled(found, noise),
@@ -224,6 +226,11 @@ impl Sparsest {
             Aim::Tolerance(tolerance) if self.view.is_averaged() => tolerance,
             _ => 0.0,
         }
+    }
+
+    /// How far from the way of the points their curve may be. (D 13.16)
+    pub(super) fn leash(&self) -> Leash {
+        Leash { slack: self.slack(), share: 0.5 }
     }
 
     /// How far from the points their curve may be.

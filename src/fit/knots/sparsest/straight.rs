@@ -151,7 +151,7 @@ impl Sparsest {
     /// Whether a curve leaves the way of its points, or has a corner that is too slight.
     #[inline(never)]
     pub(super) fn is_spoiled(&self, spline: &Spline, located: &Located) -> bool {
-        spline.strays(located, self.slack()).is_some() || !self.slight_corners(spline).is_empty()
+        spline.strays(located, self.leash()).is_some() || !self.slight_corners(spline).is_empty()
     }
 
     /// The fit with these pieces straight as well, if it still keeps what was asked for.
