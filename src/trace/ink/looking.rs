@@ -18,6 +18,8 @@ const NOISY: f64 = 3.0 / 255.0;
 const NOISY_SPECKLE: f64 = 6.0;
 /// Thin strokes are looked for where they would break in so many places: the tips of a star or two are as many.
 const THIN: usize = 12;
+/// In pictures of more pixels nobody sees a stroke of less than one, and outlines all over take all the memory that there is.
+const MOST_LIFTED: usize = 1 << 22;
 /// Pixels of one bit of work.
 const BIT: usize = 131_072;
 
@@ -32,7 +34,8 @@ impl InkWork {
             if !seen {
                 self.strokes = Strokes::new(tones, self.options.inverted);
             }
-            if seen && self.options.blur.is_none() && thin >= THIN {
+            let small = self.gray.width() * self.gray.height() <= MOST_LIFTED;
+            if seen && small && self.options.blur.is_none() && thin >= THIN {
                 self.lifting = Some(Lifting::new(self.gray.width(), &tones, self.options.inverted)?);
                 self.lifted = true;
             }
