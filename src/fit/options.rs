@@ -14,9 +14,9 @@ pub enum Ask {
     /// size, or with more points, is smoothed alike. The size is the longer side of the points' box: turned by 45°, a square
     /// has 1.41 times the λ. At one λ nothing depends on how the drawing is turned.
     Smoothing(f64),
-    /// The fewest knots with which no point is farther from the curve, and the curve is nowhere much farther from the way of the
-    /// points than this and half of their distance from one another. Below the noise that is a polyline with the fewest
-    /// vertices; where corners may not be anywhere, a tolerance may be missed there.
+    /// The fewest knots with which no point is farther from the curve. The curve keeps to the way of the points, too: as a rule it is
+    /// no farther from it than this and half of their distance from one another. Below the noise that is a polyline with the
+    /// fewest vertices; where corners may not be anywhere, a tolerance may be missed there.
     Tolerance(f64),
     /// The fewest simple knots with which the mean square of the points' distances, at their parameters, is not larger.
     MeanSquare(f64),

@@ -21,9 +21,9 @@ export interface SparseFitStrength {
   /** Instead of lambda: 0 … 1, the same meaning for any size of picture and any number of points. */
   smoothing?: number | undefined;
   /**
-   * Instead of lambda: the fewest knots whose curve is nowhere farther than this from a point, and nowhere much farther from the way of the points
-   * than this and half of their distance from one another. Below the noise it is a polyline with the fewest vertices; where `corners` allows none, a
-   * tolerance may be missed there, and `status` says so.
+   * Instead of lambda: the fewest knots whose curve is nowhere farther than this from a point. The curve keeps to the way of the points, too: as a rule
+   * it is no farther from it than this and half of their distance from one another. Below the noise it is a polyline with the fewest vertices; where
+   * `corners` allows none, a tolerance may be missed there, and `status` says so.
    */
   tolerance?: number | undefined;
 }

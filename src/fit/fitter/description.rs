@@ -68,6 +68,7 @@ impl Fitter {
             }
         };
         let frame = self.frame();
+        // A mean square is one at given parameters, and these reach from end to end.
         let free = !matches!(self.ask, Ask::MeanSquare(_));
         let trimmed = if free { found.spline.trimmed(&found.located)? } else { None };
         let (spline, located) =

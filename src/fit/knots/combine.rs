@@ -59,8 +59,7 @@ pub(in crate::fit) fn combined(parts: &[Spline]) -> Option<Spline> {
             }
         }
     }
-    let parts: Vec<&Spline> = parts.iter().collect();
-    Some(expressed(Space::new(breaks), |middle, half| sum_on(&parts, middle, half, end)))
+    Some(expressed(Space::new(breaks), |middle, half| sum_on(parts, middle, half, end)))
 }
 
 /// The spline of a space whose polynomials on middle ± half are known.
@@ -86,7 +85,7 @@ pub(super) fn expressed(space: Space, on: impl Fn(f64, f64) -> (Polynomial, Poly
 }
 
 /// The polynomials of the sum on middle ± half, inside one piece of every part.
-pub(super) fn sum_on(parts: &[&Spline], middle: f64, half: f64, end: f64) -> (Polynomial, Polynomial) {
+pub(super) fn sum_on(parts: &[Spline], middle: f64, half: f64, end: f64) -> (Polynomial, Polynomial) {
     let (mut x, mut y) = ([0.0; HIGHEST + 1], [0.0; HIGHEST + 1]);
     for part in parts {
         let degree = part.space.breaks.degree;

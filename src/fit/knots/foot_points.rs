@@ -197,7 +197,7 @@ impl Spline {
 
 /// The point at u of a piece.
 #[inline(always)]
-fn on_piece(piece: &Piece, u: f64) -> Vector {
+pub(super) fn on_piece(piece: &Piece, u: f64) -> Vector {
     piece.iter().rev().fold(Vector::zeros(), |sum, c| sum * u + c)
 }
 

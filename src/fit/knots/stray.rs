@@ -1,8 +1,7 @@
 //! Where a curve leaves the way of its points, and the way back. (D 13.16)
 
-use super::foot_points::{Distances, Spline};
+use super::foot_points::{Distances, Spline, on_piece};
 use super::free_knots::Located;
-use super::look::Piece;
 use crate::numerics::order::sort_by_number;
 use crate::numerics::{Point, Vector};
 
@@ -62,7 +61,7 @@ impl Spline {
                     continue;
                 }
                 i = way.before(t, i);
-                let (back, apart) = way.back(place_on(&pieces[s], u), i);
+                let (back, apart) = way.back(on_piece(&pieces[s], u), i);
                 if back.norm() > leash.slack + leash.share * apart {
                     found.push(Stray { piece: s, u, back });
                 }
@@ -126,10 +125,6 @@ impl<'a> Way<'a> {
         }
         (nearest, apart)
     }
-}
-
-fn place_on(piece: &Piece, u: f64) -> Point {
-    piece.iter().rev().fold(Vector::zeros(), |sum, c| sum * u + c)
 }
 
 /// The way from a point to the line between two.

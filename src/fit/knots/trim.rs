@@ -30,8 +30,8 @@ impl Spline {
         for (own, t) in located.parameters.iter_mut().zip(&data.parameters) {
             *own = (t - from).max(0.0).min(space.breaks.end);
         }
-        let parts = [self];
-        let spline = expressed(space, |middle, half| sum_on(&parts, middle + from, half, breaks.end));
+        let whole = core::slice::from_ref(self);
+        let spline = expressed(space, |middle, half| sum_on(whole, middle + from, half, breaks.end));
         Ok(Some((spline, located)))
     }
 }
