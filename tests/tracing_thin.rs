@@ -247,3 +247,23 @@ fn thin_strokes_beside_bold_shapes_are_whole() {
     }
     assert!(off.len() <= 2, "of 24 drawings these are not: {off:?}");
 }
+
+/// Half-way from paper to ink the tips of stars with many of them broke off: of these twelve, eight.
+#[test]
+fn tips_of_sharp_stars_stay_on() {
+    for tips in [10, 12, 14] {
+        for k in 0..4 {
+            let (x, y) = spread(k);
+            let corner = |i: usize| {
+                let radius = if i.is_multiple_of(2) { 22.0 } else { 5.0 };
+                let angle = 0.3 * k as f64 + PI * i as f64 / tips as f64;
+                (24.0 + x + radius * angle.cos(), 24.0 + y + radius * angle.sin())
+            };
+            let star: Vec<Place> = (0..2 * tips).map(corner).collect();
+            let found = traced(SIDE, SIDE, &shades(&coverage(core::slice::from_ref(&star)), 0.0, 255.0));
+            let excess = enclosed(&found) / area(&star);
+            assert_eq!(found.contours.len(), 1, "{tips} tips at {x}, {y}");
+            assert!((excess - 1.0).abs() < 0.02, "{excess} times its area, {tips} tips at {x}, {y}");
+        }
+    }
+}
