@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { ExplineError, HermiteCurve, InterpolatingCurve, bendCurve, handlesOf, hitTest, moveHandle, movePoint, parsePath, tangentWeights } from "expline";
+import { type Curve, ExplineError, HermiteCurve, InterpolatingCurve, bendCurve, handlesOf, hitTest, moveHandle, movePoint, parsePath, tangentWeights } from "expline";
 import * as edit from "expline/edit";
 
 /** A few ulp of places below 100, times the weights of a drag, which are below 100. */
@@ -78,6 +78,54 @@ test("of several curves, of whatever kind, the nearest is found by its place in 
   const hit = hitTest(curves, 0, 10.25, { reach: 2 });
   assert.ok(hit?.kind === "curve" && hit.curve === 0);
   assertNear([hit.x, hit.y, hit.distance], [0, 10, 0.25], EXACT, "the circle's top");
+});
+
+/** Curves side by side in rows of twenty, 50 apart. */
+const manyCurves = (count: number): HermiteCurve[] =>
+  Array.from({ length: count }, (_, i) => HermiteCurve.ellipse({ center: [50 * (i % 20), 50 * Math.floor(i / 20)], radii: [20, 15], count: 3 }));
+
+test("of many curves only those within reach are asked how near they are", () => {
+  const curves = manyCurves(400);
+  const asked = new Set<number>();
+  curves.forEach((curve, c) => {
+    const { nearest } = curve;
+    curve.nearest = (...place) => (asked.add(c), nearest.apply(curve, place));
+  });
+  // The top of the circle in row 3, column 7, and a place between four of them.
+  assert.deepEqual(hitTest(curves, 350, 135.5, { reach: 2 })?.curve, 67);
+  assert.equal(hitTest(curves, 375, 175, { reach: 4, handles: "all" }), undefined);
+  assert.deepEqual([...asked], [67]);
+});
+
+test("a curve is found where it is now: after an edit of any kind, and not where it was", () => {
+  const far = [1000, 700] as const;
+  const hermite = only("M0 0C10 20 30 20 40 0C50 -20 70 -20 80 0");
+  const local = new InterpolatingCurve({ points: [0, 0, 90, 20, 100, 110, 20, 90] }).refineAt(1.5, { levels: 1 });
+  const spline = new InterpolatingCurve({ points: [0, 0, 90, 20, 100, 110, 20, 90] });
+  const edits: readonly (readonly [string, Curve, () => void])[] = [
+    ["a point", hermite, () => hermite.setPoint(1, ...far)],
+    ["a tangent", hermite, () => hermite.setTangent(0, 3 * far[0], -2 * far[1])],
+    ["a point that the curve interpolates", spline, () => spline.setPoint(2, ...far)],
+    ["a point under a patch", local, () => local.setPoint(2, ...far)],
+    ["a point of a patch", local, () => local.setPatchPoint(0, 2, -far[0], -far[1])],
+  ];
+  for (const [what, curve, edit] of edits) {
+    assert.equal(hitTest([curve], 5000, 5000, { reach: 5, handles: "all" }), undefined, "both boxes are made");
+    const before = curve.sample(9);
+    edit();
+    const after = curve.sample(99);
+    for (let i = 0; i < 99; i += 1) {
+      const [x = 0, y = 0] = after.subarray(2 * i);
+      assert.ok(hitTest([curve], x, y, { reach: 1e-3, curveReach: 1e-3 }) !== undefined, `${what}: the curve at ${x}, ${y}`);
+    }
+    for (let i = 0; i < 9; i += 1) {
+      const [x = 0, y = 0] = before.subarray(2 * i);
+      const gone = curve.nearest(x, y).distance > 1e-3;
+      assert.equal(hitTest([curve], x, y, { reach: 1e-3, curveReach: 1e-3 }) === undefined, gone, `${what}: where it was`);
+    }
+  }
+  const handle = handlesOf(hermite, 0).out ?? [NaN, NaN];
+  assert.equal(hitTest([hermite], ...handle, { reach: 1, handles: "all" })?.kind, "handle", "a handle far from the curve");
 });
 
 test("handles of cubics end at the control points of the Bézier; a free end has one handle", () => {
