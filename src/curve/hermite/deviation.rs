@@ -17,14 +17,15 @@ const CLOSE: f64 = 1e-6;
 /// Squares of distances by which places are told apart.
 const ALIKE: f64 = 1.0 + 1e-6;
 
-/// The larger of the two directed distances.
-pub(super) fn two_way_deviation(first: &[Segment], second: &[Segment]) -> f64 {
-    deviation_of(first, second).max(deviation_of(second, first))
+/// The larger of the two directed distances; where it is not below `most`, anything that is not either.
+pub(super) fn two_way_deviation(first: &[Segment], second: &[Segment], most: f64) -> f64 {
+    let there = deviation_of(first, second, most);
+    if there < most { there.max(deviation_of(second, first, most)) } else { there }
 }
 
-/// The largest distance of a place on `from` to the nearest place on `to`.
+/// The largest distance of a place on `from` to the nearest place on `to`; where it is not below `most`, anything that is not either.
 #[inline(never)]
-pub(super) fn deviation_of(from: &[Segment], to: &[Segment]) -> f64 {
+pub(super) fn deviation_of(from: &[Segment], to: &[Segment], most: f64) -> f64 {
     let mut largest = 0.0_f64;
     let lattice = places(to);
     let lattice = &lattice[..to.len() * PLACES];
@@ -32,7 +33,7 @@ pub(super) fn deviation_of(from: &[Segment], to: &[Segment]) -> f64 {
         let (segment, mut next) = (&from[k / PLACES], place(k));
         // Uphill from a place that is the farthest so far, and back by shorter steps: a long handle goes far between places.
         let (mut x, mut step) = (f64::NAN, 1.0 / PLACES as f64);
-        while step.abs() > CLOSE {
+        while step.abs() > CLOSE && largest < most {
             let there = distance(segment.position(next), lattice, to);
             if there > largest {
                 (x, largest) = (next, there);
@@ -53,11 +54,13 @@ pub(super) fn deviation_of(from: &[Segment], to: &[Segment]) -> f64 {
 fn distance(target: Point, lattice: &[Point], to: &[Segment]) -> f64 {
     let square = |k: usize| lattice.get(k).map_or(f64::INFINITY, |point| (point - target).norm_squared());
     let mut least = f64::INFINITY;
-    let (mut before, mut here) = (f64::INFINITY, square(0));
+    let (mut before, mut here, mut tried) = (f64::INFINITY, square(0), false);
     for k in 0..lattice.len() {
         let after = square(k + 1);
-        // The two places of a joint are one but for rounding.
-        if here <= ALIKE * before && here <= ALIKE * after {
+        // Of places that are all as near, as those of a circle to its middle, the first stands for all; the two places of a joint are one but for rounding.
+        tried &= before <= ALIKE * here && k % PLACES > 0;
+        if !tried && here <= ALIKE * before && here <= ALIKE * after {
+            tried = true;
             let (segment, mut x) = (&to[k / PLACES], place(k));
             for _ in 0..STEPS {
                 let next = segment.foot(target, x);

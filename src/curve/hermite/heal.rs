@@ -9,18 +9,22 @@ use crate::error::{Error, Result};
 use crate::generator::{Basis, Space};
 use crate::limits::{LARGEST_FREQUENCY, POLE_MARGIN};
 use crate::numerics::{Point, Vector};
-use nalgebra::Matrix2;
+use places::places;
 
-/// Places on each of the two old segments that the new one is fitted to.
-const PLACES: usize = 24;
-/// Rounds of foot points and least squares; they converge linearly and fast, most stop after three.
-const ROUNDS: usize = 12;
+mod places;
+mod speeds;
+
+/// A segment that turns by so much more than the old ones has a loop that they have not.
+const MORE_TURNING: f64 = 1.0;
+/// Chords from which a segment's turning is read.
+const CHORDS: usize = 32;
 
 impl HermiteCurve {
     /// The curve without point i, and how far it is from the old one.
     ///
     /// The two segments at the point become one whose parameter length is their sum. The directions of the
-    /// tangents at its ends stay, their lengths are fitted (nothing on the far side of the neighbours changes).
+    /// tangents at its ends stay, their lengths are chosen so that what is farthest away is as near as can be without
+    /// a loop (nothing on the far side of the neighbours changes).
     /// Two pieces of one segment, and two arcs of one ellipse, become what they were: inserting a point and
     /// removing it gives the old curve back. Removing an end of an open curve takes its segment away.
     ///
@@ -44,7 +48,7 @@ impl HermiteCurve {
         let curve = self.changed(&mut |data| {
             let at = if !self.is_closed() && (i == 0 || i == left) {
                 let (gone, kept) = if i == 0 { (0, 1) } else { (before, before - 1) };
-                deviation = deviation_of(&[self.nth_segment(gone)], &[self.nth_segment(kept)]);
+                deviation = deviation_of(&[self.nth_segment(gone)], &[self.nth_segment(kept)], f64::INFINITY);
                 gone
             } else {
                 let old = [self.nth_segment(before), self.nth_segment(after)];
@@ -104,87 +108,49 @@ impl Healed {
             basis: &basis,
         };
         let size = (first.end - first.start).norm() + (second.end - second.start).norm();
-        let share = first.length / (first.length + second.length * ratio);
+        let places = places(old, first.length / (first.length + second.length * ratio));
         // Where the parameters agree there is nothing to look for; it also bounds the distance from above.
         let mut deviation = 0.0_f64;
-        for [x, target_x, target_y] in places(old, share) {
+        for [x, target_x, target_y] in places {
             deviation = deviation.max((merged.position(x) - Point::new(target_x, target_y)).norm());
         }
         if deviation > 1e-13 * size {
-            deviation = two_way_deviation(old, &[merged]);
-            let fitted = fit(old, merged, share);
-            let fitted_deviation = two_way_deviation(old, &[fitted]);
-            if fitted_deviation < deviation {
-                (merged, deviation) = (fitted, fitted_deviation);
+            let (plain, most) = (merged, turning(old) + MORE_TURNING);
+            deviation = f64::INFINITY;
+            let mut look = |candidate| {
+                if turning(&[candidate]) > most {
+                    return;
+                }
+                let apart = two_way_deviation(old, &[candidate], deviation);
+                if apart < deviation {
+                    (merged, deviation) = (candidate, apart);
+                }
+            };
+            speeds::nearest(old, plain, &places, &mut look);
+            look(plain);
+            if deviation == f64::INFINITY {
+                deviation = two_way_deviation(old, &[plain], deviation);
             }
         }
         Self { omega, leaving: merged.leaving, arriving: merged.arriving, deviation }
     }
 }
 
-/// The segment whose end speeds make it nearest to the old ones, by least squares across the curve (D 7.3).
-fn fit<'a>(old: &[Segment; 2], mut merged: Segment<'a>, share: f64) -> Segment<'a> {
-    let leaving = heading(&old[0], 0.0);
-    let arriving = heading(&old[1], 1.0);
-    let (mut out, mut inn) = (merged.leaving.norm(), merged.arriving.norm());
-    let mut places = places(old, share);
-    for _ in 0..ROUNDS {
-        merged.leaving = leaving * out;
-        merged.arriving = arriving * inn;
-        let (mut normal_matrix, mut right) = (Matrix2::zeros(), Vector::zeros());
-        for [x, target_x, target_y] in &mut places {
-            let target = Point::new(*target_x, *target_y);
-            *x = merged.foot(target, merged.foot(target, *x));
-            let velocity = merged.velocity(*x);
-            let speed = velocity.norm();
-            if speed == 0.0 {
-                continue;
+/// How much segments turn, to and fro, from chord to chord: of each angle twice the tangent of its half, which is no less.
+fn turning(segments: &[Segment]) -> f64 {
+    let (mut sum, mut way) = (0.0, Vector::zeros());
+    for segment in segments {
+        let mut from = segment.start;
+        for k in 1..=CHORDS {
+            let to = segment.position(k as f64 / CHORDS as f64);
+            let next = to - from;
+            let (across, along) =
+                ((way.x * next.y - way.y * next.x).abs(), way.norm() * next.norm() + way.dot(&next));
+            if across > 0.0 {
+                sum += 2.0 * across / along;
             }
-            let across = Vector::new(-velocity.y, velocity.x) / speed;
-            let weights = merged.basis.weights(*x, 0);
-            let row = Vector::new(
-                across.dot(&leaving) * weights.leaving * merged.length,
-                across.dot(&arriving) * weights.arriving * merged.length,
-            );
-            normal_matrix += row * row.transpose();
-            right += row * across.dot(&(target - merged.position(*x)));
-        }
-        // A trace of damping: collinear tangents leave a speed undetermined.
-        let damping = 1e-12 * normal_matrix.trace();
-        let damped = normal_matrix + Matrix2::from_diagonal_element(damping);
-        let Some(inverse) = damped.try_inverse() else { break };
-        let step = inverse * right;
-        (out, inn) = ((out + step.x).max(0.0), (inn + step.y).max(0.0));
-        if step.norm() <= 1e-14 * (out + inn) {
-            break;
+            (way, from) = (next, to);
         }
     }
-    Segment { leaving: leaving * out, arriving: arriving * inn, ..merged }
-}
-
-/// Places on the old segments, x and y, after the x in the merged segment that they would have if the first one were this share of the whole.
-#[inline(never)]
-fn places(old: &[Segment; 2], share: f64) -> [[f64; 3]; 2 * PLACES] {
-    let mut places = [[0.0; 3]; 2 * PLACES];
-    for (k, place) in places.iter_mut().enumerate() {
-        let x = (k % PLACES + 1) as f64 / (PLACES + 1) as f64;
-        let (segment, from, to) = if k < PLACES { (&old[0], 0.0, share) } else { (&old[1], share, 1.0) };
-        let point = segment.position(x);
-        *place = [from + (to - from) * x, point.x, point.y];
-    }
-    places
-}
-
-/// The direction in which a segment leaves x = 0 or arrives at x = 1, also where its speed is 0 there.
-#[inline(never)]
-fn heading(segment: &Segment, x: f64) -> Vector {
-    let towards_inside = if x == 0.0 { 1.0 } else { -1.0 };
-    let chord = segment.end - segment.start;
-    for direction in [segment.velocity(x), segment.acceleration(x) * towards_inside, chord] {
-        let size = direction.norm();
-        if size > 1e-12 * chord.norm() / segment.length.max(1.0) && size > 0.0 {
-            return direction / size;
-        }
-    }
-    Vector::zeros()
+    sum
 }
