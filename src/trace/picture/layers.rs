@@ -1,7 +1,7 @@
 //! Pictures of a few flat colours: how much of which colour every pixel has (D 14.20).
 
 use super::gray::Gray;
-use super::mixture::{Mixture, Premultiplied, is_like, is_on_edge, squared};
+use super::mixture::{Mixture, Premultiplied, Seam, is_like, is_on_edge, squared};
 use super::palette::{Color, MOST_COLORS};
 use crate::error::{Error, Result};
 use crate::limits::{check, with_room};
@@ -18,6 +18,11 @@ const AROUND: usize = (2 * REACH + 1) * (2 * REACH + 1);
 const NEAR: i32 = 24 * 24;
 /// Squared distance up to which a pixel is taken for a mixture of two.
 const MIXED: f64 = 32.0 * 32.0;
+/// Squared distance from a mixture of two that roundings make,
+const ROUNDED: f64 = 4.0 * 4.0;
+/// and up to which a pixel is taken for a seam of two, if it is so many times nearer to one.
+const SEAM: f64 = 4.0 * 4.0;
+const NEARER: f64 = 8.0;
 /// How much less a difference in light counts than one in hue, where something is thin.
 const SHADE: f64 = 0.9;
 /// Alike neighbours of a pixel that is not on an edge.
@@ -252,12 +257,55 @@ impl LayerRows {
         }
     }
 
-    /// The two colours of an edge's pixel and the share of the second: its own and one that lies flat nearby, two that do, or any.
+    /// The two colours of an edge's pixel and the share of the second.
     fn mixture(&self, row: usize, column: usize) -> (u8, u8, f64) {
-        let line = &self.window[row % KEPT];
-        let (pixel, label) = (&line.pixels[column], line.labels[column]);
         let mut room = [NONE; AROUND];
         let near = self.flat_around(row, column, &mut room);
+        let mixed = self.mixture_of(near, row, column);
+        match near {
+            &[a, b] => self.seam(a, b, row, column, mixed).unwrap_or(mixed),
+            _ => mixed,
+        }
+    }
+
+    /// A seam of the only two colours that lie flat around a pixel, if that is clearly nearer than the mixture. What shows through lies below
+    /// both, and so nowhere beside them.
+    fn seam(
+        &self,
+        a: u8,
+        b: u8,
+        row: usize,
+        column: usize,
+        (first, second, _): (u8, u8, f64),
+    ) -> Option<(u8, u8, f64)> {
+        let pixel = &self.window[row % KEPT].pixels[column];
+        let palette = &self.layers.palette;
+        let [from, to, one, other] = [a, b, first, second].map(|label| &palette[usize::from(label)]);
+        let gap = Mixture::new(pixel, one, other).gap;
+        if gap <= ROUNDED {
+            return None;
+        }
+        let columns = column.saturating_sub(REACH)..=(column + REACH).min(self.layers.width - 1);
+        let is_beside = |label: u8| {
+            self.around(row, REACH)
+                .any(|row| self.window[row % KEPT].labels[columns.clone()].contains(&label))
+        };
+        let (mut best, mut least) = (None, SEAM.min(gap / NEARER));
+        for (i, ground) in palette.iter().enumerate() {
+            if let Some(seam) = Seam::new(pixel, from, to, ground)
+                && seam.gap < least
+                && !is_beside(i as u8)
+            {
+                (best, least) = (Some((a, b, seam.share)), seam.gap);
+            }
+        }
+        best
+    }
+
+    /// The mixture of its own colour and one that lies flat nearby, of two that do, or of any.
+    fn mixture_of(&self, near: &[u8], row: usize, column: usize) -> (u8, u8, f64) {
+        let line = &self.window[row % KEPT];
+        let (pixel, label) = (&line.pixels[column], line.labels[column]);
         if line.flat[column] && near.contains(&label) {
             // A tenth of another colour tells where the edge is as well as a half does.
             let mut pairs = near.iter().map(|&other| (label, other));

@@ -42,6 +42,54 @@ impl Mixture {
     }
 }
 
+/// What a pixel takes of the second of two shapes side by side that were blended one after the other, each by what it covers, over a third
+/// colour: both let a quarter of it through where each has a half (D 14.29).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seam {
+    /// The share of the second of the two.
+    pub(super) share: f64,
+    /// The squared distance to the pixel.
+    pub(super) gap: f64,
+}
+
+impl Seam {
+    /// None where the third colour is near a mixture of the two: then pixels do not say how much of it there is.
+    pub(super) fn new(
+        pixel: &Premultiplied,
+        from: &Premultiplied,
+        to: &Premultiplied,
+        ground: &Premultiplied,
+    ) -> Option<Self> {
+        let whole = f64::from(squared(from, to));
+        if whole == 0.0 {
+            return None;
+        }
+        let along = |color: &Premultiplied| {
+            let sum: i32 = (0..4).map(|k| (color[k] - from[k]) * (to[k] - from[k])).sum();
+            f64::from(sum) / whole
+        };
+        let (pixel_along, ground_along) = (along(pixel), along(ground));
+        let beside = |color: &Premultiplied, along: f64| -> [f64; 4] {
+            core::array::from_fn(|k| f64::from(color[k] - from[k]) - along * f64::from(to[k] - from[k]))
+        };
+        let (off, ground_off) = (beside(pixel, pixel_along), beside(ground, ground_along));
+        let dot = |a: &[f64; 4], b: &[f64; 4]| (0..4).map(|k| a[k] * b[k]).sum::<f64>();
+        let aside = dot(&ground_off, &ground_off);
+        if aside < f64::from(STEP) {
+            return None;
+        }
+        let through = dot(&off, &ground_off) / aside;
+        let left = dot(&off, &off) - through * through * aside;
+        let second = pixel_along - through * ground_along;
+        let first = 1.0 - through - second;
+        // Whoever came last has all of its share, and lets as much through as the other one had.
+        let miss = |last: f64| (through - last * (1.0 - last)).abs();
+        let share = if miss(second) <= miss(first) { second } else { 1.0 - first };
+        let miss = miss(second).min(miss(first));
+        ((0.0..=1.0).contains(&share)).then_some(Self { share, gap: left + miss * miss * aside })
+    }
+}
+
 /// Whether a colour is a mixture of two that are unlike, up to a squared distance, and near neither of them.
 pub(super) fn is_between(pixel: &Premultiplied, from: &Premultiplied, to: &Premultiplied, most: f64) -> bool {
     if squared(from, to) <= STEP {
