@@ -158,8 +158,8 @@ function formatOf({ values }: Given): Format {
   return asked;
 }
 
-function asData({ width, height, contours }: Trace): object {
-  return { width, height, contours: contours.map(({ curve, ...rest }) => ({ curve: curve.toJSON(), ...rest })) };
+function asData({ width, height, layers, contours }: Trace): object {
+  return { width, height, layers, contours: contours.map(({ curve, ...rest }) => ({ curve: curve.toJSON(), ...rest })) };
 }
 
 function summary({ width, height }: Picture, { contours }: Trace): string {

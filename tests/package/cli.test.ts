@@ -101,6 +101,13 @@ test("flat colours become layers", () => {
   assert.match(out, /<path fill="#fff" d="M[^"]+"\/><path d="M[^"]+"\/><\/svg>/);
 });
 
+test("the data of a picture in colours say which colour each contour has", () => {
+  const { status, out } = expline(["trace", "square.png", "--colors", "#fff,#000", "--format", "json"]);
+  assert.equal(status, 0);
+  const { layers, contours } = JSON.parse(out) as { layers: { color: string }[]; contours: { layer: number }[] };
+  assert.deepEqual(contours.map(({ layer }) => layers[layer]?.color), ["#ffffff", "#000000"]);
+});
+
 test("points become an SVG within the tolerance, and one line says what came of it", () => {
   const { status, out, error } = expline(["fit", "square.csv", "--tolerance", "0.5", "-o", "out.svg"]);
   assert.deepEqual([status, error], [0, ""]);
