@@ -6,7 +6,7 @@ mod support;
 
 use expline::Error;
 use expline::numerics::Point;
-use expline::trace::{Census, Color, LayerTracer, Layers, TraceOptions, TracedLayer};
+use expline::trace::{Census, Color, LayerTracer, Layers, Tint, TraceOptions, TracedLayer};
 use support::colors::{BLUE, Paint, RED, WHITE, YELLOW, disc, draw, palette, traced};
 
 /// Polygons with many corners for every contour of every layer.
@@ -199,7 +199,8 @@ fn rows_may_come_one_by_one() {
         census.push_rgba_rows(row);
         rows.push_rgba_rows(row).expect("a whole row");
     }
-    assert_eq!(census.palette(8).expect("8 colours"), palette(40, &bytes, 8));
+    let found: Vec<Color> = census.palette(8).expect("8 colours").iter().map(Tint::on_white).collect();
+    assert_eq!(found, palette(40, &bytes, 8));
     let mut tracer = LayerTracer::new(rows.finish().expect("all rows"), &TraceOptions::default());
     while !tracer.step(1.0).expect("a drawing") {}
     let whole = traced(40, 33, &bytes, &[WHITE, RED, BLUE, YELLOW]);
@@ -218,7 +219,7 @@ fn wrong_numbers_of_colours_and_of_rows_are_refused() {
     for most in [0, 1, 65] {
         assert_eq!(census.palette(most).expect_err("out of range").code(), "E_RANGE");
     }
-    assert_eq!(Layers::begin(4, 4, &[]).expect_err("none").code(), "E_RANGE");
+    assert_eq!(Layers::begin::<Color>(4, 4, &[]).expect_err("none").code(), "E_RANGE");
     assert_eq!(Layers::begin(0, 4, &[RED]).expect_err("no column").code(), "E_RANGE");
     let mut rows = Layers::begin(4, 4, &[RED]).expect("a valid picture");
     assert_eq!(rows.push_rgba_rows(&[0; 15]).expect_err("no row").code(), "E_LENGTH");

@@ -46,7 +46,7 @@ pub use options::{Model, Source, TraceOptions};
 pub use picture::contour::{Contour, contours};
 pub use picture::gray::{Gray, GrayRows, MOST_PIXELS, MOST_SIDE};
 pub use picture::layers::{LayerRows, Layers};
-pub use picture::palette::{Census, Color, MOST_COLORS};
+pub use picture::palette::{Census, Color, MOST_COLORS, Tint};
 pub use picture::tones::Tones;
 pub use profile::{Profile, ProfileOptions};
 pub use quasi_interpolant::cloud::Cloud;

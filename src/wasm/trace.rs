@@ -79,7 +79,7 @@ impl Job {
                 let mut palette = census.palette(self.most_colors)?;
                 if palette.is_empty() {
                     // All of it is transparent, so any colour will do.
-                    palette.push([0; 3]);
+                    palette.push([0; 3].into());
                 }
                 self.state = State::Colors(Layers::begin(width, height, &palette)?);
                 return Ok(true);

@@ -1,6 +1,6 @@
 //! Pictures of flat colours, and what is traced from them.
 
-use expline::trace::{Census, Color, LayerTracer, Layers, TraceOptions, TracedLayer};
+use expline::trace::{Census, Color, LayerTracer, Layers, Tint, TraceOptions, TracedLayer};
 
 pub(crate) const RED: Color = [200, 16, 46];
 pub(crate) const BLUE: Color = [0, 48, 135];
@@ -37,10 +37,15 @@ pub(crate) fn draw(width: usize, height: usize, paint: Paint) -> Vec<u8> {
 pub(crate) fn palette(width: usize, bytes: &[u8], most: usize) -> Vec<Color> {
     let mut census = Census::new(width).expect("a few colours");
     census.push_rgba_rows(bytes);
-    census.palette(most).expect("between 2 and 64")
+    census.palette(most).expect("between 2 and 64").iter().map(Tint::on_white).collect()
 }
 
-pub(crate) fn traced(width: usize, height: usize, bytes: &[u8], colors: &[Color]) -> Vec<TracedLayer> {
+pub(crate) fn traced<T: Copy + Into<Tint>>(
+    width: usize,
+    height: usize,
+    bytes: &[u8],
+    colors: &[T],
+) -> Vec<TracedLayer> {
     let mut rows = Layers::begin(width, height, colors).expect("a valid picture");
     rows.push_rgba_rows(bytes).expect("whole rows");
     let layers = rows.finish().expect("all rows");

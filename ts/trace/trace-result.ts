@@ -35,7 +35,7 @@ export interface TracedContour {
 
 /** One colour of a picture. */
 export interface TraceLayer {
-  /** "#rrggbb". */
+  /** "#rrggbb"; of what is translucent, that on white. */
   color: string;
 }
 

@@ -1,8 +1,8 @@
 //! Pictures of a few flat colours: how much of which colour every pixel has (D 14.20).
 
 use super::gray::Gray;
-use super::mixture::{Mixture, Premultiplied, Seam, is_like, is_on_edge, squared};
-use super::palette::{Color, MOST_COLORS};
+use super::mixture::{Mixture, Premultiplied, Seam, is_like, is_on_edge, premultiplied, squared};
+use super::palette::{Color, MOST_COLORS, Tint};
 use crate::error::{Error, Result};
 use crate::limits::{check, with_room};
 
@@ -69,22 +69,25 @@ pub struct Layers {
 }
 
 impl Layers {
-    /// Begins a picture of those colours that is given row by row.
+    /// Begins a picture of those colours that is given row by row. Layers are opaque: those of translucent colours look as these do on white.
     ///
     /// # Errors
     ///
     /// A palette with fewer than 1 or more than 64 colours; sides and pixels as [`Gray::begin`].
-    pub fn begin(width: usize, height: usize, colors: &[Color]) -> Result<LayerRows> {
+    pub fn begin<T: Copy + Into<Tint>>(width: usize, height: usize, colors: &[T]) -> Result<LayerRows> {
+        Self::with_tints(width, height, &colors.iter().map(|&color| color.into()).collect::<Vec<Tint>>())
+    }
+
+    fn with_tints(width: usize, height: usize, colors: &[Tint]) -> Result<LayerRows> {
         check("colors", None, colors.len() as f64, 1.0, MOST_COLORS as f64)?;
         // For its checks.
         drop(Gray::begin(width, height)?);
-        let opaque = |color: &Color| [color[0], color[1], color[2], 255].map(i32::from);
-        let mut palette: Vec<Premultiplied> = colors.iter().map(opaque).collect();
+        let mut palette: Vec<Premultiplied> = colors.iter().map(Tint::premultiplied).collect();
         palette.push([0; 4]);
         let pixels = width * height;
         let layers = Self {
             width,
-            colors: colors.to_vec(),
+            colors: colors.iter().map(Tint::on_white).collect(),
             areas: vec![0; palette.len()],
             palette,
             first: with_room(pixels)?,
@@ -160,12 +163,8 @@ impl LayerRows {
         line.labels.clear();
         let above = &self.window[(self.given + KEPT - 1) % KEPT].pixels;
         let mut known = ([-1; 4], NONE, 0);
-        for (column, pixel) in row.as_chunks::<4>().0.iter().enumerate() {
-            let alpha = i32::from(pixel[3]);
-            let pixel: Premultiplied =
-                core::array::from_fn(
-                    |k| if k == 3 { alpha } else { (i32::from(pixel[k]) * alpha + 127) / 255 },
-                );
+        for (column, &pixel) in row.as_chunks::<4>().0.iter().enumerate() {
+            let pixel = premultiplied(pixel);
             if pixel != known.0 {
                 let (label, least) = self.nearest(&pixel);
                 known = (pixel, label, least);

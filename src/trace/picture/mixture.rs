@@ -10,6 +10,13 @@ const STEP: i32 = 24 * 24;
 /// Squared distance up to which a pixel is taken for a mixture of its neighbours.
 const BESIDE: f64 = 32.0 * 32.0;
 
+/// A pixel's channels as far as they are there.
+pub(super) fn premultiplied(pixel: [u8; 4]) -> Premultiplied {
+    let [red, green, blue, opacity] = pixel.map(i32::from);
+    let there = |channel: i32| (channel * opacity + 127) / 255;
+    [there(red), there(green), there(blue), opacity]
+}
+
 pub(super) fn squared(a: &Premultiplied, b: &Premultiplied) -> i32 {
     (0..4).map(|k| (a[k] - b[k]) * (a[k] - b[k])).sum()
 }

@@ -1,19 +1,50 @@
 //! The few colours of a picture: a count of the pixels that show one, and the clusters in it.
 
-use super::mixture::{is_between, is_like, is_on_edge};
+use super::mixture::{Premultiplied, is_between, is_like, is_on_edge, premultiplied};
 use crate::error::Result;
 use crate::limits::{check, with_room};
 
 /// Red, green, blue.
 pub type Color = [u8; 3];
 
+/// A colour and how much of it is there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tint {
+    /// Its own, as if all of it were there.
+    pub color: Color,
+    /// 255 where nothing shows through it.
+    pub opacity: u8,
+}
+
+impl From<Color> for Tint {
+    fn from(color: Color) -> Self {
+        Self { color, opacity: 255 }
+    }
+}
+
+impl Tint {
+    /// The colour that it has on white paper.
+    pub fn on_white(&self) -> Color {
+        on_white(self.color.map(f64::from), f64::from(self.opacity)).map(rounded)
+    }
+
+    pub(super) fn premultiplied(&self) -> Premultiplied {
+        let [red, green, blue] = self.color;
+        premultiplied([red, green, blue, self.opacity])
+    }
+}
+
 /// The most colours of a palette.
 pub const MOST_COLORS: usize = 64;
 
 /// Bits of each channel that tell bins apart.
 const BITS: u32 = 5;
-/// Less opacity is a share of a colour, not a colour.
+/// Less opacity is a share of a colour, not a colour, but where all around is the same.
 const OPAQUE: u8 = 250;
+/// Less is nothing.
+const FAINT: u8 = 24;
+/// Bits of each channel that tell bins of translucent colours apart.
+const CLEAR_BITS: u32 = 4;
 /// A pixel that is like its neighbours counts for as many in the middle of something thin, which mostly show more than one colour.
 const FLAT: u64 = 4;
 /// Squared distance up to which a colour of thin places is taken for a mixture of two others.
@@ -37,13 +68,13 @@ const MOST_WEAK: usize = 256;
 /// Rounds in which clusters settle.
 const ROUNDS: usize = 12;
 
-/// What the pixels of a bin weigh that show a colour, how many of them are flat, how many there are at all, and the weighted sums of channels.
+/// What the pixels of a bin weigh that show a colour, how many of them are flat, how many there are at all, and the weighted sums of channels and opacity.
 #[derive(Clone, Copy, Debug, Default)]
 struct Bin {
     weight: u64,
     flat: u64,
     all: u64,
-    sums: [u64; 3],
+    sums: [u64; 4],
 }
 
 /// Counts the colours of a picture that is given row by row. Pixels between two colours are on the way from one neighbour to the one on the
@@ -51,6 +82,7 @@ struct Bin {
 #[derive(Clone, Debug)]
 pub struct Census {
     width: usize,
+    /// Those of opaque colours, and then those of translucent ones, by what they are on white.
     bins: Vec<Bin>,
     /// The last rows: what lies above the one that is counted next, and that one, whose other side has not come.
     above: Vec<u8>,
@@ -62,8 +94,10 @@ struct Item {
     weight: f64,
     /// How much of that is flat.
     flat: f64,
+    /// On white.
     lab: [f64; 3],
     rgb: [f64; 3],
+    opacity: f64,
     cluster: usize,
     /// Squared distance to the nearest of the first centres.
     gap: f64,
@@ -75,7 +109,7 @@ struct Item {
 struct Found {
     weight: f64,
     lab: [f64; 3],
-    color: Color,
+    color: Tint,
     /// Whether it was seen in thin places mostly.
     is_thin: bool,
     is_pure: bool,
@@ -86,9 +120,9 @@ impl Census {
     ///
     /// # Errors
     ///
-    /// No memory: it needs 1.3 MB.
+    /// No memory: it needs 2.1 MB.
     pub fn new(width: usize) -> Result<Self> {
-        let count = 1 << (3 * BITS);
+        let count = (1 << (3 * BITS)) + (1 << (3 * CLEAR_BITS));
         let mut bins = with_room(count)?;
         bins.resize(count, Bin::default());
         Ok(Self { width, bins, above: Vec::new(), row: Vec::new() })
@@ -108,11 +142,12 @@ impl Census {
     fn count(&mut self, below: &[u8]) {
         let rows = [&self.row, &self.above, below].map(|row| row.as_chunks::<4>().0);
         for (column, pixel) in rows[0].iter().enumerate() {
-            if pixel[3] < OPAQUE {
+            if pixel[3] < FAINT {
                 continue;
             }
             let weight = weight(pixel, rows, column);
-            let bin = &mut self.bins[index(pixel)];
+            // A share of a colour says which one that is, if nothing else does.
+            let bin = &mut self.bins[index(pixel, weight > 0)];
             bin.all += 1;
             bin.weight += weight;
             bin.flat += u64::from(weight == FLAT);
@@ -124,7 +159,7 @@ impl Census {
 
     /// At most `most` colours of all rows given, the last row being the lowest; those of most pixels first; fewer where there are no more, none where all is transparent.
     ///
-    /// Every colour after the first is the one that most pixels are far from; then k-means, in Oklab, where distances are what eyes see.
+    /// What is translucent is a colour where it is the same all around, and compared as it is on white. Every colour after the first is the one that most pixels are far from; then k-means, in Oklab, where distances are what eyes see.
     ///
     /// # Errors
     ///
@@ -133,7 +168,7 @@ impl Census {
     /// # Source
     ///
     /// \[Llo82\], \[Ott20\].
-    pub fn palette(&mut self, most: usize) -> Result<Vec<Color>> {
+    pub fn palette(&mut self, most: usize) -> Result<Vec<Tint>> {
         check("colors", None, most as f64, 2.0, MOST_COLORS as f64)?;
         self.count(&[]);
         self.row.clear();
@@ -178,13 +213,15 @@ impl Census {
                 continue;
             }
             let middle = |k: u32| (((i >> (BITS * k)) & ((1 << BITS) - 1)) << (8 - BITS)) as f64 + 3.5;
-            let mut rgb = [middle(2), middle(1), middle(0)];
+            let (mut rgb, mut opacity) = ([middle(2), middle(1), middle(0)], 255.0);
             if bin.weight > 0 {
-                rgb = bin.sums.map(|sum| sum as f64 / bin.weight as f64);
+                let [red, green, blue, all] = bin.sums.map(|sum| sum as f64 / bin.weight as f64);
+                rgb = [red, green, blue];
+                opacity = if i >> (3 * BITS) == 0 { 255.0 } else { all };
             }
             let weight = count as f64 / FLAT as f64;
-            let (flat, lab) = (bin.flat as f64, oklab(rgb));
-            items.push(Item { weight, flat, lab, rgb, cluster: 0, gap: 1.0, is_weak: false });
+            let (flat, lab) = (bin.flat as f64, oklab(on_white(rgb, opacity)));
+            items.push(Item { weight, flat, lab, rgb, opacity, cluster: 0, gap: 1.0, is_weak: false });
         }
         Ok(items)
     }
@@ -197,7 +234,11 @@ fn weight(pixel: &[u8; 4], [row, above, below]: [&[[u8; 4]]; 3], column: usize) 
     };
     let [left, right] = either(row.get(column.wrapping_sub(1)), row.get(column + 1));
     let [above, below] = either(above.get(column), below.get(column));
+    let is_translucent = pixel[3] < OPAQUE;
     let pixel = pixel.map(i32::from);
+    if is_translucent {
+        return if [left, right, above, below] == [pixel; 4] { FLAT } else { 0 };
+    }
     let is_flat = is_like(&pixel, &left) && is_like(&pixel, &above);
     if is_flat && is_like(&pixel, &right) && is_like(&pixel, &below) {
         return FLAT;
@@ -209,9 +250,26 @@ fn weight(pixel: &[u8; 4], [row, above, below]: [&[[u8; 4]]; 3], column: usize) 
     }
 }
 
-fn index(pixel: &[u8]) -> usize {
-    let high = |k: usize| usize::from(pixel[k]) >> (8 - BITS);
-    (high(0) << (2 * BITS)) | (high(1) << BITS) | high(2)
+fn index(pixel: &[u8; 4], is_color: bool) -> usize {
+    let number = |[red, green, blue]: Color, bits: u32| {
+        let high = |channel: u8| usize::from(channel) >> (8 - bits);
+        (high(red) << (2 * bits)) | (high(green) << bits) | high(blue)
+    };
+    let &[red, green, blue, opacity] = pixel;
+    let own = Tint { color: [red, green, blue], opacity };
+    if is_color && opacity < OPAQUE {
+        return (1 << (3 * BITS)) + number(own.on_white(), CLEAR_BITS);
+    }
+    number(own.color, BITS)
+}
+
+/// What a colour of some opacity is on white.
+fn on_white(rgb: [f64; 3], opacity: f64) -> [f64; 3] {
+    rgb.map(|channel| 255.0 + (channel - 255.0) * (opacity / 255.0))
+}
+
+fn rounded(channel: f64) -> u8 {
+    (channel + 0.5) as u8
 }
 
 fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
@@ -276,11 +334,11 @@ fn is_pure(items: &[Item], item: &Item) -> bool {
 
 /// Thin places show a colour mixed with what is beside them as well: such a mixture of two others is no colour.
 fn leave_mixtures_out(colors: &mut Vec<Found>) {
-    let opaque = |found: &Found| [found.color[0], found.color[1], found.color[2], 255].map(i32::from);
     let mut k = 0;
     while k < colors.len() {
-        let others: Vec<_> = (0..colors.len()).filter(|&i| i != k).map(|i| opaque(&colors[i])).collect();
-        let here = opaque(&colors[k]);
+        let others: Vec<_> =
+            (0..colors.len()).filter(|&i| i != k).map(|i| colors[i].color.premultiplied()).collect();
+        let here = colors[k].color.premultiplied();
         let is_mixture =
             || others.iter().any(|from| others.iter().any(|to| is_between(&here, from, to, MIXED)));
         if colors[k].is_thin && is_mixture() {
@@ -324,16 +382,23 @@ fn color_of(items: &[Item], cluster: usize) -> Option<Found> {
     })?;
     let whole: f64 = own().map(|item| item.weight).sum();
     let is_thin = 2.0 * own().map(|item| item.flat).sum::<f64>() < whole;
-    let (mut weight, mut sum) = (0.0, [0.0; 3]);
-    for item in own().filter(|item| is_thin || distance(&item.lab, &heaviest.lab) < CORE * CORE) {
+    let (mut weight, mut sum) = (0.0, [0.0; 4]);
+    let is_alike = |item: &&Item| {
+        // Of the same look, but not of the same opacity.
+        (item.opacity < 255.0) == (heaviest.opacity < 255.0)
+            && (is_thin || distance(&item.lab, &heaviest.lab) < CORE * CORE)
+    };
+    for item in own().filter(is_alike) {
         weight += item.weight;
-        for (total, value) in sum.iter_mut().zip(item.rgb) {
+        for (total, value) in sum.iter_mut().zip(item.rgb.into_iter().chain([item.opacity])) {
             *total += item.weight * value;
         }
     }
-    let rgb = sum.map(|channel| channel / weight);
-    let color = rgb.map(|channel| (channel + 0.5) as u8);
-    Some(Found { weight: whole, lab: oklab(rgb), color, is_thin, is_pure: is_pure(items, heaviest) })
+    let [red, green, blue, opacity] = sum.map(|channel| channel / weight);
+    let rgb = [red, green, blue];
+    let color = Tint { color: rgb.map(rounded), opacity: rounded(opacity) };
+    let lab = oklab(on_white(rgb, opacity));
+    Some(Found { weight: whole, lab, color, is_thin, is_pure: is_pure(items, heaviest) })
 }
 
 /// A colour of sRGB in Oklab.
