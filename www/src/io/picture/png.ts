@@ -1,6 +1,6 @@
 import type { Box } from "../../document/imported.ts";
-import { inkOfFiles } from "../svg/svg-write.ts";
-import { margin, pngSize } from "./png-size.ts";
+import { inkOfFiles, lineWidth } from "../svg/svg-write.ts";
+import { enlargement, marginAround, pngSize } from "./png-size.ts";
 
 export interface PngOptions {
   readonly d: string;
@@ -42,12 +42,14 @@ export async function writePng(options: PngOptions): Promise<Blob | null> {
     context.fillStyle = options.paper;
     context.fillRect(0, 0, size.width, size.height);
   }
-  context.setTransform(options.scale, 0, 0, options.scale, options.scale * (margin - options.box.minX), options.scale * (margin - options.box.minY));
-  for (const path of pngPaths(options)) draw(context, path);
+  const [grown, free] = [enlargement(options.box), marginAround(options.box)];
+  const scale = options.scale * grown;
+  context.setTransform(scale, 0, 0, scale, scale * (free - options.box.minX), scale * (free - options.box.minY));
+  for (const path of pngPaths(options)) draw(context, path, lineWidth / grown);
   return new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
 }
 
-function draw(context: CanvasRenderingContext2D, { d, fill, stroke }: PngPath): void {
+function draw(context: CanvasRenderingContext2D, { d, fill, stroke }: PngPath, width: number): void {
   const path = new Path2D(d);
   if (fill !== undefined) {
     context.globalAlpha = fill.alpha;
@@ -57,7 +59,7 @@ function draw(context: CanvasRenderingContext2D, { d, fill, stroke }: PngPath): 
   }
   if (stroke === undefined) return;
   context.strokeStyle = stroke;
-  context.lineWidth = 2;
+  context.lineWidth = width;
   context.lineJoin = "round";
   context.stroke(path);
 }

@@ -1,5 +1,6 @@
 import type { DemoState } from "../../document/document.ts";
 import type { Box } from "../../document/imported.ts";
+import { enlargement } from "../picture/png-size.ts";
 
 /** Text that may stand in XML: markup escaped, and characters that XML has no place for replaced. */
 export function escapeXml(text: string): string {
@@ -18,6 +19,15 @@ function plain(value: number): string {
 /** A file is read where the page's colours are not known: dark ink for light paper. */
 export const inkOfFiles = "#1b1f24";
 
+/** Of a drawing that is not small. */
+export const lineWidth = 2;
+
+/** What a viewBox is rounded to: whole units, but for drawings of few. */
+function roundingFor(box: Box): number {
+  const size = Math.max(box.maxX - box.minX, box.maxY - box.minY);
+  return 10 ** Math.max(-3, Math.min(0, Math.floor(Math.log10(size)) - 1));
+}
+
 export interface SvgOptions {
   readonly title: string;
   readonly d: string;
@@ -30,11 +40,14 @@ export interface SvgOptions {
 
 /** A document with one path, or one for each colour, and a viewBox around it with room for its line. */
 export function writeSvg({ title, d, box, filled, layers = [] }: SvgOptions): string {
-  const margin = layers.length > 0 ? 0 : 2;
-  const { minX, minY, maxX, maxY } = box ?? { minX: 0, minY: 0, maxX: 1, maxY: 1 };
-  const [x, y] = [Math.floor(minX - margin), Math.floor(minY - margin)];
-  const size = [Math.ceil(maxX + margin) - x, Math.ceil(maxY + margin) - y].map(plain);
-  const look = filled === true ? `fill="${inkOfFiles}" fill-rule="evenodd"` : `fill="none" stroke="${inkOfFiles}" stroke-width="2" stroke-linejoin="round"`;
+  const around = box ?? { minX: 0, minY: 0, maxX: 1, maxY: 1 };
+  const width = Math.max(0.001, lineWidth / enlargement(around));
+  const margin = filled === true || layers.length > 0 ? 0 : width;
+  const step = roundingFor(around);
+  const [x, y] = [step * Math.floor((around.minX - margin) / step), step * Math.floor((around.minY - margin) / step)];
+  const size = [step * Math.ceil((around.maxX + margin) / step) - x, step * Math.ceil((around.maxY + margin) / step) - y].map(plain);
+  const lines = `fill="none" stroke="${inkOfFiles}" stroke-width="${plain(width)}" stroke-linejoin="round"`;
+  const look = filled === true ? `fill="${inkOfFiles}" fill-rule="evenodd"` : lines;
   const path = (text: string, how: string): string => (text === "" ? "" : `  <path d="${escapeXml(text)}" ${how}/>\n`);
   const paths = layers.length === 0 ? [path(d, look)] : layers.map((layer) => path(layer.d, `fill="${escapeXml(layer.color)}"`));
   return [

@@ -8,9 +8,10 @@ import { snippetFor } from "../code/snippets.ts";
 import { button, openDialog } from "../controls/dialog.ts";
 import { h } from "../controls/dom.ts";
 import { errorText } from "../messages/errors.ts";
+import { isOfAreas } from "../files/look.ts";
 import type { FileLook } from "../page-io.ts";
 import type { Shell } from "../shell.ts";
-import { chosenOptions, optionFields } from "./export-options.ts";
+import { chosenOptions, drawsAreas, lookField, optionFields } from "./export-options.ts";
 import { pngGroup } from "./export-png.ts";
 import { exportResult, type Box } from "./export-result.ts";
 
@@ -20,21 +21,22 @@ export function openExport(shell: Shell): void {
   const box = documentBounds(curve);
   const look = (): FileLook => fileLook(shell.editor, curve);
   const result = exportResult(shell, curve, box, look);
+  const { mode } = shell.editor.state.value;
+  // What was traced is what it was in the picture.
+  const looks = mode === "trace" ? [] : [lookField(isOfAreas(curve, mode), result.refresh)];
   const dialog = openDialog(
     { title: "Export", testid: "export-dialog", wide: true },
     h("div", { class: "export" },
-      h("div", { class: "export-options" }, result.picture, ...optionFields(result.refresh)),
+      h("div", { class: "export-options" }, result.picture, ...looks, ...optionFields(result.refresh)),
       h("div", { class: "export-result" }, ...result.rows),
     ),
   );
   const stem = curve.sample ?? "expline";
-  const { mode } = shell.editor.state.value;
   dialog.foot.append(
     button("Copy path", { class: "primary", testid: "export-d", title: "Copy the path's d", click: () => copy(shell, result.d(), "the path") }),
     svgButton(shell, stem, curve, box, result.d, look),
     jsonButton(shell, stem),
-    // Of a trace the picture is that of its SVG; a drawing's is that of the stage.
-    pngGroup(shell, { stem, d: result.d, box, ...(mode === "trace" ? { look } : {}) }),
+    pngGroup(shell, { stem, d: result.d, box, look: () => (mode === "trace" || look().filled === true ? look() : null) }),
     button("TypeScript", {
       testid: "export-ts",
       title: "Copy TypeScript that makes this drawing",
@@ -61,12 +63,12 @@ function jsonButton({ editor, io }: Shell, stem: string): HTMLElement {
   });
 }
 
-/** What was traced is ink or colours, not lines; its paths are written with the options that are chosen now. */
+/** Colours, ink or lines; the paths of colours are written with the options that are chosen now. */
 function fileLook({ modes, state }: Editor, curve: CurveDocument): FileLook {
   const { mode } = state.value;
   const colored = modes.get(mode)?.layers?.(state.value) ?? [];
   return {
-    filled: mode === "trace" && curve.contours.every(({ closed }) => closed),
+    filled: mode === "trace" ? isOfAreas(curve, mode) : drawsAreas(isOfAreas(curve, mode)),
     layers: colored.map(({ color, drawing }) => ({ color, d: exportPath(drawing, chosenOptions()).d })),
   };
 }

@@ -6,6 +6,29 @@ import { numberField, selectField, toggleField } from "../controls/fields.ts";
 /** Chosen once, kept for the next time the dialog opens. */
 let chosen: ExportOptions = { segments: "arcs", tolerance: 0.02, decimals: 3, relative: false };
 
+/** Lines or areas: what was chosen, else what suits the drawing. */
+let look: "lines" | "areas" | null = null;
+
+export function drawsAreas(natural: boolean): boolean {
+  return look === null ? natural : look === "areas";
+}
+
+/** Lines or areas, of a drawing that can be either. */
+export function lookField(natural: boolean, changed: () => void): HTMLElement {
+  const field = selectField<"lines" | "areas">({
+    label: "Drawn as",
+    testid: "export-look",
+    about: "What the SVG and the picture show: lines, or areas of ink with their holes left out.",
+    options: [["lines", "Lines"], ["areas", "Areas of ink"]],
+    write(value) {
+      look = value;
+      changed();
+    },
+  });
+  field.show(drawsAreas(natural) ? "areas" : "lines");
+  return field.element;
+}
+
 export function chosenOptions(): ExportOptions {
   return chosen;
 }

@@ -13,8 +13,8 @@ interface PngSubject {
   readonly stem: string;
   readonly d: () => string;
   readonly box: Box;
-  /** How it looks as a file; without, it looks as on the stage. */
-  readonly look?: () => FileLook;
+  /** How it looks as an SVG file, where its picture is of the same; null where it is that of the stage. */
+  readonly look: () => FileLook | null;
 }
 
 /** Under ink that is dark in any theme. */
@@ -31,8 +31,9 @@ export function pngGroup(shell: Shell, subject: PngSubject): HTMLElement {
 
 async function download({ io, toasts }: Shell, { stem, d, box, look }: PngSubject): Promise<void> {
   const colour = (name: string): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-  const paper = !onPaper ? null : look === undefined ? colour("--canvas") : lightPaper;
-  const how = look?.() ?? { stage: { ink: colour("--curve"), fill: colour("--point") } };
+  const asFile = look();
+  const paper = !onPaper ? null : asFile === null ? colour("--canvas") : lightPaper;
+  const how = asFile ?? { stage: { ink: colour("--curve"), fill: colour("--point") } };
   const blob = await io.writePng({ d: d(), box, scale, paper, ...how });
   if (blob === null) toasts.say("This picture is larger than the browser can draw. Choose a smaller scale.");
   else io.download(`${stem}@${scale}x.png`, blob);

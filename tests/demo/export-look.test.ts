@@ -1,0 +1,83 @@
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { test } from "node:test";
+import { useBrowser, type Demo } from "./page.ts";
+
+/** What a drawing looks like in the files that are saved of it, as the browser itself draws them. */
+
+const { open } = useBrowser();
+
+/** An icon as icons are: 24 units, an area with a hole and a corner. */
+const icon = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" width="24" height="24"><path fill="#1b1f24" fill-rule="evenodd" d="M12 0a12 12 0 1 0 0 24a12 12 0 1 0 0-24ZM7 7h10v10l-5-4l-5 4Z"/></svg>';
+
+async function opened(demo: Demo, text: string): Promise<void> {
+  await demo.byId("btn-import").click();
+  await demo.byId("import-text").fill(text);
+  await demo.byId("import-apply").click();
+  await demo.byId("import-dialog").waitFor({ state: "detached" });
+  await demo.idle();
+}
+
+async function saved(demo: Demo, id: string): Promise<Buffer> {
+  const [file] = await Promise.all([demo.page.waitForEvent("download"), demo.byId(id).click()]);
+  return readFile(await file.path());
+}
+
+/** How much of each of 120 × 120 cells of a picture is drawn on, from 0 to 1; `margin` is what to leave out around it, in its pixels. */
+async function shadesOf(demo: Demo, type: string, bytes: Buffer, margin = 0): Promise<number[]> {
+  return demo.page.evaluate(async ([mime, content, free]) => {
+    const image = new Image();
+    image.src = `data:${mime};base64,${content}`;
+    await image.decode();
+    const side = 120;
+    const scale = side / (image.naturalWidth - 2 * free);
+    const canvas = Object.assign(document.createElement("canvas"), { width: side, height: side });
+    const context = canvas.getContext("2d");
+    context?.drawImage(image, -scale * free, -scale * free, scale * image.naturalWidth, scale * image.naturalHeight);
+    const data = context?.getImageData(0, 0, side, side).data ?? [];
+    return Array.from({ length: side * side }, (_, i) => (data[4 * i + 3] ?? 0) / 255);
+  }, [type, bytes.toString("base64"), margin] as const);
+}
+
+const mean = (values: readonly number[]): number => values.reduce((sum, value) => sum + value, 0) / values.length;
+
+test("an icon comes out of the page as the areas that it came in as, in both kinds of file", async (t) => {
+  const demo = await open(t);
+  await opened(demo, icon);
+  const wanted = await shadesOf(demo, "image/svg+xml", Buffer.from(icon));
+  await demo.byId("btn-export").click();
+  // A picture at 2× has 2 × 16 pixels around the drawing.
+  for (const [id, type, margin] of [["export-svg", "image/svg+xml", 0], ["export-png", "image/png", 32]] as const) {
+    const shades = await shadesOf(demo, type, await saved(demo, id), margin);
+    const away = mean(shades.map((shade, i) => Math.abs(shade - (wanted[i] ?? 0))));
+    // Two ways of smoothing edges; a line of two units around it would differ in a fifth of all.
+    assert.ok(away < 0.02, `${id}: ${away}`);
+  }
+  assert.match(await demo.page.locator(".export-picture path").first().getAttribute("class") ?? "", /export-ink/, "the preview shows what the file does");
+});
+
+test("of an icon as lines, lines are no thicker and a picture no smaller than of a drawing that is ten times as large", async (t) => {
+  const demo = await open(t);
+  await opened(demo, icon);
+  await demo.byId("btn-export").click();
+  await demo.byId("export-look").selectOption("lines");
+  const svg = (await saved(demo, "export-svg")).toString("utf8");
+  const [, stroke] = /stroke-width="([^"]+)"/u.exec(svg) ?? [];
+  // 2 units of 256.
+  assert.ok(Math.abs(Number(stroke) - (2 * 24) / 256) < 1e-3, svg);
+  const [x = 0, y = 0, width = 0, height = 0] = (/viewBox="([^"]+)"/u.exec(svg)?.[1] ?? "").split(" ").map(Number);
+  assert.ok(x < 0 && y < 0 && x + width > 24 && y + height > 24 && width <= 26, "room for the line and no more");
+  await demo.byId("export-png-scale").selectOption("1");
+  const png = await saved(demo, "export-png");
+  assert.equal(png.readUInt32BE(16), 256 + 2 * 16);
+  // A fifth of the area would be covered by lines of two units.
+  assert.ok(mean((await shadesOf(demo, "image/png", png)).map((shade) => (shade > 0.5 ? 1 : 0))) < 0.08);
+});
+
+test("what the samples teach goes out as lines, and as areas when that is chosen", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  await demo.byId("btn-export").click();
+  assert.match((await saved(demo, "export-svg")).toString("utf8"), /fill="none" stroke="[^"]+" stroke-width="2"/u);
+  await demo.byId("export-look").selectOption("areas");
+  assert.match((await saved(demo, "export-svg")).toString("utf8"), /<path [^>]*fill="#1b1f24" fill-rule="evenodd"\/>/u);
+});
