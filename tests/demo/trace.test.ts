@@ -193,6 +193,30 @@ test("where there was no picture before, a broken one says nothing of a kept one
   assert.match((await error.textContent()) ?? "", /note\.png could not be decoded\. It may be incomplete\.$/);
 });
 
+test("a broken picture takes nobody to Trace: it is said where one works, and in the dialog that it was chosen in", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  const before = (await demo.state()).curve;
+  const whole = await png(demo);
+  for (const content of ["this was a text", whole.slice(0, 60)]) {
+    await bring(demo, "drop", "scan.png", "image/png", content);
+    const error = demo.page.locator('[data-testid="error"][data-error="image-broken"]');
+    await error.waitFor();
+    assert.match((await error.textContent()) ?? "", /scan\.png could not be decoded\. It may be incomplete\.$/u);
+    await demo.idle();
+    const { mode, curve } = await demo.state();
+    assert.equal(mode, "curve");
+    assert.deepEqual(curve, before);
+    await error.getByRole("button", { name: "Dismiss" }).click();
+  }
+  await demo.byId("btn-import").click();
+  await demo.byId("import-file").setInputFiles({ name: "scan.png", mimeType: "image/png", buffer: Buffer.from("this was a text") });
+  await demo.byId("import-dialog").locator('[data-error="image-broken"]').waitFor();
+  await demo.press("Escape");
+  // The same way a whole one leads there.
+  await bring(demo, "drop", "good.png", "image/png", whole);
+  await traced(demo, "good.png");
+});
+
 test("a drawing on paper in uneven light has its own outlines, and the numbers beside it are of the paper in even light", async (t) => {
   const demo = await open(t, "#/trace");
   const content = await demo.page.evaluate(async () => {

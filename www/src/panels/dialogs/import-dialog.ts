@@ -70,8 +70,8 @@ class Importing {
       const incoming = await this.#shell.io.readIncoming(chosen);
       this.#form.calm();
       if (!("picture" in incoming)) return await this.#attempt(incoming.text);
+      await openPicture(this.#shell, incoming.name, incoming.picture);
       this.#dialog.close();
-      openPicture(this.#shell, incoming.name, incoming.picture);
     } catch (error) {
       this.#fail(error);
     }

@@ -94,7 +94,7 @@ export async function receiveFiles(shell: Shell, files: readonly File[]): Promis
     try {
       const incoming = await shell.io.readIncoming(file);
       if (!("picture" in incoming)) await receiveText(shell, incoming.text);
-      else if (shell.editor.state.value.engine.status === "ready") return openPicture(shell, incoming.name, incoming.picture);
+      else if (shell.editor.state.value.engine.status === "ready") return await openPicture(shell, incoming.name, incoming.picture);
     } catch (error) {
       report(shell, forTrace(shell, file, error));
     }

@@ -1,9 +1,28 @@
+import { Problem } from "../../document/problem.ts";
 import { keepPicture } from "../../kernel/trace/pictures.ts";
 import type { Shell } from "../shell.ts";
 
-/** Hands a picture to Trace, which is loaded if it is not there yet. */
-export function openPicture({ editor }: Shell, name: string, content: Blob): void {
+/** Pictures that were brought in so far: a small one may be decoded before a large one that came earlier. */
+let brought = 0;
+
+/**
+ * Hands a picture to Trace, which is loaded if it is not there yet. One that is none takes nobody away from what they
+ * work on. @throws Problem
+ */
+export async function openPicture({ editor }: Shell, name: string, content: Blob): Promise<void> {
+  brought += 1;
+  const own = brought;
+  if (editor.state.value.mode !== "trace") await checkDecodes(name, content);
+  if (own !== brought) return;
   const key = keepPicture(content);
   if (editor.state.value.mode !== "trace") editor.actions.run("mode-trace");
   editor.patch({ incoming: { name, source: { kind: "file", key, content } } });
+}
+
+async function checkDecodes(name: string, content: Blob): Promise<void> {
+  try {
+    (await createImageBitmap(content)).close();
+  } catch {
+    throw new Problem("image-broken", { name });
+  }
 }
