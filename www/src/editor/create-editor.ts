@@ -35,6 +35,14 @@ export function createEditor(now: () => number): Editor {
     return { curve, selection: surviving(curve, typeof select === "function" ? select(curve) : select) };
   }
 
+  function travel(way: "undo" | "redo", done: string): void {
+    const { mode, [`${way}Name` as const]: name } = state.value;
+    // In a drag it is the drag that is taken back.
+    const isSaid = name !== null && !editor.inGesture;
+    timelines[mode][way]();
+    if (isSaid) editor.notify({ kind: "announce", text: `${done}: ${name}` });
+  }
+
   const editor: Editor = {
     state,
     notices,
@@ -63,12 +71,8 @@ export function createEditor(now: () => number): Editor {
     },
     commit: curveEdits.commit,
     bail: curveEdits.bail,
-    undo() {
-      timelines[state.value.mode].undo();
-    },
-    redo() {
-      timelines[state.value.mode].redo();
-    },
+    undo: () => travel("undo", "Undone"),
+    redo: () => travel("redo", "Redone"),
     patch(change) {
       const { mode, view, stage } = state.value;
       if (change.mode === undefined || change.mode === mode) return state.set({ ...state.value, ...change });

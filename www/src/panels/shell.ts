@@ -13,8 +13,8 @@ export interface Regions {
 
 /** Short messages over the stage. */
 export interface Toasts {
-  /** With an action: a button that does it and takes the toast away. */
-  say(text: string, action?: { readonly label: string; run(): void }): void;
+  /** With an action: a button that does it and takes the toast away. The offer goes with the next step unless it is `lasting`. */
+  say(text: string, action?: { readonly label: string; readonly lasting?: boolean; run(): void }): void;
   error(id: string, text: string): void;
 }
 

@@ -1,4 +1,5 @@
 import type { EditorState, Editor } from "../editor/editor.ts";
+import { describe } from "../editor/curve/edits.ts";
 import { hintFor } from "../editor/hint.ts";
 import { zoomTo } from "../editor/actions/standard-actions.ts";
 import { measureCurve } from "../kernel/curve/measure.ts";
@@ -67,18 +68,21 @@ export function mountZoomBox(editor: Editor, box: HTMLElement, until: AbortSigna
 
 const settleMs = 700;
 
-/** Announcements at once; the drawing's summary when it has been still for a moment. */
+/** Announcements at once; the drawing's summary, and where what is chosen is now, when it has been still for a moment. */
 export function mountLive(editor: Editor, live: HTMLElement, summary: HTMLElement, until: AbortSignal): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const summarise = (): void => {
     const state = editor.state.value;
     summary.textContent = editor.modes.get(state.mode)?.summary?.(state) ?? summaryOf(state);
+    const chosen = state.mode === "curve" ? chosenIn(state) : "";
+    if (chosen !== "") live.textContent = chosen;
   };
   editor.notices.subscribe((notice) => {
-    if (notice?.kind === "announce" || notice?.kind === "toast") live.textContent = notice.text;
+    // Toasts are read out where they stand.
+    if (notice?.kind === "announce") live.textContent = notice.text;
   }, { until });
   editor.state.subscribe((state, before) => {
-    if (state.curve === before.curve && state.surface === before.surface && state.fitRun === before.fitRun && state.traceRun === before.traceRun
+    if (state.curve === before.curve && state.selection === before.selection && state.surface === before.surface && state.fitRun === before.fitRun && state.traceRun === before.traceRun
       && state.mode === before.mode && state.engine === before.engine) return;
     if (state.engine.status !== "ready") return;
     clearTimeout(timer);
@@ -86,6 +90,13 @@ export function mountLive(editor: Editor, live: HTMLElement, summary: HTMLElemen
     timer = setTimeout(summarise, summary.textContent === "" ? 0 : settleMs);
   }, { until });
   until.addEventListener("abort", () => clearTimeout(timer), { once: true });
+}
+
+/** What arrows would move. */
+function chosenIn({ curve, selection: { points, handle } }: EditorState): string {
+  const [ref] = points;
+  if (ref === undefined) return "";
+  return points.length > 1 ? `${points.length} points chosen` : describe(curve, ref, handle?.side);
 }
 
 function counted(count: number, one: string, many: string): string {

@@ -26,5 +26,5 @@ export async function restore(shell: Shell, own: string | null, mode: Mode | nul
     io.download("damaged.txt", new Blob([damaged.text], { type: "text/plain" }));
     void damaged.forget();
   };
-  toasts.say("The newest copy of your work was damaged; the one before it is open.", { label: "Download the damaged copy", run: save });
+  toasts.say("The newest copy of your work was damaged; the one before it is open.", { label: "Download the damaged copy", lasting: true, run: save });
 }

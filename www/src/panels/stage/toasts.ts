@@ -8,7 +8,8 @@ const mostShown = 2;
 
 /** Messages over the foot of the stage: news go by themselves, errors stay until they are closed or the next success. */
 export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
-  const news = h("div", { class: "toasts", role: "status", "aria-live": "polite" });
+  // Of what stands there, only what is new is read out.
+  const news = h("div", { class: "toasts", role: "status", "aria-live": "polite", "aria-atomic": "false" });
   const errors = h("div", { class: "toasts toasts-errors" });
   const stack = h("div", { class: "toast-stack" }, errors, news);
   stage.append(stack);
@@ -36,6 +37,7 @@ export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
     // What is offered is offered of the last that was done.
     if (action !== undefined) news.querySelectorAll(".toast:has(.toast-action)").forEach((old) => old.remove());
     add(news, toast);
+    if (action !== undefined && action.lasting !== true) untilNextStep(editor, toast);
     leaveLater(toast, action === undefined ? shownForMs : 3 * shownForMs);
   };
   const error: Toasts["error"] = (id, text) => {
@@ -48,7 +50,6 @@ export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
     if (notice?.kind === "toast") {
       const action = notice.actionId === undefined ? undefined : editor.actions.get(notice.actionId);
       say(notice.text, action === undefined ? undefined : { label: action.label, run: () => void editor.actions.run(action.id) });
-      if (action !== undefined) untilNextStep(editor, news.lastElementChild);
     }
     if (notice?.kind === "error") error(notice.id, notice.text);
     if (notice?.kind === "well") errors.replaceChildren();
@@ -57,16 +58,16 @@ export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
 }
 
 /** What an action would do is another thing after the next step, or in another mode: the offer goes then. */
-function untilNextStep(editor: Editor, toast: Element | null): void {
+function untilNextStep(editor: Editor, toast: HTMLElement): void {
   const over = new AbortController();
   editor.state.subscribe((state, before) => {
     if (state.mode === before.mode && state.undoName === before.undoName) return;
     over.abort();
-    toast?.remove();
+    toast.remove();
   }, { until: over.signal });
 }
 
-/** A toast under the pointer or with the focus inside waits until it is left alone. */
+/** A toast whose button is under the pointer or has the focus waits until it is left alone. */
 function leaveLater(toast: HTMLElement, ms: number): void {
   setTimeout(() => {
     if (!toast.isConnected) return;
