@@ -100,6 +100,32 @@ test("what the waves around the first circle are can be read on every phone", as
   }
 });
 
+test("what is handed over to another mode with the sheet all the way up is in sight there", async (t) => {
+  for (const options of [phone, smallest]) {
+    const demo = await open(t, "#/fit?sample=fit-circle", options);
+    for (let i = 0; i < 2; i += 1) await demo.byId("sheet-up").click();
+    await demo.still();
+    await demo.byId("fit-edit").click();
+    await demo.still();
+    const { mode, curve } = await demo.state();
+    assert.equal(mode, "curve");
+    for (const i of curve.contours[0]?.points.keys() ?? []) assert.ok(await isOnStage(demo, await demo.centre(`pt-0-${i}`)), `point ${i} of the fit`);
+  }
+});
+
+test("the code's tabs and buttons are in one row on a phone, and all within it", async (t) => {
+  const demo = await open(t, "", { ...phone, viewport: { width: 360, height: 740 } });
+  await demo.byId("sheet-up").click();
+  await demo.byId("btn-code").click();
+  await demo.byId("code-drawer").waitFor();
+  await demo.still();
+  const boxes = await demo.page.locator(".drawer-head button").evaluateAll((buttons) => buttons.map((button) => button.getBoundingClientRect().toJSON() as DOMRect));
+  assert.equal(boxes.length, 7);
+  const middles = boxes.map(({ top, height }) => top + height / 2);
+  assert.ok(Math.max(...middles) - Math.min(...middles) < 8, middles.join(" "));
+  for (const { left, right, height } of boxes) assert.ok(left >= 0 && right <= 360 && height >= 44, `${left} to ${right}, ${height} high`);
+});
+
 test("with the sheet all the way up, the program and what the page says are in sight", async (t) => {
   for (const options of [phone, smallest]) {
     const demo = await open(t, "#/curve?sample=blob-16", options);

@@ -29,7 +29,11 @@ export function mountPanel(shell: Shell, metrics: HTMLElement): PanelHost {
   const update = (state: EditorState): void => {
     const { mode } = state;
     const own = panels.get(mode);
-    if (mode !== shown) scroll.scrollTop = 0;
+    if (mode !== shown) {
+      scroll.scrollTop = 0;
+      // What another mode shows is to be seen, above all what was handed over to it.
+      sheet.uncover();
+    }
     shown = mode;
     head.update(state, own);
     code.hidden = mode !== "curve" && editor.modes.get(mode)?.program === undefined;

@@ -10,7 +10,7 @@ const dragThresholdPx = 24;
  * On a phone the panel is a sheet over the foot of the stage. It rests at three heights, by a drag on its bar or by two
  * buttons; the main number and the main slider stay in sight at the lowest.
  */
-export function mountSheet(panel: HTMLElement, peekParts: readonly HTMLElement[], until: AbortSignal): { readonly head: HTMLElement; add(part: HTMLElement): void } {
+export function mountSheet(panel: HTMLElement, peekParts: readonly HTMLElement[], until: AbortSignal): { readonly head: HTMLElement; add(part: HTMLElement): void; uncover(): void } {
   const up = h("button", { class: "icon-button", type: "button", testid: "sheet-up", "aria-label": "Raise the panel" }, icon("up"));
   const down = h("button", { class: "icon-button", type: "button", testid: "sheet-down", "aria-label": "Lower the panel" }, icon("down"));
   const bar = h("div", { class: "sheet-bar" }, h("span", { class: "sheet-grip", "aria-hidden": "true" }), up, down);
@@ -59,5 +59,5 @@ export function mountSheet(panel: HTMLElement, peekParts: readonly HTMLElement[]
   phone.addEventListener("change", arrange, { signal: until });
   show("peek");
   for (const part of peekParts) add(part);
-  return { head, add };
+  return { head, add, uncover: () => snap === "full" && show("half") };
 }
