@@ -142,6 +142,16 @@ test("V23 a picture comes in by the field, by drop and by paste; each is named a
   assert.deepEqual(demo.complaints, []);
 });
 
+test("an icon of 16 pixels is shown as large as other pictures", async (t) => {
+  const demo = await open(t, "#/trace");
+  for (const side of [400, 16]) {
+    await bring(demo, "drop", `${side}.png`, "image/png", await png(demo, side));
+    await traced(demo, `${side}.png`);
+    const [from, to] = [await demo.toScreen(0, 0), await demo.toScreen(side, side)];
+    assert.ok(to.y - from.y > 500 && to.y - from.y < 720, `${side} pixels are ${to.y - from.y} high`);
+  }
+});
+
 test("of a picture of one's own the outlines are there after a reload, and what only its pixels could answer is out of reach", async (t) => {
   const demo = await open(t, "#/trace");
   await bring(demo, "drop", "own.png", "image/png", await png(demo));

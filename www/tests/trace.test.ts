@@ -466,11 +466,13 @@ test("outlines that came without their picture are shown, and can be handed on",
   const { hand, asked } = tracing();
   const state = hand.editor.getState();
   const round = contoursOfPath("M60 60A9 9 0 0 0 78 60A9 9 0 0 0 60 60Z", "trigonometric");
-  const contours = [...outcomeOf(found(), undefined).drawing.contours, ...round];
+  // A line encloses nothing, whichever way it turns.
+  const line = contoursOfPath("M0 0L0 9L9 9L9 0", "trigonometric");
+  const contours = [...outcomeOf(found(), undefined).drawing.contours, ...round, ...line];
   hand.editor.setState(readState({ ...state, mode: "trace", trace: { settings: {}, kept: { name: "logo.png", width: 120, height: 120, contours } } }));
   const { traceRun } = hand.editor.state.value;
   assert.equal(asked.length, 0);
-  assert.deepEqual(traceRun.outcome?.holes, [false, true, true]);
+  assert.deepEqual(traceRun.outcome?.holes, [false, true, true, false]);
   assert.equal(traceRun.outcome?.rms, null);
   // There is nothing to be traced, and of the picture nothing to be seen.
   const { trace } = hand.editor.state.value;

@@ -127,8 +127,8 @@ export function sizeOf({ trace }: EditorState): { readonly width: number; readon
   return trace.picture ?? trace.kept ?? traceSample(trace.sample ?? "") ?? null;
 }
 
-/** Small pictures are shown large, but their pixels not as large as tiles. */
-const mostZoom = 6;
+/** An icon of 16 pixels is shown as large as a drawing of its outlines would be; a picture of four is not all over the stage. */
+const mostZoom = 40;
 
 /** The whole picture in view, with room around. */
 export function showBox(editor: Editor, { width, height }: { readonly width: number; readonly height: number }): void {

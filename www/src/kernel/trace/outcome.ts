@@ -56,7 +56,7 @@ export function outcomeOf({ outlines, colors, segments, iou, beyond, sizes, stag
 /** Outlines that came without their picture. */
 export function outcomeOfKept({ contours }: KeptTrace): TraceOutcome {
   return {
-    drawing: { ...emptyCurve, contours }, holes: contours.map((contour) => signedArea(contour) < 0),
+    drawing: { ...emptyCurve, contours }, holes: contours.map((contour) => contour.closed && signedArea(contour) < 0),
     colors: [], layers: [], cubics: [], rms: null, max: null, beyond: null, iou: null, segments: null, sizes: null, stages: {},
   };
 }
