@@ -439,6 +439,41 @@ test("an imported logo keeps its corners and can be edited at once", async (t) =
   assert.equal(moved.kind, "cusp");
 });
 
+test("a second logo is chosen, so that it can be moved from where it lies over the first", async (t) => {
+  const demo = await open(t);
+  await imported(demo, square);
+  assert.equal(await demo.page.getByText("Nothing. Choose a point on the stage").count(), 1, "one that is alone is looked at first");
+  const first = await demo.points();
+  await demo.byId("btn-import").click();
+  await demo.byId("import-replace").uncheck();
+  await imported(demo, square);
+  await demo.withoutSnap();
+  const from = await demo.toScreen(first[0]?.x ?? 0, first[0]?.y ?? 0);
+  // Where two points are at one place, the chosen one is taken.
+  await demo.dragFrom(from, 60, 30);
+  const { zoom } = (await demo.state()).view;
+  assert.deepEqual(await demo.points(0), first, "the first one has stayed");
+  for (const [i, { x, y }] of (await demo.points(1)).entries()) {
+    const [dx, dy] = [x - (first[i]?.x ?? 0), y - (first[i]?.y ?? 0)];
+    assert.ok(Math.abs(dx - 60 / zoom) < 0.5 / zoom && Math.abs(dy - 30 / zoom) < 0.5 / zoom, `point ${i} by ${dx}, ${dy}`);
+  }
+});
+
+test("what another mode hands over in place of somebody's own drawing says so, and Undo brings that back", async (t) => {
+  const demo = await open(t, "#/fit?sample=fit-circle");
+  await demo.byId("fit-edit").click();
+  await demo.byId("toast").waitFor();
+  assert.doesNotMatch(await demo.textOf("toast"), /Undo/u, "the sample that the page opens with is nobody's work");
+  await demo.byId("btn-clear").click();
+  await imported(demo, square);
+  const { curve } = await demo.state();
+  await demo.byId("tab-fit").click();
+  await demo.byId("fit-edit").click();
+  await demo.page.locator(".toast", { hasText: "Undo brings back what was in Curve." }).getByRole("button", { name: "Undo" }).click();
+  await demo.idle();
+  assertSame((await demo.state()).curve, curve);
+});
+
 test("what draws nothing is refused and leaves the drawing; rows under a heading are points", async (t) => {
   const demo = await open(t, "#/curve?sample=heart");
   const { curve } = await demo.state();

@@ -136,9 +136,13 @@ export function loadCurve(editor: Editor, name: string, curve: CurveDocument): v
   editor.dispatch(replaceCurve(name, curve));
 }
 
-/** Adds contours to the drawing, or puts them in its place. What was pasted is chosen, ready to be moved; an import is looked at first. */
+/**
+ * Adds contours to the drawing, or puts them in its place. What comes to others is chosen, ready to be moved from where it
+ * lies over them; an import that is alone is looked at first.
+ */
 export function addContours(editor: Editor, name: string, contours: readonly Contour[], how: "add" | "replace"): void {
-  const add = addContoursCommand(name, contours, name === "Paste");
+  const isChosen = name === "Paste" || (how === "add" && editor.state.value.curve.contours.length > 0);
+  const add = addContoursCommand(name, contours, isChosen);
   const command: Command = how === "add" ? add : { ...add, apply: (curve) => add.apply(clearCommand().apply(curve)) };
   editor.dispatch(command);
 }

@@ -1,9 +1,12 @@
 import { nothingSelected, type Contour } from "../../document/document.ts";
 import type { Editor } from "../editor.ts";
+import { routeOf } from "../route.ts";
 
 /** Contours that another mode has made, as the drawing in Curve: a copy, seen from where one was, ready to be edited. */
 export function openInCurve(editor: Editor, name: string, contours: readonly Contour[], says: (points: number) => string): void {
-  const { view } = editor.state.value;
+  const { view, curve: before } = editor.state.value;
+  // A sample as it was opened is nobody's work.
+  const own = before.contours.length > 0 && routeOf(editor, "curve").sample === null;
   editor.patch({ mode: "curve", tool: "select" });
   editor.dispatch({
     name,
@@ -12,5 +15,6 @@ export function openInCurve(editor: Editor, name: string, contours: readonly Con
   });
   editor.setOverlay("bezier", false);
   editor.patch({ view, hint: "" });
-  editor.notify({ kind: "toast", text: says(contours.reduce((sum, { points }) => sum + points.length, 0)) });
+  const said = says(contours.reduce((sum, { points }) => sum + points.length, 0));
+  editor.notify({ kind: "toast", text: own ? `${said} Undo brings back what was in Curve.` : said, ...(own ? { actionId: "undo" } : {}) });
 }

@@ -104,6 +104,9 @@ function nearestHandle(state: EditorState, handles: readonly HandleRef[], at: Sc
   return best;
 }
 
+/** Closer together than this points are at one place, where what is chosen comes first: it was chosen to be moved. */
+const samePlace = 0.5;
+
 function nearestPoint(state: EditorState, at: ScreenPoint, reach: number): Found<PointRef> | null {
   let best: Found<PointRef> | null = null;
   const page = toPage(state.view, state.stage, at);
@@ -112,7 +115,9 @@ function nearestPoint(state: EditorState, at: ScreenPoint, reach: number): Found
   state.curve.contours.forEach(({ points }, contour) => points.forEach((point, index) => {
     if (Math.abs(point.x - page.x) > near || Math.abs(point.y - page.y) > near) return;
     const screen = toScreen(state.view, state.stage, point);
-    best = nearer(best, { contour, index }, Math.hypot(screen.x - at.x, screen.y - at.y), reach);
+    const distance = Math.hypot(screen.x - at.x, screen.y - at.y);
+    const isFirst = isSelected(state.selection, { contour, index });
+    best = nearer(best, { contour, index }, isFirst ? Math.max(0, distance - samePlace) : distance, reach);
   }));
   return best;
 }
