@@ -64,6 +64,9 @@ test("flat colours are found, shown as swatches, and saved as layers; without th
   await demo.page.keyboard.press("Escape");
   await demo.byId("export-dialog").waitFor({ state: "detached" });
 
+  await demo.byId("trace-edit").click();
+  assert.match(await demo.textOf("toast"), /colours stay in Trace/u, "outlines have none in Curve, which is said");
+  await demo.byId("tab-trace").click();
   await demo.slide("trace-colors", 2);
   assert.equal((await result(demo)).colors?.length, 2);
   assert.equal(await demo.byId("trace-threshold").isVisible(), false, "there is no threshold between colours");

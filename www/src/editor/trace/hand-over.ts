@@ -23,6 +23,11 @@ export function tracedLayers(state: EditorState): { readonly color: string; read
   return shown === null ? [] : byColor(shown);
 }
 
+/** What is no part of a drawing, and does not come along. */
+function staying({ state }: Editor): string {
+  return (shownOf(state.value)?.colors.length ?? 0) > 0 ? "The picture and its colours stay" : "The picture stays";
+}
+
 export function smoothInFit(editor: Editor): void {
   const { trace } = editor.state.value;
   const drawing = drawingOf(editor.state.value);
@@ -31,12 +36,12 @@ export function smoothInFit(editor: Editor): void {
   // Smoother than the trace, by as much again as Detail gave away.
   const within = Number((2 * toleranceOf(trace.settings.detail)).toPrecision(2));
   const count = strokes.reduce((sum, stroke) => sum + stroke.length, 0);
-  handOver(editor, `The outlines are in Fit, ${count} points. The picture stays in Trace.`, () =>
+  handOver(editor, `The outlines are in Fit, ${count} points. ${staying(editor)} in Trace.`, () =>
     bringStrokes(editor, { name: "Smooth the trace", strokes, within, instead: "all" }));
 }
 
 export function editTraceInCurve(editor: Editor): void {
   const drawing = drawingOf(editor.state.value);
   if (drawing === null) return;
-  openInCurve(editor, "Edit the trace", drawing.contours, (count) => `The outlines are in Curve, ${count} points. The picture stays in Trace.`);
+  openInCurve(editor, "Edit the trace", drawing.contours, (count) => `The outlines are in Curve, ${count} points. ${staying(editor)} in Trace.`);
 }
