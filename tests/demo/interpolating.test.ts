@@ -237,3 +237,26 @@ test("the weights of the selected point stand on the curve, move with the select
   assert.ok((await demo.changedPixels(third, await demo.pixels())) > 500);
   assert.deepEqual(await demo.sample(200), curve);
 });
+
+test("a very long interpolating contour is shown where a key has moved it before anything of it is measured", async (t) => {
+  const demo = await open(t);
+  await demo.page.evaluate(async () => {
+    const state = structuredClone(window.explineDemo.getState());
+    const count = 12_000;
+    const points = Array.from({ length: count }, (_, i) => {
+      const [angle, radius] = [(2 * Math.PI * i) / count, 160 + 20 * Math.sin((80 * Math.PI * i) / count)];
+      return { x: 400 + radius * Math.cos(angle), y: 300 + radius * Math.sin(angle), kind: "smooth" as const, in: { dx: 0, dy: 0 }, out: { dx: 0, dy: 0 } };
+    });
+    await window.explineDemo.setState({ ...state, curve: { space: "trigonometric", omega: "auto", level: 0, contours: [{ family: "interpolating", closed: true, points }] } });
+  });
+  const before = await demo.until(() => demo.metric("m-area"), (area) => Math.abs(area - Math.PI * (160 ** 2 + 20 ** 2 / 2)) < 1, "it is measured");
+  await demo.focusStage();
+  await demo.press("]");
+  const inTheFrame = await demo.page.evaluate(async () => {
+    document.activeElement?.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight", code: "ArrowRight", shiftKey: true, bubbles: true, cancelable: true }));
+    await window.explineDemo.idle();
+    return [window.explineDemo.getState().curve.contours[0]?.points[0]?.x, Number(document.querySelector("[data-testid=m-area]")?.getAttribute("data-value"))];
+  });
+  assert.deepEqual(inTheFrame, [570, before]);
+  await demo.until(() => demo.metric("m-area"), (area) => area !== before, "it is measured when it has been still");
+});

@@ -1,4 +1,4 @@
-import type { Mode } from "../../document/document.ts";
+import type { CurveDocument, Mode } from "../../document/document.ts";
 import { h, setAttribute } from "../controls/dom.ts";
 import { curveMetrics } from "../curve/curve-metrics.ts";
 import type { Metric, ModeMetrics } from "../mode/metric.ts";
@@ -8,6 +8,13 @@ const slowEveryMs = 120;
 /** Of a frame, for measuring what is very large. */
 const shareOfFrameMs = 8;
 const mostMeasuredLive = 200;
+/** An interpolating contour is measured as a whole: of more points than this only when it has been still. */
+const mostInOne = 10_000;
+const restMs = 300;
+
+function isSlow({ contours }: CurveDocument): boolean {
+  return contours.some(({ family, points }) => family === "interpolating" && points.length > mostInOne);
+}
 
 /** What is there, what is true about it, what it costs. Every number can be copied by a press and carries itself in `data-value`. */
 export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement; put(mode: Mode, metrics: ModeMetrics): void } {
@@ -42,13 +49,18 @@ export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement; p
   };
   let lastSlow = 0;
   let pending: ReturnType<typeof setTimeout> | null = null;
+  let resting: ReturnType<typeof setTimeout> | undefined;
+  let rested: CurveDocument | null = null;
   const update = (): void => {
     const state = editor.state.value;
     element.hidden = !modes.has(state.mode);
     if (element.hidden) return;
     if (shownMode !== state.mode) build(state.mode);
     // Of a very large drawing they wait for the end of the drag.
-    const waits = state.drag !== null && state.curve.contours.length > mostMeasuredLive;
+    const isMoving = rested !== state.curve && isSlow(state.curve);
+    const waits = isMoving || (state.drag !== null && state.curve.contours.length > mostMeasuredLive);
+    clearTimeout(resting);
+    if (isMoving) resting = setTimeout(() => { rested = state.curve; soon.request(); }, restMs);
     const slowToo = !waits && performance.now() - lastSlow >= slowEveryMs;
     // The very first frame has no time of its own yet.
     if (shell.frame.times.length === 0) setTimeout(soon.request);
@@ -56,7 +68,7 @@ export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement; p
     const prepared = slowToo && all.every(({ metric }) => metric.prepare?.(state, () => performance.now() - start > shareOfFrameMs) !== false);
     if (slowToo && !prepared) soon.request();
     else if (slowToo) lastSlow = performance.now();
-    else pending ??= setTimeout(() => { pending = null; soon.request(); }, slowEveryMs);
+    else if (!isMoving) pending ??= setTimeout(() => { pending = null; soon.request(); }, slowEveryMs);
     for (const { metric, element: shown } of all) if (metric.slow !== true || slowToo) show(shown, metric.slow === true && !prepared ? null : metric.read(state));
   };
   const soon = inNextFrame(shell.frame, () => editor.state.value.engine.status === "ready" && update());
