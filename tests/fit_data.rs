@@ -3,7 +3,9 @@
 
 mod support;
 
-use expline::fit::{Ask, Fitter, Options, Parametrisation, Samples, fit, is_regular, noise, parametrise};
+use expline::fit::{
+    Ask, FitStatus, Fitter, Options, Parametrisation, Samples, fit, is_regular, noise, parametrise,
+};
 use expline::numerics::Point;
 use support::curves::Random;
 
@@ -96,6 +98,88 @@ fn ends_that_meet_make_a_closed_curve() {
     let (one, other) = (one.expect("fine"), other.expect("fine"));
     assert_eq!(one.knots.len(), other.knots.len(), "the first point given again at the end is one with it");
     assert_eq!(other.parameters[0], other.parameters[200], "and has its parameter");
+}
+
+/// A star of five tips, and points on it `step` apart: on every side alike, or for as long as the way goes, from one side to the next.
+fn star() -> Vec<Point> {
+    let corner = |j: usize| {
+        let angle = core::f64::consts::TAU * (j as f64 / 10.0 - 0.25);
+        let radius = if j.is_multiple_of(2) { 120.0 } else { 50.0 };
+        Point::new(200.0 + radius * libm::cos(angle), 150.0 + radius * libm::sin(angle))
+    };
+    (0..=10).map(corner).collect()
+}
+
+fn walked(corners: &[Point], step: f64) -> Vec<Point> {
+    let (mut points, mut ahead) = (Vec::new(), 0.0);
+    for side in corners.windows(2) {
+        let way = side[1] - side[0];
+        while ahead < way.norm() {
+            points.push(side[0] + way * (ahead / way.norm()));
+            ahead += step;
+        }
+        ahead -= way.norm();
+    }
+    points
+}
+
+#[test]
+fn a_contour_that_comes_back_to_its_first_point_up_to_rounding_ends_there() {
+    let corners = star();
+    let side = (corners[1] - corners[0]).norm();
+    let mut fine = walked(&corners[..10], side / 16.0);
+    fine.extend(walked(&corners[9..], side / 16.0));
+    fine.push(corners[10]);
+    for points in [corners, fine] {
+        let last = points.len() - 1;
+        assert!(points[last] != points[0], "a whole turn is rounded");
+        let mut exact = points.clone();
+        exact[last] = exact[0];
+        let small = Ask::Tolerance(0.5);
+        for ask in [small.clone(), Ask::Noise, Ask::Smoothing(0.3), Ask::Lambda(vec![10.0, 100.0])] {
+            let [one, other] = [&exact, &points].map(|points| fit(points, ask.clone(), &Options::default()));
+            let (one, other) = (one.expect("fine"), other.expect("fine"));
+            assert_eq!(one.curve.points(), other.curve.points(), "{ask:?} of {last}: the same curve");
+            assert_eq!(other.parameters[last], other.parameters[0], "{ask:?}: at one place");
+        }
+        // Nearer than any drawing is drawn, and farther than what is rounding: a point of its own.
+        for away in [1e-13, 1e-12, 1e-9, 1e-6] {
+            let mut points = points.clone();
+            points[last] = points[0] + Point::new(240.0 * away, 0.0);
+            let options = Options { degrees: vec![1], ..Options::default() };
+            for options in [options, Options::default()] {
+                let found = fit(&points, small.clone(), &options).expect("fine");
+                assert_eq!(found.status, FitStatus::Converged, "{last}, {away}");
+                assert!(found.max_error <= 0.5, "{last}, {away}: {}", found.max_error);
+                let lambda = vec![10.0; options.degrees.len()];
+                assert!(fit(&points, Ask::Lambda(lambda), &options).is_ok(), "{last}, {away}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_contour_may_close_with_a_step_of_any_length() {
+    let corners = star();
+    let length: f64 = corners.windows(2).map(|side| (side[1] - side[0]).norm()).sum();
+    for count in [157.0, 200.0] {
+        // What is left for the last step, as a part of the others.
+        for part in [1e-5, 0.01, 0.1, 0.4, 0.7, 1.0, 2.0] {
+            let step = length / (count - 1.0 + part);
+            let mut points = walked(&corners, step);
+            points.truncate(count as usize);
+            let options = Options { closed: Some(true), ..Options::default() };
+            let found = fit(&points, Ask::Noise, &options).expect("fine");
+            assert_eq!(found.knots.len(), 10, "{count} points, {part} of a step");
+            for corner in &corners {
+                let away = |knot: &expline::fit::Knot| (knot.point - corner).norm();
+                let nearest = found.knots.iter().map(away).fold(f64::INFINITY, f64::min);
+                // Corners between two points are where lines on both sides meet: what is no noise is a ten-thousandth of the
+                // drawing, and a line through 15 points is known to half of that.
+                assert!(nearest < 0.05, "{count} points, {part} of a step: {nearest} from a corner");
+            }
+        }
+    }
 }
 
 #[test]

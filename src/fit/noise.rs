@@ -8,6 +8,12 @@ use crate::numerics::{Point, Vector};
 const FOURTH: [f64; 5] = [1.0, -4.0, 6.0, -4.0, 1.0];
 /// Half the length of the chord that tells which way is across.
 const REACH: usize = 5;
+/// The step that closes a contour is another one than those beside it where the difference is such a part of a step and so many
+/// standard deviations of the noise, which moves it by 2.2 of them.
+const OTHER: f64 = 0.1;
+const SCATTERED: f64 = 5.0;
+/// What is so many steps long is no step but a jump, which no point says anything about.
+const JUMP: f64 = 8.0;
 /// So many places tell a median to half a per cent: of more points, evenly chosen ones are looked at.
 const ENOUGH: usize = 20_000;
 
@@ -32,10 +38,18 @@ pub fn is_regular(samples: &Samples) -> bool {
 /// The same where the standard deviations are known.
 pub(super) fn is_regular_at(samples: &Samples, [across, along]: [f64; 2]) -> bool {
     let points = &samples.points;
+    if points.len() < 9 {
+        return false;
+    }
     let mut steps: Vec<f64> = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
+    let around = 0.5 * (steps[0] + steps[steps.len() - 1]);
     let middle = steps.len() / 2;
     let median = nth(&mut steps, middle);
-    points.len() >= 9 && along <= 1.3 * across + 0.02 * median
+    // A contour that was walked in even steps seldom ends one step before its first point.
+    let last = (points[points.len() - 1] - points[0]).norm();
+    let (other, most) = (OTHER * median + SCATTERED * across, JUMP * median);
+    let ends = !samples.closed || (last - around).abs() < other || last > most;
+    ends && along <= 1.3 * across + 0.02 * median
 }
 
 /// Standard deviations across and along the curve.

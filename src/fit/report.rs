@@ -39,10 +39,10 @@ pub(super) fn size(samples: &Samples) -> f64 {
 }
 
 /// What the coordinates of a curve are off by where it lies: joints are rounded as they are put there, and values between
-/// them in products and sums of joints, two roundings of each coordinate in all.
+/// them in products and sums of joints, two roundings of each coordinate in all. Points that repeat others are where those are.
 pub(super) fn rounding(samples: &Samples) -> f64 {
     const ROUNDINGS: f64 = 4.0;
-    ROUNDINGS * f64::EPSILON * (samples.center.amax() + samples.scale)
+    ROUNDINGS * f64::EPSILON * (samples.center.amax() + samples.scale) + samples.moved * samples.scale
 }
 
 /// (ℓ/2π)^(degree + 1).

@@ -8,6 +8,9 @@ use crate::numerics::Point;
 pub const MOST_SAMPLES: usize = 500_000;
 /// Ends closer than this part of the diagonal belong together.
 const CLOSE: f64 = 0.03;
+/// Points no farther apart than so many roundings of a drawing's size, and so many of where it lies, were computed for one.
+const OF_SIZE: f64 = 128.0;
+const OF_PLACE: f64 = 4.0;
 
 /// The points of one contour, ready to be fitted.
 #[derive(Clone, Debug)]
@@ -24,14 +27,16 @@ pub struct Samples {
     pub scale: f64,
     /// Whether the curve is closed.
     pub closed: bool,
+    /// How far a given point is from the one that it became, at most: rounding.
+    pub moved: f64,
 }
 
 impl Samples {
     /// Checks the points and makes them ready. `closed` says whether the curve is; `None` finds out: ends closer than
     /// 3 % of the diagonal belong together. `keep` leaves repetitions alone, for parameters that count them.
     ///
-    /// A point that equals the one before is one with it and weighs more; so is a last point that equals the first of
-    /// a closed curve.
+    /// A point that equals the one before, up to rounding, is one with it and weighs more; so is a last point that equals the
+    /// first of a closed curve.
     ///
     /// # Errors
     ///
@@ -58,13 +63,21 @@ impl Samples {
         let closed = closed.unwrap_or_else(|| joins(points, extent.norm()));
         let (center, scale) = (low + extent * 0.5, power_of_two(size));
         let (lists, weights) = (with_room(points.len())?, with_room(points.len())?);
-        let mut samples =
-            Self { points: lists, weights, place: with_room(points.len())?, center, scale, closed };
+        let mut samples = Self {
+            points: lists,
+            weights,
+            place: with_room(points.len())?,
+            center,
+            scale,
+            closed,
+            moved: 0.0,
+        };
+        let near = f64::EPSILON * (OF_SIZE + OF_PLACE * center.amax() / scale);
         for point in points {
-            samples.take((point - center) / scale, keep);
+            samples.take((point - center) / scale, keep, near);
         }
         if closed && !keep {
-            samples.close();
+            samples.close(near);
         }
         let left = samples.points.len();
         if left < needed {
@@ -73,21 +86,28 @@ impl Samples {
         Ok(samples)
     }
 
-    fn take(&mut self, point: Point, keep: bool) {
-        if !keep && self.points.last() == Some(&point) {
-            let last = self.weights.len() - 1;
-            self.weights[last] += 1.0;
-        } else {
-            self.points.push(point);
-            self.weights.push(1.0);
+    fn take(&mut self, point: Point, keep: bool, near: f64) {
+        match self.points.last() {
+            Some(last) if !keep && (point - last).norm() <= near => {
+                self.moved = self.moved.max((point - last).norm());
+                let last = self.weights.len() - 1;
+                self.weights[last] += 1.0;
+            }
+            _ => {
+                self.points.push(point);
+                self.weights.push(1.0);
+            }
         }
         self.place.push(self.points.len() as u32 - 1);
     }
 
     /// Lets a last point that is the first one again go into it.
-    fn close(&mut self) {
+    fn close(&mut self, near: f64) {
         let last = self.points.len() - 1;
-        if last > 0 && self.points[last] == self.points[0] {
+        let apart = (self.points[last] - self.points[0]).norm();
+        if last > 0 && apart <= near {
+            // Points that became the last one are as much farther from the first.
+            self.moved += apart;
             self.points.truncate(last);
             let weight = self.weights[last];
             self.weights.truncate(last);

@@ -107,7 +107,7 @@ impl Fitter {
             Parametrisation::Auto if by_lambda || self.even => Parametrisation::Index,
             kind => kind,
         };
-        let (parameters, end) = if self.options.parameters.is_empty() {
+        let (mut parameters, end) = if self.options.parameters.is_empty() {
             self.unit = 1.0;
             parametrise(samples, kind, self.noise)
         } else {
@@ -118,6 +118,10 @@ impl Fitter {
             let unit = self.unit;
             (parameters.iter().map(|t| t / unit).collect(), end / unit)
         };
+        if samples.closed {
+            // A last point as near to the first as rounding allows comes before it all the same.
+            parameters.iter_mut().for_each(|t| *t = t.min(end.next_down()));
+        }
         self.located = Located { points: samples.points.clone(), parameters, weights };
         self.end = end;
         self.located_by = Some(by_lambda);
