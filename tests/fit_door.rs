@@ -172,6 +172,37 @@ fn no_price_at_all_gives_a_curve_through_the_points() {
 }
 
 #[test]
+fn no_price_and_weights_a_million_times_apart_end_as_they_say() {
+    for count in [30, 200] {
+        let place = |i: usize| {
+            let a = 0.1 * i as f64;
+            let ripple = Point::new(libm::sin(31.0 * a), 3.0 * libm::cos(77.0 * a));
+            Point::new(20.0 * a, 50.0 * libm::sin(a)) + ripple
+        };
+        let points: Vec<Point> = (0..count).map(place).collect();
+        for (low, high) in [(1e-3, 1.0), (1e-6, 1.0), (1e-6, 1e6)] {
+            let weights: Vec<f64> = (0..count).map(|i| if i % 3 == 0 { high } else { low }).collect();
+            for (degree, closed) in [1, 2, 3, 5].into_iter().flat_map(|d| [(d, false), (d, true)]) {
+                let options = Options {
+                    degrees: vec![degree],
+                    closed: Some(closed),
+                    weights: weights.clone(),
+                    ..Options::default()
+                };
+                let fitted = fit(&points, Ask::Lambda(vec![0.0]), &options).expect("it can be fitted");
+                let what = format!("{count}, {low} to {high}, degree {degree}, closed {closed}");
+                let reached = fitted.gap <= options.gap;
+                assert_eq!(fitted.status == FitStatus::Converged, reached, "{what}: {}", fitted.gap);
+                // There is a curve through all points: a ten-millionth of the drawing is nothing in the squares of weight 1e-3.
+                if low >= 1e-3 {
+                    assert!(reached && fitted.max_error <= 5e-6, "{what}: {}", fitted.max_error);
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn a_fitter_comes_back_from_no_price_at_all() {
     let points = noisy_circle(200, 1.0, 0.01, 1);
     let mut fitter = Fitter::new(&points, &cubic()).expect("the points are fine");
