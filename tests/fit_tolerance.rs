@@ -187,3 +187,63 @@ fn a_tolerance_below_the_noise_is_kept_however_many_points_there_are() {
         }
     }
 }
+
+/// Points of which no smooth curve with few knots is near: a zigzag, a cloud in no order, and noise with repetitions.
+fn rough(kind: usize, count: usize) -> Vec<Point> {
+    let mut random = Random::new(31 * kind as u64 + 5);
+    let place = |i: usize| match kind {
+        0 => Point::new(5.0 * i as f64, if i.is_multiple_of(2) { 0.0 } else { 40.0 }),
+        1 => Point::new(random.unit(), random.unit()) * 300.0,
+        _ => Point::new(2.0 * libm::floor(i as f64 / 3.0), libm::floor(9.0 * random.unit())),
+    };
+    (0..count).map(place).collect()
+}
+
+#[test]
+fn a_tolerance_is_kept_where_corners_may_not_be_or_not_slight_ones() {
+    const LEAST: f64 = 0.5;
+    for (kind, count) in [(0, 60), (1, 120), (2, 300)] {
+        let points = rough(kind, count);
+        for degree in [2, 3, 5] {
+            for (closed, corners) in [(false, false), (true, false), (false, true), (true, true)] {
+                let least_turn = if corners { LEAST } else { 0.0 };
+                let options = Options {
+                    degrees: vec![degree],
+                    closed: Some(closed),
+                    corners,
+                    least_turn,
+                    ..Options::default()
+                };
+                for tolerance in [0.02, 1.0] {
+                    let fitted = fit(&points, Ask::Tolerance(tolerance), &options).expect("fits");
+                    let what = format!("{kind}, degree {degree}, {closed}, {corners}, within {tolerance}");
+                    assert_eq!(fitted.status, FitStatus::Converged, "{what}: {}", fitted.max_error);
+                    let far = searched(&fitted, &points);
+                    assert!(far <= tolerance && fitted.max_error <= tolerance, "{what}: {far}");
+                    let (leaving, arriving) = (fitted.curve.tangents(), fitted.curve.tangents_in());
+                    for (a, b) in arriving.iter().zip(leaving) {
+                        let cross = a.x * b.y - a.y * b.x;
+                        let turn = libm::atan2(cross, a.dot(b)).abs();
+                        // Tangents of pieces as short as a tolerance are differences of coordinates near 300: of the rest
+                        // of 1e-6 there are ten digits.
+                        assert!(turn < 1e-6 || corners && turn > LEAST - 1e-6, "{what}: a corner of {turn}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn points_on_a_line_are_one_line_however_they_are_spread() {
+    for power in [1, 2, 3, 6] {
+        for degree in 1..=5 {
+            let share = |i: i32| (f64::from(i) / 29.0).powi(power);
+            let points: Vec<Point> = (0..30).map(|i| Point::new(300.0, 100.0) * share(i)).collect();
+            let options = Options { degrees: vec![degree], ..Options::default() };
+            let fitted = fit(&points, Ask::Tolerance(2.0), &options).expect("fits");
+            assert_eq!(fitted.knots.len(), 0, "degree {degree}, spread by the power {power}");
+            assert!(fitted.max_error <= 2.0, "degree {degree}, spread by the power {power}");
+        }
+    }
+}

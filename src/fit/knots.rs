@@ -10,6 +10,7 @@ pub(super) mod foot_points;
 pub(super) mod free_knots;
 mod look;
 mod polyline;
+mod rounded;
 mod search;
 pub(super) mod sparsest;
 mod start;

@@ -16,7 +16,7 @@ pub enum Ask {
     Smoothing(f64),
     /// The fewest knots with which no point is farther from the curve. The curve keeps to the way of the points, too: as a rule it is
     /// no farther from it than this and half of their distance from one another. Below the noise that is a polyline with the
-    /// fewest vertices; where corners may not be anywhere, a tolerance may be missed there.
+    /// fewest vertices, rounded off where corners may not be.
     Tolerance(f64),
     /// The fewest simple knots with which the mean square of the points' distances, at their parameters, is not larger.
     MeanSquare(f64),

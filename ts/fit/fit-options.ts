@@ -22,8 +22,8 @@ export interface SparseFitStrength {
   smoothing?: number | undefined;
   /**
    * Instead of lambda: the fewest knots whose curve is nowhere farther than this from a point. The curve keeps to the way of the points, too: as a rule
-   * it is no farther from it than this and half of their distance from one another. Below the noise it is a polyline with the fewest vertices; where
-   * `corners` allows none, a tolerance may be missed there, and `status` says so.
+   * it is no farther from it than this and half of their distance from one another. Below the noise it is a polyline with the fewest vertices,
+   * rounded off where `corners` allows none.
    */
   tolerance?: number | undefined;
 }

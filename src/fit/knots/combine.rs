@@ -59,11 +59,12 @@ pub(in crate::fit) fn combined(parts: &[Spline]) -> Option<Spline> {
             }
         }
     }
-    Some(expressed(Space::new(breaks), |middle, half| sum_on(parts, middle, half, end)))
+    Some(expressed(Space::new(breaks), &|middle, half| sum_on(parts, middle, half, end)))
 }
 
 /// The spline of a space whose polynomials on middle ± half are known.
-pub(super) fn expressed(space: Space, on: impl Fn(f64, f64) -> (Polynomial, Polynomial)) -> Spline {
+#[inline(never)]
+pub(super) fn expressed(space: Space, on: &dyn Fn(f64, f64) -> (Polynomial, Polynomial)) -> Spline {
     let degree = space.breaks.degree;
     let (mut x, mut y) = (vec![0.0; space.count], vec![0.0; space.count]);
     let mut nearest = vec![f64::INFINITY; space.count];

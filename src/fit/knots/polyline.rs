@@ -12,7 +12,7 @@ use crate::numerics::order::sort_in_place;
 const REACH: usize = 64;
 /// What a piece of a polyline takes in all, as a spline and in the lists that are made of it: 340 bytes of the space, 50 of
 /// coefficients, 100 of polynomials.
-const PER_PIECE: usize = 600;
+pub(super) const PER_PIECE: usize = 600;
 
 /// Numbers of the points that a polyline goes through so that no point is farther from it than `tolerance`: Ramer's and
 /// Douglas and Peucker's way, without recursion. O(M log M) on drawings, O(M²) at worst for `most` vertices; `None`
@@ -141,7 +141,7 @@ fn beside([a, b]: [Point; 2], point: Point) -> f64 {
 }
 
 /// The share of an edge at which a point's foot is.
-fn share_of([a, b]: [Point; 2], point: Point) -> f64 {
+pub(super) fn share_of([a, b]: [Point; 2], point: Point) -> f64 {
     let chord = b - a;
     let square = chord.norm_squared();
     if square > 0.0 { ((point - a).dot(&chord) / square).clamp(0.0, 1.0) } else { 0.0 }

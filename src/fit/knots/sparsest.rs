@@ -127,6 +127,8 @@ struct Asked {
     spaced: bool,
     /// By how much a corner turns at least.
     least_turn: f64,
+    /// Whether there may be any.
+    cornered: bool,
 }
 
 /// What numbers of the curve cost by now.

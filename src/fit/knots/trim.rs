@@ -31,7 +31,7 @@ impl Spline {
             *own = (t - from).max(0.0).min(space.breaks.end);
         }
         let whole = core::slice::from_ref(self);
-        let spline = expressed(space, |middle, half| sum_on(whole, middle + from, half, breaks.end));
+        let spline = expressed(space, &|middle, half| sum_on(whole, middle + from, half, breaks.end));
         Ok(Some((spline, located)))
     }
 }

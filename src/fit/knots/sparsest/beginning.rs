@@ -7,8 +7,10 @@ use crate::error::Result;
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::polyline::Fewest;
+use crate::fit::knots::rounded::{Rounds, rounded};
 use crate::fit::knots::search::{Price, least};
 use crate::fit::knots::{polyline, start};
+use crate::numerics::angle::sin_cos;
 
 /// The most corners to begin with.
 const MOST_VERTICES: usize = 600;
@@ -16,6 +18,9 @@ const MOST_VERTICES: usize = 600;
 /// to so much of it.
 const NEAR_NOISE: f64 = 4.0;
 const ALMOST: f64 = 0.98;
+/// The parts of a tolerance that a polyline leaves to its rounds, and that these are from its vertices.
+const LEFT: f64 = 0.7;
+const DEPTH: f64 = 0.28;
 /// So many points a polyline of nearly all of them may be begun with, where a tolerance takes as many.
 const MOST_THROUGH: usize = 6000;
 
@@ -40,7 +45,8 @@ impl Sparsest {
             start::even(plan.degree, plan.closed, plan.end, view.seen.points.len(), plan.smoothest);
         // Sharper knots are cheap ways to bend; smooth ones are to come first.
         breaks.sharpest = if plan.even { plan.smoothest } else { plan.sharpest };
-        let asked = Asked { aim, noise, spaced: plan.spaced, least_turn: plan.least_turn };
+        let (least_turn, cornered) = (plan.least_turn, plan.sharpest == plan.degree);
+        let asked = Asked { aim, noise, spaced: plan.spaced, least_turn, cornered };
         let mut search = Self::begun(asked, view, breaks);
         (search.evening.even, search.sharpest) = (plan.even, plan.sharpest);
         search.effort.warming = if matches!(aim, Aim::Noise(_)) { WARMING } else { 0 };
@@ -114,22 +120,22 @@ impl Sparsest {
         Ok(Some(search))
     }
 
-    /// Takes the polyline of the fewest vertices for an answer, where the tolerance is missed and any corner may be: a round
-    /// of it, after which it says whether that was the last. O(M) in all but for points that are many times denser than the
-    /// tolerance.
+    /// Takes the polyline of the fewest vertices for an answer, where the tolerance is missed, rounded off where corners may not be:
+    /// a round of it, after which it says whether that was the last. O(M) in all but for points that are many times denser than
+    /// the tolerance.
     ///
     /// # Errors
     ///
     /// `OutOfMemory`.
     pub(in crate::fit) fn resort_to_polyline(&mut self) -> Result<bool> {
         let Some(tolerance) = self.missed() else { return Ok(true) };
-        let Breaks { degree, closed, .. } = *self.fitted.breaks();
+        let closed = self.fitted.breaks().closed;
         let points = &self.view.full.points;
         match &mut self.resort {
-            Resort::None if self.sharpest < degree || self.asked.least_turn > 0.0 => {
-                self.resort = Resort::Over
+            Resort::None => {
+                let near = self.rounds(tolerance).map_or(ALMOST * tolerance, |_| LEFT * tolerance);
+                self.resort = Resort::Edges(Fewest::new(points, closed, near)?);
             }
-            Resort::None => self.resort = Resort::Edges(Fewest::new(points, closed, ALMOST * tolerance)?),
             Resort::Edges(fewest) => {
                 if fewest.round(points, IN_A_ROUND) {
                     self.resort = Resort::Vertices(fewest.vertices(points.len(), closed)?);
@@ -138,23 +144,43 @@ impl Sparsest {
             Resort::Vertices(vertices) => {
                 let vertices = core::mem::take(vertices);
                 self.resort = Resort::Over;
-                if let Some(breaks) = self.corners_at(&vertices)? {
-                    let found = self.polyline(&vertices, breaks)?;
-                    if found.distances.largest <= tolerance {
-                        self.found = Some(found);
-                    }
-                }
+                self.found = match self.resorted(&vertices, tolerance)? {
+                    Some(found) if found.distances.largest <= tolerance => Some(found),
+                    _ => self.found.take(),
+                };
             }
             Resort::Over => {}
         }
         Ok(matches!(self.resort, Resort::Over))
     }
 
-    /// Knots at the corners of a polyline through some of the points, if that is enough of them.
+    /// How a polyline is to be rounded off; nothing where any corner may be.
+    fn rounds(&self, tolerance: f64) -> Option<Rounds> {
+        let (Asked { least_turn, cornered, .. }, degree) = (self.asked, self.fitted.breaks().degree);
+        // No angle has a cosine below −1.
+        let cosine = if cornered { sin_cos(least_turn).1 } else { -2.0 };
+        (degree > 1 && cosine < 1.0).then_some(Rounds { depth: DEPTH * tolerance, cosine })
+    }
+
+    /// The polyline through some of the points, or what is to be instead.
+    #[inline(never)]
+    fn resorted(&self, vertices: &[usize], tolerance: f64) -> Result<Option<Found>> {
+        let Some(rounds) = self.rounds(tolerance) else {
+            return self.corners_at(vertices)?.map(|breaks| self.polyline(vertices, breaks)).transpose();
+        };
+        let found = rounded(vertices, &self.view.full, self.fitted.breaks(), rounds)?;
+        Ok(found.map(|(spline, mut located)| {
+            let distances = spline.project_beyond(&mut located, 3, self.near());
+            Found { spline, located, distances, wild: None }
+        }))
+    }
+
+    /// Knots at the corners of a polyline through some of the points, if that is enough of them: within a tolerance a line is.
     #[inline(never)]
     fn corners_at(&self, vertices: &[usize]) -> Result<Option<Breaks>> {
         let breaks = polyline::corners(vertices, &self.view.full, self.fitted.breaks())?;
-        Ok((breaks.len() >= least(&breaks).max(1)).then_some(breaks))
+        let few = usize::from(!matches!(self.asked.aim, Aim::Tolerance(_)));
+        Ok((breaks.len() >= least(&breaks).max(few)).then_some(breaks))
     }
 
     /// The polyline through some of the points.
@@ -168,7 +194,8 @@ impl Sparsest {
     /// A search for fewer knots than those of `breaks` with a sum of squares that is not larger than `target`.
     pub(in crate::fit) fn pruning(full: Located, breaks: Breaks, target: f64, noise: f64) -> Self {
         let at_first = breaks.len();
-        let asked = Asked { aim: Aim::Squares(target), noise, spaced: false, least_turn: 0.0 };
+        let asked =
+            Asked { aim: Aim::Squares(target), noise, spaced: false, least_turn: 0.0, cornered: true };
         let mut search = Self::begun(asked, View::of_all(full), breaks);
         (search.phase, search.at_first) = (Phase::Thin, at_first);
         search
