@@ -229,8 +229,8 @@ export class HermiteCurve extends MeasuredCurve {
   }
 
   /**
-   * The curve without point i, its neighbours' tangents adapted to change the shape least; `maxError` is by how much it changed, measured at 97
-   * places of each segment and on from there to where it is largest.
+   * The curve without point i: its neighbours' tangents keep their directions and get lengths with which the shape changes nearly as little as it
+   * can. `maxError` is by how much it changed, measured at 97 places of each segment and on from there to where it is largest.
    */
   remove(i: number): { curve: HermiteCurve; maxError: number } {
     const op = "remove";

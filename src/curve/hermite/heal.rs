@@ -23,8 +23,8 @@ impl HermiteCurve {
     /// The curve without point i, and how far it is from the old one.
     ///
     /// The two segments at the point become one whose parameter length is their sum. The directions of the
-    /// tangents at its ends stay, their lengths are chosen so that what is farthest away is as near as can be without
-    /// a loop (nothing on the far side of the neighbours changes).
+    /// tangents at its ends stay, their lengths are chosen so that what is farthest away is nearly as near as it can be
+    /// without a loop (nothing on the far side of the neighbours changes). No fitted tangent is 0.
     /// Two pieces of one segment, and two arcs of one ellipse, become what they were: inserting a point and
     /// removing it gives the old curve back. Removing an end of an open curve takes its segment away.
     ///
