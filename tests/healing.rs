@@ -51,6 +51,10 @@ fn least_apart(old: &HermiteCurve, healed: &HermiteCurve) -> f64 {
     let size: f64 = way.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
     let (out, inn) = (healed.tangents()[0].normalize(), healed.tangents_in()[1].normalize());
     let cost = |[a, b]: [f64; 2]| {
+        // Handles of less than a fifteenth of the length are as good as none.
+        if a.min(b).exp() < 0.2 {
+            return f64::INFINITY;
+        }
         let turned = healed.with_tangent(0, out * (a.exp() * size / healed.domain().1), Side::Out);
         let turned = turned
             .and_then(|turned| turned.with_tangent(1, inn * (b.exp() * size / healed.domain().1), Side::In));

@@ -24,7 +24,7 @@ impl HermiteCurve {
     ///
     /// The two segments at the point become one whose parameter length is their sum. The directions of the
     /// tangents at its ends stay, their lengths are chosen so that what is farthest away is nearly as near as it can be
-    /// without a loop (nothing on the far side of the neighbours changes). No fitted tangent is 0.
+    /// without a loop, and no handle shorter than a fifteenth of the old segments (nothing on the far side changes).
     /// Two pieces of one segment, and two arcs of one ellipse, become what they were: inserting a point and
     /// removing it gives the old curve back. Removing an end of an open curve takes its segment away.
     ///

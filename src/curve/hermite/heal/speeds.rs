@@ -8,8 +8,8 @@ use crate::numerics::{Point, Vector};
 const SPEEDS: [f64; 9] = [0.06, 0.15, 0.35, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0];
 /// Pairs of them.
 const SURVEYED: usize = SPEEDS.len() * SPEEDS.len();
-/// The least speed: without one an end has no direction any more, and without some no handle that can be seized.
-const LEAST: f64 = 0.03;
+/// The least speed: where a handle is shorter, the curve turns there as sharply as at a corner, and nobody can seize it.
+const LEAST: f64 = 0.2;
 /// Chords of a segment that is surveyed.
 const CHORDS: usize = 32;
 /// Steps for each power of the distances, those included that went too far; most take six.
