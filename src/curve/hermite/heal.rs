@@ -14,7 +14,7 @@ use places::places;
 mod places;
 mod speeds;
 
-/// A segment that turns by so much more than the old ones has a loop that they have not.
+/// A segment whose turning, as `turning` sums it, is so much more than that of the old ones has a loop that they have not.
 const MORE_TURNING: f64 = 1.0;
 /// Chords from which a segment's turning is read.
 const CHORDS: usize = 32;
@@ -24,7 +24,8 @@ impl HermiteCurve {
     ///
     /// The two segments at the point become one whose parameter length is their sum. The directions of the
     /// tangents at its ends stay, their lengths are chosen so that what is farthest away is nearly as near as it can be
-    /// without a loop, and no handle shorter than a fifteenth of the old segments (nothing on the far side changes).
+    /// without a loop, and no shorter than a tenth of the way for each unit of the parameter, unless the old ones were
+    /// (nothing on the far side changes).
     /// Two pieces of one segment, and two arcs of one ellipse, become what they were: inserting a point and
     /// removing it gives the old curve back. Removing an end of an open curve takes its segment away.
     ///

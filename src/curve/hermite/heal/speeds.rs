@@ -6,10 +6,11 @@ use crate::numerics::{Point, Vector};
 
 /// Speeds that are surveyed: with two of 1 a straight segment would be as long as the old ones.
 const SPEEDS: [f64; 9] = [0.06, 0.15, 0.35, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0];
+/// The least speed that comes out, wherever it began: where a handle is shorter, the curve turns there as sharply as at a corner, and
+/// nobody can seize it.
+const LEAST: f64 = 0.1;
 /// Pairs of them.
 const SURVEYED: usize = SPEEDS.len() * SPEEDS.len();
-/// The least speed: where a handle is shorter, the curve turns there as sharply as at a corner, and nobody can seize it.
-const LEAST: f64 = 0.2;
 /// Chords of a segment that is surveyed.
 const CHORDS: usize = 32;
 /// Steps for each power of the distances, those included that went too far; most take six.
@@ -121,7 +122,9 @@ impl<'a> Fit<'a> {
 
     /// The segment that is nearest to the places, from speeds with which their feet are about here.
     #[inline(never)]
-    fn nearest(&self, mut speeds: [f64; 2], mut feet: [f64; COUNT]) -> Segment<'a> {
+    fn nearest(&self, speeds: [f64; 2], mut feet: [f64; COUNT]) -> Segment<'a> {
+        let least = LEAST * self.unit;
+        let mut speeds = [speeds[0].max(least), speeds[1].max(least)];
         for farthest in [false, true] {
             let mut unit = 0.0;
             let mut here = self.equations(speeds, &mut feet, farthest, &mut unit);
@@ -135,7 +138,6 @@ impl<'a> Fit<'a> {
                     ((yy + more) * here.right[0] - xy * here.right[1]) * scale,
                     ((xx + more) * here.right[1] - xy * here.right[0]) * scale,
                 ];
-                let least = LEAST * self.unit;
                 let trial = [(speeds[0] + step[0]).max(least), (speeds[1] + step[1]).max(least)];
                 let mut trial_feet = feet;
                 let there = self.equations(trial, &mut trial_feet, farthest, &mut unit);
