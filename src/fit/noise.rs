@@ -1,7 +1,7 @@
 //! How noisy points are, found from the points alone.
 
 use super::samples::Samples;
-use crate::numerics::order::{nth, sort_numbers};
+use crate::numerics::order::{median, sort_numbers};
 use crate::numerics::{Point, Vector};
 
 /// The fourth difference: what it leaves of a cubic is nothing, of white noise √70 times its size.
@@ -43,8 +43,7 @@ pub(super) fn is_regular_at(samples: &Samples, [across, along]: [f64; 2]) -> boo
     }
     let mut steps: Vec<f64> = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
     let around = 0.5 * (steps[0] + steps[steps.len() - 1]);
-    let middle = steps.len() / 2;
-    let median = nth(&mut steps, middle);
+    let median = median(&mut steps);
     // A contour that was walked in even steps seldom ends one step before its first point.
     let last = (points[points.len() - 1] - points[0]).norm();
     let (other, most) = (OTHER * median + SCATTERED * across, JUMP * median);
@@ -64,8 +63,7 @@ pub(super) fn levels(samples: &Samples) -> [f64; 2] {
         centers.step_by(count.div_ceil(ENOUGH)).map(|m| parts(points, samples.closed, m)).collect();
     [0, 1].map(|part| {
         let mut sizes: Vec<f64> = sizes.iter().map(|size| size[part]).collect();
-        let middle = sizes.len() / 2;
-        let median = nth(&mut sizes, middle);
+        let median = median(&mut sizes);
         // The median of |N(0, 1)| is 0.6745, and 70 is the sum of the squared weights.
         median / (0.674_489_750_196_081_7 * 70.0_f64.sqrt())
     })

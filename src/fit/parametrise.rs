@@ -3,7 +3,7 @@
 use super::samples::Samples;
 use crate::error::{Error, Result};
 use crate::numerics::Point;
-use crate::numerics::order::nth;
+use crate::numerics::order::median;
 
 /// How parameters are given to points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -94,8 +94,7 @@ pub fn given(parameters: &[f64], count: usize, closed: bool, period: Option<f64>
 fn window(samples: &Samples, noise: f64) -> usize {
     let points = &samples.points;
     let mut steps: Vec<f64> = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
-    let middle = steps.len() / 2;
-    let median = nth(&mut steps, middle);
+    let median = median(&mut steps);
     // Noise makes steps longer; what is left without it is a guess for the spacing.
     let clean = (median * median - 2.0 * noise * noise).max(0.04 * median * median).sqrt();
     let wanted = 5.0 * noise / clean.max(1e-300);

@@ -6,18 +6,8 @@
 
 use super::Space;
 use super::stretched::Stretched;
+use super::weights::Weights;
 use crate::numerics::entire::{SERIES_LIMIT, Stumpff, stumpff};
-
-/// Weights of one place on a segment; see [`Basis::weights`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Weights {
-    /// Weight of the chord, end − start.
-    pub chord: f64,
-    /// Weight of the length times the derivative that leaves the start.
-    pub leaving: f64,
-    /// Weight of the length times the derivative that arrives at the end.
-    pub arriving: f64,
-}
 
 /// The Hermite basis of one segment for one local frequency w = ω·length.
 ///

@@ -29,8 +29,9 @@ mod propagation;
 mod riesz;
 mod roots;
 mod stretched;
+mod weights;
 
-pub use basis::{Basis, Weights};
+pub use basis::Basis;
 pub use exponential_b_spline::ExponentialBSpline;
 pub(crate) use filters::affine_refinement_filter;
 #[cfg(all(target_arch = "wasm32", feature = "wasm"))]
@@ -41,6 +42,7 @@ pub(crate) use pieces::{PolynomialPieces, recentre};
 pub use riesz::{Gram, RieszBounds};
 pub(crate) use roots::too_fast;
 pub use roots::{Root, Roots};
+pub use weights::Weights;
 
 /// The space that a Hermite exponential spline is piecewise in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

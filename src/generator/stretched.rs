@@ -1,6 +1,6 @@
 //! The hyperbolic basis where w is large: the closed forms divided through by cosh(w/2).
 
-use super::Weights;
+use super::weights::Weights;
 
 /// Constants of a hyperbolic segment with w > π, none of which can overflow (D 2.8).
 #[derive(Clone, Copy, Debug)]

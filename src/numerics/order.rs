@@ -155,6 +155,11 @@ pub(crate) fn nth(values: &mut [f64], k: usize) -> f64 {
     values[k]
 }
 
+/// The median, of an even number the upper one; 0 of none. The list is left in another order.
+pub(crate) fn median(values: &mut [f64]) -> f64 {
+    if values.is_empty() { 0.0 } else { nth(values, values.len() / 2) }
+}
+
 /// Insertion in short runs, and then merging of runs.
 #[inline(never)]
 fn sort_entries(entries: &mut Vec<Entry>) {

@@ -49,10 +49,11 @@ pub use picture::layers::{LayerRows, Layers};
 pub use picture::palette::{Census, Color, MOST_COLORS, Tint};
 pub use picture::tones::Tones;
 pub use profile::{Profile, ProfileOptions};
+pub use quasi_interpolant::choice::{Choice, Rule, Score};
 pub use quasi_interpolant::cloud::Cloud;
 pub use quasi_interpolant::knots::{Knots, MOST_DEGREE, MOST_INTERIOR};
 pub use quasi_interpolant::selection::{
-    Choice, Method, Rule, Score, choose, generalised_cross_validation, leave_one_out, left_out_locally,
+    Method, choose, generalised_cross_validation, leave_one_out, left_out_locally,
 };
 pub use quasi_interpolant::{End, Estimator, QuasiInterpolant};
 pub use tracer::{Tracer, trace};

@@ -2,7 +2,8 @@
 
 use super::agreement::agreement;
 use super::metrics::Metrics;
-use super::quasi_interpolant::selection::{Method, Rule};
+use super::quasi_interpolant::choice::Rule;
+use super::quasi_interpolant::selection::Method;
 use super::samples::unit;
 use super::tubes::chain::{Chain, Joint, Tube, TubeFit, fit_tube};
 use super::tubes::cusps::{Cusp, CuspRule};

@@ -1,5 +1,6 @@
 //! The weighted quasi-interpolant of a cloud: means of nearest neighbours as coefficients of B-splines.
 
+pub(super) mod choice;
 pub(super) mod cloud;
 pub(super) mod knots;
 mod local;

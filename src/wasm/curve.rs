@@ -2,7 +2,7 @@
 //!
 //! A curve crosses as one run of numbers: seven of [`describe`](super::describe::describe)'s header, then its arrays.
 
-use super::describe::{SPACES, give, pairs, push_short};
+use super::describe::{SPACES, pairs, push_short};
 use super::kernel::{AnyCurve, run, times};
 use crate::curve::HermiteOptions;
 use crate::numerics::{Point, Vector};
@@ -53,7 +53,7 @@ pub fn load(slot: u32, points: u32, arriving: u32, omega: u32, lengths: u32, spa
 fn derive(slot: u32, make: &dyn Fn(&HermiteCurve) -> Result<HermiteCurve>) -> i32 {
     run(&mut |kernel| {
         let curve = make(kernel.curve(slot)?)?;
-        give(kernel, &[curve])
+        Ok(kernel.give_curves(&[curve]))
     })
 }
 
@@ -75,7 +75,7 @@ pub fn remove(slot: u32, i: u32) -> i32 {
     run(&mut |kernel| {
         let (curve, deviation) = kernel.curve(slot)?.remove(i as usize)?;
         kernel.record([deviation]);
-        give(kernel, &[curve])
+        Ok(kernel.give_curves(&[curve]))
     })
 }
 
@@ -84,7 +84,7 @@ pub fn remove(slot: u32, i: u32) -> i32 {
 pub fn split(slot: u32, t: f64) -> i32 {
     run(&mut |kernel| {
         let parts = kernel.curve(slot)?.split(t)?;
-        give(kernel, &parts)
+        Ok(kernel.give_curves(&parts))
     })
 }
 
@@ -111,7 +111,7 @@ pub fn transform(slot: u32, a: f64, b: f64, c: f64, d: f64, e: f64, f: f64) -> i
 pub fn ellipse(x: f64, y: f64, rx: f64, ry: f64, rotation: f64, count: u32) -> i32 {
     run(&mut |kernel| {
         let curve = HermiteCurve::ellipse(Point::new(x, y), Vector::new(rx, ry), rotation, count as usize)?;
-        give(kernel, &[curve])
+        Ok(kernel.give_curves(&[curve]))
     })
 }
 
@@ -120,7 +120,7 @@ pub fn ellipse(x: f64, y: f64, rx: f64, ry: f64, rotation: f64, count: u32) -> i
 pub fn arc(x: f64, y: f64, rx: f64, ry: f64, rotation: f64, start: f64, sweep: f64) -> i32 {
     run(&mut |kernel| {
         let curve = HermiteCurve::arc(Point::new(x, y), Vector::new(rx, ry), rotation, start, sweep)?;
-        give(kernel, &[curve])
+        Ok(kernel.give_curves(&[curve]))
     })
 }
 
@@ -132,6 +132,6 @@ pub fn through(count: u32, closed: u32, omega: f64, space: u32) -> i32 {
         let omega = (omega >= 0.0).then_some(omega);
         let space = space_of(space).unwrap_or(Space::Trigonometric);
         let curve = HermiteCurve::through(points, closed != 0, omega, space)?;
-        give(kernel, &[curve])
+        Ok(kernel.give_curves(&[curve]))
     })
 }

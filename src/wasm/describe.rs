@@ -1,9 +1,5 @@
 //! Curves on their way to JavaScript: one run of numbers for each.
 
-#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
-use super::kernel::Kernel;
-#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
-use crate::Result;
 use crate::numerics::Vector;
 use crate::{HermiteCurve, Space};
 
@@ -58,14 +54,4 @@ pub(super) fn describe(output: &mut Vec<f64>, curve: &HermiteCurve) {
     }
     output[start + 4] = push_short(output, curve.omega(), None);
     output[start + 5] = push_short(output, curve.lengths(), Some(1.0));
-}
-
-/// Leaves curves in the output, one after the other.
-#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
-pub(super) fn give(kernel: &mut Kernel, curves: &[HermiteCurve]) -> Result<usize> {
-    kernel.output.clear();
-    for curve in curves {
-        describe(&mut kernel.output, curve);
-    }
-    Ok(kernel.output.len())
 }

@@ -1,22 +1,11 @@
 //! Exponential B-splines, interpolators, and lists of roots by what they keep.
 
 use super::kernel::{Kernel, run, times};
+use super::prepared::{Generator, Prepared};
 use super::roots::{push_roots, roots_of};
 use crate::Result;
 use crate::generator::{ExponentialBSpline, Interpolator, Roots};
 use wasm_bindgen::prelude::wasm_bindgen;
-
-/// The generator of the last call, with what it was made from: asking again costs no second preparation.
-pub(super) struct Prepared {
-    kind: u32,
-    roots: Vec<f64>,
-    generator: Generator,
-}
-
-enum Generator {
-    Spline(ExponentialBSpline),
-    Interpolator(Interpolator),
-}
 
 fn prepare(kernel: &mut Kernel, kind: u32, count: u32) -> Result<Box<Prepared>> {
     let given = kernel.given(times(count, 2)).to_vec();

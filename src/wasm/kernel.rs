@@ -1,10 +1,12 @@
 //! The state of one instance: slots, buffers, and the small fixed record that scalar results are left in.
 
-#[cfg(feature = "wasm-spline")]
-use super::exponential::Prepared;
+#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
+use super::describe::describe;
 #[cfg(feature = "wasm-trace")]
-use super::trace::Job;
-#[cfg(feature = "wasm")]
+use super::picture::Job;
+#[cfg(feature = "wasm-spline")]
+use super::prepared::Prepared;
+#[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 use crate::HermiteCurve;
 #[cfg(feature = "wasm-surface")]
 use crate::TensorSurface;
@@ -203,6 +205,15 @@ impl Kernel {
     pub(super) fn parts(&mut self, slot: u32, count: usize) -> Result<(&AnyCurve, &[f64], &mut [f64])> {
         let given = &self.input[..count.min(self.input.len())];
         Ok((resident(&self.slots, slot)?, given, &mut self.output))
+    }
+
+    /// Leaves curves in the output, one after the other.
+    pub(super) fn give_curves(&mut self, curves: &[HermiteCurve]) -> usize {
+        self.output.clear();
+        for curve in curves {
+            describe(&mut self.output, curve);
+        }
+        self.output.len()
     }
 }
 

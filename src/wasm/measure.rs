@@ -2,8 +2,6 @@
 //!
 //! A tolerance of 0 stands for the default, a share of the curve's size.
 
-#[cfg(feature = "wasm-spline")]
-use super::describe::give;
 use super::kernel::{grow, run, times};
 use crate::Result;
 use crate::curve::check_parameters;
@@ -182,6 +180,6 @@ pub fn to_hermite(slot: u32, tolerance: f64) -> i32 {
         let curve = kernel.pieces(slot)?;
         let (curve, deviation) = crate::curve::to_hermite(curve, tolerance_of(curve, tolerance, FINE))?;
         kernel.record([deviation]);
-        give(kernel, &[curve])
+        Ok(kernel.give_curves(&[curve]))
     })
 }

@@ -29,6 +29,10 @@ mod kernel;
 #[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 mod measure;
 #[cfg(feature = "wasm-trace")]
+mod picture;
+#[cfg(feature = "wasm-spline")]
+mod prepared;
+#[cfg(feature = "wasm-trace")]
 mod profile;
 #[cfg(any(feature = "wasm-fit", feature = "wasm-trace"))]
 mod record;

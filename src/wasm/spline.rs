@@ -1,6 +1,5 @@
 //! Interpolating curves, with patches or without, and B-spline curves: in and out of the slots, finer and coarser.
 
-use super::describe::give;
 use super::kernel::{AnyCurve, Kernel, PATCH, run, times};
 use super::roots::{push_roots, roots_of};
 use crate::generator::{Interpolator, Roots};
@@ -195,7 +194,7 @@ pub fn outline(slot: u32, tolerance: f64) -> i32 {
         let asked = if tolerance == 0.0 { PrintOptions::default().tolerance } else { tolerance };
         let (curve, near, rest) = outline_of(kernel.pieces(slot)?, asked)?;
         kernel.record([near, rest]);
-        give(kernel, &[curve])
+        Ok(kernel.give_curves(&[curve]))
     })
 }
 

@@ -1,6 +1,5 @@
 //! Path data in and out.
 
-use super::describe::give;
 use super::kernel::run;
 use crate::svg::{self, PrintOptions};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -20,7 +19,7 @@ pub fn parse_path(bytes: u32) -> i32 {
             let fields = [stop.offset, stop.found, words.as_ptr() as usize, words.len()];
             kernel.record(fields.map(|field| field as f64));
         }
-        give(kernel, &parsed.curves)
+        Ok(kernel.give_curves(&parsed.curves))
     })
 }
 

@@ -5,18 +5,14 @@
 
 use super::describe::describe;
 use super::kernel::{Kernel, run};
+use super::picture::{Job, NOT_OPEN, State};
 use super::record::{Numbers, place, section};
-use crate::trace::{
-    Census, Color, Gray, GrayRows, LayerRows, LayerTracer, Layers, Model, Source, Stage, TraceOptions,
-    TracedContour, Tracer,
-};
-use crate::{Error, Result};
+use crate::Result;
+use crate::trace::{Census, Color, Gray, Layers, Model, Source, Stage, TraceOptions, TracedContour};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Numbers of the record of options.
 const OPTIONS: usize = 15;
-
-const NOT_OPEN: Error = Error::Degenerate { argument: "image", index: None, reason: "it is not open" };
 
 /// The stages in the face's order; it counts the reading of pixels as 0.
 const STAGES: [Stage; 5] = [Stage::Edges, Stage::Contours, Stage::Corners, Stage::Splines, Stage::Refinement];
@@ -26,70 +22,6 @@ const GOES_ON: usize = 0;
 const DONE: usize = 1;
 /// The colours are known: the rows are wanted again.
 const AGAIN: usize = 2;
-
-/// A picture and how far it is.
-pub(super) struct Job {
-    size: [usize; 2],
-    channels: usize,
-    /// How many colours at most are looked for.
-    most_colors: usize,
-    options: TraceOptions,
-    state: State,
-}
-
-enum State {
-    Ink(GrayRows),
-    Counting(Census),
-    Colors(LayerRows),
-    Tracing(Tracer),
-    Layers(Box<LayerTracer>),
-    /// The picture in even light, to be read.
-    Shades(Gray),
-    /// The rows could not be made a picture.
-    Failed,
-}
-
-impl Job {
-    fn push(&mut self, rows: &[u8]) -> Result<()> {
-        let bright: Vec<u8>;
-        let colors = if self.channels == 4 || matches!(self.state, State::Ink(_)) {
-            rows
-        } else {
-            bright = rows.iter().flat_map(|&shade| [shade, shade, shade, 255]).collect();
-            &bright
-        };
-        match &mut self.state {
-            State::Ink(picture) if self.channels == 4 => picture.push_rgba_rows(rows),
-            State::Ink(picture) => picture.push_gray_rows(rows),
-            State::Counting(census) => {
-                census.push_rgba_rows(colors);
-                Ok(())
-            }
-            State::Colors(picture) => picture.push_rgba_rows(colors),
-            _ => Err(Box::new(NOT_OPEN)),
-        }
-    }
-
-    /// What follows once all rows are there; whether they are wanted once more.
-    fn filled(&mut self) -> Result<bool> {
-        let [width, height] = self.size;
-        self.state = match core::mem::replace(&mut self.state, State::Failed) {
-            State::Ink(rows) => State::Tracing(Tracer::new(rows.finish()?, &self.options)?),
-            State::Counting(mut census) => {
-                let mut palette = census.palette(self.most_colors)?;
-                if palette.is_empty() {
-                    // All of it is transparent, so any colour will do.
-                    palette.push([0; 3].into());
-                }
-                self.state = State::Colors(Layers::begin(width, height, &palette)?);
-                return Ok(true);
-            }
-            State::Colors(rows) => State::Layers(Box::new(LayerTracer::new(rows.finish()?, &self.options))),
-            further => further,
-        };
-        Ok(false)
-    }
-}
 
 /// The picture of a number.
 fn job(traces: &mut [Option<Box<Job>>], number: u32) -> Result<&mut Job> {

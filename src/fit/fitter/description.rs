@@ -7,7 +7,7 @@ use super::{Fitter, Run};
 use crate::error::{Error, Result};
 use crate::fit::convex::solution::Status;
 use crate::fit::convex::solution::{self, Solution};
-use crate::fit::interior::polish::GLIMPSE;
+use crate::fit::interior::settings::GLIMPSE;
 use crate::fit::interior::solver::Solver;
 use crate::fit::knots::combine::{Summand, combined};
 use crate::fit::knots::foot_points::Spline;

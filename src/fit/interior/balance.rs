@@ -4,8 +4,8 @@
 //! optimum the weighted residuals vanish against them. Bounds assume it (D 12.4). Where rounding has taken it, the curve
 //! could be moved for less, and a bound says more than is true.
 
+use super::fixed_knots::Fixed;
 use super::iterate::ROUNDING;
-use super::polish::Fixed;
 use super::run::Run;
 use crate::error::Result;
 use crate::fit::convex::interval::TERMS;

@@ -1,6 +1,7 @@
 //! One second-order cone of the interior-point method, with Nesterov and Todd's scaling.
 
 use crate::numerics::Vector;
+use crate::numerics::order::median;
 
 /// A vector (x₀, x₁) with x₁ in the plane; in the cone where x₀ ≥ |x₁|.
 #[derive(Clone, Copy, Debug)]
@@ -54,6 +55,11 @@ pub(crate) fn dot(u: Vector, v: Vector) -> f64 {
 #[inline]
 pub(crate) fn norm(v: Vector) -> f64 {
     dot(v, v).sqrt()
+}
+
+/// The median of their lengths; 0 of none.
+pub(crate) fn typical_length<'a>(vectors: impl IntoIterator<Item = &'a Vector>) -> f64 {
+    median(&mut vectors.into_iter().map(|v| norm(*v)).collect::<Vec<f64>>())
 }
 
 /// The matrix W with W z = W⁻¹ s for a primal s and a dual z inside the cone.

@@ -4,6 +4,7 @@
 //! At the knots in play it is known. Between two of them it is integrated from zero, which cannot run away over so
 //! short a way, and corrected by the polynomial that the known values around ask for. (D 12.5)
 
+use super::cone::dot;
 use crate::fit::convex::interval::TERMS;
 use crate::fit::convex::scaled::{Scaled, ScaledComponent};
 use crate::numerics::Vector;
@@ -328,4 +329,28 @@ fn window(
         *term += own;
     }
     result
+}
+
+/// Places where the dual curve is locally longest and longer than `threshold`.
+pub(crate) fn maxima(eta: &[Vector], closed: bool, threshold: f64) -> Vec<usize> {
+    let count = eta.len();
+    let size = |v: Vector| dot(v, v);
+    let threshold = threshold * threshold;
+    let outside = if closed { eta.last().map_or(0.0, |v| size(*v)) } else { 0.0 };
+    let (mut before, mut found) = (outside, Vec::new());
+    for (k, v) in eta.iter().enumerate() {
+        let here = size(*v);
+        if here > threshold && here > before {
+            let after = match eta.get(k + 1) {
+                Some(next) => size(*next),
+                None if closed && count > 1 => size(eta[0]),
+                None => 0.0,
+            };
+            if here >= after {
+                found.push(k);
+            }
+        }
+        before = here;
+    }
+    found
 }

@@ -5,9 +5,8 @@
 //! zero. (D 12.12)
 
 use super::cone::{Metric, dot, norm, stretch};
-use super::play::transfer;
-use super::polish::Fixed;
-use super::reduced::{Part, Reduced};
+use super::fixed_knots::Fixed;
+use super::reduced::{Part, Reduced, transfer};
 use super::run::Run;
 use crate::error::Result;
 use crate::fit::convex::scaled::Scaled;

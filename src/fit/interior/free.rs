@@ -1,8 +1,8 @@
 //! λ = 0: jumps cost nothing, so the optimum is the least-squares spline with a knot at every place there is.
 
 use super::cone::{Metric, dot};
+use super::fixed_knots::Fixed;
 use super::iterate::{Measure, ROUNDING};
-use super::polish::Fixed;
 use super::reduced::Reduced;
 use super::run::Run;
 use crate::error::Result;

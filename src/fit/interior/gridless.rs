@@ -7,7 +7,8 @@ mod newton;
 
 pub(in crate::fit) use self::freeing::Freeing;
 use self::newton::Newton;
-use super::solver::{Settings, Solver};
+use super::settings::Settings;
+use super::solver::Solver;
 use crate::error::Result;
 use crate::fit::convex::certificate::centred;
 use crate::fit::convex::problem::Problem;

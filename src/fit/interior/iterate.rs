@@ -13,6 +13,17 @@ pub(crate) struct Iterate {
     pub(crate) cones: Vec<Pair>,
 }
 
+/// An iterate on the way, far enough from the boundary to start from again.
+#[derive(Clone, Debug)]
+pub(crate) struct Middle {
+    pub(crate) chosen: Vec<Vec<usize>>,
+    pub(crate) jumps: Vec<Vector>,
+    pub(crate) cones: Vec<Pair>,
+    pub(crate) eta: Vec<Vec<Vector>>,
+    pub(crate) lambdas: Vec<f64>,
+    pub(crate) slack: f64,
+}
+
 /// The primal and the dual vector of one cone, and its λ.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pair {

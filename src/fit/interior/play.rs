@@ -1,13 +1,13 @@
 //! Which knots are in play: those where the dual curve is longest join.
 
-use super::cone::{Lorentz, dot, norm};
+use super::cone::{Lorentz, norm, typical_length};
+use super::dual::maxima;
 use super::iterate::{Iterate, Pair};
-use super::reduced::Reduced;
+use super::reduced::{Reduced, transfer};
 use super::run::Run;
 use crate::error::Result;
 use crate::limits;
 use crate::numerics::Vector;
-use crate::numerics::order::nth;
 
 impl Run {
     /// Puts the places where the dual curve is longest into play.
@@ -44,7 +44,7 @@ impl Run {
         for (i, part) in reduced.parts.iter().enumerate() {
             let lambda = self.data.components[i].lambda;
             let before = &old.reduced.parts[i].chosen;
-            let typical = median(old.jumps[knot..knot + before.len()].iter().map(|v| norm(*v)).collect());
+            let typical = typical_length(&old.jumps[knot..knot + before.len()]);
             let margin = (0.5 * mean / (lambda * typical).max(f64::MIN_POSITIVE)).min(0.1);
             let mut known = 0;
             for &k in &part.chosen {
@@ -75,50 +75,4 @@ impl Run {
         self.iterate = Iterate { reduced, unknowns, jumps, cones };
         Ok(())
     }
-}
-
-/// Places where the dual curve is locally longest and longer than `threshold`.
-pub(crate) fn maxima(eta: &[Vector], closed: bool, threshold: f64) -> Vec<usize> {
-    let count = eta.len();
-    let size = |v: Vector| dot(v, v);
-    let threshold = threshold * threshold;
-    let outside = if closed { eta.last().map_or(0.0, |v| size(*v)) } else { 0.0 };
-    let (mut before, mut found) = (outside, Vec::new());
-    for (k, v) in eta.iter().enumerate() {
-        let here = size(*v);
-        if here > threshold && here > before {
-            let after = match eta.get(k + 1) {
-                Some(next) => size(*next),
-                None if closed && count > 1 => size(eta[0]),
-                None => 0.0,
-            };
-            if here >= after {
-                found.push(k);
-            }
-        }
-        before = here;
-    }
-    found
-}
-
-pub(crate) fn median(mut values: Vec<f64>) -> f64 {
-    if values.is_empty() {
-        return 0.0;
-    }
-    let middle = values.len() / 2;
-    nth(&mut values, middle)
-}
-
-/// The same functions on more knots.
-pub(crate) fn transfer(from: &Reduced, to: &mut Reduced, unknowns: &[Vector]) -> Vec<Vector> {
-    let mut result = vec![Vector::zeros(); to.unknowns];
-    let mut fine = Vec::new();
-    for (old, new) in from.parts.iter().zip(&to.parts) {
-        let coefficients: Vec<Vector> = old.order.iter().map(|&place| unknowns[place]).collect();
-        old.space.refine_into(&coefficients, &new.space, &mut fine);
-        for (&place, value) in new.order.iter().zip(&fine) {
-            result[place] = *value;
-        }
-    }
-    result
 }

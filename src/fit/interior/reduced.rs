@@ -180,3 +180,17 @@ impl Reduced {
         }
     }
 }
+
+/// The same functions on more knots.
+pub(crate) fn transfer(from: &Reduced, to: &mut Reduced, unknowns: &[Vector]) -> Vec<Vector> {
+    let mut result = vec![Vector::zeros(); to.unknowns];
+    let mut fine = Vec::new();
+    for (old, new) in from.parts.iter().zip(&to.parts) {
+        let coefficients: Vec<Vector> = old.order.iter().map(|&place| unknowns[place]).collect();
+        old.space.refine_into(&coefficients, &new.space, &mut fine);
+        for (&place, value) in new.order.iter().zip(&fine) {
+            result[place] = *value;
+        }
+    }
+    result
+}

@@ -1,24 +1,21 @@
 //! The interior-point method on the knots in play, which are found on the way.
 
+mod descent;
 mod newton_step;
 
+use self::descent::Descent;
 use super::cold::start;
 use super::cone::{Lorentz, Metric, Scaling, dot, norm};
-use super::descent::Descent;
 use super::dual::dual_curve;
-use super::iterate::{Iterate, Measure, measure};
-use super::polish::{Fixed, GLIMPSE};
-use super::solver::Settings;
-use super::warm::Middle;
+use super::fixed_knots::Fixed;
+use super::iterate::{Iterate, Measure, Middle, measure};
+use super::settings::{GLIMPSE, Settings};
 use crate::error::Result;
 use crate::fit::convex::interval::TERMS;
 use crate::fit::convex::scaled::Scaled;
 use crate::fit::convex::solution::Status;
 use crate::limits;
 use crate::numerics::Vector;
-
-/// λ in scaled units is not less than this: the curve goes through the points to within 1e-10 of the drawing then.
-pub(crate) const LEAST_LAMBDA: f64 = 1e-10;
 
 /// The gap from which on the knots are looked for that stay.
 const FIRST_FINISH: f64 = 1e-3;

@@ -5,11 +5,11 @@
 
 use super::compress::compress;
 use super::cone::norm;
+use super::fixed_knots::Fixed;
 use super::iterate::Measure;
-use super::play::transfer;
-use super::polish::Fixed;
-use super::reduced::{Part, Reduced};
-use super::run::{LEAST_LAMBDA, Run};
+use super::reduced::{Part, Reduced, transfer};
+use super::run::Run;
+use super::settings::{LEAST_LAMBDA, Settings};
 use crate::error::{Error, Result};
 use crate::fit::convex::problem::{Norm, Problem};
 use crate::fit::convex::scaled::Scaled;
@@ -17,21 +17,6 @@ use crate::fit::convex::solution::{Solution, Spline, Status};
 use crate::limits;
 use crate::numerics::Vector;
 use crate::numerics::order::sort_in_place;
-
-/// When to stop.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
-    /// The relative duality gap to reach.
-    pub gap: f64,
-    /// The most iterations of one run.
-    pub most_iterations: usize,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self { gap: 1e-6, most_iterations: 120 }
-    }
-}
 
 /// Solves a [`Problem`] step by step; λ may be changed between runs, which then start warm.
 ///

@@ -2,24 +2,14 @@
 
 use super::cold::start;
 use super::cone::{Lorentz, Metric, Scaling, dot, norm, stretch};
-use super::iterate::{Iterate, Pair};
-use super::play::maxima;
+use super::dual::maxima;
+use super::iterate::{Iterate, Middle, Pair};
 use super::reduced::Reduced;
-use super::run::{LEAST_LAMBDA, Run};
+use super::run::Run;
+use super::settings::LEAST_LAMBDA;
 use crate::error::Result;
 use crate::numerics::Vector;
 use crate::numerics::order::sort_in_place;
-
-/// An iterate on the way, far enough from the boundary to start from again.
-#[derive(Clone, Debug)]
-pub(crate) struct Middle {
-    pub(crate) chosen: Vec<Vec<usize>>,
-    pub(crate) jumps: Vec<Vector>,
-    pub(crate) cones: Vec<Pair>,
-    pub(crate) eta: Vec<Vec<Vector>>,
-    pub(crate) lambdas: Vec<f64>,
-    pub(crate) slack: f64,
-}
 
 /// What a knot brings into a new run.
 struct Seed {

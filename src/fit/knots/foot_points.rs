@@ -5,7 +5,6 @@ use super::breaks::{HIGHEST, Polynomial, STIFF, Space};
 use super::envelope::Envelope;
 use super::free_knots::{FreeKnots, Located, product};
 use super::look::{Look, Piece, taylor};
-use super::stray::Stray;
 use crate::numerics::{Point, Vector};
 
 /// How much less a distance along the curve counts than one across it.
@@ -25,6 +24,14 @@ pub(in crate::fit) struct Distances {
     pub(in crate::fit) largest: f64,
     /// The weighted sum of squares.
     pub(in crate::fit) squares: f64,
+}
+
+/// A place of the curve that is pulled back, and the way back.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pull {
+    pub(super) piece: usize,
+    pub(super) u: f64,
+    pub(super) back: Vector,
 }
 
 impl Spline {
@@ -92,13 +99,13 @@ impl Spline {
 
     /// The same, with places of the curve that are pulled back and count as points do (D 13.16).
     #[inline(never)]
-    pub(super) fn tighten_held(&mut self, data: &Located, held: &[Stray]) {
+    pub(super) fn tighten_held(&mut self, data: &Located, pulls: &[Pull]) {
         let degree = self.space.breaks.degree;
         // Loops of a length that is known are unrolled.
         let sums = if degree < 4 {
-            self.across::<4>(data, held)
+            self.across::<4>(data, pulls)
         } else {
-            self.across::<{ HIGHEST + 1 }>(data, held)
+            self.across::<{ HIGHEST + 1 }>(data, pulls)
         };
         let n = self.space.count;
         let mut equations = self.doubled();
@@ -166,7 +173,7 @@ impl Spline {
         Envelope::new(first)
     }
 
-    fn across<const T: usize>(&self, data: &Located, held: &[Stray]) -> Vec<Across> {
+    fn across<const T: usize>(&self, data: &Located, pulls: &[Pull]) -> Vec<Across> {
         let pieces = self.pieces();
         let mut sums = vec![Across::default(); pieces.len()];
         let mut at = 0;
@@ -188,8 +195,8 @@ impl Spline {
             ];
             sums[s].take::<T>(u, [xx, xy, yy], [xx * rest.x + xy * rest.y, xy * rest.x + yy * rest.y]);
         }
-        for stray in held {
-            sums[stray.piece].take::<T>(stray.u, [1.0, 0.0, 1.0], [stray.back.x, stray.back.y]);
+        for pull in pulls {
+            sums[pull.piece].take::<T>(pull.u, [1.0, 0.0, 1.0], [pull.back.x, pull.back.y]);
         }
         sums
     }

@@ -1,6 +1,6 @@
 //! Where a curve leaves the way of its points, and the way back. (D 13.16)
 
-use super::foot_points::{Distances, Spline, on_piece};
+use super::foot_points::{Distances, Pull, Spline, on_piece};
 use super::free_knots::Located;
 use crate::numerics::order::sort_by_number;
 use crate::numerics::{Point, Vector};
@@ -9,14 +9,6 @@ use crate::numerics::{Point, Vector};
 const LOOKS: usize = 8;
 /// Steps that pull a curve back.
 const MOST_STEPS: usize = 4;
-
-/// A place of the curve that is off the way of the points, and the way back.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Stray {
-    pub(super) piece: usize,
-    pub(super) u: f64,
-    pub(super) back: Vector,
-}
 
 /// How far from the lines between points a curve may be: so much, and this share of the distances of the points around, for
 /// so far off a corner between two of them may be.
@@ -29,7 +21,7 @@ pub(super) struct Leash {
 impl Spline {
     /// A piece on which the curve leaves the way of the points. O(M log M).
     pub(super) fn strays(&self, data: &Located, leash: Leash) -> Option<usize> {
-        self.stray_places(data, leash).first().map(|stray| stray.piece)
+        self.stray_places(data, leash).first().map(|pull| pull.piece)
     }
 
     /// Pulls the curve back to the way of the points where it leaves it; answers how far the points are then, or nothing
@@ -37,18 +29,18 @@ impl Spline {
     pub(super) fn pulled_back(&mut self, data: &mut Located, leash: Leash) -> Option<Distances> {
         let mut distances = self.project(data, 2);
         for _ in 0..MOST_STEPS {
-            let held = self.stray_places(data, leash);
-            if held.is_empty() {
+            let pulls = self.stray_places(data, leash);
+            if pulls.is_empty() {
                 return Some(distances);
             }
-            self.tighten_held(data, &held);
+            self.tighten_held(data, &pulls);
             distances = self.project(data, 2);
         }
         self.strays(data, leash).is_none().then_some(distances)
     }
 
-    /// Places on which the curve leaves the way of the points.
-    fn stray_places(&self, data: &Located, leash: Leash) -> Vec<Stray> {
+    /// Places on which the curve leaves the way of the points, and the ways back.
+    fn stray_places(&self, data: &Located, leash: Leash) -> Vec<Pull> {
         let way = Way::of(data, self.space.breaks.closed);
         let (pieces, end) = (self.pieces(), self.space.breaks.end);
         let (mut found, mut i) = (Vec::new(), 0);
@@ -63,7 +55,7 @@ impl Spline {
                 i = way.before(t, i);
                 let (back, apart) = way.back(on_piece(&pieces[s], u), i);
                 if back.norm() > leash.slack + leash.share * apart {
-                    found.push(Stray { piece: s, u, back });
+                    found.push(Pull { piece: s, u, back });
                 }
             }
         }

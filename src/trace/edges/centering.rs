@@ -1,6 +1,5 @@
 //! Lines of a skeleton moved to where the outlines on both sides say that the centre is.
 
-use super::centre::Side;
 use crate::error::Result;
 use crate::limits::with_room;
 use crate::numerics::order::{sort_by_number, sort_in_place};
@@ -8,6 +7,14 @@ use crate::numerics::plane::{cross, dot, norm, square};
 use crate::numerics::{Point, Vector};
 use crate::trace::samples::{line_through, unit};
 use crate::trace::tubes::chain::Chain;
+
+/// A place on an outline.
+pub(super) struct Side {
+    /// Where the centre of the stroke is, as this side has it.
+    pub(super) centre: Point,
+    /// Towards the ink, of length 1.
+    pub(super) inward: Vector,
+}
 
 /// A skeleton line: smoothed points, tangents, distances along it.
 struct Spine {

@@ -1,5 +1,6 @@
 //! Centre lines of strokes: a skeleton says how they run, outlines say where.
 
+use super::centering::{Side, centred};
 use super::graph::{Branch, Graph, Pixel, graph};
 use super::strands::{StrandRule, join};
 use crate::error::Result;
@@ -16,14 +17,6 @@ use crate::trace::tubes::chain::Chain;
 pub(in crate::trace) struct CentreLines {
     pub(in crate::trace) chains: Vec<Chain>,
     pub(in crate::trace) half_width: f64,
-}
-
-/// A place on an outline.
-pub(super) struct Side {
-    /// Where the centre of the stroke is, as this side has it.
-    pub(super) centre: Point,
-    /// Towards the ink, of length 1.
-    pub(super) inward: Vector,
 }
 
 /// The ink of a picture, from 1 at the outline upwards.
@@ -90,7 +83,7 @@ pub(in crate::trace) fn centre_lines(
     };
     let place = |(column, row): Pixel| Point::new(f64::from(column) + 0.5, f64::from(row) + 0.5);
     let chains = join(&graph, &place, &rule)?;
-    let chains = super::centering::centred(&chains, &sides, half_width)?;
+    let chains = centred(&chains, &sides, half_width)?;
     Ok(CentreLines { chains, half_width })
 }
 

@@ -1,7 +1,5 @@
 //! A picture as shades of one quantity.
 
-use super::light::Evening;
-use super::tones::{ToneScan, Tones};
 use crate::error::{Error, Result};
 use crate::limits::{check, with_room};
 
@@ -118,50 +116,12 @@ impl Gray {
         &mut self.values[row * self.width..(row + 1) * self.width]
     }
 
-    /// Makes the shades what they were if as much light fell on all of the paper; whether that changed anything. A picture that is not dark
-    /// ink on paper, most of it paper, and one in even light stay as they are (D 14.24). [`crate::trace::trace`] does this by itself.
-    ///
-    /// # Errors
-    ///
-    /// No memory, for less than a thousand numbers.
-    ///
-    /// # Cost
-    ///
-    /// O(pixels).
-    pub fn even_light(&mut self) -> Result<bool> {
-        let mut evening = Evening::new(self)?;
-        while !evening.step(self) {}
-        Ok(evening.is_needed())
-    }
-
     /// Shades of some rows as bytes: 0 is black, 255 white.
     pub fn bytes(&self, rows: core::ops::Range<usize>) -> impl Iterator<Item = u8> + '_ {
         let last = rows.end.min(self.height);
         self.values[rows.start.min(last) * self.width..last * self.width]
             .iter()
             .map(|&value| (value >> 8) as u8)
-    }
-
-    /// Finds the two tones and the noise. A picture of one tone is all ink or all paper, as it is dark or light.
-    ///
-    /// Otsu's threshold parts the shades; pixels whose eight neighbours are on the same side are flat. The medians of the flat ones are
-    /// the tones, their means where there is noise. A drawing so thin that nothing is flat, or only a few places that do not agree, has its
-    /// extreme shades. Where one flat place in eight or more is even there is no noise: what the others leave is edges.
-    ///
-    /// # Cost
-    ///
-    /// O(pixels), three rows at a time. Of pictures beyond 65,536 pixels evenly spread rows are looked at for flat places.
-    ///
-    /// # Source
-    ///
-    /// \[Ots79\]; the noise is measured with the mask of \[Imm96\].
-    pub fn tones(&self) -> Tones {
-        let mut scan = ToneScan::new(None);
-        loop {
-            if let Some(tones) = scan.step(self) {
-                return tones;
-            }
-        }
     }
 }
 

@@ -74,6 +74,24 @@ pub(in crate::trace) struct Evening {
     light: Option<Light>,
 }
 
+impl Gray {
+    /// Makes the shades what they were if as much light fell on all of the paper; whether that changed anything. A picture that is not dark
+    /// ink on paper, most of it paper, and one in even light stay as they are (D 14.24). [`crate::trace::trace`] does this by itself.
+    ///
+    /// # Errors
+    ///
+    /// No memory, for less than a thousand numbers.
+    ///
+    /// # Cost
+    ///
+    /// O(pixels).
+    pub fn even_light(&mut self) -> Result<bool> {
+        let mut evening = Evening::new(self)?;
+        while !evening.step(self) {}
+        Ok(evening.is_needed())
+    }
+}
+
 impl Evening {
     #[inline(never)]
     pub(in crate::trace) fn new(gray: &Gray) -> Result<Self> {

@@ -64,6 +64,30 @@ struct Flat {
     thin: [usize; 2],
 }
 
+impl Gray {
+    /// Finds the two tones and the noise. A picture of one tone is all ink or all paper, as it is dark or light.
+    ///
+    /// Otsu's threshold parts the shades; pixels whose eight neighbours are on the same side are flat. The medians of the flat ones are
+    /// the tones, their means where there is noise. A drawing so thin that nothing is flat, or only a few places that do not agree, has its
+    /// extreme shades. Where one flat place in eight or more is even there is no noise: what the others leave is edges.
+    ///
+    /// # Cost
+    ///
+    /// O(pixels), three rows at a time. Of pictures beyond 65,536 pixels evenly spread rows are looked at for flat places.
+    ///
+    /// # Source
+    ///
+    /// \[Ots79\]; the noise is measured with the mask of \[Imm96\].
+    pub fn tones(&self) -> Tones {
+        let mut scan = ToneScan::new(None);
+        loop {
+            if let Some(tones) = scan.step(self) {
+                return tones;
+            }
+        }
+    }
+}
+
 impl ToneScan {
     /// `threshold` is the shade, 0 … 255, up to which pixels are dark; found if it is not given.
     pub(in crate::trace) fn new(threshold: Option<usize>) -> Self {

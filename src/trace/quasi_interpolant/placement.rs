@@ -1,10 +1,10 @@
 //! Where knots go: from many even ones the least worthy leave, one by one, and those that stay move to where they predict best.
 
 use super::End;
+use super::choice::Choice;
 use super::cloud::Cloud;
 use super::knots::Knots;
 use super::projection::{Projection, REACH};
-use super::selection::Choice;
 use crate::error::Result;
 use crate::limits::with_room;
 use crate::trace::metrics::root_mean_square;

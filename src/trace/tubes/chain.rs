@@ -6,10 +6,11 @@ use crate::limits::{LARGEST_COORDINATE, MOST_POINTS, check, too_many, with_room}
 use crate::numerics::plane::{cross, dot, norm};
 use crate::numerics::{Point, Vector};
 use crate::trace::metrics::{mean_absolute, root_mean_square};
+use crate::trace::quasi_interpolant::choice::Choice;
 use crate::trace::quasi_interpolant::cloud::Cloud;
 use crate::trace::quasi_interpolant::knots::Knots;
 use crate::trace::quasi_interpolant::projection::REACH;
-use crate::trace::quasi_interpolant::selection::{Choice, Method, choose};
+use crate::trace::quasi_interpolant::selection::{Method, choose};
 use crate::trace::quasi_interpolant::{End, QuasiInterpolant};
 use crate::trace::samples::{line_through, turn, unit};
 
