@@ -88,6 +88,29 @@ test("inside the panels, a mode's room knows no other mode's, and the page aroun
   assert.deepEqual(strays, []);
 });
 
+/** What is left of files and their imports when those are taken away from which nothing leads on, one after the other. */
+function inCircles(arrows: ReadonlyMap<string, readonly string[]>): string[] {
+  let left = new Map(arrows);
+  for (;;) {
+    const further = new Map([...left].filter(([, targets]) => targets.some((target) => left.has(target))));
+    if (further.size === left.size) return [...left.keys()];
+    left = further;
+  }
+}
+
+test("no files import each other, by whatever way round, neither the demo's nor the package's", () => {
+  for (const folder of [source, "ts"]) {
+    const files = filesUnder(folder, ".ts");
+    const near = (file: string): string[] => importsOf(file).filter((name) => name.startsWith("."));
+    // The package names its files as they will be called.
+    const path = (file: string, name: string): string => join(file, "..", name).replace(/\.js$/, ".ts");
+    const arrows = new Map(files.map((file) => [file, near(file).map((name) => path(file, name))]));
+    assert.ok([...arrows.values()].flat().some((target) => arrows.has(target)), `imports of ${folder} were found`);
+    assert.deepEqual(inCircles(arrows), [], "files that lead into a circle");
+  }
+  assert.deepEqual(inCircles(new Map([["a", ["b"]], ["b", ["c"]], ["c", ["b"]], ["d", ["e"]]])), ["a", "b", "c"], "a planted circle");
+});
+
 /** The one file that draws in three dimensions, loaded with Surface mode alone. */
 const shaded = join(source, "render", "surface", "shaded-view.ts");
 

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { gripsOf, type Grip } from "../src/editor/curve/framing.ts";
+import { gripsOf } from "../src/editor/curve/framing.ts";
+import type { Grip } from "../src/editor/state.ts";
 import { toPage } from "../src/editor/pointer/camera.ts";
 import { Hand, largestDistance } from "./harness.ts";
 

@@ -5,7 +5,8 @@ import type { Contour, ControlPoint, CurveDocument } from "../src/document/docum
 import { curveSample } from "../src/document/curve/samples.ts";
 import { toScreen } from "../src/editor/pointer/camera.ts";
 import { createEditor } from "../src/editor/create-editor.ts";
-import { levelling, loadCurve, renewing } from "../src/editor/curve/edits.ts";
+import { loadCurve } from "../src/editor/curve/edits.ts";
+import { levelling, renewing } from "../src/editor/curve/on-demand.ts";
 import type { Editor, Modifiers } from "../src/editor/editor.ts";
 import type { PointerKind } from "../src/editor/pointer/hit-test.ts";
 import { createPointerInput, type PointerInput } from "../src/editor/pointer/pointer-input.ts";

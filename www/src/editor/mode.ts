@@ -1,7 +1,7 @@
 import type { CurveDocument } from "../document/document.ts";
 import type { TraceDocument } from "../document/trace/trace.ts";
 import type { ScreenPoint } from "./pointer/camera.ts";
-import type { EditorState } from "./editor.ts";
+import type { EditorState } from "./state.ts";
 import type { Pinch } from "./pointer/pinch.ts";
 import type { Tool } from "./tool.ts";
 

@@ -1,5 +1,5 @@
 import { toPage, type PagePoint, type ScreenPoint } from "./pointer/camera.ts";
-import type { EditorState, Modifiers } from "./editor.ts";
+import type { EditorState, Modifiers } from "./state.ts";
 import type { PointerKind } from "./pointer/hit-test.ts";
 
 /** A pointer event as tools see it: plain numbers, both coordinate systems, the modifiers of this moment. */

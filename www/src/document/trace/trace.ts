@@ -1,4 +1,4 @@
-import type { Contour } from "../document.ts";
+import type { Contour } from "../contour.ts";
 
 /** What Trace works on: a picture, how it is to be followed, and what was decided by hand. */
 

@@ -2,8 +2,9 @@ import { modes, type Mode } from "../../document/document.ts";
 import { documentBounds } from "../../kernel/curve/samples.ts";
 import { fitted, mostZoom, zoomedAt, type ScreenPoint } from "../pointer/camera.ts";
 import {
-  clearCurve, levelling, nudge, renewing, resetSelectedHandles, selectAll, selectEnd, selectNone, setKind, stepPart, stepSelection, toggleCusp,
+  clearCurve, nudge, resetSelectedHandles, selectAll, selectEnd, selectNone, setKind, stepPart, stepSelection, toggleCusp,
 } from "../curve/edits.ts";
+import { levelling, renewing } from "../curve/on-demand.ts";
 import { late, onDemand, whenLoaded } from "../loading.ts";
 import type { Action, Editor, EditorState, OverlayId, ToolId } from "../editor.ts";
 

@@ -8,7 +8,6 @@ import {
 } from "../../document/document.ts";
 import { lengthOfOffset } from "../../document/curve/offset.ts";
 import type { Editor } from "../editor.ts";
-import { onDemand } from "../loading.ts";
 
 /** The edits that tools, keys and panels share. Each is one entry in the history unless a gesture is open. */
 
@@ -26,11 +25,6 @@ export function activeContour(editor: Editor): number {
 export function say(editor: Editor, text: string): void {
   editor.notify({ kind: "toast", text });
 }
-
-/** What changes the points of a contour, or renews it as a whole. */
-export const renewing = onDemand(() => import("./contour-edits.ts"));
-/** What goes up and down the levels. */
-export const levelling = onDemand(() => import("./level-edits.ts"));
 
 /** Refuses in the hint line and aloud, without an entry in the history. */
 export function refuse(editor: Editor, text: string): void {

@@ -2,16 +2,14 @@ import { stretching, transformPoints, turning, type Affine } from "../../documen
 import { joinEnds } from "../../document/curve/joining.ts";
 import { pointAt } from "../../document/document.ts";
 import { boundsOf, type Bounds } from "../../kernel/curve/samples.ts";
-import type { Editor, EditorState } from "../editor.ts";
+import type { Editor, EditorState, Grip } from "../editor.ts";
 import { refuse } from "./edits.ts";
 import { fitted, mostZoom, toScreen, type PagePoint, type ScreenPoint } from "../pointer/camera.ts";
 
 /** The frame around contours that are chosen as a whole, its grips, and what turns and stretches what is chosen. */
 
 /** Where a grip is on the frame: 0 … 1 across and down. */
-const places = { nw: [0, 0], n: [0.5, 0], ne: [1, 0], e: [1, 0.5], se: [1, 1], s: [0.5, 1], sw: [0, 1], w: [0, 0.5] } as const;
-
-export type Grip = keyof typeof places | "turn";
+const places = { nw: [0, 0], n: [0.5, 0], ne: [1, 0], e: [1, 0.5], se: [1, 1], s: [0.5, 1], sw: [0, 1], w: [0, 0.5] } as const satisfies Record<Exclude<Grip, "turn">, readonly [number, number]>;
 
 /** The frame stands off the drawing, CSS pixels, so that points on its edge stay free; fingers need more room. */
 const margin = { mouse: 16, touch: 28 } as const;

@@ -5,7 +5,7 @@ import { createFitClient, type FitClient, type FitHandlers } from "../../kernel/
 import type { FitSubject } from "../../kernel/fit/job.ts";
 import { fitWorkers } from "../../kernel/fit/start-worker.ts";
 import type { Editor } from "../editor.ts";
-import { betweenGestures } from "../gestures.ts";
+import { betweenGestures } from "../history/gestures.ts";
 
 /** Strokes drawn by hand in Curve: each becomes the contour with the fewest knots within a pixel or two of it. */
 

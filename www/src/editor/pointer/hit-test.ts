@@ -1,7 +1,7 @@
 import { isSelected, samePoint, type CurveDocument, type HandleRef, type PointRef, type Selection, type Side } from "../../document/document.ts";
 import { nearestOn } from "../../kernel/curve/samples.ts";
 import { toPage, toScreen, type ScreenPoint } from "./camera.ts";
-import type { EditorState, Target } from "../editor.ts";
+import type { EditorState, Target } from "../state.ts";
 
 /** What is under a place of the screen. Distances are in CSS pixels whatever the zoom. */
 

@@ -1,6 +1,6 @@
 import { clampZoom, panned, toPage, type ScreenPoint, type StageBox } from "./camera.ts";
 import type { View } from "../../document/document.ts";
-import type { EditorPatch } from "../editor.ts";
+import type { EditorPatch } from "../state.ts";
 import { distanceBetween } from "../tool.ts";
 
 /** Two fingers: pinch and pan, with a dead zone so that a tap with two fingers is never a zoom. */

@@ -1,5 +1,6 @@
 import { omegaOf, type Contour, type CurveDocument, type Space } from "../../document/document.ts";
-import { activeContour, levelling, renewing, setOmega, setSpace } from "../../editor/curve/edits.ts";
+import { activeContour, setOmega, setSpace } from "../../editor/curve/edits.ts";
+import { levelling, renewing } from "../../editor/curve/on-demand.ts";
 import type { Editor, EditorState } from "../../editor/editor.ts";
 import { whenLoaded } from "../../editor/loading.ts";
 import { h, setAttribute, setText } from "../controls/dom.ts";

@@ -1,7 +1,7 @@
 import type { CurveDocument } from "../../document/document.ts";
 import { Problem } from "../../document/problem.ts";
 import { curveSample } from "../../document/curve/samples.ts";
-import { betweenGestures } from "../../editor/gestures.ts";
+import { betweenGestures } from "../../editor/history/gestures.ts";
 import { documentPathD } from "../../kernel/paths/paths.ts";
 import { documentBounds } from "../../kernel/curve/samples.ts";
 import { errorText } from "../messages/errors.ts";

@@ -1,6 +1,7 @@
 import { movePoints } from "../../document/curve/commands.ts";
 import { isSelected, nothingSelected, pointAt, samePoint, type PointRef, type Selection } from "../../document/document.ts";
-import { renewing, resetSelectedHandles, toggleCusp } from "../../editor/curve/edits.ts";
+import { resetSelectedHandles, toggleCusp } from "../../editor/curve/edits.ts";
+import { renewing } from "../../editor/curve/on-demand.ts";
 import type { Editor, Target } from "../../editor/editor.ts";
 import type { PagePoint } from "../../editor/pointer/camera.ts";
 import type { PointerSample } from "../../editor/tool.ts";

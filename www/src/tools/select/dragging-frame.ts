@@ -1,6 +1,6 @@
 import { stretching, transformPoints, turning, type Affine } from "../../document/curve/affine.ts";
-import { centreOf, frameOf, gripAndAnchor, nearestGrip, type Grip } from "../../editor/curve/framing.ts";
-import type { Editor, Guide, Target } from "../../editor/editor.ts";
+import { centreOf, frameOf, gripAndAnchor, nearestGrip } from "../../editor/curve/framing.ts";
+import type { Editor, Grip, Guide, Target } from "../../editor/editor.ts";
 import type { PagePoint } from "../../editor/pointer/camera.ts";
 import { reachOf } from "../../editor/pointer/hit-test.ts";
 import { snapPlace } from "../../editor/pointer/snapping.ts";

@@ -1,4 +1,4 @@
-import type { Editor } from "./editor.ts";
+import type { Editor } from "../editor.ts";
 
 /** Does something that nobody's hand does, as what comes from a worker: where a gesture is open, as soon as it is over, as its next move would undo it. */
 export function betweenGestures(editor: Editor, work: () => void): void {

@@ -1,0 +1,8 @@
+import { onDemand } from "../loading.ts";
+
+/** The edits that come when they are first wanted. */
+
+/** What changes the points of a contour, or renews it as a whole. */
+export const renewing = onDemand(() => import("./contour-edits.ts"));
+/** What goes up and down the levels. */
+export const levelling = onDemand(() => import("./level-edits.ts"));
