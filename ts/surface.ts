@@ -234,8 +234,8 @@ export class TensorSurface {
   }
 
   /**
-   * The nearest surface whose net is coarser by 2^levelsU and 2^levelsV, and `maxError`, the largest distance from this one at 4 × 4 places in
-   * each field of its net. What was refined and not changed comes back; level 0 goes through its points again.
+   * The nearest surface whose net is coarser by 2^levelsU and 2^levelsV, and `maxError`, the largest distance from this one, parameter
+   * by parameter, to about 1e-4 of itself. What was refined and not changed comes back; level 0 goes through its points again.
    */
   reduce(levelsU: number, levelsV: number): { surface: TensorSurface; maxError: number } {
     const op = "reduce";

@@ -120,14 +120,15 @@ impl Healed {
             deviation = f64::INFINITY;
             let mut look = |candidate| {
                 if turning(&[candidate]) > most {
-                    return;
+                    return false;
                 }
                 let apart = two_way_deviation(old, &[candidate], deviation);
                 if apart < deviation {
                     (merged, deviation) = (candidate, apart);
                 }
+                true
             };
-            speeds::nearest(old, plain, &places, &mut look);
+            speeds::nearest(old, plain, &places, most, &mut look);
             look(plain);
             if deviation == f64::INFINITY {
                 deviation = two_way_deviation(old, &[plain], deviation);

@@ -9,7 +9,7 @@ use crate::generator::affine_refinement_filter;
 use crate::limits::{LARGEST_FACTOR, MOST_OUTPUT_POINTS, check, filled};
 use crate::refine::{Target, least_squares};
 
-/// Places per piece at which a change is measured.
+/// Places per piece at which a change is looked at.
 const LOOKS: usize = 8;
 /// Of a closed curve.
 const LEAST_CELLS: usize = 3;
@@ -27,7 +27,7 @@ impl BSplineCurve {
     ///
     /// # Accuracy
     ///
-    /// The distance is the largest of 8 places per cell.
+    /// The distance is looked at in 8 places per cell, and between them by a parabola: to about 3e-3 of itself.
     ///
     /// # Source
     ///
@@ -114,12 +114,24 @@ fn factors(number: usize) -> Option<(usize, Vec<usize>)> {
 }
 
 impl Lattice {
-    /// The largest distance from the origin, at `LOOKS` places per piece.
+    /// The largest distance from the origin: of parabolas through three of `LOOKS` places per piece, where they have a peak.
     fn reach(&self) -> Result<f64> {
         let places =
             (self.piece_count().saturating_mul(LOOKS) + usize::from(!self.closed)).min(MOST_OUTPUT_POINTS);
         let samples = SplineSampler::all(self, places, 0)?;
-        let square = |point: &[f64]| point.iter().map(|x| x * x).sum::<f64>();
-        Ok(samples.chunks_exact(self.dimension).map(square).fold(0.0, f64::max).sqrt())
+        let norm = |point: &[f64]| point.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let around = samples.len() - if self.closed { 2 * self.dimension } else { 0 };
+        let before = samples[around..].chunks_exact(self.dimension);
+        let (mut most, mut last) = (0.0_f64, [0.0; 2]);
+        for (k, here) in before.chain(samples.chunks_exact(self.dimension)).map(norm).enumerate() {
+            most = most.max(here);
+            let [first, middle] = last;
+            let bend = 2.0 * middle - first - here;
+            if k > 1 && middle >= first && middle >= here && bend > 0.0 {
+                most = most.max(middle + (here - first) * (here - first) / (8.0 * bend));
+            }
+            last = [middle, here];
+        }
+        Ok(most)
     }
 }

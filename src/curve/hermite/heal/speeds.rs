@@ -1,6 +1,7 @@
 //! The end speeds of a segment that replaces two: a survey of many pairs of speeds, and the nearest segments from the best of them (D 7.3).
 
 use super::places::{COUNT, Places, heading};
+use super::turning;
 use crate::curve::Segment;
 use crate::numerics::{Point, Vector};
 
@@ -18,25 +19,33 @@ const STEPS: usize = 24;
 /// A step by no more than this share of the speeds is the last: the next one would be of the size of its square.
 const STILL: f64 = 1e-6;
 
-/// Calls `look` with segments that have the ends of `merged` and are nearest to the places: one from each least value of the survey.
+/// Calls `look` with segments that have the ends of `merged` and are nearest to the places: one from each least value of the survey, which
+/// leaves out what turns by more than `most`. Where the steps from it led to such a segment, `look` refuses that, and has the one that
+/// they began at.
 #[inline(never)]
 pub(super) fn nearest<'a>(
     old: &[Segment; 2],
     merged: Segment<'a>,
     places: &Places,
-    look: &mut dyn FnMut(Segment<'a>),
+    most: f64,
+    look: &mut dyn FnMut(Segment<'a>) -> bool,
 ) {
     let directions = [heading(&old[0], 0.0), heading(&old[1], 1.0)];
     let mut fit = Fit { merged, directions, places: *places, unit: 0.0, shares: [0.0; COUNT] };
     fit.measure();
     let (mut survey, mut feet) = ([0.0; SURVEYED], [0.0; COUNT]);
     for (k, squares) in survey.iter_mut().enumerate() {
-        *squares = fit.lay(fit.speeds(k), &mut feet);
+        let speeds = fit.speeds(k);
+        let loops = turning(&[fit.with(speeds)]) > most;
+        *squares = if loops { f64::INFINITY } else { fit.lay(speeds, &mut feet) };
     }
     for k in 0..SURVEYED {
         if is_least(&survey, k) {
-            fit.lay(fit.speeds(k), &mut feet);
-            look(fit.nearest(fit.speeds(k), feet));
+            let speeds = fit.speeds(k);
+            fit.lay(speeds, &mut feet);
+            if !look(fit.nearest(speeds, feet)) {
+                look(fit.with(fit.no_slower(speeds)));
+            }
         }
     }
 }
@@ -93,6 +102,13 @@ impl<'a> Fit<'a> {
         [SPEEDS[k / SPEEDS.len()] * self.unit, SPEEDS[k % SPEEDS.len()] * self.unit]
     }
 
+    /// Speeds that are no less than the least.
+    #[inline(never)]
+    fn no_slower(&self, speeds: [f64; 2]) -> [f64; 2] {
+        let least = LEAST * self.unit;
+        [speeds[0].max(least), speeds[1].max(least)]
+    }
+
     #[inline(never)]
     fn with(&self, [out, inn]: [f64; 2]) -> Segment<'a> {
         Segment { leaving: self.directions[0] * out, arriving: self.directions[1] * inn, ..self.merged }
@@ -123,8 +139,7 @@ impl<'a> Fit<'a> {
     /// The segment that is nearest to the places, from speeds with which their feet are about here.
     #[inline(never)]
     fn nearest(&self, speeds: [f64; 2], mut feet: [f64; COUNT]) -> Segment<'a> {
-        let least = LEAST * self.unit;
-        let mut speeds = [speeds[0].max(least), speeds[1].max(least)];
+        let mut speeds = self.no_slower(speeds);
         for farthest in [false, true] {
             let mut unit = 0.0;
             let mut here = self.equations(speeds, &mut feet, farthest, &mut unit);
@@ -138,7 +153,7 @@ impl<'a> Fit<'a> {
                     ((yy + more) * here.right[0] - xy * here.right[1]) * scale,
                     ((xx + more) * here.right[1] - xy * here.right[0]) * scale,
                 ];
-                let trial = [(speeds[0] + step[0]).max(least), (speeds[1] + step[1]).max(least)];
+                let trial = self.no_slower([speeds[0] + step[0], speeds[1] + step[1]]);
                 let mut trial_feet = feet;
                 let there = self.equations(trial, &mut trial_feet, farthest, &mut unit);
                 if there.sum < here.sum {
