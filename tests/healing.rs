@@ -191,3 +191,34 @@ fn a_tiny_segment_beside_a_long_one_goes_without_a_trace() {
     assert!(deviation < 4.0 / 9.0 * 9.75 / 30.0, "{deviation}");
     assert!(turning(&sampled(&healed, 1000)) < 2.0, "no loop");
 }
+
+/// Two segments as an hour of dragging leaves them: handles of any length and direction, one segment far shorter than the other.
+fn dragged(random: &mut Random, space: Space) -> HermiteCurve {
+    let points: Vec<Point> = (0..3).map(|_| random.vector(50.0)).collect();
+    let lengths: Vec<f64> = (0..2).map(|_| libm::pow(10.0, random.symmetric() - 1.0)).collect();
+    let mut speed = || libm::pow(10.0, 3.0 + random.symmetric());
+    let speeds = [(); 6].map(|()| speed());
+    let mut tangents: Vec<Point> = speeds.iter().map(|&speed| random.vector(speed)).collect();
+    let tangents_in = tangents.split_off(3);
+    let omega = vec![if space == Space::Polynomial { 0.0 } else { 1.0 }];
+    let options =
+        HermiteOptions { points, tangents, tangents_in, closed: false, space: Some(space), omega, lengths };
+    HermiteCurve::new(options).expect("in range")
+}
+
+#[test]
+fn a_removed_point_takes_no_place_farther_than_a_straight_line_would() {
+    let mut random = Random::new(31);
+    for case in 0..240 {
+        let old =
+            dragged(&mut random, [Space::Polynomial, Space::Trigonometric, Space::Hyperbolic][case % 3]);
+        let removed = old.remove(1);
+        assert!(removed.is_ok(), "case {case}: {:?}", removed.err());
+        let (_, deviation) = removed.expect("three points");
+        let way: f64 = sampled(&old, 4 * CHORDS).windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
+        // Every place is within half of the way of an end; a line with the shortest handles, a tenth of the way for each unit, leaves its chord
+        // by 4/27 of that at each end.
+        let most = (0.5 + 2.0 * 0.1 * 4.0 / 27.0) * way;
+        assert!(deviation <= most, "case {case}: {deviation} of a way of {way}");
+    }
+}

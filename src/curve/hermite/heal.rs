@@ -119,14 +119,13 @@ impl Healed {
             let (plain, most) = (merged, turning(old) + MORE_TURNING);
             deviation = f64::INFINITY;
             let mut look = |candidate| {
-                if turning(&[candidate]) > most {
-                    return false;
+                if turning(&[candidate]) <= most {
+                    let apart = two_way_deviation(old, &[candidate], deviation);
+                    if apart < deviation {
+                        (merged, deviation) = (candidate, apart);
+                    }
                 }
-                let apart = two_way_deviation(old, &[candidate], deviation);
-                if apart < deviation {
-                    (merged, deviation) = (candidate, apart);
-                }
-                true
+                deviation
             };
             speeds::nearest(old, plain, &places, most, &mut look);
             look(plain);

@@ -10,6 +10,10 @@ const SPEEDS: [f64; 9] = [0.06, 0.15, 0.35, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0];
 /// The least speed that comes out, wherever it began: where a handle is shorter, the curve turns there as sharply as at a corner, and
 /// nobody can seize it.
 const LEAST: f64 = 0.1;
+/// The largest: no cubic is faster at an end than nine times its way, as |q(0)| ≤ 9 ∫|q| for parabolas q, and steps beyond that never come back.
+const MOST: f64 = 9.0;
+/// Where all that the steps led to is this share of the way apart, or has a loop, the survey itself may have what is nearer.
+const FAR: f64 = 0.25;
 /// Pairs of them.
 const SURVEYED: usize = SPEEDS.len() * SPEEDS.len();
 /// Chords of a segment that is surveyed.
@@ -19,16 +23,15 @@ const STEPS: usize = 24;
 /// A step by no more than this share of the speeds is the last: the next one would be of the size of its square.
 const STILL: f64 = 1e-6;
 
-/// Calls `look` with segments that have the ends of `merged` and are nearest to the places: one from each least value of the survey, which
-/// leaves out what turns by more than `most`. Where the steps from it led to such a segment, `look` refuses that, and has the one that
-/// they began at.
+/// Calls `look`, which says how far apart the best is by then, with segments that have the ends of `merged` and are nearest to the places: one
+/// from each least value of the survey, which leaves out what turns by more than `most`, and where they are far apart the survey's own.
 #[inline(never)]
 pub(super) fn nearest<'a>(
     old: &[Segment; 2],
     merged: Segment<'a>,
     places: &Places,
     most: f64,
-    look: &mut dyn FnMut(Segment<'a>) -> bool,
+    look: &mut dyn FnMut(Segment<'a>) -> f64,
 ) {
     let directions = [heading(&old[0], 0.0), heading(&old[1], 1.0)];
     let mut fit = Fit { merged, directions, places: *places, unit: 0.0, shares: [0.0; COUNT] };
@@ -39,12 +42,18 @@ pub(super) fn nearest<'a>(
         let loops = turning(&[fit.with(speeds)]) > most;
         *squares = if loops { f64::INFINITY } else { fit.lay(speeds, &mut feet) };
     }
+    let mut apart = f64::INFINITY;
     for k in 0..SURVEYED {
         if is_least(&survey, k) {
-            let speeds = fit.speeds(k);
-            fit.lay(speeds, &mut feet);
-            if !look(fit.nearest(speeds, feet)) {
-                look(fit.with(fit.no_slower(speeds)));
+            fit.lay(fit.speeds(k), &mut feet);
+            apart = look(fit.nearest(fit.speeds(k), feet));
+        }
+    }
+    if apart > FAR * fit.unit * merged.length {
+        // Places at equal shares of the length are no nearer than the nearest ones: what is farther on the average is skipped.
+        for (k, &squares) in survey.iter().enumerate() {
+            if squares < COUNT as f64 * apart * apart {
+                apart = look(fit.with(fit.bounded(fit.speeds(k))));
             }
         }
     }
@@ -102,11 +111,9 @@ impl<'a> Fit<'a> {
         [SPEEDS[k / SPEEDS.len()] * self.unit, SPEEDS[k % SPEEDS.len()] * self.unit]
     }
 
-    /// Speeds that are no less than the least.
     #[inline(never)]
-    fn no_slower(&self, speeds: [f64; 2]) -> [f64; 2] {
-        let least = LEAST * self.unit;
-        [speeds[0].max(least), speeds[1].max(least)]
+    fn bounded(&self, speeds: [f64; 2]) -> [f64; 2] {
+        speeds.map(|speed| speed.max(LEAST * self.unit).min(MOST * self.unit))
     }
 
     #[inline(never)]
@@ -139,7 +146,7 @@ impl<'a> Fit<'a> {
     /// The segment that is nearest to the places, from speeds with which their feet are about here.
     #[inline(never)]
     fn nearest(&self, speeds: [f64; 2], mut feet: [f64; COUNT]) -> Segment<'a> {
-        let mut speeds = self.no_slower(speeds);
+        let mut speeds = self.bounded(speeds);
         for farthest in [false, true] {
             let mut unit = 0.0;
             let mut here = self.equations(speeds, &mut feet, farthest, &mut unit);
@@ -153,7 +160,7 @@ impl<'a> Fit<'a> {
                     ((yy + more) * here.right[0] - xy * here.right[1]) * scale,
                     ((xx + more) * here.right[1] - xy * here.right[0]) * scale,
                 ];
-                let trial = self.no_slower([speeds[0] + step[0], speeds[1] + step[1]]);
+                let trial = self.bounded([speeds[0] + step[0], speeds[1] + step[1]]);
                 let mut trial_feet = feet;
                 let there = self.equations(trial, &mut trial_feet, farthest, &mut unit);
                 if there.sum < here.sum {
