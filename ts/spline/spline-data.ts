@@ -69,7 +69,7 @@ export class SplineData extends HeldCurve<SplineKernel> {
     });
     door.write(op, points, roots, ...arrays.flat());
     const counts = [points.length, dimension, this.closed ? 1 : 0, roots.length / 2, patches.length] as const;
-    const given = door.call(op, (kernel) => kernel.load_spline(slot, kind, ...counts, step, offset, start, end), points);
+    const given = door.call(op, (kernel) => kernel.load_spline(slot, kind, ...counts, step, offset, start, end), { points });
     this.roots = door.copy(given);
     this.start = door.result(0);
     this.end = door.result(1);

@@ -64,7 +64,7 @@ export class SurfaceData extends Held<SurfaceKernel> {
     const numbers = this.numbers();
     const total = numbers.reduce((sum, array) => sum + array.length, 0);
     write(op, ...numbers);
-    call(op, (kernel) => kernel.surface_load(slot, total), this.net);
+    call(op, (kernel) => kernel.surface_load(slot, total), { net: this.net });
     this.describe();
   }
 
