@@ -102,11 +102,18 @@ function withExtra<D extends { extra: Readonly<Record<string, unknown>> | undefi
  * @throws {ExplineError} E_PARSE_JSON for text that is not JSON, E_SCHEMA with `path` for other content, E_UNSUPPORTED for a newer
  *   version, E_LIMIT, and the codes of the constructor with `path`.
  */
+export function fromJSON<V>(value: V & (0 extends 1 & V ? unknown : never), options?: ReadOptions): Readable;
+/** The Hermite curve that `toJSON` described, to the last bit. */
 export function fromJSON(value: HermiteCurveJSON, options?: ReadOptions): HermiteCurve;
+/** The interpolating curve that `toJSON` described, to the last bit. */
 export function fromJSON(value: InterpolatingCurveJSON, options?: ReadOptions): InterpolatingCurve;
+/** The curve with patches of detail that `toJSON` described, to the last bit. */
 export function fromJSON(value: LocalCurveJSON, options?: ReadOptions): LocalCurve;
+/** The B-spline curve that `toJSON` described, to the last bit. */
 export function fromJSON(value: BSplineCurveJSON, options?: ReadOptions): BSplineCurve;
+/** The surface that `toJSON` described, to the last bit. */
 export function fromJSON(value: TensorSurfaceJSON, options?: ReadOptions): TensorSurface;
+/** The curve or surface that `toJSON` described, to the last bit: from its object, or from JSON text. */
 export function fromJSON(value: unknown, options?: ReadOptions): Readable;
 export function fromJSON(value: unknown, options?: ReadOptions): Readable {
   const { onWarning } = checkOptions(OP, options, ["onWarning"]);

@@ -191,6 +191,7 @@ export class TensorSurface {
    * filled again, whether it holds Float64Arrays or Float32Arrays; its triangles are left as they are.
    */
   mesh(rows: number, cols: number): SurfaceMesh & { positions: Float64Array; normals: Float64Array };
+  /** Fills a mesh of the same size again, whether it holds Float64Arrays or Float32Arrays; its triangles are left as they are. */
   mesh<M extends SurfaceMesh>(rows: number, cols: number, options: { out: M }): M;
   mesh(rows: number, cols: number, options?: { out?: SurfaceMesh }): SurfaceMesh {
     const op = "mesh";

@@ -39,6 +39,25 @@ test("every name of the package and every member of it says what it is", () => {
   assert.deepEqual(silent, []);
 });
 
+test("an editor shows what it is doing beside every way to call a function", () => {
+  const folder = dirname(DECLARATIONS);
+  const silent: string[] = [];
+  let overloads = 0;
+  for (const name of readdirSync(folder, { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".d.ts"))) {
+    const file = ts.createSourceFile(name, readFileSync(join(folder, name), "utf8"), ts.ScriptTarget.ES2022, true);
+    const visit = (node: ts.Node): void => {
+      if (ts.isFunctionDeclaration(node) || ts.isMethodDeclaration(node)) {
+        overloads += 1;
+        if (ts.getJSDocCommentsAndTags(node).length === 0 && !node.name?.getText().startsWith("[")) silent.push(`${name}: ${node.getText()}`);
+      }
+      ts.forEachChild(node, visit);
+    };
+    visit(file);
+  }
+  assert.ok(overloads > 100, `only ${overloads} were looked at`);
+  assert.deepEqual(silent, []);
+});
+
 /** What TypeScript 5.0 cannot read: typed arrays that say what they lie on came with 5.7, the part of the library for `using` with 5.2. */
 function tooNew(file: ts.SourceFile): string[] {
   const found = file.libReferenceDirectives.map(({ fileName }) => `lib ${fileName}`);
@@ -67,7 +86,7 @@ function complaints(code: string, ...lib: string[]): string[] {
   const file = join(dirname(DECLARATIONS), "..", "..", "..", "..", "use.ts");
   writeFileSync(file, code);
   const kind = { module: ts.ModuleKind.ESNext, moduleResolution: ts.ModuleResolutionKind.Bundler, noEmit: true };
-  const options = { ...kind, target: ts.ScriptTarget.ES2022, lib: lib.map((part) => `lib.${part}.d.ts`), types: [], strict: true, exactOptionalPropertyTypes: true };
+  const options = { ...kind, target: ts.ScriptTarget.ES2022, lib: lib.map((part) => `lib.${part}.d.ts`), types: [], strict: true, exactOptionalPropertyTypes: true, noUncheckedIndexedAccess: true };
   const all = ts.getPreEmitDiagnostics(ts.createProgram([file], options));
   return all.map(({ messageText }) => ts.flattenDiagnosticMessageText(messageText, " "));
 }
@@ -97,4 +116,31 @@ test("where a browser is declared, addresses and signals are its own", () => {
     fitSparse([], { signal: { aborted: false } });
   `;
   assert.deepEqual(complaints(code, "es2022", "dom"), []);
+});
+
+test("what is read from data of any type may be any curve or surface, and of a type that is known it is just that", () => {
+  const code = `
+    import { HermiteCurve, type HermiteCurveJSON, TensorSurface, type TensorSurfaceJSON, fromJSON } from "expline";
+    declare const surface: TensorSurfaceJSON, either: TensorSurfaceJSON | HermiteCurveJSON, text: string;
+    // @ts-expect-error what JSON.parse gives may be of another kind
+    const wrong: HermiteCurve = fromJSON(JSON.parse(text));
+    const curve: HermiteCurve = fromJSON(JSON.parse(text) as HermiteCurveJSON);
+    const same: HermiteCurve = fromJSON(curve.toJSON(), { onWarning: ({ path }) => console.log(path) });
+    const found = [fromJSON(JSON.parse(text)), fromJSON(text), fromJSON(either)].filter((thing) => thing instanceof TensorSurface);
+    export const all = [wrong, same, fromJSON(surface).net, found.length];
+  `;
+  assert.deepEqual(complaints(code, "es2022", "dom"), []);
+});
+
+test("a curve that is split has a first part, and one to take the place of it", () => {
+  const code = `
+    import { type HermiteCurve, parsePath } from "expline";
+    const curves: HermiteCurve[] = parsePath("M0 0H9");
+    const [curve] = parsePath("M0 0H9");
+    if (curve !== undefined) curves.splice(0, 1, ...curve.split(0.5));
+    export const [first, second]: readonly HermiteCurve[] = curve?.split(0.5) ?? [];
+    export const opened: HermiteCurve | undefined = curve?.split(0.5)[0];
+    export const length = curve === undefined ? 0 : curve.split(0.5)[0].length();
+  `;
+  assert.deepEqual(complaints(code, "es2022"), []);
 });

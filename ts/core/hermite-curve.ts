@@ -220,7 +220,10 @@ export class HermiteCurve extends MeasuredCurve {
     return derived(data.ask(op, (kernel, slot) => kernel.refine(slot, m)));
   }
 
-  /** The same curve with one more point, at parameter t. */
+  /**
+   * The same curve with one more point, at parameter t: in segment k it becomes point k + 1. Every place keeps its parameter. Where a point
+   * is already, none is added.
+   */
   insert(t: number): HermiteCurve {
     const op = "insert";
     const data = dataOf(this, op);
@@ -240,12 +243,15 @@ export class HermiteCurve extends MeasuredCurve {
     return { maxError: result(0), curve: derived(count) };
   }
 
-  /** The two parts of an open curve, cut at t, or the curve alone where t is one of its ends; a closed curve gives one, opened at t. */
-  split(t: number): HermiteCurve[] {
+  /**
+   * The two parts of an open curve, cut at t, or the curve alone where t is one of its ends; a closed curve gives one, opened at t. Their
+   * parameters begin at 0.
+   */
+  split(t: number): [HermiteCurve] | [HermiteCurve, HermiteCurve] {
     const op = "split";
     const data = dataOf(this, op);
     const at = finite(op, "t", t);
-    return curvesIn(peek(data.ask(op, (kernel, slot) => kernel.split(slot, at)))).map(curveOf);
+    return curvesIn(peek(data.ask(op, (kernel, slot) => kernel.split(slot, at)))).map(curveOf) as [HermiteCurve];
   }
 
   /**

@@ -13,10 +13,45 @@ export interface HitOptions {
 }
 
 /** What lies under a place: which curve of the list, what of it, and how far away. */
-export type Hit =
-  | { kind: "point"; curve: number; index: number; distance: number }
-  | { kind: "handle"; curve: number; index: number; side: HandleSide; distance: number }
-  | { kind: "curve"; curve: number; t: number; x: number; y: number; distance: number };
+export type Hit = HitPoint | HitHandle | HitCurve;
+
+/** What every hit says. */
+interface Found {
+  /** The number of the curve in the list. */
+  curve: number;
+  /** How far it is from the place. */
+  distance: number;
+}
+
+/** A point. */
+interface HitPoint extends Found {
+  /** What was hit. */
+  kind: "point";
+  /** The number of the point on its curve. */
+  index: number;
+}
+
+/** The end of a handle. */
+interface HitHandle extends Found {
+  /** What was hit. */
+  kind: "handle";
+  /** The number of the point that it is a handle of. */
+  index: number;
+  /** Whether it is that of the side where the curve arrives, or leaves. */
+  side: HandleSide;
+}
+
+/** A place on a curve. */
+interface HitCurve extends Found {
+  /** What was hit. */
+  kind: "curve";
+  /** The parameter of the nearest place. */
+  t: number;
+  /** Where that is. */
+  x: number;
+  /** Where that is. */
+  y: number;
+}
 
 /** The curve's part of the reach: it passes near many places, and its points are wanted more often. */
 const CURVE_REACH = 0.6;
