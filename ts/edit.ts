@@ -32,7 +32,10 @@ export function movePoint(curve: HermiteCurve, i: number, x: number, y: number):
   curve.setPoint(point.index, ...place);
 }
 
-/** Puts the end of a handle of point i at a place; the other handle follows as the joint asks. Point and neighbours stay. */
+/**
+ * Puts the end of a handle of point i at a place; the other handle follows as the joint asks: by default it turns with this one, and "cusp"
+ * is for a corner that is to stay one. Point and neighbours stay.
+ */
 export function moveHandle(curve: HermiteCurve, i: number, side: HandleSide, x: number, y: number, joint: Joint = "smooth"): void {
   const op = "moveHandle";
   const point = pointsOf(op, curve)(i);

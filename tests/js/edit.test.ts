@@ -279,8 +279,8 @@ test("a curve of another copy of the package is refused as such, and what is no 
   const slim = await import("expline/slim");
   await slim.default();
   const foreign = slim.HermiteCurve.ellipse({ center: [0, 0], radii: [5, 5], count: 3 });
-  assert.throws(() => movePoint(foreign, 0, 1, 1), { code: "E_TYPE", argument: "curve", message: /: curve is a curve of another copy of expline; expected a HermiteCurve / });
-  assert.throws(() => hitTest([only("M0 0L9 9"), foreign], 0, 0, { reach: 1 }), { code: "E_TYPE", argument: "curves[1]", message: /: curves\[1\] is a curve of another copy of expline; / });
+  assert.throws(() => movePoint(foreign, 0, 1, 1), { code: "E_TYPE", argument: "curve", message: /: curve is a curve of another copy of expline, as expline\/slim is beside expline; expected a HermiteCurve / });
+  assert.throws(() => hitTest([only("M0 0L9 9"), foreign], 0, 0, { reach: 1 }), { code: "E_TYPE", argument: "curves[1]", message: /: curves\[1\] is a curve of another copy of expline, / });
   const none = { get [Symbol.toStringTag](): string { throw new Error("mine"); } };
   assert.throws(() => bendCurve(none as unknown as HermiteCurve, 0, 1, 1), { code: "E_TYPE", message: /: curve is an object; / });
 });

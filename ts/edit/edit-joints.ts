@@ -36,7 +36,7 @@ export interface PointOfCurve {
 export function notCurve(op: string, arg: string, value: unknown, bound: string, index?: number): ExplineError {
   if (!isForeign(value)) return wrong("E_TYPE", op, arg, value, bound, index);
   const argument = index === undefined ? arg : `${arg}[${index}]`;
-  return new ExplineError("E_TYPE", op, `${argument} is a curve of another copy of expline; expected ${bound}`, { arg, argument, bound });
+  return new ExplineError("E_TYPE", op, `${argument} is a curve of another copy of expline, as expline/slim is beside expline; expected ${bound}`, { arg, argument, bound });
 }
 
 function isForeign(value: unknown): boolean {
