@@ -270,7 +270,8 @@ export class SparseFitter {
 
   /**
    * Gives the memory back, which the collector does not see: it finds forgotten fitters only between tasks, so that a loop that never waits, or only
-   * for promises, has to do it. Using the fitter afterwards throws E_DISPOSED; disposing of it again does nothing.
+   * for promises, has to do it. Using the fitter afterwards throws E_DISPOSED; disposing of it again does nothing. While `solveAsync` is under way it is
+   * E_BUSY: abort that, and dispose when its promise has settled.
    */
   dispose(): void {
     const op = "dispose";

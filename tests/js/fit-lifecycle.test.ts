@@ -126,6 +126,14 @@ test("LC-007, LC-009: a fitter is busy for its own callback, and usable afterwar
   assert.ok(fitter.solve().knots.length > 0);
 });
 
+test("a fitter at work is not disposed of between its tasks either, but is as soon as its promise has settled", async () => {
+  const fitter = new SparseFitter(POINTS, OPTIONS);
+  const solved = fitter.solveAsync();
+  assert.throws(() => fitter.dispose(), { code: "E_BUSY" });
+  assert.ok((await solved.finally(() => fitter.dispose())).knots.length > 0);
+  assert.throws(() => fitter.solve(), { code: "E_DISPOSED" });
+});
+
 test("a fitter tells and obeys those it was made for, unless a solve names others", async () => {
   let own = 0;
   let other = 0;

@@ -16,7 +16,7 @@ export interface FitProgress {
  * certified optimum; a tolerance, and the noise, are a search for the fewest knots, which the options about the optimum do not concern.
  */
 export interface SparseFitStrength {
-  /** The λ of the papers, in the unit of the data: one for each degree. */
+  /** The λ of the papers, in the unit of the data: one for each degree, so that a pair of them, as is the default, takes a pair. */
   lambda?: number | readonly [number, number] | undefined;
   /** Instead of lambda: 0 … 1, the same meaning for any size of picture and any number of points. */
   smoothing?: number | undefined;
@@ -246,7 +246,7 @@ function question(op: string, own: { readonly [name in (typeof STRENGTHS)[number
 function lambdas(op: string, value: unknown, degrees: number): Question {
   const list: readonly unknown[] = Array.isArray(value) ? value : [value];
   const all = list.map((lambda, i) => inRange(op, "lambda", lambda, 0, MAX_LAMBDA, Array.isArray(value) ? i : undefined));
-  if (all.length !== degrees) throw wrongLength(op, "lambda", all.length, `${degrees}, one for each degree`);
+  if (all.length !== degrees) throw wrongLength(op, "lambda", all.length, degrees === 1 ? "1, as there is one degree" : "2, one for each degree, or one and { degree: 3 }");
   const [first = 0, second = 0] = all;
   if (degrees === 2 && first + second === 0) throw wrong("E_RANGE", op, "lambda", 0, "at least one of them > 0");
   return { kind: Asked.Lambda, first, second, degrees };

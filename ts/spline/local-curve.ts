@@ -146,7 +146,7 @@ export function checkedLocal(op: string, options: unknown): SplineData {
   const { points, dimension } = anyPoints(op, own.points, own.dimension);
   const roots = rootsOrDefault(op, own.roots);
   const closed = flag(op, "closed", own.closed, true);
-  const patches = own.patches ?? [];
+  const { patches = [] } = own;
   if (!Array.isArray(patches)) throw wrong("E_TYPE", op, "patches", patches, "an array");
   if (patches.length > MAX_PATCHES) throw overLimit(op, "patches", "maxPatches", MAX_PATCHES, patches.length);
   const list = Array.from(patches as unknown[], (patch, i) => checkedPatch(op, patch, i, dimension));

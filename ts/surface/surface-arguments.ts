@@ -119,7 +119,7 @@ export function checkedSurface(op: string, options: unknown): SurfaceData {
   const points = u.count * v.count;
   if (points > MAX_NET) throw overLimit(op, "net", "maxSurfacePoints", MAX_NET, points);
   const net = netOf(op, own.net, 3 * points);
-  const patches = own.patches ?? [];
+  const { patches = [] } = own;
   if (!Array.isArray(patches)) throw wrong("E_TYPE", op, "patches", patches, "an array");
   if (patches.length > MAX_PATCHES) throw overLimit(op, "patches", "maxPatches", MAX_PATCHES, patches.length);
   // Array.from looks at holes, too.

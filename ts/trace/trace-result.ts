@@ -110,9 +110,9 @@ const short = (color: string): string => color.replace(/^#(.)\1(.)\2(.)\3$/u, "#
 function written(width: number, height: number, paths: readonly Path[], options: unknown): string {
   const op = "toSvg";
   const { tolerance, decimals } = checkOptions(op, options, ["tolerance", "decimals"]);
-  const within = checkTolerance(op, tolerance ?? 0.02);
+  const within = checkTolerance(op, tolerance === undefined ? 0.02 : tolerance);
   // The engine takes as many as a tolerance needs that is asked for.
-  const digits = decimals === undefined && tolerance !== undefined ? -1 : integer(op, "decimals", decimals ?? 2, 0, 17);
+  const digits = decimals === undefined && tolerance !== undefined ? -1 : integer(op, "decimals", decimals === undefined ? 2 : decimals, 0, 17);
   const body = paths.map(({ attributes, curves }) => `<path${attributes} d="${pathsOf(op, curves, within, digits)}"/>`).join("");
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}">${body}</svg>`;
 }
