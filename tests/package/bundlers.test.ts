@@ -6,6 +6,7 @@ import { cpSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "nod
 import { after, before, test } from "node:test";
 import { join } from "node:path";
 
+import type { BuildOptions } from "esbuild";
 import type { Browser } from "playwright-core";
 
 import { launch } from "../../scripts/browser.mjs";
@@ -221,6 +222,27 @@ for (const [how, load] of [
     assert.equal(await titleOf(join(folder, "dist"), POLICY), EXPECTED);
   });
 }
+
+test("the slim entry, with esbuild, its wasm named by the page; by itself esbuild leaves it out, and the error says where it is missed", async () => {
+  const { build } = await import("esbuild");
+  const folder = page("slim-esbuild", MODULE);
+  const source = join(consumer, "slim-esbuild.mjs");
+  const options: BuildOptions = { entryPoints: [source], outfile: join(folder, "bundle.js"), bundle: true, format: "esm", logLevel: "error" };
+  writeFileSync(source, APP.replace('import { HermiteCurve, parsePath } from "expline";', 'import wasmUrl from "expline/expline_bg.wasm"; import init, { HermiteCurve, parsePath } from "expline/slim"; await init({ wasmUrl });'));
+  await build({ ...options, loader: { ".wasm": "file" } });
+  assert.equal(await titleOf(folder, POLICY), EXPECTED);
+
+  writeFileSync(source, 'import init from "expline/slim"; try { await init(); } catch ({ reason, message }) { document.title = `${reason} ${message}`; }');
+  await build(options);
+  const { url, close } = await serve(folder, { port: 0, policy: POLICY });
+  const tab = await browser.newPage();
+  await tab.goto(url);
+  await tab.waitForFunction(() => document.title !== "waiting", undefined, { timeout: 20_000 });
+  const title = await tab.title();
+  await tab.close();
+  await close();
+  assert.equal(title, `network init: "${new URL("expline_bg.wasm", url).href}" could not be read; wasmUrl may say where it is [E_INIT]`);
+});
 
 test("init streams the wasm from an address", async () => {
   const folder = page("streaming", MODULE);

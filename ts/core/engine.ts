@@ -3,7 +3,7 @@ import type { InitOutput } from "../../build/bindings/expline.js";
 import { version as builtVersion } from "../../build/bindings/version.js";
 import { wasmAddress, wasmBytes } from "../../build/bindings/wasm-bytes.js";
 import { options as checkOptions } from "./arguments.js";
-import { ExplineError, shown, wrong } from "./error.js";
+import { ExplineError, wrong } from "./error.js";
 import type { Address, Bytes, CompiledModule } from "./host.js";
 
 /** The version of the package. */
@@ -253,7 +253,7 @@ async function fetched(op: string, url: unknown): Promise<WebAssembly.Module> {
   const bytes = await read(op, String(url));
   const magic = new Uint8Array(bytes, 0, Math.min(4, bytes.byteLength));
   if (String.fromCharCode(...magic) !== "\0asm") {
-    throw initError(op, "mime", `what ${shown(String(url))} answers is not WebAssembly`);
+    throw initError(op, "mime", `what "${String(url).slice(0, 200)}" answers is not WebAssembly`);
   }
   return compiled(op, bytes);
 }
@@ -274,6 +274,6 @@ async function read(op: string, url: string): Promise<ArrayBuffer> {
     if (!answer.ok) throw new Error(`HTTP status ${answer.status}`);
     return await answer.arrayBuffer();
   } catch (cause) {
-    throw initError(op, "network", `${shown(url)} could not be read`, cause);
+    throw initError(op, "network", `"${url.slice(0, 200)}" could not be read; wasmUrl may say where it is`, cause);
   }
 }
