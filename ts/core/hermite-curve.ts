@@ -212,7 +212,7 @@ export class HermiteCurve extends MeasuredCurve {
     data.touch();
   }
 
-  /** The same curve with `arity` segments in place of each; the parameter stays. */
+  /** The same curve with `arity` segments, by default 2, in place of each; the parameter stays. */
   refine(arity = 2): HermiteCurve {
     const op = "refine";
     const data = dataOf(this, op);

@@ -75,7 +75,7 @@ export class BSplineCurve extends SplineCurve {
     return splineOf(this, "offset").offset;
   }
 
-  /** The same curve with m times the control points, m to 1024; same `domain`. */
+  /** The same curve with m times the control points, by default twice, m to 1024; same `domain`. */
   refine(m = 2): BSplineCurve {
     const op = "refine";
     const data = splineOf(this, op);
@@ -84,7 +84,7 @@ export class BSplineCurve extends SplineCurve {
   }
 
   /**
-   * The curve on the grid that is coarser by m whose refinement has the control points nearest to these, and the largest distance
+   * The curve on the grid that is coarser by m, by default 2, whose refinement has the control points nearest to these, and the largest distance
    * between the two, parameter by parameter, to about 3e-3 of itself: 0 to rounding where nothing was changed since `refine(m)`.
    */
   reduce(m = 2): { curve: BSplineCurve; maxError: number } {
