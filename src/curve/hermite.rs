@@ -58,6 +58,8 @@ pub struct HermiteOptions {
 }
 
 /// A curve through its points, with the derivatives there, exact for ellipses, cubics and lines alike.
+///
+/// Curves are equal that have the same numbers; one that was refined is another, though of the same shape.
 #[derive(Clone, Debug)]
 pub struct HermiteCurve {
     // Behind a pointer: curves are handed around a lot, and are a dozen words.
@@ -74,6 +76,16 @@ struct Inner {
     basis_of: Vec<u32>,
     /// Whether all lengths are one.
     even: bool,
+}
+
+impl PartialEq for HermiteCurve {
+    fn eq(&self, other: &Self) -> bool {
+        // The lists are complete: what was left out when a curve was made is there as well. All else follows from them.
+        let (mine, theirs) = (&self.inner.data, &other.inner.data);
+        (mine.closed, self.space()) == (theirs.closed, other.space())
+            && (&mine.points, &mine.omega, &mine.lengths) == (&theirs.points, &theirs.omega, &theirs.lengths)
+            && (&mine.tangents, &mine.tangents_in) == (&theirs.tangents, &theirs.tangents_in)
+    }
 }
 
 impl HermiteCurve {

@@ -37,12 +37,20 @@ pub trait Generator: Clone + Debug {
 }
 
 /// A curve on a uniform grid, in 2-D or 3-D: an [`InterpolatingCurve`](super::InterpolatingCurve) or a
-/// [`BSplineCurve`](super::BSplineCurve).
+/// [`BSplineCurve`](super::BSplineCurve). Curves are equal that have the same numbers.
 #[derive(Clone, Debug)]
 pub struct SplineCurve<G> {
     pub(super) points: Vec<f64>,
     pub(super) generator: G,
     pub(super) lattice: Lattice,
+}
+
+impl<G: PartialEq> PartialEq for SplineCurve<G> {
+    fn eq(&self, other: &Self) -> bool {
+        self.points == other.points
+            && self.generator == other.generator
+            && self.lattice.lies_as(&other.lattice)
+    }
 }
 
 impl<G: Generator> SplineCurve<G> {

@@ -117,6 +117,12 @@ impl Shape {
 }
 
 impl Lattice {
+    /// Whether the cells of both lie in the same places, of curves of the same kind.
+    pub(super) fn lies_as(&self, other: &Self) -> bool {
+        let place = |of: &Self| (of.dimension, of.closed, of.start, of.step, of.end);
+        place(self) == place(other)
+    }
+
     /// A lattice over the points that act on its cells; a closed list is turned so that number `first` comes first.
     pub(super) fn new(
         shape: Arc<Shape>,

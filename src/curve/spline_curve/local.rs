@@ -33,7 +33,7 @@ const FINEST: usize = 12;
 /// assert_eq!(edited.evaluate(3.0, 0)?, curve.evaluate(3.0, 0)?);
 /// # Ok::<(), expline::Error>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct LocalCurve {
     pub(super) base: InterpolatingCurve,
     /// Coarser levels first.
@@ -49,6 +49,12 @@ pub(super) struct Patch {
     displacements: Vec<f64>,
     /// The displacements with 0 around them, over all that they act on.
     pub(super) lattice: Lattice,
+}
+
+impl PartialEq for Patch {
+    fn eq(&self, other: &Self) -> bool {
+        (self.level, self.first, &self.displacements) == (other.level, other.first, &other.displacements)
+    }
 }
 
 impl LocalCurve {
