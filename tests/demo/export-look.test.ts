@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
+import { createRequire } from "node:module";
 import { test } from "node:test";
 import { useBrowser, type Demo } from "./page.ts";
 
@@ -9,6 +10,9 @@ const { open } = useBrowser();
 
 /** An icon as icons are: 24 units, an area with a hole and a corner. */
 const icon = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" width="24" height="24"><path fill="#1b1f24" fill-rule="evenodd" d="M12 0a12 12 0 1 0 0 24a12 12 0 1 0 0-24ZM7 7h10v10l-5-4l-5 4Z"/></svg>';
+
+/** A real one: the file that simple-icons (CC0-1.0) has of it. */
+const logo = (name: string): Promise<string> => readFile(createRequire(import.meta.url).resolve(`simple-icons/icons/${name}.svg`), "utf8");
 
 async function opened(demo: Demo, text: string): Promise<void> {
   await demo.byId("btn-import").click();
@@ -54,6 +58,60 @@ test("an icon comes out of the page as the areas that it came in as, in both kin
     assert.ok(away < 0.02, `${id}: ${away}`);
   }
   assert.match(await demo.page.locator(".export-picture path").first().getAttribute("class") ?? "", /export-ink/, "the preview shows what the file does");
+});
+
+/** Of 40 × 40 places all over an icon of 24 units, those with no edge near them: what the stage has there, and whether it should be ink. */
+async function onStage(demo: Demo, shades: readonly number[]): Promise<{ ink: boolean; color: string }[]> {
+  const places = Array.from({ length: 40 * 40 }, (_, i) => ({ column: 3 * (i % 40) + 1, row: 3 * Math.floor(i / 40) + 1 })).filter(({ column, row }) => {
+    const near = [-1, 0, 1].flatMap((dy) => [-1, 0, 1].map((dx) => shades[(row + dy) * 120 + column + dx] ?? 0));
+    return near.every((shade) => shade > 0.99) || near.every((shade) => shade < 0.01);
+  });
+  const colors = await demo.page.evaluate((all) => {
+    const canvas = document.querySelector("canvas");
+    const context = canvas?.getContext("2d");
+    const box = canvas?.getBoundingClientRect();
+    return all.map(({ x, y }) => {
+      const at = window.explineDemo.toScreen(x, y);
+      return String(context?.getImageData(Math.round(at.x - (box?.left ?? 0)), Math.round(at.y - (box?.top ?? 0)), 1, 1).data);
+    });
+  }, places.map(({ column, row }) => ({ x: (column + 0.5) / 5, y: (row + 0.5) / 5 })));
+  return places.map(({ column, row }, i) => ({ ink: (shades[row * 120 + column] ?? 0) > 0.5, color: colors[i] ?? "" }));
+}
+
+test("real logos are filled on the stage and in files as their own files are: some overlap themselves, some have holes", async (t) => {
+  for (const name of ["figma", "graphql", "first", "spotify"]) {
+    const demo = await open(t);
+    const text = await logo(name);
+    await opened(demo, text);
+    const wanted = await shadesOf(demo, "image/svg+xml", Buffer.from(text));
+    const seen = await onStage(demo, wanted);
+    const most = (ink: boolean): string => {
+      const colors = seen.filter((each) => each.ink === ink).map(({ color }) => color);
+      return colors.sort((a, b) => colors.filter((c) => c === b).length - colors.filter((c) => c === a).length)[0] ?? "";
+    };
+    const [inkColor, paperColor] = [most(true), most(false)];
+    assert.notEqual(inkColor, paperColor);
+    // Marks of points lie over both.
+    const wrong = seen.filter(({ ink, color }) => color === (ink ? paperColor : inkColor));
+    assert.ok(wrong.length <= 0.001 * seen.length, `${name}: ${wrong.length} of ${seen.length} places`);
+    await demo.byId("btn-export").click();
+    const preview = await demo.page.locator(".export-picture path").first().evaluate((path) => getComputedStyle(path).fillRule);
+    assert.equal(preview, name === "spotify" ? "evenodd" : "nonzero", "the preview shows what the file does");
+    const file = (await saved(demo, "export-svg")).toString("utf8").replace(/viewBox="[^"]*" width="[^"]*" height="[^"]*"/u, 'viewBox="0 0 24 24"');
+    const shades = await shadesOf(demo, "image/svg+xml", Buffer.from(file));
+    const away = mean(shades.map((shade, i) => Math.abs(shade - (wanted[i] ?? 0))));
+    assert.ok(away < 0.005, `${name}: ${away}`);
+  }
+});
+
+test("the frame that an icon has around it is not part of it, and what is only stroked goes out as lines", async (t) => {
+  const demo = await open(t);
+  await opened(demo, '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24"><path fill="none" d="M0 0h24v24H0z"/><path d="M4 4h8v8H4z"/></svg>');
+  assert.equal((await demo.state()).curve.contours.length, 1);
+  await opened(demo, '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" fill="none" stroke="currentColor"><circle cx="12" cy="12" r="10"/></svg>');
+  assert.equal((await demo.state()).curve.contours.length, 1);
+  await demo.byId("btn-export").click();
+  assert.match((await saved(demo, "export-svg")).toString("utf8"), /fill="none" stroke=/u);
 });
 
 test("of an icon as lines, lines are no thicker and a picture no smaller than of a drawing that is ten times as large", async (t) => {

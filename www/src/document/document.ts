@@ -13,6 +13,12 @@ export type Mode = "curve" | "fit" | "trace" | "surface";
 
 export const modes: readonly Mode[] = ["curve", "fit", "trace", "surface"];
 
+/**
+ * How the closed contours are filled, where that is not even-odd, by which holes are holes whichever way they run: by the
+ * winding number, as most SVG files are, or not at all.
+ */
+export type Filling = "nonzero" | "none";
+
 export interface CurveDocument {
   readonly space: Space;
   /** Radians per unit of the parameter; "auto" is 2π over the parameter length of a closed contour, 0 for an open one. */
@@ -21,6 +27,7 @@ export interface CurveDocument {
   readonly contours: readonly Contour[];
   /** The sample this came from, for titles and for the error against the shape it set out to be. */
   readonly sample?: string;
+  readonly filling?: Filling;
 }
 
 /** What the window looks at: the document point in the middle of the stage, and CSS pixels per document unit. */

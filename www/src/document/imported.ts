@@ -1,4 +1,4 @@
-import type { Contour, DemoState } from "./document.ts";
+import type { Contour, DemoState, Filling } from "./document.ts";
 import type { Problem } from "./problem.ts";
 
 /** What came out of a file, a drop or a paste: contours to draw, or a whole saved state. */
@@ -7,6 +7,7 @@ export type Imported =
   | {
       readonly kind: "svg" | "path" | "points";
       readonly contours: readonly Contour[];
+      readonly filling?: Filling;
       /** Things that were read leniently, in words. */
       readonly notes: readonly string[];
       /** Where the text stopped making sense, when only its beginning was read. */

@@ -1,12 +1,14 @@
 /** What was pasted, dropped or typed: recognised by its first characters, read into contours or a whole state. */
-import type { Contour, Space } from "../document/document.ts";
+import type { Space } from "../document/document.ts";
 import { FileError, parseState } from "../document/file/file.ts";
 import type { Imported } from "../document/imported.ts";
 import { Problem } from "../document/problem.ts";
+import { filled, type FilledShape } from "../kernel/paths/filling.ts";
 import { boundsOfPath, importPath, importPoints } from "../kernel/paths/import.ts";
 import { heading, listed, mostPoints, readPoints } from "./rows.ts";
-import { readSvg, type SvgFile } from "./svg/svg-file.ts";
 import { SvgFileError, type SvgWarningCode } from "./svg/limits.ts";
+import { isPaint, type Paint } from "./svg/style/paint.ts";
+import { readSvg, type SvgFile } from "./svg/svg-file.ts";
 
 export type ImportKind = "svg" | "path" | "points" | "json";
 
@@ -61,27 +63,30 @@ function readJson(text: string): Imported {
 }
 
 function readPath(d: string, space: Space): Imported {
-  const path = importPath(d, space);
-  if (path.contours.reduce((sum, { points }) => sum + points.length, 0) > mostPoints) throw new Problem("d-big");
-  return { kind: "path", notes: [], ...path };
+  const { contours, broken } = importPath(d, space);
+  if (contours.reduce((sum, { points }) => sum + points.length, 0) > mostPoints) throw new Problem("d-big");
+  // Nobody who hands on path data says by which rule it is filled; where nothing is said, it is this one.
+  return { kind: "path", notes: [], broken, ...filled([{ contours, rule: "nonzero", fill: "" }], space) };
 }
 
 function readDrawing(text: string, space: Space): Imported {
   const file = readFile(text);
   if (file.shapes.length === 0) throw new Problem("svg-nopath", file.warnings.some(({ code }) => code === "W_TEXT") ? { field: "text" } : {});
-  const contours: Contour[] = [];
+  const shapes: FilledShape[] = [];
   let broken: Problem | null = null;
   let points = 0;
   for (const shape of file.shapes) {
     const part = importPath(shape.d, space, shape.transform);
     broken ??= part.broken;
-    for (const contour of part.contours) {
-      points += contour.points.length;
-      contours.push(contour);
-    }
+    shapes.push({ contours: part.contours, ...fillOf(shape.paint) });
+    for (const contour of part.contours) points += contour.points.length;
     if (points > mostPoints) throw new Problem("svg-big", { field: "points", most: mostPoints });
   }
-  return { kind: "svg", contours, notes: notesOf(file), broken };
+  return { kind: "svg", ...filled(shapes, space), notes: notesOf(file), broken };
+}
+
+function fillOf({ fill, "fill-rule": rule }: Paint): Pick<FilledShape, "rule" | "fill"> {
+  return { rule: rule === "evenodd" ? rule : "nonzero", fill: isPaint(fill) ? fill : null };
 }
 
 function readFile(text: string): SvgFile {

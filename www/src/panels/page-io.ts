@@ -1,4 +1,4 @@
-import type { DemoState, Space } from "../document/document.ts";
+import type { DemoState, Filling, Space } from "../document/document.ts";
 import type { Box, Imported } from "../document/imported.ts";
 
 /**
@@ -37,6 +37,7 @@ export interface PageIo {
 export interface FileLook {
   /** Areas of ink, holes left out, in place of lines. */
   readonly filled?: boolean;
+  readonly filling?: Filling;
   /** Areas in colours in place of the one path, the lowest first. */
   readonly layers?: readonly { readonly color: string; readonly d: string }[];
 }

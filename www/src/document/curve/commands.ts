@@ -156,10 +156,15 @@ export function setSpace(space: Space): Command {
   };
 }
 
+/** An empty drawing with the settings of another; what was true of its contours is gone with them. */
+export function cleared({ space, omega }: CurveDocument): CurveDocument {
+  return { space, omega, level: 0, contours: [] };
+}
+
 export function clearCurve(): Command {
   return {
     name: "Clear",
-    apply: ({ sample: _gone, ...curve }) => ({ ...curve, level: 0, contours: [] }),
+    apply: cleared,
     select: nothingSelected,
   };
 }

@@ -28,6 +28,7 @@ const limits = { maxBytes: 64 * 1024 * 1024, maxDepth: 64, maxPoints: 100_000, m
 const spaces = ["trigonometric", "hyperbolic", "polynomial"] as const;
 const kinds = ["symmetric", "smooth", "cusp"] as const;
 const families = ["hermite", "interpolating"] as const;
+const fillings = ["nonzero", "none"] as const;
 
 export interface ReadFile {
   readonly state: DemoState;
@@ -109,7 +110,7 @@ function readCurve(found: Found): CurveDocument {
     omega: readOmega(field(found, "omega")),
     level: optional(found, "level", (level) => asWhole(level, 0, 24)) ?? 0,
     contours: readContours(field(found, "contours")),
-    ...defined({ sample: optional(found, "sample", asSampleId) }),
+    ...defined({ sample: optional(found, "sample", asSampleId), filling: optional(found, "filling", (each) => oneOf(each, fillings)) }),
   };
 }
 

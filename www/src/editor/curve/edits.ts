@@ -1,6 +1,6 @@
 import {
-  addContours as addContoursCommand, clearCurve as clearCommand, movePoints, placePoint, replaceCurve, resetHandles, setKinds,
-  setOmega as setOmegaCommand, setSpace as setSpaceCommand, turnHandle, type Command,
+  clearCurve as clearCommand, movePoints, placePoint, replaceCurve, resetHandles, setKinds,
+  setOmega as setOmegaCommand, setSpace as setSpaceCommand, turnHandle,
 } from "../../document/curve/commands.ts";
 import {
   baseCount, domainLength, lengthOf, noOffset, nothingSelected, pointAt, type Contour, type CurveDocument, type Kind, type PointRef, type Selection,
@@ -128,17 +128,6 @@ export function clearCurve(editor: Editor): void {
 /** Puts a whole drawing in place of the present one, undoably. */
 export function loadCurve(editor: Editor, name: string, curve: CurveDocument): void {
   editor.dispatch(replaceCurve(name, curve));
-}
-
-/**
- * Adds contours to the drawing, or puts them in its place. What comes to others is chosen, ready to be moved from where it
- * lies over them; an import that is alone is looked at first.
- */
-export function addContours(editor: Editor, name: string, contours: readonly Contour[], how: "add" | "replace"): void {
-  const isChosen = name === "Paste" || (how === "add" && editor.state.value.curve.contours.length > 0);
-  const add = addContoursCommand(name, contours, isChosen);
-  const command: Command = how === "add" ? add : { ...add, apply: (curve) => add.apply(clearCommand().apply(curve)) };
-  editor.dispatch(command);
 }
 
 /** Chooses every point of one kind: what the legend's rows do. */

@@ -1,4 +1,4 @@
-import { nothingSelected, type Contour } from "../../document/document.ts";
+import { emptyCurve, nothingSelected, type Contour } from "../../document/document.ts";
 import type { Editor } from "../editor.ts";
 import { routeOf } from "../route.ts";
 
@@ -10,7 +10,7 @@ export function openInCurve(editor: Editor, name: string, contours: readonly Con
   editor.patch({ mode: "curve", tool: "select" });
   editor.dispatch({
     name,
-    apply: ({ sample: _gone, ...curve }) => ({ ...curve, space: "trigonometric", omega: "auto", level: 0, contours }),
+    apply: () => ({ ...emptyCurve, contours }),
     select: nothingSelected,
   });
   editor.setOverlay("bezier", false);

@@ -1,3 +1,4 @@
+import type { Filling } from "../../document/document.ts";
 import type { Box } from "../../document/imported.ts";
 import { inkOfFiles, lineWidth } from "../svg/svg-write.ts";
 import { enlargement, marginAround, pngSize } from "./png-size.ts";
@@ -12,6 +13,7 @@ export interface PngOptions {
   readonly stage?: { readonly ink: string; readonly fill: string };
   /** Areas of ink, holes left out, in place of lines. */
   readonly filled?: boolean;
+  readonly filling?: Filling;
   /** Areas in colours in place of the one path, the lowest first. */
   readonly layers?: readonly { readonly color: string; readonly d: string }[];
 }
@@ -24,10 +26,11 @@ export interface PngPath {
 }
 
 /** What is drawn, from the lowest up. */
-export function pngPaths({ d, stage, filled, layers = [] }: PngOptions): PngPath[] {
-  if (stage !== undefined) return [{ d, fill: { color: stage.fill, alpha: 0.08, rule: "evenodd" }, stroke: stage.ink }];
+export function pngPaths({ d, stage, filled, filling, layers = [] }: PngOptions): PngPath[] {
+  const rule = filling === "nonzero" ? filling : "evenodd";
+  if (stage !== undefined) return [{ d, ...(filling === "none" ? {} : { fill: { color: stage.fill, alpha: 0.08, rule } }), stroke: stage.ink }];
   if (layers.length > 0) return layers.map((layer) => ({ d: layer.d, fill: { color: layer.color, alpha: 1, rule: "nonzero" } }));
-  return [filled === true ? { d, fill: { color: inkOfFiles, alpha: 1, rule: "evenodd" } } : { d, stroke: inkOfFiles }];
+  return [filled === true ? { d, fill: { color: inkOfFiles, alpha: 1, rule } } : { d, stroke: inkOfFiles }];
 }
 
 export async function writePng(options: PngOptions): Promise<Blob | null> {

@@ -10,14 +10,16 @@ import { pathDataOf, shapeNames } from "./shapes.ts";
 import { enclosing, type Box } from "./style/box.ts";
 import { mayHide } from "./style/clip.ts";
 import type { Declared } from "./style/declared.ts";
+import { initialPaint, isPaint, paintOf, type Paint } from "./style/paint.ts";
 import { isHidden, isVisible, stylesOf, type Styles } from "./style/styles.ts";
 import { ownTransformOf } from "./style/transform.ts";
 import { innerViewport, nothingWanted, pictureOf, rootViewport, wantedBy, type Viewport, type Wanted } from "./viewport.ts";
 
-/** One drawn shape: its path data, and the transform from its own units to the document's. */
+/** One drawn shape: its path data, the transform from its own units to the document's, and how it is painted. */
 export interface SvgShape {
   readonly d: string;
   readonly transform: Matrix;
+  readonly paint: Paint;
 }
 
 export interface SvgFile {
@@ -50,6 +52,7 @@ interface Place {
   /** The viewport around, in the units here. */
   readonly around: Size;
   readonly visible: boolean;
+  readonly paint: Paint;
   readonly depth: number;
 }
 
@@ -75,8 +78,14 @@ export function readSvg(source: string, boundsOf: BoundsOf = () => null, limits:
     expanded: 0,
     commands: 0,
   };
-  walk(root, { matrix: identity, around: unknownSize, visible: true, depth: 1 }, reading);
-  return { shapes: reading.shapes, warnings };
+  walk(root, { matrix: identity, around: unknownSize, visible: true, paint: initialPaint, depth: 1 }, reading);
+  return { shapes: seenOf(reading.shapes), warnings };
+}
+
+/** The frame that icons have around them is neither filled nor stroked. Where all are so, a page's style was to paint them. */
+function seenOf(shapes: readonly SvgShape[]): readonly SvgShape[] {
+  const seen = shapes.filter(({ paint: { fill, stroke } }) => isPaint(fill) || isPaint(stroke));
+  return seen.length === 0 ? shapes : seen;
 }
 
 /** `byUse` is the size that a `use` gives to what it draws; null where the element stands itself. */
@@ -88,7 +97,8 @@ function walk(element: Element, outer: Place, reading: Reading, byUse: Wanted | 
   const fill = (): Box | null => boxOfShapes(element, css, outer, reading, byUse);
   const { matrix, problem } = ownTransformOf(element, css, { view: outer.around, fill });
   if (problem !== null) reading.warn(problem, element);
-  draw(element, css, { ...outer, matrix: multiply(outer.matrix, matrix), visible: isVisible(element, css, outer.visible) }, reading, byUse);
+  const place = { ...outer, matrix: multiply(outer.matrix, matrix), visible: isVisible(element, css, outer.visible), paint: paintOf(element, css, outer.paint) };
+  draw(element, css, place, reading, byUse);
 }
 
 /** An element in its own place. */
@@ -96,7 +106,7 @@ function draw(element: Element, css: Declared, place: Place, reading: Reading, b
   const kind = element.localName;
   if (!place.visible && (shapeNames.has(kind) || kind === "text")) return;
   if (mayHide(element, css, place, reading.picture)) reading.warn("W_CLIP", element);
-  if (shapeNames.has(kind)) addShape(element, { css, around: place.around, warn: reading.warn }, place.matrix, reading);
+  if (shapeNames.has(kind)) addShape(element, { css, around: place.around, warn: reading.warn }, place, reading);
   else if (kind === "use") expand(element, css, place, reading);
   // A symbol is a group that only a use draws.
   else if (groups.has(kind) || (kind === "symbol" && byUse !== null)) walkChildren(element, place, reading, byUse ?? nothingWanted);
@@ -129,7 +139,7 @@ function viewportOf(element: Element, { around, depth }: Place, warn: Warn, byUs
   return depth === 1 ? rootViewport(element, warn) : innerViewport(element, around, byUse, warn);
 }
 
-function addShape(element: Element, measures: Measures, transform: Matrix, reading: Reading): void {
+function addShape(element: Element, measures: Measures, { matrix, paint }: Place, reading: Reading): void {
   const d = pathDataOf(element, measures);
   if (d === null) return;
   for (let i = 0; i < d.length; i += 1) {
@@ -139,7 +149,7 @@ function addShape(element: Element, measures: Measures, transform: Matrix, readi
   }
   const max = reading.limits.maxCommands;
   if (reading.commands > max) throw overLimit("maxCommands", max, reading.commands);
-  reading.shapes.push({ d, transform });
+  reading.shapes.push({ d, transform: matrix, paint });
 }
 
 function expand(use: Element, css: Declared, outer: Place, reading: Reading): void {

@@ -1,4 +1,4 @@
-import type { DemoState } from "../../document/document.ts";
+import type { DemoState, Filling } from "../../document/document.ts";
 import type { Box } from "../../document/imported.ts";
 import { enlargement } from "../picture/png-size.ts";
 
@@ -34,12 +34,13 @@ export interface SvgOptions {
   readonly box: Box | null;
   /** Areas of ink, holes left out, in place of lines. */
   readonly filled?: boolean;
+  readonly filling?: Filling;
   /** Areas in colours in place of the one path, the lowest first. */
   readonly layers?: readonly { readonly color: string; readonly d: string }[];
 }
 
 /** A document with one path, or one for each colour, and a viewBox around it with room for its line. */
-export function writeSvg({ title, d, box, filled, layers = [] }: SvgOptions): string {
+export function writeSvg({ title, d, box, filled, filling, layers = [] }: SvgOptions): string {
   const around = box ?? { minX: 0, minY: 0, maxX: 1, maxY: 1 };
   const width = Math.max(0.001, lineWidth / enlargement(around));
   const margin = filled === true || layers.length > 0 ? 0 : width;
@@ -47,7 +48,7 @@ export function writeSvg({ title, d, box, filled, layers = [] }: SvgOptions): st
   const [x, y] = [step * Math.floor((around.minX - margin) / step), step * Math.floor((around.minY - margin) / step)];
   const size = [step * Math.ceil((around.maxX + margin) / step) - x, step * Math.ceil((around.maxY + margin) / step) - y].map(plain);
   const lines = `fill="none" stroke="${inkOfFiles}" stroke-width="${plain(width)}" stroke-linejoin="round"`;
-  const look = filled === true ? `fill="${inkOfFiles}" fill-rule="evenodd"` : lines;
+  const look = filled === true ? `fill="${inkOfFiles}"${filling === "nonzero" ? "" : ' fill-rule="evenodd"'}` : lines;
   const path = (text: string, how: string): string => (text === "" ? "" : `  <path d="${escapeXml(text)}" ${how}/>\n`);
   const paths = layers.length === 0 ? [path(d, look)] : layers.map((layer) => path(layer.d, `fill="${escapeXml(layer.color)}"`));
   return [

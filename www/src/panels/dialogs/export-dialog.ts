@@ -8,7 +8,7 @@ import { snippetFor } from "../code/snippets.ts";
 import { button, openDialog } from "../controls/dialog.ts";
 import { h } from "../controls/dom.ts";
 import { errorText } from "../messages/errors.ts";
-import { isOfAreas } from "../files/look.ts";
+import { lookOf } from "../files/look.ts";
 import type { FileLook } from "../page-io.ts";
 import type { Shell } from "../shell.ts";
 import { chosenOptions, drawsAreas, lookField, optionFields } from "./export-options.ts";
@@ -23,7 +23,7 @@ export function openExport(shell: Shell): void {
   const result = exportResult(shell, curve, box, look);
   const { mode } = shell.editor.state.value;
   // What was traced is what it was in the picture.
-  const looks = mode === "trace" ? [] : [lookField(isOfAreas(curve, mode), result.refresh)];
+  const looks = mode === "trace" ? [] : [lookField(lookOf(curve, mode).filled, result.refresh)];
   const dialog = openDialog(
     { title: "Export", testid: "export-dialog", wide: true },
     h("div", { class: "export" },
@@ -36,7 +36,7 @@ export function openExport(shell: Shell): void {
     button("Copy path", { class: "primary", testid: "export-d", title: "Copy the path's d", click: () => copy(shell, result.d(), "the path") }),
     svgButton(shell, stem, curve, box, result.d, look),
     jsonButton(shell, stem),
-    pngGroup(shell, { stem, d: result.d, box, look: () => (mode === "trace" || look().filled === true ? look() : null) }),
+    pngGroup(shell, { stem, d: result.d, box, look, asOnStage: () => mode !== "trace" && look().filled !== true }),
     button("TypeScript", {
       testid: "export-ts",
       title: "Copy TypeScript that makes this drawing",
@@ -67,8 +67,10 @@ function jsonButton({ editor, io }: Shell, stem: string): HTMLElement {
 function fileLook({ modes, state }: Editor, curve: CurveDocument): FileLook {
   const { mode } = state.value;
   const colored = modes.get(mode)?.layers?.(state.value) ?? [];
+  const natural = lookOf(curve, mode);
   return {
-    filled: mode === "trace" ? isOfAreas(curve, mode) : drawsAreas(isOfAreas(curve, mode)),
+    ...natural,
+    filled: mode === "trace" ? natural.filled : drawsAreas(natural.filled),
     layers: colored.map(({ color, drawing }) => ({ color, d: exportPath(drawing, chosenOptions()).d })),
   };
 }

@@ -13,8 +13,10 @@ interface PngSubject {
   readonly stem: string;
   readonly d: () => string;
   readonly box: Box;
-  /** How it looks as an SVG file, where its picture is of the same; null where it is that of the stage. */
-  readonly look: () => FileLook | null;
+  /** How it looks as an SVG file. */
+  readonly look: () => FileLook;
+  /** The picture has the colours of the stage. */
+  readonly asOnStage: () => boolean;
 }
 
 /** Under ink that is dark in any theme. */
@@ -29,12 +31,11 @@ export function pngGroup(shell: Shell, subject: PngSubject): HTMLElement {
   return h("span", { class: "button-group", role: "group", "aria-label": "Picture" }, save, scaleChoice(show), paperChoice());
 }
 
-async function download({ io, toasts }: Shell, { stem, d, box, look }: PngSubject): Promise<void> {
+async function download({ io, toasts }: Shell, { stem, d, box, look, asOnStage }: PngSubject): Promise<void> {
   const colour = (name: string): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-  const asFile = look();
-  const paper = !onPaper ? null : asFile === null ? colour("--canvas") : lightPaper;
-  const how = asFile ?? { stage: { ink: colour("--curve"), fill: colour("--point") } };
-  const blob = await io.writePng({ d: d(), box, scale, paper, ...how });
+  const stage = asOnStage() ? { stage: { ink: colour("--curve"), fill: colour("--point") } } : {};
+  const paper = !onPaper ? null : asOnStage() ? colour("--canvas") : lightPaper;
+  const blob = await io.writePng({ d: d(), box, scale, paper, ...look(), ...stage });
   if (blob === null) toasts.say("This picture is larger than the browser can draw. Choose a smaller scale.");
   else io.download(`${stem}@${scale}x.png`, blob);
 }

@@ -53,11 +53,13 @@ function complaint(error: unknown): HTMLElement {
 }
 
 /** What the file will show: what was traced as ink or in its colours, a drawing as its lines. */
-function drawn(d: string, box: Box, { filled, layers = [] }: FileLook): SVGSVGElement {
+function drawn(d: string, box: Box, { filled, filling, layers = [] }: FileLook): SVGSVGElement {
   if (box === null) return svg("svg", { "aria-hidden": "true" });
   const margin = Math.max(box.maxX - box.minX, box.maxY - box.minY) * 0.06 + 1e-6;
   const viewBox = [box.minX - margin, box.minY - margin, box.maxX - box.minX + 2 * margin, box.maxY - box.minY + 2 * margin].join(" ");
   const one = svg("path", { class: filled === true ? "export-ink" : "thumbnail-curve", d });
+  if (filling === "nonzero") one.style.fillRule = filling;
+  else if (filling === "none" && filled !== true) one.style.fill = filling;
   const shapes = layers.length === 0 ? [one] : layers.map((layer) => svg("path", { d: layer.d, fill: layer.color }));
   return svg("svg", { viewBox, role: "img", "aria-label": "Preview of the exported path" }, ...shapes);
 }

@@ -1,6 +1,6 @@
 import type { Contour, CurveDocument } from "../../document/document.ts";
 import { duplicateContours } from "../../document/curve/commands.ts";
-import { addContours } from "../../editor/curve/edits.ts";
+import { addDrawing } from "../../editor/curve/adding.ts";
 import type { Editor } from "../../editor/editor.ts";
 import { toScreen } from "../../editor/pointer/camera.ts";
 
@@ -28,7 +28,7 @@ export function pasteCopy(editor: Editor, text: string): boolean {
   let by = 0;
   while (curve.contours.some((contour) => stands(contour, drawing.contours[0], by, step))) by += step;
   const contours = duplicateContours([...drawing.contours.keys()], by).copies(drawing);
-  addContours(editor, "Paste", contours, "add");
+  addDrawing(editor, "Paste", { ...(drawing.filling === undefined ? {} : { filling: drawing.filling }), contours }, "add");
   if (!contours.some((contour) => isSeen(editor, contour))) editor.actions.run("zoom-fit");
   return true;
 }

@@ -8,7 +8,7 @@ import { errorText } from "../messages/errors.ts";
 import type { Shell } from "../shell.ts";
 import { pasteCopy, rememberCopy } from "./clipboard.ts";
 import { naturalDestination, place, readOrReport } from "./load.ts";
-import { isOfAreas } from "./look.ts";
+import { lookOf } from "./look.ts";
 import { openPicture } from "./open-picture.ts";
 import { report } from "./report.ts";
 
@@ -32,7 +32,7 @@ export async function copySvg(shell: Shell): Promise<boolean> {
   if (part === null) return false;
   const title = curveSample(part.sample ?? "")?.title ?? "expline drawing";
   const layers = (parts?.layers?.(editor.state.value) ?? []).map(({ color, drawing }) => ({ color, d: documentPathD(drawing, printed).d }));
-  const text = await io.writeSvg({ title, d: documentPathD(part, printed).d, box: documentBounds(part), filled: isOfAreas(part, mode), layers });
+  const text = await io.writeSvg({ title, d: documentPathD(part, printed).d, box: documentBounds(part), ...lookOf(part, mode), layers });
   // Before the clipboard has it: from then on it may be pasted.
   if (mode === "curve") rememberCopy(editor, text, part);
   const done = await io.copyText(text);

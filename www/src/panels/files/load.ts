@@ -1,6 +1,6 @@
 import type { Contour } from "../../document/document.ts";
 import type { Imported } from "../../document/imported.ts";
-import { addContours } from "../../editor/curve/edits.ts";
+import { addDrawing } from "../../editor/curve/adding.ts";
 import { whileLoading } from "../../editor/loading.ts";
 import { routeOf } from "../../editor/route.ts";
 import type { Shell } from "../shell.ts";
@@ -30,7 +30,7 @@ export async function place(shell: Shell, imported: Imported, to: Destination, h
   }
   const placement = how === undefined || how === "offered" ? naturalPlacement(shell, to) : how;
   if (to === "fit") await placeInFit(editor, imported, placement);
-  else placeInCurve(editor, imported.contours, placement);
+  else placeInCurve(editor, imported, placement);
   const says = [summary(imported.contours), ...imported.notes.map((note) => `Note: ${note}.`)].join(" ");
   // Where it has come from on taking the offer, it is already.
   toasts.say(says, how === "offered"
@@ -50,9 +50,9 @@ async function placeInFit(editor: Shell["editor"], { contours, kind }: Drawn, ho
   bringContours(editor, contours, kind === "points", { instead: how === "replace" ? "all" : "nothing" });
 }
 
-function placeInCurve(editor: Shell["editor"], contours: readonly Contour[], how: Placement): void {
+function placeInCurve(editor: Shell["editor"], drawing: Drawn, how: Placement): void {
   if (editor.state.value.mode !== "curve") editor.actions.run("mode-curve");
-  addContours(editor, "Import", contours, how);
+  addDrawing(editor, "Import", drawing, how);
   // What belongs to a sample's lesson would only clutter a drawing of one's own.
   editor.setOverlay("bezier", false);
   editor.setOverlay("comb", false);

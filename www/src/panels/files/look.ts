@@ -1,9 +1,15 @@
-import type { CurveDocument, Mode } from "../../document/document.ts";
+import type { CurveDocument, Filling, Mode } from "../../document/document.ts";
 
 /**
  * Whether a file shows areas of ink, holes left out, rather than lines. Logos and what was traced are areas wherever they
  * are edited; the samples teach curves, and a line that is open encloses nothing.
  */
-export function isOfAreas({ contours, sample }: CurveDocument, mode: Mode): boolean {
-  return (mode === "trace" || sample === undefined) && contours.every(({ closed }) => closed);
+function isOfAreas({ contours, filling, sample }: CurveDocument, mode: Mode): boolean {
+  return filling !== "none" && (mode === "trace" || sample === undefined) && contours.every(({ closed }) => closed);
+}
+
+/** How a file shows a drawing, where nobody says otherwise. */
+export function lookOf(curve: CurveDocument, mode: Mode): { readonly filled: boolean; readonly filling?: Filling } {
+  const { filling } = curve;
+  return { filled: isOfAreas(curve, mode), ...(filling === undefined ? {} : { filling }) };
 }

@@ -11,12 +11,12 @@ import { inPage, inScreen, onScreen, pathOfCubics, pathOfPoints, sightOf, type S
 
 export function drawFill(scene: Scene): void {
   const { state, palette } = scene;
-  if (!state.settings.overlays.fill || state.originalOnly) return;
+  const { filling = "evenodd" } = state.curve;
+  if (!state.settings.overlays.fill || state.originalOnly || filling === "none") return;
   const context = inPage(scene);
   context.fillStyle = palette.point;
   context.globalAlpha = 0.08;
-  // Holes of imported logos are holes, whichever way their contours run.
-  context.fill(documentPaths(scene, state.curve).closed, "evenodd");
+  context.fill(documentPaths(scene, state.curve).closed, filling);
   context.globalAlpha = 1;
 }
 

@@ -5,10 +5,13 @@ const initials: ReadonlyMap<string, string> = new Map([
   ["display", "inline"], ["visibility", "visible"],
   ["transform", "none"], ["translate", "none"], ["rotate", "none"], ["scale", "none"], ["transform-origin", "0 0"], ["transform-box", "view-box"],
   ["clip-path", "none"], ["mask", "none"],
+  ["fill", "black"], ["stroke", "none"], ["fill-rule", "nonzero"],
   ["d", "none"], ["x", "0"], ["y", "0"], ["cx", "0"], ["cy", "0"], ["r", "0"], ["rx", "auto"], ["ry", "auto"], ["width", "auto"], ["height", "auto"],
 ]);
 
-/** A quick look, before anything is parsed: most sheets are about colours. */
+const inherited: ReadonlySet<string> = new Set(["visibility", "fill", "stroke", "fill-rule"]);
+
+/** A quick look, before anything is parsed. */
 export const mentioned = new RegExp(`(?:^|[;{\\s/])(?:${[...initials.keys()].join("|")})\\s*:`, "iu");
 
 /** What CSS says of one element, by property; attributes of the same names come after it. */
@@ -23,7 +26,7 @@ export interface Levels {
 
 export const nothing: Levels = { normal: nothingDeclared, important: nothingDeclared };
 
-/** Most rules are about colours: their names are fewer than those that are followed. */
+/** Most rules say little: their names are fewer than those that are followed. */
 export function isFollowed(style: CSSStyleDeclaration): boolean {
   // Browsers take a mask apart.
   return Array.from(style).some((name) => initials.has(name) || name === "mask-image");
@@ -35,7 +38,7 @@ export function levelsOf(style: CSSStyleDeclaration): Levels {
     const value = style.getPropertyValue(property).trim();
     if (value === "") continue;
     const isReset = /^(?:initial|unset|revert|revert-layer|inherit)$/iu.test(value);
-    const isInherited = property === "visibility" && value !== "initial";
+    const isInherited = inherited.has(property) && value !== "initial";
     levels[style.getPropertyPriority(property) === "" ? "normal" : "important"].set(property, isReset && !isInherited ? initial : value);
   }
   return levels;

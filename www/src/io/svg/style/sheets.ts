@@ -93,7 +93,7 @@ function* ruleAndInner(rule: CSSStyleRule, within: Within): Generator<Declaratio
     return;
   }
   const isEmpty = !isFollowed(rule.style);
-  // Most rules are about colours: their selectors are not looked at.
+  // The selectors of most rules need not be looked at.
   if (isEmpty && rule.cssRules.length === 0) return;
   const selectors = selectorsOf(text);
   if (!isEmpty) yield { selectors, style: rule.style, layer: within.layer };
