@@ -4,7 +4,7 @@ import { FileError, parseState } from "../document/file/file.ts";
 import type { Imported } from "../document/imported.ts";
 import { Problem } from "../document/problem.ts";
 import { filled, type FilledShape } from "../kernel/paths/filling.ts";
-import { boundsOfPath, importPath, importPoints } from "../kernel/paths/import.ts";
+import { boundsOfPath, importPath, importPoints, type Drawn } from "../kernel/paths/import.ts";
 import { heading, listed, mostPoints, readPoints } from "./rows.ts";
 import { SvgFileError, type SvgWarningCode } from "./svg/limits.ts";
 import { isPaint, type Paint } from "./svg/style/paint.ts";
@@ -76,13 +76,17 @@ function readDrawing(text: string, space: Space): Imported {
   let broken: Problem | null = null;
   let points = 0;
   for (const shape of file.shapes) {
-    const part = importPath(shape.d, space, shape.transform);
+    const part = importPath(shape.d, space, shape.transform, drawnAs(shape.paint));
     broken ??= part.broken;
     shapes.push({ contours: part.contours, ...fillOf(shape.paint) });
     for (const contour of part.contours) points += contour.points.length;
     if (points > mostPoints) throw new Problem("svg-big", { field: "points", most: mostPoints });
   }
   return { kind: "svg", ...filled(shapes, space), notes: notesOf(file), broken };
+}
+
+function drawnAs({ fill, stroke }: Paint): Drawn {
+  return isPaint(stroke) ? (isPaint(fill) ? "either" : "lines") : "areas";
 }
 
 function fillOf({ fill, "fill-rule": rule }: Paint): Pick<FilledShape, "rule" | "fill"> {

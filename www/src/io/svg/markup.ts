@@ -11,17 +11,17 @@ const inBraces = /=\{\s*(["'])([^"'{}]*)\1\s*\}/gu;
 
 /**
  * The root of an SVG document, or of the picture in what people copy out of programs: JSX, an element of HTML with an `svg`
- * in it, a `path` alone. The browser's own parsers read it into a document that is never attached to the page.
+ * in it, a `path` alone, which is no whole picture. The browser's own parsers read it into a document that is never attached to the page.
  */
-export function rootOf(source: string, limits: SvgLimits): Element {
+export function rootOf(source: string, limits: SvgLimits): { readonly root: Element; readonly isWhole: boolean } {
   const text = withInertNames(checkMarkup(source, limits));
-  if (asFile.test(text) && !braces.test(text)) return strictRoot(text);
+  if (asFile.test(text) && !braces.test(text)) return { root: strictRoot(text), isWhole: true };
   const loose = text.replace(inBraces, "=$1$2$1");
   const found = htmlOf(loose).querySelector("svg");
-  if (found !== null) return found;
+  if (found !== null) return { root: found, isWhole: true };
   const made = htmlOf(`<svg>${loose}</svg>`).querySelector("svg");
   // A page without a picture, or words.
-  return made?.querySelector([...shapeNames].join()) == null ? strictRoot(text) : made;
+  return made?.querySelector([...shapeNames].join()) == null ? { root: strictRoot(text), isWhole: true } : { root: made, isWhole: false };
 }
 
 /** Nothing in it runs or is fetched: the document is in no window. */

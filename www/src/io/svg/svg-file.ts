@@ -10,7 +10,7 @@ import { pathDataOf, shapeNames } from "./shapes.ts";
 import { enclosing, type Box } from "./style/box.ts";
 import { mayHide } from "./style/clip.ts";
 import type { Declared } from "./style/declared.ts";
-import { initialPaint, isPaint, paintOf, type Paint } from "./style/paint.ts";
+import { initialPaint, isPaint, paintOf, unknownPaint, type Paint } from "./style/paint.ts";
 import { isHidden, isVisible, stylesOf, type Styles } from "./style/styles.ts";
 import { ownTransformOf } from "./style/transform.ts";
 import { innerViewport, nothingWanted, pictureOf, rootViewport, wantedBy, type Viewport, type Wanted } from "./viewport.ts";
@@ -61,7 +61,7 @@ export type BoundsOf = (d: string) => Box | null;
 
 /** @throws SvgFileError with `E_PARSE_SVG`, `E_LIMIT` or `E_RANGE`. */
 export function readSvg(source: string, boundsOf: BoundsOf = () => null, limits: SvgLimits = svgLimits): SvgFile {
-  const root = rootOf(source, limits);
+  const { root, isWhole } = rootOf(source, limits);
   const warnings: SvgWarning[] = [];
   const warn: Warn = (code, element) => {
     if (warnings.length < 100) warnings.push({ code, element: element.localName });
@@ -78,7 +78,7 @@ export function readSvg(source: string, boundsOf: BoundsOf = () => null, limits:
     expanded: 0,
     commands: 0,
   };
-  walk(root, { matrix: identity, around: unknownSize, visible: true, paint: initialPaint, depth: 1 }, reading);
+  walk(root, { matrix: identity, around: unknownSize, visible: true, paint: isWhole ? initialPaint : unknownPaint, depth: 1 }, reading);
   return { shapes: seenOf(reading.shapes), warnings };
 }
 

@@ -4,6 +4,7 @@ import type { Contour, Space } from "../../document/document.ts";
 import { Problem } from "../../document/problem.ts";
 import { contourFrom } from "../curve/points/contours.ts";
 import { errorCode } from "../engine.ts";
+import { closedByLine, joinedNearly, nearIn } from "./closing.ts";
 
 /** Drawings from outside as contours: exact where they are lines, cubics, quadratics or arcs. */
 
@@ -16,16 +17,26 @@ export interface ImportedPath {
 /** As in SVG's `matrix(a b c d e f)`. */
 export type Matrix = readonly [number, number, number, number, number, number];
 
+/** What subpaths that do not say that they are closed are: lines, areas, or not known to be either. */
+export type Drawn = "lines" | "areas" | "either";
+
 /** The subpaths of a `d`, moved by an SVG matrix. @throws Problem when there is nothing to read at all. */
-export function importPath(d: string, space: Space, matrix: Matrix | null = null): ImportedPath {
+export function importPath(d: string, space: Space, matrix: Matrix | null = null, drawn: Drawn = "either"): ImportedPath {
   let broken: Problem | null = null;
   try {
     const curves = parsePath(d, { onWarning: (warning) => { broken = stops(d, warning.index); } });
     const moved = matrix === null ? curves : curves.map((curve) => curve.transform(matrix));
-    return { contours: moved.map((curve) => withSmoothJoints(joined(contourFrom(curve, space)))), broken };
+    return { contours: closed(moved.map((curve) => joined(contourFrom(curve, space))), drawn).map(withSmoothJoints), broken };
   } catch (error) {
     throw asProblem(error, d);
   }
+}
+
+function closed(contours: readonly Contour[], drawn: Drawn): readonly Contour[] {
+  if (drawn === "lines" || contours.every((contour) => contour.closed)) return contours;
+  const near = nearIn(contours);
+  const met = contours.map((contour) => joinedNearly(contour, near));
+  return drawn === "areas" ? met.map(closedByLine) : met;
 }
 
 /** The box around the outlines of a `d`; null where they cannot be read, or there are none. */

@@ -9,9 +9,13 @@ export interface Paint {
 
 export const initialPaint: Paint = { fill: "black", stroke: "none", "fill-rule": "nonzero" };
 
+/** Of shapes that were copied without the picture around them, which may have said what they are stroked with. */
+export const unknownPaint: Paint = { ...initialPaint, stroke: "unknown" };
+
 export function paintOf(element: Element, css: Declared, around: Paint): Paint {
   const value = (name: keyof Paint): string => {
-    const text = (css.get(name) ?? element.getAttribute(name) ?? "").trim().toLowerCase();
+    // JSX has no hyphens in names.
+    const text = (css.get(name) ?? element.getAttribute(name) ?? element.getAttribute(name.replace("-", "")) ?? "").trim().toLowerCase();
     return /^(?:|inherit|unset|revert|revert-layer)$/u.test(text) ? around[name] : text;
   };
   return { fill: value("fill"), stroke: value("stroke"), "fill-rule": value("fill-rule") };
