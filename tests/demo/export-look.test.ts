@@ -27,20 +27,19 @@ async function saved(demo: Demo, id: string): Promise<Buffer> {
   return readFile(await file.path());
 }
 
-/** How much of each of 120 × 120 cells of a picture is drawn on, from 0 to 1; `margin` is what to leave out around it, in its pixels. */
-async function shadesOf(demo: Demo, type: string, bytes: Buffer, margin = 0): Promise<number[]> {
-  return demo.page.evaluate(async ([mime, content, free]) => {
+/** How much of each of 120 × 120 cells of a picture is drawn on, from 0 to 1. */
+async function shadesOf(demo: Demo, type: string, bytes: Buffer): Promise<number[]> {
+  return demo.page.evaluate(async ([mime, content]) => {
     const image = new Image();
     image.src = `data:${mime};base64,${content}`;
     await image.decode();
     const side = 120;
-    const scale = side / (image.naturalWidth - 2 * free);
     const canvas = Object.assign(document.createElement("canvas"), { width: side, height: side });
     const context = canvas.getContext("2d");
-    context?.drawImage(image, -scale * free, -scale * free, scale * image.naturalWidth, scale * image.naturalHeight);
+    context?.drawImage(image, 0, 0, side, side);
     const data = context?.getImageData(0, 0, side, side).data ?? [];
     return Array.from({ length: side * side }, (_, i) => (data[4 * i + 3] ?? 0) / 255);
-  }, [type, bytes.toString("base64"), margin] as const);
+  }, [type, bytes.toString("base64")] as const);
 }
 
 const mean = (values: readonly number[]): number => values.reduce((sum, value) => sum + value, 0) / values.length;
@@ -50,9 +49,8 @@ test("an icon comes out of the page as the areas that it came in as, in both kin
   await opened(demo, icon);
   const wanted = await shadesOf(demo, "image/svg+xml", Buffer.from(icon));
   await demo.byId("btn-export").click();
-  // A picture at 2× has 2 × 16 pixels around the drawing.
-  for (const [id, type, margin] of [["export-svg", "image/svg+xml", 0], ["export-png", "image/png", 32]] as const) {
-    const shades = await shadesOf(demo, type, await saved(demo, id), margin);
+  for (const [id, type] of [["export-svg", "image/svg+xml"], ["export-png", "image/png"]] as const) {
+    const shades = await shadesOf(demo, type, await saved(demo, id));
     const away = mean(shades.map((shade, i) => Math.abs(shade - (wanted[i] ?? 0))));
     // Two ways of smoothing edges; a line of two units around it would differ in a fifth of all.
     assert.ok(away < 0.02, `${id}: ${away}`);
@@ -97,11 +95,31 @@ test("real logos are filled on the stage and in files as their own files are: so
     await demo.byId("btn-export").click();
     const preview = await demo.page.locator(".export-picture path").first().evaluate((path) => getComputedStyle(path).fillRule);
     assert.equal(preview, ["figma", "graphql", "first"].includes(name) ? "nonzero" : "evenodd", "the preview shows what the file does");
-    const file = (await saved(demo, "export-svg")).toString("utf8").replace(/viewBox="[^"]*" width="[^"]*" height="[^"]*"/u, 'viewBox="0 0 24 24"');
-    const shades = await shadesOf(demo, "image/svg+xml", Buffer.from(file));
-    const away = mean(shades.map((shade, i) => Math.abs(shade - (wanted[i] ?? 0))));
-    assert.ok(away < 0.005, `${name}: ${away}`);
+    for (const [id, type] of [["export-svg", "image/svg+xml"], ["export-png", "image/png"]] as const) {
+      const shades = await shadesOf(demo, type, await saved(demo, id));
+      const away = mean(shades.map((shade, i) => Math.abs(shade - (wanted[i] ?? 0))));
+      // Two ways of smoothing edges.
+      assert.ok(away < (id === "export-svg" ? 0.005 : 0.02), `${name}, ${id}: ${away}`);
+    }
   }
+});
+
+test("an icon that is edited comes back on its artboard, and an artboard that the drawing has left grows", async (t) => {
+  const demo = await open(t);
+  await opened(demo, '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24"><path d="M6 8H18V16H6Z"/></svg>');
+  const viewBox = async (): Promise<string> => /viewBox="([^"]*)"/u.exec((await saved(demo, "export-svg")).toString("utf8"))?.[1] ?? "";
+  await demo.click("pt-0-0");
+  await demo.press("ArrowLeft", "ArrowUp");
+  await demo.byId("btn-export").click();
+  assert.equal(await viewBox(), "0 0 24 24");
+  assert.equal(await demo.textOf("export-artboard"), "24 × 24");
+  await demo.until(() => demo.textOf("export-png"), (text) => text === "PNG 512 × 512", "the picture is as large as the artboard at 2×");
+  await demo.press("Escape");
+  await demo.focusStage();
+  await demo.press("Control+a", "Shift+ArrowRight", "Shift+ArrowRight");
+  await demo.byId("btn-export").click();
+  assert.equal(await viewBox(), "0 0 38 24");
+  assert.equal(await demo.textOf("export-artboard"), "24 × 24, grown to fit");
 });
 
 test("the frame that an icon has around it is not part of it, and what is only stroked goes out as lines", async (t) => {
@@ -127,7 +145,8 @@ test("of an icon as lines, lines are no thicker and a picture no smaller than of
   assert.ok(x < 0 && y < 0 && x + width > 24 && y + height > 24 && width <= 26, "room for the line and no more");
   await demo.byId("export-png-scale").selectOption("1");
   const png = await saved(demo, "export-png");
-  assert.equal(png.readUInt32BE(16), 256 + 2 * 16);
+  // The artboard, and the line where it reaches out of it on both sides.
+  assert.equal(png.readUInt32BE(16), 256 + 2 * 2);
   // A fifth of the area would be covered by lines of two units.
   assert.ok(mean((await shadesOf(demo, "image/png", png)).map((shade) => (shade > 0.5 ? 1 : 0))) < 0.08);
 });

@@ -2,6 +2,7 @@
  * The document: plain, readonly JSON. It knows no DOM, no engine and no screen.
  */
 
+import type { Artboard } from "./artboard.ts";
 import type { Contour, ControlPoint, Offset, Space } from "./contour.ts";
 import type { FitDocument } from "./fit/fit.ts";
 import type { SavedOrbit, SurfaceDocument } from "./surface/surface.ts";
@@ -28,6 +29,7 @@ export interface CurveDocument {
   /** The sample this came from, for titles and for the error against the shape it set out to be. */
   readonly sample?: string;
   readonly filling?: Filling;
+  readonly artboard?: Artboard;
 }
 
 /** What the window looks at: the document point in the middle of the stage, and CSS pixels per document unit. */

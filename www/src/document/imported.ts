@@ -1,3 +1,4 @@
+import type { Artboard } from "./artboard.ts";
 import type { Contour, DemoState, Filling } from "./document.ts";
 import type { Problem } from "./problem.ts";
 
@@ -8,6 +9,7 @@ export type Imported =
       readonly kind: "svg" | "path" | "points";
       readonly contours: readonly Contour[];
       readonly filling?: Filling;
+      readonly artboard?: Artboard;
       /** Things that were read leniently, in words. */
       readonly notes: readonly string[];
       /** Where the text stopped making sense, when only its beginning was read. */

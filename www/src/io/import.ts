@@ -1,4 +1,5 @@
 /** What was pasted, dropped or typed: recognised by its first characters, read into contours or a whole state. */
+import { artboardOf } from "../document/artboard.ts";
 import type { Space } from "../document/document.ts";
 import { FileError, parseState } from "../document/file/file.ts";
 import type { Imported } from "../document/imported.ts";
@@ -82,7 +83,8 @@ function readDrawing(text: string, space: Space): Imported {
     for (const contour of part.contours) points += contour.points.length;
     if (points > mostPoints) throw new Problem("svg-big", { field: "points", most: mostPoints });
   }
-  return { kind: "svg", ...filled(shapes, space), notes: notesOf(file), broken };
+  const artboard = file.picture === null ? null : artboardOf(file.picture);
+  return { kind: "svg", ...filled(shapes, space), ...(artboard === null ? {} : { artboard }), notes: notesOf(file), broken };
 }
 
 function drawnAs({ fill, stroke }: Paint): Drawn {

@@ -1,3 +1,4 @@
+import type { Artboard } from "../document/artboard.ts";
 import type { DemoState, Filling, Space } from "../document/document.ts";
 import type { Box, Imported } from "../document/imported.ts";
 
@@ -14,7 +15,7 @@ export interface PageIo {
   readShareHash(hash: string): Promise<DemoState>;
   gzippedSize(text: string): Promise<number>;
   writeSvg(options: FileLook & { title: string; d: string; box: Box | null }): Promise<string>;
-  pngSize(box: Box | null, scale: number): { width: number; height: number } | null;
+  pngSize(subject: FileLook & { box: Box | null }, scale: number): Promise<{ width: number; height: number } | null>;
   writePng(options: FileLook & { d: string; box: Box | null; scale: number; paper: string | null; stage?: { ink: string; fill: string } }): Promise<Blob | null>;
   download(name: string, content: Blob): void;
   copyText(text: string): Promise<boolean>;
@@ -38,6 +39,7 @@ export interface FileLook {
   /** Areas of ink, holes left out, in place of lines. */
   readonly filled?: boolean;
   readonly filling?: Filling;
+  readonly artboard?: Artboard;
   /** Areas in colours in place of the one path, the lowest first. */
   readonly layers?: readonly { readonly color: string; readonly d: string }[];
 }

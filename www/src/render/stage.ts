@@ -4,7 +4,7 @@ import type { Editor, EditorState } from "../editor/editor.ts";
 import type { Frame } from "../editor/frame.ts";
 import { late } from "../editor/loading.ts";
 import { nothingSketched } from "../editor/sketch.ts";
-import { drawBefore, drawBezier, drawCurves, drawFill, drawSpans } from "./layers/curves.ts";
+import { drawArtboard, drawBefore, drawBezier, drawCurves, drawFill, drawSpans } from "./layers/curves.ts";
 import { drawGrid } from "./layers/grid.ts";
 import { drawHandles, drawPoints, isCrowded } from "./layers/points.ts";
 import { drawnDiffers } from "./drawn.ts";
@@ -126,7 +126,7 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
 }
 
 /** From the paper up, below and above the weights and the frame. */
-const below: readonly ((scene: Scene) => void)[] = [drawGrid, drawFill, drawBefore, drawBezier];
+const below: readonly ((scene: Scene) => void)[] = [drawGrid, drawArtboard, drawFill, drawBefore, drawBezier];
 const curves: readonly ((scene: Scene) => void)[] = [drawSpans, drawCurves];
 
 /** Whether anything is to be shown that only explains the curve. */

@@ -7,6 +7,7 @@ import {
   type Contour, type ControlPoint, type CurveDocument, type DemoState, type FinePlace, type Grid, type Offset, type Order,
   type View,
 } from "../document.ts";
+import type { Artboard } from "../artboard.ts";
 import { readFit } from "./fit.ts";
 import { readOrbit, readRoots, readSurface } from "./surface.ts";
 import { readTrace } from "./trace.ts";
@@ -110,8 +111,13 @@ function readCurve(found: Found): CurveDocument {
     omega: readOmega(field(found, "omega")),
     level: optional(found, "level", (level) => asWhole(level, 0, 24)) ?? 0,
     contours: readContours(field(found, "contours")),
-    ...defined({ sample: optional(found, "sample", asSampleId), filling: optional(found, "filling", (each) => oneOf(each, fillings)) }),
+    ...defined({ sample: optional(found, "sample", asSampleId), filling: optional(found, "filling", (each) => oneOf(each, fillings)), artboard: optional(found, "artboard", readArtboard) }),
   };
+}
+
+function readArtboard(found: Found): Artboard {
+  const side = (name: "width" | "height"): number => asNumber(field(found, name), 1e-6, 2e9);
+  return { x: asNumber(field(found, "x")), y: asNumber(field(found, "y")), width: side("width"), height: side("height") };
 }
 
 function readContours(found: Found): Contour[] {

@@ -1,3 +1,4 @@
+import { sheetOf, type Artboard } from "../../document/artboard.ts";
 import type { Box } from "../../document/imported.ts";
 
 /** Browsers refuse or blank canvases beyond these. */
@@ -7,21 +8,56 @@ const margin = 16;
 /** An icon of 24 units would be a thumbnail, and its lines as thick as itself: it is drawn as if it were as large as this. */
 const leastSize = 256;
 
+/** Of a drawing that is not small. */
+export const lineWidth = 2;
+
 /** Times as large as it is that a drawing is drawn in a file: 1 but for small ones. */
 export function enlargement(box: Box): number {
   const size = Math.max(box.maxX - box.minX, box.maxY - box.minY);
   return size > 0 ? Math.max(1, leastSize / size) : 1;
 }
 
-/** What is left free around the drawing, in its own units. */
-export function marginAround(box: Box): number {
-  return margin / enlargement(box);
+/** What is drawn, and on what. */
+export interface Subject {
+  readonly box: Box | null;
+  readonly artboard?: Artboard;
+  /** Areas, which are no larger than their outlines: there is no line around them. */
+  readonly filled?: boolean;
+}
+
+function grown({ minX, minY, maxX, maxY }: Box, by: number): Box {
+  return { minX: minX - by, minY: minY - by, maxX: maxX + by, maxY: maxY + by };
+}
+
+/** What of the plane a file shows, and how many times as large as it is. */
+export interface Sheet {
+  readonly frame: Box;
+  readonly enlarged: number;
+}
+
+/** The artboard, with room for the drawing's line where that reaches out of it; null without one. */
+export function sheetIn({ box, artboard, filled }: Subject): Sheet | null {
+  if (artboard === undefined) return null;
+  const enlarged = enlargement(sheetOf(artboard, box));
+  const frame = sheetOf(artboard, box === null || filled === true ? box : grown(box, lineWidth / enlarged));
+  return { frame, enlarged };
+}
+
+/** What a picture shows: the artboard, or the drawing and a margin. */
+export function pictureOf(subject: Subject): Sheet | null {
+  const sheet = sheetIn(subject);
+  if (sheet !== null || subject.box === null) return sheet;
+  const enlarged = enlargement(subject.box);
+  return { frame: grown(subject.box, margin / enlarged), enlarged };
 }
 
 /** The size in pixels that a picture of the drawing would have, or null when it is larger than browsers can draw. */
-export function pngSize(box: Box | null, scale: number): { width: number; height: number } | null {
-  if (box === null) return null;
-  const pixels = (length: number): number => Math.ceil(scale * (enlargement(box) * length + 2 * margin));
-  const [width, height] = [pixels(box.maxX - box.minX), pixels(box.maxY - box.minY)];
+export function pngSize(subject: Subject, scale: number): { width: number; height: number } | null {
+  const picture = pictureOf(subject);
+  if (picture === null) return null;
+  const { frame, enlarged } = picture;
+  // A whole number that came out a rounding larger is that number.
+  const pixels = (length: number): number => Math.max(1, Math.ceil(scale * enlarged * length - 1e-6));
+  const [width, height] = [pixels(frame.maxX - frame.minX), pixels(frame.maxY - frame.minY)];
   return width <= mostSide && height <= mostSide && width * height <= mostPixels ? { width, height } : null;
 }

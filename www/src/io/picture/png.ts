@@ -1,18 +1,14 @@
 import type { Filling } from "../../document/document.ts";
-import type { Box } from "../../document/imported.ts";
-import { inkOfFiles, lineWidth } from "../svg/svg-write.ts";
-import { enlargement, marginAround, pngSize } from "./png-size.ts";
+import { inkOfFiles } from "../svg/svg-write.ts";
+import { lineWidth, pictureOf, pngSize, type Subject } from "./png-size.ts";
 
-export interface PngOptions {
+export interface PngOptions extends Subject {
   readonly d: string;
-  readonly box: Box | null;
   readonly scale: number;
   /** Colour under the drawing; null leaves it transparent. */
   readonly paper: string | null;
   /** A drawing as the stage shows it. Without, it looks as its SVG does: ink or lines, or `layers`. */
   readonly stage?: { readonly ink: string; readonly fill: string };
-  /** Areas of ink, holes left out, in place of lines. */
-  readonly filled?: boolean;
   readonly filling?: Filling;
   /** Areas in colours in place of the one path, the lowest first. */
   readonly layers?: readonly { readonly color: string; readonly d: string }[];
@@ -34,8 +30,9 @@ export function pngPaths({ d, stage, filled, filling, layers = [] }: PngOptions)
 }
 
 export async function writePng(options: PngOptions): Promise<Blob | null> {
-  const size = pngSize(options.box, options.scale);
-  if (size === null || options.box === null) return null;
+  const subject = { ...options, filled: options.filled === true || (options.layers ?? []).length > 0 };
+  const [size, picture] = [pngSize(subject, options.scale), pictureOf(subject)];
+  if (size === null || picture === null) return null;
   const canvas = document.createElement("canvas");
   canvas.width = size.width;
   canvas.height = size.height;
@@ -45,10 +42,9 @@ export async function writePng(options: PngOptions): Promise<Blob | null> {
     context.fillStyle = options.paper;
     context.fillRect(0, 0, size.width, size.height);
   }
-  const [grown, free] = [enlargement(options.box), marginAround(options.box)];
-  const scale = options.scale * grown;
-  context.setTransform(scale, 0, 0, scale, scale * (free - options.box.minX), scale * (free - options.box.minY));
-  for (const path of pngPaths(options)) draw(context, path, lineWidth / grown);
+  const scale = options.scale * picture.enlarged;
+  context.setTransform(scale, 0, 0, scale, -scale * picture.frame.minX, -scale * picture.frame.minY);
+  for (const path of pngPaths(options)) draw(context, path, lineWidth / picture.enlarged);
   return new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
 }
 

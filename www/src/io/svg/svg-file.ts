@@ -24,6 +24,8 @@ export interface SvgShape {
 
 export interface SvgFile {
   readonly shapes: readonly SvgShape[];
+  /** What is seen of the whole drawing, in its own units; null where no size is given. */
+  readonly picture: Box | null;
   readonly warnings: readonly SvgWarning[];
 }
 
@@ -79,7 +81,7 @@ export function readSvg(source: string, boundsOf: BoundsOf = () => null, limits:
     commands: 0,
   };
   walk(root, { matrix: identity, around: unknownSize, visible: true, paint: isWhole ? initialPaint : unknownPaint, depth: 1 }, reading);
-  return { shapes: seenOf(reading.shapes), warnings };
+  return { shapes: seenOf(reading.shapes), picture: reading.picture, warnings };
 }
 
 /** The frame that icons have around them is neither filled nor stroked. Where all are so, a page's style was to paint them. */

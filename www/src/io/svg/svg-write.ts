@@ -1,6 +1,7 @@
 import type { DemoState, Filling } from "../../document/document.ts";
+import type { Artboard } from "../../document/artboard.ts";
 import type { Box } from "../../document/imported.ts";
-import { enlargement } from "../picture/png-size.ts";
+import { enlargement, lineWidth, sheetIn } from "../picture/png-size.ts";
 
 /** Text that may stand in XML: markup escaped, and characters that XML has no place for replaced. */
 export function escapeXml(text: string): string {
@@ -19,9 +20,6 @@ function plain(value: number): string {
 /** A file is read where the page's colours are not known: dark ink for light paper. */
 export const inkOfFiles = "#1b1f24";
 
-/** Of a drawing that is not small. */
-export const lineWidth = 2;
-
 /** What a viewBox is rounded to: whole units, but for drawings of few. */
 function roundingFor(box: Box): number {
   const size = Math.max(box.maxX - box.minX, box.maxY - box.minY);
@@ -32,6 +30,7 @@ export interface SvgOptions {
   readonly title: string;
   readonly d: string;
   readonly box: Box | null;
+  readonly artboard?: Artboard;
   /** Areas of ink, holes left out, in place of lines. */
   readonly filled?: boolean;
   readonly filling?: Filling;
@@ -39,20 +38,31 @@ export interface SvgOptions {
   readonly layers?: readonly { readonly color: string; readonly d: string }[];
 }
 
+/** The artboard; what reaches out of it, and what has none, is rounded outwards. */
+function viewBoxOf({ minX, minY, maxX, maxY }: Box, board: Artboard | undefined, margin: number): [number, number, number, number] {
+  const step = roundingFor({ minX, minY, maxX, maxY });
+  const side = (value: number, ofBoard: number | undefined, way: "floor" | "ceil"): number =>
+    value === ofBoard ? value : step * Math[way]((value + (way === "ceil" ? margin : -margin)) / step);
+  const [x, y] = [side(minX, board?.x, "floor"), side(minY, board?.y, "floor")];
+  const right = side(maxX, board && board.x + board.width, "ceil");
+  const bottom = side(maxY, board && board.y + board.height, "ceil");
+  return [x, y, right - x, bottom - y];
+}
+
 /** A document with one path, or one for each colour, and a viewBox around it with room for its line. */
-export function writeSvg({ title, d, box, filled, filling, layers = [] }: SvgOptions): string {
-  const around = box ?? { minX: 0, minY: 0, maxX: 1, maxY: 1 };
-  const width = Math.max(0.001, lineWidth / enlargement(around));
-  const margin = filled === true || layers.length > 0 ? 0 : width;
-  const step = roundingFor(around);
-  const [x, y] = [step * Math.floor((around.minX - margin) / step), step * Math.floor((around.minY - margin) / step)];
-  const size = [step * Math.ceil((around.maxX + margin) / step) - x, step * Math.ceil((around.maxY + margin) / step) - y].map(plain);
+export function writeSvg(options: SvgOptions): string {
+  const { title, d, artboard, filling, layers = [] } = options;
+  const filled = options.filled === true || layers.length > 0;
+  const around = options.box ?? { minX: 0, minY: 0, maxX: 1, maxY: 1 };
+  const sheet = sheetIn({ ...options, filled });
+  const width = Math.max(0.001, lineWidth / (sheet?.enlarged ?? enlargement(around)));
+  const viewBox = viewBoxOf(sheet?.frame ?? around, artboard, filled || sheet !== null ? 0 : width).map(plain);
   const lines = `fill="none" stroke="${inkOfFiles}" stroke-width="${plain(width)}" stroke-linejoin="round"`;
-  const look = filled === true ? `fill="${inkOfFiles}"${filling === "nonzero" ? "" : ' fill-rule="evenodd"'}` : lines;
+  const look = options.filled === true ? `fill="${inkOfFiles}"${filling === "nonzero" ? "" : ' fill-rule="evenodd"'}` : lines;
   const path = (text: string, how: string): string => (text === "" ? "" : `  <path d="${escapeXml(text)}" ${how}/>\n`);
   const paths = layers.length === 0 ? [path(d, look)] : layers.map((layer) => path(layer.d, `fill="${escapeXml(layer.color)}"`));
   return [
-    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${plain(x)} ${plain(y)} ${size[0]} ${size[1]}" width="${size[0]}" height="${size[1]}">\n`,
+    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${viewBox.join(" ")}" width="${viewBox[2]}" height="${viewBox[3]}">\n`,
     `  <title>${escapeXml(title)}</title>\n`,
     ...paths,
     "</svg>\n",

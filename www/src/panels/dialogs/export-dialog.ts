@@ -22,8 +22,14 @@ export function openExport(shell: Shell): void {
   const look = (): FileLook => fileLook(shell.editor, curve);
   const result = exportResult(shell, curve, box, look);
   const { mode } = shell.editor.state.value;
+  const stem = curve.sample ?? "expline";
+  const png = pngGroup(shell, { stem, d: result.d, box, look, asOnStage: () => mode !== "trace" && look().filled !== true });
+  const refresh = (): void => {
+    result.refresh();
+    png.refresh();
+  };
   // What was traced is what it was in the picture.
-  const looks = mode === "trace" ? [] : [lookField(lookOf(curve, mode).filled, result.refresh)];
+  const looks = mode === "trace" ? [] : [lookField(lookOf(curve, mode).filled, refresh)];
   const dialog = openDialog(
     { title: "Export", testid: "export-dialog", wide: true },
     h("div", { class: "export" },
@@ -31,19 +37,18 @@ export function openExport(shell: Shell): void {
       h("div", { class: "export-result" }, ...result.rows),
     ),
   );
-  const stem = curve.sample ?? "expline";
   dialog.foot.append(
     button("Copy path", { class: "primary", testid: "export-d", title: "Copy the path's d", click: () => copy(shell, result.d(), "the path") }),
     svgButton(shell, stem, curve, box, result.d, look),
     jsonButton(shell, stem),
-    pngGroup(shell, { stem, d: result.d, box, look, asOnStage: () => mode !== "trace" && look().filled !== true }),
+    png.element,
     button("TypeScript", {
       testid: "export-ts",
       title: "Copy TypeScript that makes this drawing",
       click: () => copy(shell, snippetFor("vanilla", curve, chosenOptions()), "TypeScript"),
     }),
   );
-  result.refresh();
+  refresh();
   dialog.body.scrollTop = 0;
 }
 

@@ -22,13 +22,18 @@ interface PngSubject {
 /** Under ink that is dark in any theme. */
 const lightPaper = "#fff";
 
+export interface PngGroup {
+  readonly element: HTMLElement;
+  /** Prints the size anew, once it looks otherwise. */
+  refresh(): void;
+}
+
 /** The picture, its scale and what is under it; the size it will have is printed on the button. */
-export function pngGroup(shell: Shell, subject: PngSubject): HTMLElement {
-  const { box } = subject;
+export function pngGroup(shell: Shell, subject: PngSubject): PngGroup {
+  const { box, look } = subject;
   const save = button("PNG", { testid: "export-png", title: "Download a picture", click: () => void download(shell, subject) });
-  const show = (): void => showSize(save, shell.io.pngSize(box, scale));
-  show();
-  return h("span", { class: "button-group", role: "group", "aria-label": "Picture" }, save, scaleChoice(show), paperChoice());
+  const refresh = (): void => void shell.io.pngSize({ ...look(), box }, scale).then((size) => showSize(save, size));
+  return { element: h("span", { class: "button-group", role: "group", "aria-label": "Picture" }, save, scaleChoice(refresh), paperChoice()), refresh };
 }
 
 async function download({ io, toasts }: Shell, { stem, d, box, look, asOnStage }: PngSubject): Promise<void> {

@@ -1,8 +1,9 @@
+import { sheetOf } from "../../document/artboard.ts";
 import type { CurveDocument } from "../../document/document.ts";
 import { exportPath, type ExportedPath } from "../../kernel/paths/export.ts";
 import type { documentBounds } from "../../kernel/curve/samples.ts";
 import { h, svg } from "../controls/dom.ts";
-import { formatBytes, formatDeviation } from "../controls/format.ts";
+import { formatBytes, formatDeviation, formatMeasure } from "../controls/format.ts";
 import { asProblem } from "../messages/errors.ts";
 import { problemText } from "../messages/file-errors.ts";
 import type { FileLook } from "../page-io.ts";
@@ -42,7 +43,7 @@ export function exportResult(shell: Shell, curve: CurveDocument, box: Box, look:
       message.replaceChildren();
       preview.value = exported.d;
       picture.replaceChildren(drawn(exported.d, box, look()));
-      void showNumbers(shell, numbers, exported);
+      void showNumbers(shell, numbers, exported, sheetText(curve, box));
     },
   };
 }
@@ -53,19 +54,31 @@ function complaint(error: unknown): HTMLElement {
 }
 
 /** What the file will show: what was traced as ink or in its colours, a drawing as its lines. */
-function drawn(d: string, box: Box, { filled, filling, layers = [] }: FileLook): SVGSVGElement {
+function drawn(d: string, drawing: Box, { artboard, filled, filling, layers = [] }: FileLook): SVGSVGElement {
+  const box = artboard === undefined ? drawing : sheetOf(artboard, drawing);
   if (box === null) return svg("svg", { "aria-hidden": "true" });
-  const margin = Math.max(box.maxX - box.minX, box.maxY - box.minY) * 0.06 + 1e-6;
-  const viewBox = [box.minX - margin, box.minY - margin, box.maxX - box.minX + 2 * margin, box.maxY - box.minY + 2 * margin].join(" ");
+  const [width, height] = [box.maxX - box.minX, box.maxY - box.minY];
+  const margin = Math.max(width, height) * 0.06 + 1e-6;
+  const viewBox = [box.minX - margin, box.minY - margin, width + 2 * margin, height + 2 * margin].join(" ");
+  const sheet = artboard === undefined ? [] : [svg("rect", { class: "export-sheet", x: box.minX, y: box.minY, width, height })];
   const one = svg("path", { class: filled === true ? "export-ink" : "thumbnail-curve", d });
   if (filling === "nonzero") one.style.fillRule = filling;
   else if (filling === "none" && filled !== true) one.style.fill = filling;
   const shapes = layers.length === 0 ? [one] : layers.map((layer) => svg("path", { d: layer.d, fill: layer.color }));
-  return svg("svg", { viewBox, role: "img", "aria-label": "Preview of the exported path" }, ...shapes);
+  return svg("svg", { viewBox, role: "img", "aria-label": "Preview of the exported path" }, ...sheet, ...shapes);
+}
+
+/** The artboard, which files show as a whole, and whether the drawing reaches out of it; null where there is none. */
+function sheetText({ artboard }: CurveDocument, box: Box): string | null {
+  if (artboard === undefined) return null;
+  const size = `${formatMeasure(artboard.width)} × ${formatMeasure(artboard.height)}`;
+  const [own, sheet] = [sheetOf(artboard, null), sheetOf(artboard, box)];
+  const isLarger = (["minX", "minY", "maxX", "maxY"] as const).some((side) => own[side] !== sheet[side]);
+  return isLarger ? `${size}, grown to fit` : size;
 }
 
 /** The numbers of a path, at once; what it weighs compressed takes its place in them when it is known. */
-async function showNumbers({ io }: Shell, list: HTMLElement, exported: ExportedPath): Promise<void> {
+async function showNumbers({ io }: Shell, list: HTMLElement, exported: ExportedPath, sheet: string | null): Promise<void> {
   const raw = new TextEncoder().encode(exported.d).length;
   const row = (label: string, testid: string, text: string, value?: number): HTMLElement =>
     h("div", {}, h("dt", {}, label), h("dd", { testid, "data-value": value }, text));
@@ -75,6 +88,7 @@ async function showNumbers({ io }: Shell, list: HTMLElement, exported: ExportedP
     row("Commands", "export-commands", String(exported.commands), exported.commands),
     row("Size", "export-bytes", formatBytes(raw), raw),
     unknown,
+    ...(sheet === null ? [] : [row("Artboard", "export-artboard", sheet)]),
   );
   const gzipped = await io.gzippedSize(exported.d);
   // Answers may come in any order: of a path that is no longer shown, the row is no longer there.

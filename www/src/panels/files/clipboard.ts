@@ -28,7 +28,7 @@ export function pasteCopy(editor: Editor, text: string): boolean {
   let by = 0;
   while (curve.contours.some((contour) => stands(contour, drawing.contours[0], by, step))) by += step;
   const contours = duplicateContours([...drawing.contours.keys()], by).copies(drawing);
-  addDrawing(editor, "Paste", { ...(drawing.filling === undefined ? {} : { filling: drawing.filling }), contours }, "add");
+  addDrawing(editor, "Paste", { ...drawing, contours }, "add");
   if (!contours.some((contour) => isSeen(editor, contour))) editor.actions.run("zoom-fit");
   return true;
 }

@@ -14,11 +14,13 @@ import { report } from "./report.ts";
 
 /** Copying, sharing, and taking in what is pasted or dropped. */
 
-/** The contours that hold the selection; all of them when nothing is selected. */
+/** The contours that hold the selection, without the sheet that they lie on; the whole drawing when nothing is selected. */
 function chosenContours(shell: Shell): CurveDocument {
   const { curve, selection } = shell.editor.state.value;
   const chosen = new Set(selection.points.map((ref) => ref.contour));
-  return chosen.size === 0 ? curve : { ...curve, contours: curve.contours.filter((_, i) => chosen.has(i)) };
+  if (chosen.size === 0) return curve;
+  const { artboard: _sheet, ...rest } = curve;
+  return { ...rest, contours: curve.contours.filter((_, i) => chosen.has(i)) };
 }
 
 const printed = { tolerance: 0.02, decimals: 4 } as const;

@@ -1,4 +1,5 @@
-import type { CurveDocument, Filling, Mode } from "../../document/document.ts";
+import type { CurveDocument, Mode } from "../../document/document.ts";
+import type { FileLook } from "../page-io.ts";
 
 /**
  * Whether a file shows areas of ink, holes left out, rather than lines. Logos and what was traced are areas wherever they
@@ -9,7 +10,7 @@ function isOfAreas({ contours, filling, sample }: CurveDocument, mode: Mode): bo
 }
 
 /** How a file shows a drawing, where nobody says otherwise. */
-export function lookOf(curve: CurveDocument, mode: Mode): { readonly filled: boolean; readonly filling?: Filling } {
-  const { filling } = curve;
-  return { filled: isOfAreas(curve, mode), ...(filling === undefined ? {} : { filling }) };
+export function lookOf(curve: CurveDocument, mode: Mode): FileLook & { readonly filled: boolean } {
+  const { artboard, filling } = curve;
+  return { filled: isOfAreas(curve, mode), ...(filling === undefined ? {} : { filling }), ...(artboard === undefined ? {} : { artboard }) };
 }

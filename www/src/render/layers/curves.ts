@@ -6,8 +6,14 @@ import { bezierGhost, magnification } from "../../kernel/curve/overlays/bezier-g
 import { segmentPolygon } from "../../kernel/curve/samples.ts";
 import { documentPaths, isDense, isSeen, partPath } from "../outlines.ts";
 import { inPage, inScreen, onScreen, pathOfCubics, pathOfPoints, sightOf, type Scene } from "../scene.ts";
+import { drawSheet } from "./grid.ts";
 
-/** The drawing itself, what it was before the drag, and the Bézier to compare with. */
+/** The drawing itself on its sheet, what it was before the drag, and the Bézier to compare with. */
+
+export function drawArtboard(scene: Scene): void {
+  const { artboard } = scene.state.curve;
+  if (artboard !== undefined) drawSheet(scene, artboard);
+}
 
 export function drawFill(scene: Scene): void {
   const { state, palette } = scene;

@@ -5,7 +5,7 @@ import type { PointOfOutline, TraceViewId } from "../../editor/trace/trace-state
 import { byColor, pointCount, type ShownPicture, type TraceOutcome } from "../../kernel/trace/outcome.ts";
 import type { Bounds } from "../../kernel/curve/samples.ts";
 import { cubicsOf } from "../../kernel/paths/paths.ts";
-import { drawGrid } from "../layers/grid.ts";
+import { drawGrid, drawSheet } from "../layers/grid.ts";
 import { drawPoint } from "../markers.ts";
 import { documentPaths, type Outlines } from "../outlines.ts";
 import { addCubics, boxAround, inPage, inScreen, onScreen, overlap, sightOf, toleranceOf, type Scene } from "../scene.ts";
@@ -43,7 +43,8 @@ function drawStill(scene: Scene, view: TraceViewId, shown: TraceOutcome | null):
   const { traceView: { alpha }, traceRun: { picture } } = scene.state;
   drawGrid(scene);
   if (picture !== null && view !== "outline") drawPixels(scene, picture, view === "edges" ? picture.edges : picture.source, view === "result" ? alpha / 100 : 1);
-  drawFrame(scene);
+  const size = picture ?? scene.state.trace.kept;
+  if (size !== undefined) drawSheet(scene, { x: 0, y: 0, width: size.width, height: size.height });
   if (shown === null || view === "source") return;
   drawOutlines(scene, shown, view === "edges");
   if (showsPoints(scene.state)) drawSmall(scene, shown.drawing, view === "outline");
@@ -58,19 +59,6 @@ function drawPixels(scene: Scene, { width, height }: ShownPicture, pixels: Image
   context.imageSmoothingEnabled = (scene.state.view.zoom * width) / pixels.width < 2;
   context.imageSmoothingQuality = "high";
   context.drawImage(pixels, 0, 0, width, height);
-  context.globalAlpha = 1;
-}
-
-/** Where the picture ends. */
-function drawFrame(scene: Scene): void {
-  const { state, palette } = scene;
-  const size = state.traceRun.picture ?? state.trace.kept;
-  if (size === undefined) return;
-  const context = inPage(scene);
-  context.strokeStyle = palette.line;
-  context.lineWidth = 1 / state.view.zoom;
-  context.globalAlpha = 0.6;
-  context.strokeRect(0, 0, size.width, size.height);
   context.globalAlpha = 1;
 }
 

@@ -1,0 +1,35 @@
+import type { Box } from "./imported.ts";
+
+/** The sheet that a drawing lies on: what an SVG file calls its viewBox. Without one, a drawing's sheet is its own box. */
+export interface Artboard {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+const [farthest, least] = [1e9, 1e-6];
+
+/** Null where it is none that a file of ours may have. */
+export function artboardOf(box: { readonly left: number; readonly top: number; readonly right: number; readonly bottom: number }): Artboard | null {
+  const { left: x, top: y } = box;
+  const [width, height] = [box.right - x, box.bottom - y];
+  const isGood = [x, y, box.right, box.bottom].every((value) => Math.abs(value) <= farthest) && width >= least && height >= least;
+  return isGood ? { x: x + 0, y: y + 0, width, height } : null;
+}
+
+/** So much of its size may a drawing reach over its artboard, as rounded ones do, before the sheet grows: nothing that can be seen. */
+const slack = 1e-3;
+
+/** The artboard, and beyond it on every side as far as the drawing reaches out of it. */
+export function sheetOf({ x, y, width, height }: Artboard, box: Box | null): Box {
+  const board = { minX: x, minY: y, maxX: x + width, maxY: y + height };
+  if (box === null) return board;
+  const over = slack * Math.max(width, height);
+  return {
+    minX: box.minX < board.minX - over ? box.minX : board.minX,
+    minY: box.minY < board.minY - over ? box.minY : board.minY,
+    maxX: box.maxX > board.maxX + over ? box.maxX : board.maxX,
+    maxY: box.maxY > board.maxY + over ? box.maxY : board.maxY,
+  };
+}
