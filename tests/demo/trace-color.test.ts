@@ -65,7 +65,15 @@ test("flat colours are found, shown as swatches, and saved as layers; without th
   await demo.byId("export-dialog").waitFor({ state: "detached" });
 
   await demo.byId("trace-edit").click();
-  assert.match(await demo.textOf("toast"), /colours stay in Trace/u, "outlines have none in Curve, which is said");
+  await demo.idle();
+  assert.equal((await demo.state()).mode, "curve");
+  await demo.byId("btn-export").click();
+  const [again] = await Promise.all([demo.page.waitForEvent("download"), demo.byId("export-svg").click()]);
+  const layersOf = (text: string): unknown => [...text.matchAll(/<path d="([^"]*)" fill="(#[0-9a-f]{6})"([^>]*)\/>/gu)].map(([, ...all]) => all);
+  assert.deepEqual(layersOf(await readFile(await again.path(), "utf8")), layersOf(svg), "what is edited in Curve is saved as it was traced");
+  const [pictureAgain] = await Promise.all([demo.page.waitForEvent("download"), demo.byId("export-png").click()]);
+  assert.deepEqual(await sharesOf(demo, [...(await readFile(await pictureAgain.path()))], found), shares);
+  await demo.page.keyboard.press("Escape");
   await demo.byId("tab-trace").click();
   await demo.slide("trace-colors", 2);
   assert.equal((await result(demo)).colors?.length, 2);

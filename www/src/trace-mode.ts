@@ -6,7 +6,7 @@ import { drawingOf, shownOf, sizeOf } from "./editor/trace/trace-edits.ts";
 import { traceHint, traceSummary } from "./editor/trace/trace-hint.ts";
 import { createTraceRunner } from "./editor/trace/trace-runner.ts";
 import { samplePoints } from "./kernel/curve/samples.ts";
-import { cornersIn } from "./kernel/trace/outcome.ts";
+import { cornersIn, inkedContours } from "./kernel/trace/outcome.ts";
 import { endingWith } from "./kernel/worker-desk.ts";
 import { createTraceClient, pageClock } from "./kernel/trace/trace-client.ts";
 import type { ModeParts } from "./modes.ts";
@@ -25,10 +25,10 @@ import { createTraceTool } from "./tools/trace/trace-tool.ts";
 function savedTrace(state: EditorState): TraceDocument {
   const { trace, traceRun } = state;
   const { picture, ...rest } = trace;
-  const drawing = drawingOf(state);
-  if (picture === undefined || drawing === null || traceRun.picture?.key !== picture.key) return rest;
+  const shown = shownOf(state);
+  if (picture === undefined || shown === null || traceRun.picture?.key !== picture.key) return rest;
   const { name, width, height } = picture;
-  return { ...rest, corners: [], kept: { name, width, height, contours: drawing.contours } };
+  return { ...rest, corners: [], kept: { name, width, height, contours: inkedContours(shown) } };
 }
 
 function resultOf(state: EditorState): object | null {

@@ -107,7 +107,7 @@ test("a drawing keeps how it is filled through files, edits and undo, and loses 
   clearCurve(editor);
   assert.equal(filling(), undefined);
   editor.undo();
-  openInCurve(editor, "Edit", contoursOf(square(0, 0)), () => "");
+  openInCurve(editor, "Edit", { contours: contoursOf(square(0, 0)) }, () => "");
   assert.equal(filling(), undefined);
   editor.undo();
   assert.equal(filling(), "nonzero");

@@ -47,6 +47,8 @@ export interface Contour {
   readonly lengths?: readonly number[];
   /** Where it differs from the document's (an imported arc in a hyperbolic document). */
   readonly space?: Space;
+  /** The colour of its area, `#rrggbb`; absent: that of the page, and of files. */
+  readonly ink?: string;
   /** Interpolating: how many roots its generator has; absent: 3. One more is one more continuous derivative. */
   readonly order?: Order;
   /** Interpolating: the roots themselves, where they do not follow from space, frequency and order. */

@@ -41,7 +41,7 @@ export interface FileLook {
   readonly filling?: Filling;
   readonly artboard?: Artboard;
   /** Areas in colours in place of the one path, the lowest first. */
-  readonly layers?: readonly { readonly color: string; readonly d: string }[];
+  readonly layers?: readonly { readonly color?: string; readonly d: string }[];
 }
 
 export interface IncomingHandlers {

@@ -57,6 +57,11 @@ export function oneOf<T extends string>(found: Found, choices: readonly T[]): T 
   return choice;
 }
 
+export function asColor(found: Found): string {
+  if (typeof found.value !== "string" || !/^#[0-9a-f]{6}$/u.test(found.value)) throw wrong(found, "a colour like #1b5e50");
+  return found.value;
+}
+
 /** The id of a sample: a word of ours, never text to be shown. */
 export function asSampleId(found: Found): string {
   if (typeof found.value !== "string" || !/^[a-z0-9-]{1,40}$/u.test(found.value)) throw wrong(found, "the id of a sample");

@@ -1,16 +1,18 @@
-import { emptyCurve, nothingSelected, type Contour } from "../../document/document.ts";
+import { emptyCurve, nothingSelected, type CurveDocument } from "../../document/document.ts";
 import type { Editor } from "../editor.ts";
 import { routeOf } from "../route.ts";
 
+type Opened = Pick<CurveDocument, "contours" | "filling">;
+
 /** Contours that another mode has made, as the drawing in Curve: a copy, seen from where one was, ready to be edited. */
-export function openInCurve(editor: Editor, name: string, contours: readonly Contour[], says: (points: number) => string): void {
+export function openInCurve(editor: Editor, name: string, { contours, filling }: Opened, says: (points: number) => string): void {
   const { view, curve: before } = editor.state.value;
   // A sample as it was opened is nobody's work.
   const own = before.contours.length > 0 && routeOf(editor, "curve").sample === null;
   editor.patch({ mode: "curve", tool: "select" });
   editor.dispatch({
     name,
-    apply: () => ({ ...emptyCurve, contours }),
+    apply: () => ({ ...emptyCurve, contours, ...(filling === undefined ? {} : { filling }) }),
     select: nothingSelected,
   });
   editor.setOverlay("bezier", false);

@@ -16,5 +16,5 @@ export function fittedDrawing({ fit, fitRun }: EditorState): CurveDocument | nul
 export function editInCurve(editor: Editor): void {
   const { outcome } = editor.state.value.fitRun;
   if (outcome === null) return;
-  openInCurve(editor, "Edit the fit", contoursOf(outcome), (count) => `The fit is in Curve, ${count} points. The data stay in Fit.`);
+  openInCurve(editor, "Edit the fit", { contours: contoursOf(outcome) }, (count) => `The fit is in Curve, ${count} points. The data stay in Fit.`);
 }

@@ -1,7 +1,7 @@
 import type { CurveDocument } from "../../document/document.ts";
 import { toleranceOf } from "../../document/trace/trace.ts";
 import { mostPlaces, placesAlong } from "../../kernel/fit/as-strokes.ts";
-import { byColor } from "../../kernel/trace/outcome.ts";
+import { byColor, inkedContours } from "../../kernel/trace/outcome.ts";
 import type { Editor, EditorState } from "../editor.ts";
 import { bringStrokes, handOver } from "../fit/bring.ts";
 import { openInCurve } from "../curve/open-in-curve.ts";
@@ -12,9 +12,10 @@ import { drawingOf, shownOf } from "./trace-edits.ts";
 /** Pixels of the picture from one point to the next, where there is room for so many. */
 const apart = 2;
 
-/** The outlines for Export; null while there are none. */
+/** The outlines for Export; null while there are none. Colours lie over each other, and their layers are filled by winding number. */
 export function tracedDrawing(state: EditorState): CurveDocument | null {
-  return drawingOf(state);
+  const shown = shownOf(state);
+  return shown === null ? null : { ...shown.drawing, ...(shown.colors.length === 0 ? {} : { filling: "nonzero" }) };
 }
 
 /** The outlines by their colours, for a file of them. */
@@ -41,7 +42,7 @@ export function smoothInFit(editor: Editor): void {
 }
 
 export function editTraceInCurve(editor: Editor): void {
-  const drawing = drawingOf(editor.state.value);
-  if (drawing === null) return;
-  openInCurve(editor, "Edit the trace", drawing.contours, (count) => `The outlines are in Curve, ${count} points. ${staying(editor)} in Trace.`);
+  const [shown, drawing] = [shownOf(editor.state.value), tracedDrawing(editor.state.value)];
+  if (shown === null || drawing === null) return;
+  openInCurve(editor, "Edit the trace", { ...drawing, contours: inkedContours(shown) }, (count) => `The outlines are in Curve, ${count} points. The picture stays in Trace.`);
 }

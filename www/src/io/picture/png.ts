@@ -1,5 +1,5 @@
 import type { Filling } from "../../document/document.ts";
-import { inkOfFiles } from "../svg/svg-write.ts";
+import { inkOfFiles, type FileLayer } from "../svg/svg-write.ts";
 import { lineWidth, pictureOf, pngSize, type Subject } from "./png-size.ts";
 
 export interface PngOptions extends Subject {
@@ -11,7 +11,7 @@ export interface PngOptions extends Subject {
   readonly stage?: { readonly ink: string; readonly fill: string };
   readonly filling?: Filling;
   /** Areas in colours in place of the one path, the lowest first. */
-  readonly layers?: readonly { readonly color: string; readonly d: string }[];
+  readonly layers?: readonly FileLayer[];
 }
 
 /** One path, and how it is drawn. */
@@ -25,8 +25,9 @@ export interface PngPath {
 export function pngPaths({ d, stage, filled, filling, layers = [] }: PngOptions): PngPath[] {
   const rule = filling === "nonzero" ? filling : "evenodd";
   if (stage !== undefined) return [{ d, ...(filling === "none" ? {} : { fill: { color: stage.fill, alpha: 0.08, rule } }), stroke: stage.ink }];
-  if (layers.length > 0) return layers.map((layer) => ({ d: layer.d, fill: { color: layer.color, alpha: 1, rule: "nonzero" } }));
-  return [filled === true ? { d, fill: { color: inkOfFiles, alpha: 1, rule } } : { d, stroke: inkOfFiles }];
+  const area = (of: string, color = inkOfFiles): PngPath => ({ d: of, fill: { color, alpha: 1, rule } });
+  if (layers.length > 0) return layers.map((layer) => area(layer.d, layer.color));
+  return [filled === true ? area(d) : { d, stroke: inkOfFiles }];
 }
 
 export async function writePng(options: PngOptions): Promise<Blob | null> {

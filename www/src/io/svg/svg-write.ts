@@ -26,6 +26,12 @@ function roundingFor(box: Box): number {
   return 10 ** Math.max(-3, Math.min(0, Math.floor(Math.log10(size)) - 1));
 }
 
+/** Areas of one colour: without one, of the ink of files. */
+export interface FileLayer {
+  readonly color?: string;
+  readonly d: string;
+}
+
 export interface SvgOptions {
   readonly title: string;
   readonly d: string;
@@ -35,7 +41,7 @@ export interface SvgOptions {
   readonly filled?: boolean;
   readonly filling?: Filling;
   /** Areas in colours in place of the one path, the lowest first. */
-  readonly layers?: readonly { readonly color: string; readonly d: string }[];
+  readonly layers?: readonly FileLayer[];
 }
 
 /** The artboard; what reaches out of it, and what has none, is rounded outwards. */
@@ -58,9 +64,9 @@ export function writeSvg(options: SvgOptions): string {
   const width = Math.max(0.001, lineWidth / (sheet?.enlarged ?? enlargement(around)));
   const viewBox = viewBoxOf(sheet?.frame ?? around, artboard, filled || sheet !== null ? 0 : width).map(plain);
   const lines = `fill="none" stroke="${inkOfFiles}" stroke-width="${plain(width)}" stroke-linejoin="round"`;
-  const look = options.filled === true ? `fill="${inkOfFiles}"${filling === "nonzero" ? "" : ' fill-rule="evenodd"'}` : lines;
+  const area = (color = inkOfFiles): string => `fill="${escapeXml(color)}"${filling === "nonzero" ? "" : ' fill-rule="evenodd"'}`;
   const path = (text: string, how: string): string => (text === "" ? "" : `  <path d="${escapeXml(text)}" ${how}/>\n`);
-  const paths = layers.length === 0 ? [path(d, look)] : layers.map((layer) => path(layer.d, `fill="${escapeXml(layer.color)}"`));
+  const paths = layers.length === 0 ? [path(d, filled ? area() : lines)] : layers.map((layer) => path(layer.d, area(layer.color)));
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${viewBox.join(" ")}" width="${viewBox[2]}" height="${viewBox[3]}">\n`,
     `  <title>${escapeXml(title)}</title>\n`,

@@ -6,13 +6,14 @@ import { placesOf, supported } from "./interpolating.ts";
 
 /** From one family of contours to the other, through the same points. */
 
+/** What is true of a contour in either family. */
+function kept({ closed, space, ink }: Contour): Pick<Contour, "closed" | "space" | "ink"> {
+  return { closed, ...(space === undefined ? {} : { space }), ...(ink === undefined ? {} : { ink }) };
+}
+
 /** A contour with tangents as one through the same points; its corners are rounded. */
 export function asInterpolating(document: CurveDocument, contour: Contour): { contour: Contour; moved: number } {
-  const { closed } = contour;
-  const next = supported(
-    document,
-    { family: "interpolating", closed, points: contour.points.map(({ x, y }) => plainPoint(x, y)), ...(contour.space === undefined ? {} : { space: contour.space }) },
-  );
+  const next = supported(document, { ...kept(contour), family: "interpolating", points: contour.points.map(({ x, y }) => plainPoint(x, y)) });
   return { contour: next, moved: distanceBetween(document, contour, next) };
 }
 
@@ -26,6 +27,6 @@ export function asHermite(document: CurveDocument, contour: Contour): { contour:
     const out = { dx: (tangents[2 * i] ?? 0) / 3 + 0, dy: (tangents[2 * i + 1] ?? 0) / 3 + 0 };
     return { x: places[2 * i] ?? 0, y: places[2 * i + 1] ?? 0, kind: "symmetric", in: { dx: 0 - out.dx, dy: 0 - out.dy }, out };
   });
-  const next: Contour = { family: "hermite", closed: contour.closed, points, support: 1, ...(contour.space === undefined ? {} : { space: contour.space }) };
+  const next: Contour = { ...kept(contour), family: "hermite", points, support: 1 };
   return { contour: next, moved: distanceBetween(document, contour, next) };
 }

@@ -1,4 +1,5 @@
 import { emptyCurve, type Contour, type CurveDocument } from "../../document/document.ts";
+import { inkLayers } from "../../document/curve/inks.ts";
 import type { CornerChoice, KeptTrace } from "../../document/trace/trace.ts";
 import { withDecided } from "../../document/trace/corners.ts";
 import type { TraceResult } from "./job.ts";
@@ -55,9 +56,12 @@ export function outcomeOf({ outlines, colors, segments, iou, beyond, sizes, stag
 
 /** Outlines that came without their picture. */
 export function outcomeOfKept({ contours }: KeptTrace): TraceOutcome {
+  const drawing: CurveDocument = { ...emptyCurve, contours };
+  const layers = inkLayers(drawing);
+  const isColored = layers.every(({ ink }) => ink !== undefined);
   return {
-    drawing: { ...emptyCurve, contours }, holes: contours.map((contour) => contour.closed && signedArea(contour) < 0),
-    colors: [], layers: [], cubics: [], rms: null, max: null, beyond: null, iou: null, segments: null, sizes: null, stages: {},
+    drawing, holes: contours.map((contour) => contour.closed && signedArea(contour) < 0),
+    colors: isColored ? layers.flatMap(({ ink }) => ink ?? []) : [], layers: isColored ? layers.flatMap((layer, i) => layer.drawing.contours.map(() => i)) : [], cubics: [], rms: null, max: null, beyond: null, iou: null, segments: null, sizes: null, stages: {},
   };
 }
 
@@ -73,6 +77,12 @@ function signedArea({ points }: Contour): number {
 /** A drawing's outlines by their colours, the lowest layer first; none where there is only ink. */
 export function byColor({ colors, layers, drawing }: TraceOutcome): { readonly color: string; readonly drawing: CurveDocument }[] {
   return colors.map((color, layer) => ({ color, drawing: { ...drawing, contours: drawing.contours.filter((_, i) => layers[i] === layer) } }));
+}
+
+/** The outlines of what is in colours, the lowest first, each with its own; of ink as they are. */
+export function inkedContours(outcome: TraceOutcome): readonly Contour[] {
+  if (outcome.colors.length === 0) return outcome.drawing.contours;
+  return byColor(outcome).flatMap(({ color, drawing }) => drawing.contours.map((contour) => ({ ...contour, ink: color })));
 }
 
 interface Decided {

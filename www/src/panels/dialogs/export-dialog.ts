@@ -8,7 +8,7 @@ import { snippetFor } from "../code/snippets.ts";
 import { button, openDialog } from "../controls/dialog.ts";
 import { h } from "../controls/dom.ts";
 import { errorText } from "../messages/errors.ts";
-import { lookOf } from "../files/look.ts";
+import { layersOf, lookOf } from "../files/look.ts";
 import type { FileLook } from "../page-io.ts";
 import type { Shell } from "../shell.ts";
 import { chosenOptions, drawsAreas, lookField, optionFields } from "./export-options.ts";
@@ -69,15 +69,12 @@ function jsonButton({ editor, io }: Shell, stem: string): HTMLElement {
 }
 
 /** Colours, ink or lines; the paths of colours are written with the options that are chosen now. */
-function fileLook({ modes, state }: Editor, curve: CurveDocument): FileLook {
-  const { mode } = state.value;
-  const colored = modes.get(mode)?.layers?.(state.value) ?? [];
+function fileLook(editor: Editor, curve: CurveDocument): FileLook {
+  const { mode } = editor.state.value;
   const natural = lookOf(curve, mode);
-  return {
-    ...natural,
-    filled: mode === "trace" ? natural.filled : drawsAreas(natural.filled),
-    layers: colored.map(({ color, drawing }) => ({ color, d: exportPath(drawing, chosenOptions()).d })),
-  };
+  const filled = mode === "trace" ? natural.filled : drawsAreas(natural.filled);
+  const layers = filled ? layersOf(editor, curve) : [];
+  return { ...natural, filled, layers: layers.map(({ drawing, ...color }) => ({ ...color, d: exportPath(drawing, chosenOptions()).d })) };
 }
 
 function svgButton({ io }: Shell, stem: string, curve: CurveDocument, box: Box, d: () => string, look: () => FileLook): HTMLElement {

@@ -61,10 +61,11 @@ function drawn(d: string, drawing: Box, { artboard, filled, filling, layers = []
   const margin = Math.max(width, height) * 0.06 + 1e-6;
   const viewBox = [box.minX - margin, box.minY - margin, width + 2 * margin, height + 2 * margin].join(" ");
   const sheet = artboard === undefined ? [] : [svg("rect", { class: "export-sheet", x: box.minX, y: box.minY, width, height })];
-  const one = svg("path", { class: filled === true ? "export-ink" : "thumbnail-curve", d });
-  if (filling === "nonzero") one.style.fillRule = filling;
-  else if (filling === "none" && filled !== true) one.style.fill = filling;
-  const shapes = layers.length === 0 ? [one] : layers.map((layer) => svg("path", { d: layer.d, fill: layer.color }));
+  const area = (text: string, color: string | undefined): SVGPathElement =>
+    svg("path", { d: text, "fill-rule": filling === "nonzero" ? filling : "evenodd", ...(color === undefined ? { class: "export-ink" } : { fill: color }) });
+  const line = svg("path", { class: "thumbnail-curve", d });
+  if (filling !== undefined) line.style[filling === "none" ? "fill" : "fillRule"] = filling;
+  const shapes = layers.length > 0 ? layers.map((layer) => area(layer.d, layer.color)) : [filled === true ? area(d, undefined) : line];
   return svg("svg", { viewBox, role: "img", "aria-label": "Preview of the exported path" }, ...sheet, ...shapes);
 }
 

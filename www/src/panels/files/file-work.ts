@@ -8,7 +8,7 @@ import { errorText } from "../messages/errors.ts";
 import type { Shell } from "../shell.ts";
 import { pasteCopy, rememberCopy } from "./clipboard.ts";
 import { naturalDestination, place, readOrReport } from "./load.ts";
-import { lookOf } from "./look.ts";
+import { layersOf, lookOf } from "./look.ts";
 import { openPicture } from "./open-picture.ts";
 import { report } from "./report.ts";
 
@@ -33,8 +33,9 @@ export async function copySvg(shell: Shell): Promise<boolean> {
   const part = mode === "curve" ? chosenContours(shell) : parts?.drawing?.(editor.state.value) ?? null;
   if (part === null) return false;
   const title = curveSample(part.sample ?? "")?.title ?? "expline drawing";
-  const layers = (parts?.layers?.(editor.state.value) ?? []).map(({ color, drawing }) => ({ color, d: documentPathD(drawing, printed).d }));
-  const text = await io.writeSvg({ title, d: documentPathD(part, printed).d, box: documentBounds(part), ...lookOf(part, mode), layers });
+  const look = lookOf(part, mode);
+  const layers = look.filled ? layersOf(editor, part).map(({ drawing, ...color }) => ({ ...color, d: documentPathD(drawing, printed).d })) : [];
+  const text = await io.writeSvg({ title, d: documentPathD(part, printed).d, box: documentBounds(part), ...look, layers });
   // Before the clipboard has it: from then on it may be pasted.
   if (mode === "curve") rememberCopy(editor, text, part);
   const done = await io.copyText(text);

@@ -1,4 +1,5 @@
 import { locate } from "../../document/curve/contours.ts";
+import { inkLayers } from "../../document/curve/inks.ts";
 import { partsOf } from "../../document/curve/parts.ts";
 import { pointAt, segmentCount } from "../../document/document.ts";
 import { affectedSegments } from "../../document/curve/roots.ts";
@@ -20,9 +21,18 @@ export function drawFill(scene: Scene): void {
   const { filling = "evenodd" } = state.curve;
   if (!state.settings.overlays.fill || state.originalOnly || filling === "none") return;
   const context = inPage(scene);
-  context.fillStyle = palette.point;
-  context.globalAlpha = 0.08;
-  context.fill(documentPaths(scene, state.curve).closed, filling);
+  for (const { ink, drawing } of inkLayers(state.curve)) {
+    const { closed } = documentPaths(scene, drawing);
+    if (ink !== undefined) {
+      // What lies below is not seen, and lines and points are over any colour.
+      context.fillStyle = palette.canvas;
+      context.globalAlpha = 1;
+      context.fill(closed, filling);
+    }
+    context.fillStyle = ink ?? palette.point;
+    context.globalAlpha = ink === undefined ? 0.08 : 0.5;
+    context.fill(closed, filling);
+  }
   context.globalAlpha = 1;
 }
 

@@ -1,0 +1,106 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { inkLayers } from "../src/document/curve/inks.ts";
+import { curveSample } from "../src/document/curve/samples.ts";
+import type { Contour, CurveDocument } from "../src/document/document.ts";
+import { FileError, parseState, writeState } from "../src/document/file/file.ts";
+import { resample, setClosed } from "../src/editor/curve/contour-edits.ts";
+import { loadCurve } from "../src/editor/curve/edits.ts";
+import { refineCurveHere, setFamily } from "../src/editor/curve/family-edits.ts";
+import { applyProposal, setLevel } from "../src/editor/curve/level-edits.ts";
+import { pngPaths } from "../src/io/picture/png.ts";
+import { writeSvg } from "../src/io/svg/svg-write.ts";
+import { inkedContours, outcomeOfKept } from "../src/kernel/trace/outcome.ts";
+import { Hand } from "./harness.ts";
+
+/** Areas in colours: what a traced picture is in Curve. */
+
+const ink = "#2e7d5a";
+
+function inked(sample: string, color: string | null = ink): CurveDocument {
+  const curve = curveSample(sample)?.curve;
+  assert.ok(curve !== undefined);
+  const { sample: _name, ...rest } = curve;
+  return { ...rest, contours: curve.contours.map((contour) => (color === null ? contour : { ...contour, ink: color })) };
+}
+
+const edits: readonly (readonly [string, (hand: Hand) => unknown])[] = [
+  ...["insert", "delete", "delete-open", "duplicate", "reverse", "start-here", "cusp", "reset-handles", "turn-right", "grow", "flip-across", "nudge-left"].map(
+    (id): [string, (hand: Hand) => unknown] => [id, (hand) => hand.run(id)],
+  ),
+  ["a level up and down", (hand) => {
+    setLevel(hand.editor, 1);
+    hand.drag(hand.point(1), 5, 5);
+    setLevel(hand.editor, 0);
+    applyProposal(hand.editor);
+  }],
+  ["opened, and its ends joined", (hand) => {
+    setClosed(hand.editor, false);
+    hand.editor.patch({ selection: { points: [0, 7].map((index) => ({ contour: 0, index })), handle: null } });
+    hand.run("join");
+  }],
+  ["another number of points", (hand) => resample(hand.editor, 13)],
+  ["a point that is dragged", (hand) => hand.drag(hand.point(0), 10, 20)],
+  ["the other family, refined, and back", (hand) => {
+    setFamily(hand.editor, "interpolating");
+    hand.run("select-all");
+    setLevel(hand.editor, 1);
+    setLevel(hand.editor, 0);
+    refineCurveHere(hand.editor);
+    hand.editor.undo();
+    setFamily(hand.editor, "hermite");
+  }],
+];
+
+for (const [name, edit] of edits) {
+  test(`a contour keeps its colour: ${name}`, async () => {
+    const hand = new Hand();
+    loadCurve(hand.editor, "Open", inked("circle-8"));
+    hand.editor.setSettings({ snap: false });
+    const before = hand.curve;
+    hand.editor.patch({ selection: { points: [{ contour: 0, index: 3 }], handle: null } });
+    edit(hand);
+    await Promise.all(hand.editor.loading);
+    assert.notEqual(hand.curve, before, "something was done");
+    assert.ok(hand.curve.contours.length > 0);
+    for (const contour of hand.curve.contours) assert.equal(contour.ink, ink);
+    assert.deepEqual(parseState(writeState(hand.editor.getState())).state.curve, hand.curve);
+  });
+}
+
+test("contours of one colour are one layer where they follow each other, the lowest first", () => {
+  const contours = ["#111111", "#111111", "#eeeeee", "#111111", null].map((color): Contour | undefined => inked("heart", color).contours[0]);
+  const curve: CurveDocument = { ...inked("heart"), contours: contours.flatMap((contour) => contour ?? []) };
+  assert.deepEqual(inkLayers(curve).map((layer) => [layer.ink, layer.drawing.contours.length]), [["#111111", 2], ["#eeeeee", 1], ["#111111", 1], [undefined, 1]]);
+  const plain = inked("heart", null);
+  assert.deepEqual(inkLayers(plain), [{ drawing: plain }]);
+});
+
+test("a file and a picture have each layer in its colour, by the rule of the drawing", () => {
+  const layers = [{ color: "#111111", d: "M0 0H9V9Z" }, { d: "M1 1H2V2Z" }];
+  for (const filling of [undefined, "nonzero"] as const) {
+    const how = { d: "", box: null, filled: true, layers, ...(filling === undefined ? {} : { filling }) };
+    const svg = writeSvg({ title: "", ...how });
+    const found = [...svg.matchAll(/<path d="([^"]+)" fill="([^"]+)"(?: fill-rule="(\w+)")?/gu)].map(([, d, color, rule = "nonzero"]) => ({ d, fill: { color, alpha: 1, rule } }));
+    assert.deepEqual(found.map(({ fill }) => [fill.color, fill.rule]), [["#111111", filling ?? "evenodd"], ["#1b1f24", filling ?? "evenodd"]]);
+    assert.deepEqual(pngPaths({ ...how, scale: 1, paper: null }), found);
+  }
+});
+
+test("outlines that come back without their picture have the colours that they were traced in", () => {
+  const { contours } = inked("glyph");
+  const colored = [...contours, ...inked("heart", "#b02a30").contours];
+  const outcome = outcomeOfKept({ name: "a.png", width: 10, height: 10, contours: colored });
+  assert.deepEqual([outcome.colors, outcome.layers], [[ink, "#b02a30"], [...contours.map(() => 0), 1]]);
+  assert.deepEqual(inkedContours(outcome), colored);
+  const plain = outcomeOfKept({ name: "a.png", width: 10, height: 10, contours: inked("heart", null).contours });
+  assert.deepEqual([plain.colors, plain.layers], [[], []]);
+});
+
+test("a colour that is none is refused, with its place", () => {
+  const state = new Hand("circle-2").editor.getState();
+  for (const strange of ["red", "#fff", "#12345G", "#1234567", 'url("x")', 5]) {
+    const text = JSON.stringify({ ...state, curve: { ...state.curve, contours: state.curve.contours.map((contour) => ({ ...contour, ink: strange })) } });
+    assert.throws(() => parseState(text), (error: unknown) => error instanceof FileError && error.message.includes("$.curve.contours[0].ink"), text);
+  }
+});
