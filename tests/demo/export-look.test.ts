@@ -126,6 +126,7 @@ test("the frame that an icon has around it is not part of it, and what is only s
   const demo = await open(t);
   await opened(demo, '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24"><path fill="none" d="M0 0h24v24H0z"/><path d="M4 4h8v8H4z"/></svg>');
   assert.equal((await demo.state()).curve.contours.length, 1);
+  await demo.byId("btn-clear").click();
   await opened(demo, '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" fill="none" stroke="currentColor"><circle cx="12" cy="12" r="10"/></svg>');
   assert.equal((await demo.state()).curve.contours.length, 1);
   await demo.byId("btn-export").click();

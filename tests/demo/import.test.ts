@@ -26,6 +26,19 @@ async function refused(demo: Demo, text: string): Promise<{ id: string; text: st
 
 const twoContours = "M10 10h80v40a20 20 0 0 1-20 20H40q-30 0-30-30zM120 20c20-20 60-20 80 0s20 60 0 80t-80-20z";
 
+test("a sample as it was opened gives way to an import, one that was worked on does not", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  await demo.byId("btn-import").click();
+  assert.equal(await demo.byId("import-replace").isChecked(), true);
+  await demo.press("Escape");
+  await demo.click("pt-0-0");
+  await demo.press("ArrowRight");
+  await demo.byId("btn-import").click();
+  assert.equal(await demo.byId("import-replace").isChecked(), false);
+  await demo.byId("import-to").getByRole("radio", { name: "Fit, to simplify" }).check();
+  assert.equal(await demo.byId("import-replace").isChecked(), true, "nobody has worked in Fit");
+});
+
 test("V15 a path of every kind of command comes in as it is drawn", async (t) => {
   const demo = await open(t);
   await imported(demo, twoContours);
@@ -58,9 +71,9 @@ test("an import applies nothing of the file to the page: the console stays silen
     `<div style='color:red'><base href="/x"><style>p{color:red}</style><svg STYLE = "color:red">${styled}</svg></div>`,
     "<svg viewBox='0 0 9 9' style={{ color: 'red' }}><path d='M0 0h9v9z' style={{ fill: 'red' }}/></svg>",
   ];
-  for (const file of files) {
+  for (const [i, file] of files.entries()) {
     await imported(demo, file);
-    assert.equal((await demo.state()).curve.contours.length, 1);
+    assert.equal((await demo.state()).curve.contours.length, i + 1);
   }
   assert.deepEqual(said, []);
 });
@@ -286,6 +299,8 @@ test("a drawing that comes in is edited or simplified: each mode offers the othe
   await demo.byId("btn-import").click();
   await demo.byId("import-text").fill(twoContours);
   await demo.byId("import-to").getByRole("radio", { name: "Fit, to simplify" }).check();
+  assert.equal(await demo.byId("import-replace").isChecked(), false, "what is one's own stays unless one says otherwise");
+  await demo.byId("import-replace").check();
   await demo.byId("import-apply").click();
   await demo.byId("import-dialog").waitFor({ state: "detached" });
   await demo.idle();
@@ -447,7 +462,7 @@ test("a second logo is chosen, so that it can be moved from where it lies over t
   assert.equal(await demo.page.getByText("Nothing. Choose a point on the stage").count(), 1, "one that is alone is looked at first");
   const first = await demo.points();
   await demo.byId("btn-import").click();
-  await demo.byId("import-replace").uncheck();
+  assert.equal(await demo.byId("import-replace").isChecked(), false, "what is one's own stays unless one says otherwise");
   await imported(demo, square);
   await demo.withoutSnap();
   const from = await demo.toScreen(first[0]?.x ?? 0, first[0]?.y ?? 0);

@@ -1,7 +1,8 @@
 import assert from "node:assert/strict";
 import { before, test } from "node:test";
 import init, { initSpline, initSurface } from "expline/slim";
-import { emptySurface, type SurfaceDocument } from "../src/document/surface/surface.ts";
+import { objSize, surfaceObj } from "../src/kernel/surface/surface-files.ts";
+import { emptySurface, sameNetPoint, type SurfaceDocument } from "../src/document/surface/surface.ts";
 import { createEditor } from "../src/editor/create-editor.ts";
 import type { Editor } from "../src/editor/editor.ts";
 import { fittingDistance, projector, stepAlong, stepInView, type Orbit } from "../src/editor/surface/orbit.ts";
@@ -112,6 +113,8 @@ test("refining a place keeps the surface to the last bit and is one step of the 
   refineHere(editor);
   assert.equal(surface(editor).details?.length, 1);
   assert.deepEqual(meshPoints(surface(editor), 40, 40), before);
+  assert.deepEqual(editor.state.value.chosen, [point.ref], "what was chosen is so still, to be worked on");
+  assert.ok(netPoints(surface(editor)).some(({ ref }) => sameNetPoint(ref, point.ref)));
   editor.undo();
   assert.equal(surface(editor).details, undefined);
 });
@@ -181,4 +184,14 @@ test("the triangles that the status counts are those that are drawn, also where 
     }
   }
   assert.equal(trianglesOf(emptySurface, 16), 0);
+});
+
+test("the size of an OBJ file is said before it is written, to a twentieth", () => {
+  for (const sample of ["surf-torus", "surf-sphere", "surf-character"]) {
+    const document = surface(opened(sample));
+    for (const sides of [2, 3, 16, 40, 64]) {
+      const [said, written] = [objSize(document, sides), surfaceObj(document, sides).length];
+      assert.ok(Math.abs(said / written - 1) < 0.05, `${sample}, ${sides}: ${said} of ${written}`);
+    }
+  }
 });

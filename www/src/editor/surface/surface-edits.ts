@@ -188,7 +188,7 @@ export function refineHere(editor: Editor): void {
   const point = ref === undefined ? undefined : shownPoint(surface, ref);
   if (ref === undefined || point === undefined) return refuse(editor, "Choose a control point first: the surface is refined around it.");
   const before = surface.details?.length ?? 0;
-  tryChange(editor, "Refine here", (now) => ({ surface: refinedHere(now.surface, point), chosen: noNetPoints }));
+  tryChange(editor, "Refine here", (now) => ({ surface: refinedHere(now.surface, point), chosen: now.chosen }));
   const details = editor.state.value.surface.details ?? [];
   const added = details[before];
   if (added !== undefined) editor.notify({ kind: "toast", text: `${added.u.count * added.v.count} finer points here. The surface has not moved.` });

@@ -1,7 +1,7 @@
 import type { Imported } from "../../document/imported.ts";
 import { whileLoading } from "../../editor/loading.ts";
 import { openDialog, type Dialog } from "../controls/dialog.ts";
-import { naturalDestination, place } from "../files/load.ts";
+import { naturalDestination, naturalPlacement, place } from "../files/load.ts";
 import { openPicture } from "../files/open-picture.ts";
 import { asProblem } from "../messages/errors.ts";
 import type { Shell } from "../shell.ts";
@@ -9,7 +9,7 @@ import { importForm, type ImportForm } from "./import-form.ts";
 
 /** A file, or text: SVG, a bare path, points or an expline file. Errors stand beside the text; nothing changes until it can be read. */
 export function openImport(shell: Shell, given = ""): void {
-  const form = importForm(naturalDestination(shell), given);
+  const form = importForm(naturalDestination(shell), given, (to) => naturalPlacement(shell, to) === "replace");
   const dialog = openDialog({ title: "Import", testid: "import-dialog" }, ...form.body);
   dialog.foot.append(...form.foot);
   new Importing(shell, form, dialog).listen();

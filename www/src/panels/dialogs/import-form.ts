@@ -24,13 +24,20 @@ export interface ImportForm {
   calm(): void;
 }
 
-export function importForm(natural: Destination, given: string): ImportForm {
+/** `replacesIn` says of a destination whether what is there gives way unless somebody says otherwise. */
+export function importForm(natural: Destination, given: string, replacesIn: (to: Destination) => boolean): ImportForm {
   const text = textField(given);
   const file = h("input", { class: "file-field", testid: "import-file", type: "file", accept: accepted, "aria-label": "Choose a file" });
   const message = h("div", { class: "message-slot" });
-  const replaces = h("input", { class: "check", type: "checkbox", id: freshId("replace"), testid: "import-replace", checked: true });
+  const replaces = h("input", { class: "check", type: "checkbox", id: freshId("replace"), testid: "import-replace" });
   let destination = natural;
-  const to = destinationField(natural, (value) => { destination = value; });
+  let isDecided = false;
+  replaces.checked = replacesIn(natural);
+  replaces.addEventListener("change", () => { isDecided = true; });
+  const to = destinationField(natural, (value) => {
+    destination = value;
+    if (!isDecided) replaces.checked = replacesIn(value);
+  });
   const partly = button("Import what was read", { testid: "import-partial", hidden: true });
   const apply = button("Import", { class: "primary", testid: "import-apply" });
   return {

@@ -1,6 +1,6 @@
 import { writeState } from "../../document/file/write.ts";
 import { surfaceTitle } from "../../document/surface/surface-samples.ts";
-import { meshSize, surfaceGltf, surfaceObj } from "../../kernel/surface/surface-files.ts";
+import { meshSize, objSize, surfaceGltf, surfaceObj } from "../../kernel/surface/surface-files.ts";
 import { button, openDialog } from "../controls/dialog.ts";
 import { h, setText } from "../controls/dom.ts";
 import { sliderField } from "../controls/fields.ts";
@@ -16,14 +16,16 @@ export function openSurfaceExport(shell: Shell): void {
   const { surface } = editor.state.value;
   const stem = surface.sample;
   const count = h("dd", { class: "num", testid: "export-triangles" });
-  const size = h("dd", { class: "num" });
-  const numbers = h("dl", { class: "export-numbers num" }, h("div", {}, h("dt", {}, "Triangles"), count), h("div", {}, h("dt", {}, "glTF"), size));
+  const [obj, gltf] = [h("dd", { class: "num", testid: "export-obj-size" }), h("dd", { class: "num", testid: "export-gltf-size" })];
+  const numbers = h("dl", { class: "export-numbers num" },
+    h("div", {}, h("dt", {}, "Triangles"), count), h("div", {}, h("dt", {}, "OBJ"), obj), h("div", {}, h("dt", {}, "glTF"), gltf));
   const show = (): void => {
     const { rows, cols } = meshSize(surface, sides);
     const cells = (surface.u?.closed === true ? rows : rows - 1) * (surface.v?.closed === true ? cols : cols - 1);
     setText(count, String(2 * cells));
     // Positions and normals in single precision, three indices of four bytes to a triangle.
-    setText(size, `about ${formatBytes(24 * rows * cols + 24 * cells + 1000)}`);
+    setText(gltf, `about ${formatBytes(24 * rows * cols + 24 * cells + 1000)}`);
+    setText(obj, `about ${formatBytes(objSize(surface, sides))}`);
   };
   const slider = sliderField({
     label: "Sides", testid: "export-sides", about: "Into how many sides each segment of the net is cut.",
