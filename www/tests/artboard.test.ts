@@ -1,10 +1,9 @@
 import assert from "node:assert/strict";
 import { before, test } from "node:test";
 import init from "expline/slim";
-import { artboardOf, sheetOf, type Artboard } from "../src/document/artboard.ts";
+import { artboardOf, sheetOf, type Artboard, type Box } from "../src/document/artboard.ts";
 import { FileError, parseState, writeState } from "../src/document/file/file.ts";
 import { emptyCurve, type DemoState } from "../src/document/document.ts";
-import type { Box } from "../src/document/imported.ts";
 import { createEditor } from "../src/editor/create-editor.ts";
 import { addDrawing } from "../src/editor/curve/adding.ts";
 import { clearCurve, loadCurve } from "../src/editor/curve/edits.ts";

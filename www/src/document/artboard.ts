@@ -1,11 +1,16 @@
-import type { Box } from "./imported.ts";
-
 /** The sheet that a drawing lies on: what an SVG file calls its viewBox. Without one, a drawing's sheet is its own box. */
 export interface Artboard {
   readonly x: number;
   readonly y: number;
   readonly width: number;
   readonly height: number;
+}
+
+export interface Box {
+  readonly minX: number;
+  readonly minY: number;
+  readonly maxX: number;
+  readonly maxY: number;
 }
 
 const [farthest, least] = [1e9, 1e-6];

@@ -15,10 +15,3 @@ export type Imported =
       /** Where the text stopped making sense, when only its beginning was read. */
       readonly broken: Problem | null;
     };
-
-export interface Box {
-  readonly minX: number;
-  readonly minY: number;
-  readonly maxX: number;
-  readonly maxY: number;
-}

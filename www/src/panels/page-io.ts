@@ -1,6 +1,6 @@
-import type { Artboard } from "../document/artboard.ts";
+import type { Artboard, Box } from "../document/artboard.ts";
 import type { DemoState, Filling, Space } from "../document/document.ts";
-import type { Box, Imported } from "../document/imported.ts";
+import type { Imported } from "../document/imported.ts";
 
 /**
  * What the panels ask of the room that talks to files, links and the clipboard. They are handed it, so that panels know

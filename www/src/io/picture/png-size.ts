@@ -1,5 +1,4 @@
-import { sheetOf, type Artboard } from "../../document/artboard.ts";
-import type { Box } from "../../document/imported.ts";
+import { sheetOf, type Artboard, type Box } from "../../document/artboard.ts";
 
 /** Browsers refuse or blank canvases beyond these. */
 const mostSide = 16_384;

@@ -1,6 +1,5 @@
 import type { DemoState, Filling } from "../../document/document.ts";
-import type { Artboard } from "../../document/artboard.ts";
-import type { Box } from "../../document/imported.ts";
+import type { Artboard, Box } from "../../document/artboard.ts";
 import { enlargement, lineWidth, sheetIn } from "../picture/png-size.ts";
 
 /** Text that may stand in XML: markup escaped, and characters that XML has no place for replaced. */
