@@ -168,7 +168,11 @@ test("the declarations hold for a strict project, with every kind of module reso
   const code = `
     import init, { ExplineError, HermiteCurve, InterpolatingCurve, SparseFitter, TensorSurface, fitSparse, initSync, parsePath, traceImage, version } from "expline";
     import type { Curve } from "expline";
+    import { movePoint } from "expline/edit";
+    import slim, { HermiteCurve as SlimCurve } from "expline/slim";
     await init();
+    await slim();
+    export const verbs: unknown[] = [movePoint, SlimCurve];
     const curve: HermiteCurve = HermiteCurve.ellipse({ center: [0, 0], radii: [2, 1], count: 3 });
     const point: Float64Array = curve.evaluate(0.5, 1);
     const { d, maxError }: { d: string; maxError: number } = curve.toPathD({ tolerance: 0.01, arcs: true });
@@ -190,7 +194,9 @@ test("the declarations hold for a strict project, with every kind of module reso
   const tsc = join(process.cwd(), "node_modules", "typescript", "bin", "tsc");
   const node = { types: ["node"], typeRoots: [join(process.cwd(), "node_modules", "@types")], lib: ["es2022"] };
   // A page, and a program of Node whose libraries know of no browser.
-  for (const [module, moduleResolution, own] of [["esnext", "bundler", { types: [], lib: ["es2022", "dom"] }], ["nodenext", "nodenext", node]] as const) {
+  const page = { types: [], lib: ["es2022", "dom"] };
+  // "node10" knows nothing of exports.
+  for (const [module, moduleResolution, own] of [["esnext", "bundler", page], ["esnext", "node10", page], ["nodenext", "nodenext", node]] as const) {
     const compilerOptions = { module, moduleResolution, strict: true, noEmit: true, target: "es2022", skipLibCheck: false, exactOptionalPropertyTypes: true, ...own };
     writeFileSync(join(folder, "tsconfig.json"), JSON.stringify({ compilerOptions, files: ["use.ts"] }));
     assert.equal(spawnSync(process.execPath, [tsc, "-p", folder], { encoding: "utf8" }).stdout, "", moduleResolution);
