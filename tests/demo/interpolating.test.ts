@@ -51,6 +51,24 @@ test("while a point is dragged, the hint names the segments that follow", async 
   await demo.page.mouse.up();
 });
 
+test("a long interpolating contour is measured by a worker, which ends with its answer", async (t) => {
+  const demo = await blob(t);
+  const state = await demo.state();
+  const count = 5000;
+  const points = Array.from({ length: count }, (_, i) => {
+    const turn = (2 * Math.PI * i) / count;
+    return { x: 400 + 160 * Math.cos(turn), y: 300 + 160 * Math.sin(turn), kind: "smooth" as const, in: { dx: 0, dy: 0 }, out: { dx: 0, dy: 0 } };
+  });
+  const started = demo.page.waitForEvent("worker");
+  await demo.page.evaluate((next) => window.explineDemo.setState(next), { ...state, curve: { ...state.curve, contours: [{ family: "interpolating" as const, closed: true, points, support: 2 }] } });
+  assert.match((await started).url(), /measure-worker/u);
+  // The points of a circle give the circle, exactly.
+  await demo.until(() => demo.metric("m-length"), (length) => Math.abs(length - 320 * Math.PI) < 1e-6, "the length of the circle");
+  assert.ok(Math.abs((await demo.metric("m-area")) - Math.PI * 160 ** 2) < 1e-6);
+  assert.ok((await demo.metric("m-bytes")) > 10);
+  await demo.until(() => Promise.resolve(demo.page.workers().length), (workers) => workers === 0, "the worker has gone");
+});
+
 test("V07 a point inserted into an interpolating curve lies where the click was, and the move is stated", async (t) => {
   const demo = await blob(t);
   const [x, y] = (await demo.sample(1600))[337] ?? [0, 0];

@@ -3,7 +3,7 @@ import { toPage, toScreen } from "./editor/pointer/camera.ts";
 import type { Editor } from "./editor/editor.ts";
 import type { Frame } from "./editor/frame.ts";
 import { engineVersion } from "./kernel/engine.ts";
-import { measureCurve } from "./kernel/curve/measure.ts";
+import { measureCurve } from "./kernel/curve/measuring/measure.ts";
 import { samplePoints, subdivided } from "./kernel/curve/samples.ts";
 
 /** What the page offers to testers: small, read-mostly, in every build. */

@@ -1,12 +1,15 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { InterpolatingCurve } from "expline/slim";
 import { movePoints } from "../src/document/curve/commands.ts";
+import { plainPoint } from "../src/document/curve/contours.ts";
 import { partsOf } from "../src/document/curve/parts.ts";
 import { segmentCount, type Contour, type CurveDocument } from "../src/document/document.ts";
-import { measureCurve, measureUntil } from "../src/kernel/curve/measure.ts";
+import { measureCurve, measureUntil } from "../src/kernel/curve/measuring/measure.ts";
 import { healed } from "../src/kernel/curve/points/contours.ts";
 import { boundsOf, nearestOn } from "../src/kernel/curve/samples.ts";
 import { curveOf } from "../src/kernel/curve/curve-cache.ts";
+import { splineOf, splineShape } from "../src/kernel/curve/spline-shape.ts";
 import { cubicsOf } from "../src/kernel/paths/paths.ts";
 import { polylineOf, thinned } from "../src/kernel/paths/polylines.ts";
 import { createSmallPoints } from "../src/render/small-points.ts";
@@ -83,6 +86,24 @@ test("a drawing is measured a part at a time, and after an edit the changed part
   assert.equal(rounds(document), partsOf(document, document.contours[0] as Contour).length);
   const edited = movePoints({ points: [{ contour: 0, index: 77 }], handle: null }, 1, 0).apply(document);
   assert.equal(rounds(edited), 1);
+});
+
+test("a long interpolating contour is not measured while anybody waits; its numbers are there later, a worker or none", async () => {
+  const points = longContour(4001).points.map(({ x, y }) => plainPoint(x, y));
+  const document = drawingOf({ family: "interpolating", closed: true, points, support: 2 });
+  let looks = 0;
+  const spent = (): boolean => (looks += 1) > 1000;
+  assert.equal(measureUntil(document, spent), false);
+  assert.equal(looks, 0);
+  // There are no workers in Node.
+  while (!measureUntil(document, spent)) await new Promise((resolve) => setTimeout(resolve));
+  const flat = Float64Array.from(points.flatMap(({ x, y }) => [x, y]));
+  const [curve, shape] = [new InterpolatingCurve({ points: flat, closed: true }), splineOf(structuredClone(splineShape(document, document.contours[0] as Contour)))];
+  const { length, area, bytes } = measureCurve(document);
+  for (const each of [curve, shape]) {
+    assert.deepEqual([length, area], [each.length(), each.area()]);
+    assert.equal(bytes, each.toPathD({ tolerance: 0.02, decimals: 3 }).d.length);
+  }
 });
 
 function distanceTo(polyline: Float64Array, x: number, y: number): number {

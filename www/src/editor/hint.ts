@@ -1,7 +1,7 @@
 import { locate } from "../document/curve/contours.ts";
 import { isEnd, pointAt, segmentCount } from "../document/document.ts";
 import { affectedSegments } from "../document/curve/roots.ts";
-import { measureCurve } from "../kernel/curve/measure.ts";
+import { measureCurve } from "../kernel/curve/measuring/measure.ts";
 import { isStraight } from "./curve/bending.ts";
 import { describe } from "./curve/edits.ts";
 import type { EditorState } from "./editor.ts";

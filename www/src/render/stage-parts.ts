@@ -2,7 +2,7 @@ import type { EditorState, Editor } from "../editor/editor.ts";
 import { describe } from "../editor/curve/edits.ts";
 import { hintFor } from "../editor/hint.ts";
 import { zoomTo } from "../editor/actions/standard-actions.ts";
-import { measureCurve } from "../kernel/curve/measure.ts";
+import { measureCurve } from "../kernel/curve/measuring/measure.ts";
 
 /** The small DOM parts of the stage: the hint line, the zoom box, and what screen readers hear. */
 

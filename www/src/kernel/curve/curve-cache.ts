@@ -1,6 +1,6 @@
-import { BSplineCurve, HermiteCurve, InterpolatingCurve, LocalCurve } from "expline/slim";
-import { baseCount, lengthOf, omegaOf, segmentCount, type Contour, type CurveDocument, type Offset, type Space } from "../../document/document.ts";
-import { rootsOf } from "../../document/curve/roots.ts";
+import { HermiteCurve, type BSplineCurve, type InterpolatingCurve, type LocalCurve } from "expline/slim";
+import { lengthOf, omegaOf, segmentCount, type Contour, type CurveDocument, type Offset, type Space } from "../../document/document.ts";
+import { splineOf, splineShape } from "./spline-shape.ts";
 
 /**
  * Library curves of the document's contours. A contour is an immutable value, so its identity is its revision: a
@@ -25,7 +25,7 @@ export function curveOf(document: CurveDocument, contour: Contour): AnyCurve | n
   const space = contour.space ?? document.space;
   const found = cache.get(contour);
   if (found !== undefined && found.space === space && (contour.omega !== undefined || found.omega === document.omega)) return found.curve;
-  const curve = contour.family === "hermite" ? build(document, contour, space) : spline(document, contour);
+  const curve = contour.family === "hermite" ? build(document, contour, space) : splineOf(splineShape(document, contour));
   cache.set(contour, { space, omega: document.omega, curve });
   return curve;
 }
@@ -36,28 +36,9 @@ export function hermiteOf(document: CurveDocument, contour: Contour): HermiteCur
   return curve instanceof HermiteCurve ? curve : null;
 }
 
-function spline(document: CurveDocument, contour: Contour): AnyCurve {
-  const points = new Float64Array(2 * baseCount(contour));
-  contour.points.slice(0, points.length / 2).forEach(({ x, y }, i) => points.set([x, y], 2 * i));
-  const shared = { points, closed: contour.closed, roots: rootsOf(document, contour) };
-  const { grid, places } = contour;
-  if (places !== undefined) return new LocalCurve({ ...shared, patches: patchesOf(contour) });
-  return grid === undefined ? new InterpolatingCurve(shared) : new BSplineCurve({ ...shared, step: grid.step, offset: grid.offset });
-}
-
 /** A drawn handle is a third of the tangent vector times the parameter length of its segment. */
 export function tangentOf(handle: Offset, length: number): [number, number] {
   return [(3 * handle.dx) / length, (3 * handle.dy) / length];
-}
-
-/** The displacements of the finer control points, place by place. */
-function patchesOf(contour: Contour): { level: number; first: number; displacements: number[] }[] {
-  let from = baseCount(contour);
-  return (contour.places ?? []).map(({ level, first, count }) => {
-    const fine = contour.points.slice(from, from + count);
-    from += count;
-    return { level, first, displacements: fine.flatMap(({ moved }) => [moved?.dx ?? 0, moved?.dy ?? 0]) };
-  });
 }
 
 function build(document: CurveDocument, contour: Contour, space: Space): HermiteCurve {

@@ -1,5 +1,5 @@
 import type { EditorState } from "../../editor/editor.ts";
-import { measureCurve, measureUntil } from "../../kernel/curve/measure.ts";
+import { measureCurve, measureUntil } from "../../kernel/curve/measuring/measure.ts";
 import { formatBytes, formatCount, formatMeasure, formatRatio } from "../controls/format.ts";
 import type { Metric, ModeMetrics } from "../mode/metric.ts";
 

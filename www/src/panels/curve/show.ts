@@ -1,6 +1,6 @@
 import type { EditorState, OverlayId } from "../../editor/editor.ts";
 import { selectKind } from "../../editor/curve/edits.ts";
-import { measureCurve } from "../../kernel/curve/measure.ts";
+import { measureCurve } from "../../kernel/curve/measuring/measure.ts";
 import { h } from "../controls/dom.ts";
 import { numberField, sliderField, toggleField } from "../controls/fields.ts";
 import { legendRow } from "../controls/legend.ts";

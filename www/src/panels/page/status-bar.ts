@@ -1,5 +1,6 @@
 import type { CurveDocument, Mode } from "../../document/document.ts";
 import { h, setAttribute } from "../controls/dom.ts";
+import { isMeasuredElsewhere } from "../../kernel/curve/measuring/measure.ts";
 import { curveMetrics } from "../curve/curve-metrics.ts";
 import type { Metric, ModeMetrics } from "../mode/metric.ts";
 import { inNextFrame, type Shell } from "../shell.ts";
@@ -8,13 +9,8 @@ const slowEveryMs = 120;
 /** Of a frame, for measuring what is very large. */
 const shareOfFrameMs = 8;
 const mostMeasuredLive = 200;
-/** An interpolating contour is measured as a whole: of more points than this only when it has been still. */
-const mostInOne = 10_000;
+/** What is measured as a whole is so only when it has been still. */
 const restMs = 300;
-
-function isSlow({ contours }: CurveDocument): boolean {
-  return contours.some(({ family, points }) => family === "interpolating" && points.length > mostInOne);
-}
 
 /** What is there, what is true about it, what it costs. Every number can be copied by a press and carries itself in `data-value`. */
 export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement; put(mode: Mode, metrics: ModeMetrics): void } {
@@ -57,7 +53,7 @@ export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement; p
     if (element.hidden) return;
     if (shownMode !== state.mode) build(state.mode);
     // Of a very large drawing they wait for the end of the drag.
-    const isMoving = rested !== state.curve && isSlow(state.curve);
+    const isMoving = rested !== state.curve && state.curve.contours.some(isMeasuredElsewhere);
     const waits = isMoving || (state.drag !== null && state.curve.contours.length > mostMeasuredLive);
     clearTimeout(resting);
     if (isMoving) resting = setTimeout(() => { rested = state.curve; soon.request(); }, restMs);

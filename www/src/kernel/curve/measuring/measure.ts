@@ -1,8 +1,10 @@
-import { closedByChord, partsOf } from "../../document/curve/parts.ts";
-import type { Contour, CurveDocument } from "../../document/document.ts";
-import { bezierGhost, ellipseOf } from "./overlays/bezier-ghost.ts";
-import { curveOf } from "./curve-cache.ts";
-import { samplePoints } from "./samples.ts";
+import { closedByChord, partsOf } from "../../../document/curve/parts.ts";
+import type { Contour, CurveDocument } from "../../../document/document.ts";
+import { bezierGhost, ellipseOf } from "../overlays/bezier-ghost.ts";
+import { curveOf } from "../curve-cache.ts";
+import { pathSize } from "./path-size.ts";
+import { samplePoints } from "../samples.ts";
+import { splineShape } from "../spline-shape.ts";
 
 /** The numbers of the status bar. Each is computed when asked for, once per document. */
 export interface Measures {
@@ -87,7 +89,7 @@ function areaOfPart(document: CurveDocument, contour: Contour, part: Contour): n
 
 /** Of a contour in parts, as if each were a path of its own that begins where the last one ends. */
 function bytesOfPart(document: CurveDocument, part: Contour): number {
-  return kept(document, part, "bytes", (curve) => curve.toPathD({ tolerance: 0.02, decimals: 3 }).d.length);
+  return kept(document, part, "bytes", pathSize);
 }
 
 function areaOfContour(document: CurveDocument, contour: Contour): number {
@@ -104,6 +106,31 @@ function sumOver<T>(list: readonly T[], measure: (each: T) => number): number {
   return list.reduce((total, each) => total + measure(each), 0);
 }
 
+/** An interpolating contour has no parts: of more points than this, the numbers of one take longer than a frame has. */
+const mostHere = 4000;
+
+export function isMeasuredElsewhere({ family, points }: Contour): boolean {
+  return family === "interpolating" && points.length > mostHere;
+}
+
+let underWay: Curve | null = null;
+
+/** In a worker, one curve at a time; where there is none, here. */
+function measureElsewhere(document: CurveDocument, contour: Contour, curve: Curve): void {
+  if (underWay === curve) return;
+  underWay = curve;
+  void import("./in-worker.ts").then(({ measureInWorker }) => measureInWorker(splineShape(document, contour))).then(
+    (measures) => measured.set(curve, new Map(Object.entries(measures))),
+    () => measurePart(document, contour, contour),
+  );
+}
+
+function measurePart(document: CurveDocument, contour: Contour, part: Contour): void {
+  lengthOfPart(document, part);
+  areaOfPart(document, contour, part);
+  bytesOfPart(document, part);
+}
+
 /**
  * Measures length, area and size of a drawing, part by part, until all is known or the time is `spent`; says whether all is.
  * Of 100,000 points it takes seconds the first time, after an edit no more than the changed part.
@@ -113,10 +140,12 @@ export function measureUntil(document: CurveDocument, spent: () => boolean): boo
     for (const part of partsOf(document, contour)) {
       const curve = curveOf(document, part);
       if (curve === null || measured.get(curve)?.has("bytes") === true) continue;
+      if (isMeasuredElsewhere(part)) {
+        measureElsewhere(document, part, curve);
+        return false;
+      }
       if (spent()) return false;
-      lengthOfPart(document, part);
-      areaOfPart(document, contour, part);
-      bytesOfPart(document, part);
+      measurePart(document, contour, part);
     }
   }
   return true;
