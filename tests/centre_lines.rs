@@ -53,6 +53,11 @@ fn has_end(contour: &TracedContour, x: f64, y: f64, within: f64) -> bool {
     ends(contour).iter().any(|p| (p - Point::new(x, y)).norm() < within)
 }
 
+/// Within what rounding leaves.
+fn is_on_border(p: Point, width: f64, height: f64) -> bool {
+    p.x.min(p.y).min(width - p.x).min(height - p.y).abs() < 1e-9
+}
+
 #[test]
 fn a_stroke_is_its_centre_line_from_middle_to_middle_of_its_round_ends() {
     for half in [1.5, 3.0, 7.0] {
@@ -108,6 +113,114 @@ fn through_lines_go_on_where_lines_meet_and_the_others_end_on_them() {
     assert_eq!(found.contours.len(), 2);
     assert!(found.contours.iter().any(|c| has_end(c, 12.0, 10.0, 0.3) && has_end(c, 60.0, 54.0, 0.3)), "one");
     assert!(found.contours.iter().any(|c| has_end(c, 60.0, 12.0, 0.3) && has_end(c, 12.0, 52.0, 0.3)), "two");
+}
+
+#[test]
+fn thin_strokes_end_in_the_middles_of_their_round_ends_whichever_way_they_go() {
+    for half in [1.5, 3.0] {
+        for i in 0..60 {
+            // Every six degrees, and on other parts of pixels.
+            let angle = f64::from(i) * 6.0_f64.to_radians();
+            let (x, y) = (40.0 + 0.37 * f64::from(i % 5), 40.0 + 0.23 * f64::from(i % 3));
+            let (to_x, to_y) = (x + 30.0 * angle.cos(), y + 30.0 * angle.sin());
+            let found = lines(80, 80, &strokes(80, 80, half, &[&[(x, y), (to_x, to_y)]]));
+            assert_eq!(found.contours.len(), 1, "half width {half}, {i}");
+            let line = &found.contours[0];
+            // A few places of a cap say where its middle is: 0.25 of them, were each off by half a pixel.
+            let both = has_end(line, x, y, 0.25) && has_end(line, to_x, to_y, 0.25);
+            assert!(both, "half width {half}, {i}: {:?}", ends(line));
+        }
+    }
+}
+
+#[test]
+fn strokes_that_the_border_cuts_off_are_followed_straight_to_it() {
+    let (width, height) = (90.0, 70.0);
+    for half in [1.0, 1.5, 3.0, 5.0] {
+        for degrees in [90.0, 75.0, 60.0, 45.0, 30.0, 20.0_f64] {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            // It comes through the left border, so far below the corner that all of its width does.
+            let (start, far) = (half / sin + 2.0, 20.0 / sin);
+            let (outer, inner) = ((-40.0 * sin, start - 40.0 * cos), (far * sin, start + far * cos));
+            for side in 0..4 {
+                let turned = |(x, y): (f64, f64)| match side {
+                    0 => (x, y),
+                    1 => (width - x, y),
+                    2 => (y, x),
+                    _ => (y, height - x),
+                };
+                let (from, to) = (turned(outer), turned(inner));
+                let found = lines(90, 70, &strokes(90, 70, half, &[&[from, to]]));
+                let what = format!("half width {half}, {degrees}°, side {side}");
+                assert_eq!(found.contours.len(), 1, "{what}");
+                let line = &found.contours[0];
+                let (x, y) = turned((0.0, start));
+                let end = ends(line).into_iter().find(|&p| is_on_border(p, width, height));
+                let end = end.expect("one end is on the border");
+                // Two outlines of 0.04 each, seen along the border.
+                let off = (end - Point::new(x, y)).norm() * sin;
+                assert!(off < 0.15, "{what}: {off} beside where it goes");
+                let (domain, length) = (line.curve.domain(), (to.0 - from.0).hypot(to.1 - from.1));
+                for i in 0..40 {
+                    let t = domain.0 + (domain.1 - domain.0) * f64::from(i) / 40.0;
+                    let p = line.curve.evaluate(t, 0).expect("inside");
+                    let off = ((p.x - from.0) * (to.1 - from.1) - (p.y - from.1) * (to.0 - from.0)) / length;
+                    assert!(off.abs() < 0.25, "{what}: {off} beside the line at {p:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn strokes_that_cross_the_picture_come_to_both_borders_and_a_circle_comes_in_parts() {
+    let cross = strokes(90, 70, 3.0, &[&[(-20.0, 20.0), (120.0, 50.0)], &[(30.0, -30.0), (60.0, 120.0)]]);
+    let found = lines(90, 70, &cross);
+    assert_eq!(found.contours.len(), 2);
+    let one = |(x, y), (u, v)| found.contours.iter().any(|c| has_end(c, x, y, 0.2) && has_end(c, u, v, 0.2));
+    assert!(one((0.0, 20.0 + 20.0 * 30.0 / 140.0), (90.0, 20.0 + 110.0 * 30.0 / 140.0)), "one");
+    assert!(one((36.0, 0.0), (50.0, 70.0)), "two");
+    // A circle that reaches two pixels beyond each side.
+    let circle: Vec<(f64, f64)> = (0..=120)
+        .map(|i| f64::from(i) * 3.0_f64.to_radians())
+        .map(|a| (32.0 + 34.0 * a.cos(), 32.0 + 34.0 * a.sin()))
+        .collect();
+    let found = lines(64, 64, &strokes(64, 64, 1.5, &[&circle]));
+    assert_eq!(found.contours.len(), 4);
+    for contour in &found.contours {
+        assert!(!contour.closed);
+        for p in ends(contour) {
+            assert!(is_on_border(p, 64.0, 64.0), "{p:?}");
+            // It goes straight on where the circle does not: a pixel in ten is a degree of its turning.
+            assert!(((p - Point::new(32.0, 32.0)).norm() - 34.0).abs() < 0.3, "{p:?} is on the circle");
+        }
+    }
+}
+
+#[test]
+fn strokes_that_touch_the_border_are_as_they_are_elsewhere() {
+    for half in [1.0, 2.0, 4.0, 6.0] {
+        let (right, bottom) = (120.0 - half, 100.0 - half);
+        let frame = [(half, half), (right, half), (right, bottom), (half, bottom), (half, half)];
+        let found = lines(120, 100, &strokes(120, 100, half, &[&frame]));
+        assert_eq!(found.contours.len(), 1);
+        let line = &found.contours[0];
+        assert!(line.closed && line.cusps.len() == 4, "half width {half}: {} corners", line.cusps.len());
+        for p in line.curve.points() {
+            // Outlines of 0.04, and pixels round the corners.
+            let off =
+                (p.x - half).abs().min((p.x - right).abs()).min((p.y - half).abs().min((p.y - bottom).abs()));
+            assert!(off < 0.15, "half width {half}: {p:?}");
+        }
+        // Round ends on the border are ends, not strokes that go on.
+        let end = strokes(120, 100, half, &[&[(half, 40.0), (60.0, 43.0)]]);
+        let found = lines(120, 100, &end);
+        assert!(
+            has_end(&found.contours[0], half, 40.0, 0.25),
+            "half width {half}: {:?}",
+            ends(&found.contours[0])
+        );
+    }
 }
 
 #[test]

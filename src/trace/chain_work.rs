@@ -113,7 +113,7 @@ impl ChainWork {
     }
 
     /// Contours are the chains, or the outlines of the lines that are.
-    fn contoured(&mut self, contours: &[Contour]) -> Result<()> {
+    fn contoured(&mut self, contours: &mut [Contour]) -> Result<()> {
         if self.options.source == Source::Brightness {
             let areas = contours.iter().map(|contour| contour.area.abs()).collect();
             self.offer = speckle_for(self.options.most_contours, areas);
@@ -250,8 +250,8 @@ impl Work for ChainWork {
             Phase::Contours(scan) => {
                 for _ in 0..rows {
                     if !scan.step(&self.gray)? {
-                        let found = scan.contours(self.options.speckle)?;
-                        self.contoured(&found)?;
+                        let mut found = scan.contours(self.options.speckle)?;
+                        self.contoured(&mut found)?;
                         break;
                     }
                     self.progress.completed = scan.rows().min(self.progress.total);

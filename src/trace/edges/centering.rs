@@ -3,7 +3,7 @@
 use crate::error::Result;
 use crate::limits::with_room;
 use crate::numerics::order::{sort_by_number, sort_in_place};
-use crate::numerics::plane::{cross, dot, norm, square};
+use crate::numerics::plane::{cross, dot, norm, smaller, square};
 use crate::numerics::{Point, Vector};
 use crate::trace::samples::{line_through, unit};
 use crate::trace::tubes::chain::Chain;
@@ -111,7 +111,7 @@ impl Spine {
                 continue;
             }
             capped[usize::from(last)] = true;
-            let outward = self.outward(last);
+            let outward = self.outward(last, half_width);
             end_at(&mut points, last, cap(centres, outward, half_width), outward, 0.5, half_width);
         }
         (points, capped)
@@ -137,8 +137,13 @@ impl Spine {
         Some(centres)
     }
 
-    fn outward(&self, last: bool) -> Vector {
-        if last { self.tangents[self.tangents.len() - 1] } else { -self.tangents[0] }
+    /// Where the line leads at an end. A skeleton ends in a corner of its stroke, so what is before that says it.
+    fn outward(&self, last: bool, half_width: f64) -> Vector {
+        let length = self.travelled[self.travelled.len() - 1];
+        let before = smaller(1.5 * half_width + 2.0, 0.5 * length);
+        let at = if last { length - before } else { before };
+        let i = self.travelled.partition_point(|&travelled| travelled < at);
+        if last { self.tangents[i] } else { -self.tangents[i] }
     }
 }
 
@@ -197,7 +202,7 @@ fn place(spine: &Spine, i: usize, side: &Side, half_width: f64, evidence: &mut E
     if !spine.closed {
         for last in [false, true] {
             let from_end = if last { length - spine.travelled[i] } else { spine.travelled[i] };
-            if from_end < half_width + 3.0 && dot(side.inward, spine.outward(last)) < -0.75 {
+            if from_end < half_width + 3.0 && dot(side.inward, spine.outward(last, half_width)) < -0.75 {
                 evidence.ends[usize::from(last)].push((side.centre, side.inward));
                 return;
             }

@@ -1,11 +1,13 @@
 //! Centre lines of strokes: a skeleton says how they run, outlines say where.
 
+use super::beyond::{go_on, inside, outside};
 use super::centering::{Side, centred};
 use super::graph::{Branch, Graph, Pixel, graph};
 use super::strands::{StrandRule, join};
 use crate::error::Result;
 use crate::limits::with_room;
 use crate::numerics::order::{sort_in_place, sort_numbers};
+use crate::numerics::plane::smaller;
 use crate::numerics::{Point, Vector};
 use crate::trace::picture::bitmap::Bitmap;
 use crate::trace::picture::contour::Contour;
@@ -24,22 +26,19 @@ struct Ink<'a> {
     gray: &'a Gray,
     level: f64,
     sign: f64,
+    /// How far the first pixel lies before the places, in x and in y.
+    margin: f64,
 }
 
+/// What the ink is beyond the border, for each pixel.
+const DEEPEST: f64 = 65_280.0;
+
 impl Ink<'_> {
-    /// How far a place is on the ink's side of the level, between four pixels.
+    /// How far a place is on the ink's side of the level, between four pixels; the picture lies on paper.
     fn at(&self, p: Point) -> f64 {
-        let (width, height) = (self.gray.width(), self.gray.height());
-        let (x, y) = (p.x - 0.5, p.y - 0.5);
-        let (column, row) = (x.floor(), y.floor());
-        let shade = |dx: f64, dy: f64| {
-            let inside = |v: f64, most: usize| v.max(0.0).min(most as f64 - 1.0) as usize;
-            self.gray.shade(inside(column + dx, width), inside(row + dy, height))
-        };
-        let (u, v) = (x - column, y - row);
-        let above = shade(0.0, 0.0) * (1.0 - u) + shade(1.0, 0.0) * u;
-        let below = shade(0.0, 1.0) * (1.0 - u) + shade(1.0, 1.0) * u;
-        self.sign * (self.level - above * (1.0 - v) - below * v)
+        let p = p + Vector::new(self.margin, self.margin);
+        let paper = -DEEPEST * outside(p, Vector::new(self.gray.width() as f64, self.gray.height() as f64));
+        smaller(self.sign * (self.level - self.gray.between(p)), paper)
     }
 
     /// The way through the ink from a place on the outline.
@@ -66,9 +65,15 @@ pub(in crate::trace) fn centre_lines(
     gray: &Gray,
     level: f64,
     inverted: bool,
-    contours: &[Contour],
+    contours: &mut [Contour],
 ) -> Result<CentreLines> {
-    let ink = Ink { gray, level, sign: if inverted { -1.0 } else { 1.0 } };
+    let sign = if inverted { -1.0 } else { 1.0 };
+    let wide = go_on(gray, sign, contours)?;
+    let (ink, margin) = match &wide {
+        Some((wide, margin)) => (wide, *margin as f64),
+        None => (gray, 0.0),
+    };
+    let ink = Ink { gray: ink, level, sign, margin };
     let (lines, deepest) = skeleton(&ink)?;
     let (sides, half_width) = sides(&ink, contours, deepest)?;
     let graph = merged(graph(&lines)?, 1.2 * half_width);
@@ -81,9 +86,13 @@ pub(in crate::trace) fn centre_lines(
         skip: (0.8 * half_width) as usize,
         reach: (2.0 * half_width) as usize + 4,
     };
-    let place = |(column, row): Pixel| Point::new(f64::from(column) + 0.5, f64::from(row) + 0.5);
+    let place =
+        |(column, row): Pixel| Point::new(f64::from(column) + 0.5 - margin, f64::from(row) + 0.5 - margin);
     let chains = join(&graph, &place, &rule)?;
-    let chains = centred(&chains, &sides, half_width)?;
+    let mut chains = centred(&chains, &sides, half_width)?;
+    if wide.is_some() {
+        chains = inside(chains, gray)?;
+    }
     Ok(CentreLines { chains, half_width })
 }
 

@@ -2,6 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::limits::{check, with_room};
+use crate::numerics::Point;
 
 /// The most columns or rows of a picture.
 pub const MOST_SIDE: usize = 16_384;
@@ -101,6 +102,33 @@ impl Gray {
         f64::from(self.values[row * self.width + column])
     }
 
+    /// The shade of a place, from the centres of the four pixels around it; beyond the outermost ones it is theirs.
+    #[inline(never)]
+    pub(in crate::trace) fn between(&self, p: Point) -> f64 {
+        let (x, y) = (p.x - 0.5, p.y - 0.5);
+        let (column, row) = (x.floor(), y.floor());
+        let shade = |dx: f64, dy: f64| {
+            let inside = |v: f64, most: usize| v.max(0.0).min(most as f64 - 1.0) as usize;
+            self.shade(inside(column + dx, self.width), inside(row + dy, self.height))
+        };
+        let (u, v) = (x - column, y - row);
+        let above = shade(0.0, 0.0) * (1.0 - u) + shade(1.0, 0.0) * u;
+        let below = shade(0.0, 1.0) * (1.0 - u) + shade(1.0, 1.0) * u;
+        above * (1.0 - v) + below * v
+    }
+
+    /// The picture in the middle of a wider one.
+    pub(in crate::trace) fn framed(&self, margin: usize, shade: u16) -> Result<Self> {
+        let (width, height) = (self.width + 2 * margin, self.height + 2 * margin);
+        let mut values = with_room(width * height)?;
+        values.resize(width * height, shade);
+        for row in 0..self.height {
+            let start = (margin + row) * width + margin;
+            values[start..start + self.width].copy_from_slice(self.row(row));
+        }
+        Ok(Self { width, height, values, light_on_nothing: self.light_on_nothing })
+    }
+
     /// One row of shades.
     pub(in crate::trace) fn row(&self, row: usize) -> &[u16] {
         &self.values[row * self.width..(row + 1) * self.width]
@@ -112,7 +140,7 @@ impl Gray {
     }
 
     /// One row of shades, to be changed.
-    pub(super) fn row_mut(&mut self, row: usize) -> &mut [u16] {
+    pub(in crate::trace) fn row_mut(&mut self, row: usize) -> &mut [u16] {
         &mut self.values[row * self.width..(row + 1) * self.width]
     }
 
