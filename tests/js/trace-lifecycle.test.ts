@@ -100,6 +100,21 @@ test("one byte a pixel or four, any kind of array of bytes: the same trace", () 
   assert.equal(bits(traceImage({ ...RING, data: gray })), before);
   assert.equal(bits(traceImage({ ...RING, data: new Uint8ClampedArray(gray) })), before);
   assert.equal(bits(traceImage({ ...RING, data: Buffer.from(RING.data) })), before);
+  const shared = new Uint8Array(new SharedArrayBuffer(RING.data.length));
+  shared.set(RING.data);
+  assert.equal(bits(traceImage({ ...RING, data: shared })), before, "shared memory");
+  const amid = new Uint8Array(RING.data.length + 16);
+  amid.set(RING.data, 7);
+  assert.equal(bits(traceImage({ ...RING, data: amid.subarray(7, -9) })), before, "a part of another array");
+  class Frames extends Uint8Array {
+    static get [Symbol.species](): Uint16ArrayConstructor {
+      return Uint16Array;
+    }
+    override subarray(): Uint8Array<ArrayBuffer> {
+      return new Uint8Array(this.length);
+    }
+  }
+  assert.equal(bits(traceImage({ ...RING, data: Frames.from(RING.data) })), before, "a subclass that has other parts");
   class Frame {
     get data(): Uint8ClampedArray {
       return RING.data;

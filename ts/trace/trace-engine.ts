@@ -27,7 +27,7 @@ export function initTraceSync(options: InitSyncOptions): void {
 
 /** Rows of bytes, as they are given. @internal */
 export interface Pixels {
-  readonly data: Uint8Array | Uint8ClampedArray;
+  readonly data: Uint8Array;
   readonly width: number;
   readonly height: number;
   /** Bytes of a pixel. */

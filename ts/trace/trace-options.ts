@@ -164,5 +164,6 @@ function pixelsOf(op: string, image: unknown): Pixels {
   const length = lengthOfArray(op, "data", data);
   const channels = length / (width * height);
   if (channels !== 4 && channels !== 1) throw wrongLength(op, "data", length, `${4 * width * height}, four bytes a pixel, or ${width * height}, one`);
-  return { data, width, height, channels };
+  // Seen through an array of our own: a subclass may have another idea of what parts of it are.
+  return { data: new Uint8Array(data.buffer, data.byteOffset, length), width, height, channels };
 }
