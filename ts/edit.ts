@@ -1,6 +1,6 @@
 /** What an editor's pointer does to curves: what lies under it, handles that turn, a curve that bends. */
 import { HermiteCurve, coordinate, finite, word, wrong } from "./core.js";
-import { type HandleSide, type Joint, THIRD, type Place, handleOf, jointOf, keptStraight, moved, notCurve, pointsOf, scaled, turn } from "./edit/edit-joints.js";
+import { type HandleSide, type Joint, THIRD, type Place, handleOf, jointAt, keptStraight, moved, notCurve, pointsOf, scaled, turn } from "./edit/edit-joints.js";
 
 export { hitTest } from "./edit/edit-hits.js";
 export type { Hit, HitOptions } from "./edit/edit-hits.js";
@@ -18,6 +18,16 @@ export function handlesOf(curve: HermiteCurve, i: number): { in?: [number, numbe
   const point = pointsOf(op, curve)(i);
   const [into, out] = [handleOf(point, "in"), handleOf(point, "out")];
   return { ...(into === undefined ? {} : { in: into }), ...(out === undefined ? {} : { out }) };
+}
+
+/**
+ * What point i is: "smooth" where its two handles lie in one line, to 1e-9 radians, and "cusp" where they do not, or where there is
+ * only one. Whether handles are to mirror each other is a choice that no shape tells.
+ */
+export function jointOf(curve: HermiteCurve, i: number): "smooth" | "cusp" {
+  const point = pointsOf("jointOf", curve)(i);
+  const isEnd = point.in.length === undefined || point.out.length === undefined;
+  return isEnd ? "cusp" : jointAt(point);
 }
 
 /**
@@ -75,8 +85,8 @@ export function bendCurve(curve: HermiteCurve, t: number, x: number, y: number):
   const at = pointsOf(op, curve);
   const [from, to] = [at(segment.from), at(segment.to)];
   turn(op, curve, [
-    [from, "out", moved(from.out.tangent, step, leaving / hold), jointOf(from)],
-    [to, "in", moved(to.in.tangent, step, arriving / hold), jointOf(to)],
+    [from, "out", moved(from.out.tangent, step, leaving / hold), jointAt(from)],
+    [to, "in", moved(to.in.tangent, step, arriving / hold), jointAt(to)],
   ]);
 }
 

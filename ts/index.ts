@@ -19,7 +19,7 @@ export type {
   Space,
   SpacePointsLike,
 } from "./core.js";
-export { bendCurve, handlesOf, hitTest, moveHandle, movePoint, tangentWeights } from "./edit.js";
+export { bendCurve, handlesOf, hitTest, jointOf, moveHandle, movePoint, tangentWeights } from "./edit.js";
 export type { HandleSide, Hit, HitOptions, Joint } from "./edit.js";
 export { SparseFitter, fitSparse, fitSparseAll, fitSparseAllAsync, fitSparseAsync, initFit, initFitSync } from "./fit.js";
 export type { FitChange, FitProgress, FitStatus, FitStep, SparseFit, SparseFitAllOptions, SparseFitOptions, SparseFitStrength, SparseKnot } from "./fit.js";

@@ -75,7 +75,7 @@ const kinds: Record<string, () => Valid[]> = {
       through: [PLACES, { closed: true, omega: 1, space: "trigonometric" }],
     }),
     ...functions(expline, "expline", {
-      ...{ hitTest: [[hermite()], 1, 1, { reach: 2, curveReach: 1, handles: [[0, 1]] }], handlesOf: [hermite(), 1], tangentWeights: [hermite(), 0.5] },
+      ...{ hitTest: [[hermite()], 1, 1, { reach: 2, curveReach: 1, handles: [[0, 1]] }], handlesOf: [hermite(), 1], jointOf: [hermite(), 1], tangentWeights: [hermite(), 0.5] },
       ...{ movePoint: [hermite(), 1, 3, 4], moveHandle: [hermite(), 1, "out", 3, 4, "cusp"], bendCurve: [hermite(), 0.5, 1, 1] },
     }),
     ...methods("HermiteGenerators", () => new HermiteGenerators(1), { evaluate: [[0.5], 1], bernstein: [[0.5], 1], mask: [2, 1], greens: [[0.5]] }),

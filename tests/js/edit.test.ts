@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { type Curve, ExplineError, HermiteCurve, InterpolatingCurve, bendCurve, handlesOf, hitTest, moveHandle, movePoint, parsePath, tangentWeights } from "expline";
+import { type Curve, ExplineError, HermiteCurve, InterpolatingCurve, bendCurve, handlesOf, hitTest, jointOf, moveHandle, movePoint, parsePath, tangentWeights } from "expline";
 import * as edit from "expline/edit";
 
 /** A few ulp of places below 100, times the weights of a drag, which are below 100. */
@@ -137,6 +137,18 @@ test("handles of cubics end at the control points of the Bézier; a free end has
   assertNear(handlesOf(curve, 1).out ?? [], [6, -2], EXACT, "leaving");
 });
 
+test("points of path data are told smooth from corners, so that a dragged handle keeps what they are", () => {
+  const curve = only("M0 0C1 2 3 5 4 5C6 5 8 -3 9 0L15 2");
+  assert.deepEqual([0, 1, 2, 3].map((i) => jointOf(curve, i)), ["cusp", "smooth", "cusp", "cusp"]);
+  for (const [i, x, y] of [[1, 5, 7], [2, 8, -4]] as const) {
+    const before = jointOf(curve, i);
+    moveHandle(curve, i, "in", x, y, before);
+    assert.equal(jointOf(curve, i), before, `point ${i}`);
+  }
+  // Back on itself is a corner, however straight the line.
+  assert.equal(jointOf(only("M0 0L10 0L5 0"), 1), "cusp");
+});
+
 for (const [name, make] of Object.entries(CURVES)) {
   test(`a handle goes where it is put, and the other follows as the joint asks: ${name}`, () => {
     const turned = (joint?: "smooth" | "symmetric" | "cusp") => {
@@ -253,6 +265,7 @@ test("a call that throws says which argument is wrong, and changes nothing", () 
     [() => moveHandle(line, 0, "in", 0, 0), "E_RANGE", "side"],
     [() => moveHandle(line, 1, "out", 0, 0), "E_RANGE", "side"],
     [() => handlesOf(curve, -1), "E_RANGE", "i"],
+    [() => jointOf(curve, 4), "E_RANGE", "i"],
     [() => movePoint(curve, 4, 0, 0), "E_RANGE", "i"],
     [() => movePoint(line, 0, 0, Number.NaN), "E_NOT_FINITE", "y"],
     [() => movePoint(new InterpolatingCurve({ points: [0, 0, 1, 0, 1, 1] }) as unknown as HermiteCurve, 0, 0, 0), "E_TYPE", "curve"],

@@ -71,7 +71,7 @@ export function handleOf(point: PointOfCurve, side: HandleSide): Place | undefin
 }
 
 /** What a point is now: smooth where its two sides are one line, and else a corner. */
-export function jointOf(point: PointOfCurve): Joint {
+export function jointAt(point: PointOfCurve): "smooth" | "cusp" {
   const [[a, b], [c, d]] = [point.in.tangent, point.out.tangent];
   const size = Math.hypot(a, b) * Math.hypot(c, d);
   return size > 0 && a * c + b * d > 0 && Math.abs(a * d - b * c) <= ONE_LINE * size ? "smooth" : "cusp";
@@ -92,7 +92,7 @@ export function keptStraight(op: string, curve: HermiteCurve, point: PointOfCurv
     const [before, after] = [moved(end.at, point.at, -1), moved(end.at, to, -1)];
     const turned = ([x, y]: Place): Place => scaled(after, (x * before[0] + y * before[1]) / (before[0] * before[0] + before[1] * before[1]));
     // Two lines at one point are each as straight as before, whatever the angle between them.
-    const follows = (at: PointOfCurve, own: HandleSide): Joint => (isLine(at, opposite(own)) ? "cusp" : jointOf(at));
+    const follows = (at: PointOfCurve, own: HandleSide): Joint => (isLine(at, opposite(own)) ? "cusp" : jointAt(at));
     return [
       [point, side, turned(point[side].tangent), follows(point, side)],
       [end, other, turned(end[other].tangent), follows(end, other)],
