@@ -1,12 +1,15 @@
 import assert from "node:assert/strict";
 import { before, test } from "node:test";
 import init from "expline/slim";
-import { artboardOf, sheetOf, type Artboard, type Box } from "../src/document/artboard.ts";
+import { artboardOf, settingOf, sheetOf, type Artboard, type Box } from "../src/document/artboard.ts";
 import { FileError, parseState, writeState } from "../src/document/file/file.ts";
 import { emptyCurve, type DemoState } from "../src/document/document.ts";
+import type { FitDocument } from "../src/document/fit/fit.ts";
 import { createEditor } from "../src/editor/create-editor.ts";
 import { addDrawing } from "../src/editor/curve/adding.ts";
 import { clearCurve, loadCurve } from "../src/editor/curve/edits.ts";
+import { bringStrokes, simplifyInFit } from "../src/editor/fit/bring.ts";
+import { clearFit } from "../src/editor/fit/fit-edits.ts";
 import { pngSize } from "../src/io/picture/png-size.ts";
 import { writeSvg } from "../src/io/svg/svg-write.ts";
 import { contoursOfPath } from "../src/kernel/curve/points/contours.ts";
@@ -37,7 +40,8 @@ test("a file's viewBox is the artboard, to the digit, wherever on it the drawing
 });
 
 test("what was moved out of its artboard is in the viewBox all the same, with its line", () => {
-  assert.deepEqual(viewBoxOf(box(-5.5, 4, 20, 30.2), icon), [-6, 0, 30, 31]);
+  assert.deepEqual(viewBoxOf(box(-5.5, 4, 20, 30.2), icon), [-5.5, 0, 29.5, 30.2]);
+  assert.deepEqual(viewBoxOf(box(2, -0.13, 20, 20), icon), [0, -0.2, 24, 24.2]);
   const [x = 0, y = 0, width = 0, height = 0] = viewBoxOf(box(0, 4, 24, 20), icon, false);
   // The line is 2 of 256 units wide, and reaches out of both sides.
   assert.ok(x < -0.09 && x + width > 24.09 && y === 0 && height === 24);
@@ -90,4 +94,21 @@ test("a sheet that no drawing could lie on is none, in a picture and in a file",
     assert.throws(() => parseState(text), (error: unknown) => error instanceof FileError && error.message.includes("$.curve.artboard"), text);
   }
   assert.deepEqual(sheetOf(icon, null), box(0, 0, 24, 24));
+});
+
+test("a drawing that is simplified in Fit comes back with its artboard and its filling; what is drawn there has neither", () => {
+  const editor = createEditor(() => 0);
+  const drawing = { contours: contoursOfPath("M2 2H20V20ZM8 4H18V14Z", "trigonometric"), artboard: icon, filling: "nonzero" as const };
+  addDrawing(editor, "Import", drawing, "replace");
+  simplifyInFit(editor);
+  const fit = (): FitDocument => editor.state.value.fit;
+  assert.deepEqual(settingOf(fit()), { artboard: icon, filling: "nonzero" });
+  assert.deepEqual(parseState(writeState(editor.getState())).state.fit, fit());
+  bringStrokes(editor, { name: "Import", strokes: [[[0, 0], [5, 5], [9, 0]]] });
+  assert.deepEqual(settingOf(fit()), { artboard: icon, filling: "nonzero" }, "what comes to it lies on it");
+  clearFit(editor);
+  assert.deepEqual(settingOf(fit()), {});
+  editor.undo();
+  bringStrokes(editor, { name: "Import", strokes: [[[0, 0], [5, 5], [9, 0]]], instead: "all" });
+  assert.deepEqual(settingOf(fit()), {});
 });

@@ -13,6 +13,23 @@ export interface Box {
   readonly maxY: number;
 }
 
+/**
+ * How the closed contours are filled, where that is not even-odd, by which holes are holes whichever way they run: by the
+ * winding number, as most SVG files are, or not at all.
+ */
+export type Filling = "nonzero" | "none";
+
+/** What a drawing is besides its contours, which another mode hands back with what it made of them. */
+export interface Setting {
+  readonly filling?: Filling;
+  readonly artboard?: Artboard;
+}
+
+/** Nothing else of a drawing. */
+export function settingOf({ filling, artboard }: Setting): Setting {
+  return { ...(filling === undefined ? {} : { filling }), ...(artboard === undefined ? {} : { artboard }) };
+}
+
 const [farthest, least] = [1e9, 1e-6];
 
 /** Null where it is none that a file of ours may have. */

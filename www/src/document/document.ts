@@ -2,25 +2,20 @@
  * The document: plain, readonly JSON. It knows no DOM, no engine and no screen.
  */
 
-import type { Artboard } from "./artboard.ts";
+import type { Setting } from "./artboard.ts";
 import type { Contour, ControlPoint, Offset, Space } from "./contour.ts";
 import type { FitDocument } from "./fit/fit.ts";
 import type { SavedOrbit, SurfaceDocument } from "./surface/surface.ts";
 import type { TraceDocument } from "./trace/trace.ts";
 
+export type { Filling } from "./artboard.ts";
 export type * from "./contour.ts";
 
 export type Mode = "curve" | "fit" | "trace" | "surface";
 
 export const modes: readonly Mode[] = ["curve", "fit", "trace", "surface"];
 
-/**
- * How the closed contours are filled, where that is not even-odd, by which holes are holes whichever way they run: by the
- * winding number, as most SVG files are, or not at all.
- */
-export type Filling = "nonzero" | "none";
-
-export interface CurveDocument {
+export interface CurveDocument extends Setting {
   readonly space: Space;
   /** Radians per unit of the parameter; "auto" is 2π over the parameter length of a closed contour, 0 for an open one. */
   readonly omega: number | "auto";
@@ -28,8 +23,6 @@ export interface CurveDocument {
   readonly contours: readonly Contour[];
   /** The sample this came from, for titles and for the error against the shape it set out to be. */
   readonly sample?: string;
-  readonly filling?: Filling;
-  readonly artboard?: Artboard;
 }
 
 /** What the window looks at: the document point in the middle of the stage, and CSS pixels per document unit. */

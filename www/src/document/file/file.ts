@@ -7,7 +7,6 @@ import {
   type Contour, type ControlPoint, type CurveDocument, type DemoState, type FinePlace, type Grid, type Offset, type Order,
   type View,
 } from "../document.ts";
-import type { Artboard } from "../artboard.ts";
 import { readFit } from "./fit.ts";
 import { readOrbit, readRoots, readSurface } from "./surface.ts";
 import { readTrace } from "./trace.ts";
@@ -17,6 +16,7 @@ import { emptySurface } from "../surface/surface.ts";
 import { emptyTrace } from "../trace/trace.ts";
 import { asArray, asBoolean, asColor, asNumber, asObject, asSampleId, asWhole, field, oneOf, optional, type Found } from "./check.ts";
 import { FileError } from "./error.ts";
+import { readSetting } from "./setting.ts";
 import { checkJson } from "./scan.ts";
 
 export { FileError, type FileErrorCode } from "./error.ts";
@@ -29,7 +29,6 @@ const limits = { maxBytes: 64 * 1024 * 1024, maxDepth: 64, maxPoints: 100_000, m
 const spaces = ["trigonometric", "hyperbolic", "polynomial"] as const;
 const kinds = ["symmetric", "smooth", "cusp"] as const;
 const families = ["hermite", "interpolating"] as const;
-const fillings = ["nonzero", "none"] as const;
 
 export interface ReadFile {
   readonly state: DemoState;
@@ -111,13 +110,9 @@ function readCurve(found: Found): CurveDocument {
     omega: readOmega(field(found, "omega")),
     level: optional(found, "level", (level) => asWhole(level, 0, 24)) ?? 0,
     contours: readContours(field(found, "contours")),
-    ...defined({ sample: optional(found, "sample", asSampleId), filling: optional(found, "filling", (each) => oneOf(each, fillings)), artboard: optional(found, "artboard", readArtboard) }),
+    ...defined({ sample: optional(found, "sample", asSampleId) }),
+    ...readSetting(found),
   };
-}
-
-function readArtboard(found: Found): Artboard {
-  const side = (name: "width" | "height"): number => asNumber(field(found, name), 1e-6, 2e9);
-  return { x: asNumber(field(found, "x")), y: asNumber(field(found, "y")), width: side("width"), height: side("height") };
 }
 
 function readContours(found: Found): Contour[] {

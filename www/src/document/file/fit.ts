@@ -1,3 +1,4 @@
+import { readSetting } from "./setting.ts";
 import { emptyFit, fitDefaults, fitLimits, owned, type FitDocument, type Pair } from "../fit/fit.ts";
 import { asArray, asBoolean, asNumber, asSampleId, asWhole, field, oneOf, optional, type Found } from "./check.ts";
 import { FileError } from "./error.ts";
@@ -20,7 +21,7 @@ export function readFit(found: Found): FitDocument {
   const starts = optional(found, "starts", (list) => asArray(list, (start) => asWhole(start, 1, mostPoints), mostPoints, "maxPoints")) ?? [];
   const rising = starts.every((start, i) => start > (starts[i - 1] ?? 0) && start < data.length);
   if (!rising) throw new FileError("E_SCHEMA", `${found.path}.starts`, "is not rising, or beyond the data");
-  return { ...fitDefaults, ...settings(found), data, starts, ...(sample === undefined ? {} : { sample }) };
+  return { ...fitDefaults, ...settings(found), data, starts, ...readSetting(found), ...(sample === undefined ? {} : { sample }) };
 }
 
 function settings(found: Found): Partial<FitDocument> {

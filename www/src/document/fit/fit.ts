@@ -1,5 +1,7 @@
 /** What Fit works on: points as they were measured, drawn or brought in, and how they are to become a curve. */
 
+import type { Setting } from "../artboard.ts";
+
 export type Pair = readonly [number, number];
 
 /** Straight pieces with corners, smooth pieces, or the sum of both. */
@@ -11,7 +13,7 @@ export type FitClosing = "auto" | "open" | "closed";
 /** What drives the smoothing, if not the slider. */
 export type FitTarget = "off" | "knots" | "error";
 
-export interface FitDocument {
+export interface FitDocument extends Setting {
   /** The sample that the data are, for as long as nothing was drawn, erased or brought in. */
   readonly sample?: string;
   /** All strokes, one after the other. With a sample's name, none: the sample is still to be opened. */
@@ -77,6 +79,11 @@ export function isJoined({ data, closing }: Pick<FitDocument, "data" | "closing"
     [minX, minY, maxX, maxY] = [Math.min(minX, x), Math.min(minY, y), Math.max(maxX, x), Math.max(maxY, y)];
   }
   return Math.hypot(last[0] - first[0], last[1] - first[1]) <= nearEnds * Math.hypot(maxX - minX, maxY - minY);
+}
+
+/** The document without strokes, and without what was true of the drawing that they came from. */
+export function emptied({ sample: _gone, filling: _filling, artboard: _artboard, ...fit }: FitDocument): FitDocument {
+  return { ...fit, data: [], starts: [] };
 }
 
 /** The document without its sample's name: its data are somebody's own from now on. */

@@ -1,17 +1,13 @@
-import type { Artboard } from "../../document/artboard.ts";
+import type { Setting } from "../../document/artboard.ts";
 import { addContours, cleared } from "../../document/curve/commands.ts";
 import { filledTogether, type FilledDrawing } from "../../kernel/paths/filling.ts";
 import type { Editor } from "../editor.ts";
-
-export interface AddedDrawing extends FilledDrawing {
-  readonly artboard?: Artboard;
-}
 
 /**
  * Adds contours to the drawing, or puts them in its place. What comes to others is chosen, ready to be moved from where it
  * lies over them; an import that is alone is looked at first, and brings its artboard.
  */
-export function addDrawing(editor: Editor, name: string, drawing: AddedDrawing, how: "add" | "replace"): void {
+export function addDrawing(editor: Editor, name: string, drawing: FilledDrawing & Setting, how: "add" | "replace"): void {
   const isChosen = name === "Paste" || (how === "add" && editor.state.value.curve.contours.length > 0);
   editor.dispatch({
     ...addContours(name, drawing.contours, isChosen),

@@ -1,18 +1,19 @@
+import { settingOf, type Setting } from "../../document/artboard.ts";
 import { emptyCurve, nothingSelected, type CurveDocument } from "../../document/document.ts";
 import type { Editor } from "../editor.ts";
 import { routeOf } from "../route.ts";
 
-type Opened = Pick<CurveDocument, "contours" | "filling">;
+type Opened = Setting & Pick<CurveDocument, "contours">;
 
 /** Contours that another mode has made, as the drawing in Curve: a copy, seen from where one was, ready to be edited. */
-export function openInCurve(editor: Editor, name: string, { contours, filling }: Opened, says: (points: number) => string): void {
+export function openInCurve(editor: Editor, name: string, { contours, ...setting }: Opened, says: (points: number) => string): void {
   const { view, curve: before } = editor.state.value;
   // A sample as it was opened is nobody's work.
   const own = before.contours.length > 0 && routeOf(editor, "curve").sample === null;
   editor.patch({ mode: "curve", tool: "select" });
   editor.dispatch({
     name,
-    apply: () => ({ ...emptyCurve, contours, ...(filling === undefined ? {} : { filling }) }),
+    apply: () => ({ ...emptyCurve, contours, ...settingOf(setting) }),
     select: nothingSelected,
   });
   editor.setOverlay("bezier", false);

@@ -1,5 +1,6 @@
+import { settingOf, type Setting } from "../../document/artboard.ts";
 import type { Contour } from "../../document/document.ts";
-import { owned, withStroke, type FitDocument, type Pair } from "../../document/fit/fit.ts";
+import { emptied, withStroke, type FitDocument, type Pair } from "../../document/fit/fit.ts";
 import { diagonalOf, mostPlaces, placesAlong } from "../../kernel/fit/as-strokes.ts";
 import type { Editor } from "../editor.ts";
 import { setFitView, showData } from "./fit-edits.ts";
@@ -14,13 +15,15 @@ export interface Brought {
   readonly within?: number;
   /** Beside a sample, which always gives way: whether everything else does too. */
   readonly instead?: "nothing" | "all";
+  /** Of the drawing that they come from; where Fit has other strokes, theirs stays. */
+  readonly setting?: Setting;
 }
 
-export function bringStrokes(editor: Editor, { name, strokes, within, instead = "nothing" }: Brought): void {
+export function bringStrokes(editor: Editor, { name, strokes, within, instead = "nothing", setting = {} }: Brought): void {
   if (editor.state.value.mode !== "fit") editor.actions.run("mode-fit");
   editor.fitEdits.dispatch(name, ({ fit }) => {
     const fresh = instead === "all" || fit.sample !== undefined || fit.data.length === 0;
-    const rest: FitDocument = fresh ? { ...owned(fit), data: [], starts: [], closing: "auto" } : fit;
+    const rest: FitDocument = fresh ? { ...emptied(fit), closing: "auto", ...settingOf(setting) } : fit;
     const asked: FitDocument = fresh && within !== undefined ? { ...rest, target: "error", targetError: within } : rest;
     return { fit: strokes.reduce(withStroke, asked) };
   });
@@ -41,7 +44,7 @@ const simpler = 1 / 400;
 const apart = 1 / 600;
 
 /** Contours of files: points are what was measured, curves are followed. */
-export function bringContours(editor: Editor, contours: readonly Contour[], arePoints: boolean, more: Pick<Brought, "instead"> & { readonly name?: string } = {}): void {
+export function bringContours(editor: Editor, contours: readonly Contour[], arePoints: boolean, more: Pick<Brought, "instead" | "setting"> & { readonly name?: string } = {}): void {
   const named = { name: "Import", ...more };
   if (arePoints) return bringStrokes(editor, { ...named, strokes: contours.map(({ points }) => points.map(({ x, y }): Pair => [x, y])) });
   const { curve } = editor.state.value;
@@ -55,5 +58,5 @@ export function simplifyInFit(editor: Editor): void {
   const chosen = new Set(selection.points.map((ref) => ref.contour));
   const contours = curve.contours.filter((_, i) => chosen.size === 0 || chosen.has(i));
   handOver(editor, "The drawing is in Fit: Smoothing takes knots away. The original stays in Curve.", () =>
-    bringContours(editor, contours, false, { name: "Simplify", instead: "all" }));
+    bringContours(editor, contours, false, { name: "Simplify", instead: "all", setting: curve }));
 }

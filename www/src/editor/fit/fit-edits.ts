@@ -1,5 +1,5 @@
 import {
-  fitLimits, isJoined, owned, strokesOf, withPoint, withStroke, withoutDisc, type FitClosing, type FitDocument, type FitModel, type FitTarget,
+  emptied, fitLimits, isJoined, strokesOf, withPoint, withStroke, withoutDisc, type FitClosing, type FitDocument, type FitModel, type FitTarget,
   type Pair,
 } from "../../document/fit/fit.ts";
 import { fitSample, samplePoints, type FitSample } from "../../document/fit/fit-samples.ts";
@@ -117,7 +117,7 @@ export function boxOf(data: readonly Pair[]): { minX: number; minY: number; maxX
 
 /** A sample as it was opened gives way to what is drawn; what was worked on is added to. */
 function base(fit: FitDocument): FitDocument {
-  return fit.sample === undefined ? fit : { ...owned(fit), data: [], starts: [], closing: "auto" };
+  return fit.sample === undefined ? fit : { ...emptied(fit), closing: "auto" };
 }
 
 export function addStroke(editor: Editor, stroke: readonly Pair[]): void {
@@ -134,7 +134,7 @@ export function eraseAt(editor: Editor, x: number, y: number, radius: number): v
 }
 
 export function clearFit(editor: Editor): void {
-  change(editor, "Clear", (fit) => (fit.data.length === 0 ? fit : { ...owned(base(fit)), data: [], starts: [] }));
+  change(editor, "Clear", (fit) => (fit.data.length === 0 ? fit : emptied(base(fit))));
   setFitView(editor, { chosen: [] });
 }
 

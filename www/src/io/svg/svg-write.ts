@@ -43,9 +43,9 @@ export interface SvgOptions {
   readonly layers?: readonly FileLayer[];
 }
 
-/** The artboard; what reaches out of it, and what has none, is rounded outwards. */
+/** The artboard; what reaches out of it, and what has none, is rounded outwards: an artboard moves as little as can be. */
 function viewBoxOf({ minX, minY, maxX, maxY }: Box, board: Artboard | undefined, margin: number): [number, number, number, number] {
-  const step = roundingFor({ minX, minY, maxX, maxY });
+  const step = Math.max(1e-3, roundingFor({ minX, minY, maxX, maxY }) / (board === undefined ? 1 : 10));
   const side = (value: number, ofBoard: number | undefined, way: "floor" | "ceil"): number =>
     value === ofBoard ? value : step * Math[way]((value + (way === "ceil" ? margin : -margin)) / step);
   const [x, y] = [side(minX, board?.x, "floor"), side(minY, board?.y, "floor")];

@@ -32,7 +32,7 @@ export interface PngGroup {
 export function pngGroup(shell: Shell, subject: PngSubject): PngGroup {
   const { box, look } = subject;
   const save = button("PNG", { testid: "export-png", title: "Download a picture", click: () => void download(shell, subject) });
-  const refresh = (): void => void shell.io.pngSize({ ...look(), box }, scale).then((size) => showSize(save, size));
+  const refresh = (): void => showSize(save, shell.io.pngSize({ ...look(), box }, scale));
   return { element: h("span", { class: "button-group", role: "group", "aria-label": "Picture" }, save, scaleChoice(refresh), paperChoice()), refresh };
 }
 

@@ -45,9 +45,9 @@ function offers(kind: Drawn["kind"], to: Destination): string {
 
 type Drawn = Exclude<Imported, { kind: "json" }>;
 
-async function placeInFit(editor: Shell["editor"], { contours, kind }: Drawn, how: Placement): Promise<void> {
+async function placeInFit(editor: Shell["editor"], { contours, kind, ...setting }: Drawn, how: Placement): Promise<void> {
   const { bringContours } = await whileLoading(editor, import("../../editor/fit/bring.ts"));
-  bringContours(editor, contours, kind === "points", { instead: how === "replace" ? "all" : "nothing" });
+  bringContours(editor, contours, kind === "points", { instead: how === "replace" ? "all" : "nothing", setting });
 }
 
 function placeInCurve(editor: Shell["editor"], drawing: Drawn, how: Placement): void {
