@@ -1,5 +1,6 @@
 import { joined } from "../../document/curve/contours.ts";
 import { kindOf } from "../../document/curve/offset.ts";
+import { closedByChord } from "../../document/curve/parts.ts";
 import type { Contour, ControlPoint } from "../../document/document.ts";
 
 /** Outlines that are closed where they are filled, though their path data do not say so: one logo in ten has some. */
@@ -26,19 +27,10 @@ export function joinedNearly(contour: Contour, near: number): Contour {
 
 /** The contour closed as a filled one is seen: by a straight line between its ends. A line of two points encloses nothing. */
 export function closedByLine(contour: Contour): Contour {
-  const [first, last] = [contour.points[0], contour.points.at(-1)];
-  if (contour.closed || contour.omega === undefined || first === undefined || last === undefined || isLine(contour)) return contour;
-  const [dx, dy] = [(first.x - last.x) / 3, (first.y - last.y) / 3];
-  const ends = [{ ...first, in: { dx: 0 - dx, dy: 0 - dy } }, { ...last, out: { dx, dy } }] as const;
-  const [begins, stops] = ends.map((end) => ({ ...end, kind: kindOf(end) }));
-  if (begins === undefined || stops === undefined) return contour;
-  return {
-    ...contour,
-    closed: true,
-    points: [begins, ...contour.points.slice(1, -1), stops],
-    omega: [...contour.omega, 0],
-    ...(contour.lengths === undefined ? {} : { lengths: [...contour.lengths, 1] }),
-  };
+  if (contour.closed || isLine(contour)) return contour;
+  const whole = closedByChord(contour);
+  const last = whole.points.length - 1;
+  return { ...whole, points: whole.points.map((point, i) => (i === 0 || i === last ? { ...point, kind: kindOf(point) } : point)) };
 }
 
 function isLine({ points }: Contour): boolean {

@@ -1,7 +1,7 @@
 import { reversedContour } from "../../document/curve/contours.ts";
 import { emptyCurve, type Contour, type CurveDocument, type Filling, type Space } from "../../document/document.ts";
-import { curveOf } from "../curve/curve-cache.ts";
-import type { Bounds } from "../curve/samples.ts";
+import { curveOf, type AnyCurve } from "../curve/curve-cache.ts";
+import { boundsOf, type Bounds } from "../curve/samples.ts";
 import { coverage } from "../trace/raster.ts";
 
 /**
@@ -26,11 +26,12 @@ export function filled(shapes: readonly FilledShape[], space: Space): FilledDraw
   const contours = shapes.flatMap((shape) => shape.contours);
   if (shapes.length > 0 && shapes.every(({ fill }) => fill === null)) return { contours, filling: "none" };
   if (shapes.length === 1 && shapes[0]?.rule === "evenodd") return { contours };
-  const areas = shapes.filter(({ fill }) => fill !== null).map((shape) => areaOf(shape, space));
-  const grid = gridAround(areas);
+  const seen = shapes.filter(({ fill }) => fill !== null);
+  const grid = gridAround(seen, space);
   if (grid === null) return { contours };
+  const areas = seen.map((shape) => areaOf(shape, space, grid));
   const wanted = painted(areas, grid);
-  const away = (rule: CanvasFillRule, all: readonly Area[]): Difference => difference(wanted, shown(all.flatMap(({ outlines }) => outlines), grid, rule));
+  const away = (rule: CanvasFillRule, all: readonly Area[]): Difference => difference(wanted, shown(all.flatMap(({ outlines }) => outlines.map(({ flat }) => flat)), grid, rule));
   const asToday = away("evenodd", areas);
   if (asToday.largest <= unseen) return { contours };
   const turned = areas.map(turnedForWinding);
@@ -52,6 +53,7 @@ export function filledTogether(before: CurveDocument, added: FilledDrawing): Fil
   return filled([{ contours: before.contours, rule: one ?? "evenodd", fill: "" }, { contours: added.contours, rule: other ?? "evenodd", fill: "" }], before.space);
 }
 
+/** In pixels of the grid. */
 interface Outline {
   readonly contour: Contour;
   readonly flat: Float64Array;
@@ -64,25 +66,6 @@ interface Area extends Pick<FilledShape, "rule" | "fill"> {
   readonly outlines: readonly Outline[];
 }
 
-/** Only closed contours have an area: of an open one the page shows the line. */
-function areaOf({ contours, rule, fill }: FilledShape, space: Space): Area {
-  const document: CurveDocument = { ...emptyCurve, space, contours };
-  const outlines = contours.filter(({ closed }) => closed).flatMap((contour): Outline[] => {
-    const curve = curveOf(document, contour);
-    if (curve === null) return [];
-    const box = curve.bounds();
-    const flat = curve.flatten(Math.max(1e-9, Math.hypot(box.maxX - box.minX, box.maxY - box.minY)) / 1000);
-    return [{ contour, flat, box, area: signedArea(flat) }];
-  });
-  return { outlines, rule, fill };
-}
-
-function signedArea(flat: Float64Array): number {
-  let sum = 0;
-  for (let i = 0, j = flat.length - 2; i + 1 < flat.length; j = i, i += 2) sum += (flat[j] ?? 0) * (flat[i + 1] ?? 0) - (flat[i] ?? 0) * (flat[j + 1] ?? 0);
-  return sum;
-}
-
 /** The pixels that rules are compared on. */
 interface Grid {
   readonly x: number;
@@ -92,65 +75,84 @@ interface Grid {
   readonly rows: number;
 }
 
-const side = 256;
+const finest = 256;
+/** In all shapes together: of thousands nobody sees what is that small, and each may be as large as the drawing. */
+const mostPixels = 4e6;
 /** Of a pixel: what one of them shows and the other does not, and is nothing to be seen. */
 const unseen = 0.1;
+/** Pixels that a polyline may be away; all rules look at the same ones. */
+const flatness = 0.05;
 
-function gridAround(areas: readonly Area[]): Grid | null {
-  const box = around(areas.flatMap(({ outlines }) => outlines));
+/** Only closed contours have an area: of an open one the page shows the line. */
+function curvesOf({ contours }: FilledShape, space: Space): readonly { readonly contour: Contour; readonly curve: AnyCurve }[] {
+  const document: CurveDocument = { ...emptyCurve, space, contours };
+  return contours.filter(({ closed }) => closed).flatMap((contour) => {
+    const curve = curveOf(document, contour);
+    return curve === null ? [] : [{ contour, curve }];
+  });
+}
+
+function gridAround(shapes: readonly FilledShape[], space: Space): Grid | null {
+  const box = around(shapes.flatMap((shape) => curvesOf(shape, space).flatMap(({ contour }) => boundsOf({ ...emptyCurve, space }, contour) ?? [])));
   const size = box === null ? 0 : Math.max(box.maxX - box.minX, box.maxY - box.minY);
   if (box === null || !(size > 0)) return null;
-  const scale = side / size;
+  const scale = Math.min(finest, Math.sqrt(mostPixels / shapes.length)) / size;
   const pixels = (length: number): number => Math.max(1, Math.ceil(scale * length));
   return { x: box.minX, y: box.minY, scale, columns: pixels(box.maxX - box.minX), rows: pixels(box.maxY - box.minY) };
 }
 
-function around(outlines: readonly Outline[]): Bounds | null {
-  return outlines.reduce<Bounds | null>((all, { box }) => (all === null ? box : {
+function areaOf(shape: FilledShape, space: Space, { x, y, scale }: Grid): Area {
+  const outlines = curvesOf(shape, space).map(({ contour, curve }): Outline => {
+    const flat = curve.flatten(flatness / scale);
+    for (let i = 0; i < flat.length; i += 1) flat[i] = scale * ((flat[i] ?? 0) - (i % 2 === 0 ? x : y));
+    return { contour, flat, box: boxOf(flat), area: signedArea(flat) };
+  });
+  return { outlines, rule: shape.rule, fill: shape.fill };
+}
+
+function signedArea(flat: Float64Array): number {
+  let sum = 0;
+  for (let i = 0, j = flat.length - 2; i + 1 < flat.length; j = i, i += 2) sum += (flat[j] ?? 0) * (flat[i + 1] ?? 0) - (flat[i] ?? 0) * (flat[j + 1] ?? 0);
+  return sum;
+}
+
+function boxOf(flat: Float64Array): Bounds {
+  let [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (let i = 0; i + 1 < flat.length; i += 2) {
+    const [x, y] = [flat[i] ?? 0, flat[i + 1] ?? 0];
+    [minX, minY, maxX, maxY] = [Math.min(minX, x), Math.min(minY, y), Math.max(maxX, x), Math.max(maxY, y)];
+  }
+  return { minX, minY, maxX, maxY };
+}
+
+function around(boxes: readonly Bounds[]): Bounds | null {
+  return boxes.reduce<Bounds | null>((all, box) => (all === null ? box : {
     minX: Math.min(all.minX, box.minX), minY: Math.min(all.minY, box.minY), maxX: Math.max(all.maxX, box.maxX), maxY: Math.max(all.maxY, box.maxY),
   }), null);
 }
 
-function shown(outlines: readonly Outline[], { x, y, scale, columns, rows }: Grid, rule: CanvasFillRule): Float32Array {
-  return coverage(outlines.map(({ flat }) => flat.map((value, i) => scale * (value - (i % 2 === 0 ? x : y)))), columns, rows, 1, rule);
+function shown(flats: readonly Float64Array[], { columns, rows }: Pick<Grid, "columns" | "rows">, rule: CanvasFillRule): Float32Array {
+  return coverage(flats, columns, rows, 1, rule);
 }
 
 /** What the shapes show: those of one fill the places that any of them has; of several fills one makes holes in another. */
-function painted(areas: readonly Area[], grid: Grid): Float32Array {
+function painted(areas: readonly Area[], { columns, rows }: Grid): Float32Array {
   const byFill = new Map<string | null, Float32Array>();
   for (const { outlines, rule, fill } of areas) {
-    const window = windowOf(outlines, grid);
-    const own = shown(outlines, window, rule);
-    const all = byFill.get(fill) ?? new Float32Array(grid.columns * grid.rows);
+    const box = around(outlines.map((outline) => outline.box));
+    if (box === null) continue;
+    // The part of the grid that the shape is in: of thousands most are small.
+    const [left, top] = [Math.max(0, Math.floor(box.minX)), Math.max(0, Math.floor(box.minY))];
+    const size = { columns: Math.min(columns, Math.ceil(box.maxX)) - left, rows: Math.min(rows, Math.ceil(box.maxY)) - top };
+    const own = shown(outlines.map(({ flat }) => flat.map((value, i) => value - (i % 2 === 0 ? left : top))), size, rule);
+    const all = byFill.get(fill) ?? new Float32Array(columns * rows);
     byFill.set(fill, all);
-    own.forEach((share, i) => {
-      const at = placeIn(grid, window, i);
-      all[at] = Math.max(all[at] ?? 0, share);
-    });
+    for (let i = 0; i < own.length; i += 1) {
+      const at = (top + Math.floor(i / size.columns)) * columns + left + (i % size.columns);
+      all[at] = Math.max(all[at] ?? 0, own[i] ?? 0);
+    }
   }
-  return [...byFill.values()].reduce((all, own) => all.map((share, i) => share + (own[i] ?? 0) * (1 - 2 * share)));
-}
-
-interface Window extends Grid {
-  readonly left: number;
-  readonly top: number;
-}
-
-/** The part of the grid that outlines are in: of thousands of shapes each is small. */
-function windowOf(outlines: readonly Outline[], grid: Grid): Window {
-  const box = around(outlines);
-  if (box === null) return { ...grid, left: 0, top: 0, columns: 0, rows: 0 };
-  const { x, y, scale } = grid;
-  const [left, top] = [Math.floor(scale * (box.minX - x)), Math.floor(scale * (box.minY - y))];
-  return {
-    x: x + left / scale, y: y + top / scale, scale, left, top,
-    columns: Math.min(grid.columns, Math.ceil(scale * (box.maxX - x))) - left,
-    rows: Math.min(grid.rows, Math.ceil(scale * (box.maxY - y))) - top,
-  };
-}
-
-function placeIn({ columns }: Grid, window: Window, i: number): number {
-  return (window.top + Math.floor(i / window.columns)) * columns + window.left + (i % window.columns);
+  return [...byFill.values()].reduce((all, own) => all.map((share, i) => share + (own[i] ?? 0) * (1 - 2 * share)), new Float32Array(columns * rows));
 }
 
 interface Difference {
