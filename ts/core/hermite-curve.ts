@@ -251,7 +251,7 @@ export class HermiteCurve extends MeasuredCurve {
     const op = "split";
     const data = dataOf(this, op);
     const at = finite(op, "t", t);
-    return curvesIn(peek(data.ask(op, (kernel, slot) => kernel.split(slot, at)))).map(curveOf) as [HermiteCurve];
+    return curvesIn(peek(data.ask(op, (kernel, slot) => kernel.split(slot, at)))).map(curveOf) as ReturnType<HermiteCurve["split"]>;
   }
 
   /**

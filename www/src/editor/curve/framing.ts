@@ -1,7 +1,7 @@
 import { stretching, transformPoints, turning, type Affine } from "../../document/curve/affine.ts";
 import { joinEnds } from "../../document/curve/joining.ts";
 import { pointAt } from "../../document/document.ts";
-import { boundsOf, type Bounds } from "../../kernel/curve/samples.ts";
+import { around, boundsOf, type Bounds } from "../../kernel/curve/samples.ts";
 import type { Editor, EditorState, Grip } from "../editor.ts";
 import { refuse } from "./edits.ts";
 import { fitted, mostZoom, toScreen, type PagePoint, type ScreenPoint } from "../pointer/camera.ts";
@@ -18,16 +18,8 @@ const stem = { mouse: 24, touch: 40 } as const;
 /** A side shorter than this on the screen has no grip in its middle. */
 const leastSide = 72;
 
-function joined(a: Bounds, b: Bounds): Bounds {
-  return { minX: Math.min(a.minX, b.minX), minY: Math.min(a.minY, b.minY), maxX: Math.max(a.maxX, b.maxX), maxY: Math.max(a.maxY, b.maxY) };
-}
-
 function boxAt({ x, y }: PagePoint): Bounds {
   return { minX: x, minY: y, maxX: x, maxY: y };
-}
-
-function union(boxes: readonly (Bounds | null)[]): Bounds | null {
-  return boxes.reduce((all, box) => (all === null || box === null ? (all ?? box) : joined(all, box)), null);
 }
 
 /** The bounds of the chosen contours; null unless every point of theirs is chosen. */
@@ -37,7 +29,7 @@ export function frameOf({ mode, tool, curve, selection }: Pick<EditorState, "mod
   for (const { contour } of selection.points) counts.set(contour, (counts.get(contour) ?? 0) + 1);
   const chosen = [...counts].map(([index, count]) => ({ contour: curve.contours[index], count }));
   if (chosen.some(({ contour, count }) => contour?.points.length !== count)) return null;
-  return union(chosen.map(({ contour }) => (contour === undefined ? null : boundsOf(curve, contour))));
+  return around(chosen.map(({ contour }) => (contour === undefined ? null : boundsOf(curve, contour))));
 }
 
 /** The frame on the screen, standing off the drawing. */
@@ -92,7 +84,7 @@ function chosenPoints({ curve, selection }: EditorState): PagePoint[] {
 
 /** The middle of the frame, else of the chosen points: it stays where it is when they are flipped and stretched about it. */
 function middleOf(state: EditorState): PagePoint | null {
-  const box = frameOf({ ...state, tool: "select" }) ?? union(chosenPoints(state).map(boxAt));
+  const box = frameOf({ ...state, tool: "select" }) ?? around(chosenPoints(state).map(boxAt));
   return box === null ? null : centreOf(box);
 }
 
@@ -150,7 +142,7 @@ export function showChosen(editor: Editor): void {
     const beside = [index - 1, index, index + 1].map((i) => (shape?.closed === true ? (i + count) % count : i));
     return beside.flatMap((i) => shape?.points[i] ?? []);
   });
-  const box = frameOf({ ...state, tool: "select" }) ?? union(places.map(boxAt));
+  const box = frameOf({ ...state, tool: "select" }) ?? around(places.map(boxAt));
   if (box !== null) editor.patch({ view: fitted(box, stage, mostZoom) });
 }
 

@@ -106,6 +106,11 @@ function union(a: Bounds | null, b: Bounds | null): Bounds | null {
   return { minX: Math.min(a.minX, b.minX), minY: Math.min(a.minY, b.minY), maxX: Math.max(a.maxX, b.maxX), maxY: Math.max(a.maxY, b.maxY) };
 }
 
+/** The box around all of them; null where there is none. */
+export function around(boxes: readonly (Bounds | null)[]): Bounds | null {
+  return boxes.reduce(union, null);
+}
+
 /** The box around every curve and lone point of the drawing; null when there is nothing. */
 export function documentBounds(document: CurveDocument): Bounds | null {
   let box: Bounds | null = null;

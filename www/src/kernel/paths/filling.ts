@@ -1,7 +1,7 @@
 import { reversedContour } from "../../document/curve/contours.ts";
 import { emptyCurve, type Contour, type CurveDocument, type Filling, type Space } from "../../document/document.ts";
 import { curveOf, type AnyCurve } from "../curve/curve-cache.ts";
-import { boundsOf, type Bounds } from "../curve/samples.ts";
+import { around, boundsOf, type Bounds } from "../curve/samples.ts";
 import { coverage } from "../trace/raster.ts";
 
 /**
@@ -58,7 +58,7 @@ interface Outline {
   readonly contour: Contour;
   readonly flat: Float64Array;
   readonly box: Bounds;
-  /** Twice what it encloses, signed. */
+  /** What it encloses, signed, in document units. */
   readonly area: number;
 }
 
@@ -93,7 +93,7 @@ function curvesOf({ contours }: FilledShape, space: Space): readonly { readonly 
 }
 
 function gridAround(shapes: readonly FilledShape[], space: Space): Grid | null {
-  const box = around(shapes.flatMap((shape) => curvesOf(shape, space).flatMap(({ contour }) => boundsOf({ ...emptyCurve, space }, contour) ?? [])));
+  const box = around(shapes.flatMap((shape) => curvesOf(shape, space).map(({ contour }) => boundsOf({ ...emptyCurve, space }, contour))));
   const size = box === null ? 0 : Math.max(box.maxX - box.minX, box.maxY - box.minY);
   if (box === null || !(size > 0)) return null;
   const scale = Math.min(finest, Math.sqrt(mostPixels / shapes.length)) / size;
@@ -102,33 +102,15 @@ function gridAround(shapes: readonly FilledShape[], space: Space): Grid | null {
 }
 
 function areaOf(shape: FilledShape, space: Space, { x, y, scale }: Grid): Area {
-  const outlines = curvesOf(shape, space).map(({ contour, curve }): Outline => {
+  const outlines = curvesOf(shape, space).flatMap(({ contour, curve }): Outline[] => {
+    const box = boundsOf({ ...emptyCurve, space }, contour);
+    if (box === null) return [];
     const flat = curve.flatten(flatness / scale);
     for (let i = 0; i < flat.length; i += 1) flat[i] = scale * ((flat[i] ?? 0) - (i % 2 === 0 ? x : y));
-    return { contour, flat, box: boxOf(flat), area: signedArea(flat) };
+    const inGrid = { minX: scale * (box.minX - x), minY: scale * (box.minY - y), maxX: scale * (box.maxX - x), maxY: scale * (box.maxY - y) };
+    return [{ contour, flat, box: inGrid, area: curve.area() }];
   });
   return { outlines, rule: shape.rule, fill: shape.fill };
-}
-
-function signedArea(flat: Float64Array): number {
-  let sum = 0;
-  for (let i = 0, j = flat.length - 2; i + 1 < flat.length; j = i, i += 2) sum += (flat[j] ?? 0) * (flat[i + 1] ?? 0) - (flat[i] ?? 0) * (flat[j + 1] ?? 0);
-  return sum;
-}
-
-function boxOf(flat: Float64Array): Bounds {
-  let [minX, minY, maxX, maxY] = [Infinity, Infinity, -Infinity, -Infinity];
-  for (let i = 0; i + 1 < flat.length; i += 2) {
-    const [x, y] = [flat[i] ?? 0, flat[i + 1] ?? 0];
-    [minX, minY, maxX, maxY] = [Math.min(minX, x), Math.min(minY, y), Math.max(maxX, x), Math.max(maxY, y)];
-  }
-  return { minX, minY, maxX, maxY };
-}
-
-function around(boxes: readonly Bounds[]): Bounds | null {
-  return boxes.reduce<Bounds | null>((all, box) => (all === null ? box : {
-    minX: Math.min(all.minX, box.minX), minY: Math.min(all.minY, box.minY), maxX: Math.max(all.maxX, box.maxX), maxY: Math.max(all.maxY, box.maxY),
-  }), null);
 }
 
 function shown(flats: readonly Float64Array[], { columns, rows }: Pick<Grid, "columns" | "rows">, rule: CanvasFillRule): Float32Array {
