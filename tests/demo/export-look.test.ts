@@ -3,6 +3,7 @@ import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { test } from "node:test";
 import { useBrowser, type Demo } from "./page.ts";
+import { cellsOf, opened, saved } from "./pictures.ts";
 
 /** What a drawing looks like in the files that are saved of it, as the browser itself draws them. */
 
@@ -14,32 +15,9 @@ const icon = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" width=
 /** A real one: the file that simple-icons (CC0-1.0) has of it. */
 const logo = (name: string): Promise<string> => readFile(createRequire(import.meta.url).resolve(`simple-icons/icons/${name}.svg`), "utf8");
 
-async function opened(demo: Demo, text: string): Promise<void> {
-  await demo.byId("btn-import").click();
-  await demo.byId("import-text").fill(text);
-  await demo.byId("import-apply").click();
-  await demo.byId("import-dialog").waitFor({ state: "detached" });
-  await demo.idle();
-}
-
-async function saved(demo: Demo, id: string): Promise<Buffer> {
-  const [file] = await Promise.all([demo.page.waitForEvent("download"), demo.byId(id).click()]);
-  return readFile(await file.path());
-}
-
 /** How much of each of 120 × 120 cells of a picture is drawn on, from 0 to 1. */
 async function shadesOf(demo: Demo, type: string, bytes: Buffer): Promise<number[]> {
-  return demo.page.evaluate(async ([mime, content]) => {
-    const image = new Image();
-    image.src = `data:${mime};base64,${content}`;
-    await image.decode();
-    const side = 120;
-    const canvas = Object.assign(document.createElement("canvas"), { width: side, height: side });
-    const context = canvas.getContext("2d");
-    context?.drawImage(image, 0, 0, side, side);
-    const data = context?.getImageData(0, 0, side, side).data ?? [];
-    return Array.from({ length: side * side }, (_, i) => (data[4 * i + 3] ?? 0) / 255);
-  }, [type, bytes.toString("base64")] as const);
+  return (await cellsOf(demo, type, bytes)).map(([, , , opacity]) => opacity / 255);
 }
 
 const mean = (values: readonly number[]): number => values.reduce((sum, value) => sum + value, 0) / values.length;

@@ -54,6 +54,12 @@ test("a picture shows the artboard and nothing around it, small ones as large as
   assert.deepEqual(size(box(3, 4, 20, 20), { x: 0, y: 0, width: 512, height: 256 }, true, 2), { width: 1024, height: 512 });
   assert.deepEqual(size(box(0, 0, 512, 256), undefined, true), { width: 544, height: 288 }, "without one there is a margin");
   assert.deepEqual(size(box(-128, 0, 100, 100), { x: 0, y: 0, width: 256, height: 256 }, true), { width: 384, height: 256 });
+  assert.deepEqual(size(box(0, 0, 4000, 3000), undefined, true), { width: 4032, height: 3032 });
+  for (const units of [4065, 5e3, 51_500, 1e9]) {
+    assert.deepEqual(size(box(0, 0, units, units), undefined, true), { width: 4096, height: 4096 }, `${units}: as large as browsers draw`);
+    assert.deepEqual(size(null, { x: 0, y: 0, width: units, height: units / 2 }, true), { width: 4064, height: 2032 });
+    assert.equal(size(null, { x: 0, y: 0, width: units, height: units / 2 }, true, 2), null, "and no larger");
+  }
   for (const side of [7, 11, 13, 15, 20, 24, 48, 100, 255]) {
     assert.deepEqual(size(null, { x: 0, y: 0, width: side, height: side }, true), { width: 256, height: 256 }, `${side}: no pixel for a rounding`);
   }

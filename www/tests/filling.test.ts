@@ -9,7 +9,7 @@ import { addDrawing } from "../src/editor/curve/adding.ts";
 import { openInCurve } from "../src/editor/curve/open-in-curve.ts";
 import { curveOf } from "../src/kernel/curve/curve-cache.ts";
 import { contoursOfPath } from "../src/kernel/curve/points/contours.ts";
-import { filled, type FilledShape } from "../src/kernel/paths/filling.ts";
+import { filled, filledTogether, type FilledShape } from "../src/kernel/paths/filling.ts";
 
 before(() => init());
 
@@ -81,9 +81,31 @@ test("a shape of another colour on a shape is a hole in its ink", () => {
   assert.ok(!isInk(drawing, 15, 15) && isInk(drawing, 5, 5));
 });
 
-test("what is only stroked has no area", () => {
-  assert.equal(all([shape(square(0, 0), "nonzero", null)]).filling, "none");
-  assert.equal(all([shape(square(0, 0), "nonzero", null), shape(square(20, 0))]).filling, undefined);
+test("what is only stroked has no area, and says so beside what has one", () => {
+  const alone = all([shape(square(0, 0), "nonzero", null)]);
+  assert.deepEqual([alone.filling, alone.contours[0]?.ink], ["none", undefined]);
+  const both = all([shape(square(0, 0, 30), "nonzero", null), shape(square(20, 0) + square(25, 5))]);
+  assert.deepEqual(both.contours.map(({ ink }) => ink), ["none", undefined, undefined]);
+  assert.equal(both.filling, "nonzero", "the line around has no part in the rule");
+});
+
+test("each colour is filled by itself: what lies on another makes no hole in it, and needs no rule", () => {
+  const on = (fill: string, d: string): FilledShape => ({ ...shape(d, "nonzero", fill), ink: fill });
+  const drawing = all([on("#111111", square(0, 0, 30)), on("#ee0000", square(10, 10)), on("#111111", square(12, 12, 5))]);
+  assert.deepEqual([drawing.filling, drawing.contours.map(({ ink }) => ink)], [undefined, ["#111111", "#ee0000", "#111111"]]);
+  const overlapping = all([on("#111111", square(0, 0, 30)), on("#ee0000", square(10, 10)), on("#ee0000", backwards(15, 15))]);
+  const red = overlapping.contours.slice(1);
+  assert.ok(isInk({ ...overlapping, contours: red }, 17, 17), "where two of one colour overlap");
+});
+
+test("lines that come to areas, and areas that come to lines, stay what they were", () => {
+  const lines = { ...emptyCurve, ...all([shape(square(0, 0), "nonzero", null)]) };
+  const areas = { ...emptyCurve, ...all([{ ...shape(square(5, 5)), ink: "#336699" }]) };
+  for (const [before, added, inks] of [[lines, areas, ["none", "#336699"]], [areas, lines, ["#336699", "none"]]] as const) {
+    const both = filledTogether(before, added);
+    assert.deepEqual([both.filling, both.contours.map(({ ink }) => ink)], [undefined, inks]);
+  }
+  assert.deepEqual(filledTogether(lines, lines).filling, "none");
 });
 
 test("a pentagram is filled as SVG fills it, and a circle of two arcs needs no rule", () => {

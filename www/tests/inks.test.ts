@@ -87,6 +87,16 @@ test("a file and a picture have each layer in its colour, by the rule of the dra
   }
 });
 
+test("a file and a picture have what shows through as it is, and lines as lines", () => {
+  const layers = [{ color: "#11223380", d: "M0 0H9V9Z" }, { isLine: true, d: "M1 1H2V2Z" }];
+  const how = { d: "", box: { minX: 0, minY: 0, maxX: 9, maxY: 9 }, filled: true, layers };
+  const svg = writeSvg({ title: "", ...how });
+  assert.match(svg, /<path d="M0 0H9V9Z" fill="#112233" fill-opacity="0.502" fill-rule="evenodd"\/>/u);
+  assert.match(svg, /<path d="M1 1H2V2Z" fill="none" stroke="#1b1f24" stroke-width="[.\d]+" stroke-linejoin="round"\/>/u);
+  assert.ok(Number(/viewBox="(\S+)/u.exec(svg)?.[1]) < 0, "with room for the line");
+  assert.deepEqual(pngPaths({ ...how, scale: 1, paper: null }), [{ d: "M0 0H9V9Z", fill: { color: "#11223380", alpha: 1, rule: "evenodd" } }, { d: "M1 1H2V2Z", stroke: "#1b1f24" }]);
+});
+
 test("outlines that come back without their picture have the colours that they were traced in", () => {
   const { contours } = inked("glyph");
   const colored = [...contours, ...inked("heart", "#b02a30").contours];
@@ -99,7 +109,11 @@ test("outlines that come back without their picture have the colours that they w
 
 test("a colour that is none is refused, with its place", () => {
   const state = new Hand("circle-2").editor.getState();
-  for (const strange of ["red", "#fff", "#12345G", "#1234567", 'url("x")', 5]) {
+  for (const fine of ["#336699", "#33669980", "none"]) {
+    const text = JSON.stringify({ ...state, curve: { ...state.curve, contours: state.curve.contours.map((contour) => ({ ...contour, ink: fine })) } });
+    for (const { ink: found } of parseState(text).state.curve.contours) assert.equal(found, fine);
+  }
+  for (const strange of ["red", "#fff", "None", "#12345G", "#1234567", 'url("x")', 5]) {
     const text = JSON.stringify({ ...state, curve: { ...state.curve, contours: state.curve.contours.map((contour) => ({ ...contour, ink: strange })) } });
     assert.throws(() => parseState(text), (error: unknown) => error instanceof FileError && error.message.includes("$.curve.contours[0].ink"), text);
   }

@@ -47,7 +47,10 @@ export interface Contour {
   readonly lengths?: readonly number[];
   /** Where it differs from the document's (an imported arc in a hyperbolic document). */
   readonly space?: Space;
-  /** The colour of its area, `#rrggbb`; absent: that of the page, and of files. */
+  /**
+   * The colour of its area: `#rrggbb`, or `#rrggbbaa` where something shows through. `none`: it is a line, which has no area
+   * even where it is closed. Absent: the colour of the page, and of files.
+   */
   readonly ink?: string;
   /** Interpolating: how many roots its generator has; absent: 3. One more is one more continuous derivative. */
   readonly order?: Order;

@@ -8,8 +8,8 @@ import { filled, type FilledShape } from "../kernel/paths/filling.ts";
 import { boundsOfPath, importPath, importPoints, type Drawn } from "../kernel/paths/import.ts";
 import { heading, listed, mostPoints, readPoints } from "./rows.ts";
 import { SvgFileError, type SvgWarningCode } from "./svg/limits.ts";
-import { isPaint, type Paint } from "./svg/style/paint.ts";
-import { readSvg, type SvgFile } from "./svg/svg-file.ts";
+import { readSvg, type SvgFile, type SvgShape } from "./svg/svg-file.ts";
+import { inkOfFiles } from "./svg/svg-write.ts";
 
 export type ImportKind = "svg" | "path" | "points" | "json";
 
@@ -74,12 +74,13 @@ function readDrawing(text: string, space: Space): Imported {
   const file = readFile(text);
   if (file.shapes.length === 0) throw new Problem("svg-nopath", file.warnings.some(({ code }) => code === "W_TEXT") ? { field: "text" } : {});
   const shapes: FilledShape[] = [];
+  const isColored = !file.shapes.every(isInk);
   let broken: Problem | null = null;
   let points = 0;
   for (const shape of file.shapes) {
-    const part = importPath(shape.d, space, shape.transform, drawnAs(shape.paint));
+    const part = importPath(shape.d, space, shape.transform, drawnAs(shape));
     broken ??= part.broken;
-    shapes.push({ contours: part.contours, ...fillOf(shape.paint) });
+    shapes.push({ contours: part.contours, ...areaOf(shape, isColored) });
     for (const contour of part.contours) points += contour.points.length;
     if (points > mostPoints) throw new Problem("svg-big", { field: "points", most: mostPoints });
   }
@@ -87,12 +88,19 @@ function readDrawing(text: string, space: Space): Imported {
   return { kind: "svg", ...filled(shapes, space), ...(artboard === null ? {} : { artboard }), notes: notesOf(file), broken };
 }
 
-function drawnAs({ fill, stroke }: Paint): Drawn {
-  return isPaint(stroke) ? (isPaint(fill) ? "either" : "lines") : "areas";
+/** What is black, or our own ink of files, is ink and no colour. */
+function isInk({ fill }: SvgShape): boolean {
+  return fill === null || fill.color === null || fill.color === "#000000" || fill.color === inkOfFiles;
 }
 
-function fillOf({ fill, "fill-rule": rule }: Paint): Pick<FilledShape, "rule" | "fill"> {
-  return { rule: rule === "evenodd" ? rule : "nonzero", fill: isPaint(fill) ? fill : null };
+function drawnAs({ fill, stroked }: SvgShape): Drawn {
+  return stroked ? (fill === null ? "lines" : "either") : "areas";
+}
+
+function areaOf({ fill }: SvgShape, isColored: boolean): Pick<FilledShape, "rule" | "fill" | "ink"> {
+  if (fill === null) return { rule: "nonzero", fill: null };
+  const { paint, rule, color } = fill;
+  return { rule, fill: paint, ...(isColored && color !== null ? { ink: color } : {}) };
 }
 
 function readFile(text: string): SvgFile {
@@ -115,6 +123,7 @@ const notesByCode: Readonly<Record<SvgWarningCode, string>> = {
   W_BAD_LENGTH: "a shape without a proper size was left out",
   W_UNIT: "a length in a unit that needs a page was ignored",
   W_ODD_POINTS: "a lone last coordinate was dropped",
+  W_GRADIENT: "a gradient became its mean colour",
   W_STYLE: "a style sheet was not followed in full",
   W_STYLE_TRANSFORM: "a transform by CSS in space, or in percent of an unknown size, was ignored",
   W_TEXT: "text was left out; as outlines it would come along",

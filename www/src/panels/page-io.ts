@@ -1,4 +1,5 @@
 import type { Artboard, Box } from "../document/artboard.ts";
+import type { FilePath } from "../document/curve/inks.ts";
 import type { DemoState, Filling, Space } from "../document/document.ts";
 import type { Imported } from "../document/imported.ts";
 
@@ -40,8 +41,8 @@ export interface FileLook {
   readonly filled?: boolean;
   readonly filling?: Filling;
   readonly artboard?: Artboard;
-  /** Areas in colours in place of the one path, the lowest first. */
-  readonly layers?: readonly { readonly color?: string; readonly d: string }[];
+  /** In place of the one path, the lowest first. */
+  readonly layers?: readonly FilePath[];
 }
 
 export interface IncomingHandlers {

@@ -1,10 +1,21 @@
 import type { CurveDocument } from "../document.ts";
 
-/** An area of one colour, as a drawing of its own; without a colour it has that of all drawings. */
+/** An area of one colour, or lines, as a drawing of its own; without a colour it has that of all drawings. */
 export interface InkLayer {
   readonly ink?: string;
   readonly drawing: CurveDocument;
 }
+
+/** A path of a file, in place of the one of all: areas of a colour, or lines. */
+export interface FilePath {
+  /** Absent: the ink of files. */
+  readonly color?: string;
+  readonly isLine?: boolean;
+  readonly d: string;
+}
+
+/** Of contours that are lines, whatever closes them. */
+export const noInk = "none";
 
 const known = new WeakMap<CurveDocument, readonly InkLayer[]>();
 

@@ -57,8 +57,8 @@ export function oneOf<T extends string>(found: Found, choices: readonly T[]): T 
   return choice;
 }
 
-export function asColor(found: Found): string {
-  if (typeof found.value !== "string" || !/^#[0-9a-f]{6}$/u.test(found.value)) throw wrong(found, "a colour like #1b5e50");
+export function asInk(found: Found): string {
+  if (typeof found.value !== "string" || !/^(?:#[0-9a-f]{6}(?:[0-9a-f]{2})?|none)$/u.test(found.value)) throw wrong(found, 'a colour like #1b5e50, or "none"');
   return found.value;
 }
 

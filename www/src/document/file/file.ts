@@ -14,7 +14,7 @@ import { emptyFit } from "../fit/fit.ts";
 import { othersOf } from "./others.ts";
 import { emptySurface } from "../surface/surface.ts";
 import { emptyTrace } from "../trace/trace.ts";
-import { asArray, asBoolean, asColor, asNumber, asObject, asSampleId, asWhole, field, oneOf, optional, type Found } from "./check.ts";
+import { asArray, asBoolean, asInk, asNumber, asObject, asSampleId, asWhole, field, oneOf, optional, type Found } from "./check.ts";
 import { FileError } from "./error.ts";
 import { readSetting } from "./setting.ts";
 import { checkJson } from "./scan.ts";
@@ -134,7 +134,7 @@ function readContour(found: Found, left: { points: number }): Contour {
     points,
     ...defined({
       space,
-      ink: optional(found, "ink", asColor),
+      ink: optional(found, "ink", asInk),
       support: optional(found, "support", (each) => asWhole(each, 1, 64)),
       omega: optional(found, "omega", (each) => asArray(each, (value) => asNumber(value, 0, 1e4), limits.maxPoints, "maxPoints")),
       lengths: optional(found, "lengths", (each) => asArray(each, (value) => asNumber(value, 1e-9, 1e9), limits.maxPoints, "maxPoints")),

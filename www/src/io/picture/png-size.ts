@@ -1,4 +1,5 @@
 import { sheetOf, type Artboard, type Box } from "../../document/artboard.ts";
+import type { FilePath } from "../../document/curve/inks.ts";
 
 /** Browsers refuse or blank canvases beyond these. */
 const mostSide = 16_384;
@@ -7,21 +8,31 @@ const margin = 16;
 /** An icon of 24 units would be a thumbnail, and its lines as thick as itself: it is drawn as if it were as large as this. */
 const leastSize = 256;
 
-/** Of a drawing that is not small. */
+/** Of a larger one, in units that programs count by the thousand, browsers draw no picture: it is drawn as if it were as small as this, a margin included. */
+const mostSize = Math.sqrt(mostPixels) - 2 * margin;
+
+/** Of a drawing that is neither. */
 export const lineWidth = 2;
 
-/** Times as large as it is that a drawing is drawn in a file: 1 but for small ones. */
+/** Times as large as it is that a drawing is drawn in a file: 1 but for small ones, and for huge ones. */
 export function enlargement(box: Box): number {
   const size = Math.max(box.maxX - box.minX, box.maxY - box.minY);
-  return size > 0 ? Math.max(1, leastSize / size) : 1;
+  return size > 0 ? Math.min(Math.max(1, leastSize / size), mostSize / size) : 1;
 }
 
 /** What is drawn, and on what. */
 export interface Subject {
   readonly box: Box | null;
   readonly artboard?: Artboard;
-  /** Areas, which are no larger than their outlines: there is no line around them. */
+  /** Areas of ink, holes left out, in place of lines. */
   readonly filled?: boolean;
+  /** In place of the one path, the lowest first. */
+  readonly layers?: readonly FilePath[];
+}
+
+/** Whether all that is drawn are areas, which are no larger than their outlines: there is no line around them. */
+export function isOfAreas({ filled = false, layers = [] }: Pick<Subject, "filled" | "layers">): boolean {
+  return layers.length === 0 ? filled : layers.every(({ isLine }) => isLine !== true);
 }
 
 function grown({ minX, minY, maxX, maxY }: Box, by: number): Box {
@@ -35,10 +46,11 @@ export interface Sheet {
 }
 
 /** The artboard, with room for the drawing's line where that reaches out of it; null without one. */
-export function sheetIn({ box, artboard, filled }: Subject): Sheet | null {
+export function sheetIn(subject: Subject): Sheet | null {
+  const { box, artboard } = subject;
   if (artboard === undefined) return null;
   const enlarged = enlargement(sheetOf(artboard, box));
-  const frame = sheetOf(artboard, box === null || filled === true ? box : grown(box, lineWidth / enlarged));
+  const frame = sheetOf(artboard, box === null || isOfAreas(subject) ? box : grown(box, lineWidth / enlarged));
   return { frame, enlarged };
 }
 

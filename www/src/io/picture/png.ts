@@ -1,5 +1,5 @@
 import type { Filling } from "../../document/document.ts";
-import { inkOfFiles, type FileLayer } from "../svg/svg-write.ts";
+import { inkOfFiles } from "../svg/svg-write.ts";
 import { lineWidth, pictureOf, pngSize, type Subject } from "./png-size.ts";
 
 export interface PngOptions extends Subject {
@@ -10,8 +10,6 @@ export interface PngOptions extends Subject {
   /** A drawing as the stage shows it. Without, it looks as its SVG does: ink or lines, or `layers`. */
   readonly stage?: { readonly ink: string; readonly fill: string };
   readonly filling?: Filling;
-  /** Areas in colours in place of the one path, the lowest first. */
-  readonly layers?: readonly FileLayer[];
 }
 
 /** One path, and how it is drawn. */
@@ -26,13 +24,13 @@ export function pngPaths({ d, stage, filled, filling, layers = [] }: PngOptions)
   const rule = filling === "nonzero" ? filling : "evenodd";
   if (stage !== undefined) return [{ d, ...(filling === "none" ? {} : { fill: { color: stage.fill, alpha: 0.08, rule } }), stroke: stage.ink }];
   const area = (of: string, color = inkOfFiles): PngPath => ({ d: of, fill: { color, alpha: 1, rule } });
-  if (layers.length > 0) return layers.map((layer) => area(layer.d, layer.color));
-  return [filled === true ? area(d) : { d, stroke: inkOfFiles }];
+  const line = (of: string): PngPath => ({ d: of, stroke: inkOfFiles });
+  if (layers.length > 0) return layers.map((layer) => (layer.isLine === true ? line(layer.d) : area(layer.d, layer.color)));
+  return [filled === true ? area(d) : line(d)];
 }
 
 export async function writePng(options: PngOptions): Promise<Blob | null> {
-  const subject = { ...options, filled: options.filled === true || (options.layers ?? []).length > 0 };
-  const [size, picture] = [pngSize(subject, options.scale), pictureOf(subject)];
+  const [size, picture] = [pngSize(options, options.scale), pictureOf(options)];
   if (size === null || picture === null) return null;
   const canvas = document.createElement("canvas");
   canvas.width = size.width;

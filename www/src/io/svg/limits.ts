@@ -55,6 +55,7 @@ export type SvgWarningCode =
   | "W_UNIT"
   | "W_ODD_POINTS"
   | "W_STYLE"
+  | "W_GRADIENT"
   | "W_STYLE_TRANSFORM"
   | "W_TEXT"
   | "W_CLIP"

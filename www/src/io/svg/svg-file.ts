@@ -9,6 +9,7 @@ import { identity, multiply, translate, type Matrix } from "./matrix.ts";
 import { pathDataOf, shapeNames } from "./shapes.ts";
 import { enclosing, type Box } from "./style/box.ts";
 import { mayHide } from "./style/clip.ts";
+import { fillsOf, type Fill, type FillOf } from "./style/color.ts";
 import type { Declared } from "./style/declared.ts";
 import { initialPaint, isPaint, paintOf, unknownPaint, type Paint } from "./style/paint.ts";
 import { isHidden, isVisible, stylesOf, type Styles } from "./style/styles.ts";
@@ -19,7 +20,9 @@ import { innerViewport, nothingWanted, pictureOf, rootViewport, wantedBy, type V
 export interface SvgShape {
   readonly d: string;
   readonly transform: Matrix;
-  readonly paint: Paint;
+  /** What its area is filled with; null where nothing is. */
+  readonly fill: Fill | null;
+  readonly stroked: boolean;
 }
 
 export interface SvgFile {
@@ -40,6 +43,7 @@ interface Reading {
   /** The groups that are being walked, by nesting or by `use`: a `use` of one of them is a cycle. */
   readonly entered: Set<Element>;
   readonly styles: Styles;
+  readonly fillOf: FillOf;
   /** What is seen of the whole drawing, in its own units. */
   readonly picture: Box | null;
   readonly boundsOf: BoundsOf;
@@ -68,13 +72,15 @@ export function readSvg(source: string, boundsOf: BoundsOf = () => null, limits:
   const warn: Warn = (code, element) => {
     if (warnings.length < 100) warnings.push({ code, element: element.localName });
   };
+  const styles = stylesOf(root, warn);
   const reading: Reading = {
     limits,
     shapes: [],
     warnings,
     warn,
     entered: new Set(),
-    styles: stylesOf(root, warn),
+    styles,
+    fillOf: fillsOf(styles, warn),
     picture: pictureOf(root),
     boundsOf,
     expanded: 0,
@@ -86,7 +92,7 @@ export function readSvg(source: string, boundsOf: BoundsOf = () => null, limits:
 
 /** The frame that icons have around them is neither filled nor stroked. Where all are so, a page's style was to paint them. */
 function seenOf(shapes: readonly SvgShape[]): readonly SvgShape[] {
-  const seen = shapes.filter(({ paint: { fill, stroke } }) => isPaint(fill) || isPaint(stroke));
+  const seen = shapes.filter(({ fill, stroked }) => fill !== null || stroked);
   return seen.length === 0 ? shapes : seen;
 }
 
@@ -151,7 +157,7 @@ function addShape(element: Element, measures: Measures, { matrix, paint }: Place
   }
   const max = reading.limits.maxCommands;
   if (reading.commands > max) throw overLimit("maxCommands", max, reading.commands);
-  reading.shapes.push({ d, transform: matrix, paint });
+  reading.shapes.push({ d, transform: matrix, fill: reading.fillOf(paint, element), stroked: isPaint(paint.stroke) && paint.opacity > 0 });
 }
 
 function expand(use: Element, css: Declared, outer: Place, reading: Reading): void {

@@ -1,6 +1,6 @@
 import type { DemoState, Filling } from "../../document/document.ts";
 import type { Artboard, Box } from "../../document/artboard.ts";
-import { enlargement, lineWidth, sheetIn } from "../picture/png-size.ts";
+import { enlargement, isOfAreas, lineWidth, sheetIn, type Subject } from "../picture/png-size.ts";
 
 /** Text that may stand in XML: markup escaped, and characters that XML has no place for replaced. */
 export function escapeXml(text: string): string {
@@ -25,22 +25,10 @@ function roundingFor(box: Box): number {
   return 10 ** Math.max(-3, Math.min(0, Math.floor(Math.log10(size)) - 1));
 }
 
-/** Areas of one colour: without one, of the ink of files. */
-export interface FileLayer {
-  readonly color?: string;
-  readonly d: string;
-}
-
-export interface SvgOptions {
+export interface SvgOptions extends Subject {
   readonly title: string;
   readonly d: string;
-  readonly box: Box | null;
-  readonly artboard?: Artboard;
-  /** Areas of ink, holes left out, in place of lines. */
-  readonly filled?: boolean;
   readonly filling?: Filling;
-  /** Areas in colours in place of the one path, the lowest first. */
-  readonly layers?: readonly FileLayer[];
 }
 
 /** The artboard; what reaches out of it, and what has none, is rounded outwards: an artboard moves as little as can be. */
@@ -54,18 +42,24 @@ function viewBoxOf({ minX, minY, maxX, maxY }: Box, board: Artboard | undefined,
   return [x, y, right - x, bottom - y];
 }
 
+/** The attributes of what an area is filled with. */
+function fillOf(color: string): string {
+  const solid = escapeXml(color.slice(0, 7));
+  return color.length === 9 ? `fill="${solid}" fill-opacity="${plain(Number.parseInt(color.slice(7), 16) / 255)}"` : `fill="${solid}"`;
+}
+
 /** A document with one path, or one for each colour, and a viewBox around it with room for its line. */
 export function writeSvg(options: SvgOptions): string {
   const { title, d, artboard, filling, layers = [] } = options;
-  const filled = options.filled === true || layers.length > 0;
+  const filled = isOfAreas(options);
   const around = options.box ?? { minX: 0, minY: 0, maxX: 1, maxY: 1 };
-  const sheet = sheetIn({ ...options, filled });
+  const sheet = sheetIn(options);
   const width = Math.max(0.001, lineWidth / (sheet?.enlarged ?? enlargement(around)));
   const viewBox = viewBoxOf(sheet?.frame ?? around, artboard, filled || sheet !== null ? 0 : width).map(plain);
   const lines = `fill="none" stroke="${inkOfFiles}" stroke-width="${plain(width)}" stroke-linejoin="round"`;
-  const area = (color = inkOfFiles): string => `fill="${escapeXml(color)}"${filling === "nonzero" ? "" : ' fill-rule="evenodd"'}`;
+  const area = (color = inkOfFiles): string => `${fillOf(color)}${filling === "nonzero" ? "" : ' fill-rule="evenodd"'}`;
   const path = (text: string, how: string): string => (text === "" ? "" : `  <path d="${escapeXml(text)}" ${how}/>\n`);
-  const paths = layers.length === 0 ? [path(d, filled ? area() : lines)] : layers.map((layer) => path(layer.d, area(layer.color)));
+  const paths = layers.length === 0 ? [path(d, filled ? area() : lines)] : layers.map((layer) => path(layer.d, layer.isLine === true ? lines : area(layer.color)));
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${viewBox.join(" ")}" width="${viewBox[2]}" height="${viewBox[3]}">\n`,
     `  <title>${escapeXml(title)}</title>\n`,

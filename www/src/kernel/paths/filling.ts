@@ -1,4 +1,5 @@
 import { reversedContour } from "../../document/curve/contours.ts";
+import { inkLayers, noInk } from "../../document/curve/inks.ts";
 import { emptyCurve, type Contour, type CurveDocument, type Filling, type Space } from "../../document/document.ts";
 import { curveOf, type AnyCurve } from "../curve/curve-cache.ts";
 import { around, boundsOf, type Bounds } from "../curve/samples.ts";
@@ -15,6 +16,8 @@ export interface FilledShape {
   readonly rule: CanvasFillRule;
   /** Two of the same are one area where they overlap, as ink is; null is nothing. */
   readonly fill: string | null;
+  /** The colour that its contours have; absent: that of the page. */
+  readonly ink?: string;
 }
 
 export interface FilledDrawing {
@@ -22,35 +25,63 @@ export interface FilledDrawing {
   readonly filling?: Filling;
 }
 
-export function filled(shapes: readonly FilledShape[], space: Space): FilledDrawing {
+/** One rule for all: each colour, from the lowest up, is filled by itself. */
+export function filled(given: readonly FilledShape[], space: Space): FilledDrawing {
+  if (given.length > 0 && given.every(({ fill }) => fill === null)) return { contours: given.flatMap((shape) => shape.contours), filling: "none" };
+  const shapes = given.map(withInk);
   const contours = shapes.flatMap((shape) => shape.contours);
-  if (shapes.length > 0 && shapes.every(({ fill }) => fill === null)) return { contours, filling: "none" };
   if (shapes.length === 1 && shapes[0]?.rule === "evenodd") return { contours };
-  const seen = shapes.filter(({ fill }) => fill !== null);
-  const grid = gridAround(seen, space);
+  const grid = gridAround(shapes.filter(({ fill }) => fill !== null), space);
   if (grid === null) return { contours };
-  const areas = seen.map((shape) => areaOf(shape, space, grid));
-  const wanted = painted(areas, grid);
-  const away = (rule: CanvasFillRule, all: readonly Area[]): Difference => difference(wanted, shown(all.flatMap(({ outlines }) => outlines.map(({ flat }) => flat)), grid, rule));
-  const asToday = away("evenodd", areas);
+  const layers = runsOf(shapes).map((run) => layerOf(run.map((shape) => areaOf(shape, space, grid)), grid));
+  const away = (rule: CanvasFillRule, as = (area: Area): Area => area): Difference =>
+    inAll(layers.map(({ areas, wanted }) => difference(wanted, shown(areas.flatMap((area) => as(area).outlines.map(({ flat }) => flat)), grid, rule))));
+  const asToday = away("evenodd");
   if (asToday.largest <= unseen) return { contours };
-  const turned = areas.map(turnedForWinding);
-  const [asItIs, asTurned] = [away("nonzero", areas), away("nonzero", turned)];
+  const turned = new Map(layers.flatMap(({ areas }) => areas.map((area) => [area, turnedForWinding(area)] as const)));
+  const [asItIs, asTurned] = [away("nonzero"), away("nonzero", (area) => turned.get(area) ?? area)];
   if (Math.min(asItIs.sum, asTurned.sum) >= asToday.sum) return { contours };
-  if (asItIs.sum <= asTurned.sum) return { contours, filling: "nonzero" };
-  const turnedOf = new Map(areas.flatMap(({ outlines }, a) => outlines.map(({ contour }, i) => [contour, turned[a]?.outlines[i]?.contour ?? contour] as const)));
-  return { contours: contours.map((contour) => turnedOf.get(contour) ?? contour), filling: "nonzero" };
+  return { contours: asItIs.sum <= asTurned.sum ? contours : contours.map(turnedBy(turned)), filling: "nonzero" };
+}
+
+/** What became of a contour of an area, when that was turned. */
+function turnedBy(areas: ReadonlyMap<Area, Area>): (contour: Contour) => Contour {
+  const turnedOf = new Map([...areas].flatMap(([{ outlines }, turned]) => outlines.map(({ contour }, i) => [contour, turned.outlines[i]?.contour ?? contour] as const)));
+  return (contour) => turnedOf.get(contour) ?? contour;
+}
+
+/** Contours have the colour of their shape, or say that they have no area. */
+function withInk(shape: FilledShape): FilledShape {
+  const ink = shape.fill === null ? noInk : shape.ink;
+  if (ink === undefined) return shape;
+  return { ...shape, ink, contours: shape.contours.map((contour) => (contour.ink === ink ? contour : { ...contour, ink })) };
+}
+
+/** Areas of one colour that follow each other, which a drawing fills together. */
+function runsOf(shapes: readonly FilledShape[]): readonly (readonly FilledShape[])[] {
+  const runs: FilledShape[][] = [];
+  shapes.forEach((shape, i) => {
+    if (i > 0 && shapes[i - 1]?.ink === shape.ink) runs.at(-1)?.push(shape);
+    else runs.push([shape]);
+  });
+  return runs.filter(([first]) => first?.fill !== null);
 }
 
 /** A drawing and more contours beside it, which each keep the look they had. */
 export function filledTogether(before: CurveDocument, added: FilledDrawing): FilledDrawing {
-  const contours = [...before.contours, ...added.contours];
   const [one, other] = [before.filling, added.filling];
-  const as = (filling: Filling | undefined): FilledDrawing => ({ contours, ...(filling === undefined ? {} : { filling }) });
-  if (before.contours.length === 0 || one === other || one === "none") return as(other);
-  // Lines and areas in one drawing: it has areas.
-  if (other === "none") return as(one);
-  return filled([{ contours: before.contours, rule: one ?? "evenodd", fill: "" }, { contours: added.contours, rule: other ?? "evenodd", fill: "" }], before.space);
+  if (before.contours.length === 0 || one === other) return { contours: [...before.contours, ...added.contours], ...(other === undefined ? {} : { filling: other }) };
+  return filled([...shapesOf(before, one), ...shapesOf({ ...before, contours: added.contours }, other)], before.space);
+}
+
+/** A drawing as the shapes that it fills, each of one colour. */
+function shapesOf(curve: CurveDocument, filling: Filling | undefined): readonly FilledShape[] {
+  return inkLayers(curve).map(({ ink, drawing: { contours } }) => ({
+    contours,
+    rule: filling === "nonzero" ? filling : "evenodd",
+    fill: filling === "none" || ink === noInk ? null : ink ?? "",
+    ...(ink === undefined ? {} : { ink }),
+  }));
 }
 
 /** In pixels of the grid. */
@@ -64,6 +95,12 @@ interface Outline {
 
 interface Area extends Pick<FilledShape, "rule" | "fill"> {
   readonly outlines: readonly Outline[];
+}
+
+/** Areas of one colour, and what they show together. */
+interface Layer {
+  readonly areas: readonly Area[];
+  readonly wanted: Float32Array;
 }
 
 /** The pixels that rules are compared on. */
@@ -113,6 +150,10 @@ function areaOf(shape: FilledShape, space: Space, { x, y, scale }: Grid): Area {
   return { outlines, rule: shape.rule, fill: shape.fill };
 }
 
+function layerOf(areas: readonly Area[], grid: Grid): Layer {
+  return { areas, wanted: painted(areas, grid) };
+}
+
 function shown(flats: readonly Float64Array[], { columns, rows }: Pick<Grid, "columns" | "rows">, rule: CanvasFillRule): Float32Array {
   return coverage(flats, columns, rows, 1, rule);
 }
@@ -140,6 +181,10 @@ function painted(areas: readonly Area[], { columns, rows }: Grid): Float32Array 
 interface Difference {
   readonly largest: number;
   readonly sum: number;
+}
+
+function inAll(layers: readonly Difference[]): Difference {
+  return { largest: layers.reduce((most, { largest }) => Math.max(most, largest), 0), sum: layers.reduce((sum, layer) => sum + layer.sum, 0) };
 }
 
 function difference(a: Float32Array, b: Float32Array): Difference {

@@ -18,8 +18,8 @@ export function lookField(natural: boolean, changed: () => void): HTMLElement {
   const field = selectField<"lines" | "areas">({
     label: "Drawn as",
     testid: "export-look",
-    about: "What the SVG and the picture show: lines, or areas of ink with their holes left out.",
-    options: [["lines", "Lines"], ["areas", "Areas of ink"]],
+    about: "What the SVG and the picture show: lines, or areas with their holes left out.",
+    options: [["lines", "Lines"], ["areas", "Filled areas"]],
     write(value) {
       look = value;
       changed();

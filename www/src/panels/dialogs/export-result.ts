@@ -1,5 +1,6 @@
 import { sheetOf } from "../../document/artboard.ts";
-import type { CurveDocument } from "../../document/document.ts";
+import type { FilePath } from "../../document/curve/inks.ts";
+import type { CurveDocument, Filling } from "../../document/document.ts";
 import { exportPath, type ExportedPath } from "../../kernel/paths/export.ts";
 import type { documentBounds } from "../../kernel/curve/samples.ts";
 import { h, svg } from "../controls/dom.ts";
@@ -63,9 +64,13 @@ function drawn(d: string, drawing: Box, { artboard, filled, filling, layers = []
   const sheet = artboard === undefined ? [] : [svg("rect", { class: "export-sheet", x: box.minX, y: box.minY, width, height })];
   const area = (text: string, color: string | undefined): SVGPathElement =>
     svg("path", { d: text, "fill-rule": filling === "nonzero" ? filling : "evenodd", ...(color === undefined ? { class: "export-ink" } : { fill: color }) });
-  const line = svg("path", { class: "thumbnail-curve", d });
-  if (filling !== undefined) line.style[filling === "none" ? "fill" : "fillRule"] = filling;
-  const shapes = layers.length > 0 ? layers.map((layer) => area(layer.d, layer.color)) : [filled === true ? area(d, undefined) : line];
+  const line = (text: string, how: Filling | undefined): SVGPathElement => {
+    const path = svg("path", { class: "thumbnail-curve", d: text });
+    if (how !== undefined) path.style[how === "none" ? "fill" : "fillRule"] = how;
+    return path;
+  };
+  const layer = ({ d: text, color, isLine }: FilePath): SVGPathElement => (isLine === true ? line(text, "none") : area(text, color));
+  const shapes = layers.length > 0 ? layers.map(layer) : [filled === true ? area(d, undefined) : line(d, filling)];
   return svg("svg", { viewBox, role: "img", "aria-label": "Preview of the exported path" }, ...sheet, ...shapes);
 }
 

@@ -1,5 +1,5 @@
-import { inkLayers } from "../../document/curve/inks.ts";
-import type { CurveDocument, Mode } from "../../document/document.ts";
+import { inkLayers, noInk, type FilePath, type InkLayer } from "../../document/curve/inks.ts";
+import type { Contour, CurveDocument, Mode } from "../../document/document.ts";
 import type { Editor } from "../../editor/editor.ts";
 import type { FileLook } from "../page-io.ts";
 
@@ -8,7 +8,9 @@ import type { FileLook } from "../page-io.ts";
  * are edited; the samples teach curves, and a line that is open encloses nothing.
  */
 function isOfAreas({ contours, filling, sample }: CurveDocument, mode: Mode): boolean {
-  return filling !== "none" && (mode === "trace" || sample === undefined) && contours.every(({ closed }) => closed);
+  if (filling === "none" || (mode !== "trace" && sample !== undefined)) return false;
+  // Where areas have colours, what is open is a line beside them.
+  return contours.some(isArea) && (contours.every(({ closed, ink }) => closed || ink === noInk) || contours.some((contour) => isArea(contour) && contour.ink !== undefined));
 }
 
 /** How a file shows a drawing, where nobody says otherwise. */
@@ -17,10 +19,23 @@ export function lookOf(curve: CurveDocument, mode: Mode): FileLook & { readonly 
   return { filled: isOfAreas(curve, mode), ...(filling === undefined ? {} : { filling }), ...(artboard === undefined ? {} : { artboard }) };
 }
 
-/** What a file of areas has of each colour, the lowest first; nothing where there is only ink. */
-export function layersOf({ modes, state }: Editor, curve: CurveDocument): readonly { readonly color?: string; readonly drawing: CurveDocument }[] {
+function isArea({ closed, ink }: Contour): boolean {
+  return closed && ink !== noInk;
+}
+
+/** A path of a file that is not printed yet. */
+export type FileDrawing = Omit<FilePath, "d"> & { readonly drawing: CurveDocument };
+
+/** What a file of areas has of each colour, and the lines among them, the lowest first; nothing where there is only ink. */
+export function layersOf({ modes, state }: Editor, curve: CurveDocument): readonly FileDrawing[] {
   const traced = modes.get(state.value.mode)?.layers?.(state.value);
   if (traced !== undefined) return traced;
-  const inked = inkLayers(curve).map(({ ink, drawing }) => (ink === undefined ? { drawing } : { color: ink, drawing }));
-  return inked.some(({ color }) => color !== undefined) ? inked : [];
+  const layers = inkLayers(curve);
+  return layers.every(({ ink }) => ink === undefined) ? [] : layers.flatMap(areasAndLines);
+}
+
+function areasAndLines({ ink, drawing }: InkLayer): FileDrawing[] {
+  const areas = { ...(ink === undefined ? {} : { color: ink }), drawing: { ...drawing, contours: drawing.contours.filter(isArea) } };
+  const lines = { isLine: true, drawing: { ...drawing, contours: drawing.contours.filter((contour) => !isArea(contour)) } };
+  return [areas, lines].filter((each) => each.drawing.contours.length > 0);
 }

@@ -1,5 +1,5 @@
 import { locate } from "../../document/curve/contours.ts";
-import { inkLayers } from "../../document/curve/inks.ts";
+import { inkLayers, noInk } from "../../document/curve/inks.ts";
 import { partsOf } from "../../document/curve/parts.ts";
 import { pointAt, segmentCount } from "../../document/document.ts";
 import { affectedSegments } from "../../document/curve/roots.ts";
@@ -16,14 +16,18 @@ export function drawArtboard(scene: Scene): void {
   if (artboard !== undefined) drawSheet(scene, artboard);
 }
 
+/** Characters of a colour through which nothing shows. */
+const solid = "#rrggbb".length;
+
 export function drawFill(scene: Scene): void {
   const { state, palette } = scene;
   const { filling = "evenodd" } = state.curve;
   if (!state.settings.overlays.fill || state.originalOnly || filling === "none") return;
   const context = inPage(scene);
   for (const { ink, drawing } of inkLayers(state.curve)) {
+    if (ink === noInk) continue;
     const { closed } = documentPaths(scene, drawing);
-    if (ink !== undefined) {
+    if (ink?.length === solid) {
       // What lies below is not seen, and lines and points are over any colour.
       context.fillStyle = palette.canvas;
       context.globalAlpha = 1;
