@@ -3,10 +3,9 @@
  * turns, each with a checksum: a torn or damaged write opens the other one, and no tab can overwrite another's work.
  */
 import type { DemoState } from "../../document/document.ts";
-import { writeState } from "../../document/file/write.ts";
-import type { KeptText } from "./database.ts";
+import { statePieces, writeState } from "../../document/file/write.ts";
 import { keep, keepAtOnce, makeRoom } from "./keeping.ts";
-import { seal } from "./sealed.ts";
+import { seal, sealPieces, type Unsealed } from "./sealed.ts";
 import { rememberTab } from "./store.ts";
 
 const delayMs = 1000;
@@ -32,34 +31,55 @@ export function createAutosave({ read, busy, failing, until }: AutosaveOptions):
   let failed = false;
   /** Writes come one after the other; of those that wait, the newest is enough. */
   let writing = makeRoom(session);
-  let waiting: KeptText | null = null;
+  /** The newest that is not kept yet. */
+  let newest: (Unsealed & { readonly state: DemoState }) | null = null;
 
   const writeNewest = async (): Promise<void> => {
-    if (waiting === null) return;
-    const next = waiting;
-    waiting = null;
-    const now = !(await keep(next));
+    if (newest === null) return;
+    const next = newest;
+    const now = !(await keep(await sealPieces(next, statePieces(next.state), resting())));
+    if (newest === next) newest = null;
     if (now !== failed) failing(now);
     failed = now;
   };
-  const flush = (leaving: boolean): void => {
+  const take = (): void => {
     if (timer === null) return;
     clearTimeout(timer);
     timer = null;
     if (busy()) return touch();
     generation += 1;
     rememberTab(session);
-    waiting = seal({ session, generation, time: Date.now(), json: writeState(read()) });
-    // A page that is being left may not live until the database has answered.
-    if (leaving) keepAtOnce(waiting);
+    newest = { session, generation, time: Date.now(), state: read() };
     writing = writing.then(writeNewest);
+  };
+  const leave = (): void => {
+    take();
+    // A page that is being left may not live until the database has answered.
+    if (newest !== null) keepAtOnce(seal({ ...newest, json: writeState(newest.state) }));
   };
   const touch = (): void => {
     // From the first change that is not kept yet, so that steady work is kept every second, not never.
-    timer ??= setTimeout(() => flush(false), delayMs);
+    timer ??= setTimeout(take, delayMs);
   };
-  document.addEventListener("visibilitychange", () => document.visibilityState === "hidden" && flush(true), { signal: until });
-  window.addEventListener("pagehide", () => flush(true), { signal: until });
+  document.addEventListener("visibilitychange", () => document.visibilityState === "hidden" && leave(), { signal: until });
+  window.addEventListener("pagehide", leave, { signal: until });
   until.addEventListener("abort", () => timer !== null && clearTimeout(timer), { once: true });
   return { touch };
+}
+
+/** Of a frame, what the writing of a large drawing takes before the page has its turn. */
+const turnMs = 5;
+
+/** Lets the page have its turn, once that is due. */
+function resting(): () => Promise<void> | null {
+  let since = performance.now();
+  return () => {
+    if (performance.now() - since < turnMs) return null;
+    return new Promise((go) => {
+      setTimeout(() => {
+        since = performance.now();
+        go();
+      });
+    });
+  };
 }

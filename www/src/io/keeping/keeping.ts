@@ -1,5 +1,5 @@
 import { readAll, remove, write, type KeptText } from "./database.ts";
-import { byAge, sessionOf, unseal } from "./sealed.ts";
+import { byAge, generationOf, sessionOf, unseal } from "./sealed.ts";
 import { keysOf, localStore, markKept } from "./store.ts";
 
 /** What is kept, wherever: the database has all of it, and the local store what was written when there was no time, or no database. */
@@ -33,12 +33,17 @@ function forgetLocally(keys: readonly string[]): void {
   }
 }
 
+/** A page that is being left may have kept a newer one in the same place, while this one was on its way. */
+function isOutdone({ key, text }: KeptText): boolean {
+  return inLocalStore().some((there) => there.key === key && generationOf(there.text) > generationOf(text));
+}
+
 /** Everything that is kept. What lies in the local store moves into the database. */
 export async function allKept(): Promise<KeptText[]> {
   const local = inLocalStore();
   const known = await readAll().catch((): KeptText[] => []);
-  const generationOf = (kept: KeptText | undefined): number => (kept === undefined ? -1 : (unseal(kept)?.generation ?? -1));
-  const newer = local.filter((kept) => generationOf(kept) > generationOf(known.find(({ key }) => key === kept.key)));
+  const wholeOf = (kept: KeptText | undefined): number => (kept === undefined ? -1 : (unseal(kept)?.generation ?? -1));
+  const newer = local.filter((kept) => wholeOf(kept) > wholeOf(known.find(({ key }) => key === kept.key)));
   for (const kept of local) {
     const moved = !newer.includes(kept) || (await write(kept).catch(() => false));
     if (moved) forgetLocally([kept.key]);
@@ -57,7 +62,7 @@ async function written(kept: KeptText): Promise<boolean | "full"> {
   } catch (error) {
     return (error as { name?: unknown } | null)?.name === "QuotaExceededError" ? "full" : false;
   }
-  forgetLocally([kept.key]);
+  if (!isOutdone(kept)) forgetLocally([kept.key]);
   markKept(localStore());
   return true;
 }
@@ -69,7 +74,7 @@ export async function keep(kept: KeptText): Promise<boolean> {
     await makeRoom(sessionOf(kept.key), 1);
     done = await written(kept);
   }
-  return done === true || keepAtOnce(kept);
+  return done === true || isOutdone(kept) || keepAtOnce(kept);
 }
 
 /** Leaves so many sessions, this one among them. */
