@@ -119,3 +119,28 @@ test("the stage shows areas in their colours, under lines and points that are se
     halfWay(color).forEach((value, i) => assert.ok(Math.abs((found[i] ?? NaN) - value) <= 2, `${found.join()} for ${color.join()} on ${colors.canvasColor}`));
   }
 });
+
+test("a drawing that is made simpler in Fit keeps its colours, in what Fit saves and back in Curve", async (t) => {
+  const text = framed('<rect x="3" y="3" width="42" height="42" fill="#204080"/><circle cx="24" cy="24" r="18" fill="#ffcc00"/><path d="M14 24a10 10 0 0 0 20 0z" fill="#b71c1c80"/><circle cx="24" cy="24" r="21" fill="none" stroke="#000"/>');
+  const inks = ["#204080", "#ffcc00", "#b71c1c80", "none"];
+  const demo = await open(t);
+  await opened(demo, text);
+  await demo.byId("curve-simplify").click();
+  await demo.idle();
+  assert.deepEqual(await demo.page.evaluate(() => window.explineDemo.getState().fit.inks), inks);
+  const wanted = await cellsOf(demo, "image/svg+xml", Buffer.from(text));
+  const flat = wanted.flatMap((_, i) => (isFlat(wanted, i) && isFlat(wanted, i + 2) && isFlat(wanted, i - 2) && isFlat(wanted, i + 2 * cells) && isFlat(wanted, i - 2 * cells) ? [i] : []));
+  for (const mode of ["fit", "curve"] as const) {
+    if (mode === "curve") {
+      await demo.byId("fit-edit").click();
+      await demo.idle();
+      assert.deepEqual(await inksOf(demo), inks);
+    }
+    await demo.byId("btn-export").click();
+    const found = await cellsOf(demo, "image/svg+xml", await saved(demo, "export-svg"));
+    const away = flat.filter((i) => apart(found[i] ?? [], wanted[i] ?? []) > rounding).length;
+    // Lines are as thin as they are everywhere in the page's files, and a fit may be a quarter of a percent away.
+    assert.ok(flat.length > 0.4 * cells * cells && away < 0.005 * flat.length, `${mode}: ${away} of ${flat.length}`);
+    await demo.page.keyboard.press("Escape");
+  }
+});

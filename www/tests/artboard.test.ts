@@ -110,11 +110,11 @@ test("a drawing that is simplified in Fit comes back with its artboard and its f
   const fit = (): FitDocument => editor.state.value.fit;
   assert.deepEqual(settingOf(fit()), { artboard: icon, filling: "nonzero" });
   assert.deepEqual(parseState(writeState(editor.getState())).state.fit, fit());
-  bringStrokes(editor, { name: "Import", strokes: [[[0, 0], [5, 5], [9, 0]]] });
+  bringStrokes(editor, { name: "Import", strokes: [{ places: [[0, 0], [5, 5], [9, 0]] }] });
   assert.deepEqual(settingOf(fit()), { artboard: icon, filling: "nonzero" }, "what comes to it lies on it");
   clearFit(editor);
   assert.deepEqual(settingOf(fit()), {});
   editor.undo();
-  bringStrokes(editor, { name: "Import", strokes: [[[0, 0], [5, 5], [9, 0]]], instead: "all" });
+  bringStrokes(editor, { name: "Import", strokes: [{ places: [[0, 0], [5, 5], [9, 0]] }], instead: "all" });
   assert.deepEqual(settingOf(fit()), {});
 });

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { emptyFit, fitDefaults, isJoined, strokesOf, withoutDisc, withStroke, type FitDocument, type Pair } from "../src/document/fit/fit.ts";
+import { emptyFit, fitDefaults, isJoined, strokesOf, withoutDisc, withStrokes, type FitDocument, type Pair } from "../src/document/fit/fit.ts";
 import { fitSample, fitSamples, samplePoints } from "../src/document/fit/fit-samples.ts";
 import { readState, writeState, parseState } from "../src/document/file/file.ts";
 import { bringStrokes } from "../src/editor/fit/bring.ts";
@@ -101,7 +101,7 @@ test("points are placed one by one; a double-click begins another stroke", () =>
 
 test("the eraser takes points away along its way, as one entry", () => {
   const made = hand();
-  bringStrokes(made.editor, { name: "Import", strokes: [Array.from({ length: 50 }, (_, i): Pair => [10 * i, 200])] });
+  bringStrokes(made.editor, { name: "Import", strokes: [{ places: Array.from({ length: 50 }, (_, i): Pair => [10 * i, 200]) }] });
   chooseFitTool(made.editor, "erase");
   made.editor.patch({ view: { zoom: 1, x: 400, y: 300 } });
   made.drag({ x: 100, y: 200 }, 100, 0);
@@ -113,7 +113,7 @@ test("the eraser takes points away along its way, as one entry", () => {
 
 test("a tool that another finger chooses while one erases is for the next press", () => {
   const made = hand();
-  bringStrokes(made.editor, { name: "Import", strokes: [Array.from({ length: 50 }, (_, i): Pair => [10 * i, 200])] });
+  bringStrokes(made.editor, { name: "Import", strokes: [{ places: Array.from({ length: 50 }, (_, i): Pair => [10 * i, 200]) }] });
   chooseFitTool(made.editor, "erase");
   made.editor.patch({ view: { zoom: 1, x: 400, y: 300 } });
   made.moveTo(100, 200).press().moveTo(150, 200);
@@ -125,7 +125,7 @@ test("a tool that another finger chooses while one erases is for the next press"
 });
 
 test("erasing a whole stroke removes it, and what is left keeps its strokes", () => {
-  const fit = withStroke(withStroke({ ...fitDefaults, data: [] }, [[0, 0], [1, 0]]), [[100, 0], [101, 0], [150, 0]]);
+  const fit = withStrokes({ ...fitDefaults, data: [] }, [{ places: [[0, 0], [1, 0]] }, { places: [[100, 0], [101, 0], [150, 0]] }]);
   const less = withoutDisc(fit, 0.5, 0, 5);
   assert.deepEqual(strokesOf(less), [{ from: 0, to: 3 }]);
   assert.equal(withoutDisc(fit, 50, 50, 5), fit, "nothing there, nothing changed");

@@ -3,11 +3,13 @@ import { test } from "node:test";
 import { inkLayers } from "../src/document/curve/inks.ts";
 import { curveSample } from "../src/document/curve/samples.ts";
 import type { Contour, CurveDocument } from "../src/document/document.ts";
+import { emptied, fitDefaults, withoutDisc, withStrokes, type Pair } from "../src/document/fit/fit.ts";
 import { FileError, parseState, writeState } from "../src/document/file/file.ts";
 import { resample, setClosed } from "../src/editor/curve/contour-edits.ts";
 import { loadCurve } from "../src/editor/curve/edits.ts";
 import { refineCurveHere, setFamily } from "../src/editor/curve/family-edits.ts";
 import { applyProposal, setLevel } from "../src/editor/curve/level-edits.ts";
+import { subjectOf } from "../src/editor/fit/fit-question.ts";
 import { pngPaths } from "../src/io/picture/png.ts";
 import { writeSvg } from "../src/io/svg/svg-write.ts";
 import { inkedContours, outcomeOfKept } from "../src/kernel/trace/outcome.ts";
@@ -105,6 +107,26 @@ test("outlines that come back without their picture have the colours that they w
   assert.deepEqual(inkedContours(outcome), colored);
   const plain = outcomeOfKept({ name: "a.png", width: 10, height: 10, contours: inked("heart", null).contours });
   assert.deepEqual([plain.colors, plain.layers], [[], []]);
+});
+
+test("strokes keep the colours of their contours as they are added to, erased, written and read", () => {
+  const stroke = (x: number): Pair[] => Array.from({ length: 9 }, (_, i): Pair => [x + i, i % 2]);
+  const plain = withStrokes({ ...fitDefaults, data: [] }, [{ places: stroke(0) }]);
+  assert.equal("inks" in plain, false);
+  const fit = withStrokes(plain, [{ places: [], ink: "#000000" }, { places: stroke(100), ink }, { places: stroke(200), ink: "none" }]);
+  assert.deepEqual(fit.inks, [null, ink, "none"]);
+  assert.deepEqual(withStrokes(fit, [{ places: stroke(300) }]).inks, [...fit.inks ?? [], null]);
+  assert.deepEqual(withoutDisc(fit, 4, 0, 20).inks, [ink, "none"], "one less");
+  assert.deepEqual(withoutDisc(fit, 104, 0, 2).inks, fit.inks, "a part of one");
+  assert.equal("inks" in withoutDisc(withoutDisc(fit, 104, 0, 20), 204, 0, 20), false);
+  assert.equal("inks" in emptied(fit), false);
+  assert.deepEqual(subjectOf(fit, false)?.strokes.map((each) => each.ink), [undefined, ink, "none"]);
+  const state = { ...new Hand().editor.getState(), fit };
+  assert.deepEqual(parseState(writeState(state)).state.fit, fit);
+  for (const strange of [[ink], [null, ink, "none", null], [null, ink, "red"], ink]) {
+    const text = JSON.stringify({ ...state, fit: { ...fit, inks: strange } });
+    assert.throws(() => parseState(text), (error: unknown) => error instanceof FileError && error.message.includes("$.fit.inks"), text);
+  }
 });
 
 test("a colour that is none is refused, with its place", () => {

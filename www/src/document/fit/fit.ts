@@ -20,6 +20,8 @@ export interface FitDocument extends Setting {
   readonly data: readonly Pair[];
   /** Where in the data each stroke after the first begins. */
   readonly starts: readonly number[];
+  /** The colour of each stroke's area, as contours have it (`ink`); null for those that have none, absent where none has. */
+  readonly inks?: readonly (string | null)[];
   readonly model: FitModel;
   /** 0 … 100 */
   readonly smoothing: number;
@@ -82,7 +84,7 @@ export function isJoined({ data, closing }: Pick<FitDocument, "data" | "closing"
 }
 
 /** The document without strokes, and without what was true of the drawing that they came from. */
-export function emptied({ sample: _gone, filling: _filling, artboard: _artboard, ...fit }: FitDocument): FitDocument {
+export function emptied({ sample: _gone, filling: _filling, artboard: _artboard, inks: _inks, ...fit }: FitDocument): FitDocument {
   return { ...fit, data: [], starts: [] };
 }
 
@@ -91,11 +93,28 @@ export function owned({ sample: _gone, ...fit }: FitDocument): FitDocument {
   return fit;
 }
 
-/** The document with one more stroke. */
-export function withStroke(fit: FitDocument, stroke: readonly Pair[]): FitDocument {
-  if (stroke.length === 0) return fit;
-  const { data, starts } = fit;
-  return { ...owned(fit), data: [...data, ...stroke], starts: data.length === 0 ? [] : [...starts, data.length] };
+/** A stroke on its way into a document. */
+export interface NewStroke {
+  readonly places: readonly Pair[];
+  readonly ink?: string;
+}
+
+/** The document with more strokes. */
+export function withStrokes(fit: FitDocument, strokes: readonly NewStroke[]): FitDocument {
+  const fresh = strokes.filter(({ places }) => places.length > 0);
+  if (fresh.length === 0) return fit;
+  const data = [...fit.data];
+  const starts = [...fit.starts];
+  for (const { places } of fresh) {
+    if (data.length > 0) starts.push(data.length);
+    for (const place of places) data.push(place);
+  }
+  const inks = [...(fit.inks ?? strokesOf(fit).map(() => null)), ...fresh.map(({ ink = null }) => ink)];
+  return withInks({ ...owned(fit), data, starts }, inks);
+}
+
+function withInks({ inks: _old, ...fit }: FitDocument, inks: readonly (string | null)[]): FitDocument {
+  return inks.every((ink) => ink === null) ? fit : { ...fit, inks };
 }
 
 /** The document with one more point at the end of its last stroke. */
@@ -107,15 +126,17 @@ export function withPoint(fit: FitDocument, point: Pair): FitDocument {
 export function withoutDisc(fit: FitDocument, x: number, y: number, radius: number): FitDocument {
   const kept: Pair[] = [];
   const starts: number[] = [];
-  for (const { from, to } of strokesOf(fit)) {
+  const inks: (string | null)[] = [];
+  for (const [stroke, { from, to }] of strokesOf(fit).entries()) {
     const before = kept.length;
     for (let i = from; i < to; i += 1) {
       const point = fit.data[i];
       if (point !== undefined && Math.hypot(point[0] - x, point[1] - y) > radius) kept.push(point);
     }
     if (kept.length > before && before > 0) starts.push(before);
+    if (kept.length > before) inks.push(fit.inks?.[stroke] ?? null);
   }
-  return kept.length === fit.data.length ? fit : { ...owned(fit), data: kept, starts };
+  return kept.length === fit.data.length ? fit : withInks({ ...owned(fit), data: kept, starts }, inks);
 }
 
 /** How many different points a stroke has; counting stops at `enough`. */

@@ -1,6 +1,6 @@
 import { settingOf, type Setting } from "../../document/artboard.ts";
 import type { Contour } from "../../document/document.ts";
-import { emptied, withStroke, type FitDocument, type Pair } from "../../document/fit/fit.ts";
+import { emptied, withStrokes, type FitDocument, type NewStroke, type Pair } from "../../document/fit/fit.ts";
 import { diagonalOf, mostPlaces, placesAlong } from "../../kernel/fit/as-strokes.ts";
 import type { Editor } from "../editor.ts";
 import { setFitView, showData } from "./fit-edits.ts";
@@ -10,7 +10,7 @@ import { setFitView, showData } from "./fit-edits.ts";
 export interface Brought {
   /** Of the history's entry. */
   readonly name: string;
-  readonly strokes: readonly (readonly Pair[])[];
+  readonly strokes: readonly NewStroke[];
   /** The largest error that the fit may have: what was drawn exactly has no noise that a smoothing could be measured by. */
   readonly within?: number;
   /** Beside a sample, which always gives way: whether everything else does too. */
@@ -25,7 +25,7 @@ export function bringStrokes(editor: Editor, { name, strokes, within, instead = 
     const fresh = instead === "all" || fit.sample !== undefined || fit.data.length === 0;
     const rest: FitDocument = fresh ? { ...emptied(fit), closing: "auto", ...settingOf(setting) } : fit;
     const asked: FitDocument = fresh && within !== undefined ? { ...rest, target: "error", targetError: within } : rest;
-    return { fit: strokes.reduce(withStroke, asked) };
+    return { fit: withStrokes(asked, strokes) };
   });
   setFitView(editor, { chosen: [] });
   showData(editor, 64);
@@ -46,7 +46,7 @@ const apart = 1 / 600;
 /** Contours of files: points are what was measured, curves are followed. */
 export function bringContours(editor: Editor, contours: readonly Contour[], arePoints: boolean, more: Pick<Brought, "instead" | "setting"> & { readonly name?: string } = {}): void {
   const named = { name: "Import", ...more };
-  if (arePoints) return bringStrokes(editor, { ...named, strokes: contours.map(({ points }) => points.map(({ x, y }): Pair => [x, y])) });
+  if (arePoints) return bringStrokes(editor, { ...named, strokes: contours.map(({ points }) => ({ places: points.map(({ x, y }): Pair => [x, y]) })) });
   const { curve } = editor.state.value;
   const size = diagonalOf(curve, contours);
   bringStrokes(editor, { ...named, strokes: placesAlong(curve, contours, apart * size, mostPlaces), within: Number((simpler * size).toPrecision(2)) });

@@ -1,5 +1,5 @@
 import {
-  emptied, fitLimits, isJoined, strokesOf, withPoint, withStroke, withoutDisc, type FitClosing, type FitDocument, type FitModel, type FitTarget,
+  emptied, fitLimits, isJoined, strokesOf, withPoint, withStrokes, withoutDisc, type FitClosing, type FitDocument, type FitModel, type FitTarget,
   type Pair,
 } from "../../document/fit/fit.ts";
 import { fitSample, samplePoints, type FitSample } from "../../document/fit/fit-samples.ts";
@@ -121,12 +121,12 @@ function base(fit: FitDocument): FitDocument {
 }
 
 export function addStroke(editor: Editor, stroke: readonly Pair[]): void {
-  change(editor, "Draw", (fit) => withStroke(base(fit), stroke));
+  change(editor, "Draw", (fit) => withStrokes(base(fit), [{ places: stroke }]));
 }
 
 /** A point at the end of the last stroke, or the first of a new one. */
 export function addPoint(editor: Editor, point: Pair, begins: boolean): void {
-  change(editor, "Add point", (fit) => (begins ? withStroke(base(fit), [point]) : withPoint(fit, point)));
+  change(editor, "Add point", (fit) => (begins ? withStrokes(base(fit), [{ places: [point] }]) : withPoint(fit, point)));
 }
 
 export function eraseAt(editor: Editor, x: number, y: number, radius: number): void {

@@ -30,9 +30,10 @@ export function mostDifferent(fit: FitDocument): number {
 /** What is to be fitted, or null where no stroke has enough points; with `parts`, the parts are wanted by themselves, too. */
 export function subjectOf(fit: FitDocument, parts: boolean): FitSubject | null {
   const strokes: FitInput[] = [];
-  for (const stroke of strokesOf(fit)) {
+  for (const [i, stroke] of strokesOf(fit).entries()) {
     if (differentPoints(fit, stroke, leastPoints) < leastPoints) continue;
-    strokes.push({ points: Float64Array.from(fit.data.slice(stroke.from, stroke.to).flat()), closed: isJoined(fit, stroke) });
+    const ink = fit.inks?.[i] ?? null;
+    strokes.push({ points: Float64Array.from(fit.data.slice(stroke.from, stroke.to).flat()), closed: isJoined(fit, stroke), ...(ink === null ? {} : { ink }) });
   }
   return strokes.length === 0 ? null : { strokes, degree: degreeOf(fit), mix: fit.mix / 100, corners: fit.corners, parts };
 }

@@ -5,7 +5,7 @@ import type { FitOutcome } from "../../kernel/fit/outcome.ts";
 import type { Editor, EditorState } from "../editor.ts";
 import { openInCurve } from "../curve/open-in-curve.ts";
 
-const contoursOf = ({ strokes }: FitOutcome): Contour[] => strokes.map(({ curve }) => contourFromFit(curve));
+const contoursOf = ({ strokes }: FitOutcome): Contour[] => strokes.map(({ curve, ink }) => ({ ...contourFromFit(curve), ...(ink === undefined ? {} : { ink }) }));
 
 /** The fitted curve for Export; null while there is none. */
 export function fittedDrawing({ fit, fitRun }: EditorState): CurveDocument | null {

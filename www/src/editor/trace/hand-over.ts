@@ -5,7 +5,7 @@ import { byColor, inkedContours } from "../../kernel/trace/outcome.ts";
 import type { Editor, EditorState } from "../editor.ts";
 import { bringStrokes, handOver } from "../fit/bring.ts";
 import { openInCurve } from "../curve/open-in-curve.ts";
-import { drawingOf, shownOf } from "./trace-edits.ts";
+import { shownOf } from "./trace-edits.ts";
 
 /** From outlines to points that are fitted, and to a drawing that is edited: copies, both times. */
 
@@ -24,21 +24,16 @@ export function tracedLayers(state: EditorState): { readonly color: string; read
   return shown === null ? [] : byColor(shown);
 }
 
-/** What is no part of a drawing, and does not come along. */
-function staying({ state }: Editor): string {
-  return (shownOf(state.value)?.colors.length ?? 0) > 0 ? "The picture and its colours stay" : "The picture stays";
-}
-
 export function smoothInFit(editor: Editor): void {
   const { trace } = editor.state.value;
-  const drawing = drawingOf(editor.state.value);
-  if (drawing === null) return;
-  const strokes = placesAlong(drawing, drawing.contours, apart, mostPlaces);
+  const [shown, drawing] = [shownOf(editor.state.value), tracedDrawing(editor.state.value)];
+  if (shown === null || drawing === null) return;
+  const strokes = placesAlong(drawing, inkedContours(shown), apart, mostPlaces);
   // Smoother than the trace, by as much again as Detail gave away.
   const within = Number((2 * toleranceOf(trace.settings.detail)).toPrecision(2));
-  const count = strokes.reduce((sum, stroke) => sum + stroke.length, 0);
-  handOver(editor, `The outlines are in Fit, ${count} points. ${staying(editor)} in Trace.`, () =>
-    bringStrokes(editor, { name: "Smooth the trace", strokes, within, instead: "all" }));
+  const count = strokes.reduce((sum, { places }) => sum + places.length, 0);
+  handOver(editor, `The outlines are in Fit, ${count} points. The picture stays in Trace.`, () =>
+    bringStrokes(editor, { name: "Smooth the trace", strokes, within, instead: "all", setting: drawing }));
 }
 
 export function editTraceInCurve(editor: Editor): void {

@@ -1,5 +1,5 @@
 import { domainLength, lengthOf, segmentCount, type Contour, type CurveDocument } from "../../document/document.ts";
-import type { Pair } from "../../document/fit/fit.ts";
+import type { NewStroke, Pair } from "../../document/fit/fit.ts";
 import { curveOf } from "../curve/curve-cache.ts";
 
 /** Curves as strokes of points. */
@@ -22,14 +22,15 @@ export function diagonalOf(drawing: CurveDocument, contours: readonly Contour[])
  * Contours as strokes of points, so far from each other as there is room for; closed ones with their first point again at
  * the end. The points of the contours are among them, so that no corner is cut.
  */
-export function placesAlong(drawing: CurveDocument, contours: readonly Contour[], apart: number, most: number): Pair[][] {
+export function placesAlong(drawing: CurveDocument, contours: readonly Contour[], apart: number, most: number): NewStroke[] {
   const lengths = contours.map((contour) => curveOf(drawing, contour)?.length() ?? 0);
   const spacing = Math.max(apart, lengths.reduce((sum, length) => sum + length, 0) / most);
   return contours.flatMap((contour, i) => {
-    const stroke = along(drawing, contour, Math.max(leastPoints, (lengths[i] ?? 0) / spacing));
-    return stroke.length < 4 ? [] : [stroke];
+    const places = along(drawing, contour, Math.max(leastPoints, (lengths[i] ?? 0) / spacing));
+    return places.length < 4 ? [] : [{ places, ...(contour.ink === undefined ? {} : { ink: contour.ink }) }];
   });
 }
+
 /** About so many points, shared among the segments by their length. */
 function along(drawing: CurveDocument, contour: Contour, wanted: number): Pair[] {
   const curve = curveOf(drawing, contour);

@@ -6,6 +6,8 @@ export interface FitInput {
   /** x and y in turn. */
   readonly points: Float64Array;
   readonly closed: boolean;
+  /** The colour of its area, where it has one. */
+  readonly ink?: string;
 }
 
 /** Everything of a fit but how strong it is: the same set of these is fitted again and again while a slider moves. */
