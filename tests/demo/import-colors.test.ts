@@ -12,6 +12,7 @@ const ring = "M24 4a20 20 0 1 0 0 40a20 20 0 1 0 0-40ZM24 14a10 10 0 1 0 0 20a10
 
 const drawings: readonly (readonly [what: string, inner: string])[] = [
   ["names, digits and functions", '<rect width="24" height="48" fill="rebeccapurple"/><rect x="24" width="24" height="24" fill="#0a8"/><rect x="24" y="24" width="24" height="24" fill="hsl(20 90% 50%)"/>'],
+  ["colours of other spaces", '<rect width="24" height="24" fill="oklch(60% 0.2 30)"/><rect x="24" width="24" height="24" fill="color(display-p3 0 0.6 0.3)"/><rect y="24" width="24" height="24" fill="lab(50% 40 -60 / 50%)"/><rect x="24" y="24" width="24" height="24" fill="color-mix(in srgb, red 30%, blue)"/>'],
   ["attributes, styles and rules", '<style>.a{fill:#123456}.b{fill:rgb(200 40 10)}</style><g fill="gold"><rect width="16" height="48"/><rect class="a" x="16" width="16" height="48"/><rect class="a" style="fill:teal" x="32" width="16" height="24"/><rect class="b" x="32" y="24" width="16" height="24" fill="red"/></g>'],
   ["the colour around", '<g color="#c2185b"><circle cx="24" cy="24" r="20" fill="currentColor"/><rect x="18" y="18" width="12" height="12" style="color:navy;fill:currentColor"/></g>'],
   ["white over a colour, black over white", `<circle cx="24" cy="24" r="22" fill="#0b57d0"/><path d="${ring}" fill="#fff" fill-rule="evenodd"/><circle cx="24" cy="24" r="5"/>`],

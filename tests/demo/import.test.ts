@@ -390,6 +390,7 @@ test("V23 what cannot be read is refused by name, and the drawing stays", async 
     ["renamed.svg", "image/svg+xml", png, "file-type"],
     ["error-page.svg", "image/svg+xml", "<!doctype html><html><body>404</body></html>", "svg-broken"],
     ["empty.svg", "image/svg+xml", '<svg xmlns="http://www.w3.org/2000/svg"><text>hi</text></svg>', "svg-nopath"],
+    ["picture.svg", "image/svg+xml", '<svg xmlns="http://www.w3.org/2000/svg"><image href="data:image/png;base64,AA" width="9" height="9"/></svg>', "svg-nopath"],
     ["newer.json", "application/json", '{"format":"expline-demo","version":9}', "json-version"],
     ["other.json", "application/json", '{"version":1}', "json-broken"],
     // Pictures are looked at by Trace, which then is open.

@@ -72,7 +72,7 @@ function readPath(d: string, space: Space): Imported {
 
 function readDrawing(text: string, space: Space): Imported {
   const file = readFile(text);
-  if (file.shapes.length === 0) throw new Problem("svg-nopath", file.warnings.some(({ code }) => code === "W_TEXT") ? { field: "text" } : {});
+  if (file.shapes.length === 0) throw new Problem("svg-nopath", insteadOfPaths(file));
   const shapes: FilledShape[] = [];
   const isColored = !file.shapes.every(isInk);
   let broken: Problem | null = null;
@@ -86,6 +86,12 @@ function readDrawing(text: string, space: Space): Imported {
   }
   const artboard = file.picture === null ? null : artboardOf(file.picture);
   return { kind: "svg", ...filled(shapes, space), ...(artboard === null ? {} : { artboard }), notes: notesOf(file), broken };
+}
+
+/** What a file has that outlines could be made of. */
+function insteadOfPaths({ warnings }: SvgFile): { readonly field?: string } {
+  const has = (wanted: SvgWarningCode): boolean => warnings.some(({ code }) => code === wanted);
+  return has("W_TEXT") ? { field: "text" } : has("W_PICTURE") ? { field: "picture" } : {};
 }
 
 /** What is black, or our own ink of files, is ink and no colour. */
@@ -127,6 +133,7 @@ const notesByCode: Readonly<Record<SvgWarningCode, string>> = {
   W_STYLE: "a style sheet was not followed in full",
   W_STYLE_TRANSFORM: "a transform by CSS in space, or in percent of an unknown size, was ignored",
   W_TEXT: "text was left out; as outlines it would come along",
+  W_PICTURE: "a picture was left out; Trace makes outlines of pictures",
   W_CLIP: "what a clip or a mask hides came along",
   W_NO_TARGET: "a reference to something outside the file was left out",
 };

@@ -58,6 +58,7 @@ export type SvgWarningCode =
   | "W_GRADIENT"
   | "W_STYLE_TRANSFORM"
   | "W_TEXT"
+  | "W_PICTURE"
   | "W_CLIP"
   | "W_NO_TARGET";
 

@@ -112,13 +112,14 @@ function walk(element: Element, outer: Place, reading: Reading, byUse: Wanted | 
 /** An element in its own place. */
 function draw(element: Element, css: Declared, place: Place, reading: Reading, byUse: Wanted | null): void {
   const kind = element.localName;
-  if (!place.visible && (shapeNames.has(kind) || kind === "text")) return;
+  if (!place.visible && (shapeNames.has(kind) || kind === "text" || kind === "image")) return;
   if (mayHide(element, css, place, reading.picture)) reading.warn("W_CLIP", element);
   if (shapeNames.has(kind)) addShape(element, { css, around: place.around, warn: reading.warn }, place, reading);
   else if (kind === "use") expand(element, css, place, reading);
   // A symbol is a group that only a use draws.
   else if (groups.has(kind) || (kind === "symbol" && byUse !== null)) walkChildren(element, place, reading, byUse ?? nothingWanted);
   else if (kind === "text") reading.warn("W_TEXT", element);
+  else if (kind === "image") reading.warn("W_PICTURE", element);
 }
 
 /** The box around an element's shapes in its own units; they are read once more, which counts against the limits. */

@@ -2,6 +2,12 @@ import { stateVersion } from "../../document/document.ts";
 import type { ProblemDetails, ProblemId } from "../../document/problem.ts";
 import { nearMessages, type FarProblem } from "./errors.ts";
 
+/** Of a file without paths, what outlines could be made of. */
+const insteadOfPaths: Readonly<Record<string, string>> = {
+  text: " Its text has to be turned into outlines first.",
+  picture: " Its picture can be traced: drop it here as a PNG or JPEG.",
+};
+
 /** What can be wrong with something that was brought in, in words. */
 const farMessages: Readonly<Record<FarProblem, (d: ProblemDetails) => string>> = {
   "image-type": (d) => `That file is not a picture this browser can read (${d.name ?? "no name"}). Try PNG, JPEG, WebP or SVG.`,
@@ -17,7 +23,7 @@ const farMessages: Readonly<Record<FarProblem, (d: ProblemDetails) => string>> =
   "svg-entities": () => "The SVG could not be read: it declares entities that are more than plain text, which are refused. Save it as plain SVG and try again.",
   "svg-big": (d) => `The SVG is too large to read here (${d.field ?? "size"}: the limit is ${d.most ?? 0}). Simplify it and try again.`,
   "svg-range": () => "The SVG has coordinates beyond 1 000 000 000. Scale it down and try again.",
-  "svg-nopath": (d) => `This SVG has no path, circle, ellipse, line or polygon.${d.field === "text" ? " Its text has to be turned into outlines first." : ""}`,
+  "svg-nopath": (d) => `This SVG has no path, circle, ellipse, line or polygon.${insteadOfPaths[d.field ?? ""] ?? ""}`,
   "d-broken": (d) =>
     `The path stops making sense at character ${d.at ?? 0}${d.excerpt === "" ? ", where it ends" : `: “${d.excerpt ?? ""}”`}. Everything before it was read.`,
   "d-range": () => "The path has coordinates beyond 1 000 000 000. Scale it down and try again.",

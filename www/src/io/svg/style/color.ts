@@ -48,7 +48,7 @@ export function fillsOf(styles: (element: Element) => Declared, warn: Warn): Fil
 
 /** Reads a colour as browsers do; null where it is none. */
 function reader(): (text: string) => Rgba | null {
-  const context = document.createElement("canvas").getContext("2d");
+  const context = Object.assign(document.createElement("canvas"), { width: 1, height: 1 }).getContext("2d", { willReadFrequently: true });
   const known = new Map<string, Rgba | null>();
   const taken = (text: string, over: string): string => {
     if (context === null) return "";
@@ -61,10 +61,19 @@ function reader(): (text: string) => Rgba | null {
     if (found === undefined) {
       const normal = taken(text, "#000001");
       // What is no colour leaves the one before, whichever that is.
-      known.set(text, (found = normal === taken(text, "#000002") ? numbersOf(normal) : null));
+      const isColor = context !== null && normal === taken(text, "#000002");
+      known.set(text, (found = isColor ? (numbersOf(normal) ?? drawnIn(context)) : null));
     }
     return found;
   };
+}
+
+/** Of a colour in another space than that of screens, which a canvas hands back as it is written: what comes of it. */
+function drawnIn(context: CanvasRenderingContext2D): Rgba {
+  context.clearRect(0, 0, 1, 1);
+  context.fillRect(0, 0, 1, 1);
+  const [red = 0, green = 0, blue = 0, opacity = 0] = context.getImageData(0, 0, 1, 1).data;
+  return [red, green, blue, opacity / 255];
 }
 
 /** Of `#rrggbb`, or `rgba(…)` of numbers, as which a canvas hands colours back. */
