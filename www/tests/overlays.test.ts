@@ -194,6 +194,21 @@ test("of very many points of Fit the way and the errors are drawn to the pixel, 
   assert.ok(many.heat <= 2001, `${many.heat}`);
 });
 
+test("very many contours are stroked in paths of few, which are all of them once", () => {
+  const curve: CurveDocument = { ...drawing(longContour(9)), contours: Array.from({ length: 70 }, () => longContour(9)) };
+  const scene: Scene = {
+    context, palette: {} as Palette, ratio: 1, origin: curve, focused: false,
+    state: { ...initialState, curve, view: { x: 400, y: 300, zoom: 1 }, stage: { left: 0, top: 0, width: 1000, height: 800 } },
+  };
+  const outlines = documentPaths(scene, curve);
+  const linesOf = (path: Path2D): number => (path as unknown as Path).lines;
+  assert.equal(outlines.lines.length, 3);
+  assert.equal(outlines.lines.reduce((sum, path) => sum + linesOf(path), 0), linesOf(outlines.all));
+  assert.ok(outlines.lines.every((path) => linesOf(path) <= linesOf(outlines.all) / 2));
+  assert.equal(outlines.closed, outlines.all);
+  assert.equal(documentPaths(scene, curve), outlines, "made once");
+});
+
 test("a contour of very many points without tangents is drawn in as many lines as can be told apart, and in its own pieces from near", () => {
   const curve = drawing({ family: "interpolating", closed: true, support: 2, points: longContour(5000).points });
   const linesAt = (zoom: number): number => {
@@ -201,7 +216,7 @@ test("a contour of very many points without tangents is drawn in as many lines a
       context, palette: {} as Palette, ratio: 1, origin: curve, focused: false,
       state: { ...initialState, curve, view: { x: 400, y: 300, zoom }, stage: { left: 0, top: 0, width: 1000, height: 800 } },
     };
-    return (documentPaths(scene, curve).all as unknown as Path).lines;
+    return documentPaths(scene, curve).lines.reduce((sum, line) => sum + (line as unknown as Path).lines, 0);
   };
   // A twentieth of a pixel beside a circle of 250 pixels is passed by a chord of 10, so some 160 would do for a plain one; its 11 waves take more.
   assert.ok(linesAt(1) < 1000, `${linesAt(1)} lines`);

@@ -19,11 +19,37 @@ const larger = 1.5;
 /** CSS pixels between discs that look like a line along them, and by how much that line may miss them. */
 const apart = 1;
 const missed = 0.1;
+/** Marks in a path: browsers fill ten thousand in a hundred paths in a third of the time that one path of them takes. */
+const marksInPath = 100;
+
+/** Paths for very many marks, of which none shows through another. */
+interface Marks {
+  readonly paths: readonly Path2D[];
+  /** The path that the next mark goes to. */
+  next(): Path2D;
+}
+
+function marksIn(path: () => Path2D): Marks {
+  const paths: Path2D[] = [];
+  let [last, count] = [path(), 0];
+  paths.push(last);
+  return {
+    paths,
+    next() {
+      if (count >= marksInPath) {
+        [last, count] = [path(), 0];
+        paths.push(last);
+      }
+      count += 1;
+      return last;
+    },
+  };
+}
 
 export function createSmallPoints(path: () => Path2D = () => new Path2D()): SmallPoints {
-  const discs = { plain: path(), chosen: path() };
+  const discs = { plain: marksIn(path), chosen: marksIn(path) };
   const lines = { plain: path(), chosen: path() };
-  const diamonds = path();
+  const diamonds = marksIn(path);
   const cells = new Set<number>();
   let run: number[] = [];
   let chosenRun = false;
@@ -35,8 +61,9 @@ export function createSmallPoints(path: () => Path2D = () => new Path2D()): Smal
     const name = chosenRun ? "chosen" : "plain";
     if (run.length === 2) {
       const radius = discRadius + (chosenRun ? larger : 0);
-      discs[name].moveTo(x + radius, y);
-      discs[name].arc(x, y, radius, 0, 2 * Math.PI);
+      const disc = discs[name].next();
+      disc.moveTo(x + radius, y);
+      disc.arc(x, y, radius, 0, 2 * Math.PI);
       drawn += 1;
     } else if (run.length > 2) {
       const vertices = thinned(Float64Array.from(run), missed);
@@ -59,11 +86,12 @@ export function createSmallPoints(path: () => Path2D = () => new Path2D()): Smal
     if (cells.has(cell)) return;
     cells.add(cell);
     const radius = diamondRadius + (chosen ? larger : 0);
-    diamonds.moveTo(x, y - radius);
-    diamonds.lineTo(x + radius, y);
-    diamonds.lineTo(x, y + radius);
+    const diamond = diamonds.next();
+    diamond.moveTo(x, y - radius);
+    diamond.lineTo(x + radius, y);
+    diamond.lineTo(x, y + radius);
     // Filled, it needs no closing, for which a browser looks through all of the path.
-    diamonds.lineTo(x - radius, y);
+    diamond.lineTo(x - radius, y);
     drawn += 1;
   }
 
@@ -81,13 +109,13 @@ export function createSmallPoints(path: () => Path2D = () => new Path2D()): Smal
       context.fillStyle = context.strokeStyle = palette.point;
       context.lineCap = context.lineJoin = "round";
       for (const name of ["plain", "chosen"] as const) {
-        context.fill(discs[name]);
+        for (const disc of discs[name].paths) context.fill(disc);
         context.lineWidth = 2 * (discRadius + (name === "chosen" ? larger : 0));
         context.stroke(lines[name]);
       }
       context.lineCap = "butt";
       context.fillStyle = palette.cusp;
-      context.fill(diamonds);
+      for (const diamond of diamonds.paths) context.fill(diamond);
     },
   };
 }

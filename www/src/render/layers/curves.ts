@@ -216,5 +216,5 @@ export function drawCurves(scene: Scene): void {
   context.strokeStyle = palette.curve;
   context.lineWidth = 2 / state.view.zoom;
   context.lineJoin = "round";
-  context.stroke(documentPaths(scene, state.curve).all);
+  for (const line of documentPaths(scene, state.curve).lines) context.stroke(line);
 }
