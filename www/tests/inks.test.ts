@@ -12,6 +12,7 @@ import { applyProposal, setLevel } from "../src/editor/curve/level-edits.ts";
 import { subjectOf } from "../src/editor/fit/fit-question.ts";
 import { pngPaths } from "../src/io/picture/png.ts";
 import { writeSvg } from "../src/io/svg/svg-write.ts";
+import { exportPath, writePath } from "../src/kernel/paths/export.ts";
 import { inkedContours, outcomeOfKept } from "../src/kernel/trace/outcome.ts";
 import { Hand } from "./harness.ts";
 
@@ -97,6 +98,17 @@ test("a file and a picture have what shows through as it is, and lines as lines"
   assert.match(svg, /<path d="M1 1H2V2Z" fill="none" stroke="#1b1f24" stroke-width="[.\d]+" stroke-linejoin="round"\/>/u);
   assert.ok(Number(/viewBox="(\S+)/u.exec(svg)?.[1]) < 0, "with room for the line");
   assert.deepEqual(pngPaths({ ...how, scale: 1, paper: null }), [{ d: "M0 0H9V9Z", fill: { color: "#11223380", alpha: 1, rule: "evenodd" } }, { d: "M1 1H2V2Z", stroke: "#1b1f24" }]);
+});
+
+test("a layer is written as it is in the path of all", () => {
+  const curve = inked("heart");
+  const both: CurveDocument = { ...curve, contours: [...curve.contours, ...inked("glyph", "#b02a30").contours] };
+  for (const segments of ["arcs", "cubics", "polyline"] as const) {
+    const options = { segments, tolerance: 0.02, decimals: 2, relative: true };
+    const layers = inkLayers(both).map(({ drawing }) => writePath(drawing, options));
+    assert.equal(layers.length, 2);
+    assert.equal(layers.join(""), exportPath(both, options).d);
+  }
 });
 
 test("outlines that come back without their picture have the colours that they were traced in", () => {

@@ -30,14 +30,26 @@ export function exportPath(document: CurveDocument, options: ExportOptions): Exp
   let d = "";
   let deviation = 0;
   for (const curve of curves) {
-    const text = options.segments === "polyline" ? polyline(curve, options) : curve.toPathD({
-      tolerance: options.tolerance, decimals: options.decimals, arcs: options.segments === "arcs", relative: options.relative,
-    }).d;
+    const text = textOf(curve, options);
     d += text;
     const share = Math.round((samplesInAll * (curve.points.length / 2)) / segments);
     deviation = Math.max(deviation, distanceBetween(curve, text, Math.min(4000, Math.max(leastSamples, share))));
   }
   return { d, commands: commandsOf(d), deviation };
+}
+
+/** The same text, not measured: of a drawing in colours each layer is written by itself. */
+export function writePath(document: CurveDocument, options: ExportOptions): string {
+  return document.contours.map((contour) => {
+    const curve = curveOf(document, contour);
+    return curve === null ? "" : textOf(curve, options);
+  }).join("");
+}
+
+function textOf(curve: AnyCurve, options: ExportOptions): string {
+  if (options.segments === "polyline") return polyline(curve, options);
+  const { tolerance, decimals, relative, segments } = options;
+  return curve.toPathD({ tolerance, decimals, arcs: segments === "arcs", relative }).d;
 }
 
 /** How many numbers a command takes. */

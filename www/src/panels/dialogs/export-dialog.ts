@@ -3,7 +3,7 @@ import { curveSample } from "../../document/curve/samples.ts";
 import type { CurveDocument } from "../../document/document.ts";
 import type { Editor } from "../../editor/editor.ts";
 import { documentBounds } from "../../kernel/curve/samples.ts";
-import { exportPath } from "../../kernel/paths/export.ts";
+import { writePath } from "../../kernel/paths/export.ts";
 import { snippetFor } from "../code/snippets.ts";
 import { button, openDialog } from "../controls/dialog.ts";
 import { h } from "../controls/dom.ts";
@@ -19,12 +19,15 @@ import { exportResult, type Box } from "./export-result.ts";
 export function openExport(shell: Shell): void {
   const curve = drawingOnStage(shell.editor);
   const box = documentBounds(curve);
-  const look = (): FileLook => fileLook(shell.editor, curve);
+  // Written once for each choice of options, however many ask for it.
+  let written: FileLook | null = null;
+  const look = (): FileLook => (written ??= fileLook(shell.editor, curve));
   const result = exportResult(shell, curve, box, look);
   const { mode } = shell.editor.state.value;
   const stem = curve.sample ?? "expline";
   const png = pngGroup(shell, { stem, d: result.d, box, look, asOnStage: () => mode !== "trace" && look().filled !== true });
   const refresh = (): void => {
+    written = null;
     result.refresh();
     png.refresh();
   };
@@ -33,7 +36,7 @@ export function openExport(shell: Shell): void {
   const dialog = openDialog(
     { title: "Export", testid: "export-dialog", wide: true },
     h("div", { class: "export" },
-      h("div", { class: "export-options" }, result.picture, ...looks, ...optionFields(result.refresh)),
+      h("div", { class: "export-options" }, result.picture, ...looks, ...optionFields(refresh)),
       h("div", { class: "export-result" }, ...result.rows),
     ),
   );
@@ -74,7 +77,7 @@ function fileLook(editor: Editor, curve: CurveDocument): FileLook {
   const natural = lookOf(curve, mode);
   const filled = mode === "trace" ? natural.filled : drawsAreas(natural.filled);
   const layers = filled ? layersOf(editor, curve) : [];
-  return { ...natural, filled, layers: layers.map(({ drawing, ...color }) => ({ ...color, d: exportPath(drawing, chosenOptions()).d })) };
+  return { ...natural, filled, layers: layers.map(({ drawing, ...color }) => ({ ...color, d: writePath(drawing, chosenOptions()) })) };
 }
 
 function svgButton({ io }: Shell, stem: string, curve: CurveDocument, box: Box, d: () => string, look: () => FileLook): HTMLElement {
