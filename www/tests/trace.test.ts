@@ -3,6 +3,7 @@ import { test } from "node:test";
 import { parseState, readState, writeState } from "../src/document/file/file.ts";
 import { traceSample, traceSamples } from "../src/document/trace/trace-samples.ts";
 import { emptyTrace, toleranceOf, traceDefaults } from "../src/document/trace/trace.ts";
+import { tracedDrawing } from "../src/editor/trace/hand-over.ts";
 import { drawingOf, openPicture, openTraceSample, setTrace, shownOf } from "../src/editor/trace/trace-edits.ts";
 import { traceHint, traceSummary } from "../src/editor/trace/trace-hint.ts";
 import { registerTraceActions } from "../src/editor/trace/trace-actions.ts";
@@ -481,6 +482,17 @@ test("outlines that came without their picture are shown, and can be handed on",
   assert.equal(hand.run("trace-next-view").editor.state.value.traceView.view, "outline");
   assert.equal(hand.run("trace-next-view").editor.state.value.traceView.view, "result");
   assert.doesNotMatch(traceHint(hand.editor.state.value), /see the picture/u);
+});
+
+test("centre lines are lines in a file and in Curve, closed ones, too; outlines are areas", () => {
+  const contours = contoursOfPath("M60 60A9 9 0 0 0 78 60A9 9 0 0 0 60 60Z", "trigonometric");
+  for (const [mode, filling] of [["lines", "none"], ["brightness", undefined]] as const) {
+    const { hand } = tracing();
+    hand.editor.setState(readState({ ...hand.editor.getState(), mode: "trace", trace: { settings: { mode }, kept: { name: "a.png", width: 120, height: 120, contours } } }));
+    assert.equal(tracedDrawing(hand.editor.state.value)?.filling, filling);
+    hand.run("trace-edit");
+    assert.deepEqual([hand.curve.contours.length, hand.curve.filling], [1, filling]);
+  }
 });
 
 for (const [what, trace, path] of [

@@ -12,10 +12,14 @@ import { shownOf } from "./trace-edits.ts";
 /** Pixels of the picture from one point to the next, where there is room for so many. */
 const apart = 2;
 
-/** The outlines for Export; null while there are none. Colours lie over each other, and their layers are filled by winding number. */
+/** The outlines for Export; null while there are none. */
 export function tracedDrawing(state: EditorState): CurveDocument | null {
   const shown = shownOf(state);
-  return shown === null ? null : { ...shown.drawing, ...(shown.colors.length === 0 ? {} : { filling: "nonzero" }) };
+  if (shown === null) return null;
+  // Colours lie over each other, and their layers are filled by winding number.
+  if (shown.colors.length > 0) return { ...shown.drawing, filling: "nonzero" };
+  // A stroke that closes encloses paper, not ink.
+  return state.trace.settings.mode === "lines" ? { ...shown.drawing, filling: "none" } : shown.drawing;
 }
 
 /** The outlines by their colours, for a file of them. */
