@@ -47,6 +47,24 @@ fn uneven_points_are_not_taken_for_even_ones() {
     assert!(regular(&ellipse(400, 0.0, 0.0, 1)), "clean and even in the angle");
     assert!(regular(&ellipse(400, 1.0, 0.0, 1)), "noisy and even");
     assert!(!regular(&ellipse(400, 0.1, 0.45, 1)), "jittered by nearly half a step");
+    // Anywhere along it, with noise that hides steps from differences of neighbours.
+    let hidden = |seed: u64| {
+        let mut random = Random::new(seed);
+        let mut shares: Vec<f64> = (0..500).map(|_| random.unit()).collect();
+        shares.sort_by(f64::total_cmp);
+        let place = |share: f64| {
+            let (sin, cos) = libm::sincos(core::f64::consts::TAU * share);
+            Point::new(200.0 * cos, 120.0 * sin)
+        };
+        let truth: Vec<Point> = shares.into_iter().map(place).collect();
+        random.noisy(&truth, 2.0)
+    };
+    for seed in 0..12 {
+        assert!(regular(&ellipse(500, 2.0, 0.0, seed)), "noise {seed}: as noisy, and even");
+    }
+    // Over ten steps chance adds up to 2.1 times the noise, whose median fifty stretches tell to a sixth: one of some may pass.
+    let taken = (0..12).filter(|&seed| regular(&hidden(seed))).count();
+    assert!(taken <= 2, "{taken} of 12 were taken for even: spacing adds up over many steps");
 }
 
 #[test]

@@ -248,7 +248,7 @@ impl Fitter {
             least_turn: self.options.least_turn,
             end: self.end,
             spaced: self.even,
-            even: false,
+            free: false,
         };
         let start = |located: &Located, smoothest| -> Result<Sparsest> {
             Ok(Sparsest::new(located.copied()?, plan(smoothest), aim, self.noise))
@@ -258,9 +258,9 @@ impl Fitter {
         if matches!(aim, Aim::Tolerance(_)) && sharpest > 1 && self.located.points.len() <= MOST_TWICE {
             others.push(start(&self.located, 2)?);
         }
-        // Points that follow one another evenly are placed along the curve once smooth knots are thinned out.
-        let even = self.even && degree > 1 && matches!(aim, Aim::Noise(_));
-        let smooth = Plan { even, ..plan(1) };
+        // Points are free to slide while smooth knots are thinned out; where they are even they are placed along the curve then.
+        let free = degree > 1 && matches!(aim, Aim::Noise(_));
+        let smooth = Plan { free, ..plan(1) };
         let mut rivals = vec![Sparsest::new(self.located.copied()?, smooth, aim, self.noise)];
         if self.options.corners {
             let corners = Sparsest::from_corners(self.located.copied()?, plan(1), aim, self.noise)?;

@@ -6,12 +6,24 @@ use crate::numerics::{Point, Vector};
 
 /// The fourth difference: what it leaves of a cubic is nothing, of white noise √70 times its size.
 const FOURTH: [f64; 5] = [1.0, -4.0, 6.0, -4.0, 1.0];
+/// The median of |N(0, 1)|.
+const MEDIAN: f64 = 0.674_489_750_196_081_7;
 /// Half the length of the chord that tells which way is across.
 const REACH: usize = 5;
 /// The step that closes a contour is another one than those beside it where the difference is such a part of a step and so many
 /// standard deviations of the noise, which moves it by 2.2 of them.
 const OTHER: f64 = 0.1;
 const SCATTERED: f64 = 5.0;
+/// Spacing is looked at over a part of all points, and over so many of them at most.
+const STRETCH: usize = 50;
+const LONGEST: usize = 40;
+/// How much more points scatter along the curve than across it where they are even, by chance, and by how much more that may
+/// be where stretches are few.
+const ALIKE: f64 = 1.3;
+const BY_CHANCE: f64 = 2.0;
+/// What a step may be another one by, and what noise hides that in, as parts of a step.
+const SLACK: f64 = 0.02;
+const HIDING: f64 = 0.2;
 /// What is so many steps long is no step but a jump, which no point says anything about.
 const JUMP: f64 = 8.0;
 /// So many places tell a median to half a per cent: of more points, evenly chosen ones are looked at.
@@ -30,7 +42,7 @@ pub fn noise(samples: &Samples) -> f64 {
 }
 
 /// Whether the points follow one another so evenly that their index is a parameter: along the curve they scatter hardly
-/// more than across it. O(M log M).
+/// more than across it, over longer stretches as well, where what spacing does by chance adds up. O(M log M).
 pub fn is_regular(samples: &Samples) -> bool {
     is_regular_at(samples, levels(samples))
 }
@@ -48,7 +60,32 @@ pub(super) fn is_regular_at(samples: &Samples, [across, along]: [f64; 2]) -> boo
     let last = (points[points.len() - 1] - points[0]).norm();
     let (other, most) = (OTHER * median + SCATTERED * across, JUMP * median);
     let ends = !samples.closed || (last - around).abs() < other || last > most;
-    ends && along <= 1.3 * across + 0.02 * median
+    ends && along <= ALIKE * across + SLACK * median
+        && (across < HIDING * median || !adds_up(samples, across))
+}
+
+/// Whether spacing changes by more than noise, over stretches that are long enough for what it does by chance to be seen in it.
+fn adds_up(samples: &Samples, noise: f64) -> bool {
+    let count = samples.points.len();
+    let stretch = (count / STRETCH).clamp(1, LONGEST);
+    let chance = BY_CHANCE * (stretch as f64 / count as f64).sqrt();
+    over(samples, stretch) > (ALIKE + chance) * noise
+}
+
+/// The standard deviation along the curve that explains how far points are off the middle of those a stretch away on either
+/// side, if they are even: by the median size, as noise is.
+fn over(samples: &Samples, stretch: usize) -> f64 {
+    let (points, count) = (&samples.points, samples.points.len());
+    let centers = if samples.closed { 0..count } else { stretch..count - stretch };
+    let off = |m: usize| {
+        let (before, after) = (points[(m + count - stretch) % count], points[(m + stretch) % count]);
+        let (chord, difference) = (after - before, before + after - 2.0 * points[m]);
+        let length = chord.norm();
+        if length > 0.0 { chord.dot(&difference).abs() / length } else { 0.0 }
+    };
+    let mut sizes: Vec<f64> = centers.step_by(count.div_ceil(ENOUGH)).map(off).collect();
+    // The sum of the squared weights of this difference.
+    median(&mut sizes) / (MEDIAN * 6.0_f64.sqrt())
 }
 
 /// Standard deviations across and along the curve.
@@ -64,8 +101,8 @@ pub(super) fn levels(samples: &Samples) -> [f64; 2] {
     [0, 1].map(|part| {
         let mut sizes: Vec<f64> = sizes.iter().map(|size| size[part]).collect();
         let median = median(&mut sizes);
-        // The median of |N(0, 1)| is 0.6745, and 70 is the sum of the squared weights.
-        median / (0.674_489_750_196_081_7 * 70.0_f64.sqrt())
+        // 70 is the sum of the squared weights.
+        median / (MEDIAN * 70.0_f64.sqrt())
     })
 }
 

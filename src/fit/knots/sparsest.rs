@@ -66,8 +66,8 @@ pub(in crate::fit) struct Plan {
     pub(in crate::fit) end: f64,
     /// Whether points follow one another evenly.
     pub(in crate::fit) spaced: bool,
-    /// Whether they do, and are free to slide while knots go.
-    pub(in crate::fit) even: bool,
+    /// Whether they are free to slide while knots go.
+    pub(in crate::fit) free: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -185,6 +185,9 @@ impl Sparsest {
 
     /// Sum of squares and prices, on all points: averages hide what they average.
     pub(in crate::fit) fn cost(&self) -> f64 {
+        if matches!(self.asked.aim, Aim::Noise(_)) && !self.asked.spaced {
+            return self.cost_at_feet();
+        }
         let more = if self.evening.even { AHEAD * self.pricing.price.0 } else { 0.0 };
         if !self.view.is_averaged() {
             return self.pricing.price.rank(&self.fitted) + more;

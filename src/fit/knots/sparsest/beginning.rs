@@ -44,11 +44,11 @@ impl Sparsest {
         let mut breaks =
             start::even(plan.degree, plan.closed, plan.end, view.seen.points.len(), plan.smoothest);
         // Sharper knots are cheap ways to bend; smooth ones are to come first.
-        breaks.sharpest = if plan.even { plan.smoothest } else { plan.sharpest };
+        breaks.sharpest = if plan.free { plan.smoothest } else { plan.sharpest };
         let (least_turn, cornered) = (plan.least_turn, plan.sharpest == plan.degree);
         let asked = Asked { aim, noise, spaced: plan.spaced, least_turn, cornered };
         let mut search = Self::begun(asked, view, breaks);
-        (search.evening.even, search.sharpest) = (plan.even, plan.sharpest);
+        (search.evening.even, search.sharpest) = (plan.free, plan.sharpest);
         search.effort.warming = if matches!(aim, Aim::Noise(_)) { WARMING } else { 0 };
         search
     }

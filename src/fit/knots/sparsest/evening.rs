@@ -1,12 +1,14 @@
-//! Points that follow one another evenly: where along the curve they belong is known, not only which way is across.
+//! Points that are free to slide while knots are taken away, and where they belong afterwards: of points that follow one another
+//! evenly that is known along the curve, too, not only across it.
 
 use super::view::from_afar;
-use super::{Found, Phase, Sparsest, WARMING};
+use super::{AHEAD, Found, PER_NUMBER, Phase, Sparsest, WARMING};
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::even::by_length;
 use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::search::{apart, clusters, least, settle};
+use crate::fit::report::weight;
 use crate::numerics::order::sort_by_number;
 
 /// Steps towards a curve whose points are free to slide, before knots are taken from it.
@@ -20,6 +22,10 @@ const PACE: f64 = 2.0;
 const HOPELESS: f64 = 20.0;
 /// The cheapest knots that are tried one by one.
 const SINGLES: usize = 4;
+/// The share of a number's price that makes another slide.
+const EASILY: f64 = 0.1;
+/// How many numbers' worth points that were free all the time must be ahead of those of a search that began with corners.
+const FAR_AHEAD: f64 = 45.0;
 
 /// A spline whose points are free to slide along it: only their distances count.
 #[derive(Clone, Debug)]
@@ -39,15 +45,17 @@ impl Free {
     }
 }
 
-/// Where the search is with points that follow one another evenly.
+/// Where the search is with points that are free while knots are taken away.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Evening {
-    /// Whether they do, and where they belong is known.
+    /// Whether that is to come, or is over and where they belong is known.
     pub(super) even: bool,
     /// The fit while knots are taken from it and points are free to slide.
     free: Option<Free>,
     /// Whether that is over.
     placed: bool,
+    /// Whether points were at their feet from then on.
+    loose: bool,
 }
 
 impl Evening {
@@ -88,7 +96,7 @@ impl Sparsest {
             if trial.squares - enough > HOPELESS * gone as f64 * free.squares {
                 continue;
             }
-            let trial = settle(trial, &free.feet, 0.1 * self.pricing.price.0, 2);
+            let trial = settle(trial, &free.feet, EASILY * self.pricing.price.0, 2);
             if let Some(lighter) = freed_to(&trial, free.feet.clone(), enough) {
                 self.evening.free = Some(lighter);
                 return Phase::Lighten;
@@ -128,12 +136,38 @@ impl Sparsest {
         Breaks { sharpest: self.sharpest, ..breaks.clone() }
     }
 
-    /// Gives the points of a fit parameters again: evenly along the curve or by their numbers, whichever explains them
-    /// better. Where neither does, the search goes on as one among knots by number.
+    /// Gives the points of a fit parameters again: where they are even, evenly along the curve or by their numbers, whichever
+    /// explains them better; else their feet, where that costs less. Where neither does, the search goes on as one among knots at
+    /// the parameters that points came with.
     fn place(&mut self, mut free: Free) {
         self.evening.placed = true;
         free.ease(EASED);
-        let worth = 0.1 * self.pricing.price.0;
+        if self.asked.spaced && self.place_evenly(&free) {
+            return;
+        }
+        (self.evening.even, self.effort.warming) = (false, WARMING);
+        self.evening.loose = !self.asked.spaced && self.is_better_free(&free);
+        if self.evening.loose {
+            self.view.seen = free.feet;
+            let fitted = FreeKnots::new(self.sharpening(&free.spline.space.breaks), &self.view.seen);
+            self.fitted = settle(fitted, &self.view.seen, EASILY * self.pricing.price.0, 2);
+        } else {
+            self.fitted = FreeKnots::new(self.sharpening(self.fitted.breaks()), &self.view.seen);
+        }
+    }
+
+    /// Whether points cost less with their feet for parameters: what noise leaves along the curve is not seen then, and small
+    /// corners may be lost.
+    fn is_better_free(&self, free: &Free) -> bool {
+        let price = self.pricing.price;
+        let along = price.0 / PER_NUMBER * weight(&self.view.full);
+        let cost = free.squares + price.whole(&free.spline.space.breaks) + along + AHEAD * price.0;
+        cost < price.total(&self.fitted) && free.spline.strays(&free.feet, self.leash()).is_none()
+    }
+
+    /// The same for points that are even; answers whether they are found to be.
+    fn place_evenly(&mut self, free: &Free) -> bool {
+        let worth = EASILY * self.pricing.price.0;
         let breaks = self.sharpening(&free.spline.space.breaks);
         let numbered = settle(FreeKnots::new(breaks.clone(), &self.view.seen), &self.view.seen, worth, 2);
         let mut best = (self.view.full.clone(), self.view.seen.clone(), numbered);
@@ -149,12 +183,30 @@ impl Sparsest {
                 best = (full, seen, fitted);
             }
         }
-        if self.pricing.price.total(&best.2) < self.pricing.price.total(&self.fitted) {
+        let are_even = self.pricing.price.total(&best.2) < self.pricing.price.total(&self.fitted);
+        if are_even {
             (self.view.full, self.view.seen, self.fitted) = best;
-        } else {
-            (self.evening.even, self.effort.warming) = (false, WARMING);
-            self.fitted = FreeKnots::new(self.sharpening(self.fitted.breaks()), &self.view.seen);
         }
+        are_even
+    }
+
+    /// What a search among uneven points costs: their parameters are as good as the curve that they were found by, so that only
+    /// distances can be compared. Points that were free all the time are to be ahead for it.
+    pub(super) fn cost_at_feet(&self) -> f64 {
+        let mut feet = if self.view.is_averaged() {
+            self.view.following(self.fitted.breaks())
+        } else {
+            self.view.seen.clone()
+        };
+        let price = self.pricing.price;
+        let mut spline = Spline::of(&self.fitted);
+        for _ in 0..ROUNDS {
+            spline.project(&mut feet, 2);
+            spline.tighten(&feet);
+        }
+        let squares = spline.project(&mut feet, 3).squares;
+        let more = if self.evening.loose { FAR_AHEAD * price.0 } else { 0.0 };
+        squares + price.rank(&self.fitted) - self.fitted.squares + more
     }
 }
 

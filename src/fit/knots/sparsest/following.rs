@@ -1,5 +1,6 @@
 //! Corners in place of neighbouring knots, and knots less, that pay once the points have followed the curve.
 
+use super::rounding::without_seeming_corners;
 use super::{Aim, Found, Sparsest};
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::foot_points::Spline;
@@ -27,12 +28,18 @@ impl Sparsest {
         if !matches!(self.asked.aim, Aim::Noise(_)) || self.sharpest < breaks.degree {
             return best;
         }
+        if !self.asked.spaced
+            && let Some(smooth) = without_seeming_corners(&best.spline)
+            && let Some(found) = self.after(smooth, Some(0.0), &best)
+        {
+            best = found;
+        }
         let mut next = 0;
         loop {
             let before = &best.spline.space.breaks;
             let mut trials = clusters(&self.sharpening(before), best.located.points.len());
             // A corner that is seen should be there.
-            let bonus = if next < trials.len() { CORNER } else { 0.0 };
+            let bonus = (next < trials.len()).then_some(CORNER);
             // Where points are held knots have been taken away with the points where they are.
             if next >= trials.len() && !self.evening.even {
                 let fitted = FreeKnots::new(before.clone(), &best.located);
@@ -48,9 +55,10 @@ impl Sparsest {
         }
     }
 
-    /// The fit on other breaks that slide, and whose points follow where they are free, if it is worth its price.
+    /// The fit on other breaks that slide, and whose points follow where they are free, if it is worth its price and a bonus of some
+    /// numbers; without one corners have to stay as well.
     #[inline(never)]
-    fn after(&self, breaks: Breaks, bonus: f64, best: &Found) -> Option<Found> {
+    fn after(&self, breaks: Breaks, bonus: Option<f64>, best: &Found) -> Option<Found> {
         let price = self.pricing.price;
         let spared = price.whole(&best.spline.space.breaks) - price.whole(&breaks);
         let (held, mut located) = (self.evening.even, best.located.clone());
@@ -75,8 +83,8 @@ impl Sparsest {
         if held {
             located.parameters.clone_from(&best.located.parameters);
         }
-        let enough = best.distances.squares + spared + bonus * price.0;
-        let stay = bonus > 0.0 || corners_stay(&best.spline.space.breaks, &spline.space.breaks);
+        let enough = best.distances.squares + spared + bonus.unwrap_or(0.0) * price.0;
+        let stay = bonus.is_some() || corners_stay(&best.spline.space.breaks, &spline.space.breaks);
         let kept = stay && distances.squares <= enough && !self.is_spoiled(&spline, &located);
         kept.then_some(Found { spline, located, distances, wild: None })
     }

@@ -13,6 +13,8 @@ const MOST_TIMES: usize = 6;
 const BESIDE: f64 = 0.4;
 /// By how much the price of a number falls at first, for the knots to be there when the tolerance is met.
 const CHEAPER: f64 = 1.0 / 8.0;
+/// Corners of noisy points that turn by less, in radians, may be smooth.
+const SEEMING: f64 = 0.5;
 /// How many times as far as a point may be off the way is looked at, and in how many steps half a piece.
 const FAR: f64 = 3.0;
 const LOOKS: f64 = 16.0;
@@ -79,6 +81,15 @@ pub(super) fn slight_corners(spline: &Spline, least: f64, far: f64) -> Vec<usize
                 || little(-seen(before, 1.0), seen(after, -1.0)))
     };
     (0..breaks.len()).filter(is_slight).collect()
+}
+
+/// The breaks with all corners smooth that turn little, `None` where there are none: in noise a corner with the bend beside it may
+/// stand for a smooth joint (D 13.14).
+pub(super) fn without_seeming_corners(spline: &Spline) -> Option<Breaks> {
+    let slight = slight_corners(spline, SEEMING, 0.0);
+    let mut breaks = spline.space.breaks.clone();
+    slight.iter().for_each(|&k| breaks.multiplicity[k] = breaks.degree - 1);
+    (!slight.is_empty()).then_some(breaks)
 }
 
 /// The same breaks with these corners smooth, and with a knot on either side of each. No knot may become a corner.

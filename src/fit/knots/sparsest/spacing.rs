@@ -1,6 +1,6 @@
 //! The end of a search among points that follow one another evenly: where along the curve they belong tells most of it.
 
-use super::rounding::slight_corners;
+use super::rounding::without_seeming_corners;
 use super::{Found, PER_NUMBER, Sparsest};
 use crate::fit::knots::even::Spaced;
 use crate::fit::report::weight;
@@ -12,8 +12,6 @@ const EXPLAINED: f64 = 1.3;
 const DRIFTS: usize = 2;
 /// The share of a number's price that makes another step.
 const EASILY: f64 = 0.5;
-/// Corners that turn by less, in radians, may be smooth.
-const SLIGHT: f64 = 0.5;
 
 impl Sparsest {
     /// The curve that explains its points best where they are equally far apart along it (D 13.12), and slight corners smooth
@@ -37,11 +35,12 @@ impl Sparsest {
                 spaced.spline.project(&mut located, 3);
             }
         }
-        let smooth = self.without_slight_corners(&spaced).and_then(|smooth| {
-            let [with, without] =
-                [&spaced, &smooth].map(|fit| self.pricing.price.whole(&fit.spline.space.breaks));
-            smooth.settled(worth, spaced.squares + with - without)
-        });
+        let smooth =
+            without_seeming_corners(&spaced.spline).and_then(|breaks| spaced.on(breaks)).and_then(|smooth| {
+                let [with, without] =
+                    [&spaced, &smooth].map(|fit| self.pricing.price.whole(&fit.spline.space.breaks));
+                smooth.settled(worth, spaced.squares + with - without)
+            });
         let found = smooth.and_then(|smooth| self.near_enough(smooth, best));
         found.or_else(|| self.near_enough(spaced, best))
     }
@@ -54,15 +53,6 @@ impl Sparsest {
         let numbers = price.whole(&best.spline.space.breaks) / price.0;
         let across = best.distances.squares / (points - numbers).max(1.0);
         2.0 * points * across.max(price.0 / PER_NUMBER)
-    }
-
-    /// The curve with all corners smooth that turn little, `None` where there are none: in noise a corner with the bend beside it
-    /// may stand for a smooth joint (D 13.14).
-    fn without_slight_corners(&self, spaced: &Spaced) -> Option<Spaced> {
-        let slight = slight_corners(&spaced.spline, SLIGHT, 0.0);
-        let mut breaks = spaced.spline.space.breaks.clone();
-        slight.iter().for_each(|&k| breaks.multiplicity[k] = breaks.degree - 1);
-        if slight.is_empty() { None } else { spaced.on(breaks) }
     }
 
     /// The curve, if its points are hardly farther from it than from the best one.
