@@ -232,3 +232,51 @@ fn outliers_that_count_little_leave_the_curve_alone() {
     let (_, without) = worst(false);
     assert!(without > 2.0 * far, "without it, by {without}");
 }
+
+#[test]
+fn one_point_however_far_off_is_named_and_leaves_the_curve_alone() {
+    let noise = 0.5;
+    for (open, at) in [(false, 37), (false, 0), (true, 37)] {
+        for away in [300.0, 1e4, 1e6, 1e8] {
+            let mut points = ellipse(400, noise, 0.0, 2);
+            points.truncate(if open { 300 } else { 400 });
+            points[at] = Point::new(away, away);
+            for given in [None, Some(noise)] {
+                let robust =
+                    Options { closed: Some(!open), robust: true, noise: given, ..Options::default() };
+                let fitted = fit(&points, Ask::Noise, &robust).expect("fine");
+                assert_eq!(fitted.outliers, [at], "{away:e}: it is named");
+                // As far as it is from the ellipse, to the size of that.
+                assert!(
+                    (fitted.max_error - points[at].norm()).abs() < 250.0,
+                    "{away:e}: {}",
+                    fitted.max_error
+                );
+                let (_, end) = fitted.curve.domain();
+                let off = |i: u32| {
+                    let p =
+                        fitted.curve.evaluate(end * f64::from(i) / 2000.0, 0).expect("t is in the domain");
+                    let radius = Point::new(p.x / 200.0, p.y / 120.0).norm();
+                    (1.0 - 1.0 / radius).abs() * p.norm()
+                };
+                let far = (0..2000).map(off).fold(0.0_f64, f64::max);
+                assert!(far < 3.0 * noise, "{away:e}: the curve is off by {far}");
+                let kept = fit(&points, Ask::Tolerance(4.0), &robust).expect("fine");
+                assert!(kept.max_error <= 4.0, "{away:e}: a tolerance is one for all points");
+            }
+        }
+    }
+}
+
+#[test]
+fn beside_one_point_far_off_the_others_are_still_a_shape() {
+    let noise = 0.5;
+    for away in [1e4, 1e6, 1e8] {
+        let mut points = ellipse(400, noise, 0.0, 2);
+        points[37] = Point::new(away, away);
+        let options = Options { closed: Some(true), ..Options::default() };
+        let fitted = fit(&points, Ask::Noise, &options).expect("fine");
+        // Beside the size of all, the ellipse is nearly nothing; it is what 399 of 400 points say.
+        assert!(fitted.rms < 3.0 * noise, "{away:e}: rms {} with {} knots", fitted.rms, fitted.knots.len());
+    }
+}

@@ -133,18 +133,19 @@ fn parts(points: &[Point], closed: bool, m: usize) -> [f64; 2] {
     }
 }
 
-/// A weight for every point: little for one that lies far off the middle of its eight neighbours, one for all others.
+/// A weight for every point, one but for those far off the middle of their eight neighbours, and the points with those as near
+/// as they may be: however little it counts, the square of a distance may be worth knots.
 ///
 /// Far is six standard deviations and as many steps as the neighbours themselves are away from that middle: corners
 /// are not far. O(M).
-pub(super) fn sober_weights(samples: &Samples, noise: f64) -> Vec<f64> {
+pub(super) fn sober(samples: &Samples, noise: f64) -> (Vec<f64>, Vec<Point>) {
     const AROUND: usize = 4;
     const LITTLE: f64 = 1e-3;
     let points = &samples.points;
     let count = points.len();
     let weigh = |m: usize| {
         if count < 4 * AROUND || (!samples.closed && (m < AROUND || m + AROUND >= count)) {
-            return 1.0;
+            return (1.0, points[m]);
         }
         let near = |k: usize| points[(m + count + k - AROUND) % count];
         let middle = |pick: &dyn Fn(Point) -> f64| {
@@ -158,9 +159,12 @@ pub(super) fn sober_weights(samples: &Samples, noise: f64) -> Vec<f64> {
             (0..=2 * AROUND).filter(|k| *k != AROUND).map(|k| (near(k) - center).norm()).collect();
         sort_numbers(&mut apart);
         // The sixth of eight: up to two of the neighbours may be outliers themselves.
-        if (points[m] - center).norm() > 6.0 * noise + 1.5 * apart[AROUND + 1] { LITTLE } else { 1.0 }
+        let limit = 6.0 * noise + 1.5 * apart[AROUND + 1];
+        let way = points[m] - center;
+        let share = limit / way.norm();
+        if share < 1.0 { (LITTLE, center + way * share) } else { (1.0, points[m]) }
     };
-    (0..count).map(weigh).collect()
+    (0..count).map(weigh).unzip()
 }
 
 fn cross(a: Vector, b: Vector) -> f64 {

@@ -33,9 +33,13 @@ pub(super) struct Frame<'a> {
 
 /// The longer side of the points' box, in the caller's unit.
 pub(super) fn size(samples: &Samples) -> f64 {
-    let first = samples.points[0];
-    let (low, high) = samples.points.iter().fold((first, first), |(low, high), p| (low.inf(p), high.sup(p)));
-    samples.scale * (high - low).max()
+    samples.scale * size_of(&samples.points)
+}
+
+/// The longer side of a box around some points.
+pub(super) fn size_of(points: &[Vector]) -> f64 {
+    let (low, high) = points.iter().fold((points[0], points[0]), |(low, high), p| (low.inf(p), high.sup(p)));
+    (high - low).max()
 }
 
 /// What the coordinates of a curve are off by where it lies: joints are rounded as they are put there, and values between
@@ -64,6 +68,14 @@ pub(super) fn fit(
     squares: Option<f64>,
 ) -> Result<Fit> {
     let samples = frame.samples;
+    let given;
+    let located = if frame.robust {
+        // What is far off was pulled near; the distances are those of the points as they came.
+        given = Located { points: samples.points.clone(), ..located.clone() };
+        &given
+    } else {
+        located
+    };
     let breaks = &spline.space.breaks;
     let (cuts, deviation) = cuts(spline);
     limits::probe(breaks.pieces().saturating_mul(PER_PIECE + PER_CUBIC * cuts))?;

@@ -4,14 +4,17 @@ use super::{Fitter, Run};
 use crate::error::{Error, Result};
 use crate::fit::knots::free_knots::Located;
 use crate::fit::knots::sparsest::Aim;
-use crate::fit::noise::{is_regular_at, levels, sober_weights};
+use crate::fit::noise::{is_regular_at, levels, sober};
 use crate::fit::options::Ask;
 use crate::fit::parametrise::{Parametrisation, given, parametrise};
 use crate::fit::report;
+use crate::fit::samples::Samples;
 use crate::limits::{LARGEST_COORDINATE, LEAST_WEIGHT, check};
 
 /// A curve is not looked for nearer to the points than one rounding of its place and so many of a drawing's size.
 const ROUNDINGS: f64 = 256.0;
+/// No knot is for less than this part of a drawing.
+const LEAST_NOISE: f64 = 1e-4;
 
 impl Fitter {
     /// Starts a run.
@@ -39,19 +42,19 @@ impl Fitter {
                 if lambdas.len() == 2 && lambdas.iter().sum::<f64>() <= 0.0 {
                     return Err(Error::out_of_range("lambda", Some(0), 0.0, f64::MIN_POSITIVE, 1e12));
                 }
-                self.locate(true)?;
+                self.locate(true, &ask)?;
                 self.lambdas.clone_from(lambdas);
                 self.solve()?;
             }
             Ask::Smoothing(smoothing) => {
                 check("smoothing", None, *smoothing, 0.0, 1.0)?;
-                self.locate(false)?;
+                self.locate(false, &ask)?;
                 self.lambdas = self.lambdas_of(*smoothing);
                 self.solve()?;
             }
             Ask::Tolerance(tolerance) => {
                 check("tolerance", None, *tolerance, 0.0, LARGEST_COORDINATE)?;
-                self.locate(false)?;
+                self.locate(false, &ask)?;
                 // Nearer than coordinates are told apart nothing can be.
                 let place = self.samples.center.amax() / self.samples.scale;
                 let least = f64::EPSILON * (ROUNDINGS + place);
@@ -60,30 +63,41 @@ impl Fitter {
             }
             Ask::MeanSquare(square) => {
                 check("meanSquare", None, *square, 0.0, LARGEST_COORDINATE * LARGEST_COORDINATE)?;
-                self.locate(true)?;
+                self.locate(true, &ask)?;
                 let unit = self.samples.scale * self.samples.scale;
                 self.search(Aim::Squares(square * report::weight(&self.located) / unit))?;
             }
             Ask::Noise => {
-                self.locate(false)?;
-                // What is less than a ten-thousandth of the drawing is not worth a knot.
-                self.search(Aim::Noise(self.noise.max(1e-4)))?;
+                self.locate(false, &ask)?;
+                self.search(Aim::Noise(self.noise.max(self.least_noise())))?;
             }
         }
         (self.ask, self.rounds) = (ask, 0);
         Ok(())
     }
 
+    /// What is less than a ten-thousandth of the drawing is not worth a knot: of its size without points that are far off all
+    /// others, for beside these all else is little.
+    fn least_noise(&self) -> f64 {
+        if self.noise >= LEAST_NOISE {
+            return LEAST_NOISE;
+        }
+        let near = sober(&self.samples, self.noise).1;
+        LEAST_NOISE * report::size_of(&near) / report::size_of(&self.samples.points)
+    }
+
     /// Gives the points their parameters; λ alone means the papers' own, the index.
-    fn locate(&mut self, by_lambda: bool) -> Result<()> {
-        if self.located_by == Some(by_lambda) {
+    fn locate(&mut self, by_lambda: bool, ask: &Ask) -> Result<()> {
+        // What is kept to all points, be it a tolerance, is kept to those that are far off as they came.
+        let pulled = self.options.robust && !matches!(ask, Ask::Tolerance(_) | Ask::MeanSquare(_));
+        if self.located_by == Some(by_lambda) && !self.options.robust {
             return Ok(());
         }
-        if self.located_by.is_some() {
+        if self.located_by.is_some_and(|by| by != by_lambda) {
             // Other parameters are another problem.
             self.warm = None;
         }
-        let samples = &self.samples;
+        let mut samples = &self.samples;
         let weights = if !self.options.weights.is_empty() {
             self.options.weights.clone()
         } else if samples.is_weighted() {
@@ -92,11 +106,16 @@ impl Fitter {
             Vec::new()
         };
         let mut weights = weights;
+        let near;
         if self.options.robust {
-            let sober = sober_weights(samples, self.noise);
+            let (sober, points) = sober(samples, self.noise);
             let given = weights.clone();
             let both = |(m, w): (usize, &f64)| (w * given.get(m).copied().unwrap_or(1.0)).max(LEAST_WEIGHT);
             weights = sober.iter().enumerate().map(both).collect();
+            if pulled {
+                near = Samples { points, ..samples.clone() };
+                samples = &near;
+            }
         }
         let automatic = self.options.parametrisation == Parametrisation::Auto;
         self.even = automatic && !by_lambda && self.options.parameters.is_empty() && {
