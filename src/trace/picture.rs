@@ -4,6 +4,7 @@ pub(super) mod bitmap;
 pub(super) mod blur;
 pub(super) mod contour;
 pub(super) mod gray;
+mod hues;
 pub(super) mod layers;
 pub(super) mod lifting;
 pub(super) mod light;

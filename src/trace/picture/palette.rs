@@ -1,5 +1,6 @@
 //! The few colours of a picture: a count of the pixels that show one, and the clusters in it.
 
+use super::hues::{Edges, is_bled};
 use super::mixture::{Premultiplied, is_between, is_like, is_on_edge, premultiplied};
 use crate::error::Result;
 use crate::limits::{check, with_room};
@@ -68,6 +69,9 @@ const MOST_WEAK: usize = 256;
 /// Rounds in which clusters settle.
 const ROUNDS: usize = 12;
 
+/// Rows that say which pixels of the one in the middle show a colour.
+const ROWS: usize = 5;
+
 /// What the pixels of a bin weigh that show a colour, how many of them are flat, how many there are at all, and the weighted sums of channels and opacity.
 #[derive(Clone, Copy, Debug, Default)]
 struct Bin {
@@ -75,6 +79,9 @@ struct Bin {
     flat: u64,
     all: u64,
     sums: [u64; 4],
+    /// As much of the weight, and of the flat ones, as is on an edge of hues.
+    bled: u64,
+    bled_flat: u64,
 }
 
 /// Counts the colours of a picture that is given row by row. Pixels between two colours are on the way from one neighbour to the one on the
@@ -84,9 +91,9 @@ pub struct Census {
     width: usize,
     /// Those of opaque colours, and then those of translucent ones, by what they are on white.
     bins: Vec<Bin>,
-    /// The last rows: what lies above the one that is counted next, and that one, whose other side has not come.
-    above: Vec<u8>,
-    row: Vec<u8>,
+    /// The last rows. The one in the middle is counted next, once those below have come.
+    window: [Vec<u8>; ROWS],
+    edges: Edges,
 }
 
 /// One bin among others that become clusters.
@@ -120,37 +127,48 @@ impl Census {
     ///
     /// # Errors
     ///
-    /// No memory: it needs 2.1 MB.
+    /// No memory: it needs 2.7 MB.
     pub fn new(width: usize) -> Result<Self> {
         let count = (1 << (3 * BITS)) + (1 << (3 * CLEAR_BITS));
         let mut bins = with_room(count)?;
         bins.resize(count, Bin::default());
-        Ok(Self { width, bins, above: Vec::new(), row: Vec::new() })
+        Ok(Self { width, bins, window: Default::default(), edges: Edges::default() })
     }
 
     /// More rows, from red, green, blue and opacity, a byte each.
     pub fn push_rgba_rows(&mut self, bytes: &[u8]) {
         for row in bytes.chunks_exact(4 * self.width.max(1)) {
-            self.count(row);
-            core::mem::swap(&mut self.above, &mut self.row);
-            self.row.clear();
-            self.row.extend_from_slice(row);
+            self.push(row);
         }
     }
 
-    /// Counts the last row, of which the one below is known now.
-    fn count(&mut self, below: &[u8]) {
-        let rows = [&self.row, &self.above, below].map(|row| row.as_chunks::<4>().0);
-        for (column, pixel) in rows[0].iter().enumerate() {
+    fn push(&mut self, row: &[u8]) {
+        self.window.rotate_left(1);
+        self.window[ROWS - 1].clear();
+        self.window[ROWS - 1].extend_from_slice(row);
+        self.count();
+    }
+
+    /// Counts the row in the middle of the window.
+    fn count(&mut self) {
+        let rows = self.window.each_ref().map(|row| row.as_chunks::<4>().0);
+        let row = rows[ROWS / 2];
+        self.edges.count(row);
+        for (column, pixel) in row.iter().enumerate() {
             if pixel[3] < FAINT {
                 continue;
             }
-            let weight = weight(pixel, rows, column);
+            let (weight, is_bled) = weight(&rows, column);
             // A share of a colour says which one that is, if nothing else does.
             let bin = &mut self.bins[index(pixel, weight > 0)];
             bin.all += 1;
             bin.weight += weight;
-            bin.flat += u64::from(weight == FLAT);
+            let flat = u64::from(weight == FLAT);
+            bin.flat += flat;
+            if is_bled {
+                bin.bled += weight;
+                bin.bled_flat += flat;
+            }
             for (sum, &channel) in bin.sums.iter_mut().zip(pixel) {
                 *sum += weight * u64::from(channel);
             }
@@ -170,8 +188,8 @@ impl Census {
     /// \[Llo82\], \[Ott20\].
     pub fn palette(&mut self, most: usize) -> Result<Vec<Tint>> {
         check("colors", None, most as f64, 2.0, MOST_COLORS as f64)?;
-        self.count(&[]);
-        self.row.clear();
+        self.push(&[]);
+        self.push(&[]);
         let mut items = self.items()?;
         let mut centers = seeds(&mut items, most);
         for _ in 0..ROUNDS {
@@ -179,7 +197,9 @@ impl Census {
         }
         let mut colors: Vec<Found> = Vec::new();
         for cluster in 0..centers.len() {
-            if let Some(found) = color_of(&items, cluster) {
+            if let Some(found) = color_of(&items, cluster)
+                && (colors.is_empty() || found.weight >= LEAST)
+            {
                 let is_near = |other: &&mut Found| {
                     let least = if other.is_pure && found.is_pure { APART_PURE } else { APART };
                     distance(&other.lab, &found.lab) < least * least
@@ -205,10 +225,15 @@ impl Census {
 
     /// Bins with something in them: by the pixels that show a colour or, where none is, by all of them.
     fn items(&self) -> Result<Vec<Item>> {
-        let some = self.bins.iter().any(|bin| bin.weight > 0);
+        let is_wide = self.edges.are_wide();
+        let counts = |bin: &Bin| {
+            if is_wide { (bin.weight - bin.bled, bin.flat - bin.bled_flat) } else { (bin.weight, bin.flat) }
+        };
+        let some = self.bins.iter().any(|bin| counts(bin).0 > 0);
         let mut items = with_room(self.bins.iter().filter(|bin| bin.all > 0).count())?;
         for (i, bin) in self.bins.iter().enumerate() {
-            let count = if some { bin.weight } else { FLAT * bin.all };
+            let (weight, flat) = counts(bin);
+            let count = if some { weight } else { FLAT * bin.all };
             if count == 0 {
                 continue;
             }
@@ -220,34 +245,46 @@ impl Census {
                 opacity = if i >> (3 * BITS) == 0 { 255.0 } else { all };
             }
             let weight = count as f64 / FLAT as f64;
-            let (flat, lab) = (bin.flat as f64, oklab(on_white(rgb, opacity)));
+            let (flat, lab) = (flat as f64, oklab(on_white(rgb, opacity)));
             items.push(Item { weight, flat, lab, rgb, opacity, cluster: 0, gap: 1.0, is_weak: false });
         }
         Ok(items)
     }
 }
 
-/// What a pixel counts for, by its row, the one above and the one below. Beyond the border all is as it is on the other side.
-fn weight(pixel: &[u8; 4], [row, above, below]: [&[[u8; 4]]; 3], column: usize) -> u64 {
-    let either = |one: Option<&[u8; 4]>, other: Option<&[u8; 4]>| {
-        [one.or(other), other.or(one)].map(|near| near.unwrap_or(pixel).map(i32::from))
-    };
-    let [left, right] = either(row.get(column.wrapping_sub(1)), row.get(column + 1));
-    let [above, below] = either(above.get(column), below.get(column));
-    let is_translucent = pixel[3] < OPAQUE;
-    let pixel = pixel.map(i32::from);
-    if is_translucent {
-        return if [left, right, above, below] == [pixel; 4] { FLAT } else { 0 };
+/// What is to the left, to the right, above and below at a distance. Beyond the border all is as it is on the other side.
+#[inline(never)]
+fn around(rows: &[&[[u8; 4]]; ROWS], column: usize, reach: usize) -> [[u8; 4]; 4] {
+    let middle = ROWS / 2;
+    let at = |row: usize, column: usize| rows[row].get(column);
+    let (left, right) = (at(middle, column.wrapping_sub(reach)), at(middle, column + reach));
+    let (above, below) = (at(middle - reach, column), at(middle + reach, column));
+    let or = |one: Option<&[u8; 4]>, other: Option<&[u8; 4]>| *one.or(other).unwrap_or(&rows[middle][column]);
+    [or(left, right), or(right, left), or(above, below), or(below, above)]
+}
+
+/// What a pixel counts for, by the rows around it, and whether it is on an edge of hues.
+fn weight(rows: &[&[[u8; 4]]; ROWS], column: usize) -> (u64, bool) {
+    let pixel = rows[ROWS / 2][column];
+    let near = around(rows, column, 1);
+    if near == [pixel; 4] {
+        return (FLAT, false);
     }
-    let is_flat = is_like(&pixel, &left) && is_like(&pixel, &above);
-    if is_flat && is_like(&pixel, &right) && is_like(&pixel, &below) {
-        return FLAT;
+    if pixel[3] < OPAQUE {
+        return (0, false);
     }
-    match (is_on_edge(&pixel, [&left, &right, &above, &below]), is_flat) {
-        (true, _) => 0,
-        (false, true) => FLAT,
-        (false, false) => 1,
+    let (color, near) = (pixel.map(i32::from), near.map(|near| near.map(i32::from)));
+    let is_alike = |k: usize| is_like(&color, &near[k]);
+    let is_flat = is_alike(0) && is_alike(2);
+    if is_flat && is_alike(1) && is_alike(3) {
+        return (FLAT, false);
     }
+    if is_on_edge(&color, near.each_ref()) {
+        return (0, false);
+    }
+    let is_bled =
+        is_bled(&color, &near) || is_bled(&color, &around(rows, column, 2).map(|far| far.map(i32::from)));
+    (if is_flat { FLAT } else { 1 }, is_bled)
 }
 
 fn index(pixel: &[u8; 4], is_color: bool) -> usize {
