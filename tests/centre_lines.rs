@@ -133,6 +133,60 @@ fn thin_strokes_end_in_the_middles_of_their_round_ends_whichever_way_they_go() {
     }
 }
 
+/// The only place or two of an outline that are about such an end were taken for none: lines ended in the skeleton's last pixel, up to .7 beside.
+#[test]
+fn strokes_hardly_wider_than_a_pixel_run_straight_to_their_ends() {
+    for (half, slope) in
+        [0.625, 0.75, 1.0].into_iter().flat_map(|half| [5.0, 10.0, 20.0, 40.0].map(|s| (half, s)))
+    {
+        for i in 0..8 {
+            let (x, y) = (12.0 + 0.37 * f64::from(i % 5), 30.0 + 0.23 * f64::from(i % 3));
+            let (to_x, to_y) = (x + 50.0, y + f64::from(1 - i % 2 * 2) * 50.0 / slope);
+            let is_upright = i >= 4;
+            let turned = |(x, y): (f64, f64)| if is_upright { (y, x) } else { (x, y) };
+            let (from, to) = (turned((x, y)), turned((to_x, to_y)));
+            let found = lines(80, 80, &strokes(80, 80, half, &[&[from, to]]));
+            assert_eq!(found.contours.len(), 1, "half width {half}, 1:{slope}, {i}");
+            let line = &found.contours[0];
+            let (length, end) = ((to.0 - from.0).hypot(to.1 - from.1), line.curve.domain().1);
+            for k in 0..=200 {
+                let p = line.curve.evaluate(end * f64::from(k) / 200.0, 0).expect("inside the domain");
+                let off = ((p.x - from.0) * (to.1 - from.1) - (p.y - from.1) * (to.0 - from.0)) / length;
+                // Outlines of strokes that fill hardly a pixel waver by a fifth of it around where they were drawn.
+                assert!(off.abs() < 0.2, "half width {half}, 1:{slope}, {i}: {off}");
+            }
+            // A place of an outline is half a pixel long.
+            let both = has_end(line, from.0, from.1, 0.75) && has_end(line, to.0, to.1, 0.75);
+            assert!(both, "half width {half}, 1:{slope}, {i}: {:?} for {from:?} {to:?}", ends(line));
+        }
+    }
+}
+
+#[test]
+fn thin_strokes_still_meet_where_three_come_together() {
+    for half in [0.75, 1.0, 1.5] {
+        for i in 0..12 {
+            let (x, y) = (32.0 + 0.37 * f64::from(i % 5), 32.0 + 0.23 * f64::from(i % 3));
+            let arm = |k: i32| {
+                let angle = (f64::from(i) * 7.0 + f64::from(k) * 120.0).to_radians();
+                [(x, y), (x + 24.0 * angle.cos(), y + 24.0 * angle.sin())]
+            };
+            let arms = [arm(0), arm(1), arm(2)];
+            let found = lines(64, 64, &strokes(64, 64, half, &[&arms[0], &arms[1], &arms[2]]));
+            for contour in &found.contours {
+                let end = contour.curve.domain().1;
+                let off = (0..=200)
+                    .map(|k| {
+                        contour.curve.evaluate(end * f64::from(k) / 200.0, 0).expect("inside the domain")
+                    })
+                    .map(|p| (p.x - x).hypot(p.y - y))
+                    .fold(f64::MAX, f64::min);
+                assert!(off < 1.0, "half width {half}, {i}: {off} from where they meet");
+            }
+        }
+    }
+}
+
 #[test]
 fn strokes_that_the_border_cuts_off_are_followed_straight_to_it() {
     let (width, height) = (90.0, 70.0);

@@ -39,7 +39,7 @@ pub(super) fn centred(lines: &[Chain], sides: &[Side], half_width: f64) -> Resul
     for (spine, evidence) in spines.iter().zip(&evidence) {
         found.push(spine.moved(evidence, half_width));
     }
-    // Ends without a cap are on another line.
+    // Ends without a cap are on another line, or their stroke is too thin for one.
     let known: Vec<Vec<Point>> = found.iter().map(|(points, _)| points.clone()).collect();
     let mut chains = with_room(lines.len())?;
     for (i, (mut points, capped)) in found.into_iter().enumerate() {
@@ -51,8 +51,11 @@ pub(super) fn centred(lines: &[Chain], sides: &[Side], half_width: f64) -> Resul
         if !spine.closed {
             for last in [false, true] {
                 if !capped[usize::from(last)] {
-                    let node = if last { spine.points[spine.points.len() - 1] } else { spine.points[0] };
-                    reach_out(&mut points, last, node, i, &known, half_width);
+                    if spine.is_free(last, i, &spines, half_width) {
+                        spine.end_freely(&mut points, last, &evidence[i], half_width);
+                    } else {
+                        reach_out(&mut points, last, spine.end(last), i, &known, half_width);
+                    }
                 }
             }
         }
@@ -115,6 +118,33 @@ impl Spine {
             end_at(&mut points, last, cap(centres, outward, half_width), outward, 0.5, half_width);
         }
         (points, capped)
+    }
+
+    /// Whether an end is on no line, as a stroke's own end.
+    fn is_free(&self, last: bool, own: usize, spines: &[Self], half_width: f64) -> bool {
+        let (node, reach) = (self.end(last), half_width + 2.0);
+        spines.iter().enumerate().all(|(k, spine)| {
+            let length = spine.length();
+            spine.points.iter().zip(&spine.travelled).all(|(p, &travelled)| {
+                let from_end = if last { length - travelled } else { travelled };
+                k == own && from_end < 3.0 * reach || square(p - node) > reach * reach
+            })
+        })
+    }
+
+    fn end(&self, last: bool) -> Point {
+        self.points[if last { self.points.len() - 1 } else { 0 }]
+    }
+
+    /// Ends a stroke so thin that few places of its outline are about its end: straight on, as far as these or the skeleton have it.
+    fn end_freely(&self, points: &mut Vec<Point>, last: bool, evidence: &Evidence, half_width: f64) {
+        let (centres, outward) = (&evidence.ends[usize::from(last)], self.outward(last, half_width));
+        let mut end = if centres.is_empty() { self.end(last) } else { cap(centres, outward, half_width) };
+        if points.len() > 1 {
+            let line = line_through(&stretch(points, last, half_width));
+            end = line.middle + line.direction * dot(end - line.middle, line.direction);
+        }
+        end_at(points, last, end, outward, 0.5, half_width);
     }
 
     /// A disc wider than the strokes is a ring whose hole is filled: its centre line is a circle. `None` for other lines.
@@ -217,6 +247,12 @@ fn place(spine: &Spine, i: usize, side: &Side, half_width: f64, evidence: &mut E
     }
 }
 
+/// The last places of a line, the last one last.
+fn stretch(points: &[Point], last: bool, half_width: f64) -> Vec<Point> {
+    let tail = ((1.2 * half_width) as usize + 5).min(points.len());
+    if last { points[points.len() - tail..].to_vec() } else { points[..tail].iter().rev().copied().collect() }
+}
+
 /// Lengthens a line straight on to the line that it meets, or to the skeleton's junction.
 fn reach_out(
     points: &mut Vec<Point>,
@@ -226,14 +262,12 @@ fn reach_out(
     known: &[Vec<Point>],
     half_width: f64,
 ) {
-    let count = points.len();
-    let tail = ((1.2 * half_width) as usize + 5).min(count);
-    if count < 2 {
+    if points.len() < 2 {
         points.push(node);
         return;
     }
-    let stretch: Vec<Point> =
-        if last { points[count - tail..].to_vec() } else { points[..tail].iter().rev().copied().collect() };
+    let stretch = stretch(points, last, half_width);
+    let tail = stretch.len();
     let line = line_through(&stretch);
     let end = stretch[tail - 1];
     let mut best = (3.0 * half_width + 3.0, None);
