@@ -15,7 +15,7 @@ export type { Trace, TraceLayer, TraceMetrics, TraceSvgOptions, TracedContour } 
 const BUDGET = 4000;
 
 /** Steps of a trace; between two of them the caller may wait, stop or be told. */
-function* steps(op: string, picture: Picture, { onProgress, pixels }: TraceOrder): Generator<void, Trace> {
+function* steps(op: string, picture: Picture, { onProgress, pixels, filled }: TraceOrder): Generator<void, Trace> {
   const spent = new Map<TraceStage, number>();
   let before = performance.now();
   for (;;) {
@@ -24,7 +24,7 @@ function* steps(op: string, picture: Picture, { onProgress, pixels }: TraceOrder
     const stage = STAGES[step.stage] ?? "pixels";
     spent.set(stage, (spent.get(stage) ?? 0) + now - before);
     onProgress?.({ stage, done: step.completed, total: step.total });
-    if (step.done) return readTrace(picture.describe(op), pixels, spent);
+    if (step.done) return readTrace(picture.describe(op), pixels, spent, filled);
     yield;
     before = performance.now();
   }

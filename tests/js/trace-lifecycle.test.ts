@@ -246,6 +246,16 @@ test("a thin stroke comes back as its middle, which is drawn and not filled", ()
   assert.match(trace.toSvg(), /<path fill="none" stroke="#000" d="M[^Zz"]+"\/><\/svg>$/);
 });
 
+test("closed centre lines and edges are drawn, too, and outlines are filled", () => {
+  for (const source of ["lines", "edges"] as const) {
+    const trace = traceImage(RING, { source });
+    assert.ok(trace.contours.length > 0 && trace.contours.every(({ closed }) => closed), source);
+    assert.equal(trace.toSvg().match(/<path [^>]*>/g)?.length, 1, source);
+    assert.match(trace.toSvg(), /<path fill="none" stroke="#000" d="M[^"]+Z"\/><\/svg>$/i, source);
+  }
+  assert.match(traceImage(RING).toSvg(), /<path d="M[^"]+Z"\/><\/svg>$/i);
+});
+
 test("every source goes with every model", () => {
   for (const source of ["brightness", "edges", "lines"] as const) {
     for (const model of ["sparse", "wqisa"] as const) {

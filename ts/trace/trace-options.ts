@@ -90,6 +90,8 @@ export interface TraceOrder extends Watch<TraceProgress> {
   readonly pixels: Pixels;
   /** Options in a fixed order. */
   readonly record: Float64Array;
+  /** Whether outlines are followed, which enclose ink; edges and centre lines enclose none, closed or not. */
+  readonly filled: boolean;
 }
 
 /** All checks of a trace's arguments that need no arithmetic. @internal */
@@ -119,7 +121,7 @@ export function traceOrder(op: string, image: unknown, options: unknown): TraceO
     ...palette,
   );
   if (own.colors !== undefined) checkInk(op, own);
-  return { pixels, record, ...watch(op, own) };
+  return { pixels, record, filled: source === undefined || source === "brightness", ...watch(op, own) };
 }
 
 /** What tells ink from paper has no say where each colour is a layer of its own: to take it in silence would promise more than is done. */

@@ -70,7 +70,7 @@ export interface Trace {
 }
 
 /** Reads a trace from what the engine says of it. @internal */
-export function readTrace(numbers: Float64Array, { width, height }: { width: number; height: number }, spent: ReadonlyMap<TraceStage, number>): Trace {
+export function readTrace(numbers: Float64Array, { width, height }: { width: number; height: number }, spent: ReadonlyMap<TraceStage, number>, filled: boolean): Trace {
   const sections = new Sections(numbers);
   const layers = sections.records(3, (color): TraceLayer => ({ color: hex(color) }));
   const contours: TracedContour[] = [];
@@ -83,7 +83,7 @@ export function readTrace(numbers: Float64Array, { width, height }: { width: num
   const milliseconds = Object.fromEntries(spent);
   milliseconds["total"] = [...spent.values()].reduce((sum, time) => sum + time, 0);
   // What is written is what was found, whatever becomes of the lists.
-  const paths = pathsToWrite(contours, layers);
+  const paths = pathsToWrite(contours, layers, filled);
   return { width, height, contours, layers, toSvg: (options) => written(width, height, paths, options), milliseconds };
 }
 
@@ -95,9 +95,9 @@ interface Path {
   readonly curves: readonly HermiteCurve[];
 }
 
-function pathsToWrite(contours: readonly TracedContour[], layers: readonly TraceLayer[]): Path[] {
-  const curvesOf = (layer: number, closed: boolean): HermiteCurve[] =>
-    contours.filter((contour) => contour.layer === layer && contour.closed === closed).map(({ curve }) => curve);
+function pathsToWrite(contours: readonly TracedContour[], layers: readonly TraceLayer[], filled: boolean): Path[] {
+  const curvesOf = (layer: number, area: boolean): HermiteCurve[] =>
+    contours.filter((contour) => contour.layer === layer && (filled && contour.closed) === area).map(({ curve }) => curve);
   const colors = layers.length === 0 ? [""] : layers.map(({ color }) => (color === "#000000" ? "" : ` fill="${short(color)}"`));
   const paths = colors.map((attributes, i) => ({ attributes, curves: curvesOf(i, true) }));
   paths.push({ attributes: ' fill="none" stroke="#000"', curves: curvesOf(0, false) });
