@@ -115,6 +115,47 @@ fn through_lines_go_on_where_lines_meet_and_the_others_end_on_them() {
     assert!(found.contours.iter().any(|c| has_end(c, 60.0, 12.0, 0.3) && has_end(c, 12.0, 52.0, 0.3)), "two");
 }
 
+/// A frame of 68 × 60 with round corners.
+fn frame() -> Vec<(f64, f64)> {
+    let (radius, right, below) = (8.0, 78.0, 70.0);
+    let corner = |x: f64, y: f64, from: usize| {
+        (0..=16).map(move |k| {
+            let (sin, cos) = (std::f64::consts::FRAC_PI_2 * (from as f64 + k as f64 / 16.0)).sin_cos();
+            (x + radius * cos, y + radius * sin)
+        })
+    };
+    let (left, above) = (10.0 + radius, 10.0 + radius);
+    let mut places: Vec<_> = corner(right - radius, below - radius, 0)
+        .chain(corner(left, below - radius, 1))
+        .chain(corner(left, above, 2))
+        .chain(corner(right - radius, above, 3))
+        .collect();
+    places.push(places[0]);
+    places
+}
+
+#[test]
+fn a_line_that_meets_a_closed_one_ends_on_it_wherever_that_begins() {
+    let frame = frame();
+    for half in [2.0, 4.0] {
+        for place in [24.0, 31.0, 37.5, 42.0, 53.0] {
+            let level = strokes(88, 80, half, &[&frame, &[(10.0, place), (78.0, place)]]);
+            let upright = strokes(88, 80, half, &[&frame, &[(place, 10.0), (place, 70.0)]]);
+            for (bytes, one, other) in
+                [(level, (10.0, place), (78.0, place)), (upright, (place, 10.0), (place, 70.0))]
+            {
+                let found = lines(88, 80, &bytes);
+                let is_bar = |c: &&TracedContour| (ends(c)[0] - ends(c)[1]).norm() > 45.0;
+                let bar = found.contours.iter().find(is_bar);
+                let bar = bar.unwrap_or_else(|| panic!("half {half}, {one:?} to {other:?}: no bar"));
+                for (x, y) in [one, other] {
+                    assert!(has_end(bar, x, y, 0.3), "half {half}: {:?} for ({x}, {y})", ends(bar));
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn thin_strokes_end_in_the_middles_of_their_round_ends_whichever_way_they_go() {
     for half in [1.5, 3.0] {

@@ -40,7 +40,14 @@ pub(super) fn centred(lines: &[Chain], sides: &[Side], half_width: f64) -> Resul
         found.push(spine.moved(evidence, half_width));
     }
     // Ends without a cap are on another line, or their stroke is too thin for one.
-    let known: Vec<Vec<Point>> = found.iter().map(|(points, _)| points.clone()).collect();
+    // A closed one may begin where another meets it.
+    let known: Vec<Vec<Point>> = found
+        .iter()
+        .zip(&spines)
+        .map(|((points, _), spine)| {
+            points.iter().chain(points.first().filter(|_| spine.closed)).copied().collect()
+        })
+        .collect();
     let mut chains = with_room(lines.len())?;
     for (i, (mut points, capped)) in found.into_iter().enumerate() {
         let spine = &spines[i];
