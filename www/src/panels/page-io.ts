@@ -1,5 +1,5 @@
 import type { Artboard, Box } from "../document/artboard.ts";
-import type { FilePath } from "../document/curve/inks.ts";
+import type { PaintedPath } from "../document/curve/inks.ts";
 import type { DemoState, Filling, Space } from "../document/document.ts";
 import type { Imported } from "../document/imported.ts";
 
@@ -42,7 +42,7 @@ export interface FileLook {
   readonly filling?: Filling;
   readonly artboard?: Artboard;
   /** In place of the one path, the lowest first. */
-  readonly layers?: readonly FilePath[];
+  readonly layers?: readonly PaintedPath[];
 }
 
 export interface IncomingHandlers {

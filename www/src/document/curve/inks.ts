@@ -7,7 +7,7 @@ export interface InkLayer {
 }
 
 /** A path of a file, in place of the one of all: areas of a colour, or lines. */
-export interface FilePath {
+export interface PaintedPath {
   /** Absent: the ink of files. */
   readonly color?: string;
   readonly isLine?: boolean;

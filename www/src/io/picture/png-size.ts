@@ -1,5 +1,5 @@
 import { sheetOf, type Artboard, type Box } from "../../document/artboard.ts";
-import type { FilePath } from "../../document/curve/inks.ts";
+import type { PaintedPath } from "../../document/curve/inks.ts";
 
 /** Browsers refuse or blank canvases beyond these. */
 const mostSide = 16_384;
@@ -27,7 +27,7 @@ export interface Subject {
   /** Areas of ink, holes left out, in place of lines. */
   readonly filled?: boolean;
   /** In place of the one path, the lowest first. */
-  readonly layers?: readonly FilePath[];
+  readonly layers?: readonly PaintedPath[];
 }
 
 /** Whether all that is drawn are areas, which are no larger than their outlines: there is no line around them. */

@@ -1,4 +1,4 @@
-import { inkLayers, noInk, type FilePath, type InkLayer } from "../../document/curve/inks.ts";
+import { inkLayers, noInk, type PaintedPath, type InkLayer } from "../../document/curve/inks.ts";
 import type { Contour, CurveDocument, Mode } from "../../document/document.ts";
 import type { Editor } from "../../editor/editor.ts";
 import type { FileLook } from "../page-io.ts";
@@ -24,17 +24,17 @@ function isArea({ closed, ink }: Contour): boolean {
 }
 
 /** A path of a file that is not printed yet. */
-export type FileDrawing = Omit<FilePath, "d"> & { readonly drawing: CurveDocument };
+export type PaintedDrawing = Omit<PaintedPath, "d"> & { readonly drawing: CurveDocument };
 
 /** What a file of areas has of each colour, and the lines among them, the lowest first; nothing where there is only ink. */
-export function layersOf({ modes, state }: Editor, curve: CurveDocument): readonly FileDrawing[] {
+export function layersOf({ modes, state }: Editor, curve: CurveDocument): readonly PaintedDrawing[] {
   const traced = modes.get(state.value.mode)?.layers?.(state.value);
   if (traced !== undefined) return traced;
   const layers = inkLayers(curve);
   return layers.every(({ ink }) => ink === undefined) ? [] : layers.flatMap(areasAndLines);
 }
 
-function areasAndLines({ ink, drawing }: InkLayer): FileDrawing[] {
+function areasAndLines({ ink, drawing }: InkLayer): PaintedDrawing[] {
   const areas = { ...(ink === undefined ? {} : { color: ink }), drawing: { ...drawing, contours: drawing.contours.filter(isArea) } };
   const lines = { isLine: true, drawing: { ...drawing, contours: drawing.contours.filter((contour) => !isArea(contour)) } };
   return [areas, lines].filter((each) => each.drawing.contours.length > 0);
