@@ -147,7 +147,7 @@ fn a_line_that_meets_a_closed_one_ends_on_it_wherever_that_begins() {
                 let found = lines(88, 80, &bytes);
                 let is_bar = |c: &&TracedContour| (ends(c)[0] - ends(c)[1]).norm() > 45.0;
                 let bar = found.contours.iter().find(is_bar);
-                let bar = bar.unwrap_or_else(|| panic!("half {half}, {one:?} to {other:?}: no bar"));
+                let bar = bar.expect("a line from side to side");
                 for (x, y) in [one, other] {
                     assert!(has_end(bar, x, y, 0.3), "half {half}: {:?} for ({x}, {y})", ends(bar));
                 }
