@@ -3,8 +3,8 @@
 use super::options::{Source, TraceOptions};
 use super::picture::gray::Gray;
 use super::picture::layers::Layers;
-use super::picture::palette::Color;
 use super::picture::shape::{Shape, drawn};
+use super::picture::tint::Color;
 use super::tracer::Tracer;
 use super::work::{Progress, Stage, TracedContour};
 use crate::error::{Error, Result};

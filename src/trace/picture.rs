@@ -2,6 +2,7 @@
 
 pub(super) mod bitmap;
 pub(super) mod blur;
+pub(super) mod census;
 pub(super) mod contour;
 pub(super) mod gray;
 mod hues;
@@ -12,4 +13,5 @@ mod mixture;
 pub(super) mod palette;
 pub(super) mod shape;
 pub(super) mod steps;
+pub(super) mod tint;
 pub(super) mod tones;

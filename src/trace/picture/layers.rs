@@ -2,7 +2,8 @@
 
 use super::gray::Gray;
 use super::mixture::{Mixture, Premultiplied, Seam, is_like, is_on_edge, premultiplied, squared};
-use super::palette::{Color, MOST_COLORS, Tint};
+use super::palette::MOST_COLORS;
+use super::tint::{Color, Tint};
 use crate::error::{Error, Result};
 use crate::limits::{check, with_room};
 

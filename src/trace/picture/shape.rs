@@ -2,7 +2,8 @@
 
 use super::gray::Gray;
 use super::layers::Layers;
-use super::palette::{Color, MOST_COLORS};
+use super::palette::MOST_COLORS;
+use super::tint::Color;
 use crate::error::{Error, Result};
 use crate::limits::with_room;
 
