@@ -17,19 +17,27 @@ export interface PaintedPath {
 /** Of contours that are lines, whatever closes them. */
 export const noInk = "none";
 
+/** What has one colour and follows each other, together. */
+export function runsOf<T extends { readonly ink?: string }>(all: readonly T[]): readonly (readonly T[])[] {
+  const runs: T[][] = [];
+  all.forEach((each, i) => {
+    if (i > 0 && all[i - 1]?.ink === each.ink) runs.at(-1)?.push(each);
+    else runs.push([each]);
+  });
+  return runs;
+}
+
 const known = new WeakMap<CurveDocument, readonly InkLayer[]>();
 
 /** Contours of one colour that follow each other, the lowest first; the drawing itself where no contour has a colour. */
 export function inkLayers(curve: CurveDocument): readonly InkLayer[] {
   const found = known.get(curve);
   if (found !== undefined) return found;
-  const { contours } = curve;
-  const starts = contours.flatMap(({ ink }, i) => (i === 0 || ink !== contours[i - 1]?.ink ? [i] : []));
-  const layers = contours.every(({ ink }) => ink === undefined)
+  const layers = curve.contours.every(({ ink }) => ink === undefined)
     ? [{ drawing: curve }]
-    : starts.map((start, k): InkLayer => {
-      const ink = contours[start]?.ink;
-      return { ...(ink === undefined ? {} : { ink }), drawing: { ...curve, contours: contours.slice(start, starts[k + 1]) } };
+    : runsOf(curve.contours).map((contours): InkLayer => {
+      const ink = contours[0]?.ink;
+      return { ...(ink === undefined ? {} : { ink }), drawing: { ...curve, contours } };
     });
   known.set(curve, layers);
   return layers;

@@ -1,5 +1,5 @@
 import { reversedContour } from "../../document/curve/contours.ts";
-import { inkLayers, noInk } from "../../document/curve/inks.ts";
+import { inkLayers, noInk, runsOf } from "../../document/curve/inks.ts";
 import { emptyCurve, type Contour, type CurveDocument, type Filling, type Space } from "../../document/document.ts";
 import { curveOf, type AnyCurve } from "../curve/curve-cache.ts";
 import { around, boundsOf, type Bounds } from "../curve/samples.ts";
@@ -33,7 +33,7 @@ export function filled(given: readonly FilledShape[], space: Space): FilledDrawi
   if (shapes.length === 1 && shapes[0]?.rule === "evenodd") return { contours };
   const grid = gridAround(shapes.filter(({ fill }) => fill !== null), space);
   if (grid === null) return { contours };
-  const layers = runsOf(shapes).map((run) => layerOf(run.map((shape) => areaOf(shape, space, grid)), grid));
+  const layers = runsOf(shapes).filter(([first]) => first?.fill !== null).map((run) => layerOf(run.map((shape) => areaOf(shape, space, grid)), grid));
   const away = (rule: CanvasFillRule, as = (area: Area): Area => area): Difference =>
     inAll(layers.map(({ areas, wanted }) => difference(wanted, shown(areas.flatMap((area) => as(area).outlines.map(({ flat }) => flat)), grid, rule))));
   const asToday = away("evenodd");
@@ -55,16 +55,6 @@ function withInk(shape: FilledShape): FilledShape {
   const ink = shape.fill === null ? noInk : shape.ink;
   if (ink === undefined) return shape;
   return { ...shape, ink, contours: shape.contours.map((contour) => (contour.ink === ink ? contour : { ...contour, ink })) };
-}
-
-/** Areas of one colour that follow each other, which a drawing fills together. */
-function runsOf(shapes: readonly FilledShape[]): readonly (readonly FilledShape[])[] {
-  const runs: FilledShape[][] = [];
-  shapes.forEach((shape, i) => {
-    if (i > 0 && shapes[i - 1]?.ink === shape.ink) runs.at(-1)?.push(shape);
-    else runs.push([shape]);
-  });
-  return runs.filter(([first]) => first?.fill !== null);
 }
 
 /** A drawing and more contours beside it, which each keep the look they had. */
