@@ -3,7 +3,7 @@ import { test } from "node:test";
 import { useBrowser, type Demo } from "./page.ts";
 import { cells, cellsOf, opened, saved } from "./pictures.ts";
 
-/** The colours of drawings: what comes out of the page against what the browser makes of the file that went in. */
+/** The colours and lines of drawings: what comes out of the page against what the browser makes of the file that went in. */
 
 const { open } = useBrowser();
 
@@ -24,6 +24,15 @@ const drawings: readonly (readonly [what: string, inner: string])[] = [
   ["a hole that runs the same way, in one colour of two", `<path d="${ring}" fill="#6a1b9a" fill-rule="evenodd"/><path d="M20 20h8v8h-8zM22 22h4v4h-4z" fill="#ff8f00"/>`],
 ];
 
+/** As icons are drawn, and what is rarer; each line is wide enough to have a middle. */
+const lines: readonly (readonly [what: string, inner: string])[] = [
+  ["an icon of lines in one colour", '<g fill="none" stroke="currentColor" color="#00695c" stroke-width="5" stroke-linecap="round" stroke-linejoin="round"><path d="M6 24h14l8 16 8-32 4 16"/><circle cx="24" cy="10" r="6"/></g>'],
+  ["ends and corners of all kinds", '<g fill="none" stroke="#c2185b" stroke-width="6"><path d="M8 8h16v12"/><path d="M8 26h16v12" stroke-linecap="square" stroke-linejoin="bevel"/><path d="M36 10v28l4-8" stroke-linecap="round" stroke-linejoin="round"/></g>'],
+  ["lines around areas, of other colours and of one that shows through", '<rect x="8" y="8" width="32" height="20" fill="#ffcc00" stroke="#204080" stroke-width="6"/><circle cx="24" cy="34" r="9" fill="#fff" stroke="#b71c1c80" stroke-width="5"/><path d="M4 46h40" stroke="#2e7d32" stroke-width="4" stroke-opacity=".5"/>'],
+  ["widths by styles, in other units, and of what is drawn larger", '<style>.w{stroke-width:1mm;stroke:teal}</style><path class="w" d="M4 10h40"/><g transform="scale(4)" stroke="navy"><path d="M1 5h10" stroke-width="1"/><path d="M1 7h10" style="stroke-width:1.5px"/></g><path d="M4 42h40" stroke="red" stroke-width="10%"/>'],
+  ["a gradient along a line, and lines that are not there", '<defs><linearGradient id="g"><stop stop-color="#0a0"/><stop offset="1" stop-color="#0a0"/></linearGradient></defs><path d="M4 10l40 4" stroke="url(#g)" stroke-width="8"/><path d="M4 30h40" fill="none" stroke="red" stroke-width="0"/><path d="M4 40h40" stroke="#00f" stroke-width="6" stroke-opacity="1"/><path d="M4 24h40" fill="none" stroke="red" stroke-width="6" opacity="0"/>'],
+];
+
 /** Opacities have 256 steps in a colour and 1000 in a file, and what shows through is rounded each time it is drawn over. */
 const rounding = 3;
 
@@ -42,8 +51,8 @@ function isFlat(picture: Cells, at: number): boolean {
   return around.every((cell) => cell === undefined || apart(cell, picture[at] ?? []) <= 1);
 }
 
-for (const [what, inner] of drawings) {
-  test(`a drawing keeps its colours in both kinds of file: ${what}`, async (t) => {
+for (const [what, inner] of [...drawings, ...lines]) {
+  test(`a drawing keeps its colours and lines in both kinds of file: ${what}`, async (t) => {
     const demo = await open(t);
     await opened(demo, framed(inner));
     const wanted = await cellsOf(demo, "image/svg+xml", Buffer.from(framed(inner)));
@@ -59,6 +68,13 @@ for (const [what, inner] of drawings) {
 }
 
 const inksOf = (demo: Demo): Promise<(string | undefined)[]> => demo.page.evaluate(() => window.explineDemo.getState().curve.contours.map(({ ink }) => ink));
+
+test("a dashed line comes in whole, and that is said", async (t) => {
+  const demo = await open(t);
+  await opened(demo, framed('<path d="M4 4 44 20V44" fill="none" stroke="teal" stroke-width="4" stroke-dasharray="6 3" stroke-linejoin="round"/>'));
+  assert.deepEqual(await demo.page.evaluate(() => window.explineDemo.getState().curve.contours.map(({ line }) => line)), [{ width: 4, color: "#008080", join: "round" }]);
+  assert.match(await demo.page.locator("[role=status], .toast").allInnerTexts().then(String), /a dashed line came in whole/u);
+});
 
 test("a gradient comes in as the mean of what it draws, and that is said", async (t) => {
   const stops = '<stop offset="0.25" stop-color="#ff8800"/><stop offset="75%" style="stop-color:#0044cc"/><stop class="end" offset="1"/>';
@@ -128,7 +144,7 @@ test("a drawing that is made simpler in Fit keeps its colours, in what Fit saves
   await opened(demo, text);
   await demo.byId("curve-simplify").click();
   await demo.idle();
-  assert.deepEqual(await demo.page.evaluate(() => window.explineDemo.getState().fit.inks), inks);
+  assert.deepEqual(await demo.page.evaluate(() => window.explineDemo.getState().fit.paints?.map(({ ink }) => ink)), inks);
   const wanted = await cellsOf(demo, "image/svg+xml", Buffer.from(text));
   const flat = wanted.flatMap((_, i) => (isFlat(wanted, i) && isFlat(wanted, i + 2) && isFlat(wanted, i - 2) && isFlat(wanted, i + 2 * cells) && isFlat(wanted, i - 2 * cells) ? [i] : []));
   for (const mode of ["fit", "curve"] as const) {
@@ -136,6 +152,8 @@ test("a drawing that is made simpler in Fit keeps its colours, in what Fit saves
       await demo.byId("fit-edit").click();
       await demo.idle();
       assert.deepEqual(await inksOf(demo), inks);
+      const lines = await demo.page.evaluate(() => window.explineDemo.getState().curve.contours.map(({ line }) => line ?? null));
+      assert.deepEqual(lines, [null, null, null, { width: 1, color: "#000000" }]);
     }
     await demo.byId("btn-export").click();
     const found = await cellsOf(demo, "image/svg+xml", await saved(demo, "export-svg"));

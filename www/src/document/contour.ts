@@ -7,7 +7,10 @@
  * wherever they are not the ordinary ones.
  */
 
+import type { Painted } from "./painted.ts";
 import type { Root } from "./surface/surface.ts";
+
+export type { Line, Painted } from "./painted.ts";
 
 export type Space = "trigonometric" | "hyperbolic" | "polynomial";
 
@@ -35,7 +38,7 @@ export interface ControlPoint {
   readonly moved?: Offset;
 }
 
-export interface Contour {
+export interface Contour extends Painted {
   readonly family: Family;
   readonly closed: boolean;
   readonly points: readonly ControlPoint[];
@@ -47,11 +50,6 @@ export interface Contour {
   readonly lengths?: readonly number[];
   /** Where it differs from the document's (an imported arc in a hyperbolic document). */
   readonly space?: Space;
-  /**
-   * The colour of its area: `#rrggbb`, or `#rrggbbaa` where something shows through. `none`: it is a line, which has no area
-   * even where it is closed. Absent: the colour of the page, and of files.
-   */
-  readonly ink?: string;
   /** Interpolating: how many roots its generator has; absent: 3. One more is one more continuous derivative. */
   readonly order?: Order;
   /** Interpolating: the roots themselves, where they do not follow from space, frequency and order. */

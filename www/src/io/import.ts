@@ -1,5 +1,6 @@
 /** What was pasted, dropped or typed: recognised by its first characters, read into contours or a whole state. */
 import { artboardOf } from "../document/artboard.ts";
+import { isLineWidth, type Line } from "../document/painted.ts";
 import type { Space } from "../document/document.ts";
 import { FileError, parseState } from "../document/file/file.ts";
 import type { Imported } from "../document/imported.ts";
@@ -8,6 +9,7 @@ import { filled, type FilledShape } from "../kernel/paths/filling.ts";
 import { boundsOfPath, importPath, importPoints, type Drawn } from "../kernel/paths/import.ts";
 import { heading, listed, mostPoints, readPoints } from "./rows.ts";
 import { SvgFileError, type SvgWarningCode } from "./svg/limits.ts";
+import type { Stroke } from "./svg/style/line.ts";
 import { readSvg, type SvgFile, type SvgShape } from "./svg/svg-file.ts";
 import { inkOfFiles } from "./svg/svg-write.ts";
 
@@ -80,7 +82,7 @@ function readDrawing(text: string, space: Space): Imported {
   for (const shape of file.shapes) {
     const part = importPath(shape.d, space, shape.transform, drawnAs(shape));
     broken ??= part.broken;
-    shapes.push({ contours: part.contours, ...areaOf(shape, isColored) });
+    shapes.push({ contours: part.contours, ...paintedAs(shape, isColored) });
     for (const contour of part.contours) points += contour.points.length;
     if (points > mostPoints) throw new Problem("svg-big", { field: "points", most: mostPoints });
   }
@@ -95,18 +97,26 @@ function insteadOfPaths({ warnings }: SvgFile): { readonly field?: string } {
 }
 
 /** What is black, or our own ink of files, is ink and no colour. */
-function isInk({ fill }: SvgShape): boolean {
-  return fill === null || fill.color === null || fill.color === "#000000" || fill.color === inkOfFiles;
+function isInk({ fill, stroke }: SvgShape): boolean {
+  return [fill, stroke].every((part) => part === null || part.color === null || part.color === "#000000" || part.color === inkOfFiles);
 }
 
-function drawnAs({ fill, stroked }: SvgShape): Drawn {
-  return stroked ? (fill === null ? "lines" : "either") : "areas";
+function drawnAs({ fill, stroke }: SvgShape): Drawn {
+  return stroke === null ? "areas" : fill === null ? "lines" : "either";
 }
 
-function areaOf({ fill }: SvgShape, isColored: boolean): Pick<FilledShape, "rule" | "fill" | "ink"> {
-  if (fill === null) return { rule: "nonzero", fill: null };
+function paintedAs({ fill, stroke }: SvgShape, isColored: boolean): Omit<FilledShape, "contours"> {
+  const line = stroke === null ? undefined : lineOf(stroke, isColored);
+  const painted = line === undefined ? {} : { line };
+  if (fill === null) return { rule: "nonzero", fill: null, ...painted };
   const { paint, rule, color } = fill;
-  return { rule, fill: paint, ...(isColored && color !== null ? { ink: color } : {}) };
+  return { rule, fill: paint, ...painted, ...(isColored && color !== null ? { ink: color } : {}) };
+}
+
+/** Absent where nothing says how wide it is, or it is wider than any drawing. */
+function lineOf({ color, width, ...ends }: Stroke, isColored: boolean): Line | undefined {
+  if (width === undefined || !isLineWidth(width)) return undefined;
+  return { width, ...ends, ...(isColored && color !== null ? { color } : {}) };
 }
 
 function readFile(text: string): SvgFile {
@@ -130,6 +140,7 @@ const notesByCode: Readonly<Record<SvgWarningCode, string>> = {
   W_UNIT: "a length in a unit that needs a page was ignored",
   W_ODD_POINTS: "a lone last coordinate was dropped",
   W_GRADIENT: "a gradient became its mean colour",
+  W_DASHES: "a dashed line came in whole",
   W_STYLE: "a style sheet was not followed in full",
   W_STYLE_TRANSFORM: "a transform by CSS in space, or in percent of an unknown size, was ignored",
   W_TEXT: "text was left out; as outlines it would come along",

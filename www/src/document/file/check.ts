@@ -57,11 +57,6 @@ export function oneOf<T extends string>(found: Found, choices: readonly T[]): T 
   return choice;
 }
 
-export function asInk(found: Found): string {
-  if (typeof found.value !== "string" || !/^(?:#[0-9a-f]{6}(?:[0-9a-f]{2})?|none)$/u.test(found.value)) throw wrong(found, 'a colour like #1b5e50, or "none"');
-  return found.value;
-}
-
 /** The id of a sample: a word of ours, never text to be shown. */
 export function asSampleId(found: Found): string {
   if (typeof found.value !== "string" || !/^[a-z0-9-]{1,40}$/u.test(found.value)) throw wrong(found, "the id of a sample");
@@ -73,4 +68,9 @@ export function asArray<T>(found: Found, read: (found: Found) => T, max: number,
   if (!Array.isArray(value)) throw wrong(found, "an array");
   if (value.length > max) throw new FileError("E_LIMIT", path, `has more than ${max} entries`, { limit });
   return value.map((item: unknown, i) => read({ value: item, path: `${path}[${i}]` }));
+}
+
+/** Leaves absent what is absent: an optional field is never written as undefined. */
+export function defined<T extends object>(parts: T): { [K in keyof T]?: Exclude<T[K], undefined> } {
+  return Object.fromEntries(Object.entries(parts).filter(([, value]) => value !== undefined)) as { [K in keyof T]?: Exclude<T[K], undefined> };
 }

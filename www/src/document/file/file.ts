@@ -14,8 +14,9 @@ import { emptyFit } from "../fit/fit.ts";
 import { othersOf } from "./others.ts";
 import { emptySurface } from "../surface/surface.ts";
 import { emptyTrace } from "../trace/trace.ts";
-import { asArray, asBoolean, asInk, asNumber, asObject, asSampleId, asWhole, field, oneOf, optional, type Found } from "./check.ts";
+import { asArray, asBoolean, asNumber, asObject, asSampleId, asWhole, defined, field, oneOf, optional, type Found } from "./check.ts";
 import { FileError } from "./error.ts";
+import { readPaint } from "./paint.ts";
 import { readSetting } from "./setting.ts";
 import { checkJson } from "./scan.ts";
 
@@ -90,11 +91,6 @@ function unknownFields(value: unknown): ReadFile["warnings"] {
     .map((key) => ({ code: "W_UNKNOWN_FIELD", path: `$.${key.slice(0, 40)}` }));
 }
 
-/** Leaves absent what is absent: an optional field is never written as undefined. */
-function defined<T extends object>(parts: T): { [K in keyof T]?: Exclude<T[K], undefined> } {
-  return Object.fromEntries(Object.entries(parts).filter(([, value]) => value !== undefined)) as { [K in keyof T]?: Exclude<T[K], undefined> };
-}
-
 function readView(found: Found): View {
   return {
     // The largest drawing there can be, 2e9 across, in the smallest window.
@@ -134,7 +130,7 @@ function readContour(found: Found, left: { points: number }): Contour {
     points,
     ...defined({
       space,
-      ink: optional(found, "ink", asInk),
+      ...readPaint(found),
       support: optional(found, "support", (each) => asWhole(each, 1, 64)),
       omega: optional(found, "omega", (each) => asArray(each, (value) => asNumber(value, 0, 1e4), limits.maxPoints, "maxPoints")),
       lengths: optional(found, "lengths", (each) => asArray(each, (value) => asNumber(value, 1e-9, 1e9), limits.maxPoints, "maxPoints")),

@@ -1,7 +1,8 @@
 import { readSetting } from "./setting.ts";
 import { emptyFit, fitDefaults, fitLimits, owned, strokesOf, type FitDocument, type Pair } from "../fit/fit.ts";
-import { asArray, asBoolean, asInk, asNumber, asSampleId, asWhole, field, oneOf, optional, type Found } from "./check.ts";
+import { asArray, asBoolean, asNumber, asSampleId, asWhole, field, oneOf, optional, type Found } from "./check.ts";
 import { FileError } from "./error.ts";
+import { readPaint } from "./paint.ts";
 
 /** Points to be fitted and how, as a file has them. */
 
@@ -21,9 +22,9 @@ export function readFit(found: Found): FitDocument {
   const starts = optional(found, "starts", (list) => asArray(list, (start) => asWhole(start, 1, mostPoints), mostPoints, "maxPoints")) ?? [];
   const rising = starts.every((start, i) => start > (starts[i - 1] ?? 0) && start < data.length);
   if (!rising) throw new FileError("E_SCHEMA", `${found.path}.starts`, "is not rising, or beyond the data");
-  const inks = optional(found, "inks", (list) => asArray(list, (ink) => (ink.value === null ? null : asInk(ink)), mostPoints, "maxPoints"));
-  if (inks !== undefined && inks.length !== strokesOf({ data, starts }).length) throw new FileError("E_SCHEMA", `${found.path}.inks`, "has not one colour for each stroke");
-  return { ...fitDefaults, ...settings(found), data, starts, ...(inks === undefined ? {} : { inks }), ...readSetting(found), ...(sample === undefined ? {} : { sample }) };
+  const paints = optional(found, "paints", (list) => asArray(list, readPaint, mostPoints, "maxPoints"));
+  if (paints !== undefined && paints.length !== strokesOf({ data, starts }).length) throw new FileError("E_SCHEMA", `${found.path}.paints`, "has not one paint for each stroke");
+  return { ...fitDefaults, ...settings(found), data, starts, ...(paints === undefined ? {} : { paints }), ...readSetting(found), ...(sample === undefined ? {} : { sample }) };
 }
 
 function settings(found: Found): Partial<FitDocument> {

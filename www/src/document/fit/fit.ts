@@ -1,6 +1,7 @@
 /** What Fit works on: points as they were measured, drawn or brought in, and how they are to become a curve. */
 
 import type { Setting } from "../artboard.ts";
+import { isPainted, paintOf, type Painted } from "../painted.ts";
 
 export type Pair = readonly [number, number];
 
@@ -20,8 +21,8 @@ export interface FitDocument extends Setting {
   readonly data: readonly Pair[];
   /** Where in the data each stroke after the first begins. */
   readonly starts: readonly number[];
-  /** The colour of each stroke's area, as contours have it (`ink`); null for those that have none, absent where none has. */
-  readonly inks?: readonly (string | null)[];
+  /** How each stroke is painted, as contours are; absent where none is. */
+  readonly paints?: readonly Painted[];
   readonly model: FitModel;
   /** 0 … 100 */
   readonly smoothing: number;
@@ -84,7 +85,7 @@ export function isJoined({ data, closing }: Pick<FitDocument, "data" | "closing"
 }
 
 /** The document without strokes, and without what was true of the drawing that they came from. */
-export function emptied({ sample: _gone, filling: _filling, artboard: _artboard, inks: _inks, ...fit }: FitDocument): FitDocument {
+export function emptied({ sample: _gone, filling: _filling, artboard: _artboard, paints: _paints, ...fit }: FitDocument): FitDocument {
   return { ...fit, data: [], starts: [] };
 }
 
@@ -94,9 +95,8 @@ export function owned({ sample: _gone, ...fit }: FitDocument): FitDocument {
 }
 
 /** A stroke on its way into a document. */
-export interface NewStroke {
+export interface NewStroke extends Painted {
   readonly places: readonly Pair[];
-  readonly ink?: string;
 }
 
 /** The document with more strokes. */
@@ -109,12 +109,12 @@ export function withStrokes(fit: FitDocument, strokes: readonly NewStroke[]): Fi
     if (data.length > 0) starts.push(data.length);
     for (const place of places) data.push(place);
   }
-  const inks = [...(fit.inks ?? strokesOf(fit).map(() => null)), ...fresh.map(({ ink = null }) => ink)];
-  return withInks({ ...owned(fit), data, starts }, inks);
+  const paints = [...(fit.paints ?? strokesOf(fit).map(() => ({}))), ...fresh.map(paintOf)];
+  return withPaints({ ...owned(fit), data, starts }, paints);
 }
 
-function withInks({ inks: _old, ...fit }: FitDocument, inks: readonly (string | null)[]): FitDocument {
-  return inks.every((ink) => ink === null) ? fit : { ...fit, inks };
+function withPaints({ paints: _old, ...fit }: FitDocument, paints: readonly Painted[]): FitDocument {
+  return paints.some(isPainted) ? { ...fit, paints } : fit;
 }
 
 /** The document with one more point at the end of its last stroke. */
@@ -126,7 +126,7 @@ export function withPoint(fit: FitDocument, point: Pair): FitDocument {
 export function withoutDisc(fit: FitDocument, x: number, y: number, radius: number): FitDocument {
   const kept: Pair[] = [];
   const starts: number[] = [];
-  const inks: (string | null)[] = [];
+  const paints: Painted[] = [];
   for (const [stroke, { from, to }] of strokesOf(fit).entries()) {
     const before = kept.length;
     for (let i = from; i < to; i += 1) {
@@ -134,9 +134,9 @@ export function withoutDisc(fit: FitDocument, x: number, y: number, radius: numb
       if (point !== undefined && Math.hypot(point[0] - x, point[1] - y) > radius) kept.push(point);
     }
     if (kept.length > before && before > 0) starts.push(before);
-    if (kept.length > before) inks.push(fit.inks?.[stroke] ?? null);
+    if (kept.length > before) paints.push(fit.paints?.[stroke] ?? {});
   }
-  return kept.length === fit.data.length ? fit : withInks({ ...owned(fit), data: kept, starts }, inks);
+  return kept.length === fit.data.length ? fit : withPaints({ ...owned(fit), data: kept, starts }, paints);
 }
 
 /** How many different points a stroke has; counting stops at `enough`. */

@@ -32,8 +32,7 @@ export function subjectOf(fit: FitDocument, parts: boolean): FitSubject | null {
   const strokes: FitInput[] = [];
   for (const [i, stroke] of strokesOf(fit).entries()) {
     if (differentPoints(fit, stroke, leastPoints) < leastPoints) continue;
-    const ink = fit.inks?.[i] ?? null;
-    strokes.push({ points: Float64Array.from(fit.data.slice(stroke.from, stroke.to).flat()), closed: isJoined(fit, stroke), ...(ink === null ? {} : { ink }) });
+    strokes.push({ points: Float64Array.from(fit.data.slice(stroke.from, stroke.to).flat()), closed: isJoined(fit, stroke), ...fit.paints?.[i] });
   }
   return strokes.length === 0 ? null : { strokes, degree: degreeOf(fit), mix: fit.mix / 100, corners: fit.corners, parts };
 }

@@ -1,11 +1,12 @@
 import { settingOf } from "../../document/artboard.ts";
+import { paintOf } from "../../document/painted.ts";
 import { emptyCurve, type Contour, type CurveDocument } from "../../document/document.ts";
 import { contourFromFit } from "../../kernel/fit/as-contour.ts";
 import type { FitOutcome } from "../../kernel/fit/outcome.ts";
 import type { Editor, EditorState } from "../editor.ts";
 import { openInCurve } from "../curve/open-in-curve.ts";
 
-const contoursOf = ({ strokes }: FitOutcome): Contour[] => strokes.map(({ curve, ink }) => ({ ...contourFromFit(curve), ...(ink === undefined ? {} : { ink }) }));
+const contoursOf = ({ strokes }: FitOutcome): Contour[] => strokes.map((stroke) => ({ ...contourFromFit(stroke.curve), ...paintOf(stroke) }));
 
 /** The fitted curve for Export; null while there is none. */
 export function fittedDrawing({ fit, fitRun }: EditorState): CurveDocument | null {

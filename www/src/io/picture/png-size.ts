@@ -1,5 +1,6 @@
 import { sheetOf, type Artboard, type Box } from "../../document/artboard.ts";
-import type { PaintedPath } from "../../document/curve/inks.ts";
+import type { PaintedPath } from "../../document/curve/paints.ts";
+import { reachOf, type Line } from "../../document/painted.ts";
 
 /** Browsers refuse or blank canvases beyond these. */
 const mostSide = 16_384;
@@ -30,9 +31,12 @@ export interface Subject {
   readonly layers?: readonly PaintedPath[];
 }
 
-/** Whether all that is drawn are areas, which are no larger than their outlines: there is no line around them. */
-export function isOfAreas({ filled = false, layers = [] }: Pick<Subject, "filled" | "layers">): boolean {
-  return layers.length === 0 ? filled : layers.every(({ isLine }) => isLine !== true);
+/** How far lines reach out of the outlines that they run along; areas are no larger than theirs. */
+export function roomFor({ artboard, filled = false, layers = [] }: Subject, thin: number): number {
+  const paths: readonly Omit<PaintedPath, "d">[] = layers.length > 0 ? layers : [{ isLine: !filled }];
+  // What an artboard cuts off a line of the drawing's own, it always did.
+  const reach = (line: Line): number => (artboard === undefined ? reachOf(line) : 0);
+  return paths.reduce((most, { isLine, line }) => Math.max(most, line !== undefined ? reach(line) : isLine === true ? thin : 0), 0);
 }
 
 function grown({ minX, minY, maxX, maxY }: Box, by: number): Box {
@@ -50,7 +54,7 @@ export function sheetIn(subject: Subject): Sheet | null {
   const { box, artboard } = subject;
   if (artboard === undefined) return null;
   const enlarged = enlargement(sheetOf(artboard, box));
-  const frame = sheetOf(artboard, box === null || isOfAreas(subject) ? box : grown(box, lineWidth / enlarged));
+  const frame = sheetOf(artboard, box === null ? box : grown(box, roomFor(subject, lineWidth / enlarged)));
   return { frame, enlarged };
 }
 
@@ -59,7 +63,7 @@ export function pictureOf(subject: Subject): Sheet | null {
   const sheet = sheetIn(subject);
   if (sheet !== null || subject.box === null) return sheet;
   const enlarged = enlargement(subject.box);
-  return { frame: grown(subject.box, margin / enlarged), enlarged };
+  return { frame: grown(subject.box, Math.max(margin / enlarged, roomFor(subject, 0))), enlarged };
 }
 
 /** The size in pixels that a picture of the drawing would have, or null when it is larger than browsers can draw. */

@@ -1,4 +1,6 @@
-import type { Filling } from "../../document/document.ts";
+import type { PaintedPath } from "../../document/curve/paints.ts";
+import { lineStyle } from "../../document/painted.ts";
+import type { Filling, Line } from "../../document/document.ts";
 import { inkOfFiles } from "../svg/svg-write.ts";
 import { lineWidth, pictureOf, pngSize, type Subject } from "./png-size.ts";
 
@@ -17,6 +19,8 @@ export interface PngPath {
   readonly d: string;
   readonly fill?: { readonly color: string; readonly alpha: number; readonly rule: CanvasFillRule };
   readonly stroke?: string;
+  /** How it is stroked; absent: with a thin line. */
+  readonly line?: Line;
 }
 
 /** What is drawn, from the lowest up. */
@@ -24,9 +28,11 @@ export function pngPaths({ d, stage, filled, filling, layers = [] }: PngOptions)
   const rule = filling === "nonzero" ? filling : "evenodd";
   if (stage !== undefined) return [{ d, ...(filling === "none" ? {} : { fill: { color: stage.fill, alpha: 0.08, rule } }), stroke: stage.ink }];
   const area = (of: string, color = inkOfFiles): PngPath => ({ d: of, fill: { color, alpha: 1, rule } });
-  const line = (of: string): PngPath => ({ d: of, stroke: inkOfFiles });
-  if (layers.length > 0) return layers.map((layer) => (layer.isLine === true ? line(layer.d) : area(layer.d, layer.color)));
-  return [filled === true ? area(d) : line(d)];
+  const painted = ({ d: of, isLine, line, color }: PaintedPath): PngPath => ({
+    ...(isLine === true ? { d: of, stroke: inkOfFiles } : area(of, color)),
+    ...(line === undefined ? {} : { line, stroke: line.color ?? inkOfFiles }),
+  });
+  return (layers.length > 0 ? layers : [{ d, isLine: filled !== true }]).map(painted);
 }
 
 export async function writePng(options: PngOptions): Promise<Blob | null> {
@@ -47,7 +53,7 @@ export async function writePng(options: PngOptions): Promise<Blob | null> {
   return new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
 }
 
-function draw(context: CanvasRenderingContext2D, { d, fill, stroke }: PngPath, width: number): void {
+function draw(context: CanvasRenderingContext2D, { d, fill, stroke, line }: PngPath, thin: number): void {
   const path = new Path2D(d);
   if (fill !== undefined) {
     context.globalAlpha = fill.alpha;
@@ -57,7 +63,6 @@ function draw(context: CanvasRenderingContext2D, { d, fill, stroke }: PngPath, w
   }
   if (stroke === undefined) return;
   context.strokeStyle = stroke;
-  context.lineWidth = width;
-  context.lineJoin = "round";
+  Object.assign(context, lineStyle(line ?? { width: thin, join: "round" }));
   context.stroke(path);
 }

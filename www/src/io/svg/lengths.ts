@@ -58,6 +58,13 @@ export function lengthOf(element: Element, name: string, fallback: number | null
 const across = new Set(["x", "cx", "x1", "x2", "rx", "width"]);
 const down = new Set(["y", "cy", "y1", "y2", "ry", "height"]);
 
+/** A length of a style, in user units; undefined where it is none, or only a page could tell. */
+export function styledLength(text: string, around: Size): number | undefined {
+  const [, number, unit = ""] = length.exec(text.replace(/^calc\((.*)\)$/u, "$1")) ?? [];
+  const each = unit === "%" ? hundredth(around, "") : units.get(unit);
+  return number === undefined || each === undefined ? undefined : Number(number) * each;
+}
+
 /** A hundredth of a viewport in the direction of a length; of its diagonal over √2 for a radius. */
 function hundredth({ width, height }: Size, name: string): number | undefined {
   const size = across.has(name) ? width : down.has(name) ? height : Math.hypot(width, height) / Math.SQRT2;

@@ -56,6 +56,7 @@ export type SvgWarningCode =
   | "W_ODD_POINTS"
   | "W_STYLE"
   | "W_GRADIENT"
+  | "W_DASHES"
   | "W_STYLE_TRANSFORM"
   | "W_TEXT"
   | "W_PICTURE"

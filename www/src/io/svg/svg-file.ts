@@ -9,9 +9,10 @@ import { identity, multiply, translate, type Matrix } from "./matrix.ts";
 import { pathDataOf, shapeNames } from "./shapes.ts";
 import { enclosing, type Box } from "./style/box.ts";
 import { mayHide } from "./style/clip.ts";
-import { fillsOf, type Fill, type FillOf } from "./style/color.ts";
+import { painterOf, type Fill, type Painter } from "./style/color.ts";
 import type { Declared } from "./style/declared.ts";
-import { initialPaint, isPaint, paintOf, unknownPaint, type Paint } from "./style/paint.ts";
+import { strokeOf, type Stroke } from "./style/line.ts";
+import { initialPaint, paintOf, unknownPaint, type Paint } from "./style/paint.ts";
 import { isHidden, isVisible, stylesOf, type Styles } from "./style/styles.ts";
 import { ownTransformOf } from "./style/transform.ts";
 import { innerViewport, nothingWanted, pictureOf, rootViewport, wantedBy, type Viewport, type Wanted } from "./viewport.ts";
@@ -22,7 +23,8 @@ export interface SvgShape {
   readonly transform: Matrix;
   /** What its area is filled with; null where nothing is. */
   readonly fill: Fill | null;
-  readonly stroked: boolean;
+  /** The line along its outline; null where there is none. */
+  readonly stroke: Stroke | null;
 }
 
 export interface SvgFile {
@@ -43,7 +45,7 @@ interface Reading {
   /** The groups that are being walked, by nesting or by `use`: a `use` of one of them is a cycle. */
   readonly entered: Set<Element>;
   readonly styles: Styles;
-  readonly fillOf: FillOf;
+  readonly painter: Painter;
   /** What is seen of the whole drawing, in its own units. */
   readonly picture: Box | null;
   readonly boundsOf: BoundsOf;
@@ -80,7 +82,7 @@ export function readSvg(source: string, boundsOf: BoundsOf = () => null, limits:
     warn,
     entered: new Set(),
     styles,
-    fillOf: fillsOf(styles, warn),
+    painter: painterOf(styles, warn),
     picture: pictureOf(root),
     boundsOf,
     expanded: 0,
@@ -92,7 +94,7 @@ export function readSvg(source: string, boundsOf: BoundsOf = () => null, limits:
 
 /** The frame that icons have around them is neither filled nor stroked. Where all are so, a page's style was to paint them. */
 function seenOf(shapes: readonly SvgShape[]): readonly SvgShape[] {
-  const seen = shapes.filter(({ fill, stroked }) => fill !== null || stroked);
+  const seen = shapes.filter(({ fill, stroke }) => fill !== null || stroke !== null);
   return seen.length === 0 ? shapes : seen;
 }
 
@@ -158,7 +160,8 @@ function addShape(element: Element, measures: Measures, { matrix, paint }: Place
   }
   const max = reading.limits.maxCommands;
   if (reading.commands > max) throw overLimit("maxCommands", max, reading.commands);
-  reading.shapes.push({ d, transform: matrix, fill: reading.fillOf(paint, element), stroked: isPaint(paint.stroke) && paint.opacity > 0 });
+  const { painter, shapes } = reading;
+  shapes.push({ d, transform: matrix, fill: painter.fillOf(paint, element), stroke: strokeOf(paint, element, measures, matrix, painter) });
 }
 
 function expand(use: Element, css: Declared, outer: Place, reading: Reading): void {

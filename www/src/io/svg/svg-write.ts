@@ -1,6 +1,7 @@
-import type { DemoState, Filling } from "../../document/document.ts";
+import type { PaintedPath } from "../../document/curve/paints.ts";
+import type { DemoState, Filling, Line } from "../../document/document.ts";
 import type { Artboard, Box } from "../../document/artboard.ts";
-import { enlargement, isOfAreas, lineWidth, sheetIn, type Subject } from "../picture/png-size.ts";
+import { enlargement, lineWidth, roomFor, sheetIn, type Subject } from "../picture/png-size.ts";
 
 /** Text that may stand in XML: markup escaped, and characters that XML has no place for replaced. */
 export function escapeXml(text: string): string {
@@ -42,24 +43,31 @@ function viewBoxOf({ minX, minY, maxX, maxY }: Box, board: Artboard | undefined,
   return [x, y, right - x, bottom - y];
 }
 
-/** The attributes of what an area is filled with. */
-function fillOf(color: string): string {
+/** The attributes of what an area is filled with, or a line is drawn with. */
+function paintedWith(part: "fill" | "stroke", color: string): string {
   const solid = escapeXml(color.slice(0, 7));
-  return color.length === 9 ? `fill="${solid}" fill-opacity="${plain(Number.parseInt(color.slice(7), 16) / 255)}"` : `fill="${solid}"`;
+  return color.length === 9 ? `${part}="${solid}" ${part}-opacity="${plain(Number.parseInt(color.slice(7), 16) / 255)}"` : `${part}="${solid}"`;
+}
+
+function lineOf({ width, color = inkOfFiles, cap, join }: Line): string {
+  const ends = [cap === undefined ? "" : ` stroke-linecap="${cap}"`, join === undefined ? "" : ` stroke-linejoin="${join}"`];
+  return `${paintedWith("stroke", color)} stroke-width="${Number(width.toPrecision(6))}"${ends.join("")}`;
 }
 
 /** A document with one path, or one for each colour, and a viewBox around it with room for its line. */
 export function writeSvg(options: SvgOptions): string {
-  const { title, d, artboard, filling, layers = [] } = options;
-  const filled = isOfAreas(options);
+  const { title, d, artboard, filling, filled = false, layers = [] } = options;
   const around = options.box ?? { minX: 0, minY: 0, maxX: 1, maxY: 1 };
   const sheet = sheetIn(options);
-  const width = Math.max(0.001, lineWidth / (sheet?.enlarged ?? enlargement(around)));
-  const viewBox = viewBoxOf(sheet?.frame ?? around, artboard, filled || sheet !== null ? 0 : width).map(plain);
-  const lines = `fill="none" stroke="${inkOfFiles}" stroke-width="${plain(width)}" stroke-linejoin="round"`;
-  const area = (color = inkOfFiles): string => `${fillOf(color)}${filling === "nonzero" ? "" : ' fill-rule="evenodd"'}`;
-  const path = (text: string, how: string): string => (text === "" ? "" : `  <path d="${escapeXml(text)}" ${how}/>\n`);
-  const paths = layers.length === 0 ? [path(d, filled ? area() : lines)] : layers.map((layer) => path(layer.d, layer.isLine === true ? lines : area(layer.color)));
+  const thin = Number(plain(Math.max(0.001, lineWidth / (sheet?.enlarged ?? enlargement(around)))));
+  const viewBox = viewBoxOf(sheet?.frame ?? around, artboard, sheet !== null ? 0 : roomFor(options, thin)).map(plain);
+  const area = (color = inkOfFiles): string => `${paintedWith("fill", color)}${filling === "nonzero" ? "" : ' fill-rule="evenodd"'}`;
+  const path = ({ d: text, isLine, color, line }: PaintedPath): string => {
+    const stroke = line ?? (isLine === true ? { width: thin, join: "round" as const } : undefined);
+    const how = [isLine === true ? 'fill="none"' : area(color), ...(stroke === undefined ? [] : [lineOf(stroke)])];
+    return text === "" ? "" : `  <path d="${escapeXml(text)}" ${how.join(" ")}/>\n`;
+  };
+  const paths = (layers.length > 0 ? layers : [{ d, isLine: !filled }]).map(path);
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${viewBox.join(" ")}" width="${viewBox[2]}" height="${viewBox[3]}">\n`,
     `  <title>${escapeXml(title)}</title>\n`,

@@ -1,3 +1,4 @@
+import { paintOf } from "../../document/painted.ts";
 import { domainLength, lengthOf, segmentCount, type Contour, type CurveDocument } from "../../document/document.ts";
 import type { NewStroke, Pair } from "../../document/fit/fit.ts";
 import { curveOf } from "../curve/curve-cache.ts";
@@ -27,7 +28,7 @@ export function placesAlong(drawing: CurveDocument, contours: readonly Contour[]
   const spacing = Math.max(apart, lengths.reduce((sum, length) => sum + length, 0) / most);
   return contours.flatMap((contour, i) => {
     const places = along(drawing, contour, Math.max(leastPoints, (lengths[i] ?? 0) / spacing));
-    return places.length < 4 ? [] : [{ places, ...(contour.ink === undefined ? {} : { ink: contour.ink }) }];
+    return places.length < 4 ? [] : [{ places, ...paintOf(contour) }];
   });
 }
 

@@ -1,13 +1,12 @@
 /** What passes between the page and the worker that fits: plain data only. */
 import type { FitStatus } from "expline/slim";
+import type { Painted } from "../../document/contour.ts";
 
 /** A stroke as the fit takes it. */
-export interface FitInput {
+export interface FitInput extends Painted {
   /** x and y in turn. */
   readonly points: Float64Array;
   readonly closed: boolean;
-  /** The colour of its area, where it has one. */
-  readonly ink?: string;
 }
 
 /** Everything of a fit but how strong it is: the same set of these is fitted again and again while a slider moves. */

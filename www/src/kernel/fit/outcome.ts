@@ -1,15 +1,15 @@
 import { fromJSON, HermiteCurve, type Curve } from "expline/slim";
+import { paintOf } from "../../document/painted.ts";
+import type { Painted } from "../../document/document.ts";
 import type { Pair, Stroke } from "../../document/fit/fit.ts";
 import type { FitInput, PlainFit } from "./job.ts";
 import { countByType, shownKnots, type KnotType, type ShownKnot } from "./knots.ts";
 
 /** What came of a fit, with everything that is drawn and printed of it; computed when asked for, and kept. */
 
-export interface FittedStroke {
+export interface FittedStroke extends Painted {
   readonly curve: Curve;
   readonly parts: readonly Curve[];
-  /** The colour of its area, where it has one. */
-  readonly ink?: string;
   /** The points that it was fitted to. */
   readonly points: Float64Array;
   /** The curve's parameter of each of them. */
@@ -48,13 +48,13 @@ export function smoothingLike(chart: readonly ChartPoint[], rms: number): number
   return before.smoothing + ((rms - before.rms) / (after.rms - before.rms)) * (after.smoothing - before.smoothing);
 }
 
-export function outcomeOf(inputs: readonly Pick<FitInput, "points" | "ink">[], fits: readonly PlainFit[]): FitOutcome {
+export function outcomeOf(inputs: readonly Omit<FitInput, "closed">[], fits: readonly PlainFit[]): FitOutcome {
   const strokes = fits.map((fit, i) => ({
     curve: asCurve(fit.curve),
     parts: fit.parts.map(asCurve),
     points: inputs[i]?.points ?? new Float64Array(0),
     parameters: fit.parameters,
-    ...(inputs[i]?.ink === undefined ? {} : { ink: inputs[i].ink }),
+    ...paintOf(inputs[i] ?? {}),
   }));
   const knots = fits.flatMap((fit, i) => shownKnots(i, strokes[i]?.curve.domain[1] ?? 1, fit.knots));
   const size = strokes.reduce((sum, { points }) => sum + points.length / 2, 0);

@@ -1,6 +1,7 @@
 import { reversedContour } from "../../document/curve/contours.ts";
-import { inkLayers, noInk, runsOf } from "../../document/curve/inks.ts";
-import { emptyCurve, type Contour, type CurveDocument, type Filling, type Space } from "../../document/document.ts";
+import { paintLayers } from "../../document/curve/paints.ts";
+import { isAlike, noInk, paintOf, runsOf } from "../../document/painted.ts";
+import { emptyCurve, type Contour, type CurveDocument, type Filling, type Painted, type Space } from "../../document/document.ts";
 import { curveOf, type AnyCurve } from "../curve/curve-cache.ts";
 import { around, boundsOf, type Bounds } from "../curve/samples.ts";
 import { coverage } from "../trace/raster.ts";
@@ -11,13 +12,11 @@ import { coverage } from "../trace/raster.ts";
  */
 
 /** Contours that are filled together. */
-export interface FilledShape {
+export interface FilledShape extends Painted {
   readonly contours: readonly Contour[];
   readonly rule: CanvasFillRule;
   /** Two of the same are one area where they overlap, as ink is; null is nothing. */
   readonly fill: string | null;
-  /** The colour that its contours have; absent: that of the page. */
-  readonly ink?: string;
 }
 
 export interface FilledDrawing {
@@ -27,8 +26,8 @@ export interface FilledDrawing {
 
 /** One rule for all: each colour, from the lowest up, is filled by itself. */
 export function filled(given: readonly FilledShape[], space: Space): FilledDrawing {
-  if (given.length > 0 && given.every(({ fill }) => fill === null)) return { contours: given.flatMap((shape) => shape.contours), filling: "none" };
-  const shapes = given.map(withInk);
+  if (given.length > 0 && given.every(({ fill }) => fill === null)) return { contours: given.flatMap((shape) => withPaint(shape).contours), filling: "none" };
+  const shapes = given.map((shape) => withPaint(shape.fill === null ? { ...shape, ink: noInk } : shape));
   const contours = shapes.flatMap((shape) => shape.contours);
   if (shapes.length === 1 && shapes[0]?.rule === "evenodd") return { contours };
   const grid = gridAround(shapes.filter(({ fill }) => fill !== null), space);
@@ -50,11 +49,10 @@ function turnedBy(areas: ReadonlyMap<Area, Area>): (contour: Contour) => Contour
   return (contour) => turnedOf.get(contour) ?? contour;
 }
 
-/** Contours have the colour of their shape, or say that they have no area. */
-function withInk(shape: FilledShape): FilledShape {
-  const ink = shape.fill === null ? noInk : shape.ink;
-  if (ink === undefined) return shape;
-  return { ...shape, ink, contours: shape.contours.map((contour) => (contour.ink === ink ? contour : { ...contour, ink })) };
+/** Contours are painted as their shape is. */
+function withPaint(shape: FilledShape): FilledShape {
+  const paint = paintOf(shape);
+  return { ...shape, contours: shape.contours.map((contour) => (isAlike(contour, paint) ? contour : { ...contour, ...paint })) };
 }
 
 /** A drawing and more contours beside it, which each keep the look they had. */
@@ -66,11 +64,11 @@ export function filledTogether(before: CurveDocument, added: FilledDrawing): Fil
 
 /** A drawing as the shapes that it fills, each of one colour. */
 function shapesOf(curve: CurveDocument, filling: Filling | undefined): readonly FilledShape[] {
-  return inkLayers(curve).map(({ ink, drawing: { contours } }) => ({
+  return paintLayers(curve).map(({ ink, line, drawing: { contours } }) => ({
     contours,
     rule: filling === "nonzero" ? filling : "evenodd",
     fill: filling === "none" || ink === noInk ? null : ink ?? "",
-    ...(ink === undefined ? {} : { ink }),
+    ...paintOf({ ink, line }),
   }));
 }
 

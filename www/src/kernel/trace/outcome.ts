@@ -1,5 +1,5 @@
 import { emptyCurve, type Contour, type CurveDocument } from "../../document/document.ts";
-import { inkLayers } from "../../document/curve/inks.ts";
+import { paintLayers } from "../../document/curve/paints.ts";
 import type { CornerChoice, KeptTrace } from "../../document/trace/trace.ts";
 import { withDecided } from "../../document/trace/corners.ts";
 import type { TraceResult } from "./job.ts";
@@ -57,7 +57,7 @@ export function outcomeOf({ outlines, colors, segments, iou, beyond, sizes, stag
 /** Outlines that came without their picture. */
 export function outcomeOfKept({ contours }: KeptTrace): TraceOutcome {
   const drawing: CurveDocument = { ...emptyCurve, contours };
-  const layers = inkLayers(drawing);
+  const layers = paintLayers(drawing);
   const isColored = layers.every(({ ink }) => ink !== undefined);
   return {
     drawing, holes: contours.map((contour) => contour.closed && signedArea(contour) < 0),

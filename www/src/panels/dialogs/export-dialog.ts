@@ -32,7 +32,7 @@ export function openExport(shell: Shell): void {
     png.refresh();
   };
   // What was traced is what it was in the picture.
-  const looks = mode === "trace" ? [] : [lookField(lookOf(curve, mode).filled, refresh)];
+  const looks = mode === "trace" ? [] : [lookField(lookOf(curve, mode).filled, curve.contours.some(({ line }) => line !== undefined), refresh)];
   const dialog = openDialog(
     { title: "Export", testid: "export-dialog", wide: true },
     h("div", { class: "export" },

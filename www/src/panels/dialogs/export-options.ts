@@ -13,13 +13,13 @@ export function drawsAreas(natural: boolean): boolean {
   return look === null ? natural : look === "areas";
 }
 
-/** Lines or areas, of a drawing that can be either. */
-export function lookField(natural: boolean, changed: () => void): HTMLElement {
+/** Lines or areas, of a drawing that can be either; with lines of its own, those are there beside the areas. */
+export function lookField(natural: boolean, hasLines: boolean, changed: () => void): HTMLElement {
   const field = selectField<"lines" | "areas">({
     label: "Drawn as",
     testid: "export-look",
     about: "What the SVG and the picture show: lines, or areas with their holes left out.",
-    options: [["lines", "Lines"], ["areas", "Filled areas"]],
+    options: [["lines", "Lines"], ["areas", hasLines ? "As painted" : "Filled areas"]],
     write(value) {
       look = value;
       changed();

@@ -1,5 +1,5 @@
 import { sheetOf } from "../../document/artboard.ts";
-import type { PaintedPath } from "../../document/curve/inks.ts";
+import type { PaintedPath } from "../../document/curve/paints.ts";
 import type { CurveDocument, Filling } from "../../document/document.ts";
 import { exportPath, type ExportedPath } from "../../kernel/paths/export.ts";
 import type { documentBounds } from "../../kernel/curve/samples.ts";
@@ -69,7 +69,14 @@ function drawn(d: string, drawing: Box, { artboard, filled, filling, layers = []
     if (how !== undefined) path.style[how === "none" ? "fill" : "fillRule"] = how;
     return path;
   };
-  const layer = ({ d: text, color, isLine }: PaintedPath): SVGPathElement => (isLine === true ? line(text, "none") : area(text, color));
+  const layer = ({ d: text, color, isLine, line: along }: PaintedPath): SVGPathElement => {
+    if (along === undefined) return isLine === true ? line(text, "none") : area(text, color);
+    const path = area(text, color);
+    if (isLine === true) path.style.fill = "none";
+    const { width, color: stroke = "currentcolor", cap, join } = along;
+    Object.assign(path.style, { stroke, strokeWidth: String(width), strokeLinecap: cap ?? "", strokeLinejoin: join ?? "" });
+    return path;
+  };
   const shapes = layers.length > 0 ? layers.map(layer) : [filled === true ? area(d, undefined) : line(d, filling)];
   return svg("svg", { viewBox, role: "img", "aria-label": "Preview of the exported path" }, ...sheet, ...shapes);
 }

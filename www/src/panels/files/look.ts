@@ -1,4 +1,5 @@
-import { inkLayers, noInk, type PaintedPath, type InkLayer } from "../../document/curve/inks.ts";
+import { paintLayers, type PaintedPath, type PaintLayer } from "../../document/curve/paints.ts";
+import { isPainted, noInk } from "../../document/painted.ts";
 import type { Contour, CurveDocument, Mode } from "../../document/document.ts";
 import type { Editor } from "../../editor/editor.ts";
 import type { FileLook } from "../page-io.ts";
@@ -8,6 +9,7 @@ import type { FileLook } from "../page-io.ts";
  * are edited; the samples teach curves, and a line that is open encloses nothing.
  */
 function isOfAreas({ contours, filling, sample }: CurveDocument, mode: Mode): boolean {
+  if (contours.some(({ line }) => line !== undefined)) return true;
   if (filling === "none" || (mode !== "trace" && sample !== undefined)) return false;
   // Where areas have colours, what is open is a line beside them.
   return contours.some(isArea) && (contours.every(({ closed, ink }) => closed || ink === noInk) || contours.some((contour) => isArea(contour) && contour.ink !== undefined));
@@ -30,12 +32,14 @@ export type PaintedDrawing = Omit<PaintedPath, "d"> & { readonly drawing: CurveD
 export function layersOf({ modes, state }: Editor, curve: CurveDocument): readonly PaintedDrawing[] {
   const traced = modes.get(state.value.mode)?.layers?.(state.value);
   if (traced !== undefined) return traced;
-  const layers = inkLayers(curve);
-  return layers.every(({ ink }) => ink === undefined) ? [] : layers.flatMap(areasAndLines);
+  const layers = paintLayers(curve);
+  return layers.some(isPainted) ? layers.flatMap(areasAndLines) : [];
 }
 
-function areasAndLines({ ink, drawing }: InkLayer): PaintedDrawing[] {
-  const areas = { ...(ink === undefined ? {} : { color: ink }), drawing: { ...drawing, contours: drawing.contours.filter(isArea) } };
-  const lines = { isLine: true, drawing: { ...drawing, contours: drawing.contours.filter((contour) => !isArea(contour)) } };
+function areasAndLines({ ink, line, drawing }: PaintLayer): PaintedDrawing[] {
+  const has = (contour: Contour): boolean => drawing.filling !== "none" && isArea(contour);
+  const along = line === undefined ? {} : { line };
+  const areas = { ...(ink === undefined ? {} : { color: ink }), ...along, drawing: { ...drawing, contours: drawing.contours.filter(has) } };
+  const lines = { isLine: true, ...along, drawing: { ...drawing, contours: drawing.contours.filter((contour) => !has(contour)) } };
   return [areas, lines].filter((each) => each.drawing.contours.length > 0);
 }

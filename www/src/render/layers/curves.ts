@@ -1,5 +1,6 @@
 import { locate } from "../../document/curve/contours.ts";
-import { inkLayers, noInk } from "../../document/curve/inks.ts";
+import { paintLayers } from "../../document/curve/paints.ts";
+import { lineStyle, noInk } from "../../document/painted.ts";
 import { partsOf } from "../../document/curve/parts.ts";
 import { pointAt, segmentCount } from "../../document/document.ts";
 import { affectedSegments } from "../../document/curve/roots.ts";
@@ -20,24 +21,29 @@ export function drawArtboard(scene: Scene): void {
 const solid = "#rrggbb".length;
 
 export function drawFill(scene: Scene): void {
-  const { state, palette } = scene;
+  const { state } = scene;
   const { filling = "evenodd" } = state.curve;
-  if (!state.settings.overlays.fill || state.originalOnly || filling === "none") return;
+  if (!state.settings.overlays.fill || state.originalOnly) return;
   const context = inPage(scene);
-  for (const { ink, drawing } of inkLayers(state.curve)) {
-    if (ink === noInk) continue;
-    const { closed } = documentPaths(scene, drawing);
-    if (ink?.length === solid) {
-      // What lies below is not seen, and lines and points are over any colour.
-      context.fillStyle = palette.canvas;
-      context.globalAlpha = 1;
-      context.fill(closed, filling);
-    }
-    context.fillStyle = ink ?? palette.point;
-    context.globalAlpha = ink === undefined ? 0.08 : 0.5;
-    context.fill(closed, filling);
+  for (const { ink, line, drawing } of paintLayers(state.curve)) {
+    const { closed, lines } = documentPaths(scene, drawing);
+    if (ink !== noInk && filling !== "none") paint(scene, context, ink, () => context.fill(closed, filling));
+    if (line === undefined) continue;
+    Object.assign(context, lineStyle(line));
+    // Each by itself: where two of a translucent colour meet, both are seen, as in files.
+    paint(scene, context, line.color, () => lines.forEach((each) => context.stroke(each)));
   }
-  context.globalAlpha = 1;
+  Object.assign(context, { globalAlpha: 1, lineCap: "butt" });
+}
+
+function paint({ palette }: Scene, context: CanvasRenderingContext2D, color: string | undefined, draw: () => void): void {
+  const inColor = (of: string, opacity: number): void => {
+    Object.assign(context, { fillStyle: of, strokeStyle: of, globalAlpha: opacity });
+    draw();
+  };
+  // What lies below is not seen, and lines and points are over any colour.
+  if (color?.length === solid) inColor(palette.canvas, 1);
+  inColor(color ?? palette.point, color === undefined ? 0.08 : 0.5);
 }
 
 /** Dotted: the curve as it was when the drag began. */

@@ -2,7 +2,7 @@ import type { Warn } from "../lengths.ts";
 import type { Declared } from "./declared.ts";
 import { isPaint, opacityOf, type Paint } from "./paint.ts";
 
-/** The flat colours that areas are filled with, as the browser reads them. */
+/** The flat colours that areas are filled and lines are drawn with, as the browser reads them. */
 
 /** What an area is filled with. */
 export interface Fill {
@@ -16,10 +16,15 @@ export interface Fill {
 /** Red, green and blue up to 255, and how opaque. */
 type Rgba = readonly [number, number, number, number];
 
-export type FillOf = (paint: Paint, element: Element) => Fill | null;
+export interface Painter {
+  /** What is nothing to be seen is null. */
+  fillOf(paint: Paint, element: Element): Fill | null;
+  /** What is nothing to be seen is null; else its colour, which is null where only a page could tell. */
+  strokeOf(paint: Paint, element: Element): { readonly color: string | null } | null;
+}
 
-/** Reads the fills of one document; what is nothing to be seen is null. */
-export function fillsOf(styles: (element: Element) => Declared, warn: Warn): FillOf {
+/** Reads the fills and strokes of one document. */
+export function painterOf(styles: (element: Element) => Declared, warn: Warn): Painter {
   const read = reader();
   const gradients = new Map<string, Rgba | null>();
   const gradient = (id: string, { ownerDocument }: Element): Rgba | null => {
@@ -27,22 +32,27 @@ export function fillsOf(styles: (element: Element) => Declared, warn: Warn): Fil
     if (mean === undefined) gradients.set(id, (mean = meanOf(stopsOf(ownerDocument.getElementById(id), styles, read))));
     return mean;
   };
-  const rgbaOf = (paint: Paint, element: Element): Rgba | null => {
-    const text = /^currentcolor$/iu.test(paint.fill) ? paint.color : paint.fill;
+  const rgbaOf = (own: string, { color }: Paint, element: Element): Rgba | null => {
+    const text = /^currentcolor$/iu.test(own) ? color : own;
     const [, id, instead = ""] = /^url\(\s*["']?#([^"')]+)["']?\s*\)\s*(.*)$/isu.exec(text) ?? [];
     if (id === undefined) return read(text);
     const mean = gradient(id, element);
     if (mean !== null) warn("W_GRADIENT", element);
     return mean ?? read(instead);
   };
-  return (paint, element) => {
-    const { fill, "fill-rule": rule, "fill-opacity": own, opacity } = paint;
-    const around = opacity * opacityOf(own);
-    if (!isPaint(fill) || around === 0) return null;
-    const found = rgbaOf(paint, element);
+  const seen = (part: "fill" | "stroke", paint: Paint, element: Element): { readonly color: string | null } | null => {
+    const around = paint.opacity * opacityOf(paint[`${part}-opacity`]);
+    if (!isPaint(paint[part]) || around === 0) return null;
+    const found = rgbaOf(paint[part], paint, element);
     if (found !== null && found[3] === 0) return null;
-    const color = found === null ? null : hexOf(found, around);
-    return { paint: color ?? fill, color, rule: rule === "evenodd" ? rule : "nonzero" };
+    return { color: found === null ? null : hexOf(found, around) };
+  };
+  return {
+    fillOf(paint, element) {
+      const fill = seen("fill", paint, element);
+      return fill === null ? null : { paint: fill.color ?? paint.fill, ...fill, rule: paint["fill-rule"] === "evenodd" ? "evenodd" : "nonzero" };
+    },
+    strokeOf: (paint, element) => seen("stroke", paint, element),
   };
 }
 

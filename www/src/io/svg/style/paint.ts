@@ -1,21 +1,32 @@
 import type { Declared } from "./declared.ts";
 
-/** What a shape is drawn with, as far as it matters for outlines and areas: all but the opacity come down from the groups around. */
+/** What a shape is drawn with: all but the opacity come down from the groups around. */
 export interface Paint {
   readonly fill: string;
   readonly stroke: string;
   readonly "fill-rule": string;
   readonly "fill-opacity": string;
+  readonly "stroke-width": string;
+  readonly "stroke-opacity": string;
+  readonly "stroke-linecap": string;
+  readonly "stroke-linejoin": string;
+  readonly "stroke-dasharray": string;
   /** What `currentcolor` is; empty where nothing says it. */
   readonly color: string;
   /** The shape's own and those of all groups around, multiplied. */
   readonly opacity: number;
 }
 
-export const initialPaint: Paint = { fill: "black", stroke: "none", "fill-rule": "nonzero", "fill-opacity": "1", color: "", opacity: 1 };
+export const initialPaint: Paint = {
+  fill: "black", stroke: "none", "fill-rule": "nonzero", "fill-opacity": "1", color: "", opacity: 1,
+  "stroke-width": "1", "stroke-opacity": "1", "stroke-linecap": "butt", "stroke-linejoin": "miter", "stroke-dasharray": "none",
+};
+
+/** What nothing says whether it is there. */
+export const unknownStroke = "unknown";
 
 /** Of shapes that were copied without the picture around them, which may have said what they are stroked with. */
-export const unknownPaint: Paint = { ...initialPaint, stroke: "unknown" };
+export const unknownPaint: Paint = { ...initialPaint, stroke: unknownStroke };
 
 export function paintOf(element: Element, css: Declared, around: Paint): Paint {
   const own = (name: keyof Paint): string =>
@@ -25,8 +36,11 @@ export function paintOf(element: Element, css: Declared, around: Paint): Paint {
     const text = own(name);
     return /^(?:|inherit|unset|revert|revert-layer)$/iu.test(text) ? around[name] : text;
   };
+  const word = (name: Exclude<keyof Paint, "opacity">): string => value(name).toLowerCase();
   return {
-    fill: value("fill"), stroke: value("stroke"), "fill-rule": value("fill-rule").toLowerCase(), "fill-opacity": value("fill-opacity"), color: value("color"),
+    fill: value("fill"), stroke: value("stroke"), "fill-rule": word("fill-rule"), "fill-opacity": value("fill-opacity"), color: value("color"),
+    "stroke-width": word("stroke-width"), "stroke-opacity": value("stroke-opacity"), "stroke-dasharray": word("stroke-dasharray"),
+    "stroke-linecap": word("stroke-linecap"), "stroke-linejoin": word("stroke-linejoin"),
     opacity: around.opacity * opacityOf(own("opacity")),
   };
 }

@@ -1,8 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { inkLayers } from "../src/document/curve/inks.ts";
+import { paintLayers } from "../src/document/curve/paints.ts";
 import { curveSample } from "../src/document/curve/samples.ts";
-import type { Contour, CurveDocument } from "../src/document/document.ts";
+import type { Contour, CurveDocument, Line } from "../src/document/document.ts";
 import { emptied, fitDefaults, withoutDisc, withStrokes, type Pair } from "../src/document/fit/fit.ts";
 import { FileError, parseState, writeState } from "../src/document/file/file.ts";
 import { resample, setClosed } from "../src/editor/curve/contour-edits.ts";
@@ -11,7 +11,7 @@ import { refineCurveHere, setFamily } from "../src/editor/curve/family-edits.ts"
 import { applyProposal, setLevel } from "../src/editor/curve/level-edits.ts";
 import { subjectOf } from "../src/editor/fit/fit-question.ts";
 import { pngPaths } from "../src/io/picture/png.ts";
-import { writeSvg } from "../src/io/svg/svg-write.ts";
+import { inkOfFiles, writeSvg } from "../src/io/svg/svg-write.ts";
 import { exportPath, writePath } from "../src/kernel/paths/export.ts";
 import { inkedContours, outcomeOfKept } from "../src/kernel/trace/outcome.ts";
 import { Hand } from "./harness.ts";
@@ -74,9 +74,9 @@ for (const [name, edit] of edits) {
 test("contours of one colour are one layer where they follow each other, the lowest first", () => {
   const contours = ["#111111", "#111111", "#eeeeee", "#111111", null].map((color): Contour | undefined => inked("heart", color).contours[0]);
   const curve: CurveDocument = { ...inked("heart"), contours: contours.flatMap((contour) => contour ?? []) };
-  assert.deepEqual(inkLayers(curve).map((layer) => [layer.ink, layer.drawing.contours.length]), [["#111111", 2], ["#eeeeee", 1], ["#111111", 1], [undefined, 1]]);
+  assert.deepEqual(paintLayers(curve).map((layer) => [layer.ink, layer.drawing.contours.length]), [["#111111", 2], ["#eeeeee", 1], ["#111111", 1], [undefined, 1]]);
   const plain = inked("heart", null);
-  assert.deepEqual(inkLayers(plain), [{ drawing: plain }]);
+  assert.deepEqual(paintLayers(plain), [{ drawing: plain }]);
 });
 
 test("a file and a picture have each layer in its colour, by the rule of the drawing", () => {
@@ -105,7 +105,7 @@ test("a layer is written as it is in the path of all", () => {
   const both: CurveDocument = { ...curve, contours: [...curve.contours, ...inked("glyph", "#b02a30").contours] };
   for (const segments of ["arcs", "cubics", "polyline"] as const) {
     const options = { segments, tolerance: 0.02, decimals: 2, relative: true };
-    const layers = inkLayers(both).map(({ drawing }) => writePath(drawing, options));
+    const layers = paintLayers(both).map(({ drawing }) => writePath(drawing, options));
     assert.equal(layers.length, 2);
     assert.equal(layers.join(""), exportPath(both, options).d);
   }
@@ -121,24 +121,65 @@ test("outlines that come back without their picture have the colours that they w
   assert.deepEqual([plain.colors, plain.layers], [[], []]);
 });
 
-test("strokes keep the colours of their contours as they are added to, erased, written and read", () => {
+const line: Line = { width: 2, color: "#336699", cap: "round" };
+
+test("strokes keep the colours and lines of their contours as they are added to, erased, written and read", () => {
   const stroke = (x: number): Pair[] => Array.from({ length: 9 }, (_, i): Pair => [x + i, i % 2]);
   const plain = withStrokes({ ...fitDefaults, data: [] }, [{ places: stroke(0) }]);
-  assert.equal("inks" in plain, false);
-  const fit = withStrokes(plain, [{ places: [], ink: "#000000" }, { places: stroke(100), ink }, { places: stroke(200), ink: "none" }]);
-  assert.deepEqual(fit.inks, [null, ink, "none"]);
-  assert.deepEqual(withStrokes(fit, [{ places: stroke(300) }]).inks, [...fit.inks ?? [], null]);
-  assert.deepEqual(withoutDisc(fit, 4, 0, 20).inks, [ink, "none"], "one less");
-  assert.deepEqual(withoutDisc(fit, 104, 0, 2).inks, fit.inks, "a part of one");
-  assert.equal("inks" in withoutDisc(withoutDisc(fit, 104, 0, 20), 204, 0, 20), false);
-  assert.equal("inks" in emptied(fit), false);
-  assert.deepEqual(subjectOf(fit, false)?.strokes.map((each) => each.ink), [undefined, ink, "none"]);
+  assert.equal("paints" in plain, false);
+  const fit = withStrokes(plain, [{ places: [], ink: "#000000" }, { places: stroke(100), ink }, { places: stroke(200), ink: "none", line }]);
+  assert.deepEqual(fit.paints, [{}, { ink }, { ink: "none", line }]);
+  assert.deepEqual(withStrokes(fit, [{ places: stroke(300) }]).paints, [...fit.paints ?? [], {}]);
+  assert.deepEqual(withoutDisc(fit, 4, 0, 20).paints, [{ ink }, { ink: "none", line }], "one less");
+  assert.deepEqual(withoutDisc(fit, 104, 0, 2).paints, fit.paints, "a part of one");
+  assert.equal("paints" in withoutDisc(withoutDisc(fit, 104, 0, 20), 204, 0, 20), false);
+  assert.equal("paints" in emptied(fit), false);
+  assert.deepEqual(subjectOf(fit, false)?.strokes.map((each) => [each.ink, each.line]), [[undefined, undefined], [ink, undefined], ["none", line]]);
   const state = { ...new Hand().editor.getState(), fit };
   assert.deepEqual(parseState(writeState(state)).state.fit, fit);
-  for (const strange of [[ink], [null, ink, "none", null], [null, ink, "red"], ink]) {
-    const text = JSON.stringify({ ...state, fit: { ...fit, inks: strange } });
-    assert.throws(() => parseState(text), (error: unknown) => error instanceof FileError && error.message.includes("$.fit.inks"), text);
+  for (const strange of [[{ ink }], [{}, { ink }, {}, {}], [{}, { ink }, { ink: "red" }], [{}, {}, null], ink]) {
+    const text = JSON.stringify({ ...state, fit: { ...fit, paints: strange } });
+    assert.throws(() => parseState(text), (error: unknown) => error instanceof FileError && error.message.includes("$.fit.paints"), text);
   }
+});
+
+test("a line is read as it was written, and one that is none is refused, with its place", () => {
+  const state = new Hand("circle-2").editor.getState();
+  const withLine = (found: unknown): string =>
+    JSON.stringify({ ...state, curve: { ...state.curve, contours: state.curve.contours.map((contour) => ({ ...contour, line: found })) } });
+  for (const fine of [line, { width: 0.25 }, { width: 1e9, cap: "square", join: "bevel" }, { width: 1, color: "#33669980", join: "round" }]) {
+    for (const { line: found } of parseState(withLine(fine)).state.curve.contours) assert.deepEqual(found, fine);
+  }
+  for (const strange of [2, {}, { width: 0 }, { width: 1e10 }, { width: "2" }, { width: 2, color: "none" }, { width: 2, cap: "butt" }, { width: 2, join: "miter" }, null]) {
+    const text = withLine(strange);
+    assert.throws(() => parseState(text), (error: unknown) => error instanceof FileError && error.message.includes("$.curve.contours[0].line"), text);
+  }
+});
+
+test("contours are drawn together where colour and line are the same, whichever object says so", () => {
+  const [one] = new Hand("circle-2").editor.getState().curve.contours;
+  assert.ok(one !== undefined, "a circle");
+  const all = [{ line }, { line: { ...line } }, { line: { width: 2, color: "#336699" } }, { line, ink }, { ink }, {}].map((paint) => ({ ...one, ...paint }));
+  const layers = paintLayers({ ...new Hand("circle-2").editor.getState().curve, contours: all });
+  assert.deepEqual(layers.map((layer) => [layer.ink, layer.line, layer.drawing.contours.length]),
+    [[undefined, line, 2], [undefined, { width: 2, color: "#336699" }, 1], [ink, line, 1], [ink, undefined, 1], [undefined, undefined, 1]]);
+});
+
+test("a file draws lines as wide as they are, over their areas, with room for them", () => {
+  const d = "M0 0H100";
+  const box = { minX: 0, minY: 0, maxX: 100, maxY: 100 };
+  const layers = [{ d, isLine: true, line }, { d, color: "#ffcc00", line: { width: 8, join: "bevel" } as const }, { d, isLine: true }];
+  const text = writeSvg({ title: "t", d: "", box, filled: true, layers });
+  const paths = [...text.matchAll(/<path d="[^"]*" ([^/]*)\/>/gu)].map(([, how]) => how);
+  assert.deepEqual(paths.slice(0, 2), [
+    'fill="none" stroke="#336699" stroke-width="2" stroke-linecap="round"',
+    `fill="#ffcc00" fill-rule="evenodd" stroke="${inkOfFiles}" stroke-width="8" stroke-linejoin="bevel"`,
+  ]);
+  assert.match(paths[2] ?? "", /^fill="none" stroke="[^"]*" stroke-width="0\.781" stroke-linejoin="round"$/u, "two pixels of 256");
+  const [x = NaN, y = NaN, width = NaN, height = NaN] = (/viewBox="([^"]*)"/u.exec(text)?.[1] ?? "").split(" ").map(Number);
+  assert.ok(x <= -4 && y <= -4 && x + width >= 104 && y + height >= 104, "half of the widest line is beside the box");
+  const drawn = pngPaths({ d: "", box, scale: 1, paper: null, filled: true, layers });
+  assert.deepEqual(drawn.map((path) => [path.fill?.color, path.stroke, path.line?.width]), [[undefined, "#336699", 2], ["#ffcc00", inkOfFiles, 8], [undefined, inkOfFiles, undefined]]);
 });
 
 test("a colour that is none is refused, with its place", () => {
