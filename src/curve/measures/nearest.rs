@@ -202,10 +202,16 @@ impl NearestFinder {
         let distances = boxes.distances(question.place);
         let first = first_of(&distances);
         self.descend(question, level, FAN * node + first);
-        // No more than there are, which also keeps the loop from being unrolled.
-        let all = if level > 0 { self.levels[level - 1].len() } else { self.groups.len() };
-        for (k, &distance) in distances.iter().enumerate().take(all.saturating_sub(FAN * node)) {
-            if distance < question.reach_squared && k != first {
+        // As bits, so that what is not within reach, which is most, is passed by without a branch for each.
+        let mut within = 0_u32;
+        for (k, &distance) in distances.iter().enumerate() {
+            within |= u32::from(distance < question.reach_squared) << k;
+        }
+        within &= !(1 << first);
+        while within != 0 {
+            let k = within.trailing_zeros() as usize;
+            within &= within - 1;
+            if distances[k] < question.reach_squared {
                 self.descend(question, level, FAN * node + k);
             }
         }

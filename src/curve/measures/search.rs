@@ -19,9 +19,9 @@ const MOST_STEPS: usize = 8;
 const SMALL_STEP: f64 = 1e-4;
 /// Newton's steps up to this share of a segment are exact to rounding.
 const LAST_STEP: f64 = 1e-9;
-/// What is left of |e|² after such a step, where it is a smaller share than this, is rounding: of a place on a branch 1e-12 away from
-/// another the wrong one would be taken.
-const CANCELLED: f64 = 1e-10;
+/// What Taylor's formula leaves of |e|², where it is a smaller share than this, has lost digits that another look at the curve has: of a
+/// place on a branch 1e-12 away from another the wrong one would be taken.
+const CANCELLED: f64 = 1e-3;
 /// The most intervals that are open at once.
 const STACK: usize = 64;
 /// Intervals below this share of a segment are not halved any more.
@@ -100,11 +100,15 @@ impl Slopes {
         }
     }
 
-    /// Those of a cubic a step further, without another look at it: its φ has six derivatives.
-    #[inline]
-    fn after(&self, u: f64, jet: &Jet) -> Self {
-        let fourth = 3.0 * square(jet.second) + 4.0 * dot(jet.first, jet.third);
-        let (fifth, sixth) = (10.0 * dot(jet.second, jet.third), 10.0 * square(jet.third));
+    /// Halley's step, backwards: a place with three derivatives is worth the third order.
+    #[inline(always)]
+    fn halley(&self) -> f64 {
+        self.first * self.second / (self.second * self.second - 0.5 * self.first * self.third)
+    }
+
+    /// Those of a cubic a step further, without another look at it, from the fourth to the sixth derivative of φ.
+    #[inline(always)]
+    fn after(&self, u: f64, [fourth, fifth, sixth]: [f64; 3]) -> Self {
         let &Self { square, first, second, third } = self;
         let (u2, u3, u4, u5, u6) = (u * 0.5, u * (1.0 / 3.0), u * 0.25, u * 0.2, u * (1.0 / 6.0));
         let rest = third + u4 * (fourth + u5 * (fifth + u6 * sixth));
@@ -179,33 +183,18 @@ impl Question {
         hi: f64,
         guess: f64,
     ) -> bool {
-        let mut y = guess;
-        let mut jet = piece.inline_jet(y);
-        let mut at = Slopes::new(&jet, self.place);
-        for _ in 0..MOST_STEPS {
-            // Halley's step: a place with three derivatives is worth the third order.
-            let next = y - at.first * at.second / (at.second * at.second - 0.5 * at.first * at.third);
-            let next = if next > lo { next } else { lo };
-            let next = if next < hi { next } else { hi };
-            let (step, moved) = (next - y, (next - y).abs());
-            if moved == 0.0 {
-                break;
+        let jet = piece.inline_jet(guess);
+        let from = Slopes::new(&jet, self.place);
+        let (y, at) = if piece.is_cubic() {
+            let (y, at) = settle_cubic(&jet, &from, lo, hi, guess);
+            if at.square > CANCELLED * from.square {
+                (y, at)
+            } else {
+                (y, View { piece, place: self.place }.slopes(y))
             }
-            y = next;
-            let is_small = moved < SMALL_STEP;
-            if is_small && piece.is_cubic() {
-                let before = at.square;
-                at = at.after(step, &jet);
-                if at.is_settled() && at.square > CANCELLED * before {
-                    break;
-                }
-            }
-            jet = piece.jet(y);
-            at = Slopes::new(&jet, self.place);
-            if is_small && at.is_settled() {
-                break;
-            }
-        }
+        } else {
+            settle(&View { piece, place: self.place }, from, lo, hi, guess)
+        };
         // Newton's step from here is exact to rounding; what it gains is known without another look at the curve.
         let last = at.first / at.second;
         let inside = y > lo && y < hi && at.is_settled();
@@ -218,6 +207,51 @@ impl Question {
             && at.room(lo - y, quartic) >= 0.0
             && at.room(hi - y, quartic) >= 0.0
     }
+}
+
+/// Halley's method on an arc of a cubic: φ is a polynomial of degree 6, so no other look at the curve is needed.
+#[inline(always)]
+fn settle_cubic(jet: &Jet, from: &Slopes, lo: f64, hi: f64, guess: f64) -> (f64, Slopes) {
+    let (least, most) = (lo - guess, hi - guess);
+    let fourth = 3.0 * square(jet.second) + 4.0 * dot(jet.first, jet.third);
+    let (fifth, sixth) = (10.0 * dot(jet.second, jet.third), 10.0 * square(jet.third));
+    let rest = [fourth, fifth, sixth];
+    let mut u = 0.0;
+    let mut at = Slopes { ..*from };
+    for _ in 0..MOST_STEPS {
+        let next = u - at.halley();
+        let next = if next > least { next } else { least };
+        let next = if next < most { next } else { most };
+        if next == u {
+            break;
+        }
+        u = next;
+        at = from.after(u, rest);
+        if at.is_settled() {
+            break;
+        }
+    }
+    let y = if u >= most { hi } else { smaller(guess + u, hi) };
+    (if u <= least { lo } else { larger(y, lo) }, at)
+}
+
+/// Halley's method on an arc of any other piece.
+#[inline(never)]
+fn settle(arc: &View<'_>, from: Slopes, lo: f64, hi: f64, guess: f64) -> (f64, Slopes) {
+    let (mut y, mut at) = (guess, from);
+    for _ in 0..MOST_STEPS {
+        let next = smaller(hi, larger(lo, y - at.halley()));
+        let moved = (next - y).abs();
+        if moved == 0.0 {
+            break;
+        }
+        y = next;
+        at = arc.slopes(y);
+        if moved < SMALL_STEP && at.is_settled() {
+            break;
+        }
+    }
+    (y, at)
 }
 
 /// Asks an arc by halving: an interval is dropped where Taylor's formula proves it farther than the best so far, and
