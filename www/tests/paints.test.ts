@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { paintLayers } from "../src/document/curve/paints.ts";
+import { paintLayers } from "../src/document/paint-layers.ts";
 import { curveSample } from "../src/document/curve/samples.ts";
 import type { Contour, CurveDocument, Line } from "../src/document/document.ts";
 import { emptied, fitDefaults, withoutDisc, withStrokes, type Pair } from "../src/document/fit/fit.ts";

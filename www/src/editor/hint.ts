@@ -1,8 +1,8 @@
 import { locate } from "../document/curve/contours.ts";
 import { isEnd, pointAt, segmentCount } from "../document/document.ts";
 import { affectedSegments } from "../document/curve/roots.ts";
+import { isStraight } from "../document/curve/straight.ts";
 import { measureCurve } from "../kernel/curve/measuring/measure.ts";
-import { isStraight } from "./curve/bending.ts";
 import { describe } from "./curve/edits.ts";
 import type { EditorState } from "./editor.ts";
 

@@ -1,5 +1,5 @@
 import type { Artboard, Box } from "../document/artboard.ts";
-import type { PaintedPath } from "../document/curve/paints.ts";
+import type { PaintedPath } from "../document/paint-layers.ts";
 import type { DemoState, Filling, Space } from "../document/document.ts";
 import type { Imported } from "../document/imported.ts";
 

@@ -4,6 +4,7 @@ import {
   type Space,
 } from "../document.ts";
 import { withHandle, withKind } from "./offset.ts";
+import { withStraightLines } from "./straight.ts";
 
 /** A change of the curve document: its name for the history, and a pure function. */
 export interface Command {
@@ -33,6 +34,17 @@ export function withPoints(
     return { ...contour, points };
   });
   return { ...curve, contours };
+}
+
+/** Moves the chosen points; lines that they end stay lines. */
+function withPlaces(curve: CurveDocument, selection: Selection, place: (point: ControlPoint) => ControlPoint): CurveDocument {
+  const after = withPoints(curve, selection, place);
+  const chosen = chosenIn(selection);
+  const contours = after.contours.map((contour, c) => {
+    const [before, indices] = [curve.contours[c], chosen.get(c)];
+    return before === undefined || indices === undefined ? contour : withStraightLines(before, contour, indices);
+  });
+  return { ...after, contours };
 }
 
 /** The chosen points by their contours. */
@@ -69,14 +81,14 @@ function moved(curve: CurveDocument, selection: Selection, dx: number, dy: numbe
   const isWhole = (c: number): boolean => counts.get(c) === curve.contours[c]?.points.length;
   const others = selection.points.every(({ contour }) => isWhole(contour))
     ? curve
-    : withPoints(curve, { points: selection.points.filter(({ contour }) => !isWhole(contour)), handle: null }, (point) => ({ ...point, x: point.x + dx, y: point.y + dy }));
+    : withPlaces(curve, { points: selection.points.filter(({ contour }) => !isWhole(contour)), handle: null }, (point) => ({ ...point, x: point.x + dx, y: point.y + dy }));
   return { ...others, contours: others.contours.map((contour, c) => (counts.has(c) && isWhole(c) ? translated(contour, dx, dy) : contour)) };
 }
 
 export function placePoint(ref: PointRef, place: { x?: number; y?: number }, run?: string): Command {
   return {
     name: "Place point",
-    apply: (curve) => withPoints(curve, only(ref), (point) => ({ ...point, ...place })),
+    apply: (curve) => withPlaces(curve, only(ref), (point) => ({ ...point, ...place })),
     ...(run === undefined ? {} : { run }),
   };
 }

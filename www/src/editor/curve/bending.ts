@@ -1,5 +1,6 @@
 import { movePoints, turnHandle, type Command } from "../../document/curve/commands.ts";
-import { lengthOfOffset, scaled } from "../../document/curve/offset.ts";
+import { scaled } from "../../document/curve/offset.ts";
+import { isStraight } from "../../document/curve/straight.ts";
 import { noOffset, type Contour, type CurveDocument, type Offset, type PointRef, type Side } from "../../document/document.ts";
 import { handleWeights, pointWeights } from "../../kernel/curve/bending.ts";
 
@@ -23,15 +24,6 @@ export interface Segment {
 
 function endsOf(contour: Contour, index: number): readonly [number, number] {
   return [index, (index + 1) % contour.points.length];
-}
-
-/** Whether a segment is a straight line: its handles, if it has any, lie along its chord. */
-export function isStraight(contour: Contour, index: number): boolean {
-  const [from, to] = endsOf(contour, index).map((i) => contour.points[i]);
-  if (from === undefined || to === undefined) return false;
-  const chord = { dx: to.x - from.x, dy: to.y - from.y };
-  const along = (handle: Offset): boolean => Math.abs(handle.dx * chord.dy - handle.dy * chord.dx) <= 1e-6 * lengthOfOffset(handle) * lengthOfOffset(chord);
-  return along(from.out) && along(to.in);
 }
 
 /** Whether a point can go along when the curve is pulled beside it: corners, open ends and ends of straight lines stay. */

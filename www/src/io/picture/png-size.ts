@@ -1,5 +1,5 @@
 import { sheetOf, type Artboard, type Box } from "../../document/artboard.ts";
-import type { PaintedPath } from "../../document/curve/paints.ts";
+import type { PaintedPath } from "../../document/paint-layers.ts";
 import { reachOf, type Line } from "../../document/painted.ts";
 
 /** Browsers refuse or blank canvases beyond these. */

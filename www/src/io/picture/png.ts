@@ -1,4 +1,4 @@
-import type { PaintedPath } from "../../document/curve/paints.ts";
+import type { PaintedPath } from "../../document/paint-layers.ts";
 import { lineStyle } from "../../document/painted.ts";
 import type { Filling, Line } from "../../document/document.ts";
 import { inkOfFiles } from "../svg/svg-write.ts";

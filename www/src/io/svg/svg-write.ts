@@ -1,4 +1,4 @@
-import type { PaintedPath } from "../../document/curve/paints.ts";
+import type { PaintedPath } from "../../document/paint-layers.ts";
 import type { DemoState, Filling, Line } from "../../document/document.ts";
 import type { Artboard, Box } from "../../document/artboard.ts";
 import { enlargement, lineWidth, roomFor, sheetIn, type Subject } from "../picture/png-size.ts";

@@ -1,5 +1,5 @@
 import { reversedContour } from "../../document/curve/contours.ts";
-import { paintLayers } from "../../document/curve/paints.ts";
+import { paintLayers } from "../../document/paint-layers.ts";
 import { isAlike, noInk, paintOf, runsOf } from "../../document/painted.ts";
 import { emptyCurve, type Contour, type CurveDocument, type Filling, type Painted, type Space } from "../../document/document.ts";
 import { curveOf, type AnyCurve } from "../curve/curve-cache.ts";

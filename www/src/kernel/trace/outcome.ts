@@ -1,5 +1,5 @@
 import { emptyCurve, type Contour, type CurveDocument } from "../../document/document.ts";
-import { paintLayers } from "../../document/curve/paints.ts";
+import { paintLayers } from "../../document/paint-layers.ts";
 import type { CornerChoice, KeptTrace } from "../../document/trace/trace.ts";
 import { withDecided } from "../../document/trace/corners.ts";
 import type { TraceResult } from "./job.ts";

@@ -1,5 +1,5 @@
 import { sheetOf } from "../../document/artboard.ts";
-import type { PaintedPath } from "../../document/curve/paints.ts";
+import type { PaintedPath } from "../../document/paint-layers.ts";
 import type { CurveDocument, Filling } from "../../document/document.ts";
 import { exportPath, type ExportedPath } from "../../kernel/paths/export.ts";
 import type { documentBounds } from "../../kernel/curve/samples.ts";

@@ -1,4 +1,4 @@
-import { paintLayers, type PaintedPath, type PaintLayer } from "../../document/curve/paints.ts";
+import { paintLayers, type PaintedPath, type PaintLayer } from "../../document/paint-layers.ts";
 import { isPainted, noInk } from "../../document/painted.ts";
 import type { Contour, CurveDocument, Mode } from "../../document/document.ts";
 import type { Editor } from "../../editor/editor.ts";

@@ -1,5 +1,5 @@
 import { locate } from "../../document/curve/contours.ts";
-import { paintLayers } from "../../document/curve/paints.ts";
+import { paintLayers } from "../../document/paint-layers.ts";
 import { lineStyle, noInk } from "../../document/painted.ts";
 import { partsOf } from "../../document/curve/parts.ts";
 import { pointAt, segmentCount } from "../../document/document.ts";

@@ -1,6 +1,7 @@
 import { movePoints, type Command } from "../../document/curve/commands.ts";
 import type { Offset, Selection } from "../../document/document.ts";
-import { bend, isStraight, type Segment } from "../../editor/curve/bending.ts";
+import { isStraight } from "../../document/curve/straight.ts";
+import { bend, type Segment } from "../../editor/curve/bending.ts";
 import { nothingSketched } from "../../editor/sketch.ts";
 import type { Editor } from "../../editor/editor.ts";
 import { constrained } from "../../editor/pointer/snapping.ts";

@@ -1,5 +1,5 @@
-import type { CurveDocument } from "../document.ts";
-import { isPainted, paintOf, runsOf, type Line, type Painted } from "../painted.ts";
+import type { CurveDocument } from "./document.ts";
+import { isPainted, paintOf, runsOf, type Line, type Painted } from "./painted.ts";
 
 /** An area of one colour, or lines, as a drawing of its own; without a paint it has that of all drawings. */
 export interface PaintLayer extends Painted {
