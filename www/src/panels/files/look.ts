@@ -5,8 +5,8 @@ import type { Editor } from "../../editor/editor.ts";
 import type { FileLook } from "../page-io.ts";
 
 /**
- * Whether a file shows areas of ink, holes left out, rather than lines. Logos and what was traced are areas wherever they
- * are edited; the samples teach curves, and a line that is open encloses nothing.
+ * Whether a file shows areas of ink, holes left out, and lines as wide as they are, rather than thin lines only. Logos and what was
+ * traced are areas wherever they are edited; the samples teach curves, and a line that is open encloses nothing.
  */
 function isOfAreas({ contours, filling, sample }: CurveDocument, mode: Mode): boolean {
   if (contours.some(({ line }) => line !== undefined)) return true;

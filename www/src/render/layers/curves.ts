@@ -26,12 +26,12 @@ export function drawFill(scene: Scene): void {
   if (!state.settings.overlays.fill || state.originalOnly) return;
   const context = inPage(scene);
   for (const { ink, line, drawing } of paintLayers(state.curve)) {
-    const { closed, lines } = documentPaths(scene, drawing);
+    const { all, closed } = documentPaths(scene, drawing);
     if (ink !== noInk && filling !== "none") paint(scene, context, ink, () => context.fill(closed, filling));
     if (line === undefined) continue;
     Object.assign(context, lineStyle(line));
-    // Each by itself: where two of a translucent colour meet, both are seen, as in files.
-    paint(scene, context, line.color, () => lines.forEach((each) => context.stroke(each)));
+    // All at once, as in files: where two of them meet, no more of what is below is hidden.
+    paint(scene, context, line.color, () => context.stroke(all));
   }
   Object.assign(context, { globalAlpha: 1, lineCap: "butt" });
 }
