@@ -228,6 +228,22 @@ test("V26 keyboard only: choose, nudge, cusp, insert, delete, undo, leave; help 
   assert.deepEqual(demo.complaints, []);
 });
 
+test("a dialog that is closed gives the focus back, but not when it has gone elsewhere since", async (t) => {
+  const demo = await open(t);
+  const focused = (): Promise<string | null> => demo.page.evaluate(() => document.activeElement?.getAttribute("data-testid") ?? null);
+  for (const goesOn of [false, true]) {
+    await demo.byId("btn-export").click();
+    await demo.byId("export-dialog").waitFor();
+    await demo.page.evaluate((leave) => {
+      document.querySelector("dialog")?.close();
+      // In the same breath, as a quick press of a key or a program would: the event that it is closed comes after.
+      if (leave) document.querySelector<HTMLElement>("[data-testid=stage]")?.focus();
+    }, goesOn);
+    await demo.byId("export-dialog").waitFor({ state: "detached" });
+    assert.equal(await focused(), goesOn ? "stage" : "btn-export");
+  }
+});
+
 test("the help lists the gestures of the mode that it is opened in, and those of all modes", async (t) => {
   for (const [hash, own, other] of [["#/curve", "Drag a handle", "draws a stroke"], ["#/fit", "draws a stroke", "Drag a handle"]] as const) {
     const demo = await open(t, hash);

@@ -19,7 +19,7 @@ export interface PaintedPath {
 
 const known = new WeakMap<CurveDocument, readonly PaintLayer[]>();
 
-/** Contours of one paint that follow each other, the lowest first; the drawing itself where no contour has any. */
+/** Contours of one paint that follow each other, the lowest first; the drawing itself where no contour has a paint. */
 export function paintLayers(curve: CurveDocument): readonly PaintLayer[] {
   const found = known.get(curve);
   if (found !== undefined) return found;

@@ -11,7 +11,7 @@ function chordOf(from: ControlPoint, to: ControlPoint): Offset {
   return { dx: to.x - from.x, dy: to.y - from.y };
 }
 
-/** Whether a segment is a straight line: its handles, if it has any, lie along its chord. */
+/** Whether a segment is a straight line: its handles lie along its chord, or it has none. */
 export function isStraight(contour: Contour, index: number): boolean {
   const [from, to] = endsOf(contour, index).map((i) => contour.points[i]);
   if (from === undefined || to === undefined) return false;

@@ -40,7 +40,9 @@ export function openDialog(options: DialogOptions, ...children: readonly Child[]
     // Messages that were said over the dialog outlive it.
     document.querySelector("[data-region=stage]")?.append(...element.querySelectorAll(":scope > .toast-stack"));
     element.remove();
-    if (before instanceof HTMLElement && before.isConnected) before.focus();
+    // The browser says that it is closed later than it closes it: by then somebody may have gone on elsewhere.
+    const isNowhere = document.activeElement === null || document.activeElement === document.body;
+    if (isNowhere && before instanceof HTMLElement && before.isConnected) before.focus();
     options.closed?.();
   });
   // A press that begins and ends on the backdrop; a text selection that ends outside does not close it.
