@@ -33,8 +33,8 @@ const COLUMNS = [
 
 /** Rows of the first table: title in the bench, what is said in the README, and what of a contestant's note. */
 const ROWS = [
-  ["evaluate 1 000 000 points", "a point, of 1,000,000 into one array"],
-  ["evaluate 16 × 64 points, the call included", "a point, of 1024, the call included"],
+  ["evaluate 1 000 000 points", "a point (1,000,000 into one array)"],
+  ["evaluate 16 × 64 points, the call included", "a point (1024 of them, the call included)"],
   ["point and tangent, 1 000 000", "a point with its tangent"],
   ["bounds", "bounds"],
   ["length, 1e-9 asked for", "length within 1e-9"],
@@ -47,11 +47,11 @@ const ROWS = [
 /** Rows of the second table: ours in the bench, and what stands beside it. */
 const BESIDE = [
   ["a fresh Node process", "start in a fresh process: import and first point"],
-  ["1000 points evenly by arc length", "a point, of 1000 evenly by length", /off [\d.e+-]+/],
+  ["1000 points evenly by arc length", "a point (1000 of them, evenly by length)", /off [\d.e+-]+/],
   ["cubics within 1e-3 of an exponential curve (ω = π/2)", "an exponential curve as cubics within 1e-3", /^\d+ cubics/],
   ["interpolating curve, points one by one", "a point of an interpolating curve"],
   ["surface mesh with normals", "a vertex of a surface mesh with its normal", /no normals/],
-  ["one point of 16 × 16 moved, 64 800 triangles", "one point of 16 × 16 dragged: its part of 64,800 triangles"],
+  ["one point of 16 × 16 moved, 64 800 triangles", "one point of a 16 × 16 net dragged: its part of 64,800 triangles"],
   ["sparse fit, degree 1, 500 points", "sparse fit to a gap of 1e-6, degree 1, 500 points", /^\d+ knots/],
   ["sparse fit, degree 3, 500 points", "the same, degree 3", /^\d+ knots/],
   ["sparse fit, degree 3, 2700 points", "degree 3, 2,700 points", /^\d+ knots/],
@@ -86,14 +86,15 @@ function second(rows) {
     const beside = others.map(({ name }) => `${plainly(name)}: ${cell(row.results, name, remark)}`);
     return [line([said, cell(row.results, ours.name, remark), beside.join("; ")])];
   });
-  return [line(["", "expline", "beside it"]), line(["---", "---", "---"]), ...body];
+  return [line(["", "expline", "for comparison"]), line(["---", "---", "---"]), ...body];
 }
 
 /** The tables and what they say about the run. */
 export function tables({ machine, cores, node, rounds, rows }) {
   return [
-    `One run of \`npm run bench\` (${machine}, ${cores} cores, Node ${node}; ${rounds} rounds in turns, the least of each) on a closed curve of 16 cubics in a box of 512; answers are checked`,
-    "against each other. Each cell is a time, and in brackets how many times as long as expline's it is: below 1× the other is faster. All of expline runs in wasm, the call included.",
+    `One run of \`npm run bench\` (${machine}, ${cores} cores, Node ${node}; the contestants take turns for ${rounds} rounds, and the least time of each counts) on a closed curve of 16 cubics`,
+    "in a box of 512. The answers are checked against each other. Each cell is a time and, in brackets, how many times as long as expline it takes: below 1× the other is faster. expline always runs in",
+    "wasm, the call included.",
     "",
     ...first(rows),
     "",

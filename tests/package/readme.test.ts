@@ -103,7 +103,7 @@ test("the README's sizes are those of the package, gzipped, within a kilobyte", 
   const line = /^Size, gzipped: .*$/m.exec(text)?.[0] ?? "";
   const files = {
     "curves and paths": "core.js",
-    "what a pointer does": "edit.js",
+    "pointer editing": "edit.js",
     "curves of any roots": "spline.js",
     surfaces: "surface.js",
     fitting: "fit.js",
