@@ -249,6 +249,7 @@ impl Fitter {
             end: self.end,
             spaced: self.even,
             free: false,
+            timed: !self.options.parameters.is_empty(),
         };
         let start = |located: &Located, smoothest| -> Result<Sparsest> {
             Ok(Sparsest::new(located.copied()?, plan(smoothest), aim, self.noise))

@@ -24,6 +24,10 @@ const BY_CHANCE: f64 = 2.0;
 /// What a step may be another one by, and what noise hides that in, as parts of a step.
 const SLACK: f64 = 0.02;
 const HIDING: f64 = 0.2;
+/// By which part the lengths of stretches may differ from one quartile to the other, and by how many standard deviations of the noise:
+/// the noise of both ends makes it 1.9 of them, and chance half as much again.
+const UNSTEADY: f64 = 0.35;
+const BY_NOISE: f64 = 2.9;
 /// What is so many steps long is no step but a jump, which no point says anything about.
 const JUMP: f64 = 8.0;
 /// So many places tell a median to half a per cent: of more points, evenly chosen ones are looked at.
@@ -42,7 +46,8 @@ pub fn noise(samples: &Samples) -> f64 {
 }
 
 /// Whether the points follow one another so evenly that their index is a parameter: along the curve they scatter hardly
-/// more than across it, over longer stretches as well, where what spacing does by chance adds up. O(M log M).
+/// more than across it, over longer stretches as well, where what spacing does by chance adds up, and these are about equally
+/// long. O(M log M).
 pub fn is_regular(samples: &Samples) -> bool {
     is_regular_at(samples, levels(samples))
 }
@@ -62,14 +67,33 @@ pub(super) fn is_regular_at(samples: &Samples, [across, along]: [f64; 2]) -> boo
     let ends = !samples.closed || (last - around).abs() < other || last > most;
     ends && along <= ALIKE * across + SLACK * median
         && (across < HIDING * median || !adds_up(samples, across))
+        && is_steady(samples, across)
+}
+
+/// Whether points are about as far apart nearly everywhere: between the quartiles of the lengths of stretches there is little but noise.
+/// What changes slowly no difference of neighbours shows; a hand that draws is slow where it begins, ends and turns.
+fn is_steady(samples: &Samples, noise: f64) -> bool {
+    let (points, count) = (&samples.points, samples.points.len());
+    let stretch = stretch(count);
+    let begins = if samples.closed { 0..count } else { 0..count - stretch };
+    let length = |m: usize| (points[(m + stretch) % count] - points[m]).norm();
+    let mut lengths: Vec<f64> = begins.step_by(count.div_ceil(ENOUGH)).map(length).collect();
+    sort_numbers(&mut lengths);
+    let [low, middle, high] = [1, 2, 3].map(|quarter| lengths[quarter * (lengths.len() - 1) / 4]);
+    high - low <= UNSTEADY * middle + BY_NOISE * noise
 }
 
 /// Whether spacing changes by more than noise, over stretches that are long enough for what it does by chance to be seen in it.
 fn adds_up(samples: &Samples, noise: f64) -> bool {
     let count = samples.points.len();
-    let stretch = (count / STRETCH).clamp(1, LONGEST);
+    let stretch = stretch(count);
     let chance = BY_CHANCE * (stretch as f64 / count as f64).sqrt();
     over(samples, stretch) > (ALIKE + chance) * noise
+}
+
+/// How many steps a stretch is long among so many points.
+fn stretch(count: usize) -> usize {
+    (count / STRETCH).clamp(1, LONGEST)
 }
 
 /// The standard deviation along the curve that explains how far points are off the middle of those a stretch away on either

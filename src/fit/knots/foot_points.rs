@@ -64,6 +64,17 @@ impl Spline {
         derivative_of(&self.piece(s), self.space.breaks.degree, u, span.half, order)
     }
 
+    /// A derivative at u in [−1, 1] of piece s.
+    pub(super) fn at(&self, s: usize, u: f64, order: usize) -> Vector {
+        derivative_of(&self.piece(s), self.space.breaks.degree, u, self.space.spans[s].half, order)
+    }
+
+    /// The derivatives before and after knot k.
+    pub(super) fn ways(&self, k: usize) -> [Vector; 2] {
+        let (before, after) = self.space.sides(k);
+        [self.at(before, 1.0, 1), self.at(after, -1.0, 1)]
+    }
+
     /// The distance of every point from the curve at its parameter.
     pub(in crate::fit) fn distances(&self, data: &Located) -> Vec<f64> {
         let pieces = self.pieces();

@@ -4,6 +4,7 @@ mod beginning;
 mod evening;
 mod following;
 mod growing;
+mod joints;
 mod last_knots;
 mod polishing;
 mod rounding;
@@ -68,6 +69,8 @@ pub(in crate::fit) struct Plan {
     pub(in crate::fit) spaced: bool,
     /// Whether they are free to slide while knots go.
     pub(in crate::fit) free: bool,
+    /// Whether their parameters were given: the curve is to keep about to these.
+    pub(in crate::fit) timed: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -125,6 +128,8 @@ struct Asked {
     noise: f64,
     /// Whether points follow one another evenly.
     spaced: bool,
+    /// Whether their parameters were given.
+    timed: bool,
     /// By how much a corner turns at least.
     least_turn: f64,
     /// Whether there may be any.

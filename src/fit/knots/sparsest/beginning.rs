@@ -46,7 +46,7 @@ impl Sparsest {
         // Sharper knots are cheap ways to bend; smooth ones are to come first.
         breaks.sharpest = if plan.free { plan.smoothest } else { plan.sharpest };
         let (least_turn, cornered) = (plan.least_turn, plan.sharpest == plan.degree);
-        let asked = Asked { aim, noise, spaced: plan.spaced, least_turn, cornered };
+        let asked = Asked { aim, noise, spaced: plan.spaced, timed: plan.timed, least_turn, cornered };
         let mut search = Self::begun(asked, view, breaks);
         (search.evening.even, search.sharpest) = (plan.free, plan.sharpest);
         search.effort.warming = if matches!(aim, Aim::Noise(_)) { WARMING } else { 0 };
@@ -194,8 +194,14 @@ impl Sparsest {
     /// A search for fewer knots than those of `breaks` with a sum of squares that is not larger than `target`.
     pub(in crate::fit) fn pruning(full: Located, breaks: Breaks, target: f64, noise: f64) -> Self {
         let at_first = breaks.len();
-        let asked =
-            Asked { aim: Aim::Squares(target), noise, spaced: false, least_turn: 0.0, cornered: true };
+        let asked = Asked {
+            aim: Aim::Squares(target),
+            noise,
+            spaced: false,
+            timed: true,
+            least_turn: 0.0,
+            cornered: true,
+        };
         let mut search = Self::begun(asked, View::of_all(full), breaks);
         (search.phase, search.at_first) = (Phase::Thin, at_first);
         search

@@ -1,6 +1,6 @@
 //! Corners in place of neighbouring knots, and knots less, that pay once the points have followed the curve.
 
-use super::rounding::without_seeming_corners;
+use super::rounding::{SEEMING, slight_corners};
 use super::{Aim, Found, Sparsest};
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::foot_points::Spline;
@@ -28,12 +28,6 @@ impl Sparsest {
         if !matches!(self.asked.aim, Aim::Noise(_)) || self.sharpest < breaks.degree {
             return best;
         }
-        if !self.asked.spaced
-            && let Some(smooth) = without_seeming_corners(&best.spline)
-            && let Some(found) = self.after(smooth, Some(0.0), &best)
-        {
-            best = found;
-        }
         let mut next = 0;
         loop {
             let before = &best.spline.space.breaks;
@@ -46,7 +40,7 @@ impl Sparsest {
                 trials.extend(hopes(before, &fitted.removals(), self.pricing.price, CHEAPEST));
             }
             if next >= trials.len() {
-                return best;
+                return if self.asked.spaced { best } else { self.jointed(best) };
             }
             match self.after(trials.swap_remove(next), bonus, &best) {
                 Some(found) => (best, next) = (found, 0),
@@ -83,7 +77,9 @@ impl Sparsest {
         if held {
             located.parameters.clone_from(&best.located.parameters);
         }
-        let enough = best.distances.squares + spared + bonus.unwrap_or(0.0) * price.0;
+        // A corner that hardly turns is not seen. Where lengths are known, it is one that may become smooth by them.
+        let seen = self.asked.spaced || slight_corners(&spline, SEEMING, 0.0).is_empty();
+        let enough = best.distances.squares + spared + bonus.filter(|_| seen).unwrap_or(0.0) * price.0;
         let stay = bonus.is_some() || corners_stay(&best.spline.space.breaks, &spline.space.breaks);
         let kept = stay && distances.squares <= enough && !self.is_spoiled(&spline, &located);
         kept.then_some(Found { spline, located, distances, wild: None })

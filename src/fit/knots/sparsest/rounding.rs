@@ -14,7 +14,7 @@ const BESIDE: f64 = 0.4;
 /// By how much the price of a number falls at first, for the knots to be there when the tolerance is met.
 const CHEAPER: f64 = 1.0 / 8.0;
 /// Corners of noisy points that turn by less, in radians, may be smooth.
-const SEEMING: f64 = 0.5;
+pub(super) const SEEMING: f64 = 0.5;
 /// How many times as far as a point may be off the way is looked at, and in how many steps half a piece.
 const FAR: f64 = 3.0;
 const LOOKS: f64 = 16.0;
@@ -64,21 +64,17 @@ pub(super) fn slight_corners(spline: &Spline, least: f64, far: f64) -> Vec<usize
     let cosine = sin_cos(least).1;
     let is_slight = |k: &usize| {
         let (before, after) = spline.space.sides(*k);
-        let on = |s: usize, u: f64, order: usize| {
-            let span = &spline.space.spans[s];
-            spline.on(s, span.middle + u * span.half, order)
-        };
-        let corner = on(after, -1.0, 0);
+        let [arriving, leaving] = spline.ways(*k);
+        let corner = spline.at(after, -1.0, 0);
         let seen = |s: usize, from: f64| {
-            let place = |step: usize| on(s, from * (1.0 - step as f64 / LOOKS), 0) - corner;
+            let place = |step: usize| spline.at(s, from * (1.0 - step as f64 / LOOKS), 0) - corner;
             let steps = 2 * LOOKS as usize;
             let step = (1..steps).find(|&step| place(step).norm() > far).unwrap_or(steps);
             place(step)
         };
         let little = |a: Vector, b: Vector| a.dot(&b) > cosine * a.norm() * b.norm();
         breaks.multiplicity[*k] == breaks.degree
-            && (little(on(before, 1.0, 1), on(after, -1.0, 1))
-                || little(-seen(before, 1.0), seen(after, -1.0)))
+            && (little(arriving, leaving) || little(-seen(before, 1.0), seen(after, -1.0)))
     };
     (0..breaks.len()).filter(is_slight).collect()
 }

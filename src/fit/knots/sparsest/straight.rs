@@ -76,7 +76,12 @@ impl Sparsest {
         if has_lines(&best) {
             best = self.placed_by_length(best);
         }
-        self.spaced_out(&best).unwrap_or(best)
+        match self.spaced_out(&best) {
+            Some(found) => found,
+            // Where points are is not known by lengths: they may as well slide.
+            None if !self.evening.even => self.jointed(best),
+            None => best,
+        }
     }
 
     /// The curve of points that are held with pieces straight that are so once points may slide: by the parameters that points
