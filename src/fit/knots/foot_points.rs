@@ -60,16 +60,17 @@ impl Spline {
     /// The point at t, or a derivative, by the polynomials of piece s.
     pub(super) fn on(&self, s: usize, t: f64, order: usize) -> Vector {
         let span = &self.space.spans[s];
-        let u = (t - span.middle) / span.half;
-        derivative_of(&self.piece(s), self.space.breaks.degree, u, span.half, order)
+        self.at(s, (t - span.middle) / span.half, order)
     }
 
-    /// A derivative at u in [−1, 1] of piece s.
+    /// The same at u in [−1, 1] of the piece.
+    #[inline(never)]
     pub(super) fn at(&self, s: usize, u: f64, order: usize) -> Vector {
         derivative_of(&self.piece(s), self.space.breaks.degree, u, self.space.spans[s].half, order)
     }
 
     /// The derivatives before and after knot k.
+    #[inline(never)]
     pub(super) fn ways(&self, k: usize) -> [Vector; 2] {
         let (before, after) = self.space.sides(k);
         [self.at(before, 1.0, 1), self.at(after, -1.0, 1)]

@@ -16,6 +16,7 @@ const MOST: f64 = 8.0;
 impl Sparsest {
     /// The best curve with those corners smooth that turn little and are not worth what they cost: all of them, or one after the
     /// other, those first that turn least (D 13.18). None are where parameters were given, which this would change.
+    #[inline(never)]
     pub(super) fn jointed(&self, mut best: Found) -> Found {
         if self.asked.timed {
             return best;
@@ -39,6 +40,7 @@ impl Sparsest {
 
     /// The fit with smooth joints in place of these corners, where it is worth what they spare: a corner costs more than its numbers,
     /// for it is seen.
+    #[inline(never)]
     fn with_joints(&self, corners: &[usize], best: &Found) -> Option<Found> {
         let price = self.pricing.price;
         let (mut breaks, mut located) = at_one_speed(&best.spline, &best.located);
@@ -64,7 +66,7 @@ fn at_one_speed(spline: &Spline, located: &Located) -> (Breaks, Located) {
     let breaks = &space.breaks;
     let rises: Vec<f64> = (0..breaks.len()).map(|k| rise(spline, k)).collect();
     let corners = breaks.multiplicity.iter().filter(|m| **m == breaks.degree).count();
-    let whole: f64 = if breaks.closed { rises.iter().product() } else { 1.0 };
+    let whole = if breaks.closed { rises.iter().fold(1.0, |whole, rise| whole * rise) } else { 1.0 };
     let share = libm::pow(whole, -1.0 / corners.max(1) as f64);
     let mut stretch = 1.0;
     let mut lengths = Vec::with_capacity(space.spans.len());

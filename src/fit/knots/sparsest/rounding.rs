@@ -21,6 +21,7 @@ const LOOKS: f64 = 16.0;
 
 impl Sparsest {
     /// Corners that turn by less than is asked for.
+    #[inline(never)]
     pub(super) fn slight_corners(&self, spline: &Spline) -> Vec<usize> {
         slight_corners(spline, self.asked.least_turn, FAR * self.slack())
     }
