@@ -209,7 +209,7 @@ test("V18 knots that have vanished are gone from the picture, without a touch of
 test("a knot that is dragged draws nothing: it is chosen, and Edit in Curve is offered", async (t) => {
   const demo = await open(t, "#/fit?sample=fit-star");
   const { fit } = await demo.state();
-  assert.match(await demo.textOf("hint"), /in place of the sample/u);
+  assert.match(await demo.textOf("hint"), /instead of the sample/u);
   const { x, y } = (await result(demo)).knots[0] ?? { x: NaN, y: NaN };
   await demo.drag("knot-0", 60, 40);
   const after = await demo.state();

@@ -73,7 +73,7 @@ test("a dashed line comes in whole, and that is said", async (t) => {
   const demo = await open(t);
   await opened(demo, framed('<path d="M4 4 44 20V44" fill="none" stroke="teal" stroke-width="4" stroke-dasharray="6 3" stroke-linejoin="round"/>'));
   assert.deepEqual(await demo.page.evaluate(() => window.explineDemo.getState().curve.contours.map(({ line }) => line)), [{ width: 4, color: "#008080", join: "round" }]);
-  assert.match(await demo.page.locator("[role=status], .toast").allInnerTexts().then(String), /a dashed line came in whole/u);
+  assert.match(await demo.page.locator("[role=status], .toast").allInnerTexts().then(String), /a dashed line became solid/u);
 });
 
 test("a gradient comes in as the mean of what it draws, and that is said", async (t) => {
@@ -89,7 +89,7 @@ test("a gradient comes in as the mean of what it draws, and that is said", async
   const channels = [1, 3, 5, 7].map((at) => Number.parseInt(ink.slice(at, at + 2), 16));
   // The browser mixes its stops by steps of their own.
   for (const [i, value] of [...wanted, opacity].entries()) assert.ok(Math.abs((channels[i] ?? NaN) - value) <= 3, `${ink}: ${wanted.join()}, ${opacity}`);
-  assert.match(await demo.page.locator("[role=status], .toast").allInnerTexts().then(String), /a gradient became its mean colour/u);
+  assert.match(await demo.page.locator("[role=status], .toast").allInnerTexts().then(String), /a gradient became its average colour/u);
 });
 
 test("what is only stroked stays a line beside areas, in both kinds of file and where it is closed", async (t) => {

@@ -460,7 +460,7 @@ test("an imported logo keeps its corners and can be edited at once", async (t) =
 test("a second logo is chosen, so that it can be moved from where it lies over the first", async (t) => {
   const demo = await open(t);
   await imported(demo, square);
-  assert.equal(await demo.page.getByText("Nothing. Choose a point on the stage").count(), 1, "one that is alone is looked at first");
+  assert.equal(await demo.page.getByText("Nothing selected. Click a point").count(), 1, "one that is alone is looked at first");
   const first = await demo.points();
   await demo.byId("btn-import").click();
   assert.equal(await demo.byId("import-replace").isChecked(), false, "what is one's own stays unless one says otherwise");
@@ -487,7 +487,7 @@ test("what another mode hands over in place of somebody's own drawing says so, a
   const { curve } = await demo.state();
   await demo.byId("tab-fit").click();
   await demo.byId("fit-edit").click();
-  await demo.page.locator(".toast", { hasText: "Undo brings back what was in Curve." }).getByRole("button", { name: "Undo" }).click();
+  await demo.page.locator(".toast", { hasText: "Undo restores the previous drawing." }).getByRole("button", { name: "Undo" }).click();
   await demo.idle();
   assertSame((await demo.state()).curve, curve);
 });

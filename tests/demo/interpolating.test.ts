@@ -122,7 +122,7 @@ test("going down a level that finer edits were made on shows the change first, a
   await demo.slide("level", 0);
   assert.equal((await demo.state()).curve.level, 2);
   assert.match(await demo.textOf("toast"), /would move the curve by up to/);
-  await demo.byId("toast").getByRole("button", { name: "Change the level" }).click();
+  await demo.byId("toast").getByRole("button", { name: "Apply level" }).click();
   await demo.idle();
   assert.equal((await demo.points()).length, 16);
 });
@@ -179,7 +179,7 @@ test("a circle changes its family without moving; a blob says how far it moved",
   await demo.byId("family").getByLabel("Interpolating").check();
   await demo.idle();
   assert.equal((await demo.state()).curve.contours[0]?.family, "interpolating");
-  assert.match(await demo.textOf("toast"), /same curve/);
+  assert.match(await demo.textOf("toast"), /without moving the curve/);
   assert.ok((await demo.metric("m-error")) <= 1e-9);
   await demo.byId("family").getByLabel("Hermite").check();
   await demo.idle();
@@ -196,7 +196,7 @@ test("the first circle becomes an interpolating one of four points, which a clos
   assert.deepEqual([contour?.family, contour?.points.length], ["interpolating", 4]);
   // The circle of the sample: centre 400, 300 and radius 160.
   assert.ok(radiusError(await demo.sample(400)) <= 1e-12);
-  assert.match(await demo.textOf("toast"), /same curve.*2 points more/);
+  assert.match(await demo.textOf("toast"), /without moving the curve.*2 more points/);
   assert.doesNotMatch(await demo.textOf("hint"), /two points/);
   assert.doesNotMatch(await demo.page.locator(".panel").innerText(), /2 points/);
   await demo.press("Control+z");
@@ -213,7 +213,7 @@ test("a control whose change was refused shows what is", async (t) => {
     await demo.byId("family").getByLabel("Hermite").click();
     await demo.idle();
     assert.deepEqual((await demo.state()).curve, curve);
-    assert.match(await demo.textOf("hint"), /refined places/);
+    assert.match(await demo.textOf("hint"), /refined areas/);
     assert.ok(await demo.byId("family").getByLabel("Interpolating").isChecked());
   }
 });

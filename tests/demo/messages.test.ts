@@ -97,5 +97,5 @@ test("what is said is read out once, and so is where a nudge, an undo and a choi
   await demo.press("Control+Shift+z");
   await hears(/^Redone: Delete/u);
   await demo.press("Control+a");
-  await hears(/^6 points chosen$/u);
+  await hears(/^6 points selected$/u);
 });

@@ -176,7 +176,7 @@ test("DM-003 DM-008 whichever byte of the newest copy is damaged, the copy befor
     await demo.load("");
     assertSame((await demo.state()).curve, earlier, `byte ${at}`);
     if (at > 0) continue;
-    const save = demo.page.getByRole("button", { name: "Download the damaged copy" });
+    const save = demo.page.getByRole("button", { name: "Download damaged copy" });
     const [file] = await Promise.all([demo.page.waitForEvent("download"), save.click()]);
     assert.equal(await readFile(await file.path(), "utf8"), damaged);
   }

@@ -107,7 +107,7 @@ test("V12 twelve mixed actions: undone to the first state, redone to the last, a
   assert.deepEqual(demo.complaints, []);
 });
 
-test("V13 the view zooms at the pointer, pans with space, fits, clamps, and is no part of the history", async (t) => {
+test("V13 the view zoom at the pointer, pans with space, fits, clamps, and is no part of the history", async (t) => {
   const demo = await open(t, "#/curve?sample=circle-8");
   const { page } = demo;
   const stay = await demo.toDoc(500, 300);
@@ -249,7 +249,7 @@ test("the help lists the gestures of the mode that it is opened in, and those of
     const demo = await open(t, hash);
     await demo.byId("btn-help").click();
     const said = await demo.textOf("help-dialog");
-    assert.ok(said.includes(own) && said.includes("zooms at the pointer"), `${hash} lacks its gestures`);
+    assert.ok(said.includes(own) && said.includes("zoom at the pointer"), `${hash} lacks its gestures`);
     assert.ok(!said.includes(other), `${hash} has those of another mode`);
   }
 });

@@ -19,7 +19,7 @@ import { createFitTool } from "./tools/fit/fit-tool.ts";
 export function mountFitMode({ editor, frame, stage, surface, proxies, panels, contract, until }: ModeParts): void {
   registerFitActions(editor);
   const runner = createFitRunner(editor, connectFit(until), () => performance.now(), until);
-  editor.actions.register({ id: "fit-cancel", label: "Stop the fit", group: "Edit", keys: [], enabled: ({ mode }) => mode === "fit", run: () => runner.cancel() });
+  editor.actions.register({ id: "fit-cancel", label: "Stop fitting", group: "Edit", keys: [], enabled: ({ mode }) => mode === "fit", run: () => runner.cancel() });
   editor.actions.register({
     id: "fit-edit",
     label: "Edit the fit in Curve",

@@ -121,7 +121,7 @@ test("a stroke that no curve can be made of is said to be none, and the next one
   draw(...line(500));
   draw(...line(540));
   fail();
-  assert.match(hand.editor.state.value.hint, /could not be made a curve/);
+  assert.match(hand.editor.state.value.hint, /too short for a curve/);
   assert.equal(asked.length, 2);
   answer(2);
   assert.equal(hand.curve.contours.length, 2);

@@ -403,7 +403,7 @@ test("beside flat colours, which no threshold parts, the view of edges speaks of
   hand.editor.patch({ hint: "", traceRun: { ...traceRun, picture: picture as unknown as ShownPicture }, traceView: { ...traceView, view: "edges" } });
   assert.match(traceHint(hand.editor.state.value), /99 of 255/u);
   setTrace(hand.editor, "Flat colours", { colors: 4 });
-  assert.equal(traceHint(hand.editor.state.value), "Steep places are bright.");
+  assert.equal(traceHint(hand.editor.state.value), "Bright means a strong edge.");
 });
 
 test("a drag moves the paper and nothing else", () => {
@@ -481,7 +481,7 @@ test("outlines that came without their picture are shown, and can be handed on",
   assert.equal(hand.editor.state.value.trace, trace);
   assert.equal(hand.run("trace-next-view").editor.state.value.traceView.view, "outline");
   assert.equal(hand.run("trace-next-view").editor.state.value.traceView.view, "result");
-  assert.doesNotMatch(traceHint(hand.editor.state.value), /see the picture/u);
+  assert.doesNotMatch(traceHint(hand.editor.state.value), /see only the picture/u);
 });
 
 test("centre lines are lines in a file and in Curve, closed ones, too; outlines are areas", () => {

@@ -19,9 +19,9 @@ export function hintFor(state: EditorState): string {
     case "pen":
       return penHint(state);
     case "hand":
-      return "Drag to pan. V goes back to editing.";
+      return "Drag to pan. Press V to edit again.";
     case "draw":
-      return "Drag to draw by hand: the line becomes a curve with few points, its corners kept.";
+      return "Drag to draw freehand. Your stroke becomes a curve with few points and sharp corners.";
     case "select":
       return selectHint(state);
   }
@@ -52,7 +52,7 @@ function penHint(state: EditorState): string {
   const press = state.touch ? "Tap" : "Click";
   if (state.sketch.rubber?.closing === true) return `${press} to close the contour.`;
   if (state.sketch.rubber !== null) {
-    return `${press} for a corner, drag for a smooth point. ${state.touch ? "A double tap finishes." : "Enter finishes, Esc drops the segment."}`;
+    return `${press} for a corner, drag for a smooth point. ${state.touch ? "A double tap finishes." : "Enter finishes, Esc cancels the segment."}`;
   }
   return `${press} to place the first point, or drag to pull its handles.`;
 }
@@ -65,11 +65,11 @@ function twice(touch: boolean): string {
 function curveHint({ curve, touch }: EditorState, index: number, t: number): string {
   const contour = curve.contours[index];
   if (contour === undefined) return "";
-  if (contour.family === "interpolating") return `Drag to move this segment. ${twice(touch)} to insert a point; it says how far the curve moves.`;
+  if (contour.family === "interpolating") return `Drag to move this segment. ${twice(touch)} to insert a point; you see how far the curve moves.`;
   const [drag, alt] = isStraight(contour, locate(contour, t).segment)
     ? ["Drag to move this line", "Alt-drag to bend it"]
     : ["Drag to bend the curve", "Alt-drag to move this segment"];
-  return `${touch ? drag : `${drag}, ${alt}`}. ${twice(touch)} to insert a point; the curve stays.`;
+  return `${touch ? drag : `${drag}, ${alt}`}. ${twice(touch)} to insert a point without changing the curve.`;
 }
 
 function selectHint(state: EditorState): string {
@@ -78,15 +78,15 @@ function selectHint(state: EditorState): string {
     case "point": {
       const kind = pointAt(curve, hover.point)?.kind;
       const name = describe(curve, hover.point);
-      if (curve.contours[hover.point.contour]?.family === "interpolating") return `${name}: drag to move; only nearby segments follow`;
-      if (modifiers.alt) return `${name}: drag pulls out fresh handles`;
-      if (isEnd(curve, hover.point)) return `${name}: drag to move, onto another end to join them`;
+      if (curve.contours[hover.point.contour]?.family === "interpolating") return `${name}: drag to move; only nearby segments change`;
+      if (modifiers.alt) return `${name}: drag to pull out new handles`;
+      if (isEnd(curve, hover.point)) return `${name}: drag to move, or onto another end to join`;
       return `${name}: drag to move, ${twice(touch).toLowerCase()} for ${kind === "cusp" ? "smooth" : "a cusp"}`;
     }
     case "handle": {
       const name = describe(curve, hover.handle, hover.handle.side);
-      if (modifiers.alt) return `${name}: drag breaks it into a cusp`;
-      return touch ? `${name}: drag to turn` : `${name}: drag to turn, Alt breaks, Shift keeps 15° steps`;
+      if (modifiers.alt) return `${name}: drag to break it into a cusp`;
+      return touch ? `${name}: drag to turn` : `${name}: drag to turn, Alt to break, Shift for 15° steps`;
     }
     case "curve":
       return curveHint(state, hover.contour, hover.t);
@@ -95,7 +95,7 @@ function selectHint(state: EditorState): string {
     case "empty":
       if (curve.contours.length === 0) return "";
       if (curve.contours[state.selection.points[0]?.contour ?? 0]?.family === "interpolating") {
-        return `Drag a point: only nearby segments follow. ${touch ? "Drag elsewhere to move the view, two fingers to zoom." : "Drag across empty space to select."}`;
+        return `Drag a point: only nearby segments change. ${touch ? "Drag elsewhere to move the view, two fingers to zoom." : "Drag across empty space to select."}`;
       }
       if (touch) return "Drag a point or a handle. Drag elsewhere to move the view, two fingers to zoom.";
       return state.selection.points.length > 0 ? "Drag a point. Alt-drag a handle to make a cusp." : "Drag a point or a handle. Drag across empty space to select.";

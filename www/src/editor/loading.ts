@@ -11,7 +11,7 @@ export function whileLoading<T>(editor: Editor, work: Promise<T>): Promise<T> {
 
 /** Does something with what is on its way; the page is not idle before it is done. */
 export function whenLoaded<T>(editor: Editor, coming: Promise<T>, run: (loaded: T) => unknown): void {
-  void whileLoading(editor, coming.then(run, (error: unknown) => sayMissing(editor, "What this needs", error)));
+  void whileLoading(editor, coming.then(run, (error: unknown) => sayMissing(editor, "This feature", error)));
 }
 
 /** Work with what is loaded when it is first wanted: done as soon as it is there, and at once from then on. */
@@ -59,7 +59,7 @@ export function late<T>(editor: Editor, wanted: (state: EditorState) => boolean,
         arrived(it);
       }, (error: unknown) => {
         [coming, refused] = [false, true];
-        sayMissing(editor, "What this needs", error);
+        sayMissing(editor, "This feature", error);
       }));
     }
   }, { now: true });

@@ -68,7 +68,7 @@ export function follow(editor: Editor, route: Route): void {
   const { curve, fit, trace, surface } = editor.state.value;
   if (route.sample !== null) {
     if (route.mode === "curve" && curve.sample !== route.sample && !openSample(editor, route.sample)) {
-      editor.notify({ kind: "toast", text: `There is no sample named ${route.sample}.` });
+      editor.notify({ kind: "toast", text: `There is no sample called ${route.sample}.` });
     }
     if (route.mode === "fit" && route.sample !== fit.sample) nameFit(editor, route.sample);
     if (route.mode === "trace" && route.sample !== trace.sample) nameTrace(editor, route.sample);
@@ -124,7 +124,7 @@ export function connectRoutes(editor: Editor, until: AbortSignal): void {
 export function openRoute(editor: Editor, route: Route): boolean {
   const found = route.mode !== "curve" || route.sample === null || curveSample(route.sample) !== undefined;
   openSample(editor, route.mode === "curve" && found ? route.sample ?? landingSample : landingSample);
-  if (!found) editor.notify({ kind: "toast", text: `There is no sample named ${route.sample}.` });
+  if (!found) editor.notify({ kind: "toast", text: `There is no sample called ${route.sample}.` });
   follow(editor, found ? route : { ...route, sample: null });
   return found;
 }

@@ -55,7 +55,7 @@ function readAs(text: string, space: Space): Imported {
 function readJson(text: string): Imported {
   try {
     const { state, warnings } = parseState(text);
-    const notes = warnings.length === 0 ? [] : [`Left out: ${warnings.map((warning) => warning.path).join(", ")} (unknown here).`];
+    const notes = warnings.length === 0 ? [] : [`Left out: ${warnings.map((warning) => warning.path).join(", ")} (not known here).`];
     return { kind: "json", state, notes };
   } catch (error) {
     if (!(error instanceof FileError)) throw error;
@@ -136,16 +136,16 @@ const notesByCode: Readonly<Record<SvgWarningCode, string>> = {
   W_CYCLE: "a reference to itself was left out",
   W_BAD_TRANSFORM: "a transform that could not be read was ignored",
   W_BAD_VIEWBOX: "the viewBox could not be used",
-  W_BAD_LENGTH: "a shape without a proper size was left out",
-  W_UNIT: "a length in a unit that needs a page was ignored",
-  W_ODD_POINTS: "a lone last coordinate was dropped",
-  W_GRADIENT: "a gradient became its mean colour",
-  W_DASHES: "a dashed line came in whole",
-  W_STYLE: "a style sheet was not followed in full",
-  W_STYLE_TRANSFORM: "a transform by CSS in space, or in percent of an unknown size, was ignored",
-  W_TEXT: "text was left out; as outlines it would come along",
-  W_PICTURE: "a picture was left out; Trace makes outlines of pictures",
-  W_CLIP: "what a clip or a mask hides came along",
+  W_BAD_LENGTH: "a shape without a valid size was left out",
+  W_UNIT: "a length in page-relative units was ignored",
+  W_ODD_POINTS: "an unpaired last coordinate was dropped",
+  W_GRADIENT: "a gradient became its average colour",
+  W_DASHES: "a dashed line became solid",
+  W_STYLE: "a style sheet was only partly applied",
+  W_STYLE_TRANSFORM: "a CSS transform in 3D, or in percent of an unknown size, was ignored",
+  W_TEXT: "text was left out; convert it to outlines to include it",
+  W_PICTURE: "a picture was left out; use Trace for pictures",
+  W_CLIP: "clips and masks were ignored, so hidden parts show",
   W_NO_TARGET: "a reference to something outside the file was left out",
 };
 

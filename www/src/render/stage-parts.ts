@@ -96,7 +96,7 @@ export function mountLive(editor: Editor, live: HTMLElement, summary: HTMLElemen
 function chosenIn({ curve, selection: { points, handle } }: EditorState): string {
   const [ref] = points;
   if (ref === undefined) return "";
-  return points.length > 1 ? `${points.length} points chosen` : describe(curve, ref, handle?.side);
+  return points.length > 1 ? `${points.length} points selected` : describe(curve, ref, handle?.side);
 }
 
 function counted(count: number, one: string, many: string): string {
@@ -105,7 +105,7 @@ function counted(count: number, one: string, many: string): string {
 
 function summaryOf(state: EditorState): string {
   const { contours, closed, points, cusps } = measureCurve(state.curve);
-  if (contours === 0) return "An empty drawing. Choose the pen, or a sample, to begin.";
+  if (contours === 0) return "An empty drawing. Use the pen or open a sample to begin.";
   const kind = contours === 1 ? (closed === 1 ? "Closed curve" : "Open curve") : `${contours} contours, ${closed} closed`;
-  return `${kind}, ${counted(points, "point", "points")}, ${counted(cusps, "cusp", "cusps")}. Brackets step from point to point, arrows move the chosen one.`;
+  return `${kind}, ${counted(points, "point", "points")}, ${counted(cusps, "cusp", "cusps")}. Brackets step through the points, arrows move the selected one.`;
 }

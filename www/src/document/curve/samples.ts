@@ -95,7 +95,7 @@ function cycloid(): CurveSample {
   return {
     id: "cycloid",
     title: "Cycloid",
-    note: "Two arches of a rolling circle, exact up to and including the cusp between them.",
+    note: "Two arches traced by a rolling circle, exact right into the cusp between them.",
     curve: document("cycloid", "trigonometric", Math.PI / 2, [contour(points, false)]),
     overlays: [],
   };
@@ -113,7 +113,7 @@ function sine(): CurveSample {
   return {
     id: "sine",
     title: "Sine",
-    note: "Two periods of a sine wave, exact. Move a point: only its two neighbouring segments follow.",
+    note: "Two periods of an exact sine wave. Move a point and only its two segments change.",
     curve: document("sine", "trigonometric", Math.PI / 2, [contour(points, false)]),
     overlays: [],
   };
@@ -131,7 +131,7 @@ function hyperbola(): CurveSample {
   return {
     id: "hyperbola",
     title: "Hyperbola",
-    note: "One branch in the hyperbolic space, exact. Try the trigonometric space to see what changes.",
+    note: "One exact branch, in hyperbolic space. Switch to trigonometric to see what changes.",
     curve: document("hyperbola", "hyperbolic", step, [contour(points, false)]),
     overlays: [],
   };
@@ -149,7 +149,7 @@ function heart(): CurveSample {
   return {
     id: "heart",
     title: "Heart",
-    note: "Two cusps. Press a point twice to make it another, or smooth.",
+    note: "Two cusps. Double-press a point to switch it between cusp and smooth.",
     curve: document("heart", "trigonometric", "auto", [contour(points)]),
     overlays: [],
   };
@@ -200,7 +200,7 @@ function glyph(): CurveSample {
   return {
     id: "glyph",
     title: "Letter R",
-    note: "Straight sides and exact quarter circles in one outline; the comb shows where the curvature jumps.",
+    note: "Straight sides and exact quarter circles in one outline. The comb shows where curvature jumps.",
     curve: document("glyph", "trigonometric", "auto", [outer, counter]),
     overlays: ["comb"],
   };
@@ -220,7 +220,7 @@ function blob16(): CurveSample {
   return {
     id: "blob-16",
     title: "Blob, 16 points",
-    note: "Every point lies on the curve. Drag one: only two segments to each side follow, highlighted; the rest stays to the last bit.",
+    note: "Every point lies on the curve. Drag one: only the highlighted two segments on each side change.",
     curve: document("blob-16", "trigonometric", "auto", [through(16, radius)]),
     overlays: [],
   };
@@ -230,7 +230,7 @@ function net64(): CurveSample {
   return {
     id: "net-64",
     title: "Net, 64 points",
-    note: "Sixty-four points on the curve, under one finger: drag any of them and watch the milliseconds below.",
+    note: "Sixty-four points on the curve. Drag any of them and watch the frame time below.",
     curve: document("net-64", "trigonometric", "auto", [through(64, (angle) => 190 + 34 * Math.sin(6 * angle))]),
     overlays: ["comb"],
   };
@@ -239,8 +239,8 @@ function net64(): CurveSample {
 /** In the order of the menu; the first one is where a new visitor lands. */
 export const curveSamples: readonly CurveSample[] = [
   ellipseSample("circle-2", "Circle, 2 points", "A perfect circle from two points. Drag a point: still an exact ellipse. Turn a handle: a teardrop.", 2, [160, 160], 0),
-  ellipseSample("ellipse", "Ellipse", "A turned ellipse from four points, exact; dragging keeps it smooth.", 4, [220, 120], -Math.PI / 7),
-  ellipseSample("circle-8", "Circle, 8 points", "Insert a point, delete one: the circle heals to within a hair.", 8, [160, 160], 0),
+  ellipseSample("ellipse", "Ellipse", "An exact rotated ellipse from four points. It stays smooth as you drag.", 4, [220, 120], -Math.PI / 7),
+  ellipseSample("circle-8", "Circle, 8 points", "Insert or delete a point: the circle barely changes.", 8, [160, 160], 0),
   cycloid(),
   sine(),
   hyperbola(),

@@ -129,21 +129,21 @@ function sample(id: string, title: string, note: string, settings: Partial<FitDo
 }
 
 export const fitSamples: readonly FitSample[] = [
-  sample("fit-star", "Noisy star", "Drag Smoothing: the knots go, the corners stay longest.", { noise: 1.5, seed: 5, closing: "closed" },
+  sample("fit-star", "Noisy star", "Drag Smoothing: knots disappear, and corners last longest.", { noise: 1.5, seed: 5, closing: "closed" },
     () => [alongPolygon(starCorners(center, 5, 180, 75), 300)]),
-  sample("fit-circle", "Noisy circle", "Two hundred points; smooth knots only, and few of them.", { noise: 2, seed: 2, closing: "closed", model: "cubic" },
+  sample("fit-circle", "Noisy circle", "Two hundred points become a few smooth knots.", { noise: 2, seed: 2, closing: "closed", model: "cubic" },
     () => [circle(160, 200)]),
-  sample("fit-roundrect", "Rounded rectangle", "Straight sides and round corners at once: what the hybrid model is for.", {
+  sample("fit-roundrect", "Rounded rectangle", "Straight sides and round corners together: a job for the hybrid model.", {
     noise: 1,
     seed: 3,
     closing: "closed",
     smoothing: 20,
   },
     () => [roundedRectangle(220, 140, 60, 360)]),
-  sample("fit-sine", "Noisy sine", "An open curve: its ends are free.", { noise: 3, seed: 4, closing: "open", model: "cubic" }, () => [sine(240)]),
-  sample("fit-signature", "Signature", "Nine hundred points of handwriting become a few dozen knots.", { noise: 0.5, seed: 6, closing: "open", smoothing: 18 },
+  sample("fit-sine", "Noisy sine", "An open curve with free ends.", { noise: 3, seed: 4, closing: "open", model: "cubic" }, () => [sine(240)]),
+  sample("fit-signature", "Signature", "Nine hundred handwritten points become a few dozen knots.", { noise: 0.5, seed: 6, closing: "open", smoothing: 18 },
     () => signature()),
-  sample("fit-coast", "Coastline", "Four thousand points; look at the chart for where detail ends.", { noise: 0, seed: 7, closing: "closed", smoothing: 45 },
+  sample("fit-coast", "Coastline", "Four thousand points. The chart shows where detail ends.", { noise: 0, seed: 7, closing: "closed", smoothing: 45 },
     () => [coastline(4000)]),
 ];
 

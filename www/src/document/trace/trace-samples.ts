@@ -236,7 +236,7 @@ export const traceSamples: readonly TraceSample[] = [
   {
     id: "trace-star",
     title: "Star",
-    note: "Ten corners and ten straight sides, and nothing else.",
+    note: "Ten corners, ten straight sides, nothing else.",
     width: 512,
     height: 512,
     settings: {},
@@ -245,7 +245,7 @@ export const traceSamples: readonly TraceSample[] = [
   {
     id: "trace-disc",
     title: "Disc",
-    note: "A circle of radius 160: an exact arc is found, not a polygon.",
+    note: "A circle of radius 160, traced as an exact arc rather than a polygon.",
     width: 512,
     height: 512,
     settings: {},
@@ -255,7 +255,7 @@ export const traceSamples: readonly TraceSample[] = [
   {
     id: "trace-small",
     title: "Small logo",
-    note: "The same logo in 48 pixels: what grey edges still tell.",
+    note: "The same logo at 48 pixels: the grey edge pixels carry the detail.",
     width: 48,
     height: 48,
     settings: { speckle: 2 },
@@ -264,7 +264,7 @@ export const traceSamples: readonly TraceSample[] = [
   {
     id: "trace-sketch",
     title: "Sketch",
-    note: "Pencil on uneven paper, with grain.",
+    note: "Pencil on uneven, grainy paper.",
     width: 512,
     height: 440,
     settings: { detail: 55, speckle: 60 },
@@ -274,7 +274,7 @@ export const traceSamples: readonly TraceSample[] = [
   {
     id: "trace-postcard",
     title: "Postcard",
-    note: "Flat colours: layers that lie on one another without gaps.",
+    note: "Flat colours as stacked layers without gaps.",
     width: 512,
     height: 512,
     settings: { colors: 10 },
@@ -284,7 +284,7 @@ export const traceSamples: readonly TraceSample[] = [
   {
     id: "trace-lines",
     title: "Balloon",
-    note: "Lines of one breadth come back as the strokes that they were.",
+    note: "Lines of even width come back as strokes.",
     width: 512,
     height: 512,
     settings: { mode: "lines" },
@@ -293,7 +293,7 @@ export const traceSamples: readonly TraceSample[] = [
   {
     id: "trace-big",
     title: "Sheet",
-    note: "576 shapes on 2048 × 2048 pixels: progress, and a Cancel that cancels.",
+    note: "576 shapes in 2048 × 2048 pixels. Watch the progress, or cancel it.",
     width: 2048,
     height: 2048,
     settings: {},

@@ -28,13 +28,13 @@ function piecesOf(state: EditorState): Piece[] {
 /** Puts all pieces in line at one part of each. */
 export function align(editor: Editor, axis: Axis, part: Part): void {
   const pieces = piecesOf(editor.state.value);
-  if (pieces.length < 2) return refuse(editor, "Choose several contours, or points of one, to bring them in line.");
+  if (pieces.length < 2) return refuse(editor, "Select several contours, or several points of one, to align them.");
   editor.dispatch(aligned(pieces, axis, part));
 }
 
 /** Makes the gaps between pieces equal. */
 export function distribute(editor: Editor, axis: Axis): void {
   const pieces = piecesOf(editor.state.value);
-  if (pieces.length < 3) return refuse(editor, "Choose three contours or points at least: those at the ends stay.");
+  if (pieces.length < 3) return refuse(editor, "Select at least three contours or points; the outer two stay put.");
   editor.dispatch(distributed(pieces, axis));
 }

@@ -19,11 +19,11 @@ export function insertAt(editor: Editor, contour: number, t: number): void {
   const { curve } = editor.state.value;
   const before = curve.contours[contour];
   if (before === undefined) return;
-  if (before.points.length >= mostInserted) return refuse(editor, `A contour holds at most ${mostInserted} points.`);
+  if (before.points.length >= mostInserted) return refuse(editor, `A contour can have at most ${mostInserted} points.`);
   if (isRefined(editor, before)) return;
   const isHermite = before.family === "hermite";
   const result: { contour: Contour; index: number; moved?: number } | null = isHermite ? inserted(curve, before, t) : insertedInterpolating(curve, before, t);
-  if (result === null) return refuse(editor, "There is a point already.");
+  if (result === null) return refuse(editor, "There is already a point here.");
   editor.dispatch({
     name: "Insert point",
     apply: (document) => replaceContour(document, contour, result.contour),
@@ -32,7 +32,7 @@ export function insertAt(editor: Editor, contour: number, t: number): void {
   const { moved = 0 } = result;
   say(
     editor,
-    `Point ${result.index + 1} inserted. ${moved <= unnoticed ? "The curve has not moved." : `The curve moved by at most ${printed(moved)}; the level slider refines without moving it.`}`,
+    `Point ${result.index + 1} inserted. ${moved <= unnoticed ? "The curve did not move." : `The curve moved by at most ${printed(moved)}; use Level to refine without moving it.`}`,
   );
 }
 
@@ -83,7 +83,7 @@ export function deleteAndHeal(editor: Editor): void {
       const result = rest.points.length <= 2 ? null : rest.family === "hermite" ? healed(curve, rest, index) : removedInterpolating(curve, rest, index);
       if (result === null) {
         const least = rest.family === "interpolating" && rest.closed ? "A closed interpolating contour needs three points" : "A contour needs two points";
-        return refuse(editor, `${least}. Select all of it to delete it, or press Shift+Delete to open it.`);
+        return refuse(editor, `${least}. Select them all to delete it, or press Shift+Delete to open it.`);
       }
       rest = result.contour;
       deviation = Math.max(deviation, result.deviation);
@@ -111,7 +111,7 @@ export function deleteAndOpen(editor: Editor): void {
   if (curve.contours.some((contour, c) => chosen.has(c) && isRefined(editor, contour))) return;
   const contours = curve.contours.flatMap((contour, c) => withoutPoints(curve, contour, chosen.get(c) ?? []));
   editor.dispatch({ name: "Delete and open", apply: (document) => ({ ...document, contours }), select: nothingSelected });
-  say(editor, "Point deleted. The path is open there.");
+  say(editor, "Point deleted. The path is now open there.");
 }
 
 /** The active contour with another number of points, at equal parameters. */
@@ -140,13 +140,13 @@ export function setClosed(editor: Editor, closed: boolean): void {
   const index = activeContour(editor);
   const contour = editor.state.value.curve.contours[index];
   if (contour === undefined || hasPlaces(editor, contour)) return;
-  if (!closed && contour.points.length < 3) return refuse(editor, "Opening drops the last segment; this contour has too few points for that.");
+  if (!closed && contour.points.length < 3) return refuse(editor, "Opening removes the last segment, and this contour has too few points.");
   if (closed && contour.points.length < 2) return refuse(editor, "A closed contour needs two points.");
   if (contour.grid === undefined) return editor.dispatch(closeContour(index, closed));
   const { name } = closeContour(index, closed);
   const { contour: next, moved } = closedRefined(editor.state.value.curve, contour, closed);
   editor.dispatch({ name, apply: (document) => replaceContour(document, index, next), select: nothingSelected });
-  if (moved > unnoticed) say(editor, `What was edited on the finer points is gone: the curve moved by up to ${printed(moved)}.`);
+  if (moved > unnoticed) say(editor, `Edits to the finer points were lost: the curve moved by up to ${printed(moved)}.`);
 }
 
 export function duplicate(editor: Editor): void {

@@ -42,7 +42,7 @@ export function printed(distance: number): string {
 function hasNoHandles(editor: Editor, selection: Selection): boolean {
   const [first] = selection.points;
   if (first === undefined || editor.state.value.curve.contours[first.contour]?.family !== "interpolating") return false;
-  refuse(editor, "Points of an interpolating curve have no handles: the curve is smooth through all of them.");
+  refuse(editor, "Interpolating points have no handles: the curve runs smoothly through them.");
   return true;
 }
 
@@ -98,7 +98,7 @@ export function nudge(editor: Editor, dx: number, dy: number): void {
 /** Refined places are for moving points; what renumbers the contour waits until they are gone. */
 export function hasPlaces(editor: Editor, contour: Contour | undefined): boolean {
   if (contour?.places === undefined) return false;
-  refuse(editor, "This contour has refined places. Select a finer point and press Delete to take its place away first.");
+  refuse(editor, "This contour has refined areas. Select a finer point and press Delete to remove its area first.");
   return true;
 }
 
@@ -106,7 +106,7 @@ export function hasPlaces(editor: Editor, contour: Contour | undefined): boolean
 export function isRefined(editor: Editor, contour: Contour): boolean {
   if (hasPlaces(editor, contour)) return true;
   if (contour.grid === undefined) return false;
-  refuse(editor, "These are control points of a finer level. Go to level 0 to add or take away points of the curve.");
+  refuse(editor, "These points belong to a finer level. Go to level 0 to add or remove points.");
   return true;
 }
 

@@ -17,7 +17,7 @@ export function setFamily(editor: Editor, family: Family): void {
   const drawn = curve.contours[index];
   if (drawn === undefined || drawn.family === family || hasPlaces(editor, drawn)) return;
   const contour = family === "interpolating" ? withEnoughPoints(curve, drawn) : drawn;
-  if (contour === null) return refuse(editor, "An interpolating contour needs 2 points; this one has fewer.");
+  if (contour === null) return refuse(editor, "An interpolating contour needs at least 2 points.");
   const added = contour.points.length - drawn.points.length;
   const { contour: next, moved } = family === "hermite" ? asHermite(curve, contour) : asInterpolating(curve, contour);
   // Levels belong to the drawing; a contour of the other family begins at level 0.
@@ -30,8 +30,8 @@ export function setFamily(editor: Editor, family: Family): void {
   });
   // What was said of the curve as it was is over.
   editor.patch({ hint: "" });
-  const more = added === 0 ? "" : `, with ${added} points more: a closed one needs 3`;
-  say(editor, moved <= unnoticed ? `The same curve in the other family${more}.` : `The curve moved by at most ${printed(moved)}${more}.`);
+  const more = added === 0 ? "" : `, with ${added} more points (a closed one needs 3)`;
+  say(editor, moved <= unnoticed ? `Converted without moving the curve${more}.` : `The curve moved by at most ${printed(moved)}${more}.`);
 }
 
 /** A closed contour of two points with one more in the middle of each segment, which changes nothing; any other as it is. */
@@ -57,14 +57,14 @@ export function setOrder(editor: Editor, order: Order): void {
 
 /** Finer control points around a point of an interpolating contour. */
 function refinePlace(editor: Editor, ref: PointRef, contour: Contour): void {
-  if (contour.grid !== undefined) return refuse(editor, "All of this level is refined already. Go to level 0 to refine one place.");
+  if (contour.grid !== undefined) return refuse(editor, "This level is refined everywhere. Go to level 0 to refine one area.");
   const { curve } = editor.state.value;
   const fine = finePlaceOf(contour, ref.index, rootsOf(curve, contour).length);
   const next = refinedAround(curve, contour, fine === null ? ref.index : fine.parameter);
   if (next === null) return;
   const added = next.points.length - contour.points.length;
   editor.dispatch({ name: "Refine here", apply: (document) => replaceContour(document, ref.contour, next), select: nothingSelected });
-  say(editor, `${added} finer points here. The curve has not moved.`);
+  say(editor, `Added ${added} finer points. The curve did not move.`);
 }
 
 /** More points where the chosen ones are, none elsewhere; the curve stays where it is. */
@@ -72,16 +72,16 @@ export function refineCurveHere(editor: Editor): void {
   const { curve, selection } = editor.state.value;
   const [first] = selection.points;
   let contour = curve.contours[first?.contour ?? -1];
-  if (first === undefined || contour === undefined) return refuse(editor, "Choose a point first: the curve is refined around it.");
+  if (first === undefined || contour === undefined) return refuse(editor, "Select a point first: refining happens around it.");
   if (contour.family === "interpolating") return refinePlace(editor, first, contour);
   const chosen = new Set(selection.points.filter((ref) => ref.contour === first.contour).map((ref) => ref.index));
   const count = segmentCount(contour);
   const touched = Array.from({ length: count }, (_, segment) => segment).filter((segment) =>
     chosen.has(segment) || chosen.has((segment + 1) % (contour?.points.length ?? 1)));
-  if (contour.points.length + touched.length > mostPoints) return refuse(editor, `A contour holds at most ${mostPoints} points here.`);
+  if (contour.points.length + touched.length > mostPoints) return refuse(editor, `A contour can have at most ${mostPoints} points.`);
   // Last first, so that a new point does not renumber the segments still to be cut.
   for (const segment of [...touched].reverse()) contour = inserted(curve, contour, middleOf(contour, segment))?.contour ?? contour;
   const next = contour;
   editor.dispatch({ name: "Refine here", apply: (document) => replaceContour(document, first.contour, next), select: nothingSelected });
-  say(editor, `${touched.length === 1 ? "1 point" : `${touched.length} points`} added here. The curve has not moved.`);
+  say(editor, `Added ${touched.length === 1 ? "1 point" : `${touched.length} points`}. The curve did not move.`);
 }

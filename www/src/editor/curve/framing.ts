@@ -117,7 +117,7 @@ function join(editor: Editor): void {
   const { curve, selection, view } = editor.state.value;
   const [one, other, ...more] = selection.points;
   const command = one === undefined || other === undefined || more.length > 0 ? null : joinEnds(curve, [one, other], 1 / view.zoom);
-  if (command === null) return refuse(editor, "Choose two open ends of tangent-handle curves of one space.");
+  if (command === null) return refuse(editor, "Select two open ends of Hermite curves in the same space.");
   editor.dispatch(command);
 }
 

@@ -42,7 +42,7 @@ function raised(editor: Editor, curve: CurveDocument, target: number): CurveDocu
   let next = curve;
   for (let level = curve.level + 1; level <= target; level += 1) {
     if (next.contours.some((contour) => contour.points.length * 2 > 4 * mostPoints)) {
-      refuse(editor, `Level ${level} would have more than ${4 * mostPoints} points.`);
+      refuse(editor, `Level ${level} would need more than ${4 * mostPoints} points.`);
       return next === curve ? null : next;
     }
     const document = next;

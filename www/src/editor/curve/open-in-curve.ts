@@ -19,5 +19,5 @@ export function openInCurve(editor: Editor, name: string, { contours, ...setting
   editor.setOverlay("bezier", false);
   editor.patch({ view, hint: "" });
   const said = says(contours.reduce((sum, { points }) => sum + points.length, 0));
-  editor.notify({ kind: "toast", text: own ? `${said} Undo brings back what was in Curve.` : said, ...(own ? { actionId: "undo" } : {}) });
+  editor.notify({ kind: "toast", text: own ? `${said} Undo restores the previous drawing.` : said, ...(own ? { actionId: "undo" } : {}) });
 }

@@ -36,7 +36,7 @@ export function handOver(editor: Editor, says: string, bring: () => void): void 
   const { fit } = editor.state.value;
   const own = fit.sample === undefined && fit.data.length > 0;
   bring();
-  editor.notify({ kind: "toast", text: own ? `${says} Undo brings back what was in Fit.` : says, ...(own ? { actionId: "undo" } : {}) });
+  editor.notify({ kind: "toast", text: own ? `${says} Undo restores what Fit had before.` : says, ...(own ? { actionId: "undo" } : {}) });
 }
 
 /** Of a drawing's size, the error that a simpler one may have: a unit and a half of one that fills the stage. */
@@ -57,6 +57,6 @@ export function simplifyInFit(editor: Editor): void {
   const { curve, selection } = editor.state.value;
   const chosen = new Set(selection.points.map((ref) => ref.contour));
   const contours = curve.contours.filter((_, i) => chosen.size === 0 || chosen.has(i));
-  handOver(editor, "The drawing is in Fit: Smoothing takes knots away. The original stays in Curve.", () =>
+  handOver(editor, "Copied to Fit, where Smoothing removes knots. The original stays in Curve.", () =>
     bringContours(editor, contours, false, { name: "Simplify", instead: "all", setting: curve }));
 }

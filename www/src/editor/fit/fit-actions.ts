@@ -19,22 +19,22 @@ export function registerFitActions(editor: Editor): void {
   add("fit-previous-knot", "Previous knot", ["["], () => stepKnot(editor, -1), hasKnots);
   add("fit-smoother", "Fewer knots", ["}"], () => setSmoothing(editor, editor.state.value.fit.smoothing + 5), hasData);
   add("fit-rougher", "More knots", ["{"], () => setSmoothing(editor, editor.state.value.fit.smoothing - 5), hasData);
-  add("fit-clear", "Clear the points", [], () => clearFit(editor), hasData);
+  add("fit-clear", "Clear points", [], () => clearFit(editor), hasData);
   add("fit-redraw", "Redraw", [], () => {
     clearFit(editor);
     chooseFitTool(editor, "draw");
   });
-  add("fit-compare", "Compare with the points", [], () => {
+  add("fit-compare", "Compare with points", [], () => {
     const { compare } = editor.state.value.fitView;
     setFitView(editor, { compare: compares[(compares.indexOf(compare) + 1) % compares.length] ?? "off" });
   }, hasData);
-  add("fit-comb", "Curvature comb of the fit", ["K"], () => toggleFitOverlay(editor, "comb"), hasKnots);
-  add("fit-show-data", "Fit the points in view", [], () => showData(editor, 64), hasData);
+  add("fit-comb", "Curvature comb", ["K"], () => toggleFitOverlay(editor, "comb"), hasKnots);
+  add("fit-show-data", "Fit points in view", [], () => showData(editor, 64), hasData);
   for (const [model, label] of [["linear", "Straight pieces"], ["cubic", "Smooth curve"], ["hybrid", "Straight and smooth"]] as const) {
     add(`fit-model-${model}`, label, [], () => setModel(editor, model));
   }
   add("fit-corners", "Keep corners", ["C"], () => setCorners(editor, !editor.state.value.fit.corners));
-  add("fit-open-star", "Open the noisy star", [], () => void openFitSample(editor, "fit-star"));
+  add("fit-open-star", "Open noisy star", [], () => void openFitSample(editor, "fit-star"));
 }
 
 export function toggleFitOverlay(editor: Editor, overlay: FitOverlay): void {

@@ -147,9 +147,9 @@ export function describeData(fit: FitDocument): string {
   return `${kind}, ${fit.data.length} points`;
 }
 
-const typeNames = { linear: "corner of the straight part", cubic: "knot of the smooth part", coincident: "knot of both parts" } as const;
+const typeNames = { linear: "corner", cubic: "smooth knot", coincident: "corner and smooth knot" } as const;
 
-/** "Knot 3 of 14, corner of the straight part, x 240, y 120". */
+/** "Knot 3 of 14, corner, x 240, y 120". */
 export function describeKnot({ type, x, y }: ShownKnot, i: number, count: number): string {
   return `Knot ${i + 1} of ${count}, ${typeNames[type]}, x ${Math.round(x)}, y ${Math.round(y)}`;
 }

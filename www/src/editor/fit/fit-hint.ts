@@ -8,15 +8,16 @@ export function fitHint(state: EditorState): string {
   const over = fitView.over === null ? undefined : knots[fitView.over];
   if (over !== undefined && fitView.over !== null) return describeKnot(over, fitView.over, knots.length);
   if (hint !== "") return hint;
-  if (tool === "hand") return "Drag to pan. D goes back to drawing.";
+  const press = state.touch ? "Tap" : "Click";
+  if (tool === "hand") return "Drag to pan. Press D to draw again.";
   switch (fitView.tool) {
     case "draw":
       if (state.fit.data.length === 0) return "";
       return state.fit.sample === undefined
-        ? "Drag to draw another stroke. Press a knot to choose it."
-        : "Drag to draw a line of your own in place of the sample. Press a knot to choose it.";
+        ? `Drag to draw another stroke. ${press} a knot to select it.`
+        : `Drag to draw your own line instead of the sample. ${press} a knot to select it.`;
     case "points":
-      return state.touch ? "Tap to add points; a double tap ends the stroke." : "Click to add points; a double-click or Enter ends the stroke.";
+      return `${press} to add points; ${state.touch ? "a double tap" : "a double-click or Enter"} ends the stroke.`;
     case "erase":
       return "Drag over points to erase them.";
   }
@@ -27,5 +28,5 @@ export function fitSummary(state: EditorState): string {
   const { fit, fitRun } = state;
   if (fitRun.outcome === null) return `${describeData(fit)}.`;
   const { counts, knots, max } = fitRun.outcome;
-  return `${describeData(fit)}, fitted with ${knots.length} knots: ${counts.linear} corners, ${counts.cubic} smooth, ${counts.coincident} both. No point is farther than ${max.toPrecision(2)} from the curve. Brackets step from knot to knot.`;
+  return `${describeData(fit)}, fitted with ${knots.length} knots: ${counts.linear} corners, ${counts.cubic} smooth, ${counts.coincident} both. No point is farther than ${max.toPrecision(2)} from the curve. Brackets step through the knots.`;
 }

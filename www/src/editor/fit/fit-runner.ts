@@ -50,7 +50,7 @@ class Runner implements FitRunner {
       stopped: () => this.#stopped(),
       failed: (code, message) => showFailure(editor, code, message),
       chart: (point) => this.#subject !== null && showChartPoint(editor, point),
-      restarted: () => editor.notify({ kind: "error", id: "engine", text: "The engine that fits stopped and was started again. Your drawing is safe." }),
+      restarted: () => editor.notify({ kind: "error", id: "engine", text: "The fitting engine stopped and was restarted. Your drawing is safe." }),
     });
   }
 
@@ -131,7 +131,7 @@ function ensureFit(editor: Editor): void {
   if (fit.data.length > 0 || fit.sample === undefined) return;
   const sample = fitSample(fit.sample) ?? fitSample(firstFitSample);
   if (sample === undefined) return;
-  if (sample.id !== fit.sample) editor.notify({ kind: "toast", text: `There is no sample named ${fit.sample}.` });
+  if (sample.id !== fit.sample) editor.notify({ kind: "toast", text: `There is no sample called ${fit.sample}.` });
   // An address names it and nothing else: then its own settings are what it is to be seen with. A shared link has settings.
   const named = Object.entries(fitDefaults).every(([key, value]) => fit[key as keyof typeof fitDefaults] === value);
   editor.fitEdits.amend(() => ({ fit: named ? opened(sample) : { ...fit, sample: sample.id, ...samplePoints(sample, fit.noise, fit.seed) } }));

@@ -35,12 +35,12 @@ export function createFreehand(editor: Editor, connect: (handlers: FitHandlers) 
       const count = contours.reduce((sum, { points }) => sum + points.length, 0);
       betweenGestures(editor, () => {
         editor.dispatch(addContours("Draw", contours, false));
-        editor.notify({ kind: "announce", text: `The stroke became a curve of ${count} points` });
+        editor.notify({ kind: "announce", text: `Stroke converted to a curve with ${count} points` });
         next();
       });
     },
     failed() {
-      refuse("This stroke could not be made a curve. Draw it again, a little longer.");
+      refuse("That stroke was too short for a curve. Try a longer one.");
       next();
     },
     stopped: () => undefined,
@@ -80,7 +80,7 @@ export function createFreehand(editor: Editor, connect: (handlers: FitHandlers) 
       const line = editor.state.value.sketch.stroke;
       if (differentPoints({ data }, stroke, 4) < 4) {
         shown(line);
-        return refuse("Hold and drag to draw.");
+        return refuse("Press and drag to draw.");
       }
       const strokes = [{ points: Float64Array.from(data.flat()), closed: isJoined({ data, closing: "auto" }, stroke) }];
       waiting.push({ subject: { strokes, degree: [1, 3], mix: 0.5, corners: leastCorner }, tolerance: tremble / editor.state.value.view.zoom, line });

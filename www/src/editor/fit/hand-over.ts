@@ -18,5 +18,5 @@ export function fittedDrawing({ fit, fitRun }: EditorState): CurveDocument | nul
 export function editInCurve(editor: Editor): void {
   const { outcome } = editor.state.value.fitRun;
   if (outcome === null) return;
-  openInCurve(editor, "Edit the fit", { ...editor.state.value.fit, contours: contoursOf(outcome) }, (count) => `The fit is in Curve, ${count} points. The data stay in Fit.`);
+  openInCurve(editor, "Edit the fit", { ...editor.state.value.fit, contours: contoursOf(outcome) }, (count) => `Copied the fit to Curve, ${count} points. The data stay in Fit.`);
 }

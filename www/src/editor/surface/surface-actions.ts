@@ -20,16 +20,16 @@ export function registerSurfaceActions(editor: Editor, hold: (axis: DragAxis) =>
 
   add("next-point", "Next control point", "Surface", ["]"], () => stepNet(editor, 1, false));
   add("previous-point", "Previous control point", "Surface", ["["], () => stepNet(editor, -1, false));
-  add("extend-next", "Add the next control point", "Surface", ["Shift+]", "Alt+]"], () => stepNet(editor, 1, true));
-  add("extend-previous", "Add the previous control point", "Surface", ["Shift+[", "Alt+["], () => stepNet(editor, -1, true));
+  add("extend-next", "Extend to next control point", "Surface", ["Shift+]", "Alt+]"], () => stepNet(editor, 1, true));
+  add("extend-previous", "Extend to previous control point", "Surface", ["Shift+[", "Alt+["], () => stepNet(editor, -1, true));
   add("select-all", "Select all control points", "Surface", ["Mod+A"], () => chooseAllNet(editor));
   add("select-none", "Select none", "Surface", ["Mod+Shift+A"], () => chooseNet(editor, noNetPoints), { enabled: chosen });
   add("refine", "Refine here", "Surface", ["Enter"], () => refineHere(editor), { enabled: chosen });
   add("level-up", "Levels up", "Surface", ["}"], () => byLevels(editor, 1));
   add("level-down", "Levels down", "Surface", ["{"], () => byLevels(editor, -1));
-  add("apply-level", "Change the level", "Surface", [], () => applyProposedLevel(editor));
+  add("apply-level", "Apply level", "Surface", [], () => applyProposedLevel(editor));
   for (const axis of ["x", "y", "z"] as const) {
-    add(`hold-${axis}`, `Hold the drag to ${axis.toUpperCase()}`, "Surface", [axis.toUpperCase()], () => void hold(axis), { enabled: dragging, live: true });
+    add(`hold-${axis}`, `Keep the drag on ${axis.toUpperCase()}`, "Surface", [axis.toUpperCase()], () => void hold(axis), { enabled: dragging, live: true });
   }
   (["front", "side", "top"] as const).forEach((side, i) => {
     add(`look-${side}`, `View from the ${side}`, "Surface", [`Shift+${i + 1}`], () => lookFrom(editor, boardViews[side]), { live: true });
@@ -38,7 +38,7 @@ export function registerSurfaceActions(editor: Editor, hold: (axis: DragAxis) =>
     for (const [suffix, by, key] of [["", 1, ""], ["-far", 10, "Shift+"], ["-fine", 0.1, "Alt+"]] as const) {
       add(
         `nudge-${name.toLowerCase()}${suffix}`,
-        `Nudge the control point ${name.toLowerCase()}`,
+        `Nudge control point ${name.toLowerCase()}`,
         "Surface",
         [`${key}Arrow${name}`],
         () => nudgeNet(editor, right * by, up * by),

@@ -33,7 +33,7 @@ function isDrawable(editor: Editor, surface: SurfaceDocument): boolean {
     editor.notify({
       kind: "error",
       id: "json-broken",
-      text: `The surface could not be opened, its sample is shown: ${error instanceof Error ? error.message : String(error)}`,
+      text: `The surface could not be opened, so its sample is shown: ${error instanceof Error ? error.message : String(error)}`,
     });
     return false;
   }
@@ -186,12 +186,12 @@ export function refineHere(editor: Editor): void {
   const { surface, chosen } = editor.state.value;
   const [ref] = chosen;
   const point = ref === undefined ? undefined : shownPoint(surface, ref);
-  if (ref === undefined || point === undefined) return refuse(editor, "Choose a control point first: the surface is refined around it.");
+  if (ref === undefined || point === undefined) return refuse(editor, "Select a control point first: refining happens around it.");
   const before = surface.details?.length ?? 0;
   tryChange(editor, "Refine here", (now) => ({ surface: refinedHere(now.surface, point), chosen: now.chosen }));
   const details = editor.state.value.surface.details ?? [];
   const added = details[before];
-  if (added !== undefined) editor.notify({ kind: "toast", text: `${added.u.count * added.v.count} finer points here. The surface has not moved.` });
+  if (added !== undefined) editor.notify({ kind: "toast", text: `Added ${added.u.count * added.v.count} finer points. The surface did not move.` });
 }
 
 export function chooseNet(editor: Editor, chosen: readonly NetRef[], keyboard = false): void {
@@ -222,7 +222,7 @@ export function chooseAllNet(editor: Editor): void {
 /** "Control point 3, 2, on the surface, x 0.7, y 0, z 0.7". */
 export function describeNet(point: ShownPoint): string {
   const { ref, at, on } = point;
-  const name = ref.detail === undefined ? `Control point ${ref.u + 1}, ${ref.v + 1}` : `Finer point ${ref.u + 1}, ${ref.v + 1} of place ${ref.detail + 1}`;
+  const name = ref.detail === undefined ? `Control point ${ref.u + 1}, ${ref.v + 1}` : `Finer point ${ref.u + 1}, ${ref.v + 1} of refined area ${ref.detail + 1}`;
   const short = (value: number): string => String(Math.round(value * 1000) / 1000 + 0);
   const where = on ? "on the surface" : "near the surface";
   return `${name}, ${where}, x ${short(at[0])}, y ${short(at[1])}, z ${short(at[2])}`;

@@ -36,12 +36,12 @@ export function smoothInFit(editor: Editor): void {
   // Smoother than the trace, by as much again as Detail gave away.
   const within = Number((2 * toleranceOf(trace.settings.detail)).toPrecision(2));
   const count = strokes.reduce((sum, { places }) => sum + places.length, 0);
-  handOver(editor, `The outlines are in Fit, ${count} points. The picture stays in Trace.`, () =>
+  handOver(editor, `Copied the outlines to Fit, ${count} points. The picture stays in Trace.`, () =>
     bringStrokes(editor, { name: "Smooth the trace", strokes, within, instead: "all", setting: drawing }));
 }
 
 export function editTraceInCurve(editor: Editor): void {
   const [shown, drawing] = [shownOf(editor.state.value), tracedDrawing(editor.state.value)];
   if (shown === null || drawing === null) return;
-  openInCurve(editor, "Edit the trace", { ...drawing, contours: inkedContours(shown) }, (count) => `The outlines are in Curve, ${count} points. The picture stays in Trace.`);
+  openInCurve(editor, "Edit the trace", { ...drawing, contours: inkedContours(shown) }, (count) => `Copied the outlines to Curve, ${count} points. The picture stays in Trace.`);
 }

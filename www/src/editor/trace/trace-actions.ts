@@ -13,10 +13,10 @@ const hasOutlines = (state: EditorState): boolean => inTrace(state) && state.tra
 const hasChosen = (state: EditorState): boolean => hasOutlines(state) && state.traceView.chosen !== null;
 
 export const traceViews: readonly (readonly [TraceViewId, string, string])[] = [
-  ["result", "Result", "The outlines over the picture."],
-  ["outline", "Outline", "The outlines alone, with their points."],
-  ["source", "Source", "The picture alone."],
-  ["edges", "Edges", "What the tracer takes for ink, or where shades are steep."],
+  ["result", "Result", "Outlines over the picture."],
+  ["outline", "Outline", "Outlines only, with their points."],
+  ["source", "Source", "Picture only."],
+  ["edges", "Edges", "What the tracer sees as ink, or as edges."],
 ];
 
 export function registerTraceActions(editor: Editor, runner: TraceRunner): void {
@@ -25,11 +25,11 @@ export function registerTraceActions(editor: Editor, runner: TraceRunner): void 
   };
   const state = (): EditorState => editor.state.value;
   add("trace-run", "Trace", [], () => runner.again(), canTrace);
-  add("trace-cancel", "Cancel the trace", [], () => runner.cancel(), (now) => inTrace(now) && now.traceRun.since !== null);
+  add("trace-cancel", "Cancel tracing", [], () => runner.cancel(), (now) => inTrace(now) && now.traceRun.since !== null);
   add("trace-anyway", "Trace anyway", [], () => traceAnyway(editor), canTrace);
-  add("trace-clear", "Clear the picture", [], () => clearTrace(editor), (now) => inTrace(now) && !isEmptyTrace(now.trace));
-  add("trace-next", "Next point of the outlines", ["]"], () => stepPoint(editor, 1, false), hasOutlines);
-  add("trace-previous", "Previous point of the outlines", ["["], () => stepPoint(editor, -1, false), hasOutlines);
+  add("trace-clear", "Clear picture", [], () => clearTrace(editor), (now) => inTrace(now) && !isEmptyTrace(now.trace));
+  add("trace-next", "Next point", ["]"], () => stepPoint(editor, 1, false), hasOutlines);
+  add("trace-previous", "Previous point", ["["], () => stepPoint(editor, -1, false), hasOutlines);
   add("trace-next-corner", "Next corner", ["."], () => stepPoint(editor, 1, true), hasOutlines);
   add("trace-previous-corner", "Previous corner", [","], () => stepPoint(editor, -1, true), hasOutlines);
   add(
@@ -41,16 +41,16 @@ export function registerTraceActions(editor: Editor, runner: TraceRunner): void 
   );
   add("trace-smoother", "Smoother outlines", ["}"], () => setTrace(editor, "Detail", { detail: Math.min(100, state().trace.settings.detail + 5) }), canTrace);
   add("trace-finer", "Finer outlines", ["{"], () => setTrace(editor, "Detail", { detail: Math.max(0, state().trace.settings.detail - 5) }), canTrace);
-  add("trace-invert", "Invert the picture", ["I"], () => setTrace(editor, "Invert", { invert: !state().trace.settings.invert }), canTrace);
-  add("trace-smooth-in-fit", "Smooth the trace in Fit", [], () => smoothInFit(editor), hasOutlines);
-  add("trace-edit", "Edit the trace in Curve", [], () => editTraceInCurve(editor), hasOutlines);
-  add("trace-next-view", "Next view of the trace", ["W"], () => {
+  add("trace-invert", "Invert picture", ["I"], () => setTrace(editor, "Invert", { invert: !state().trace.settings.invert }), canTrace);
+  add("trace-smooth-in-fit", "Smooth in Fit", [], () => smoothInFit(editor), hasOutlines);
+  add("trace-edit", "Edit in Curve", [], () => editTraceInCurve(editor), hasOutlines);
+  add("trace-next-view", "Next view", ["W"], () => {
     const views = traceViews.filter(([id]) => canView(state(), id));
     const at = views.findIndex(([id]) => id === state().traceView.view);
     const [id] = views[(at + 1) % views.length] ?? ["result"];
     setTraceView(editor, { view: id });
   });
-  add("trace-show", "The picture in view", [], () => {
+  add("trace-show", "Fit picture in view", [], () => {
     const size = sizeOf(state());
     if (size !== null) showBox(editor, size);
   });

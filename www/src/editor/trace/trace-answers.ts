@@ -52,7 +52,7 @@ export function traceAnswers(editor: Editor, settle: () => void): TraceHandlers 
       settle();
     },
     restarted() {
-      editor.notify({ kind: "error", id: "engine", text: "The engine that traces stopped and was started again. Your picture is safe." });
+      editor.notify({ kind: "error", id: "engine", text: "The tracing engine stopped and was restarted. Your picture is safe." });
     },
   };
 }

@@ -11,11 +11,11 @@ export function traceHint(state: EditorState): string {
   if (hint !== "") return hint;
   if (traceView.view === "edges" && traceRun.picture !== null) {
     // Between colours there is no threshold.
-    return trace.settings.mode !== "brightness" || trace.settings.colors > 0 ? "Steep places are bright." : `What is darker than ${Math.round(traceRun.picture.threshold)} of 255 is ink.`;
+    return trace.settings.mode !== "brightness" || trace.settings.colors > 0 ? "Bright means a strong edge." : `Anything darker than ${Math.round(traceRun.picture.threshold)} of 255 counts as ink.`;
   }
   return traceRun.outcome === null
     ? ""
-    : state.touch ? "Tap a point twice to make it a corner or smooth." : `Double-click a point to make it a corner or smooth.${traceRun.picture === null ? "" : " Hold O to see the picture alone."}`;
+    : state.touch ? "Double-tap a point to switch between corner and smooth." : `Double-click a point to switch between corner and smooth.${traceRun.picture === null ? "" : " Hold O to see only the picture."}`;
 }
 
 /** The picture in words, for those who do not see it. */
@@ -23,10 +23,10 @@ export function traceSummary(state: EditorState): string {
   const { trace, traceRun } = state;
   const shown = shownOf(state);
   if (isEmptyTrace(trace)) return "No picture yet. Choose a file, paste one, or open a sample.";
-  if (shown === null) return traceRun.since === null ? "The picture has no outlines." : "Outlines are being found.";
+  if (shown === null) return traceRun.since === null ? "The picture has no outlines." : "Tracing.";
   const { drawing, max } = shown;
   const { picture } = traceRun;
   const holes = shown.holes.filter((hole) => hole).length;
   const error = max === null ? "" : ` No place is farther than ${max.toPrecision(2)} pixels from the edge in the picture.`;
-  return `${picture?.name ?? trace.kept?.name ?? "The picture"}: ${drawing.contours.length} outlines, ${holes} of them holes, ${pointCount(drawing)} points, ${cornersIn(drawing).length} corners.${error} Brackets step from point to point, C toggles a corner.`;
+  return `${picture?.name ?? trace.kept?.name ?? "The picture"}: ${drawing.contours.length} outlines, ${holes} of them holes, ${pointCount(drawing)} points, ${cornersIn(drawing).length} corners.${error} Brackets step through the points, C toggles a corner.`;
 }

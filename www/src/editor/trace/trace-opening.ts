@@ -18,7 +18,7 @@ export function ensureSample(editor: Editor): void {
   if (trace.sample === undefined) return;
   const sample = traceSample(trace.sample);
   if (sample === undefined) {
-    editor.notify({ kind: "toast", text: `There is no sample named ${trace.sample}.` });
+    editor.notify({ kind: "toast", text: `There is no sample called ${trace.sample}.` });
     return editor.traceEdits.amend(() => ({ trace: openedSample(firstTraceSample) }));
   }
   // An address names it and nothing else; a shared link and a file have settings.

@@ -21,7 +21,7 @@ export function mountCodeDrawer(shell: Shell, changed: (open: boolean) => void):
   const code = h("code", {});
   const listing = h("pre", { class: "code-listing", testid: "code-listing", tabindex: "0", role: "tabpanel", "aria-label": "Program" }, code);
   const tabs = snippetNames.map(([id, name]) => h("button", { class: "code-tab", type: "button", role: "tab", testid: `code-${id}`, click: () => choose(id) }, name));
-  const copy = h("button", { class: "button", type: "button", testid: "code-copy", title: "Copy the program" }, icon("copy"), h("span", {}, "Copy"));
+  const copy = h("button", { class: "button", type: "button", testid: "code-copy", title: "Copy the code" }, icon("copy"), h("span", {}, "Copy"));
   const close = h("button", { class: "icon-button", type: "button", "aria-label": "Close the code", title: "Close", click: () => set(false) }, icon("close"));
   const list = h("div", { class: "code-tabs", role: "tablist", "aria-label": "Framework" }, ...tabs);
   const drawer = h("section", { class: "drawer", testid: "code-drawer", "aria-label": "Code", hidden: true },
@@ -72,7 +72,7 @@ export function mountCodeDrawer(shell: Shell, changed: (open: boolean) => void):
     set(false);
   });
   copy.addEventListener("click", () => {
-    void io.copyText(whole).then((done) => (done ? toasts.say("Copied the program.") : toasts.error("clipboard", errorText("clipboard"))));
+    void io.copyText(whole).then((done) => (done ? toasts.say("Code copied.") : toasts.error("clipboard", errorText("clipboard"))));
   });
   // A very long program is not printed sixty times a second: it waits for the end of the drag.
   const soon = inNextFrame(shell.frame, () => (editor.state.value.drag === null || whole.length <= mostShown) && refresh());

@@ -17,13 +17,13 @@ const count = (testid: string, about: string, one: string, read: (state: EditorS
 const present: readonly Metric[] = [
   count("m-points", "Control points", "point", ({ curve }) => measureCurve(curve).points),
   count("m-contours", "Contours", "contour", ({ curve }) => measureCurve(curve).contours),
-  count("m-cusps", "Cusps: points whose two handles go their own ways", "cusp", ({ curve }) => measureCurve(curve).cusps),
+  count("m-cusps", "Cusps: points where the direction changes sharply", "cusp", ({ curve }) => measureCurve(curve).cusps),
 ];
 
 const truth: readonly Metric[] = [
   {
     testid: "m-error",
-    about: "Largest distance from the ellipse that this curve is, relative to its radius, over 512 samples",
+    about: "Largest distance from the exact ellipse, relative to its radius, over 512 samples",
     read({ curve }) {
       const value = measureCurve(curve).modelError;
       return value === undefined ? null : { value, lead: "ellipse error", strong: formatRatio(value) };
@@ -31,7 +31,7 @@ const truth: readonly Metric[] = [
   },
   {
     testid: "m-bezier",
-    about: "The same error of the Bézier curve drawn behind it",
+    about: "The same error for the Bézier curve drawn behind it",
     read({ curve, settings }) {
       const value = settings.overlays.bezier ? measureCurve(curve).bezierError : undefined;
       return value === undefined ? null : { value, lead: "Bézier", strong: formatRatio(value) };
@@ -39,7 +39,7 @@ const truth: readonly Metric[] = [
   },
   {
     testid: "m-length",
-    about: "Length of all contours, to 1e-9 of the size of the drawing",
+    about: "Total length of all contours, to 1e-9 of the drawing's size",
     read({ curve }) {
       return curve.contours.length === 0 ? null : { value: measureCurve(curve).length, lead: "length", strong: formatMeasure(measureCurve(curve).length) };
     },
@@ -48,7 +48,7 @@ const truth: readonly Metric[] = [
   },
   {
     testid: "m-area",
-    about: "Signed area of the closed contours",
+    about: "Signed area of all closed contours",
     read({ curve }) {
       const measures = measureCurve(curve);
       return measures.closed === 0 ? null : { value: measures.area, lead: "area", strong: formatMeasure(measures.area) };
@@ -60,7 +60,7 @@ const truth: readonly Metric[] = [
 const cost: readonly Metric[] = [
   {
     testid: "m-bytes",
-    about: "Size of the path text at a tolerance of 0.02 and three decimals",
+    about: "Size of the path data at tolerance 0.02 with 3 decimals",
     read({ curve }) {
       const { bytes, isLong } = measureCurve(curve);
       return { value: bytes, lead: isLong ? "d ≈" : "d", strong: formatBytes(bytes) };

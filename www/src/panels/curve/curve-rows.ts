@@ -29,10 +29,10 @@ export function familyRow(editor: Editor): Row {
   const family = choiceField({
     label: "Family",
     testid: "family",
-    about: "How control points make a curve; the other family goes through the same points and says how far the curve moves.",
+    about: "How points define the curve. Switching keeps the points and tells you how far the curve moves.",
     options: [
-      { value: "hermite", label: "Hermite", about: "Points with tangents: each segment depends on its two ends." },
-      { value: "interpolating", label: "Interpolating", about: "Points on the curve, without tangents: smooth through all of them, and each acts near by only." },
+      { value: "hermite", label: "Hermite", about: "Points with handles: each segment depends on its two ends." },
+      { value: "interpolating", label: "Interpolating", about: "Points on the curve, without handles: smooth throughout, and each acts only nearby." },
     ],
     write: (value) => editFamily(editor, ({ setFamily }) => setFamily(editor, value)),
   });
@@ -56,7 +56,7 @@ export function spaceRow(editor: Editor): Row {
   const space = selectField({
     label: "Space",
     testid: "space",
-    about: "The functions that segments are made of, and so the shapes that are exact.",
+    about: "The functions segments are made of, which decides the shapes that are exact.",
     options: spaces,
     write: (value) => setSpace(editor, value),
     reset: () => setSpace(editor, "trigonometric"),
@@ -81,7 +81,7 @@ export function orderRow(editor: Editor): Row {
   const order = selectField({
     label: "Smoothness",
     testid: "order",
-    about: "What is continuous along the curve. One more root of the generator is one more derivative, and one more segment that a point acts on; 5 have two harmonics.",
+    about: "What is continuous along the curve. Each extra root adds a derivative and widens a point's reach by a segment; 5 roots have two harmonics.",
     options: orders,
     write: (value) => editFamily(editor, ({ setOrder }) => setOrder(editor, value === "3" ? 3 : value === "4" ? 4 : 5)),
     reset: () => editFamily(editor, ({ setOrder }) => setOrder(editor, 3)),
@@ -99,7 +99,7 @@ export function frequencyRow(editor: Editor): Row {
   const omega = numberField({
     label: "Frequency",
     testid: "omega",
-    about: "Radians per segment, 0.01 to 3.10, or Auto, which keeps circles exact.",
+    about: "Radians per segment, 0.01 to 3.10. Auto keeps circles exact.",
     least: 0.01,
     most: 3.1,
     step: 0.01,
@@ -113,7 +113,7 @@ export function frequencyRow(editor: Editor): Row {
     class: "small-button",
     type: "button",
     testid: "omega-auto",
-    title: "Let the frequency follow from the number of points, so that circles stay exact.",
+    title: "Derive the frequency from the number of points, so circles stay exact.",
     click: () => setOmega(editor, "auto"),
   }, "Auto");
   omega.element.querySelector(".number-box")?.after(auto);
@@ -136,8 +136,8 @@ function frequencyOf(curve: CurveDocument): number {
 
 function frequencyNote(curve: CurveDocument, contour: Contour | undefined): string {
   if (curve.space === "polynomial" || contour === undefined || contour.points.length < 2) return "";
-  if (contour.grid !== undefined) return "Level 0 sets space, frequency and number";
-  if (contour.omega !== undefined) return "This contour has one for each segment";
+  if (contour.grid !== undefined) return "Space, frequency and count are set at level 0";
+  if (contour.omega !== undefined) return "Each segment of this contour has its own";
   if (curve.omega !== "auto") return "";
   const value = omegaOf(curve, contour, 0);
   return value === 0 ? "Auto: 0 on an open contour" : `Auto: 2π/${Math.round((2 * Math.PI) / value)} = ${value.toFixed(4)}`;
@@ -147,7 +147,7 @@ export function pointsRow(editor: Editor): Row {
   const points = numberField({
     label: "Points",
     testid: "points",
-    about: "Number of points of this contour; changing it resamples at equal parameters.",
+    about: "Number of points in this contour. Changing it resamples at equal parameters.",
     least: 2,
     most: 256,
     step: 1,
@@ -184,7 +184,7 @@ export function levelRow(editor: Editor): Row & { readonly element: HTMLElement 
   const level = sliderField({
     label: "Level",
     testid: "level",
-    about: "Doubles the points and leaves the curve where it is, to edit finer.",
+    about: "Doubles the points for finer edits without moving the curve.",
     least: 0,
     most: 6,
     step: 1,
@@ -205,13 +205,13 @@ export function actionsRow(editor: Editor): Row {
   const closed = toggleField({
     label: "Closed",
     testid: "closed",
-    about: "Whether the last point joins the first.",
+    about: "Joins the last point to the first.",
     write: (on) => renewing(editor, ({ setClosed }) => setClosed(editor, on)),
   });
   const command = (label: string, testid: string, title: string, action: string): HTMLButtonElement =>
     h("button", { class: "small-button", type: "button", testid, title, click: () => editor.actions.run(action) }, label);
-  const refine = command("Refine here", "curve-refine", "More points around the chosen ones, none elsewhere; the curve stays", "refine-here");
-  const simplify = command("Simplify", "curve-simplify", "A copy in Fit, where a curve of fewer points is found; of the chosen contours, if some are chosen", "simplify");
+  const refine = command("Refine here", "curve-refine", "Adds points around the selection only, without moving the curve", "refine-here");
+  const simplify = command("Simplify", "curve-simplify", "Copies the drawing, or the selected contours, to Fit to find a curve with fewer points", "simplify");
   return {
     elements: [h("div", { class: "field-row" }, closed.element, refine, simplify)],
     update({ selection }, contour) {

@@ -17,6 +17,6 @@ export function emptyCard(editor: Editor): HTMLElement {
     ));
   return h("div", { class: "empty empty-curve", testid: "empty-curve" },
     h("h2", {}, "Click to place points, or start from a sample"),
-    h("button", { class: "button primary", type: "button", click: () => editor.actions.run("tool-pen") }, h("span", {}, "Take the pen")),
+    h("button", { class: "button primary", type: "button", click: () => editor.actions.run("tool-pen") }, h("span", {}, "Use the pen")),
     h("div", { class: "samples" }, ...samples));
 }

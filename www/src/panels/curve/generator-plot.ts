@@ -74,7 +74,7 @@ function described({ roots, lambda }: Generators): string {
 }
 
 function explained({ family, grid }: Contour, { reach }: Generators): string {
-  if (family === "hermite") return "A point weighs φ₁, its tangent φ₂. Both end at the neighbours: nothing farther away can move.";
-  if (grid !== undefined) return "On a refined grid a point weighs β, which ends half as many steps away as there are roots.";
-  return `A point weighs φ: 1 at its own place and 0 at every other, so the curve goes through it; 0 beyond ${reach} segments, so the rest stays. φ is made of copies of β, half a step apart, weighed by λ.`;
+  if (family === "hermite") return "φ₁ weighs a point, φ₂ its tangent. Both end at the neighbours, so nothing beyond them moves.";
+  if (grid !== undefined) return "On a refined grid β weighs a point. It ends half as many steps away as there are roots.";
+  return `φ weighs a point: 1 at the point and 0 at all others, so the curve passes through it; 0 beyond ${reach} segments, so the rest stays put. φ is a sum of copies of β, half a step apart, weighted by λ.`;
 }

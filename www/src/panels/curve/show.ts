@@ -8,15 +8,15 @@ import type { Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
 
 const overlays: readonly (readonly [OverlayId, string, string, string])[] = [
-  ["handles", "ov-handles", "Handles", "Tangent handles of the selected points and their neighbours."],
+  ["handles", "ov-handles", "Handles", "Handles of the selected points and their neighbours."],
   ["polygon", "ov-polygon", "Polygon", "The control polygon of the generalised Bézier points."],
-  ["knots", "ov-knots", "Knots", "A tick where two segments meet."],
-  ["comb", "ov-comb", "Comb", "Curvature as teeth along the curve (K)."],
+  ["knots", "ov-knots", "Knots", "A tick where segments meet."],
+  ["comb", "ov-comb", "Comb", "Curvature, as teeth along the curve (K)."],
   ["subdivision", "ov-subdiv", "Subdivision", "The polygons of the subdivision scheme, step by step."],
-  ["weights", "ov-weights", "Weights", "How strongly the selected point acts along the curve: its generators, standing on it."],
+  ["weights", "ov-weights", "Weights", "How strongly the selected point acts along the curve."],
   ["fill", "ov-fill", "Fill", "A light wash inside closed contours."],
-  ["bezier", "ov-bezier", "Compare with Bézier", "The best Bézier of the same points, dashed behind the curve."],
-  ["grid", "ov-grid", "Grid", "A grid to draw on (G)."],
+  ["bezier", "ov-bezier", "Compare with Bézier", "The best Bézier through the same points, dashed behind the curve."],
+  ["grid", "ov-grid", "Grid", "A background grid (G)."],
 ];
 
 /** What is drawn beside the curve. None of it changes the curve. */
@@ -26,13 +26,13 @@ export function showSection(shell: Shell): Section {
   const snap = toggleField({
     label: "Snap",
     testid: "snap",
-    about: "Dragging snaps to points and alignments; Ctrl switches it off while held.",
+    about: "Snaps to points and alignments while dragging. Hold Ctrl to switch it off.",
     write: (on) => editor.setSettings({ snap: on }),
   });
   const comb = sliderField({
     label: "Comb scale",
     testid: "comb-scale",
-    about: "How long the comb's teeth are, 0.1 to 10 times.",
+    about: "Length of the comb's teeth, 0.1 to 10 times.",
     least: -1,
     most: 1,
     step: 0.05,
@@ -43,7 +43,7 @@ export function showSection(shell: Shell): Section {
   const subdivision = sliderField({
     label: "Steps",
     testid: "subdiv",
-    about: "Subdivision steps drawn: each polygon from the mask up to this one.",
+    about: "How many subdivision steps to draw.",
     least: 0,
     most: 8,
     step: 1,
@@ -57,7 +57,7 @@ export function showSection(shell: Shell): Section {
   const grid = numberField({
     label: "Grid step",
     testid: "grid-step",
-    about: "Distance between the lines of the grid, 1 to 100 units; points snap to them.",
+    about: "Distance between grid lines, 1 to 100 units. Points snap to them.",
     least: 1,
     most: 100,
     step: 1,

@@ -41,7 +41,7 @@ export function openExport(shell: Shell): void {
     ),
   );
   dialog.foot.append(
-    button("Copy path", { class: "primary", testid: "export-d", title: "Copy the path's d", click: () => copy(shell, result.d(), "the path") }),
+    button("Copy path", { class: "primary", testid: "export-d", title: "Copy the path data (d)", click: () => copy(shell, result.d(), "the path") }),
     svgButton(shell, stem, curve, box, result.d, look),
     jsonButton(shell, stem),
     png.element,
@@ -66,7 +66,7 @@ function copy({ io, toasts }: Shell, text: string, what: string): void {
 function jsonButton({ editor, io }: Shell, stem: string): HTMLElement {
   return button("JSON", {
     testid: "export-json",
-    title: "Download the drawing, to open it here again",
+    title: "Download the drawing to reopen it here",
     click: () => io.download(`${stem}.json`, new Blob([writeState(editor.getState())], { type: "application/json" })),
   });
 }

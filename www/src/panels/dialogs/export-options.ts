@@ -18,7 +18,7 @@ export function lookField(natural: boolean, hasLines: boolean, changed: () => vo
   const field = selectField<"lines" | "areas">({
     label: "Drawn as",
     testid: "export-look",
-    about: "What the SVG and the picture show: lines, or areas with their holes left out.",
+    about: "What the SVG and PNG show: lines, or areas with holes.",
     options: [["lines", "Lines"], ["areas", hasLines ? "As painted" : "Filled areas"]],
     write(value) {
       look = value;
@@ -54,7 +54,7 @@ function segmentsField(choose: Choose): HTMLElement {
   const field = selectField({
     label: "Segments",
     testid: "export-segments",
-    about: "What the path is made of.",
+    about: "The kinds of segment in the path.",
     options: kinds,
     write: (segments) => choose({ segments }),
   });
@@ -63,7 +63,7 @@ function segmentsField(choose: Choose): HTMLElement {
 }
 
 function toleranceField(choose: Choose): HTMLElement {
-  const about = "Largest distance from the curve, 0.001 to 1 units.";
+  const about = "Largest distance from the curve, 0.001 to 1 unit.";
   return numberOf("tolerance", { label: "Tolerance", testid: "export-tolerance", about, least: 0.001, most: 1, step: 0.001 }, choose);
 }
 
@@ -94,7 +94,7 @@ function relativeField(choose: Choose): HTMLElement {
   const field = toggleField({
     label: "Relative commands",
     testid: "export-relative",
-    about: "Lower-case commands: shorter text, the same curve.",
+    about: "Lower-case commands: shorter text, same curve.",
     write: (relative) => choose({ relative }),
   });
   field.show(chosen.relative);

@@ -41,7 +41,7 @@ async function download({ io, toasts }: Shell, { stem, d, box, look, asOnStage }
   const stage = asOnStage() ? { stage: { ink: colour("--curve"), fill: colour("--point") } } : {};
   const paper = !onPaper ? null : asOnStage() ? colour("--canvas") : lightPaper;
   const blob = await io.writePng({ d: d(), box, scale, paper, ...look(), ...stage });
-  if (blob === null) toasts.say("This picture is larger than the browser can draw. Choose a smaller scale.");
+  if (blob === null) toasts.say("This picture is too large for the browser. Choose a smaller scale.");
   else io.download(`${stem}@${scale}x.png`, blob);
 }
 

@@ -9,50 +9,50 @@ type Gesture = readonly [string, string];
 /** What the pointer does on each mode's stage. */
 const gesturesOf: Readonly<Record<Mode, readonly Gesture[]>> = {
   curve: [
-    ["Drag a point", "moves it; every selected point goes along"],
-    ["Drag a handle", "turns and stretches it; the other side follows by kind"],
-    ["Alt-drag a handle", "breaks it into a cusp, while Alt is held"],
-    ["Alt-drag a point", "pulls out fresh handles"],
-    ["Drop an end on another end", "joins them; of one contour, closes it"],
-    ["Drag the curve", "bends it; a straight line moves, and Alt does the other"],
-    ["Shift while dragging", "keeps to the axes, 45° or 15° steps"],
-    ["Ctrl while dragging", "switches snapping off"],
-    ["Double-click the curve", "inserts a point; the curve stays where it is"],
-    ["Double-click a point", "smooth ↔ cusp"],
-    ["Drag across empty space", "selects; Shift adds, Alt takes away"],
-    ["Drag a grip of the frame", "stretches or turns whole contours, exactly; Shift keeps the proportions"],
-    ["Shift or Alt with the arrow keys", "nudges by 10 or by a tenth"],
+    ["Drag a point", "moves it, and all other selected points with it"],
+    ["Drag a handle", "turns and stretches it; the other handle follows, depending on kind"],
+    ["Alt-drag a handle", "breaks it into a cusp while Alt is held"],
+    ["Alt-drag a point", "pulls out new handles"],
+    ["Drop one end on another", "joins them, or closes the contour"],
+    ["Drag the curve", "bends it, or moves it if straight; Alt swaps the two"],
+    ["Shift while dragging", "constrains to the axes, 45° or 15° steps"],
+    ["Ctrl while dragging", "turns snapping off"],
+    ["Double-click the curve", "inserts a point without changing the curve"],
+    ["Double-click a point", "switches between smooth and cusp"],
+    ["Drag across empty space", "selects; Shift adds, Alt subtracts"],
+    ["Drag a grip on the frame", "scales or rotates whole contours exactly; Shift keeps proportions"],
+    ["Shift or Alt with arrow keys", "nudges by 10 or by 0.1"],
   ],
   fit: [
-    ["Drag", "draws a stroke; with Erase it takes points away"],
-    ["Press a knot", "chooses it; Shift adds"],
-    ["Click, with Points", "adds a point; a double-click ends the stroke"],
+    ["Drag", "draws a stroke, or removes points with Erase"],
+    ["Click a knot", "selects it; Shift adds"],
+    ["Click with Points", "adds a point; a double-click ends the stroke"],
   ],
   trace: [
-    ["Drag", "moves the picture"],
-    ["Press a point", "chooses it"],
-    ["Double-click a point", "makes it a corner, or smooth"],
+    ["Drag", "pans the view"],
+    ["Click a point", "selects it"],
+    ["Double-click a point", "switches between corner and smooth"],
   ],
   surface: [
-    ["Drag a control point", "moves it; Shift along the normal, X Y Z along an axis"],
-    ["Drag elsewhere", "turns the view; Shift moves it"],
-    ["Shift-click a control point", "adds it to the chosen ones, or takes it away"],
+    ["Drag a control point", "moves it; hold Shift for the normal, X, Y or Z for an axis"],
+    ["Drag elsewhere", "orbits; Shift pans"],
+    ["Shift-click a control point", "adds it to the selection, or removes it"],
   ],
 };
 
 const everywhere: readonly Gesture[] = [
-  ["Wheel, pinch", "zooms at the pointer"],
-  ["Space-drag, middle button", "pans"],
+  ["Wheel, pinch", "zoom at the pointer"],
+  ["Space-drag, middle-drag", "pan the view"],
   ["Two-finger tap", "undoes; three fingers redo"],
-  ["Ctrl+V", "adds an SVG, a path, points or an expline file from the clipboard"],
-  ["Right-click, long press", "opens the menu of what is there"],
+  ["Ctrl+V", "pastes an SVG, a path, points, a picture or an expline file"],
+  ["Right-click, long press", "opens a menu for what is there"],
 ];
 
 const switches: readonly (readonly [keyof Settings & ("singleKeys" | "scrollPans" | "moveByClicks" | "penPans"), string, string])[] = [
-  ["singleKeys", "Single-key shortcuts", "Keys such as V, P, C without Ctrl. Switch off if you use speech input."],
-  ["moveByClicks", "Move by clicks", "Click a point, then click where it shall go: moving without dragging."],
-  ["scrollPans", "Scroll pans", "The wheel moves the view instead of zooming."],
-  ["penPans", "Fingers pan with a pen", "Once a pen was used, fingers only move the view."],
+  ["singleKeys", "Single-key shortcuts", "Keys such as V, P and C without Ctrl. Turn off if you use speech input."],
+  ["moveByClicks", "Move by clicks", "Click a point, then click where it should go, instead of dragging."],
+  ["scrollPans", "Scroll pans", "The wheel pans instead of zooming."],
+  ["penPans", "Fingers pan with a pen", "Once you use a pen, fingers only pan."],
 ];
 
 /** Every key, read from the actions themselves, the gestures of this mode, and the switches that change them. */
@@ -80,10 +80,10 @@ export function openHelp({ editor }: Shell): void {
   openDialog(
     { title: "Help", testid: "help-dialog", wide: true },
     h("p", { class: "lead" },
-      "expline draws with points and tangents whose segments contain sines and cosines: circles, ellipses and cycloids are exact, and everything else bends like the Béziers you know.",
+      "expline builds curves from points and handles, with sines and cosines in every segment: circles, ellipses and cycloids are exact, and everything else bends like the Béziers you know.",
     ),
     h("div", { class: "settings" }, ...toggles),
     h("div", { class: "help-columns" }, gestureList, ...keyLists),
-    h("p", { class: "quiet" }, "Everything runs in this page: no account, no cookies, nothing is sent anywhere. A drawing is kept in this browser until you clear it."),
+    h("p", { class: "quiet" }, "Everything runs on this page: no account, no cookies, nothing is sent anywhere. Your drawing stays in this browser until you clear it."),
   );
 }

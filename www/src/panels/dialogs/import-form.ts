@@ -44,7 +44,7 @@ export function importForm(natural: Destination, given: string, replacesIn: (to:
     file, text, apply, partly,
     body: [
       h("p", { class: "quiet" },
-        "An SVG file, path data, points as x,y rows, an expline JSON file, or a picture, which is traced. Arcs, lines and cubics come in exactly.",
+        "An SVG file, path data, points as x,y rows, an expline JSON file, or a picture to trace. Arcs, lines and cubics are imported exactly.",
       ),
       h("label", { class: "file-drop" }, icon("plus"), h("span", {}, "Choose a file"), file),
       h("label", { class: "stacked-label", for: text.id }, "or paste it here"),
@@ -81,10 +81,10 @@ function textField(given: string): HTMLTextAreaElement {
 
 function destinationField(natural: Destination, write: (to: Destination) => void): HTMLElement {
   const field = choiceField<Destination>({
-    label: "Open it in", testid: "import-to", about: "To be edited as it is, or to be made simpler.",
+    label: "Open it in", testid: "import-to", about: "Edit it as it is, or simplify it.",
     options: [
-      { value: "curve", label: "Curve, to edit", about: "Every point and handle, as it is." },
-      { value: "fit", label: "Fit, to simplify", about: "A curve of fewer points along it." },
+      { value: "curve", label: "Curve, to edit", about: "Every point and handle as it is." },
+      { value: "fit", label: "Fit, to simplify", about: "A curve with fewer points." },
     ],
     write,
   });

@@ -63,7 +63,7 @@ export async function share(shell: Shell): Promise<void> {
     url.search = "";
     url.hash = hash;
     const done = await io.copyText(url.href);
-    if (done) toasts.say("Link copied. It holds the whole drawing; nothing was sent.");
+    if (done) toasts.say("Link copied. It contains the whole drawing; nothing was uploaded.");
     else toasts.error("clipboard", errorText("clipboard"));
   } catch (error) {
     report(shell, error);

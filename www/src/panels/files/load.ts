@@ -25,7 +25,7 @@ export async function place(shell: Shell, imported: Imported, to: Destination, h
   const { editor, toasts } = shell;
   if (imported.kind === "json") {
     editor.setState(imported.state);
-    toasts.say(["Opened the file.", ...imported.notes].join(" "));
+    toasts.say(["File opened.", ...imported.notes].join(" "));
     return;
   }
   const placement = how === undefined || how === "offered" ? naturalPlacement(shell, to) : how;

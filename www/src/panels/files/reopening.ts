@@ -19,12 +19,12 @@ export async function restore(shell: Shell, own: string | null, mode: Mode | nul
   if (last === null) return;
   const fresh = editor.getState();
   if (!openState(shell, { ...last.state, mode: mode ?? last.state.mode }, true)) return;
-  toasts.say("Restored your last session.", { label: "Start fresh", run: () => openState(shell, fresh, true) });
+  toasts.say("Your last session was restored.", { label: "Start fresh", run: () => openState(shell, fresh, true) });
   const { damaged } = last;
   if (damaged === undefined) return;
   const save = (): void => {
     io.download("damaged.txt", new Blob([damaged.text], { type: "text/plain" }));
     void damaged.forget();
   };
-  toasts.say("The newest copy of your work was damaged; the one before it is open.", { label: "Download the damaged copy", lasting: true, run: save });
+  toasts.say("The latest copy of your work was damaged, so the one before it is open.", { label: "Download damaged copy", lasting: true, run: save });
 }

@@ -40,7 +40,7 @@ function startKeeping(shell: Shell): void {
     "data-error": "storage",
     title: errorText("storage"),
     click: () => editor.actions.run("save-json"),
-  }, icon("warn"), "Not kept: download JSON");
+  }, icon("warn"), "Not saved: download JSON");
   const keeping = io.createAutosave({
     read: () => editor.getState(),
     busy: () => editor.inGesture,

@@ -49,7 +49,7 @@ export function chartSection(shell: Shell): Section {
         `${i === 0 ? "M" : "L"}${((smoothing / 5 + 0.5) * step).toFixed(1)} ${(height - 2 - (rms / mostRms) * (height - 6)).toFixed(1)}`).join(""));
       picture.setAttribute(
         "aria-label",
-        `Knots and error over the smoothing. ${chart.filter(({ smoothing }) => smoothing % 20 === 0).map(({ smoothing, knots, rms }) => `At ${smoothing}: ${knots} knots, rms ${rms.toPrecision(2)}`).join(". ")}`,
+        `Knots and error against smoothing. ${chart.filter(({ smoothing }) => smoothing % 20 === 0).map(({ smoothing, knots, rms }) => `At ${smoothing}: ${knots} knots, rms ${rms.toPrecision(2)}`).join(". ")}`,
       );
     },
   };

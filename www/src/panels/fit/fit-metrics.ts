@@ -15,7 +15,7 @@ export const fitMetrics: ModeMetrics = [
   [
     {
       testid: "m-points",
-      about: "Points that are fitted",
+      about: "Points being fitted",
       read: ({ fit }) => ({ value: fit.data.length, strong: String(fit.data.length), rest: fit.data.length === 1 ? "point" : "points" }),
     },
     {
@@ -27,7 +27,7 @@ export const fitMetrics: ModeMetrics = [
   [
     {
       testid: "m-rms",
-      about: "Root of the mean square of the distances between points and curve",
+      about: "Root mean square distance between points and curve",
       read: of(({ rms }) => ({ value: rms, lead: "rms", strong: formatDeviation(rms), rest: "px" })),
     },
     {
@@ -37,26 +37,26 @@ export const fitMetrics: ModeMetrics = [
     },
     {
       testid: "m-gap",
-      about: "Certified distance from the optimum, relative",
+      about: "Certified relative distance from the optimum",
       // Of points that are met to rounding nothing is left that could be certified.
       read: of(({ gap, smoothing, rms, diagonal }) => (smoothing === null || rms < 1e-9 * diagonal ? null : { value: gap, lead: "gap", strong: formatDeviation(gap) })),
     },
     {
       testid: "m-lambda",
-      about: "λ of the fit, one for each part",
+      about: "λ of the fit, one per part",
       read: of(({ lambda }) => (lambda.length === 0 ? null : { value: lambda[0] ?? 0, lead: "λ", strong: lambda.map((value) => value.toPrecision(2)).join(", ") })),
     },
   ],
   [
     {
-      testid: "m-bytes", about: "Size as path text: the points as a polyline, and the curve",
+      testid: "m-bytes", about: "Size as path data: the points as a polyline, then the curve",
       read: of((outcome, { fit }) => {
         const value = bytesOfFit(outcome);
         return { value, lead: `${formatBytes(bytesOfData(fit.data, strokesOf(fit)))} →`, strong: formatBytes(value) };
       }),
       slow: true,
     },
-    { testid: "m-solve", about: "Time that the last fit took in its worker", read: of((_, { fitRun }) => ({ value: fitRun.lastMs, lead: "fit", strong: fitRun.lastMs < 10
+    { testid: "m-solve", about: "Time the last fit took", read: of((_, { fitRun }) => ({ value: fitRun.lastMs, lead: "fit", strong: fitRun.lastMs < 10
       ? fitRun.lastMs.toFixed(1)
       : String(Math.round(fitRun.lastMs)), rest: "ms" })) },
   ],

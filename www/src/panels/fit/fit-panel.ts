@@ -27,25 +27,25 @@ function dataSection(shell: Shell): Section {
     label: "Tool", testid: "fit-tool", about: "What the pointer does on the stage.",
     options: [
       { value: "draw", label: "Draw", about: "Drag to draw a stroke (D)." },
-      { value: "points", label: "Points", about: "Each press places a point (P)." },
+      { value: "points", label: "Points", about: "Click to place points (P)." },
       { value: "erase", label: "Erase", about: "Drag over points to erase them (E)." },
     ],
     write: (value) => chooseFitTool(editor, value),
   });
   const data = h("p", { class: "field-note fit-data num" });
   const noise = sliderField({
-    label: "Noise σ", testid: "fit-noise", about: "Standard deviation of the sample's noise in document units; samples only.",
+    label: "Noise σ", testid: "fit-noise", about: "Standard deviation of the sample's noise, in document units.",
     least: 0, most: 20, step: 0.5, print: (value) => `${value} px`,
     write: (value) => setNoise(editor, value, editor.state.value.fit.seed),
     reset: () => setNoise(editor, fitSample(editor.state.value.fit.sample ?? "")?.settings.noise ?? 0, editor.state.value.fit.seed),
     gesture: { begin: () => editor.fitEdits.begin("Noise"), commit: () => editor.fitEdits.commit() },
   });
   const seed = numberField({
-    label: "Seed", testid: "fit-seed", about: "Another seed is other noise of the same strength.", least: 0, most: 9999, step: 1, format: String,
+    label: "Seed", testid: "fit-seed", about: "Changes the noise, not its strength.", least: 0, most: 9999, step: 1, format: String,
     write: (value) => value !== null && setNoise(editor, editor.state.value.fit.noise, Math.round(value)),
   });
   const actions = h("div", { class: "field-row fit-actions" },
-    h("button", { class: "button", type: "button", testid: "fit-redraw", title: "Take everything away and draw anew.", click: () => editor.actions.run("fit-redraw") },
+    h("button", { class: "button", type: "button", testid: "fit-redraw", title: "Clear everything and draw again.", click: () => editor.actions.run("fit-redraw") },
       h("span", {}, "Redraw"),
     ),
     h("button", { class: "button", type: "button", testid: "fit-samples", title: "Samples to start from", click: () => editor.actions.run("samples") },
@@ -68,7 +68,7 @@ function smoothingSection(shell: Shell): Section & { readonly slider: HTMLElemen
   const { editor } = shell;
   const gesture = (name: string) => ({ begin: () => editor.fitEdits.begin(name), commit: () => editor.fitEdits.commit() });
   const smoothing = sliderField({
-    label: "Smoothing", testid: "fit-smoothing", about: "How much is simplified: the price of a knot, the same for any size of drawing.",
+    label: "Smoothing", testid: "fit-smoothing", about: "How much to simplify: the cost of a knot, independent of the drawing's size.",
     least: 0, most: 100, step: 0.5, direction: "fewer knots", print: (value) => String(value),
     write: (value) => setSmoothing(editor, value),
     reset: () => setSmoothing(editor, fitSample(editor.state.value.fit.sample ?? "")?.settings.smoothing ?? 40),
@@ -76,7 +76,7 @@ function smoothingSection(shell: Shell): Section & { readonly slider: HTMLElemen
   });
   const chart = chartSection(shell);
   const target = selectField<FitTarget>({
-    label: "Target", testid: "fit-target", about: "Lets a number of knots or an error drive the smoothing.",
+    label: "Target", testid: "fit-target", about: "Sets the smoothing from a number of knots or a largest error.",
     options: [["off", "Off"], ["knots", "Number of knots"], ["error", "Largest error"]],
     write: (value) => setTarget(editor, value), reset: () => setTarget(editor, "off"),
   });
@@ -86,7 +86,7 @@ function smoothingSection(shell: Shell): Section & { readonly slider: HTMLElemen
   const most = {
     knots: numberField({ label: "At most", testid: "fit-target-value", about: "Knots: places where the curve changes.", least: 2, most: 1000, step: 1, format: String, write }),
     error: numberField({
-      label: "At most", testid: "fit-target-value", about: "Pixels that a point may be away from the curve.",
+      label: "At most", testid: "fit-target-value", about: "How far a point may be from the curve, in pixels.",
       least: 0.01, most: 1000, step: 1, format: (value) => String(Number(value.toFixed(2))), write,
     }),
   };
@@ -114,7 +114,7 @@ function smoothingSection(shell: Shell): Section & { readonly slider: HTMLElemen
 /** What is said where more knots are left than were asked for, once a fit has tried. */
 function beyondTarget({ fit, fitRun: { outcome, since } }: EditorState): string {
   if (fit.target !== "knots" || outcome === null || since !== null || outcome.knots.length <= fit.targetKnots) return "";
-  return `No fewer than ${outcome.knots.length} knots were found for these points and this model.`;
+  return `No fewer than ${outcome.knots.length} knots will fit these points with this model.`;
 }
 
 function modelSection(shell: Shell): Section {
@@ -124,25 +124,25 @@ function modelSection(shell: Shell): Section {
     options: [
       { value: "linear", label: "Linear", about: "Straight pieces between corners." },
       { value: "cubic", label: "Cubic", about: "A smooth curve without corners." },
-      { value: "hybrid", label: "Hybrid", about: "The sum of both: corners where they are, smooth elsewhere." },
+      { value: "hybrid", label: "Hybrid", about: "Both at once: corners where needed, smooth elsewhere." },
     ],
     write: (value) => setModel(editor, value),
   });
   const mix = sliderField({
-    label: "Mix", testid: "fit-mix", about: "Whether straight pieces or smooth ones are preferred.", least: 0, most: 100, step: 1, direction: "smooth", print: String,
+    label: "Mix", testid: "fit-mix", about: "Whether to prefer straight or smooth pieces.", least: 0, most: 100, step: 1, direction: "smooth", print: String,
     write: (value) => setMix(editor, value), reset: () => setMix(editor, 50),
     gesture: { begin: () => editor.fitEdits.begin("Mix"), commit: () => editor.fitEdits.commit() },
   });
   const corners = toggleField({
     label: "Keep corners",
     testid: "fit-corners",
-    about: "Sharp corners stay corners; without, the curve is smooth everywhere (C).",
+    about: "Sharp corners stay sharp. Turn off for a curve that is smooth everywhere (C).",
     write: (on) => setCorners(editor, on),
   });
   const closing = choiceField<FitClosing>({
-    label: "Closed", testid: "fit-closed", about: "Whether the ends are joined; Auto joins ends that are within 3 % of the size.",
+    label: "Closed", testid: "fit-closed", about: "Whether the ends are joined. Auto joins ends within 3 % of the size.",
     options: [
-      { value: "auto", label: "Auto", about: "Joined where the ends are near each other." },
+      { value: "auto", label: "Auto", about: "Joined if the ends are close together." },
       { value: "open", label: "Open", about: "The ends are free." },
       { value: "closed", label: "Closed", about: "The last point is joined to the first." },
     ],

@@ -15,9 +15,9 @@ import type { Shell } from "../shell.ts";
 /** What came of the fit: knots by kind, and the errors; then what is drawn of it. */
 
 const rows: readonly (readonly [KnotType, string, string])[] = [
-  ["linear", "Corners", "Select every knot of the straight part"],
-  ["cubic", "Smooth", "Select every knot of the smooth part"],
-  ["coincident", "Both", "Select every place where both parts have a knot"],
+  ["linear", "Corners", "Select every corner"],
+  ["cubic", "Smooth", "Select every smooth knot"],
+  ["coincident", "Both", "Select every corner with a smooth knot"],
 ];
 
 export function readingSection(shell: Shell): Section {
@@ -30,7 +30,7 @@ export function readingSection(shell: Shell): Section {
     class: "button primary",
     type: "button",
     testid: "fit-edit",
-    title: "Copy the curve to Curve mode, ready to edit.",
+    title: "Copy the curve to Curve, ready to edit.",
     click: () => editor.actions.run("fit-edit"),
   }, h("span", {}, "Edit in Curve"));
   return {
@@ -56,19 +56,19 @@ export function readingSection(shell: Shell): Section {
 }
 
 const overlays: readonly (readonly [FitOverlay, string, string])[] = [
-  ["data", "Data", "The points as they came."],
-  ["knots", "Knots", "The marks of the knots, by kind."],
-  ["residual", "Residuals", "A line from every point to its place on the curve."],
-  ["heat", "Error heat", "The curve coloured by how far the points are."],
-  ["parts", "Parts", "The straight part and the smooth part by themselves."],
-  ["comb", "Comb", "Curvature as teeth along the curve (K)."],
+  ["data", "Data", "The original points."],
+  ["knots", "Knots", "A mark at every knot, by kind."],
+  ["residual", "Residuals", "A line from each point to the curve."],
+  ["heat", "Error heat", "The curve coloured by its distance from the points."],
+  ["parts", "Parts", "The straight part and the smooth part separately."],
+  ["comb", "Comb", "Curvature, as teeth along the curve (K)."],
 ];
 
 export function showSection(shell: Shell): Section {
   const { editor } = shell;
   const toggles = overlays.map(([id, label, about]) => ({ id, field: toggleField({ label, testid: `ov-${id}`, about, write: () => toggleFitOverlay(editor, id) }) }));
   const compare = selectField<Compare>({
-    label: "Compare", testid: "compare", about: "The points and the curve: over each other, or side by side.",
+    label: "Compare", testid: "compare", about: "Points and curve: overlaid, or side by side.",
     options: [["off", "Off"], ["onion", "Onion"], ["split", "Split"]],
     write: (value) => setFitView(editor, { compare: value }), reset: () => setFitView(editor, { compare: "off" }),
   });
@@ -76,7 +76,7 @@ export function showSection(shell: Shell): Section {
     label: "Split at", testid: "compare-split", about: "Where the stage is divided.", least: 0, most: 100, step: 1, print: (value) => `${value} %`,
     write: (value) => setFitView(editor, { split: value / 100 }),
   });
-  const hold = holdButton(shell, "Hold to see the points", "Hold to see the points alone (O)");
+  const hold = holdButton(shell, "Hold to see the points", "Hold to see only the points (O)");
   const least = h("span", { class: "num" }, "0");
   const most = h("span", { class: "num" });
   const ramp = h("div", { class: "heat-legend" }, least, h("span", { class: "heat-ramp", "aria-hidden": "true" }), most);

@@ -10,8 +10,8 @@ export type FarProblem = Exclude<ProblemId, NearProblem>;
 export const nearMessages: Readonly<Record<NearProblem, Say>> = {
   number: (d) => `Enter a number from ${d.least ?? 0} to ${d.most ?? 0}.${d.kept === undefined || d.kept === "" ? "" : ` Kept: ${d.kept}.`}`,
   "share-bad": () => "The link could not be read. The default sample is shown.",
-  clipboard: () => "The browser did not allow the copy. Select the text and copy it by hand.",
-  storage: () => "This browser keeps no copy of your drawing. Download the JSON to keep it.",
+  clipboard: () => "The browser blocked copying. Select the text and copy it by hand.",
+  storage: () => "This browser cannot save your drawing. Download the JSON to keep it.",
   engine: (d) => `The engine stopped (${d.code ?? "unknown"}). Your drawing is safe; the engine was restarted.`,
 };
 

@@ -11,7 +11,7 @@ export function codeToggle(shell: Shell): HTMLElement {
     type: "button",
     testid: "btn-code",
     "aria-expanded": "false",
-    title: "The program that makes this drawing",
+    title: "The code for this drawing",
     click: () => editor.actions.run("code"),
   }, icon("chevron"), h("span", {}, "Show code"));
   const drawer = onDemand(async () => (await import("../code/code-drawer.ts")).mountCodeDrawer(shell, (open) => setAttribute(button, "aria-expanded", String(open))));

@@ -15,16 +15,16 @@ export function mountHeader(shell: Shell, theme: ThemeControl): void {
   const menu = h(
     "div",
     { class: "header-menu", id: menuId, "data-open": "false" },
-    menuButton("Samples", "btn-samples", "Samples to start from", run("samples")),
+    menuButton("Samples", "btn-samples", "Start from a sample", run("samples")),
     menuButton("Import", "btn-import", withKey(editor, "Import a file, a path or points", "import"), run("import")),
     menuButton("Export", "btn-export", withKey(editor, "Export a path, SVG, PNG, JSON or TypeScript", "export"), run("export")),
-    menuButton("Share", "btn-share", "Copy a link that holds the whole drawing", run("share")),
+    menuButton("Share", "btn-share", "Copy a link containing the whole drawing", run("share")),
     themeButton(theme),
-    iconButton("help", "Help", "btn-help", withKey(editor, "Help: every key and gesture", "help"), run("help")),
+    iconButton("help", "Help", "btn-help", withKey(editor, "Help: keys and gestures", "help"), run("help")),
   );
   const toggle = menuToggle(menu, menuId);
   regions.header.append(
-    h("a", { class: "brand", href: "#/curve?sample=circle-2", title: "expline: the page it opens with" }, brandMark(), h("span", {}, "expline")),
+    h("a", { class: "brand", href: "#/curve?sample=circle-2", title: "expline: back to the first drawing" }, brandMark(), h("span", {}, "expline")),
     mountTabs(shell),
     history,
     h("span", { class: "header-space" }),
@@ -114,7 +114,7 @@ function menuButton(label: string, testid: string, title: string, run: () => voi
 }
 
 function themeButton(theme: ThemeControl): HTMLButtonElement {
-  const looks: Readonly<Record<Theme, readonly [IconName, string]>> = { system: ["theme", "as the system"], light: ["sun", "light"], dark: ["moon", "dark"] };
+  const looks: Readonly<Record<Theme, readonly [IconName, string]>> = { system: ["theme", "system"], light: ["sun", "light"], dark: ["moon", "dark"] };
   const label = h("span", { class: "menu-label", "aria-hidden": "true" });
   const element = h("button", { class: "icon-button", type: "button", testid: "btn-theme", "data-stays": "", click: () => show(theme.next()) });
   const show = (now: Theme): void => {
@@ -122,7 +122,7 @@ function themeButton(theme: ThemeControl): HTMLButtonElement {
     element.replaceChildren(icon(name), label);
     label.textContent = `Theme: ${text}`;
     setAttribute(element, "aria-label", `Theme: ${text}`);
-    setAttribute(element, "title", `Theme: ${text}. Press for the next.`);
+    setAttribute(element, "title", `Theme: ${text}. Click to change.`);
   };
   show(theme.current());
   return element;

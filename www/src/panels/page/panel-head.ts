@@ -20,7 +20,7 @@ export function panelHead(editor: Editor): PanelHead {
     class: "small-button",
     type: "button",
     testid: "btn-clear",
-    title: "Take everything off the stage; undo brings it back.",
+    title: "Clear the stage. Undo restores it.",
     click: () => clearMode(editor),
   }, "Clear");
   return {

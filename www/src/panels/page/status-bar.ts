@@ -16,7 +16,7 @@ const restMs = 300;
 export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement; put(mode: Mode, metrics: ModeMetrics): void } {
   const { editor, regions, io, toasts, until } = shell;
   const make = (metric: Metric): { metric: Metric; element: HTMLButtonElement } => {
-    const element = h("button", { class: "metric", type: "button", testid: metric.testid, title: `${metric.about}. Press to copy.` });
+    const element = h("button", { class: "metric", type: "button", testid: metric.testid, title: `${metric.about}. Click to copy.` });
     element.addEventListener("click", () => {
       const value = element.dataset["value"] ?? "";
       void io.copyText(value).then((done) => toasts.say(done ? `Copied ${value}` : `The number is ${value}`));

@@ -17,7 +17,7 @@ export function failure({ reason, detail }: Extract<Engine, { status: "failed" }
           ", then load the page again.",
         ),
         h("p", {}, h("a", { href: "https://developer.mozilla.org/docs/Web/HTTP/Reference/Headers/Content-Security-Policy/script-src#unsafe_webassembly_execution" },
-          "What this setting does",
+          "About this setting",
         )),
         retry);
     case "unsupported":

@@ -42,7 +42,7 @@ function openMenu(editor: Editor, x: number, y: number, actions: readonly Action
     },
       h("span", {}, action.label), action.keys[0] === undefined ? null : h("kbd", {}, printedKey(action.keys[0]))),
   );
-  const menu = h("div", { class: "menu", role: "menu", popover: "auto", testid: "context-menu", "aria-label": "Actions here" }, ...items);
+  const menu = h("div", { class: "menu", role: "menu", popover: "auto", testid: "context-menu", "aria-label": "Actions" }, ...items);
   const close = (): void => {
     if (!menu.isConnected) return;
     menu.remove();

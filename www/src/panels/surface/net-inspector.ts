@@ -28,14 +28,14 @@ export function netInspector(shell: Shell): Section {
   const axis = selectField({
     label: "Drag in",
     testid: "surf-axis",
-    about: "Where a drag moves the point. X, Y, Z while dragging hold it; Shift means the normal.",
+    about: "Direction in which a drag moves the point. While dragging, press X, Y or Z for an axis, Shift for the normal.",
     options: axes,
     write: (value) => patchSolid(editor, { axis: value }),
     reset: () => patchSolid(editor, { axis: "view" }),
   });
   const pad = nudgePad(shell);
   const which = h("span", { class: "section-note num" });
-  const none = h("p", { class: "quiet" }, "Nothing. Choose a control point, or press ] to step through them.");
+  const none = h("p", { class: "quiet" }, "Nothing selected. Click a control point, or press ] to step through them.");
   const triple = h("div", { class: "triple" }, ...fields.map((field) => field.element));
   const element = h("section", { class: "section", "aria-label": "Selected" },
     h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Selected"), which), none, triple, axis.element, pad.element);

@@ -28,7 +28,7 @@ export function openSurfaceExport(shell: Shell): void {
     setText(obj, `about ${formatBytes(objSize(surface, sides))}`);
   };
   const slider = sliderField({
-    label: "Sides", testid: "export-sides", about: "Into how many sides each segment of the net is cut.",
+    label: "Sides", testid: "export-sides", about: "How many sides each segment of the net is divided into.",
     least: 2, most: 64, step: 1, direction: "smoother", print: String,
     write: (value) => { sides = value; show(); },
   });
@@ -36,7 +36,7 @@ export function openSurfaceExport(shell: Shell): void {
   show();
   const dialog = openDialog(
     { title: "Export the surface", testid: "export-dialog" },
-    h("p", { class: "quiet" }, `${surfaceTitle(surface.sample)}: positions with normals, as triangles. The JSON keeps the net itself, exact, to open it here again.`),
+    h("p", { class: "quiet" }, `${surfaceTitle(surface.sample)}: triangles with positions and normals. JSON keeps the exact net, to reopen it here.`),
     h("div", { class: "export-picture" }, surfaceThumbnail(surface)), slider.element, numbers,
   );
   const save = (name: string, content: Blob): void => {
@@ -57,7 +57,7 @@ export function openSurfaceExport(shell: Shell): void {
     }),
     button("JSON", {
       testid: "export-json",
-      title: "Download the surface, to open it here again",
+      title: "Download the surface to reopen it here",
       click: () => save(`${stem}.json`, new Blob([writeState(editor.getState())], { type: "application/json" })),
     }),
   );

@@ -26,12 +26,12 @@ export function surfacePanel(shell: Shell): ModePanel {
 function shapeSection(shell: Shell): Section & { readonly level: HTMLElement } {
   const { editor } = shell;
   const sample = selectField({
-    label: "Shape", testid: "surf-sample", about: "A surface to start from; undo brings back what was there.",
+    label: "Shape", testid: "surf-sample", about: "A surface to start from. Undo restores the previous one.",
     options: surfaceSamples.map(({ id, title }) => [id, title] as const),
     write: (id) => { openSurfaceSample(editor, id); },
   });
   const size = (which: "u" | "v", label: string) => numberField({
-    label, testid: `surf-${which}`, about: `Control points on the surface in ${which}, 3 to 32; exact for the samples, measured for anything else.`,
+    label, testid: `surf-${which}`, about: `Control points in ${which}, 3 to 32. Exact for the samples, measured for anything else.`,
     least: 3, most: 32, step: 1, format: String, write: (value) => value !== null && setNetSize(editor, which, value),
   });
   const [sizeU, sizeV] = [size("u", "U"), size("v", "V")];
@@ -40,7 +40,7 @@ function shapeSection(shell: Shell): Section & { readonly level: HTMLElement } {
     h("span", { class: "pair" }, sizeU.element, sizeV.element),
   );
   const level = (which: "u" | "v") => sliderField({
-    label: `Level ${which.toUpperCase()}`, testid: `surf-level-${which}`, about: `Doubles the points in ${which} and leaves the surface where it is.`,
+    label: `Level ${which.toUpperCase()}`, testid: `surf-level-${which}`, about: `Doubles the points in ${which} without moving the surface.`,
     least: 0, most: 3, step: 1, direction: "finer", print: String,
     write: (value) => {
       const { levelU, levelV } = editor.state.value.surface;
@@ -55,7 +55,7 @@ function shapeSection(shell: Shell): Section & { readonly level: HTMLElement } {
     class: "button",
     type: "button",
     testid: "surf-refine",
-    title: "More control points around the chosen one, none elsewhere (Enter)",
+    title: "Adds control points around the selection only (Enter)",
     click: () => editor.actions.run("surface-refine"),
   }, h("span", {}, "Refine here"));
   const element = h("section", { class: "section", "aria-label": "Surface" }, sample.element, net, levelU.element, levelV.element, h("div", { class: "field-row" },
@@ -78,7 +78,7 @@ function shapeSection(shell: Shell): Section & { readonly level: HTMLElement } {
       levelV.show(surface.levelV);
       refine.disabled = state.chosen.length === 0;
       const places = surface.details?.length ?? 0;
-      setText(badge, places === 0 ? `${surface.patches} patches` : `${surface.patches} patches + ${places} refined ${places === 1 ? "place" : "places"}`);
+      setText(badge, places === 0 ? `${surface.patches} patches` : `${surface.patches} patches + ${places} refined ${places === 1 ? "area" : "areas"}`);
     },
   };
 }
@@ -92,11 +92,11 @@ const shadings: readonly (readonly [Shade, string])[] = [
 ];
 
 const shadeNotes: Readonly<Record<Shade, string>> = {
-  solid: "Outside and inside differ in colour",
+  solid: "Outside and inside in different colours",
   wire: "Lines of constant parameter",
-  normals: "Direction of the normal as colour",
+  normals: "The normal's direction as colour",
   curvature: "Gaussian: bowl warm, saddle cool, flat pale",
-  zebra: "Stripes kink where curvature jumps",
+  zebra: "Stripes kink where the curvature jumps",
 };
 
 function showSection(shell: Shell): Section {
@@ -104,22 +104,22 @@ function showSection(shell: Shell): Section {
   const shade = selectField({
     label: "Shading",
     testid: "surf-shade",
-    about: "What the colours of the surface mean.",
+    about: "What the colours mean.",
     options: shadings,
     write: (value) => patchSolid(editor, { shade: value }),
     reset: () => patchSolid(editor, { shade: "solid" }),
   });
   const note = h("p", { class: "field-note" });
   const sides = sliderField({
-    label: "Tessellation", testid: "surf-tess", about: "Sides of a patch that is drawn; the surface itself is not made of triangles.",
+    label: "Tessellation", testid: "surf-tess", about: "Triangles per patch side when drawn; the surface itself is exact.",
     least: 4, most: 64, step: 1, direction: "smoother", print: String,
     write: (value) => patchSolid(editor, { tessellation: value }), reset: () => patchSolid(editor, { tessellation: 16 }),
   });
   const switches = ([
     ["net", "ov-net", "Net", "Lines between neighbouring control points."],
-    ["iso", "ov-iso", "Iso-lines", "Where the segments of the net meet on the surface."],
-    ["handles", "ov-handles", "Points", "The control points themselves."],
-    ["weights", "ov-weights", "Weights", "How strongly the chosen point acts: its generators, standing along the two lines through it."],
+    ["iso", "ov-iso", "Iso-lines", "Lines on the surface where segments meet."],
+    ["handles", "ov-handles", "Points", "The control points."],
+    ["weights", "ov-weights", "Weights", "How strongly the selected point acts, along the two lines through it."],
   ] as const)
     .map(([name, testid, label, about]) => ({ name, field: toggleField({ label, testid, about, write: (on) => patchSolid(editor, { [name]: on }) }) }));
   const views = (["front", "side", "top"] as const).map((side) =>
@@ -137,7 +137,7 @@ function showSection(shell: Shell): Section {
     element,
     update({ solid }) {
       shade.show(solid.shaded ? solid.shade : null);
-      setText(note, solid.shaded ? shadeNotes[solid.shade] : "Without WebGL 2 the surface is drawn in lines");
+      setText(note, solid.shaded ? shadeNotes[solid.shade] : "Drawn in lines, without WebGL 2");
       sides.show(solid.tessellation);
       for (const { name, field } of switches) field.show(solid[name]);
     },
@@ -151,6 +151,6 @@ function legendSection(): Section {
     h("ul", { class: "legend-lines" },
       row(glyph("point"), "On the surface"),
       row(glyph("vertex"), "Near it: finer levels and open ends"),
-      row(glyph("handle"), "Hollow: facing away, taken last")));
+      row(glyph("handle"), "Hollow: facing away")));
   return { element, update: () => undefined };
 }

@@ -14,14 +14,14 @@ export function colorSection(shell: Shell): Section {
   const { editor } = shell;
   let last = usual;
   const on = toggleField({
-    label: "Flat colours", testid: "trace-flat", about: "Every colour of the picture becomes a layer; off, there is ink and paper.",
+    label: "Flat colours", testid: "trace-flat", about: "Each colour becomes a layer. Off, there is only ink and paper.",
     write: (flat) => setTrace(editor, "Flat colours", { colors: flat ? last : 0 }),
   });
   const count = settingSlider(shell, {
-    name: "colors", label: "Colours", testid: "trace-colors", about: "At most so many colours are looked for.",
+    name: "colors", label: "Colours", testid: "trace-colors", about: "The largest number of colours to look for.",
     least: 2, most: traceLimits.colors, step: 1, direction: "more colours", print: (value) => `≤ ${value}`,
   });
-  const swatches = h("ul", { class: "swatches", testid: "trace-palette", "aria-label": "Colours that were found, the lowest layer first" });
+  const swatches = h("ul", { class: "swatches", testid: "trace-palette", "aria-label": "Colours found, lowest layer first" });
   const note = h("p", { class: "field-note num" });
   let shown: readonly string[] = [];
   return {
@@ -34,7 +34,7 @@ export function colorSection(shell: Shell): Section {
       count.show(last);
       const found = colors === 0 ? [] : (traceRun.outcome?.colors ?? []);
       swatches.hidden = note.hidden = found.length === 0;
-      setText(note, `${found.length} ${found.length === 1 ? "layer" : "layers"}, one on the other without gaps`);
+      setText(note, `${found.length} ${found.length === 1 ? "layer" : "layers"}, stacked without gaps`);
       if (found === shown) return;
       shown = found;
       swatches.replaceChildren(...found.map(swatch));

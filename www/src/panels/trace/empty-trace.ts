@@ -33,5 +33,5 @@ export function mountEmptyTrace(shell: Shell): void {
       h("h2", {}, "Drop a picture, paste one, or try"),
       pictureField(shell, "empty-file"),
       h("div", { class: "samples" }, ...traceSampleCards(shell, () => undefined, offered)),
-      h("p", { class: "quiet" }, "Pictures stay on this device: nothing is sent anywhere.")));
+      h("p", { class: "quiet" }, "Pictures stay on this device. Nothing is uploaded.")));
 }

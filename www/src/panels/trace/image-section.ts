@@ -10,30 +10,30 @@ import { withAuto } from "./setting-slider.ts";
 export function imageSection(shell: Shell): Section {
   const { editor } = shell;
   const mode = choiceField<TraceSource>({
-    label: "Edges from", testid: "trace-mode", about: "What is followed in the picture.",
+    label: "Edges from", testid: "trace-mode", about: "What the outlines follow.",
     options: [
-      { value: "brightness", label: "Brightness", about: "The border between dark and light: for logos and drawings." },
-      { value: "edges", label: "Edges", about: "Places of steepest change: for shapes that differ little from their ground." },
-      { value: "lines", label: "Lines", about: "The middle of thin strokes: for drawings made of lines." },
+      { value: "brightness", label: "Brightness", about: "The boundary between dark and light: for logos and drawings." },
+      { value: "edges", label: "Edges", about: "The steepest changes: for shapes with little contrast." },
+      { value: "lines", label: "Lines", about: "The centre of thin strokes: for line drawings." },
     ],
     write: (value) => setTrace(editor, "Edges from", { mode: value }),
   });
   const threshold = withAuto(shell, {
-    name: "threshold", label: "Threshold", testid: "trace-threshold", about: "The shade between ink and paper; see it in the view Edges.",
+    name: "threshold", label: "Threshold", testid: "trace-threshold", about: "The shade that divides ink from paper. See it in the Edges view.",
     most: traceLimits.threshold, step: 1, print: (value) => String(value),
   }, ({ traceRun }) => Math.round(traceRun.picture?.threshold ?? 128));
   const blur = withAuto(shell, {
-    name: "blur", label: "Blur σ", testid: "trace-blur", about: "Smooths grain away before edges are looked for.",
+    name: "blur", label: "Blur σ", testid: "trace-blur", about: "Smooths out grain before finding edges.",
     most: traceLimits.blur, step: 0.1, print: (value) => `${value} px`,
   }, () => 1);
   const invert = toggleField({
     label: "Invert",
     testid: "trace-invert",
-    about: "Light shapes on dark ground (I).",
+    about: "Light shapes on a dark background (I).",
     write: (on) => setTrace(editor, "Invert", { invert: on }),
   });
   const size = selectField<`${TraceSettings["size"]}`>({
-    label: "Work size", testid: "trace-size", about: "Pixels of the longer side that are looked at; a picture is never made larger.",
+    label: "Work size", testid: "trace-size", about: "Pixels along the longer side to analyse. Pictures are never enlarged.",
     options: workSizes.map((each) => [`${each}`, `${each} px`] as const),
     write: (value) => setTrace(editor, "Work size", { size: workSizes.find((each) => `${each}` === value) ?? 1024 }),
   });

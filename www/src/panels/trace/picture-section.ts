@@ -21,19 +21,19 @@ export function pictureSection(shell: Shell): Section {
   const name = h("p", { class: "trace-name", testid: "trace-source" });
   const size = h("p", { class: "field-note num" });
   const preview = h("canvas", { class: "trace-preview", width: 96, height: 72, "aria-hidden": "true", hidden: true });
-  const samples = h("button", { class: "button", type: "button", testid: "trace-samples", title: "Pictures to start from", click: () => editor.actions.run("samples") },
+  const samples = h("button", { class: "button", type: "button", testid: "trace-samples", title: "Start from a sample", click: () => editor.actions.run("samples") },
     h("span", {}, "Samples"),
   );
   const view = choiceField<TraceViewId>({
-    label: "View", testid: "trace-view", about: "What is on the stage (W for the next).",
+    label: "View", testid: "trace-view", about: "What the stage shows (W for next).",
     options: traceViews.map(([value, label, about]) => ({ value, label, about, disabled: () => !canView(editor.state.value, value) })),
     write: (value) => setTraceView(editor, { view: value }),
   });
   const alpha = sliderField({
-    label: "Opacity", testid: "trace-alpha", about: "How strongly the picture shows under the outlines.", least: 0, most: 100, step: 1, print: (value) => `${value} %`,
+    label: "Opacity", testid: "trace-alpha", about: "How strongly the picture shows beneath the outlines.", least: 0, most: 100, step: 1, print: (value) => `${value} %`,
     write: (value) => setTraceView(editor, { alpha: value }), reset: () => setTraceView(editor, { alpha: 35 }),
   });
-  const hold = holdButton(shell, "Hold to see the source", "Hold to see the picture alone (O)");
+  const hold = holdButton(shell, "Hold to see the source", "Hold to see only the picture (O)");
   let drawn: ShownPicture | null = null;
   return {
     element: h("section", { class: "section", "aria-label": "Picture" }, file,
@@ -75,7 +75,7 @@ export function pictureField(shell: Shell, testid = "trace-file"): HTMLElement {
 
 function sizeText({ trace, traceRun }: EditorState): string {
   const { picture } = traceRun;
-  if (picture === null) return trace.kept === undefined ? "" : `${trace.kept.width} × ${trace.kept.height} px. The outlines were kept; drop the picture again to trace it anew.`;
+  if (picture === null) return trace.kept === undefined ? "" : `${trace.kept.width} × ${trace.kept.height} px. Only the outlines were saved; drop the picture again to retrace it.`;
   const [columns, rows] = picture.analysed;
   const own = `${picture.width} × ${picture.height} px`;
   return columns === picture.width && rows === picture.height ? own : `${own}, analysed at ${columns} × ${rows}`;

@@ -15,19 +15,19 @@ export function resultSection(shell: Shell): Section {
   const { editor } = shell;
   const action = (label: string, id: string, title: string, more = ""): HTMLButtonElement =>
     h("button", { class: `button ${more}`.trim(), type: "button", testid: id, title, click: () => editor.actions.run(id) }, h("span", {}, label));
-  const run = action("Trace", "trace-run", "Trace the picture once more.");
-  const cancel = action("Cancel", "trace-cancel", "Stop; the outlines before stay.");
+  const run = action("Trace", "trace-run", "Trace the picture again.");
+  const cancel = action("Cancel", "trace-cancel", "Stop and keep the previous outlines.");
   const state = h("span", { class: "trace-state num", "aria-hidden": "true" });
-  const corners = legendRow("cusp", "Cusps", "Sharp corners; go to the next", () => editor.actions.run("trace-next-corner"));
+  const corners = legendRow("cusp", "Cusps", "Go to the next sharp corner", () => editor.actions.run("trace-next-corner"));
   const smooth = legendRow("point", "Smooth", "Go to the next point", () => editor.actions.run("trace-next"));
   const list = h("dl", { class: "trace-numbers num" });
-  const edit = action("Edit in Curve", "trace-edit", "Copy the outlines to Curve mode, ready to edit.", "primary");
-  const fit = action("Smooth in Fit", "trace-smooth-in-fit", "Copy points along the outlines to Fit mode.");
+  const edit = action("Edit in Curve", "trace-edit", "Copy the outlines to Curve, ready to edit.", "primary");
+  const fit = action("Smooth in Fit", "trace-smooth-in-fit", "Copy points along the outlines to Fit.");
   const save = h("button", {
     class: "button",
     type: "button",
     testid: "trace-export",
-    title: "The outlines as SVG, path, JSON or PNG.",
+    title: "Export the outlines as SVG, path, JSON or PNG.",
     click: () => editor.actions.run("export"),
   }, h("span", {}, "Export"));
   let printed: TraceOutcome | null = null;
@@ -69,13 +69,13 @@ function rowsOf(shown: TraceOutcome, { trace, traceRun }: EditorState): HTMLElem
   }
   if (rms !== null && max !== null) rows.push(row("To the edge", "trace-error", `rms ${formatDeviation(rms)}, max ${formatDeviation(max)} px`));
   // Only the tracer knows the edge, and it has not seen what was smoothed by hand.
-  else if (typeof traceRun.outcome?.max === "number") rows.push(row("To the edge", "trace-unmeasured", "unknown, smoothed by hand"));
+  else if (typeof traceRun.outcome?.max === "number") rows.push(row("To the edge", "trace-unmeasured", "unknown, edited by hand"));
   if (beyond !== null && beyond > worthSaying) {
-    const tips = row("Corners beyond it", "trace-beyond", `up to ${formatDeviation(beyond)} px`);
-    tips.title = "Pixels cut sharp corners off; the outline goes on to where its sides meet.";
+    const tips = row("Corners past it", "trace-beyond", `up to ${formatDeviation(beyond)} px`);
+    tips.title = "Pixels blunt sharp corners; the outline continues to where the sides meet.";
     rows.push(tips);
   }
-  if (iou !== null) rows.push(row("Shared with the ink", "trace-iou", `${(100 * iou).toFixed(2)} %`));
+  if (iou !== null) rows.push(row("Overlap with ink", "trace-iou", `${(100 * iou).toFixed(2)} %`));
   if (sizes !== null) {
     rows.push(row("Path", "trace-bytes", `${formatBytes(sizes.raw)}, ${formatBytes(sizes.gzip)} gzip`));
     rows.push(row("As a polygon", "trace-polygon-bytes", `${formatBytes(sizes.polygonRaw)}, ${formatBytes(sizes.polygonGzip)} gzip`));

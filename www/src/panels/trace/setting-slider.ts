@@ -47,7 +47,7 @@ export function withAuto(shell: Shell, spec: SliderSpec & { readonly name: "thre
   const { editor } = shell;
   const slider = settingSlider(shell, spec);
   const auto = toggleField({
-    label: `Automatic ${spec.label.toLowerCase()}`, testid: `${spec.testid}-auto`, about: `${spec.label} is found from the picture.`,
+    label: `Automatic ${spec.label.toLowerCase()}`, testid: `${spec.testid}-auto`, about: `${spec.label} is chosen from the picture.`,
     write: (on) => setTrace(editor, spec.label, { [spec.name]: on ? "auto" : shown(editor.state.value) }),
   });
   return {

@@ -36,15 +36,15 @@ function asksTracer(section: Section): Section {
 
 function settingsSection(shell: Shell): Section & { readonly detail: HTMLElement } {
   const detail = settingSlider(shell, {
-    name: "detail", label: "Detail", testid: "trace-detail", about: "How far an outline may stray from the edge in the picture, in pixels.",
+    name: "detail", label: "Detail", testid: "trace-detail", about: "How far outlines may stray from the picture's edges.",
     most: traceLimits.detail, step: 1, direction: "smoother", print: (value) => `${value} · ${formatDeviation(toleranceOf(value))} px`,
   });
   const corner = settingSlider(shell, {
-    name: "corner", label: "Corner angle", testid: "trace-corner", about: "A turn of at least so many degrees stays a sharp corner.",
+    name: "corner", label: "Corner angle", testid: "trace-corner", about: "Turns sharper than this stay corners.",
     most: traceLimits.corner, step: 1, direction: "fewer corners", print: (value) => `${value}°`,
   });
   const speckle = settingSlider(shell, {
-    name: "speckle", label: "Speckle", testid: "trace-speckle", about: "Contours that enclose fewer square pixels are left out.",
+    name: "speckle", label: "Speckle", testid: "trace-speckle", about: "Contours with a smaller area are dropped.",
     most: 100, step: 1, direction: "cleaner", print: (position) => `${area.toValue(position)} px²`, scale: area,
   });
   return {

@@ -20,7 +20,7 @@ export function progressText({ stage, value, done, total }: TraceProgress): stri
 
 export function mountTraceProgress(shell: Shell): void {
   const { editor, regions, until } = shell;
-  const busy = mountBusy(shell, { label: "Tracing", about: "Stop; the outlines before stay.", testid: "trace-stop", stop: () => editor.actions.run("trace-cancel") });
+  const busy = mountBusy(shell, { label: "Tracing", about: "Stop and keep the previous outlines.", testid: "trace-stop", stop: () => editor.actions.run("trace-cancel") });
   const notice = h("div", { class: "trace-notice", hidden: true });
   regions.stage.append(notice);
   let said: TraceFailure | null = null;

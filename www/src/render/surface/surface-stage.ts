@@ -68,7 +68,7 @@ class TwoCanvases implements SurfaceStage {
 
   /** Why it is drawn in lines; null while it is shaded. */
   #note(): string | null {
-    if (this.#view === null) return "Drawn in lines: this browser has no WebGL 2 to shade the surface with.";
+    if (this.#view === null) return "Drawn in lines: this browser has no WebGL 2 for shading.";
     return this.#gone ? "Drawn in lines until the graphics card is free again." : null;
   }
 

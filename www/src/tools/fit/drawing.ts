@@ -40,5 +40,5 @@ function addPlaces(stroke: Pair[], { trail, page }: PointerSample, least: number
 }
 
 function sayWhereKnotsMove(editor: Editor): void {
-  editor.notify({ kind: "toast", text: "A knot lies where the points ask for it. In Curve it is a point that can be moved.", actionId: "fit-edit" });
+  editor.notify({ kind: "toast", text: "Knots are placed by the fit. To move one, choose Edit in Curve.", actionId: "fit-edit" });
 }

@@ -41,7 +41,7 @@ class Pen implements Tool {
     const drawn = this.#drawn();
     if (drawn === null) return this.#begin(sample);
     if (sample.clicks === 2) return void this.finish();
-    if (drawn.contour.points.length >= mostPoints) return refuse(this.#editor, `A contour holds at most ${mostPoints} points here.`);
+    if (drawn.contour.points.length >= mostPoints) return refuse(this.#editor, `A contour can have at most ${mostPoints} points.`);
     this.#place(sample, nextPoint(this.#editor.state.value, drawn, sample));
   }
 

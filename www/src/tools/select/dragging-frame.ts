@@ -64,7 +64,7 @@ function turnBy(editor: Editor, start: PointerSample): (sample: PointerSample) =
     const free = angleOf(page) - from;
     const whole = modifiers.shift ? 15 * Math.round(free / 15) : free;
     const degrees = whole - 360 * Math.round(whole / 360);
-    return { map: turning(centre, degrees), says: `turned by ${Math.round(degrees * 10) / 10 + 0}°`, guides: [{ from: centre, to: page }] };
+    return { map: turning(centre, degrees), says: `rotated by ${Math.round(degrees * 10) / 10 + 0}°`, guides: [{ from: centre, to: page }] };
   };
 }
 
@@ -76,7 +76,7 @@ const cursors: Readonly<Record<Grip, string>> = {
 export function gripUnder(editor: Editor, { screen, kind }: PointerSample): Target | null {
   const grip = nearestGrip(editor.state.value, screen, reachOf[kind]);
   if (grip === null) return null;
-  const hint = grip === "turn" ? "Drag to turn; Shift keeps 15° steps." : "Drag to stretch; Shift keeps the proportions, Alt the middle.";
+  const hint = grip === "turn" ? "Drag to rotate; Shift for 15° steps." : "Drag to scale; Shift keeps proportions, Alt scales from the centre.";
   return { kind: "grip", grip, cursor: cursors[grip], hint };
 }
 

@@ -22,8 +22,8 @@ const drawings: Readonly<Record<Axis, Readonly<Record<Part | "spread", string>>>
 };
 
 const names: Readonly<Record<Axis, Readonly<Record<Part | "spread", string>>>> = {
-  across: { start: "Align left", middle: "Align in the middle of left and right", end: "Align right", spread: "Equal gaps across" },
-  down: { start: "Align top", middle: "Align in the middle of top and bottom", end: "Align bottom", spread: "Equal gaps down" },
+  across: { start: "Align left", middle: "Align horizontal centres", end: "Align right", spread: "Distribute horizontally" },
+  down: { start: "Align top", middle: "Align vertical centres", end: "Align bottom", spread: "Distribute vertically" },
 };
 
 function row(editor: Editor, axis: Axis, label: string): HTMLElement {

@@ -8,7 +8,7 @@ import type { Shell } from "../../shell.ts";
 /** The chosen point in numbers, which come when there is one: typed values are exact. Several points: what they share, and the nudge pad. */
 export function inspectorSection({ editor }: Shell): Section {
   const which = h("span", { class: "section-note num" });
-  const none = h("p", { class: "quiet" }, "Nothing. Choose a point on the stage, or press ] to step through them.");
+  const none = h("p", { class: "quiet" }, "Nothing selected. Click a point, or press ] to step through them.");
   const numbers = h("div", { class: "inspector" });
   const together = h("div", { class: "inspector" });
   const point = late(editor, hasAny, async () => (await import("./numbers.ts")).pointNumbers(editor), (section) => {

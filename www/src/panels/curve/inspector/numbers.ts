@@ -59,11 +59,11 @@ function kindRow(editor: Editor): Section {
   const kind = choiceField<Kind>({
     label: "Kind",
     testid: "pt-kind",
-    about: "How the two handles hang together.",
+    about: "How the two handles relate.",
     options: [
-      { value: "symmetric", label: "Symmetric", about: "Handles opposite and equally long (S)." },
-      { value: "smooth", label: "Smooth", about: "Handles opposite, each with its own length." },
-      { value: "cusp", label: "Cusp", about: "Each handle goes its own way (C).", mark: glyph("cusp") },
+      { value: "symmetric", label: "Symmetric", about: "Opposite handles of equal length (S)." },
+      { value: "smooth", label: "Smooth", about: "Opposite handles, each with its own length." },
+      { value: "cusp", label: "Cusp", about: "Independent handles (C).", mark: glyph("cusp") },
     ],
     write: (value) => setKind(editor, value),
   });
