@@ -274,3 +274,32 @@ test("an end that is dropped on the other closes the contour it was cut from; po
   await demo.press("Shift+F");
   assert.ok((await demo.state()).view.zoom > zoom);
 });
+
+test("several points have a box that can be typed, and become of one kind when they are of several", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  await demo.focusStage();
+  await demo.press("Control+a");
+  assert.equal(await demo.byId("pt-x").isVisible(), false, "the numbers of one point");
+  const kinds = demo.byId("pt-kind").locator("input");
+  assert.deepEqual(await kinds.evaluateAll((all) => all.map((input) => (input as HTMLInputElement).checked)), [false, false, false]);
+  await demo.byId("pt-kind").getByLabel("Smooth").check();
+  await demo.idle();
+  assert.ok((await demo.points()).every(({ kind }) => kind === "smooth"));
+  await demo.byId("sel-w").fill("200");
+  await demo.byId("sel-x").fill("50");
+  await demo.byId("sel-x").press("Enter");
+  await demo.idle();
+  const xs = (await demo.sample(4000)).map(([x]) => x);
+  assert.ok(Math.abs(Math.min(...xs) - 50) < 0.01 && Math.abs(Math.max(...xs) - 250) < 0.01, `${Math.min(...xs)} to ${Math.max(...xs)}`);
+  assert.equal(await demo.byId("sel-w").inputValue(), "200.00");
+});
+
+test("an empty stage offers nobody to add points to a contour that is not there", async (t) => {
+  const demo = await open(t);
+  await demo.byId("btn-clear").click();
+  await demo.idle();
+  assert.ok(await demo.page.getByRole("button", { name: "One point more" }).isDisabled());
+  await demo.byId("btn-undo").click();
+  await demo.idle();
+  assert.ok(await demo.page.getByRole("button", { name: "One point more" }).isEnabled());
+});

@@ -220,3 +220,12 @@ test("a knot that is dragged draws nothing: it is chosen, and Edit in Curve is o
   assert.equal((await demo.state()).mode, "curve");
   assert.ok((await demo.points()).some((point) => Math.hypot(point.x - x, point.y - y) < 1e-6), "the knot is a point there");
 });
+
+test("the rail in Fit has no tool that edits points, as there are none; Curve has it back", async (t) => {
+  const demo = await open(t, "#/fit?sample=fit-star");
+  assert.equal(await demo.byId("tool-select").isVisible(), false);
+  assert.equal(await demo.byId("tool-draw").getAttribute("aria-pressed"), "true");
+  await demo.byId("tab-curve").click();
+  await demo.idle();
+  assert.equal(await demo.byId("tool-select").getAttribute("aria-pressed"), "true");
+});

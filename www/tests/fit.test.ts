@@ -111,6 +111,20 @@ test("the eraser takes points away along its way, as one entry", () => {
   assert.equal(fitOf(made).data.length, 50);
 });
 
+test("V is nobody's key in Fit, where it would go on drawing; the hand shows what it does", () => {
+  const made = hand();
+  chooseFitTool(made.editor, "draw");
+  made.run("tool-select");
+  assert.equal(made.editor.state.value.tool, "draw");
+  made.run("tool-hand").moveTo(100, 100);
+  assert.equal(made.editor.state.value.cursor, "grab");
+  made.drag({ x: 100, y: 100 }, 50, 50);
+  assert.equal(fitOf(made).data.length, 0);
+  chooseFitTool(made.editor, "erase");
+  made.run("tool-hand").moveTo(100, 100);
+  assert.deepEqual([made.editor.state.value.cursor, made.editor.state.value.fitView.brush], ["grab", null]);
+});
+
 test("a tool that another finger chooses while one erases is for the next press", () => {
   const made = hand();
   bringStrokes(made.editor, { name: "Import", strokes: [{ places: Array.from({ length: 50 }, (_, i): Pair => [10 * i, 200]) }] });

@@ -71,6 +71,18 @@ test("a stroke becomes a contour beside what is there, as one entry; the line st
   assert.equal(state.value.curve.contours.length, 1);
 });
 
+test("what was drawn last is selected, so that the panel and the keys are about it; with another tool the selection stays", () => {
+  const { hand, answer, draw } = drawing();
+  draw(...line(500));
+  answer(3);
+  assert.deepEqual(hand.selected, ["1:0", "1:1", "1:2"]);
+  draw(...line(540));
+  hand.run("tool-select");
+  const kept = hand.click(hand.point(0).x, hand.point(0).y).selected;
+  answer(4);
+  assert.deepEqual(hand.selected, kept);
+});
+
 test("strokes drawn faster than they are fitted wait for each other, and none is lost", () => {
   const { hand, asked, answer, draw } = drawing();
   draw(...line(500));

@@ -37,3 +37,19 @@ for (const sample of ["heart", "circle-8", "blob-16"]) {
 test("what samples say holds for fingers, too", () => {
   for (const { id, note } of curveSamples) assert.doesNotMatch(note, ofMouse, id);
 });
+
+test("while the pen pulls handles the hint is about handles, and no longer than that", () => {
+  for (const kind of ["mouse", "touch"] as const) {
+    const hand = new Hand("heart");
+    hand.run("clear").run("tool-pen");
+    hand.kind = kind;
+    hand.wait().moveTo(100, 100).press().moveTo(150, 130);
+    assert.match(hintFor(hand.editor.state.value), /shape the handles/u);
+    if (kind === "touch") assert.doesNotMatch(hintFor(hand.editor.state.value), ofMouse);
+    hand.release();
+    assert.doesNotMatch(hintFor(hand.editor.state.value), /shape/u);
+    hand.wait().moveTo(300, 100).press().moveTo(350, 130);
+    hand.input.cancel();
+    assert.doesNotMatch(hintFor(hand.editor.state.value), /shape/u, "after Esc");
+  }
+});

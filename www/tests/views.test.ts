@@ -23,6 +23,14 @@ test("what was fitted stays in sight on a stage of another size, and comes back 
   }
 });
 
+test("what is fitted on a phone lies between the zoom box above and the tools with two lines of hint below", () => {
+  for (const stage of [phone, { ...phone, width: 320, height: 373 }]) {
+    const view = fitted(box, stage, 1);
+    assert.ok(toScreen(view, stage, { x: box.minX, y: box.minY }).y >= 64 - 1e-9);
+    assert.ok(toScreen(view, stage, { x: box.maxX, y: box.maxY }).y <= stage.height - 112 + 1e-9);
+  }
+});
+
 test("a view that somebody has moved stays where it was put", () => {
   const moved = panned(fitted(box, desk, 1), 30, 0);
   assert.equal(resized(moved, phone), moved);

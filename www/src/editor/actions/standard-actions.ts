@@ -190,7 +190,7 @@ export function registerStandardActions(editor: Editor): void {
   );
   const toolActions = tools.map(([id, label, key]) =>
     action(`tool-${id}`, label, "Tools", [key], (target) => target.patch({ tool: id, hint: "" }), {
-      enabled: (state) => state.mode === "curve" || state.mode === "fit",
+      enabled: (state) => state.mode === "curve" || (state.mode === "fit" && id !== "select"),
       checked: (state) => state.tool === id,
     }),
   );

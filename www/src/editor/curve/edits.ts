@@ -3,7 +3,7 @@ import {
   setOmega as setOmegaCommand, setSpace as setSpaceCommand, turnHandle,
 } from "../../document/curve/commands.ts";
 import {
-  baseCount, domainLength, lengthOf, noOffset, nothingSelected, pointAt, type Contour, type CurveDocument, type Kind, type PointRef, type Selection,
+  baseCount, domainLength, lengthOf, noOffset, nothingSelected, pointAt, type Contour, type CurveDocument, type Kind, type Offset, type PointRef, type Selection,
   type Side, type Space,
 } from "../../document/document.ts";
 import { lengthOfOffset } from "../../document/curve/offset.ts";
@@ -63,6 +63,12 @@ export function toggleCusp(editor: Editor, selection: Selection = selectionOf(ed
 
 export function setPoint(editor: Editor, ref: PointRef, place: { x?: number; y?: number }, run?: string): void {
   editor.dispatch(placePoint(ref, place, run));
+}
+
+/** Counter-clockwise from 3 o'clock, as people draw angles; the screen's y points down. What rounding puts just below the left is 180, not −180. */
+export function degreesOf({ dx, dy }: Offset): number {
+  const degrees = (Math.atan2(0 - dy, dx) * 180) / Math.PI;
+  return degrees < -179.995 ? 180 : degrees;
 }
 
 /** Length in document units, angle in degrees counter-clockwise from 3 o'clock, as the inspector prints them. */
@@ -196,8 +202,7 @@ export function describe(curve: CurveDocument, ref: PointRef, side?: Side): stri
   const kind = contour.family === "hermite" ? point.kind : contour.grid === undefined && finer < 0 ? "on the curve" : "near the curve";
   if (side === undefined) return `${name}, ${kind}, x ${short(point.x)}, y ${short(point.y)}`;
   const offset = point[side] ?? noOffset;
-  const degrees = (Math.atan2(-offset.dy, offset.dx) * 180) / Math.PI;
-  return `${side === "in" ? "Arriving" : "Leaving"} handle of ${name.toLowerCase()}, length ${short(lengthOfOffset(offset))}, angle ${short(degrees)}°`;
+  return `${side === "in" ? "Arriving" : "Leaving"} handle of ${name.toLowerCase()}, length ${short(lengthOfOffset(offset))}, angle ${short(degreesOf(offset))}°`;
 }
 
 function short(value: number): string {

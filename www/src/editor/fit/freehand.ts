@@ -34,7 +34,9 @@ export function createFreehand(editor: Editor, connect: (handlers: FitHandlers) 
       const contours = fits.map(({ curve }) => contourOfFit(curve));
       const count = contours.reduce((sum, { points }) => sum + points.length, 0);
       betweenGestures(editor, () => {
-        editor.dispatch(addContours("Draw", contours, false));
+        const { select, ...adding } = addContours("Draw", contours, true);
+        // What was drawn last is what the panel and the keys work on, unless the hand has gone on to something else.
+        editor.dispatch(editor.state.value.tool === "draw" && select !== undefined ? { ...adding, select } : adding);
         editor.notify({ kind: "announce", text: `Stroke converted to a curve with ${count} points` });
         next();
       });

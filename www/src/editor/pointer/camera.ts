@@ -68,11 +68,12 @@ const fittings = new WeakMap<View, readonly [box: Box, most: number, share: numb
 /** A view that shows the whole box, never closer than `most`; handles and what lies over the stage have a share of it on every side. */
 export function fitted(box: Box, stage: StageBox, most: number, share = 0.1): View {
   const margin = Math.max(24, Math.min(stage.width, stage.height) * share);
-  // The hint and the zoom box, and on a phone the tools, are above and below.
-  const above = Math.max(margin, Math.min(stage.width < 600 ? 72 : 48, stage.height * 0.35));
+  // The hint and the zoom box are below; on a phone the zoom box is above, and two lines of hint over the tools are below.
+  const [above = 0, below = 0] = (stage.width < 600 ? [64, 112] : [48, 48]).map((least) => Math.max(margin, Math.min(least, stage.height * 0.35)));
   const wide = Math.max(1, stage.width - 2 * margin) / Math.max(1e-9, box.maxX - box.minX);
-  const high = Math.max(1, stage.height - 2 * above) / Math.max(1e-9, box.maxY - box.minY);
-  const view = { zoom: Math.min(wide, high, most, mostZoom), x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2 };
+  const high = Math.max(1, stage.height - above - below) / Math.max(1e-9, box.maxY - box.minY);
+  const zoom = Math.min(wide, high, most, mostZoom);
+  const view = { zoom, x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2 + (below - above) / 2 / zoom };
   fittings.set(view, [box, most, share]);
   return view;
 }

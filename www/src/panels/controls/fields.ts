@@ -195,8 +195,8 @@ export interface ChoiceOption<T extends string> {
   readonly disabled?: boolean | (() => boolean);
 }
 
-/** One of a few, as a row of radio buttons. */
-export function choiceField<T extends string>(options: Common & { readonly options: readonly ChoiceOption<T>[]; write(value: T): void }): Field<T> {
+/** One of a few, as a row of radio buttons; undefined where several things differ in it. */
+export function choiceField<T extends string>(options: Common & { readonly options: readonly ChoiceOption<T>[]; write(value: T): void }): Field<T | undefined> {
   const name = freshId(options.testid);
   const inputs = options.options.map((option) => {
     const input = h("input", { type: "radio", name, value: option.value, title: option.about, "aria-label": option.label });

@@ -154,12 +154,14 @@ export function pointsRow(editor: Editor): Row {
     format: String,
     write: (value) => value !== null && renewing(editor, ({ resample }) => resample(editor, value, "points")),
   });
-  points.element.querySelector(".number-box")?.after(stepper(editor));
+  const steps = stepper(editor);
+  points.element.querySelector(".number-box")?.after(steps);
   return {
     elements: [points.element],
     update(_, contour) {
       const count = contour?.points.length ?? null;
       points.show(isRefined(contour) ? null : count);
+      for (const button of steps.querySelectorAll("button")) button.disabled = count === null;
       if (isRefined(contour)) points.input.value = String(count);
     },
   };

@@ -21,7 +21,10 @@ export function mountRail({ editor, regions, until }: Shell): void {
     // The other modes have one tool each: the stage gets the room.
     regions.rail.hidden = state.mode !== "curve" && state.mode !== "fit";
     buttons.forEach((button, i) => {
-      setAttribute(button, "aria-pressed", String(tools[i]?.[0] === state.tool));
+      const id = tools[i]?.[0];
+      setAttribute(button, "aria-pressed", String(id === state.tool));
+      // A press on a knot selects it whatever Fit's tool is.
+      button.hidden = id === "select" && state.mode === "fit";
     });
   }, { now: true, until });
 }

@@ -51,11 +51,12 @@ export function createFitTool(editor: Editor): Tool {
 
 /** The mark and the cursor say what a press would do. */
 function announce(editor: Editor, { screen, page, kind }: PointerSample): void {
-  const { fitView: view } = editor.state.value;
+  const { fitView: view, tool } = editor.state.value;
   const over = knotAt(editor.state.value, screen, kind);
-  const erases = view.tool === "erase";
+  const pans = tool === "hand";
+  const erases = view.tool === "erase" && !pans;
   const brush = erases ? page : null;
-  const cursor = erases ? "none" : over === null ? "crosshair" : "pointer";
+  const cursor = erases ? "none" : pans ? "grab" : over === null ? "crosshair" : "pointer";
   if (over !== view.over || brush !== view.brush) setFitView(editor, { over, brush });
   if (editor.state.value.cursor !== cursor) editor.patch({ cursor, hover: { kind: "empty" } });
 }

@@ -48,6 +48,7 @@ class Pen implements Tool {
   drag(sample: PointerSample): void {
     if (this.#press === null || distanceBetween(sample.screen, this.#press.start.screen) < dragThreshold[sample.kind]) return;
     const { ref } = this.#press;
+    this.#editor.patch({ hint: sample.kind === "touch" ? "Drag to shape the handles." : "Drag to shape the handles; Shift for 15° steps, Alt for the next side only." });
     // Alt bends only what comes next: the side already drawn stays.
     this.#editor.dispatch(pullHandles(ref, this.#pulled(ref, sample), sample.modifiers.alt && ref.index > 0));
   }
@@ -56,6 +57,7 @@ class Pen implements Tool {
     if (this.#press === null) return;
     const { closing } = this.#press;
     this.#press = null;
+    this.#editor.patch({ hint: "" });
     this.#editor.commit();
     if (closing) {
       this.#drawing = null;
@@ -66,6 +68,7 @@ class Pen implements Tool {
   cancel(): boolean {
     if (this.#press === null) return this.finish();
     this.#press = null;
+    this.#editor.patch({ hint: "" });
     this.#editor.bail();
     if (this.#drawn() === null) this.#drawing = null;
     return true;

@@ -2,6 +2,8 @@ import type { Axis, Part } from "../../../document/curve/aligning.ts";
 import { align, distribute } from "../../../editor/curve/aligning.ts";
 import type { Editor } from "../../../editor/editor.ts";
 import { h, svg } from "../../controls/dom.ts";
+import type { Section } from "../../mode/panel-parts.ts";
+import { sizeRows } from "./size-rows.ts";
 
 /** Buttons that bring what is chosen in line. Loaded when several points are chosen first. */
 
@@ -40,6 +42,11 @@ function row(editor: Editor, axis: Axis, label: string): HTMLElement {
   return h("div", { class: "field nudge", role: "group", "aria-label": label }, h("span", { class: "field-label" }, label), h("span", { class: "nudge-pad" }, ...buttons));
 }
 
-export function alignRows(editor: Editor): HTMLElement[] {
-  return [row(editor, "across", "Align across"), row(editor, "down", "Align down")];
+/** Place and size above, then what brings the selection in line. */
+export function alignSection(editor: Editor): Section {
+  const size = sizeRows(editor);
+  return {
+    element: h("div", { class: "inspector" }, size.element, row(editor, "across", "Align across"), row(editor, "down", "Align down")),
+    update: size.update,
+  };
 }

@@ -5,7 +5,7 @@ import { h, setText } from "../../controls/dom.ts";
 import type { Section } from "../../mode/panel-parts.ts";
 import type { Shell } from "../../shell.ts";
 
-/** The chosen point in numbers, which come when there is one: typed values are exact. Several points: what they share, and the nudge pad. */
+/** The chosen point in numbers, which come when there is one: typed values are exact. Several points: their box, what they share, and what brings them in line. */
 export function inspectorSection({ editor }: Shell): Section {
   const which = h("span", { class: "section-note num" });
   const none = h("p", { class: "quiet" }, "Nothing selected. Click a point, or press ] to step through them.");
@@ -15,7 +15,10 @@ export function inspectorSection({ editor }: Shell): Section {
     numbers.append(section.element);
     section.update(editor.state.value);
   });
-  late(editor, hasSeveral, () => import("./align-rows.ts"), ({ alignRows }) => together.append(...alignRows(editor)));
+  const several = late(editor, hasSeveral, async () => (await import("./align-rows.ts")).alignSection(editor), (section) => {
+    together.append(section.element);
+    section.update(editor.state.value);
+  });
   const head = h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Selected"), which);
   return {
     element: h("section", { class: "section", "aria-label": "Selected" }, head, none, numbers, together),
@@ -25,6 +28,7 @@ export function inspectorSection({ editor }: Shell): Section {
       together.hidden = !hasSeveral(state);
       setText(which, describeSelection(state));
       point()?.update(state);
+      several()?.update(state);
     },
   };
 }

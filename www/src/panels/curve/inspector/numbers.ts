@@ -1,12 +1,12 @@
 import { pointAt, type Kind, type Offset, type PointRef, type Side } from "../../../document/document.ts";
 import type { Editor, EditorState } from "../../../editor/editor.ts";
-import { nudge, setHandlePolar, setKind, setPoint } from "../../../editor/curve/edits.ts";
+import { degreesOf, nudge, setHandlePolar, setKind, setPoint } from "../../../editor/curve/edits.ts";
 import { h } from "../../controls/dom.ts";
 import { choiceField, numberField, type Field } from "../../controls/fields.ts";
 import { glyph, icon, type IconName } from "../../controls/icons.ts";
 import type { Section } from "../../mode/panel-parts.ts";
 
-/** The numbers of a chosen point, its kind, and the nudge pad. Loaded when a point is chosen first. */
+/** The numbers of a chosen point, the kind of all, and the nudge pad. Loaded when a point is chosen first. */
 
 const limit = 1e6;
 
@@ -20,12 +20,7 @@ export function pointNumbers(editor: Editor): Section {
   };
 }
 
-/** Degrees counter-clockwise from 3 o'clock, as people draw angles; the screen's y points down. */
-function angleOf({ dx, dy }: Offset): number {
-  return dx === 0 && dy === 0 ? 0 : (-Math.atan2(dy, dx) * 180) / Math.PI + 0;
-}
-
-/** The point whose numbers are shown and typed: several have none. */
+/** The point whose numbers are shown and typed: several have those of their box (`size-rows`). */
 function onlyPoint({ selection }: EditorState): PointRef | undefined {
   return selection.points.length === 1 ? selection.points[0] : undefined;
 }
@@ -44,10 +39,12 @@ function placeRow(editor: Editor): Section {
     },
   });
   const [x, y] = [coordinate("x", "X", "Across"), coordinate("y", "Y", "Down")];
+  const element = h("div", { class: "pair" }, x.element, y.element);
   return {
-    element: h("div", { class: "pair" }, x.element, y.element),
+    element,
     update(state) {
       const ref = onlyPoint(state);
+      element.hidden = ref === undefined;
       const point = ref === undefined ? undefined : pointAt(state.curve, ref);
       x.show(point?.x ?? null);
       y.show(point?.y ?? null);
@@ -106,9 +103,9 @@ function handleRow(editor: Editor, side: Side, name: string): Section {
     element,
     update(state) {
       const handle = handleOf(state, side);
-      element.hidden = isWithoutHandles(state);
+      element.hidden = isWithoutHandles(state) || onlyPoint(state) === undefined;
       length.show(handle === null ? null : Math.hypot(handle.dx, handle.dy));
-      angle.show(handle === null ? null : angleOf(handle));
+      angle.show(handle === null ? null : degreesOf(handle));
     },
   };
 }
@@ -133,10 +130,12 @@ function hasHandle(state: EditorState, ref: PointRef, side: Side): boolean {
   return contour.closed || (side === "in" ? ref.index > 0 : ref.index < contour.points.length - 1);
 }
 
-/** Of points of several kinds, the first's. */
-function kindOf(state: EditorState): Kind | null {
-  const first = state.selection.points[0];
-  return first === undefined ? null : (pointAt(state.curve, first)?.kind ?? null);
+/** Null where there is no point; undefined of points of several kinds, any of which all of them may become. */
+function kindOf({ selection, curve }: EditorState): Kind | null | undefined {
+  const [first, ...others] = selection.points;
+  const kind = first === undefined ? undefined : pointAt(curve, first)?.kind;
+  if (kind === undefined) return null;
+  return others.every((ref) => pointAt(curve, ref)?.kind === kind) ? kind : undefined;
 }
 
 /** Moving without dragging: four buttons, Shift for ten, Alt for a tenth. */
