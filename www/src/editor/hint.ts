@@ -98,6 +98,13 @@ function selectHint(state: EditorState): string {
         return `Drag a point: only nearby segments change. ${touch ? "Drag elsewhere to move the view, two fingers to zoom." : "Drag across empty space to select."}`;
       }
       if (touch) return "Drag a point or a handle. Drag elsewhere to move the view, two fingers to zoom.";
-      return state.selection.points.length > 0 ? "Drag a point. Alt-drag a handle to make a cusp." : "Drag a point or a handle. Drag across empty space to select.";
+      switch (state.selection.points.length) {
+        case 0:
+          return "Drag a point or a handle. Drag across empty space to select.";
+        case 1:
+          return "Alt-drag a handle to make a cusp. Press E to select the whole contour.";
+        default:
+          return "Drag a selected point to move them all. Shift-click to add or remove points.";
+      }
   }
 }

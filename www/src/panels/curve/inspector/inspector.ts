@@ -21,7 +21,7 @@ export function inspectorSection({ editor }: Shell): Section {
   });
   const head = h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Selected"), which);
   return {
-    element: h("section", { class: "section", "aria-label": "Selected" }, head, none, numbers, together),
+    element: h("section", { class: "section", "aria-label": "Selected" }, head, none, together, numbers),
     update(state) {
       none.hidden = hasAny(state);
       numbers.hidden = !hasAny(state);
