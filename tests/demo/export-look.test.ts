@@ -161,3 +161,23 @@ test("what the samples teach goes out as lines, and as areas when that is chosen
   await demo.byId("export-look").selectOption("areas");
   assert.match((await saved(demo, "export-svg")).toString("utf8"), /<path [^>]*fill="#1b1f24" fill-rule="evenodd"\/>/u);
 });
+
+test("a file of a trace is as large as the picture, with everything in its place, and stays so through Curve and Fit", async (t) => {
+  const demo = await open(t, "#/trace?sample=trace-logo");
+  const sheet = async (): Promise<string> => {
+    await demo.byId("btn-export").click();
+    const text = (await saved(demo, "export-svg")).toString("utf8");
+    await demo.press("Escape");
+    return /<svg[^>]*>/u.exec(text)?.[0] ?? "";
+  };
+  const whole = /viewBox="0 0 512 512" width="512" height="512"/u;
+  assert.match(await sheet(), whole);
+  await demo.byId("trace-edit").click();
+  await demo.idle();
+  assert.match(await sheet(), whole, "edited in Curve");
+  assert.deepEqual((await demo.state()).curve.artboard, { x: 0, y: 0, width: 512, height: 512 }, "its size, and nothing else of the picture");
+  await demo.byId("tab-trace").click();
+  await demo.byId("trace-smooth-in-fit").click();
+  await demo.idle();
+  assert.match(await sheet(), whole, "smoothed in Fit");
+});

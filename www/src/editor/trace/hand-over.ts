@@ -5,7 +5,7 @@ import { byColor, inkedContours } from "../../kernel/trace/outcome.ts";
 import type { Editor, EditorState } from "../editor.ts";
 import { bringStrokes, handOver } from "../fit/bring.ts";
 import { openInCurve } from "../curve/open-in-curve.ts";
-import { shownOf } from "./trace-edits.ts";
+import { shownOf, sizeOf } from "./trace-edits.ts";
 
 /** From outlines to points that are fitted, and to a drawing that is edited: copies, both times. */
 
@@ -14,12 +14,14 @@ const apart = 2;
 
 /** The outlines for Export; null while there are none. */
 export function tracedDrawing(state: EditorState): CurveDocument | null {
-  const shown = shownOf(state);
+  const [shown, size] = [shownOf(state), sizeOf(state)];
   if (shown === null) return null;
+  // A file of the outlines takes the place of the picture: it is as large, and they are where they were.
+  const artboard = size === null ? {} : { artboard: { x: 0, y: 0, width: size.width, height: size.height } };
   // Colours lie over each other, and their layers are filled by winding number.
-  if (shown.colors.length > 0) return { ...shown.drawing, filling: "nonzero" };
+  if (shown.colors.length > 0) return { ...shown.drawing, ...artboard, filling: "nonzero" };
   // A stroke that closes encloses paper, not ink.
-  return state.trace.settings.mode === "lines" ? { ...shown.drawing, filling: "none" } : shown.drawing;
+  return { ...shown.drawing, ...artboard, ...(state.trace.settings.mode === "lines" ? { filling: "none" } : {}) };
 }
 
 /** The outlines by their colours, for a file of them. */
