@@ -303,3 +303,15 @@ test("an empty stage offers nobody to add points to a contour that is not there"
   await demo.idle();
   assert.ok(await demo.page.getByRole("button", { name: "One point more" }).isEnabled());
 });
+
+test("a double-click inside a shape selects it with its holes, and a drag of one of its points moves it", async (t) => {
+  const demo = await openWithoutSnap(t, "glyph");
+  const { x, y } = await demo.toScreen(320, 400);
+  await demo.doubleClick(x, y);
+  await demo.until(() => demo.textOf("live"), (text) => text.includes("14 points selected"), "both contours are selected");
+  const before = await Promise.all([demo.point(0, 0), demo.point(0, 1)]);
+  await demo.drag("pt-0-0", 20, 10);
+  const after = await Promise.all([demo.point(0, 0), demo.point(0, 1)]);
+  const zoom = (await demo.toScreen(1, 0)).x - (await demo.toScreen(0, 0)).x;
+  for (const [i, point] of after.entries()) assert.ok(Math.abs(point.x - (before[i]?.x ?? NaN) - 20 / zoom) < 0.5 / zoom);
+});

@@ -100,7 +100,7 @@ function selectHint(state: EditorState): string {
       if (touch) return "Drag a point or a handle. Drag elsewhere to move the view, two fingers to zoom.";
       switch (state.selection.points.length) {
         case 0:
-          return "Drag a point or a handle. Drag across empty space to select.";
+          return "Drag a point or a handle, or across points to select them. Double-click inside a shape for all of it.";
         case 1:
           return "Alt-drag a handle to make a cusp. Press E to select the whole contour.";
         default:

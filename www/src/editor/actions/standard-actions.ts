@@ -4,8 +4,8 @@ import { fitted, mostZoom, zoomedAt, type ScreenPoint } from "../pointer/camera.
 import {
   clearCurve, nudge, resetSelectedHandles, selectAll, selectEnd, selectNone, setKind, stepPart, stepSelection, toggleCusp,
 } from "../curve/edits.ts";
-import { levelling, renewing } from "../curve/on-demand.ts";
-import { late, onDemand, whenLoaded } from "../loading.ts";
+import { framing, levelling, renewing } from "../curve/on-demand.ts";
+import { late, whenLoaded } from "../loading.ts";
 import type { Action, Editor, EditorState, OverlayId, ToolId } from "../editor.ts";
 
 /** The actions of the stage and the editor. Panels add those of files and dialogs. */
@@ -25,9 +25,6 @@ function insertAtHover(editor: Editor): void {
 }
 
 const byLevels = (by: number) => (editor: Editor): void => levelling(editor, ({ setLevel }) => setLevel(editor, editor.state.value.curve.level + by));
-
-/** What turns, stretches and chooses whole contours. */
-const framing = onDemand(() => import("../curve/framing.ts"));
 
 /** An action that is loaded with all that change which points there are. */
 function renewal(id: string, label: string, group: Action["group"], keys: readonly string[], edit: Renewal, enabled: (state: EditorState) => boolean): Action {

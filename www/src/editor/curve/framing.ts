@@ -2,6 +2,7 @@ import { stretching, transformPoints, turning, type Affine } from "../../documen
 import { joinEnds } from "../../document/curve/joining.ts";
 import { pointAt } from "../../document/document.ts";
 import { around, boundsOf, type Bounds } from "../../kernel/curve/samples.ts";
+import { shapeAt } from "../../kernel/paths/shapes.ts";
 import type { Editor, EditorState, Grip } from "../editor.ts";
 import { refuse } from "./edits.ts";
 import { fitted, mostZoom, toScreen, type PagePoint, type ScreenPoint } from "../pointer/camera.ts";
@@ -152,4 +153,10 @@ export function selectContours(editor: Editor): void {
   const wanted = new Set(hover.kind === "curve" ? [hover.contour] : selection.points.map(({ contour }) => contour));
   const points = curve.contours.flatMap((contour, c) => (wanted.has(c) ? contour.points.map((_, index) => ({ contour: c, index })) : []));
   editor.patch({ selection: { points, handle: null }, hint: "" });
+}
+
+/** The shape that a place is inside, all of it. */
+export function selectShapeAt(editor: Editor, at: PagePoint): void {
+  const points = shapeAt(editor.state.value.curve, at);
+  if (points.length > 0) editor.patch({ selection: { points, handle: null }, hint: "" });
 }

@@ -6,3 +6,5 @@ import { onDemand } from "../loading.ts";
 export const renewing = onDemand(() => import("./contour-edits.ts"));
 /** What goes up and down the levels. */
 export const levelling = onDemand(() => import("./level-edits.ts"));
+/** The frame around whole contours, what selects them, and what turns and stretches. */
+export const framing = onDemand(() => import("./framing.ts"));

@@ -19,6 +19,7 @@ const gesturesOf: Readonly<Record<Mode, readonly Gesture[]>> = {
     ["Ctrl while dragging", "turns snapping off"],
     ["Double-click the curve", "inserts a point without changing the curve"],
     ["Double-click a point", "switches between smooth and cusp"],
+    ["Double-click inside a shape", "selects all of it, with a frame to scale and rotate"],
     ["Drag across empty space", "selects; Shift adds, Alt subtracts"],
     ["Drag a grip on the frame", "scales or rotates whole contours exactly; Shift keeps proportions"],
     ["Shift or Alt with arrow keys", "nudges by 10 or by 0.1"],

@@ -1,7 +1,7 @@
 import { movePoints } from "../../document/curve/commands.ts";
 import { isSelected, nothingSelected, pointAt, samePoint, type PointRef, type Selection } from "../../document/document.ts";
 import { resetSelectedHandles, toggleCusp } from "../../editor/curve/edits.ts";
-import { renewing } from "../../editor/curve/on-demand.ts";
+import { framing, renewing } from "../../editor/curve/on-demand.ts";
 import type { Editor, Target } from "../../editor/editor.ts";
 import type { PagePoint } from "../../editor/pointer/camera.ts";
 import type { PointerSample } from "../../editor/tool.ts";
@@ -28,7 +28,7 @@ export function click(editor: Editor, target: Target, { page, modifiers: { shift
   }
 }
 
-export function doubleClick(editor: Editor, target: Target): void {
+export function doubleClick(editor: Editor, target: Target, { page }: PointerSample): void {
   switch (target.kind) {
     case "point":
       return toggleCusp(editor, only(target.point));
@@ -37,7 +37,10 @@ export function doubleClick(editor: Editor, target: Target): void {
     case "curve":
       return renewing(editor, ({ insertAt }) => insertAt(editor, target.contour, target.t));
     case "grip":
+      return;
     case "empty":
+      // Where clicks move a point, the first of them has.
+      if (!editor.state.value.settings.moveByClicks) framing(editor, ({ selectShapeAt }) => selectShapeAt(editor, page));
   }
 }
 

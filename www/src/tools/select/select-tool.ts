@@ -27,7 +27,7 @@ export function createSelectTool(editor: Editor): Tool {
     hit: (sample) => (sample.clicks === 2 ? lastClicked : targetOf(editor, frame(), sample)),
     begin: (start, target) => dragOf(editor, frame(), start, target),
     click(target, sample) {
-      if (sample.clicks === 2) doubleClick(editor, target);
+      if (sample.clicks === 2) doubleClick(editor, target, sample);
       else click(editor, target, sample);
       lastClicked = target;
     },

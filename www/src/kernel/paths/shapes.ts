@@ -1,0 +1,61 @@
+import type { Contour, CurveDocument, PointRef } from "../../document/document.ts";
+import { boundsOf, samplePoints, type Bounds } from "../curve/samples.ts";
+
+/** Which contours make one shape, as people see it: an outline with the holes and the marks in it. */
+
+interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** Polygons of so many sides a segment tell inside from outside, but for a hair beside the curve, where a press means the curve. */
+const sides = 24;
+const mostSides = 8192;
+
+/** Whether a closed contour goes round a place: by the winding number of a polygon of it. */
+function goesRound(curve: CurveDocument, contour: Contour, { x, y }: Place): boolean {
+  const box = boundsOf(curve, contour);
+  if (!contour.closed || box === null || x < box.minX || x > box.maxX || y < box.minY || y > box.maxY) return false;
+  const polygon = samplePoints(curve, contour, Math.min(mostSides, sides * contour.points.length));
+  let winding = 0;
+  let [fromX, fromY] = polygon.subarray(-2);
+  for (let i = 0; i < polygon.length; i += 2) {
+    const [toX, toY] = [polygon[i], polygon[i + 1]];
+    if (fromX === undefined || fromY === undefined || toX === undefined || toY === undefined) return false;
+    const side = (toX - fromX) * (y - fromY) - (x - fromX) * (toY - fromY);
+    if (fromY <= y && toY > y && side > 0) winding += 1;
+    else if (fromY > y && toY <= y && side < 0) winding -= 1;
+    [fromX, fromY] = [toX, toY];
+  }
+  return winding !== 0;
+}
+
+function isWithin(box: Bounds, around: Bounds): boolean {
+  return box.minX >= around.minX && box.maxX <= around.maxX && box.minY >= around.minY && box.maxY <= around.maxY;
+}
+
+const extent = ({ minX, minY, maxX, maxY }: Bounds): number => (maxX - minX) * (maxY - minY);
+
+/**
+ * The points of the shape around a place: of the colour that lies innermost there, the outermost contour that goes round the
+ * place, with all of its colour that lies within. None where nothing does.
+ */
+export function shapeAt(curve: CurveDocument, at: Place): readonly PointRef[] {
+  const around = curve.contours
+    .flatMap((contour) => {
+      const box = goesRound(curve, contour, at) ? boundsOf(curve, contour) : null;
+      return box === null ? [] : [{ contour, box }];
+    })
+    .sort((a, b) => extent(a.box) - extent(b.box));
+  const [innermost] = around;
+  const outermost = around.filter(({ contour }) => contour.ink === innermost?.contour.ink).at(-1);
+  if (outermost === undefined) return [];
+  return curve.contours.flatMap((contour, c): PointRef[] => {
+    const box = boundsOf(curve, contour);
+    // A contour within the box of another may still lie beside it.
+    const [first] = contour.points;
+    const belongs = contour === outermost.contour
+      || (contour.ink === outermost.contour.ink && box !== null && first !== undefined && isWithin(box, outermost.box) && goesRound(curve, outermost.contour, first));
+    return belongs ? contour.points.map((_, index) => ({ contour: c, index })) : [];
+  });
+}
