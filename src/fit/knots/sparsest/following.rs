@@ -25,8 +25,10 @@ impl Sparsest {
     #[inline(never)]
     pub(super) fn followed(&self, mut best: Found) -> Found {
         let breaks = &best.spline.space.breaks;
-        if !matches!(self.asked.aim, Aim::Noise(_)) || self.sharpest < breaks.degree {
-            return best;
+        match self.asked.aim {
+            Aim::Noise(_) if self.sharpest == breaks.degree => {}
+            Aim::Tolerance(_) => return self.jointed(best),
+            _ => return best,
         }
         let mut next = 0;
         loop {

@@ -1,7 +1,8 @@
 //! Corners that change the speed more than the way: once every piece has a speed of its own they are smooth joints.
 
+use super::last_knots::minimax;
 use super::rounding::{SEEMING, slight_corners};
-use super::{Found, Sparsest};
+use super::{Aim, Found, MOST_WORK, Sparsest};
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::foot_points::Spline;
 use crate::fit::knots::free_knots::{FreeKnots, Located};
@@ -12,15 +13,21 @@ use crate::numerics::order::sort_by_number;
 const ROUNDS: usize = 12;
 /// The most by which a corner makes the curve faster or slower.
 const MOST: f64 = 8.0;
+/// The share of a search's work that corners may take one by one.
+const SHARE: f64 = 0.1;
+/// From so many times a tolerance its largest distance may come down to it.
+const NEAR: f64 = 2.0;
 
 impl Sparsest {
     /// The best curve with those corners smooth that turn little and are not worth what they cost: all of them, or one after the
     /// other, those first that turn least (D 13.18). None are where parameters were given, which this would change.
     #[inline(never)]
     pub(super) fn jointed(&self, mut best: Found) -> Found {
-        if self.asked.timed {
+        if self.asked.timed || self.asked.aim.is_fine() {
             return best;
         }
+        let one = self.work_of(2.0 * ROUNDS as f64, &best.spline.space.breaks);
+        let most = (SHARE * MOST_WORK / one) as usize;
         let mut slight = slight_corners(&best.spline, SEEMING, 0.0);
         if slight.len() > 1
             && let Some(found) = self.with_joints(&slight, &best)
@@ -32,7 +39,7 @@ impl Sparsest {
             before.dot(&after) / (before.norm() * after.norm()).max(f64::MIN_POSITIVE)
         };
         sort_by_number(&mut slight, &|k| -straightness(k));
-        for k in slight {
+        for k in slight.into_iter().take(most) {
             best = self.with_joints(&[k], &best).unwrap_or(best);
         }
         best
@@ -53,8 +60,18 @@ impl Sparsest {
             spline.tighten(&located);
         }
         spline.straighten();
-        let distances = spline.project(&mut located, 3);
-        let kept = distances.squares <= enough && !self.is_spoiled(&spline, &located);
+        let mut distances = spline.project(&mut located, 3);
+        let near = match self.asked.aim {
+            Aim::Tolerance(tolerance) => {
+                if distances.largest > tolerance && distances.largest < NEAR * tolerance {
+                    distances = minimax(&mut spline, &mut located, tolerance);
+                    located.weights.clone_from(&best.located.weights);
+                }
+                distances.largest <= tolerance
+            }
+            _ => distances.squares <= enough,
+        };
+        let kept = near && !self.is_spoiled(&spline, &located);
         kept.then_some(Found { spline, located, distances, wild: None })
     }
 }

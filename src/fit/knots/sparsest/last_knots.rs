@@ -88,7 +88,7 @@ fn bold(breaks: &Breaks, removals: &[Removal]) -> Vec<Breaks> {
 
 /// Makes the largest distance smaller: far points weigh more from round to round (Lawson's way). The spline with the
 /// smallest largest distance is kept.
-fn minimax(spline: &mut Spline, data: &mut Located, enough: f64) -> Distances {
+pub(super) fn minimax(spline: &mut Spline, data: &mut Located, enough: f64) -> Distances {
     if data.weights.is_empty() {
         data.weights = vec![1.0; data.points.len()];
     }

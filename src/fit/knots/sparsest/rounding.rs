@@ -28,6 +28,9 @@ impl Sparsest {
 
     /// Goes on without the corners of the best curve that are too slight, or ends the search.
     pub(super) fn round_off(&mut self) -> Phase {
+        if matches!(self.asked.aim, Aim::Tolerance(_)) && self.effort.roundings == 0 {
+            self.found = self.found.take().map(|best| self.jointed(best));
+        }
         let Some(best) = &self.found else { return Phase::Done };
         let slight = self.slight_corners(&best.spline);
         if slight.is_empty()
