@@ -21,6 +21,7 @@
 //! # Ok::<(), expline::Error>(())
 //! ```
 
+mod any_roots;
 mod contract;
 mod convert;
 mod hermite;

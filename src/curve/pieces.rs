@@ -1,7 +1,8 @@
 //! A curve as the measures see it: one smooth piece after another.
 
 use super::HermiteCurve;
-use super::piece::{ANY_ROOTS, HERMITE, Piece};
+use super::any_roots::{ANY_ROOTS, OfAnyRoots, of_any_roots};
+use super::piece::{HERMITE, Piece};
 use super::space_piece::{SpacePiece, Triple};
 use super::spline_curve::lattice::Place;
 use super::spline_curve::{Generator, SplineCurve};
@@ -209,20 +210,20 @@ impl<G: Generator> Pieces for SplineCurve<G> {
 /// and what measures them is left out.
 pub(super) enum AnyPiece {
     Plane(Piece),
-    Space(SpacePiece),
+    Space(OfAnyRoots<SpacePiece>),
 }
 
 impl AnyPiece {
     pub(super) fn new(curve: &dyn Pieces, i: usize) -> Self {
-        if in_space(curve) { Self::Space(space_piece(curve, i)) } else { Self::Plane(curve.piece(i)) }
+        let in_space = if in_space(curve) { of_any_roots(space_piece(curve, i)) } else { None };
+        in_space.map_or_else(|| Self::Plane(curve.piece(i)), Self::Space)
     }
 
     /// The speed at y.
     pub(super) fn speed(&self, y: f64) -> f64 {
         match self {
             Self::Plane(piece) => crate::numerics::plane::norm(piece.jet(y).first),
-            Self::Space(piece) if ANY_ROOTS => piece.speed(y),
-            Self::Space(_) => 0.0,
+            Self::Space(piece) => piece.speed(y),
         }
     }
 
@@ -230,8 +231,7 @@ impl AnyPiece {
     pub(super) fn length(&self, lo: f64, hi: f64, tolerance: f64) -> f64 {
         match self {
             Self::Plane(piece) => super::speed::piece_length(piece, lo, hi, tolerance),
-            Self::Space(piece) if ANY_ROOTS => piece.length(lo, hi, tolerance),
-            Self::Space(_) => 0.0,
+            Self::Space(piece) => piece.length(lo, hi, tolerance),
         }
     }
 }

@@ -151,6 +151,7 @@ fn largest_speed(piece: &Piece, jet: &Jet, at: f64, reach: f64) -> f64 {
 }
 
 /// The length of a piece between two parameters, within `tolerance`.
+#[inline(never)]
 pub(super) fn piece_length(piece: &Piece, lo: f64, hi: f64, tolerance: f64) -> f64 {
     if !piece.is_decaying() {
         return interval_length(piece, lo, hi, tolerance);

@@ -12,7 +12,7 @@
 
 use super::length::place_on;
 use super::tolerance::check_tolerance;
-use crate::curve::piece::{ANY_ROOTS, Jet, Piece};
+use crate::curve::piece::{Jet, Piece};
 use crate::curve::pieces::{AnyPiece, Pieces};
 use crate::curve::speed::{ROUNDING, fastest, piece_length};
 use crate::error::{Error, Result};
@@ -64,7 +64,7 @@ impl LengthTable {
         let total = lengths.iter().sum();
         let kept = if pieces > MOST_KEPT { 0 } else { pieces };
         let mut cells = with_room(kept)?;
-        cells.resize(kept, Vec::new());
+        cells.resize_with(kept, Vec::new);
         Ok(Self { tolerance, lengths, total, cells })
     }
 
@@ -107,12 +107,11 @@ impl LengthTable {
     pub(crate) fn points_of(&mut self, curve: &dyn Pieces, count: usize) -> Result<Vec<f64>> {
         self.along(curve, count, curve.dimension(), &mut |piece, _, places, out| match piece {
             AnyPiece::Plane(piece) => piece.positions(places, out),
-            AnyPiece::Space(piece) if ANY_ROOTS => {
+            AnyPiece::Space(piece) => {
                 for (point, &y) in out.chunks_exact_mut(3).zip(places) {
                     point.copy_from_slice(&piece.position(y));
                 }
             }
-            AnyPiece::Space(_) => {}
         })
     }
 
@@ -124,7 +123,7 @@ impl LengthTable {
         let share = share(self.tolerance, self.lengths.len());
         let mut out = filled(0.0, each * count)?;
         let mut rest = out.as_mut_slice();
-        let (mut passing, mut before, mut done) = (Vec::new(), 0.0, 0);
+        let (mut passing, mut places, mut before, mut done) = (Vec::new(), [0.0; BATCH], 0.0, 0);
         for (i, &whole) in self.lengths.iter().enumerate() {
             // The points whose place is on this piece; the last one takes what roundings leave.
             let end = before + whole;
@@ -145,7 +144,6 @@ impl LengthTable {
                 let mut cell = 0;
                 // Some at a time: a call for each would cost more than the place.
                 while done < until {
-                    let mut places = [1.0; BATCH];
                     let number = (until - done).min(BATCH);
                     for (k, y) in places.iter_mut().enumerate().take(number) {
                         let place = ((done + k) as f64 * step - before) * scale;
@@ -230,6 +228,13 @@ impl Cell {
         let y = if y > a { y } else { a };
         if y < self.hi { y } else { self.hi }
     }
+
+    /// How far the parameter at a share of a cell from `lo` on, which is not put after others yet, is from there along the piece.
+    #[inline(never)]
+    fn gap(&self, piece: &Piece, lo: f64, share: f64, tolerance: f64) -> f64 {
+        let place = share * self.end;
+        (piece_length(piece, lo, self.parameter(place), tolerance) - place).abs()
+    }
 }
 
 /// A parameter, and its first three derivatives by the length.
@@ -259,15 +264,14 @@ fn tabulate(piece: &Piece, tolerance: f64, share: f64, cells: &mut Vec<Cell>) {
     let (mut total, mut from) = (0.0, Node::new(piece, -0.5));
     // Where the intervals end that wait to be looked at, the next one last. Four at first: in the middle of a symmetric piece
     // any polynomial is right.
-    let (mut ends, mut open) = ([0.5; STACK], START.len());
+    let (mut ends, mut open) = ([0.0; STACK], START.len());
     ends[..open].copy_from_slice(&START);
     while open > 0 {
         let (lo, hi) = (from.y, ends[open - 1]);
-        let length_to = |y: f64| piece_length(piece, lo, y, 0.25 * share);
-        let (to, length) = (Node::new(piece, hi), length_to(hi));
+        let (to, length) = (Node::new(piece, hi), piece_length(piece, lo, hi, 0.25 * share));
         let mut cell = Cell::new(&from, &to, length);
         let dividable = hi - lo > LEAST_WIDTH && open < STACK && cells.len() < MOST_CELLS;
-        let off = |s: f64| (length_to(cell.parameter(s * length)) - s * length).abs() > tolerance;
+        let off = |look: f64| cell.gap(piece, lo, look, 0.25 * share) > tolerance;
         if length > tolerance && dividable && LOOKS.into_iter().any(off) {
             ends[open] = 0.5 * (lo + hi);
             open += 1;
