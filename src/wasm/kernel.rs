@@ -112,9 +112,9 @@ pub(super) struct Kernel {
     /// The pictures that are open, by their numbers.
     #[cfg(feature = "wasm-trace")]
     pub(super) traces: Vec<Option<Box<Job>>>,
-    /// The resident curves.
+    /// The resident curves; a list, since an array of known length would be emptied one by one.
     #[cfg(any(feature = "wasm", feature = "wasm-spline"))]
-    pub(super) slots: [Option<Resident>; SLOTS],
+    pub(super) slots: Vec<Option<Resident>>,
     /// The resident surfaces.
     #[cfg(feature = "wasm-surface")]
     pub(super) surfaces: [Option<TensorSurface>; SURFACES],
@@ -140,7 +140,7 @@ thread_local! {
             #[cfg(feature = "wasm-trace")]
             traces: Vec::new(),
                         #[cfg(any(feature = "wasm", feature = "wasm-spline"))]
-            slots: [const { None }; SLOTS],
+            slots: Vec::new(),
             #[cfg(feature = "wasm-surface")]
             surfaces: [const { None }; SURFACES],
         })
@@ -167,6 +167,9 @@ impl Kernel {
 
     /// Puts a curve into a slot.
     pub(super) fn keep(&mut self, slot: u32, curve: AnyCurve) {
+        while self.slots.len() < SLOTS {
+            self.slots.push(None);
+        }
         if let Some(place) = self.slots.get_mut(slot as usize) {
             *place = Some(Resident { curve, finder: None, table: None });
         }
@@ -194,11 +197,14 @@ impl Kernel {
         let Some(Some(Resident { curve, table, .. })) = self.slots.get_mut(slot as usize) else {
             return Err(Box::new(NOT_RESIDENT));
         };
-        let prepared = match table.take() {
-            Some(known) if known.tolerance() == tolerance => known,
-            _ => LengthTable::new(curve.pieces(), tolerance)?,
+        if table.as_ref().is_some_and(|known| known.tolerance() != tolerance) {
+            *table = None;
+        }
+        let table = match table {
+            Some(known) => known,
+            None => table.insert(LengthTable::new(curve.pieces(), tolerance)?),
         };
-        Ok((curve.pieces(), table.insert(prepared)))
+        Ok((curve.pieces(), table))
     }
 
     /// The curve in a slot, the first `count` numbers that JavaScript wrote, and the output.
@@ -378,9 +384,7 @@ pub fn forget() {
         if let Ok(mut kernel) = cell.try_borrow_mut() {
             let kernel = &mut *kernel;
             #[cfg(any(feature = "wasm", feature = "wasm-spline"))]
-            for place in &mut kernel.slots {
-                *place = None;
-            }
+            kernel.slots.clear();
             #[cfg(feature = "wasm-surface")]
             for place in &mut kernel.surfaces {
                 *place = None;
