@@ -81,23 +81,6 @@ struct Boxes {
 impl Boxes {
     const NONE: Self = Self { low: [[f64::INFINITY; FAN]; 2], high: [[f64::NEG_INFINITY; FAN]; 2] };
 
-    #[inline(never)]
-    fn include(&mut self, k: usize, low: Point, high: Point) {
-        // Every child is included once.
-        for axis in 0..2 {
-            self.low[axis][k] = low[axis];
-            self.high[axis][k] = high[axis];
-        }
-    }
-
-    /// The corners of the box around all.
-    fn around(&self) -> (Point, Point) {
-        (
-            Point::new(least(&self.low[0]), least(&self.low[1])),
-            -Point::new(least(&self.high[0].map(|v| -v)), least(&self.high[1].map(|v| -v))),
-        )
-    }
-
     /// The squares of the distances to all.
     #[inline]
     fn distances(&self, place: Point) -> [f64; FAN] {
@@ -135,10 +118,34 @@ fn first_of(distances: &[f64; FAN]) -> usize {
     (a.min(b).min(c.min(d)) & (FAN as u64 - 1)) as usize
 }
 
-/// The least of the values; a loop of its own, which is not unrolled.
-#[inline(never)]
-fn least(values: &[f64]) -> f64 {
-    values.iter().fold(f64::INFINITY, |a, &b| if b < a { b } else { a })
+/// An upright box: its least coordinates, and its largest ones negated, so that the box around several has the least of all four.
+type Corners = [f64; 4];
+
+/// The tree over these boxes, from their own level up to one of one node.
+fn tree(mut corners: Vec<Corners>) -> Vec<Vec<Boxes>> {
+    let mut levels = Vec::new();
+    loop {
+        let (mut level, mut above) = (Vec::new(), Vec::new());
+        for children in corners.chunks(FAN) {
+            let (mut boxes, mut around) = (Boxes::NONE, [f64::INFINITY; 4]);
+            for (k, child) in children.iter().enumerate() {
+                for axis in 0..2 {
+                    boxes.low[axis][k] = child[axis];
+                    boxes.high[axis][k] = -child[axis + 2];
+                }
+                for (least, &value) in around.iter_mut().zip(child) {
+                    *least = smaller(*least, value);
+                }
+            }
+            level.push(boxes);
+            above.push(around);
+        }
+        levels.push(level);
+        if above.len() < 2 {
+            return levels;
+        }
+        corners = above;
+    }
 }
 
 impl NearestFinder {
@@ -155,22 +162,7 @@ impl NearestFinder {
             add_groups(&mut groups, &piece, pieces.len(), FLATNESS * extent);
             pieces.push(piece);
         }
-        let mut level = vec![Boxes::NONE; groups.len().div_ceil(FAN)];
-        for (i, group) in groups.iter().enumerate() {
-            let (low, high) = group.corners();
-            level[i / FAN].include(i % FAN, low, high);
-        }
-        let mut levels = Vec::new();
-        while level.len() > 1 {
-            let mut above = vec![Boxes::NONE; level.len().div_ceil(FAN)];
-            for (i, boxes) in level.iter().enumerate() {
-                let (low, high) = boxes.around();
-                above[i / FAN].include(i % FAN, low, high);
-            }
-            levels.push(level);
-            level = above;
-        }
-        levels.push(level);
+        let levels = tree(groups.iter().map(Group::corners).collect());
         let center = Point::new(0.5 * (bounds.min_x + bounds.max_x), 0.5 * (bounds.min_y + bounds.max_y));
         Self { pieces, knots, groups, levels, center, slack: bounds.tie() }
     }
@@ -285,9 +277,9 @@ impl Group {
     }
 
     /// The corners of the box around the arcs.
-    fn corners(&self) -> (Point, Point) {
-        let (x, y) = (self.span(0), self.span(1));
-        (Point::new(x.0, y.0), Point::new(x.1, y.1))
+    fn corners(&self) -> Corners {
+        let ((left, right), (bottom, top)) = (self.span(0), self.span(1));
+        [left, bottom, -right, -top]
     }
 
     /// The least and the largest coordinate. Comparisons instead of `min`: nothing here is not a number.
