@@ -125,7 +125,8 @@ impl<'a> Fit<'a> {
     #[inline(never)]
     fn lay(&self, speeds: [f64; 2], feet: &mut [f64; COUNT]) -> f64 {
         let segment = self.with(speeds);
-        let (mut ends, mut lengths) = ([segment.start; CHORDS + 1], [0.0; CHORDS + 1]);
+        let (mut ends, mut lengths) = ([Point::zeros(); CHORDS + 1], [0.0; CHORDS + 1]);
+        ends[0] = segment.start;
         for k in 1..=CHORDS {
             ends[k] = segment.position(k as f64 / CHORDS as f64);
             lengths[k] = lengths[k - 1] + (ends[k] - ends[k - 1]).norm();
