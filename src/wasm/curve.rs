@@ -97,7 +97,7 @@ pub fn trim(slot: u32, t0: f64, t1: f64) -> i32 {
 /// The same curve run backwards.
 #[wasm_bindgen]
 pub fn reverse(slot: u32) -> i32 {
-    derive(slot, &|curve| Ok(curve.reversed()))
+    derive(slot, &HermiteCurve::backwards)
 }
 
 /// The image under the affine map of an SVG matrix.

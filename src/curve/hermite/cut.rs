@@ -21,7 +21,7 @@ impl HermiteCurve {
             return Ok(vec![self.part(self.snapped(at), self.snapped(at), true)?]);
         }
         if t - start < LEAST_LENGTH || end - t < LEAST_LENGTH {
-            return Ok(vec![self.clone()]);
+            return Ok(vec![self.remade()?]);
         }
         let (first, last) = ((0, 0.0), (self.segment_count(), 0.0));
         let at = self.snapped(at);

@@ -37,8 +37,14 @@ impl HermiteCurve {
     ///
     /// A closed curve still starts at point 0. Twice reversed it is the old curve to the last bit.
     pub fn reversed(&self) -> Self {
+        // The same numbers in another order pass the same checks.
+        self.backwards().unwrap_or_else(|_| self.clone())
+    }
+
+    /// [`Self::reversed`], with the error that cannot be.
+    pub(crate) fn backwards(&self) -> Result<Self> {
         let from = usize::from(self.is_closed());
-        let reversed = self.changed(&mut |data| {
+        self.changed(&mut |data| {
             core::mem::swap(&mut data.tangents, &mut data.tangents_in);
             for list in [&mut data.points, &mut data.tangents, &mut data.tangents_in] {
                 reverse(&mut list[from..]);
@@ -49,9 +55,7 @@ impl HermiteCurve {
             for list in [&mut data.omega, &mut data.lengths] {
                 reverse(list);
             }
-        });
-        // The same numbers in another order pass the same checks.
-        reversed.unwrap_or_else(|_| self.clone())
+        })
     }
 
     /// The image under (x, y) ↦ (a·x + c·y + e, b·x + d·y + f), with the matrix in SVG's order a b c d e f.
@@ -78,6 +82,11 @@ impl HermiteCurve {
         let mut data = self.to_options();
         change(&mut data);
         Self::new(data)
+    }
+
+    /// The same curve: who changes curves has the code for this anyway, and needs none to copy them.
+    pub(super) fn remade(&self) -> Result<Self> {
+        Self::new(self.to_options())
     }
 
     pub(super) fn check_index(&self, i: usize) -> Result<()> {

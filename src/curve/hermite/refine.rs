@@ -57,7 +57,7 @@ impl HermiteCurve {
             (length * x, length - length * x)
         };
         if first < LEAST_LENGTH || last < LEAST_LENGTH {
-            return Ok(self.clone());
+            return self.remade();
         }
         let count = self.points().len() + 1;
         if count > MOST_POINTS {
