@@ -51,6 +51,7 @@ pub use spline_curve::local::LocalCurve;
 pub use spline_curve::spline_sampler::SplineSampler;
 
 pub(crate) use convert::to_hermite;
+pub(crate) use measures::bounds::frame;
 pub(crate) use measures::cubics::segment_cubics;
 pub(crate) use pieces::Pieces;
 #[cfg(all(target_arch = "wasm32", any(feature = "wasm", feature = "wasm-spline")))]

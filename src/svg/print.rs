@@ -6,10 +6,10 @@ mod beziers;
 use super::number;
 use super::text::{DecimalGrid, Placed, Text};
 use crate::curve::measures::tolerance::{LEAST_DIGITS, LEAST_TOLERANCE, check_tolerance};
-use crate::curve::{Curve, HermiteCurve, Pieces, Segment, to_hermite};
+use crate::curve::{Curve, HermiteCurve, Pieces, Segment, frame, to_hermite};
 use crate::error::Result;
 use crate::limits::{LARGEST_COORDINATE, check};
-use crate::numerics::plane::{larger, smaller};
+use crate::numerics::plane::larger;
 use crate::numerics::{Point, Vector};
 
 /// From this many decimals on, coordinates are written so that every bit comes back.
@@ -261,20 +261,7 @@ fn grid_for(tolerance: f64, largest: f64) -> DecimalGrid {
 /// Extent and largest coordinate of the points and their generalised Bézier points, in whose hull the curve lies; of nearly full turns,
 /// whose Bézier points lie anywhere out there, those of the curve itself.
 fn size(curve: &HermiteCurve) -> (f64, f64) {
-    if curve.segments().any(|segment| segment.basis.kappa() > FAR) {
-        let b = curve.bounds();
-        return (Vector::new(b.max_x - b.min_x, b.max_y - b.min_y).norm(), b.largest());
-    }
-    let first = curve.points()[0];
-    let (mut low, mut high) = (first, first);
-    for segment in curve.segments() {
-        let reach = segment.length * larger(segment.basis.kappa(), 1.0 / 3.0);
-        for p in
-            [segment.start, segment.start + segment.leaving * reach, segment.end - segment.arriving * reach]
-        {
-            (low, high) = (low.zip_map(&p, smaller), high.zip_map(&p, larger));
-        }
-        (low, high) = (low.zip_map(&segment.end, smaller), high.zip_map(&segment.end, larger));
-    }
-    ((high - low).norm(), low.amax().max(high.amax()))
+    let far = curve.segments().any(|segment| segment.basis.kappa() > FAR);
+    let b = if far { curve.bounds() } else { frame(curve, 1.0 / 3.0) };
+    (Vector::new(b.max_x - b.min_x, b.max_y - b.min_y).norm(), b.largest())
 }

@@ -125,18 +125,31 @@ pub(crate) fn hull(curve: &dyn Pieces) -> Bounds {
         }
         return grown.bounds(3);
     }
-    let own = hermite(curve);
+    if let Some(own) = hermite(curve) {
+        return frame(own, 0.0);
+    }
     for i in 0..=last {
-        let start = match own {
-            Some(own) => own.start(i),
-            None => curve.start(i),
-        };
-        grown.include(start.as_slice());
+        grown.include(curve.start(i).as_slice());
         if i < last {
-            for handle in handles(curve, own, i) {
+            for handle in curve.handles(i) {
                 grown.include(handle.as_slice());
             }
         }
+    }
+    grown.bounds(2)
+}
+
+/// The box around the points of a Hermite curve and its generalised Bézier points, those with a κ below `least` as far out as with that.
+#[inline(never)]
+pub(crate) fn frame(curve: &HermiteCurve, least: f64) -> Bounds {
+    let mut grown = Grown::EMPTY;
+    for point in curve.points() {
+        grown.include(point.as_slice());
+    }
+    for segment in curve.segments() {
+        let reach = larger(segment.basis.kappa(), least) * segment.length;
+        grown.include((segment.start + segment.leaving * reach).as_slice());
+        grown.include((segment.end - segment.arriving * reach).as_slice());
     }
     grown.bounds(2)
 }

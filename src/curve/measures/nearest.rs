@@ -125,7 +125,8 @@ type Corners = [f64; 4];
 fn tree(mut corners: Vec<Corners>) -> Vec<Vec<Boxes>> {
     let mut levels = Vec::new();
     loop {
-        let (mut level, mut above) = (Vec::new(), Vec::new());
+        let nodes = corners.len().div_ceil(FAN);
+        let (mut level, mut above) = (Vec::with_capacity(nodes), Vec::with_capacity(nodes));
         for children in corners.chunks(FAN) {
             let (mut boxes, mut around) = (Boxes::NONE, [f64::INFINITY; 4]);
             for (k, child) in children.iter().enumerate() {
