@@ -11,7 +11,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import binaryen from "binaryen";
 
 const [, , input, output] = process.argv;
-const PANICS = /core(\[[0-9a-f]+\])?::(panicking|slice::index::slice_\w+_fail|result::unwrap_failed|option::(expect|unwrap)_failed|cell::panic_)|alloc(\[[0-9a-f]+\])?::(raw_vec::handle_error|raw_vec::capacity_overflow|alloc::handle_alloc_error)|rust_begin_unwind|rust_panic|std(\[[0-9a-f]+\])?::panicking|__rustc(\[[0-9a-f]+\])?::(rust_begin_unwind|__rust_alloc_error_handler)|rust_oom|core(\[[0-9a-f]+\])?::fmt::/;
+const PANICS = /core(\[[0-9a-f]+\])?::(panicking|slice::index::slice_\w+_fail|result::unwrap_failed|option::(expect|unwrap)_failed|cell::panic_)|alloc(\[[0-9a-f]+\])?::(vec::Vec<.*>>::\w+::assert_failed|raw_vec::handle_error|raw_vec::capacity_overflow|alloc::handle_alloc_error)|rust_begin_unwind|rust_panic|std(\[[0-9a-f]+\])?::panicking|__rustc(\[[0-9a-f]+\])?::(rust_begin_unwind|__rust_alloc_error_handler)|rust_oom|core(\[[0-9a-f]+\])?::fmt::/;
 const PATHS = /(\/|src\/)[\w./@+-]+?\.rs/g;
 const MESSAGES = new RegExp(
   [

@@ -262,7 +262,7 @@ impl Inner {
         }
         let segments = steps(count, data.closed);
         if data.tangents_in.is_empty() {
-            data.tangents_in.clone_from(&data.tangents);
+            data.tangents_in = data.tangents.clone();
         }
         if data.lengths.is_empty() {
             data.lengths = filled(1.0, segments)?;

@@ -5,6 +5,7 @@
 use super::describe::{SPACES, pairs, push_short};
 use super::kernel::{AnyCurve, run, times};
 use crate::curve::HermiteOptions;
+use crate::limits::filled;
 use crate::numerics::{Point, Vector};
 use crate::{HermiteCurve, Result, Space};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -37,7 +38,7 @@ pub fn load(slot: u32, points: u32, arriving: u32, omega: u32, lengths: u32, spa
         let closed = closed != 0;
         // One length stands for all of them, as in `describe`; a caller's own array was counted by the face.
         let segments = points.len().saturating_sub(usize::from(!closed));
-        let lengths = if let [length] = *lengths { vec![length; segments] } else { lengths.to_vec() };
+        let lengths = if let [length] = *lengths { filled(length, segments)? } else { lengths.to_vec() };
         let options =
             HermiteOptions { points, tangents, tangents_in, closed, space: space_of(space), omega, lengths };
         let curve = HermiteCurve::new(options)?;

@@ -16,16 +16,17 @@ impl HermiteCurve {
     /// t not finite, or outside the domain of an open curve.
     pub fn split(&self, t: f64) -> Result<Vec<Self>> {
         let (start, end) = self.domain();
-        let at = self.locate(t)?;
+        let at = self.snapped(self.locate(t)?);
+        let mut parts = Vec::new();
         if self.is_closed() {
-            return Ok(vec![self.part(self.snapped(at), self.snapped(at), true)?]);
+            parts.push(self.part(at, at, true)?);
+        } else if t - start < LEAST_LENGTH || end - t < LEAST_LENGTH {
+            parts.push(self.remade()?);
+        } else {
+            parts.push(self.part((0, 0.0), at, false)?);
+            parts.push(self.part(at, (self.segment_count(), 0.0), false)?);
         }
-        if t - start < LEAST_LENGTH || end - t < LEAST_LENGTH {
-            return Ok(vec![self.remade()?]);
-        }
-        let (first, last) = ((0, 0.0), (self.segment_count(), 0.0));
-        let at = self.snapped(at);
-        Ok(vec![self.part(first, at, false)?, self.part(at, last, false)?])
+        Ok(parts)
     }
 
     /// The part from t0 to t1 as an open curve, with its own parameter from 0.
