@@ -14,7 +14,7 @@
 //! the same there, and what bounds the rest is the fourth derivative.
 
 use super::Segment;
-use super::any_roots::{OfAnyRoots, of_any_roots};
+use super::any_roots::{ANY_ROOTS, ListOfAnyRoots, list_of_any_roots};
 use crate::generator::Space;
 use crate::numerics::entire::{Stumpff, stumpff};
 use crate::numerics::plane::{norm, taxi};
@@ -41,21 +41,12 @@ pub(crate) struct Jet {
     pub(crate) third: Vector,
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Form {
     Cubic,
     Centred,
     Decaying,
-    Polynomial(OfAnyRoots<Polynomial>),
-}
-
-/// What a polynomial of degree 4 or more has besides a, b, p, q.
-#[derive(Clone, Debug)]
-struct Polynomial {
-    /// All coefficients, ascending.
-    powers: Vec<Vector>,
-    /// A bound of |r⁗| on the whole piece.
-    fourth: f64,
+    Polynomial,
 }
 
 /// A segment in closed form; see the module's text.
@@ -69,6 +60,10 @@ pub struct Piece {
     rate: f64,
     w: f64,
     form: Form,
+    /// Of a polynomial all coefficients, ascending; else nothing.
+    powers: ListOfAnyRoots<Vector>,
+    /// Of a polynomial a bound of |r⁗| on the whole piece.
+    fourth: f64,
 }
 
 /// The point in the middle and the three derivatives there, of a segment that is a cubic.
@@ -88,7 +83,8 @@ pub(crate) fn cubic_middle(segment: &Segment<'_>) -> Option<[Vector; 4]> {
 impl Piece {
     /// The cubic with middle 0 and those derivatives there.
     pub(crate) fn cubic(b: Vector, p: Vector, q: Vector) -> Self {
-        Self { a: Point::zeros(), b, p, q, rate: 0.0, w: 0.0, form: Form::Cubic }
+        let (a, powers) = (Point::zeros(), ListOfAnyRoots::default());
+        Self { a, b, p, q, rate: 0.0, w: 0.0, form: Form::Cubic, powers, fourth: 0.0 }
     }
 
     /// The polynomial with these coefficients of ascending powers of y, x and y in turn.
@@ -100,8 +96,9 @@ impl Piece {
         let power = |k: usize| powers.get(k).copied().unwrap_or_default();
         let mut piece = Self { a: power(0), ..Self::cubic(power(1), power(2) * 2.0, power(3) * 6.0) };
         if powers.len() > 4 {
-            let fourth = fourth_within(&powers, 0.5);
-            piece.form = of_any_roots(Polynomial { powers, fourth }).map_or(Form::Cubic, Form::Polynomial);
+            piece.powers = list_of_any_roots(powers);
+            piece.form = Form::Polynomial;
+            piece.fourth = piece.fourth_within(0.5);
         }
         piece
     }
@@ -142,31 +139,19 @@ impl Piece {
     /// Whether the piece is a polynomial of degree 3.
     #[inline]
     pub(crate) fn is_cubic(&self) -> bool {
-        matches!(self.form, Form::Cubic)
+        self.form == Form::Cubic
     }
 
     /// Whether the coefficients p and q are those of decaying exponentials.
     #[inline]
     pub(crate) fn is_decaying(&self) -> bool {
-        HERMITE && matches!(self.form, Form::Decaying)
+        HERMITE && self.form == Form::Decaying
     }
 
     /// Whether it is a polynomial of degree 4 or more.
     #[inline]
     pub(crate) fn is_polynomial(&self) -> bool {
-        matches!(self.form, Form::Polynomial(..))
-    }
-
-    /// All coefficients of a polynomial of degree 4 or more, of other pieces none.
-    #[inline]
-    fn powers(&self) -> &[Vector] {
-        if let Form::Polynomial(polynomial) = &self.form { &polynomial.powers } else { &[] }
-    }
-
-    /// A bound of |r⁗| of such a polynomial on the whole piece, of other pieces 0.
-    #[inline]
-    fn own_fourth(&self) -> f64 {
-        if let Form::Polynomial(polynomial) = &self.form { polynomial.fourth } else { 0.0 }
+        ANY_ROOTS && self.form == Form::Polynomial
     }
 
     /// Whether the piece is a straight line, run through evenly, between lo and hi: so far inside a long hyperbolic
@@ -189,7 +174,7 @@ impl Piece {
             return self.a + (self.b + (self.p * 0.5 + self.q * (y / 6.0)) * y) * y;
         }
         if self.is_polynomial() {
-            return self.powers().iter().rev().fold(Point::zeros(), |sum, c| sum * y + c);
+            return self.powers.iter().rev().fold(Point::zeros(), |sum, c| sum * y + c);
         }
         self.jet(y).position
     }
@@ -237,7 +222,7 @@ impl Piece {
     #[inline(never)]
     fn transcendental_jet(&self, y: f64) -> Jet {
         if !HERMITE || self.is_polynomial() {
-            return polynomial_jet(self.powers(), y);
+            return polynomial_jet(&self.powers, y);
         }
         let Self { a, b, p, q, rate, w, .. } = *self;
         if self.is_decaying() {
@@ -268,13 +253,23 @@ impl Piece {
         let half = 0.5 * (hi - lo);
         let middle = self.jet(0.5 * (lo + hi));
         let (even, odd) = self.growth(half);
-        norm(middle.second) * even + (norm(middle.third) * odd + 0.5 * half * self.own_fourth()) * half
+        norm(middle.second) * even + (norm(middle.third) * odd + 0.5 * half * self.fourth) * half
     }
 
     /// A bound of |r⁗| where |r″| is at most `bend`.
     #[inline]
     pub(crate) fn fourth(&self, bend: f64) -> f64 {
-        self.rate.abs() * bend + self.own_fourth()
+        self.rate.abs() * bend + self.fourth
+    }
+
+    /// A bound of |r⁗| of a polynomial for all complex y of at most this modulus (D 10.1).
+    fn fourth_within(&self, radius: f64) -> f64 {
+        let mut sum = 0.0;
+        for (k, c) in self.powers.iter().enumerate().skip(4).rev() {
+            let k = k as f64;
+            sum = sum * radius + k * (k - 1.0) * (k - 2.0) * (k - 3.0) * taxi(*c);
+        }
+        sum
     }
 
     /// Bounds for complex parameters within `reach` of the one that the jet is at: of the way from there, and of |r′|.
@@ -286,7 +281,7 @@ impl Piece {
         } else {
             stumpff(-(self.rate.abs() * reach * reach).min(490_000.0)).c0
         };
-        let fourth = fourth_within(self.powers(), at.abs() + reach);
+        let fourth = if self.is_polynomial() { self.fourth_within(at.abs() + reach) } else { 0.0 };
         let (first, second, third) = (norm(jet.first), growth * norm(jet.second), growth * norm(jet.third));
         let way = first + reach * (second / 2.0 + reach * (third / 6.0 + reach * fourth / 24.0));
         let speed = first + reach * (second + reach * (third / 2.0 + reach * fourth / 6.0));
@@ -314,7 +309,7 @@ impl Piece {
         let half = 0.5 * (hi - lo);
         let middle = self.jet(0.5 * (lo + hi));
         let (even, odd) = self.growth(half);
-        norm(middle.third) * even + (norm(middle.second) * self.rate.abs() * odd + self.own_fourth()) * half
+        norm(middle.third) * even + (norm(middle.second) * self.rate.abs() * odd + self.fourth) * half
     }
 
     /// The largest values on |u| <= half of |cos wu| and |sin wu|/(w|u|), or of cosh and sinh.
@@ -336,22 +331,12 @@ impl Piece {
         let cubic = [self.b * 0.5, self.p * 0.125, self.q * (1.0 / 48.0)];
         let mut size = cubic.iter().fold(Vector::zeros(), |sum, v| sum + v.abs());
         let mut share = 1.0 / 16.0;
-        for c in self.powers().iter().skip(4) {
+        for c in self.powers.iter().skip(4) {
             size += c.abs() * share;
             share *= 0.5;
         }
         [self.a - size, self.a + size]
     }
-}
-
-/// A bound of |r⁗| of the polynomial with these coefficients for all complex y of at most this modulus (D 10.1).
-fn fourth_within(powers: &[Vector], radius: f64) -> f64 {
-    let mut sum = 0.0;
-    for (k, c) in powers.iter().enumerate().skip(4).rev() {
-        let k = k as f64;
-        sum = sum * radius + k * (k - 1.0) * (k - 2.0) * (k - 3.0) * taxi(*c);
-    }
-    sum
 }
 
 /// A polynomial and its first three derivatives, by Horner's rule.
