@@ -6,7 +6,7 @@ mod support;
 use core::f64::consts::TAU;
 
 use expline::Curve;
-use expline::fit::{Ask, Fit, Options, fit};
+use expline::fit::{Ask, Fit, Options, Parametrisation, fit};
 use expline::numerics::Point;
 use support::curves::Random;
 
@@ -178,4 +178,16 @@ fn within_a_tolerance_a_pen_leaves_few_corners_and_no_more_pieces() {
     // Measured .03 and 4.0; without joints at one speed (D 13.18) .3 and 4.0.
     assert!(sharp / all <= 0.1, "{} corners each", sharp / all);
     assert!(knots / all <= 4.2, "{} knots each", knots / all);
+}
+
+#[test]
+fn a_smoothing_takes_the_points_of_a_pen_by_their_numbers() {
+    // By the length of their way, what the hand turned slowly would be corners.
+    let mut random = Random::new(1);
+    let stroke = stroke(&SMOOTH[2], 2.0, 0.3, &mut random);
+    let [found, numbered] = [Parametrisation::Auto, Parametrisation::Index].map(|parametrisation| {
+        let options = Options { closed: Some(false), parametrisation, ..Options::default() };
+        fit(&stroke, Ask::Smoothing(0.3), &options).expect("it can be fitted").curve
+    });
+    assert!(found == numbered, "the same to the last bit");
 }

@@ -4,6 +4,7 @@ mod asking;
 mod description;
 mod finishing;
 
+use self::asking::Purpose;
 use self::finishing::Finishing;
 use super::convex::problem::{Component, Problem, interpolating_grid, uniform_grid};
 use super::convex::solution::Status;
@@ -66,8 +67,8 @@ pub struct Fitter {
     samples: Samples,
     /// By the parametrisation that the ask wants.
     located: Located,
-    /// Whether that was an ask for λ; `None` before the first.
-    located_by: Option<bool>,
+    /// What for; `None` before the first.
+    located_for: Option<Purpose>,
     /// Whether points follow one another so evenly that their index is their parameter.
     even: bool,
     end: f64,
@@ -141,7 +142,7 @@ impl Fitter {
             options: options.clone(),
             samples,
             located: Located::default(),
-            located_by: None,
+            located_for: None,
             even: false,
             end: 0.0,
             unit: 1.0,

@@ -46,8 +46,7 @@ pub fn noise(samples: &Samples) -> f64 {
 }
 
 /// Whether the points follow one another so evenly that their index is a parameter: along the curve they scatter hardly
-/// more than across it, over longer stretches as well, where what spacing does by chance adds up, and these are about equally
-/// long. O(M log M).
+/// more than across it, over longer stretches as well, where what spacing does by chance adds up. O(M log M).
 pub fn is_regular(samples: &Samples) -> bool {
     is_regular_at(samples, levels(samples))
 }
@@ -67,12 +66,11 @@ pub(super) fn is_regular_at(samples: &Samples, [across, along]: [f64; 2]) -> boo
     let ends = !samples.closed || (last - around).abs() < other || last > most;
     ends && along <= ALIKE * across + SLACK * median
         && (across < HIDING * median || !adds_up(samples, across))
-        && is_steady(samples, across)
 }
 
 /// Whether points are about as far apart nearly everywhere: between the quartiles of the lengths of stretches there is little but noise.
 /// What changes slowly no difference of neighbours shows; a hand that draws is slow where it begins, ends and turns.
-fn is_steady(samples: &Samples, noise: f64) -> bool {
+pub(super) fn is_steady(samples: &Samples, noise: f64) -> bool {
     let (points, count) = (&samples.points, samples.points.len());
     let stretch = stretch(count);
     let begins = if samples.closed { 0..count } else { 0..count - stretch };

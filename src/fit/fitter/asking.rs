@@ -4,7 +4,7 @@ use super::{Fitter, Run};
 use crate::error::{Error, Result};
 use crate::fit::knots::free_knots::Located;
 use crate::fit::knots::sparsest::Aim;
-use crate::fit::noise::{is_regular_at, levels, sober};
+use crate::fit::noise::{is_regular_at, is_steady, levels, sober};
 use crate::fit::options::Ask;
 use crate::fit::parametrise::{Parametrisation, given, parametrise};
 use crate::fit::report;
@@ -15,6 +15,18 @@ use crate::limits::{LARGEST_COORDINATE, LEAST_WEIGHT, check};
 const ROUNDINGS: f64 = 256.0;
 /// No knot is for less than this part of a drawing.
 const LEAST_NOISE: f64 = 1e-4;
+
+/// What points are given parameters for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Purpose {
+    /// λ, or a mean square at the parameters: the papers' own, the index.
+    Papers,
+    /// The optimum for a smoothing: the index where points follow one another evenly, be it slowly here and fast there. What a hand
+    /// draws slowly then turns smoothly.
+    Optimum,
+    /// Few knots by distances: the index only where points are equally far apart, as every change of the speed asks for knots.
+    Search,
+}
 
 impl Fitter {
     /// Starts a run.
@@ -42,19 +54,19 @@ impl Fitter {
                 if lambdas.len() == 2 && lambdas.iter().sum::<f64>() <= 0.0 {
                     return Err(Error::out_of_range("lambda", Some(0), 0.0, f64::MIN_POSITIVE, 1e12));
                 }
-                self.locate(true, &ask)?;
+                self.locate(Purpose::Papers, &ask)?;
                 self.lambdas.clone_from(lambdas);
                 self.solve()?;
             }
             Ask::Smoothing(smoothing) => {
                 check("smoothing", None, *smoothing, 0.0, 1.0)?;
-                self.locate(false, &ask)?;
+                self.locate(Purpose::Optimum, &ask)?;
                 self.lambdas = self.lambdas_of(*smoothing);
                 self.solve()?;
             }
             Ask::Tolerance(tolerance) => {
                 check("tolerance", None, *tolerance, 0.0, LARGEST_COORDINATE)?;
-                self.locate(false, &ask)?;
+                self.locate(Purpose::Search, &ask)?;
                 // Nearer than coordinates are told apart nothing can be.
                 let place = self.samples.center.amax() / self.samples.scale;
                 let least = f64::EPSILON * (ROUNDINGS + place);
@@ -63,12 +75,12 @@ impl Fitter {
             }
             Ask::MeanSquare(square) => {
                 check("meanSquare", None, *square, 0.0, LARGEST_COORDINATE * LARGEST_COORDINATE)?;
-                self.locate(true, &ask)?;
+                self.locate(Purpose::Papers, &ask)?;
                 let unit = self.samples.scale * self.samples.scale;
                 self.search(Aim::Squares(square * report::weight(&self.located) / unit))?;
             }
             Ask::Noise => {
-                self.locate(false, &ask)?;
+                self.locate(Purpose::Search, &ask)?;
                 self.search(Aim::Noise(self.noise.max(self.least_noise())))?;
             }
         }
@@ -86,14 +98,14 @@ impl Fitter {
         LEAST_NOISE * report::size_of(&near) / report::size_of(&self.samples.points)
     }
 
-    /// Gives the points their parameters; λ alone means the papers' own, the index.
-    fn locate(&mut self, by_lambda: bool, ask: &Ask) -> Result<()> {
+    /// Gives the points their parameters.
+    fn locate(&mut self, purpose: Purpose, ask: &Ask) -> Result<()> {
         // What is kept to all points, be it a tolerance, is kept to those that are far off as they came.
         let pulled = self.options.robust && !matches!(ask, Ask::Tolerance(_) | Ask::MeanSquare(_));
-        if self.located_by == Some(by_lambda) && !self.options.robust {
+        if self.located_for == Some(purpose) && !self.options.robust {
             return Ok(());
         }
-        if self.located_by.is_some_and(|by| by != by_lambda) {
+        if self.located_for.is_some_and(|before| before != purpose) {
             // Other parameters are another problem.
             self.warm = None;
         }
@@ -118,12 +130,14 @@ impl Fitter {
             }
         }
         let automatic = self.options.parametrisation == Parametrisation::Auto;
-        self.even = automatic && !by_lambda && self.options.parameters.is_empty() && {
+        let by_index = purpose == Purpose::Papers;
+        self.even = automatic && !by_index && self.options.parameters.is_empty() && {
             let known = self.levels.unwrap_or_else(|| levels(samples));
-            is_regular_at(samples, known)
+            let equal = purpose == Purpose::Optimum || is_steady(samples, known[0]);
+            equal && is_regular_at(samples, known)
         };
         let kind = match self.options.parametrisation {
-            Parametrisation::Auto if by_lambda || self.even => Parametrisation::Index,
+            Parametrisation::Auto if by_index || self.even => Parametrisation::Index,
             kind => kind,
         };
         let (mut parameters, end) = if self.options.parameters.is_empty() {
@@ -143,7 +157,7 @@ impl Fitter {
         }
         self.located = Located { points: samples.points.clone(), parameters, weights };
         self.end = end;
-        self.located_by = Some(by_lambda);
+        self.located_for = Some(purpose);
         Ok(())
     }
 
