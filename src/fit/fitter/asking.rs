@@ -133,8 +133,7 @@ impl Fitter {
         let by_index = purpose == Purpose::Papers;
         self.even = automatic && !by_index && self.options.parameters.is_empty() && {
             let known = self.levels.unwrap_or_else(|| levels(samples));
-            let equal = purpose == Purpose::Optimum || is_steady(samples, known[0]);
-            equal && is_regular_at(samples, known)
+            is_regular_at(samples, known) && (purpose == Purpose::Optimum || is_steady(samples, known[0]))
         };
         let kind = match self.options.parametrisation {
             Parametrisation::Auto if by_index || self.even => Parametrisation::Index,

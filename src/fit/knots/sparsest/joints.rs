@@ -13,8 +13,8 @@ use crate::numerics::order::sort_by_number;
 const ROUNDS: usize = 12;
 /// The most by which a corner makes the curve faster or slower.
 const MOST: f64 = 8.0;
-/// The share of a search's work that corners may take one by one.
-const SHARE: f64 = 0.1;
+/// The share of a search's work that corners may take; of more than some 200,000 points none is tried.
+const SHARE: f64 = 0.05;
 /// From so many times a tolerance its largest distance may come down to it.
 const NEAR: f64 = 2.0;
 
@@ -30,6 +30,7 @@ impl Sparsest {
         let most = (SHARE * MOST_WORK / one) as usize;
         let mut slight = slight_corners(&best.spline, SEEMING, 0.0);
         if slight.len() > 1
+            && most > 0
             && let Some(found) = self.with_joints(&slight, &best)
         {
             return found;
