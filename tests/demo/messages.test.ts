@@ -99,3 +99,25 @@ test("what is said is read out once, and so is where a nudge, an undo and a choi
   await demo.press("Control+a");
   await hears(/^6 points selected$/u);
 });
+
+test("news of a step goes when the step is undone, in every way; what is said of something else stays", async (t) => {
+  const demo = await open(t, "#/curve?sample=circle-8", { permissions: ["clipboard-read", "clipboard-write"] });
+  const news = demo.page.locator(".toast");
+  const erase = async (): Promise<void> => {
+    await demo.focusStage();
+    await demo.press("]", "Delete");
+    await news.filter({ hasText: "Point deleted" }).waitFor();
+  };
+  for (const undo of [() => demo.press("Control+z"), () => demo.click("btn-undo")]) {
+    await erase();
+    await undo();
+    assert.deepEqual(await news.allTextContents(), []);
+  }
+  await erase();
+  await demo.press("ArrowUp");
+  assert.equal(await news.count(), 1, "it is true after the next step, too");
+  await demo.byId("m-points").click();
+  await news.filter({ hasText: "Copied" }).waitFor();
+  await demo.press("Control+z", "Control+z");
+  assert.deepEqual(await news.allTextContents(), ["Copied 7"]);
+});

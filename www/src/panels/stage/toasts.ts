@@ -1,4 +1,4 @@
-import type { Editor, Notice } from "../../editor/editor.ts";
+import type { Editor, EditorState, Notice } from "../../editor/editor.ts";
 import { h } from "../controls/dom.ts";
 import { icon } from "../controls/icons.ts";
 import type { Toasts } from "../shell.ts";
@@ -24,7 +24,7 @@ export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
   const closeButton = (toast: () => HTMLElement): HTMLButtonElement =>
     h("button", { class: "icon-button", type: "button", "aria-label": "Dismiss", click: () => toast().remove() }, icon("close"));
 
-  const say: Toasts["say"] = (text, action) => {
+  const show = (...[text, action]: Parameters<Toasts["say"]>): HTMLElement => {
     news.querySelectorAll("[data-testid=toast]").forEach((old) => old.removeAttribute("data-testid"));
     const toast: HTMLElement = h("div", { class: "toast", testid: "toast" }, h("p", {}, text));
     if (action !== undefined) {
@@ -37,8 +37,10 @@ export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
     // What is offered is offered of the last that was done.
     if (action !== undefined) news.querySelectorAll(".toast:has(.toast-action)").forEach((old) => old.remove());
     add(news, toast);
-    if (action !== undefined && action.lasting !== true) untilNextStep(editor, toast);
+    // What an action would do is another thing after the next step, or in another mode: the offer goes then.
+    if (action !== undefined && action.lasting !== true) leaveWhen(editor, toast, (state, before) => state.mode !== before.mode || state.undoName !== before.undoName);
     leaveLater(toast, action === undefined ? shownForMs : 3 * shownForMs);
+    return toast;
   };
   const error: Toasts["error"] = (id, text) => {
     errors.replaceChildren();
@@ -49,22 +51,23 @@ export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
   editor.notices.subscribe((notice: Notice | null) => {
     if (notice?.kind === "toast") {
       const action = notice.actionId === undefined ? undefined : editor.actions.get(notice.actionId);
-      say(notice.text, action === undefined ? undefined : { label: action.label, run: () => void editor.actions.run(action.id) });
+      const toast = show(notice.text, action === undefined ? undefined : { label: action.label, run: () => void editor.actions.run(action.id) });
+      // News of a step that is taken back are no longer true.
+      leaveWhen(editor, toast, (state, before) => state.canRedo && state.redoName !== before.redoName);
     }
     if (notice?.kind === "error") error(notice.id, notice.text);
     if (notice?.kind === "well") errors.replaceChildren();
   });
-  return { say, error };
+  return { say: (text, action) => void show(text, action), error };
 }
 
-/** What an action would do is another thing after the next step, or in another mode: the offer goes then. */
-function untilNextStep(editor: Editor, toast: HTMLElement): void {
-  const over = new AbortController();
+function leaveWhen(editor: Editor, toast: HTMLElement, isOver: (state: EditorState, before: EditorState) => boolean): void {
+  const gone = new AbortController();
   editor.state.subscribe((state, before) => {
-    if (state.mode === before.mode && state.undoName === before.undoName) return;
-    over.abort();
+    if (toast.isConnected && !isOver(state, before)) return;
+    gone.abort();
     toast.remove();
-  }, { until: over.signal });
+  }, { until: gone.signal });
 }
 
 /** A toast whose button is under the pointer or has the focus waits until it is left alone. */
