@@ -147,10 +147,11 @@ test("a line is read as it was written, and one that is none is refused, with it
   const state = new Hand("circle-2").editor.getState();
   const withLine = (found: unknown): string =>
     JSON.stringify({ ...state, curve: { ...state.curve, contours: state.curve.contours.map((contour) => ({ ...contour, line: found })) } });
-  for (const fine of [line, { width: 0.25 }, { width: 1e9, cap: "square", join: "bevel" }, { width: 1, color: "#33669980", join: "round" }]) {
+  for (const fine of [line, { width: 0.25 }, { width: 1e9, cap: "square", join: "bevel" }, { width: 1, color: "#33669980", join: "round" }, { width: 1, dashes: [4, 0.5, 0], dashOffset: -2 }]) {
     for (const { line: found } of parseState(withLine(fine)).state.curve.contours) assert.deepEqual(found, fine);
   }
-  for (const strange of [2, {}, { width: 0 }, { width: 1e10 }, { width: "2" }, { width: 2, color: "none" }, { width: 2, cap: "butt" }, { width: 2, join: "miter" }, null]) {
+  for (const strange of [2, {}, { width: 0 }, { width: 1e10 }, { width: "2" }, { width: 2, color: "none" }, { width: 2, cap: "butt" }, { width: 2, join: "miter" }, null,
+    { width: 2, dashes: [] }, { width: 2, dashes: [0, 0] }, { width: 2, dashes: [3, -1] }, { width: 2, dashes: "3 1" }, { width: 2, dashes: Array.from({ length: 257 }, () => 1) }, { width: 2, dashOffset: "1" }]) {
     const text = withLine(strange);
     assert.throws(() => parseState(text), (error: unknown) => error instanceof FileError && error.message.includes("$.curve.contours[0].line"), text);
   }
@@ -159,21 +160,21 @@ test("a line is read as it was written, and one that is none is refused, with it
 test("contours are drawn together where colour and line are the same, whichever object says so", () => {
   const [one] = new Hand("circle-2").editor.getState().curve.contours;
   assert.ok(one !== undefined, "a circle");
-  const all = [{ line }, { line: { ...line } }, { line: { width: 2, color: "#336699" } }, { line, ink }, { ink }, {}].map((paint) => ({ ...one, ...paint }));
+  const all = [{ line }, { line: { ...line } }, { line: { ...line, dashes: [2, 1] } }, { line: { ...line, dashes: [2, 1] } }, { line: { width: 2, color: "#336699" } }, { line, ink }, { ink }, {}].map((paint) => ({ ...one, ...paint }));
   const layers = paintLayers({ ...new Hand("circle-2").editor.getState().curve, contours: all });
   assert.deepEqual(layers.map((layer) => [layer.ink, layer.line, layer.drawing.contours.length]),
-    [[undefined, line, 2], [undefined, { width: 2, color: "#336699" }, 1], [ink, line, 1], [ink, undefined, 1], [undefined, undefined, 1]]);
+    [[undefined, line, 2], [undefined, { ...line, dashes: [2, 1] }, 2], [undefined, { width: 2, color: "#336699" }, 1], [ink, line, 1], [ink, undefined, 1], [undefined, undefined, 1]]);
 });
 
 test("a file draws lines as wide as they are, over their areas, with room for them", () => {
   const d = "M0 0H100";
   const box = { minX: 0, minY: 0, maxX: 100, maxY: 100 };
-  const layers = [{ d, isLine: true, line }, { d, color: "#ffcc00", line: { width: 8, join: "bevel" } as const }, { d, isLine: true }];
+  const layers = [{ d, isLine: true, line }, { d, color: "#ffcc00", line: { width: 8, join: "bevel", dashes: [1 / 3, 2], dashOffset: 4 } as const }, { d, isLine: true }];
   const text = writeSvg({ title: "t", d: "", box, filled: true, layers });
   const paths = [...text.matchAll(/<path d="[^"]*" ([^/]*)\/>/gu)].map(([, how]) => how);
   assert.deepEqual(paths.slice(0, 2), [
     'fill="none" stroke="#336699" stroke-width="2" stroke-linecap="round"',
-    `fill="#ffcc00" fill-rule="evenodd" stroke="${inkOfFiles}" stroke-width="8" stroke-linejoin="bevel"`,
+    `fill="#ffcc00" fill-rule="evenodd" stroke="${inkOfFiles}" stroke-width="8" stroke-linejoin="bevel" stroke-dasharray="0.333333 2" stroke-dashoffset="4"`,
   ]);
   assert.match(paths[2] ?? "", /^fill="none" stroke="[^"]*" stroke-width="0\.781" stroke-linejoin="round"$/u, "two pixels of 256");
   const [x = NaN, y = NaN, width = NaN, height = NaN] = (/viewBox="([^"]*)"/u.exec(text)?.[1] ?? "").split(" ").map(Number);

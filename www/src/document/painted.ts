@@ -20,6 +20,10 @@ export interface Line {
   readonly cap?: "round" | "square";
   /** How it turns at corners; absent: in a point. */
   readonly join?: "round" | "bevel";
+  /** Lengths of dashes and of the gaps between them, in turn, as of SVG's `stroke-dasharray`; absent: solid. */
+  readonly dashes?: readonly number[];
+  /** How far into its dashes it begins; absent: 0. */
+  readonly dashOffset?: number;
 }
 
 /** Wider lines than any drawing is, and such that nobody sees, are none. */
@@ -33,6 +37,16 @@ export const noInk = "none";
 /** As a canvas has it: a point at a corner is cut off where SVG cuts it. */
 export function lineStyle({ width, cap, join }: Line): Pick<CanvasRenderingContext2D, "lineWidth" | "lineCap" | "lineJoin" | "miterLimit"> {
   return { lineWidth: width, lineCap: cap ?? "butt", lineJoin: join ?? "miter", miterLimit: 4 };
+}
+
+/** Dashes that repeat within this many pixels cannot be told apart, and would be millions. */
+const leastPeriod = 0.5;
+
+/** Solid where `scale` pixels a unit show none. */
+export function setDashes(context: CanvasRenderingContext2D, { dashes = [], dashOffset = 0 }: Line, scale: number): void {
+  const period = dashes.reduce((sum, each) => sum + each, 0);
+  context.setLineDash(period * scale < leastPeriod ? [] : [...dashes]);
+  context.lineDashOffset = dashOffset;
 }
 
 /** How far a line reaches beyond the outline that it runs along, corners up to a right angle and its ends included. */
@@ -51,7 +65,7 @@ export function isPainted({ ink, line }: Painted): boolean {
 
 export function isAlike(a: Painted, b: Painted): boolean {
   const [one, other] = [a.line, b.line];
-  return a.ink === b.ink && (one === other || (["width", "color", "cap", "join"] as const).every((part) => one?.[part] === other?.[part]));
+  return a.ink === b.ink && (one === other || (["width", "color", "cap", "join", "dashes", "dashOffset"] as const).every((part) => String(one?.[part]) === String(other?.[part])));
 }
 
 /** What is painted alike and follows each other, together. */

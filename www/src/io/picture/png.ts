@@ -1,5 +1,5 @@
 import type { PaintedPath } from "../../document/paint-layers.ts";
-import { lineStyle } from "../../document/painted.ts";
+import { lineStyle, setDashes } from "../../document/painted.ts";
 import type { Filling, Line } from "../../document/document.ts";
 import { inkOfFiles } from "../svg/svg-write.ts";
 import { lineWidth, pictureOf, pngSize, type Subject } from "./png-size.ts";
@@ -63,6 +63,8 @@ function draw(context: CanvasRenderingContext2D, { d, fill, stroke, line }: PngP
   }
   if (stroke === undefined) return;
   context.strokeStyle = stroke;
-  Object.assign(context, lineStyle(line ?? { width: thin, join: "round" }));
+  const look = line ?? { width: thin, join: "round" as const };
+  Object.assign(context, lineStyle(look));
+  setDashes(context, look, context.getTransform().a);
   context.stroke(path);
 }

@@ -49,9 +49,11 @@ function paintedWith(part: "fill" | "stroke", color: string): string {
   return color.length === 9 ? `${part}="${solid}" ${part}-opacity="${plain(Number.parseInt(color.slice(7), 16) / 255)}"` : `${part}="${solid}"`;
 }
 
-function lineOf({ width, color = inkOfFiles, cap, join }: Line): string {
-  const ends = [cap === undefined ? "" : ` stroke-linecap="${cap}"`, join === undefined ? "" : ` stroke-linejoin="${join}"`];
-  return `${paintedWith("stroke", color)} stroke-width="${Number(width.toPrecision(6))}"${ends.join("")}`;
+function lineOf({ width, color = inkOfFiles, cap, join, dashes, dashOffset }: Line): string {
+  const short = (value: number): number => Number(value.toPrecision(6));
+  const looks = { linecap: cap, linejoin: join, dasharray: dashes?.map(short).join(" "), dashoffset: dashOffset && short(dashOffset) };
+  const written = Object.entries(looks).map(([name, value]) => (value === undefined ? "" : ` stroke-${name}="${value}"`));
+  return `${paintedWith("stroke", color)} stroke-width="${short(width)}"${written.join("")}`;
 }
 
 /** A document with one path, or one for each colour, and a viewBox around it with room for its line. */

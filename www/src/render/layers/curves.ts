@@ -1,6 +1,6 @@
 import { locate } from "../../document/curve/contours.ts";
 import { paintLayers } from "../../document/paint-layers.ts";
-import { lineStyle, noInk } from "../../document/painted.ts";
+import { lineStyle, noInk, setDashes } from "../../document/painted.ts";
 import { partsOf } from "../../document/curve/parts.ts";
 import { pointAt, segmentCount } from "../../document/document.ts";
 import { affectedSegments } from "../../document/curve/roots.ts";
@@ -30,8 +30,10 @@ export function drawFill(scene: Scene): void {
     if (ink !== noInk && filling !== "none") paint(scene, context, ink, () => context.fill(closed, filling));
     if (line === undefined) continue;
     Object.assign(context, lineStyle(line));
+    setDashes(context, line, state.view.zoom);
     // All at once, as in files: where two of them meet, no more of what is below is hidden.
     paint(scene, context, line.color, () => context.stroke(all));
+    context.setLineDash([]);
   }
   Object.assign(context, { globalAlpha: 1, lineCap: "butt" });
 }

@@ -6,14 +6,14 @@ const initials: ReadonlyMap<string, string> = new Map([
   ["transform", "none"], ["translate", "none"], ["rotate", "none"], ["scale", "none"], ["transform-origin", "0 0"], ["transform-box", "view-box"],
   ["clip-path", "none"], ["mask", "none"],
   ["fill", "black"], ["stroke", "none"], ["fill-rule", "nonzero"],
-  ["stroke-width", "1"], ["stroke-opacity", "1"], ["stroke-linecap", "butt"], ["stroke-linejoin", "miter"], ["stroke-dasharray", "none"], ["vector-effect", "none"],
+  ["stroke-width", "1"], ["stroke-opacity", "1"], ["stroke-linecap", "butt"], ["stroke-linejoin", "miter"], ["stroke-dasharray", "none"], ["stroke-dashoffset", "0"], ["vector-effect", "none"],
   ["color", "black"], ["fill-opacity", "1"], ["opacity", "1"], ["stop-color", "black"], ["stop-opacity", "1"],
   ["d", "none"], ["x", "0"], ["y", "0"], ["cx", "0"], ["cy", "0"], ["r", "0"], ["rx", "auto"], ["ry", "auto"], ["width", "auto"], ["height", "auto"],
 ]);
 
 const inherited: ReadonlySet<string> = new Set([
   "visibility", "fill", "stroke", "fill-rule", "color", "fill-opacity",
-  "stroke-width", "stroke-opacity", "stroke-linecap", "stroke-linejoin", "stroke-dasharray",
+  "stroke-width", "stroke-opacity", "stroke-linecap", "stroke-linejoin", "stroke-dasharray", "stroke-dashoffset",
 ]);
 
 /** A quick look, before anything is parsed. */

@@ -1,4 +1,4 @@
-import { styledLength, type Measures } from "../lengths.ts";
+import { styledLength, type Measures, type Size } from "../lengths.ts";
 import type { Matrix } from "../matrix.ts";
 import type { Painter } from "./color.ts";
 import { unknownStroke, type Paint } from "./paint.ts";
@@ -11,11 +11,22 @@ export interface Stroke {
   readonly width?: number;
   readonly cap?: "round" | "square";
   readonly join?: "round" | "bevel";
+  readonly dashes?: readonly number[];
+  readonly dashOffset?: number;
 }
 
 /** Of a scale that is not the same in all directions: the side of a square as large as what becomes of one of 1. */
 function scaleOf([a, b, c, d]: Matrix): number {
   return Math.sqrt(Math.abs(a * d - b * c));
+}
+
+const mostDashes = 256;
+
+/** Dashes and gaps in a line's own units; null where they cannot be read, and empty where it is solid: a list with a negative length in it is none. */
+function dashesOf(text: string, around: Size): readonly number[] | null {
+  const lengths = text === "none" ? [] : text.split(/[\s,]+/u).map((each) => styledLength(each, around) ?? NaN);
+  if (lengths.some((each) => !Number.isFinite(each)) || lengths.length > mostDashes) return null;
+  return lengths.some((each) => each < 0) || !lengths.some((each) => each > 0) ? [] : lengths;
 }
 
 /** The line of a shape that `matrix` places; null where it has none. */
@@ -24,13 +35,20 @@ export function strokeOf(paint: Paint, element: Element, { css, around, warn }: 
   const seen = painter.strokeOf(paint, element);
   const own = styledLength(paint["stroke-width"], around) ?? 1;
   if (seen === null || !(own > 0)) return null;
-  if (/[1-9]/u.test(paint["stroke-dasharray"])) warn("W_DASHES", element);
   const isOfPage = (css.get("vector-effect") ?? element.getAttribute("vector-effect")) === "non-scaling-stroke";
+  const scale = isOfPage ? 1 : scaleOf(matrix);
+  // A length that the author gives to the whole outline stretches its dashes.
+  const dashes = element.hasAttribute("pathLength") && paint["stroke-dasharray"] !== "none" ? null : dashesOf(paint["stroke-dasharray"], around);
+  const offset = (styledLength(paint["stroke-dashoffset"], around) ?? 0) * scale;
+  if (dashes === null) warn("W_DASHES", element);
+  const isDashed = dashes !== null && dashes.length > 0;
   const [cap, join] = [paint["stroke-linecap"], paint["stroke-linejoin"]];
   return {
     ...seen,
-    width: isOfPage ? own : own * scaleOf(matrix),
+    width: own * scale,
     ...(cap === "round" || cap === "square" ? { cap } : {}),
     ...(join === "round" || join === "bevel" ? { join } : {}),
+    ...(isDashed ? { dashes: dashes.map((each) => each * scale) } : {}),
+    ...(isDashed && offset !== 0 ? { dashOffset: offset } : {}),
   };
 }

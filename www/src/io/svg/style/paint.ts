@@ -11,6 +11,7 @@ export interface Paint {
   readonly "stroke-linecap": string;
   readonly "stroke-linejoin": string;
   readonly "stroke-dasharray": string;
+  readonly "stroke-dashoffset": string;
   /** What `currentcolor` is; empty where nothing says it. */
   readonly color: string;
   /** The shape's own and those of all groups around, multiplied. */
@@ -19,7 +20,7 @@ export interface Paint {
 
 export const initialPaint: Paint = {
   fill: "black", stroke: "none", "fill-rule": "nonzero", "fill-opacity": "1", color: "", opacity: 1,
-  "stroke-width": "1", "stroke-opacity": "1", "stroke-linecap": "butt", "stroke-linejoin": "miter", "stroke-dasharray": "none",
+  "stroke-width": "1", "stroke-opacity": "1", "stroke-linecap": "butt", "stroke-linejoin": "miter", "stroke-dasharray": "none", "stroke-dashoffset": "0",
 };
 
 /** What nothing says whether it is there. */
@@ -40,7 +41,7 @@ export function paintOf(element: Element, css: Declared, around: Paint): Paint {
   return {
     fill: value("fill"), stroke: value("stroke"), "fill-rule": word("fill-rule"), "fill-opacity": value("fill-opacity"), color: value("color"),
     "stroke-width": word("stroke-width"), "stroke-opacity": value("stroke-opacity"), "stroke-dasharray": word("stroke-dasharray"),
-    "stroke-linecap": word("stroke-linecap"), "stroke-linejoin": word("stroke-linejoin"),
+    "stroke-dashoffset": word("stroke-dashoffset"), "stroke-linecap": word("stroke-linecap"), "stroke-linejoin": word("stroke-linejoin"),
     opacity: around.opacity * opacityOf(own("opacity")),
   };
 }
