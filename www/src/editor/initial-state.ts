@@ -1,5 +1,5 @@
 import { emptyCurve, nothingSelected } from "../document/document.ts";
-import { emptyFit } from "../document/fit/fit.ts";
+import { emptyFit } from "../document/fit/fit-document.ts";
 import { emptySurface, noNetPoints } from "../document/surface/surface.ts";
 import { emptyTrace } from "../document/trace/trace.ts";
 import type { EditorState, Settings } from "./editor.ts";

@@ -1,6 +1,6 @@
 import { modes, type Mode } from "../document/document.ts";
 import { curveSample, landingSample } from "../document/curve/samples.ts";
-import { emptyFit } from "../document/fit/fit.ts";
+import { emptyFit } from "../document/fit/fit-document.ts";
 import { emptySurface, noNetPoints } from "../document/surface/surface.ts";
 import { emptyTrace } from "../document/trace/trace.ts";
 import { loadCurve } from "./curve/edits.ts";
