@@ -315,3 +315,32 @@ test("a double-click inside a shape selects it with its holes, and a drag of one
   const zoom = (await demo.toScreen(1, 0)).x - (await demo.toScreen(0, 0)).x;
   for (const [i, point] of after.entries()) assert.ok(Math.abs(point.x - (before[i]?.x ?? NaN) - 20 / zoom) < 0.5 / zoom);
 });
+
+test("the label of the comparison lies across no curve, wherever the drawing is looked at", async (t) => {
+  for (const [sample, zoom] of [["circle-2", 0], ["circle-2", 4], ["ellipse", 0], ["heart", 0], ["heart", 6], ["sine", 0], ["glyph", 0], ["glyph", 4]] as const) {
+    const demo = await open(t, `#/curve?sample=${sample}`);
+    await demo.page.evaluate(() => {
+      const write = CanvasRenderingContext2D.prototype.fillText;
+      CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
+        const { x: left, y: top } = this.canvas.getBoundingClientRect();
+        Reflect.set(window, "written", { text, left: left + x, right: left + x + this.measureText(text).width, bottom: top + y });
+        write.call(this, text, x, y);
+      };
+    });
+    await demo.byId("ov-bezier").setChecked(false);
+    await demo.byId("ov-bezier").setChecked(true);
+    await demo.wheel(await demo.toScreen(480, 220), zoom);
+    const written = await demo.page.evaluate(() => Reflect.get(window, "written") as { text: string; left: number; right: number; bottom: number });
+    assert.match(written.text, /Bézier/u);
+    const { length } = (await demo.state()).curve.contours;
+    for (let contour = 0; contour < length; contour += 1) {
+      const [origin, unit] = [await demo.toScreen(0, 0), await demo.toScreen(1, 1)];
+      const across = (await demo.sample(4000, contour)).filter(([x, y]) => {
+        const [left, top] = [origin.x + x * (unit.x - origin.x), origin.y + y * (unit.y - origin.y)];
+        return left > written.left && left < written.right && top > written.bottom - 9 && top < written.bottom;
+      });
+      assert.deepEqual(across, [], `${sample} ${zoom}`);
+    }
+    await demo.page.close();
+  }
+});
