@@ -311,3 +311,22 @@ test("an offer to undo goes with the next step and with the mode: it would take 
   await demo.dragFrom({ x: 300, y: 500 }, 200, 60, 30);
   assert.equal(await demo.page.locator(".toast-action").count(), 0);
 });
+
+test("the last number of every mode is in sight on a tablet; where they are too many, any wheel brings it there", async (t) => {
+  for (const mode of ["curve?sample=glyph", "fit", "trace", "surface"]) {
+    const demo = await open(t, `#/${mode}`, { viewport: { width: 768, height: 600 } });
+    const last = demo.byId("m-ms");
+    const isWhole = async (): Promise<boolean> => {
+      const [number, bar] = await Promise.all([last.boundingBox(), demo.page.locator(".metrics").boundingBox()]);
+      return number !== null && bar !== null && number.x + number.width <= bar.x + bar.width;
+    };
+    await demo.until(isWhole, Boolean, `${mode}: the last number is in sight`);
+    await demo.page.setViewportSize({ width: 620, height: 600 });
+    await demo.idle();
+    const box = await demo.page.locator(".metrics").boundingBox();
+    await demo.page.mouse.move((box?.x ?? 0) + 200, (box?.y ?? 0) + 10);
+    await demo.page.mouse.wheel(0, 600);
+    await demo.until(isWhole, Boolean, `${mode}: the last number is scrolled to`);
+    await demo.page.close();
+  }
+});

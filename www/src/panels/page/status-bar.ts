@@ -25,6 +25,8 @@ export function mountStatusBar(shell: Shell): { readonly metrics: HTMLElement; p
   };
   const frame = { testid: "m-ms", about: "Time to compute and draw the last frame", read: () => frameTime(shell.frame.times) };
   const element = h("div", { class: "metrics" });
+  // What does not fit is reached with any wheel.
+  element.addEventListener("wheel", ({ deltaY }) => element.scrollBy(deltaY, 0), { passive: true });
   regions.status.append(element);
 
   const modes = new Map<Mode, ModeMetrics>([["curve", curveMetrics]]);
