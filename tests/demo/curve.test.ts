@@ -344,3 +344,35 @@ test("the label of the comparison lies across no curve, wherever the drawing is 
     await demo.page.close();
   }
 });
+
+test("the panel acts on all contours that are chosen, or on all, and says where they differ", async (t) => {
+  const demo = await open(t, "#/curve?sample=glyph");
+  const closedness = async (): Promise<boolean[]> => (await demo.state()).curve.contours.map(({ closed }) => closed);
+  const counts = async (): Promise<number[]> => (await demo.state()).curve.contours.map(({ points }) => points.length);
+  const before = await counts();
+  assert.equal(await demo.byId("points").inputValue(), String(before.reduce((sum, each) => sum + each, 0)));
+  assert.ok(await demo.byId("points").isDisabled(), "nobody could tell which of the two would change");
+  assert.ok(await demo.page.getByText("Select one contour to change its points").isVisible());
+  await demo.byId("closed").uncheck();
+  await demo.idle();
+  assert.deepEqual(await closedness(), [false, false]);
+  await demo.click("pt-1-2");
+  assert.equal(await demo.byId("points").inputValue(), String(before[1]));
+  assert.ok(await demo.page.getByText("Select one contour to change its points").isHidden());
+  await demo.byId("closed").check();
+  await demo.idle();
+  assert.deepEqual(await closedness(), [false, true]);
+  await demo.focusStage();
+  await demo.press("Escape");
+  assert.ok(await demo.byId("closed").evaluate((box: HTMLInputElement) => box.indeterminate && !box.checked));
+  await demo.byId("closed").check();
+  await demo.idle();
+  assert.deepEqual(await closedness(), [true, true]);
+  await demo.press("Control+z");
+  assert.deepEqual(await closedness(), [false, true], "one step");
+  await demo.page.getByRole("radio", { name: "Interpolating" }).check();
+  await demo.until(async () => (await demo.state()).curve.contours.map(({ family }) => family), (all) => all.every((each) => each === "interpolating"), "both contours are converted");
+  await demo.press("Control+z");
+  await demo.byId("points-fold").locator("summary").click();
+  await demo.byId("points-table").getByText("Contour 1 of 2").waitFor();
+});

@@ -1,4 +1,4 @@
-import { addContours, closeContour, duplicateContours, replaceContour, reverseContour, startContourAt } from "../../document/curve/commands.ts";
+import { addContours, closeContour, duplicateContours, replaceContour, reverseContour, startContourAt, type Command } from "../../document/curve/commands.ts";
 import { withoutPoints } from "../../document/curve/contours.ts";
 import { baseCount, lengthOf, nothingSelected, segmentCount, type Contour, type PointRef, type Selection } from "../../document/document.ts";
 import { healed, inserted, resampled } from "../../kernel/curve/points/contours.ts";
@@ -6,7 +6,7 @@ import { withoutPlaces } from "../../kernel/curve/fine-places.ts";
 import { closedRefined } from "../../kernel/curve/interpolating.ts";
 import { insertedInterpolating, removedInterpolating, resampledInterpolating } from "../../kernel/curve/points/interpolating.ts";
 import { largestMove } from "../../kernel/curve/samples.ts";
-import { activeContour, hasPlaces, isRefined, mostPoints, printed, refuse, say, unnoticed } from "./edits.ts";
+import { activeContour, activeContours, hasPlaces, isRefined, mostPoints, printed, refuse, say, unnoticed } from "./edits.ts";
 import type { Editor } from "../editor.ts";
 
 /** Edits that change which points a contour has: one more, fewer, another number of them, another first one, the other way round, closed or open. */
@@ -114,12 +114,12 @@ export function deleteAndOpen(editor: Editor): void {
   say(editor, "Point deleted. The path is now open there.");
 }
 
-/** The active contour with another number of points, at equal parameters. */
+/** The one active contour with another number of points, at equal parameters. */
 export function resample(editor: Editor, count: number, run?: string): void {
   const { curve } = editor.state.value;
-  const index = activeContour(editor);
+  const [index = 0, ...others] = activeContours(editor.state.value);
   const contour = curve.contours[index];
-  if (contour === undefined) return;
+  if (contour === undefined || others.length > 0) return;
   const isHermite = contour.family === "hermite";
   // A contour that came with more points than are set here still gets one more.
   const most = Math.max(mostPoints, Math.min(mostInserted, contour.points.length + 1));
@@ -136,16 +136,30 @@ export function resample(editor: Editor, count: number, run?: string): void {
   if (moved > unnoticed) say(editor, `${points} points: the curve moved by up to ${printed(moved)}.`);
 }
 
+/** All active contours that can be; refuses where none can. */
 export function setClosed(editor: Editor, closed: boolean): void {
-  const index = activeContour(editor);
-  const contour = editor.state.value.curve.contours[index];
-  if (contour === undefined || hasPlaces(editor, contour)) return;
-  if (!closed && contour.points.length < 3) return refuse(editor, "Opening removes the last segment, and this contour has too few points.");
-  if (closed && contour.points.length < 2) return refuse(editor, "A closed contour needs two points.");
-  if (contour.grid === undefined) return editor.dispatch(closeContour(index, closed));
-  const { name } = closeContour(index, closed);
-  const { contour: next, moved } = closedRefined(editor.state.value.curve, contour, closed);
-  editor.dispatch({ name, apply: (document) => replaceContour(document, index, next), select: nothingSelected });
+  const { curve } = editor.state.value;
+  const others = activeContours(editor.state.value).flatMap((index) => {
+    const contour = curve.contours[index];
+    return contour === undefined || contour.closed === closed ? [] : [{ index, contour }];
+  });
+  if (others.length === 0 || others.some(({ contour }) => hasPlaces(editor, contour))) return;
+  const able = others.filter(({ contour }) => contour.points.length >= (closed ? 2 : 3));
+  if (able.length === 0) return refuse(editor, closed ? "A closed contour needs two points." : "Opening removes the last segment, and this contour has too few points.");
+  let moved = 0;
+  const steps = able.map(({ index, contour }): Command => {
+    const step = closeContour(index, closed);
+    if (contour.grid === undefined) return step;
+    const refined = closedRefined(curve, contour, closed);
+    moved = Math.max(moved, refined.moved);
+    return { ...step, apply: (document) => replaceContour(document, index, refined.contour) };
+  });
+  const [{ name } = { name: "" }] = steps;
+  editor.dispatch({
+    name,
+    apply: (document) => steps.reduce((now, step) => step.apply(now), document),
+    ...(able.some(({ contour }) => contour.grid !== undefined) ? { select: nothingSelected } : {}),
+  });
   if (moved > unnoticed) say(editor, `Edits to the finer points were lost: the curve moved by up to ${printed(moved)}.`);
 }
 

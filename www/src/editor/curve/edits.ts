@@ -7,7 +7,7 @@ import {
   type Side, type Space,
 } from "../../document/document.ts";
 import { lengthOfOffset } from "../../document/curve/offset.ts";
-import type { Editor } from "../editor.ts";
+import type { Editor, EditorState } from "../editor.ts";
 
 /** The edits that tools, keys and panels share. Each is one entry in the history unless a gesture is open. */
 
@@ -17,7 +17,18 @@ function selectionOf(editor: Editor): Selection {
   return editor.state.value.selection;
 }
 
-/** The contour that controls act on: the chosen point's, else the first. */
+/** The contours that the panel's controls act on: those with chosen points, or all where none is chosen. */
+export function activeContours({ curve, selection }: Pick<EditorState, "curve" | "selection">): readonly number[] {
+  if (selection.points.length === 0) return [...curve.contours.keys()];
+  const found = known.get(selection) ?? [...new Set(selection.points.map(({ contour }) => contour))];
+  // A drag of very many points asks anew in every frame.
+  known.set(selection, found);
+  return found;
+}
+
+const known = new WeakMap<Selection, readonly number[]>();
+
+/** The contour that is looked at point by point: the chosen point's, else the first. */
 export function activeContour(editor: Editor): number {
   return selectionOf(editor).points[0]?.contour ?? 0;
 }

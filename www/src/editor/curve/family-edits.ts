@@ -5,27 +5,32 @@ import { inserted } from "../../kernel/curve/points/contours.ts";
 import { refinedAround } from "../../kernel/curve/fine-places.ts";
 import { asHermite, asInterpolating } from "../../kernel/curve/families.ts";
 import { finerInterpolating } from "../../kernel/curve/interpolating.ts";
-import { activeContour, hasPlaces, isRefined, middleOf, mostPoints, printed, refuse, say, unnoticed } from "./edits.ts";
+import { activeContours, hasPlaces, isRefined, middleOf, mostPoints, printed, refuse, say, unnoticed } from "./edits.ts";
 import type { Editor } from "../editor.ts";
 
 /** Edits of what a contour is made of: its family, its generator, and where it has more points than elsewhere. */
 
-/** The active contour in the other family, through the same points; says how far the curve moved. */
+/** The active contours in the other family, through the same points; says how far the curve moved. */
 export function setFamily(editor: Editor, family: Family): void {
   const { curve } = editor.state.value;
-  const index = activeContour(editor);
-  const drawn = curve.contours[index];
-  if (drawn === undefined || drawn.family === family || hasPlaces(editor, drawn)) return;
-  const contour = family === "interpolating" ? withEnoughPoints(curve, drawn) : drawn;
-  if (contour === null) return refuse(editor, "An interpolating contour needs at least 2 points.");
-  const added = contour.points.length - drawn.points.length;
-  const { contour: next, moved } = family === "hermite" ? asHermite(curve, contour) : asInterpolating(curve, contour);
+  const chosen = new Set(activeContours(editor.state.value));
+  const others = curve.contours.filter((contour, index) => chosen.has(index) && contour.family !== family);
+  if (others.length === 0 || others.some((contour) => hasPlaces(editor, contour))) return;
   // Levels belong to the drawing; a contour of the other family begins at level 0.
-  const level = curve.contours.length === 1 ? 0 : curve.level;
-  const put = family === "interpolating" && level > 0 ? finerInterpolating(curve, next, level) : next;
+  const level = curve.contours.length === others.length ? 0 : curve.level;
+  let [moved, added] = [0, 0];
+  const put = new Map<Contour, Contour>();
+  for (const drawn of others) {
+    const contour = family === "interpolating" ? withEnoughPoints(curve, drawn) : drawn;
+    if (contour === null) return refuse(editor, "An interpolating contour needs at least 2 points.");
+    const next = family === "hermite" ? asHermite(curve, contour) : asInterpolating(curve, contour);
+    added += contour.points.length - drawn.points.length;
+    moved = Math.max(moved, next.moved);
+    put.set(drawn, family === "interpolating" && level > 0 ? finerInterpolating(curve, next.contour, level) : next.contour);
+  }
   editor.dispatch({
     name: family === "hermite" ? "Hermite family" : "Interpolating family",
-    apply: (document) => ({ ...replaceContour(document, index, put), level }),
+    apply: (document) => ({ ...document, contours: document.contours.map((contour) => put.get(contour) ?? contour), level }),
     select: nothingSelected,
   });
   // What was said of the curve as it was is over.
@@ -44,15 +49,19 @@ function withEnoughPoints(document: CurveDocument, contour: Contour): Contour | 
   return next ?? null;
 }
 
-/** How many roots the active contour's generator has: one more is one more continuous derivative. */
+/** How many roots the active contours' generators have: one more is one more continuous derivative. */
 export function setOrder(editor: Editor, order: Order): void {
-  const { curve } = editor.state.value;
-  const index = activeContour(editor);
-  const contour = curve.contours[index];
-  if (contour === undefined || contour.family !== "interpolating" || isRefined(editor, contour)) return;
-  const { order: _old, roots: _roots, ...plainContour } = contour;
-  const next: Contour = { ...plainContour, ...(order === 3 ? {} : { order }) };
-  editor.dispatch({ name: "Smoothness", apply: (document) => replaceContour(document, index, { ...next, support: supportOf(document, next) }) });
+  const chosen = new Set(activeContours(editor.state.value));
+  const isMeant = ({ family }: Contour, index: number): boolean => chosen.has(index) && family === "interpolating";
+  if (editor.state.value.curve.contours.some((contour, index) => isMeant(contour, index) && isRefined(editor, contour))) return;
+  const ordered = (document: CurveDocument, { order: _old, roots: _roots, ...plainContour }: Contour): Contour => {
+    const next: Contour = { ...plainContour, ...(order === 3 ? {} : { order }) };
+    return { ...next, support: supportOf(document, next) };
+  };
+  editor.dispatch({
+    name: "Smoothness",
+    apply: (document) => ({ ...document, contours: document.contours.map((contour, index) => (isMeant(contour, index) ? ordered(document, contour) : contour)) }),
+  });
 }
 
 /** Finer control points around a point of an interpolating contour. */

@@ -173,7 +173,8 @@ export interface ToggleOptions extends Common {
   write(on: boolean): void;
 }
 
-export function toggleField(options: ToggleOptions): Field<boolean> {
+/** Undefined where several things differ in it. */
+export function toggleField(options: ToggleOptions): Field<boolean | undefined> {
   const id = freshId(options.testid);
   const input = h("input", { id, class: "check", testid: options.testid, type: "checkbox", title: options.about });
   input.addEventListener("change", () => options.write(input.checked));
@@ -183,6 +184,7 @@ export function toggleField(options: ToggleOptions): Field<boolean> {
     show(value) {
       setAttribute(input, "disabled", value === null ? "" : null);
       input.checked = value === true;
+      input.indeterminate = value === undefined;
     },
   };
 }

@@ -1,5 +1,5 @@
 import { curveSample } from "../../document/curve/samples.ts";
-import { activeContour } from "../../editor/curve/edits.ts";
+import { activeContours } from "../../editor/curve/edits.ts";
 import { h } from "../controls/dom.ts";
 import type { ModePanel, Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
@@ -30,8 +30,8 @@ function curveSection({ editor }: Shell): Section & { readonly level: HTMLElemen
     element: h("section", { class: "section", "aria-label": "Curve" }, ...rows.flatMap(({ elements }) => elements)),
     level: level.element,
     update(state) {
-      const contour = state.curve.contours[activeContour(editor)];
-      for (const row of rows) row.update(state, contour);
+      const contours = activeContours(state).flatMap((index) => state.curve.contours[index] ?? []);
+      for (const row of rows) row.update(state, contours);
     },
   };
 }

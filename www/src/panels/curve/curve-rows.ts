@@ -1,5 +1,5 @@
 import { omegaOf, type Contour, type CurveDocument, type Space } from "../../document/document.ts";
-import { activeContour, setOmega, setSpace } from "../../editor/curve/edits.ts";
+import { activeContours, setOmega, setSpace } from "../../editor/curve/edits.ts";
 import { levelling, renewing } from "../../editor/curve/on-demand.ts";
 import type { Editor, EditorState } from "../../editor/editor.ts";
 import { whenLoaded } from "../../editor/loading.ts";
@@ -11,13 +11,19 @@ import { icon } from "../controls/icons.ts";
 
 export interface Row {
   readonly elements: readonly HTMLElement[];
-  /** `contour` is the one that the controls act on. */
-  update(state: EditorState, contour: Contour | undefined): void;
+  /** `contours` are those that the controls act on. */
+  update(state: EditorState, contours: readonly Contour[]): void;
 }
 
-/** Of a contour with finer points, level 0 has space, frequency and number. */
-function isRefined(contour: Contour | undefined): boolean {
-  return contour?.grid !== undefined || contour?.places !== undefined;
+/** Of contours with finer points, level 0 has space, frequency and number. */
+function areRefined(contours: readonly Contour[]): boolean {
+  return contours.some(({ grid, places }) => grid !== undefined || places !== undefined);
+}
+
+/** What all of them have; undefined where they differ, null where there are none. */
+function shared<T>(contours: readonly Contour[], read: (contour: Contour) => T): T | undefined | null {
+  const [first, ...others] = contours.map(read);
+  return first === undefined ? null : others.every((each) => each === first) ? first : undefined;
 }
 
 /** Families are changed seldom: what it takes comes with the first change. */
@@ -36,7 +42,7 @@ export function familyRow(editor: Editor): Row {
     ],
     write: (value) => editFamily(editor, ({ setFamily }) => setFamily(editor, value)),
   });
-  return { elements: [family.element], update: (_, contour) => family.show(contour?.family ?? null) };
+  return { elements: [family.element], update: (_, contours) => family.show(shared(contours, ({ family: each }) => each)) };
 }
 
 const spaces: readonly (readonly [Space, string])[] = [
@@ -64,8 +70,8 @@ export function spaceRow(editor: Editor): Row {
   const exact = h("p", { class: "field-note" });
   return {
     elements: [space.element, exact],
-    update({ curve }, contour) {
-      space.show(isRefined(contour) ? null : curve.space);
+    update({ curve }, contours) {
+      space.show(areRefined(contours) ? null : curve.space);
       setText(exact, exactIn[curve.space]);
     },
   };
@@ -88,9 +94,10 @@ export function orderRow(editor: Editor): Row {
   });
   return {
     elements: [order.element],
-    update(_, contour) {
-      order.element.hidden = contour?.family !== "interpolating";
-      order.show(isRefined(contour) ? null : contour?.order === 5 ? "5" : contour?.order === 4 ? "4" : "3");
+    update(_, contours) {
+      order.element.hidden = shared(contours, ({ family }) => family) !== "interpolating";
+      const common = shared(contours, (contour) => contour.order ?? 3);
+      order.show(areRefined(contours) ? null : common === 5 ? "5" : common === 4 ? "4" : "3");
     },
   };
 }
@@ -120,11 +127,11 @@ export function frequencyRow(editor: Editor): Row {
   const note = h("p", { class: "field-note num" });
   return {
     elements: [omega.element, note],
-    update({ curve }, contour) {
+    update({ curve }, contours) {
       setAttribute(auto, "aria-pressed", String(curve.omega === "auto"));
       auto.disabled = curve.space === "polynomial";
-      omega.show(curve.space === "polynomial" || isRefined(contour) ? null : frequencyOf(curve));
-      setText(note, frequencyNote(curve, contour));
+      omega.show(curve.space === "polynomial" || areRefined(contours) ? null : frequencyOf(curve));
+      setText(note, shared(contours, (contour) => frequencyNote(curve, contour)) ?? "");
     },
   };
 }
@@ -134,10 +141,10 @@ function frequencyOf(curve: CurveDocument): number {
   return curve.omega === "auto" ? NaN : curve.omega;
 }
 
-function frequencyNote(curve: CurveDocument, contour: Contour | undefined): string {
-  if (curve.space === "polynomial" || contour === undefined || contour.points.length < 2) return "";
+function frequencyNote(curve: CurveDocument, contour: Contour): string {
+  if (curve.space === "polynomial" || contour.points.length < 2) return "";
   if (contour.grid !== undefined) return "Space, frequency and count are set at level 0";
-  if (contour.omega !== undefined) return "Each segment of this contour has its own";
+  if (contour.omega !== undefined) return "Each segment has its own";
   if (curve.omega !== "auto") return "";
   const value = omegaOf(curve, contour, 0);
   return value === 0 ? "Auto: 0 on an open contour" : `Auto: 2π/${Math.round((2 * Math.PI) / value)} = ${value.toFixed(4)}`;
@@ -147,7 +154,7 @@ export function pointsRow(editor: Editor): Row {
   const points = numberField({
     label: "Points",
     testid: "points",
-    about: "Number of points in this contour. Changing it resamples at equal parameters.",
+    about: "Number of points. Changing it resamples the contour at equal parameters.",
     least: 2,
     most: 256,
     step: 1,
@@ -156,13 +163,16 @@ export function pointsRow(editor: Editor): Row {
   });
   const steps = stepper(editor);
   points.element.querySelector(".number-box")?.after(steps);
+  const note = h("p", { class: "field-note" }, "Select one contour to change its points");
   return {
-    elements: [points.element],
-    update(_, contour) {
-      const count = contour?.points.length ?? null;
-      points.show(isRefined(contour) ? null : count);
-      for (const button of steps.querySelectorAll("button")) button.disabled = count === null;
-      if (isRefined(contour)) points.input.value = String(count);
+    elements: [points.element, note],
+    update(_, contours) {
+      const count = contours.reduce((sum, each) => sum + each.points.length, 0);
+      const isOne = contours.length === 1;
+      note.hidden = contours.length < 2;
+      points.show(isOne && !areRefined(contours) ? count : null);
+      for (const button of steps.querySelectorAll("button")) button.disabled = !isOne;
+      if (contours.length > 0) points.input.value = String(count);
     },
   };
 }
@@ -170,7 +180,7 @@ export function pointsRow(editor: Editor): Row {
 /** − and + beside the number of points. */
 function stepper(editor: Editor): HTMLElement {
   const step = (by: number) => () => renewing(editor, ({ resample }) => {
-    const contour = editor.state.value.curve.contours[activeContour(editor)];
+    const contour = editor.state.value.curve.contours[activeContours(editor.state.value)[0] ?? 0];
     if (contour !== undefined) resample(editor, contour.points.length + by, "points");
   });
   return h(
@@ -199,7 +209,7 @@ export function levelRow(editor: Editor): Row & { readonly element: HTMLElement 
   return {
     element: level.element,
     elements: [level.element],
-    update: ({ curve, sketch }, contour) => level.show(contour === undefined ? null : sketch.proposal?.level ?? curve.level),
+    update: ({ curve, sketch }) => level.show(curve.contours.length === 0 ? null : sketch.proposal?.level ?? curve.level),
   };
 }
 
@@ -216,10 +226,10 @@ export function actionsRow(editor: Editor): Row {
   const simplify = command("Simplify", "curve-simplify", "Copies the drawing, or the selected contours, to Fit to find a curve with fewer points", "simplify");
   return {
     elements: [h("div", { class: "field-row" }, closed.element, refine, simplify)],
-    update({ selection }, contour) {
-      refine.disabled = selection.points.length === 0 || contour?.grid !== undefined;
-      simplify.disabled = contour === undefined;
-      closed.show(contour?.closed ?? null);
+    update({ selection }, contours) {
+      refine.disabled = selection.points.length === 0 || contours[0]?.grid !== undefined;
+      simplify.disabled = contours.length === 0;
+      closed.show(shared(contours, (contour) => contour.closed));
     },
   };
 }

@@ -1,6 +1,6 @@
 import type { Contour, Kind } from "../../document/document.ts";
 import { activeContour, setKind, setPoint } from "../../editor/curve/edits.ts";
-import { h, setAttribute } from "../controls/dom.ts";
+import { h, setAttribute, setText } from "../controls/dom.ts";
 import { formatCoordinate, parseTyped } from "../controls/format.ts";
 import type { Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
@@ -19,7 +19,7 @@ interface Row {
 export function pointsTable(shell: Shell): Section {
   const { editor } = shell;
   const body = h("tbody");
-  const caption = h("caption", { class: "visually-hidden" }, "Points of the contour");
+  const caption = h("caption", { class: "field-note" });
   const head = h("tr", {}, ...["#", "X", "Y", "Kind"].map((label) => h("th", { scope: "col" }, label)));
   const table = h("table", { class: "points-table", testid: "points-table" }, caption, h("thead", {}, head), body);
   const element = h("div", { class: "table-scroll" }, table);
@@ -59,6 +59,9 @@ export function pointsTable(shell: Shell): Section {
   const refresh = (): void => {
     const { curve, selection } = editor.state.value;
     const contour = curve.contours[activeContour(editor)];
+    // Of a drawing's several contours it shows one.
+    setText(caption, `Contour ${activeContour(editor) + 1} of ${curve.contours.length}`);
+    caption.hidden = curve.contours.length < 2;
     const count = Math.min(mostRows, contour?.points.length ?? 0);
     while (rows.length > count) rows.pop()?.element.remove();
     while (rows.length < count) {
