@@ -376,3 +376,47 @@ test("the panel acts on all contours that are chosen, or on all, and says where 
   await demo.byId("points-fold").locator("summary").click();
   await demo.byId("points-table").getByText("Contour 1 of 2").waitFor();
 });
+
+test("the pen goes on from an end, joins the end of another path, and says so before", async (t) => {
+  const demo = await open(t);
+  await demo.byId("btn-clear").click();
+  const shape = async (): Promise<(readonly [boolean, Pair[]])[]> =>
+    (await demo.state()).curve.contours.map(({ closed, points }) => [closed, points.map(({ x, y }): Pair => [Math.round(x), Math.round(y)])] as const);
+  const place = async ([x, y]: Pair): Promise<void> => {
+    const at = await demo.toScreen(x, y);
+    await demo.page.mouse.move(at.x, at.y);
+    await demo.idle();
+  };
+  const press = async (at: Pair): Promise<void> => {
+    await place(at);
+    await demo.page.mouse.down();
+    await demo.page.mouse.up();
+    await demo.idle();
+    // Two clicks of a test are never one double-click of a person.
+    await demo.page.waitForTimeout(450);
+  };
+  const draw = async (...places: Pair[]): Promise<void> => {
+    for (const each of places) await press(each);
+    await demo.press("Enter");
+  };
+  await demo.press("p");
+  await draw([300, 200], [400, 200]);
+  await draw([400, 400], [300, 400]);
+  await place([400, 200]);
+  assert.equal(await demo.textOf("hint"), "Click to continue this path.");
+  await press([400, 200]);
+  await press([450, 300]);
+  await place([400, 400]);
+  assert.equal(await demo.textOf("hint"), "Click to join this path.");
+  const alone = await shape();
+  await press([400, 400]);
+  assert.deepEqual(await shape(), [[false, [[300, 200], [400, 200], [450, 300], [400, 400], [300, 400]]]]);
+  assert.match(await demo.textOf("hint"), /first point/u, "the path is finished");
+  await demo.press("Control+z");
+  assert.deepEqual(await shape(), alone, "one step");
+  // Onto the last point of the other one, the other way round.
+  await place([450, 300]);
+  await press([450, 300]);
+  await press([300, 400]);
+  assert.deepEqual(await shape(), [[false, [[300, 200], [400, 200], [450, 300], [300, 400], [400, 400]]]]);
+});

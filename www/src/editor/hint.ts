@@ -51,6 +51,7 @@ function fixed(value: number): string {
 function penHint(state: EditorState): string {
   const press = state.touch ? "Tap" : "Click";
   if (state.sketch.rubber?.closing === true) return `${press} to close the contour.`;
+  if (state.sketch.joint !== null) return `${press} to ${state.sketch.rubber === null ? "continue" : "join"} this path.`;
   if (state.sketch.rubber !== null) {
     return `${press} for a corner, drag for a smooth point. ${state.touch ? "A double tap finishes." : "Enter finishes, Esc cancels the segment."}`;
   }

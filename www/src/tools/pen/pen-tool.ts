@@ -1,4 +1,4 @@
-import { reverseContour } from "../../document/curve/commands.ts";
+import { reverseContour, type Command } from "../../document/curve/commands.ts";
 import { pullHandles } from "../../document/curve/drawing.ts";
 import { pointAt, type Offset, type PointRef } from "../../document/document.ts";
 import { mostPoints, refuse } from "../../editor/curve/edits.ts";
@@ -6,7 +6,7 @@ import type { Editor } from "../../editor/editor.ts";
 import { turnedBySteps } from "../../editor/pointer/snapping.ts";
 import { nothingSketched } from "../../editor/sketch.ts";
 import { distanceBetween, dragThreshold, type PointerSample, type Tool } from "../../editor/tool.ts";
-import { endAt, firstPoint, nextPoint, rubberOf, type Drawn, type PathEnd, type Placement } from "./placing.ts";
+import { endAt, firstPoint, joinedTo, nextPoint, rubberOf, type Drawn, type PathEnd, type Placement } from "./placing.ts";
 
 /**
  * The pen: a click is a corner, a drag a point with handles, a click on the first point closes. The rubber band is the
@@ -32,17 +32,29 @@ class Pen implements Tool {
   hover(sample: PointerSample): void {
     const { state } = this.#editor;
     const drawn = this.#drawn();
-    const rubber = drawn === null ? null : rubberOf(state.value, drawn.contour, sample);
-    const sketch = rubber === null ? nothingSketched : { ...nothingSketched, rubber };
-    this.#editor.patch({ sketch, hover: { kind: "empty" }, cursor: rubber?.closing === true ? "pointer" : "crosshair" });
+    const end = endAt(state.value, sample, drawn);
+    const rubber = drawn === null ? null : rubberOf(state.value, drawn.contour, sample, end);
+    const sketch = { ...nothingSketched, rubber, joint: end?.point ?? null };
+    this.#editor.patch({ sketch, hover: { kind: "empty" }, cursor: rubber?.closing === true || end !== null ? "pointer" : "crosshair" });
   }
 
   press(sample: PointerSample): void {
     const drawn = this.#drawn();
     if (drawn === null) return this.#begin(sample);
     if (sample.clicks === 2) return void this.finish();
+    const { value: state } = this.#editor.state;
+    const end = endAt(state, sample, drawn);
+    const join = end === null ? null : joinedTo(state, drawn, end);
+    if (join !== null) return this.#join(join);
     if (drawn.contour.points.length >= mostPoints) return refuse(this.#editor, `A contour can have at most ${mostPoints} points.`);
-    this.#place(sample, nextPoint(this.#editor.state.value, drawn, sample));
+    this.#place(sample, nextPoint(state, drawn, sample));
+  }
+
+  /** The end of another contour ends what is drawn. */
+  #join(command: Command): void {
+    this.#drawing = null;
+    this.#editor.dispatch(command);
+    this.#editor.patch({ sketch: nothingSketched });
   }
 
   drag(sample: PointerSample): void {
@@ -95,7 +107,7 @@ class Pen implements Tool {
   #begin(sample: PointerSample): void {
     const { state } = this.#editor;
     this.#drawing = null;
-    const end = endAt(state.value, sample);
+    const end = endAt(state.value, sample, null);
     if (end === null) this.#place(sample, firstPoint(state.value, sample));
     else this.#goOn(sample, end);
   }

@@ -1,5 +1,6 @@
 import type { Command } from "../../document/curve/commands.ts";
 import { closeDrawn, cornerAt, growContour, startContour } from "../../document/curve/drawing.ts";
+import { joinEnds } from "../../document/curve/joining.ts";
 import { nothingSelected, type Contour, type ControlPoint, type PointRef } from "../../document/document.ts";
 import type { EditorState, Rubber } from "../../editor/editor.ts";
 import { toScreen, type PagePoint } from "../../editor/pointer/camera.ts";
@@ -36,13 +37,14 @@ export function firstPoint(state: EditorState, sample: PointerSample): Placement
   return { command: startContour(curve, placeOf(state, null, sample)), ref: { contour: curve.contours.length, index: 0 }, closing: false };
 }
 
-/** The segment that a press would make; null while there is no point for it to begin at. */
-export function rubberOf(state: EditorState, contour: Contour, sample: PointerSample): Rubber | null {
+/** The segment that a press would make, onto the end of another contour where one is given; null while there is no point for it to begin at. */
+export function rubberOf(state: EditorState, contour: Contour, sample: PointerSample, end: PathEnd | null): Rubber | null {
   const [first, last] = [contour.points[0], contour.points.at(-1)];
   if (first === undefined || last === undefined) return null;
   const closing = closes(state, contour, sample);
-  const to = closing ? first : cornerAt(placeOf(state, contour, sample));
-  const omega = contour.omega === undefined ? {} : { omega: [contour.omega.at(-1) ?? 0] };
+  const to = closing ? first : end === null ? cornerAt(placeOf(state, contour, sample)) : end.first ? end.point : { ...end.point, in: end.point.out };
+  // What joins two contours is a cubic.
+  const omega = end !== null ? { omega: [0] } : contour.omega === undefined ? {} : { omega: [contour.omega.at(-1) ?? 0] };
   return { contour: { family: "hermite", closed: false, points: [last, to], ...omega }, closing };
 }
 
@@ -50,16 +52,26 @@ export interface PathEnd {
   readonly contour: number;
   /** It is the beginning, not the last point. */
   readonly first: boolean;
+  readonly point: ControlPoint;
 }
 
-/** The open contour with an end under the pointer: the pen goes on from there. */
-export function endAt(state: EditorState, sample: PointerSample): PathEnd | null {
+/** The open contour with an end under the pointer, which the pen goes on from, or joins to the one that is drawn. */
+export function endAt(state: EditorState, sample: PointerSample, drawn: Drawn | null): PathEnd | null {
+  if (drawn !== null && closes(state, drawn.contour, sample)) return null;
   for (const [contour, { closed, points, family }] of state.curve.contours.entries()) {
-    if (closed || family === "interpolating") continue;
-    if (isAt(state, points.at(-1), sample)) return { contour, first: false };
-    if (isAt(state, points[0], sample)) return { contour, first: true };
+    if (closed || family === "interpolating" || contour === drawn?.at) continue;
+    const [first, last] = [points[0], points.at(-1)];
+    if (last !== undefined && isAt(state, last, sample)) return { contour, first: false, point: last };
+    if (first !== undefined && isAt(state, first, sample)) return { contour, first: true, point: first };
   }
   return null;
+}
+
+/** What is drawn and the contour of an end as one; null where no space holds the segments of both. */
+export function joinedTo({ curve }: EditorState, { at, contour }: Drawn, end: PathEnd): Command | null {
+  const onto = { contour: end.contour, index: end.first ? 0 : (curve.contours[end.contour]?.points.length ?? 1) - 1 };
+  // Only what is drawn to the very place has met it already.
+  return joinEnds(curve, [{ contour: at, index: contour.points.length - 1 }, onto], 0);
 }
 
 function closes(state: EditorState, { points }: Contour, sample: PointerSample): boolean {
