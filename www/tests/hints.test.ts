@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { curveSamples } from "../src/document/curve/samples.ts";
 import type { EditorState, Target } from "../src/editor/editor.ts";
+import { framing } from "../src/editor/curve/on-demand.ts";
 import { hintFor } from "../src/editor/hint.ts";
 import { Hand } from "./harness.ts";
 
@@ -52,4 +53,51 @@ test("while the pen pulls handles the hint is about handles, and no longer than 
     hand.input.cancel();
     assert.doesNotMatch(hintFor(hand.editor.state.value), /shape/u, "after Esc");
   }
+});
+
+const now = (hand: Hand): string => hintFor(hand.editor.state.value);
+
+test("what the hint promises of choosing holds: a double-click for a shape, E for its contour, a drag for all that is chosen, Shift for more", async () => {
+  await framing.load();
+  const hand = new Hand("glyph");
+  hand.editor.patch({ hint: "" });
+  assert.match(now(hand), /Double-click inside a shape for all of it/u);
+  const { x, y } = hand.point(0);
+  hand.doubleClick(x + 30, y + 200);
+  assert.equal(hand.selected.length, hand.curve.contours.reduce((sum, { points }) => sum + points.length, 0), "with the hole, which is a part of it");
+  hand.run("select-none");
+  hand.click(x, y).wait().moveTo(5, 5);
+  assert.equal(now(hand), "Alt-drag a handle to make a cusp. Press E to select the whole contour.");
+  hand.run("select-contour");
+  assert.equal(hand.selected.length, hand.curve.contours[0]?.points.length);
+  assert.equal(now(hand), "Drag a selected point to move them all. Shift-click to add or remove points.");
+  const before = hand.curve.contours[0]?.points ?? [];
+  hand.drag({ x, y }, 30, 20);
+  assert.deepEqual(hand.curve.contours[0]?.points.map((point, i) => [point.x - (before[i]?.x ?? 0), point.y - (before[i]?.y ?? 0)]), before.map(() => [30, 20]));
+  hand.held = { shift: true, alt: false, mod: false };
+  hand.click(x + 30, y + 20);
+  assert.equal(hand.selected.length, before.length - 1);
+});
+
+test("each tool says what a press would do, and so does what lies under the pointer", () => {
+  const point = (index: number): Target => ({ kind: "point", point: { contour: 0, index } });
+  const curve = (t: number): Target => ({ kind: "curve", contour: 0, t, x: 0, y: 0 });
+  const alt = { modifiers: { shift: false, alt: true, mod: false } };
+  const all: readonly (readonly [string, Partial<EditorState>, RegExp])[] = [
+    ["heart", { tool: "hand" }, /^Drag to pan\. Press V to edit again\.$/u],
+    ["heart", { tool: "draw" }, /^Drag to draw freehand\./u],
+    ["heart", { tool: "pen" }, /^Click to place the first point, or drag to pull its handles\.$/u],
+    ["heart", { hover: point(0) }, /^Point 1 of 6, cusp, .*: drag to move, double-click for smooth$/u],
+    ["circle-8", { hover: point(0) }, /^Point 1 of 8, symmetric, .* double-click for a cusp$/u],
+    ["circle-8", { hover: point(0), ...alt }, /drag to pull out new handles$/u],
+    ["sine", { hover: point(0) }, /drag to move, or onto another end to join$/u],
+    ["blob-16", { hover: point(0) }, /drag to move; only nearby segments change$/u],
+    ["circle-8", { hover: { kind: "handle", handle: { contour: 0, index: 1, side: "out" } } }, /^Leaving handle of point 2 .*: drag to turn, Alt to break, Shift for 15° steps$/u],
+    ["circle-8", { hover: { kind: "handle", handle: { contour: 0, index: 1, side: "in" } }, ...alt }, /drag to break it into a cusp$/u],
+    ["circle-8", { hover: curve(0.5) }, /^Drag to bend the curve, Alt-drag to move this segment\. Double-click to insert a point without changing the curve\.$/u],
+    ["glyph", { hover: curve(0.5) }, /^Drag to move this line, Alt-drag to bend it\./u],
+    ["blob-16", { hover: curve(0.5) }, /^Drag to move this segment\. Double-click to insert a point; you see how far the curve moves\.$/u],
+    ["blob-16", {}, /^Drag a point: only nearby segments change\. Drag across empty space to select\.$/u],
+  ];
+  for (const [sample, state, says] of all) assert.match(hint(sample, state), says);
 });
