@@ -181,3 +181,23 @@ test("a file of a trace is as large as the picture, with everything in its place
   await demo.idle();
   assert.match(await sheet(), whole, "smoothed in Fit");
 });
+
+test("the preview shows a line's dashes as the file does, and so does the stage", async (t) => {
+  const demo = await open(t);
+  await opened(demo, '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 20" width="100" height="20"><path d="M10 10h80" stroke="teal" stroke-width="12" stroke-dasharray="20 10" stroke-dashoffset="5"/></svg>');
+  /** Well beside the thin line in the middle: whether there is any of its colour. */
+  const isDrawn = async (x: number): Promise<boolean> => {
+    const at = await demo.toScreen(x, 7);
+    return demo.page.evaluate(([left, top]) => {
+      const canvas = document.querySelector<HTMLCanvasElement>("canvas.stage-canvas");
+      const box = canvas?.getBoundingClientRect();
+      const [red = 0, , blue = 0] = canvas?.getContext("2d")?.getImageData(left - (box?.left ?? 0), top - (box?.top ?? 0), 1, 1).data ?? [];
+      return blue - red > 30;
+    }, [at.x, at.y] as const);
+  };
+  // From 10: 15 of the first dash, then 10 without, then 20 with.
+  assert.deepEqual(await Promise.all([12, 23, 30, 37, 52, 60].map(isDrawn)), [true, true, false, true, true, false]);
+  await demo.byId("btn-export").click();
+  const { strokeDasharray, strokeDashoffset } = await demo.page.locator(".export-picture path").evaluate((path: SVGPathElement) => path.style);
+  assert.deepEqual([strokeDasharray.replace(",", ""), strokeDashoffset.replace("px", "")], ["20 10", "5"]);
+});

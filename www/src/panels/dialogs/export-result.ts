@@ -73,8 +73,11 @@ function drawn(d: string, drawing: Box, { artboard, filled, filling, layers = []
     if (along === undefined) return isLine === true ? line(text, "none") : area(text, color);
     const path = area(text, color);
     if (isLine === true) path.style.fill = "none";
-    const { width, color: stroke = "currentcolor", cap, join } = along;
-    Object.assign(path.style, { stroke, strokeWidth: String(width), strokeLinecap: cap ?? "", strokeLinejoin: join ?? "" });
+    const { width, color: stroke = "currentcolor", cap, join, dashes, dashOffset = 0 } = along;
+    Object.assign(path.style, {
+      stroke, strokeWidth: String(width), strokeLinecap: cap ?? "", strokeLinejoin: join ?? "",
+      strokeDasharray: dashes?.join(" ") ?? "", strokeDashoffset: String(dashOffset),
+    });
     return path;
   };
   const shapes = layers.length > 0 ? layers.map(layer) : [filled === true ? area(d, undefined) : line(d, filling)];
