@@ -420,3 +420,37 @@ test("the pen goes on from an end, joins the end of another path, and says so be
   await press([300, 400]);
   assert.deepEqual(await shape(), [[false, [[300, 200], [400, 200], [450, 300], [300, 400], [400, 400]]]]);
 });
+
+test("the menu of a point has what can be done with it, and nothing that would be refused", async (t) => {
+  const demo = await open(t, "#/curve?sample=sine");
+  const itemsOf = async (id: string): Promise<string[]> => {
+    const { x, y } = await demo.centre(id);
+    await demo.page.mouse.click(x, y, { button: "right" });
+    await demo.byId("context-menu").waitFor();
+    const items = await demo.byId("context-menu").getByRole("menuitem").evaluateAll((all) => all.map((each) => (each.getAttribute("data-testid") ?? "").replace("menu-", "")));
+    await demo.press("Escape");
+    return items;
+  };
+  const always = ["delete", "delete-open", "reverse", "select-contour", "copy", "duplicate"];
+  const handles = ["smooth", "symmetric", "cusp", "reset-handles"];
+  const sorted = (all: string[]): string[] => [...all].sort();
+  const last = (await demo.points()).length - 1;
+  assert.deepEqual(sorted(await itemsOf(`pt-0-${last}`)), sorted([...always, ...handles, "join"]));
+  assert.deepEqual(sorted(await itemsOf("pt-0-1")), sorted([...always, ...handles]));
+  await demo.page.evaluate(() => { window.location.hash = "#/curve?sample=blob-16"; });
+  await demo.byId("pt-0-15").waitFor({ state: "attached" });
+  await demo.idle();
+  assert.deepEqual(sorted(await itemsOf("pt-0-0")), sorted(always));
+  assert.deepEqual(sorted(await itemsOf("pt-0-3")), sorted([...always, "start-here"]));
+});
+
+test("the menu is in sight to its last item on a phone held across, without keys for who has none", async (t) => {
+  const demo = await open(t, "#/curve?sample=sine", { viewport: { width: 640, height: 360 }, hasTouch: true, isMobile: true });
+  const { x, y } = await demo.centre("pt-0-0");
+  await demo.page.mouse.click(x, y, { button: "right" });
+  await demo.byId("context-menu").waitFor();
+  await demo.byId("menu-duplicate").scrollIntoViewIfNeeded();
+  const box = await demo.byId("menu-duplicate").boundingBox();
+  assert.ok(box !== null && box.y >= 0 && box.y + box.height <= 360, JSON.stringify(box));
+  assert.equal(await demo.byId("context-menu").locator("kbd:visible").count(), 0);
+});

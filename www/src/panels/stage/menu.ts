@@ -1,20 +1,34 @@
-import { isSelected, type CurveDocument } from "../../document/document.ts";
+import { isEnd, isSelected, type CurveDocument, type PointRef } from "../../document/document.ts";
 import type { Action, Editor, Target } from "../../editor/editor.ts";
 import { h } from "../controls/dom.ts";
 import { printedKey } from "../shell.ts";
 
+/** What can be done with a point: nothing that would only be refused. */
+function itemsForPoint(curve: CurveDocument, point: PointRef): readonly string[] {
+  const contour = curve.contours[point.contour];
+  return [
+    ...(contour?.family === "interpolating" ? [] : ["smooth", "symmetric", "cusp", "reset-handles"]),
+    "delete", "delete-open",
+    ...(isEnd(curve, point) ? ["join"] : []),
+    ...(contour?.closed === true && point.index > 0 ? ["start-here"] : []),
+    "reverse", "select-contour", "copy", "duplicate",
+  ];
+}
+
 /** What can be done with what is under the pointer. */
-function itemsFor(over: Target, { contours }: CurveDocument): readonly string[] {
+function itemsFor(over: Target, curve: CurveDocument): readonly string[] {
+  const { contours } = curve;
   switch (over.kind) {
     case "point":
+      return itemsForPoint(curve, over.point);
     case "handle":
-      return ["smooth", "symmetric", "cusp", "reset-handles", "delete", "delete-open", "join", "start-here", "reverse", "select-contour"];
+      return itemsForPoint(curve, over.handle);
     case "curve":
       return ["insert-here", "reverse", "select-contour"];
     case "grip":
-      return ["flip-across", "flip-down", "turn-right", "turn-left", "duplicate", "reverse"];
+      return ["flip-across", "flip-down", "turn-right", "turn-left", "copy", "duplicate", "reverse"];
     case "empty":
-      return contours.length > 0 ? ["paste", "zoom-fit", "select-all"] : ["paste", "samples"];
+      return contours.length > 0 ? ["paste", "copy", "zoom-fit", "select-all"] : ["paste", "samples"];
   }
 }
 
