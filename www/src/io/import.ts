@@ -7,6 +7,7 @@ import type { Imported } from "../document/imported.ts";
 import { Problem } from "../document/problem.ts";
 import { filled, type FilledShape } from "../kernel/paths/filling.ts";
 import { boundsOfPath, importPath, importPoints, type Drawn } from "../kernel/paths/import.ts";
+import { withoutDataUrl } from "./data-url.ts";
 import { heading, listed, mostPoints, readPoints } from "./rows.ts";
 import { SvgFileError, type SvgWarningCode } from "./svg/limits.ts";
 import type { Stroke } from "./svg/style/line.ts";
@@ -31,7 +32,7 @@ export function kindOfText(text: string): ImportKind | null {
 
 /** @throws Problem, also where nothing came of it; a JSON `null` or list is refused as the file it fails to be, not as unknown text. */
 export function readImport(text: string, space: Space): Imported {
-  const imported = readAs(text, space);
+  const imported = readAs(withoutDataUrl(text), space);
   if (imported.kind !== "json" && imported.contours.length === 0) throw imported.broken ?? new Problem("paste-unknown");
   return imported;
 }

@@ -19,7 +19,8 @@ export function rootOf(source: string, limits: SvgLimits): { readonly root: Elem
   const loose = text.replace(inBraces, "=$1$2$1");
   const found = htmlOf(loose).querySelector("svg");
   if (found !== null) return { root: found, isWhole: true };
-  const made = htmlOf(`<svg>${loose}</svg>`).querySelector("svg");
+  // A part of a sprite is drawn where it is used; alone, it is what is meant.
+  const made = htmlOf(`<svg>${loose.replace(/^<symbol\b/u, "<svg").replace(/<\/symbol>$/u, "</svg>")}</svg>`).querySelector("svg");
   // A page without a picture, or words.
   return made?.querySelector([...shapeNames].join()) == null ? { root: strictRoot(text), isWhole: true } : { root: made, isWhole: false };
 }
