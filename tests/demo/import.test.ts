@@ -167,6 +167,9 @@ test("icons of a sprite, and what a style sheet moves, sizes and hides, come in 
 
 for (const [name, text] of [
   ["an attribute", 'd="M3 3h18v18H3z"'], ["CSS", 'clip-path: path("M3 3h18v18H3z");'], ["a program", "const shape = new Path2D('M3 3h18v18H3z');"], ["an element", '<path fill="red" d="M3 3h18v18H3z" />'],
+  ["a symbol of a sprite", '<symbol id="box" viewBox="0 0 24 24"><path d="M3 3h18v18H3z"/></symbol>'],
+  ["a style's picture in base64", `background: url("data:image/svg+xml;base64,${Buffer.from('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24"><title>Ω</title><path d="M3 3h18v18H3z"/></svg>').toString("base64")}");`],
+  ["a style's picture, percent-encoded", "url(data:image/svg+xml;charset=utf-8,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 24 24'%3E%3Crect x='3' y='3' width='18' height='18'/%3E%3C/svg%3E)"],
 ] as const) {
   test(`a path is read out of ${name}`, async (t) => {
     const demo = await open(t);
@@ -434,6 +437,32 @@ test("DM-027 DM-028 a field takes a decimal comma and refuses what is no number,
     assert.equal(await demo.page.locator('[data-error="number"]').count(), 1, text);
     assert.equal(await omega.inputValue(), "1.5", text);
   }
+});
+
+test("a field adds up what is typed into it, and Undo takes a number back while the field has the focus", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart");
+  await demo.click("pt-0-1");
+  const field = demo.byId("pt-x");
+  const { x: start } = await demo.point(1);
+  await field.focus();
+  await demo.press("End");
+  await demo.page.keyboard.type("+10");
+  await demo.press("Enter");
+  assert.equal((await demo.point(1)).x, start + 10);
+  // Numbers in quick succession are one step.
+  await demo.page.waitForTimeout(700);
+  await field.fill("300/4px");
+  await demo.press("Enter");
+  assert.equal((await demo.point(1)).x, 75);
+  await demo.press("Control+z");
+  assert.equal((await demo.point(1)).x, start + 10);
+  assert.equal(await field.inputValue(), (start + 10).toFixed(2));
+  await demo.press("Control+Shift+z");
+  assert.equal((await demo.point(1)).x, 75);
+  // What is typed and not taken yet is the field's own to undo.
+  await demo.page.keyboard.type("1");
+  await demo.press("Control+z");
+  assert.equal((await demo.point(1)).x, 75);
 });
 
 test("a joint that a file's few decimals have bent by a fraction of a degree is smooth, and not moved", async (t) => {

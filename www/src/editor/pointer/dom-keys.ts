@@ -22,12 +22,17 @@ export function listenToKeys(options: KeyOptions): void {
   window.addEventListener("blur", () => keys.upAll(), { signal });
 }
 
-/** "nowhere" is the page itself; whoever keeps the keys (a text field, a dialog, a menu) leaves none to the stage. */
-type Focus = "stage" | "nowhere" | "widget" | "keeper";
+/**
+ * "nowhere" is the page itself; whoever keeps the keys (a text field, a dialog, a menu) leaves none to the stage, but that of
+ * a field whose number is in force already, Undo means the drawing.
+ */
+type Focus = "stage" | "nowhere" | "widget" | "keeper" | "settled";
 
 function focusIn(surface: HTMLElement): Focus {
   const { activeElement } = document;
-  if (activeElement?.closest("dialog, [role=menu]") != null || takesText(activeElement)) return "keeper";
+  if (activeElement?.closest("dialog, [role=menu]") != null) return "keeper";
+  // What a field shows by itself is its default: what is typed differs from it until it is taken.
+  if (takesText(activeElement)) return activeElement instanceof HTMLInputElement && activeElement.value === activeElement.defaultValue ? "settled" : "keeper";
   if (surface.contains(activeElement)) return "stage";
   return activeElement === document.body ? "nowhere" : "widget";
 }
@@ -53,6 +58,7 @@ class Keys {
     if (event.defaultPrevented || event.isComposing) return;
     const focus = focusIn(this.#options.surface);
     if (focus === "keeper") return;
+    if (focus === "settled") return this.#travel(event);
     if (event.key === "Escape") return this.#escape(focus);
     if (this.#steers(event.key, focus)) return event.preventDefault();
     if (focus === "widget" && widgetKeys.has(event.key)) return;
@@ -89,6 +95,12 @@ class Keys {
     if (key !== " " || focus === "widget") return false;
     this.#input.space(true);
     return true;
+  }
+
+  /** Undo and Redo alone. */
+  #travel(event: KeyboardEvent): void {
+    const action = actionOf(this.#editor, event);
+    if (action?.id === "undo" || action?.id === "redo") this.#act(action, event, "stage");
   }
 
   #act(action: Action, event: KeyboardEvent, focus: Focus): void {

@@ -56,7 +56,7 @@ export function numberField(options: NumberOptions): Field<number> & { readonly 
     if (unit !== null) unit.textContent = Number.isNaN(shown) ? "" : (options.unit ?? "");
     if (shown === null) printed = "";
     else printed = Number.isNaN(shown) ? (options.word ?? "") : format(shown);
-    input.value = printed;
+    input.defaultValue = input.value = printed;
   };
   const refuse = (): void => {
     setText(message, errorText("number", { least: options.least, most: options.most, kept: printed }));

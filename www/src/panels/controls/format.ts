@@ -34,14 +34,25 @@ export function formatCount(count: number, one: string, many = `${one}s`): strin
   return `${count} ${count === 1 ? one : many}`;
 }
 
+const plainNumber = "[-+]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:e[-+]?\\d+)?";
+const sum = new RegExp(`^${plainNumber}(?:[-+*/]${plainNumber})*(?:px|°)?$`, "iu");
+const step = new RegExp(`([-+*/]?)(${plainNumber})`, "giu");
+
 /**
- * A number as people type it: a decimal comma counts, anything else that is not a plain decimal does not. Returns null
- * for what is no number or outside the range.
+ * A number as people type it, or a sum as they add to one that stands there ("240.00+10", "100/3"): a decimal comma counts, and so
+ * does the unit. Returns null for what is no number or outside the range.
  */
 export function parseTyped(text: string, least: number, most: number): number | null {
-  const plain = text.trim().replace(/^([-+]?\d*),(\d+)$/u, "$1.$2").replace(/^\u2212/u, "-");
-  if (!/^[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?$/iu.test(plain)) return null;
-  const value = Number(plain);
+  const plain = text.trim().replace(/\u2212/gu, "-").replace(/\s*([-+*/])\s*/gu, "$1");
+  if (!sum.test(plain)) return null;
+  let [before, term] = [0, 0];
+  for (const [, sign, digits = ""] of plain.matchAll(step)) {
+    const number = Number(digits.replace(",", "."));
+    if (sign === "*") term *= number;
+    else if (sign === "/") term /= number;
+    else [before, term] = [before + term, sign === "-" ? -number : number];
+  }
+  const value = before + term;
   return Number.isFinite(value) && value >= least && value <= most ? value + 0 : null;
 }
 
