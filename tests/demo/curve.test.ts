@@ -454,3 +454,18 @@ test("the menu is in sight to its last item on a phone held across, without keys
   assert.ok(box !== null && box.y >= 0 && box.y + box.height <= 360, JSON.stringify(box));
   assert.equal(await demo.byId("context-menu").locator("kbd:visible").count(), 0);
 });
+
+test("an area is one whichever way round its outline runs", async (t) => {
+  const demo = await open(t, "#/curve?sample=glyph");
+  const area = await demo.metric("m-area");
+  await demo.focusStage();
+  await demo.press("Control+a");
+  for (const id of ["pt-0-0", "pt-1-0"]) {
+    const { x, y } = await demo.centre(id);
+    await demo.page.mouse.click(x, y, { button: "right" });
+    await demo.byId("menu-reverse").click();
+    await demo.idle();
+    await demo.press("Escape");
+  }
+  await demo.until(() => demo.metric("m-area"), (now) => Math.abs(now - area) < 1e-6, "as large as before");
+});

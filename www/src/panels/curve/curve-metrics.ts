@@ -48,10 +48,12 @@ const truth: readonly Metric[] = [
   },
   {
     testid: "m-area",
-    about: "Signed area of all closed contours",
+    about: "Area of all closed contours; those that run the other way round are holes",
     read({ curve }) {
-      const measures = measureCurve(curve);
-      return measures.closed === 0 ? null : { value: measures.area, lead: "area", strong: formatMeasure(measures.area) };
+      const { closed, area: signed } = measureCurve(curve);
+      // Whichever way round a file has its outlines.
+      const area = Math.abs(signed);
+      return closed === 0 ? null : { value: area, lead: "area", strong: formatMeasure(area) };
     },
     slow: true,
   },
