@@ -460,12 +460,50 @@ test("an area is one whichever way round its outline runs", async (t) => {
   const area = await demo.metric("m-area");
   await demo.focusStage();
   await demo.press("Control+a");
-  for (const id of ["pt-0-0", "pt-1-0"]) {
-    const { x, y } = await demo.centre(id);
-    await demo.page.mouse.click(x, y, { button: "right" });
-    await demo.byId("menu-reverse").click();
-    await demo.idle();
-    await demo.press("Escape");
-  }
+  const { x, y } = await demo.centre("pt-0-0");
+  await demo.page.mouse.click(x, y, { button: "right" });
+  await demo.byId("menu-reverse").click();
   await demo.until(() => demo.metric("m-area"), (now) => Math.abs(now - area) < 1e-6, "as large as before");
+});
+
+test("Reverse turns what the menu is over, or all that is chosen; Start here starts at the point under it; what is deleted is counted", async (t) => {
+  const demo = await open(t, "#/curve?sample=glyph");
+  const firsts = async (): Promise<string> => JSON.stringify((await demo.state()).curve.contours.map(({ points }) => points.slice(0, 2).map(({ x, y }) => [x, y])));
+  const menu = async ({ x, y }: { x: number; y: number }, item: string): Promise<void> => {
+    await demo.page.mouse.move(x, y);
+    await demo.page.mouse.click(x, y, { button: "right" });
+    await demo.byId(`menu-${item}`).click();
+    await demo.idle();
+  };
+  const turned = async (before: string): Promise<boolean[]> => {
+    const [then, now] = [JSON.parse(before) as unknown[], JSON.parse(await firsts()) as unknown[]];
+    return now.map((each, i) => JSON.stringify(each) !== JSON.stringify(then[i]));
+  };
+  const start = await firsts();
+  const [a, b] = [await demo.centre("pt-1-0"), await demo.centre("pt-1-1")];
+  const between = { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
+  await menu(between, "insert-here");
+  await demo.until(async () => (await demo.points(1)).length, (count) => count === 6, "a point is inserted where the menu was opened");
+  await demo.press("Control+z", "Escape");
+  await menu(between, "select-contour");
+  await demo.byId("sel-w").waitFor();
+  assert.equal(await demo.byId("points").inputValue(), "5", "the inner contour is chosen");
+  await demo.focusStage();
+  await demo.press("Escape");
+  await menu(between, "reverse");
+  assert.deepEqual(await turned(start), [false, true], "the one under the pointer");
+  await demo.press("Control+z");
+  await demo.focusStage();
+  await demo.press("Control+a");
+  await menu(await demo.centre("pt-0-1"), "reverse");
+  assert.deepEqual(await turned(start), [true, true]);
+  await demo.press("Control+z");
+  assert.equal(await firsts(), start, "one step");
+  await demo.press("Control+a");
+  const third = await demo.point(3);
+  await menu(await demo.centre("pt-0-3"), "start-here");
+  assert.deepEqual([(await demo.point(0)).x, (await demo.point(0)).y], [third.x, third.y]);
+  await demo.focusStage();
+  await demo.press("Home", "Shift+]", "Shift+Delete");
+  assert.equal(await demo.textOf("toast"), "2 points deleted. The path is now open there.");
 });

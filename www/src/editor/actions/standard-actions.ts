@@ -24,6 +24,12 @@ function insertAtHover(editor: Editor): void {
   if (hover.kind === "curve") renewing(editor, ({ insertAt }) => insertAt(editor, hover.contour, hover.t));
 }
 
+/** The contour that the menu was opened over, else what is chosen. */
+function reverseHere(editor: Editor): void {
+  const { hover } = editor.state.value;
+  renewing(editor, ({ reverse }) => (hover.kind === "curve" ? reverse(editor, [hover.contour]) : reverse(editor)));
+}
+
 const byLevels = (by: number) => (editor: Editor): void => levelling(editor, ({ setLevel }) => setLevel(editor, editor.state.value.curve.level + by));
 
 /** An action that is loaded with all that change which points there are. */
@@ -31,7 +37,7 @@ function renewal(id: string, label: string, group: Action["group"], keys: readon
   return action(id, label, group, keys, (editor) => renewing(editor, (edits) => edits[edit](editor)), { enabled });
 }
 
-type Renewal = "insertAfterSelected" | "deleteAndHeal" | "deleteAndOpen" | "startHere" | "reverse" | "duplicate";
+type Renewal = "insertAfterSelected" | "deleteAndHeal" | "deleteAndOpen" | "startHere" | "duplicate";
 
 function stageCentre(state: EditorState): ScreenPoint {
   return { x: state.stage.width / 2, y: state.stage.height / 2 };
@@ -147,7 +153,7 @@ const pointActions: readonly Action[] = [
     (editor) => whenLoaded(editor, import("../fit/bring.ts"), ({ simplifyInFit }) => simplifyInFit(editor)),
     { enabled: hasCurve },
   ),
-  renewal("reverse", "Reverse", "Curve", [], "reverse", hasCurve),
+  action("reverse", "Reverse", "Curve", [], reverseHere, { enabled: hasCurve }),
   action("level-up", "Level up", "Curve", ["}"], byLevels(1), { enabled: hasCurve }),
   action("apply-level", "Apply level", "Curve", [], (editor) => levelling(editor, ({ applyProposal }) => applyProposal(editor)), { enabled: (state) => state.sketch.proposal !== null }),
   action("level-down", "Level down", "Curve", ["{"], byLevels(-1), { enabled: hasCurve }),

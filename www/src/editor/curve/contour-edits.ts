@@ -6,7 +6,7 @@ import { withoutPlaces } from "../../kernel/curve/fine-places.ts";
 import { closedRefined } from "../../kernel/curve/interpolating.ts";
 import { insertedInterpolating, removedInterpolating, resampledInterpolating } from "../../kernel/curve/points/interpolating.ts";
 import { largestMove } from "../../kernel/curve/samples.ts";
-import { activeContour, activeContours, hasPlaces, isRefined, mostPoints, printed, refuse, say, unnoticed } from "./edits.ts";
+import { activeContours, hasPlaces, isRefined, mostPoints, printed, refuse, say, unnoticed } from "./edits.ts";
 import type { Editor } from "../editor.ts";
 
 /** Edits that change which points a contour has: one more, fewer, another number of them, another first one, the other way round, closed or open. */
@@ -111,7 +111,9 @@ export function deleteAndOpen(editor: Editor): void {
   if (curve.contours.some((contour, c) => chosen.has(c) && isRefined(editor, contour))) return;
   const contours = curve.contours.flatMap((contour, c) => withoutPoints(curve, contour, chosen.get(c) ?? []));
   editor.dispatch({ name: "Delete and open", apply: (document) => ({ ...document, contours }), select: nothingSelected });
-  say(editor, "Point deleted. The path is now open there.");
+  const gone = selection.points.length;
+  const wasClosed = [...chosen.keys()].some((contour) => curve.contours[contour]?.closed === true);
+  say(editor, `${gone === 1 ? "Point deleted." : `${gone} points deleted.`}${wasClosed && contours.length > 0 ? " The path is now open there." : ""}`);
 }
 
 /** The one active contour with another number of points, at equal parameters. */
@@ -171,9 +173,11 @@ export function duplicate(editor: Editor): void {
   editor.dispatch(addContours("Duplicate", copies, true));
 }
 
-export function reverse(editor: Editor): void {
-  const contour = editor.state.value.curve.contours[activeContour(editor)];
-  if (contour !== undefined && !hasPlaces(editor, contour)) editor.dispatch(reverseContour(activeContour(editor)));
+export function reverse(editor: Editor, indices = activeContours(editor.state.value)): void {
+  const { curve } = editor.state.value;
+  if (indices.length === 0 || indices.some((index) => hasPlaces(editor, curve.contours[index]))) return;
+  const steps = indices.map(reverseContour);
+  editor.dispatch({ name: "Reverse", apply: (document) => steps.reduce((now, step) => step.apply(now), document), select: nothingSelected });
 }
 
 export function startHere(editor: Editor): void {

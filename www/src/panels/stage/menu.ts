@@ -1,4 +1,4 @@
-import { isEnd, isSelected, type CurveDocument, type PointRef } from "../../document/document.ts";
+import { isEnd, isSelected, samePoint, type CurveDocument, type PointRef } from "../../document/document.ts";
 import type { Action, Editor, Target } from "../../editor/editor.ts";
 import { h } from "../controls/dom.ts";
 import { printedKey } from "../shell.ts";
@@ -36,14 +36,20 @@ function itemsFor(over: Target, curve: CurveDocument): readonly string[] {
 export function openMenuOver(editor: Editor, over: Target, { clientX, clientY }: MouseEvent): void {
   const { selection } = editor.state.value;
   const point = over.kind === "point" ? over.point : over.kind === "handle" ? { contour: over.handle.contour, index: over.handle.index } : null;
-  if (point !== null && !isSelected(selection, point)) editor.patch({ selection: { points: [point], handle: null } });
+  // Of several chosen points, it is the one under the pointer that something is done at.
+  const others = point !== null && isSelected(selection, point) ? selection.points.filter((each) => !samePoint(each, point)) : [];
+  if (point !== null) editor.patch({ selection: { ...(others.length > 0 ? selection : { handle: null }), points: [point, ...others] } });
   const state = editor.state.value;
   const actions = itemsFor(over, state.curve).flatMap((id) => editor.actions.get(id) ?? []).filter((action) => action.enabled?.(state) !== false);
-  if (actions.length > 0) openMenu(editor, clientX, clientY, actions);
+  if (actions.length > 0) openMenu(clientX, clientY, actions, (id) => {
+    // The pointer has left the stage for the menu; what is chosen is done where the menu was opened.
+    editor.patch({ hover: over });
+    editor.actions.run(id);
+  });
 }
 
 /** A menu at a place of the window: the first thing in it has the focus, which goes back to where it was. */
-function openMenu(editor: Editor, x: number, y: number, actions: readonly Action[]): void {
+function openMenu(x: number, y: number, actions: readonly Action[], run: (id: string) => void): void {
   const before = document.activeElement;
   const items = actions.map((action) =>
     h("button", {
@@ -52,7 +58,7 @@ function openMenu(editor: Editor, x: number, y: number, actions: readonly Action
       role: "menuitem",
       tabindex: "-1",
       testid: `menu-${action.id}`,
-      click: () => { close(); editor.actions.run(action.id); },
+      click: () => { close(); run(action.id); },
     },
       h("span", {}, action.label), action.keys[0] === undefined ? null : h("kbd", {}, printedKey(action.keys[0]))),
   );
