@@ -121,3 +121,16 @@ test("news of a step goes when the step is undone, in every way; what is said of
   await demo.press("Control+z", "Control+z");
   assert.deepEqual(await news.allTextContents(), ["Copied 7"]);
 });
+
+test("an offer that is declined goes with what it was about", async (t) => {
+  const demo = await open(t, "#/curve?sample=blob-16");
+  await demo.focusStage();
+  await demo.press("}");
+  await demo.until(async () => (await demo.state()).curve.level, (level) => level === 1, "a level up");
+  await demo.press("]", "ArrowUp", "{");
+  const offer = demo.page.locator(".toast-action", { hasText: "Apply level" });
+  await offer.waitFor();
+  await demo.press("Escape");
+  await offer.waitFor({ state: "detached" });
+  assert.equal((await demo.state()).curve.level, 1);
+});

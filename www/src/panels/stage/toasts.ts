@@ -52,8 +52,8 @@ export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
     if (notice?.kind === "toast") {
       const action = notice.actionId === undefined ? undefined : editor.actions.get(notice.actionId);
       const toast = show(notice.text, action === undefined ? undefined : { label: action.label, run: () => void editor.actions.run(action.id) });
-      // News of a step that is taken back are no longer true.
-      leaveWhen(editor, toast, (state, before) => state.canRedo && state.redoName !== before.redoName);
+      // News of a step that is taken back are no longer true, and what cannot be done any more is not offered.
+      leaveWhen(editor, toast, (state, before) => (state.canRedo && state.redoName !== before.redoName) || action?.enabled?.(state) === false);
     }
     if (notice?.kind === "error") error(notice.id, notice.text);
     if (notice?.kind === "well") errors.replaceChildren();
