@@ -341,6 +341,9 @@ test("the label of the comparison lies across no curve, wherever the drawing is 
       });
       assert.deepEqual(across, [], `${sample} ${zoom}`);
     }
+    const ends = await demo.page.locator("[data-testid^=hin-], [data-testid^=hout-]").evaluateAll((all) => all.map((each) => each.getBoundingClientRect()).map(({ x, y, width, height }) => [x + width / 2, y + height / 2]));
+    const covered = ends.filter(([x = 0, y = 0]) => x > written.left && x < written.right && y > written.bottom - 9 && y < written.bottom);
+    assert.deepEqual(covered, [], `${sample} ${zoom}: no handle, either`);
     await demo.page.close();
   }
 });

@@ -30,10 +30,11 @@ export function drawBezier(scene: Scene): void {
   for (const { magnified, path } of compared.slice(0, mostMagnified)) {
     if (magnified === null) continue;
     drawMagnified(scene, magnified, path);
-    label(scene, `4-arc Bézier, error × ${magnification}`, tops.map((top) => 2 * Math.floor((magnified.length / 2) * top)).map((at) => placeAt(magnified, at)), path, compared);
+    const places = tops.map((top) => placeAt(magnified, 2 * Math.floor((magnified.length / 2) * top)));
+    label(scene, `4-arc Bézier, error × ${magnification}`, places, path, compared, [...piecesOf(path, 4), ...piecesOf(magnified, 2)]);
   }
   const [first] = compared;
-  if (first !== undefined && first.magnified === null && first.error > 1e-4) label(scene, "Bézier with these handles", middlesOf(first.path), first.path, compared);
+  if (first !== undefined && first.magnified === null && first.error > 1e-4) label(scene, "Bézier with these handles", middlesOf(first.path), first.path, compared, []);
 }
 
 /** A comparison is for looking at closely: of very many contours the first serve. */
@@ -72,6 +73,11 @@ function placeAt(places: Float64Array, at: number): { x: number; y: number } {
   return { x: places[at] ?? 0, y: places[at + 1] ?? 0 };
 }
 
+/** The boxes around so many numbers each: handles of cubics, vertices of a polygon. */
+function piecesOf(numbers: Float64Array, each: number): readonly Bounds[] {
+  return Array.from({ length: Math.floor(numbers.length / each) }, (_, i) => boxAround(numbers.subarray(each * i, each * (i + 1))));
+}
+
 /** Where along the magnified error its waves are highest. */
 const tops = [0.8, 0.95, 0.7, 0.55, 0.05, 0.2, 0.45, 0.3];
 
@@ -85,10 +91,18 @@ function middlesOf(cubics: Float64Array): { x: number; y: number }[] {
 /** A stage as narrow as this has the zoom box beside the curve. */
 const narrow = 600;
 /** CSS pixels around a label, and beside the place that it is of. */
-const [margin, aside] = [3, 8];
+const [margin, aside] = [6, 8];
+/** Points whose handles are kept clear of words; of more, nobody would find a place for any. */
+const mostHandled = 16;
 
-/** Beside the first place, outwards or inwards, or in the middle, where the words lie across no curve; where there is none, over paper. */
-function label(scene: Scene, text: string, places: readonly { x: number; y: number }[], cubics: Float64Array, compared: readonly Ghost[]): void {
+/** The boxes around points and their handles, where these are shown. */
+function handlesOf({ settings, curve }: Scene["state"]): readonly Bounds[] {
+  if (!settings.overlays.handles || curve.contours.reduce((sum, { points }) => sum + points.length, 0) > mostHandled) return [];
+  return curve.contours.flatMap(({ points }) => points).map(({ x, y, in: before, out: after }) => boxAround(Float64Array.of(x, y, x + before.dx, y + before.dy, x + after.dx, y + after.dy)));
+}
+
+/** Outwards beside one of the places, else inwards, else in the middle, where the words lie across no curve, no handle and none of `others`; where there is no such place, over paper. */
+function label(scene: Scene, text: string, places: readonly { x: number; y: number }[], cubics: Float64Array, compared: readonly Ghost[], others: readonly Bounds[]): void {
   const context = inScreen(scene);
   const { em, font, warn, canvas } = scene.palette;
   const { stage, view } = scene.state;
@@ -96,18 +110,18 @@ function label(scene: Scene, text: string, places: readonly { x: number; y: numb
   const wide = context.measureText(text).width;
   const box = boxAround(cubics);
   const centre = onScreen(scene, { x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2 });
-  const beside = places.flatMap((place) => {
+  const beside = [[true, true], [true, false], [false, true], [false, false]].flatMap(([outwards, away]) => places.map((place) => {
     const { x, y } = onScreen(scene, place);
-    const [right, below] = [x >= centre.x, y >= centre.y];
-    return [[right, below], [right, !below], [!right, below], [!right, !below]].map(([r, b]) => ({ x: r === true ? x + aside : x - aside - wide, y: b === true ? y + em + 4 : y - aside }));
-  });
+    return { x: (x >= centre.x) === outwards ? x + aside : x - aside - wide, y: (y >= centre.y) === away ? y + em + 4 : y - aside };
+  }));
   const middle = { x: centre.x - wide / 2, y: centre.y + em / 3 };
   const all = stage.width < narrow ? [middle, ...beside] : [...beside, middle];
+  const boxes = [...others, ...handlesOf(scene.state)];
   const isFree = ({ x, y }: { x: number; y: number }): boolean => {
     if (x < aside || x + wide > stage.width - aside || y < em + aside || y > stage.height - aside) return false;
     const [from, to] = [toPage(view, stage, { x: x - margin, y: y - em }), toPage(view, stage, { x: x + wide + margin, y: y + margin })];
     const words = { minX: from.x, minY: from.y, maxX: to.x, maxY: to.y };
-    return !compared.some(({ path }) => overlap(boxAround(path), words) && crosses(path, words));
+    return !boxes.some((each) => overlap(each, words)) && !compared.some(({ path }) => overlap(boxAround(path), words) && crosses(path, words));
   };
   const found = all.find(isFree);
   const { x, y } = found ?? { x: Math.max(aside, Math.min(stage.width - wide - aside, all[0]?.x ?? 0)), y: all[0]?.y ?? 0 };
