@@ -251,6 +251,22 @@ test("points as rows become a smooth curve through all of them", async (t) => {
   assert.equal((await refused(demo, "0,0\n100,north")).id, "points-rows");
 });
 
+test("a table of measurements that is pasted in Fit is fitted, and what was made of its columns and gaps is said", async (t) => {
+  const demo = await open(t, "#/fit?sample=fit-sine");
+  const rows = Array.from({ length: 40 }, (_, i) => (i === 7 ? `${i};NaN;1` : `${i};${(10 * i).toFixed(2).replace(".", ",")};${(100 + 40 * Math.sin(i / 6)).toFixed(2).replace(".", ",")}`));
+  await demo.page.evaluate((text) => {
+    const data = new DataTransfer();
+    data.setData("text/plain", text);
+    document.querySelector("canvas")?.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true }));
+  }, ["# probe 3", "Nr.;Weg [mm];Höhe [mm]", ...rows].join("\n"));
+  await demo.until(async () => (await demo.state()) as unknown as { fit: { data: number[][] } }, ({ fit }) => fit.data.length === 39, "the points of the table");
+  await demo.idle();
+  const said = await demo.textOf("toast");
+  assert.match(said, /39 points/u);
+  assert.match(said, /of 3 columns, 2 and 3 were read as x and y/u, "the first only numbers the rows");
+  assert.match(said, /line 10 /u, "the line without a number, counted as the text has it");
+});
+
 async function drop(demo: Demo, name: string, type: string, content: string | number[]): Promise<void> {
   await demo.page.evaluate(([fileName, fileType, bytes]) => {
     const data = new DataTransfer();

@@ -8,7 +8,7 @@ import { Problem } from "../document/problem.ts";
 import { filled, type FilledShape } from "../kernel/paths/filling.ts";
 import { boundsOfPath, importPath, importPoints, type Drawn } from "../kernel/paths/import.ts";
 import { withoutDataUrl } from "./data-url.ts";
-import { heading, listed, mostPoints, readPoints } from "./rows.ts";
+import { beginsAsList, beginsAsTable, mostPoints, readPoints } from "./points/points.ts";
 import { SvgFileError, type SvgWarningCode } from "./svg/limits.ts";
 import type { Stroke } from "./svg/style/line.ts";
 import { readSvg, type SvgFile, type SvgShape } from "./svg/svg-file.ts";
@@ -19,15 +19,19 @@ export type ImportKind = "svg" | "path" | "points" | "json";
 /** Path data as a program has it: `d="…"`, `path("…")`, `new Path2D("…")`. */
 const quoted = /["'`]\s*([mM]\s*[-+.\d][^"'`]*)(?:["'`]|$)/u;
 
+/** The names of two columns above numbers, though they begin as path data does: `m1,m2`. */
+const heading = /^[a-z]\d*\s*[,;\t]\s*["']?[a-z]\w*["']?[^\n]*\n\s*[-+.\d]/iu;
+
 /** What a text seems to be, or null when it is nothing that can be drawn. */
 export function kindOfText(text: string): ImportKind | null {
-  const start = text.replace(/^[\uFEFF\s]+/u, "").slice(0, 200);
+  const start = text.replace(/^[\uFEFF\s]+/u, "").slice(0, 2000);
   if (start.startsWith("<")) return "svg";
-  if (heading.test(start) || listed.test(start)) return "points";
+  if (beginsAsList(start)) return "points";
   if (start.startsWith("{") || start.startsWith("[")) return "json";
   if (quoted.test(start)) return "path";
-  if (/^[a-z]/iu.test(start)) return /^[mM]/u.test(start) || /^[a-zA-Z]\s*[-+.\d]/u.test(start) ? "path" : null;
-  return /^[-+.\d]/u.test(start) ? "points" : null;
+  if (/^[-+.\d]/u.test(start)) return "points";
+  if (/^[a-z]\s*[-+.\d]/iu.test(start) && !heading.test(start)) return "path";
+  return beginsAsTable(start) ? "points" : /^m/iu.test(start) ? "path" : null;
 }
 
 /** @throws Problem, also where nothing came of it; a JSON `null` or list is refused as the file it fails to be, not as unknown text. */
@@ -156,6 +160,6 @@ function notesOf(file: SvgFile): string[] {
 }
 
 function readRows(text: string, space: Space): Imported {
-  const { points, closed } = readPoints(text);
-  return { kind: "points", contours: [importPoints(points, closed, space)], notes: [], broken: null };
+  const { strokes, notes } = readPoints(text);
+  return { kind: "points", contours: strokes.map(({ points, closed }) => importPoints(points, closed, space)), notes, broken: null };
 }

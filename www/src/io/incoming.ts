@@ -9,7 +9,7 @@ function extensionOf(name: string): string {
   return /\.([a-z0-9]+)$/iu.exec(name)?.[1]?.toLowerCase() ?? "";
 }
 
-const textTypes: ReadonlySet<string> = new Set(["svg", "json", "txt", "csv"]);
+const textTypes: ReadonlySet<string> = new Set(["svg", "json", "txt", "csv", "tsv", "dat", "xy"]);
 const pictureTypes: ReadonlySet<string> = new Set(["png", "jpg", "jpeg", "webp", "avif", "gif", "bmp", "tif", "tiff", "heic"]);
 
 /** A picture, or the text of a file that can be drawn. @throws Problem for anything else. */
