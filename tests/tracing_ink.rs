@@ -62,8 +62,32 @@ fn a_light_drawing_on_nothing_is_ink_and_its_ground_is_not() {
         .collect();
     let gray = Gray::from_rgba(64, 64, &page).expect("valid");
     let found = trace(gray, &TraceOptions::default()).expect("a drawing");
-    assert!(
-        found.contours.iter().any(|contour| !contour.hole && contour.cusps.len() == 10),
-        "the star is ink"
-    );
+    assert_eq!(found.contours.len(), 1, "the star is ink, and the corners are not");
+    assert_eq!(found.contours[0].cusps.len(), 10, "the star is ink");
+}
+
+/// A light square with a dark star on it, on nothing.
+fn badge() -> Vec<u8> {
+    let star = draw(64, 64, &|x, y| inside(&STAR, x, y));
+    let square = draw(64, 64, &|x, y| (x - 32.0).abs().max((y - 32.0).abs()) < 31.0);
+    star.iter().zip(&square).flat_map(|(&v, &d)| [v, v, v / 2 + 30, 255 - d]).collect()
+}
+
+#[test]
+fn dark_ink_on_a_light_badge_is_ink_and_the_nothing_around_is_not() {
+    let found = trace(Gray::from_rgba(64, 64, &badge()).expect("valid"), &TraceOptions::default())
+        .expect("a drawing");
+    assert_eq!(found.contours.len(), 1, "the star alone");
+    assert_eq!(found.contours[0].cusps.len(), 10);
+    assert!(!found.contours[0].hole);
+}
+
+#[test]
+fn of_a_badge_that_is_inverted_the_light_part_is_ink_and_the_nothing_around_is_not() {
+    let mut rows = Gray::begin(64, 64).expect("valid");
+    rows.push_rgba_rows(&badge()).expect("all rows");
+    let options = TraceOptions { inverted: true, ..TraceOptions::default() };
+    let found = trace(rows.finish_for(true).expect("valid"), &options).expect("a drawing");
+    let sides: Vec<_> = found.contours.iter().map(|contour| (contour.hole, contour.cusps.len())).collect();
+    assert_eq!(sides, [(false, 4), (true, 10)], "the square, with a hole for the star");
 }

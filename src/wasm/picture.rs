@@ -53,7 +53,9 @@ impl Job {
     pub(super) fn filled(&mut self) -> Result<bool> {
         let [width, height] = self.size;
         self.state = match core::mem::replace(&mut self.state, State::Failed) {
-            State::Ink(rows) => State::Tracing(Tracer::new(rows.finish()?, &self.options)?),
+            State::Ink(rows) => {
+                State::Tracing(Tracer::new(rows.finish_for(self.options.inverted)?, &self.options)?)
+            }
             State::Counting(mut census) => {
                 let mut palette = census.palette(self.most_colors)?;
                 if palette.is_empty() {

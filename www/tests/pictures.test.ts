@@ -76,7 +76,10 @@ test("shades are the luma of Rec. 709, and what is transparent is paper under ei
   assert.equal(isLight(255, 255, 255, 255, 0, 0, 0, 0), true, "a white drawing on nothing is the ink");
   assert.equal(isLight(0, 0, 0, 255, 0, 0, 0, 0), false, "a black one is so anyway");
   assert.equal(isLight(255, 255, 255, 255, 250, 250, 250, 255), false, "paper is no drawing");
-  assert.equal(isLight(255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 0, 0, 0, 255, 0, 0, 0, 0), false, "nor is a page with ink on it");
+  const page = [255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 0, 0, 0, 255, 0, 0, 0, 0];
+  assert.equal(isLight(...page), false, "nor is a page with ink on it");
+  assert.equal(shadesOf(pixels(...page)).values.at(-1), 255, "and what is clear of it is no ink");
+  assert.equal(shadesOf(pixels(...page), true).values.at(-1), 0, "nor is it where light ink is asked for");
 });
 
 test("the threshold is half-way between ink and paper, however little of either there is", () => {

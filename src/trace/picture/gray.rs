@@ -28,8 +28,8 @@ pub struct Gray {
 
 /// A picture that is being given row by row, so that nobody holds all of its colours at once.
 ///
-/// The shade is the luma of Rec. 709. Where something is transparent, that is paper: white under dark ink, black under light ink.
-/// Which ink it is shows at the end only, so opacity is kept until then, from the first transparent pixel on.
+/// The shade is the luma of Rec. 709. Where something is transparent, that is paper: black where all that is there is light, or where it is
+/// and light ink is asked for; else white. Which ink it is shows at the end only, so opacity is kept until then, from the first transparent pixel on.
 #[derive(Clone, Debug)]
 pub struct GrayRows {
     width: usize,
@@ -222,21 +222,30 @@ impl GrayRows {
     /// # Errors
     ///
     /// Missing rows.
-    pub fn finish(mut self) -> Result<Gray> {
+    pub fn finish(self) -> Result<Gray> {
+        self.finish_for(false)
+    }
+
+    /// The picture, once all rows are there, for tracing with [`inverted`](crate::trace::TraceOptions::inverted) ink or not.
+    ///
+    /// # Errors
+    ///
+    /// Missing rows.
+    pub fn finish_for(mut self, inverted: bool) -> Result<Gray> {
         let pixels = self.width * self.height;
         if self.values.len() != pixels {
             return Err(Error::wrong_length("data", self.values.len(), pixels));
         }
-        // Light ink lies on black: what is there already.
-        let dark = self.light <= self.opaque * 32_640;
-        if dark {
+        let light = self.light > self.opaque * 32_640;
+        let clear = 255 * pixels as u64 - self.opaque;
+        let light_on_nothing =
+            light && LEAST_CLEAR * clear >= 255 * pixels as u64 && LEAST_LIGHT * self.dark <= self.opaque;
+        // Light ink lies on black: what is there already. But dark ink on something light is ink there too, and would be one with a black ground.
+        if !light_on_nothing && !(light && inverted) {
             for (value, &alpha) in self.values.iter_mut().zip(&self.opacity) {
                 *value += (u16::from(255 - alpha)) << 8;
             }
         }
-        let clear = 255 * pixels as u64 - self.opaque;
-        let light_on_nothing =
-            !dark && LEAST_CLEAR * clear >= 255 * pixels as u64 && LEAST_LIGHT * self.dark <= self.opaque;
         Ok(Gray { width: self.width, height: self.height, values: self.values, light_on_nothing })
     }
 

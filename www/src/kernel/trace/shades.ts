@@ -11,8 +11,8 @@ export interface Shades {
   readonly lightOnNothing?: boolean;
 }
 
-/** The luma of Rec. 709; where something is transparent, that is paper: white under dark ink, black under light ink. */
-export function shadesOf({ columns, rows, data }: Pixels): Shades {
+/** The luma of Rec. 709; where something is transparent, that is paper: black where all is light, or is and light ink is asked for, else white. */
+export function shadesOf({ columns, rows, data }: Pixels, invert = false): Shades {
   const count = columns * rows;
   if (data.length === count) return { columns, rows, values: data instanceof Uint8Array ? data : new Uint8Array(data.buffer) };
   const luma = (i: number): number => (54 * (data[i] ?? 0) + 183 * (data[i + 1] ?? 0) + 19 * (data[i + 2] ?? 0)) / 256;
@@ -23,13 +23,14 @@ export function shadesOf({ columns, rows, data }: Pixels): Shades {
     opaque += alpha;
     if (shade < 127.5) dark += alpha;
   }
-  const paper = light > opaque * 127.5 && opaque < 255 * count ? 0 : 255;
+  const isLight = light > opaque * 127.5;
+  const lightOnNothing = isLight && 10 * (255 * count - opaque) >= 255 * count && 50 * dark <= opaque;
+  const paper = lightOnNothing || (isLight && invert) ? 0 : 255;
   const values = new Uint8Array(count);
   for (let i = 0; i < count; i += 1) {
     const alpha = (data[4 * i + 3] ?? 0) / 255;
     values[i] = luma(4 * i) * alpha + paper * (1 - alpha) + 0.5;
   }
-  const lightOnNothing = paper === 0 && 10 * (255 * count - opaque) >= 255 * count && 50 * dark <= opaque;
   return { columns, rows, values, lightOnNothing };
 }
 

@@ -16,6 +16,7 @@ let last: Looked | null = null;
 interface Looked {
   readonly key: string;
   readonly size: number;
+  readonly invert: boolean;
   readonly pixels: Pixels;
   readonly shades: Shades;
   /** The shades as if the light on the paper were even. */
@@ -57,11 +58,11 @@ function progressOf(id: number): (stage: string, done: number, total: number) =>
 
 async function looked(request: Extract<TraceRequest, { kind: "trace" }>): Promise<Looked> {
   const { picture, how } = request;
-  if (last !== null && last.key === picture.key && last.size === how.size) return last;
-  const pixels = await pixelsOf(picture, how.size);
-  const shades = shadesOf(pixels);
+  if (last !== null && last.key === picture.key && last.size === how.size && last.invert === how.invert) return last;
+  const pixels = last !== null && last.key === picture.key && last.size === how.size ? last.pixels : await pixelsOf(picture, how.size);
+  const shades = shadesOf(pixels, how.invert);
   const values = shadesInEvenLight(pixels);
-  return (last = { key: picture.key, size: how.size, pixels, shades, even: values === null ? shades : { ...shades, values } });
+  return (last = { key: picture.key, size: how.size, invert: how.invert, pixels, shades, even: values === null ? shades : { ...shades, values } });
 }
 
 /** A breath in which a request that has come meanwhile is heard; true when one has ended this job. */
