@@ -87,6 +87,45 @@ test("flat colours are found, shown as swatches, and saved as layers; without th
   assert.deepEqual(demo.complaints, []);
 });
 
+/** A yellow badge with a dark bar and a blue disc, on nothing, as a logo of somebody's own. */
+async function dropLogo(demo: Demo): Promise<void> {
+  await demo.page.evaluate(async () => {
+    const canvas = new OffscreenCanvas(240, 240);
+    const context = canvas.getContext("2d");
+    if (context === null) return;
+    const fill = (color: string, draw: () => void): void => {
+      context.fillStyle = color;
+      context.beginPath();
+      draw();
+      context.fill();
+    };
+    fill("#ffd54a", () => context.roundRect(20, 20, 200, 200, 40));
+    fill("#202020", () => context.rect(60, 60, 120, 30));
+    fill("#1565c0", () => context.arc(120, 150, 40, 0, 2 * Math.PI));
+    const data = new DataTransfer();
+    data.items.add(new File([await canvas.convertToBlob()], "logo.png", { type: "image/png" }));
+    document.querySelector("canvas")?.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+  });
+  await demo.page.waitForFunction(() => document.querySelector('[data-testid="trace-source"]')?.textContent === "logo.png");
+  await demo.idle();
+}
+
+test("of a logo in colours on nothing the dark shapes are ink and the nothing is not; its colours are offered", async (t) => {
+  const demo = await open(t, "#/trace");
+  await dropLogo(demo);
+  assert.deepEqual([(await result(demo)).contours, (await result(demo)).holes], [2, 0], "the bar and the disc");
+  const panel = demo.page.locator("section[aria-label='Colours']");
+  assert.match(await panel.innerText(), /several colours/u);
+  await demo.byId("toast").getByRole("button", { name: "Trace in colours" }).click();
+  await demo.idle();
+  const found = (await result(demo)).colors ?? [];
+  for (const color of ["#ffd54a", "#202020", "#1565c0"]) assert.ok(found.some((each) => distance(each, color) <= 3), `${color} among ${found.join(" ")}`);
+  assert.equal(found.length, 3);
+  assert.doesNotMatch(await panel.innerText(), /several colours/u);
+  await demo.press("Control+z");
+  assert.equal((await result(demo)).contours, 2, "one step of the history");
+});
+
 test("lines are followed in their middle, are open where they end, and are saved as strokes", async (t) => {
   const demo = await open(t, "#/trace?sample=trace-lines");
   const { contours } = await result(demo);

@@ -6,8 +6,9 @@ import { checkPicture, headerSize } from "../src/io/picture/picture-file.ts";
 import { pngPaths } from "../src/io/picture/png.ts";
 import { writeSvg } from "../src/io/svg/svg-write.ts";
 import { pixelsOf } from "../src/kernel/trace/picture.ts";
+import { hasFlatColors } from "../src/kernel/trace/pixels/flat-colors.ts";
 import { coverage, drawSample } from "../src/kernel/trace/raster.ts";
-import { blurred, foundThreshold, inkOf, pieceAreas, shadesOf, steepness } from "../src/kernel/trace/shades.ts";
+import { blurred, foundThreshold, inkOf, pieceAreas, shadesOf, steepness } from "../src/kernel/trace/pixels/shades.ts";
 
 const sum = (values: Float32Array): number => values.reduce((all, value) => all + value, 0);
 
@@ -179,4 +180,26 @@ test("a picture of a trace has the colours, the areas and the lines of its SVG, 
       .map(([, d, fill, rule = "nonzero", stroke]) => ({ d, ...(fill === "none" ? {} : { fill: { color: fill, alpha: 1, rule } }), ...(stroke === undefined ? {} : { stroke }) }));
     assert.deepEqual(pngPaths({ ...file, scale: 1, paper: null }), inSvg, svg);
   }
+});
+
+test("a drawing in several flat colours is known from ink on paper, gray tones, gradients and grain", () => {
+  const side = 64;
+  const picture = (colorAt: (x: number, y: number) => readonly number[]): Parameters<typeof hasFlatColors>[0] => ({
+    width: side, height: side, columns: side, rows: side,
+    data: Uint8ClampedArray.from(Array.from({ length: side * side }, (_, i) => {
+      const [red = 0, green = 0, blue = 0, opacity = 255] = colorAt(i % side, Math.floor(i / side));
+      return [red, green, blue, opacity];
+    }).flat()),
+  });
+  const bars = (...colors: readonly (readonly number[])[]) => picture((x) => colors[Math.floor((x * colors.length) / side)] ?? []);
+  const grain = (x: number, y: number): number => ((x * 7919 + y * 104_729) % 97) / 97;
+  const [white, black, red, blue, yellow] = [[255, 255, 255], [20, 20, 20], [230, 57, 70], [69, 123, 157], [241, 196, 15]];
+  assert.ok(hasFlatColors(bars(white, red, blue, yellow)));
+  assert.ok(hasFlatColors(bars([0, 0, 0, 0], yellow, black)), "on nothing, which counts as a colour");
+  assert.ok(hasFlatColors(picture((x, y) => (x < 20 ? white : x < 40 ? red : blue).map((value) => value + 5 * (grain(x, y) - 0.5)))), "as compression leaves it");
+  assert.ok(!hasFlatColors(bars(white, red)), "one ink on paper");
+  assert.ok(!hasFlatColors(bars(white, [128, 128, 128], black)), "grays");
+  assert.ok(!hasFlatColors(picture((x) => [255 - 4 * x, 0, 4 * x])), "a gradient");
+  assert.ok(!hasFlatColors(picture((x, y) => [255 * grain(x, y), 255 * grain(y, x), 255 * grain(x + 3, y)])), "grain");
+  assert.ok(!hasFlatColors({ width: 2, height: 1, columns: 2, rows: 1, data: Uint8Array.of(0, 255) }), "shades alone");
 });

@@ -313,7 +313,7 @@ test("the views of a picture that nobody waits for any more give their pixels ba
   const { traces, workers } = client();
   traces.trace(disc, how);
   traces.trace(disc, how);
-  const answer = (id: number): TraceAnswer => ({ kind: "picture", id, width: 1, height: 1, analysed: [1, 1], source: bitmap, edges: bitmap, threshold: 0 });
+  const answer = (id: number): TraceAnswer => ({ kind: "picture", id, width: 1, height: 1, analysed: [1, 1], source: bitmap, edges: bitmap, threshold: 0, colored: false });
   const [first = 0, second = 0] = (workers[0]?.asked ?? []).flatMap((request) => (request.kind === "trace" ? [request.id] : []));
   workers[0]?.answer(answer(second));
   assert.equal(closed, 0);
@@ -398,7 +398,7 @@ test("the program beside flat colours says nothing of ink, which the panel hides
 test("beside flat colours, which no threshold parts, the view of edges speaks of steep places", () => {
   const { hand } = tracing();
   openTraceSample(hand.editor, "trace-disc");
-  const picture = { key: "sample:trace-disc", name: "Disc", width: 512, height: 512, analysed: [512, 512], threshold: 99 } as const;
+  const picture = { key: "sample:trace-disc", name: "Disc", width: 512, height: 512, analysed: [512, 512], threshold: 99, colored: false } as const;
   const { traceRun, traceView } = hand.editor.state.value;
   hand.editor.patch({ hint: "", traceRun: { ...traceRun, picture: picture as unknown as ShownPicture }, traceView: { ...traceView, view: "edges" } });
   assert.match(traceHint(hand.editor.state.value), /99 of 255/u);

@@ -7,7 +7,7 @@ import { contoursOfPath } from "../src/kernel/curve/points/contours.ts";
 import { samplePoints } from "../src/kernel/curve/samples.ts";
 import { measured } from "../src/kernel/trace/measured.ts";
 import { cornersIn, outcomeOf, shownOutcome, type TraceOutcome } from "../src/kernel/trace/outcome.ts";
-import { distanceToBorder } from "../src/kernel/trace/shades.ts";
+import { distanceToBorder } from "../src/kernel/trace/pixels/shades.ts";
 import { coverage } from "../src/kernel/trace/raster.ts";
 
 // What becomes of a picture with the tracer of the library itself.

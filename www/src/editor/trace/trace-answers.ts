@@ -2,7 +2,7 @@ import { traceSample } from "../../document/trace/trace-samples.ts";
 import { outcomeOf } from "../../kernel/trace/outcome.ts";
 import type { TraceHandlers } from "../../kernel/trace/trace-client.ts";
 import type { Editor } from "../editor.ts";
-import { setTraceView } from "./trace-edits.ts";
+import { losesColors, setTraceView } from "./trace-edits.ts";
 import type { TraceRun } from "./trace-state.ts";
 
 /** Puts what the tracer answers into the state. */
@@ -30,12 +30,15 @@ export function traceAnswers(editor: Editor, settle: () => void): TraceHandlers 
     progress(stage, value, done, total) {
       editor.patch({ traceProgress: { stage, value, done, total } });
     },
-    picture({ width, height, analysed, source, edges, threshold }, { key }) {
+    picture({ width, height, analysed, source, edges, threshold, colored }, { key }) {
       const { trace, traceRun } = editor.state.value;
       const name = trace.picture?.name ?? traceSample(trace.sample ?? "")?.title ?? "";
       const other = traceRun.picture?.key !== key;
       closePicture(editor);
-      setTraceRun(editor, { picture: { key, name, width, height, analysed, source, edges, threshold }, ...(other ? { outcome: null, failure: null } : {}) });
+      setTraceRun(editor, { picture: { key, name, width, height, analysed, source, edges, threshold, colored }, ...(other ? { outcome: null, failure: null } : {}) });
+      if (other && trace.picture !== undefined && losesColors(editor.state.value)) {
+        editor.notify({ kind: "toast", text: "This picture has several colours. Its dark shapes are traced as one ink.", actionId: "trace-colors" });
+      }
     },
     traced(result, ms) {
       if (result.outlines.length === 0) over({ outcome: null, failure: { id: "trace-none" }, lastMs: ms });

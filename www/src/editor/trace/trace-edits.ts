@@ -71,6 +71,14 @@ export function clearTrace(editor: Editor): void {
   editor.patch({ hint: "" });
 }
 
+/** How many flat colours are looked for unless somebody says otherwise. */
+export const usualColors = 8;
+
+/** Whether a picture in several flat colours is traced as ink on paper. */
+export function losesColors({ trace: { settings }, traceRun: { picture } }: EditorState): boolean {
+  return picture?.colored === true && settings.colors === 0 && settings.mode === "brightness";
+}
+
 /** A photograph is traced if that is what somebody wants. */
 export function traceAnyway(editor: Editor): void {
   change(editor, "Trace anyway", (trace) => ({ ...trace, anyway: true }));

@@ -91,6 +91,7 @@ export type TraceAnswer =
       readonly kind: "picture"; readonly id: number; readonly width: number; readonly height: number;
       readonly analysed: readonly [number, number]; readonly source: ImageBitmap; readonly edges: ImageBitmap;
       /** The shade between ink and paper. */ readonly threshold: number;
+      /** Whether it is drawn in several flat colours. */ readonly colored: boolean;
     }
   | { readonly kind: "traced"; readonly id: number; readonly result: TraceResult; readonly ms: number }
   | { readonly kind: "photo"; readonly id: number; readonly count: number; /** Square pixels. */ readonly speckle: number }

@@ -5,7 +5,7 @@ import type { Trace } from "./engine.ts";
 import type { TracedOutline, TraceResult, TraceSizes } from "./job.ts";
 import { coverage } from "./raster.ts";
 import { segmentsIn } from "./segments.ts";
-import { distanceToBorder, type Shades } from "./shades.ts";
+import { distanceToBorder, type Shades } from "./pixels/shades.ts";
 
 /** What a trace came to: outlines in pixels of the picture, and the numbers that are printed about them. */
 

@@ -18,6 +18,8 @@ export interface ShownPicture {
   /** Ink in black, or the steepness of the shades. */
   readonly edges: ImageBitmap;
   readonly threshold: number;
+  /** Whether it is drawn in several flat colours, of which ink would be only the dark ones. */
+  readonly colored: boolean;
 }
 
 export interface TraceOutcome {

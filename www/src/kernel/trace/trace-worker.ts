@@ -4,9 +4,10 @@ import wasmUrl from "expline/expline_bg.wasm?url";
 import { shadesInEvenLight, startTraceEngine, tracePixels } from "./engine.ts";
 import { traceStages, type TraceAnswer, type TraceHow, type TraceRequest, type TraceStage } from "./job.ts";
 import { measured } from "./measured.ts";
+import { hasFlatColors } from "./pixels/flat-colors.ts";
 import { imageOf } from "./raster.ts";
 import { PictureError, pixelsOf, sizeOf, type Pixels } from "./picture.ts";
-import { blurred, foundThreshold, inkOf, pieceAreas, shadesOf, steepness, type Shades } from "./shades.ts";
+import { blurred, foundThreshold, inkOf, pieceAreas, shadesOf, steepness, type Shades } from "./pixels/shades.ts";
 
 const ready = Promise.all([init({ wasmUrl }), startTraceEngine()]);
 
@@ -21,6 +22,7 @@ interface Looked {
   readonly shades: Shades;
   /** The shades as if the light on the paper were even. */
   readonly even: Shades;
+  readonly colored: boolean;
 }
 
 /** Ends whatever is under way. */
@@ -62,7 +64,7 @@ async function looked(request: Extract<TraceRequest, { kind: "trace" }>): Promis
   const pixels = last !== null && last.key === picture.key && last.size === how.size ? last.pixels : await pixelsOf(picture, how.size);
   const shades = shadesOf(pixels, how.invert);
   const values = shadesInEvenLight(pixels);
-  return (last = { key: picture.key, size: how.size, invert: how.invert, pixels, shades, even: values === null ? shades : { ...shades, values } });
+  return (last = { key: picture.key, size: how.size, invert: how.invert, pixels, shades, even: values === null ? shades : { ...shades, values }, colored: hasFlatColors(pixels) });
 }
 
 /** A breath in which a request that has come meanwhile is heard; true when one has ended this job. */
@@ -76,7 +78,8 @@ async function trace(request: Extract<TraceRequest, { kind: "trace" }>, signal: 
   const start = performance.now();
   const report = progressOf(id);
   report("decoding", 0, 1);
-  const { pixels, shades, even } = await looked(request);
+  const picture = await looked(request);
+  const { pixels, shades, even } = picture;
   report("decoding", 1, 1);
   if (await ended(signal)) return answer({ kind: "stopped", id });
   // The tracer does the same: a threshold that is given is meant for the shades as they are.
@@ -86,7 +89,7 @@ async function trace(request: Extract<TraceRequest, { kind: "trace" }>, signal: 
   const threshold = how.threshold === "auto" ? foundThreshold(soft) : how.threshold;
   const ink = inkOf(soft, threshold, invert);
   const byShade = how.source === "brightness" && how.colors === 0;
-  await show(id, pixels, byShade ? ink.map((on) => 255 * (1 - on)) : steepness(soft), threshold);
+  await show(id, picture, byShade ? ink.map((on) => 255 * (1 - on)) : steepness(soft), threshold);
   if (await ended(signal)) return answer({ kind: "stopped", id });
   const scale = [pixels.width / pixels.columns, pixels.height / pixels.rows] as const;
   const least = how.speckle / (scale[0] * scale[1]);
@@ -127,10 +130,10 @@ async function offered({ offer }: ExplineError, request: Extract<TraceRequest, {
   return Math.ceil((offer?.["speckle"] ?? 0) * (width / columns) * (height / rows));
 }
 
-async function show(id: number, pixels: Pixels, edges: Uint8Array, threshold: number): Promise<void> {
+async function show(id: number, { pixels, colored }: Looked, edges: Uint8Array, threshold: number): Promise<void> {
   const { width, height, columns, rows, data } = pixels;
   const [source, seen] = await Promise.all([bitmapOf(data, columns, rows), bitmapOf(edges, columns, rows)]);
-  answer({ kind: "picture", id, width, height, analysed: [columns, rows], source, edges: seen, threshold }, [source, seen]);
+  answer({ kind: "picture", id, width, height, analysed: [columns, rows], source, edges: seen, threshold, colored }, [source, seen]);
 }
 
 /** One byte per pixel, or four, as a picture. */

@@ -1,18 +1,15 @@
 import { traceLimits } from "../../document/trace/trace.ts";
-import { setTrace } from "../../editor/trace/trace-edits.ts";
+import { losesColors, setTrace, usualColors } from "../../editor/trace/trace-edits.ts";
 import { h, setText } from "../controls/dom.ts";
 import { toggleField } from "../controls/fields.ts";
 import type { Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
 import { settingSlider } from "./setting-slider.ts";
 
-/** What the switch begins with. */
-const usual = 8;
-
 /** A picture of a few flat colours: how many are looked for, and which were found. */
 export function colorSection(shell: Shell): Section {
   const { editor } = shell;
-  let last = usual;
+  let last = usualColors;
   const on = toggleField({
     label: "Flat colours", testid: "trace-flat", about: "Each colour becomes a layer. Off, there is only ink and paper.",
     write: (flat) => setTrace(editor, "Flat colours", { colors: flat ? last : 0 }),
@@ -26,15 +23,20 @@ export function colorSection(shell: Shell): Section {
   let shown: readonly string[] = [];
   return {
     element: h("section", { class: "section", "aria-label": "Colours" }, on.element, count.element, swatches, note),
-    update({ trace, traceRun }) {
+    update(state) {
+      const { trace, traceRun } = state;
       const { colors } = trace.settings;
       if (colors > 0) last = colors;
       on.show(colors > 0);
       count.element.hidden = colors === 0;
       count.show(last);
       const found = colors === 0 ? [] : (traceRun.outcome?.colors ?? []);
-      swatches.hidden = note.hidden = found.length === 0;
-      setText(note, `${found.length} ${found.length === 1 ? "layer" : "layers"}, stacked without gaps`);
+      swatches.hidden = found.length === 0;
+      const text = found.length > 0
+        ? `${found.length} ${found.length === 1 ? "layer" : "layers"}, stacked without gaps`
+        : losesColors(state) ? "This picture has several colours; only what is dark is traced." : "";
+      note.hidden = text === "";
+      setText(note, text);
       if (found === shown) return;
       shown = found;
       swatches.replaceChildren(...found.map(swatch));

@@ -1,4 +1,4 @@
-import type { Pixels } from "./picture.ts";
+import type { Pixels } from "../picture.ts";
 
 /** Shades of a picture, what is ink of them, and how many pieces there are: what is shown before anything is traced. */
 
