@@ -182,6 +182,12 @@ test("without WebGL 2 the surface is drawn in lines, says why, and can be edited
   assert.deepEqual(demo.complaints, []);
 });
 
+test("an address with a sample that there is none of says so and shows the first one", async (t) => {
+  const demo = await open(t, "#/surface?sample=teapot");
+  assert.match(await demo.textOf("toast"), /no sample called teapot/u);
+  assert.equal(await demo.page.evaluate(() => location.hash), "#/surface?sample=surf-torus");
+});
+
 test("the address names the sample for as long as it is as it was opened, and leads back to it", async (t) => {
   const demo = await open(t, "#/surface");
   const address = (): Promise<string> => demo.page.evaluate(() => location.hash);

@@ -1,3 +1,4 @@
+import { surfaceTitle } from "../../document/surface/surface-samples.ts";
 import { isChosen, noNetPoints, sameNetPoint, type NetRef, type SurfaceDocument, type SurfaceMoment } from "../../document/surface/surface.ts";
 import { atLevels, netSize, resizedSurface, largestDistance } from "../../kernel/surface/surface-net.ts";
 import { extentOf, netPoints, type ShownPoint } from "../../kernel/surface/surface-mesh.ts";
@@ -21,6 +22,7 @@ export function patchSolid(editor: Editor, change: Partial<SolidState>): void {
 export function ensureSurface(editor: Editor): void {
   const { surface } = editor.state.value;
   if (surface.net.length > 0 && isDrawable(editor, surface)) return;
+  if (surfaceTitle(surface.sample) === "") editor.notify({ kind: "toast", text: `There is no sample called ${surface.sample}.` });
   editor.surfaceEdits.settle({ surface: openedSurface({ ...surface, net: [] }), chosen: noNetPoints });
   fitSurface(editor, true);
 }
