@@ -85,6 +85,18 @@ test("places without a number are left out, and it is said which; a missing numb
   assert.equal(notes.length, 1);
 });
 
+test("rows of a function that are in no order are sorted by x, which is said; a way back and forth stays as it is", () => {
+  const text = (points: readonly (readonly number[])[]): string => points.map((point) => point.join(",")).join("\n");
+  const wave = Array.from({ length: 40 }, (_, i) => [10 * i, 100 * Math.sin(i / 6)]);
+  const mixed = wave.map((_, i) => wave[(i * 17) % 40] ?? []);
+  assert.deepEqual(pointsOf(text(mixed)), wave);
+  assert.match(readPoints(text(mixed)).notes.join(), /sorted by x/u);
+  const forth = Array.from({ length: 60 }, (_, i) => [Math.floor(i / 6) % 2 === 0 ? i % 6 : 5 - (i % 6), i / 1000]);
+  const star = Array.from({ length: 40 }, (_, i) => [(i % 2 === 0 ? 180 : 75) * Math.cos(i * Math.PI / 20), (i % 2 === 0 ? 180 : 75) * Math.sin(i * Math.PI / 20)]);
+  const zigzag = Array.from({ length: 40 }, (_, i) => [i % 2 === 0 ? 0 : 100, 5 * i]);
+  for (const points of [wave, forth, star, zigzag]) assert.deepEqual(pointsOf(text(points)), points);
+});
+
 test("a row with words where numbers belong is named, and so is one where most have none", () => {
   for (const [text, line] of [["0,0\n100,north", 2], ["1\t2\n3\n", 2], ["1,\n2,\n3,4", 1], ["0,0\n1e12,5", 2], ["[[10, 20], [30, 40, 50]]", 2], ["[[1, 2], [3, 4e12]]", 2]] as const) {
     assert.throws(() => readPoints(text), (error) => error instanceof Problem && error.id === "points-rows" && error.details.line === line, JSON.stringify(text));

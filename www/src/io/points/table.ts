@@ -1,6 +1,7 @@
 import { Problem } from "../../document/problem.ts";
 import { cellsOf, isAbsent, numberIn, type Row } from "./cells.ts";
 import { columnsOf } from "./columns.ts";
+import { sortedRows } from "./order.ts";
 import { isCoordinate, strokesOf, type Pair, type Strokes } from "./stroke.ts";
 
 /** Points as tables have them: a row for each, with headings, remarks, other columns and gaps. */
@@ -80,5 +81,8 @@ export function readTable(text: string): Strokes {
   const kept = rows.length - left;
   if (left > kept || (left > 0 && kept < 2)) throw new Problem("points-rows", { line: firstLeft });
   const gaps = left === 0 ? [] : [left === 1 ? `line ${firstLeft} has no two numbers and was left out` : `${left} lines without two numbers were left out`];
-  return strokesOf(lists.filter((list) => list.length > 0), [...notes, ...gaps]);
+  const given = lists.filter((list) => list.length > 0);
+  const sorted = given.length === 1 ? sortedRows(given.flat()) : null;
+  const order = sorted === null ? [] : ["the rows were in no order and have been sorted by x"];
+  return strokesOf(sorted === null ? given : [sorted], [...notes, ...gaps, ...order]);
 }
