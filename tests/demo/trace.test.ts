@@ -142,6 +142,25 @@ test("V23 a picture comes in by the field, by drop and by paste; each is named a
   assert.deepEqual(demo.complaints, []);
 });
 
+test("a picture that is pasted as text, as style sheets and a browser's tools have it, is traced; in the import's field as well", async (t) => {
+  const demo = await open(t, "#/trace");
+  const address = `data:image/png;base64,${Buffer.from(await png(demo)).toString("base64")}`;
+  await demo.page.evaluate((text) => {
+    const data = new DataTransfer();
+    data.setData("text/plain", text);
+    document.querySelector("canvas")?.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true }));
+  }, `url("${address}")`);
+  await traced(demo, "Pasted picture");
+  await demo.byId("tab-curve").click();
+  await demo.byId("btn-import").click();
+  await demo.byId("import-text").fill(address);
+  await demo.byId("import-apply").click();
+  await demo.byId("import-dialog").waitFor({ state: "detached" });
+  await traced(demo, "Pasted picture");
+  assert.equal((await demo.state()).mode, "trace");
+  assert.deepEqual(demo.complaints, []);
+});
+
 test("an icon of 16 pixels is shown as large as other pictures", async (t) => {
   const demo = await open(t, "#/trace");
   for (const side of [400, 16]) {

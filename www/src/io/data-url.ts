@@ -1,14 +1,22 @@
-/** A picture within a style or a page: `data:image/svg+xml,…`, in base64 or percent-encoded, alone or in `url("…")`. */
-const dataUrl = /^(?:[\w-]+\s*:\s*)?(?:url\(\s*)?["']?data:image\/svg\+xml([^,]*),(.*?)["']?\s*\)?\s*;?$/su;
+/** Pictures that are copied as text: the address of an image in a style sheet, or what a browser's tools call a data URI. */
 
-/** The SVG text of a data URL; any other text, and what cannot be decoded, as it is. */
-export function withoutDataUrl(text: string): string {
-  const [, how = "", content] = dataUrl.exec(text.trim()) ?? [];
-  if (content === undefined) return text;
+/** In base64 nothing ends the text but what stands around it; unescaped drawings hold quotation marks of the other kind. */
+const dataUrl = /^\s*(?:[\w-]+\s*:\s*)?(?:url\(\s*|<img\b[^>]*?\bsrc\s*=)?\s*(["']?)data:(image\/[\w.+-]+)((?:;[\w.+=-]+)*),(.*?)\1[\s/>);]*$/isu;
+
+/** The file that a text is, or null where it is another text, or says that it is a picture and is none. */
+export function fileInText(text: string): File | null {
+  if (!/^\s*(?:[\w-]+\s*:\s*)?(?:url\(|<img\b|["']?data:)/iu.test(text.slice(0, 200))) return null;
+  const [, , type = "", parameters = "", body = ""] = dataUrl.exec(text) ?? [];
+  if (type === "") return null;
   try {
-    const plain = decodeURIComponent(content);
-    return /;\s*base64$/iu.test(how) ? new TextDecoder().decode(Uint8Array.from(atob(plain), (char) => char.charCodeAt(0))) : plain;
+    const content = /;base64$/iu.test(parameters) ? bytesOf(body) : decodeURIComponent(body);
+    return new File([content], "", { type: type.toLowerCase() });
   } catch {
-    return text;
+    return null;
   }
+}
+
+function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
+  const plain = atob(decodeURIComponent(base64).replace(/\s+/gu, ""));
+  return Uint8Array.from(plain, (character) => character.charCodeAt(0));
 }

@@ -7,7 +7,6 @@ import type { Imported } from "../document/imported.ts";
 import { Problem } from "../document/problem.ts";
 import { filled, type FilledShape } from "../kernel/paths/filling.ts";
 import { boundsOfPath, importPath, importPoints, type Drawn } from "../kernel/paths/import.ts";
-import { withoutDataUrl } from "./data-url.ts";
 import { beginsAsList, beginsAsTable, mostPoints, readPoints } from "./points/points.ts";
 import { SvgFileError, type SvgWarningCode } from "./svg/limits.ts";
 import type { Stroke } from "./svg/style/line.ts";
@@ -36,7 +35,7 @@ export function kindOfText(text: string): ImportKind | null {
 
 /** @throws Problem, also where nothing came of it; a JSON `null` or list is refused as the file it fails to be, not as unknown text. */
 export function readImport(text: string, space: Space): Imported {
-  const imported = readAs(withoutDataUrl(text), space);
+  const imported = readAs(text, space);
   if (imported.kind !== "json" && imported.contours.length === 0) throw imported.broken ?? new Problem("paste-unknown");
   return imported;
 }

@@ -34,6 +34,7 @@ function createAutosave(options: AutosaveOptions): Autosave {
 /** Everything the panels are handed of this room. What a visit may never need is loaded when it is first asked for. */
 export const pageIo = {
   copyText, createAutosave, download, isShareLink, listenForIncoming, pngSize, readIncoming, rememberTab, tabShows,
+  fileInText: async (text: string): Promise<File | null> => (await import("./data-url.ts")).fileInText(text),
   hasKept: (): boolean => hasKept(localStore()),
   newestKept: async (own: string | null): Promise<Kept | null> => (await import("./keeping/kept.ts")).newestKept(own),
   readImport: async (text: string, space: Space): Promise<Imported> => (await import("./import.ts")).readImport(text, space),

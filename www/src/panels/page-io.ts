@@ -10,6 +10,8 @@ import type { Imported } from "../document/imported.ts";
 export interface PageIo {
   readImport(text: string, space: Space): Promise<Imported>;
   readIncoming(file: File): Promise<{ readonly name: string; readonly text: string } | { readonly name: string; readonly picture: Blob }>;
+  /** A picture that is copied as a text, `data:image/…`. */
+  fileInText(text: string): Promise<File | null>;
   listenForIncoming(handlers: IncomingHandlers, until: AbortSignal): void;
   isShareLink(hash: string): boolean;
   shareHash(state: DemoState): Promise<string>;

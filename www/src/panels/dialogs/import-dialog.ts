@@ -80,6 +80,8 @@ class Importing {
   async #attempt(source: string): Promise<void> {
     const { io, editor } = this.#shell;
     this.#readSoFar = null;
+    const file = await io.fileInText(source);
+    if (file !== null) return this.#open(file);
     try {
       const imported = await io.readImport(source, editor.state.value.curve.space);
       if (imported.kind === "json" || imported.broken === null) return await this.#finish(imported);

@@ -75,6 +75,8 @@ export async function receiveText(shell: Shell, text: string): Promise<void> {
   if (shell.editor.state.value.engine.status !== "ready") return;
   await gestureOver(shell);
   if (pasteCopy(shell.editor, text)) return;
+  const file = await shell.io.fileInText(text);
+  if (file !== null) return receiveFiles(shell, [file]);
   const imported = await readOrReport(shell, text);
   if (imported === null) return;
   await gestureOver(shell);
