@@ -67,6 +67,46 @@ fn uneven_points_are_not_taken_for_even_ones() {
     assert!(taken <= 2, "{taken} of 12 were taken for even: spacing adds up over many steps");
 }
 
+/// A wave of a few noisy points to each unit, of which two stretches are missing.
+fn wave_with_gaps(random: &mut Random) -> Vec<Point> {
+    let kept = (0..300).filter(|i| !(80..=140).contains(i) && !(200..=215).contains(i));
+    let truth: Vec<Point> =
+        kept.map(f64::from).map(|i| Point::new(4.0 * i, 120.0 * libm::sin(i / 25.0))).collect();
+    random.noisy(&truth, 1.5)
+}
+
+#[test]
+fn points_with_gaps_are_not_taken_for_even_ones() {
+    let regular = |points: &[Point]| is_regular(&Samples::new(points, Some(false), false).expect("fine"));
+    for seed in 0..12 {
+        assert!(!regular(&wave_with_gaps(&mut Random::new(seed))), "noise {seed}: two stretches are missing");
+        let whole = &ellipse(400, 1.0, 0.0, seed)[..390];
+        assert!(regular(whole), "noise {seed}: nothing is missing");
+        let missing: Vec<Point> =
+            whole.iter().enumerate().filter(|(i, _)| i / 20 != 9).map(|(_, &p)| p).collect();
+        assert!(!regular(&missing), "noise {seed}: twenty points are missing");
+        // A single point far off is no gap, and neither is one that is missing.
+        let mut pulled = whole.to_vec();
+        pulled[40].y += 90.0;
+        pulled.remove(200);
+        assert!(regular(&pulled), "noise {seed}: a point far off");
+    }
+}
+
+#[test]
+fn a_smoothing_of_points_with_gaps_stays_by_the_points() {
+    for seed in 0..3 {
+        let points = wave_with_gaps(&mut Random::new(seed));
+        let found = fit(&points, Ask::Smoothing(0.4), &Options { degrees: vec![3], ..Options::default() })
+            .expect("it can be fitted");
+        assert!(
+            found.rms < 6.0,
+            "noise {seed}: {} is four times the noise, of a wave of 120; held by their numbers it was 12 to 49",
+            found.rms
+        );
+    }
+}
+
 #[test]
 fn parameters_ascend_and_end_where_they_should() {
     for kind in [

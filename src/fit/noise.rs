@@ -30,6 +30,10 @@ const UNSTEADY: f64 = 0.35;
 const BY_NOISE: f64 = 2.9;
 /// What is so many steps long is no step but a jump, which no point says anything about.
 const JUMP: f64 = 8.0;
+/// So many times as long as the steps beside it, noise apart, is the one over a gap, where points are missing.
+const GAP: f64 = 4.0;
+/// Steps to each side that are looked at: two, as a single point far off has two long ones.
+const BESIDE: usize = 2;
 /// So many places tell a median to half a per cent: of more points, evenly chosen ones are looked at.
 const ENOUGH: usize = 20_000;
 
@@ -58,6 +62,9 @@ pub(super) fn is_regular_at(samples: &Samples, [across, along]: [f64; 2]) -> boo
         return false;
     }
     let mut steps: Vec<f64> = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
+    if has_gap(&steps, across) {
+        return false;
+    }
     let around = 0.5 * (steps[0] + steps[steps.len() - 1]);
     let median = median(&mut steps);
     // A contour that was walked in even steps seldom ends one step before its first point.
@@ -66,6 +73,15 @@ pub(super) fn is_regular_at(samples: &Samples, [across, along]: [f64; 2]) -> boo
     let ends = !samples.closed || (last - around).abs() < other || last > most;
     ends && along <= ALIKE * across + SLACK * median
         && (across < HIDING * median || !adds_up(samples, across))
+}
+
+/// Whether points are missing somewhere. Medians do not show it, and a hand that hurries takes longer steps one by one.
+fn has_gap(steps: &[f64], noise: f64) -> bool {
+    let is_gap = |around: &[f64]| {
+        let beside = (0..around.len()).filter(|&m| m != BESIDE).fold(0.0, |most, m| around[m].max(most));
+        around[BESIDE] > GAP * beside + SCATTERED * noise
+    };
+    steps.windows(2 * BESIDE + 1).any(is_gap)
 }
 
 /// Whether points are about as far apart nearly everywhere: between the quartiles of the lengths of stretches there is little but noise.
