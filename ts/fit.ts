@@ -195,6 +195,9 @@ interface Held {
   busy: boolean;
 }
 
+/** What a solve can be told: how strongly to simplify, and who watches it. */
+type FitterStrength = SparseFitStrength & { signal?: Signal | undefined; onProgress?: ((progress: FitProgress) => void) | undefined };
+
 const FITTER = "SparseFitter";
 
 /** What a fitter holds, and the proof that it is one. */
@@ -238,8 +241,11 @@ export class SparseFitter {
     this.#state = { held: { resident: new Resident(op, job.input), job, busy: false } };
   }
 
-  /** The fit for another strength; without one, for that of the constructor. So with `signal` and `onProgress`. */
-  solve(strength?: SparseFitStrength & { onProgress?: ((progress: FitProgress) => void) | undefined }): SparseFit {
+  /**
+   * The fit for another strength; without one, for that of the constructor. So with `signal`, which is looked at once, before the work begins, and
+   * `onProgress`.
+   */
+  solve(strength?: FitterStrength): SparseFit {
     const op = "solve";
     const held = take(this, op);
     const { question, watch } = asked(op, held.job, strength);
@@ -253,9 +259,7 @@ export class SparseFitter {
   }
 
   /** The same in short tasks; an abort leaves the fitter as usable as it was. */
-  async solveAsync(
-    strength?: SparseFitStrength & { signal?: Signal | undefined; onProgress?: ((progress: FitProgress) => void) | undefined },
-  ): Promise<SparseFit> {
+  async solveAsync(strength?: FitterStrength): Promise<SparseFit> {
     const op = "solveAsync";
     const held = take(this, op);
     const { question, watch } = asked(op, held.job, strength);

@@ -193,7 +193,9 @@ export class TensorSurface {
   mesh(rows: number, cols: number): SurfaceMesh & { positions: Float64Array; normals: Float64Array };
   /** Fills a mesh of the same size again, whether it holds Float64Arrays or Float32Arrays; its triangles are left as they are. */
   mesh<M extends SurfaceMesh>(rows: number, cols: number, options: { out: M }): M;
-  mesh(rows: number, cols: number, options?: { out?: SurfaceMesh }): SurfaceMesh {
+  /** Fills `out` where there is one, and else makes a mesh. */
+  mesh(rows: number, cols: number, options: { out?: SurfaceMesh | undefined } | undefined): SurfaceMesh;
+  mesh(rows: number, cols: number, options?: { out?: SurfaceMesh | undefined }): SurfaceMesh {
     const op = "mesh";
     const data = dataOf(this, op);
     const { out } = checkOptions(op, options, ["out"]);

@@ -153,6 +153,7 @@ test("a fitter tells and obeys those it was made for, unless a solve names other
   assert.throws(() => stopped.solve(), { code: "E_CANCELLED", cause: "enough" });
   await assert.rejects(stopped.solveAsync(), { code: "E_CANCELLED", cause: "enough" });
   assert.ok((await stopped.solveAsync({ signal: new AbortController().signal })).knots.length > 0, "a signal of its own");
+  assert.ok(stopped.solve({ signal: new AbortController().signal }).knots.length > 0, "a signal of its own, at once");
 });
 
 test("a fitter that was disposed of says so, twice if need be", async () => {

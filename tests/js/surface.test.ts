@@ -335,3 +335,24 @@ test("degenerate nets give finite meshes, and vertices without a normal are coun
   const stiff = new TensorSurface({ net: grid(4, 4), u: { roots: THREE, count: 4, closed: false }, v: { roots: [0, 5, -5], count: 4, closed: false } });
   assert.ok(stiff.mesh(9, 9).positions.every(Number.isFinite));
 });
+
+test("a mesh that is there already is filled again, and one that is not is made", () => {
+  let mesh: SurfaceMesh | undefined;
+  const torus = TensorSurface.torus(3, 1);
+  for (let frame = 0; frame < 2; frame += 1) {
+    const before: SurfaceMesh | undefined = mesh;
+    mesh = torus.mesh(4, 5, { out: mesh });
+    assert.ok(before === undefined || before === mesh);
+  }
+  assert.deepEqual(mesh, torus.mesh(4, 5));
+  assert.deepEqual(torus.mesh(4, 5, {}), torus.mesh(4, 5));
+});
+
+test("the patches of plain data make a surface, as its own patches do", () => {
+  const surface = TensorSurface.torus(3, 1).refineAt(2, 3);
+  surface.setPatchPoint(0, 1, 1, 5, 1, 1);
+  const { net, u, v, patches = [] } = surface.toJSON();
+  for (const detail of [patches, surface.patches]) {
+    assert.deepEqual(new TensorSurface({ net, u, v, patches: detail }).toJSON(), surface.toJSON());
+  }
+});

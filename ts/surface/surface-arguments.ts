@@ -48,8 +48,8 @@ export interface TensorSurfaceOptions {
   u: Direction;
   /** Along a row. */
   v: Direction;
-  /** Detail, as `patches` of another surface gives it. */
-  patches?: readonly SurfacePatch[] | undefined;
+  /** Detail, as `patches` or the `toJSON` of another surface gives it. */
+  patches?: readonly { u: PatchWindow; v: PatchWindow; displacements: Float64Array | readonly number[] }[] | undefined;
 }
 
 /** The most points of a net. */
