@@ -231,8 +231,9 @@ pub trait Curve: Pieces {
     /// The same plane curve with points and tangents, and the deviation: 0 where its functions are those of a Hermite curve
     /// (roots 0 up to twice and one pair ±iω or ±k, or 0 up to four times), else that of cubics, which is proved.
     ///
-    /// The parameter stays, up to the deviation; it starts at 0. Where a tangent would be beyond ±1e9 or a segment shorter than
-    /// 1e-12 it runs slower, by a power of 2.
+    /// The parameter starts at 0 and stays: everywhere where the deviation is 0; of cubics at the ends of the curve's own
+    /// segments, between which places lie at other parameters than before. Where a tangent would be beyond ±1e9 or a segment
+    /// shorter than 1e-12 it runs slower, by a power of 2.
     ///
     /// # Errors
     ///

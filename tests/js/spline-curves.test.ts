@@ -144,6 +144,33 @@ test("a circle through five points is a circle for every measure", () => {
   }
 });
 
+test("only what is made of arcs is an ellipse: no cubic is, nor a curve of other roots, whatever the tolerance", () => {
+  const points = Array.from({ length: 8 }, (_, k): [number, number] => [5 * Math.cos((Math.PI * k) / 4), 3 * Math.sin((Math.PI * k) / 4)]);
+  const ellipse = new InterpolatingCurve({ points });
+  const other = new InterpolatingCurve({ points, roots: roots.harmonics(8, 2) });
+  assert.ok(ellipse.asEllipse() !== undefined);
+  for (const tolerance of [undefined, 1e-3, 1, 1e9]) {
+    assert.equal(other.asEllipse(tolerance), undefined);
+    assert.equal(other.toHermite(1e-3).curve.asEllipse(tolerance), undefined);
+  }
+});
+
+test("made of cubics, a curve keeps the parameters of its own segments' ends, and not of what lies between", () => {
+  const curve = new InterpolatingCurve({ points: [0, 0, 3, 1, 5, 0, 7, 3, 2, 5], roots: roots.polynomials(5) });
+  const { curve: cubics, maxError } = curve.toHermite(1e-3);
+  const apart = (t: number): number => Math.hypot(...curve.evaluate(t).map((x, axis) => x - (cubics.evaluate(t)[axis] ?? NaN)));
+  assert.ok(maxError > 0 && maxError <= 1e-3);
+  for (const t of [0, 1, 2, 3, 4, 5]) assert.ok(apart(t) < 1e-12, `at ${t}`);
+  assert.ok(apart(0.75) > 10 * maxError, "the curve is near, but not at the same parameter");
+});
+
+test("the way back from B-splines takes those and no other kind of curve", () => {
+  const curve = new InterpolatingCurve({ points: [0, 0, 3, 1, 5, 0] });
+  for (const other of [curve, curve.refineAt(1), curve.toHermite().curve, {}, undefined]) {
+    assert.throws(() => InterpolatingCurve.from(other as never), { code: "E_TYPE", argument: "curve", bound: "a BSplineCurve" });
+  }
+});
+
 test("a point that moves changes n0 − 1 segments to each side and nothing else", () => {
   const points = Array.from({ length: 16 }, (_, k): [number, number] => [Math.cos(k) * (k + 3), Math.sin(2 * k) * 5]);
   const curve = new InterpolatingCurve({ points, roots: roots.polynomials(3) });

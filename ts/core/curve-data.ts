@@ -35,7 +35,7 @@ export abstract class HeldCurve<K extends CurveKernel = CurveKernel> extends Hel
   abstract outline(op: string, tolerance: number): { data: CurveData; near: number; rest: number };
 
   /** The curve as one with points and tangents, if it is one. */
-  abstract exactly(op: string, tolerance: number): CurveData | undefined;
+  abstract exactly(op: string): CurveData | undefined;
 }
 
 /** The arrays of one Hermite curve. @internal */

@@ -101,7 +101,7 @@ export interface Curve {
   toPathD(options?: PathOptions): { d: string; maxError: number };
   /** The same as a `Path2D`, in browsers. */
   toPath2D(options?: PathOptions): PathObject;
-  /** The ellipse, or the arc of one, that the curve follows within `tolerance`, if it does. */
+  /** The ellipse, or the arc of one, that the curve is made of; undefined for cubics, however near one they are. */
   asEllipse(tolerance?: number): Ellipse | undefined;
   /** Its length, to an absolute tolerance; default 1e-9 of its size. */
   length(tolerance?: number): number;
@@ -366,11 +366,15 @@ export abstract class MeasuredCurve implements Curve {
     return new Path2D(d);
   }
 
-  /** The ellipse, or the arc of one, that the whole curve follows within `tolerance` (default 1e-9 of its size), if it does. */
+  /**
+   * The one ellipse, or the arc of one, that all segments are arcs of, each within `tolerance` (default 1e-9 of its size); undefined where they are not.
+   * Only trigonometric segments can be: no cubic is an arc, however near one it runs, and of interpolating and B-spline curves those whose
+   * roots are 0, at most twice, and ±iω.
+   */
   asEllipse(tolerance?: number): Ellipse | undefined {
     const op = "asEllipse";
     const within = orDefault(op, tolerance);
-    const data = dataOf(this, op).exactly(op, within);
+    const data = dataOf(this, op).exactly(op);
     if (data === undefined) return undefined;
     if (data.ask(op, (kernel, slot) => kernel.as_ellipse(slot, within)) === 0) return undefined;
     return {

@@ -1,6 +1,6 @@
 /** Curves through their points, smooth to any order, on which every point acts near by only. */
-import { type BSplineCurve, bSplineOf } from "./b-spline-curve.js";
-import { type Root, flag, integer, options as checkOptions, rootList } from "../core.js";
+import { BSplineCurve, bSplineOf } from "./b-spline-curve.js";
+import { type Root, flag, integer, options as checkOptions, rootList, wrong } from "../core.js";
 import { type LocalCurve, refinedAt } from "./local-curve.js";
 import { type AnyPointsLike, SplineCurve, anyPoints, rootsOrDefault, splineOf } from "./spline-curve.js";
 import { SplineData, SplineKind, readSpline } from "./spline-data.js";
@@ -82,10 +82,11 @@ export class InterpolatingCurve extends SplineCurve {
    * The interpolating curve through the points that a B-spline curve has at the integers, and the largest distance between the
    * two: 0 to rounding where nothing was changed since `refine`.
    *
-   * @throws {ExplineError} E_DEGENERATE of `step` where the grid is no even part of a unit from 0 on, or one that no factors to 1024 make.
+   * @throws {ExplineError} E_TYPE for a curve of another kind; E_DEGENERATE of `step` where the grid is no even part of a unit from 0 on, or one that no factors to 1024 make.
    */
   static from(curve: BSplineCurve): { curve: InterpolatingCurve; maxError: number } {
     const op = "InterpolatingCurve.from";
+    if (!(curve instanceof BSplineCurve)) throw wrong("E_TYPE", op, "curve", curve, "a BSplineCurve");
     const count = splineOf(curve, op, "curve").ask(op, (kernel, slot) => kernel.reduce_spline(slot, 0));
     return { maxError: result(0), curve: interpolatingOf(readSpline(count)) };
   }

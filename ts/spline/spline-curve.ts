@@ -84,8 +84,9 @@ export abstract class SplineCurve extends MeasuredCurve {
   /**
    * The same plane curve with points and tangents. It is exact, and `maxError` 0, where the roots are 0 up to twice and one pair ±iω or
    * ±k, or 0 up to four times; else it is made of cubics within `tolerance` (default 1e-9 of its size), and `maxError` is a
-   * proved bound. The parameter stays and starts at 0; where a tangent would be beyond ±1e9 or a segment shorter than 1e-12 it runs
-   * slower, by a power of 2.
+   * proved bound. The parameter starts at 0 and stays: everywhere where it is exact; of cubics at the ends of the curve's own segments, between which
+   * places lie at other parameters than before. Where a tangent would be beyond ±1e9 or a segment shorter than 1e-12 it runs slower,
+   * by a power of 2.
    */
   toHermite(tolerance?: number): { curve: HermiteCurve; maxError: number } {
     const op = "toHermite";

@@ -1,5 +1,5 @@
 /** What a curve on a grid is made of. */
-import { type CurveData, type Door, type Floats, HeldCurve, curvesIn } from "../core.js";
+import { type CurveData, type Door, type Floats, HeldCurve, LARGEST, curvesIn } from "../core.js";
 import { type SplineKernel, door } from "./spline-engine.js";
 
 /** The one curve with points and tangents that the engine has left in its output. */
@@ -51,9 +51,10 @@ export class SplineData extends HeldCurve<SplineKernel> {
     return { data, near: door.result(0), rest: door.result(1) };
   }
 
-  exactly(op: string, tolerance: number): CurveData | undefined {
+  exactly(op: string): CurveData | undefined {
     if (this.dimension === 3) return undefined;
-    const data = hermiteData(this.ask(op, (kernel, slot) => kernel.to_hermite(slot, tolerance)));
+    // Where it is not exact it is not wanted: the widest tolerance takes the least work.
+    const data = hermiteData(this.ask(op, (kernel, slot) => kernel.to_hermite(slot, LARGEST)));
     return door.result(0) === 0 ? data : undefined;
   }
 
