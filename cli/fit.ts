@@ -4,12 +4,13 @@ import { type SparseFit, type SparseFitOptions, fitSparse } from "expline";
 import { Failure, INPUT, USAGE, statusOf } from "./failure.ts";
 import { keepInputs, sourceName, writeText } from "./files.ts";
 import { type Flag, type Given, describeFlags, numberOf, oneOrTwo, readFlags } from "./flags.ts";
+import { largest } from "./largest.ts";
 import { type Stroke, readPoints, readText } from "./points.ts";
 
 const FLAGS: Readonly<Record<string, Flag>> = {
   tolerance: { value: "D", about: "the fewest knots whose curve is within D of every point" },
   smoothing: { value: "S", about: "0 … 1 instead: the same for any size of picture" },
-  lambda: { value: "L", about: "the weight of the papers instead; L1,L2 for two degrees" },
+  lambda: { value: "L", about: "the weight of the papers instead: L1,L2 for two degrees, as is the default, or L with --degree 3" },
   degree: { value: "N", about: "1 to 5, or two with a comma: 1,3 is the default. Without --smoothing and --lambda the higher counts" },
   closed: { about: "the last point is joined to the first; otherwise only where the last row repeats the first" },
   open: { about: "the curve ends at its last point, whatever the rows say" },
@@ -73,6 +74,10 @@ function optionsOf(given: Given): SparseFitOptions {
   const [lambda, degree] = [oneOrTwo(given, "lambda"), oneOrTwo(given, "degree")];
   const asked = [tolerance, smoothing, lambda].filter((strength) => strength !== undefined);
   if (asked.length > 1) throw new Failure(USAGE, "of --tolerance, --smoothing and --lambda only one can be given");
+  const pair = degree === undefined || Array.isArray(degree);
+  if (lambda !== undefined && pair !== Array.isArray(lambda)) {
+    throw new Failure(USAGE, pair ? "--lambda is one number for two degrees; expected L1,L2, or one number with --degree 3" : "--lambda is two numbers for one degree; expected one");
+  }
   if (given.values.has("open") && given.values.has("closed")) throw new Failure(USAGE, "--open and --closed exclude each other");
   return {
     tolerance,
@@ -114,15 +119,15 @@ function asData({ curve, knots, objective, gap, qfe, maxError, lambda, smoothing
 
 function boxOf(fits: readonly SparseFit[]): { x: number; y: number; width: number; height: number } {
   const boxes = fits.map(({ curve }) => curve.bounds());
-  const [x, y] = [Math.min(...boxes.map(({ minX }) => minX)), Math.min(...boxes.map(({ minY }) => minY))];
-  return { x, y, width: Math.max(...boxes.map(({ maxX }) => maxX)) - x, height: Math.max(...boxes.map(({ maxY }) => maxY)) - y };
+  const [x, y] = [-largest(boxes.map(({ minX }) => -minX)), -largest(boxes.map(({ minY }) => -minY))];
+  return { x, y, width: largest(boxes.map(({ maxX }) => maxX)) - x, height: largest(boxes.map(({ maxY }) => maxY)) - y };
 }
 
 function summary(points: number, fits: readonly SparseFit[]): string {
   const knots = fits.reduce((sum, fit) => sum + fit.knots.length, 0);
-  const error = Math.max(...fits.map(({ maxError }) => maxError));
+  const error = largest(fits.map(({ maxError }) => maxError));
   // Where no λ was involved there is no optimum that a gap would speak of: the distance is what is proved.
   const gaps = fits.filter(({ lambda }) => lambda.length > 0).map(({ gap }) => gap);
-  const certified = gaps.length > 0 ? `, certified gap ${Math.max(...gaps).toExponential(0)}` : "";
+  const certified = gaps.length > 0 ? `, certified gap ${largest(gaps).toExponential(0)}` : "";
   return `${points} points, ${knots} knots, largest distance ${Number(error.toPrecision(3))}${certified}`;
 }

@@ -13,9 +13,12 @@ export interface Stroke {
 
 const LARGEST = 1e9;
 
-/** The text of a file, or of standard input for `-`. */
+/** The text of a file, or of standard input for `-`: in UTF-8, or in UTF-16 where its first bytes say so, as what Windows PowerShell writes with `>`. */
 export function readText(file: string): string {
-  return new TextDecoder().decode(readBytes(file));
+  const bytes = readBytes(file);
+  const [first, second] = bytes;
+  const encoding = first === 0xff && second === 0xfe ? "utf-16le" : first === 0xfe && second === 0xff ? "utf-16be" : "utf-8";
+  return new TextDecoder(encoding).decode(bytes);
 }
 
 /**

@@ -6,6 +6,7 @@ import { type Trace, type TraceOptions, traceImage } from "expline";
 import { Failure, INPUT, USAGE, statusOf } from "./failure.ts";
 import { isFile, isFolder, keepInputs, makeFolder, sourceName, writeText } from "./files.ts";
 import { type Flag, type Given, describeFlags, numberOf, readFlags } from "./flags.ts";
+import { largest } from "./largest.ts";
 import { type Picture, readPicture } from "./picture.ts";
 
 const FLAGS: Readonly<Record<string, Flag>> = {
@@ -122,7 +123,7 @@ function optionsOf(given: Given): TraceOptions {
     speckle: numberOf(given, "speckle"),
     corner: cornerOf(numberOf(given, "corner")),
     maxContours: numberOf(given, "max-contours"),
-    colors: colors?.startsWith("#") === true ? colors.split(",") : numberOf(given, "colors"),
+    colors: colors?.startsWith("#") === true ? colors.split(/\s*,\s*/u) : numberOf(given, "colors"),
     source: oneOf(values, "source", ["brightness", "edges", "lines"]),
     model: oneOf(values, "model", ["sparse", "wqisa"]),
     invert: values.has("invert"),
@@ -164,7 +165,7 @@ function asData({ width, height, layers, contours }: Trace): object {
 
 function summary({ width, height }: Picture, { contours }: Trace): string {
   const points = contours.reduce((sum, { curve }) => sum + curve.points.length / 2, 0);
-  const farthest = Math.max(0, ...contours.map(({ metrics }) => metrics.max));
+  const farthest = Math.max(0, largest(contours.map(({ metrics }) => metrics.max)));
   const found = `${contours.length} ${contours.length === 1 ? "contour" : "contours"}, ${points} points`;
   return `${width} × ${height} pixels, ${found}, largest distance ${Number(farthest.toPrecision(3))}`;
 }

@@ -142,6 +142,22 @@ test("an empty row begins another contour", () => {
   assert.equal(out.match(/M/g)?.length, 2);
 });
 
+test("UTF-16, as Windows PowerShell writes it, is read like UTF-8", () => {
+  const text = `x,y\r\n${SQUARE.replaceAll("\n", "\r\n")}\r\n0,0\r\n`;
+  const little = Buffer.from(`\ufeff${text}`, "utf16le");
+  const wanted = expline(["fit", "-", "--tolerance", "0.5"], text);
+  assert.equal(wanted.status, 0, wanted.error);
+  for (const bytes of [little, Buffer.from(little).swap16()]) assert.deepEqual(expline(["fit", "-", "--tolerance", "0.5"], bytes), wanted);
+});
+
+test("contours that are more than one call takes arguments do not matter", () => {
+  const rows = Array.from({ length: 130_000 }, (_, i) => `${i} 0\n${i} 1\n`).join("\n");
+  const { status, out, error } = expline(["fit", "-", "--degree", "1", "--lambda", "1", "-o", "many.svg"], rows);
+  assert.deepEqual([status, error], [0, ""]);
+  assert.match(out, /^many\.svg: 260000 points, 0 knots, /);
+  assert.match(readFileSync(join(folder, "many.svg"), "utf8").slice(0, 200), /viewBox="-[\d.]+ -[\d.]+ 131\d+ 1301"/);
+});
+
 test("help and version", () => {
   const [help, fit, version] = [expline(["--help"]), expline(["fit", "--help"]), expline(["--version"])];
   assert.match(help.out, /Usage: expline COMMAND/);
@@ -157,6 +173,8 @@ for (const [what, parameters, status, words, input] of [
   ["an option that there is not", ["fit", "square.csv", "--tolerence", "1"], 2, /no option --tolerence/],
   ["an option without its value", ["fit", "square.csv", "--tolerance"], 2, /--tolerance needs a value/],
   ["a tolerance that is a word", ["fit", "square.csv", "--tolerance", "small"], 2, /--tolerance is "small"; expected a number/],
+  ["one weight for two degrees", ["fit", "square.csv", "--lambda", "1"], 2, /--lambda is one number for two degrees; expected L1,L2, or one number with --degree 3/],
+  ["two weights for one degree", ["fit", "square.csv", "--lambda", "1,2", "--degree", "3"], 2, /--lambda is two numbers for one degree/],
   ["a negative tolerance", ["fit", "square.csv", "--tolerance", "-1"], 2, /tolerance is -1/],
   ["two strengths", ["fit", "square.csv", "--tolerance", "1", "--smoothing", "0.5"], 2, /only one can be given/],
   ["a file that is not there", ["fit", "nowhere.csv"], 1, /nowhere\.csv: there is no such file/],
