@@ -167,7 +167,7 @@ test("made of cubics, a curve keeps the parameters of its own segments' ends, an
 test("the way back from B-splines takes those and no other kind of curve", () => {
   const curve = new InterpolatingCurve({ points: [0, 0, 3, 1, 5, 0] });
   for (const other of [curve, curve.refineAt(1), curve.toHermite().curve, {}, undefined]) {
-    assert.throws(() => InterpolatingCurve.from(other as never), { code: "E_TYPE", argument: "curve", bound: "a BSplineCurve" });
+    assert.throws(() => InterpolatingCurve.from(other as never), { code: "E_TYPE", argument: "curve", bound: "BSplineCurve" });
   }
 });
 

@@ -1,6 +1,6 @@
 /** B-spline curves of any roots: control points near the curve, as many as are wanted. */
-import { type Root, exactly, finite, flag, integer, options as checkOptions, rootList, rootNumbers } from "../core.js";
-import { type AnyPointsLike, SplineCurve, anyPoints, splineOf } from "./spline-curve.js";
+import { type Root, exactly, finite, flag, integer, options as checkOptions, rootNumbers } from "../core.js";
+import { type AnyPointsLike, SplineCurve, anyPoints, plain, splineOf } from "./spline-curve.js";
 import { SplineData, SplineKind, readSpline } from "./spline-data.js";
 import { result } from "./spline-engine.js";
 
@@ -97,9 +97,9 @@ export class BSplineCurve extends SplineCurve {
 
   /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit, of up to a million points. */
   toJSON(): BSplineCurveJSON {
-    const { closed, dimension, points, roots, step, offset, start, end, extra } = splineOf(this, "toJSON");
-    const list = { points: Array.from(points), roots: rootList(roots) };
-    return { type: "BSplineCurve", version: 1, closed, dimension, ...list, step, offset, domain: [start, end], ...extra };
+    const data = splineOf(this, "toJSON");
+    const { step, offset, start, end, extra } = data;
+    return { type: "BSplineCurve", ...plain(data), step, offset, domain: [start, end], ...extra };
   }
 }
 

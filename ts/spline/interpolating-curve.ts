@@ -1,8 +1,8 @@
 /** Curves through their points, smooth to any order, on which every point acts near by only. */
 import { BSplineCurve, bSplineOf } from "./b-spline-curve.js";
-import { type Root, flag, integer, options as checkOptions, rootList, wrong } from "../core.js";
+import { type Root, flag, integer, options as checkOptions, wrong } from "../core.js";
 import { type LocalCurve, refinedAt } from "./local-curve.js";
-import { type AnyPointsLike, SplineCurve, anyPoints, rootsOrDefault, splineOf } from "./spline-curve.js";
+import { type AnyPointsLike, SplineCurve, anyPoints, plain, rootsOrDefault, splineOf } from "./spline-curve.js";
 import { SplineData, SplineKind, readSpline } from "./spline-data.js";
 import { result } from "./spline-engine.js";
 
@@ -86,16 +86,15 @@ export class InterpolatingCurve extends SplineCurve {
    */
   static from(curve: BSplineCurve): { curve: InterpolatingCurve; maxError: number } {
     const op = "InterpolatingCurve.from";
-    if (!(curve instanceof BSplineCurve)) throw wrong("E_TYPE", op, "curve", curve, "a BSplineCurve");
+    if (!(curve instanceof BSplineCurve)) throw wrong("E_TYPE", op, "curve", curve, BSplineCurve.name);
     const count = splineOf(curve, op, "curve").ask(op, (kernel, slot) => kernel.reduce_spline(slot, 0));
     return { maxError: result(0), curve: interpolatingOf(readSpline(count)) };
   }
 
   /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit, of up to a million points. */
   toJSON(): InterpolatingCurveJSON {
-    const { closed, dimension, points, roots, extra } = splineOf(this, "toJSON");
-    const list = { points: Array.from(points), roots: rootList(roots) };
-    return { type: "InterpolatingCurve", version: 1, closed, dimension, ...list, ...extra };
+    const data = splineOf(this, "toJSON");
+    return { type: "InterpolatingCurve", ...plain(data), ...data.extra };
   }
 }
 

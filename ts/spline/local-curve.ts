@@ -10,11 +10,10 @@ import {
   options as checkOptions,
   overLimit,
   patchNumber,
-  rootList,
   wrong,
   wrongLength,
 } from "../core.js";
-import { type AnyPointsLike, SplineCurve, anyPoints, rootsOrDefault, splineOf } from "./spline-curve.js";
+import { type AnyPointsLike, SplineCurve, anyPoints, plain, rootsOrDefault, splineOf } from "./spline-curve.js";
 import { type Patch, SplineData, SplineKind, readSpline } from "./spline-data.js";
 import { copy } from "./spline-engine.js";
 
@@ -118,10 +117,9 @@ export class LocalCurve extends SplineCurve {
 
   /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit, of up to a million points. */
   toJSON(): LocalCurveJSON {
-    const { closed, dimension, points, roots, patches, extra } = splineOf(this, "toJSON");
-    const list = patches.map(({ level, first, displacements }) => ({ level, first, displacements: Array.from(displacements) }));
-    const arrays = { points: Array.from(points), roots: rootList(roots), patches: list };
-    return { type: CURVE, version: 1, closed, dimension, ...arrays, ...extra };
+    const data = splineOf(this, "toJSON");
+    const patches = data.patches.map(({ level, first, displacements }) => ({ level, first, displacements: Array.from(displacements) }));
+    return { type: CURVE, ...plain(data), patches, ...data.extra };
   }
 }
 

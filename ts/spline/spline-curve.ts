@@ -28,6 +28,11 @@ export function splineOf(curve: SplineCurve, op: string, arg?: string): SplineDa
   return dataOf(curve, op, SplineData, arg);
 }
 
+/** What the plain data of every kind have in common. @internal */
+export function plain({ closed, dimension, points, roots }: SplineData): { version: 1; closed: boolean; dimension: 2 | 3; points: number[]; roots: Root[] } {
+  return { version: 1, closed, dimension, points: Array.from(points), roots: rootList(roots) };
+}
+
 /** Points of the dimension that is asked for, or else that they show: triples and objects with z are in space. @internal */
 export function anyPoints(op: string, value: unknown, dimension: unknown): { points: Floats; dimension: 2 | 3 } {
   const asked = dimension === undefined ? shownBy(value) : integer(op, "dimension", dimension, 2, 3);
