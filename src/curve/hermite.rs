@@ -61,6 +61,7 @@ pub struct HermiteOptions {
 ///
 /// Curves are equal that have the same numbers; one that was refined is another, though of the same shape.
 #[derive(Clone, Debug)]
+#[must_use = "an edited curve is a new one: this one stays as it was"]
 pub struct HermiteCurve {
     // Behind a pointer: curves are handed around a lot, and are a dozen words.
     inner: Box<Inner>,

@@ -39,6 +39,7 @@ pub trait Generator: Clone + Debug {
 /// A curve on a uniform grid, in 2-D or 3-D: an [`InterpolatingCurve`](super::InterpolatingCurve) or a
 /// [`BSplineCurve`](super::BSplineCurve). Curves are equal that have the same numbers.
 #[derive(Clone, Debug)]
+#[must_use = "an edited curve is a new one: this one stays as it was"]
 pub struct SplineCurve<G> {
     pub(super) points: Vec<f64>,
     pub(super) generator: G,

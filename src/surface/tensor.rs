@@ -22,6 +22,7 @@ const MOST_DERIVATIVES: usize = 8;
 ///
 /// [SFBGU17, eq. 31].
 #[derive(Clone, Debug, PartialEq)]
+#[must_use = "a refined surface is a new one: this one stays as it was"]
 pub struct TensorSurface {
     /// The base, and then the detail that [`TensorSurface::refine_at`] has made room for.
     pub(super) layers: Vec<Layer>,

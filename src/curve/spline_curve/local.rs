@@ -34,6 +34,7 @@ const FINEST: usize = 12;
 /// # Ok::<(), expline::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[must_use = "an edited curve is a new one: this one stays as it was"]
 pub struct LocalCurve {
     pub(super) base: InterpolatingCurve,
     /// Coarser levels first.
