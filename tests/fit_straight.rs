@@ -172,3 +172,16 @@ fn a_curve_turns_at_corners_by_no_less_than_is_asked_for() {
         }
     }
 }
+
+#[test]
+fn an_open_curve_without_knots_is_one_segment() {
+    let points: Vec<Point> = (0..30).map(|i| Point::new(3.0, 4.0) * f64::from(i)).collect();
+    let open = Options { closed: Some(false), ..Options::default() };
+    for ask in [Ask::Noise, Ask::Tolerance(0.01)] {
+        let fitted = fit(&points, ask.clone(), &open).expect("it can be fitted");
+        assert_eq!((fitted.knots.len(), fitted.curve.segment_count()), (0, 1), "{ask:?}");
+        assert!(
+            fitted.curve.points().iter().zip([points[0], points[29]]).all(|(a, b)| (a - b).norm() < 1e-7)
+        );
+    }
+}

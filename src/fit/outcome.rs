@@ -67,7 +67,8 @@ pub struct Fit {
     /// How far the curve may be from the spline: 0 for degrees up to 3, above that proved by the fourth derivative (D 13.7);
     /// and how far it was moved back to the largest coordinate, where it went beyond.
     pub deviation: f64,
-    /// The splines whose sum the curve is; the last one carries the place on the plane, others are about the origin.
+    /// The splines whose sum the curve is; the last one carries the place on the plane, others are about the origin. Of a closed
+    /// pair each begins at its own first knot: its parameter is less by the `t` of the first of `knots` with its degree.
     pub parts: Vec<Part>,
     /// The knots, by parameter.
     pub knots: Vec<Knot>,
@@ -189,8 +190,8 @@ impl Spline {
         let spans = self.space.spans.len();
         let mut joints = Joints::default();
         let mut before: Option<Vector> = None;
-        // One knot or none makes a closed curve of one piece; it is cut in two, for a curve has two points.
-        let cuts = if spans == 1 { cuts.max(2) } else { cuts };
+        // One knot or none makes a closed curve of one piece; it is cut in two, for a curve has two points. An open piece has its ends.
+        let cuts = if closed && spans == 1 { cuts.max(2) } else { cuts };
         for (s, (span, piece)) in self.space.spans.iter().zip(self.pieces()).enumerate() {
             let at = |u: f64, order: usize| {
                 let rate = if order == 1 { scale / unit } else { scale };

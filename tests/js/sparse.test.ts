@@ -210,3 +210,39 @@ test("a search ends after maxIterations and says so, and enough of them change n
     assert.deepEqual([same.status, same.knots], [whole.status, whole.knots]);
   }
 });
+
+test("a stroke without knots is one segment between its two ends", () => {
+  const line = Array.from({ length: 30 }, (_, i): [number, number] => [3 * i, 40 + 4 * i]);
+  const bow = Array.from({ length: 50 }, (_, i): [number, number] => [i, i * i * 0.01]);
+  for (const options of [{ tolerance: 0.01 }, { degree: 2 }, { degree: 5 }, { degree: 1, lambda: 1e4 }] satisfies SparseFitOptions[]) {
+    const { curve, knots } = fitSparse(line, { ...options, closed: false });
+    assert.equal(knots.length, 0);
+    assert.equal(curve.toPathD({ decimals: 1 }).d, "M0 40 87 156", JSON.stringify(options));
+  }
+  const { curve, knots, maxError } = fitSparse(bow, { tolerance: 0.01, closed: false });
+  assert.equal(knots.length, 0);
+  assert.equal(curve.points.length, 4);
+  assert.ok(maxError < 1e-6);
+});
+
+test("the parts of a pair of degrees have the curve for their sum; closed ones count from their own first knots", () => {
+  const place = (i: number): [number, number] => {
+    const a = (2 * Math.PI * i) / 60;
+    return [90 + Math.cos(a) + 0.3 * Math.abs(Math.sin(1.5 * a + 0.4)), 0.6 * Math.sin(a) + 0.1 * Math.cos(4 * a)];
+  };
+  const points = Array.from({ length: 60 }, (_, i) => place(i));
+  for (const closed of [true, false]) {
+    for (const [finish, lambda] of [["none", [0.001, 0.1]], ["gridless", [0.02, 0.02]], ["none", [1e3, 0.01]], ["none", [0.01, 1e3]]] as const) {
+      const { curve, parts, knots } = fitSparse(points, { closed, finish, lambda });
+      const first = [1, 3].map((degree) => (closed ? (knots.find((knot) => knot.degree === degree)?.t ?? 0) : 0));
+      const [, end] = curve.domain;
+      assert.equal(parts.length, 2);
+      for (let i = 0; i <= 100; i += 1) {
+        const t = (i * end) / 100;
+        const at = parts.map((part, k) => part.evaluate(closed ? t - (first[k] ?? NaN) : Math.min(t, part.domain[1])));
+        const off = Math.hypot(...curve.evaluate(t).map((x, axis) => x - at.reduce((sum, place) => sum + (place[axis] ?? NaN), 0)));
+        assert.ok(off < 1e-11, `${off} at ${t}, ${finish}, ${lambda.join()}, ${closed}`);
+      }
+    }
+  }
+});
