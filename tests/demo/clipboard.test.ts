@@ -51,11 +51,11 @@ test("what is pasted the moment that the clipboard has it is what was copied", a
   const demo = await open(t, "#/curve?sample=blob-16", { permissions });
   await demo.page.evaluate(() => {
     const { clipboard } = navigator;
-    const write = clipboard.writeText.bind(clipboard);
-    clipboard.writeText = async (text) => {
-      await write(text);
+    const write = clipboard.write.bind(clipboard);
+    clipboard.write = async (items) => {
+      await write(items);
       const clipboardData = new DataTransfer();
-      clipboardData.setData("text/plain", text);
+      clipboardData.setData("text/plain", await clipboard.readText());
       document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
       // The page hears of it only after the paste.
       await new Promise((done) => setTimeout(done, 300));
@@ -65,6 +65,28 @@ test("what is pasted the moment that the clipboard has it is what was copied", a
   await demo.press("Control+c");
   const { curve } = await demo.until(() => demo.state(), (state) => state.curve.contours.length > 1, "the copy is pasted");
   assert.deepEqual(curve.contours.map(({ family }) => family), ["interpolating", "interpolating"]);
+});
+
+test("the clipboard is asked in the turn of the press, before any part of the page is loaded: Safari forgets the press then", async (t) => {
+  const demo = await open(t, "#/curve?sample=heart", { permissions });
+  await demo.page.evaluate(() => {
+    const asked: string[] = [];
+    const { clipboard } = navigator;
+    const write = clipboard.write.bind(clipboard);
+    Object.assign(window, { asked });
+    clipboard.write = (items) => {
+      asked.push(window.event?.type ?? "later");
+      return write(items);
+    };
+  });
+  const texts: string[] = [];
+  for (const act of [() => demo.press("Control+c"), () => demo.byId("btn-share").click(), () => demo.press("Control+x")]) {
+    await demo.focusStage();
+    texts.push(await demo.copied(act));
+  }
+  assert.deepEqual(texts.map((text) => /^<svg|#s=/u.exec(text)?.[0]), ["<svg", "#s=", "<svg"]);
+  assert.deepEqual(await demo.page.evaluate(() => (window as { asked?: string[] }).asked), ["keydown", "click", "keydown"]);
+  await demo.until(() => demo.state(), ({ curve }) => curve.contours.length === 0, "the heart is cut");
 });
 
 test("what is cut is pasted in its place, and far from where one looks it is brought into sight", async (t) => {

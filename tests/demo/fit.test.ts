@@ -172,7 +172,7 @@ test("a shared link holds the sample by its name, its noise and its seed", async
   const { data } = (await demo.state()).fit;
   const hash = await demo.page.evaluate(async () => {
     let copied = "";
-    Object.defineProperty(navigator, "clipboard", { configurable: true, value: { writeText: async (text: string) => void (copied = text) } });
+    Object.defineProperty(navigator, "clipboard", { configurable: true, value: { write: async ([item]: ClipboardItem[]) => void (copied = await (await item?.getType("text/plain"))?.text() ?? "") } });
     document.querySelector<HTMLElement>('[data-testid="btn-share"]')?.click();
     while (copied === "") await new Promise((resolve) => requestAnimationFrame(resolve));
     return new URL(copied).hash;

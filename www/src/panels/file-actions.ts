@@ -1,11 +1,14 @@
 import { writeState } from "../document/file/write.ts";
 import type { Action } from "../editor/editor.ts";
 import { whenLoaded, whileLoading } from "../editor/loading.ts";
+import type { Copy } from "./files/file-work.ts";
 import { errorText } from "./messages/errors.ts";
 import type { Shell } from "./shell.ts";
 
+type FileWork = typeof import("./files/file-work.ts");
+
 /** What copies, shares and takes in is loaded when something first is. */
-const fileWork = (): Promise<typeof import("./files/file-work.ts")> => import("./files/file-work.ts");
+const fileWork = (): Promise<FileWork> => import("./files/file-work.ts");
 
 /** The actions that reach outside the page: files, links, the clipboard, and the dialogs for them. */
 export function registerFileActions(shell: Shell): void {
@@ -23,14 +26,21 @@ export function registerFileActions(shell: Shell): void {
   add("samples", "Samples", "File", [], dialog(() => import("./dialogs/samples-dialog.ts"), ({ openSamples }) => openSamples(shell)), running);
   add("import", "Import", "File", ["Mod+O"], dialog(() => import("./dialogs/import-dialog.ts"), ({ openImport }) => openImport(shell)), running);
   add("export", "Export", "File", ["Mod+E"], dialog(() => import("./dialogs/export-dialog.ts"), ({ openExport }) => openExport(shell)), running);
-  add("share", "Copy a link", "File", [], () => whenLoaded(editor, fileWork(), ({ share }) => share(shell)));
+  // The clipboard is asked at once, and gets its text when that is there.
+  const copying = (write: (work: FileWork) => Promise<Copy | null>) => (): void => {
+    const work = fileWork();
+    const copy = work.then(write);
+    const taken = io.copyText(copy.then((it) => it?.text ?? Promise.reject(new Error("nothing to copy"))));
+    whenLoaded(editor, work, ({ copied }) => copied(shell, copy, taken));
+  };
+  add("share", "Copy a link", "File", [], copying(({ linkCopy }) => linkCopy(shell)));
   add("help", "Help", "Help", ["?"], dialog(() => import("./dialogs/help-dialog.ts"), ({ openHelp }) => openHelp(shell)));
   add("save-json", "Download JSON", "File", ["Mod+S"], () => {
     const stem = editor.state.value.curve.sample ?? "expline";
     io.download(`${stem}.json`, new Blob([writeState(editor.getState())], { type: "application/json" }));
   });
-  add("copy", "Copy as SVG", "Edit", ["Mod+C"], () => whenLoaded(editor, fileWork(), ({ copySvg }) => copySvg(shell)), shown);
-  add("cut", "Cut contours", "Edit", ["Mod+X"], () => whenLoaded(editor, fileWork(), ({ cut }) => cut(shell)), drawn);
+  add("copy", "Copy as SVG", "Edit", ["Mod+C"], copying(({ svgCopy }) => svgCopy(shell)), shown);
+  add("cut", "Cut contours", "Edit", ["Mod+X"], copying(({ svgCut }) => svgCut(shell)), drawn);
   // Mod+V is the browser's paste event; this is the menu's way to the same place.
   add("paste", "Paste", "Edit", [], () => {
     const pasted = navigator.clipboard.readText().then(async (text) => (await fileWork()).receiveText(shell, text), () => toasts.error("clipboard", errorText("clipboard")));

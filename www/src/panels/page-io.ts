@@ -21,7 +21,7 @@ export interface PageIo {
   pngSize(subject: FileLook & { box: Box | null }, scale: number): { width: number; height: number } | null;
   writePng(options: FileLook & { d: string; box: Box | null; scale: number; paper: string | null; stage?: { ink: string; fill: string } }): Promise<Blob | null>;
   download(name: string, content: Blob): void;
-  copyText(text: string): Promise<boolean>;
+  copyText(text: string | Promise<string>): Promise<boolean>;
   createAutosave(options: {
     read(): DemoState;
     busy(): boolean;

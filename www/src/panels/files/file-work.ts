@@ -25,46 +25,63 @@ function chosenContours(shell: Shell): CurveDocument {
 
 const printed = { tolerance: 0.02, decimals: 4 } as const;
 
+/** What goes to the clipboard, and what is said when it is there. */
+export interface Copy {
+  readonly text: string;
+  readonly said: string;
+  /** What is done then. */
+  readonly after?: () => Promise<void>;
+}
+
 /** Of Curve what is chosen; of another mode what its Export writes. */
-export async function copySvg(shell: Shell): Promise<boolean> {
-  const { editor, io, toasts } = shell;
+export async function svgCopy(shell: Shell): Promise<Copy | null> {
+  const { editor, io } = shell;
   const { mode } = editor.state.value;
   const parts = editor.modes.get(mode);
   const part = mode === "curve" ? chosenContours(shell) : parts?.drawing?.(editor.state.value) ?? null;
-  if (part === null) return false;
+  if (part === null) return null;
   const title = curveSample(part.sample ?? "")?.title ?? "expline drawing";
   const look = lookOf(part, mode);
   const layers = look.filled ? layersOf(editor, part).map(({ drawing, ...color }) => ({ ...color, d: documentPathD(drawing, printed).d })) : [];
   const text = await io.writeSvg({ title, d: documentPathD(part, printed).d, box: documentBounds(part), ...look, layers });
   // Before the clipboard has it: from then on it may be pasted.
   if (mode === "curve") rememberCopy(editor, text, part);
-  const done = await io.copyText(text);
-  if (done) toasts.say(part.contours.length === 1 ? "Copied the contour as SVG." : `Copied ${part.contours.length} contours as SVG.`);
-  else toasts.error("clipboard", errorText("clipboard"));
-  return done;
+  return { text, said: part.contours.length === 1 ? "Copied the contour as SVG." : `Copied ${part.contours.length} contours as SVG.` };
 }
 
 function gestureOver({ editor }: Shell): Promise<void> {
   return new Promise((go) => betweenGestures(editor, go));
 }
 
-export async function cut(shell: Shell): Promise<void> {
+export async function svgCut(shell: Shell): Promise<Copy | null> {
   const gone = new Set(chosenContours(shell).contours);
-  if (!(await copySvg(shell))) return;
-  await gestureOver(shell);
-  shell.editor.dispatch({ name: "Cut", apply: (curve) => ({ ...curve, contours: curve.contours.filter((contour) => !gone.has(contour)) }) });
+  const copy = await svgCopy(shell);
+  return copy && {
+    ...copy,
+    async after() {
+      await gestureOver(shell);
+      shell.editor.dispatch({ name: "Cut", apply: (curve) => ({ ...curve, contours: curve.contours.filter((contour) => !gone.has(contour)) }) });
+    },
+  };
 }
 
-export async function share(shell: Shell): Promise<void> {
-  const { editor, io, toasts } = shell;
+export async function linkCopy({ editor, io }: Shell): Promise<Copy> {
+  const hash = await io.shareHash(editor.getState());
+  const url = new URL(window.location.href);
+  url.search = "";
+  url.hash = hash;
+  return { text: url.href, said: "Link copied. It contains the whole drawing; nothing was uploaded." };
+}
+
+/** Says what has become of a copy that the clipboard was asked to take. */
+export async function copied(shell: Shell, coming: Promise<Copy | null>, taken: Promise<boolean>): Promise<void> {
+  const { toasts } = shell;
   try {
-    const hash = await io.shareHash(editor.getState());
-    const url = new URL(window.location.href);
-    url.search = "";
-    url.hash = hash;
-    const done = await io.copyText(url.href);
-    if (done) toasts.say("Link copied. It contains the whole drawing; nothing was uploaded.");
-    else toasts.error("clipboard", errorText("clipboard"));
+    const copy = await coming;
+    if (copy === null) return;
+    if (!(await taken)) return toasts.error("clipboard", errorText("clipboard"));
+    toasts.say(copy.said);
+    await copy.after?.();
   } catch (error) {
     report(shell, error);
   }
