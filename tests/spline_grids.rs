@@ -145,8 +145,10 @@ fn what_refine_and_reduce_give_can_be_made_again_or_is_refused_with_the_largest_
     // Control point 0 of an open curve is half a step before the first knot, and nearer to it on a finer grid.
     let far = on_grid(quadratic.clone(), false, 1.0, 1e9);
     assert_eq!(largest(far.refine(2)), 1.0);
-    again(&far.refine(1).expect("the curve itself"));
-    again(&on_grid(quadratic, false, 1.0, 1e9 - 0.25).refine(2).expect("at the limit"));
+    let same = far.refine(1).expect("the curve itself");
+    assert_eq!(again(&same), same);
+    let at_the_limit = on_grid(quadratic, false, 1.0, 1e9 - 0.25).refine(2).expect("at the limit");
+    assert_eq!(again(&at_the_limit), at_the_limit);
     // Five points round: ω = 2π/5 a unit, so that a step of five halves is half a turn.
     let refined =
         InterpolatingCurve::new(POINTS.to_vec(), 2, true, None).and_then(|curve| curve.refine(1, 2, 2));

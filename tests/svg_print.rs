@@ -146,7 +146,7 @@ fn extreme_sizes_are_drawn_to_their_size() {
         for decimals in [None, Some(17)] {
             let printed = print(&circle, &PrintOptions { tolerance: 1e-4 * size, decimals, ..options() });
             assert!(printed.deviation <= 1e-4 * size, "{size}: {printed:?}");
-            read(&printed.d);
+            assert!(read(&printed.d).is_closed(), "{size}: {printed:?}");
         }
         let coarse = print(&circle, &PrintOptions { decimals: Some(0), ..options() });
         assert!(coarse.deviation <= size.mul_add(2.0, 3.0), "{coarse:?}");

@@ -241,7 +241,8 @@ impl GrayRows {
         let light_on_nothing =
             light && LEAST_CLEAR * clear >= 255 * pixels as u64 && LEAST_LIGHT * self.dark <= self.opaque;
         // Light ink lies on black: what is there already. But dark ink on something light is ink there too, and would be one with a black ground.
-        if !light_on_nothing && !(light && inverted) {
+        let on_black = light_on_nothing || light && inverted;
+        if !on_black {
             for (value, &alpha) in self.values.iter_mut().zip(&self.opacity) {
                 *value += (u16::from(255 - alpha)) << 8;
             }
