@@ -46,7 +46,11 @@ export async function svgCopy(shell: Shell): Promise<Copy | null> {
   const text = await io.writeSvg({ title, d: documentPathD(part, printed).d, box: documentBounds(part), ...look, layers });
   // Before the clipboard has it: from then on it may be pasted.
   if (mode === "curve") rememberCopy(editor, text, part);
-  return { text, said: part.contours.length === 1 ? "Copied the contour as SVG." : `Copied ${part.contours.length} contours as SVG.` };
+  return { text, said: `Copied ${counted(part)} as SVG.` };
+}
+
+function counted({ contours: { length } }: CurveDocument): string {
+  return length === 1 ? "the contour" : `${length} contours`;
 }
 
 function gestureOver({ editor }: Shell): Promise<void> {
@@ -54,10 +58,12 @@ function gestureOver({ editor }: Shell): Promise<void> {
 }
 
 export async function svgCut(shell: Shell): Promise<Copy | null> {
-  const gone = new Set(chosenContours(shell).contours);
+  const part = chosenContours(shell);
+  const gone = new Set(part.contours);
   const copy = await svgCopy(shell);
   return copy && {
     ...copy,
+    said: `Cut ${counted(part)}.`,
     async after() {
       await gestureOver(shell);
       shell.editor.dispatch({ name: "Cut", apply: (curve) => ({ ...curve, contours: curve.contours.filter((contour) => !gone.has(contour)) }) });
@@ -80,8 +86,8 @@ export async function copied(shell: Shell, coming: Promise<Copy | null>, taken: 
     const copy = await coming;
     if (copy === null) return;
     if (!(await taken)) return toasts.error("clipboard", errorText("clipboard"));
-    toasts.say(copy.said);
     await copy.after?.();
+    toasts.say(copy.said);
   } catch (error) {
     report(shell, error);
   }
