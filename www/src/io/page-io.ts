@@ -1,4 +1,5 @@
 import type { PngOptions } from "./picture/png.ts";
+import type { PngSize, Subject } from "./picture/png-size.ts";
 import type { SvgOptions } from "./svg/svg-write.ts";
 import type { DemoState, Space } from "../document/document.ts";
 import type { Imported } from "../document/imported.ts";
@@ -7,7 +8,6 @@ import type { Kept } from "./keeping/kept.ts";
 import { copyText, download } from "./download.ts";
 import { listenForIncoming, readIncoming } from "./incoming.ts";
 import { isShareLink } from "./link/link.ts";
-import { pngSize } from "./picture/png-size.ts";
 import { hasKept, localStore, rememberTab, tabShows } from "./keeping/store.ts";
 
 /** Keeping begins with the first change; until then there is nothing to keep. */
@@ -33,7 +33,7 @@ function createAutosave(options: AutosaveOptions): Autosave {
 
 /** Everything the panels are handed of this room. What a visit may never need is loaded when it is first asked for. */
 export const pageIo = {
-  copyText, createAutosave, download, isShareLink, listenForIncoming, pngSize, readIncoming, rememberTab, tabShows,
+  copyText, createAutosave, download, isShareLink, listenForIncoming, readIncoming, rememberTab, tabShows,
   fileInText: async (text: string): Promise<File | null> => (await import("./data-url.ts")).fileInText(text),
   hasKept: (): boolean => hasKept(localStore()),
   newestKept: async (own: string | null): Promise<Kept | null> => (await import("./keeping/kept.ts")).newestKept(own),
@@ -42,5 +42,6 @@ export const pageIo = {
   readShareHash: async (hash: string): Promise<DemoState> => (await import("./link/share.ts")).readShareHash(hash),
   gzippedSize: async (text: string): Promise<number> => (await import("./link/compress.ts")).gzippedSize(text),
   writeSvg: async (options: SvgOptions): Promise<string> => (await import("./svg/svg-write.ts")).writeSvg(options),
+  pngSize: async (subject: Subject, scale: number): Promise<PngSize | null> => (await import("./picture/png-size.ts")).pngSize(subject, scale),
   writePng: async (options: PngOptions): Promise<Blob | null> => (await import("./picture/png.ts")).writePng(options),
 };

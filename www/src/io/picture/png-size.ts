@@ -21,6 +21,12 @@ export function enlargement(box: Box): number {
   return size > 0 ? Math.min(Math.max(1, leastSize / size), mostSize / size) : 1;
 }
 
+/** In pixels. */
+export interface PngSize {
+  readonly width: number;
+  readonly height: number;
+}
+
 /** What is drawn, and on what. */
 export interface Subject {
   readonly box: Box | null;
@@ -67,7 +73,7 @@ export function pictureOf(subject: Subject): Sheet | null {
 }
 
 /** The size in pixels that a picture of the drawing would have, or null when it is larger than browsers can draw. */
-export function pngSize(subject: Subject, scale: number): { width: number; height: number } | null {
+export function pngSize(subject: Subject, scale: number): PngSize | null {
   const picture = pictureOf(subject);
   if (picture === null) return null;
   const { frame, enlarged } = picture;

@@ -1,3 +1,4 @@
+import { whileLoading } from "../../editor/loading.ts";
 import { button } from "../controls/dialog.ts";
 import { h, setAttribute, setText } from "../controls/dom.ts";
 import type { FileLook } from "../page-io.ts";
@@ -32,7 +33,7 @@ export interface PngGroup {
 export function pngGroup(shell: Shell, subject: PngSubject): PngGroup {
   const { box, look } = subject;
   const save = button("PNG", { testid: "export-png", title: "Download a picture", click: () => void download(shell, subject) });
-  const refresh = (): void => showSize(save, shell.io.pngSize({ ...look(), box }, scale));
+  const refresh = (): void => void whileLoading(shell.editor, shell.io.pngSize({ ...look(), box }, scale)).then((size) => showSize(save, size));
   return { element: h("span", { class: "button-group", role: "group", "aria-label": "Picture" }, save, scaleChoice(refresh), paperChoice()), refresh };
 }
 
