@@ -1,8 +1,8 @@
 //! Which parameter belongs to which point.
 
+use super::noise::gaps;
 use super::samples::Samples;
 use crate::error::{Error, Result};
-use crate::numerics::Point;
 use crate::numerics::order::median;
 
 /// How parameters are given to points.
@@ -31,17 +31,17 @@ pub fn parametrise(samples: &Samples, kind: Parametrisation, noise: f64) -> (Vec
     let steps = if samples.closed { count } else { count - 1 };
     let step: &dyn Fn(usize) -> f64 = &|m| match kind {
         Parametrisation::Index => 1.0,
-        Parametrisation::Chord => chord(samples, m, 0),
-        Parametrisation::Centripetal => chord(samples, m, 0).sqrt(),
+        Parametrisation::Chord => chord(samples, m, (0, 0)),
+        Parametrisation::Centripetal => chord(samples, m, (0, 0)).sqrt(),
         Parametrisation::Auto | Parametrisation::ArcLength => 0.0,
     };
     let smooth = matches!(kind, Parametrisation::Auto | Parametrisation::ArcLength);
-    let window = if smooth { window(samples, noise) } else { 0 };
+    let (window, gaps) = if smooth { window(samples, noise) } else { (0, Vec::new()) };
     let mut parameters = Vec::with_capacity(count);
     let mut length = 0.0;
     for m in 0..steps {
         parameters.push(length);
-        length += if smooth { chord(samples, m, window) } else { step(m) };
+        length += if smooth { chord(samples, m, reach(samples, m, window, &gaps)) } else { step(m) };
     }
     if !samples.closed {
         parameters.push(length);
@@ -90,30 +90,43 @@ pub fn given(parameters: &[f64], count: usize, closed: bool, period: Option<f64>
     Ok((parameters.iter().map(|t| t - first).collect(), end))
 }
 
-/// How many points to each side are averaged, for steps that the noise changes by about a seventh.
-fn window(samples: &Samples, noise: f64) -> usize {
-    let points = &samples.points;
-    let mut steps: Vec<f64> = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
+/// How many points to each side are averaged, for steps that the noise changes by about a seventh; and the steps over which
+/// points are missing.
+fn window(samples: &Samples, noise: f64) -> (usize, Vec<usize>) {
+    let mut steps = samples.steps();
+    let gaps = gaps(&steps, noise);
     let median = median(&mut steps);
     // Noise makes steps longer; what is left without it is a guess for the spacing.
     let clean = (median * median - 2.0 * noise * noise).max(0.04 * median * median).sqrt();
     let wanted = 5.0 * noise / clean.max(1e-300);
-    (wanted as usize).min(points.len() / 20).min(40)
+    ((wanted as usize).min(samples.points.len() / 20).min(40), gaps)
 }
 
-/// The step from the average around point m to the next one's.
-fn chord(samples: &Samples, m: usize, window: usize) -> f64 {
-    let points: &[Point] = &samples.points;
-    let count = points.len();
-    let (from, to) = if samples.closed {
-        (points[(m + count - window % count) % count], points[(m + 1 + window) % count])
-    } else {
-        (points[m.saturating_sub(window)], points[(m + 1 + window).min(count - 1)])
-    };
-    let width = if samples.closed {
-        2 * window + 1
-    } else {
-        (m + 1 + window).min(count - 1) - m.saturating_sub(window)
-    };
-    (to - from).norm() / width as f64
+/// How many points before and after step m are averaged: up to `window`, and none from beyond a gap, whose length would be
+/// shared by the steps around it.
+fn reach(samples: &Samples, m: usize, window: usize, gaps: &[usize]) -> (usize, usize) {
+    let count = samples.points.len();
+    let next = gaps.partition_point(|&gap| gap < m);
+    if gaps.get(next) == Some(&m) {
+        return (0, 0);
+    }
+    let (mut behind, mut ahead) = (window, window);
+    if !samples.closed {
+        (behind, ahead) = (window.min(m), window.min(count - 2 - m));
+    }
+    // Round an open curve the next gap is beyond its ends.
+    if let Some(last) = gaps[..next].last().or(gaps.last()) {
+        behind = behind.min((m + count - last - 1) % count);
+    }
+    if let Some(first) = gaps.get(next).or(gaps.first()) {
+        ahead = ahead.min((first + count - m - 1) % count);
+    }
+    (behind, ahead)
+}
+
+/// The step from the average of the points around point m to that of the next one's, so many `behind` and `ahead`.
+fn chord(samples: &Samples, m: usize, (behind, ahead): (usize, usize)) -> f64 {
+    let (points, count) = (&samples.points, samples.points.len());
+    let (from, to) = (points[(m + count - behind) % count], points[(m + 1 + ahead) % count]);
+    (to - from).norm() / (behind + ahead + 1) as f64
 }

@@ -32,6 +32,11 @@ pub struct Samples {
 }
 
 impl Samples {
+    /// How far it is from each point to the next, but for the way round from the last.
+    pub(super) fn steps(&self) -> Vec<f64> {
+        self.points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect()
+    }
+
     /// Checks the points and makes them ready. `closed` says whether the curve is; `None` finds out: ends closer than
     /// 3 % of the diagonal belong together. `keep` leaves repetitions alone, for parameters that count them.
     ///
