@@ -35,8 +35,8 @@ async function picture(demo: Demo): Promise<Buffer> {
   return demo.byId("stage").screenshot();
 }
 
-/** The share of the stage that is not paper, of what the page itself has drawn. */
-async function inked(demo: Demo): Promise<number> {
+/** The shares of the stage that are not paper, and that have the warm colour of an inside, of what the page itself has drawn. */
+async function shares(demo: Demo): Promise<{ ink: number; inside: number }> {
   const shot = await picture(demo);
   return demo.page.evaluate(async (data) => {
     const image = new Image();
@@ -45,15 +45,16 @@ async function inked(demo: Demo): Promise<number> {
     const canvas = document.createElement("canvas");
     [canvas.width, canvas.height] = [image.width, image.height];
     const context = canvas.getContext("2d");
-    if (context === null) return 0;
+    if (context === null) return { ink: 0, inside: 0 };
     context.drawImage(image, 0, 0);
     const { data: pixels } = context.getImageData(0, 0, image.width, image.height);
-    let drawn = 0;
+    let [drawn, warm] = [0, 0];
     for (let i = 0; i < pixels.length; i += 4) {
       const away = [0, 1, 2].some((k) => Math.abs((pixels[i + k] ?? 0) - (pixels[4 * 40 + k] ?? 0)) > 8);
       if (away) drawn += 1;
+      if ((pixels[i] ?? 0) > (pixels[i + 2] ?? 0) + 16) warm += 1;
     }
-    return drawn / (pixels.length / 4);
+    return { ink: drawn / (pixels.length / 4), inside: warm / (pixels.length / 4) };
   }, shot.toString("base64"));
 }
 
@@ -158,11 +159,18 @@ test("the count of triangles follows the tessellation, and the time of a frame t
 for (const sample of ["surf-torus", "surf-roman", "surf-paraboloid", "surf-cylinder", "surf-character"]) {
   test(`V25 ${sample} is drawn`, async (t) => {
     const demo = await open(t, `#/surface?sample=${sample}`);
-    const share = await inked(demo);
-    assert.ok(share >= 0.02, `${share} of the stage`);
+    const { ink } = await shares(demo);
+    assert.ok(ink >= 0.02, `${ink} of the stage`);
     assert.deepEqual(demo.complaints, []);
   });
 }
+
+test("of sheets that lie on each other, as all of the Roman surface do, the outside is seen; elsewhere insides are", async (t) => {
+  const roman = await shares(await open(t, "#/surface?sample=surf-roman"));
+  const cylinder = await shares(await open(t, "#/surface?sample=surf-cylinder"));
+  assert.ok(roman.ink > 0.1 && roman.inside < 1e-3, `inside ${roman.inside} of ${roman.ink}`);
+  assert.ok(cylinder.inside > 0.02, `inside ${cylinder.inside} of ${cylinder.ink}`);
+});
 
 test("without WebGL 2 the surface is drawn in lines, says why, and can be edited all the same", async (t) => {
   const demo = await open(t);
@@ -175,7 +183,7 @@ test("without WebGL 2 the surface is drawn in lines, says why, and can be edited
   await demo.page.reload();
   await demo.load("#/surface?sample=surf-torus");
   assert.match(await demo.textOf("surface-note"), /WebGL 2/);
-  assert.ok((await inked(demo)) >= 0.02);
+  assert.ok((await shares(demo)).ink >= 0.02);
   const before = await mesh(demo);
   await demo.drag("cp-1-1", 40, 0);
   assert.ok(largest(await mesh(demo), before) > 0.03);

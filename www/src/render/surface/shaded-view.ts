@@ -1,5 +1,5 @@
 import {
-  BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, PerspectiveCamera, Scene, ShaderMaterial, Vector2, Vector3, Vector4, WebGLRenderer,
+  BackSide, BufferAttribute, BufferGeometry, Color, FrontSide, Mesh, PerspectiveCamera, Scene, ShaderMaterial, Vector2, Vector3, Vector4, WebGLRenderer,
 } from "three";
 import { frameOf, opening, type Orbit } from "../../editor/surface/orbit.ts";
 import type { Shade } from "../../editor/surface/solid.ts";
@@ -77,8 +77,11 @@ class Shaded implements ShadedView {
   readonly #scene = new Scene();
   readonly #camera = new PerspectiveCamera((opening * 180) / Math.PI, 1, 0.01, 1000);
   readonly #uniforms = freshUniforms();
-  readonly #material = new ShaderMaterial({ vertexShader, fragmentShader, uniforms: this.#uniforms, side: DoubleSide });
-  readonly #solid = new Mesh(new BufferGeometry(), this.#material);
+  /** Outside and inside. Of sheets that lie on each other, as those of the Roman surface do, the outside is seen: the inside is a little farther away. */
+  readonly #sides = [FrontSide, BackSide].map((side) => new Mesh(new BufferGeometry(), new ShaderMaterial({
+    vertexShader, fragmentShader, uniforms: this.#uniforms, side, polygonOffset: side === BackSide, polygonOffsetFactor: 2, polygonOffsetUnits: 16,
+  })));
+  #geometry = new BufferGeometry();
   readonly #clear = new Color();
   #shown: SurfaceMesh | null = null;
 
@@ -86,8 +89,8 @@ class Shaded implements ShadedView {
     this.#renderer = renderer;
     this.#unwatch = unwatch;
     this.#camera.up.set(0, 0, 1);
-    this.#solid.frustumCulled = false;
-    this.#scene.add(this.#solid);
+    for (const side of this.#sides) side.frustumCulled = false;
+    this.#scene.add(...this.#sides);
   }
 
   draw(picture: Picture): void {
@@ -102,8 +105,8 @@ class Shaded implements ShadedView {
 
   dispose(): void {
     this.#unwatch();
-    this.#solid.geometry.dispose();
-    this.#material.dispose();
+    this.#geometry.dispose();
+    for (const { material } of this.#sides) material.dispose();
     this.#renderer.dispose();
   }
 
@@ -125,12 +128,13 @@ class Shaded implements ShadedView {
     if (mesh === shown) return;
     const sameShape = shown !== null && shown.rows === mesh.rows && shown.cols === mesh.cols;
     if (!sameShape) {
-      this.#solid.geometry.dispose();
-      this.#solid.geometry = emptyGeometry(mesh);
+      this.#geometry.dispose();
+      this.#geometry = emptyGeometry(mesh);
+      for (const side of this.#sides) side.geometry = this.#geometry;
     }
     for (const [part, name] of vertexParts) {
       const values = mesh[part];
-      if (values !== null && !(sameShape && values === shown[part])) setNumbers(this.#solid.geometry, name, values);
+      if (values !== null && !(sameShape && values === shown[part])) setNumbers(this.#geometry, name, values);
     }
     this.#shown = mesh;
   }
