@@ -103,6 +103,15 @@ test("a row with words where numbers belong is named, and so is one where most h
   }
 });
 
+test("rows of many columns, some with nothing in them, and rows of blanks are read at once", () => {
+  // With a pattern that could part each cell in two ways, 24 columns took longer than anybody waits.
+  const cells = Array.from({ length: 24 }, (_, i) => `0.${100_000 + i}`);
+  const rows = [1, 2, 3, 4].map((x) => [10 * x, x, ...cells, "", 7].join(","));
+  assert.deepEqual(readPoints(rows.join("\n")).strokes.map(({ points }) => points), [[[10, 1], [20, 2], [30, 3], [40, 4]]]);
+  const blanks = " ".repeat(200_000);
+  assert.deepEqual(readPoints(`1${blanks}2\n${blanks}3 4${blanks}\n5\t6`).strokes[0]?.points.length, 3);
+});
+
 test("what is no table is not taken for one", () => {
   for (const text of ["Hello world, this is it.\nThere are 3 apples\nand 4 pears", "north", "x,y", "{}"]) assert.notEqual(kindOfText(text), "points", text);
   for (const path of ["M 10 20\n30 40\n50 60", "m1,1 2,2", "M0 0L1 1"]) assert.equal(kindOfText(path), "path", path);

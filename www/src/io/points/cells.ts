@@ -20,9 +20,21 @@ export function numberIn(cell: string | undefined): number {
   return cell === undefined || !/\d/u.test(cell) ? NaN : Number(cell);
 }
 
+const opening = /^[|([{\s]*/u;
+const closing = /[|)\]};,\s]/u;
+
+/** Without the brackets, bars and blanks around it; a tab among them stays, for it has a cell with nothing in it on its other side. */
+function withoutEnds(line: string): string {
+  const start = opening.exec(line)?.[0].length ?? 0;
+  let end = line.length;
+  while (end > start && closing.test(line.charAt(end - 1))) end -= 1;
+  const tabIn = (ends: string): string => (ends.includes("\t") ? "\t" : "");
+  return tabIn(line.slice(0, start)) + line.slice(start, end) + tabIn(line.slice(end));
+}
+
 /** Beside a semicolon, a tab or a bar a comma is that of a decimal fraction; so it is where blanks part two such fractions. */
 export function cellsOf(line: string): string[] {
-  const bare = line.replace(/^[|([{\s]+|[|)\]};,\s]+$/gu, (ends) => (ends.includes("\t") ? "\t" : "")).replace(/\u2212/gu, "-");
+  const bare = withoutEnds(line).replace(/\u2212/gu, "-");
   const parts = /[;\t|]/u.test(bare) ? bare.replaceAll(",", ".").split(/[;\t|]/u)
     : fractions.test(bare) ? bare.replaceAll(",", ".").split(/\s+/u)
       : bare.split(bare.includes(",") ? "," : /\s+/u);

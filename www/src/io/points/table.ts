@@ -22,7 +22,7 @@ function brokenLines(lines: readonly string[]): Row[] | null {
   const said = lines.filter((line) => line !== "");
   if (said.length === 1) return rowsOfLine(said[0] ?? "");
   // Two in a line may be fractions with commas; three are none.
-  const areLists = said.every((line) => /^(?:[^\s,;]+,[^\s,;]+ *)+$/u.test(line)) && said.some((line) => line.split(" ").length > 2);
+  const areLists = said.every((line) => /^[^\s,;]+,[^\s,;]+(?: +[^\s,;]+,[^\s,;]+)*$/u.test(line)) && said.some((line) => line.split(" ").length > 2);
   return areLists ? rowsOfLine(said.join(" ")) : null;
 }
 
@@ -33,7 +33,7 @@ interface Table {
 }
 
 function tableOf(text: string): Table {
-  const lines = text.split(/\r\n|\n|\r/u).map((line) => (isRemark(line.trim()) ? null : line.replace(/^\uFEFF/u, "").replace(/^ +| +$/gu, "")));
+  const lines = text.split(/\r\n|\n|\r/u).map((line) => (isRemark(line.trim()) ? null : line.replace(/^\uFEFF/u, "").replace(/^ +|(?<! ) +$/gu, "")));
   const rows: Row[] = brokenLines(lines.filter((line) => line !== null)) ?? [];
   let heading: readonly string[] = [];
   let begins = false;
