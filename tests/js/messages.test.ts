@@ -54,7 +54,7 @@ for (const [what, call, words] of [
   ["a number that is missing", () => circle.flatten(as(undefined)), "tolerance is undefined; expected a finite number"],
   ["a coordinate that is missing", () => circle.nearest(0, as(undefined)), "y is undefined; expected a finite number with |x| <= 1e9"],
   ["an angle that is text", () => traceImage({ width: 1, height: 1, data: new Uint8Array(1) }, { corner: as("right") }), `corner is "right"; expected a number in [0.05, π]`],
-  ["a curve to be made an interpolating one that is missing", () => InterpolatingCurve.from(as(undefined)), "curve is undefined; expected a curve of this package, no proxy"],
+  ["a curve to be made an interpolating one that is missing", () => InterpolatingCurve.from(as(undefined)), "curve is undefined; expected BSplineCurve"],
   ["a union of no lists", () => roots.union(), "lists has 0; expected at least 1"],
   ["a grid of too many vertices", () => TensorSurface.sphere(1).mesh(1e5, 1e5), "rows × cols needs 10000000000; maxOutputPoints is 4000000"],
   ["a factor that is odd", () => new InterpolatingCurve({ points: TRIANGLE }).refine(1, { m0: 3 }), "m0 = 3 has no unique answer: half-integer shifts need an even factor"],
