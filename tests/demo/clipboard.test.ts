@@ -88,6 +88,8 @@ test("the clipboard is asked in the turn of the press, before any part of the pa
   assert.deepEqual(await demo.page.evaluate(() => (window as { asked?: string[] }).asked), ["keydown", "click", "keydown"]);
   await demo.until(() => demo.state(), ({ curve }) => curve.contours.length === 0, "the heart is cut");
   assert.equal(await demo.textOf("toast"), "Cut the contour.");
+  await demo.press("Control+z");
+  assert.equal(await demo.page.getByText("Cut the contour.").count(), 0, "what was undone is not said any more");
 });
 
 test("what is cut is pasted in its place, and far from where one looks it is brought into sight", async (t) => {

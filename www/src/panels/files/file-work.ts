@@ -25,17 +25,15 @@ function chosenContours(shell: Shell): CurveDocument {
 
 const printed = { tolerance: 0.02, decimals: 4 } as const;
 
-/** What goes to the clipboard, and what is said when it is there. */
+/** What goes to the clipboard, and what is done when it is there. */
 export interface Copy {
   readonly text: string;
-  readonly said: string;
-  /** What is done then. */
-  readonly after?: () => Promise<void>;
+  readonly done: () => void | Promise<void>;
 }
 
 /** Of Curve what is chosen; of another mode what its Export writes. */
 export async function svgCopy(shell: Shell): Promise<Copy | null> {
-  const { editor, io } = shell;
+  const { editor, io, toasts } = shell;
   const { mode } = editor.state.value;
   const parts = editor.modes.get(mode);
   const part = mode === "curve" ? chosenContours(shell) : parts?.drawing?.(editor.state.value) ?? null;
@@ -46,7 +44,7 @@ export async function svgCopy(shell: Shell): Promise<Copy | null> {
   const text = await io.writeSvg({ title, d: documentPathD(part, printed).d, box: documentBounds(part), ...look, layers });
   // Before the clipboard has it: from then on it may be pasted.
   if (mode === "curve") rememberCopy(editor, text, part);
-  return { text, said: `Copied ${counted(part)} as SVG.` };
+  return { text, done: () => toasts.say(`Copied ${counted(part)} as SVG.`) };
 }
 
 function counted({ contours: { length } }: CurveDocument): string {
@@ -62,21 +60,22 @@ export async function svgCut(shell: Shell): Promise<Copy | null> {
   const gone = new Set(part.contours);
   const copy = await svgCopy(shell);
   return copy && {
-    ...copy,
-    said: `Cut ${counted(part)}.`,
-    async after() {
+    text: copy.text,
+    async done() {
       await gestureOver(shell);
       shell.editor.dispatch({ name: "Cut", apply: (curve) => ({ ...curve, contours: curve.contours.filter((contour) => !gone.has(contour)) }) });
+      // As news of the step, which go when it is undone.
+      shell.editor.notify({ kind: "toast", text: `Cut ${counted(part)}.` });
     },
   };
 }
 
-export async function linkCopy({ editor, io }: Shell): Promise<Copy> {
+export async function linkCopy({ editor, io, toasts }: Shell): Promise<Copy> {
   const hash = await io.shareHash(editor.getState());
   const url = new URL(window.location.href);
   url.search = "";
   url.hash = hash;
-  return { text: url.href, said: "Link copied. It contains the whole drawing; nothing was uploaded." };
+  return { text: url.href, done: () => toasts.say("Link copied. It contains the whole drawing; nothing was uploaded.") };
 }
 
 /** Says what has become of a copy that the clipboard was asked to take. */
@@ -86,8 +85,7 @@ export async function copied(shell: Shell, coming: Promise<Copy | null>, taken: 
     const copy = await coming;
     if (copy === null) return;
     if (!(await taken)) return toasts.error("clipboard", errorText("clipboard"));
-    await copy.after?.();
-    toasts.say(copy.said);
+    await copy.done();
   } catch (error) {
     report(shell, error);
   }
