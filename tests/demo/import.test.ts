@@ -455,6 +455,23 @@ test("DM-027 DM-028 a field takes a decimal comma and refuses what is no number,
   }
 });
 
+test("an automatic frequency is shown as the number that it is, and arrows step from there", async (t) => {
+  const demo = await open(t);
+  const omega = demo.byId("omega");
+  assert.equal(await omega.inputValue(), "3.1416", "2π over 2 points");
+  await demo.byId("points").fill("8");
+  await demo.byId("points").press("Enter");
+  await demo.idle();
+  assert.equal(await omega.inputValue(), "0.7854", "2π over 8 points");
+  assert.equal((await demo.state()).curve.omega, "auto");
+  await omega.press("ArrowUp");
+  await demo.idle();
+  assert.equal(await omega.inputValue(), "0.7954");
+  assert.equal((await demo.state()).curve.omega, 0.7954);
+  await demo.click("omega-auto");
+  assert.equal(await omega.inputValue(), "0.7854");
+});
+
 test("a field adds up what is typed into it, and Undo takes a number back while the field has the focus", async (t) => {
   const demo = await open(t, "#/curve?sample=heart");
   await demo.click("pt-0-1");

@@ -22,12 +22,12 @@ const word: readonly Pair[] = [
   [4.54, -0.5], [4.72, -0.8], [4.54, -0.98], [4.32, -0.66], [4.36, -0.2], [4.66, 0.0], [5.04, -0.2], [5.5, -0.62], [6.1, -0.66], [5.5, -0.3], [4.2, 0.34], [2.9, 0.5],
 ];
 
-const dot: readonly Pair[] = [[2.84, -1.38], [2.9, -1.42], [2.94, -1.38], [2.9, -1.33]];
+const dot: readonly Pair[] = [[2.86, -1.26], [2.9, -1.37], [3.0, -1.46]];
 
 const [left, line, height] = [140, 330, 92];
 
 export function signature(): Pair[][] {
-  return [through(word, 870), through(dot, 30)].map((stroke) => stroke.map(([x, y]) => [left + height * x, line + height * y * 0.95]));
+  return [through(word, 888), through(dot, 12)].map((stroke) => stroke.map(([x, y]) => [left + height * x, line + height * y * 0.95]));
 }
 
 /** `count` points on the centripetal curve of Catmull and Rom through the places: at even steps of its parameter, so dense in bends. */

@@ -130,15 +130,16 @@ export function frequencyRow(editor: Editor): Row {
     update({ curve }, contours) {
       setAttribute(auto, "aria-pressed", String(curve.omega === "auto"));
       auto.disabled = curve.space === "polynomial";
-      omega.show(curve.space === "polynomial" || areRefined(contours) ? null : frequencyOf(curve));
+      omega.show(curve.space === "polynomial" || areRefined(contours) ? null : frequencyOf(curve, contours));
       setText(note, shared(contours, (contour) => frequencyNote(curve, contour)) ?? "");
     },
   };
 }
 
-/** The one frequency of the drawing, or NaN where it follows from the curve or differs between segments. */
-function frequencyOf(curve: CurveDocument): number {
-  return curve.omega === "auto" ? NaN : curve.omega;
+/** The frequency that the field is about, also where it follows from the number of points; NaN where contours or segments differ. */
+function frequencyOf(curve: CurveDocument, contours: readonly Contour[]): number {
+  if (curve.omega !== "auto") return curve.omega;
+  return shared(contours, (contour) => (contour.omega === undefined && contour.points.length >= 2 ? omegaOf(curve, contour, 0) : NaN)) ?? NaN;
 }
 
 function frequencyNote(curve: CurveDocument, contour: Contour): string {
@@ -147,7 +148,7 @@ function frequencyNote(curve: CurveDocument, contour: Contour): string {
   if (contour.omega !== undefined) return "Each segment has its own";
   if (curve.omega !== "auto") return "";
   const value = omegaOf(curve, contour, 0);
-  return value === 0 ? "Auto: 0 on an open contour" : `Auto: 2π/${Math.round((2 * Math.PI) / value)} = ${value.toFixed(4)}`;
+  return value === 0 ? "Auto: 0 on an open contour" : `Auto: 2π/${Math.round((2 * Math.PI) / value)}`;
 }
 
 export function pointsRow(editor: Editor): Row {
