@@ -4,7 +4,7 @@ export type { InitOptions, InitSyncOptions } from "./core/engine.js";
 export type { OwnBytes, Signal } from "./core/host.js";
 export { ExplineError } from "./core/error.js";
 export type { ErrorCode, ErrorDetails } from "./core/error.js";
-export type { PointsLike, SpacePointsLike } from "./core/arguments.js";
+export type { MatrixLike, PointsLike, SpacePointsLike } from "./core/arguments.js";
 export type { Space } from "./core/curve-data.js";
 export type { Bounds, Curve, Ellipse, Nearest, PathOptions } from "./core/curve.js";
 export { HermiteCurve } from "./core/hermite-curve.js";
@@ -18,6 +18,8 @@ export type { PathWarning } from "./core/svg.js";
 export { begin, beginSync, instanceOf } from "./core/engine.js";
 /** @internal */
 export type { AnyKernel, CurveKernel, Engine, Instance } from "./core/engine.js";
+/** @internal */
+export { affine } from "./core/affine.js";
 /** @internal */
 export {
   LARGEST,

@@ -11,6 +11,7 @@ export type {
   HermiteCurveOptions,
   InitOptions,
   InitSyncOptions,
+  MatrixLike,
   Nearest,
   PathOptions,
   PathWarning,

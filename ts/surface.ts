@@ -1,7 +1,10 @@
 /** Surfaces: a net of points, smooth in both directions, exact for quadrics. */
 import {
   type Floats,
+  LARGEST,
+  type MatrixLike,
   type OwnBytes,
+  affine,
   coordinate,
   exactly,
   finite,
@@ -141,7 +144,7 @@ export class TensorSurface {
 
   set net(value: Float64Array | readonly number[]) {
     const data = dataOf(this, "net");
-    data.net.set(netOf(NAME, value, data.net.length));
+    data.net.set(netOf("net", value, data.net.length));
     data.touch();
   }
 
@@ -259,11 +262,10 @@ export class TensorSurface {
   ): TensorSurface {
     const op = "refineAt";
     const data = dataOf(this, op);
-    const own = checkOptions(op, options, ["levels", "reach"]);
+    const { levels = 1, reach = 1 } = checkOptions(op, options, ["levels", "reach"]);
     const at = [finite(op, "u", u), finite(op, "v", v)] as const;
-    const levels = own.levels === undefined ? 1 : integer(op, "levels", own.levels, 1, MAX_LEVEL);
-    const reach = own.reach === undefined ? 1 : finite(op, "reach", own.reach);
-    return derived(data.ask(op, (kernel, slot) => kernel.surface_refine_at(slot, ...at, levels, reach)));
+    const how = [integer(op, "levels", levels, 1, MAX_LEVEL), finite(op, "reach", reach)] as const;
+    return derived(data.ask(op, (kernel, slot) => kernel.surface_refine_at(slot, ...at, ...how)));
   }
 
   /** The control points of a patch, three numbers each, v fastest. */
@@ -303,6 +305,20 @@ export class TensorSurface {
     data.touchBoth();
   }
 
+  /**
+   * The image under the affine map of a 4 × 4 matrix, 16 numbers column by column, as three.js has them in `Matrix4.elements`; the last row is
+   * 0, 0, 0, 1. Exact to rounding; patches come along. Where the matrix reflects, normals point to the other side.
+   *
+   * @throws {ExplineError} E_DEGENERATE of `matrix` for a translation where 0 is not among the roots of both directions: no net makes the image then.
+   */
+  transform(matrix: MatrixLike): TensorSurface {
+    const op = "transform";
+    const { net, u, v, patches, end, first } = dataOf(this, op);
+    const image = affine(op, matrix, 3, u.roots, v.roots);
+    const moved = patches.map((patch) => ({ ...patch, displacements: image(patch.displacements, 2 * LARGEST, 0) }));
+    return surfaceOf(Object.assign(new SurfaceData(image(net), u, v, moved), { end, first }));
+  }
+
   /** A mesh as a Wavefront OBJ file, with normals. `rows` and `cols` default to 64, `name` to "surface". */
   toObj(options?: MeshFileOptions): string {
     const op = "toObj";
@@ -323,8 +339,8 @@ export class TensorSurface {
   }
 }
 
-function described({ roots, count, closed, level }: DirectionData): Required<Direction> {
-  return { roots: rootList(roots), count, closed, level };
+function described(direction: DirectionData): Required<Direction> {
+  return { ...direction, roots: rootList(direction.roots) };
 }
 
 /** The two halves of what the kernel left. */

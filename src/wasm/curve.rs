@@ -101,12 +101,6 @@ pub fn reverse(slot: u32) -> i32 {
     derive(slot, &HermiteCurve::backwards)
 }
 
-/// The image under the affine map of an SVG matrix.
-#[wasm_bindgen]
-pub fn transform(slot: u32, a: f64, b: f64, c: f64, d: f64, e: f64, f: f64) -> i32 {
-    derive(slot, &|curve| curve.transformed([a, b, c, d, e, f]))
-}
-
 /// A whole ellipse.
 #[wasm_bindgen]
 pub fn ellipse(x: f64, y: f64, rx: f64, ry: f64, rotation: f64, count: u32) -> i32 {

@@ -236,12 +236,6 @@ pub fn move_patch_point(slot: u32, k: u32, i: u32, x: f64, y: f64, z: f64) -> i3
     })
 }
 
-/// The curve without patch k.
-#[wasm_bindgen]
-pub fn drop_patch(slot: u32, k: u32) -> i32 {
-    derive(slot, &|curve| Ok((AnyCurve::Local(local(curve)?.without_patch(k as usize)?), 0.0)))
-}
-
 #[cold]
 fn wrong_kind() -> Box<Error> {
     Error::degenerate("curve", None, "it is of another kind")

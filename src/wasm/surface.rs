@@ -85,10 +85,15 @@ fn describe(kernel: &mut Kernel, surface: &TensorSurface) -> Result<usize> {
         }
         output.extend(surface.displacements(patch)?.iter().map(|x| x + 0.0));
     }
-    let parameters = surface.parameters(0, 0);
-    let domain = surface.domain();
-    kernel.record([domain[0], domain[1], parameters[0], parameters[1]]);
+    record_ends(kernel, surface);
     Ok(kernel.output.len())
+}
+
+/// Leaves the ends of a surface's domain and the parameters of its first point in the record.
+#[inline(never)]
+fn record_ends(kernel: &mut Kernel, surface: &TensorSurface) {
+    let ([u, v], [first_u, first_v]) = (surface.domain(), surface.parameters(0, 0));
+    kernel.record([u, v, first_u, first_v]);
 }
 
 /// Makes the surface that the input's `count` numbers describe resident. Leaves the ends of its domain and the
@@ -98,8 +103,7 @@ pub fn surface_load(slot: u32, count: u32) -> i32 {
     run(&mut |kernel| {
         let given = &kernel.input[..(count as usize).min(kernel.input.len())];
         let surface = read(given, &mut kernel.record[PATCH])?;
-        let ([u, v], [first_u, first_v]) = (surface.domain(), surface.parameters(0, 0));
-        kernel.record([u, v, first_u, first_v]);
+        record_ends(kernel, &surface);
         kernel.surfaces[slot as usize % SURFACES] = Some(surface);
         Ok(0)
     })

@@ -82,9 +82,9 @@ const kinds: Record<string, () => Valid[]> = {
   ],
   "curves of any roots": () => [
     ...methods("InterpolatingCurve", through, MEASURES),
-    ...methods("InterpolatingCurve", through, { refine: [2, { m0: 2, m: 2 }], refineAt: [0.5, { levels: 1, reach: 2 }], setPoint: [1, 2, 3], toHermite: [0.1] }),
+    ...methods("InterpolatingCurve", through, { refine: [2, { m0: 2, m: 2 }], refineAt: [0.5, { levels: 1, reach: 2 }], setPoint: [1, 2, 3], transform: [[1, 0, 0, 1, 2, 3]], toHermite: [0.1] }),
     ...methods("BSplineCurve", () => through().refine(1), { evaluate: [0.5, 1], refine: [2], reduce: [2], setPoint: [1, 2, 3], nearest: [1, 1] }),
-    ...methods("LocalCurve", () => through().refineAt(0.5), { evaluate: [0.5, 1], refineAt: [1.5], patchPoints: [0], setPatchPoint: [0, 1, 2, 3], withoutPatch: [0], length: [0.1] }),
+    ...methods("LocalCurve", () => through().refineAt(0.5), { evaluate: [0.5, 1], refineAt: [1.5], patchPoints: [0], setPatchPoint: [0, 1, 2, 3], withoutPatch: [0], transform: [[1, 0, 0, 1, 2, 3]], length: [0.1] }),
     ...constructors({ InterpolatingCurve: [{ points: PLACES, closed: true, roots: TURN }], Interpolator: [TURN], ExponentialBSpline: [[0, 0]] }),
     ...methods("ExponentialBSpline", () => new ExponentialBSpline([0, 0, 0]), { evaluate: [[0.5], 1], refinementFilter: [2, { affine: true }] }),
     ...methods("Interpolator", () => Interpolator.forEllipse(8), { evaluate: [[0.5], 1], preFilter: [2, { affine: true }] }),
@@ -94,7 +94,7 @@ const kinds: Record<string, () => Valid[]> = {
   surfaces: () => [
     ...methods("TensorSurface", torus, {
       ...{ evaluate: [[0.5], [0.5], 1, 1], normal: [[0.5], [0.5]], curvature: [[0.5], [0.5]], parameters: [1, 1], mesh: [4, 5], meshCurvature: [4, 5] },
-      ...{ refine: [1, 1], refineAt: [0.5, 0.5], patchPoints: [0], setPoint: [1, 1, 1, 2, 3], setPatchPoint: [0, 1, 1, 1, 2, 3] },
+      ...{ refine: [1, 1], refineAt: [0.5, 0.5], patchPoints: [0], setPoint: [1, 1, 1, 2, 3], setPatchPoint: [0, 1, 1, 1, 2, 3], transform: [[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 2, 3, 1]] },
     }),
     ...methods("TensorSurface", torus, { toObj: [{ name: "a" }], toGltf: [{ name: "a" }] }),
     ...constructors({ TensorSurface: [{ net: NET, u: { roots: TURN, count: 5, closed: true }, v: { roots: TURN, count: 5, closed: true } }] }),

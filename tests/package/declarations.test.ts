@@ -144,3 +144,21 @@ test("a curve that is split has a first part, and one to take the place of it", 
   `;
   assert.deepEqual(complaints(code, "es2022"), []);
 });
+
+test("a matrix is a list as programs have it, and an image is of the kind of what was mapped", () => {
+  const code = `
+    import { type BSplineCurve, type Curve, type HermiteCurve, InterpolatingCurve, type LocalCurve, type MatrixLike, TensorSurface, parsePath } from "expline";
+    declare const list: number[], read: readonly number[], { a, b, c, d, e, f }: DOMMatrix;
+    const matrices: MatrixLike[] = [list, read, [a, b, c, d, e, f], new DOMMatrix().toFloat32Array(), new DOMMatrix().toFloat64Array()];
+    const curve = new InterpolatingCurve({ points: list, dimension: 3 });
+    const images: [InterpolatingCurve, BSplineCurve, LocalCurve, TensorSurface] = [
+      curve.transform(list), curve.refine(1).transform(read), curve.refineAt(1).transform(list), TensorSurface.sphere(1).transform(new DOMMatrix().toFloat32Array()),
+    ];
+    const exact: HermiteCurve | undefined = parsePath("M0 0H9")[0]?.transform(list);
+    const items: { curve: Curve }[] = [{ curve }];
+    export const all = [matrices, images, exact, items.map((item) => ({ ...item, curve: item.curve.transform(list) })) satisfies typeof items];
+    // @ts-expect-error a matrix is a list, not an object
+    curve.transform(new DOMMatrix());
+  `;
+  assert.deepEqual(complaints(code, "es2022", "dom"), []);
+});

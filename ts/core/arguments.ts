@@ -25,6 +25,12 @@ export type SpacePointsLike =
   | readonly ArrayLike<number>[]
   | readonly { readonly x: number; readonly y: number; readonly z: number }[];
 
+/**
+ * An affine map: of the plane six numbers a, b, c, d, e, f in the order of SVG's `matrix(a b c d e f)`; of space the 16 of a 4 × 4 matrix, column by
+ * column, as WebGL, three.js (`Matrix4.elements`) and `DOMMatrix.toFloat64Array()` have them.
+ */
+export type MatrixLike = readonly number[] | Float32Array | Float64Array;
+
 /** Points as kept: two or three numbers each in an array that nobody else holds. */
 export type Coordinates = OwnFloats;
 

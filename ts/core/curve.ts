@@ -2,6 +2,7 @@
 import {
   MAX_EVALUATIONS,
   MAX_OUTPUT,
+  type MatrixLike,
   type PointsLike,
   type SpacePointsLike,
   coordinate,
@@ -119,6 +120,8 @@ export interface Curve {
   nearestAll(places: PointsLike | SpacePointsLike): Float64Array;
   /** The signed curvature, in 1 per unit. */
   curvature(t: number | Float64Array | readonly number[]): Float64Array;
+  /** The image under an affine map: six numbers in the plane, 16 in space. */
+  transform(matrix: MatrixLike): Curve;
   /** Plain data, of which `fromJSON` makes the same curve to the last bit. */
   toJSON(): object;
 }
@@ -385,6 +388,9 @@ export abstract class MeasuredCurve implements Curve {
       sweep: result(6),
     };
   }
+
+  /** The image under an affine map: six numbers in the plane, 16 in space. */
+  abstract transform(matrix: MatrixLike): MeasuredCurve;
 
   /** The curve as plain data, for files and other threads; `fromJSON` is the inverse to the last bit. */
   abstract toJSON(): object;

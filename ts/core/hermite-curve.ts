@@ -1,11 +1,13 @@
 /** Hermite exponential curves: points on the curve, with the derivatives that arrive and leave. */
+import { affine } from "./affine.js";
 import {
+  LARGEST,
   MAX_OUTPUT,
   MAX_POINTS,
+  type MatrixLike,
   type PointsLike,
   coordinate,
   count as checkCount,
-  exactly,
   finite,
   flag,
   inRange,
@@ -272,13 +274,15 @@ export class HermiteCurve extends MeasuredCurve {
     return derived(dataOf(this, op).ask(op, (kernel, slot) => kernel.reverse(slot)));
   }
 
-  /** The image under x′ = a·x + c·y + e, y′ = b·x + d·y + f, the order of SVG's `matrix(a b c d e f)`; exact. */
-  transform(matrix: readonly [number, number, number, number, number, number] | Float32Array | Float64Array): HermiteCurve {
+  /** The image under x′ = a·x + c·y + e, y′ = b·x + d·y + f, the order of SVG's `matrix(a b c d e f)`; exact to rounding. */
+  transform(matrix: MatrixLike): HermiteCurve {
     const op = "transform";
-    const data = dataOf(this, op);
-    const given = exactly(op, "matrix", matrix, 6);
-    const [a = 0, b = 0, c = 0, d = 0, e = 0, f = 0] = given;
-    return derived(data.ask(op, (kernel, slot) => kernel.transform(slot, a, b, c, d, e, f), given));
+    const { points, tangents, tangentsIn, omega, lengths, space, closed, end } = dataOf(this, op);
+    const image = affine(op, matrix, 2);
+    const turned = (list: Floats): Floats => image(list, 8 * LARGEST, 0);
+    const data = new CurveData(image(points), turned(tangents), turned(tangentsIn), omega, lengths, space, closed);
+    data.end = end;
+    return curveOf(data);
   }
 
   /**
@@ -292,10 +296,10 @@ export class HermiteCurve extends MeasuredCurve {
   ): Float64Array {
     const op = "subdivide";
     const data = dataOf(this, op);
-    const { arity, scheme } = checkOptions(op, options, ["arity", "scheme"]);
+    const { arity = 2, scheme = "hermite" } = checkOptions(op, options, ["arity", "scheme"]);
     const steps = integer(op, "levels", levels, 0, 24);
-    const m = arity === undefined ? 2 : integer(op, "arity", arity, 1, MAX_OUTPUT);
-    const scalar = scheme !== undefined && word(op, "scheme", scheme, ["hermite", "scalar"]) === "scalar" ? 1 : 0;
+    const m = integer(op, "arity", arity, 1, MAX_OUTPUT);
+    const scalar = word(op, "scheme", scheme, ["hermite", "scalar"]) === "scalar" ? 1 : 0;
     return copy(data.ask(op, (kernel, slot) => kernel.subdivide(slot, steps, m, scalar)));
   }
 
@@ -343,8 +347,8 @@ function derived(count: number): HermiteCurve {
   return curveIn(peek(count));
 }
 
-function frame(op: string, center: unknown, radii: unknown, rotation: unknown): [number, number, number, number, number] {
-  const angle = rotation === undefined ? 0 : finite(op, "rotation", rotation);
+function frame(op: string, center: unknown, radii: unknown, rotation: unknown = 0): [number, number, number, number, number] {
+  const angle = finite(op, "rotation", rotation);
   return [...twoNumbers(op, "center", center), ...twoNumbers(op, "radii", radii), angle];
 }
 
@@ -380,7 +384,7 @@ function sameLength(op: string, arg: string, array: Floats, length: number): Flo
 }
 
 function asMany(data: CurveData, arg: string, value: unknown): Floats {
-  return sameLength(CURVE, arg, checkPoints(CURVE, arg, value), data.points.length);
+  return sameLength(arg, arg, checkPoints(arg, arg, value), data.points.length);
 }
 
 /** One number for all segments, or one for each, or nothing; finite and not −0, and the rest is for the kernel to say. */

@@ -1,6 +1,6 @@
 /** B-spline curves of any roots: control points near the curve, as many as are wanted. */
-import { type Root, exactly, finite, flag, integer, options as checkOptions, rootNumbers } from "../core.js";
-import { type AnyPointsLike, SplineCurve, anyPoints, plain, splineOf } from "./spline-curve.js";
+import { type MatrixLike, type Root, exactly, finite, flag, integer, options as checkOptions, rootNumbers } from "../core.js";
+import { type AnyPointsLike, SplineCurve, anyPoints, imageOf, plain, splineOf } from "./spline-curve.js";
 import { SplineData, SplineKind, readSpline } from "./spline-data.js";
 import { result } from "./spline-engine.js";
 
@@ -95,6 +95,16 @@ export class BSplineCurve extends SplineCurve {
     return { maxError: result(0), curve: bSplineOf(readSpline(count)) };
   }
 
+  /**
+   * The image under an affine map: of a plane curve x′ = a·x + c·y + e, y′ = b·x + d·y + f with the six numbers of SVG's `matrix(a b c d e f)`, of
+   * one in space that of a 4 × 4 matrix, 16 numbers column by column, whose last row is 0, 0, 0, 1. Exact to rounding.
+   *
+   * @throws {ExplineError} E_DEGENERATE of `matrix` for a translation where 0 is not among the roots: no points make the image then.
+   */
+  transform(matrix: MatrixLike): BSplineCurve {
+    return bSplineOf(imageOf(this, matrix));
+  }
+
   /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit, of up to a million points. */
   toJSON(): BSplineCurveJSON {
     const data = splineOf(this, "toJSON");
@@ -110,7 +120,7 @@ export function bSplineOf(data: SplineData): BSplineCurve {
 
 /** The arrays of a curve that a caller or a file describes, checked. @internal */
 export function checkedBSpline(op: string, options: unknown): SplineData {
-  const own = checkOptions(op, options, ["points", "dimension", "closed", "roots", "step", "offset", "domain"]);
+  const { step = 1, offset = 0, ...own } = checkOptions(op, options, ["points", "dimension", "closed", "roots", "step", "offset", "domain"]);
   const { points, dimension } = anyPoints(op, own.points, own.dimension);
   const data = new SplineData(
     SplineKind.BSpline,
@@ -118,8 +128,8 @@ export function checkedBSpline(op: string, options: unknown): SplineData {
     dimension,
     flag(op, "closed", own.closed, true),
     rootNumbers(op, own.roots),
-    own.step === undefined ? 1 : finite(op, "step", own.step),
-    own.offset === undefined ? 0 : finite(op, "offset", own.offset) + 0,
+    finite(op, "step", step),
+    finite(op, "offset", offset) + 0,
   );
   if (own.domain !== undefined) {
     const [start, end] = exactly(op, "domain", own.domain, 2);

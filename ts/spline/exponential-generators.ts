@@ -85,10 +85,12 @@ abstract class Exponential {
   }
 }
 
-/** Whether filters keep constants, from the options of a call. */
-function affine(op: string, value: unknown): boolean {
-  const { affine: wanted } = checkOptions(op, value, ["affine"]);
-  return flag(op, "affine", wanted, false);
+/** The filter for a factor, called `arg`; one that keeps constants where the options say so. */
+function filter(generator: Exponential, op: string, arg: string, factor: unknown, options: unknown): Float64Array {
+  const source = own(generator, op);
+  const { affine } = checkOptions(op, options, ["affine"]);
+  const what = flag(op, "affine", affine, false) ? What.AffineFilter : What.Filter;
+  return ask(source, op, what, integer(op, arg, factor, 0, MAX_EVALUATIONS));
 }
 
 /** The B-spline β of a list of roots, centred: it vanishes outside [−n₀/2, n₀/2]. A value without state in the engine. */
@@ -115,10 +117,7 @@ export class ExponentialBSpline extends Exponential {
    * B-splines that are divided by their integrals: translating control points then translates the finer ones.
    */
   refinementFilter(m: number, options?: { affine?: boolean | undefined }): Float64Array {
-    const op = "refinementFilter";
-    const source = own(this, op);
-    const what = affine(op, options) ? What.AffineFilter : What.Filter;
-    return ask(source, op, what, integer(op, "m", m, 0, MAX_EVALUATIONS));
+    return filter(this, "refinementFilter", "m", m, options);
   }
 }
 
@@ -173,9 +172,6 @@ export class Interpolator extends Exponential {
    * B-splines that are divided by their integrals.
    */
   preFilter(m0: number, options?: { affine?: boolean | undefined }): Float64Array {
-    const op = "preFilter";
-    const source = own(this, op);
-    const what = affine(op, options) ? What.AffineFilter : What.Filter;
-    return ask(source, op, what, integer(op, "m0", m0, 0, MAX_EVALUATIONS));
+    return filter(this, "preFilter", "m0", m0, options);
   }
 }

@@ -1,8 +1,8 @@
 /** Curves through their points, smooth to any order, on which every point acts near by only. */
 import { BSplineCurve, bSplineOf } from "./b-spline-curve.js";
-import { type Root, flag, integer, options as checkOptions, wrong } from "../core.js";
-import { type LocalCurve, refinedAt } from "./local-curve.js";
-import { type AnyPointsLike, SplineCurve, anyPoints, plain, rootsOrDefault, splineOf } from "./spline-curve.js";
+import { type MatrixLike, type Root, integer, options as checkOptions, wrong } from "../core.js";
+import { type LocalCurve, checkedLocal, refinedAt } from "./local-curve.js";
+import { type AnyPointsLike, SplineCurve, imageOf, plain, splineOf } from "./spline-curve.js";
 import { SplineData, SplineKind, readSpline } from "./spline-data.js";
 import { result } from "./spline-engine.js";
 
@@ -66,10 +66,10 @@ export class InterpolatingCurve extends SplineCurve {
   refine(levels: number, options?: { m0?: number | undefined; m?: number | undefined }): BSplineCurve {
     const op = "refine";
     const data = splineOf(this, op);
-    const { m0, m } = checkOptions(op, options, ["m0", "m"]);
+    const { m0 = 2, m = 2 } = checkOptions(op, options, ["m0", "m"]);
     const steps = integer(op, "levels", levels, 1, 24);
-    const first = m0 === undefined ? 2 : integer(op, "m0", m0, 2, 1024);
-    const arity = m === undefined ? 2 : integer(op, "m", m, 1, 1024);
+    const first = integer(op, "m0", m0, 2, 1024);
+    const arity = integer(op, "m", m, 1, 1024);
     return bSplineOf(readSpline(data.ask(op, (kernel, slot) => kernel.refine_spline(slot, steps, first, arity), { m0: first })));
   }
 
@@ -91,6 +91,16 @@ export class InterpolatingCurve extends SplineCurve {
     return { maxError: result(0), curve: interpolatingOf(readSpline(count)) };
   }
 
+  /**
+   * The image under an affine map: of a plane curve x′ = a·x + c·y + e, y′ = b·x + d·y + f with the six numbers of SVG's `matrix(a b c d e f)`, of
+   * one in space that of a 4 × 4 matrix, 16 numbers column by column, whose last row is 0, 0, 0, 1. Exact to rounding.
+   *
+   * @throws {ExplineError} E_DEGENERATE of `matrix` for a translation where 0 is not among the roots: no points make the image then.
+   */
+  transform(matrix: MatrixLike): InterpolatingCurve {
+    return interpolatingOf(imageOf(this, matrix));
+  }
+
   /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit, of up to a million points. */
   toJSON(): InterpolatingCurveJSON {
     const data = splineOf(this, "toJSON");
@@ -105,11 +115,5 @@ export function interpolatingOf(data: SplineData): InterpolatingCurve {
 
 /** The arrays of a curve that a caller or a file describes, checked. @internal */
 export function checkedInterpolating(op: string, options: unknown): SplineData {
-  const own = checkOptions(op, options, ["points", "dimension", "closed", "roots"]);
-  const { points, dimension } = anyPoints(op, own.points, own.dimension);
-  const roots = rootsOrDefault(op, own.roots);
-  const closed = flag(op, "closed", own.closed, true);
-  const data = new SplineData(SplineKind.Interpolating, points, dimension, closed, roots);
-  data.load(op);
-  return data;
+  return checkedLocal(op, options, SplineKind.Interpolating);
 }

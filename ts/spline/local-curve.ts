@@ -1,8 +1,8 @@
 /** More control points where the user works, and none elsewhere. */
 import {
   type Floats,
+  type MatrixLike,
   type Root,
-  coordinate,
   finite,
   flag,
   integer,
@@ -13,7 +13,7 @@ import {
   wrong,
   wrongLength,
 } from "../core.js";
-import { type AnyPointsLike, SplineCurve, anyPoints, plain, rootsOrDefault, splineOf } from "./spline-curve.js";
+import { type AnyPointsLike, SplineCurve, anyPoints, imageOf, placeOf, plain, rootsOrDefault, splineOf } from "./spline-curve.js";
 import { type Patch, SplineData, SplineKind, readSpline } from "./spline-data.js";
 import { copy } from "./spline-engine.js";
 
@@ -102,7 +102,7 @@ export class LocalCurve extends SplineCurve {
     const which = patchNumber(op, "k", k, data.patches.length);
     const { displacements = new Float64Array() } = data.patches[which] ?? {};
     const at = integer(op, "i", i, 0, displacements.length / data.dimension - 1);
-    const place = [coordinate(op, "x", x), coordinate(op, "y", y), data.dimension === 3 ? coordinate(op, "z", z) : 0] as const;
+    const place = placeOf(op, data, x, y, z);
     data.patches = readSpline(data.ask(op, (kernel, slot) => kernel.move_patch_point(slot, which, at, ...place))).patches;
     data.touch();
   }
@@ -112,7 +112,17 @@ export class LocalCurve extends SplineCurve {
     const op = "withoutPatch";
     const data = splineOf(this, op);
     const which = patchNumber(op, "k", k, data.patches.length);
-    return localOf(readSpline(data.ask(op, (kernel, slot) => kernel.drop_patch(slot, which))));
+    return localOf(data.over(data.points.slice() as Floats, data.patches.filter((_, i) => i !== which)));
+  }
+
+  /**
+   * The image under an affine map: of a plane curve x′ = a·x + c·y + e, y′ = b·x + d·y + f with the six numbers of SVG's `matrix(a b c d e f)`, of
+   * one in space that of a 4 × 4 matrix, 16 numbers column by column, whose last row is 0, 0, 0, 1. Exact to rounding; the patches come along.
+   *
+   * @throws {ExplineError} E_DEGENERATE of `matrix` for a translation where 0 is not among the roots: no points make the image then.
+   */
+  transform(matrix: MatrixLike): LocalCurve {
+    return localOf(imageOf(this, matrix));
   }
 
   /** The curve as plain data, for files and for `postMessage`, which takes no curve; `fromJSON` is the inverse to the last bit, of up to a million points. */
@@ -126,11 +136,11 @@ export class LocalCurve extends SplineCurve {
 /** A curve with one patch more. @internal */
 export function refinedAt(data: SplineData, t: unknown, options: unknown): LocalCurve {
   const op = "refineAt";
-  const own = checkOptions(op, options, ["levels", "reach"]);
+  const { levels = 2, reach = 1 } = checkOptions(op, options, ["levels", "reach"]);
   const at = finite(op, "t", t);
-  const levels = own.levels === undefined ? 2 : integer(op, "levels", own.levels, 1, 12);
-  const reach = own.reach === undefined ? 1 : finite(op, "reach", own.reach);
-  return localOf(readSpline(data.ask(op, (kernel, slot) => kernel.refine_at(slot, at, levels, reach))));
+  const steps = integer(op, "levels", levels, 1, 12);
+  const within = finite(op, "reach", reach);
+  return localOf(readSpline(data.ask(op, (kernel, slot) => kernel.refine_at(slot, at, steps, within))));
 }
 
 /** Makes a curve of arrays that the kernel or a check has vouched for. @internal */
@@ -138,9 +148,11 @@ export function localOf(data: SplineData): LocalCurve {
   return new LocalCurve(data as unknown as LocalCurveOptions);
 }
 
-/** The arrays of a curve that a caller or a file describes, checked. @internal */
-export function checkedLocal(op: string, options: unknown): SplineData {
-  const own = checkOptions(op, options, ["points", "dimension", "closed", "roots", "patches"]);
+/** The arrays of a curve that a caller or a file describes, checked: of an interpolating one, too, which has no patches. @internal */
+export function checkedLocal(op: string, options: unknown, kind = SplineKind.Local): SplineData {
+  const names = ["points", "dimension", "closed", "roots", "patches"] as const;
+  type Own = { readonly [name in (typeof names)[number]]?: unknown };
+  const own: Own = checkOptions(op, options, kind === SplineKind.Local ? names : names.slice(0, -1));
   const { points, dimension } = anyPoints(op, own.points, own.dimension);
   const roots = rootsOrDefault(op, own.roots);
   const closed = flag(op, "closed", own.closed, true);
@@ -148,7 +160,7 @@ export function checkedLocal(op: string, options: unknown): SplineData {
   if (!Array.isArray(patches)) throw wrong("E_TYPE", op, "patches", patches, "an array");
   if (patches.length > MAX_PATCHES) throw overLimit(op, "patches", "maxPatches", MAX_PATCHES, patches.length);
   const list = Array.from(patches as unknown[], (patch, i) => checkedPatch(op, patch, i, dimension));
-  const data = new SplineData(SplineKind.Local, points, dimension, closed, roots, 1, 0, list);
+  const data = new SplineData(kind, points, dimension, closed, roots, 1, 0, list);
   data.load(op);
   return data;
 }

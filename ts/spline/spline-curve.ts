@@ -2,10 +2,12 @@
 import {
   type Floats,
   type HermiteCurve,
+  LARGEST,
   MeasuredCurve,
   type PointsLike,
   type Root,
   type SpacePointsLike,
+  affine,
   coordinate,
   curveIn,
   dataOf,
@@ -54,6 +56,20 @@ export function rootsOrDefault(op: string, value: unknown): Floats {
   return roots;
 }
 
+/** Where a point goes; in the plane z is 0. @internal */
+export function placeOf(op: string, { dimension }: SplineData, x: unknown, y: unknown, z: unknown): [number, number, number] {
+  return [coordinate(op, "x", x), coordinate(op, "y", y), dimension === 3 ? coordinate(op, "z", z) : 0];
+}
+
+/** What the image of a curve under an affine map is made of. @internal */
+export function imageOf(curve: SplineCurve, matrix: unknown): SplineData {
+  const op = "transform";
+  const data = splineOf(curve, op);
+  const image = affine(op, matrix, data.dimension, data.roots);
+  const patches = data.patches.map((patch) => ({ ...patch, displacements: image(patch.displacements, 2 * LARGEST, 0) }));
+  return data.over(image(data.points), patches);
+}
+
 /** A curve on a grid. */
 export abstract class SplineCurve extends MeasuredCurve {
   /** The roots per unit of the parameter: a copy. */
@@ -80,14 +96,12 @@ export abstract class SplineCurve extends MeasuredCurve {
     const op = "setPoint";
     const data = splineOf(this, op);
     const at = data.dimension * integer(op, "i", i, 0, data.count - 1);
-    const place = [coordinate(op, "x", x), coordinate(op, "y", y)];
-    if (data.dimension === 3) place.push(coordinate(op, "z", z));
-    data.points.set(place, at);
+    data.points.set(placeOf(op, data, x, y, z).slice(0, data.dimension), at);
     data.touch();
   }
 
   /**
-   * The same plane curve with points and tangents. It is exact, and `maxError` 0, where the roots are 0 up to twice and one pair ±iω or
+   * The same plane curve with points and tangents, which can `insert`, `remove`, `split`, `trim` and `reverse`. It is exact, and `maxError` 0, where the roots are 0 up to twice and one pair ±iω or
    * ±k, or 0 up to four times; else it is made of cubics within `tolerance` (default 1e-9 of its size), and `maxError` is a
    * proved bound. The parameter starts at 0 and stays: everywhere where it is exact; of cubics at the ends of the curve's own segments, between which
    * places lie at other parameters than before. Where a tangent would be beyond ±1e9 or a segment shorter than 1e-12 it runs slower,

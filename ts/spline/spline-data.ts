@@ -42,6 +42,12 @@ export class SplineData extends HeldCurve<SplineKernel> {
     this.start = this.end = NaN;
   }
 
+  /** What a curve on the same grid is made of. */
+  over(points: Floats, patches: readonly Patch[]): SplineData {
+    const { kind, dimension, closed, roots, step, offset, start, end } = this;
+    return Object.assign(new SplineData(kind, points, dimension, closed, roots, step, offset, patches), { start, end });
+  }
+
   get door(): Door<SplineKernel> {
     return door;
   }
@@ -65,8 +71,7 @@ export class SplineData extends HeldCurve<SplineKernel> {
   protected send(op: string, slot: number): void {
     const { kind, points, dimension, roots, step, offset, start, end, patches } = this;
     const arrays = patches.map(({ level, first, displacements }) => {
-      const head = [level, first, displacements.length / dimension];
-      return [Float64Array.from(head), displacements];
+      return [Float64Array.of(level, first, displacements.length / dimension), displacements];
     });
     door.write(op, points, roots, ...arrays.flat());
     const counts = [points.length, dimension, this.closed ? 1 : 0, roots.length / 2, patches.length] as const;

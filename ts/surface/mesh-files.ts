@@ -14,8 +14,9 @@ export interface MeshFileOptions {
 /** A mesh as OBJ text: every number as JavaScript writes it, so that reading gives the same bits. @internal */
 export function objOf({ positions, normals, indices }: SurfaceMesh, name: string): string {
   const lines = [`o ${name}`];
-  for (let i = 0; i < positions.length; i += 3) lines.push(`v ${positions[i]} ${positions[i + 1]} ${positions[i + 2]}`);
-  for (let i = 0; i < normals.length; i += 3) lines.push(`vn ${normals[i]} ${normals[i + 1]} ${normals[i + 2]}`);
+  for (const [what, list] of [["v", positions], ["vn", normals]] as const) {
+    for (let i = 0; i < list.length; i += 3) lines.push(`${what} ${list[i]} ${list[i + 1]} ${list[i + 2]}`);
+  }
   for (let i = 0; i < indices.length; i += 3) {
     const [a, b, c] = [0, 1, 2].map((k) => (indices[i + k] ?? 0) + 1);
     lines.push(`f ${a}//${a} ${b}//${b} ${c}//${c}`);
@@ -51,7 +52,7 @@ export function gltfOf(mesh: SurfaceMesh, name: string): Uint8Array<ArrayBuffer>
   const positions = Float32Array.from(mesh.positions);
   const normals = Float32Array.from(mesh.normals);
   // glTF wants every normal of length 1; where the surface has none, any will do.
-  for (let i = 0; i < normals.length; i += 3) if (normals[i] === 0 && normals[i + 1] === 0 && normals[i + 2] === 0) normals[i + 2] = 1;
+  for (let i = 0; i < normals.length; i += 3) if (!normals[i] && !normals[i + 1] && !normals[i + 2]) normals[i + 2] = 1;
   const bytes = 4 * (2 * positions.length + mesh.indices.length);
   const count = positions.length / 3;
   const view = (byteOffset: number, length: number, target: number): object => ({ buffer: 0, byteOffset, byteLength: 4 * length, target });

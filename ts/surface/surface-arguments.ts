@@ -6,6 +6,7 @@ import {
   coordinates,
   count as checkCount,
   flag,
+  inRange,
   integer,
   isFloat64Array,
   lengthOfArray,
@@ -75,12 +76,12 @@ export function place(op: string, i: unknown, j: unknown, rows: number, cols: nu
 }
 
 function directionOf(op: string, arg: string, value: unknown): DirectionData {
-  const { roots, count, closed, level } = checkOptions(op, value, ["roots", "count", "closed", "level"], arg);
+  const { roots, count, closed, level = 0 } = checkOptions(op, value, ["roots", "count", "closed", "level"], arg);
   return {
     roots: rootNumbers(op, roots, `${arg}.roots`),
     count: checkCount(op, `${arg}.count`, count, 0, "maxSurfacePoints", MAX_NET),
     closed: flag(op, `${arg}.closed`, closed, true),
-    level: level === undefined ? 0 : integer(op, `${arg}.level`, level, 0, MAX_LEVEL),
+    level: integer(op, `${arg}.level`, level, 0, MAX_LEVEL),
   };
 }
 
@@ -100,16 +101,9 @@ function patchOf(op: string, value: unknown, i: number): PatchData {
   const given = numbers(op, `${arg}.displacements`, displacements, "maxSurfacePoints", 3 * MAX_NET);
   const needed = 3 * windows.u.count * windows.v.count;
   if (given.length !== needed) throw wrongLength(op, `${arg}.displacements`, given.length, String(needed));
-  return { ...windows, displacements: displaced(op, `${arg}.displacements`, given) };
-}
-
-/** How far points are moved: from one end of what is allowed to the other at most. */
-function displaced(op: string, arg: string, given: Floats): Floats {
-  given.forEach((number, k) => {
-    if (Math.abs(number) <= 2 * LARGEST) return;
-    throw wrong(Number.isFinite(number) ? "E_RANGE" : "E_NOT_FINITE", op, arg, number, "a finite number with |x| <= 2e9", k);
-  });
-  return given;
+  // From one end of what is allowed to the other at most.
+  given.forEach((number, k) => inRange(op, `${arg}.displacements`, number, -2 * LARGEST, 2 * LARGEST, k));
+  return { ...windows, displacements: given };
 }
 
 /** The arrays of a surface that a caller or a file describes, checked. @internal */

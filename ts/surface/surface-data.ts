@@ -96,12 +96,14 @@ export function readSurface(count: number): SurfaceData {
   const u = { count: m, closed: closedU === 1, level: levelU, roots: take(2 * rootsU) };
   const v = { count: n, closed: closedV === 1, level: levelV, roots: take(2 * rootsV) };
   const net = take(3 * m * n);
-  const patches: PatchData[] = [];
-  for (let k = 0; k < patchCount; k += 1) {
-    const [lu = 0, fu = 0, cu = 0, lv = 0, fv = 0, cv = 0] = take(6);
-    const windows = { u: { level: lu, first: fu, count: cu }, v: { level: lv, first: fv, count: cv } };
-    patches.push({ ...windows, displacements: take(3 * cu * cv) });
-  }
+  const windowOf = (): PatchWindow => {
+    const [level = 0, first = 0, rows = 0] = take(3);
+    return { level, first, count: rows };
+  };
+  const patches = Array.from({ length: patchCount }, (): PatchData => {
+    const windows = { u: windowOf(), v: windowOf() };
+    return { ...windows, displacements: take(3 * windows.u.count * windows.v.count) };
+  });
   const data = new SurfaceData(net, u, v, patches);
   data.describe();
   return data;
