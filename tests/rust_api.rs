@@ -225,6 +225,9 @@ fn curves_of_roots_take_any_number() {
         }
         for x in NUMBERS {
             panics.none("refine_at", || (local.refine_at(x, 2, 0.5), local.refine_at(1.0, 2, x)));
+            panics.none("transformed", || {
+                (spline.transformed(&[x; 6]), local.transformed(&[1.0, x, 0.0, 1.0, 0.0, 0.0]))
+            });
             for y in NUMBERS {
                 panics.none("BSplineCurve", || {
                     let made = BSplineCurve::new(points.clone(), 2, closed, roots.clone(), x, y)?;
@@ -410,6 +413,7 @@ fn surfaces_take_any_number() {
                 (surface.refine_at(x, 1.0, 2, 0.5).is_ok(), surface.refine_at(1.0, 1.0, 2, x).is_ok())
             });
             panics.none("set_point", || surface.clone().set_point(1, 1, Vector3::new(x, 0.0, 0.0)));
+            panics.none("transformed", || (surface.transformed(&[x; 16]), surface.transformed(&[x; 5])));
             for y in NUMBERS {
                 panics.none("evaluate", || {
                     (surface.evaluate(x, y, 0, 0), surface.normal(x, y), surface.curvature(x, y))

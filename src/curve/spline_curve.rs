@@ -19,6 +19,7 @@ use self::spline_sampler::SplineSampler;
 use crate::error::{Error, Result};
 use crate::generator::Roots;
 use crate::limits::{LARGEST_COORDINATE, check, settle};
+use crate::numerics::affine::Affine;
 
 /// What the points of a curve weigh: the roots of an exponential B-spline, or an interpolator.
 pub trait Generator: Clone + Debug {
@@ -104,6 +105,27 @@ impl<G: Generator> SplineCurve<G> {
         let mut points = self.points.clone();
         place(&mut points, self.dimension(), i, point)?;
         self.with_points(points)
+    }
+
+    /// The image under an affine map: in the plane x′ = a·x + c·y + e, y′ = b·x + d·y + f with the `matrix` a b c d e f of SVG, in
+    /// space that of a 4 × 4 matrix, 16 numbers column by column.
+    ///
+    /// Exact to rounding where 0 is a root, as it is in all lists that [`Roots`] makes: the curve is then a sum of its points
+    /// whose weights add to 1. Without it, linear maps are exact and translations are refused.
+    ///
+    /// # Errors
+    ///
+    /// `matrix`: another length; an entry that is not finite; a last row that is not 0, 0, 0, 1 to 1e-6; a translation where 0 is no
+    /// root; an image that leaves ±1e9.
+    pub fn transformed(&self, matrix: &[f64]) -> Result<Self> {
+        let mut points = self.points.clone();
+        self.affine(matrix)?.map_points(&mut points)?;
+        self.with_points(points)
+    }
+
+    /// The map of a matrix, if it takes curves of these roots to others.
+    fn affine<'a>(&self, matrix: &'a [f64]) -> Result<Affine<'a>> {
+        Affine::new(matrix, self.dimension(), self.lattice.shape.constants)
     }
 
     /// The curve of other points on the same grid.

@@ -1,5 +1,6 @@
 //! Mathematics that has never heard of splines.
 
+pub(crate) mod affine;
 pub mod angle;
 pub(crate) mod banded;
 pub(crate) mod dense;

@@ -5,6 +5,7 @@ use super::layer::{Layer, Scratch, Window};
 use crate::error::{Error, Result};
 use crate::limits::{LARGEST_COORDINATE, MOST_EVALUATIONS, MOST_SURFACE_POINTS, check, settle, too_many};
 use crate::numerics::Vector3;
+use crate::numerics::affine::Affine;
 
 /// The highest derivative that may be asked for in one direction.
 const MOST_DERIVATIVES: usize = 8;
@@ -92,6 +93,27 @@ impl TensorSurface {
     /// The parameters of net point (i, j).
     pub fn parameters(&self, i: usize, j: usize) -> [f64; 2] {
         [self.base().u.parameter(i), self.base().v.parameter(j)]
+    }
+
+    /// The image under the affine map of a 4 × 4 matrix, 16 numbers column by column; patches come along. Where the matrix
+    /// reflects, normals point to the other side.
+    ///
+    /// Exact to rounding where 0 is a root in u and in v, as for all shapes that are here. Without it, linear maps are exact and
+    /// translations are refused.
+    ///
+    /// # Errors
+    ///
+    /// `matrix`: `WrongLength`; `NotFinite`; `OutOfRange` for a last row that is not 0, 0, 0, 1 to 1e-6, and where a point leaves ±1e9
+    /// or a displacement ±2e9; `Degenerate` for a translation where 0 is no root.
+    pub fn transformed(&self, matrix: &[f64]) -> Result<Self> {
+        let movable = self.directions().iter().all(|direction| direction.roots.keeps_constants());
+        let map = Affine::new(matrix, 3, movable)?;
+        let mut image = self.clone();
+        map.map_points(&mut image.layers[0].net)?;
+        for patch in &mut image.layers[1..] {
+            map.map_vectors(&mut patch.net, 2.0 * LARGEST_COORDINATE)?;
+        }
+        Ok(image)
     }
 
     /// The point at (u, v), or a derivative.

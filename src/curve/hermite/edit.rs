@@ -1,8 +1,9 @@
 //! Changes of a curve: every one gives a new curve and leaves the old one as it was.
 
 use super::{HermiteCurve, HermiteOptions, Side};
-use crate::error::{Error, Result};
-use crate::limits::check;
+use crate::error::Result;
+use crate::limits::{LARGEST_TANGENT, check};
+use crate::numerics::affine::Affine;
 use crate::numerics::{Point, Vector};
 
 impl HermiteCurve {
@@ -20,7 +21,7 @@ impl HermiteCurve {
     ///
     /// # Errors
     ///
-    /// An index beyond the last point; a component that is not finite or beyond ±1e9.
+    /// An index beyond the last point; a component that is not finite or beyond ±8e9.
     pub fn with_tangent(&self, i: usize, tangent: Vector, side: Side) -> Result<Self> {
         self.check_index(i)?;
         self.changed(&mut |data| {
@@ -64,17 +65,15 @@ impl HermiteCurve {
     ///
     /// # Errors
     ///
-    /// An entry that is not finite; an image that leaves ±1e9.
+    /// `matrix`: an entry that is not finite; an image that leaves ±1e9, or a tangent that leaves ±8e9.
     pub fn transformed(&self, matrix: [f64; 6]) -> Result<Self> {
-        if let Some(i) = matrix.iter().position(|entry| !entry.is_finite()) {
-            return Err(Error::not_finite("matrix", Some(i)));
+        let map = Affine::new(&matrix, 2, true)?;
+        let mut data = self.to_options();
+        data.points.iter_mut().try_for_each(|point| map.map_points(point.as_mut_slice()))?;
+        for tangent in data.tangents.iter_mut().chain(&mut data.tangents_in) {
+            map.map_vectors(tangent.as_mut_slice(), LARGEST_TANGENT)?;
         }
-        let [a, b, c, d, e, f] = matrix;
-        self.changed(&mut |data| {
-            map(&mut data.points, [a, b, c, d], Vector::new(e, f));
-            map(&mut data.tangents, [a, b, c, d], Vector::zeros());
-            map(&mut data.tangents_in, [a, b, c, d], Vector::zeros());
-        })
+        Self::new(data)
     }
 
     /// The curve that is made from this one's data after `change`.
@@ -107,13 +106,5 @@ fn reverse<T>(list: &mut [T]) {
 fn negate(list: &mut [Vector]) {
     for v in list {
         *v = -*v;
-    }
-}
-
-/// v ↦ (a·x + c·y, b·x + d·y) + shift, for all.
-#[inline(never)]
-fn map(list: &mut [Vector], [a, b, c, d]: [f64; 4], shift: Vector) {
-    for v in list {
-        *v = Vector::new(a * v.x + c * v.y, b * v.x + d * v.y) + shift;
     }
 }

@@ -81,6 +81,23 @@ impl LocalCurve {
         Self::new(base).add_patches(given)
     }
 
+    /// The image under an affine map, as [`SplineCurve::transformed`](super::SplineCurve::transformed) has it; the patches come along.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`SplineCurve::transformed`](super::SplineCurve::transformed); `matrix` where a displacement leaves ±2e9.
+    pub fn transformed(&self, matrix: &[f64]) -> Result<Self> {
+        let map = self.base.affine(matrix)?;
+        let mut curve = self.clone();
+        curve.base = self.base.transformed(matrix)?;
+        for patch in &mut curve.patches {
+            map.map_vectors(&mut patch.displacements, 2.0 * LARGEST_COORDINATE)?;
+            patch.lattice =
+                self.over(patch.lattice.shape.clone(), (patch.level, patch.first), &patch.displacements)?;
+        }
+        Ok(curve)
+    }
+
     /// The same curve with room for detail around t: a patch of all control points on the grid 2^−`levels` that lie within
     /// `reach` of t.
     ///
