@@ -135,11 +135,11 @@ impl<G: Generator> SplineCurve<G> {
         Self::lay(points, self.generator.clone(), shape, dimension, closed, grid)
     }
 
-    /// The point at t, or a derivative of an order to n₀ − 1; where that jumps, the limit from the right.
+    /// The point at t, or a derivative of an order to n₀ − 1, at least to 2; where that jumps, the limit from the right.
     ///
     /// # Errors
     ///
-    /// t not finite or, on an open curve, outside the domain; a derivative above n₀ − 1.
+    /// t not finite or, on an open curve, outside the domain; a derivative above n₀ − 1 and above 2.
     pub fn evaluate(&self, t: f64, derivative: usize) -> Result<Vec<f64>> {
         let mut point = vec![0.0; self.dimension()];
         self.evaluate_into(&[t], derivative, &mut point).map_err(Error::of_one)?;
@@ -160,7 +160,7 @@ impl<G: Generator> SplineCurve<G> {
     ///
     /// # Errors
     ///
-    /// More than 4 million points; a derivative above n₀ − 1.
+    /// More than 4 million points; a derivative above n₀ − 1 and above 2.
     pub fn sample(&self, count: usize, derivative: usize) -> Result<Vec<f64>> {
         SplineSampler::all(&self.lattice, count, derivative)
     }

@@ -352,7 +352,7 @@ impl LocalCurve {
     ///
     /// # Errors
     ///
-    /// More than 4 million points; a derivative above n₀ − 1.
+    /// More than 4 million points; a derivative above n₀ − 1 and above 2.
     pub fn sample(&self, count: usize, derivative: usize) -> Result<Vec<f64>> {
         let mut points = SplineSampler::all(&self.base.lattice, count, derivative)?;
         self.displace_samples((count, 0), derivative, &mut points)?;

@@ -71,7 +71,7 @@ impl SplineSampler {
     ///
     /// # Errors
     ///
-    /// More than 4 million points; a derivative above n₀ − 1.
+    /// More than 4 million points; a derivative above n₀ − 1 and above 2.
     pub fn points<G: Generator>(
         &mut self,
         curve: &SplineCurve<G>,
