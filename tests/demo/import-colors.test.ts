@@ -71,9 +71,25 @@ for (const [what, inner] of [...drawings, ...lines]) {
 
 const inksOf = (demo: Demo): Promise<(string | undefined)[]> => demo.page.evaluate(() => window.explineDemo.getState().curve.contours.map(({ ink }) => ink));
 
-test("dashes whose lengths only the whole outline could tell are left out, and that is said", async (t) => {
+test("dashes in parts of the whole outline come in as long as they look there", async (t) => {
   const demo = await open(t);
-  await opened(demo, framed('<path d="M4 4 44 20V44" fill="none" stroke="teal" stroke-width="4" stroke-dasharray="6 3" pathLength="10" stroke-linejoin="round"/>'));
+  const line = 'fill="none" stroke="teal" stroke-width="4"';
+  await opened(demo, framed([
+    // 50 units long, which count for 10: one of them is 5. The scale of a transform comes on top.
+    `<path d="M4 4H24V34" ${line} stroke-dasharray="2 1" stroke-dashoffset="1" pathLength="10"/>`,
+    `<g transform="scale(2)"><circle cx="10" cy="10" r="5" ${line} stroke-dasharray=".5 .25" pathLength="1"/></g>`,
+    // What is no length is as if it were not there.
+    `<path d="M4 4H24V34" ${line} stroke-dasharray="2 1" pathLength="-3"/>`,
+  ].join("")));
+  const lines = await demo.page.evaluate(() => window.explineDemo.getState().curve.contours.map((contour) => contour.line));
+  const rounded = lines.map((each) => [each?.dashes?.map((length) => Number(length.toFixed(6))), each?.dashOffset]);
+  const round = 20 * Math.PI;
+  assert.deepEqual(rounded, [[[10, 5], 5], [[0.5 * round, 0.25 * round].map((length) => Number(length.toFixed(6))), undefined], [[2, 1], undefined]]);
+});
+
+test("dashes whose lengths nobody could tell are left out, and that is said", async (t) => {
+  const demo = await open(t);
+  await opened(demo, framed('<path d="M4 4 44 20V44" fill="none" stroke="teal" stroke-width="4" stroke-dasharray="6 3" pathLength="0" stroke-linejoin="round"/>'));
   assert.deepEqual(await demo.page.evaluate(() => window.explineDemo.getState().curve.contours.map(({ line }) => line)), [{ width: 4, color: "#008080", join: "round" }]);
   assert.match(await demo.page.locator("[role=status], .toast").allInnerTexts().then(String), /a dashed line became solid/u);
 });

@@ -6,7 +6,7 @@ import { FileError, parseState } from "../document/file/file.ts";
 import type { Imported } from "../document/imported.ts";
 import { Problem } from "../document/problem.ts";
 import { filled, type FilledShape } from "../kernel/paths/filling.ts";
-import { boundsOfPath, importPath, importPoints, type Drawn } from "../kernel/paths/import.ts";
+import { boundsOfPath, importPath, importPoints, lengthOfPath, type Drawn } from "../kernel/paths/import.ts";
 import { beginsAsList, beginsAsTable, mostPoints, readPoints } from "./points/points.ts";
 import { SvgFileError, type SvgWarningCode } from "./svg/limits.ts";
 import type { Stroke } from "./svg/style/line.ts";
@@ -125,7 +125,7 @@ function lineOf({ color, width, ...ends }: Stroke, isColored: boolean): Line | u
 
 function readFile(text: string): SvgFile {
   try {
-    return readSvg(text, boundsOfPath);
+    return readSvg(text, boundsOfPath, lengthOfPath);
   } catch (error) {
     if (!(error instanceof SvgFileError)) throw error;
     if (error.code === "E_LIMIT") throw new Problem("svg-big", { field: error.detail.limit ?? "size", most: error.detail.max ?? 0, code: error.code });

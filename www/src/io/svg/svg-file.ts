@@ -49,6 +49,7 @@ interface Reading {
   /** What is seen of the whole drawing, in its own units. */
   readonly picture: Box | null;
   readonly boundsOf: BoundsOf;
+  readonly alongOf: AlongOf;
   expanded: number;
   commands: number;
 }
@@ -67,8 +68,11 @@ interface Place {
 /** The box around what path data draw; null where it is nothing, or not known. */
 export type BoundsOf = (d: string) => Box | null;
 
+/** How long the outlines are that path data draw; null where that is not known. */
+export type AlongOf = (d: string) => number | null;
+
 /** @throws SvgFileError with `E_PARSE_SVG`, `E_LIMIT` or `E_RANGE`. */
-export function readSvg(source: string, boundsOf: BoundsOf = () => null, limits: SvgLimits = svgLimits): SvgFile {
+export function readSvg(source: string, boundsOf: BoundsOf = () => null, alongOf: AlongOf = () => null, limits: SvgLimits = svgLimits): SvgFile {
   const { root, isWhole } = rootOf(source, limits);
   const warnings: SvgWarning[] = [];
   const warn: Warn = (code, element) => {
@@ -85,6 +89,7 @@ export function readSvg(source: string, boundsOf: BoundsOf = () => null, limits:
     painter: painterOf(styles, warn),
     picture: pictureOf(root),
     boundsOf,
+    alongOf,
     expanded: 0,
     commands: 0,
   };
@@ -161,7 +166,8 @@ function addShape(element: Element, measures: Measures, { matrix, paint }: Place
   const max = reading.limits.maxCommands;
   if (reading.commands > max) throw overLimit("maxCommands", max, reading.commands);
   const { painter, shapes } = reading;
-  shapes.push({ d, transform: matrix, fill: painter.fillOf(paint, element), stroke: strokeOf(paint, element, measures, matrix, painter) });
+  const along = (): number | null => reading.alongOf(d);
+  shapes.push({ d, transform: matrix, fill: painter.fillOf(paint, element), stroke: strokeOf(paint, element, measures, { matrix, along }, painter) });
 }
 
 function expand(use: Element, css: Declared, outer: Place, reading: Reading): void {

@@ -53,6 +53,15 @@ export function boundsOfPath(d: string): { left: number; top: number; right: num
   }
 }
 
+/** The length of the outlines of a `d`, all together; null where they cannot be read. */
+export function lengthOfPath(d: string): number | null {
+  try {
+    return parsePath(d, { onWarning: () => undefined }).reduce((sum, curve) => sum + curve.length(), 0);
+  } catch {
+    return null;
+  }
+}
+
 /** Files are written with few decimals: what was drawn smooth comes in with a kink of a fraction of a degree. */
 const kinkDegrees = 2;
 

@@ -29,17 +29,34 @@ function dashesOf(text: string, around: Size): readonly number[] | null {
   return lengths.some((each) => each < 0) || !lengths.some((each) => each > 0) ? [] : lengths;
 }
 
-/** The line of a shape that `matrix` places; null where it has none. */
-export function strokeOf(paint: Paint, element: Element, { css, around, warn }: Measures, matrix: Matrix, painter: Painter): Stroke | null {
+/** What a line runs along. */
+export interface Outline {
+  /** What places it. */
+  readonly matrix: Matrix;
+  /** Its length in its own units; null where that is not known. */
+  along(): number | null;
+}
+
+/** How many units of an outline are one of its dashes': the author may say how long the whole of it counts for. NaN where nobody can tell. */
+function dashUnit(element: Element, { along }: Outline): number {
+  const said = Number(element.getAttribute("pathLength") ?? NaN);
+  if (!(said >= 0)) return 1;
+  const length = said > 0 ? along() : null;
+  return length === null ? NaN : length / said;
+}
+
+/** The line of a shape; null where it has none. */
+export function strokeOf(paint: Paint, element: Element, { css, around, warn }: Measures, outline: Outline, painter: Painter): Stroke | null {
   if (paint.stroke === unknownStroke) return { color: null };
   const seen = painter.strokeOf(paint, element);
   const own = styledLength(paint["stroke-width"], around) ?? 1;
   if (seen === null || !(own > 0)) return null;
   const isOfPage = (css.get("vector-effect") ?? element.getAttribute("vector-effect")) === "non-scaling-stroke";
-  const scale = isOfPage ? 1 : scaleOf(matrix);
-  // A length that the author gives to the whole outline stretches its dashes.
-  const dashes = element.hasAttribute("pathLength") && paint["stroke-dasharray"] !== "none" ? null : dashesOf(paint["stroke-dasharray"], around);
-  const offset = (styledLength(paint["stroke-dashoffset"], around) ?? 0) * scale;
+  const scale = isOfPage ? 1 : scaleOf(outline.matrix);
+  const isSolid = paint["stroke-dasharray"] === "none";
+  const dashScale = isSolid ? 1 : scale * dashUnit(element, outline);
+  const dashes = Number.isNaN(dashScale) ? null : dashesOf(paint["stroke-dasharray"], around);
+  const offset = (styledLength(paint["stroke-dashoffset"], around) ?? 0) * dashScale;
   if (dashes === null) warn("W_DASHES", element);
   const isDashed = dashes !== null && dashes.length > 0;
   const [cap, join] = [paint["stroke-linecap"], paint["stroke-linejoin"]];
@@ -48,7 +65,7 @@ export function strokeOf(paint: Paint, element: Element, { css, around, warn }: 
     width: own * scale,
     ...(cap === "round" || cap === "square" ? { cap } : {}),
     ...(join === "round" || join === "bevel" ? { join } : {}),
-    ...(isDashed ? { dashes: dashes.map((each) => each * scale) } : {}),
+    ...(isDashed ? { dashes: dashes.map((each) => each * dashScale) } : {}),
     ...(isDashed && offset !== 0 ? { dashOffset: offset } : {}),
   };
 }
