@@ -19,7 +19,7 @@ const parts = {
  * What the page and most of what it loads later have in common is one file: as a dozen small ones it would compress worse, by 3 kB of
  * the 80 that a first visit may take.
  */
-const common = /\/www\/src\/(?:document\/(?:document|problem|curve\/(?:contours|offset|roots))|kernel\/(?:curve\/curve-cache|paths\/paths)|editor\/pointer\/camera|panels\/controls\/dom)\.ts$/u;
+const common = /\/www\/src\/(?:document\/(?:document|problem|unit|curve\/(?:contours|offset|roots|commands))|kernel\/(?:unit|curve\/(?:curve-cache|samples)|paths\/paths)|editor\/pointer\/camera|panels\/controls\/dom)\.ts$/u;
 
 export default defineConfig({
   root: import.meta.dirname,

@@ -124,7 +124,7 @@ test("zooming keeps the document under the pointer, within its limits", () => {
   let view = { zoom: 1, x: 400, y: 300 };
   const at = { x: 123, y: 456 };
   const page = toPage(view, stage, at);
-  for (let i = 0; i < 300; i += 1) view = zoomedAt(view, stage, at, view.zoom * 1.1);
+  for (let i = 0; i < 300; i += 1) view = zoomedAt(view, stage, at, view.zoom * 1.1, null);
   assert.equal(view.zoom, 64);
   const now = toScreen(view, stage, page);
   assert.ok(Math.hypot(now.x - at.x, now.y - at.y) < 1e-6);

@@ -12,7 +12,7 @@ const state = { ...initialState, stage };
 test("a picture of one view, moved and made larger, has every place where another view has it", () => {
   const from = { zoom: 1.3, x: 412.25, y: 300 };
   for (const ratio of [1, 1.5, 2]) {
-    for (const to of [panned(from, 17, -4), zoomedAt(from, stage, { x: 100, y: 77 }, 1.9), zoomedAt(from, stage, { x: 600, y: 3 }, 0.4)]) {
+    for (const to of [panned(from, 17, -4), zoomedAt(from, stage, { x: 100, y: 77 }, 1.9, null), zoomedAt(from, stage, { x: 600, y: 3 }, 0.4, null)]) {
       const { x, y, scale } = shiftBetween({ state, ratio }, from, to);
       for (const place of [{ x: 0, y: 0 }, { x: 500, y: -33 }]) {
         const [before, after] = [toScreen(from, stage, place), toScreen(to, stage, place)];

@@ -34,7 +34,7 @@ test("what is fitted on a phone lies between the zoom box above and the tools wi
 test("a view that somebody has moved stays where it was put", () => {
   const moved = panned(fitted(box, desk, 1), 30, 0);
   assert.equal(resized(moved, phone), moved);
-  const zoomed = zoomedAt(fitted(box, desk, 1), desk, { x: 10, y: 10 }, 2);
+  const zoomed = zoomedAt(fitted(box, desk, 1), desk, { x: 10, y: 10 }, 2, null);
   assert.equal(resized(zoomed, phone), zoomed);
 });
 

@@ -3,6 +3,8 @@ import { isEnd, pointAt, segmentCount } from "../document/document.ts";
 import { affectedSegments } from "../document/curve/roots.ts";
 import { isStraight } from "../document/curve/straight.ts";
 import { measureCurve } from "../kernel/curve/measuring/measure.ts";
+import { decimalsIn } from "../document/unit.ts";
+import { unitOf } from "../kernel/unit.ts";
 import { describe } from "./curve/edits.ts";
 import type { EditorState } from "./editor.ts";
 
@@ -11,7 +13,8 @@ export function hintFor(state: EditorState): string {
   if (state.mode !== "curve") return "";
   if (state.hint !== "") return state.hint;
   if (state.drag !== null) {
-    const step = state.drag.says ?? `Δx ${fixed(state.drag.dx)}  Δy ${fixed(state.drag.dy)}`;
+    const along = (step: number): string => step.toFixed(decimalsIn(unitOf(state.curve), 2));
+    const step = state.drag.says ?? `Δx ${along(state.drag.dx)}  Δy ${along(state.drag.dy)}`;
     const parts = [step, state.drag.snapped === null ? "" : `snapped ${state.drag.snapped}`, ellipseNote(state), localityNote(state)];
     return parts.filter((part) => part !== "").join("  ·  ");
   }
@@ -42,10 +45,6 @@ function localityNote({ curve, selection }: EditorState): string {
   const list = affectedSegments(curve, contour, ref.index);
   const [first, last] = [list[0], list.at(-1)];
   return first === undefined || last === undefined ? "" : `affects segments ${first + 1}–${last + 1} of ${segmentCount(contour)}`;
-}
-
-function fixed(value: number): string {
-  return value.toFixed(2);
 }
 
 function penHint(state: EditorState): string {

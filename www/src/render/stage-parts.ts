@@ -47,7 +47,7 @@ export function mountZoomBox(editor: Editor, box: HTMLElement, until: AbortSigna
   const zoomNow = (): number => editor.modes.get(editor.state.value.mode)?.view?.zoomNow ?? editor.state.value.view.zoom;
   const print = (): void => {
     const now = zoomNow() * 100;
-    const text = `${now < 1 ? Number(now.toPrecision(2)) : Math.round(now)} %`;
+    const text = `${now < 1 ? Number(now.toPrecision(2)) : now < 1e6 ? Math.round(now) : now.toExponential(1).replace("+", "")} %`;
     if (percent.value !== text) percent.value = text;
   };
   percent.addEventListener("change", () => {

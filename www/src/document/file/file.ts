@@ -94,7 +94,7 @@ function unknownFields(value: unknown): ReadFile["warnings"] {
 function readView(found: Found): View {
   return {
     // The largest drawing there can be, 2e9 across, in the smallest window.
-    zoom: asNumber(field(found, "zoom"), 1e-8, 64),
+    zoom: asNumber(field(found, "zoom"), 1e-9, 1e9),
     x: asNumber(field(found, "x")),
     y: asNumber(field(found, "y")),
   };

@@ -39,7 +39,7 @@ export interface FitDocument extends Setting {
   readonly seed: number;
 }
 
-export const fitLimits = { smoothing: 100, mix: 100, knots: 1000, error: 1000, noise: 20, seed: 9999 } as const;
+export const fitLimits = { smoothing: 100, mix: 100, knots: 1000, error: 1e9, noise: 20, seed: 9999 } as const;
 
 export const fitDefaults = {
   starts: [], model: "hybrid", smoothing: 40, mix: 50, corners: true, closing: "auto", target: "off", targetKnots: 12, targetError: 2, noise: 0, seed: 1,

@@ -1,6 +1,7 @@
+import type { Box } from "../../document/artboard.ts";
 import { modes, type Mode } from "../../document/document.ts";
 import { documentBounds } from "../../kernel/curve/samples.ts";
-import { fitted, mostZoom, zoomedAt, type ScreenPoint } from "../pointer/camera.ts";
+import { fitted, zoomedAt, type ScreenPoint } from "../pointer/camera.ts";
 import {
   clearCurve, nudge, resetSelectedHandles, selectAll, selectEnd, selectNone, setKind, stepPart, stepSelection, toggleCusp,
 } from "../curve/edits.ts";
@@ -47,23 +48,28 @@ export function zoomBy(editor: Editor, factor: number, at?: ScreenPoint): void {
   const { view, stage, mode } = editor.state.value;
   const own = editor.modes.get(mode)?.view;
   if (own !== undefined) return own.zoom(factor, at ?? null);
-  editor.patch({ view: zoomedAt(view, stage, at ?? stageCentre(editor.state.value), view.zoom * factor) });
+  editor.patch({ view: zoomedAt(view, stage, at ?? stageCentre(editor.state.value), view.zoom * factor, boxOfAll(editor)) });
 }
 
 export function zoomTo(editor: Editor, zoom: number): void {
   const { view, stage, mode } = editor.state.value;
   const own = editor.modes.get(mode)?.view;
   if (own !== undefined) return own.zoomTo(zoom);
-  editor.patch({ view: zoomedAt(view, stage, stageCentre(editor.state.value), zoom) });
+  editor.patch({ view: zoomedAt(view, stage, stageCentre(editor.state.value), zoom, boxOfAll(editor)) });
+}
+
+/** The box around all that the mode has on the plane; null while that is nothing. */
+export function boxOfAll({ state: { value: state }, modes: all }: Editor): Box | null {
+  const parts = all.get(state.mode);
+  return parts?.box === undefined ? documentBounds(state.curve) : parts.box(state);
 }
 
 /** The whole drawing in view; `most` keeps small drawings from filling the stage. */
-export function fitView(editor: Editor, most = mostZoom): void {
-  const { curve, stage, mode } = editor.state.value;
+export function fitView(editor: Editor, most?: number): void {
+  const { stage, mode } = editor.state.value;
   const own = editor.modes.get(mode)?.view;
   if (own !== undefined) return own.fit();
-  const parts = editor.modes.get(mode);
-  const box = parts?.box === undefined ? documentBounds(curve) : parts.box(editor.state.value);
+  const box = boxOfAll(editor);
   if (box === null) return editor.patch({ view: { zoom: 1, x: 400, y: 300 } });
   editor.patch({ view: fitted(box, stage, most) });
 }

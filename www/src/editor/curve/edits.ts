@@ -6,6 +6,8 @@ import {
   baseCount, domainLength, lengthOf, noOffset, nothingSelected, pointAt, type Contour, type CurveDocument, type Kind, type Offset, type PointRef, type Selection,
   type Side, type Space,
 } from "../../document/document.ts";
+import { decimalsIn } from "../../document/unit.ts";
+import { unitOf } from "../../kernel/unit.ts";
 import { lengthOfOffset } from "../../document/curve/offset.ts";
 import type { Editor, EditorState } from "../editor.ts";
 
@@ -97,10 +99,12 @@ export function resetSelectedHandles(editor: Editor, selection: Selection = sele
   if (selection.points.length > 0) editor.dispatch(resetHandles(selection));
 }
 
-/** Moves what is chosen: the handle, if one is, else the points. A quick run of nudges is one entry. */
-export function nudge(editor: Editor, dx: number, dy: number): void {
+/** Moves what is chosen by so many of the drawing's units: the handle, if one is, else the points. A quick run of nudges is one entry. */
+export function nudge(editor: Editor, right: number, down: number): void {
   const { curve, selection } = editor.state.value;
   const { handle } = selection;
+  const unit = unitOf(curve);
+  const [dx, dy] = [right * unit, down * unit];
   if (handle !== null) {
     const point = pointAt(curve, handle);
     if (point === undefined) return;
@@ -211,13 +215,13 @@ export function describe(curve: CurveDocument, ref: PointRef, side?: Side): stri
     ? `Finer point ${finer + 1} of ${contour.points.length - baseCount(contour)}${where}`
     : `Point ${ref.index + 1} of ${baseCount(contour)}${where}`;
   const kind = contour.family === "hermite" ? point.kind : contour.grid === undefined && finer < 0 ? "on the curve" : "near the curve";
-  if (side === undefined) return `${name}, ${kind}, x ${short(point.x)}, y ${short(point.y)}`;
+  if (side === undefined) return `${name}, ${kind}, x ${short(point.x, unitOf(curve))}, y ${short(point.y, unitOf(curve))}`;
   const offset = point[side] ?? noOffset;
-  return `${side === "in" ? "Arriving" : "Leaving"} handle of ${name.toLowerCase()}, length ${short(lengthOfOffset(offset))}, angle ${short(degreesOf(offset))}°`;
+  return `${side === "in" ? "Arriving" : "Leaving"} handle of ${name.toLowerCase()}, length ${short(lengthOfOffset(offset), unitOf(curve))}, angle ${short(degreesOf(offset), 1)}°`;
 }
 
-function short(value: number): string {
-  return String(Math.round(value * 100) / 100 + 0);
+function short(value: number, unit: number): string {
+  return String(Number(value.toFixed(decimalsIn(unit, 2))) + 0);
 }
 
 /** The parameter in the middle of a contour's segment. */

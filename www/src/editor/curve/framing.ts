@@ -5,7 +5,7 @@ import { around, boundsOf, type Bounds } from "../../kernel/curve/samples.ts";
 import { shapeAt } from "../../kernel/paths/shapes.ts";
 import type { Editor, EditorState, Grip } from "../editor.ts";
 import { refuse } from "./edits.ts";
-import { fitted, mostZoom, toScreen, type PagePoint, type ScreenPoint } from "../pointer/camera.ts";
+import { fitted, toScreen, type PagePoint, type ScreenPoint } from "../pointer/camera.ts";
 
 /** The frame around contours that are chosen as a whole, its grips, and what turns and stretches what is chosen. */
 
@@ -144,7 +144,7 @@ export function showChosen(editor: Editor): void {
     return beside.flatMap((i) => shape?.points[i] ?? []);
   });
   const box = frameOf({ ...state, tool: "select" }) ?? around(places.map(boxAt));
-  if (box !== null) editor.patch({ view: fitted(box, stage, mostZoom) });
+  if (box !== null) editor.patch({ view: fitted(box, stage) });
 }
 
 /** Every point of the contours of which one is chosen, or which the pointer is over. */

@@ -29,7 +29,7 @@ export function registerFitActions(editor: Editor): void {
     setFitView(editor, { compare: compares[(compares.indexOf(compare) + 1) % compares.length] ?? "off" });
   }, hasData);
   add("fit-comb", "Curvature comb", ["K"], () => toggleFitOverlay(editor, "comb"), hasKnots);
-  add("fit-show-data", "Fit points in view", [], () => showData(editor, 64), hasData);
+  add("fit-show-data", "Fit points in view", [], () => showData(editor), hasData);
   for (const [model, label] of [["linear", "Straight pieces"], ["cubic", "Smooth curve"], ["hybrid", "Straight and smooth"]] as const) {
     add(`fit-model-${model}`, label, [], () => setModel(editor, model));
   }

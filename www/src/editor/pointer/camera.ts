@@ -1,3 +1,4 @@
+import type { Box } from "../../document/artboard.ts";
 import type { View } from "../../document/document.ts";
 
 /** The only place where screen and document coordinates are turned into each other. */
@@ -27,12 +28,16 @@ export interface StageBox {
   readonly height: number;
 }
 
-export const leastZoom = 0.05;
-export const mostZoom = 64;
+/** 5 % and 6400 %, and beyond them as far as the drawing is larger or smaller than drawings are: all of it can be seen, and its parts too. */
+function limitsFor(box: Box | null): readonly [least: number, most: number] {
+  const size = box === null ? 0 : Math.max(box.maxX - box.minX, box.maxY - box.minY);
+  return size > 0 ? [Math.min(0.05, 40 / size), Math.max(64, Math.min(1e9, 16_000 / size))] : [0.05, 64];
+}
 
-/** Within the limits; of a drawing that is larger than they show, what is seen of it already stays in reach. */
-export function clampZoom(zoom: number, from: View): number {
-  return Math.min(mostZoom, Math.max(Math.min(leastZoom, from.zoom), zoom));
+/** Within the limits of what is drawn; what is seen already, by whatever way, stays in reach. */
+export function clampZoom(zoom: number, from: View, box: Box | null): number {
+  const [least, most] = limitsFor(box);
+  return Math.min(Math.max(most, from.zoom), Math.max(Math.min(least, from.zoom), zoom));
 }
 
 export function toScreen(view: View, stage: StageBox, point: PagePoint): ScreenPoint {
@@ -44,8 +49,8 @@ export function toPage(view: View, stage: StageBox, point: ScreenPoint): PagePoi
 }
 
 /** The view zoomed so that the document stays put under one place of the screen. */
-export function zoomedAt(view: View, stage: StageBox, at: ScreenPoint, zoom: number): View {
-  const next = clampZoom(zoom, view);
+export function zoomedAt(view: View, stage: StageBox, at: ScreenPoint, zoom: number, box: Box | null): View {
+  const next = clampZoom(zoom, view, box);
   const page = toPage(view, stage, at);
   return { zoom: next, x: page.x - (at.x - stage.width / 2) / next, y: page.y - (at.y - stage.height / 2) / next };
 }
@@ -55,24 +60,17 @@ export function panned(view: View, dx: number, dy: number): View {
   return { ...view, x: view.x - dx / view.zoom, y: view.y - dy / view.zoom };
 }
 
-interface Box {
-  readonly minX: number;
-  readonly minY: number;
-  readonly maxX: number;
-  readonly maxY: number;
-}
-
 /** What views were made to show. */
 const fittings = new WeakMap<View, readonly [box: Box, most: number, share: number]>();
 
 /** A view that shows the whole box, never closer than `most`; handles and what lies over the stage have a share of it on every side. */
-export function fitted(box: Box, stage: StageBox, most: number, share = 0.1): View {
+export function fitted(box: Box, stage: StageBox, most = Infinity, share = 0.1): View {
   const margin = Math.max(24, Math.min(stage.width, stage.height) * share);
   // The hint and the zoom box are below; on a phone the zoom box is above, and two lines of hint over the tools are below.
   const [above = 0, below = 0] = (stage.width < 600 ? [64, 112] : [48, 48]).map((least) => Math.max(margin, Math.min(least, stage.height * 0.35)));
   const wide = Math.max(1, stage.width - 2 * margin) / Math.max(1e-9, box.maxX - box.minX);
   const high = Math.max(1, stage.height - above - below) / Math.max(1e-9, box.maxY - box.minY);
-  const zoom = Math.min(wide, high, most, mostZoom);
+  const zoom = Math.min(wide, high, most, limitsFor(box)[1]);
   const view = { zoom, x: (box.minX + box.maxX) / 2, y: (box.minY + box.maxY) / 2 + (below - above) / 2 / zoom };
   fittings.set(view, [box, most, share]);
   return view;

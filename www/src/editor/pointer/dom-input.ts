@@ -1,4 +1,5 @@
-import { zoomedAt, panned, type ScreenPoint } from "./camera.ts";
+import { zoomBy } from "../actions/standard-actions.ts";
+import { panned, type ScreenPoint } from "./camera.ts";
 import type { Frame } from "../frame.ts";
 import { listenToKeys, type KeyOptions } from "./dom-keys.ts";
 import { placeOf, recordOf } from "./dom-record.ts";
@@ -125,9 +126,7 @@ function listenToWheel({ editor, input, surface, until }: Options): void {
       if (settings.scrollPans && !event.ctrlKey) return pan(-dx, -dy);
       // A notch of a wheel is 100 to 120; a trackpad's pinch comes in small steps with Ctrl.
       const notches = event.ctrlKey && Math.abs(dy) < 50 ? -dy / 10 : -Math.sign(dy) * Math.min(3, Math.max(1, Math.abs(dy) / 120));
-      const at = placeOf(event, editor);
-      if (own === undefined) editor.patch({ view: zoomedAt(view, stage, at, view.zoom * 1.1 ** notches) });
-      else own.zoom(1.1 ** notches, at);
+      zoomBy(editor, 1.1 ** notches, placeOf(event, editor));
     },
     { signal: until, passive: false },
   );

@@ -1,4 +1,5 @@
 import { clampZoom, panned, toPage, type ScreenPoint, type StageBox } from "./camera.ts";
+import type { Box } from "../../document/artboard.ts";
 import type { View } from "../../document/document.ts";
 import type { EditorPatch } from "../state.ts";
 import { distanceBetween } from "../tool.ts";
@@ -44,9 +45,9 @@ export function trackPinch(a: ScreenPoint, b: ScreenPoint, look: (spread: Spread
 }
 
 /** The plane's own pinch. */
-export function createPinch(view: View, stage: StageBox, a: ScreenPoint, b: ScreenPoint): Pinch {
+export function createPinch(view: View, stage: StageBox, box: Box | null, a: ScreenPoint, b: ScreenPoint): Pinch {
   return trackPinch(a, b, ({ ratio, dx, dy, centre }) => {
-    const zoom = clampZoom(view.zoom * ratio, view);
+    const zoom = clampZoom(view.zoom * ratio, view, box);
     // The document point first under the fingers' middle stays under it.
     const page = toPage(view, stage, centre);
     const centred = { zoom, x: page.x - (centre.x - stage.width / 2) / zoom, y: page.y - (centre.y - stage.height / 2) / zoom };

@@ -1,7 +1,8 @@
 import { isSelected, pointAt, type ControlPoint, type CurveDocument, type Offset, type PointRef, type Selection } from "../../document/document.ts";
 import { against, lengthOfOffset } from "../../document/curve/offset.ts";
 import type { PagePoint } from "./camera.ts";
-import type { Guide } from "../editor.ts";
+import { unitOf } from "../../kernel/unit.ts";
+import type { EditorState, Guide } from "../editor.ts";
 
 /** Where a drag is drawn to, and the line that says so. */
 
@@ -42,6 +43,11 @@ function nearestOthers(curve: CurveDocument, moving: Selection, at: PagePoint, r
     return ref === null || point === undefined ? null : { place: { x: point.x, y: point.y }, name: `point ${ref.index + 1}`, ref };
   };
   return { onto: candidate(found.onto), column: candidate(found.column), row: candidate(found.row) };
+}
+
+/** Where the grid is seen, its step in document units; else null. */
+export function gridOf({ curve, settings: { overlays, gridStep } }: Pick<EditorState, "curve" | "settings">): number | null {
+  return overlays.grid ? gridStep * unitOf(curve) : null;
 }
 
 /** A point near another goes onto it; else in line with others, each way by itself; else onto the grid. */

@@ -1,3 +1,4 @@
+import { boxOfAll } from "../actions/standard-actions.ts";
 import type { ScreenPoint } from "./camera.ts";
 import type { Editor } from "../editor.ts";
 import type { ModeParts } from "../mode.ts";
@@ -23,7 +24,7 @@ export function pinchOrTap(editor: Editor, own: ModeParts | undefined, fingers: 
   const [a, b] = now();
   if (a === undefined || b === undefined) return null;
   const { view, stage } = editor.state.value;
-  const pinch = own?.view?.pinch(a, b) ?? createPinch(view, stage, a, b);
+  const pinch = own?.view?.pinch(a, b) ?? createPinch(view, stage, boxOfAll(editor), a, b);
   let most = fingers.size;
   return {
     kind: "pinch",

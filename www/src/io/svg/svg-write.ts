@@ -1,6 +1,7 @@
 import type { PaintedPath } from "../../document/paint-layers.ts";
 import type { DemoState, Filling, Line } from "../../document/document.ts";
 import type { Artboard, Box } from "../../document/artboard.ts";
+import { decimalsIn, unitIn } from "../../document/unit.ts";
 import { enlargement, lineWidth, roomFor, sheetIn, type Subject } from "../picture/png-size.ts";
 
 /** Text that may stand in XML: markup escaped, and characters that XML has no place for replaced. */
@@ -11,9 +12,9 @@ export function escapeXml(text: string): string {
     .replace(/[&<>"']/gu, (char) => `&#${char.charCodeAt(0)};`);
 }
 
-/** A number with three decimals at most, never in exponent form. */
-function plain(value: number): string {
-  const fixed = value.toFixed(3).replace(/\.?0+$/u, "");
+/** A number with so many decimals at most, never in exponent form. */
+function plain(value: number, decimals = 3): string {
+  const fixed = value.toFixed(decimals).replace(/\.?0+$/u, "");
   return fixed === "-0" ? "0" : fixed;
 }
 
@@ -23,7 +24,7 @@ export const inkOfFiles = "#1b1f24";
 /** What a viewBox is rounded to: whole units, but for drawings of few. */
 function roundingFor(box: Box): number {
   const size = Math.max(box.maxX - box.minX, box.maxY - box.minY);
-  return 10 ** Math.max(-3, Math.min(0, Math.floor(Math.log10(size)) - 1));
+  return 10 ** Math.max(-12, Math.min(0, Math.floor(Math.log10(size)) - 1));
 }
 
 export interface SvgOptions extends Subject {
@@ -33,8 +34,8 @@ export interface SvgOptions extends Subject {
 }
 
 /** The artboard; what reaches out of it, and what has none, is rounded outwards: an artboard moves as little as can be. */
-function viewBoxOf({ minX, minY, maxX, maxY }: Box, board: Artboard | undefined, margin: number): [number, number, number, number] {
-  const step = Math.max(1e-3, roundingFor({ minX, minY, maxX, maxY }) / (board === undefined ? 1 : 10));
+function viewBoxOf({ minX, minY, maxX, maxY }: Box, board: Artboard | undefined, margin: number, decimals: number): [number, number, number, number] {
+  const step = Math.max(10 ** -decimals, roundingFor({ minX, minY, maxX, maxY }) / (board === undefined ? 1 : 10));
   const side = (value: number, ofBoard: number | undefined, way: "floor" | "ceil"): number =>
     value === ofBoard ? value : step * Math[way]((value + (way === "ceil" ? margin : -margin)) / step);
   const [x, y] = [side(minX, board?.x, "floor"), side(minY, board?.y, "floor")];
@@ -61,8 +62,9 @@ export function writeSvg(options: SvgOptions): string {
   const { title, d, artboard, filling, filled = false, layers = [] } = options;
   const around = options.box ?? { minX: 0, minY: 0, maxX: 1, maxY: 1 };
   const sheet = sheetIn(options);
-  const thin = Number(plain(Math.max(0.001, lineWidth / (sheet?.enlarged ?? enlargement(around)))));
-  const viewBox = viewBoxOf(sheet?.frame ?? around, artboard, sheet !== null ? 0 : roomFor(options, thin)).map(plain);
+  const decimals = decimalsIn(unitIn(sheet?.frame ?? around), 3);
+  const thin = Number(plain(Math.max(10 ** -decimals, lineWidth / (sheet?.enlarged ?? enlargement(around))), decimals));
+  const viewBox = viewBoxOf(sheet?.frame ?? around, artboard, sheet !== null ? 0 : roomFor(options, thin), decimals).map((each) => plain(each, decimals));
   const area = (color = inkOfFiles): string => `${paintedWith("fill", color)}${filling === "nonzero" ? "" : ' fill-rule="evenodd"'}`;
   const path = ({ d: text, isLine, color, line }: PaintedPath): string => {
     const stroke = line ?? (isLine === true ? { width: thin, join: "round" as const } : undefined);

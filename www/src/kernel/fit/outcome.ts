@@ -2,6 +2,8 @@ import { fromJSON, HermiteCurve, type Curve } from "expline/slim";
 import { paintOf } from "../../document/painted.ts";
 import type { Painted } from "../../document/document.ts";
 import type { Pair, Stroke } from "../../document/fit/fit.ts";
+import { decimalsIn } from "../../document/unit.ts";
+import { pathSize } from "../curve/measuring/path-size.ts";
 import type { FitInput, PlainFit } from "./job.ts";
 import { countByType, shownKnots, type KnotType, type ShownKnot } from "./knots.ts";
 
@@ -146,11 +148,11 @@ export function teethOf(curve: Curve, count: number): Teeth {
 
 const bytes = new WeakMap<FitOutcome, number>();
 
-/** Size of the outcome as path text, at the tolerance and the decimals of the export's defaults. */
-export function bytesOfFit(outcome: FitOutcome): number {
+/** Size of the outcome as path text, in a drawing with this unit. */
+export function bytesOfFit(outcome: FitOutcome, unit: number): number {
   const known = bytes.get(outcome);
   if (known !== undefined) return known;
-  const fresh = outcome.strokes.reduce((sum, { curve }) => sum + curve.toPathD({ tolerance: 0.02, decimals: 3 }).d.length, 0);
+  const fresh = outcome.strokes.reduce((sum, { curve }) => sum + pathSize(curve, unit), 0);
   bytes.set(outcome, fresh);
   return fresh;
 }
@@ -158,10 +160,10 @@ export function bytesOfFit(outcome: FitOutcome): number {
 const raw = new WeakMap<readonly Pair[], number>();
 
 /** Size of the data as a polyline with as many decimals. */
-export function bytesOfData(data: readonly Pair[], strokes: readonly Stroke[]): number {
+export function bytesOfData(data: readonly Pair[], strokes: readonly Stroke[], unit: number): number {
   const known = raw.get(data);
   if (known !== undefined) return known;
-  const digits = (value: number): number => String(Number(value.toFixed(3))).length;
+  const digits = (value: number): number => String(Number(value.toFixed(decimalsIn(unit, 3)))).length;
   let fresh = 2 * strokes.length;
   for (const [x, y] of data) fresh += digits(x) + digits(y) + 2;
   raw.set(data, fresh);

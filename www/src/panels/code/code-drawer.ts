@@ -1,12 +1,19 @@
 import "../../styles/buttons.css";
 import "../../styles/drawer.css";
+import type { CurveDocument } from "../../document/document.ts";
+import { decimalsIn } from "../../document/unit.ts";
+import { unitOf } from "../../kernel/unit.ts";
 import { h, setAttribute, setText } from "../controls/dom.ts";
 import { icon } from "../controls/icons.ts";
 import { errorText } from "../messages/errors.ts";
 import { inNextFrame, type Shell } from "../shell.ts";
 import { abridged, mostShown, snippetFor, snippetNames, type SnippetId } from "./snippets.ts";
 
-const options = { segments: "arcs", tolerance: 0.02, decimals: 3, relative: false } as const;
+/** As the export dialog has them before anybody changes them. */
+function optionsFor(curve: CurveDocument): Parameters<typeof snippetFor>[2] {
+  const unit = unitOf(curve);
+  return { segments: "arcs", tolerance: Number((0.02 * unit).toPrecision(6)), decimals: decimalsIn(unit, 3), relative: false };
+}
 
 export interface CodeDrawer {
   toggle(): void;
@@ -35,7 +42,7 @@ export function mountCodeDrawer(shell: Shell, changed: (open: boolean) => void):
     const { mode, curve } = editor.state.value;
     const program = editor.modes.get(mode)?.program?.(editor.state.value);
     list.hidden = program !== undefined;
-    whole = program ?? snippetFor(active, curve, options);
+    whole = program ?? snippetFor(active, curve, optionsFor(curve));
     setText(code, abridged(whole));
   };
   const choose = (id: SnippetId): void => {

@@ -25,9 +25,9 @@ export function formatMeasure(value: number): string {
   return String(Number(value.toPrecision(4)));
 }
 
-/** A coordinate in a field: two decimals, and no −0.00. */
-export function formatCoordinate(value: number): string {
-  return (Math.round(value * 100) / 100 + 0).toFixed(2);
+/** A coordinate in a field: two decimals but of tiny drawings, and no −0.00. */
+export function formatCoordinate(value: number, decimals = 2): string {
+  return (Number(value.toFixed(decimals)) + 0).toFixed(decimals);
 }
 
 export function formatCount(count: number, one: string, many = `${one}s`): string {

@@ -1,5 +1,7 @@
 import type { Contour, Kind } from "../../document/document.ts";
 import { activeContour, setKind, setPoint } from "../../editor/curve/edits.ts";
+import { decimalsIn } from "../../document/unit.ts";
+import { unitOf } from "../../kernel/unit.ts";
 import { h, setAttribute, setText } from "../controls/dom.ts";
 import { formatCoordinate, parseTyped } from "../controls/format.ts";
 import type { Section } from "../mode/panel-parts.ts";
@@ -31,7 +33,7 @@ export function pointsTable(shell: Shell): Section {
     const cell = (axis: "x" | "y"): HTMLInputElement => {
       const input = h("input", { class: "number", type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": `${axis.toUpperCase()} of point ${index + 1}` });
       input.addEventListener("change", () => {
-        const value = parseTyped(input.value, -1e6, 1e6);
+        const value = parseTyped(input.value, -1e9, 1e9);
         if (value !== null) setPoint(editor, ref(), { [axis]: value }, `table-${axis}-${index}`);
         shown = undefined;
         refresh();
@@ -70,12 +72,13 @@ export function pointsTable(shell: Shell): Section {
       body.append(row.element);
     }
     const chosen = new Set(selection.points.filter((ref) => ref.contour === activeContour(editor)).map((ref) => ref.index));
+    const decimals = decimalsIn(unitOf(curve), 2);
     rows.forEach((row, i) => {
       setAttribute(row.element, "aria-selected", chosen.has(i) ? "true" : null);
       const point = contour?.points[i];
       if (point === undefined || contour === shown) return;
-      if (document.activeElement !== row.x) row.x.value = formatCoordinate(point.x);
-      if (document.activeElement !== row.y) row.y.value = formatCoordinate(point.y);
+      if (document.activeElement !== row.x) row.x.value = formatCoordinate(point.x, decimals);
+      if (document.activeElement !== row.y) row.y.value = formatCoordinate(point.y, decimals);
       row.kind.value = point.kind;
       row.kind.disabled = contour?.family === "interpolating";
     });

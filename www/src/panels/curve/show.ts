@@ -1,5 +1,6 @@
 import type { EditorState, OverlayId } from "../../editor/editor.ts";
 import { selectKind } from "../../editor/curve/edits.ts";
+import { unitOf } from "../../kernel/unit.ts";
 import { measureCurve } from "../../kernel/curve/measuring/measure.ts";
 import { h } from "../controls/dom.ts";
 import { numberField, sliderField, toggleField } from "../controls/fields.ts";
@@ -54,15 +55,16 @@ export function showSection(shell: Shell): Section {
     },
     reset: () => editor.setSettings({ subdivisionSteps: 0 }),
   });
+  const unit = (): number => unitOf(editor.state.value.curve);
   const grid = numberField({
     label: "Grid step",
     testid: "grid-step",
-    about: "Distance between grid lines, 1 to 100 units. Points snap to them.",
-    least: 1,
-    most: 100,
-    step: 1,
-    format: String,
-    write: (value) => value !== null && editor.setSettings({ gridStep: value }),
+    about: "Distance between grid lines. Points snap to them.",
+    get least() { return unit(); },
+    get most() { return 100 * unit(); },
+    get step() { return unit(); },
+    format: (value) => String(Number(value.toPrecision(6))),
+    write: (value) => value !== null && editor.setSettings({ gridStep: value / unit() }),
     reset: () => editor.setSettings({ gridStep: 10 }),
   });
   const element = h(
@@ -81,7 +83,7 @@ export function showSection(shell: Shell): Section {
       snap.show(settings.snap);
       comb.show(Math.log10(settings.combScale));
       comb.element.hidden = !settings.overlays.comb;
-      grid.show(settings.gridStep);
+      grid.show(settings.gridStep * unit());
       grid.element.hidden = !settings.overlays.grid;
       subdivision.show(settings.subdivisionSteps);
     },

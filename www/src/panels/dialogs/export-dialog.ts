@@ -36,7 +36,7 @@ export function openExport(shell: Shell): void {
   const dialog = openDialog(
     { title: "Export", testid: "export-dialog", wide: true },
     h("div", { class: "export" },
-      h("div", { class: "export-options" }, result.picture, ...looks, ...optionFields(refresh)),
+      h("div", { class: "export-options" }, result.picture, ...looks, ...optionFields(curve, refresh)),
       h("div", { class: "export-result" }, ...result.rows),
     ),
   );
@@ -48,7 +48,7 @@ export function openExport(shell: Shell): void {
     button("TypeScript", {
       testid: "export-ts",
       title: "Copy TypeScript that makes this drawing",
-      click: () => copy(shell, snippetFor("vanilla", curve, chosenOptions()), "TypeScript"),
+      click: () => copy(shell, snippetFor("vanilla", curve, chosenOptions(curve)), "TypeScript"),
     }),
   );
   refresh();
@@ -77,7 +77,7 @@ function fileLook(editor: Editor, curve: CurveDocument): FileLook {
   const natural = lookOf(curve, mode);
   const filled = mode === "trace" ? natural.filled : drawsAreas(natural.filled);
   const layers = filled ? layersOf(editor, curve) : [];
-  return { ...natural, filled, layers: layers.map(({ drawing, ...color }) => ({ ...color, d: writePath(drawing, chosenOptions()) })) };
+  return { ...natural, filled, layers: layers.map(({ drawing, ...color }) => ({ ...color, d: writePath(drawing, chosenOptions(curve)) })) };
 }
 
 function svgButton({ io }: Shell, stem: string, curve: CurveDocument, box: Box, d: () => string, look: () => FileLook): HTMLElement {

@@ -1,9 +1,12 @@
+import type { CurveDocument } from "../../document/document.ts";
+import { decimalsIn } from "../../document/unit.ts";
+import { unitOf } from "../../kernel/unit.ts";
 import type { ExportOptions, ExportSegments } from "../../kernel/paths/export.ts";
 import { numberField, selectField, toggleField } from "../controls/fields.ts";
 
 /** How the path is written. */
 
-/** Chosen once, kept for the next time the dialog opens. */
+/** Chosen once, kept for the next time the dialog opens; lengths and digits in the unit of whatever drawing it opens with. */
 let chosen: ExportOptions = { segments: "arcs", tolerance: 0.02, decimals: 3, relative: false };
 
 /** Lines or areas: what was chosen, else what suits the drawing. */
@@ -29,9 +32,12 @@ export function lookField(natural: boolean, hasLines: boolean, changed: () => vo
   return field.element;
 }
 
-export function chosenOptions(): ExportOptions {
-  return chosen;
+export function chosenOptions(curve: CurveDocument): ExportOptions {
+  const unit = unitOf(curve);
+  return { ...chosen, tolerance: rounded(Math.min(1, chosen.tolerance * unit)), decimals: decimalsIn(unit, chosen.decimals) };
 }
+
+const rounded = (length: number): number => Number(length.toPrecision(6));
 
 const kinds: readonly (readonly [ExportSegments, string])[] = [
   ["arcs", "Arcs where exact + cubics"],
@@ -40,12 +46,12 @@ const kinds: readonly (readonly [ExportSegments, string])[] = [
 ];
 
 /** `changed` is told when something else has been chosen. */
-export function optionFields(changed: () => void): readonly HTMLElement[] {
+export function optionFields(curve: CurveDocument, changed: () => void): readonly HTMLElement[] {
   const choose = (part: Partial<ExportOptions>): void => {
     chosen = { ...chosen, ...part };
     changed();
   };
-  return [segmentsField(choose), toleranceField(choose), decimalsField(choose), relativeField(choose)];
+  return [segmentsField(choose), toleranceField(curve, choose), decimalsField(curve, choose), relativeField(choose)];
 }
 
 type Choose = (part: Partial<ExportOptions>) => void;
@@ -62,31 +68,37 @@ function segmentsField(choose: Choose): HTMLElement {
   return field.element;
 }
 
-function toleranceField(choose: Choose): HTMLElement {
-  const about = "Largest distance from the curve, 0.001 to 1 unit.";
-  return numberOf("tolerance", { label: "Tolerance", testid: "export-tolerance", about, least: 0.001, most: 1, step: 0.001 }, choose);
+function toleranceField(curve: CurveDocument, choose: Choose): HTMLElement {
+  const unit = unitOf(curve);
+  const least = rounded(0.001 * unit);
+  const about = `Largest distance from the curve, ${least} to 1 unit.`;
+  return numberOf({ label: "Tolerance", testid: "export-tolerance", about, least, most: 1, step: least }, chosenOptions(curve).tolerance, (typed) => {
+    choose({ tolerance: typed / unit });
+    return typed;
+  });
 }
 
-function decimalsField(choose: Choose): HTMLElement {
-  const about = "Digits after the point, 0 to 6.";
-  return numberOf("decimals", { label: "Decimals", testid: "export-decimals", about, least: 0, most: 6, step: 1 }, choose, Math.round);
+function decimalsField(curve: CurveDocument, choose: Choose): HTMLElement {
+  const more = decimalsIn(unitOf(curve), 0);
+  const about = `Digits after the point, 0 to ${6 + more}.`;
+  return numberOf({ label: "Decimals", testid: "export-decimals", about, least: 0, most: 6 + more, step: 1 }, chosenOptions(curve).decimals, (typed) => {
+    choose({ decimals: Math.round(typed) - more });
+    return Math.round(typed);
+  });
 }
 
 type NumberSpec = Omit<Parameters<typeof numberField>[0], "format" | "write">;
 
-/** A number that cannot be left empty; `rounded` is what becomes of one that was typed. */
-function numberOf(name: "tolerance" | "decimals", spec: NumberSpec, choose: Choose, rounded = (value: number) => value): HTMLElement {
+/** A number that cannot be left empty; `choose` gives back what became of one that was typed. */
+function numberOf(spec: NumberSpec, first: number, choose: (typed: number) => number): HTMLElement {
   const field = numberField({
     ...spec,
     format: String,
     write(typed) {
-      if (typed === null) return;
-      const value = rounded(typed);
-      choose({ [name]: value });
-      field.show(value);
+      if (typed !== null) field.show(choose(typed));
     },
   });
-  field.show(chosen[name]);
+  field.show(first);
   return field.element;
 }
 

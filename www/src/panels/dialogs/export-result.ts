@@ -37,7 +37,7 @@ export function exportResult(shell: Shell, curve: CurveDocument, box: Box, look:
     d: () => exported?.d ?? "",
     refresh() {
       try {
-        exported = exportPath(curve, chosenOptions());
+        exported = exportPath(curve, chosenOptions(curve));
       } catch (error) {
         return message.replaceChildren(complaint(error));
       }

@@ -3,6 +3,8 @@ import { Problem } from "../../document/problem.ts";
 import { curveSample } from "../../document/curve/samples.ts";
 import { betweenGestures } from "../../editor/history/gestures.ts";
 import { documentPathD } from "../../kernel/paths/paths.ts";
+import { decimalsIn } from "../../document/unit.ts";
+import { unitOf } from "../../kernel/unit.ts";
 import { documentBounds } from "../../kernel/curve/samples.ts";
 import { errorText } from "../messages/errors.ts";
 import type { Shell } from "../shell.ts";
@@ -23,7 +25,11 @@ function chosenContours(shell: Shell): CurveDocument {
   return { ...rest, contours: curve.contours.filter((_, i) => chosen.has(i)) };
 }
 
-const printed = { tolerance: 0.02, decimals: 4 } as const;
+/** Of what is copied. */
+function printedOf(curve: CurveDocument): { readonly tolerance: number; readonly decimals: number } {
+  const unit = unitOf(curve);
+  return { tolerance: 0.02 * unit, decimals: decimalsIn(unit, 4) };
+}
 
 /** What goes to the clipboard, and what is done when it is there. */
 export interface Copy {
@@ -38,6 +44,7 @@ export async function svgCopy(shell: Shell): Promise<Copy | null> {
   const parts = editor.modes.get(mode);
   const part = mode === "curve" ? chosenContours(shell) : parts?.drawing?.(editor.state.value) ?? null;
   if (part === null) return null;
+  const printed = printedOf(part);
   const title = curveSample(part.sample ?? "")?.title ?? "expline drawing";
   const look = lookOf(part, mode);
   const layers = look.filled ? layersOf(editor, part).map(({ drawing, ...color }) => ({ ...color, d: documentPathD(drawing, printed).d })) : [];

@@ -1,5 +1,7 @@
 import { strokesOf } from "../../document/fit/fit.ts";
+import { unitIn } from "../../document/unit.ts";
 import type { EditorState } from "../../editor/editor.ts";
+import { boxOf } from "../../editor/fit/fit-edits.ts";
 import { bytesOfData, bytesOfFit, type FitOutcome } from "../../kernel/fit/outcome.ts";
 import { formatBytes, formatDeviation } from "../controls/format.ts";
 import type { Metric, ModeMetrics } from "../mode/metric.ts";
@@ -51,8 +53,9 @@ export const fitMetrics: ModeMetrics = [
     {
       testid: "m-bytes", about: "Size as path data: the points as a polyline, then the curve",
       read: of((outcome, { fit }) => {
-        const value = bytesOfFit(outcome);
-        return { value, lead: `${formatBytes(bytesOfData(fit.data, strokesOf(fit)))} →`, strong: formatBytes(value) };
+        const unit = unitIn(boxOf(fit.data));
+        const value = bytesOfFit(outcome, unit);
+        return { value, lead: `${formatBytes(bytesOfData(fit.data, strokesOf(fit), unit))} →`, strong: formatBytes(value) };
       }),
       slow: true,
     },

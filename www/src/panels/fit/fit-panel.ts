@@ -2,8 +2,9 @@ import "../../styles/buttons.css";
 import "../../styles/fit.css";
 import { fitSample } from "../../document/fit/fit-samples.ts";
 import type { FitClosing, FitModel, FitTarget } from "../../document/fit/fit.ts";
+import { unitIn } from "../../document/unit.ts";
 import type { EditorState } from "../../editor/editor.ts";
-import { chooseFitTool, describeData, setClosing, setCorners, setMix, setModel, setNoise, setSmoothing, setTarget, setTargetValue } from "../../editor/fit/fit-edits.ts";
+import { boxOf, chooseFitTool, describeData, setClosing, setCorners, setMix, setModel, setNoise, setSmoothing, setTarget, setTargetValue } from "../../editor/fit/fit-edits.ts";
 import { choosesCorners } from "../../editor/fit/fit-question.ts";
 import type { FitTool } from "../../editor/fit/fit-state.ts";
 import { h, setAttribute, setText } from "../controls/dom.ts";
@@ -83,11 +84,15 @@ function smoothingSection(shell: Shell): Section & { readonly slider: HTMLElemen
   const write = (value: number | null): void => {
     if (value !== null) setTargetValue(editor, value);
   };
+  const unit = (): number => unitIn(boxOf(editor.state.value.fit.data));
   const most = {
     knots: numberField({ label: "At most", testid: "fit-target-value", about: "Knots: places where the curve changes.", least: 2, most: 1000, step: 1, format: String, write }),
     error: numberField({
       label: "At most", testid: "fit-target-value", about: "How far a point may be from the curve, in pixels.",
-      least: 0.01, most: 1000, step: 1, format: (value) => String(Number(value.toFixed(2))), write,
+      get least() { return 0.01 * unit(); },
+      get most() { return Math.max(1000, editor.state.value.fit.targetError); },
+      get step() { return unit(); },
+      format: (value) => String(Number(value.toPrecision(4))), write,
     }),
   };
   const value = h("div", { class: "fit-target-value" });

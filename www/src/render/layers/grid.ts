@@ -1,13 +1,14 @@
 import type { Artboard } from "../../document/artboard.ts";
 import { toPage } from "../../editor/pointer/camera.ts";
+import { gridOf } from "../../editor/pointer/snapping.ts";
 import { inPage, inScreen, onScreen, type Scene } from "../scene.ts";
 
 /** Dots at the grid's steps; the step doubles until dots are at least 12 px apart. */
 export function drawGrid(scene: Scene): void {
   const { state, palette } = scene;
-  if (!state.settings.overlays.grid) return;
+  let step = gridOf(state);
+  if (step === null) return;
   const { view, stage } = state;
-  let step = state.settings.gridStep;
   while (step * view.zoom < 12) step *= 2;
   const context = inScreen(scene);
   const from = toPage(view, stage, { x: 0, y: 0 });

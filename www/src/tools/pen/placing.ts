@@ -4,7 +4,7 @@ import { joinEnds } from "../../document/curve/joining.ts";
 import { nothingSelected, type Contour, type ControlPoint, type PointRef } from "../../document/document.ts";
 import type { EditorState, Rubber } from "../../editor/editor.ts";
 import { toScreen, type PagePoint } from "../../editor/pointer/camera.ts";
-import { constrained, snapPlace } from "../../editor/pointer/snapping.ts";
+import { constrained, gridOf, snapPlace } from "../../editor/pointer/snapping.ts";
 import { distanceBetween, type PointerSample } from "../../editor/tool.ts";
 
 /** What a press of the pen means: where its point goes, whether it closes the contour, which end it takes up. */
@@ -90,5 +90,5 @@ function placeOf({ curve, settings, view }: EditorState, contour: Contour | null
     return { x: last.x + step.dx, y: last.y + step.dy };
   }
   if (!settings.snap || modifiers.mod) return page;
-  return snapPlace(curve, nothingSelected, page, view.zoom, settings.overlays.grid ? settings.gridStep : null).value;
+  return snapPlace(curve, nothingSelected, page, view.zoom, gridOf({ curve, settings })).value;
 }

@@ -3,7 +3,7 @@ import { centreOf, frameOf, gripAndAnchor, nearestGrip } from "../../editor/curv
 import type { Editor, Grip, Guide, Target } from "../../editor/editor.ts";
 import type { PagePoint } from "../../editor/pointer/camera.ts";
 import { reachOf } from "../../editor/pointer/hit-test.ts";
-import { snapPlace } from "../../editor/pointer/snapping.ts";
+import { gridOf, snapPlace } from "../../editor/pointer/snapping.ts";
 import { nothingSketched } from "../../editor/sketch.ts";
 import type { Drag, PointerSample } from "../../editor/tool.ts";
 import { curveDrag } from "./curve-drag.ts";
@@ -37,7 +37,7 @@ function stretchBy(editor: Editor, start: PointerSample, grip: Exclude<Grip, "tu
     const step = { x: page.x - start.page.x, y: page.y - start.page.y };
     const snaps = settings.snap && !modifiers.mod && !modifiers.shift;
     const free = { x: held.x + step.x, y: held.y + step.y };
-    const found = snaps ? snapPlace(curve, selection, free, view.zoom, settings.overlays.grid ? settings.gridStep : null) : { value: free, guides: none };
+    const found = snaps ? snapPlace(curve, selection, free, view.zoom, gridOf(editor.state.value)) : { value: free, guides: none };
     const [before, now] = [difference(held, fixed), difference(found.value, fixed)];
     const sides = grip.length === 1;
     const across = grip === "n" || grip === "s" ? 1 : factorOf(now.x, before.x);

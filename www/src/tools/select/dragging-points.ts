@@ -4,7 +4,7 @@ import { nothingSketched } from "../../editor/sketch.ts";
 import type { PagePoint } from "../../editor/pointer/camera.ts";
 import type { DragReadout, Editor, EditorPatch, Guide } from "../../editor/editor.ts";
 import { onDemand } from "../../editor/loading.ts";
-import { constrained, snapHandle, snapPlace, turnedBySteps } from "../../editor/pointer/snapping.ts";
+import { constrained, gridOf, snapHandle, snapPlace, turnedBySteps } from "../../editor/pointer/snapping.ts";
 import type { Drag, PointerSample } from "../../editor/tool.ts";
 import { curveDrag } from "./curve-drag.ts";
 
@@ -34,7 +34,7 @@ export function dragPoints(editor: Editor, start: PointerSample, pressed: PointR
     if (sample.modifiers.shift) {
       step = constrained(step.dx, step.dy);
     } else if (settings.snap && !sample.modifiers.mod && origin !== undefined) {
-      const found = snapPlace(curve, selection, { x: origin.x + step.dx, y: origin.y + step.dy }, view.zoom, settings.overlays.grid ? settings.gridStep : null);
+      const found = snapPlace(curve, selection, { x: origin.x + step.dx, y: origin.y + step.dy }, view.zoom, gridOf(editor.state.value));
       if (found.to !== null) step = { dx: found.value.x - origin.x, dy: found.value.y - origin.y };
       ({ guides, onto, to: snapped } = found);
     }

@@ -2,6 +2,7 @@ import { closedByChord, partsOf } from "../../../document/curve/parts.ts";
 import type { Contour, CurveDocument } from "../../../document/document.ts";
 import { bezierGhost, ellipseOf } from "../overlays/bezier-ghost.ts";
 import { curveOf } from "../curve-cache.ts";
+import { unitOf } from "../../unit.ts";
 import { pathSize } from "./path-size.ts";
 import { samplePoints } from "../samples.ts";
 import { splineShape } from "../spline-shape.ts";
@@ -89,7 +90,7 @@ function areaOfPart(document: CurveDocument, contour: Contour, part: Contour): n
 
 /** Of a contour in parts, as if each were a path of its own that begins where the last one ends. */
 function bytesOfPart(document: CurveDocument, part: Contour): number {
-  return kept(document, part, "bytes", pathSize);
+  return kept(document, part, "bytes", (curve) => pathSize(curve, unitOf(document)));
 }
 
 function areaOfContour(document: CurveDocument, contour: Contour): number {

@@ -1,19 +1,19 @@
 import { pointAt, type Kind, type Offset, type PointRef, type Side } from "../../../document/document.ts";
 import type { Editor, EditorState } from "../../../editor/editor.ts";
 import { degreesOf, nudge, setHandlePolar, setKind, setPoint } from "../../../editor/curve/edits.ts";
-import { h } from "../../controls/dom.ts";
+import { unitOf } from "../../../kernel/unit.ts";
+import { h, setAttribute } from "../../controls/dom.ts";
 import { choiceField, numberField, type Field } from "../../controls/fields.ts";
 import { glyph, icon, type IconName } from "../../controls/icons.ts";
 import type { Section } from "../../mode/panel-parts.ts";
+import { lengthField } from "./length-field.ts";
 
 /** The numbers of a chosen point, the kind of all, and the nudge pad. Loaded when a point is chosen first. */
 
-const limit = 1e6;
-
 export function pointNumbers(editor: Editor): Section {
-  const rows = [placeRow(editor), kindRow(editor), handleRow(editor, "in", "In"), handleRow(editor, "out", "Out")];
+  const rows = [placeRow(editor), kindRow(editor), handleRow(editor, "in", "In"), handleRow(editor, "out", "Out"), nudgePad(editor)];
   return {
-    element: h("div", { class: "inspector" }, ...rows.map(({ element }) => element), nudgePad(editor)),
+    element: h("div", { class: "inspector" }, ...rows.map(({ element }) => element)),
     update(state) {
       for (const row of rows) row.update(state);
     },
@@ -26,13 +26,10 @@ function onlyPoint({ selection }: EditorState): PointRef | undefined {
 }
 
 function placeRow(editor: Editor): Section {
-  const coordinate = (axis: "x" | "y", label: string, direction: string): Field<number> => numberField({
+  const coordinate = (axis: "x" | "y", label: string, direction: string): Field<number> => lengthField(editor, {
     label,
     testid: `pt-${axis}`,
     about: `${direction}, in document units; a typed value is exact.`,
-    least: -limit,
-    most: limit,
-    step: 1,
     write(value) {
       const ref = onlyPoint(editor.state.value);
       if (ref !== undefined && value !== null) setPoint(editor, ref, { [axis]: value }, `type-${axis}`);
@@ -78,13 +75,11 @@ function handleRow(editor: Editor, side: Side, name: string): Section {
     const ref = onlyPoint(editor.state.value);
     if (ref !== undefined && value !== null) setHandlePolar(editor, ref, side, { [part]: value }, `type-${side}-${part}`);
   };
-  const length = numberField({
+  const length = lengthField(editor, {
     label: "Length",
     testid: `${side}-len`,
     about: `Length of the ${name} handle: a third of the tangent vector.`,
     least: 0,
-    most: limit,
-    step: 1,
     write: write("length"),
   });
   const angle = numberField({
@@ -138,29 +133,36 @@ function kindOf({ selection, curve }: EditorState): Kind | null | undefined {
   return others.every((ref) => pointAt(curve, ref)?.kind === kind) ? kind : undefined;
 }
 
-/** Moving without dragging: four buttons, Shift for ten, Alt for a tenth. */
-function nudgePad(editor: Editor): HTMLElement {
+/** Moving without dragging: four buttons, Shift for ten units of the drawing, Alt for a tenth. */
+function nudgePad(editor: Editor): Section {
   const directions: readonly (readonly [string, IconName, number, number])[] = [
     ["left", "left", -1, 0],
     ["up", "up", 0, -1],
     ["down", "down", 0, 1],
     ["right", "right", 1, 0],
   ];
-  const buttons = directions.map(([name, shape, dx, dy]) =>
-    h("button", {
+  const buttons = directions.map(([name, shape, dx, dy]) => {
+    const button = h("button", {
       class: "icon-button",
       type: "button",
       testid: `nudge-${name}`,
       "aria-label": `Nudge ${name}`,
-      title: `Move ${name} by 1; with Shift by 10, with Alt by 0.1`,
       click: (event: MouseEvent) => {
         const by = event.shiftKey ? 10 : event.altKey ? 0.1 : 1;
         nudge(editor, dx * by, dy * by);
       },
-    }, icon(shape)),
-  );
-  return h("div", { class: "field nudge", role: "group", "aria-label": "Nudge" },
-    h("span", { class: "field-label" }, "Nudge"),
-    h("span", { class: "nudge-pad" }, ...buttons),
-  );
+    }, icon(shape));
+    return { name, button };
+  });
+  return {
+    element: h("div", { class: "field nudge", role: "group", "aria-label": "Nudge" },
+      h("span", { class: "field-label" }, "Nudge"),
+      h("span", { class: "nudge-pad" }, ...buttons.map(({ button }) => button)),
+    ),
+    update({ curve }) {
+      const unit = unitOf(curve);
+      const by = (times: number): string => String(Number((times * unit).toPrecision(1)));
+      for (const { name, button } of buttons) setAttribute(button, "title", `Move ${name} by ${by(1)}; with Shift by ${by(10)}, with Alt by ${by(0.1)}`);
+    },
+  };
 }

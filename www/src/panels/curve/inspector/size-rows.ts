@@ -1,16 +1,14 @@
 import { measuresOf, setMeasure, type Measure } from "../../../editor/curve/sizing.ts";
 import type { Editor } from "../../../editor/editor.ts";
 import { h } from "../../controls/dom.ts";
-import { numberField } from "../../controls/fields.ts";
 import type { Section } from "../../mode/panel-parts.ts";
+import { lengthField } from "./length-field.ts";
 
 /** Place and size of several selected points. Loaded when several are selected first. */
 
-const limit = 1e6;
-
-const fields: readonly (readonly [Measure, string, string, string, number])[] = [
-  ["x", "X", "sel-x", "Left edge of the selection; typing moves it.", -limit],
-  ["y", "Y", "sel-y", "Top edge of the selection; typing moves it.", -limit],
+const fields: readonly (readonly [Measure, string, string, string, number?])[] = [
+  ["x", "X", "sel-x", "Left edge of the selection; typing moves it."],
+  ["y", "Y", "sel-y", "Top edge of the selection; typing moves it."],
   ["width", "W", "sel-w", "Width of the selection; typing scales it from the left edge.", 0.01],
   ["height", "H", "sel-h", "Height of the selection; typing scales it from the top edge.", 0.01],
 ];
@@ -18,8 +16,8 @@ const fields: readonly (readonly [Measure, string, string, string, number])[] = 
 export function sizeRows(editor: Editor): Section {
   const made = fields.map(([measure, label, testid, about, least]) => ({
     measure,
-    field: numberField({
-      label, testid, about, least, most: limit, step: 1,
+    field: lengthField(editor, {
+      label, testid, about, ...(least === undefined ? {} : { least }),
       write(value) {
         if (value !== null) setMeasure(editor, measure, value);
       },
