@@ -92,6 +92,39 @@ test("a first stroke replaces a sample, the next one is added", () => {
   assert.equal(strokesOf(fitOf(made)).length, 1);
 });
 
+test("what a sample set goes with it when one's own points take its place; what somebody has set stays", () => {
+  const stroke = { places: [[0, 0], [10, 4], [20, 1], [30, 6]] as const };
+  for (const bring of [
+    (made: Hand) => made.drag({ x: 100, y: 100 }, 100, 0),
+    (made: Hand) => bringStrokes(made.editor, { name: "Import", strokes: [stroke] }),
+    (made: Hand) => bringStrokes(made.editor, { name: "Import", strokes: [stroke], instead: "all" }),
+    (made: Hand) => clearFit(made.editor),
+  ]) {
+    const made = hand();
+    openFitSample(made.editor, "fit-circle");
+    assert.equal(fitOf(made).model, "cubic");
+    bring(made);
+    const { data: _data, starts: _starts, noise: _noise, seed: _seed, ...settings } = fitOf(made);
+    const { starts: _none, noise: _quiet, seed: _first, ...usual } = fitDefaults;
+    assert.deepEqual(settings, usual);
+    openFitSample(made.editor, "fit-circle");
+    setModel(made.editor, "linear");
+    setSmoothing(made.editor, 71);
+    bring(made);
+    assert.equal(fitOf(made).model, "linear");
+    assert.equal(fitOf(made).smoothing, 71);
+  }
+});
+
+test("measured points in place of a drawing are not held to that drawing's error", () => {
+  const made = hand();
+  const places = [[0, 0], [1e-3, 4e-3], [2e-3, 1e-3], [3e-3, 6e-3]] as const;
+  bringStrokes(made.editor, { name: "Simplify", strokes: [{ places }], within: 2, instead: "all" });
+  assert.equal(fitOf(made).target, "error");
+  bringStrokes(made.editor, { name: "Import", strokes: [{ places }], instead: "all" });
+  assert.equal(fitOf(made).target, "off");
+});
+
 test("points are placed one by one; a double-click begins another stroke", () => {
   const made = hand();
   chooseFitTool(made.editor, "points");

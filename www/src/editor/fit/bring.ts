@@ -1,9 +1,9 @@
 import { settingOf, type Setting } from "../../document/artboard.ts";
 import type { Contour } from "../../document/document.ts";
-import { emptied, withStrokes, type FitDocument, type NewStroke, type Pair } from "../../document/fit/fit.ts";
+import { emptied, withStrokes, type NewStroke, type Pair } from "../../document/fit/fit.ts";
 import { diagonalOf, mostPlaces, placesAlong } from "../../kernel/fit/as-strokes.ts";
 import type { Editor } from "../editor.ts";
-import { setFitView, showData } from "./fit-edits.ts";
+import { base, setFitView, showData } from "./fit-edits.ts";
 
 /** Strokes from outside Fit: a file, a drawing of Curve, outlines of Trace. Copies, always. */
 
@@ -23,12 +23,13 @@ export function bringStrokes(editor: Editor, { name, strokes, within, instead = 
   if (editor.state.value.mode !== "fit") editor.actions.run("mode-fit");
   editor.fitEdits.dispatch(name, ({ fit }) => {
     const fresh = instead === "all" || fit.sample !== undefined || fit.data.length === 0;
-    const rest: FitDocument = fresh ? { ...emptied(fit), closing: "auto", ...settingOf(setting) } : fit;
-    const asked: FitDocument = fresh && within !== undefined ? { ...rest, target: "error", targetError: within } : rest;
-    return { fit: withStrokes(asked, strokes) };
+    if (!fresh) return { fit: withStrokes(fit, strokes) };
+    // An error in the units of another drawing says nothing of this one.
+    const target = within !== undefined ? { target: "error", targetError: within } as const : fit.target === "error" ? { target: "off" } as const : {};
+    return { fit: withStrokes({ ...emptied(base(fit)), closing: "auto", ...settingOf(setting), ...target }, strokes) };
   });
   setFitView(editor, { chosen: [] });
-  showData(editor, 64);
+  showData(editor);
 }
 
 /** Another mode's drawing in place of what Fit holds; said with a way back to what somebody had made there. */

@@ -1,5 +1,5 @@
 import {
-  emptied, fitLimits, isJoined, strokesOf, withPoint, withStrokes, withoutDisc, type FitClosing, type FitDocument, type FitModel, type FitTarget,
+  emptied, fitDefaults, fitLimits, isJoined, strokesOf, withPoint, withStrokes, withoutDisc, type FitClosing, type FitDocument, type FitModel, type FitTarget,
   type Pair,
 } from "../../document/fit/fit.ts";
 import { fitSample, samplePoints, type FitSample } from "../../document/fit/fit-samples.ts";
@@ -96,7 +96,7 @@ export function openFitSample(editor: Editor, id: string): boolean {
 export const sampleZoom = 1.5;
 
 /** All data in view, with room around. */
-export function showData(editor: Editor, most: number): void {
+export function showData(editor: Editor, most?: number): void {
   const { fit, stage } = editor.state.value;
   const box = boxOf(fit.data);
   if (box === null) return editor.patch({ view: { zoom: 1, x: 400, y: 300 } });
@@ -115,9 +115,12 @@ export function boxOf(data: readonly Pair[]): { minX: number; minY: number; maxX
   return box;
 }
 
-/** A sample as it was opened gives way to what is drawn; what was worked on is added to. */
-function base(fit: FitDocument): FitDocument {
-  return fit.sample === undefined ? fit : { ...emptied(fit), closing: "auto" };
+/** A sample as it was opened gives way to what is drawn or brought in, and its settings to the usual ones, but for those that somebody has set; what was worked on is added to. */
+export function base(fit: FitDocument): FitDocument {
+  if (fit.sample === undefined) return fit;
+  const set: Partial<FitDocument> = fitSample(fit.sample)?.settings ?? {};
+  const mine = Object.entries(emptied(fit)).filter(([name, value]) => set[name as keyof FitDocument] !== value);
+  return { ...fitDefaults, data: [], ...Object.fromEntries(mine), starts: [], closing: "auto" };
 }
 
 export function addStroke(editor: Editor, stroke: readonly Pair[]): void {
