@@ -83,6 +83,19 @@ test("the hint ends before the zoom box, with a finger's buttons, too", async (t
   }
 });
 
+test("on a phone that lies on its side the hint is below the lowest point, in two lines, too", async (t) => {
+  for (const viewport of [{ width: 667, height: 375 }, { width: 740, height: 360 }]) {
+    for (const sample of ["heart", "blob-16", "circle-8"]) {
+      const demo = await open(t, `#/curve?sample=${sample}`, { viewport, hasTouch: true, isMobile: true });
+      const { y: top } = await demo.byId("hint").boundingBox() ?? { y: 0 };
+      const points = await demo.points();
+      const lowest = Math.max(...await Promise.all(points.map(async ({ x, y }) => (await demo.toScreen(x, y)).y)));
+      // A marker reaches seven pixels down from its point.
+      assert.ok(lowest + 7 <= top, `${sample}: the lowest point is at ${lowest}, the hint begins at ${top}`);
+    }
+  }
+});
+
 test("what the waves around the first circle are can be read on every phone", async (t) => {
   for (const size of [phone, smallest]) {
     const demo = await open(t, "", size);

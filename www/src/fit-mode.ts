@@ -1,6 +1,7 @@
 import { registerFitActions } from "./editor/fit/fit-actions.ts";
 import { boxOf, chooseFitTool } from "./editor/fit/fit-edits.ts";
 import { fitHint, fitSummary } from "./editor/fit/fit-hint.ts";
+import { turned } from "./editor/pointer/camera.ts";
 import { createFitRunner } from "./editor/fit/fit-runner.ts";
 import { connectFit } from "./editor/fit/freehand.ts";
 import { editInCurve, fittedDrawing } from "./editor/fit/hand-over.ts";
@@ -47,6 +48,10 @@ export function mountFitMode({ editor, frame, stage, surface, proxies, panels, c
     lastJobMs: () => editor.state.value.fitRun.lastMs,
     working: () => runner.idle(),
   };
+  editor.state.subscribe(({ mode, fit, view }) => {
+    const up = mode === "fit" && fit.up === true;
+    if (up !== (view.up ?? false)) editor.patch({ view: turned(view, up) });
+  }, { until, now: true });
   let was = editor.state.value.mode;
   editor.state.subscribe(({ mode, tool, fitView }, before) => {
     if (mode !== was) {

@@ -30,6 +30,8 @@ export interface View {
   readonly zoom: number;
   readonly x: number;
   readonly y: number;
+  /** Whether y points up, as in charts, and not down, as in drawings. */
+  readonly up?: boolean;
 }
 
 /** The version of the file format. 2 added interpolating contours and surfaces; files of version 1 still open. */

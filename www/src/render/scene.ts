@@ -1,5 +1,5 @@
 import type { Contour, CurveDocument } from "../document/document.ts";
-import { toPage, toScreen, type PagePoint, type ScreenPoint } from "../editor/pointer/camera.ts";
+import { toPage, toScreen, zoomDown, type PagePoint, type ScreenPoint } from "../editor/pointer/camera.ts";
 import type { EditorState } from "../editor/editor.ts";
 import type { Bounds } from "../kernel/curve/samples.ts";
 import { cubicsOf } from "../kernel/paths/paths.ts";
@@ -38,7 +38,8 @@ export function inScreen({ context, ratio }: Scene): CanvasRenderingContext2D {
 export function inPage({ context, ratio, state }: Scene): CanvasRenderingContext2D {
   const { view, stage } = state;
   const scale = ratio * view.zoom;
-  context.setTransform(scale, 0, 0, scale, ratio * (stage.width / 2 - view.x * view.zoom), ratio * (stage.height / 2 - view.y * view.zoom));
+  const down = ratio * zoomDown(view);
+  context.setTransform(scale, 0, 0, down, ratio * (stage.width / 2) - view.x * scale, ratio * (stage.height / 2) - view.y * down);
   return context;
 }
 

@@ -22,9 +22,10 @@ export function readFit(found: Found): FitDocument {
   const starts = optional(found, "starts", (list) => asArray(list, (start) => asWhole(start, 1, mostPoints), mostPoints, "maxPoints")) ?? [];
   const rising = starts.every((start, i) => start > (starts[i - 1] ?? 0) && start < data.length);
   if (!rising) throw new FileError("E_SCHEMA", `${found.path}.starts`, "is not rising, or beyond the data");
+  const up = optional(found, "up", asBoolean);
   const paints = optional(found, "paints", (list) => asArray(list, readPaint, mostPoints, "maxPoints"));
   if (paints !== undefined && paints.length !== strokesOf({ data, starts }).length) throw new FileError("E_SCHEMA", `${found.path}.paints`, "has not one paint for each stroke");
-  return { ...fitDefaults, ...settings(found), data, starts, ...(paints === undefined ? {} : { paints }), ...readSetting(found), ...(sample === undefined ? {} : { sample }) };
+  return { ...fitDefaults, ...settings(found), data, starts, ...(up === true ? { up } : {}), ...(paints === undefined ? {} : { paints }), ...readSetting(found), ...(sample === undefined ? {} : { sample }) };
 }
 
 function settings(found: Found): Partial<FitDocument> {

@@ -17,6 +17,8 @@ export type FitTarget = "off" | "knots" | "error";
 export interface FitDocument extends Setting {
   /** The sample that the data are, for as long as nothing was drawn, erased or brought in. */
   readonly sample?: string;
+  /** Whether y points up, as in charts: so tables are read. */
+  readonly up?: boolean;
   /** All strokes, one after the other. With a sample's name, none: the sample is still to be opened. */
   readonly data: readonly Pair[];
   /** Where in the data each stroke after the first begins. */

@@ -34,7 +34,7 @@ export function isJoined({ data, closing }: Pick<FitDocument, "data" | "closing"
 }
 
 /** The document without strokes, and without what was true of the drawing that they came from. */
-export function emptied({ sample: _gone, filling: _filling, artboard: _artboard, paints: _paints, ...fit }: FitDocument): FitDocument {
+export function emptied({ sample: _gone, up: _way, filling: _filling, artboard: _artboard, paints: _paints, ...fit }: FitDocument): FitDocument {
   return { ...fit, data: [], starts: [] };
 }
 

@@ -17,7 +17,8 @@ export function openInCurve(editor: Editor, name: string, { contours, ...setting
     select: nothingSelected,
   });
   editor.setOverlay("bezier", false);
-  editor.patch({ view, hint: "" });
+  const { zoom, x, y, up } = view;
+  editor.patch({ view: up === true ? { zoom, x, y: 0 - y } : view, hint: "" });
   const said = says(contours.reduce((sum, { points }) => sum + points.length, 0));
   editor.notify({ kind: "toast", text: own ? `${said} Undo restores the previous drawing.` : said, ...(own ? { actionId: "undo" } : {}) });
 }

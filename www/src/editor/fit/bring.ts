@@ -15,21 +15,28 @@ export interface Brought {
   readonly within?: number;
   /** Beside a sample, which always gives way: whether everything else does too. */
   readonly instead?: "nothing" | "all";
+  /** Whether their y points up. */
+  readonly up?: boolean;
   /** Of the drawing that they come from; where Fit has other strokes, theirs stays. */
   readonly setting?: Setting;
 }
 
-export function bringStrokes(editor: Editor, { name, strokes, within, instead = "nothing", setting = {} }: Brought): void {
+export function bringStrokes(editor: Editor, { name, strokes, within, instead = "nothing", up = false, setting = {} }: Brought): void {
   if (editor.state.value.mode !== "fit") editor.actions.run("mode-fit");
   editor.fitEdits.dispatch(name, ({ fit }) => {
     const fresh = instead === "all" || fit.sample !== undefined || fit.data.length === 0;
-    if (!fresh) return { fit: withStrokes(fit, strokes) };
+    // Numbers beside others are what they are; a drawing stays upright.
+    if (!fresh) return { fit: withStrokes(fit, fit.up === true && !up ? strokes.map(turnedOver) : strokes) };
     // An error in the units of another drawing says nothing of this one.
     const target = within !== undefined ? { target: "error", targetError: within } as const : fit.target === "error" ? { target: "off" } as const : {};
-    return { fit: withStrokes({ ...emptied(base(fit)), closing: "auto", ...settingOf(setting), ...target }, strokes) };
+    return { fit: withStrokes({ ...emptied(base(fit)), closing: "auto", ...settingOf(setting), ...target, ...(up ? { up } : {}) }, strokes) };
   });
   setFitView(editor, { chosen: [] });
   showData(editor);
+}
+
+function turnedOver({ places, ...paint }: NewStroke): NewStroke {
+  return { ...paint, places: places.map(([x, y]): Pair => [x, 0 - y]) };
 }
 
 /** Another mode's drawing in place of what Fit holds; said with a way back to what somebody had made there. */
@@ -44,10 +51,10 @@ export function handOver(editor: Editor, says: string, bring: () => void): void 
 const simpler = 1 / 400;
 const apart = 1 / 600;
 
-/** Contours of files: points are what was measured, curves are followed. */
+/** Contours of files: points are what was measured, with y up as in a chart; curves are followed. */
 export function bringContours(editor: Editor, contours: readonly Contour[], arePoints: boolean, more: Pick<Brought, "instead" | "setting"> & { readonly name?: string } = {}): void {
   const named = { name: "Import", ...more };
-  if (arePoints) return bringStrokes(editor, { ...named, strokes: contours.map(({ points }) => ({ places: points.map(({ x, y }): Pair => [x, y]) })) });
+  if (arePoints) return bringStrokes(editor, { ...named, up: true, strokes: contours.map(({ points }) => ({ places: points.map(({ x, y }): Pair => [x, y]) })) });
   const { curve } = editor.state.value;
   const size = diagonalOf(curve, contours);
   bringStrokes(editor, { ...named, strokes: placesAlong(curve, contours, apart * size, mostPlaces), within: Number((simpler * size).toPrecision(2)) });

@@ -60,6 +60,12 @@ export function setClosing(editor: Editor, closing: FitClosing): void {
   change(editor, "Closed", (fit) => ({ ...fit, closing }));
 }
 
+/** Which way y points: the numbers stay what they are. */
+export function setUp(editor: Editor, up: boolean): void {
+  change(editor, "Y axis", ({ up: _before, ...fit }) => (up ? { ...fit, up } : fit));
+  showData(editor);
+}
+
 export function setTarget(editor: Editor, target: FitTarget): void {
   change(editor, "Target", (fit) => ({ ...fit, target }));
 }

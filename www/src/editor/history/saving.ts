@@ -28,7 +28,8 @@ export function createSaving({ state, timelines, modes, opened }: SavingOptions)
       format: "expline-demo",
       version: stateVersion,
       mode,
-      view,
+      // Which way y points follows from the document. Any other view stays the one that knows what it was made to show.
+      view: view.up === true ? { zoom: view.zoom, x: view.x, y: view.y } : view,
       curve,
       fit,
       trace: modes.get("trace")?.saved?.(state.value) ?? trace,

@@ -40,24 +40,29 @@ export function clampZoom(zoom: number, from: View, box: Box | null): number {
   return Math.min(Math.max(most, from.zoom), Math.max(Math.min(least, from.zoom), zoom));
 }
 
+/** CSS pixels downwards per document unit of y. */
+export function zoomDown({ zoom, up }: View): number {
+  return up === true ? -zoom : zoom;
+}
+
 export function toScreen(view: View, stage: StageBox, point: PagePoint): ScreenPoint {
-  return { x: stage.width / 2 + (point.x - view.x) * view.zoom, y: stage.height / 2 + (point.y - view.y) * view.zoom };
+  return { x: stage.width / 2 + (point.x - view.x) * view.zoom, y: stage.height / 2 + (point.y - view.y) * zoomDown(view) };
 }
 
 export function toPage(view: View, stage: StageBox, point: ScreenPoint): PagePoint {
-  return { x: view.x + (point.x - stage.width / 2) / view.zoom, y: view.y + (point.y - stage.height / 2) / view.zoom };
+  return { x: view.x + (point.x - stage.width / 2) / view.zoom, y: view.y + (point.y - stage.height / 2) / zoomDown(view) };
 }
 
 /** The view zoomed so that the document stays put under one place of the screen. */
 export function zoomedAt(view: View, stage: StageBox, at: ScreenPoint, zoom: number, box: Box | null): View {
-  const next = clampZoom(zoom, view, box);
-  const page = toPage(view, stage, at);
-  return { zoom: next, x: page.x - (at.x - stage.width / 2) / next, y: page.y - (at.y - stage.height / 2) / next };
+  const next = { ...view, zoom: clampZoom(zoom, view, box) };
+  const [page, there] = [toPage(view, stage, at), toPage(next, stage, at)];
+  return { ...next, x: view.x + page.x - there.x, y: view.y + page.y - there.y };
 }
 
 /** The view moved with the hand, by CSS pixels. */
 export function panned(view: View, dx: number, dy: number): View {
-  return { ...view, x: view.x - dx / view.zoom, y: view.y - dy / view.zoom };
+  return { ...view, x: view.x - dx / view.zoom, y: view.y - dy / zoomDown(view) };
 }
 
 /** What views were made to show. */
@@ -66,8 +71,8 @@ const fittings = new WeakMap<View, readonly [box: Box, most: number, share: numb
 /** A view that shows the whole box, never closer than `most`; handles and what lies over the stage have a share of it on every side. */
 export function fitted(box: Box, stage: StageBox, most = Infinity, share = 0.1): View {
   const margin = Math.max(24, Math.min(stage.width, stage.height) * share);
-  // The hint and the zoom box are below; on a phone the zoom box is above, and two lines of hint over the tools are below.
-  const [above = 0, below = 0] = (stage.width < 600 ? [64, 112] : [48, 48]).map((least) => Math.max(margin, Math.min(least, stage.height * 0.35)));
+  // The hint, in two lines where the stage is low, and the zoom box are below; on a phone the zoom box is above, and two lines of hint over the tools are below.
+  const [above = 0, below = 0] = (stage.width < 600 ? [64, 112] : [48, 60]).map((least) => Math.max(margin, Math.min(least, stage.height * 0.35)));
   const wide = Math.max(1, stage.width - 2 * margin) / Math.max(1e-9, box.maxX - box.minX);
   const high = Math.max(1, stage.height - above - below) / Math.max(1e-9, box.maxY - box.minY);
   const zoom = Math.min(wide, high, most, limitsFor(box)[1]);
@@ -80,4 +85,13 @@ export function fitted(box: Box, stage: StageBox, most = Infinity, share = 0.1):
 export function resized(view: View, stage: StageBox): View {
   const [box, most, share] = fittings.get(view) ?? [];
   return box === undefined || most === undefined ? view : fitted(box, stage, most, share);
+}
+
+/** The view with y pointing up or down; what was fitted stays in its place on the stage. */
+export function turned(view: View, up: boolean): View {
+  const { zoom, x, y } = view;
+  const fitting = fittings.get(view);
+  const next = { zoom, x, y: fitting === undefined ? y : fitting[0].minY + fitting[0].maxY - y, ...(up ? { up } : {}) };
+  if (fitting !== undefined) fittings.set(next, fitting);
+  return next;
 }

@@ -1,4 +1,4 @@
-import { clampZoom, panned, toPage, type ScreenPoint, type StageBox } from "./camera.ts";
+import { panned, zoomedAt, type ScreenPoint, type StageBox } from "./camera.ts";
 import type { Box } from "../../document/artboard.ts";
 import type { View } from "../../document/document.ts";
 import type { EditorPatch } from "../state.ts";
@@ -47,11 +47,8 @@ export function trackPinch(a: ScreenPoint, b: ScreenPoint, look: (spread: Spread
 /** The plane's own pinch. */
 export function createPinch(view: View, stage: StageBox, box: Box | null, a: ScreenPoint, b: ScreenPoint): Pinch {
   return trackPinch(a, b, ({ ratio, dx, dy, centre }) => {
-    const zoom = clampZoom(view.zoom * ratio, view, box);
     // The document point first under the fingers' middle stays under it.
-    const page = toPage(view, stage, centre);
-    const centred = { zoom, x: page.x - (centre.x - stage.width / 2) / zoom, y: page.y - (centre.y - stage.height / 2) / zoom };
-    return { view: panned(centred, dx, dy) };
+    return { view: panned(zoomedAt(view, stage, centre, view.zoom * ratio, box), dx, dy) };
   });
 }
 

@@ -37,7 +37,7 @@ export function openExport(shell: Shell): void {
     { title: "Export", testid: "export-dialog", wide: true },
     h("div", { class: "export" },
       h("div", { class: "export-options" }, result.picture, ...looks, ...optionFields(curve, refresh)),
-      h("div", { class: "export-result" }, ...result.rows),
+      h("div", { class: "export-result" }, ...result.rows, ...turnedNote(shell.editor)),
     ),
   );
   dialog.foot.append(
@@ -53,6 +53,12 @@ export function openExport(shell: Shell): void {
   );
   refresh();
   dialog.body.scrollTop = 0;
+}
+
+/** What is written is a drawing: of a chart, whose y points up, every y is turned over. */
+function turnedNote({ state }: Editor): readonly HTMLElement[] {
+  const { mode, fit } = state.value;
+  return mode === "fit" && fit.up === true ? [h("p", { class: "quiet", testid: "export-turned" }, "In a drawing y points down: every y of your data is written with the other sign. JSON keeps the numbers.")] : [];
 }
 
 function drawingOnStage({ modes, state }: Editor): CurveDocument {

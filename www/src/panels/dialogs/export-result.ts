@@ -69,6 +69,9 @@ function drawn(d: string, drawing: Box, { artboard, filled, filling, layers = []
     if (how !== undefined) path.style[how === "none" ? "fill" : "fillRule"] = how;
     return path;
   };
+  // As on the stage, only what is closed has a wash.
+  const parts = d.split(/(?=M)/u);
+  const washed = (isClosed: boolean): string => parts.filter((part) => /z\s*$/iu.test(part) === isClosed).join("");
   const layer = ({ d: text, color, isLine, line: along }: PaintedPath): SVGPathElement => {
     if (along === undefined) return isLine === true ? line(text, "none") : area(text, color);
     const path = area(text, color);
@@ -80,7 +83,7 @@ function drawn(d: string, drawing: Box, { artboard, filled, filling, layers = []
     });
     return path;
   };
-  const shapes = layers.length > 0 ? layers.map(layer) : [filled === true ? area(d, undefined) : line(d, filling)];
+  const shapes = layers.length > 0 ? layers.map(layer) : filled === true ? [area(d, undefined)] : [line(washed(true), filling), line(washed(false), "none")];
   return svg("svg", { viewBox, role: "img", "aria-label": "Preview of the exported path" }, ...sheet, ...shapes);
 }
 

@@ -31,11 +31,18 @@ export async function place(shell: Shell, imported: Imported, to: Destination, h
   const placement = how === undefined || how === "offered" ? naturalPlacement(shell, to) : how;
   if (to === "fit") await placeInFit(editor, imported, placement);
   else placeInCurve(editor, imported, placement);
-  const says = [summary(imported.contours), ...imported.notes.map((note) => `Note: ${note}.`)].join(" ");
+  const says = [summary(imported.contours), ...notesFor(editor, imported, to).map((note) => `Note: ${note}.`)].join(" ");
   // Where it has come from on taking the offer, it is already.
   toasts.say(says, how === "offered"
     ? undefined
     : { label: offers(imported.kind, to), run: () => void place(shell, imported, to === "fit" ? "curve" : "fit", "offered") });
+}
+
+/** What was read leniently, and which way y points where that of numbers may be meant otherwise. */
+function notesFor({ state }: Shell["editor"], { kind, notes }: Drawn, to: Destination): readonly string[] {
+  if (kind !== "points") return notes;
+  const isUp = to === "fit" && state.value.fit.up === true;
+  return [...notes, isUp ? "y points up, as in a chart; Y axis in the panel turns it over" : "y points down, as in drawings"];
 }
 
 function offers(kind: Drawn["kind"], to: Destination): string {

@@ -4,7 +4,7 @@ import { fitSample } from "../../document/fit/fit-samples.ts";
 import type { FitClosing, FitModel, FitTarget } from "../../document/fit/fit.ts";
 import { unitIn } from "../../document/unit.ts";
 import type { EditorState } from "../../editor/editor.ts";
-import { boxOf, chooseFitTool, describeData, setClosing, setCorners, setMix, setModel, setNoise, setSmoothing, setTarget, setTargetValue } from "../../editor/fit/fit-edits.ts";
+import { boxOf, chooseFitTool, describeData, setClosing, setCorners, setMix, setModel, setNoise, setSmoothing, setTarget, setTargetValue, setUp } from "../../editor/fit/fit-edits.ts";
 import { choosesCorners } from "../../editor/fit/fit-question.ts";
 import type { FitTool } from "../../editor/fit/fit-state.ts";
 import { h, setAttribute, setText } from "../controls/dom.ts";
@@ -45,6 +45,14 @@ function dataSection(shell: Shell): Section {
     label: "Seed", testid: "fit-seed", about: "Changes the noise, not its strength.", least: 0, most: 9999, step: 1, format: String,
     write: (value) => value !== null && setNoise(editor, editor.state.value.fit.noise, Math.round(value)),
   });
+  const axis = choiceField<"up" | "down">({
+    label: "Y axis", testid: "fit-up", about: "Which way y points. The numbers stay the same.",
+    options: [
+      { value: "up", label: "Up", about: "As in charts." },
+      { value: "down", label: "Down", about: "As in drawings and pictures." },
+    ],
+    write: (value) => setUp(editor, value === "up"),
+  });
   const actions = h("div", { class: "field-row fit-actions" },
     h("button", { class: "button", type: "button", testid: "fit-redraw", title: "Clear everything and draw again.", click: () => editor.actions.run("fit-redraw") },
       h("span", {}, "Redraw"),
@@ -53,10 +61,12 @@ function dataSection(shell: Shell): Section {
       h("span", {}, "Samples"),
     ));
   return {
-    element: h("section", { class: "section", "aria-label": "Data" }, tool.element, data, noise.element, seed.element, actions),
+    element: h("section", { class: "section", "aria-label": "Data" }, tool.element, data, axis.element, noise.element, seed.element, actions),
     update({ fit, fitView }) {
       tool.show(fitView.tool);
       setText(data, describeData(fit));
+      axis.element.hidden = fit.sample !== undefined || fit.data.length === 0;
+      axis.show(fit.up === true ? "up" : "down");
       noise.element.hidden = fit.sample === undefined;
       seed.element.hidden = fit.sample === undefined;
       noise.show(fit.noise);

@@ -1,5 +1,7 @@
 import { isJoined, strokesOf } from "../../document/fit/fit.ts";
 import type { EditorState } from "../../editor/editor.ts";
+import { unitIn } from "../../document/unit.ts";
+import { boxOf } from "../../editor/fit/fit-edits.ts";
 import { degreeOf } from "../../editor/fit/fit-question.ts";
 
 /** The program that makes the present fit: the bridge from the page to an integration. */
@@ -32,6 +34,8 @@ export function fitProgram(state: EditorState): string {
   const first = others.length === 0 ? "" : `// The first of ${others.length + 1} strokes: each is fitted by itself.\n`;
   const mix = degree.startsWith("[") && fit.mix !== 50 ? `\n  mix: ${fit.mix / 100},` : "";
   const corners = fit.corners ? "" : "\n  corners: false,";
+  const unit = unitIn(boxOf(fit.data));
+  const upright = fit.up === true ? "// In SVG y points down.\nconst { d } = fit.curve.transform([1, 0, 0, -1, 0, 0])" : "const { d } = fit.curve";
   return `import { fitSparse } from ${library};
 
 ${first}${data}
@@ -43,7 +47,7 @@ const fit = fitSparse(points, {
 });
 
 console.log(fit.knots.length, "knots, no point farther than", fit.maxError, "certified gap", fit.gap);
-const { d } = fit.curve.toPathD({ tolerance: 0.02 });
+${upright}.toPathD({ tolerance: ${Number((0.02 * unit).toPrecision(6))} });
 document.querySelector("path")?.setAttribute("d", d);
 
 // For a slider, keep what was computed: each step starts where the last one ended.

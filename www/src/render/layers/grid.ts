@@ -16,7 +16,7 @@ export function drawGrid(scene: Scene): void {
   context.fillStyle = palette.line;
   context.globalAlpha = 0.55;
   for (let x = Math.ceil(from.x / step) * step; x <= to.x; x += step) {
-    for (let y = Math.ceil(from.y / step) * step; y <= to.y; y += step) {
+    for (let y = Math.ceil(Math.min(from.y, to.y) / step) * step; y <= Math.max(from.y, to.y); y += step) {
       const at = onScreen(scene, { x, y });
       context.fillRect(Math.round(at.x) - 0.5, Math.round(at.y) - 0.5, 1, 1);
     }
