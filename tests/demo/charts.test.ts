@@ -46,6 +46,8 @@ test("a table of measurements rises where its numbers do, and one press turns it
   assertSame((await demo.state()).fit.data, rows);
   assert.equal(await rises(demo), true);
   await isInSight(demo);
+  for (const id of ["m-rms", "m-max"]) assert.doesNotMatch(await demo.textOf(id), /px/u, "nobody has said what was measured");
+  assert.match(await demo.byId("panel").innerText(), /40 points → (?:1 knot|\d+ knots) \(/u);
   // What the knots and the samples say is in the numbers of the data, too.
   const [last] = (await demo.sample(2)).slice(-1);
   assert.ok(Math.abs((last?.[1] ?? 0) - 34.4) < 1, String(last));

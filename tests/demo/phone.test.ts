@@ -96,6 +96,17 @@ test("on a phone that lies on its side the hint is below the lowest point, in tw
   }
 });
 
+test("what the page says lies above the zoom box, with a finger's buttons, too", async (t) => {
+  const demo = await open(t, "", { viewport: { width: 820, height: 1180 }, hasTouch: true, isMobile: true });
+  await demo.byId("btn-import").click();
+  await demo.byId("import-text").fill("M0 0L100 100");
+  await demo.byId("import-apply").click();
+  await demo.byId("toast").waitFor();
+  await demo.still();
+  const [toast, zoom] = [await demo.byId("toast").boundingBox(), await demo.page.locator(".stage-zoom").boundingBox()];
+  assert.ok(toast !== null && zoom !== null && toast.y + toast.height <= zoom.y, `${JSON.stringify(toast)} over ${JSON.stringify(zoom)}`);
+});
+
 test("what the waves around the first circle are can be read on every phone", async (t) => {
   for (const size of [phone, smallest]) {
     const demo = await open(t, "", size);

@@ -1,4 +1,4 @@
-import { strokesOf } from "../../document/fit/fit.ts";
+import { strokesOf, type FitDocument } from "../../document/fit/fit.ts";
 import { unitIn } from "../../document/unit.ts";
 import type { EditorState } from "../../editor/editor.ts";
 import { boxOf } from "../../editor/fit/fit-edits.ts";
@@ -12,6 +12,13 @@ type Reading = ReturnType<Metric["read"]>;
 
 const of = (read: (outcome: FitOutcome, state: EditorState) => Reading) => (state: EditorState): Reading =>
   state.fitRun.outcome === null ? null : read(state.fitRun.outcome, state);
+
+/** What was measured has units of its own, which nobody has said. */
+export function unitName({ up }: FitDocument): string {
+  return up === true ? "" : " px";
+}
+
+const inPixels = (fit: FitDocument): { readonly rest?: string } => (fit.up === true ? {} : { rest: "px" });
 
 export const fitMetrics: ModeMetrics = [
   [
@@ -30,12 +37,12 @@ export const fitMetrics: ModeMetrics = [
     {
       testid: "m-rms",
       about: "Root mean square distance between points and curve",
-      read: of(({ rms }) => ({ value: rms, lead: "rms", strong: formatDeviation(rms), rest: "px" })),
+      read: of(({ rms }, { fit }) => ({ value: rms, lead: "rms", strong: formatDeviation(rms), ...inPixels(fit) })),
     },
     {
       testid: "m-max",
       about: "No point is farther from the curve than this",
-      read: of(({ max }) => ({ value: max, lead: "max", strong: formatDeviation(max), rest: "px" })),
+      read: of(({ max }, { fit }) => ({ value: max, lead: "max", strong: formatDeviation(max), ...inPixels(fit) })),
     },
     {
       testid: "m-gap",

@@ -98,7 +98,7 @@ function smoothingSection(shell: Shell): Section & { readonly slider: HTMLElemen
   const most = {
     knots: numberField({ label: "At most", testid: "fit-target-value", about: "Knots: places where the curve changes.", least: 2, most: 1000, step: 1, format: String, write }),
     error: numberField({
-      label: "At most", testid: "fit-target-value", about: "How far a point may be from the curve, in pixels.",
+      label: "At most", testid: "fit-target-value", about: "How far a point may be from the curve, in document units.",
       get least() { return 0.01 * unit(); },
       get most() { return Math.max(1000, editor.state.value.fit.targetError); },
       get step() { return unit(); },

@@ -8,6 +8,7 @@ import { h, setAttribute, setText } from "../controls/dom.ts";
 import { selectField, sliderField, toggleField } from "../controls/fields.ts";
 import { formatChange, formatDeviation } from "../controls/format.ts";
 import { legendRow } from "../controls/legend.ts";
+import { unitName } from "./fit-metrics.ts";
 import { holdButton } from "../mode/hold-button.ts";
 import type { Section } from "../mode/panel-parts.ts";
 import type { Shell } from "../shell.ts";
@@ -37,14 +38,14 @@ export function readingSection(shell: Shell): Section {
     element: h("section", { class: "section", "aria-label": "Result" },
       h("div", { class: "section-head" }, h("h3", { class: "section-title" }, "Knots")), failure, reduction,
       h("div", { class: "legend" }, ...legend.map(({ row }) => row)), errors, h("div", { class: "field-row fit-actions" }, edit)),
-    update({ fitRun }: EditorState) {
+    update({ fit, fitRun }: EditorState) {
       const { outcome } = fitRun;
       for (const { type, show } of legend) show(outcome?.counts[type] ?? 0);
       const total = outcome?.knots.length ?? 0;
-      setText(reduction, outcome === null ? "" : `${outcome.size} → ${total} points (${formatChange(total / Math.max(1, outcome.size))})`);
+      setText(reduction, outcome === null ? "" : `${outcome.size} points → ${total} ${total === 1 ? "knot" : "knots"} (${formatChange(total / Math.max(1, outcome.size))})`);
       setText(errors, outcome === null
         ? ""
-        : `rms ${formatDeviation(outcome.rms)}, max ${formatDeviation(outcome.max)} px (${formatDeviation((100 * outcome.max) / Math.max(outcome.diagonal, 1e-12))} %)`);
+        : `rms ${formatDeviation(outcome.rms)}, max ${formatDeviation(outcome.max)}${unitName(fit)} (${formatDeviation((100 * outcome.max) / Math.max(outcome.diagonal, 1e-12))} %)`);
       edit.disabled = outcome === null;
       setText(failure, fitRun.failure === null ? "" : fitRun.failure.id === "points-few"
         ? `Fitting needs at least 4 different points; there ${fitRun.failure.details.count === 1 ? "is" : "are"} ${fitRun.failure.details.count ?? 0}.`
@@ -91,7 +92,7 @@ export function showSection(shell: Shell): Section {
       split.element.hidden = fitView.compare !== "split";
       split.show(Math.round(100 * fitView.split));
       ramp.hidden = !fitView.overlays.heat;
-      setText(most, `${formatDeviation(fitRun.outcome?.max ?? 0)} px`);
+      setText(most, `${formatDeviation(fitRun.outcome?.max ?? 0)}${unitName(fit)}`);
     },
   };
 }
