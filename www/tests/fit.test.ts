@@ -7,7 +7,7 @@ import { bringStrokes } from "../src/editor/fit/bring.ts";
 import { toggleFitOverlay } from "../src/editor/fit/fit-actions.ts";
 import { chooseFitTool, clearFit, eraseAt, openFitSample, setModel, setNoise, setSmoothing, setTarget, setTargetValue } from "../src/editor/fit/fit-edits.ts";
 import { mostDifferent, sameSubject, subjectOf } from "../src/editor/fit/fit-question.ts";
-import { createFitRunner } from "../src/editor/fit/fit-runner.ts";
+import { createFitRunner, type FitRunner } from "../src/editor/fit/fit-runner.ts";
 import { createFitClient, type FitClient } from "../src/kernel/fit/fit-client.ts";
 import type { FitAnswer, FitRequest, FitSubject } from "../src/kernel/fit/job.ts";
 import { shownKnots } from "../src/kernel/fit/knots.ts";
@@ -292,9 +292,10 @@ test("a worker that dies is replaced, and its request tried once more and no oft
 test("a worker that dies while it fills the chart leaves the fit that is shown", () => {
   const codes: string[] = [];
   const { client: fits, workers } = client({ failed: (code) => codes.push(code) });
-  fits.fit(what(1), { by: "smoothing", smoothing: 0.1 }, false);
+  const subject = what(1);
+  fits.fit(subject, { by: "smoothing", smoothing: 0.1 }, false);
   workers[0]?.answer({ kind: "fitted", subject: 1, id: 1, fits: [], ms: 1 });
-  fits.chart([0, 5]);
+  fits.chart(subject, [0, 5]);
   workers[0]?.dispatchEvent(Object.assign(new Event("error"), { message: "unreachable" }));
   assert.deepEqual(codes, []);
   fits.fit(what(1), { by: "smoothing", smoothing: 0.2 }, false);
@@ -396,6 +397,71 @@ test("a fit that is stopped leaves the curve before, and the settings that it wa
   await runner.idle();
   assert.deepEqual([said, editor.state.value.fit.target, editor.state.value.fitRun.since], [["Cancelled"], "off", null]);
   assert.deepEqual([worker.ids.length, worker.asked.at(-1)?.kind], [2, "chart"], "nothing is fitted anew, and the chart goes on");
+});
+
+/** The runner on four points, with the workers that it started. */
+function onPuppets(): { editor: Hand["editor"]; runner: FitRunner; worker: Puppet } {
+  const { editor } = hand();
+  const worker = new Puppet();
+  const runner = createFitRunner(editor, (handlers) => createFitClient(() => worker as unknown as Worker, handlers), () => 7, new AbortController().signal);
+  editor.fitEdits.amend(() => ({ fit: { ...fitDefaults, data: [[0, 0], [9, 0], [9, 9], [0, 9]] } }));
+  return { editor, runner, worker };
+}
+
+test("where another fit has begun when one comes, the page goes on saying that it works", () => {
+  const { editor, worker } = onPuppets();
+  setSmoothing(editor, 60);
+  worker.answer({ kind: "fitted", subject: 1, id: 1, fits: [], ms: 1 });
+  assert.deepEqual([worker.ids, editor.state.value.fitRun.since], [[1, 2], 7]);
+  assert.ok(worker.asked.every(({ kind }) => kind !== "chart"), "the chart waits");
+  worker.answer({ kind: "fitted", subject: 1, id: 2, fits: [], ms: 1 });
+  assert.deepEqual([editor.state.value.fitRun.since, worker.asked.at(-1)?.kind], [null, "chart"]);
+});
+
+test("a fit that came after the next was asked for has its own settings again when that one is stopped", () => {
+  const { editor, runner, worker } = onPuppets();
+  const before = editor.state.value.fit.smoothing;
+  setSmoothing(editor, before + 20);
+  worker.answer({ kind: "fitted", subject: 1, id: 1, fits: [], ms: 1 });
+  runner.cancel();
+  worker.answer({ kind: "stopped", subject: 1, id: 2 });
+  assert.equal(editor.state.value.fit.smoothing, before);
+});
+
+test("the chart is that of the curve that is shown, not of one that was stopped", () => {
+  const { editor, runner, worker } = onPuppets();
+  worker.answer({ kind: "fitted", subject: 1, id: 1, fits: [], ms: 1 });
+  setModel(editor, "linear");
+  runner.cancel();
+  worker.answer({ kind: "stopped", subject: 2, id: 2 });
+  const told = worker.asked.filter(({ kind }) => kind === "subject" || kind === "chart");
+  const [last, chart] = [told.at(-2), told.at(-1)];
+  assert.ok(last?.kind === "subject" && chart?.kind === "chart");
+  assert.deepEqual([editor.state.value.fit.model, last.what.degree, chart.subject], ["hybrid", [1, 3], last.subject]);
+  worker.answer({ kind: "chart", subject: 2, smoothing: 50, knots: 3, rms: 1 });
+  assert.deepEqual(editor.state.value.fitRun.chart, [], "what is still said of the other is not heard");
+});
+
+test("a fit that comes in spite of being stopped ends the waiting, and the settings are its own", () => {
+  const { editor, runner, worker } = onPuppets();
+  const before = editor.state.value.fit;
+  setSmoothing(editor, before.smoothing + 20);
+  runner.cancel();
+  worker.answer({ kind: "fitted", subject: 1, id: 1, fits: [], ms: 1 });
+  assert.deepEqual([editor.state.value.fitRun.since, editor.state.value.fit], [null, before]);
+  setSmoothing(editor, before.smoothing + 10);
+  setModel(editor, "linear");
+  runner.cancel();
+  worker.answer({ kind: "fitted", subject: 1, id: 3, fits: [], ms: 1 });
+  assert.deepEqual([editor.state.value.fitRun.since, editor.state.value.fit], [null, before], "also where it is of other settings than those that were stopped");
+});
+
+test("that an outdated fit failed is not said while the next one is under way", () => {
+  const { editor, worker } = onPuppets();
+  setSmoothing(editor, 60);
+  worker.answer({ kind: "failed", subject: 1, id: 1, code: "E_MEMORY", message: "" });
+  const { failure, since } = editor.state.value.fitRun;
+  assert.deepEqual([failure, since, worker.ids], [null, 7, [1, 2]]);
 });
 
 test("the parts of a curve are asked for when they are to be seen, and only where there are two", () => {

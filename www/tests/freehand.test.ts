@@ -11,7 +11,7 @@ import { toScreen } from "../src/editor/pointer/camera.ts";
 import { Hand } from "./harness.ts";
 
 /** Drawing by hand in Curve, with a fit that answers when it is told to. */
-function drawing(): { hand: Hand; asked: { subject: FitSubject; strength: FitStrength }[]; answer(count: number): void; fail(): void; draw(...places: readonly [number, number][]): void } {
+function drawing(): { hand: Hand; asked: { subject: FitSubject; strength: FitStrength }[]; answer(count: number): void; fail(code: string): void; draw(...places: readonly [number, number][]): void } {
   const hand = new Hand("circle-2");
   const { editor } = hand;
   const asked: { subject: FitSubject; strength: FitStrength }[] = [];
@@ -38,14 +38,14 @@ function drawing(): { hand: Hand; asked: { subject: FitSubject; strength: FitStr
       input.up(rest.at(-1) ?? first);
     },
     answer(count) {
-      const subject = asked.at(-1)?.subject;
-      assert.ok(subject !== undefined && handlers !== undefined);
+      const { subject, strength } = asked.at(-1) ?? assert.fail("nothing was asked for");
+      assert.ok(handlers !== undefined);
       const points = Array.from({ length: count }, (_, i) => [100 + 50 * i, 500]).flat();
       const curve = new HermiteCurve({ points, tangents: points.map((_, i) => (i % 2 === 0 ? 50 : 0)), closed: false, omega: 0 }).toJSON();
-      handlers.fitted([{ curve, parts: [], knots: [], parameters: new Float64Array(0), rms: 0, maxError: 1, lambda: [], gap: 0, status: "converged" }], subject, 5);
+      handlers.fitted([{ curve, parts: [], knots: [], parameters: new Float64Array(0), rms: 0, maxError: 1, lambda: [], gap: 0, status: "converged" }], subject, 5, strength);
     },
-    fail() {
-      handlers?.failed("E_DEGENERATE", "");
+    fail(code) {
+      handlers?.failed(code, "");
     },
   };
 }
@@ -96,6 +96,18 @@ test("strokes drawn faster than they are fitted wait for each other, and none is
   assert.deepEqual(hand.curve.contours.map(({ points }) => points.length), [2, 2, 3, 4]);
 });
 
+test("a stroke that no engine could fit is not called too short: what went wrong is said, and the next stroke is tried", () => {
+  const { hand, asked, fail, draw } = drawing();
+  const said: string[] = [];
+  hand.editor.notices.subscribe((notice) => notice?.kind === "error" && said.push(notice.text));
+  draw(...line(500));
+  draw(...line(540));
+  fail("E_WORKER");
+  assert.doesNotMatch(hand.editor.state.value.hint, /too short/);
+  assert.match(said.join(), /^The stroke could not become a curve \(E_WORKER\)/);
+  assert.equal(asked.length, 2);
+});
+
 test("a curve that comes while a point is dragged is there when the drag is over, whether it was done or cancelled", () => {
   for (const end of ["release", "cancel", "rest"] as const) {
     const { hand, answer, draw } = drawing();
@@ -132,7 +144,7 @@ test("a stroke that no curve can be made of is said to be none, and the next one
   const { hand, asked, answer, fail, draw } = drawing();
   draw(...line(500));
   draw(...line(540));
-  fail();
+  fail("E_DEGENERATE");
   assert.match(hand.editor.state.value.hint, /too short for a curve/);
   assert.equal(asked.length, 2);
   answer(2);

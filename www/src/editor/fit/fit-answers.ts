@@ -1,4 +1,5 @@
 import type { FitDocument } from "../../document/fit/fit.ts";
+import { isTooFew } from "../../kernel/fit/fit-client.ts";
 import { smoothingLike, type ChartPoint, type FitOutcome } from "../../kernel/fit/outcome.ts";
 import type { Editor } from "../editor.ts";
 import { showSmoothing } from "./fit-edits.ts";
@@ -46,6 +47,6 @@ export function showFailure(editor: Editor, code: string, message: string): void
 }
 
 function failureOf(fit: FitDocument, code: string, message: string): FitFailure {
-  if (code === "E_TOO_FEW_POINTS" || code === "E_DEGENERATE") return { id: "points-few", details: { count: mostDifferent(fit) } };
+  if (isTooFew(code)) return { id: "points-few", details: { count: mostDifferent(fit) } };
   return { id: "engine", details: { code: code === "" ? message.slice(0, 60) : code } };
 }

@@ -1,7 +1,7 @@
 import { firstFitSample, fitDefaults, type FitDocument } from "../../document/fit/fit.ts";
 import { fitSample, samplePoints } from "../../document/fit/fit-samples.ts";
 import type { FitClient, FitHandlers } from "../../kernel/fit/fit-client.ts";
-import type { FitSubject, PlainFit } from "../../kernel/fit/job.ts";
+import type { FitStrength, FitSubject, PlainFit } from "../../kernel/fit/job.ts";
 import { outcomeOf } from "../../kernel/fit/outcome.ts";
 import type { Editor } from "../editor.ts";
 import { setFitRun, showChartPoint, showFailure, showFit, showTooFew } from "./fit-answers.ts";
@@ -34,6 +34,8 @@ class Runner implements FitRunner {
   /** The document that was asked for last, and what of it is fitted. */
   #asked: FitDocument | null = null;
   #subject: FitSubject | null = null;
+  /** The documents that were asked for, by what the client names them by. */
+  readonly #documents = new WeakMap<FitStrength, FitDocument>();
   /** The document whose fit is on the stage. */
   #shown: FitDocument | null = null;
   /** The fit that is on the stage or under way is of a drag, and is to be done again from nothing. */
@@ -45,7 +47,7 @@ class Runner implements FitRunner {
     this.#editor = editor;
     this.#now = now;
     this.#client = connect({
-      fitted: (fits, what, ms) => this.#fitted(fits, what, ms),
+      fitted: (fits, what, ms, strength) => this.#fitted(fits, what, ms, strength),
       progress: (fitProgress) => editor.patch({ fitProgress }),
       stopped: () => this.#stopped(),
       failed: (code, message) => showFailure(editor, code, message),
@@ -97,23 +99,31 @@ class Runner implements FitRunner {
     setFitRun(this.#editor, { since: this.#editor.state.value.fitRun.since ?? this.#now(), failure: null });
     this.#editor.patch({ fitProgress: 0 });
     this.#cancelled = false;
-    this.#client.fit(subject, strengthOf(fit), live);
+    const strength = strengthOf(fit);
+    this.#documents.set(strength, fit);
+    this.#client.fit(subject, strength, live);
   }
 
-  #fitted(fits: readonly PlainFit[], what: FitSubject, ms: number): void {
-    if (what !== this.#subject) return;
-    this.#shown = this.#asked;
+  #fitted(fits: readonly PlainFit[], what: FitSubject, ms: number, strength: FitStrength): void {
+    if (what !== this.#subject) return this.#client.busy ? undefined : this.#stopped();
+    this.#shown = this.#documents.get(strength) ?? this.#asked;
     showFit(this.#editor, outcomeOf(what.strokes, fits), ms, this.#client.busy);
-    if (!this.#client.busy && !this.#unsettled) this.#fillChart();
+    if (this.#client.busy) return;
+    if (this.#shown !== this.#asked) this.#keepShown();
+    else if (!this.#unsettled) this.#fillChart();
+  }
+
+  #stopped(): void {
+    setFitRun(this.#editor, { since: null });
+    this.#keepShown();
   }
 
   /** The curve before stays, and so does what was asked for it: of the same points, the settings are those of the curve that is shown. */
-  #stopped(): void {
-    setFitRun(this.#editor, { since: null });
-    const [shown, { fit }] = [this.#shown, this.#editor.state.value];
+  #keepShown(): void {
+    const [shown, stopped, { fit }] = [this.#shown, this.#asked, this.#editor.state.value];
     if (!this.#cancelled || shown === null || shown.data !== fit.data) return;
     this.#asked = shown;
-    this.#subject = subjectOf(shown, this.#subject?.parts ?? false);
+    if (stopped === null || !sameSubject(stopped, shown)) this.#subject = subjectOf(shown, this.#subject?.parts ?? false);
     this.#editor.fitEdits.amend(() => ({ fit: shown }));
     this.#fillChart();
   }
@@ -121,7 +131,7 @@ class Runner implements FitRunner {
   #fillChart(): void {
     const { chart } = this.#editor.state.value.fitRun;
     const missing = chartAt.filter((smoothing) => !chart.some((point) => point.smoothing === smoothing));
-    if (missing.length > 0) this.#client.chart(missing);
+    if (this.#subject !== null && missing.length > 0) this.#client.chart(this.#subject, missing);
   }
 }
 

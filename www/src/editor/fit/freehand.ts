@@ -1,7 +1,7 @@
 import { addContours } from "../../document/curve/commands.ts";
 import { differentPoints, isJoined, type Pair } from "../../document/fit/fit.ts";
 import { contourOfFit } from "../../kernel/fit/as-contour.ts";
-import { createFitClient, type FitClient, type FitHandlers } from "../../kernel/fit/fit-client.ts";
+import { createFitClient, isTooFew, type FitClient, type FitHandlers } from "../../kernel/fit/fit-client.ts";
 import type { FitSubject } from "../../kernel/fit/job.ts";
 import { fitWorkers } from "../../kernel/fit/start-worker.ts";
 import type { Editor } from "../editor.ts";
@@ -41,8 +41,9 @@ export function createFreehand(editor: Editor, connect: (handlers: FitHandlers) 
         next();
       });
     },
-    failed() {
-      refuse("That stroke was too short for a curve. Try a longer one.");
+    failed(code) {
+      if (isTooFew(code)) refuse("That stroke was too short for a curve. Try a longer one.");
+      else editor.notify({ kind: "error", id: "engine", text: `The stroke could not become a curve (${code === "" ? "unknown" : code}). Check the connection, then draw it again.` });
       next();
     },
     stopped: () => undefined,

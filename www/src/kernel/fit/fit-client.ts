@@ -9,7 +9,9 @@ import type { FitAnswer, FitRequest, FitStrength, FitSubject, PlainFit } from ".
 export interface FitHandlers {
   /** How much of the fit that is under way is done, from 0 to 1. */
   progress(value: number): void;
-  fitted(fits: readonly PlainFit[], subject: FitSubject, ms: number): void;
+  /** What was asked for is named by the very objects that it was asked with. */
+  fitted(fits: readonly PlainFit[], subject: FitSubject, ms: number, strength: FitStrength): void;
+  /** Not told of a request that another has followed, no more than that it failed. */
   stopped(): void;
   failed(code: string, message: string): void;
   chart(point: { smoothing: number; knots: number; rms: number }): void;
@@ -20,12 +22,17 @@ export interface FitHandlers {
 export interface FitClient {
   /** The newest request: what was asked for before is dropped. */
   fit(subject: FitSubject, strength: FitStrength, live: boolean): void;
-  /** Fills the chart of the present subject when nothing is asked for. */
-  chart(at: readonly number[]): void;
+  /** Fills the chart of a subject when nothing is asked for. */
+  chart(subject: FitSubject, at: readonly number[]): void;
   cancel(): void;
   /** Resolves when nothing is under way or waiting; the chart does not count. */
   idle(): Promise<void>;
   readonly busy: boolean;
+}
+
+/** Whether a failure says that there are too few different points, and nothing of the engine. */
+export function isTooFew(code: string): boolean {
+  return code === "E_TOO_FEW_POINTS" || code === "E_DEGENERATE";
 }
 
 interface Asked {
@@ -69,13 +76,17 @@ export function createFitClient(start: () => Worker, handlers: FitHandlers): Fit
     }
   }
 
+  /** Says what is fitted, if it was something else before. */
+  function tell(what: FitSubject): void {
+    if (known === what) return;
+    known = what;
+    subject += 1;
+    post({ kind: "subject", subject, what });
+  }
+
   function begin(asked: Asked): void {
     running = asked;
-    if (known !== asked.what) {
-      known = asked.what;
-      subject += 1;
-      post({ kind: "subject", subject, what: asked.what });
-    }
+    tell(asked.what);
     post({ kind: "fit", subject, id: asked.id, strength: asked.strength, live: asked.live });
   }
 
@@ -86,19 +97,17 @@ export function createFitClient(start: () => Worker, handlers: FitHandlers): Fit
     }
     if (running === null || answer.id !== running.id) return;
     if (answer.kind === "progress") return handlers.progress(answer.value);
-    const done = running;
-    running = null;
-    if (answer.kind === "fitted") handlers.fitted(answer.fits, done.what, answer.ms);
-    else if (answer.kind === "failed") {
-      // An engine that did not start is started anew with the next request.
-      if (answer.code === "E_INIT") dismiss();
-      handlers.failed(answer.code, answer.message);
-    }
-    else if (waiting === null) handlers.stopped();
-    const next = waiting;
-    waiting = null;
+    const [done, next] = [running, waiting];
+    running = waiting = null;
+    // An engine that did not start is started anew with the next request.
+    if (answer.kind === "failed" && answer.code === "E_INIT") dismiss();
+    // Before anybody hears of the one that is done: whoever asks then whether there is more to come is told.
     if (next !== null) begin(next);
-    else settle();
+    if (answer.kind === "fitted") handlers.fitted(answer.fits, done.what, answer.ms, done.strength);
+    else if (next !== null) return;
+    else if (answer.kind === "failed") handlers.failed(answer.code, answer.message);
+    else handlers.stopped();
+    settle();
   }
 
   return {
@@ -113,8 +122,10 @@ export function createFitClient(start: () => Worker, handlers: FitHandlers): Fit
       waiting = asked;
       if (!live || running.what !== what) post({ kind: "stop" });
     },
-    chart(at) {
-      if (running === null && known !== null) post({ kind: "chart", subject, at });
+    chart(what, at) {
+      if (running !== null) return;
+      tell(what);
+      post({ kind: "chart", subject, at });
     },
     cancel() {
       waiting = null;
