@@ -119,6 +119,24 @@ test("a part that cannot be loaded is said", async (t) => {
   assert.match(await demo.textOf("error"), /could not be loaded/);
 });
 
+test("where a part of Import or Export cannot be loaded, that is what is said, and not that the engine stopped", async (t) => {
+  const demo = await open(t, "", { serviceWorkers: "block" });
+  const said = async (id: string): Promise<string> => {
+    await demo.byId(id).click();
+    return (await demo.page.locator("[data-error=part-missing], .toast-error").first().textContent()) ?? "";
+  };
+  await demo.page.route(/\/(import-(?!dialog)|svg-write-|png-(?!size))[^/]*\.js/u, (route) => route.abort());
+  await demo.byId("btn-import").click();
+  await demo.byId("import-text").fill("M0 0H9");
+  assert.match(await said("import-apply"), /could not be loaded/);
+  await demo.press("Escape");
+  await demo.byId("btn-export").click();
+  for (const id of ["export-svg", "export-png"]) {
+    assert.match(await said(id), /could not be loaded/);
+    await demo.page.locator(".toast-error").getByRole("button", { name: "Dismiss" }).click();
+  }
+});
+
 test("a part that was asked for is waited for, and asked for twice it is there once", async (t) => {
   const demo = await open(t, "", { serviceWorkers: "block" });
   await demo.page.route(/(dialog|code-drawer|menu)-?[^/]*\.js/u, (route) => void setTimeout(() => void route.continue(), 500));

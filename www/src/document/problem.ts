@@ -26,6 +26,7 @@ export type ProblemId =
   | "paste-unknown"
   | "number"
   | "share-long" | "share-bad"
+  | "part-missing"
   | "clipboard" | "storage" | "engine";
 
 export class Problem extends Error {

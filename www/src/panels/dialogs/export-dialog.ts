@@ -2,6 +2,7 @@ import { writeState } from "../../document/file/write.ts";
 import { curveSample } from "../../document/curve/samples.ts";
 import type { CurveDocument } from "../../document/document.ts";
 import type { Editor } from "../../editor/editor.ts";
+import { whenLoaded } from "../../editor/loading.ts";
 import { documentBounds } from "../../kernel/curve/samples.ts";
 import { writePath } from "../../kernel/paths/export.ts";
 import { snippetFor } from "../code/snippets.ts";
@@ -86,11 +87,9 @@ function fileLook(editor: Editor, curve: CurveDocument): FileLook {
   return { ...natural, filled, layers: layers.map(({ drawing, ...color }) => ({ ...color, d: writePath(drawing, chosenOptions(curve)) })) };
 }
 
-function svgButton({ io }: Shell, stem: string, curve: CurveDocument, box: Box, d: () => string, look: () => FileLook): HTMLElement {
+function svgButton({ editor, io }: Shell, stem: string, curve: CurveDocument, box: Box, d: () => string, look: () => FileLook): HTMLElement {
   const title = curveSample(curve.sample ?? "")?.title ?? "expline drawing";
-  const write = async (): Promise<void> => {
-    const text = await io.writeSvg({ title, d: d(), box, ...look() });
-    io.download(`${stem}.svg`, new Blob([text], { type: "image/svg+xml" }));
-  };
-  return button("SVG", { testid: "export-svg", title: "Download an SVG file", click: () => void write() });
+  const save = (text: string): void => io.download(`${stem}.svg`, new Blob([text], { type: "image/svg+xml" }));
+  const write = (): void => whenLoaded(editor, io.writeSvg({ title, d: d(), box, ...look() }), save);
+  return button("SVG", { testid: "export-svg", title: "Download an SVG file", click: write });
 }

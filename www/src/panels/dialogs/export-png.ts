@@ -1,4 +1,4 @@
-import { whileLoading } from "../../editor/loading.ts";
+import { whenLoaded } from "../../editor/loading.ts";
 import { button } from "../controls/dialog.ts";
 import { h, setAttribute, setText } from "../controls/dom.ts";
 import type { FileLook } from "../page-io.ts";
@@ -32,18 +32,20 @@ export interface PngGroup {
 /** The picture, its scale and what is under it; the size it will have is printed on the button. */
 export function pngGroup(shell: Shell, subject: PngSubject): PngGroup {
   const { box, look } = subject;
-  const save = button("PNG", { testid: "export-png", title: "Download a picture", click: () => void download(shell, subject) });
-  const refresh = (): void => void whileLoading(shell.editor, shell.io.pngSize({ ...look(), box }, scale)).then((size) => showSize(save, size));
+  const save = button("PNG", { testid: "export-png", title: "Download a picture", click: () => download(shell, subject) });
+  const refresh = (): void => whenLoaded(shell.editor, shell.io.pngSize({ ...look(), box }, scale), (size) => showSize(save, size));
   return { element: h("span", { class: "button-group", role: "group", "aria-label": "Picture" }, save, scaleChoice(refresh), paperChoice()), refresh };
 }
 
-async function download({ io, toasts }: Shell, { stem, d, box, look, asOnStage }: PngSubject): Promise<void> {
+function download({ editor, io, toasts }: Shell, { stem, d, box, look, asOnStage }: PngSubject): void {
   const colour = (name: string): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   const stage = asOnStage() ? { stage: { ink: colour("--curve"), fill: colour("--point") } } : {};
   const paper = !onPaper ? null : asOnStage() ? colour("--canvas") : lightPaper;
-  const blob = await io.writePng({ d: d(), box, scale, paper, ...look(), ...stage });
-  if (blob === null) toasts.say("This picture is too large for the browser. Choose a smaller scale.");
-  else io.download(`${stem}@${scale}x.png`, blob);
+  const name = `${stem}@${scale}x.png`;
+  whenLoaded(editor, io.writePng({ d: d(), box, scale, paper, ...look(), ...stage }), (blob) => {
+    if (blob === null) toasts.say("This picture is too large for the browser. Choose a smaller scale.");
+    else io.download(name, blob);
+  });
 }
 
 function showSize(save: HTMLButtonElement, size: { readonly width: number; readonly height: number } | null): void {

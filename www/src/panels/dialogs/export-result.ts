@@ -1,6 +1,7 @@
 import { sheetOf } from "../../document/artboard.ts";
 import type { PaintedPath } from "../../document/paint-layers.ts";
 import type { CurveDocument, Filling } from "../../document/document.ts";
+import { whenLoaded } from "../../editor/loading.ts";
 import { exportPath, type ExportedPath } from "../../kernel/paths/export.ts";
 import type { documentBounds } from "../../kernel/curve/samples.ts";
 import { h, svg } from "../controls/dom.ts";
@@ -44,7 +45,7 @@ export function exportResult(shell: Shell, curve: CurveDocument, box: Box, look:
       message.replaceChildren();
       preview.value = exported.d;
       picture.replaceChildren(drawn(exported.d, box, look()));
-      void showNumbers(shell, numbers, exported, sheetText(curve, box));
+      showNumbers(shell, numbers, exported, sheetText(curve, box));
     },
   };
 }
@@ -97,7 +98,7 @@ function sheetText({ artboard }: CurveDocument, box: Box): string | null {
 }
 
 /** The numbers of a path, at once; what it weighs compressed takes its place in them when it is known. */
-async function showNumbers({ io }: Shell, list: HTMLElement, exported: ExportedPath, sheet: string | null): Promise<void> {
+function showNumbers({ editor, io }: Shell, list: HTMLElement, exported: ExportedPath, sheet: string | null): void {
   const raw = new TextEncoder().encode(exported.d).length;
   const row = (label: string, testid: string, text: string, value?: number): HTMLElement =>
     h("div", {}, h("dt", {}, label), h("dd", { testid, "data-value": value }, text));
@@ -109,7 +110,6 @@ async function showNumbers({ io }: Shell, list: HTMLElement, exported: ExportedP
     unknown,
     ...(sheet === null ? [] : [row("Artboard", "export-artboard", sheet)]),
   );
-  const gzipped = await io.gzippedSize(exported.d);
   // Answers may come in any order: of a path that is no longer shown, the row is no longer there.
-  unknown.replaceWith(row("Gzipped", "export-gzip", formatBytes(gzipped), gzipped));
+  whenLoaded(editor, io.gzippedSize(exported.d), (gzipped) => unknown.replaceWith(row("Gzipped", "export-gzip", formatBytes(gzipped), gzipped)));
 }

@@ -35,7 +35,7 @@ export async function place(shell: Shell, imported: Imported, to: Destination, h
   // Where it has come from on taking the offer, it is already.
   toasts.say(says, how === "offered"
     ? undefined
-    : { label: offers(imported.kind, to), run: () => void place(shell, imported, to === "fit" ? "curve" : "fit", "offered") });
+    : { label: offers(imported.kind, to), run: () => void place(shell, imported, to === "fit" ? "curve" : "fit", "offered").catch((error: unknown) => report(shell, error)) });
 }
 
 /** What was read leniently, and which way y points where that of numbers may be meant otherwise. */

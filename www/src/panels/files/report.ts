@@ -1,13 +1,13 @@
 import type { DemoState } from "../../document/document.ts";
 import { Problem } from "../../document/problem.ts";
-import { whileLoading } from "../../editor/loading.ts";
+import { whenLoaded } from "../../editor/loading.ts";
 import { asProblem } from "../messages/errors.ts";
 import type { Shell } from "../shell.ts";
 
 /** Says what went wrong; the words for it are loaded with the first thing that goes wrong. */
 export function report(shell: Shell, error: unknown): void {
   const problem = asProblem(error);
-  void whileLoading(shell.editor, import("../messages/file-errors.ts").then(({ problemText }) => shell.toasts.error(problem.id, problemText(problem.id, problem.details))));
+  whenLoaded(shell.editor, import("../messages/file-errors.ts"), ({ problemText }) => shell.toasts.error(problem.id, problemText(problem.id, problem.details)));
 }
 
 /** A whole state from outside in place of the present one; false (and a message) when it cannot be drawn. */

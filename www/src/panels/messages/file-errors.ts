@@ -36,6 +36,7 @@ const farMessages: Readonly<Record<FarProblem, (d: ProblemDetails) => string>> =
   "json-big": (d) => `The file is too large to open: ${d.field ?? "it"}.`,
   "paste-unknown": () => "There is nothing here to draw. Paste an SVG, a path, points as x,y rows, or an expline file.",
   "share-long": (d) => `The drawing is too large for a link (${d.kilobytes ?? 0} KB). Download the JSON instead.`,
+  "part-missing": () => "The part of the page that does this could not be loaded. Check the connection, then try again.",
 };
 
 /** The message for any problem. */
