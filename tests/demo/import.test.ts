@@ -588,46 +588,6 @@ test("a path of 20,000 points has names for those around the chosen one; one of 
   assert.equal(await demo.metric("m-points"), 20_000);
 });
 
-/** Parts of the page that are not there yet take their time. */
-function slowly(demo: Demo): Promise<unknown> {
-  return demo.page.route("**/*.js", async (route) => {
-    await new Promise((resolve) => setTimeout(resolve, 400));
-    await route.continue();
-  });
-}
-
-test("the page is not idle before what was imported is on the stage, however long its part of the page takes to load", async (t) => {
-  const demo = await open(t, "#/curve?sample=circle-8");
-  await demo.byId("btn-import").click();
-  await demo.byId("import-text").fill(twoContours);
-  await slowly(demo);
-  await demo.byId("import-apply").click();
-  await demo.idle();
-  assert.equal((await demo.state()).curve.contours.length, 2);
-});
-
-test("who presses Import twice while its part of the page loads imports once, and who closes the dialog nothing", async (t) => {
-  const demo = await open(t, "#/curve?sample=circle-8");
-  const contours = async (): Promise<number> => (await demo.state()).curve.contours.length;
-  await demo.byId("btn-import").click();
-  await demo.byId("import-text").fill(twoContours);
-  await slowly(demo);
-  await demo.byId("import-replace").uncheck();
-  await demo.byId("import-apply").click();
-  await demo.press("Escape");
-  await demo.idle();
-  assert.equal(await contours(), 1);
-  await demo.page.reload();
-  await demo.idle();
-  await demo.byId("btn-import").click();
-  await demo.byId("import-text").fill(twoContours);
-  await demo.byId("import-replace").uncheck();
-  await demo.byId("import-apply").click();
-  await demo.byId("import-apply").click();
-  await demo.idle();
-  assert.equal(await contours(), 3);
-});
-
 test("very many rows are set in Import's field at once, at the cursor, and not typed", async (t) => {
   const demo = await open(t);
   await demo.byId("btn-import").click();
