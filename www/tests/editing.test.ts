@@ -289,3 +289,21 @@ test("DM-034 ten thousand paths are chosen, moved and taken back, exactly", () =
   hand.run("undo");
   assert.equal(hand.curve, before, "the very document of before");
 });
+
+test("a path of one point that is given up takes nothing with it that was done since", () => {
+  for (const since of [false, true]) {
+    const hand = new Hand("circle-2");
+    const { editor, curve } = hand;
+    hand.run("tool-pen");
+    hand.click(100, 100);
+    const place = hand.point(0, 1);
+    if (since) editor.dispatch({ name: "Move", apply: (now) => ({ ...now, contours: now.contours.map((contour) => ({ ...contour, points: contour.points.map((point) => ({ ...point, x: point.x + 8 })) })) }) });
+    hand.input.cancel();
+    assert.equal(hand.curve.contours.length, 1, "the lone point is gone");
+    assert.equal(hand.point(0).x, (curve.contours[0]?.points[0]?.x ?? 0) + (since ? 8 : 0));
+    assert.equal(editor.state.value.canUndo, since, "where nothing else was done, nothing is to be undone");
+    if (!since) continue;
+    hand.run("undo");
+    assert.equal(hand.point(0, 1).x, place.x + 8, "one step back it is there again");
+  }
+});

@@ -10,11 +10,14 @@ export function cornerAt({ x, y }: Place): ControlPoint {
   return { x, y, kind: "cusp", in: noOffset, out: noOffset };
 }
 
+/** What the entry of a path's first point is called. */
+export const startName = "Start path";
+
 /** A contour of one point, behind all others. */
 export function startContour(curve: CurveDocument, place: Place): Command {
   const fresh: Contour = { family: "hermite", closed: false, points: [cornerAt(place)], support: 1 };
   return {
-    name: "Start path",
+    name: startName,
     apply: (document) => ({ ...document, contours: [...document.contours, fresh] }),
     select: { points: [{ contour: curve.contours.length, index: 0 }], handle: null },
   };

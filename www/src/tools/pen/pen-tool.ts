@@ -1,5 +1,5 @@
-import { reverseContour, type Command } from "../../document/curve/commands.ts";
-import { pullHandles } from "../../document/curve/drawing.ts";
+import { replaceContour, reverseContour, type Command } from "../../document/curve/commands.ts";
+import { pullHandles, startName } from "../../document/curve/drawing.ts";
 import { pointAt, type Offset, type PointRef } from "../../document/document.ts";
 import { mostPoints, refuse } from "../../editor/curve/edits.ts";
 import type { Editor } from "../../editor/editor.ts";
@@ -92,9 +92,14 @@ class Pen implements Tool {
     this.#drawing = null;
     this.#press = null;
     this.#editor.patch({ sketch: nothingSketched });
-    // A single point is no path: it goes, and so does its entry.
-    if (drawn !== null && drawn.contour.points.length < 2) this.#editor.undo();
+    if (drawn !== null && drawn.contour.points.length < 2) this.#drop(drawn);
     return began;
+  }
+
+  /** A single point is no path: it goes, and so does its entry, unless something else was done since. */
+  #drop({ at }: Drawn): void {
+    if (this.#editor.state.value.undoName === startName) this.#editor.undo();
+    else this.#editor.dispatch({ name: "Drop point", apply: (curve) => replaceContour(curve, at) });
   }
 
   /** Undone, cleared or closed behind the pen's back, it is drawn no more. */
