@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { useBrowser, type Demo } from "./page.ts";
 
-/** Import while its part of the page is on its way. */
+/** The dialog of Import: while its part of the page is on its way, and with very much in its field. */
 
 const { open } = useBrowser();
 
@@ -42,4 +42,19 @@ test("who presses Import twice while its part of the page loads imports once, an
     await demo.idle();
     assert.deepEqual([(await demo.state()).curve.contours.length, await demo.byId("import-dialog").count()], [count, 0]);
   }
+});
+
+test("very many rows are set in Import's field at once, at the cursor, and not typed", async (t) => {
+  const demo = await open(t);
+  await demo.byId("btn-import").click();
+  const field = demo.byId("import-text");
+  await field.fill("0,0\n");
+  const rows = Array.from({ length: 50_000 }, (_, i) => `${i},${i % 100}`).join("\n");
+  // A paste that is made by a script types nothing: what is there then was set by the page.
+  await field.evaluate((element, text) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData("text/plain", text);
+    element.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+  }, rows);
+  assert.equal(await field.inputValue(), `0,0\n${rows}`);
 });
