@@ -139,6 +139,7 @@ test("a drawing beside a chart stays upright, one in its place is one, and a sav
 test("the preview of an export has a wash inside closed contours only, as the stage has", async (t) => {
   const demo = await open(t, "#/curve?sample=sine");
   await demo.byId("btn-export").click();
+  await demo.byId("export-deviation").waitFor();
   const fills = (): Promise<string[]> => demo.byId("export-dialog").locator(".export-picture path").evaluateAll((paths) =>
     paths.filter((path) => path.getAttribute("d") !== "").map((path) => getComputedStyle(path).fill));
   assert.deepEqual(await fills(), ["none"]);
