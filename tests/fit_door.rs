@@ -52,6 +52,29 @@ fn farthest(fit: &Fit, points: &[Point]) -> f64 {
 }
 
 #[test]
+fn what_is_refused_leaves_what_was_asked_before_as_it_was() {
+    let points = noisy_circle(80, 100.0, 1.0, 5);
+    let refused = [
+        Ask::Tolerance(-1.0),
+        Ask::Smoothing(2.0),
+        Ask::Lambda(vec![f64::NAN]),
+        Ask::Lambda(Vec::new()),
+        Ask::MeanSquare(f64::INFINITY),
+    ];
+    for ask in asks() {
+        let mut fitter = Fitter::new(&points, &cubic()).expect("a circle can be fitted");
+        fitter.ask(ask.clone()).expect("it can be asked for");
+        while !fitter.step(1e6).expect("there is memory").done {}
+        let before = fitter.fit().expect("there is a curve");
+        for bad in &refused {
+            assert!(fitter.ask(bad.clone()).is_err(), "{bad:?}");
+        }
+        assert!(fitter.step(1e6).expect("there is memory").done, "{ask:?} is over");
+        assert_eq!(fitter.fit().map(|fit| fit.curve), Ok(before.curve), "{ask:?}");
+    }
+}
+
+#[test]
 fn every_way_to_ask_gives_a_finite_curve_at_every_scale() {
     for scale in [1e-12, 1e-3, 1.0, 1e8] {
         let points = noisy_circle(120, scale, 0.01 * scale, 3);

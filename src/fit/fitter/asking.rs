@@ -33,15 +33,12 @@ impl Fitter {
     ///
     /// # Errors
     ///
+    /// Where a number is refused, what was asked before stays as it was.
+    ///
     /// λ not from 0 to 1e12 or not one per degree (all 0 for two), smoothing not from 0 to 1, a tolerance that is negative.
     /// For λ and smoothing, `TooFewPoints` where an open curve has no more points than its highest degree; points that
     /// repeat their neighbour are one. A tolerance, and the noise, make do with what [`Fitter::new`] takes.
     pub fn ask(&mut self, ask: Ask) -> Result<()> {
-        match core::mem::replace(&mut self.run, Run::Idle) {
-            Run::Convex(solver) => self.warm = Some(solver),
-            Run::Finish(finishing) => self.warm = Some(finishing.solver),
-            _ => {}
-        }
         match &ask {
             Ask::Lambda(lambdas) => {
                 if lambdas.len() != self.options.degrees.len() {
@@ -98,8 +95,13 @@ impl Fitter {
         LEAST_NOISE * report::size_of(&near) / report::size_of(&self.samples.points)
     }
 
-    /// Gives the points their parameters.
+    /// Ends the run before, and gives the points their parameters: to be called once nothing that is asked can be refused any more.
     fn locate(&mut self, purpose: Purpose, ask: &Ask) -> Result<()> {
+        match core::mem::replace(&mut self.run, Run::Idle) {
+            Run::Convex(solver) => self.warm = Some(solver),
+            Run::Finish(finishing) => self.warm = Some(finishing.solver),
+            _ => {}
+        }
         // What is kept to all points, be it a tolerance, is kept to those that are far off as they came.
         let pulled = self.options.robust && !matches!(ask, Ask::Tolerance(_) | Ask::MeanSquare(_));
         if self.located_for == Some(purpose) && !self.options.robust {
