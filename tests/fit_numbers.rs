@@ -2,9 +2,12 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
+mod support;
+
 use expline::Error;
 use expline::fit::{Ask, Finish, Fit, FitStatus, Options, fit};
 use expline::numerics::Point;
+use support::curves::Random;
 
 fn circle(count: usize, center: Point) -> Vec<Point> {
     let angle = |m: usize| core::f64::consts::TAU * m as f64 / count as f64;
@@ -54,6 +57,27 @@ fn no_point_is_farther_than_the_largest_error_wherever_the_drawing_lies() {
                     assert!(far <= fit.max_error, "{what}: {far:e}, said {:e}", fit.max_error);
                 }
             }
+        }
+    }
+}
+
+/// Large steps and many of them, where a rounding of the parameter is a longer way than one of a coordinate.
+#[test]
+fn no_point_is_farther_than_the_largest_error_however_fast_the_curve_is() {
+    for seed in 0..3 {
+        let (mut random, mut place) = (Random::new(seed), Point::zeros());
+        let mut points = Vec::new();
+        for _ in 0..1051 {
+            place += random.noise() * 3e6;
+            points.push(place);
+        }
+        for degree in [1, 3] {
+            let fit = fitted(&points, Ask::Tolerance(0.0), &[degree], false);
+            for (point, t) in points.iter().zip(&fit.parameters) {
+                let far = (fit.curve.evaluate(*t, 0).expect("on the curve") - point).norm();
+                assert!(far <= fit.max_error, "degree {degree}: {far:e}, said {:e}", fit.max_error);
+            }
+            assert!(fit.max_error < 1e-3, "degree {degree}: {:e} is no rounding", fit.max_error);
         }
     }
 }

@@ -5,6 +5,7 @@ use crate::curve::{HermiteCurve, HermiteOptions};
 use crate::error::Result;
 use crate::generator::Space as Kind;
 use crate::limits::LARGEST_COORDINATE;
+use crate::numerics::plane::larger;
 use crate::numerics::{Point, Vector};
 
 /// How a run ended.
@@ -87,7 +88,7 @@ pub struct Fit {
     /// The curve's own sum of squares at the parameters that points were fitted at, by the sum of weights; the places
     /// at `parameters` may be nearer, of which `rms` tells.
     pub qfe: f64,
-    /// No given point is farther from the curve than this, four roundings of the largest coordinate included.
+    /// No given point is farther from the curve than this, four roundings of the largest coordinate and two of the parameter included.
     pub max_error: f64,
     /// Root of the weighted mean square of the distances between the points and their places.
     pub rms: f64,
@@ -132,6 +133,13 @@ impl Joints {
             }
         }
         farthest
+    }
+
+    /// How far the curve goes while its parameter is rounded twice: places on it are that of the parameter's rounding, and so are the ends of
+    /// its pieces.
+    pub(super) fn slip(&self) -> f64 {
+        let speeds = self.leaving.iter().zip(&self.arriving).map(|(out, into)| out.norm() + into.norm());
+        f64::EPSILON * self.at.iter().zip(speeds).map(|(t, speed)| t * speed).fold(0.0, larger)
     }
 
     /// Makes one joint of those that a curve does not tell apart; answers by how much that moves it at most.

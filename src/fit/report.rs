@@ -84,6 +84,7 @@ pub(super) fn fit(
     let distances =
         if frame.hurried { spline.feet(located, &mut feet, 1) } else { spline.settle(located, &mut feet) };
     let mut joints = spline.joints(samples.center, samples.scale, frame.unit, cuts);
+    let slip = joints.slip();
     let moved = joints.bound(distances.largest.max(CLOSE) * samples.scale)
         + joints.tell_apart(breaks.closed, breaks.end * frame.unit);
     let deviation = deviation * samples.scale + moved;
@@ -108,7 +109,7 @@ pub(super) fn fit(
         regularizer: f64::INFINITY,
         gap: f64::INFINITY,
         qfe: at_parameters * square / total,
-        max_error: distances.largest * samples.scale + deviation + rounding(samples),
+        max_error: distances.largest * samples.scale + deviation + rounding(samples) + slip,
         rms: (distances.squares / total).sqrt() * samples.scale,
         iterations: 0,
         lambda: Vec::new(),
