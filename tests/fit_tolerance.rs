@@ -247,3 +247,16 @@ fn points_on_a_line_are_one_line_however_they_are_spread() {
         }
     }
 }
+
+/// Knots that begin as corners are no way to round corners off: each round of that made three of one.
+#[test]
+fn corners_of_degree_two_are_rounded_off_by_no_more_knots_than_rounds_take() {
+    let points = rough(1, 400);
+    for tolerance in [3.0, 30.0] {
+        let options = Options { degrees: vec![2], closed: Some(true), least_turn: 3.0, ..Options::default() };
+        let fitted = fit(&points, Ask::Tolerance(tolerance), &options).expect("fits");
+        assert_eq!(fitted.status, FitStatus::Converged, "within {tolerance}");
+        // A round at every point has two ends.
+        assert!(fitted.knots.len() <= 800, "within {tolerance}: {} knots", fitted.knots.len());
+    }
+}

@@ -37,7 +37,7 @@ const MOST_ROUNDS: usize = 400;
 /// The same in work: a round tries about thirty fits, each a pass over the points and some hundred operations a knot.
 const MOST_WORK: f64 = 1e8;
 /// A tolerance below this, in units of the drawing, is met by nearly as many numbers as the points have: few of them can be spared, and
-/// one in so many of those operations looks for them.
+/// one in so many of those operations looks for them; as for those that are more than the points, which only points in no order ask for.
 const FINE: f64 = 1e-7;
 const HURRY: f64 = 5.0;
 
@@ -253,7 +253,8 @@ impl Sparsest {
     /// How much work so many fits are.
     fn work_of(&self, fits: f64, breaks: &Breaks) -> f64 {
         let one = self.view.seen.points.len() as f64 + 40.0 * breaks.coefficients() as f64;
-        fits * one * if self.asked.aim.is_fine() { HURRY } else { 1.0 }
+        let hurried = self.asked.aim.is_fine() || breaks.len() > self.view.full.points.len();
+        fits * one * if hurried { HURRY } else { 1.0 }
     }
 
     /// One round of the search.

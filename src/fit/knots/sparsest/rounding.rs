@@ -92,11 +92,12 @@ pub(super) fn without_seeming_corners(spline: &Spline) -> Option<Breaks> {
     (!slight.is_empty()).then_some(breaks)
 }
 
-/// The same breaks with these corners smooth, and with a knot on either side of each. No knot may become a corner.
+/// The same breaks with these corners smooth, and with a knot on either side of each. No knot may become a corner, nor begin as one.
 fn without_corners(breaks: &Breaks, slight: &[usize]) -> Breaks {
     let mut smooth = breaks.clone();
     smooth.straight.clear();
     smooth.sharpest = breaks.degree - 1;
+    smooth.smoothest = breaks.smoothest.min(smooth.sharpest);
     let mut added = Vec::new();
     for &k in slight {
         smooth.multiplicity[k] = smooth.sharpest;
