@@ -67,6 +67,8 @@ pub struct Fitter {
     samples: Samples,
     /// By the parametrisation that the ask wants.
     located: Located,
+    /// The numbers that the samples have there, where others are between them; else empty.
+    own: Vec<u32>,
     /// What for; `None` before the first.
     located_for: Option<Purpose>,
     /// Whether points follow one another so evenly that their index is their parameter.
@@ -142,6 +144,7 @@ impl Fitter {
             options: options.clone(),
             samples,
             located: Located::default(),
+            own: Vec::new(),
             located_for: None,
             even: false,
             end: 0.0,

@@ -33,6 +33,7 @@ mod knots;
 mod noise;
 mod options;
 mod outcome;
+mod outline;
 mod parametrise;
 mod report;
 mod samples;

@@ -62,7 +62,7 @@ pub(super) fn is_regular_at(samples: &Samples, [across, along]: [f64; 2]) -> boo
         return false;
     }
     let mut steps = samples.steps();
-    if !gaps(&steps, across).is_empty() {
+    if has_gaps(&steps, across) {
         return false;
     }
     let around = 0.5 * (steps[0] + steps[steps.len() - 1]);
@@ -75,14 +75,12 @@ pub(super) fn is_regular_at(samples: &Samples, [across, along]: [f64; 2]) -> boo
         && (across < HIDING * median || !adds_up(samples, across))
 }
 
-/// The steps, by number, over which points are missing. Medians do not show them, and a hand that hurries takes longer
-/// steps one by one.
-pub(super) fn gaps(steps: &[f64], noise: f64) -> Vec<usize> {
-    let is_gap = |around: &[f64]| {
+/// Whether points are missing somewhere. Medians do not show that, and a hand that hurries takes longer steps one by one.
+fn has_gaps(steps: &[f64], noise: f64) -> bool {
+    steps.windows(2 * BESIDE + 1).any(|around| {
         let beside = (0..around.len()).filter(|&m| m != BESIDE).fold(0.0, |most, m| around[m].max(most));
         around[BESIDE] > GAP * beside + SCATTERED * noise
-    };
-    steps.windows(2 * BESIDE + 1).zip(BESIDE..).filter(|(around, _)| is_gap(around)).map(|(_, m)| m).collect()
+    })
 }
 
 /// Whether points are about as far apart nearly everywhere: between the quartiles of the lengths of stretches there is little but noise.

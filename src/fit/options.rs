@@ -6,6 +6,10 @@ use crate::error::{Error, Result};
 use crate::limits::{LARGEST_COORDINATE, LARGEST_WEIGHT, LEAST_WEIGHT, check};
 
 /// What the fit is asked for.
+///
+/// But for λ and a mean square, the curve also keeps to long straight sides of which the points are only the ends: where a step is more
+/// than four times as long as most of the twelve around it, further points are put on it, unless parameters or weights are given or
+/// [`Options::robust`] is set. Distances are those of the given points.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Ask {
     /// The minimiser of the sum of squares and λ times the jumps, one λ per degree, in the unit of the points.
@@ -20,7 +24,8 @@ pub enum Ask {
     Tolerance(f64),
     /// The fewest simple knots with which the mean square of the points' distances, at their parameters, is not larger.
     MeanSquare(f64),
-    /// The fewest knots that explain the points, up to their noise.
+    /// The fewest knots that explain the points, up to their noise; of fewer than nine, which tell nothing about it, those that lead
+    /// through them.
     #[default]
     Noise,
 }

@@ -1,6 +1,5 @@
 //! Which parameter belongs to which point.
 
-use super::noise::gaps;
 use super::samples::Samples;
 use crate::error::{Error, Result};
 use crate::numerics::order::median;
@@ -36,12 +35,17 @@ pub fn parametrise(samples: &Samples, kind: Parametrisation, noise: f64) -> (Vec
         Parametrisation::Auto | Parametrisation::ArcLength => 0.0,
     };
     let smooth = matches!(kind, Parametrisation::Auto | Parametrisation::ArcLength);
-    let (window, gaps) = if smooth { window(samples, noise) } else { (0, Vec::new()) };
+    let window = if smooth { window(samples, noise) } else { 0 };
+    // Round the ends of an open curve there is nothing to average.
+    let reach = |m: usize| match samples.closed {
+        true => (window, window),
+        false => (window.min(m), window.min(count - 2 - m)),
+    };
     let mut parameters = Vec::with_capacity(count);
     let mut length = 0.0;
     for m in 0..steps {
         parameters.push(length);
-        length += if smooth { chord(samples, m, reach(samples, m, window, &gaps)) } else { step(m) };
+        length += if smooth { chord(samples, m, reach(m)) } else { step(m) };
     }
     if !samples.closed {
         parameters.push(length);
@@ -90,38 +94,14 @@ pub fn given(parameters: &[f64], count: usize, closed: bool, period: Option<f64>
     Ok((parameters.iter().map(|t| t - first).collect(), end))
 }
 
-/// How many points to each side are averaged, for steps that the noise changes by about a seventh; and the steps over which
-/// points are missing.
-fn window(samples: &Samples, noise: f64) -> (usize, Vec<usize>) {
+/// How many points to each side are averaged, for steps that the noise changes by about a seventh.
+fn window(samples: &Samples, noise: f64) -> usize {
     let mut steps = samples.steps();
-    let gaps = gaps(&steps, noise);
     let median = median(&mut steps);
     // Noise makes steps longer; what is left without it is a guess for the spacing.
     let clean = (median * median - 2.0 * noise * noise).max(0.04 * median * median).sqrt();
     let wanted = 5.0 * noise / clean.max(1e-300);
-    ((wanted as usize).min(samples.points.len() / 20).min(40), gaps)
-}
-
-/// How many points before and after step m are averaged: up to `window`, and none from beyond a gap, whose length would be
-/// shared by the steps around it.
-fn reach(samples: &Samples, m: usize, window: usize, gaps: &[usize]) -> (usize, usize) {
-    let count = samples.points.len();
-    let next = gaps.partition_point(|&gap| gap < m);
-    if gaps.get(next) == Some(&m) {
-        return (0, 0);
-    }
-    let (mut behind, mut ahead) = (window, window);
-    if !samples.closed {
-        (behind, ahead) = (window.min(m), window.min(count - 2 - m));
-    }
-    // Round an open curve the next gap is beyond its ends.
-    if let Some(last) = gaps[..next].last().or(gaps.last()) {
-        behind = behind.min((m + count - last - 1) % count);
-    }
-    if let Some(first) = gaps.get(next).or(gaps.first()) {
-        ahead = ahead.min((first + count - m - 1) % count);
-    }
-    (behind, ahead)
+    (wanted as usize).min(samples.points.len() / 20).min(40)
 }
 
 /// The step from the average of the points around point m to that of the next one's, so many `behind` and `ahead`.

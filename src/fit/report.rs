@@ -4,6 +4,7 @@ use super::knots::breaks::HIGHEST;
 use super::knots::foot_points::{Spline, derivative_of};
 use super::knots::free_knots::Located;
 use super::outcome::{Fit, FitStatus, Joints, Knot, Part};
+use super::outline::only;
 use super::samples::Samples;
 use crate::error::Result;
 use crate::limits::{self, LARGEST_COORDINATE};
@@ -27,6 +28,8 @@ pub(super) struct Frame<'a> {
     pub(super) noise: f64,
     /// Whether outliers are looked for.
     pub(super) robust: bool,
+    /// The numbers that the samples have among the points that were fitted, where others were put between them; else empty.
+    pub(super) own: &'a [u32],
     /// Whether one step towards the foot of every point will do: that overestimates distances a little.
     pub(super) hurried: bool,
 }
@@ -72,6 +75,9 @@ pub(super) fn fit(
     let located = if frame.robust {
         // What is far off was pulled near; the distances are those of the points as they came.
         given = Located { points: samples.points.clone(), ..located.clone() };
+        &given
+    } else if !frame.own.is_empty() {
+        given = only(located, frame.own);
         &given
     } else {
         located

@@ -125,7 +125,7 @@ test("a drawing beside a chart stays upright, one in its place is one, and a sav
   await imported(demo, falling, false);
   const { data } = (await demo.state()).fit;
   const [from, to] = [data[rows.length] ?? [0, 0], data.at(-1) ?? [0, 0]];
-  assert.ok((await demo.toScreen(...to)).y > (await demo.toScreen(...from)).y + 20, "it falls, as it did");
+  assert.ok((await demo.toScreen(to[0] ?? 0, to[1] ?? 0)).y > (await demo.toScreen(from[0] ?? 0, from[1] ?? 0)).y + 20, "it falls, as it did");
   await imported(demo, falling);
   assert.equal(await rises(demo), false);
   assert.ok(((await demo.state()).fit.data.at(-1)?.[1] ?? 0) > 29, "in its own numbers");

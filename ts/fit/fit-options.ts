@@ -14,6 +14,10 @@ export interface FitProgress {
 /**
  * How strongly a fit is simplified: one of the three, or none, and the noise of the data decides. λ and `smoothing` are a convex problem with a
  * certified optimum; a tolerance, and the noise, are a search for the fewest knots, which the options about the optimum do not concern.
+ *
+ * But for λ, the curve also keeps to long straight sides of which the points are only the ends, as in flattened outlines: where a step is more than
+ * four times as long as most of the twelve around it, further points are put on it, unless `parameters`, `weights` or `robust` are given. Distances are
+ * those of the given points. Fewer than nine points tell nothing about noise: without any strength the curve goes through them.
  */
 export interface SparseFitStrength {
   /** The λ of the papers, in the unit of the data: one for each degree, so that a pair of them, as is the default, takes a pair. */

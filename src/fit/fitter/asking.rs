@@ -6,6 +6,7 @@ use crate::fit::knots::free_knots::Located;
 use crate::fit::knots::sparsest::Aim;
 use crate::fit::noise::{is_regular_at, is_steady, levels, sober};
 use crate::fit::options::Ask;
+use crate::fit::outline::filled;
 use crate::fit::parametrise::{Parametrisation, given, parametrise};
 use crate::fit::report;
 use crate::fit::samples::Samples;
@@ -13,6 +14,8 @@ use crate::limits::{LARGEST_COORDINATE, LEAST_WEIGHT, check};
 
 /// A curve is not looked for nearer to the points than one rounding of its place and so many of a drawing's size.
 const ROUNDINGS: f64 = 256.0;
+/// So many points tell about their noise.
+const FEW: usize = 9;
 /// No knot is for less than this part of a drawing.
 const LEAST_NOISE: f64 = 1e-4;
 
@@ -78,7 +81,10 @@ impl Fitter {
             }
             Ask::Noise => {
                 self.locate(Purpose::Search, &ask)?;
-                self.search(Aim::Noise(self.noise.max(self.least_noise())))?;
+                let noise = self.noise.max(self.least_noise());
+                // Of fewer points no noise can be told: the curve goes through them.
+                let few = self.samples.points.len() < FEW && self.options.noise.is_none();
+                self.search(if few { Aim::Tolerance(noise) } else { Aim::Noise(noise) })?;
             }
         }
         (self.ask, self.rounds) = (ask, 0);
@@ -111,7 +117,12 @@ impl Fitter {
             // Other parameters are another problem.
             self.warm = None;
         }
-        let mut samples = &self.samples;
+        let automatic = self.options.parametrisation == Parametrisation::Auto;
+        let plain = automatic && !self.options.robust;
+        let plain = plain && self.options.weights.is_empty() && self.options.parameters.is_empty();
+        let filled =
+            if plain && purpose != Purpose::Papers { filled(&self.samples, self.noise) } else { None };
+        let mut samples = filled.as_ref().map_or(&self.samples, |(samples, _)| samples);
         let weights = if !self.options.weights.is_empty() {
             self.options.weights.clone()
         } else if samples.is_weighted() {
@@ -131,10 +142,10 @@ impl Fitter {
                 samples = &near;
             }
         }
-        let automatic = self.options.parametrisation == Parametrisation::Auto;
         let by_index = purpose == Purpose::Papers;
         self.even = automatic && !by_index && self.options.parameters.is_empty() && {
-            let known = self.levels.unwrap_or_else(|| levels(samples));
+            let known =
+                self.levels.unwrap_or_else(|| levels(if filled.is_some() { &self.samples } else { samples }));
             is_regular_at(samples, known) && (purpose == Purpose::Optimum || is_steady(samples, known[0]))
         };
         let kind = match self.options.parametrisation {
@@ -157,6 +168,7 @@ impl Fitter {
             parameters.iter_mut().for_each(|t| *t = t.min(end.next_down()));
         }
         self.located = Located { points: samples.points.clone(), parameters, weights };
+        self.own = filled.map(|(_, own)| own).unwrap_or_default();
         self.end = end;
         self.located_for = Some(purpose);
         Ok(())
@@ -164,7 +176,7 @@ impl Fitter {
 
     /// λ for each degree from the slider: ℓ from 2 points to all of them, the first of two degrees a part of it.
     fn lambdas_of(&self, smoothing: f64) -> Vec<f64> {
-        let count = self.samples.points.len() as f64;
+        let count = self.located.points.len() as f64;
         let detail = 2.0 * libm::pow((0.5 * count).max(1.0), smoothing);
         let size = report::size(&self.samples);
         let ratio = 6.0 - 3.5 * self.options.mix;
@@ -176,7 +188,7 @@ impl Fitter {
     /// The slider's place of all λ, where there is one.
     pub(super) fn smoothing_of(&self) -> Option<f64> {
         let (degree, lambda) = (*self.options.degrees.last()?, *self.lambdas.last()?);
-        let count = self.samples.points.len() as f64;
+        let count = self.located.points.len() as f64;
         if lambda <= 0.0 || count <= 2.0 {
             return None;
         }

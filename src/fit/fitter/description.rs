@@ -146,6 +146,7 @@ impl Fitter {
             unit: self.unit,
             noise: self.noise,
             robust: self.options.robust,
+            own: &self.own,
             hurried,
         }
     }

@@ -1,0 +1,130 @@
+//! Outlines that have their long sides by their ends only, as flattened paths do, are followed along the sides; few points are led through.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod support;
+
+use core::f64::consts::PI;
+use expline::fit::{Ask, Fit, Options, fit};
+use expline::numerics::Point;
+use support::curves::Random;
+
+/// An arc in chords, from one angle to another.
+fn arc(center: [f64; 2], radius: f64, angles: [f64; 2], chords: usize) -> Vec<Point> {
+    let at = |i: usize| {
+        let angle = angles[0] + (angles[1] - angles[0]) * i as f64 / chords as f64;
+        Point::new(center[0] + radius * libm::cos(angle), center[1] + radius * libm::sin(angle))
+    };
+    (0..=chords).map(at).collect()
+}
+
+fn points(places: &[[f64; 2]]) -> Vec<Point> {
+    places.iter().map(|[x, y]| Point::new(*x, *y)).collect()
+}
+
+/// Shapes of arcs in chords of 2 to 4, with sides of 20 to 200 between.
+fn outlines() -> Vec<(&'static str, Vec<Point>)> {
+    let quarter = |x: f64, y: f64, k: f64| arc([x, y], 20.0, [k * PI / 2.0, (k + 1.0) * PI / 2.0], 12);
+    let half = arc([0.0, 0.0], 50.0, [-PI / 2.0, PI / 2.0], 40);
+    let right = arc([100.0, 0.0], 30.0, [-PI / 2.0, PI / 2.0], 30);
+    let left = arc([-100.0, 0.0], 30.0, [PI / 2.0, 1.5 * PI], 30);
+    let corners = [[80.0, 40.0], [-80.0, 40.0], [-80.0, -40.0], [80.0, -40.0]];
+    let rounded =
+        corners.iter().zip([0.0, 1.0, 2.0, 3.0]).flat_map(|([x, y], k)| quarter(*x, *y, k)).collect();
+    let key = arc([0.0, 0.0], 30.0, [0.4, 2.0 * PI - 0.4], 50);
+    vec![
+        ("half a disc", half.clone()),
+        ("D", [half, points(&[[-40.0, 50.0], [-40.0, -50.0]])].concat()),
+        ("rounded rectangle", rounded),
+        ("stadium", [right, left].concat()),
+        ("key", [key, points(&[[150.0, -11.7], [150.0, 11.7]])].concat()),
+        ("pie", [points(&[[0.0, 0.0]]), arc([0.0, 0.0], 80.0, [0.2, 2.0], 40)].concat()),
+    ]
+}
+
+/// The largest distance of the curve from the closed polygon.
+fn astray(fit: &Fit, outline: &[Point]) -> f64 {
+    let (start, end) = fit.curve.domain();
+    let from_side = |place: Point, a: Point, b: Point| {
+        let along = ((place - a).dot(&(b - a)) / (b - a).norm_squared()).clamp(0.0, 1.0);
+        (place - a - (b - a) * along).norm()
+    };
+    let at = |i: usize| fit.curve.evaluate(start + (end - start) * i as f64 / 1000.0, 0).expect("within");
+    let distance = |place: Point| {
+        let sides =
+            (0..outline.len()).map(|k| from_side(place, outline[k], outline[(k + 1) % outline.len()]));
+        sides.fold(f64::INFINITY, f64::min)
+    };
+    (0..1000).map(|i| distance(at(i))).fold(0.0, f64::max)
+}
+
+fn closed() -> Options {
+    Options { closed: Some(true), ..Options::default() }
+}
+
+#[test]
+fn a_flattened_outline_is_followed_along_its_sides_wherever_its_list_begins() {
+    // Without points on the sides these curves were up to 112 astray. A smoothing pulls inwards.
+    for (name, outline) in outlines() {
+        for (ask, most) in [(Ask::Noise, 1.0), (Ask::Tolerance(1.0), 1.2), (Ask::Smoothing(0.3), 2.0)] {
+            for begin in [0, 3, 25] {
+                let mut given = outline.clone();
+                given.rotate_left(begin);
+                let found = fit(&given, ask.clone(), &closed()).expect("it can be fitted");
+                let off = astray(&found, &given);
+                assert!(off < most, "{name}, {ask:?}, from point {begin}: {off} astray");
+                assert!(found.max_error <= most, "{name}, {ask:?}: {}", found.max_error);
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_said_of_distances_is_said_of_the_given_points() {
+    for (name, outline) in outlines() {
+        let mut random = Random::new(7);
+        let given = random.noisy(&outline, 0.3);
+        let found = fit(&given, Ask::Tolerance(2.0), &closed()).expect("it can be fitted");
+        assert_eq!(found.parameters.len(), given.len(), "{name}: one place for each");
+        let off = |(point, t): (&Point, &f64)| (found.curve.evaluate(*t, 0).expect("within") - point).norm();
+        let distances: Vec<f64> = given.iter().zip(&found.parameters).map(off).collect();
+        let farthest = distances.iter().copied().fold(0.0, f64::max);
+        let rms = (distances.iter().map(|d| d * d).sum::<f64>() / given.len() as f64).sqrt();
+        // Both are of the same places, which are known to rounding; `max_error` has that rounding in it.
+        assert!((found.max_error - farthest).abs() < 1e-9, "{name}: {} and {farthest}", found.max_error);
+        assert!((found.rms - rms).abs() < 1e-9, "{name}: {} and {rms}", found.rms);
+    }
+}
+
+#[test]
+fn few_points_tell_nothing_about_noise_and_are_led_through() {
+    let shapes = [
+        points(&[[0.0, 0.0], [100.0, 0.0], [50.0, 80.0]]),
+        points(&[[0.0, 0.0], [100.0, 0.0], [100.0, 30.0], [30.0, 30.0], [30.0, 100.0], [0.0, 100.0]]),
+        points(&[
+            [0.0, 0.0],
+            [100.0, 0.0],
+            [100.0, 20.0],
+            [60.0, 20.0],
+            [60.0, 90.0],
+            [40.0, 90.0],
+            [40.0, 20.0],
+            [0.0, 20.0],
+        ]),
+    ];
+    for shape in shapes {
+        for degrees in [vec![1], vec![3], vec![1, 3]] {
+            for round in [true, false] {
+                let options = Options { closed: Some(round), degrees: degrees.clone(), ..Options::default() };
+                let found = fit(&shape, Ask::Noise, &options).expect("it can be fitted");
+                // A ten-thousandth of the drawing is worth no knot.
+                assert!(
+                    found.max_error < 0.02,
+                    "{shape:?}, {degrees:?}, closed {round}: {}",
+                    found.max_error
+                );
+            }
+        }
+    }
+}
