@@ -78,7 +78,8 @@ pub struct Fit {
     pub parameters: Vec<f64>,
     /// Sum of squares + λ·jumps; infinite where no λ was involved, as are the gap and the regulariser.
     pub objective: f64,
-    /// The weighted sum of squares at the points' parameters: of the optimum, where one was made shorter afterwards.
+    /// The weighted sum of squares at the points' parameters: of the optimum, where one was made shorter afterwards. Points put on
+    /// long sides are among them where λ was involved.
     pub data_term: f64,
     /// λ·jumps.
     pub regularizer: f64,

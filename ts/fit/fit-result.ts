@@ -70,7 +70,7 @@ export interface SparseFit {
   parameters: Float64Array;
   /** What was minimised: `dataTerm` + Σ λ·`regularizer`. */
   objective: number;
-  /** Sum of the weighted squares of the distances, of the optimum before it was made shorter. */
+  /** Sum of the weighted squares of the distances, of the optimum before it was made shorter; of the points put on long sides, too. */
   dataTerm: number;
   /** Σ λ·|jump|. */
   regularizer: number;
