@@ -17,7 +17,7 @@ use super::options::{Ask, Finish, Options};
 use super::outcome::Fit;
 use super::parametrise::Parametrisation;
 use super::report;
-use super::samples::Samples;
+use super::samples::{PER_POINT, Samples};
 use crate::error::{Error, Result};
 use crate::limits::{self, LARGEST_LAMBDA};
 use crate::numerics::Point;
@@ -29,8 +29,6 @@ const MOST_ITERATIONS: usize = 400;
 const MOST_TWICE: usize = 2000;
 /// More points than this have a curve through them only on a grid that is asked for.
 const MOST_THROUGH: usize = 50_000;
-/// Bytes that a point takes until its fit begins, copies and sorted lists together: 125 were measured.
-const PER_POINT: usize = 160;
 
 /// How far a run has come.
 #[derive(Clone, Copy, Debug, PartialEq)]

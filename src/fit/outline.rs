@@ -1,7 +1,9 @@
 //! Points on the long sides of an outline: one that has its sides by their ends only is to be followed there as well.
 
 use super::knots::free_knots::Located;
-use super::samples::Samples;
+use super::samples::{PER_POINT, Samples};
+use crate::error::Result;
+use crate::limits;
 use crate::numerics::Vector;
 use crate::numerics::order::median;
 
@@ -16,15 +18,20 @@ const SPARE: usize = 1000;
 
 /// The samples with points along their sides as well, as far apart as those around, and the numbers that the samples have there; `None`
 /// where no step is far longer than those around. O(M).
-pub(super) fn filled(samples: &Samples, noise: f64) -> Option<(Samples, Vec<u32>)> {
+///
+/// # Errors
+///
+/// `OutOfMemory` where there is no room for a fit of so many points.
+pub(super) fn filled(samples: &Samples, noise: f64) -> Result<Option<(Samples, Vec<u32>)>> {
     let count = samples.points.len();
     let last = if samples.closed { count } else { count - 1 };
     let steps: Vec<Vector> = (0..last).map(|m| samples.points[(m + 1) % count] - samples.points[m]).collect();
     let pieces = pieces(&steps, samples.closed, noise);
     let sides = pieces.iter().filter(|pieces| **pieces > 1).count();
     if sides == 0 {
-        return None;
+        return Ok(None);
     }
+    limits::probe((2 * count + SPARE).saturating_mul(PER_POINT))?;
     let most = ((count + SPARE) / sides).clamp(1, MOST);
     let (mut points, mut weights, mut own) = (Vec::new(), Vec::new(), Vec::new());
     for m in 0..count {
@@ -36,7 +43,7 @@ pub(super) fn filled(samples: &Samples, noise: f64) -> Option<(Samples, Vec<u32>
             weights.push(1.0);
         }
     }
-    Some((Samples { points, weights, ..samples.clone() }, own))
+    Ok(Some((Samples { points, weights, ..samples.clone() }, own)))
 }
 
 /// How many of the steps around go into each step where it is a side, else 1.

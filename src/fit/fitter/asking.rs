@@ -121,7 +121,7 @@ impl Fitter {
         let plain = automatic && !self.options.robust;
         let plain = plain && self.options.weights.is_empty() && self.options.parameters.is_empty();
         let filled =
-            if plain && purpose != Purpose::Papers { filled(&self.samples, self.noise) } else { None };
+            if plain && purpose != Purpose::Papers { filled(&self.samples, self.noise)? } else { None };
         let mut samples = filled.as_ref().map_or(&self.samples, |(samples, _)| samples);
         let weights = if !self.options.weights.is_empty() {
             self.options.weights.clone()
