@@ -139,13 +139,17 @@ export function frequencyRow(editor: Editor): Row {
 /** The frequency that the field is about, also where it follows from the number of points; NaN where contours or segments differ. */
 function frequencyOf(curve: CurveDocument, contours: readonly Contour[]): number {
   if (curve.omega !== "auto") return curve.omega;
-  return shared(contours, (contour) => (contour.omega === undefined && contour.points.length >= 2 ? omegaOf(curve, contour, 0) : NaN)) ?? NaN;
+  return shared(contours, (contour) => (isEven(contour) && contour.points.length >= 2 ? omegaOf(curve, contour, 0) : NaN)) ?? NaN;
+}
+
+function isEven({ omega }: Contour): boolean {
+  return omega === undefined || omega.every((each) => each === omega[0]);
 }
 
 function frequencyNote(curve: CurveDocument, contour: Contour): string {
   if (curve.space === "polynomial" || contour.points.length < 2) return "";
   if (contour.grid !== undefined) return "Space, frequency and count are set at level 0";
-  if (contour.omega !== undefined) return "Each segment has its own";
+  if (contour.omega !== undefined) return isEven(contour) ? "" : "Each segment has its own";
   if (curve.omega !== "auto") return "";
   const value = omegaOf(curve, contour, 0);
   return value === 0 ? "Auto: 0 on an open contour" : `Auto: 2π/${Math.round((2 * Math.PI) / value)}`;
