@@ -69,13 +69,9 @@ fn uneven_points_are_not_taken_for_even_ones() {
 
 /// A wave of a few noisy points to each unit, of which two stretches are missing.
 fn wave_with_gaps(random: &mut Random) -> Vec<Point> {
-    wave(random, |i| !(80..=140).contains(&i) && !(200..=215).contains(&i))
-}
-
-/// The wave's points that are kept, noisy by 1.5.
-fn wave(random: &mut Random, is_kept: impl Fn(i32) -> bool) -> Vec<Point> {
-    let place = |i: i32| Point::new(4.0 * f64::from(i), 120.0 * libm::sin(f64::from(i) / 25.0));
-    let truth: Vec<Point> = (0..300).filter(|i| is_kept(*i)).map(place).collect();
+    let kept = (0..300).filter(|i| !(80..=140).contains(i) && !(200..=215).contains(i));
+    let truth: Vec<Point> =
+        kept.map(f64::from).map(|i| Point::new(4.0 * i, 120.0 * libm::sin(i / 25.0))).collect();
     random.noisy(&truth, 1.5)
 }
 
@@ -105,14 +101,7 @@ fn a_smoothing_of_points_with_gaps_stays_by_the_points_and_runs_on_between_them(
             let options = Options { degrees: degrees.clone(), ..Options::default() };
             let found = fit(&points, Ask::Smoothing(smoothing), &options).expect("it can be fitted");
             let which = format!("noise {seed}, degrees {degrees:?}, smoothing {smoothing}");
-            let whole = wave(&mut Random::new(seed), |_| true);
-            let whole = fit(&whole, Ask::Smoothing(smoothing), &options).expect("it can be fitted").rms;
-            // A smooth curve is straight over the gaps as well, and turns beside them: that costs it once more what smoothing does.
-            assert!(
-                found.rms < 2.2 * whole,
-                "{which}: {} for {whole} without gaps, of a wave of 120",
-                found.rms
-            );
+            assert!(found.rms < 3.0, "{which}: {} is twice the noise, of a wave of 120", found.rms);
             // Where a gap's length was shared by the steps around it, the curve went to and fro beside it, by 29 in the worst case.
             let mut farthest = f64::NEG_INFINITY;
             let mut back = 0.0_f64;

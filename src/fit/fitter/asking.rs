@@ -176,7 +176,7 @@ impl Fitter {
 
     /// λ for each degree from the slider: ℓ from 2 points to all of them, the first of two degrees a part of it.
     fn lambdas_of(&self, smoothing: f64) -> Vec<f64> {
-        let count = self.located.points.len() as f64;
+        let count = self.samples.points.len() as f64;
         let detail = 2.0 * libm::pow((0.5 * count).max(1.0), smoothing);
         let size = report::size(&self.samples);
         let ratio = 6.0 - 3.5 * self.options.mix;
@@ -188,7 +188,7 @@ impl Fitter {
     /// The slider's place of all λ, where there is one.
     pub(super) fn smoothing_of(&self) -> Option<f64> {
         let (degree, lambda) = (*self.options.degrees.last()?, *self.lambdas.last()?);
-        let count = self.located.points.len() as f64;
+        let count = self.samples.points.len() as f64;
         if lambda <= 0.0 || count <= 2.0 {
             return None;
         }
