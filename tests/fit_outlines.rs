@@ -1,4 +1,5 @@
-//! Outlines that have their long sides by their ends only, as flattened paths do, are followed along the sides; few points are led through.
+//! Outlines that have their sides by their ends only, as flattened paths and polygons do, are followed along the sides; few points are led
+//! through.
 
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -125,6 +126,98 @@ fn few_points_tell_nothing_about_noise_and_are_led_through() {
                     found.max_error
                 );
             }
+        }
+    }
+}
+
+/// Points on rays, as far out as is said for each, turned by a third of a radian.
+fn rays(radii: &[f64], count: usize) -> Vec<Point> {
+    let at = |i: usize| {
+        let (angle, radius) = (2.0 * PI * i as f64 / count as f64 + 0.3, radii[i % radii.len()]);
+        Point::new(radius * libm::cos(angle), radius * libm::sin(angle))
+    };
+    (0..count).map(at).collect()
+}
+
+/// Polygons by their vertices, and how many of these are corners.
+fn polygons() -> Vec<(&'static str, Vec<Point>, usize)> {
+    let plus =
+        [[1, 0], [2, 0], [2, 1], [3, 1], [3, 2], [2, 2], [2, 3], [1, 3], [1, 2], [0, 2], [0, 1], [1, 1]];
+    let h = [[0, 0], [1, 0], [1, 2], [2, 2], [2, 0], [3, 0], [3, 5], [2, 5], [2, 3], [1, 3], [1, 5], [0, 5]];
+    // Two vertices lie on a side.
+    let arrow = [[0, 2], [6, 2], [6, 0], [10, 4], [6, 8], [6, 6], [0, 6], [0, 5], [0, 3]];
+    let drawn = |places: &[[i32; 2]], unit: f64| {
+        places.iter().map(|[x, y]| Point::new(unit * f64::from(*x), unit * f64::from(*y))).collect()
+    };
+    let house = (0..30).map(|i: i32| [(i + 1) / 2, [0, 3, 5, 4][(i / 2 % 4) as usize]]);
+    let house: Vec<[i32; 2]> = house.chain([[15, -4], [0, -4]]).collect();
+    vec![
+        ("triangle", drawn(&[[0, 0], [5, 0], [2, 4]], 20.0), 3),
+        ("square", drawn(&[[0, 0], [5, 0], [5, 5], [0, 5]], 20.0), 4),
+        ("hexagon", rays(&[80.0], 6), 6),
+        ("plus", drawn(&plus, 20.0), 12),
+        ("H", drawn(&h, 20.0), 12),
+        ("arrow", drawn(&arrow, 10.0), 7),
+        ("star of 5", rays(&[100.0, 40.0], 10), 10),
+        ("star of 8", rays(&[100.0, 40.0], 16), 16),
+        ("wheel", rays(&[80.0, 80.0, 100.0, 100.0], 48), 48),
+        ("house", drawn(&house, 10.0), 32),
+    ]
+}
+
+#[test]
+fn a_polygon_by_its_vertices_alone_is_that_polygon() {
+    // Taken for noisy points of a curve these came back up to 100 astray, and within a tolerance up to 30.
+    for (name, polygon, corners) in polygons() {
+        for ask in [Ask::Noise, Ask::Tolerance(0.01)] {
+            for begin in [0, 1] {
+                let mut given = polygon.clone();
+                given.rotate_left(begin);
+                let found = fit(&given, ask.clone(), &closed()).expect("it can be fitted");
+                let (off, pieces) = (astray(&found, &given), found.curve.segment_count());
+                // No more than a corner that is worth no knot: a ten-thousandth of the drawing.
+                assert!(off < 0.03, "{name}, {ask:?}, from point {begin}: {off} astray");
+                assert_eq!(pieces, corners, "{name}, {ask:?}, from point {begin}");
+                assert!(found.noise < 1e-9, "{name}, {ask:?}: it has no noise, {} was said", found.noise);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_polyline_by_its_vertices_alone_is_kept_to_as_near_as_its_points() {
+    for (name, polygon, _) in polygons() {
+        let open = Options { closed: Some(false), ..Options::default() };
+        let found = fit(&polygon, Ask::Tolerance(0.5), &open).expect("it can be fitted");
+        // Where sides are followed by points an eighth of them apart, 1.3 to 15, a curve is free by about as much between these.
+        let off = astray(&found, &polygon);
+        assert!(off < 2.0, "{name}: {off} astray");
+        assert!(found.max_error <= 0.5, "{name}: {}", found.max_error);
+    }
+}
+
+#[test]
+fn samples_of_a_curve_are_not_taken_for_a_polygon() {
+    for count in [8, 10, 13, 20, 40, 60] {
+        for (noise, ask, most) in [
+            (0.0, Ask::Noise, 4.0),
+            (0.0, Ask::Tolerance(1.0), 4.0),
+            (4.0, Ask::Noise, 16.0),
+            (0.5, Ask::Tolerance(2.0), 6.0),
+        ] {
+            let mut random = Random::new(count as u64);
+            let given = random.noisy(&rays(&[80.0], count), noise);
+            let found = fit(&given, ask.clone(), &closed()).expect("it can be fitted");
+            let (start, end) = found.curve.domain();
+            let off = |i: usize| {
+                let place =
+                    found.curve.evaluate(start + (end - start) * i as f64 / 300.0, 0).expect("within");
+                (place.norm() - 80.0).abs()
+            };
+            let worst = (0..300).map(off).fold(0.0, f64::max);
+            assert!(worst < most, "{count} points, noise {noise}, {ask:?}: {worst} from the circle");
+            let corners = found.knots.iter().filter(|knot| knot.degree == 1).count();
+            assert!(4 * corners <= count, "{count} points, noise {noise}, {ask:?}: {corners} corners");
         }
     }
 }

@@ -75,6 +75,8 @@ pub struct Fitter {
     /// One unit of the inner parameter in the caller's.
     unit: f64,
     noise: f64,
+    /// The same as far as it is noise: corners look like it.
+    level: f64,
     /// How far points scatter across and along the curve, where that has been looked at.
     levels: Option<[f64; 2]>,
     ask: Ask,
@@ -148,6 +150,7 @@ impl Fitter {
             end: 0.0,
             unit: 1.0,
             noise,
+            level: noise,
             levels,
             ask: Ask::Noise,
             lambdas: Vec::new(),
@@ -254,7 +257,7 @@ impl Fitter {
             timed: !self.options.parameters.is_empty(),
         };
         let start = |located: &Located, smoothest| -> Result<Sparsest> {
-            Ok(Sparsest::new(located.copied()?, plan(smoothest), aim, self.noise))
+            Ok(Sparsest::new(located.copied()?, plan(smoothest), aim, self.level))
         };
         // Knots that all count twice often get by with fewer of them.
         let mut others = Vec::new();
@@ -264,9 +267,9 @@ impl Fitter {
         // Points are free to slide while smooth knots are thinned out; where they are even they are placed along the curve then.
         let free = degree > 1 && matches!(aim, Aim::Noise(_));
         let smooth = Plan { free, ..plan(1) };
-        let mut rivals = vec![Sparsest::new(self.located.copied()?, smooth, aim, self.noise)];
+        let mut rivals = vec![Sparsest::new(self.located.copied()?, smooth, aim, self.level)];
         if self.options.corners {
-            let corners = Sparsest::from_corners(self.located.copied()?, plan(1), aim, self.noise)?;
+            let corners = Sparsest::from_corners(self.located.copied()?, plan(1), aim, self.level)?;
             let few = self.located.points.len() <= MOST_TWICE || aim.is_fine();
             let apart = matches!(aim, Aim::Tolerance(_)) && few;
             if apart { others.extend(corners) } else { rivals.extend(corners) }

@@ -1,5 +1,7 @@
 //! How noisy points are, found from the points alone.
 
+use super::outline::{SHARP, cosine, steps};
+use super::report::size_of;
 use super::samples::Samples;
 use crate::numerics::order::{median, sort_numbers};
 use crate::numerics::{Point, Vector};
@@ -34,13 +36,22 @@ const JUMP: f64 = 8.0;
 const GAP: f64 = 4.0;
 /// Steps to each side that are looked at: two, as a single point far off has two long ones.
 const BESIDE: usize = 2;
+/// So many points tell about their noise, and fewer than so many may be vertices of a polygon instead.
+const LEAST: usize = 9;
+const VERTICES: usize = 64;
+/// Noise that is such a part of the drawing leaves none.
+const SHAPELESS: f64 = 0.14;
+/// Cosines that are no farther apart are of one angle.
+const EQUAL: f64 = 1e-6;
 /// So many places tell a median to half a per cent: of more points, evenly chosen ones are looked at.
 const ENOUGH: usize = 20_000;
 
 /// The standard deviation of the noise across the curve, in the unit of the samples, from the median size of fourth
 /// differences: corners and outliers are too few to move a median.
 ///
-/// Clean points give a number far below their spacing. Fewer than nine points give 0. O(M log M).
+/// Clean points give a number far below their spacing. Fewer than nine points give 0, and so do the vertices of a polygon:
+/// fewer than 64 points where half turn by one angle of more than 50°, or, on a closed curve, that would be off by a seventh of
+/// their box. O(M log M).
 ///
 /// # Accuracy
 ///
@@ -58,7 +69,7 @@ pub fn is_regular(samples: &Samples) -> bool {
 /// The same where the standard deviations are known.
 pub(super) fn is_regular_at(samples: &Samples, [across, along]: [f64; 2]) -> bool {
     let points = &samples.points;
-    if points.len() < 9 {
+    if points.len() < LEAST {
         return false;
     }
     let mut steps = samples.steps();
@@ -125,21 +136,35 @@ fn over(samples: &Samples, stretch: usize) -> f64 {
     median(&mut sizes) / (MEDIAN * 6.0_f64.sqrt())
 }
 
-/// Standard deviations across and along the curve.
+/// Standard deviations across and along the curve; 0 where nothing tells about them.
 pub(super) fn levels(samples: &Samples) -> [f64; 2] {
     let points = &samples.points;
     let count = points.len();
-    if count < 9 {
+    if count < LEAST || (count < VERTICES && turn_alike(samples)) {
         return [0.0; 2];
     }
     let centers = if samples.closed { 0..count } else { 2..count - 2 };
     let sizes: Vec<[f64; 2]> =
         centers.step_by(count.div_ceil(ENOUGH)).map(|m| parts(points, samples.closed, m)).collect();
-    [0, 1].map(|part| {
+    let levels = [0, 1].map(|part| {
         let mut sizes: Vec<f64> = sizes.iter().map(|size| size[part]).collect();
         let median = median(&mut sizes);
         // 70 is the sum of the squared weights.
         median / (MEDIAN * 70.0_f64.sqrt())
+    });
+    let shapeless = samples.closed && count < VERTICES && levels[0] > SHAPELESS * size_of(points);
+    if shapeless { [0.0; 2] } else { levels }
+}
+
+/// Whether at half of the points the way turns sharply by the same angle: that is drawn, and no noise.
+fn turn_alike(samples: &Samples) -> bool {
+    let steps = steps(samples);
+    let count = steps.len() - usize::from(!samples.closed);
+    let mut turns: Vec<f64> = (0..count).map(|m| cosine(steps[m], steps[(m + 1) % steps.len()])).collect();
+    sort_numbers(&mut turns);
+    turns.windows(count.div_ceil(2)).any(|alike| {
+        let (least, largest) = (alike[0], alike[alike.len() - 1]);
+        largest - least < EQUAL && largest < SHARP
     })
 }
 

@@ -20,12 +20,12 @@ pub enum Ask {
     Smoothing(f64),
     /// The fewest knots with which no point is farther from the curve. The curve keeps to the way of the points, too: as a rule it is
     /// no farther from it than this and half of their distance from one another. Below the noise that is a polyline with the
-    /// fewest vertices, rounded off where corners may not be.
+    /// fewest vertices, rounded off where corners may not be. A polygon by its vertices is kept to along its sides.
     Tolerance(f64),
     /// The fewest simple knots with which the mean square of the points' distances, at their parameters, is not larger.
     MeanSquare(f64),
-    /// The fewest knots that explain the points, up to their noise; of fewer than nine, which tell nothing about it, those that lead
-    /// through them.
+    /// The fewest knots that explain the points, up to their noise; where these tell nothing about it (see [`noise`](super::noise())),
+    /// those that lead through them.
     #[default]
     Noise,
 }

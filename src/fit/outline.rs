@@ -1,4 +1,4 @@
-//! Points on the long sides of an outline: one that has its sides by their ends only is to be followed there as well.
+//! Points on the sides of an outline: one that has its sides by their ends only is to be followed there as well.
 
 use super::knots::free_knots::Located;
 use super::samples::{PER_POINT, Samples};
@@ -15,24 +15,48 @@ const SCATTERED: f64 = 5.0;
 /// Into how many pieces a side is cut at most, and how many points more than there were that makes in all, at most.
 const MOST: usize = 64;
 const SPARE: usize = 1000;
+/// A step with a corner at both of its ends is a side as well, where it is so many times as long as points are off.
+const CLEAR: f64 = 8.0;
+/// The cosine of what a corner turns by at least, 50°: seven points of a circle turn by more, and are a polygon.
+pub(super) const SHARP: f64 = 0.642_787_609_686_539_3;
+/// The cosine of what a side may turn by where it has a point on it: roundings.
+const STRAIGHT: f64 = 1.0 - 1e-12;
+/// A search needs so many pieces of a side between corners to see that they are corners.
+const PIECES: usize = 8;
+/// Of so many points corners are looked for.
+const MOST_CORNERED: usize = 500;
 
-/// The samples with points along their sides as well, as far apart as those around, and the numbers that the samples have there; `None`
-/// where no step is far longer than those around. O(M).
+/// Samples with points along their sides as well.
+pub(super) struct Outline {
+    pub(super) samples: Samples,
+    /// The numbers that the samples themselves have there.
+    pub(super) own: Vec<u32>,
+    /// Whether there are sides between corners among them.
+    pub(super) cornered: bool,
+}
+
+/// The samples with points along their sides as well, as far apart as those around; `None` where no step is far longer than those around,
+/// and none is a side between corners, for which it is said how far `off` points may be. O(M).
 ///
 /// # Errors
 ///
 /// `OutOfMemory` where there is no room for a fit of so many points.
-pub(super) fn filled(samples: &Samples, noise: f64) -> Result<Option<(Samples, Vec<u32>)>> {
+pub(super) fn filled(samples: &Samples, noise: f64, off: Option<f64>) -> Result<Option<Outline>> {
     let count = samples.points.len();
-    let last = if samples.closed { count } else { count - 1 };
-    let steps: Vec<Vector> = (0..last).map(|m| samples.points[(m + 1) % count] - samples.points[m]).collect();
-    let pieces = pieces(&steps, samples.closed, noise);
+    let steps = steps(samples);
+    let mut pieces = pieces(&steps, samples.closed, noise);
+    let mut cornered = false;
+    if let Some(off) = off.filter(|_| count <= MOST_CORNERED) {
+        for m in between_corners(&steps, samples.closed, off) {
+            (cornered, pieces[m]) = (true, pieces[m].max(PIECES));
+        }
+    }
     let sides = pieces.iter().filter(|pieces| **pieces > 1).count();
     if sides == 0 {
         return Ok(None);
     }
-    limits::probe((2 * count + SPARE).saturating_mul(PER_POINT))?;
-    let most = ((count + SPARE) / sides).clamp(1, MOST);
+    let most = ((count + SPARE) / sides).clamp(if cornered { PIECES } else { 1 }, MOST);
+    limits::probe((count + sides * most).saturating_mul(PER_POINT))?;
     let (mut points, mut weights, mut own) = (Vec::new(), Vec::new(), Vec::new());
     for m in 0..count {
         own.push(points.len() as u32);
@@ -43,7 +67,14 @@ pub(super) fn filled(samples: &Samples, noise: f64) -> Result<Option<(Samples, V
             weights.push(1.0);
         }
     }
-    Ok(Some((Samples { points, weights, ..samples.clone() }, own)))
+    Ok(Some(Outline { samples: Samples { points, weights, ..samples.clone() }, own, cornered }))
+}
+
+/// The way from each point to the next.
+pub(super) fn steps(samples: &Samples) -> Vec<Vector> {
+    let count = samples.points.len();
+    let last = if samples.closed { count } else { count - 1 };
+    (0..last).map(|m| samples.points[(m + 1) % count] - samples.points[m]).collect()
 }
 
 /// How many of the steps around go into each step where it is a side, else 1.
@@ -66,6 +97,39 @@ fn pieces(steps: &[Vector], closed: bool, noise: f64) -> Vec<usize> {
         }
     }
     pieces
+}
+
+/// The sides between corners where most steps are such: where it is not points being so far `off` that makes the way turn sharply. An
+/// open list has corners for ends, and a side may have points on it.
+fn between_corners(steps: &[Vector], closed: bool, off: f64) -> Vec<usize> {
+    let long: Vec<usize> = (0..steps.len()).filter(|&m| steps[m].norm() > CLEAR * off).collect();
+    let count = long.len();
+    // Whether the way turns sharply before a long step; nothing where it goes straight on.
+    let turn = |i: usize| {
+        if !closed && (i == 0 || i == count) {
+            return Some(true);
+        }
+        let cosine = cosine(steps[long[(i + count - 1) % count]], steps[long[i % count]]);
+        (cosine < STRAIGHT).then_some(cosine < SHARP)
+    };
+    // How many steps there are to a corner that is not far and comes before any bend.
+    let to_corner = |places: &mut dyn Iterator<Item = usize>| {
+        let (before, sharp) = places.take(PIECES).enumerate().find_map(|(k, i)| Some((k, turn(i)?)))?;
+        sharp.then_some(before + 1)
+    };
+    // A side that has many points on it is followed as it is.
+    let is_side = |i: &usize| {
+        let back = to_corner(&mut (0..count).map(|k| (i + count - k) % count));
+        let on = to_corner(&mut (i + 1..=i + count));
+        back.zip(on).is_some_and(|(back, on)| back + on <= PIECES)
+    };
+    let sides: Vec<usize> = (0..count).filter(is_side).map(|i| long[i]).collect();
+    if 2 * sides.len() >= count { sides } else { Vec::new() }
+}
+
+/// The cosine of what a way turns by from one step to the next.
+pub(super) fn cosine(before: Vector, after: Vector) -> f64 {
+    before.dot(&after) / (before.norm() * after.norm())
 }
 
 /// What is at these numbers of a list.

@@ -5,19 +5,20 @@ use crate::error::{Error, Result};
 use crate::fit::knots::free_knots::Located;
 use crate::fit::knots::sparsest::Aim;
 use crate::fit::noise::{is_regular_at, is_steady, levels, sober};
-use crate::fit::options::Ask;
-use crate::fit::outline::filled;
+use crate::fit::options::{Ask, Options};
+use crate::fit::outline::{Outline, filled};
 use crate::fit::parametrise::{Parametrisation, given, parametrise};
 use crate::fit::report;
 use crate::fit::samples::Samples;
 use crate::limits::{LARGEST_COORDINATE, LEAST_WEIGHT, check};
+use crate::numerics::Point;
 
 /// A curve is not looked for nearer to the points than one rounding of its place and so many of a drawing's size.
 const ROUNDINGS: f64 = 256.0;
-/// So many points tell about their noise.
-const FEW: usize = 9;
 /// No knot is for less than this part of a drawing.
 const LEAST_NOISE: f64 = 1e-4;
+/// Noise moves few points farther than so many standard deviations.
+const WIDEST: f64 = 3.0;
 
 /// What points are given parameters for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,8 +28,9 @@ pub(super) enum Purpose {
     /// The optimum for a smoothing: the index where points follow one another evenly, be it slowly here and fast there. What a hand
     /// draws slowly then turns smoothly.
     Optimum,
-    /// Few knots by distances: the index only where points are equally far apart, as every change of the speed asks for knots.
-    Search,
+    /// Few knots by distances: the index only where points are equally far apart, as every change of the speed asks for knots. Sides
+    /// between corners are looked for where it is said how far points may be off.
+    Search(Option<f64>),
 }
 
 impl Fitter {
@@ -66,7 +68,7 @@ impl Fitter {
             }
             Ask::Tolerance(tolerance) => {
                 check("tolerance", None, *tolerance, 0.0, LARGEST_COORDINATE)?;
-                self.locate(Purpose::Search, &ask)?;
+                self.locate(Purpose::Search(Some(tolerance / self.samples.scale)), &ask)?;
                 // Nearer than coordinates are told apart nothing can be.
                 let place = self.samples.center.amax() / self.samples.scale;
                 let least = f64::EPSILON * (ROUNDINGS + place);
@@ -80,11 +82,13 @@ impl Fitter {
                 self.search(Aim::Squares(square * report::weight(&self.located) / unit))?;
             }
             Ask::Noise => {
-                self.locate(Purpose::Search, &ask)?;
-                let noise = self.noise.max(self.least_noise());
-                // Of fewer points no noise can be told: the curve goes through them.
-                let few = self.samples.points.len() < FEW && self.options.noise.is_none();
-                self.search(if few { Aim::Tolerance(noise) } else { Aim::Noise(noise) })?;
+                // Where nothing tells about the noise, the curve goes through the points.
+                let untold = self.levels == Some([0.0; 2]);
+                // An open list that goes up and down is noisy rather than drawn so.
+                let drawn = untold || self.samples.closed;
+                self.locate(Purpose::Search(drawn.then_some(WIDEST * self.noise)), &ask)?;
+                let noise = self.level.max(self.least_noise());
+                self.search(if untold { Aim::Tolerance(noise) } else { Aim::Noise(noise) })?;
             }
         }
         (self.ask, self.rounds) = (ask, 0);
@@ -94,10 +98,10 @@ impl Fitter {
     /// What is less than a ten-thousandth of the drawing is not worth a knot: of its size without points that are far off all
     /// others, for beside these all else is little.
     fn least_noise(&self) -> f64 {
-        if self.noise >= LEAST_NOISE {
+        if self.level >= LEAST_NOISE {
             return LEAST_NOISE;
         }
-        let near = sober(&self.samples, self.noise).1;
+        let near = sober(&self.samples, self.level).1;
         LEAST_NOISE * report::size_of(&near) / report::size_of(&self.samples.points)
     }
 
@@ -108,8 +112,6 @@ impl Fitter {
             Run::Finish(finishing) => self.warm = Some(finishing.solver),
             _ => {}
         }
-        // What is kept to all points, be it a tolerance, is kept to those that are far off as they came.
-        let pulled = self.options.robust && !matches!(ask, Ask::Tolerance(_) | Ask::MeanSquare(_));
         if self.located_for == Some(purpose) && !self.options.robust {
             return Ok(());
         }
@@ -117,61 +119,95 @@ impl Fitter {
             // Other parameters are another problem.
             self.warm = None;
         }
-        let automatic = self.options.parametrisation == Parametrisation::Auto;
-        let plain = automatic && !self.options.robust;
-        let plain = plain && self.options.weights.is_empty() && self.options.parameters.is_empty();
-        let filled =
-            if plain && purpose != Purpose::Papers { filled(&self.samples, self.noise)? } else { None };
-        let mut samples = filled.as_ref().map_or(&self.samples, |(samples, _)| samples);
-        let weights = if !self.options.weights.is_empty() {
+        let outline = self.outline(purpose)?;
+        self.level = self.noise;
+        if let Some(Outline { samples, cornered: true, .. }) = &outline
+            && self.options.noise.is_none()
+        {
+            // Corners look like noise.
+            self.level = self.level.min(levels(samples)[0]);
+        }
+        let samples = outline.as_ref().map_or(&self.samples, |outline| &outline.samples);
+        let (weights, pulled) = self.weighed(samples);
+        // What is kept to all points, be it a tolerance, is kept to those that are far off as they came.
+        let pulled = pulled.filter(|_| !matches!(ask, Ask::Tolerance(_) | Ask::MeanSquare(_)));
+        let pulled = pulled.map(|points| Samples { points, ..samples.clone() });
+        let samples = pulled.as_ref().unwrap_or(samples);
+        let even = self.is_even(samples, outline.is_some(), purpose);
+        let (parameters, end, unit) = self.parameters(samples, even || purpose == Purpose::Papers)?;
+        self.located = Located { points: samples.points.clone(), parameters, weights };
+        self.own = outline.map(|outline| outline.own).unwrap_or_default();
+        (self.even, self.end, self.unit) = (even, end, unit);
+        self.located_for = Some(purpose);
+        Ok(())
+    }
+
+    /// The points with others along their sides, where there are such and nothing is said of each point.
+    fn outline(&self, purpose: Purpose) -> Result<Option<Outline>> {
+        let off = match purpose {
+            Purpose::Papers => return Ok(None),
+            Purpose::Optimum => None,
+            Purpose::Search(off) => off.filter(|_| self.options.corners),
+        };
+        let Options { parametrisation, robust, weights, parameters, .. } = &self.options;
+        let plain = *parametrisation == Parametrisation::Auto && !robust;
+        if plain && weights.is_empty() && parameters.is_empty() {
+            filled(&self.samples, self.noise, off)
+        } else {
+            Ok(None)
+        }
+    }
+
+    /// The weight of each point, or none at all; where points that are far off are to count for little, also where those would count.
+    fn weighed(&self, samples: &Samples) -> (Vec<f64>, Option<Vec<Point>>) {
+        let given = if !self.options.weights.is_empty() {
             self.options.weights.clone()
         } else if samples.is_weighted() {
             samples.weights.clone()
         } else {
             Vec::new()
         };
-        let mut weights = weights;
-        let near;
-        if self.options.robust {
-            let (sober, points) = sober(samples, self.noise);
-            let given = weights.clone();
-            let both = |(m, w): (usize, &f64)| (w * given.get(m).copied().unwrap_or(1.0)).max(LEAST_WEIGHT);
-            weights = sober.iter().enumerate().map(both).collect();
-            if pulled {
-                near = Samples { points, ..samples.clone() };
-                samples = &near;
-            }
+        if !self.options.robust {
+            return (given, None);
         }
-        let by_index = purpose == Purpose::Papers;
-        self.even = automatic && !by_index && self.options.parameters.is_empty() && {
-            let known =
-                self.levels.unwrap_or_else(|| levels(if filled.is_some() { &self.samples } else { samples }));
-            is_regular_at(samples, known) && (purpose == Purpose::Optimum || is_steady(samples, known[0]))
-        };
-        let kind = match self.options.parametrisation {
-            Parametrisation::Auto if by_index || self.even => Parametrisation::Index,
-            kind => kind,
-        };
-        let (mut parameters, end) = if self.options.parameters.is_empty() {
-            self.unit = 1.0;
-            parametrise(samples, kind, self.noise)
+        let (sober, near) = sober(samples, self.level);
+        let both = |(m, w): (usize, &f64)| (w * given.get(m).copied().unwrap_or(1.0)).max(LEAST_WEIGHT);
+        (sober.iter().enumerate().map(both).collect(), Some(near))
+    }
+
+    /// Whether the index of a point may be its parameter.
+    fn is_even(&self, samples: &Samples, is_outline: bool, purpose: Purpose) -> bool {
+        let options = &self.options;
+        let automatic = options.parametrisation == Parametrisation::Auto && options.parameters.is_empty();
+        if !automatic || purpose == Purpose::Papers {
+            return false;
+        }
+        let known = self.levels.unwrap_or_else(|| levels(if is_outline { &self.samples } else { samples }));
+        is_regular_at(samples, known) && (purpose == Purpose::Optimum || is_steady(samples, known[0]))
+    }
+
+    /// The parameters on [0, end], the end, and how much of the caller's one of them is.
+    fn parameters(&self, samples: &Samples, by_index: bool) -> Result<(Vec<f64>, f64, f64)> {
+        let options = &self.options;
+        let count = samples.points.len();
+        let (mut parameters, end, unit) = if options.parameters.is_empty() {
+            let kind = match options.parametrisation {
+                Parametrisation::Auto if by_index => Parametrisation::Index,
+                kind => kind,
+            };
+            let (parameters, end) = parametrise(samples, kind, self.level);
+            (parameters, end, 1.0)
         } else {
-            let (parameters, end) =
-                given(&self.options.parameters, samples.points.len(), samples.closed, self.options.period)?;
+            let (parameters, end) = given(&options.parameters, count, samples.closed, options.period)?;
             // Inside, one step is about 1.
-            self.unit = end / samples.points.len() as f64;
-            let unit = self.unit;
-            (parameters.iter().map(|t| t / unit).collect(), end / unit)
+            let unit = end / count as f64;
+            (parameters.iter().map(|t| t / unit).collect(), end / unit, unit)
         };
         if samples.closed {
             // A last point as near to the first as rounding allows comes before it all the same.
             parameters.iter_mut().for_each(|t| *t = t.min(end.next_down()));
         }
-        self.located = Located { points: samples.points.clone(), parameters, weights };
-        self.own = filled.map(|(_, own)| own).unwrap_or_default();
-        self.end = end;
-        self.located_for = Some(purpose);
-        Ok(())
+        Ok((parameters, end, unit))
     }
 
     /// λ for each degree from the slider: ℓ from 2 points to all of them, the first of two degrees a part of it.

@@ -144,7 +144,7 @@ impl Fitter {
         report::Frame {
             samples: &self.samples,
             unit: self.unit,
-            noise: self.noise,
+            noise: self.level,
             robust: self.options.robust,
             own: &self.own,
             hurried,

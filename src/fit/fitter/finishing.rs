@@ -116,7 +116,7 @@ impl Fitter {
             (Stage::Debias, _) => self.debias(finishing),
             (Stage::Prune(breaks, target), _) => {
                 finishing.search =
-                    Some(Sparsest::pruning(self.located.copied()?, breaks, target, self.noise));
+                    Some(Sparsest::pruning(self.located.copied()?, breaks, target, self.level));
                 Stage::Search
             }
             (Stage::Search, _) => finishing.prune(),
