@@ -7,7 +7,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 mod support;
 
 use core::f64::consts::PI;
-use expline::fit::{Ask, Fit, Options, fit};
+use expline::fit::{Ask, Fit, Fitter, Options, fit};
 use expline::numerics::Point;
 use support::curves::Random;
 
@@ -218,6 +218,30 @@ fn samples_of_a_curve_are_not_taken_for_a_polygon() {
             assert!(worst < most, "{count} points, noise {noise}, {ask:?}: {worst} from the circle");
             let corners = found.knots.iter().filter(|knot| knot.degree == 1).count();
             assert!(4 * corners <= count, "{count} points, noise {noise}, {ask:?}: {corners} corners");
+        }
+    }
+}
+
+#[test]
+fn what_was_asked_before_changes_nothing_about_a_polygon() {
+    let asks = [
+        Ask::Smoothing(0.3),
+        Ask::Tolerance(0.5),
+        Ask::Noise,
+        Ask::Tolerance(30.0),
+        Ask::Tolerance(0.01),
+        Ask::Lambda(vec![1.0, 1.0]),
+        Ask::Noise,
+    ];
+    for (name, polygon, _) in polygons().into_iter().filter(|(name, ..)| ["H", "arrow"].contains(name)) {
+        let mut fitter = Fitter::new(&polygon, &closed()).expect("they can be fitted");
+        for ask in &asks {
+            fitter.ask(ask.clone()).expect("it can be asked");
+            while !fitter.step(1e6).expect("there is memory").done {}
+            let (after, alone) = (fitter.fit().expect("found"), fit(&polygon, ask.clone(), &closed()));
+            let alone = alone.expect("found");
+            assert_eq!(after.curve.points(), alone.curve.points(), "{name}, {ask:?}");
+            assert_eq!(after.noise, alone.noise, "{name}, {ask:?}");
         }
     }
 }
