@@ -11,7 +11,7 @@ use crate::fit::interior::solver::Solver;
 use crate::fit::knots::breaks::Breaks;
 use crate::fit::knots::combine::combined;
 use crate::fit::knots::foot_points::Spline;
-use crate::fit::knots::free_knots::FreeKnots;
+use crate::fit::knots::free_knots::{FreeKnots, Located};
 use crate::fit::knots::sparsest::Sparsest;
 
 /// Slides of the knots off the grid, where the gap that is asked for is not reached before: four times as many reach it
@@ -43,7 +43,8 @@ enum Stage {
     Debias,
     /// Knots go that the sum of squares allows.
     Prune(Breaks, f64),
-    Search,
+    /// To be off its points by no larger sum of squares.
+    Search(f64),
     Done,
 }
 
@@ -55,15 +56,20 @@ impl Finishing {
     }
 
     /// One round of pruning; answers what is next.
-    fn prune(&mut self) -> Stage {
+    fn prune(&mut self, data: &Located, target: f64) -> Stage {
         let Some(search) = &mut self.search else { return Stage::Done };
         if !search.is_done() {
             search.step();
         }
         if !search.is_done() {
-            return Stage::Search;
+            return Stage::Search(target);
         }
-        self.spline = Some(search.clone().finish().spline);
+        let found = search.clone().finish().spline;
+        if found.wild_piece(data, target).is_none() {
+            self.spline = Some(found);
+        } else {
+            self.search = None;
+        }
         Stage::Done
     }
 
@@ -117,9 +123,9 @@ impl Fitter {
             (Stage::Prune(breaks, target), _) => {
                 finishing.search =
                     Some(Sparsest::pruning(self.located.copied()?, breaks, target, self.level));
-                Stage::Search
+                Stage::Search(target)
             }
-            (Stage::Search, _) => finishing.prune(),
+            (Stage::Search(target), _) => finishing.prune(&self.located, target),
             _ => Stage::Done,
         };
         Ok(matches!(finishing.stage, Stage::Done))
@@ -171,16 +177,20 @@ impl Fitter {
         let breaks = &mut whole.space.breaks;
         breaks.sharpest = if self.options.degrees.len() == 1 { 1 } else { breaks.degree };
         let fitted = FreeKnots::new(breaks.clone(), &self.located);
-        let (count, before) = self.size_of(&finishing.solution);
-        finishing.changes.push(Changed {
-            step: "debias",
-            knots: (count, breaks.len()),
-            qfe: (before, fitted.squares() * self.mean_square()),
-            gap: None,
-        });
-        finishing.spline = Some(Spline::of(&fitted));
+        let target = finishing.solution.data_term.max(fitted.squares());
+        let spline = Spline::of(&fitted);
+        // The price is what holds a curve where its knots are nearly as many as the points.
+        if spline.wild_piece(&self.located, target).is_none() {
+            let (count, before) = self.size_of(&finishing.solution);
+            finishing.changes.push(Changed {
+                step: "debias",
+                knots: (count, breaks.len()),
+                qfe: (before, fitted.squares() * self.mean_square()),
+                gap: None,
+            });
+            finishing.spline = Some(spline);
+        }
         if finish.prune {
-            let target = finishing.solution.data_term.max(fitted.squares());
             return Stage::Prune(breaks.clone(), target);
         }
         Stage::Done

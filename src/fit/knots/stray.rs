@@ -2,6 +2,7 @@
 
 use super::foot_points::{Distances, Pull, Spline, on_piece};
 use super::free_knots::Located;
+use crate::fit::report::{size_of, weight};
 use crate::numerics::order::sort_by_number;
 use crate::numerics::{Point, Vector};
 
@@ -9,6 +10,12 @@ use crate::numerics::{Point, Vector};
 const LOOKS: usize = 8;
 /// Steps that pull a curve back.
 const MOST_STEPS: usize = 4;
+
+/// How far from the way of the points a curve may be, in standard deviations of the noise, or in what points are off on average.
+pub(super) const WIDEST: f64 = 4.0;
+
+/// What is no farther from that way than such a part of the drawing does no harm.
+const SWING: f64 = 0.1;
 
 /// How far from the lines between points a curve may be: so much, and this share of the distances of the points around, for
 /// so far off a corner between two of them may be.
@@ -19,6 +26,12 @@ pub(super) struct Leash {
 }
 
 impl Spline {
+    /// A piece on which a curve that is off its points by this sum of squares swings far from their way: few points do not hold it between them.
+    pub(in crate::fit) fn wild_piece(&self, data: &Located, squares: f64) -> Option<usize> {
+        let slack = WIDEST * (squares / weight(data)).sqrt() + SWING * size_of(&data.points);
+        self.strays(data, Leash { slack, share: 1.0 })
+    }
+
     /// A piece on which the curve leaves the way of the points. O(M log M).
     pub(super) fn strays(&self, data: &Located, leash: Leash) -> Option<usize> {
         self.stray_places(data, leash).first().map(|pull| pull.piece)

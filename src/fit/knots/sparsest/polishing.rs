@@ -6,7 +6,7 @@ use crate::fit::knots::foot_points::{Distances, Spline};
 use crate::fit::knots::free_knots::FreeKnots;
 use crate::fit::knots::search::{better, least};
 use crate::fit::knots::start;
-use crate::fit::knots::stray::Leash;
+use crate::fit::knots::stray::{Leash, WIDEST};
 use crate::fit::report::weight;
 
 /// How often pieces that swing away from the points are taken out.
@@ -138,10 +138,18 @@ impl Sparsest {
     pub(super) fn weigh(&mut self, target: f64) -> Phase {
         let kept = self.found.as_ref().is_some_and(|found| found.distances.squares <= target);
         let small = self.fitted.squares <= target;
-        if small || !kept {
+        let wild = Spline::of(&self.fitted).wild_piece(&self.view.full, target);
+        if !kept || small && wild.is_none() {
             self.keep_by_squares();
         }
         let breaks = self.fitted.breaks();
+        if let Some(piece) = wild.filter(|_| small && breaks.len() > least(breaks))
+            && self.effort.tamings < MOST_TAMINGS
+        {
+            self.effort.tamings += 1;
+            self.fitted = FreeKnots::new(without_piece(breaks.clone(), piece), &self.view.seen);
+            return Phase::Polish;
+        }
         if small && breaks.len() > least(breaks) && !self.effort.is_tired() {
             self.pricing.price.0 *= 1.6;
             return Phase::Thin;
@@ -236,7 +244,7 @@ impl Sparsest {
     /// How far from the points their curve may be.
     pub(super) fn slack(&self) -> f64 {
         match self.asked.aim {
-            Aim::Noise(noise) => 4.0 * noise,
+            Aim::Noise(noise) => WIDEST * noise,
             Aim::Tolerance(tolerance) => tolerance,
             Aim::Squares(_) => f64::INFINITY,
         }
