@@ -6,7 +6,8 @@ import type { Imported } from "../document/imported.ts";
 import type { Autosave, AutosaveOptions } from "./keeping/autosave.ts";
 import type { Kept } from "./keeping/kept.ts";
 import { copyText, download } from "./download.ts";
-import { listenForIncoming, readIncoming } from "./incoming.ts";
+import { listenForIncoming } from "./incoming.ts";
+import type { Incoming } from "./incoming-file.ts";
 import { isShareLink } from "./link/link.ts";
 import { hasKept, localStore, rememberTab, tabShows } from "./keeping/store.ts";
 
@@ -33,7 +34,8 @@ function createAutosave(options: AutosaveOptions): Autosave {
 
 /** Everything the panels are handed of this room. What a visit may never need is loaded when it is first asked for. */
 export const pageIo = {
-  copyText, createAutosave, download, isShareLink, listenForIncoming, readIncoming, rememberTab, tabShows,
+  copyText, createAutosave, download, isShareLink, listenForIncoming, rememberTab, tabShows,
+  readIncoming: async (file: File): Promise<Incoming> => (await import("./incoming-file.ts")).readIncoming(file),
   fileInText: async (text: string): Promise<File | null> => (await import("./data-url.ts")).fileInText(text),
   hasKept: (): boolean => hasKept(localStore()),
   newestKept: async (own: string | null): Promise<Kept | null> => (await import("./keeping/kept.ts")).newestKept(own),
