@@ -6,6 +6,7 @@ import type { Editor } from "../../editor/editor.ts";
 import { turnedBySteps } from "../../editor/pointer/snapping.ts";
 import { nothingSketched } from "../../editor/sketch.ts";
 import { distanceBetween, dragThreshold, type PointerSample, type Tool } from "../../editor/tool.ts";
+import { Following } from "./following.ts";
 import { endAt, firstPoint, joinedTo, nextPoint, rubberOf, type Drawn, type PathEnd, type Placement } from "./placing.ts";
 
 /**
@@ -22,11 +23,15 @@ interface Press extends Pick<Placement, "ref" | "closing"> {
 
 class Pen implements Tool {
   readonly #editor: Editor;
+  readonly #following = new Following();
   #drawing: number | null = null;
   #press: Press | null = null;
 
   constructor(editor: Editor) {
     this.#editor = editor;
+    editor.state.subscribe(({ curve }, { curve: before }) => {
+      if (curve !== before) this.#drawing = this.#following.find(this.#drawing, before.contours, curve.contours);
+    });
   }
 
   hover(sample: PointerSample): void {
@@ -52,7 +57,7 @@ class Pen implements Tool {
 
   /** The end of another contour ends what is drawn. */
   #join(command: Command): void {
-    this.#drawing = null;
+    this.#leave();
     this.#editor.dispatch(command);
     this.#editor.patch({ sketch: nothingSketched });
   }
@@ -72,7 +77,7 @@ class Pen implements Tool {
     this.#editor.patch({ hint: "" });
     this.#editor.commit();
     if (closing) {
-      this.#drawing = null;
+      this.#leave();
       this.#editor.patch({ sketch: nothingSketched });
     } else if (sample.kind !== "touch") this.hover(sample);
   }
@@ -82,14 +87,14 @@ class Pen implements Tool {
     this.#press = null;
     this.#editor.patch({ hint: "" });
     this.#editor.bail();
-    if (this.#drawn() === null) this.#drawing = null;
+    if (this.#drawn() === null) this.#leave();
     return true;
   }
 
   finish(): boolean {
     const drawn = this.#drawn();
     const began = this.#drawing !== null;
-    this.#drawing = null;
+    this.#leave();
     this.#press = null;
     this.#editor.patch({ sketch: nothingSketched });
     if (drawn !== null && drawn.contour.points.length < 2) this.#drop(drawn);
@@ -102,6 +107,11 @@ class Pen implements Tool {
     else this.#editor.dispatch({ name: "Drop point", apply: (curve) => replaceContour(curve, at) });
   }
 
+  #leave(): void {
+    this.#drawing = null;
+    this.#following.forget();
+  }
+
   /** Undone, cleared or closed behind the pen's back, it is drawn no more. */
   #drawn(): Drawn | null {
     const at = this.#drawing;
@@ -111,7 +121,7 @@ class Pen implements Tool {
 
   #begin(sample: PointerSample): void {
     const { state } = this.#editor;
-    this.#drawing = null;
+    this.#leave();
     const end = endAt(state.value, sample, null);
     if (end === null) this.#place(sample, firstPoint(state.value, sample));
     else this.#goOn(sample, end);
