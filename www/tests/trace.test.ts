@@ -212,6 +212,11 @@ function tracing(): { hand: Hand; asked: Asked[]; clock: Waiting; runner: TraceR
   };
 }
 
+/** A picture is brought in, and looked at from then on. */
+function bring({ editor }: Hand, name: string, key: string): void {
+  editor.patch({ incoming: { name, source: { kind: "file", key, content: new Blob() }, instead: editor.state.value.trace } });
+}
+
 test("a sample is traced at once with its own settings, a slider when it has come to rest", () => {
   const { hand, asked, clock, say } = tracing();
   assert.equal(openTraceSample(hand.editor, "trace-sketch"), true);
@@ -301,10 +306,23 @@ test("a picture without edges is said to have none", () => {
 test("of two pictures the one that was brought in last stays, though the other one is looked at longer", async () => {
   const { hand } = tracing();
   for (const [name, key] of [["large.png", "large"], ["small.png", "small"]] as const) {
-    hand.editor.patch({ incoming: { name, source: { kind: "file", key, content: new Blob() } } });
+    bring(hand, name, key);
   }
   await new Promise((resolve) => setTimeout(resolve, 20));
   assert.equal(hand.editor.state.value.trace.picture?.name, "small.png");
+});
+
+test("a sample that is opened while a picture is being looked at stays; a slider that is moved meanwhile keeps no picture out", async () => {
+  const { hand } = tracing();
+  openTraceSample(hand.editor, "trace-disc");
+  bring(hand, "large.png", "large");
+  openTraceSample(hand.editor, "trace-star");
+  await new Promise((resolve) => setTimeout(resolve, 20));
+  assert.deepEqual([hand.editor.state.value.trace.sample, hand.editor.state.value.undoName], ["trace-star", `Open ${traceSample("trace-star")?.title ?? ""}`]);
+  bring(hand, "large.png", "large");
+  setTrace(hand.editor, "Detail", { detail: 60 });
+  await new Promise((resolve) => setTimeout(resolve, 20));
+  assert.equal(hand.editor.state.value.trace.picture?.name, "large.png");
 });
 
 test("the views of a picture that nobody waits for any more give their pixels back", () => {
@@ -336,12 +354,11 @@ test("a file that is no picture leaves what is there, and one that is starts at 
   openTraceSample(hand.editor, "trace-disc");
   say();
   const before = hand.editor.state.value.trace;
-  hand.editor.patch({ incoming: { name: "note.png", source: { kind: "file", key: "bad", content: new Blob() } } });
+  bring(hand, "note.png", "bad");
   await new Promise((resolve) => setTimeout(resolve));
   assert.deepEqual(refused, ["note.png "]);
   assert.equal(hand.editor.state.value.trace, before);
-  const content = new Blob(["x"]);
-  hand.editor.patch({ incoming: { name: "logo.png", source: { kind: "file", key: keepPicture(content), content } } });
+  bring(hand, "logo.png", keepPicture(new Blob()));
   await new Promise((resolve) => setTimeout(resolve));
   assert.equal(hand.editor.state.value.trace.picture?.name, "logo.png");
   assert.equal(asked.length, 2);

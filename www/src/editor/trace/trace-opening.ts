@@ -1,5 +1,5 @@
 import { firstTraceSample, traceSample } from "../../document/trace/trace-samples.ts";
-import { traceDefaults } from "../../document/trace/trace.ts";
+import { traceDefaults, type TraceDocument } from "../../document/trace/trace.ts";
 import { dropPicture } from "../../kernel/trace/pictures.ts";
 import { ProbeError } from "../../kernel/trace/probes.ts";
 import type { TraceClient } from "../../kernel/trace/trace-client.ts";
@@ -31,13 +31,18 @@ export function ensureSample(editor: Editor): void {
 /** Pictures that were brought in so far: a small one may be looked at before a large one that came earlier. */
 let brought = 0;
 
-export async function openIncoming(editor: Editor, client: TraceClient, refuse: Refuse, { name, source }: Incoming): Promise<void> {
+/** Whether both are of the same picture. Who has opened another meanwhile wants that one. */
+function isOf(a: TraceDocument, b: TraceDocument): boolean {
+  return a.sample === b.sample && a.picture === b.picture && a.kept === b.kept;
+}
+
+export async function openIncoming(editor: Editor, client: TraceClient, refuse: Refuse, { name, source, instead }: Incoming): Promise<void> {
   editor.patch({ incoming: null });
   brought += 1;
   const own = brought;
   try {
     const [width, height] = await client.probe(source);
-    if (own !== brought) return dropPicture(source.key);
+    if (own !== brought || !isOf(editor.state.value.trace, instead)) return dropPicture(source.key);
     openPicture(editor, { name, width, height, key: source.key });
     editor.notify({ kind: "announce", text: `${name} opened, ${width} by ${height} pixels` });
   } catch (error) {

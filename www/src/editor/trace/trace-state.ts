@@ -1,3 +1,4 @@
+import type { TraceDocument } from "../../document/trace/trace.ts";
 import type { PictureSource, TraceStage } from "../../kernel/trace/job.ts";
 import type { ShownPicture, TraceOutcome } from "../../kernel/trace/outcome.ts";
 
@@ -50,6 +51,8 @@ export interface TraceRun {
 export interface Incoming {
   readonly name: string;
   readonly source: PictureSource;
+  /** What Trace held when it was brought in. */
+  readonly instead: TraceDocument;
 }
 
 export const initialTraceView: TraceView = { view: "result", alpha: 35, chosen: null, over: null };

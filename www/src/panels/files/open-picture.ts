@@ -12,11 +12,12 @@ let brought = 0;
 export async function openPicture({ editor }: Shell, name: string, content: Blob): Promise<void> {
   brought += 1;
   const own = brought;
+  const { trace: instead } = editor.state.value;
   if (editor.state.value.mode !== "trace") await checkDecodes(name, content);
   if (own !== brought) return;
   const key = keepPicture(content);
   if (editor.state.value.mode !== "trace") editor.actions.run("mode-trace");
-  editor.patch({ incoming: { name, source: { kind: "file", key, content } } });
+  editor.patch({ incoming: { name, source: { kind: "file", key, content }, instead } });
 }
 
 async function checkDecodes(name: string, content: Blob): Promise<void> {
