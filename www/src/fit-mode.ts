@@ -21,6 +21,7 @@ export function mountFitMode({ editor, frame, stage, surface, proxies, panels, c
   registerFitActions(editor);
   const runner = createFitRunner(editor, connectFit(until), () => performance.now(), until);
   editor.actions.register({ id: "fit-cancel", label: "Stop fitting", group: "Edit", keys: [], enabled: ({ mode }) => mode === "fit", run: () => runner.cancel() });
+  editor.actions.register({ id: "fit-again", label: "Fit again", group: "Edit", keys: [], enabled: ({ mode }) => mode === "fit", run: () => runner.again() });
   editor.actions.register({
     id: "fit-edit",
     label: "Edit the fit in Curve",

@@ -1,7 +1,7 @@
 import type { ContractParts } from "./contract.ts";
 import type { Mode } from "./document/document.ts";
 import type { Editor } from "./editor/editor.ts";
-import { sayMissing } from "./editor/loading.ts";
+import { sayMissing, sayThere } from "./editor/loading.ts";
 import type { Frame } from "./editor/frame.ts";
 import type { Panels } from "./panels/mount.ts";
 import type { Stage } from "./render/stage.ts";
@@ -31,7 +31,10 @@ export function loadModes(editor: Editor, loaders: Partial<Record<Mode, () => Pr
     const load = loaders[mode];
     if (load === undefined || asked.has(mode) || editor.state.value.engine.status !== "ready") return;
     // What is shown of the mode as soon as it is there is looked up again.
-    asked.set(mode, load().then(() => editor.patch({ hint: "" })).catch((error: unknown) => {
+    asked.set(mode, load().then(() => {
+      editor.patch({ hint: "" });
+      sayThere(editor);
+    }).catch((error: unknown) => {
       // The next visit tries again: a connection may have been lost for a moment.
       asked.delete(mode);
       sayMissing(editor, "This mode", error);

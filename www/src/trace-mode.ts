@@ -16,7 +16,7 @@ import { traceMetrics } from "./panels/trace/trace-metrics.ts";
 import { tracePanel } from "./panels/trace/trace-panel.ts";
 import { traceProgram } from "./panels/trace/trace-program.ts";
 import { mountTraceProgress } from "./panels/trace/trace-progress.ts";
-import { Problem, type ProblemDetails } from "./document/problem.ts";
+import { Problem, type ProblemDetails, type ProblemId } from "./document/problem.ts";
 import { createPointProxies } from "./render/trace/point-proxies.ts";
 import { createTracePainter } from "./render/trace/trace-painter.ts";
 import { createTraceTool } from "./tools/trace/trace-tool.ts";
@@ -49,6 +49,9 @@ function keptPicture({ state }: ModeParts["editor"]): ProblemDetails {
   return kept === undefined ? {} : { kept };
 }
 
+/** What is said of a picture that could not be opened, by what the tracer says. */
+const refusals: Readonly<Record<string, ProblemId>> = { E_BLANK: "image-blank", E_IMAGE: "image-broken", E_INIT: "part-missing" };
+
 /** Trace mode, put together when it is first opened. */
 export function mountTraceMode({ editor, frame, stage, surface, proxies, panels, contract, until }: ModeParts): void {
   const { shell } = panels;
@@ -57,7 +60,7 @@ export function mountTraceMode({ editor, frame, stage, surface, proxies, panels,
     editor, until, clock: pageClock, now: () => performance.now(),
     connect: (handlers) => createTraceClient(start, handlers),
     refuse(name, code) {
-      const id = code === "E_BLANK" ? "image-blank" : code === "E_IMAGE" ? "image-broken" : "engine";
+      const id = refusals[code] ?? "engine";
       report(shell, new Problem(id, id === "engine" ? { code: code === "" ? "unknown" : code } : { name, ...keptPicture(editor) }));
     },
   });

@@ -289,6 +289,14 @@ test("a worker that dies is replaced, and its request tried once more and no oft
   assert.equal(workers.length, 3, "the next request starts afresh");
 });
 
+test("a worker whose program did not come is asked for once more, and that nothing came is no engine that stopped", () => {
+  const said: string[] = [];
+  const { client: fits, workers } = client({ failed: (code) => said.push(code), restarted: () => said.push("restarted") });
+  fits.fit(what(1), { by: "smoothing", smoothing: 0.1 }, false);
+  for (let i = 0; i < 2; i += 1) workers.at(-1)?.dispatchEvent(new Event("error"));
+  assert.deepEqual([said, workers.length], [["E_INIT"], 2]);
+});
+
 test("a worker that dies while it fills the chart leaves the fit that is shown", () => {
   const codes: string[] = [];
   const { client: fits, workers } = client({ failed: (code) => codes.push(code) });
@@ -462,6 +470,22 @@ test("that an outdated fit failed is not said while the next one is under way", 
   worker.answer({ kind: "failed", subject: 1, id: 1, code: "E_MEMORY", message: "" });
   const { failure, since } = editor.state.value.fitRun;
   assert.deepEqual([failure, since, worker.ids], [null, 7, [1, 2]]);
+});
+
+test("an engine that failed is asked again when somebody comes back to the mode or says so, and not with every change", () => {
+  const { editor, runner, worker } = onPuppets();
+  worker.answer({ kind: "failed", subject: 1, id: 1, code: "E_INIT", message: "no connection" });
+  editor.patch({ hint: "" });
+  editor.patch({ mode: "curve" });
+  assert.deepEqual([worker.ids, editor.state.value.fitRun.failure?.details.code], [[1], "E_INIT"]);
+  editor.patch({ mode: "fit" });
+  assert.deepEqual([worker.ids, editor.state.value.fitRun.failure], [[1, 2], null]);
+  worker.answer({ kind: "failed", subject: 1, id: 2, code: "E_MEMORY", message: "" });
+  runner.again();
+  worker.answer({ kind: "fitted", subject: 1, id: 3, fits: [], ms: 1 });
+  editor.patch({ mode: "curve" });
+  editor.patch({ mode: "fit" });
+  assert.deepEqual(worker.ids, [1, 2, 3], "what is there is not fitted again");
 });
 
 test("the parts of a curve are asked for when they are to be seen, and only where there are two", () => {

@@ -91,6 +91,24 @@ test("a part of the page that did not come is said to be missing, and asked for 
   assert.deepEqual([done, said.length], [["work"], 2]);
 });
 
+test("that something did not come is said no more once something does", async () => {
+  const editor = createEditor(() => 0);
+  const said: string[] = [];
+  editor.notices.subscribe((notice) => notice !== null && said.push(notice.kind));
+  const work = onDemand(failing(1, "work").load);
+  for (let i = 0; i < 3; i += 1) {
+    work(editor, () => undefined);
+    await turn();
+  }
+  const wanted = failing(1, "pen");
+  late(editor, ({ tool }) => tool === "pen", wanted.load);
+  for (const tool of ["pen", "select", "pen"] as const) {
+    editor.patch({ tool });
+    await turn();
+  }
+  assert.deepEqual(said, ["error", "well", "error", "well"], "and not of what always came");
+});
+
 test("what was done with a tool that never came is not done when it comes later", async () => {
   const editor = createEditor(() => 0);
   const done: string[] = [];

@@ -134,6 +134,16 @@ test("a worker that dies is replaced, its request tried once more and no oftener
   assert.equal(traces.busy, false);
 });
 
+test("a worker whose program did not come is asked for once more, and that nothing came is no engine that stopped", async () => {
+  const said: string[] = [];
+  const { traces, workers } = client({ failed: (code) => said.push(code), restarted: () => said.push("restarted") });
+  traces.trace(disc, how);
+  const refused = assert.rejects(traces.probe(disc), { code: "E_INIT" });
+  for (let i = 0; i < 2; i += 1) workers.at(-1)?.dispatchEvent(new Event("error"));
+  await refused;
+  assert.deepEqual([said, workers.length], [["E_INIT"], 2]);
+});
+
 test("a picture that its worker dies of is refused, and the worker replaced no oftener than once for it", async () => {
   const { traces, workers } = client();
   const refused = assert.rejects(traces.probe(disc), { code: "E_WORKER" });
@@ -323,6 +333,21 @@ test("a sample that is opened while a picture is being looked at stays; a slider
   setTrace(hand.editor, "Detail", { detail: 60 });
   await new Promise((resolve) => setTimeout(resolve, 20));
   assert.equal(hand.editor.state.value.trace.picture?.name, "large.png");
+});
+
+test("an engine that failed is asked again when somebody comes back to the mode, and not with every change", () => {
+  const { hand, asked, handlers } = tracing();
+  openTraceSample(hand.editor, "trace-disc");
+  handlers.failed("E_INIT", "no connection");
+  hand.editor.patch({ hint: "" });
+  hand.editor.patch({ mode: "curve" });
+  assert.equal(asked.length, 1);
+  hand.editor.patch({ mode: "trace" });
+  assert.equal(asked.length, 2);
+  handlers.traced(found(), 12);
+  hand.editor.patch({ mode: "curve" });
+  hand.editor.patch({ mode: "trace" });
+  assert.equal(asked.length, 2, "what is there is not traced again");
 });
 
 test("the views of a picture that nobody waits for any more give their pixels back", () => {

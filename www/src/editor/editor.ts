@@ -16,8 +16,8 @@ export type Notice =
   | { readonly kind: "toast"; readonly text: string; readonly actionId?: string }
   | { readonly kind: "error"; readonly id: string; readonly text: string }
   | { readonly kind: "announce"; readonly text: string }
-  /** What was wrong is over, though there is nothing to say about it: an error that still shows goes. */
-  | { readonly kind: "well" };
+  /** What was wrong is over, though there is nothing to say about it: an error that still shows goes, if it is `of` this kind. */
+  | { readonly kind: "well"; readonly of?: string };
 
 /** One definition serves toolbar, menu, keys and help. */
 export interface Action {

@@ -11,7 +11,10 @@ export function whileLoading<T>(editor: Editor, work: Promise<T>): Promise<T> {
 
 /** Does something with what is on its way; the page is not idle before it is done. */
 export function whenLoaded<T>(editor: Editor, coming: Promise<T>, run: (loaded: T) => unknown): void {
-  void whileLoading(editor, coming.then(run, (error: unknown) => sayMissing(editor, "This feature", error)));
+  void whileLoading(editor, coming.then((loaded) => {
+    sayThere(editor);
+    return run(loaded);
+  }, (error: unknown) => sayMissing(editor, "This feature", error)));
 }
 
 /** Work with what is loaded when it is first wanted: done as soon as it is there, and at once from then on. */
@@ -21,10 +24,19 @@ export interface OnDemand<T> {
   load(): Promise<T>;
 }
 
+/** Those whose users were told that something did not come. */
+const lacking = new WeakSet<Editor>();
+
 /** Says that something did not come. */
 export function sayMissing(editor: Editor, what: string, error: unknown): void {
   const text = error instanceof Error ? error.message : String(error);
-  editor.notify({ kind: "error", id: "engine", text: `${what} could not be loaded (${text}). Check the connection, then try again.` });
+  lacking.add(editor);
+  editor.notify({ kind: "error", id: "part-missing", text: `${what} could not be loaded (${text}). Check the connection, then try again.` });
+}
+
+/** Something came: there is nothing more to be said of what did not. */
+export function sayThere(editor: Editor): void {
+  if (lacking.delete(editor)) editor.notify({ kind: "well", of: "part-missing" });
 }
 
 export function onDemand<T>(load: () => Promise<T>): OnDemand<T> {
@@ -56,6 +68,7 @@ export function late<T>(editor: Editor, wanted: (state: EditorState) => boolean,
       coming = true;
       void whileLoading(editor, load().then((it) => {
         [loaded, coming] = [it, false];
+        sayThere(editor);
         arrived(it);
       }, (error: unknown) => {
         [coming, refused] = [false, true];

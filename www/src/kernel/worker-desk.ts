@@ -10,9 +10,11 @@ export interface Desk<Request> {
 
 export interface DeskHandlers<Answer> {
   receive(answer: Answer): void;
-  /** It stopped by itself. It is still there until it is dismissed. */
-  died(message: string): void;
+  /** It stopped by itself, or (`E_INIT`) never began: its program did not come. It is still there until it is dismissed. */
+  died(code: LossCode, message: string): void;
 }
+
+export type LossCode = "E_INIT" | "E_WORKER";
 
 export function createDesk<Request, Answer>(start: () => Worker, { receive, died }: DeskHandlers<Answer>): Desk<Request> {
   let worker: Worker | null = null;
@@ -23,7 +25,8 @@ export function createDesk<Request, Answer>(start: () => Worker, { receive, died
     });
     fresh.addEventListener("error", (event) => {
       event.preventDefault();
-      if (fresh === worker) died(event.message);
+      // Only a program that runs has something to say.
+      if (fresh === worker) died("message" in event ? "E_WORKER" : "E_INIT", event.message);
     });
     return fresh;
   }

@@ -53,7 +53,7 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
   // What is loaded when it is first asked for may be out of reach by then.
   window.addEventListener(
     "vite:preloadError",
-    () => shell.toasts.error("engine", "This part of the page could not be loaded. Check your connection and try again."),
+    () => shell.toasts.error("part-missing", "This part of the page could not be loaded. Check your connection and try again."),
     { signal },
   );
   io.listenForIncoming({

@@ -16,12 +16,14 @@ export interface FitRunner {
   /** Resolves when no fit is under way. */
   idle(): Promise<void>;
   cancel(): void;
+  /** Once more what has failed. */
+  again(): void;
 }
 
 export function createFitRunner(editor: Editor, connect: (handlers: FitHandlers) => FitClient, now: () => number, until: AbortSignal): FitRunner {
   const runner = new Runner(editor, connect, now);
   editor.state.subscribe((state, before) => {
-    if (state.fit !== before.fit || state.mode !== before.mode || state.fitView.overlays !== before.fitView.overlays || runner.owesFit) runner.update();
+    if (state.fit !== before.fit || state.mode !== before.mode || state.fitView.overlays !== before.fitView.overlays || runner.owesFit) runner.update(state.mode !== before.mode);
   }, { until });
   runner.update();
   return runner;
@@ -71,14 +73,20 @@ class Runner implements FitRunner {
     return this.#unsettled && !this.#editor.fitEdits.inGesture;
   }
 
-  /** The state is another. */
-  update(): void {
+  again(): void {
+    if (this.#subject !== null) this.#ask(this.#subject, this.#editor.state.value.fit);
+  }
+
+  /** The state is another; `hasCome` says that the mode is. */
+  update(hasCome = false): void {
     if (this.#editor.state.value.mode !== "fit") return;
     ensureFit(this.#editor);
-    const [before, { fit, fitView }] = [this.#asked, this.#editor.state.value];
+    const [before, { fit, fitView, fitRun }] = [this.#asked, this.#editor.state.value];
     const parts = fitView.overlays.parts && hasParts(fit);
     const sameParts = this.#subject === null || this.#subject.parts === parts;
-    if (before !== null && sameQuestion(before, fit) && sameParts && !this.owesFit) return;
+    // A connection may have been lost for a moment: the next visit tries again.
+    const isOwed = this.owesFit || (hasCome && fitRun.failure?.id === "engine");
+    if (before !== null && sameQuestion(before, fit) && sameParts && !isOwed) return;
     this.#asked = fit;
     const same = before !== null && sameSubject(before, fit);
     if (!same || !sameParts) this.#subject = subjectOf(fit, parts);

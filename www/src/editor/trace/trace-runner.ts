@@ -34,7 +34,7 @@ export function createTraceRunner(options: TraceRunnerOptions): TraceRunner {
   const { editor, until } = options;
   const runner = new Runner(options);
   editor.state.subscribe((state, before) => {
-    if (state.trace !== before.trace || state.mode !== before.mode || state.incoming !== before.incoming) runner.update();
+    if (state.trace !== before.trace || state.mode !== before.mode || state.incoming !== before.incoming) runner.update(state.mode !== before.mode);
   }, { until });
   until.addEventListener("abort", () => runner.dropWait(), { once: true });
   runner.update();
@@ -74,15 +74,16 @@ class Runner implements TraceRunner {
     return this.#waiters.idle();
   }
 
-  /** The state is another. */
-  update(): void {
-    const { mode, incoming } = this.#editor.state.value;
+  /** The state is another; `hasCome` says that the mode is. */
+  update(hasCome = false): void {
+    const { mode, incoming, traceRun } = this.#editor.state.value;
     if (incoming !== null) void this.#open(incoming);
     if (mode !== "trace") return;
     ensureSample(this.#editor);
     const [before, { trace }] = [this.#asked, this.#editor.state.value];
     this.#asked = trace;
-    if (before === null) return this.#askNow();
+    // A connection may have been lost for a moment: the next visit tries again.
+    if (before === null || (hasCome && traceRun.failure?.id === "engine")) return this.#askNow();
     if (sameQuestion(before, trace)) return;
     // A new picture starts at once.
     if (sourceOf(before)?.key === sourceOf(trace)?.key) this.#askSoon();

@@ -1,4 +1,4 @@
-import { createDesk, createWaiters } from "../worker-desk.ts";
+import { createDesk, createWaiters, type LossCode } from "../worker-desk.ts";
 import type { FitAnswer, FitRequest, FitStrength, FitSubject, PlainFit } from "./job.ts";
 
 /**
@@ -60,18 +60,19 @@ export function createFitClient(start: () => Worker, handlers: FitHandlers): Fit
   }
 
   /** A dead worker's request is tried once more in a new one. Where it only filled the chart, the fit that is shown stands. */
-  function replace(message: string): void {
+  function replace(code: LossCode, message: string): void {
     dismiss();
     const lost = waiting ?? running;
     running = null;
     waiting = null;
-    handlers.restarted();
+    // What never began is not restarted.
+    if (code === "E_WORKER") handlers.restarted();
     if (lost === null) return settle();
     if (lost.id !== retried) {
       retried = lost.id;
       begin(lost);
     } else {
-      handlers.failed("E_WORKER", message);
+      handlers.failed(code, message);
       settle();
     }
   }

@@ -1,3 +1,4 @@
+import type { LossCode } from "../worker-desk.ts";
 import type { PictureSource, TraceAnswer, TraceRequest } from "./job.ts";
 
 /** Pictures that are being looked at, before any of them is traced: is it one, and how large? */
@@ -53,11 +54,11 @@ export class Probes {
   }
 
   /** A worker died with them: who has not been tried again yet, will be, unless `all` are given up. */
-  died(all: boolean): void {
+  died(code: LossCode, all: boolean): void {
     for (const [id, probe] of this.#open) {
       if (all || probe.retried) {
         this.#open.delete(id);
-        probe.reject(new ProbeError("E_WORKER"));
+        probe.reject(new ProbeError(code));
       }
       probe.retried = true;
     }

@@ -1,4 +1,4 @@
-import { createDesk, createWaiters, type Desk } from "../worker-desk.ts";
+import { createDesk, createWaiters, type Desk, type LossCode } from "../worker-desk.ts";
 import type { PictureSource, TraceAnswer, TraceHow, TraceRequest, TraceResult, TraceStage } from "./job.ts";
 import { Probes, type PictureSize } from "./probes.ts";
 
@@ -96,7 +96,7 @@ class Client implements TraceClient {
 
   constructor(start: () => Worker, handlers: TraceHandlers, clock: Clock) {
     this.#handlers = handlers;
-    this.#desk = createDesk<TraceRequest, TraceAnswer>(start, { receive: (answer) => this.#receive(answer), died: (message) => this.#died(message) });
+    this.#desk = createDesk<TraceRequest, TraceAnswer>(start, { receive: (answer) => this.#receive(answer), died: (code, message) => this.#died(code, message) });
     this.#leaving = new Leaving(clock, () => this.#replace());
     this.#probes = new Probes(this.#desk.post);
   }
@@ -163,15 +163,16 @@ class Client implements TraceClient {
     }
   }
 
-  #died(message: string): void {
-    this.#handlers.restarted();
+  #died(code: LossCode, message: string): void {
+    // What never began is not restarted.
+    if (code === "E_WORKER") this.#handlers.restarted();
     // Which of its requests a worker died of nobody knows: each is tried once more.
     const lost = this.#running?.id === this.#retried;
     if (lost) this.#running = null;
     this.#retried = this.#running?.id ?? 0;
-    this.#probes.died(lost);
+    this.#probes.died(code, lost);
     this.#replace();
-    if (lost) this.#handlers.failed("E_WORKER", message);
+    if (lost) this.#handlers.failed(code, message);
     this.#waiters.settle();
   }
 

@@ -47,11 +47,12 @@ export function readingSection(shell: Shell): Section {
         ? ""
         : `rms ${formatDeviation(outcome.rms)}, max ${formatDeviation(outcome.max)}${unitName(fit)} (${formatDeviation((100 * outcome.max) / Math.max(outcome.diagonal, 1e-12))} %)`);
       edit.disabled = outcome === null;
-      setText(failure, fitRun.failure === null ? "" : fitRun.failure.id === "points-few"
-        ? `Fitting needs at least 4 different points; there ${fitRun.failure.details.count === 1 ? "is" : "are"} ${fitRun.failure.details.count ?? 0}.`
-        : `The engine stopped (${fitRun.failure.details.code ?? "unknown"}). Your points are safe; change something to try again.`);
-      setAttribute(failure, "data-testid", fitRun.failure === null ? null : "error");
-      setAttribute(failure, "data-error", fitRun.failure?.id ?? null);
+      // That the engine failed is said on the stage.
+      const few = fitRun.failure?.id === "points-few" ? fitRun.failure : null;
+      const count = few?.details.count ?? 0;
+      setText(failure, few === null ? "" : `Fitting needs at least 4 different points; there ${count === 1 ? "is" : "are"} ${count}.`);
+      setAttribute(failure, "data-testid", few === null ? null : "error");
+      setAttribute(failure, "data-error", few?.id ?? null);
     },
   };
 }

@@ -22,8 +22,8 @@ export function errorText(id: NearProblem, details: ProblemDetails = {}): string
 /** Anything that was thrown, as a problem that can be shown; a library error that no catalogue entry fits is the engine's. */
 export function asProblem(error: unknown): Problem {
   if (error instanceof Problem) return error;
-  // All browsers speak of a module when one that is imported does not come.
-  if (error instanceof TypeError && error.message.includes("module")) return new Problem("part-missing");
   const code = error instanceof Error && "code" in error ? String(error.code) : "unknown";
-  return new Problem("engine", { code });
+  // All browsers speak of a module when one that is imported does not come; an engine that does not come has a code.
+  const isMissing = code === "E_INIT" || (error instanceof TypeError && error.message.includes("module"));
+  return isMissing ? new Problem("part-missing") : new Problem("engine", { code });
 }

@@ -56,7 +56,7 @@ export function mountToasts(stage: HTMLElement, editor: Editor): Toasts {
       leaveWhen(editor, toast, (state, before) => (state.canRedo && state.redoName !== before.redoName) || action?.enabled?.(state) === false);
     }
     if (notice?.kind === "error") error(notice.id, notice.text);
-    if (notice?.kind === "well") errors.replaceChildren();
+    if (notice?.kind === "well" && (notice.of === undefined || errors.querySelector(`[data-error=${notice.of}]`) !== null)) errors.replaceChildren();
   });
   return { say: (text, action) => void show(text, action), error };
 }

@@ -16,7 +16,7 @@ const desk = createDesk<SplineShape, WholeMeasures | string>(() => new Worker(ne
     if (typeof answer === "string") return end((asked) => asked.reject(new Error(answer)));
     end((asked) => asked.resolve(answer));
   },
-  died: (message) => end((asked) => asked.reject(new Error(message))),
+  died: (_, message) => end((asked) => asked.reject(new Error(message))),
 });
 
 function end(settle: (asked: NonNullable<typeof waiting>) => void): void {

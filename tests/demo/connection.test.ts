@@ -1,0 +1,61 @@
+import assert from "node:assert/strict";
+import { test, type TestContext } from "node:test";
+import { useBrowser, type Demo } from "./page.ts";
+
+/** A connection that is lost for a moment: what did not come is said, asked for again, and no longer spoken of once it is there. */
+
+const { open } = useBrowser();
+
+/** A page on which some parts do not come until the way is `clear`. Kept parts would come past the way. */
+async function cutOff(t: TestContext, parts: RegExp, options: Parameters<typeof open>[2] = {}): Promise<{ demo: Demo; clear(): Promise<void> }> {
+  const demo = await open(t, "", { serviceWorkers: "block", ...options });
+  const context = demo.page.context();
+  await context.route(parts, (route) => route.abort());
+  return { demo, clear: () => context.unroute(parts) };
+}
+
+const shownErrors = (demo: Demo): Promise<string[]> => demo.byId("error").allTextContents();
+
+for (const [mode, has] of [["fit", "fit-smoothing"], ["trace", "trace-detail"], ["surface", "surf-sample"]] as const) {
+  test(`${mode} that could not be loaded is there at the next visit, and nothing is said of it any more`, async (t) => {
+    const { demo, clear } = await cutOff(t, new RegExp(`/${mode}-mode[^/]*\\.js`, "u"));
+    await demo.byId(`tab-${mode}`).click();
+    await demo.byId("error").waitFor();
+    assert.match((await shownErrors(demo)).join(), /^This mode could not be loaded/);
+    await clear();
+    await demo.byId("tab-curve").click();
+    await demo.byId(`tab-${mode}`).click();
+    await demo.byId(has).first().waitFor();
+    await demo.idle();
+    assert.deepEqual(await shownErrors(demo), []);
+  });
+}
+
+for (const part of ["fit-worker", "expline_fit_bg"]) {
+  test(`without ${part} Fit says that its engine could not be loaded, on a phone as well, and fits when it is told to try again`, async (t) => {
+    const { demo, clear } = await cutOff(t, new RegExp(`/${part}[^/]*$`, "u"), { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+    await demo.byId("tab-fit").tap();
+    await demo.byId("offer-again").waitFor();
+    assert.deepEqual(await shownErrors(demo), ["The engine could not be loaded. Check the connection, then try again."]);
+    await clear();
+    await demo.byId("offer-again").tap();
+    await demo.until(() => demo.byId("knot-0").count(), (count) => count > 0, "there is a curve");
+    await demo.idle();
+    assert.deepEqual(await shownErrors(demo), []);
+  });
+}
+
+for (const part of ["trace-worker", "expline_trace_bg"]) {
+  test(`without ${part} Trace says that its engine could not be loaded, and traces when somebody comes back to it`, async (t) => {
+    const { demo, clear } = await cutOff(t, new RegExp(`/${part}[^/]*$`, "u"));
+    await demo.page.evaluate(() => (location.hash = "#/trace?sample=trace-disc"));
+    await demo.byId("offer-again").waitFor();
+    assert.deepEqual(await shownErrors(demo), ["The engine could not be loaded. Check the connection, then try again."]);
+    await clear();
+    await demo.byId("tab-curve").click();
+    assert.deepEqual(await demo.byId("offer-again").isVisible(), false);
+    await demo.byId("tab-trace").click();
+    await demo.idle();
+    assert.deepEqual([await demo.metric("m-contours"), await shownErrors(demo)], [1, []]);
+  });
+}
