@@ -55,6 +55,33 @@ test("a dialog opened from the phone's menu gives the focus back to the menu's b
   }
 });
 
+test("where the header has no room for all it has, it stays one row, and its menu has the file actions", async (t) => {
+  for (const viewport of [{ width: 667, height: 375 }, { width: 740, height: 360 }, { width: 640, height: 400 }]) {
+    const demo = await open(t, "", { ...phone, viewport, ...(viewport.width === 640 ? { hasTouch: false, isMobile: false } : {}) });
+    const where = `${viewport.width} × ${viewport.height}`;
+    const rows = await demo.page.locator("header button:visible, header a:visible").evaluateAll((all) => all.map((each) => each.getBoundingClientRect()).map(({ top, bottom }) => (top + bottom) / 2));
+    // Of one row the middles are at one height, give or take the tabs' rule.
+    assert.ok(Math.max(...rows) - Math.min(...rows) <= 4, `${where}: ${rows.join(", ")}`);
+    await demo.byId("btn-menu").click();
+    const covered = await demo.page.locator(".header-menu > *").evaluateAll((all) => all.filter((entry) => {
+      const { x, y, width, height } = entry.getBoundingClientRect();
+      return !entry.contains(document.elementFromPoint(x + width / 2, y + height / 2));
+    }).map((entry) => entry.textContent));
+    assert.deepEqual([covered, await demo.page.locator(".header-menu > *").count()], [[], 6], where);
+    await demo.byId("btn-samples").click();
+    await demo.byId("samples-dialog").waitFor();
+  }
+});
+
+test("in a page that is zoomed to 400 % the tools and the zoom box lie on the stage, and not on each other", async (t) => {
+  // A window of 1280 × 1024.
+  const demo = await open(t, "", { viewport: { width: 320, height: 256 } });
+  await demo.still();
+  const [stage, tools, zoom] = await Promise.all([".stage", ".tools", ".stage-zoom"].map((part) => demo.page.locator(part).boundingBox()));
+  assert.ok(stage != null && tools != null && zoom != null);
+  assert.ok(zoom.y >= stage.y && zoom.y + zoom.height <= tools.y && tools.y + tools.height <= stage.y + stage.height, JSON.stringify([stage, tools, zoom]));
+});
+
 test("the number that the page opens with, and the Bézier's beside it, are in sight without scrolling", async (t) => {
   const demo = await open(t, "", phone);
   await demo.still();
