@@ -12,7 +12,7 @@ import { bringStrokes, simplifyInFit } from "../src/editor/fit/bring.ts";
 import { clearFit } from "../src/editor/fit/fit-edits.ts";
 import { pngSize } from "../src/io/picture/png-size.ts";
 import { writeSvg } from "../src/io/svg/svg-write.ts";
-import { contoursOfPath } from "../src/kernel/curve/points/contours.ts";
+import { contoursOfPath } from "./harness.ts";
 
 /** An icon goes out on the sheet that it came in on. */
 

@@ -5,8 +5,8 @@ import * as icons from "simple-icons";
 import { joined } from "../src/document/curve/contours.ts";
 import { emptyCurve, type Contour } from "../src/document/document.ts";
 import { curveOf } from "../src/kernel/curve/curve-cache.ts";
-import { contoursOfPath } from "../src/kernel/curve/points/contours.ts";
 import { closedByLine, joinedNearly, nearIn } from "../src/kernel/paths/closing.ts";
+import { contoursOfPath } from "./harness.ts";
 
 /** What is filled is closed. The oracle is the same path data with the Z that they lack, read by the library. */
 

@@ -5,10 +5,10 @@ import { segmentCount, type Contour, type CurveDocument } from "../src/document/
 import { curveSample } from "../src/document/curve/samples.ts";
 import { movePoints } from "../src/document/curve/commands.ts";
 import { cubicsOf } from "../src/kernel/paths/paths.ts";
-import { contoursOfPath, inserted, resampled } from "../src/kernel/curve/points/contours.ts";
+import { inserted, resampled } from "../src/kernel/curve/points/contours.ts";
 import { refined } from "../src/kernel/curve/refining.ts";
 import { samplePoints } from "../src/kernel/curve/samples.ts";
-import { largestDistance } from "./harness.ts";
+import { contoursOfPath, largestDistance } from "./harness.ts";
 
 /** A few hundred units, a dozen roundings. */
 const rounding = 2e-12;

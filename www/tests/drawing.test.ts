@@ -3,8 +3,7 @@ import { test } from "node:test";
 import { replaceContour } from "../src/document/curve/commands.ts";
 import { emptyCurve, type Contour } from "../src/document/document.ts";
 import { addDrawing } from "../src/editor/curve/adding.ts";
-import { contoursOfPath } from "../src/kernel/curve/points/contours.ts";
-import { Hand } from "./harness.ts";
+import { contoursOfPath, Hand } from "./harness.ts";
 
 /** The pen among steps that are not its own: it goes on with the contour that it draws, wherever that is, and with no other. */
 

@@ -8,8 +8,8 @@ import { clearCurve, loadCurve } from "../src/editor/curve/edits.ts";
 import { addDrawing } from "../src/editor/curve/adding.ts";
 import { openInCurve } from "../src/editor/curve/open-in-curve.ts";
 import { curveOf } from "../src/kernel/curve/curve-cache.ts";
-import { contoursOfPath } from "../src/kernel/curve/points/contours.ts";
 import { filled, filledTogether, type FilledShape } from "../src/kernel/paths/filling.ts";
+import { contoursOfPath } from "./harness.ts";
 
 before(() => init());
 

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { before } from "node:test";
-import init, { initSpline, initSurface } from "expline/slim";
-import type { Contour, ControlPoint, CurveDocument } from "../src/document/document.ts";
+import init, { initSpline, initSurface, parsePath } from "expline/slim";
+import type { Contour, ControlPoint, CurveDocument, Space } from "../src/document/document.ts";
 import { curveSample } from "../src/document/curve/samples.ts";
 import { toScreen } from "../src/editor/pointer/camera.ts";
 import { createEditor } from "../src/editor/create-editor.ts";
@@ -11,12 +11,18 @@ import type { Editor, Modifiers } from "../src/editor/editor.ts";
 import type { PointerKind } from "../src/editor/pointer/hit-test.ts";
 import { createPointerInput, type PointerInput } from "../src/editor/pointer/pointer-input.ts";
 import { registerStandardActions } from "../src/editor/actions/standard-actions.ts";
+import { contourFrom } from "../src/kernel/curve/points/contours.ts";
 import { samplePoints } from "../src/kernel/curve/samples.ts";
 import { createPenTool } from "../src/tools/pen/pen-tool.ts";
 import { createTools } from "../src/tools/tools.ts";
 
 // In Node the engine finds itself; the page tells it where the bundler has put it.
 before(() => Promise.all([init(), initSpline(), initSurface(), renewing.load(), levelling.load()]));
+
+/** Contours of a path's `d`, as the library reads it. */
+export function contoursOfPath(d: string, space: Space = "trigonometric"): Contour[] {
+  return parsePath(d).map((curve) => contourFrom(curve, space));
+}
 
 /** The editor without a browser: pointers and keys in, documents out. Places are in document units. */
 export class Hand {

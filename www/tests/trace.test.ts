@@ -10,7 +10,6 @@ import { registerTraceActions } from "../src/editor/trace/trace-actions.ts";
 import { howOf } from "../src/editor/trace/trace-question.ts";
 import { createTraceRunner, type TraceRunner } from "../src/editor/trace/trace-runner.ts";
 import { readShareHash, shareHash } from "../src/io/link/share.ts";
-import { contoursOfPath } from "../src/kernel/curve/points/contours.ts";
 import type { PictureSource, TraceAnswer, TraceHow, TraceRequest, TraceResult } from "../src/kernel/trace/job.ts";
 import { cornersIn, outcomeOf, type ShownPicture } from "../src/kernel/trace/outcome.ts";
 import { keepPicture } from "../src/kernel/trace/pictures.ts";
@@ -18,7 +17,7 @@ import { createTraceClient, type Clock, type TraceClient, type TraceHandlers } f
 import { traceProgram } from "../src/panels/trace/trace-program.ts";
 import { drawnDiffers } from "../src/render/drawn.ts";
 import { createTraceTool } from "../src/tools/trace/trace-tool.ts";
-import { Hand } from "./harness.ts";
+import { contoursOfPath, Hand } from "./harness.ts";
 
 /** A clock that goes when it is told to. */
 class Waiting implements Clock {

@@ -3,12 +3,12 @@ import { before, test } from "node:test";
 import init, { initTrace, traceImage, type Trace, type TraceOptions } from "expline/slim";
 import { turnAt } from "../src/document/curve/offset.ts";
 import { withFoundCorners } from "../src/document/trace/corners.ts";
-import { contoursOfPath } from "../src/kernel/curve/points/contours.ts";
 import { samplePoints } from "../src/kernel/curve/samples.ts";
 import { measured } from "../src/kernel/trace/measured.ts";
 import { cornersIn, outcomeOf, shownOutcome, type TraceOutcome } from "../src/kernel/trace/outcome.ts";
 import { distanceToBorder } from "../src/kernel/trace/pixels/shades.ts";
 import { coverage } from "../src/kernel/trace/raster.ts";
+import { contoursOfPath } from "./harness.ts";
 
 // What becomes of a picture with the tracer of the library itself.
 before(() => Promise.all([init(), initTrace()]));

@@ -1,5 +1,5 @@
 import type { PaintedPath } from "../../document/paint-layers.ts";
-import type { DemoState, Filling, Line } from "../../document/document.ts";
+import type { Filling, Line } from "../../document/document.ts";
 import type { Artboard, Box } from "../../document/artboard.ts";
 import { decimalsIn, unitIn } from "../../document/unit.ts";
 import { enlargement, lineWidth, roomFor, sheetIn, type Subject } from "../picture/png-size.ts";
@@ -78,9 +78,4 @@ export function writeSvg(options: SvgOptions): string {
     ...paths,
     "</svg>\n",
   ].join("");
-}
-
-/** A name for a file of this drawing: the sample it came from, or what it is. */
-export function fileStem(state: DemoState): string {
-  return state.curve.sample ?? "expline";
 }

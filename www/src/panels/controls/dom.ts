@@ -45,11 +45,3 @@ export function freshId(stem: string): string {
   serial += 1;
   return `${stem}-${serial}`;
 }
-
-/** Everything that can take the focus inside, in order, as far as it is shown. */
-export function focusable(root: ParentNode): HTMLElement[] {
-  const all = root.querySelectorAll<HTMLElement>(
-    'a[href], button:not(:disabled), input:not(:disabled), select:not(:disabled), textarea:not(:disabled), summary, [tabindex="0"]',
-  );
-  return [...all].filter((element) => element.checkVisibility({ visibilityProperty: true }));
-}

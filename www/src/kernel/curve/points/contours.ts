@@ -1,4 +1,4 @@
-import { parsePath, type HermiteCurve } from "expline/slim";
+import type { HermiteCurve } from "expline/slim";
 import { domainLength, lengthOf, omegaOf, segmentCount, type Contour, type ControlPoint, type CurveDocument, type Space } from "../../../document/document.ts";
 import { locate } from "../../../document/curve/contours.ts";
 import { kindOf, scaled } from "../../../document/curve/offset.ts";
@@ -36,11 +36,6 @@ function asEnd(point: ControlPoint, first: boolean): ControlPoint {
   const used = first ? point.out : point.in;
   const mirror = { dx: 0 - used.dx, dy: 0 - used.dy };
   return { ...point, kind: "symmetric", in: first ? mirror : used, out: first ? used : mirror };
-}
-
-/** Contours of a path's `d`; throws `ExplineError` with the place where it stops making sense. */
-export function contoursOfPath(d: string, space: Space): Contour[] {
-  return parsePath(d).map((curve) => contourFrom(curve, space));
 }
 
 function spliced(list: readonly number[], at: number, remove: number, ...add: number[]): number[] {
