@@ -31,6 +31,24 @@ for (const [mode, has] of [["fit", "fit-smoothing"], ["trace", "trace-detail"], 
   });
 }
 
+test("a mode that takes its time says so, on its own stage and nowhere else, until it is there", async (t) => {
+  const demo = await open(t, "", { serviceWorkers: "block" });
+  let go: () => void = () => undefined;
+  const held = new Promise<void>((resolve) => (go = resolve));
+  await demo.page.context().route(/\/fit-mode[^/]*\.js/u, (route) => void held.then(() => route.continue()));
+  const note = demo.page.locator("main").getByText("Loading…");
+  await demo.byId("tab-fit").click();
+  await note.waitFor();
+  await demo.byId("tab-curve").click();
+  assert.equal(await note.count(), 0, "Curve is there");
+  await demo.byId("tab-fit").click();
+  await note.waitFor();
+  go();
+  await demo.byId("fit-smoothing").waitFor();
+  await demo.idle();
+  assert.equal(await note.count(), 0);
+});
+
 for (const part of ["fit-worker", "expline_fit_bg"]) {
   test(`without ${part} Fit says that its engine could not be loaded, on a phone as well, and fits when it is told to try again`, async (t) => {
     const { demo, clear } = await cutOff(t, new RegExp(`/${part}[^/]*$`, "u"), { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });

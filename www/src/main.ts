@@ -83,7 +83,7 @@ function mount(): ExplineDemo {
       fit: async () => (await import("./fit-mode.ts")).mountFitMode(shared),
       trace: async () => (await import("./trace-mode.ts")).mountTraceMode(shared),
       surface: async () => (await import("./surface-mode.ts")).mountSurfaceMode(shared),
-    }, until).settled;
+    }, panels.wait, until).settled;
     await parts.settled();
     await frame.idle();
   }

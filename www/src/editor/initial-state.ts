@@ -51,7 +51,7 @@ export const initialState: EditorState = {
   touch: false,
   cursor: "default",
   originalOnly: false,
-  engine: { status: "booting", progress: null },
+  engine: { status: "booting" },
   canUndo: false,
   canRedo: false,
   undoName: null,

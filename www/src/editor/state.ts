@@ -62,7 +62,7 @@ export type Target =
   | { readonly kind: "empty" };
 
 export type Engine =
-  | { readonly status: "booting"; readonly progress: number | null }
+  | { readonly status: "booting" }
   | { readonly status: "ready" }
   | { readonly status: "failed"; readonly reason: "blocked" | "unsupported" | "failed"; readonly detail: string };
 

@@ -14,7 +14,7 @@ import { mountRail } from "./page/rail.ts";
 import { mountStatusBar } from "./page/status-bar.ts";
 import { mountTheme } from "./page/theme.ts";
 import type { Regions, Shell } from "./shell.ts";
-import { mountBoot } from "./stage/boot.ts";
+import { mountBoot, type Wait } from "./stage/boot.ts";
 import { mountContextMenu } from "./stage/context-menu.ts";
 import { mountToasts } from "./stage/toasts.ts";
 
@@ -33,6 +33,7 @@ export interface Panels {
   /** Puts in the panel and the numbers of a mode that was loaded. */
   addMode(mode: Mode, parts: { readonly panel: ModePanel; readonly metrics: ModeMetrics }): void;
   readonly shell: Shell;
+  readonly wait: Wait;
 }
 
 /** Everything around the stage. */
@@ -48,7 +49,7 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
   const statusBar = mountStatusBar(shell);
   const host = mountPanel(shell, statusBar.metrics);
   mountEmptyCurve(shell);
-  mountBoot(shell);
+  const wait = mountBoot(shell);
   mountContextMenu(shell);
   // What is loaded when it is first asked for may be out of reach by then.
   window.addEventListener(
@@ -63,6 +64,7 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
   }, signal);
   return {
     shell,
+    wait,
     openSession: () => openSession(shell, address),
     addMode(mode, parts) {
       host.put(mode, parts.panel);

@@ -4,24 +4,26 @@ import type { Shell } from "../shell.ts";
 
 const patienceMs = 300;
 
-/** What the stage says while the engine starts, and when it cannot. The rest of the page works either way. */
-export function mountBoot({ editor, regions, until }: Shell): void {
+/** Says over the stage what is waited for, once that takes a while; null: nothing is. */
+export type Wait = (text: string | null) => void;
+
+/** What the stage says while the engine starts or something else is waited for, and when it cannot. The rest of the page works either way. */
+export function mountBoot({ editor, regions, until }: Shell): Wait {
   const slot = h("div", { class: "boot" });
   regions.stage.append(slot);
-  let slow: ReturnType<typeof setTimeout> | null = null;
+  let slow: ReturnType<typeof setTimeout> | undefined;
+  const wait: Wait = (text) => {
+    clearTimeout(slow);
+    if (text === null) slot.replaceChildren();
+    else slow = setTimeout(() => slot.replaceChildren(h("p", { class: "boot-note", role: "status" }, text)), patienceMs);
+  };
   const show = (engine: Engine): void => {
-    if (slow !== null) clearTimeout(slow);
-    slow = null;
     regions.stage.dataset["engine"] = engine.status;
-    if (engine.status === "booting") slow = setTimeout(() => slot.replaceChildren(loading(engine.progress)), patienceMs);
-    else if (engine.status === "failed") void import("./boot-failure.ts").then(({ failure }) => slot.replaceChildren(failure(engine)));
-    else slot.remove();
+    wait(engine.status === "booting" ? "Loading the spline engine…" : null);
+    if (engine.status === "failed") void import("./boot-failure.ts").then(({ failure }) => slot.replaceChildren(failure(engine)));
   };
   editor.state.subscribe((state, before) => state.engine !== before.engine && show(state.engine), { until });
+  until.addEventListener("abort", () => clearTimeout(slow), { once: true });
   show(editor.state.value.engine);
-}
-
-function loading(progress: number | null): HTMLElement {
-  const percent = progress === null ? "" : ` ${Math.round(100 * progress)} %`;
-  return h("p", { class: "boot-note", role: "status" }, `Loading the spline engine…${percent}`);
+  return wait;
 }
