@@ -212,6 +212,28 @@ test("forced colours and reduced motion: the page is drawn in the system's colou
   assert.equal(longest, 0);
 });
 
+for (const colorScheme of ["light", "dark"] as const) {
+  test(`in forced colours, ${colorScheme}, all text can be read: dialogs, panels, and the button that is meant first`, async (t) => {
+    const demo = await open(t, "#/curve?sample=heart", { forcedColors: "active", colorScheme });
+    for (const [id, dialog] of [["btn-import", "import-dialog"], ["btn-export", "export-dialog"], ["btn-help", "help-dialog"]] as const) {
+      await demo.byId(id).click();
+      await demo.byId(dialog).waitFor();
+      await demo.still();
+      assertNone(await lowContrast(demo.page), dialog);
+      await demo.page.keyboard.press("Escape");
+      await demo.byId(dialog).waitFor({ state: "detached" });
+    }
+    for (const hash of ["#/fit?sample=fit-star", "#/trace?sample=trace-disc", "#/surface"]) {
+      await demo.page.evaluate((to) => (location.hash = to), hash);
+      await demo.idle();
+      assertNone(await lowContrast(demo.page), hash);
+    }
+    // What says how far long work has come is a colour alone.
+    const fill = await demo.page.locator(".busy-fill").first().evaluate((bar) => [getComputedStyle(bar).backgroundColor, getComputedStyle(document.body).backgroundColor]);
+    assert.notEqual(fill[0], fill[1]);
+  });
+}
+
 test("the theme goes from the system's to light to dark and back, and stays for the next visit", async (t) => {
   const demo = await open(t, "", { colorScheme: "dark" });
   const ink = (): Promise<string> => demo.page.evaluate(() => getComputedStyle(document.documentElement).getPropertyValue("--ink").trim());
