@@ -49,6 +49,15 @@ test("a mode that takes its time says so, on its own stage and nowhere else, unt
   assert.equal(await note.count(), 0);
 });
 
+test("the way back from Fit loads no tool that nobody asked for", async (t) => {
+  const { demo } = await cutOff(t, /\/draw-tool[^/]*\.js/u);
+  await demo.byId("tab-fit").click();
+  await demo.idle();
+  await demo.byId("tab-curve").click();
+  await demo.idle();
+  assert.deepEqual([await shownErrors(demo), demo.complaints, await demo.byId("tool-select").getAttribute("aria-pressed")], [[], [], "true"]);
+});
+
 for (const part of ["fit-worker", "expline_fit_bg"]) {
   test(`without ${part} Fit says that its engine could not be loaded, on a phone as well, and fits when it is told to try again`, async (t) => {
     const { demo, clear } = await cutOff(t, new RegExp(`/${part}[^/]*$`, "u"), { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });

@@ -59,7 +59,6 @@ export function mountFitMode({ editor, frame, stage, surface, proxies, panels, c
       was = mode;
       // The rail's buttons stand for Fit's tools while Fit is open.
       if (mode === "fit") chooseFitTool(editor, fitView.tool);
-      else if (before.mode === "fit") editor.patch({ tool: "select" });
     } else if (mode === "fit" && tool !== before.tool) {
       if (tool === "draw" && fitView.tool !== "draw") chooseFitTool(editor, "draw");
       if (tool === "pen" && fitView.tool !== "points") chooseFitTool(editor, "points");

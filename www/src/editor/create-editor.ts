@@ -78,7 +78,9 @@ export function createEditor(now: () => number): Editor {
       if (change.mode === undefined || change.mode === mode) return state.set({ ...state.value, ...change });
       views.set(mode, view);
       const known = views.get(change.mode);
-      state.set({ ...state.value, view: resized(known ?? view, stage), ...change, ...travels(timelines[change.mode]) });
+      // The tools of Fit are not those of Curve, though the rail's buttons stand for both.
+      const own = mode === "fit" ? { tool: "select" as const } : {};
+      state.set({ ...state.value, view: resized(known ?? view, stage), ...own, ...change, ...travels(timelines[change.mode]) });
       // A drawing that came with a file or a link has not been looked at yet.
       if (known === undefined && change.mode === "curve") actions.run("zoom-fit");
     },
