@@ -49,6 +49,36 @@ test("a mode that takes its time says so, on its own stage and nowhere else, unt
   assert.equal(await note.count(), 0);
 });
 
+for (const part of ["reopening", "kept"]) {
+  test(`without ${part} the last session is missed, and the rest of the page is there; the next visit has the session again`, async (t) => {
+    const { demo, clear } = await cutOff(t, new RegExp(`/${part}-[^/]*\\.js`, "u"));
+    await demo.focusStage();
+    await demo.press("]", "ArrowUp");
+    const curve = await demo.kept();
+    const next = async (): Promise<void> => {
+      await demo.page.goto("about:blank");
+      await demo.load("");
+    };
+    await next();
+    assert.match((await shownErrors(demo)).join(), /^Your last session could not be loaded/);
+    await demo.byId("tab-fit").click();
+    await demo.byId("fit-smoothing").waitFor();
+    await demo.idle();
+    await clear();
+    await next();
+    assert.deepEqual([(await demo.state()).curve, await shownErrors(demo)], [curve, []]);
+  });
+}
+
+test("a link that comes while its part of the page does not is said, and nothing else happens", async (t) => {
+  const { demo } = await cutOff(t, /\/reopening-[^/]*\.js/u);
+  const before = await demo.state();
+  await demo.page.evaluate(() => (location.hash = "#s=abc"));
+  await demo.byId("error").waitFor();
+  assert.match((await shownErrors(demo)).join(), /^The link could not be loaded/);
+  assert.deepEqual([(await demo.state()).curve, demo.complaints.filter((text) => !text.includes("Failed to load resource"))], [before.curve, []]);
+});
+
 test("the way back from Fit loads no tool that nobody asked for", async (t) => {
   const { demo } = await cutOff(t, /\/draw-tool[^/]*\.js/u);
   await demo.byId("tab-fit").click();

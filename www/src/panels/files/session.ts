@@ -1,4 +1,5 @@
 import type { EditorState } from "../../editor/editor.ts";
+import { sayMissing } from "../../editor/loading.ts";
 import { follow, parseRoute } from "../../editor/route.ts";
 import { h } from "../controls/dom.ts";
 import { icon } from "../controls/icons.ts";
@@ -19,16 +20,23 @@ export async function openSession(shell: Shell, address: string): Promise<void> 
   const link = [address, own ?? ""].find(io.isShareLink);
   if (link !== undefined) await openLink(shell, link);
   else if ((own !== null || route?.sample === null) && io.hasKept()) {
-    await (await reopening()).restore(shell, own, route !== null && /^#\/./u.test(address) ? route.mode : null);
+    await reopen(shell, "Your last session", ({ restore }) => restore(shell, own, route !== null && /^#\/./u.test(address) ? route.mode : null));
   }
   if (own !== null && route !== null) follow(shell.editor, route);
   startKeeping(shell);
 }
 
-const reopening = (): Promise<typeof import("./reopening.ts")> => import("./reopening.ts");
+/** Without the part of the page that opens what it showed before the page is there all the same. */
+async function reopen({ editor }: Shell, what: string, work: (reopening: typeof import("./reopening.ts")) => Promise<void>): Promise<void> {
+  try {
+    await work(await import("./reopening.ts"));
+  } catch (error) {
+    sayMissing(editor, what, error);
+  }
+}
 
-async function openLink(shell: Shell, link: string): Promise<void> {
-  await (await reopening()).openLink(shell, link);
+function openLink(shell: Shell, link: string): Promise<void> {
+  return reopen(shell, "The link", (reopening) => reopening.openLink(shell, link));
 }
 
 function startKeeping(shell: Shell): void {
