@@ -31,6 +31,18 @@ for (const [mode, has] of [["fit", "fit-smoothing"], ["trace", "trace-detail"], 
   });
 }
 
+test("style sheets that did not come do when the mode does", async (t) => {
+  const { demo, clear } = await cutOff(t, /\/assets\/[^/]*\.css/u);
+  await demo.byId("tab-fit").click();
+  await demo.byId("error").waitFor();
+  await clear();
+  await demo.byId("tab-curve").click();
+  await demo.byId("tab-fit").click();
+  await demo.byId("fit-smoothing").waitFor();
+  const looks = (): Promise<string[]> => demo.page.evaluate(() => [".busy", ".fit-chart", ".button"].map((part) => getComputedStyle(document.querySelector(part) ?? document.body)).map((style) => `${style.position} ${style.height} ${style.borderTopWidth}`));
+  await demo.until(looks, ([busy = "", chart = "", button = ""]) => busy.startsWith("absolute") && chart.includes(" 72px ") && button.endsWith(" 1px"), "all parts look as they should");
+});
+
 test("a mode that takes its time says so, on its own stage and nowhere else, until it is there", async (t) => {
   const demo = await open(t, "", { serviceWorkers: "block" });
   let go: () => void = () => undefined;

@@ -9,6 +9,7 @@ import type { ModeMetrics } from "./mode/metric.ts";
 import type { ModePanel } from "./mode/panel-parts.ts";
 import type { PageIo } from "./page-io.ts";
 import { mountHeader } from "./page/header.ts";
+import { retryStyles } from "./page/missed-styles.ts";
 import { mountPanel } from "./page/panel.ts";
 import { mountRail } from "./page/rail.ts";
 import { mountStatusBar } from "./page/status-bar.ts";
@@ -51,6 +52,7 @@ export function mountPanels({ editor, regions, io, frame, until }: PanelsOptions
   mountEmptyCurve(shell);
   const wait = mountBoot(shell);
   mountContextMenu(shell);
+  retryStyles(editor, signal);
   // What is loaded when it is first asked for may be out of reach by then.
   window.addEventListener(
     "vite:preloadError",
