@@ -298,18 +298,9 @@ fn half_axis(piece: &Piece, jet: &Jet, middle: f64, half: f64) -> f64 {
         };
         return DISCS.into_iter().find(still).unwrap_or(1.0);
     }
-    if !HERMITE || rate == 0.0 {
-        return cubic_half_axis(b, p, q, half);
-    }
+    let rate = if HERMITE { rate } else { 0.0 };
     let [lead, s, constant] = root_parts(b, p, q * 0.5 + b * (0.25 * rate), half);
-    let reach = rate.abs().sqrt() * half;
-    nearer(axis_of(preimage(s, lead, rate, reach)), axis_of(preimage(constant, s, rate, reach)))
-}
-
-#[inline]
-fn cubic_half_axis(b: Vector, p: Vector, q: Vector, half: f64) -> f64 {
-    let [lead, s, constant] = root_parts(b, p, q * 0.5, half);
-    nearer(axis_through(s, lead), axis_through(constant, s))
+    nearer(axis_through(s, lead, rate, half), axis_through(constant, s, rate, half))
 }
 
 /// The smaller half-axis; one that is not a number stands for no singularity.
@@ -363,20 +354,22 @@ fn root_parts(b: Vector, p: Vector, lead: Vector, half: f64) -> [Vector; 3] {
     [lead, (p + root * side) * -0.5, constant]
 }
 
-/// (|z − 1| + |z + 1|)/2 for z = numerator/denominator: the half-axis of the ellipse through z. Not a number where
-/// both vanish: there is no singularity then.
+/// The half-axis of the ellipse through the u with tan(wu/2)/(w/2) = half·numerator/denominator, in units of `half`. Not a number
+/// where both vanish: there is no singularity then.
 #[inline]
-fn axis_through(numerator: Vector, denominator: Vector) -> f64 {
-    let scale = 1.0 / square(denominator);
-    let (ahead, behind) = (square(numerator - denominator), square(numerator + denominator));
-    0.5 * ((ahead * scale).sqrt() + (behind * scale).sqrt())
+fn axis_through(numerator: Vector, denominator: Vector, rate: f64, half: f64) -> f64 {
+    let (n, d) = if rate == 0.0 {
+        (numerator, denominator)
+    } else {
+        (preimage(numerator, denominator, rate, rate.abs().sqrt() * half), Vector::new(1.0, 0.0))
+    };
+    // (|z − 1| + |z + 1|)/2 for z = n/d.
+    let scale = 1.0 / square(d);
+    0.5 * ((square(n - d) * scale).sqrt() + (square(n + d) * scale).sqrt())
 }
 
-fn axis_of(z: Vector) -> f64 {
-    axis_through(z, Vector::new(1.0, 0.0))
-}
-
-/// u in units of `half` with tan(wu/2)/(w/2) = half·numerator/denominator; `reach` is w·half.
+/// That u where w is not 0; `reach` is w·half.
+#[inline(never)]
 fn preimage(numerator: Vector, denominator: Vector, rate: f64, reach: f64) -> Vector {
     // tan v = ζ: v = (1/2i)·log((1 + iζ)/(1 − iζ)); tanh v = ζ: v = (1/2)·log((1 + ζ)/(1 − ζ)).
     let zeta = numerator * (0.5 * reach);
