@@ -204,27 +204,25 @@ fn balanced(piece: &Piece, whole: Candidate, tolerance: f64, out: &mut Vec<Cubic
         return None;
     }
     let mut parts = Division { edges: vec![lo, hi], before: vec![0.0], candidates: vec![whole] };
-    parts.weigh(tolerance);
     // So many parts are too few, and so many passes have been made with the same number.
     let (mut too_few, mut rounds) = (1, 0);
-    for _ in 0..PASSES {
+    for _ in 0..=PASSES {
+        let (count, most) = (parts.candidates.len(), parts.weigh(tolerance));
         let wanted = parts.wanted();
+        let fewer = enough(wanted) < count && count > too_few + 1;
+        let uneven = most > EVEN * wanted / count as f64;
+        if count > too_few && !fewer && !(uneven && rounds < ROUNDS) {
+            if let Some(worst) = parts.proved(piece, tolerance, out) {
+                return Some(worst);
+            }
+            too_few = count;
+        }
         if wanted.is_nan() || wanted >= MOST_BALANCED as f64 {
             return None;
         }
-        let count = enough(wanted).max(too_few + 1);
-        rounds = if count == parts.candidates.len() { rounds + 1 } else { 1 };
-        parts.divide(piece, count, tolerance);
-        let most = parts.weigh(tolerance);
-        let fewer = enough(parts.wanted()) < count && count > too_few + 1;
-        let uneven = most > EVEN * parts.wanted() / count as f64;
-        if fewer || uneven && rounds < ROUNDS {
-            continue;
-        }
-        if let Some(worst) = parts.proved(piece, tolerance, out) {
-            return Some(worst);
-        }
-        too_few = count;
+        let next = enough(wanted).max(too_few + 1);
+        rounds = if next == count { rounds + 1 } else { 1 };
+        parts.divide(piece, next, tolerance);
     }
     None
 }
