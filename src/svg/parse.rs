@@ -182,8 +182,7 @@ impl Reader<'_> {
                 if command == b'm' {
                     command = b'l';
                 }
-                self.skip_space();
-                let comma = self.skip_comma();
+                let comma = self.skip_separator();
                 self.group = self.at;
                 if !matches!(self.byte(), b'0'..=b'9' | b'+' | b'-' | b'.') {
                     if comma {
@@ -200,8 +199,7 @@ impl Reader<'_> {
         let base = if relative { self.current } else { Point::zeros() };
         for k in 0..count {
             if k > 0 {
-                self.skip_space();
-                self.skip_comma();
+                self.skip_separator();
             }
             if command == b'a' && (k == 3 || k == 4) {
                 let flag = self.byte();
@@ -354,14 +352,18 @@ impl Reader<'_> {
         }
     }
 
+    /// Skips what may be between two numbers: space, with at most one comma in it. Says whether there is one.
     #[inline]
-    fn skip_comma(&mut self) -> bool {
-        let comma = self.byte() == b',';
-        if comma {
+    fn skip_separator(&mut self) -> bool {
+        let mut comma = false;
+        loop {
+            match self.byte() {
+                b' ' | b'\n' | b'\t' | b'\r' | b'\x0c' => {}
+                b',' if !comma => comma = true,
+                _ => return comma,
+            }
             self.at += 1;
-            self.skip_space();
         }
-        comma
     }
 
     #[inline]
