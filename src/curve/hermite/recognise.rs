@@ -63,7 +63,7 @@ impl Segment<'_> {
     }
 
     /// The distance of a point, given from the start, to the chord.
-    #[inline]
+    #[inline(never)]
     fn beside(&self, offset: Vector) -> f64 {
         let chord = self.end - self.start;
         let square = chord.norm_squared();
