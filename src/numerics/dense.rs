@@ -1,4 +1,5 @@
-//! Small dense systems, by nalgebra. One function, made once: every use of a generic decomposition is kilobytes of wasm.
+//! Small dense systems. What is larger than two by two is one function by nalgebra: every use of a generic decomposition is
+//! kilobytes of wasm.
 
 use nalgebra::DMatrix;
 
@@ -9,6 +10,15 @@ pub(crate) fn inverse(matrix: &[f64], n: usize) -> Option<Vec<f64>> {
     let lu = DMatrix::from_column_slice(n, n, matrix).lu();
     let mut inverse = DMatrix::identity(n, n);
     lu.solve_mut(&mut inverse).then(|| inverse.as_slice().to_vec())
+}
+
+/// The step of Levenberg's method for two unknowns: `matrix` is that of the normal equations, its diagonal larger by `damping` of its sum.
+#[inline(never)]
+pub(crate) fn damped_step(matrix: [f64; 3], right: [f64; 2], damping: f64) -> [f64; 2] {
+    let more = damping * (matrix[0] + matrix[2]);
+    let [a, b, c] = [matrix[0] + more, matrix[1], matrix[2] + more];
+    let determinant = a * c - b * b;
+    [(right[0] * c - right[1] * b) / determinant, (right[1] * a - right[0] * b) / determinant]
 }
 
 #[cfg(test)]

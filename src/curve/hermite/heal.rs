@@ -16,7 +16,7 @@ mod speeds;
 
 /// A segment whose turning, as `turning` sums it, is so much more than that of the old ones has a loop that they have not.
 const MORE_TURNING: f64 = 1.0;
-/// Chords from which a segment's turning is read.
+/// Chords from which a segment's turning is read, and along which places are laid on it.
 const CHORDS: usize = 32;
 
 impl HermiteCurve {
@@ -73,6 +73,7 @@ impl HermiteCurve {
 }
 
 /// The segment that replaces two (D 7.2).
+#[derive(Clone, Copy)]
 struct Healed {
     omega: f64,
     leaving: Vector,
@@ -100,7 +101,7 @@ impl Healed {
         let ratio = if ratio.is_finite() && ratio > 0.0 { ratio } else { 1.0 };
         let scale = if ratio == 1.0 { 1.0 } else { (first.length + second.length * ratio) / length };
         let basis = Basis::new(space, omega * length);
-        let mut merged = Segment {
+        let merged = Segment {
             start: first.start,
             end: second.end,
             leaving: first.leaving * scale,
@@ -115,42 +116,63 @@ impl Healed {
         for [x, target_x, target_y] in places {
             deviation = deviation.max((merged.position(x) - Point::new(target_x, target_y)).norm());
         }
+        let Segment { leaving, arriving, .. } = merged;
+        let mut healed = Self { omega, leaving, arriving, deviation };
         if deviation > 1e-13 * size {
-            let (plain, most) = (merged, turning(old) + MORE_TURNING);
-            deviation = f64::INFINITY;
-            let mut look = |candidate| {
-                if turning(&[candidate]) <= most {
-                    let apart = two_way_deviation(old, &[candidate], deviation);
-                    if apart < deviation {
-                        (merged, deviation) = (candidate, apart);
-                    }
-                }
-                deviation
-            };
-            speeds::nearest(old, plain, &places, most, &mut look);
-            look(plain);
-            if deviation == f64::INFINITY {
-                deviation = two_way_deviation(old, &[plain], deviation);
+            healed.deviation = f64::INFINITY;
+            let mut best = Best { old, most: turning(&[&way(first), &way(second)]) + MORE_TURNING, healed };
+            speeds::nearest(&merged, &places, &mut best);
+            best.look(&merged);
+            healed = best.healed;
+            if healed.deviation == f64::INFINITY {
+                healed.deviation = two_way_deviation(old, &[merged], f64::INFINITY);
             }
         }
-        Self { omega, leaving: merged.leaving, arriving: merged.arriving, deviation }
+        healed
     }
 }
 
+/// The nearest of the segments that were looked at so far.
+struct Best<'a> {
+    old: &'a [Segment<'a>; 2],
+    /// What turns by more is left out.
+    most: f64,
+    healed: Healed,
+}
+
+impl Best<'_> {
+    #[inline(never)]
+    fn look(&mut self, candidate: &Segment) {
+        if turning(&[&way(candidate)]) <= self.most {
+            let apart = two_way_deviation(self.old, &[*candidate], self.healed.deviation);
+            if apart < self.healed.deviation {
+                let Segment { leaving, arriving, .. } = *candidate;
+                self.healed = Healed { leaving, arriving, deviation: apart, ..self.healed };
+            }
+        }
+    }
+}
+
+/// The ends of the chords of a segment.
+#[inline(never)]
+fn way(segment: &Segment) -> [Point; CHORDS + 1] {
+    // Made from what is computed: a list of zeros would be filled in first.
+    core::array::from_fn(|k| segment.position(k as f64 / CHORDS as f64))
+}
+
 /// How much segments turn, to and fro, from chord to chord: of each angle twice the tangent of its half, which is no less.
-fn turning(segments: &[Segment]) -> f64 {
-    let (mut sum, mut way) = (0.0, Vector::zeros());
-    for segment in segments {
-        let mut from = segment.start;
-        for k in 1..=CHORDS {
-            let to = segment.position(k as f64 / CHORDS as f64);
-            let next = to - from;
+#[inline(never)]
+fn turning(ways: &[&[Point]]) -> f64 {
+    let (mut sum, mut last) = (0.0, Vector::zeros());
+    for way in ways {
+        for pair in way.windows(2) {
+            let next = pair[1] - pair[0];
             let (across, along) =
-                ((way.x * next.y - way.y * next.x).abs(), way.norm() * next.norm() + way.dot(&next));
+                ((last.x * next.y - last.y * next.x).abs(), last.norm() * next.norm() + last.dot(&next));
             if across > 0.0 {
                 sum += 2.0 * across / along;
             }
-            (way, from) = (next, to);
+            last = next;
         }
     }
     sum

@@ -8,6 +8,7 @@
 //! of its distances from the arc still have a least sum, which is far below what handles of a third of the derivatives leave.
 
 use crate::curve::piece::{Jet, Piece};
+use crate::numerics::dense::damped_step;
 use crate::numerics::plane::{cross, dot, norm, square};
 use crate::numerics::{Point, Vector};
 
@@ -173,10 +174,7 @@ impl Handles {
             } else {
                 (self.lengths, damping) = (kept, 100.0 * damping);
             }
-            let more = damping * (matrix[0] + matrix[2]);
-            let [a, b, c] = [matrix[0] + more, matrix[1], matrix[2] + more];
-            let determinant = a * c - b * b;
-            let step = [(side[0] * c - side[1] * b) / determinant, (side[1] * a - side[0] * b) / determinant];
+            let step = damped_step(matrix, side, damping);
             if self.is_last(step) {
                 break;
             }

@@ -1,8 +1,9 @@
 //! The end speeds of a segment that replaces two: a survey of many pairs of speeds, and the nearest segments from the best of them (D 7.3).
 
 use super::places::{COUNT, Places, heading};
-use super::turning;
+use super::{Best, CHORDS, turning, way};
 use crate::curve::Segment;
+use crate::numerics::dense::damped_step;
 use crate::numerics::{Point, Vector};
 
 /// Speeds that are surveyed: with two of 1 a straight segment would be as long as the old ones.
@@ -16,44 +17,34 @@ const MOST: f64 = 9.0;
 const FAR: f64 = 0.25;
 /// Pairs of them.
 const SURVEYED: usize = SPEEDS.len() * SPEEDS.len();
-/// Chords of a segment that is surveyed.
-const CHORDS: usize = 32;
 /// Steps for each power of the distances, those included that went too far; most take six.
 const STEPS: usize = 24;
 /// A step by no more than this share of the speeds is the last: the next one would be of the size of its square.
 const STILL: f64 = 1e-6;
 
-/// Calls `look`, which says how far apart the best is by then, with segments that have the ends of `merged` and are nearest to the places: one
-/// from each least value of the survey, which leaves out what turns by more than `most`, and where they are far apart the survey's own.
+/// Looks at segments that have the ends of `merged` and are nearest to the places: one from each least value of the survey, which leaves out
+/// what turns too much, and where they are far apart the survey's own.
 #[inline(never)]
-pub(super) fn nearest<'a>(
-    old: &[Segment; 2],
-    merged: Segment<'a>,
-    places: &Places,
-    most: f64,
-    look: &mut dyn FnMut(Segment<'a>) -> f64,
-) {
-    let directions = [heading(&old[0], 0.0), heading(&old[1], 1.0)];
-    let mut fit = Fit { merged, directions, places: *places, unit: 0.0, shares: [0.0; COUNT] };
+pub(super) fn nearest(merged: &Segment, places: &Places, best: &mut Best<'_>) {
+    let directions = [heading(&best.old[0], 0.0), heading(&best.old[1], 1.0)];
+    let mut fit = Fit { merged: *merged, directions, places, unit: 0.0, shares: [0.0; COUNT] };
     fit.measure();
     let (mut survey, mut feet) = ([0.0; SURVEYED], [0.0; COUNT]);
     for (k, squares) in survey.iter_mut().enumerate() {
-        let speeds = fit.speeds(k);
-        let loops = turning(&[fit.with(speeds)]) > most;
-        *squares = if loops { f64::INFINITY } else { fit.lay(speeds, &mut feet) };
+        let way = way(&fit.with(fit.speeds(k)));
+        *squares = if turning(&[&way]) > best.most { f64::INFINITY } else { fit.lay(&way, &mut feet) };
     }
-    let mut apart = f64::INFINITY;
     for k in 0..SURVEYED {
         if is_least(&survey, k) {
-            fit.lay(fit.speeds(k), &mut feet);
-            apart = look(fit.nearest(fit.speeds(k), feet));
+            fit.lay(&way(&fit.with(fit.speeds(k))), &mut feet);
+            best.look(&fit.nearest(fit.speeds(k), feet));
         }
     }
-    if apart > FAR * fit.unit * merged.length {
+    if best.healed.deviation > FAR * fit.unit * merged.length {
         // Places at equal shares of the length are no nearer than the nearest ones: what is farther on the average is skipped.
         for (k, &squares) in survey.iter().enumerate() {
-            if squares < COUNT as f64 * apart * apart {
-                apart = look(fit.with(fit.bounded(fit.speeds(k))));
+            if squares < COUNT as f64 * best.healed.deviation * best.healed.deviation {
+                best.look(&fit.with(fit.bounded(fit.speeds(k))));
             }
         }
     }
@@ -73,7 +64,7 @@ fn is_least(survey: &[f64], k: usize) -> bool {
 struct Fit<'a> {
     merged: Segment<'a>,
     directions: [Vector; 2],
-    places: Places,
+    places: &'a Places,
     /// How much of the way from place to place lies before each.
     shares: [f64; COUNT],
     /// A speed with which a straight segment would be as long as that way.
@@ -93,7 +84,7 @@ impl<'a> Fit<'a> {
     #[inline(never)]
     fn measure(&mut self) {
         let (mut length, mut last) = (0.0, self.merged.start);
-        for (share, &[_, x, y]) in self.shares.iter_mut().zip(&self.places) {
+        for (share, &[_, x, y]) in self.shares.iter_mut().zip(self.places) {
             let here = Point::new(x, y);
             length += (here - last).norm();
             (*share, last) = (length, here);
@@ -121,15 +112,12 @@ impl<'a> Fit<'a> {
         Segment { leaving: self.directions[0] * out, arriving: self.directions[1] * inn, ..self.merged }
     }
 
-    /// Where the segment with these speeds has the places if each is as far along its chords as it is along their way, and the sum of the squared distances.
+    /// Where a segment of these chords has the places if each is as far along them as it is along their way, and the sum of the squared distances.
     #[inline(never)]
-    fn lay(&self, speeds: [f64; 2], feet: &mut [f64; COUNT]) -> f64 {
-        let segment = self.with(speeds);
-        let (mut ends, mut lengths) = ([Point::zeros(); CHORDS + 1], [0.0; CHORDS + 1]);
-        ends[0] = segment.start;
-        for k in 1..=CHORDS {
-            ends[k] = segment.position(k as f64 / CHORDS as f64);
-            lengths[k] = lengths[k - 1] + (ends[k] - ends[k - 1]).norm();
+    fn lay(&self, ends: &[Point], feet: &mut [f64; COUNT]) -> f64 {
+        let mut lengths = [0.0; CHORDS + 1];
+        for (k, pair) in ends.windows(2).enumerate() {
+            lengths[k + 1] = lengths[k] + (pair[1] - pair[0]).norm();
         }
         let (mut chord, mut sum) = (0, 0.0);
         for (k, &[_, x, y]) in self.places.iter().enumerate() {
@@ -153,14 +141,8 @@ impl<'a> Fit<'a> {
             let mut here = self.equations(speeds, &mut feet, farthest, &mut unit);
             let mut damping = 1e-6;
             for _ in 0..STEPS {
-                let [xx, xy, yy] = here.matrix;
                 // Collinear tangents leave a speed undetermined: a trace of damping stays.
-                let more = (xx + yy) * damping;
-                let scale = 1.0 / ((xx + more) * (yy + more) - xy * xy);
-                let step = [
-                    ((yy + more) * here.right[0] - xy * here.right[1]) * scale,
-                    ((xx + more) * here.right[1] - xy * here.right[0]) * scale,
-                ];
+                let step = damped_step(here.matrix, here.right, damping);
                 let trial = self.bounded([speeds[0] + step[0], speeds[1] + step[1]]);
                 let mut trial_feet = feet;
                 let there = self.equations(trial, &mut trial_feet, farthest, &mut unit);
