@@ -150,9 +150,9 @@ impl LengthTable {
                         while cell + 1 < cells.len() && place > cells[cell].end {
                             cell += 1;
                         }
-                        *y = match cells.get(cell) {
-                            Some(cell) => cell.parameter(place),
-                            None => place_on(&piece, place, whole, share),
+                        *y = match &piece {
+                            AnyPiece::Plane(_) => cells[cell].parameter(place),
+                            AnyPiece::Space(_) => place_on(&piece, place, whole, share),
                         };
                     }
                     let (now, later) = rest.split_at_mut(each * number);
