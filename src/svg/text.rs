@@ -54,6 +54,7 @@ impl DecimalGrid {
     }
 
     /// The distance between neighbouring numbers; 0 where there is no grid.
+    #[inline(never)]
     pub(super) fn unit(self) -> f64 {
         self.decimals.map_or(0.0, |decimals| 1.0 / number::power(decimals))
     }
@@ -65,7 +66,7 @@ impl DecimalGrid {
     }
 
     fn at(self, index: i64, decimals: u32) -> Coordinate {
-        let magnitude = number::decimal(index.unsigned_abs(), -(decimals as i32));
+        let magnitude = number::inline_decimal(index.unsigned_abs(), -(decimals as i32));
         Coordinate { value: if index < 0 { -magnitude } else { magnitude }, index }
     }
 

@@ -26,7 +26,7 @@ impl Exact {
     /// What lies before the point becomes so many times what it was and a summand; with `all`, what lies behind it as well.
     fn multiply(&mut self, factor: u32, summand: u32, all: bool) {
         let mut carry = u64::from(summand);
-        for limb in self.limbs.iter_mut().skip(if all { 0 } else { HALF }) {
+        for limb in &mut self.limbs[if all { 0 } else { HALF }..] {
             carry += u64::from(*limb) * u64::from(factor);
             *limb = carry as u32;
             carry >>= 32;
@@ -38,7 +38,7 @@ impl Exact {
     /// So many limbs are looked at: what would come behind them is only "a bit more".
     fn divide(&mut self, divisor: u32, whole: u32, depth: usize) {
         let mut rest = u64::from(whole);
-        for limb in self.limbs.iter_mut().take(HALF).rev().take(depth) {
+        for limb in self.limbs[HALF.saturating_sub(depth)..HALF].iter_mut().rev() {
             rest = rest << 32 | u64::from(*limb);
             *limb = (rest / u64::from(divisor)) as u32;
             rest %= u64::from(divisor);
@@ -76,6 +76,11 @@ impl Exact {
     }
 }
 
+/// 10^`decimals` for up to nine of them.
+fn ten_to(decimals: i32) -> u32 {
+    super::power(decimals as u32) as u32
+}
+
 /// The number with these digits, one of which may be a point, times 10^`power`, correctly rounded.
 pub(super) fn read(text: &[u8], power: i32) -> f64 {
     let (mut digits, mut count, mut number) = ([0; MOST_DIGITS], 0, Exact::ZERO);
@@ -109,7 +114,7 @@ pub(super) fn read(text: &[u8], power: i32) -> f64 {
     let mut at = 0;
     while at < point {
         let next = point.min(at + GROUP);
-        number.multiply(10_u32.pow((next - at) as u32), group(at, next), false);
+        number.multiply(ten_to(next - at), group(at, next), false);
         at = next;
     }
     let mut end = count.min(MOST_DIGITS) as i32;
@@ -117,7 +122,7 @@ pub(super) fn read(text: &[u8], power: i32) -> f64 {
     let depth = 5 + (-point).max(0) as usize / 9;
     while end > point {
         let next = point.max(end - GROUP);
-        number.divide(10_u32.pow((end - next) as u32), group(next, end), depth);
+        number.divide(ten_to(end - next), group(next, end), depth);
         end = next;
     }
     number.round()
@@ -131,13 +136,13 @@ pub(super) fn scaled(value: f64, decimals: u32) -> u64 {
     let mantissa = if exponent == 0 { fraction } else { fraction | 1 << 52 };
     let at = exponent.max(1) - 1 + POINT - LAST_BIT;
     let mut number = Exact::ZERO;
-    for (i, limb) in number.limbs.iter_mut().skip(at / 32).take(3).enumerate() {
+    for (i, limb) in number.limbs[at / 32..][..3].iter_mut().enumerate() {
         *limb = ((u128::from(mantissa) << (at % 32)) >> (32 * i)) as u32;
     }
-    let mut left = decimals;
+    let mut left = decimals as i32;
     while left > 0 {
-        let step = left.min(GROUP as u32);
-        number.multiply(10_u32.pow(step), 0, true);
+        let step = left.min(GROUP);
+        number.multiply(ten_to(step), 0, true);
         left -= step;
     }
     if number.any(HALF + 2..2 * HALF) {

@@ -42,7 +42,7 @@ pub(super) fn read(text: &[u8], at: usize) -> Option<(f64, usize)> {
     let magnitude = if count > DIGITS_THAT_FIT {
         exact::read(text.get(first..behind).unwrap_or(&[]), power)
     } else {
-        decimal(mantissa, power - decimals as i32)
+        inline_decimal(mantissa, power - decimals as i32)
     };
     Some((if negative && magnitude != 0.0 { -magnitude } else { magnitude }, end))
 }
@@ -74,8 +74,14 @@ fn read_exponent(text: &[u8], at: usize) -> (i32, usize) {
 }
 
 /// `mantissa`·10^`exponent`, correctly rounded.
-#[inline]
+#[inline(never)]
 pub(super) fn decimal(mantissa: u64, exponent: i32) -> f64 {
+    inline_decimal(mantissa, exponent)
+}
+
+/// The same where a call would show.
+#[inline(always)]
+pub(super) fn inline_decimal(mantissa: u64, exponent: i32) -> f64 {
     // Case both factors exact: one rounding, which is the right one.
     if mantissa <= 1 << 53
         && let Some(power) = POWERS.get(exponent.unsigned_abs() as usize)
@@ -99,12 +105,8 @@ fn long(mantissa: u64, exponent: i32) -> f64 {
 
 /// Whether `digits`·10^−`decimals` is below 1, for up to 22 decimals.
 pub(super) fn below_one(digits: u64, decimals: u32) -> bool {
-    // Both are exact there, and a power is quicker looked up than multiplied.
-    if digits < 1 << 53 {
-        (digits as f64) < power(decimals)
-    } else {
-        digits < 10_u64.saturating_pow(decimals)
-    }
+    // What is above all integers of 64 bits becomes the last of them.
+    digits < power(decimals) as u64
 }
 
 /// 10^`decimals` for up to 22 decimals.
