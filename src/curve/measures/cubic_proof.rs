@@ -7,49 +7,36 @@
 //! So 40 values of E bound it everywhere; where that misses the tolerance by less than what it may be too large by, 160
 //! do, with degree 16.
 
+use core::f64::consts::FRAC_PI_2;
+
 use super::cubic_fit::{Candidate, Cubic, cubic_at};
 use crate::curve::piece::Piece;
+use crate::numerics::angle::sin_cos;
 use crate::numerics::plane::{norm, square};
 
 /// Degree of σ.
 const DEGREE: usize = 6;
 /// cos(πk/6), k = 0 … 3.
 const COSINES: [f64; 4] = [1.0, 0.866_025_403_784_438_6, 0.5, 0.0];
+
 /// Chebyshev points at which E is looked at.
 struct Looks {
-    count: usize,
+    count: u32,
     /// Chebyshev coefficients beyond this one are bounded, not looked at.
     degree: i32,
     /// 1/cos(degree·π/2·count), rounded up.
     between: f64,
-    /// Sine and cosine of π/2·count, and of π/count.
-    first: [f64; 2],
-    turn: [f64; 2],
 }
 
-const LOOKS: [Looks; 2] = [
-    Looks {
-        count: 40,
-        degree: 10,
-        between: 1.0824,
-        first: [0.03925981575906861, 0.9992290362407229],
-        turn: [0.07845909572784494, 0.996917333733128],
-    },
-    Looks {
-        count: 160,
-        degree: 16,
-        between: 1.0125,
-        first: [0.009817319337149617, 0.999951808959328],
-        turn: [0.0196336924606283, 0.9998072404820648],
-    },
-];
+const LOOKS: [Looks; 2] =
+    [Looks { count: 40, degree: 10, between: 1.0824 }, Looks { count: 160, degree: 16, between: 1.0125 }];
 
 /// A proved bound of the distance between the cubic and the arc, both ways; infinite where the proof does not succeed.
 pub(super) fn prove(piece: &Piece, candidate: &Candidate, tolerance: f64) -> f64 {
     let (cubic, [lo, hi]) = (&candidate.cubic, candidate.ends());
     let middle = 0.5 * (lo + hi);
     let mut feet = [hi - middle, 0.0, 0.0, 0.0, 0.0, 0.0, lo - middle];
-    for (j, foot) in feet.iter_mut().enumerate().take(DEGREE).skip(1) {
+    for (j, foot) in (1..DEGREE).zip(&mut feet[1..]) {
         *foot = candidate.foot(piece, 0.5 + 0.5 * cosine(j)).at - middle;
     }
     let sigma = chebyshev(&feet);
@@ -72,7 +59,9 @@ pub(super) fn prove(piece: &Piece, candidate: &Candidate, tolerance: f64) -> f64
 
 /// max|c(s) − r(σ(s))| at the Chebyshev points.
 fn largest_look(piece: &Piece, cubic: &Cubic, sigma: &[f64; DEGREE + 1], middle: f64, looks: &Looks) -> f64 {
-    let ([turn_sine, turn_cosine], [mut sine, mut cosine]) = (looks.turn, looks.first);
+    // The first is half as far from the end as they are apart.
+    let (mut sine, mut cosine) = sin_cos(FRAC_PI_2 / f64::from(looks.count));
+    let (turn_sine, turn_cosine) = (2.0 * sine * cosine, (cosine - sine) * (cosine + sine));
     let mut worst: f64 = 0.0;
     for _ in 0..looks.count {
         let (mut one, mut two) = (0.0, 0.0);
