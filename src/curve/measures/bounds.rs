@@ -69,6 +69,11 @@ impl Grown {
         }
     }
 
+    #[inline(never)]
+    fn include_place(&mut self, piece: &Piece, y: f64) {
+        self.include(piece.position(y).as_slice());
+    }
+
     fn holds(&self, axis: usize, value: f64) -> bool {
         value >= self.low[axis] && value <= self.high[axis]
     }
@@ -99,7 +104,7 @@ pub(crate) fn bounds(curve: &dyn Pieces) -> Bounds {
         for axis in 0..2 {
             if !(grown.holds(axis, first[axis]) && grown.holds(axis, second[axis])) {
                 let piece = curve.piece(i);
-                stationary(&piece, axis, &mut |y| grown.include(piece.position(y).as_slice()));
+                stationary(&piece, axis, &mut |y| grown.include_place(&piece, y));
             }
         }
     }
