@@ -17,6 +17,7 @@ use super::Segment;
 use super::any_roots::{ANY_ROOTS, ListOfAnyRoots, list_of_any_roots};
 use crate::generator::Space;
 use crate::numerics::entire::{Stumpff, stumpff};
+use crate::numerics::pair::Pair;
 use crate::numerics::plane::{norm, taxi};
 use crate::numerics::{Point, Vector};
 
@@ -183,17 +184,16 @@ impl Piece {
     pub(crate) fn positions(&self, places: &[f64], out: &mut [f64]) {
         let points = out.as_chunks_mut::<2>().0.iter_mut().zip(places);
         if self.is_cubic() {
-            let [a, b, p, q] = [self.a, self.b, self.p * 0.5, self.q];
+            let [a, b, p, q] = [self.a, self.b, self.p * 0.5, self.q].map(|v| Pair::new(v.x, v.y));
             for (point, &y) in points {
-                for k in 0..2 {
-                    point[k] = a[k] + (b[k] + (p[k] + q[k] * (y / 6.0)) * y) * y;
-                }
+                let (sixth, y) = (Pair::twice(y / 6.0), Pair::twice(y));
+                let on = a + (b + (p + q * sixth) * y) * y;
+                *point = [on.first(), on.second()];
             }
             return;
         }
         for (point, &y) in points {
-            let on = self.position(y);
-            (point[0], point[1]) = (on.x, on.y);
+            *point = self.position(y).into();
         }
     }
 
