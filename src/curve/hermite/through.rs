@@ -59,21 +59,24 @@ impl HermiteCurve {
         rows
     }
 
-    /// Leaves central differences in the rows' right-hand sides.
+    /// Leaves central differences in the rows' right-hand sides, at open ends those of one side.
     fn differences(&self, rows: &mut [Row]) {
-        let points = self.points();
-        let n = points.len();
-        for (i, row) in rows.iter_mut().enumerate() {
-            let (first, last) = (i == 0 && !self.is_closed(), i + 1 == n && !self.is_closed());
-            let before = if first { 0 } else { (i + n - 1) % n };
-            let after = if last { i } else { (i + 1) % n };
-            let steps = if first || last { 1.0 } else { 2.0 };
-            row.right = (points[after] - points[before]) / steps;
+        for row in rows.iter_mut() {
+            row.right = Vector::zeros();
         }
-        if n == 2 && self.is_closed() {
-            let radius = (points[0] - points[1]) * 0.5;
-            rows[0].right = Vector::new(-radius.y, radius.x) * PI;
-            rows[1].right = -rows[0].right;
+        for (i, segment) in self.segments().enumerate() {
+            let half = (segment.end - segment.start) * 0.5;
+            rows[i].right += half;
+            rows[self.next(i)].right += half;
+        }
+        if let ([first, .., last], false) = (&mut *rows, self.is_closed()) {
+            first.right *= 2.0;
+            last.right *= 2.0;
+        }
+        if let ([first, last], true) = (rows, self.is_closed()) {
+            let radius = (self.points()[0] - self.points()[1]) * 0.5;
+            first.right = Vector::new(-radius.y, radius.x) * PI;
+            last.right = -first.right;
         }
     }
 }
