@@ -73,6 +73,8 @@ struct Inner {
     data: HermiteOptions,
     space: Space,
     knots: Vec<f64>,
+    /// The last of them.
+    end: f64,
     bases: Vec<Basis>,
     basis_of: Vec<u32>,
     /// Whether all lengths are one.
@@ -99,7 +101,7 @@ impl HermiteCurve {
     pub fn new(options: HermiteOptions) -> Result<Self> {
         let (knots, bases, basis_of) = (Vec::new(), Vec::new(), Vec::new());
         let space = options.space.unwrap_or(Space::Trigonometric);
-        let inner = Inner { data: options, space, knots, bases, basis_of, even: true };
+        let inner = Inner { data: options, space, knots, end: 0.0, bases, basis_of, even: true };
         let mut curve = Self { inner: Box::new(inner) };
         let implied = curve.inner.complete()?;
         curve.inner.check(implied)?;
@@ -154,7 +156,7 @@ impl HermiteCurve {
 
     /// First and last parameter.
     pub fn domain(&self) -> (f64, f64) {
-        (0.0, self.inner.knots[self.inner.knots.len() - 1])
+        (0.0, self.inner.end)
     }
 
     /// Segment i, from point i to the next.
@@ -311,7 +313,7 @@ impl Inner {
 
     /// Knots, and one basis for every run of equal ω·length, so that a uniform curve holds just one.
     fn prepare(&mut self) -> Result<()> {
-        let Self { data, space, knots, bases, basis_of, even } = self;
+        let Self { data, space, knots, end, bases, basis_of, even } = self;
         *knots = with_room(data.lengths.len() + 1)?;
         *basis_of = with_room(data.lengths.len())?;
         // Compensated sums: a hundred equal pieces of a segment end where the segment did.
@@ -322,7 +324,8 @@ impl Inner {
             // Lengths are positive: the larger of the two numbers kept its digits.
             lost += if sum >= length { (sum - next) + length } else { (length - next) + sum };
             sum = next;
-            knots.push(sum + lost);
+            *end = sum + lost;
+            knots.push(*end);
             *even &= length == data.lengths[0];
             let frequency = if *space == Space::Polynomial { 0.0 } else { w * length };
             if bases.last().is_none_or(|basis| basis.frequency() != frequency) {
