@@ -84,23 +84,13 @@ struct Healed {
 impl Healed {
     fn new(old: &[Segment; 2], first_omega: f64, second_omega: f64) -> Self {
         let [first, second] = old;
-        let space = first.basis.space();
         let length = first.length + second.length;
-        // Of cubics the frequency means nothing, but is kept within what it may be.
-        let angle = first_omega * first.length + second_omega * second.length;
-        let most = if space == Space::Trigonometric { TAU - POLE_MARGIN } else { LARGEST_FREQUENCY };
-        let omega = if angle > most {
-            PI / length
-        } else if first_omega == second_omega {
-            first_omega
-        } else {
-            angle / length
-        };
+        let omega = joint_frequency(old, first_omega, second_omega);
         // If both are pieces of one segment, their parameters run at speeds that match in the middle.
         let ratio = second.leaving.norm() / first.arriving.norm();
         let ratio = if ratio.is_finite() && ratio > 0.0 { ratio } else { 1.0 };
         let scale = if ratio == 1.0 { 1.0 } else { (first.length + second.length * ratio) / length };
-        let basis = Basis::new(space, omega * length);
+        let basis = Basis::new(first.basis.space(), omega * length);
         let merged = Segment {
             start: first.start,
             end: second.end,
@@ -129,6 +119,21 @@ impl Healed {
             }
         }
         healed
+    }
+}
+
+/// The ω with which the angle of both segments is run through, or half a turn where one segment cannot.
+fn joint_frequency([first, second]: &[Segment; 2], first_omega: f64, second_omega: f64) -> f64 {
+    let length = first.length + second.length;
+    // Of cubics the frequency means nothing, but is kept within what it may be.
+    let angle = first_omega * first.length + second_omega * second.length;
+    let round = first.basis.space() == Space::Trigonometric;
+    if angle > if round { TAU - POLE_MARGIN } else { LARGEST_FREQUENCY } {
+        PI / length
+    } else if first_omega == second_omega {
+        first_omega
+    } else {
+        angle / length
     }
 }
 
