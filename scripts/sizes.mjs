@@ -10,7 +10,7 @@ import { StepError, at, run } from "./steps.mjs";
  * Face and wasm of each kind of work in bytes, gzipped: what may not be exceeded today. The aim is 60,000 for curves and surfaces
  * together; docs/DESIGN.md says what was tried.
  */
-const LIMITS = { "core.js": 68_450, "spline.js": 67_800, "surface.js": 47_100, "fit.js": 155_200, "trace.js": 162_100 };
+const LIMITS = { "core.js": 66_900, "spline.js": 66_900, "surface.js": 46_800, "fit.js": 155_100, "trace.js": 161_000 };
 
 /** What is printed, and the files of the package. */
 const FILES = KINDS.flatMap(({ name, file, work }) => [
