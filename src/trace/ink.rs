@@ -22,8 +22,8 @@ use super::picture::lifting::Lifting;
 use super::picture::light::Evening;
 use super::picture::tones::{ToneScan, Tones};
 use super::quality::Quality;
-use super::refinement::Refinement;
 use super::refinement::field::Shading;
+use super::refinement::{Pixels, Refinement};
 use super::samples::Samples;
 use super::work::{Progress, Stage, Trace, TracedContour, Work};
 use crate::curve::HermiteCurve;
@@ -44,6 +44,8 @@ pub(super) struct InkWork {
     progress: Progress,
     tones: Tones,
     quality: Quality,
+    /// The blur of a soft picture, a deviation in pixels.
+    softness: f64,
     /// What may be ink, until that is known.
     strokes: Option<Strokes>,
     /// What pixels say of each outline, and of those that are refined now.
@@ -131,6 +133,7 @@ impl InkWork {
             progress: Progress { done: false, stage: Stage::Edges, completed: 0, total },
             tones,
             quality: Quality::Clean,
+            softness: 0.0,
             strokes: None,
             kinds: Vec::new(),
             kind: Kind::Covered,
@@ -183,14 +186,9 @@ impl InkWork {
         let quality = if kind == Kind::Sampled { Quality::Sampled } else { self.quality };
         let still = self.kinds.iter().map(|&other| other != kind).collect();
         let last = self.strokes.is_none() && (kind == Kind::Sampled || !is_there(Kind::Sampled));
-        let mut refinement = Refinement::new(
-            (&mut self.gray, self.tones.noise, last),
-            &shading,
-            outlines,
-            contours,
-            quality,
-            still,
-        )?;
+        let (noise, softness) = (self.tones.noise, self.softness);
+        let pixels = Pixels { gray: &mut self.gray, noise, softness, last };
+        let mut refinement = Refinement::new(pixels, &shading, outlines, contours, quality, still)?;
         refinement.allow(self.options.tolerance, self.options.corner);
         let covered = self.covered();
         if self.strokes.is_some() || covered < 1.0 || self.lifted {

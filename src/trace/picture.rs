@@ -12,6 +12,7 @@ pub(super) mod light;
 mod mixture;
 pub(super) mod palette;
 pub(super) mod shape;
+pub(super) mod softness;
 pub(super) mod steps;
 pub(super) mod tint;
 pub(super) mod tones;

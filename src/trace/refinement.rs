@@ -30,14 +30,14 @@ mod window;
 use self::bends::BendRule;
 use self::blocks::{BLOCK, block_end};
 use self::fewer::Thinning;
-use self::field::{Blurring, Field, Shading};
+use self::field::{Alike, Blurring, Field, Shading};
 use self::grain::level;
 use self::left::Left;
 use self::refine::{Descent, NOISY_SHARE, Refiner, Relaxing, Shape};
 use self::trial::Limits;
 use super::outline::Outline;
 use super::picture::gray::Gray;
-use super::quality::Quality;
+use super::quality::{Quality, evened};
 use crate::error::Result;
 use crate::limits::probe;
 use crate::numerics::Point;
@@ -55,6 +55,17 @@ const LAST_STEPS: (usize, f64) = (8, 4e-3);
 const SHARED_STEPS: (usize, f64) = (12, 4e-3);
 /// Pictures that say only which centres are inside are blurred by so many pixels, together with the coverage of their outlines (D 14.27).
 const AVERAGED: f64 = 1.2;
+
+/// What a picture shows, and how exactly.
+pub(super) struct Pixels<'a> {
+    pub(super) gray: &'a mut Gray,
+    /// The noise of a pixel, as a share of the way from ink to paper.
+    pub(super) noise: f64,
+    /// The blur of a soft picture, a deviation in pixels.
+    pub(super) softness: f64,
+    /// Whether this is the last time that its pixels are asked for: then it gives them back.
+    pub(super) last: bool,
+}
 
 /// Refinement on its way.
 #[derive(Debug)]
@@ -94,7 +105,7 @@ struct Exactness {
 
 impl Exactness {
     fn is_clean(&self) -> bool {
-        self.quality == Quality::Clean
+        matches!(self.quality, Quality::Clean | Quality::Soft)
     }
 
     fn is_sampled(&self) -> bool {
@@ -111,7 +122,7 @@ impl Exactness {
 }
 
 /// Where the work is.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 struct Place {
     phase: Phase,
     /// The outline that is next.
@@ -142,8 +153,9 @@ struct Fine {
     replaced: usize,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 enum Phase {
+    #[default]
     Show,
     First,
     Rough,
@@ -152,20 +164,25 @@ enum Phase {
 }
 
 impl Refinement {
-    /// Begins with outlines of contours, some of which stay as they are. A noisy picture may be blurred; by how much is found. The picture
-    /// gives its pixels back, if this is the last time that they are asked for.
+    /// Begins with outlines of contours, some of which stay as they are. A noisy or soft picture is blurred; by how much is found.
     pub(super) fn new<'a>(
-        (gray, noise, last): (&mut Gray, f64, bool),
+        pixels: Pixels<'_>,
         shading: &Shading,
         outlines: Vec<Outline>,
         contours: impl Iterator<Item = &'a [Point]> + Clone,
         quality: Quality,
         still: Vec<bool>,
     ) -> Result<Self> {
-        let (noisy, sampled) = (quality == Quality::Noisy, quality == Quality::Sampled);
+        let Pixels { gray, noise, softness, last } = pixels;
+        let (reach, alike) = match quality {
+            Quality::Clean | Quality::Rough => (2.5, None),
+            Quality::Sampled => (2.5, Some(Alike::Both(AVERAGED))),
+            Quality::Soft => (8.0, Some(Alike::Found(evened(softness)))),
+            Quality::Noisy => (8.0, Some(Alike::Found(0.0))),
+        };
         // Of a compressed picture it is found.
         let slack = quality.slack();
-        let mut field = Field::new(gray, shading, contours, if noisy { 8.0 } else { 2.5 })?;
+        let mut field = Field::new(gray, shading, contours, reach)?;
         if last {
             gray.clear();
         }
@@ -173,50 +190,24 @@ impl Refinement {
             Quality::Clean if field.is_compressed() => Quality::Rough,
             quality => quality,
         };
-        let exact = quality == Quality::Clean;
-        let blurring = if noisy || sampled {
-            Some(Blurring::new(&mut field, sampled.then_some(AVERAGED))?)
-        } else {
-            None
-        };
+        let blurring = alike.map(|alike| Blurring::new(&mut field, alike)).transpose()?;
         probe(4 * outlines.iter().map(Outline::bytes).sum::<usize>())?;
         let first = outlines.clone();
         let shapes = outlines.into_iter().map(Shape::new).collect();
+        let relaxing = if quality == Quality::Clean { Relaxing::BOLD } else { Relaxing::CAREFUL };
         Ok(Self {
             field,
-            refiner: Refiner::new(if exact { Relaxing::BOLD } else { Relaxing::CAREFUL }),
+            refiner: Refiner::new(relaxing),
             shapes,
             first,
             still,
             blurring,
             picture: Exactness { quality, grain: 0.0, slack },
             noise,
-            limits: Limits {
-                rms: 0.012,
-                most: 0.055,
-                off: if exact { 0.25 } else { 0.4 },
-                noise: 0.0,
-                share: if sampled { 24.0 } else { 12.0 },
-                grain: 0.0,
-            },
+            limits: Limits::of(quality),
             share: 1.0,
-            bends: BendRule {
-                window: if noisy || sampled { 5.0 } else { 3.0 },
-                margin: if noisy || sampled { 1.0 } else { 0.5 },
-                corner: 0.49,
-                // What compression leaves looks like corners more often than noise of single pixels does.
-                evidence: if noisy { 0.0 } else { 6.0 },
-            },
-            place: Place {
-                phase: Phase::Show,
-                at: 0,
-                block: 0,
-                arriving: false,
-                coming: None,
-                refined: false,
-                descent: None,
-                halvings: 0,
-            },
+            bends: BendRule::of(quality),
+            place: Place::default(),
             sure: None,
             fine: Fine::default(),
             thinning: Thinning::default(),
@@ -251,12 +242,8 @@ impl Refinement {
     /// A bit more; its cost in about microseconds. `rough` goes on with a coarser outline of a contour, and gives it
     /// in the end.
     pub(super) fn step(&mut self, rough: &mut dyn FnMut(usize) -> Result<Option<Outline>>) -> Result<f64> {
-        if let Some(blurring) = &mut self.blurring
-            && self.place.phase > Phase::Show
-        {
-            if blurring.step(&mut self.field)? {
-                self.blurring = None;
-            }
+        if self.blurring.is_some() && self.place.phase > Phase::Show {
+            self.blur_on()?;
             return Ok(2000.0);
         }
         if self.place.arriving {
@@ -274,52 +261,68 @@ impl Refinement {
             return Ok(1.0);
         }
         self.make_sure()?;
-        match self.place.phase {
-            Phase::Show => {
-                if !self.show_on() {
-                    return Ok(self.cost());
-                }
-            }
-            Phase::First => {
-                if !self.place.refined {
-                    let steps = if self.refiner.shares() { SHARED_STEPS } else { STEPS };
-                    self.place.refined = self.refine_on(steps)?;
-                    if self.place.refined && self.fine.outlines.len() == self.place.at {
-                        self.fine.note(&self.shapes[self.place.at], &self.field);
-                    }
-                    return Ok(self.cost());
-                }
-                self.place.refined = false;
-                if self.is_halved()? {
-                    return Ok(self.cost());
-                }
-            }
-            Phase::Rough => {
-                let at = self.place.at;
-                if self.fine.replaced == at {
-                    if let Some(mut outline) = rough(at)? {
-                        outline.cut_to(self.field.extent);
-                        self.exchange(outline);
-                        self.fine.replaced += 1;
-                    }
-                    return Ok(self.cost());
-                }
-                if !self.refine_on(STEPS)? || self.is_halved()? {
-                    return Ok(self.cost());
-                }
-            }
+        let done = match self.place.phase {
+            Phase::Show => self.show_on(),
+            Phase::First => self.first_on()?,
+            Phase::Rough => self.rough_on(rough)?,
             Phase::Fewer => {
                 if let Some(cost) = self.fewer()? {
                     return Ok(cost);
                 }
                 self.restrain();
+                true
             }
-            Phase::Done => {}
-        }
+            Phase::Done => true,
+        };
         let cost = self.cost();
-        self.place.at += 1;
-        self.place.halvings = 0;
+        if done {
+            self.place.at += 1;
+            self.place.halvings = 0;
+        }
         Ok(cost)
+    }
+
+    /// The field becomes as blurred as the picture. What an outline lacks is then spread over more pixels, and less of it in each.
+    fn blur_on(&mut self) -> Result<()> {
+        if let Some(blurring) = &mut self.blurring
+            && blurring.step(&mut self.field)?
+        {
+            self.blurring = None;
+            if self.picture.quality == Quality::Soft {
+                let share = self.field.middle();
+                self.limits.rms *= share;
+                self.limits.most *= share;
+            }
+        }
+        Ok(())
+    }
+
+    /// A bit of the first steps of the outline, before and after pieces are halved; whether that was the last.
+    fn first_on(&mut self) -> Result<bool> {
+        if self.place.refined {
+            self.place.refined = false;
+            return Ok(!self.is_halved()?);
+        }
+        let steps = if self.refiner.shares() { SHARED_STEPS } else { STEPS };
+        self.place.refined = self.refine_on(steps)?;
+        if self.place.refined && self.fine.outlines.len() == self.place.at {
+            self.fine.note(&self.shapes[self.place.at], &self.field);
+        }
+        Ok(false)
+    }
+
+    /// A coarser outline takes the place of the fine one, and then its steps; whether that was the last bit.
+    fn rough_on(&mut self, rough: &mut dyn FnMut(usize) -> Result<Option<Outline>>) -> Result<bool> {
+        let at = self.place.at;
+        if self.fine.replaced == at {
+            if let Some(mut outline) = rough(at)? {
+                outline.cut_to(self.field.extent);
+                self.exchange(outline);
+                self.fine.replaced += 1;
+            }
+            return Ok(false);
+        }
+        Ok(self.refine_on(STEPS)? && !self.is_halved()?)
     }
 
     /// Whether the outline is one that stays as it is: then the next one is next.
@@ -379,6 +382,7 @@ impl Refinement {
         match self.picture.quality {
             Quality::Clean => BOWS[0],
             Quality::Rough => BOWS[if self.is_grainy() { 3 } else { 1 }],
+            Quality::Soft => BOWS[1],
             Quality::Noisy => BOWS[2],
             Quality::Sampled => BOWS[3],
         }

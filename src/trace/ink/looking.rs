@@ -8,12 +8,15 @@ use crate::trace::chain_work::speckle_for;
 use crate::trace::picture::blur::Blurring;
 use crate::trace::picture::contour::{Contour, ContourScan};
 use crate::trace::picture::lifting::Lifting;
+use crate::trace::picture::softness::softness;
 use crate::trace::picture::tones::{ToneScan, Tones};
-use crate::trace::quality::Quality;
+use crate::trace::quality::{Quality, evened};
 use crate::trace::work::Stage;
 
 /// Noise above which pictures are blurred before they are followed, as a share of the way from ink to paper.
 const NOISY: f64 = 3.0 / 255.0;
+/// The blur of a picture from which on it is not taken for exact coverage, a deviation in pixels: what scales pictures down leaves less.
+const SOFT: f64 = 0.4;
 /// Contours of less area, in pixels, are noise in a noisy picture.
 const NOISY_SPECKLE: f64 = 6.0;
 /// Thin strokes are looked for where they would break in so many places: the tips of a star or two are as many.
@@ -61,9 +64,34 @@ impl InkWork {
             self.offer = speckle_for(most, found.iter().map(extent).collect());
             return Err(Error::limit("data", "maxContours", most, found.len() as f64));
         }
+        if self.is_soft(&found)? {
+            return Ok(());
+        }
         self.found = found;
         self.enter(Phase::Corners, Stage::Corners, self.found.len());
         Ok(())
+    }
+
+    /// Whether the picture is blurred; then its contours are looked for once more, where they do not wind as scaling up makes them.
+    fn is_soft(&mut self, found: &[Contour]) -> Result<bool> {
+        if self.quality != Quality::Clean
+            || self.options.blur.is_some()
+            || !self.options.refined
+            || self.strokes.is_some()
+        {
+            return Ok(false);
+        }
+        let softness =
+            softness(found.iter().map(|contour| contour.points.as_slice()), &self.gray, &self.tones);
+        if softness < SOFT {
+            return Ok(false);
+        }
+        (self.quality, self.softness) = (Quality::Soft, softness);
+        (self.lifting, self.lifted) = (None, false);
+        self.blurring = Some(Blurring::new(self.gray.width(), evened(softness))?);
+        let scan = ContourScan::new(&self.gray, self.level(), self.options.inverted);
+        self.enter(Phase::Contours(scan), Stage::Contours, self.gray.height() + 1);
+        Ok(true)
     }
 
     /// Some rows of the picture more, until contours are known.

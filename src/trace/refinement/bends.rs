@@ -4,6 +4,7 @@ use crate::numerics::plane::{cross, dot, norm};
 use crate::numerics::{Point, Vector};
 use crate::trace::outline::Outline;
 use crate::trace::outline::cubic::Cubic;
+use crate::trace::quality::Quality;
 
 /// Where bends are looked for, in pixels and radians.
 #[derive(Clone, Copy, Debug)]
@@ -16,6 +17,19 @@ pub(super) struct BendRule {
     pub(super) corner: f64,
     /// By how many squares of the noise a new corner has to explain more.
     pub(super) evidence: f64,
+}
+
+impl BendRule {
+    /// How bends are looked for in a picture of a quality.
+    pub(super) fn of(quality: Quality) -> Self {
+        let (window, margin) = match quality {
+            Quality::Clean | Quality::Rough => (3.0, 0.5),
+            Quality::Sampled | Quality::Soft | Quality::Noisy => (5.0, 1.0),
+        };
+        // What compression leaves looks like corners more often than noise of single pixels does.
+        let evidence = if matches!(quality, Quality::Soft | Quality::Noisy) { 0.0 } else { 6.0 };
+        Self { window, margin, corner: 0.49, evidence }
+    }
 }
 
 /// The least turning of a bend, in radians.

@@ -11,7 +11,7 @@ use crate::numerics::Point;
 use crate::numerics::plane::larger;
 use crate::trace::picture::gray::Gray;
 use blurred::Blur;
-pub(super) use blurring::Blurring;
+pub(super) use blurring::{Alike, Blurring};
 use journal::Journal;
 use wide::f32x4;
 

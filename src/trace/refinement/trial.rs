@@ -3,6 +3,7 @@
 use super::field::Field;
 use super::left::Left;
 use super::refine::{Refiner, Shape};
+use crate::trace::quality::Quality;
 
 /// What changes an outline on trial, and what has to hold afterwards.
 pub(super) struct Trial<'a> {
@@ -30,6 +31,18 @@ pub(super) struct Limits {
 }
 
 impl Limits {
+    /// What is allowed before it is known what no outline explains.
+    pub(super) fn of(quality: Quality) -> Self {
+        Self {
+            rms: 0.012,
+            most: 0.055,
+            off: if quality == Quality::Clean { 0.25 } else { 0.4 },
+            noise: 0.0,
+            share: if quality == Quality::Sampled { 24.0 } else { 12.0 },
+            grain: 0.0,
+        }
+    }
+
     /// Whether what was put in the place of something explains the picture as well, or well enough. `ease` makes more enough.
     pub(super) fn allow(&self, now: &Left, before: &Left, ease: f64) -> bool {
         now.square <= before.square + self.share * self.noise * self.noise

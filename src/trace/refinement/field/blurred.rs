@@ -237,6 +237,11 @@ impl Field {
         self.blur.as_ref().map_or(&self.rest, |blur| &blur.lead)
     }
 
+    /// How much of what a pixel lacks is left in it by the blur.
+    pub(in crate::trace::refinement) fn middle(&self) -> f64 {
+        self.blur.as_ref().map_or(1.0, |blur| f64::from(blur.gaussian.weights[0]))
+    }
+
     /// How much of the sharp picture's stiffness is left after the blur.
     pub(in crate::trace::refinement) fn stiffness(&self) -> f64 {
         let Some(blur) = &self.blur else { return 1.0 };

@@ -5,21 +5,31 @@ use super::levels::Levels;
 use super::{AREA, Field};
 use crate::error::Result;
 use crate::limits::{refill, with_room};
-use core::ops::Range;
 
 /// Tiles of one bit of work.
 const TILES: usize = 1024;
 /// Blurs that are tried for a picture that is blurred already, every so many pixels from none on.
-const BLURS: usize = 9;
+const BLURS: usize = 12;
 const STEP: f64 = 0.25;
+
+/// How a picture and what covers it come to be blurred alike.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::trace::refinement) enum Alike {
+    /// Both are blurred by a Gaussian of a deviation in pixels, so that a picture says where an edge is by more than the pixels that the edge is in.
+    Both(f64),
+    /// The picture is blurred already, and once more by a Gaussian of a deviation, which may be 0; outlines are, by as much as makes them most
+    /// like it.
+    Found(f64),
+}
 
 /// A field that is being blurred.
 #[derive(Debug)]
 pub(in crate::trace::refinement) struct Blurring {
     /// What the picture shows, blurred as far as it is to be.
     target: Levels,
-    /// What it shows before that, if it is to be blurred.
+    /// What it shows before that, if it is to be blurred, and by what.
     sharp: Vec<f32>,
+    more: Gaussian,
     /// What of it outlines cover.
     cover: Vec<f32>,
     /// The tile that is next.
@@ -30,17 +40,19 @@ pub(in crate::trace::refinement) struct Blurring {
 }
 
 impl Blurring {
-    /// Begins with a field that nothing covers yet. Its picture is blurred by a Gaussian of a deviation, so that it says where an edge is
-    /// by more than the pixels that the edge is in; or else it is blurred already, by as much as makes the outlines, which are rendered,
-    /// most like it.
+    /// Begins with a field that nothing covers yet.
     ///
     /// # Errors
     ///
     /// `OutOfMemory` only.
-    pub(in crate::trace::refinement) fn new(field: &mut Field, deviation: Option<f64>) -> Result<Self> {
+    pub(in crate::trace::refinement) fn new(field: &mut Field, alike: Alike) -> Result<Self> {
         let mut target = Levels::between(&field.rest)?;
         let mut sharp = Vec::new();
-        if deviation.is_some() {
+        let (deviation, found) = match alike {
+            Alike::Both(deviation) => (deviation, None),
+            Alike::Found(deviation) => (deviation, Some(vec![0.0])),
+        };
+        if deviation > 0.0 {
             sharp = with_room(field.rest.len())?;
             sharp.extend_from_slice(&field.rest);
         } else {
@@ -48,14 +60,9 @@ impl Blurring {
             // Both are the same numbers.
             target.read(0, &mut field.rest);
         }
-        Ok(Self {
-            target,
-            sharp,
-            cover: Vec::new(),
-            slot: 0,
-            gaussian: Gaussian::new(deviation.unwrap_or(0.0)),
-            squares: deviation.is_none().then(|| vec![0.0]),
-        })
+        let more = Gaussian::new(deviation);
+        let gaussian = if found.is_some() { Gaussian::new(0.0) } else { more };
+        Ok(Self { target, sharp, more, cover: Vec::new(), slot: 0, gaussian, squares: found })
     }
 
     /// Some tiles more, now that outlines cover the field; whether these were the last.
@@ -76,11 +83,12 @@ impl Blurring {
         let tiles = self.slot..(self.slot + TILES).min(field.tiles());
         let last = tiles.end == field.tiles();
         self.slot = if last { 0 } else { tiles.end };
-        if self.squares.is_some() {
-            self.compare(field, tiles);
-            return Ok(last && self.choose());
+        for slot in tiles {
+            self.look(field, slot);
         }
-        self.blur(field, tiles);
+        if self.squares.is_some() {
+            return Ok(last && self.choose() && self.sharp.is_empty());
+        }
         if last {
             let [cover, mut lead] = [&mut self.cover, &mut self.sharp].map(core::mem::take);
             // What it holds does not matter before it is heard.
@@ -90,17 +98,25 @@ impl Blurring {
         Ok(last)
     }
 
-    /// Finds what the blur on trial leaves of some tiles.
-    fn compare(&mut self, field: &Field, tiles: Range<usize>) {
-        let Some(sum) = self.squares.as_mut().and_then(|squares| squares.last_mut()) else { return };
+    /// What is left in one tile: how much, while a blur is on trial, and then in each pixel.
+    fn look(&mut self, field: &mut Field, slot: usize) {
         let (mut block, mut target) = (EMPTY, [0.0; AREA]);
-        for slot in tiles {
-            let blurred =
-                field.blurred(&mut block, &self.cover, (slot as u32, Region::ALL), &self.gaussian, true);
-            self.target.read(slot * AREA, &mut target);
-            for (value, target) in blurred.as_flattened().iter().zip(target) {
-                *sum += f64::from(target - value) * f64::from(target - value);
-            }
+        let here = slot * AREA..(slot + 1) * AREA;
+        let mut blur = |plane: &[f32], gaussian| {
+            field.blurred(&mut block, plane, (slot as u32, Region::ALL), gaussian, true)
+        };
+        let covered = blur(&self.cover, &self.gaussian);
+        if self.target.len() < here.end {
+            let shown = blur(&self.sharp, &self.more);
+            self.target.extend(shown.as_flattened());
+        }
+        self.target.read(here.start, &mut target);
+        let left = target.iter_mut().zip(covered.as_flattened());
+        left.for_each(|(left, value)| *left -= value);
+        if let Some(sum) = self.squares.as_mut().and_then(|squares| squares.last_mut()) {
+            *sum = target.iter().fold(*sum, |sum, &left| sum + f64::from(left) * f64::from(left));
+        } else {
+            field.rest[here].copy_from_slice(&target);
         }
     }
 
@@ -122,32 +138,11 @@ impl Blurring {
         self.squares = None;
         best == 0
     }
-
-    /// Blurs some tiles.
-    fn blur(&mut self, field: &mut Field, tiles: Range<usize>) {
-        let (mut block, mut target) = (EMPTY, [0.0; AREA]);
-        for slot in tiles {
-            let here = slot * AREA..(slot + 1) * AREA;
-            let mut blur = |plane: &[f32]| {
-                field.blurred(&mut block, plane, (slot as u32, Region::ALL), &self.gaussian, true)
-            };
-            let covered = blur(&self.cover);
-            if !self.sharp.is_empty() {
-                let shown = blur(&self.sharp);
-                self.target.extend(shown.as_flattened());
-            }
-            self.target.read(here.start, &mut target);
-            for ((rest, target), value) in field.rest[here].iter_mut().zip(target).zip(covered.as_flattened())
-            {
-                *rest = target - value;
-            }
-        }
-    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Blurring, TILES};
+    use super::{Alike, Blurring, TILES};
     use crate::error::Result;
     use crate::numerics::{Point, Vector};
     use crate::trace::Gray;
@@ -189,7 +184,7 @@ mod tests {
     fn a_field_is_blurred_some_tiles_at_a_time_and_every_pixel_is_the_mean_of_those_around_it() -> Result<()>
     {
         let mut field = striped()?;
-        let mut blurring = Blurring::new(&mut field, Some(1.2))?;
+        let mut blurring = Blurring::new(&mut field, Alike::Both(1.2))?;
         cover(&mut field);
         let before = field.rest.clone();
         assert_eq!(steps(&mut blurring, &mut field)?, field.tiles().div_ceil(TILES));
@@ -212,11 +207,11 @@ mod tests {
     #[test]
     fn a_sharp_picture_is_found_to_be_sharp_some_tiles_at_a_time() -> Result<()> {
         let mut field = striped()?;
-        let mut blurring = Blurring::new(&mut field, None)?;
+        let mut blurring = Blurring::new(&mut field, Alike::Found(0.0))?;
         // Outlines cover all ink but a little.
         field.rest.iter_mut().for_each(|rest| *rest *= 0.01);
         let before = field.rest.clone();
-        assert_eq!(steps(&mut blurring, &mut field)?, 9 * field.tiles().div_ceil(TILES), "nine blurs");
+        assert_eq!(steps(&mut blurring, &mut field)?, 12 * field.tiles().div_ceil(TILES), "twelve blurs");
         assert_eq!(field.rest, before);
         Ok(())
     }
@@ -231,7 +226,7 @@ mod tests {
         };
         for deviation in [1.2, 2.0] {
             let mut field = striped()?;
-            let mut blurring = Blurring::new(&mut field, Some(deviation))?;
+            let mut blurring = Blurring::new(&mut field, Alike::Both(deviation))?;
             cover(&mut field);
             steps(&mut blurring, &mut field)?;
             let all = 0..field.rest.len() as u32;
