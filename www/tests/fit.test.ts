@@ -185,6 +185,8 @@ test("ends that are near each other are joined, others are not", () => {
   assert.equal(joined(ring(0.9), "auto"), false);
   assert.equal(joined(ring(0.9), "closed"), true);
   assert.equal(joined(ring(1), "open"), false);
+  assert.equal(joined([[0, 0], [4, 0], [4, 3], [0, 0]], "auto"), true, "of few points, where they are one");
+  assert.equal(joined([[0, 0], [4, 0], [4, 3], [0, 0.01]], "auto"), false);
 });
 
 test("the file keeps strokes, settings and a sample's name; version 1 still opens", () => {

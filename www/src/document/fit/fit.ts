@@ -24,7 +24,9 @@ const nearEnds = 0.03;
 export function isJoined({ data, closing }: Pick<FitDocument, "data" | "closing">, { from, to }: Stroke): boolean {
   if (closing !== "auto") return closing === "closed" && to - from >= 3;
   const [first, last] = [data[from], data[to - 1]];
-  if (first === undefined || last === undefined || to - from < 8) return false;
+  if (first === undefined || last === undefined) return false;
+  if (to - from > 3 && first[0] === last[0] && first[1] === last[1]) return true;
+  if (to - from < 8) return false;
   let [minX, minY, maxX, maxY] = [first[0], first[1], first[0], first[1]];
   for (let i = from; i < to; i += 1) {
     const [x, y] = data[i] ?? first;

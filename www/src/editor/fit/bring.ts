@@ -54,10 +54,16 @@ const apart = 1 / 600;
 /** Contours of files: points are what was measured, with y up as in a chart; curves are followed. */
 export function bringContours(editor: Editor, contours: readonly Contour[], arePoints: boolean, more: Pick<Brought, "instead" | "setting"> & { readonly name?: string } = {}): void {
   const named = { name: "Import", ...more };
-  if (arePoints) return bringStrokes(editor, { ...named, up: true, strokes: contours.map(({ points }) => ({ places: points.map(({ x, y }): Pair => [x, y]) })) });
+  if (arePoints) return bringStrokes(editor, { ...named, up: true, strokes: contours.map(given) });
   const { curve } = editor.state.value;
   const size = diagonalOf(curve, contours);
   bringStrokes(editor, { ...named, strokes: placesAlong(curve, contours, apart * size, mostPlaces), within: Number((simpler * size).toPrecision(2)) });
+}
+
+/** A contour's points as they were given: a closed one ends where it began. */
+function given({ points, closed }: Contour): NewStroke {
+  const places = points.map(({ x, y }): Pair => [x, y]);
+  return { places: closed ? [...places, ...places.slice(0, 1)] : places };
 }
 
 /** The drawing alone in Fit, ready to be simplified: the contours that hold the selection, else all of it. */
