@@ -51,13 +51,17 @@ export function handOver(editor: Editor, says: string, bring: () => void): void 
 const simpler = 1 / 400;
 const apart = 1 / 600;
 
-/** Contours of files: points are what was measured, with y up as in a chart; curves are followed. */
+/**
+ * Contours of files: points are what was measured, with y up as in a chart; curves are followed, and so are points that all end
+ * exactly where they began: the rings of a map were drawn.
+ */
 export function bringContours(editor: Editor, contours: readonly Contour[], arePoints: boolean, more: Pick<Brought, "instead" | "setting"> & { readonly name?: string } = {}): void {
   const named = { name: "Import", ...more };
-  if (arePoints) return bringStrokes(editor, { ...named, up: true, strokes: contours.map(given) });
   const { curve } = editor.state.value;
   const size = diagonalOf(curve, contours);
-  bringStrokes(editor, { ...named, strokes: placesAlong(curve, contours, apart * size, mostPlaces), within: Number((simpler * size).toPrecision(2)) });
+  const drawn = { ...named, within: Number((simpler * size).toPrecision(2)) };
+  if (!arePoints) return bringStrokes(editor, { ...drawn, strokes: placesAlong(curve, contours, apart * size, mostPlaces) });
+  bringStrokes(editor, { ...(contours.every(({ closed }) => closed) ? drawn : named), up: true, strokes: contours.map(given) });
 }
 
 /** A contour's points as they were given: a closed one ends where it began. */
