@@ -4,6 +4,7 @@
  */
 import type { DemoState } from "../../document/document.ts";
 import { statePieces, writeState } from "../../document/file/write.ts";
+import { letGo, takeUp } from "./database.ts";
 import { keep, keepAtOnce, makeRoom } from "./keeping.ts";
 import { seal, sealPieces, type Unsealed } from "./sealed.ts";
 import { rememberTab } from "./store.ts";
@@ -52,17 +53,18 @@ export function createAutosave({ read, busy, failing, until }: AutosaveOptions):
     newest = { session, generation, time: Date.now(), state: read() };
     writing = writing.then(writeNewest);
   };
-  const leave = (): void => {
+  /** Says whether all of it is kept: a page that is being left may not live until the database has answered. */
+  const leave = (): boolean => {
     take();
-    // A page that is being left may not live until the database has answered.
-    if (newest !== null) keepAtOnce(seal({ ...newest, json: writeState(newest.state) }));
+    return newest === null || keepAtOnce(seal({ ...newest, json: writeState(newest.state) }));
   };
   const touch = (): void => {
     // From the first change that is not kept yet, so that steady work is kept every second, not never.
     timer ??= setTimeout(take, delayMs);
   };
   document.addEventListener("visibilitychange", () => document.visibilityState === "hidden" && leave(), { signal: until });
-  window.addEventListener("pagehide", leave, { signal: until });
+  window.addEventListener("pagehide", () => leave() && letGo(), { signal: until });
+  window.addEventListener("pageshow", takeUp, { signal: until });
   until.addEventListener("abort", () => timer !== null && clearTimeout(timer), { once: true });
   return { touch };
 }

@@ -33,16 +33,63 @@ function opened(): Promise<IDBDatabase> {
   return opening;
 }
 
-/** Resolves when what was asked for has been written, or read. */
-async function within<T>(mode: IDBTransactionMode, work: (store: IDBObjectStore) => () => T): Promise<T> {
-  const database = await opened();
+/** How long one answer may take. Another page that was frozen in the middle of a write can hold the database for good. */
+const limitMs = 5000;
+
+/** What gives up each piece of work that is under way. */
+const underWay = new Set<() => void>();
+
+let left = false;
+
+/**
+ * The page is being left, and the browser may freeze it and keep it for the Back button. What it has begun would then
+ * keep every later page from the database, in WebKit for as long as it is frozen: so it is given up, and rejects.
+ */
+export function letGo(): void {
+  left = true;
+  for (const giveUp of underWay) giveUp();
+}
+
+/** The page is back. */
+export function takeUp(): void {
+  left = false;
+}
+
+/** Resolves when what was asked for has been written, or read; rejects when that takes too long, or the page is left meanwhile. */
+function within<T>(mode: IDBTransactionMode, work: (store: IDBObjectStore) => () => T): Promise<T> {
   return new Promise<T>((resolve, reject) => {
-    const transaction = database.transaction(table, mode, { durability: "strict" });
-    const fail = (): void => reject(transaction.error ?? new Error("the database gave up"));
-    transaction.onerror = fail;
-    transaction.onabort = fail;
-    const result = work(transaction.objectStore(table));
-    transaction.oncomplete = () => resolve(result());
+    let transaction: IDBTransaction | null = null;
+    const end = (): void => {
+      clearTimeout(timer);
+      underWay.delete(giveUp);
+    };
+    const fail = (error: unknown): void => {
+      end();
+      reject(error instanceof Error ? error : new Error("the database gave up"));
+    };
+    const giveUp = (): void => {
+      fail(new Error("the database was given up"));
+      // One that does not open is asked again.
+      if (transaction === null) opening = null;
+      try {
+        transaction?.abort();
+      } catch {
+        // It has just ended.
+      }
+    };
+    const timer = setTimeout(giveUp, limitMs);
+    underWay.add(giveUp);
+    if (left) return giveUp();
+    opened().then((database) => {
+      if (!underWay.has(giveUp)) return;
+      const begun = (transaction = database.transaction(table, mode, { durability: "strict" }));
+      begun.onabort = () => fail(begun.error);
+      const result = work(begun.objectStore(table));
+      begun.oncomplete = () => {
+        end();
+        resolve(result());
+      };
+    }).catch(fail);
   });
 }
 

@@ -62,16 +62,18 @@ function openMenu(x: number, y: number, actions: readonly Action[], run: (id: st
     },
       h("span", {}, action.label), action.keys[0] === undefined ? null : h("kbd", {}, printedKey(action.keys[0]))),
   );
-  const menu = h("div", { class: "menu", role: "menu", popover: "auto", testid: "context-menu", "aria-label": "Actions" }, ...items);
+  const menu = h("div", { class: "menu", role: "menu", popover: "manual", tabindex: "-1", testid: "context-menu", "aria-label": "Actions" }, ...items);
   const close = (): void => {
+    window.removeEventListener("pointerdown", away, true);
     if (!menu.isConnected) return;
     menu.remove();
     if (before instanceof HTMLElement && before.isConnected) before.focus();
   };
-  // A press elsewhere or Esc closes a popover by itself.
-  menu.addEventListener("toggle", (event) => {
-    if (event instanceof ToggleEvent && event.newState === "closed") close();
-  });
+  // Not left to the browser: where a menu opens while its button or finger is still down, Firefox takes the release for a press elsewhere.
+  const away = ({ target }: Event): void => {
+    if (!(target instanceof Node && menu.contains(target))) close();
+  };
+  window.addEventListener("pointerdown", away, true);
   menu.addEventListener("keydown", (event) => {
     const at = items.findIndex((item) => item === document.activeElement);
     const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: items.length - 1 }[event.key];
