@@ -13,11 +13,17 @@ use crate::error::{Error, Result};
 ///
 /// O(pixels + length of the contours). Memory: 4 to 6 bytes for each pixel of drawings, noisy ones, too, the picture's own 2 among
 /// them; 30 where outlines fill the picture, as a spiral of thin lines does.
-#[derive(Debug)]
 pub struct Tracer {
     work: Box<dyn Work>,
     /// What it failed by.
     failed: Option<Error>,
+}
+
+/// How far it is. Nobody looks through a picture and all outlines, and what would print them weighs kilobytes in the wasm.
+impl core::fmt::Debug for Tracer {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Tracer").field("progress", &self.work.progress()).finish_non_exhaustive()
+    }
 }
 
 impl Tracer {

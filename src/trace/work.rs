@@ -61,7 +61,7 @@ pub struct Trace {
 }
 
 /// Work that is done bit by bit. Every source is one.
-pub(super) trait Work: core::fmt::Debug {
+pub(super) trait Work {
     /// Does a bit, of a millisecond or so; how long it took, in about microseconds.
     fn step(&mut self) -> Result<f64>;
 
