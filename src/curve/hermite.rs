@@ -24,6 +24,7 @@ use crate::limits::{
 };
 use crate::numerics::angle::wrapped;
 use crate::numerics::lists::steps;
+use crate::numerics::plane::enlarge;
 use crate::numerics::{Point, Vector};
 
 /// Which side of a control point.
@@ -202,6 +203,14 @@ impl HermiteCurve {
         }
         self.inner.check(false)?;
         Ok(self)
+    }
+
+    /// Makes the curve so many times as large, and moves it back by a vector.
+    pub(crate) fn enlarge(&mut self, times: f64, back: Vector) {
+        let data = &mut self.inner.data;
+        enlarge(&mut data.points, times, back);
+        enlarge(&mut data.tangents, times, Vector::zeros());
+        enlarge(&mut data.tangents_in, times, Vector::zeros());
     }
 
     /// Everything that the curve is made from; [`HermiteCurve::new`] gives it back to the last bit.

@@ -16,6 +16,14 @@ pub(crate) fn smaller(a: f64, b: f64) -> f64 {
     if b < a { b } else { a }
 }
 
+/// Makes points so many times as large, and moves them back by a vector.
+#[inline(never)]
+pub(crate) fn enlarge(points: &mut [Point], times: f64, back: Vector) {
+    for p in points {
+        *p = *p * times - back;
+    }
+}
+
 /// x₁x₂ + y₁y₂.
 #[inline]
 pub(crate) fn dot(u: Vector, v: Vector) -> f64 {

@@ -1,6 +1,7 @@
 //! Pictures of a few flat colours: the shape of each layer, traced like ink.
 
 use super::options::{Source, TraceOptions};
+use super::picture::blocks::Blocks;
 use super::picture::gray::Gray;
 use super::picture::layers::Layers;
 use super::picture::shape::{Shape, drawn};
@@ -33,6 +34,7 @@ enum Phase {
 pub struct LayerTracer {
     layers: Layers,
     options: TraceOptions,
+    blocks: Option<Blocks>,
     order: Vec<u8>,
     visible: Vec<(usize, Color)>,
     found: Vec<TracedLayer>,
@@ -48,7 +50,24 @@ impl LayerTracer {
         let (order, visible) = drawn(&layers);
         let source = Source::Brightness;
         let options = TraceOptions { source, threshold: None, inverted: false, ..*options };
-        Self { layers, options, order, visible, found: Vec::new(), done: 0, count: 0, phase: None }
+        Self {
+            layers,
+            options,
+            blocks: None,
+            order,
+            visible,
+            found: Vec::new(),
+            done: 0,
+            count: 0,
+            phase: None,
+        }
+    }
+
+    /// Begins a picture whose squares the layers have as pixels.
+    pub fn of_squares(layers: Layers, options: &TraceOptions, blocks: Option<Blocks>) -> Self {
+        let mut tracer = Self::new(layers, options);
+        tracer.blocks = blocks;
+        tracer
     }
 
     /// How many layers are done, and how many there are.
@@ -97,7 +116,7 @@ impl LayerTracer {
     fn begin(&mut self, gray: Gray) -> Result<()> {
         let rest = self.options.most_contours.saturating_sub(self.count).max(1);
         let options = TraceOptions { most_contours: rest, ..self.options };
-        self.phase = Some(Phase::Tracing(Box::new(Tracer::new(gray, &options)?)));
+        self.phase = Some(Phase::Tracing(Box::new(Tracer::of_squares(gray, &options, self.blocks)?)));
         Ok(())
     }
 

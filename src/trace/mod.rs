@@ -22,6 +22,7 @@
 mod agreement;
 mod chain_work;
 mod edges;
+mod enlarged;
 mod ink;
 mod layer_tracer;
 mod metrics;
@@ -43,6 +44,7 @@ pub use edges::strands::profiles;
 pub use layer_tracer::{LayerTracer, TracedLayer};
 pub use metrics::{Jaccard, Metrics, diameter, directed_hausdorff, jaccard, mean_absolute, root_mean_square};
 pub use options::{Model, Source, TraceOptions};
+pub use picture::blocks::{BlockScan, Blocks};
 pub use picture::census::Census;
 pub use picture::contour::{Contour, contours};
 pub use picture::gray::{Gray, GrayRows, MOST_PIXELS, MOST_SIDE};

@@ -45,7 +45,7 @@ pub struct TraceOptions {
     /// ends of a piece, corners and pieces of two pixels may be farther: of smooth shapes the largest distance was up to 1.3 times as much at the
     /// default, and 5 times at .05. A refined curve begins within .18 and goes where the picture says; above the default joints may leave
     /// more in proportion. Twice as much is allowed in noise, three times where pixels only say which centres are inside.
-    /// What was reached is [`Metrics::max`](super::Metrics::max).
+    /// What was reached is [`Metrics::max`](super::Metrics::max). Where a picture was scaled up by repeating pixels, this counts in those pixels.
     pub tolerance: f64,
     /// Whether curves are refined against the picture's coverage.
     pub refined: bool,

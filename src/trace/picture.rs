@@ -1,6 +1,7 @@
 //! Pictures and what is seen in them without curves: shades, light, tones, the iso-contours of ink, marks of single pixels, colours in layers.
 
 pub(super) mod bitmap;
+pub(super) mod blocks;
 pub(super) mod blur;
 pub(super) mod census;
 pub(super) mod contour;

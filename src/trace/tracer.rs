@@ -3,6 +3,7 @@
 use super::chain_work::ChainWork;
 use super::ink::InkWork;
 use super::options::{Model, Source, TraceOptions};
+use super::picture::blocks::Blocks;
 use super::picture::gray::Gray;
 use super::work::{Progress, Trace, Work};
 use crate::error::{Error, Result};
@@ -15,6 +16,8 @@ use crate::error::{Error, Result};
 /// them; 30 where outlines fill the picture, as a spiral of thin lines does.
 pub struct Tracer {
     work: Box<dyn Work>,
+    /// The squares that are traced instead of pixels.
+    blocks: Option<Blocks>,
     /// What it failed by.
     failed: Option<Error>,
 }
@@ -32,14 +35,24 @@ impl Tracer {
     /// # Errors
     ///
     /// Options out of range or that do not go together.
-    pub fn new(gray: Gray, options: &TraceOptions) -> Result<Self> {
+    pub fn new(mut gray: Gray, options: &TraceOptions) -> Result<Self> {
+        let blocks = gray.take_blocks();
+        Self::of_squares(gray, options, blocks)
+    }
+
+    /// Begins a picture of squares, each given as a pixel.
+    pub(super) fn of_squares(gray: Gray, options: &TraceOptions, blocks: Option<Blocks>) -> Result<Self> {
         options.check()?;
-        let options = TraceOptions { inverted: options.inverted || gray.is_light_on_nothing(), ..*options };
+        let mut options = *options;
+        options.inverted |= gray.is_light_on_nothing();
+        if let Some(blocks) = &blocks {
+            blocks.adapt(&mut options);
+        }
         let work: Box<dyn Work> = match (options.source, options.model) {
             (Source::Brightness, Model::Sparse) => Box::new(InkWork::new(gray, options)?),
             _ => Box::new(ChainWork::new(gray, options)?),
         };
-        Ok(Self { work, failed: None })
+        Ok(Self { work, blocks, failed: None })
     }
 
     /// Goes on for about `budget` microseconds, at least by the least bit of work, and no further than to the next stage. Whoever wants no
@@ -68,7 +81,7 @@ impl Tracer {
     /// After a step was refused for too many contours: the least speckle, in square pixels, that leaves as many as are allowed.
     /// There is none for centre lines.
     pub fn offer(&self) -> Option<f64> {
-        self.work.offer()
+        Some(self.work.offer()? * self.blocks.map_or(1.0, |blocks| blocks.area()))
     }
 
     /// What was found.
@@ -77,10 +90,14 @@ impl Tracer {
     ///
     /// The work is not done.
     pub fn result(&self) -> Result<Trace> {
-        match self.work.trace() {
-            Some(trace) => Ok(trace.clone()),
-            None => Err(Error::degenerate("trace", None, "the work is not done")),
+        let Some(trace) = self.work.trace() else {
+            return Err(Error::degenerate("trace", None, "the work is not done"));
+        };
+        let mut trace = trace.clone();
+        if let Some(blocks) = &self.blocks {
+            blocks.enlarge(&mut trace.contours);
         }
+        Ok(trace)
     }
 }
 

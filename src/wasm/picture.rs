@@ -1,6 +1,8 @@
 //! A picture under way: its rows, then the work on them.
 
-use crate::trace::{Census, Gray, GrayRows, LayerRows, LayerTracer, Layers, TraceOptions, Tracer};
+use crate::trace::{
+    BlockScan, Blocks, Census, Gray, GrayRows, LayerRows, LayerTracer, Layers, Tint, TraceOptions, Tracer,
+};
 use crate::{Error, Result};
 
 pub(super) const NOT_OPEN: Error =
@@ -12,8 +14,16 @@ pub(super) struct Job {
     pub(super) channels: usize,
     /// How many colours at most are looked for.
     pub(super) most_colors: usize,
+    /// The colours that are wanted, once they are known.
+    pub(super) palette: Vec<Tint>,
     pub(super) options: TraceOptions,
     pub(super) state: State,
+    /// Looks for squares of equal pixels in colours, while they are given for the first time.
+    pub(super) scan: BlockScan,
+    /// Those that were found, and are traced instead of pixels.
+    pub(super) blocks: Option<Blocks>,
+    /// Pixels that were given since they were last wanted, and squares that were taken from them.
+    pub(super) read: [usize; 2],
 }
 
 pub(super) enum State {
@@ -29,17 +39,35 @@ pub(super) enum State {
 }
 
 impl Job {
-    pub(super) fn push(&mut self, rows: &[u8]) -> Result<()> {
-        let bright: Vec<u8>;
-        let colors = if self.channels == 4 || matches!(self.state, State::Ink(_)) {
+    /// Begins to read rows.
+    #[inline(never)]
+    pub(super) fn begin(&mut self) -> Result<()> {
+        let [width, height] = self.blocks.map_or(self.size, |blocks| blocks.extent());
+        self.read = [0; 2];
+        self.state = match (self.most_colors, self.palette.is_empty()) {
+            (0, true) => State::Ink(Gray::begin(width, height)?),
+            (_, true) => State::Counting(Census::new(width)?),
+            _ => State::Colors(Layers::begin(width, height, &self.palette)?),
+        };
+        Ok(())
+    }
+
+    pub(super) fn push(&mut self, rows: &mut [u8]) -> Result<()> {
+        let mut bright: Vec<u8>;
+        let mut colors = if self.channels == 4 || matches!(self.state, State::Ink(_)) {
             rows
         } else {
             bright = rows.iter().flat_map(|&shade| [shade, shade, shade, 255]).collect();
-            &bright
+            &mut bright
         };
+        self.scan.push(colors, 4);
+        if let Some(blocks) = &self.blocks {
+            let count = thin(blocks, &mut self.read, colors);
+            colors = &mut colors[..count];
+        }
         match &mut self.state {
-            State::Ink(picture) if self.channels == 4 => picture.push_rgba_rows(rows),
-            State::Ink(picture) => picture.push_gray_rows(rows),
+            State::Ink(picture) if self.channels == 4 => picture.push_rgba_rows(colors),
+            State::Ink(picture) => picture.push_gray_rows(colors),
             State::Counting(census) => {
                 census.push_rgba_rows(colors);
                 Ok(())
@@ -51,23 +79,47 @@ impl Job {
 
     /// What follows once all rows are there; whether they are wanted once more.
     pub(super) fn filled(&mut self) -> Result<bool> {
-        let [width, height] = self.size;
+        if let Some(found) = self.scan.end() {
+            self.blocks = Some(found);
+            self.begin()?;
+            return Ok(true);
+        }
         self.state = match core::mem::replace(&mut self.state, State::Failed) {
             State::Ink(rows) => {
                 State::Tracing(Tracer::new(rows.finish_for(self.options.inverted)?, &self.options)?)
             }
             State::Counting(mut census) => {
-                let mut palette = census.palette(self.most_colors)?;
-                if palette.is_empty() {
+                self.palette = census.palette(self.most_colors)?;
+                if self.palette.is_empty() {
                     // All of it is transparent, so any colour will do.
-                    palette.push([0; 3].into());
+                    self.palette.push([0; 3].into());
                 }
-                self.state = State::Colors(Layers::begin(width, height, &palette)?);
+                self.begin()?;
                 return Ok(true);
             }
-            State::Colors(rows) => State::Layers(Box::new(LayerTracer::new(rows.finish()?, &self.options))),
+            State::Colors(rows) => {
+                let tracer = LayerTracer::of_squares(rows.finish()?, &self.options, self.blocks);
+                State::Layers(Box::new(tracer))
+            }
             further => further,
         };
         Ok(false)
+    }
+}
+
+/// Leaves the first pixels of all squares that begin in some rows at their beginning, and says how many bytes these are. It counts how many pixels
+/// were given and squares taken by then.
+fn thin(blocks: &Blocks, [given, taken]: &mut [usize; 2], bytes: &mut [u8]) -> usize {
+    let pixels = bytes.as_chunks_mut::<4>().0;
+    let (first, mut count) = (*given, 0);
+    *given += pixels.len();
+    loop {
+        let at = blocks.pixel(*taken);
+        if at >= *given {
+            return 4 * count;
+        }
+        pixels[count] = pixels[at - first];
+        count += 1;
+        *taken += 1;
     }
 }

@@ -8,7 +8,7 @@ use super::kernel::{Kernel, run};
 use super::picture::{Job, NOT_OPEN, State};
 use super::record::{Numbers, place, section};
 use crate::Result;
-use crate::trace::{Census, Color, Gray, Layers, Model, Source, Stage, TraceOptions, TracedContour};
+use crate::trace::{BlockScan, Model, Source, Stage, Tint, TraceOptions, TracedContour};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Numbers of the record of options.
@@ -59,15 +59,18 @@ pub fn trace_open(count: u32) -> i32 {
         options.refined = head.flag();
         options.most_contours = head.optional().map_or(options.most_contours, |most| most as usize);
         let (most_colors, given) = (head.count(), head.count());
-        let channels_of = |color: &[f64]| -> Color { core::array::from_fn(|k| color[k] as u8) };
-        let palette: Vec<Color> = numbers.take(3 * given).chunks_exact(3).map(channels_of).collect();
-        let state = match (most_colors, given) {
-            (0, 0) => State::Ink(Gray::begin(width, height)?),
-            (_, 0) => State::Counting(Census::new(width)?),
-            _ => State::Colors(Layers::begin(width, height, &palette)?),
-        };
-        let job = Job { size: [width, height], channels, most_colors, options, state };
-        Ok(place(&mut kernel.traces, Box::new(job)))
+        let channels_of = |color: &[f64]| Tint::from([0, 1, 2].map(|k| color[k] as u8));
+        let palette: Vec<Tint> = numbers.take(3 * given).chunks_exact(3).map(channels_of).collect();
+        let (size, state, blocks, read) = ([width, height], State::Failed, None, [0; 2]);
+        let mut scan = BlockScan::new(width);
+        if most_colors + given == 0 {
+            // A picture of ink looks for its squares itself.
+            scan.end();
+        }
+        let mut job =
+            Box::new(Job { size, channels, most_colors, palette, options, state, scan, blocks, read });
+        job.begin()?;
+        Ok(place(&mut kernel.traces, job))
     })
 }
 
@@ -76,7 +79,7 @@ pub fn trace_open(count: u32) -> i32 {
 pub fn trace_rows(number: u32, bytes: u32) -> i32 {
     run(&mut |kernel| {
         let Kernel { traces, text, .. } = kernel;
-        let rows = text.get(..bytes as usize).unwrap_or_default();
+        let rows = text.get_mut(..bytes as usize).unwrap_or_default();
         job(traces, number)?.push(rows)?;
         Ok(0)
     })

@@ -50,6 +50,7 @@ export interface TraceOptions {
    * How far the first curve of a contour may be from its points in pixels, about: pieces are fitted to points half a pixel apart, and the ends of a
    * piece, corners and pieces of two pixels may be farther. A refined curve begins within .18 and goes where the picture says; above the default
    * joints may leave more in proportion. In noise twice as much is allowed. What was reached is `metrics.max`. 0.01 to 1000; default 0.22.
+   * Where a drawing was scaled up by repeating pixels, this counts in those pixels.
    */
   tolerance?: number | undefined;
   /**

@@ -1,5 +1,6 @@
 //! A picture as shades of one quantity.
 
+use super::blocks::{BlockScan, Blocks, MOST_SHADES};
 use crate::error::{Error, Result};
 use crate::limits::{check, with_room};
 use crate::numerics::Point;
@@ -24,6 +25,8 @@ pub struct Gray {
     values: Vec<u16>,
     /// Whether all that is there is light, on a transparent ground.
     light_on_nothing: bool,
+    /// The squares that it is made of.
+    blocks: Option<Blocks>,
 }
 
 /// A picture that is being given row by row, so that nobody holds all of its colours at once.
@@ -41,6 +44,7 @@ pub struct GrayRows {
     opaque: u64,
     /// As much of `opaque` as is darker than the middle.
     dark: u64,
+    scan: BlockScan,
 }
 
 impl Gray {
@@ -51,7 +55,16 @@ impl Gray {
     /// A side of 0 or beyond 16,384, more than 67,108,864 pixels, no memory.
     pub fn begin(width: usize, height: usize) -> Result<GrayRows> {
         let values = with_room(count(width, height)?)?;
-        Ok(GrayRows { width, height, values, opacity: Vec::new(), light: 0, opaque: 0, dark: 0 })
+        Ok(GrayRows {
+            width,
+            height,
+            values,
+            opacity: Vec::new(),
+            light: 0,
+            opaque: 0,
+            dark: 0,
+            scan: BlockScan::new(width),
+        })
     }
 
     /// A picture from one byte per pixel, row by row.
@@ -126,7 +139,19 @@ impl Gray {
             let start = (margin + row) * width + margin;
             values[start..start + self.width].copy_from_slice(self.row(row));
         }
-        Ok(Self { width, height, values, light_on_nothing: self.light_on_nothing })
+        Ok(Self { width, height, values, light_on_nothing: self.light_on_nothing, blocks: None })
+    }
+
+    /// The squares that the picture was made of, which are its pixels from now on.
+    pub(in crate::trace) fn take_blocks(&mut self) -> Option<Blocks> {
+        let blocks = self.blocks.take()?;
+        [self.width, self.height] = blocks.extent();
+        let count = self.width * self.height;
+        for square in 0..count {
+            self.values[square] = self.values[blocks.pixel(square)];
+        }
+        self.values.truncate(count);
+        Some(blocks)
     }
 
     /// One row of shades.
@@ -161,6 +186,7 @@ impl GrayRows {
     /// A list that is not whole rows, or more rows than the picture has; nothing is taken then.
     pub fn push_rgba_rows(&mut self, bytes: &[u8]) -> Result<()> {
         self.room(bytes.len(), 4)?;
+        self.scan.push(bytes, 4);
         for block in bytes.chunks(4 * BLOCK) {
             if self.opacity.capacity() == 0 && is_opaque(block) {
                 self.push_opaque(block);
@@ -207,6 +233,7 @@ impl GrayRows {
     /// As [`GrayRows::push_rgba_rows`].
     pub fn push_gray_rows(&mut self, bytes: &[u8]) -> Result<()> {
         self.room(bytes.len(), 1)?;
+        self.scan.push(bytes, 1);
         self.values.extend(bytes.iter().map(|&byte| u16::from(byte) << 8));
         if self.opacity.capacity() > 0 {
             self.opacity.resize(self.values.len(), 255);
@@ -247,7 +274,8 @@ impl GrayRows {
                 *value += (u16::from(255 - alpha)) << 8;
             }
         }
-        Ok(Gray { width: self.width, height: self.height, values: self.values, light_on_nothing })
+        let blocks = self.scan.blocks_of(MOST_SHADES);
+        Ok(Gray { width: self.width, height: self.height, values: self.values, light_on_nothing, blocks })
     }
 
     fn room(&self, bytes: usize, each: usize) -> Result<()> {
@@ -276,7 +304,9 @@ fn is_opaque(pixels: &[u8]) -> bool {
     all >> 24 == 255
 }
 
-fn count(width: usize, height: usize) -> Result<usize> {
+/// Columns times rows, if a picture may have as many.
+#[inline(never)]
+pub(super) fn count(width: usize, height: usize) -> Result<usize> {
     check("width", None, width as f64, 1.0, MOST_SIDE as f64)?;
     check("height", None, height as f64, 1.0, MOST_SIDE as f64)?;
     let pixels = width * height;

@@ -1,6 +1,6 @@
 //! Pictures of a few flat colours: how much of which colour every pixel has (D 14.20).
 
-use super::gray::Gray;
+use super::gray::count;
 use super::mixture::{Mixture, Premultiplied, Seam, is_like, is_on_edge, premultiplied, squared};
 use super::palette::MOST_COLORS;
 use super::tint::{Color, Tint};
@@ -74,18 +74,16 @@ impl Layers {
     ///
     /// # Errors
     ///
-    /// A palette with fewer than 1 or more than 64 colours; sides and pixels as [`Gray::begin`].
+    /// A palette with fewer than 1 or more than 64 colours; sides and pixels as [`Gray::begin`](crate::trace::Gray::begin).
     pub fn begin<T: Copy + Into<Tint>>(width: usize, height: usize, colors: &[T]) -> Result<LayerRows> {
         Self::with_tints(width, height, &colors.iter().map(|&color| color.into()).collect::<Vec<Tint>>())
     }
 
     fn with_tints(width: usize, height: usize, colors: &[Tint]) -> Result<LayerRows> {
         check("colors", None, colors.len() as f64, 1.0, MOST_COLORS as f64)?;
-        // For its checks.
-        drop(Gray::begin(width, height)?);
         let mut palette: Vec<Premultiplied> = colors.iter().map(Tint::premultiplied).collect();
         palette.push([0; 4]);
-        let pixels = width * height;
+        let pixels = count(width, height)?;
         let layers = Self {
             width,
             colors: colors.iter().map(Tint::on_white).collect(),

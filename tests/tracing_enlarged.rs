@@ -1,0 +1,229 @@
+//! Pictures that were scaled up by repeating pixels are traced as what was scaled up; drawings of squares stay squares.
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+mod support;
+
+use expline::numerics::Point;
+use expline::trace::{
+    BlockScan, Blocks, Color, Gray, LayerTracer, Layers, Source, Trace, TraceOptions, TracedContour,
+    TracedLayer, trace,
+};
+use support::colors;
+use support::pictures::{Noise, draw, inside, traced};
+
+/// An arrow aslant, in a picture of 96 pixels.
+const ARROW: [(f64, f64); 7] =
+    [(14.4, 31.9), (67.6, 50.5), (72.3, 36.9), (85.2, 62.5), (59.5, 73.9), (64.2, 60.4), (11.0, 41.8)];
+const SIDE: usize = 96;
+
+fn arrow() -> Vec<u8> {
+    draw(SIDE, SIDE, &|x, y| inside(&ARROW, x, y) || (x - 30.3).hypot(y - 75.2) < 12.7)
+}
+
+/// Every pixel, of `each` bytes, so many times in a row and in a column.
+fn repeated(bytes: &[u8], each: usize, side: usize, times: usize) -> Vec<u8> {
+    let wide = side * times;
+    let pixel = |i: usize| each * (i / wide / times * side + i % wide / times);
+    (0..wide * wide).flat_map(|i| &bytes[pixel(i)..pixel(i) + each]).copied().collect()
+}
+
+/// Contours are those of another picture, so many times as large and moved back. Where that is no power of two, products are rounded.
+fn assert_enlarged(contours: &[TracedContour], from: &[TracedContour], times: f64, back: [f64; 2]) {
+    assert_eq!(contours.len(), from.len(), "as many contours");
+    let is_there = |p: &Point, q: &Point| {
+        (0..2).all(|axis| (p[axis] - (times * q[axis] - back[axis])).abs() <= 1e-12 * times * SIDE as f64)
+    };
+    for (large, small) in contours.iter().zip(from) {
+        let lists = [(large.curve.points(), small.curve.points()), (&large.cusps, &small.cusps)];
+        for (points, old) in lists {
+            assert_eq!(points.len(), old.len(), "as many points and corners");
+            assert!(points.iter().zip(old).all(|(p, q)| is_there(p, q)), "{points:?} for {old:?}");
+        }
+        for (p, q) in large.curve.tangents().iter().zip(small.curve.tangents()) {
+            assert!((p - q * times).norm() <= 1e-12 * times * SIDE as f64, "{p:?} for {q:?}");
+        }
+        assert_eq!(large.curve.omega(), small.curve.omega(), "arcs stay arcs");
+        let off = large.metrics.max - times * small.metrics.max;
+        assert!(off.abs() < 1e-9, "distances are in pixels of the picture");
+    }
+}
+
+#[test]
+fn a_drawing_enlarged_by_repeating_pixels_is_traced_as_the_drawing_and_enlarged() {
+    let bytes = arrow();
+    let small = traced(SIDE, SIDE, &bytes);
+    for times in [2, 3, 4, 8] {
+        let large = traced(times * SIDE, times * SIDE, &repeated(&bytes, 1, SIDE, times));
+        assert_enlarged(&large.contours, &small.contours, times as f64, [0.0; 2]);
+        assert_eq!(large.contours[0].curve.points().len(), ARROW.len(), "the arrow has its own corners");
+    }
+}
+
+#[test]
+fn edges_and_centre_lines_are_enlarged_as_well() {
+    let bytes = draw(SIDE, SIDE, &|x, y| ((x - 47.3).hypot(y - 48.6) - 30.2).abs() < 1.6);
+    for source in [Source::Edges, Source::Lines] {
+        let options = TraceOptions { source, ..TraceOptions::default() };
+        let of = |side: usize, bytes: &[u8]| -> Trace {
+            trace(Gray::from_bytes(side, side, bytes).expect("a picture"), &options).expect("a drawing")
+        };
+        let large = of(2 * SIDE, &repeated(&bytes, 1, SIDE, 2));
+        assert_enlarged(&large.contours, &of(SIDE, &bytes).contours, 2.0, [0.0; 2]);
+    }
+}
+
+#[test]
+fn a_part_cut_out_of_an_enlarged_picture_is_traced_where_it_is() {
+    let (times, bytes) = (4, arrow());
+    let large = repeated(&bytes, 1, SIDE, times);
+    let small = traced(SIDE, SIDE, &bytes);
+    let wide = times * SIDE;
+    for [left, top, right, bottom] in [[1, 3, 0, 0], [2, 0, 3, 1], [3, 3, 1, 2]] {
+        let rows = large.chunks(wide).take(wide - bottom).skip(top);
+        let part: Vec<u8> = rows.flat_map(|row| &row[left..wide - right]).copied().collect();
+        let cut = traced(wide - left - right, wide - top - bottom, &part);
+        assert_enlarged(&cut.contours, &small.contours, times as f64, [left as f64, top as f64]);
+    }
+}
+
+#[test]
+fn speckles_are_counted_in_pixels_of_the_picture() {
+    let bytes = draw(SIDE, SIDE, &|x, y| {
+        inside(&ARROW, x, y) || (x - 30.3).hypot(y - 75.2) < 12.7 || (x - 80.0).hypot(y - 15.0) < 2.1
+    });
+    let large = repeated(&bytes, 1, SIDE, 4);
+    let count = |speckle: f64| {
+        let options = TraceOptions { speckle, ..TraceOptions::default() };
+        let gray = Gray::from_bytes(4 * SIDE, 4 * SIDE, &large).expect("a picture");
+        trace(gray, &options).expect("a drawing").contours.len()
+    };
+    // The dot has 14 pixels of its own, and 222 of the picture.
+    assert_eq!(
+        [0.0, 2.0, 100.0, 300.0].map(count),
+        [3, 3, 3, 2],
+        "the dot goes where it is less than a speckle"
+    );
+}
+
+/// Whether a place is a corner of squares of eight pixels.
+fn is_on_grid(p: &Point) -> bool {
+    (0..2).all(|axis| p[axis] % 8.0 == 0.0)
+}
+
+#[test]
+fn squares_of_two_shades_are_what_was_drawn() {
+    // A creature as games have them, the same on both sides.
+    let mut noise = Noise(5);
+    let half: Vec<u8> =
+        (0..12 * 24).map(|i| if noise.unit() < 0.5 + (i % 12) as f64 / 24.0 { 0 } else { 255 }).collect();
+    let whole: Vec<u8> =
+        half.chunks(12).flat_map(|row| row.iter().chain(row.iter().rev())).copied().collect();
+    let found = traced(24 * 8, 24 * 8, &repeated(&whole, 1, 24, 8));
+    let corners: Vec<&Point> = found.contours.iter().flat_map(|contour| contour.curve.points()).collect();
+    assert!(corners.len() > 100, "{} corners", corners.len());
+    assert!(corners.into_iter().all(is_on_grid), "all outlines run around squares");
+}
+
+#[test]
+fn rectangles_on_a_grid_stay_rectangles() {
+    // Bars of a chart, three of 64 columns each.
+    let bars = |shade: &dyn Fn(usize) -> u8| -> Vec<u8> {
+        let cell = |i: usize| {
+            let (x, y) = (i % 64, i / 64);
+            let bar = x / 3;
+            if x % 3 > 0 && x < 60 && y < 60 && y + 2 * (bar * 7 % 20) > 50 { shade(bar) } else { 255 }
+        };
+        (0..64 * 64).map(cell).collect()
+    };
+    let found = traced(512, 512, &repeated(&bars(&|_| 0), 1, 64, 8));
+    assert_eq!(found.contours.len(), 20, "as many bars");
+    for contour in &found.contours {
+        let points = contour.curve.points();
+        assert!(points.len() == 4 && points.iter().all(is_on_grid), "{points:?}");
+    }
+    // Each in a shade of its own, they are no softer: shades of edges lie between those on both sides.
+    let shaded = bars(&|bar| (7 * bar) as u8);
+    let rgba: Vec<u8> = shaded.iter().flat_map(|&shade| [shade, shade, shade, 255]).collect();
+    let mut scan = BlockScan::new(512);
+    scan.push(&repeated(&rgba, 4, 64, 8), 4);
+    assert_eq!(scan.blocks(), None);
+    let found = traced(512, 512, &repeated(&shaded, 1, 64, 8));
+    assert_eq!(found.contours.len(), 20, "as many bars");
+    for contour in &found.contours {
+        // Ink is as dark as the darkest bars; beside paler ones that moves a side by some hundredths of a square.
+        let is_near = |p: &Point| (0..2).all(|axis| (p[axis] / 8.0 - (p[axis] / 8.0).round()).abs() < 0.1);
+        let points = contour.curve.points();
+        assert!(points.len() == 4 && points.iter().all(is_near), "{points:?}");
+    }
+}
+
+#[test]
+fn squares_of_chosen_colours_are_what_was_drawn() {
+    // All colours of a palette, in any order; with twice as many they are those of edges.
+    for (count, are_squares) in [(32, true), (64, false)] {
+        let mut noise = Noise(7);
+        let palette: Vec<[u8; 4]> = (0..count)
+            .map(|_| [0, 1, 2, 3].map(|k| if k < 3 { (noise.unit() * 256.0) as u8 } else { 255 }))
+            .collect();
+        let mut cells = vec![[255; 4]; 40 * 40];
+        for cell in cells.chunks_mut(4).step_by(4) {
+            cell.fill_with(|| palette[(noise.unit() * f64::from(count)) as usize]);
+        }
+        let mut scan = BlockScan::new(400);
+        scan.push(&repeated(cells.as_flattened(), 4, 40, 10), 4);
+        assert_eq!(scan.blocks().is_none(), are_squares, "{count} colours");
+    }
+}
+
+#[test]
+fn a_table_shown_in_colours_is_made_of_its_squares() {
+    let mut noise = Noise(9);
+    let cells: Vec<u8> = (0..40 * 40).flat_map(|_| [(); 4].map(|()| (noise.unit() * 256.0) as u8)).collect();
+    let mut scan = BlockScan::new(40 * 10);
+    scan.push(&repeated(&cells, 4, 40, 10), 4);
+    assert_eq!(scan.blocks(), None, "each cell is a value of its own");
+}
+
+/// Layers of a picture that may be made of squares, and those squares.
+fn layered(side: usize, rgba: &[u8], palette: &[Color]) -> (Vec<TracedLayer>, Option<Blocks>) {
+    let mut scan = BlockScan::new(side);
+    // In two parts, as files are read.
+    let (upper, lower) = rgba.split_at(4 * side * 7);
+    scan.push(upper, 4);
+    scan.push(lower, 4);
+    let blocks = scan.blocks();
+    let [width, height] = blocks.map_or([side; 2], |blocks| blocks.extent());
+    let pixel = |i: usize| 4 * blocks.map_or(i, |blocks| blocks.pixel(i));
+    let thin: Vec<u8> = (0..width * height).flat_map(|i| &rgba[pixel(i)..pixel(i) + 4]).copied().collect();
+    let mut rows = Layers::begin(width, height, palette).expect("a valid picture");
+    rows.push_rgba_rows(&thin).expect("whole rows");
+    let layers = rows.finish().expect("all rows");
+    let mut tracer = LayerTracer::of_squares(layers, &TraceOptions::default(), blocks);
+    while !tracer.step(4000.0).expect("a drawing") {}
+    (tracer.layers().to_vec(), blocks)
+}
+
+#[test]
+fn drawings_of_several_colours_are_enlarged_layer_by_layer() {
+    let paint = |x: f64, y: f64| {
+        Some(match () {
+            () if colors::disc(x, y, 40.3, 41.7, 20.4) => colors::RED,
+            () if inside(&ARROW, x, y) => colors::BLUE,
+            () => colors::WHITE,
+        })
+    };
+    let rgba = colors::draw(SIDE, SIDE, &paint);
+    let palette = [colors::WHITE, colors::RED, colors::BLUE];
+    let (small, none) = layered(SIDE, &rgba, &palette);
+    assert_eq!(none, None, "the drawing itself is of pixels");
+    for times in [2, 4] {
+        let (large, blocks) = layered(times * SIDE, &repeated(&rgba, 4, SIDE, times), &palette);
+        assert_eq!(blocks.map(|blocks| blocks.extent()), Some([SIDE; 2]), "its squares are found");
+        assert_eq!(large.len(), small.len(), "as many layers");
+        for (large, small) in large.iter().zip(&small) {
+            assert_eq!(large.color, small.color, "in their order");
+            assert_enlarged(&large.contours, &small.contours, times as f64, [0.0; 2]);
+        }
+    }
+}
