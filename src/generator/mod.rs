@@ -24,9 +24,11 @@ mod exponential_b_spline;
 mod filters;
 mod hermite;
 mod interpolator;
+mod pairing;
 mod pieces;
 mod propagation;
 mod riesz;
+mod root;
 mod roots;
 mod stretched;
 mod weights;
@@ -40,8 +42,9 @@ pub use hermite::{HermiteGenerators, Pair};
 pub use interpolator::Interpolator;
 pub(crate) use pieces::{PolynomialPieces, recentre};
 pub use riesz::{Gram, RieszBounds};
+pub use root::Root;
+pub use roots::Roots;
 pub(crate) use roots::too_fast;
-pub use roots::{Root, Roots};
 pub use weights::Weights;
 
 /// The space that a Hermite exponential spline is piecewise in.

@@ -4,22 +4,12 @@ use core::f64::consts::{PI, TAU};
 
 use nalgebra::Complex;
 
+use super::pairing::{oppose, pair_up};
+use super::root::{Root, distance, size, tolerance};
 use crate::error::{Error, Result};
 use crate::limits::{LARGEST_ROOT_IM, LARGEST_ROOT_RE, MOST_ROOTS, check, too_many, with_room};
 use crate::numerics::entire::stumpff;
 use crate::numerics::twofold::{Twofold, cosine, exponential};
-
-/// Roots closer than this, relative to 1 + |root|, count as conjugate or opposite.
-const NEAR: f64 = 1e-12;
-
-/// One root: the spline keeps e^{re·t}·cos(im·t) and e^{re·t}·sin(im·t).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Root {
-    /// Growth per unit of the parameter.
-    pub re: f64,
-    /// Frequency in radians per unit of the parameter.
-    pub im: f64,
-}
 
 /// A list of roots that is closed under conjugation, to the last bit.
 ///
@@ -34,15 +24,6 @@ pub struct Roots {
     list: Vec<Root>,
     /// The first root that has no opposite.
     without_opposite: Option<usize>,
-}
-
-/// A real root, or a pair re ± i·im with im > 0.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Factor {
-    pub(super) re: f64,
-    pub(super) im: f64,
-    first: usize,
-    second: usize,
 }
 
 impl Roots {
@@ -318,85 +299,4 @@ fn multiply(product: &mut [Twofold], factor: [Twofold; 3]) {
         }
         product[k] = sum;
     }
-}
-
-fn size(root: Root) -> f64 {
-    (root.re * root.re + root.im * root.im).sqrt()
-}
-
-fn distance(a: Root, b: Root) -> f64 {
-    (a.re - b.re).abs().max((a.im - b.im).abs())
-}
-
-fn tolerance(root: Root) -> f64 {
-    NEAR * (1.0 + size(root))
-}
-
-/// Matches every root above the real line with the nearest conjugate below it.
-#[inline(never)]
-fn pair_up(list: &mut [Root]) -> core::result::Result<Vec<Factor>, usize> {
-    let mut free = vec![true; list.len()];
-    let mut factors = Vec::new();
-    for i in 0..list.len() {
-        let root = list[i];
-        if !free[i] || root.im == 0.0 {
-            continue;
-        }
-        let conjugate = Root { re: root.re, im: -root.im };
-        let (mut best, mut least) = (None, tolerance(root));
-        for j in 0..list.len() {
-            let away = distance(list[j], conjugate);
-            if free[j] && j != i && list[j].im != 0.0 && away <= least {
-                (best, least) = (Some(j), away);
-            }
-        }
-        free[i] = false;
-        if let Some(j) = best {
-            free[j] = false;
-            let (re, im) = (0.5 * (root.re + list[j].re), 0.5 * (root.im - list[j].im));
-            let (first, second) = if im > 0.0 { (i, j) } else { (j, i) };
-            factors.push(Factor { re, im: im.abs(), first, second });
-        } else if root.im.abs() <= tolerance(root) {
-            factors.push(Factor { re: root.re, im: 0.0, first: i, second: i });
-        } else {
-            return Err(i);
-        }
-    }
-    for (i, root) in list.iter().enumerate().filter(|(_, root)| root.im == 0.0) {
-        factors.push(Factor { re: root.re, im: 0.0, first: i, second: i });
-    }
-    Ok(factors)
-}
-
-/// Makes opposite factors exactly opposite; the index of a root that has none.
-#[inline(never)]
-fn oppose(factors: &mut [Factor]) -> Option<usize> {
-    let mut free = vec![true; factors.len()];
-    let mut without = None;
-    for i in 0..factors.len() {
-        if !free[i] {
-            continue;
-        }
-        let this = factors[i];
-        let opposite = Root { re: -this.re, im: this.im };
-        let (mut best, mut least) = (None, tolerance(opposite));
-        for j in i..factors.len() {
-            let away = distance(Root { re: factors[j].re, im: factors[j].im }, opposite);
-            // Itself when nothing is nearer: purely imaginary pairs and 0 are their own opposites.
-            if free[j] && (away < least || (best.is_none() && away <= least)) {
-                (best, least) = (Some(j), away);
-            }
-        }
-        free[i] = false;
-        if let Some(j) = best {
-            free[j] = false;
-            let re = 0.5 * (this.re - factors[j].re);
-            let im = 0.5 * (this.im + factors[j].im);
-            (factors[i].re, factors[i].im) = (re, im);
-            (factors[j].re, factors[j].im) = (if j == i { re } else { -re }, im);
-        } else {
-            without = without.or(Some(this.first));
-        }
-    }
-    without
 }
