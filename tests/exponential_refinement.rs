@@ -69,6 +69,35 @@ fn pre_filters_agree_with_fifty_digits() {
     }
 }
 
+/// λ₀ and λ₁ for 0, ±iw (D 9.4), with cos(w/2) and sin w by what w lacks to π: there is nothing to cancel.
+fn weights_near_pi(w: f64) -> [f64; 2] {
+    /// What PI is less than π.
+    const LACKING: f64 = 1.224_646_799_147_353_2e-16;
+    let lacks = (core::f64::consts::PI - w) + LACKING;
+    let sinc = |x: f64| libm::sin(x) / x;
+    let quarter = sinc(0.25 * w);
+    [2.0 / (quarter * quarter * libm::sin(0.5 * lacks)), -0.5 * w / (sinc(0.5 * w) * libm::sin(lacks))]
+}
+
+#[test]
+fn three_roots_near_pi_have_their_weights_and_refinement_keeps_what_is_constant() {
+    for lacks in [1e-2, 1e-4, 1e-6, 1e-8, 1e-9, 1e-10] {
+        let w = core::f64::consts::PI - lacks;
+        let roots = roots(&[vec![0.0, 0.0], vec![0.0, w], vec![0.0, -w]]);
+        let phi = Interpolator::new(&roots).expect("below π there is one");
+        for (got, expected) in phi.lambda().iter().zip(weights_near_pi(w)) {
+            let off = (got / expected - 1.0).abs();
+            assert!(off < 4e-15, "{lacks:e} from π: {got}, expected {expected}, {off:e}");
+        }
+        // Four taps act on a control point: as many roundings of weights that cancel.
+        let rounding = 4.0 * f64::EPSILON * (1.0 + 2.0 * phi.lambda().iter().map(|l| l.abs()).sum::<f64>());
+        let points = from_points(&[3.0; 8], 1, true, &phi, 2).expect("in range");
+        for point in points {
+            assert!((point - 3.0).abs() < 3.0 * rounding, "{lacks:e} from π: {point} for 3, {rounding:e}");
+        }
+    }
+}
+
 #[test]
 fn closed_curves_have_the_golden_control_points_on_every_level() {
     for case in file().periodic_examples {

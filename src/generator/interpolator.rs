@@ -14,7 +14,6 @@ use crate::error::{Error, Result};
 use crate::limits::with_room;
 use crate::numerics::angle::sin_cos;
 use crate::numerics::dense::inverse;
-use crate::numerics::entire::stumpff;
 use crate::numerics::lists::dot;
 use crate::numerics::twofold::{Twofold, exponential, sine_and_cosine};
 
@@ -104,7 +103,7 @@ impl Interpolator {
         let spline = ExponentialBSpline::rounded(roots, &exact)?;
         let (weights, condition) = solve(order, &exact)?;
         let halves = halves(order, &exact, &weights)?;
-        let lambda = closed_form(roots).unwrap_or_else(|| weights.iter().map(|l| l.high).collect());
+        let lambda = weights.iter().map(|l| l.high).collect();
         let identity = deviation_of_identity(roots, &weights, condition);
         let interpolator = Self { spline, lambda, halves, condition, identity };
         // Written so that NaN fails.
@@ -279,7 +278,8 @@ fn nonexistent() -> Box<Error> {
 /// λ and the condition of its system.
 ///
 /// Row k says φ(k) = δₖ: A[k][l] = β(k − l/2) + β(k + l/2), without the second term for l = 0 [SFBGU17, eq. 26, 27]. What is
-/// left over in twofold numbers goes through the same elimination until nothing is (D 9.4).
+/// left over in twofold numbers goes through the same elimination until nothing is (D 9.4), in which there are closed forms for three
+/// roots, too, that are less exact near π.
 #[inline(never)]
 fn solve(order: usize, exact: &Propagated) -> Result<(Vec<Twofold>, f64)> {
     let size = order - 1;
@@ -322,18 +322,6 @@ fn solve(order: usize, exact: &Propagated) -> Result<(Vec<Twofold>, f64)> {
         }
     }
     Ok((lambda, condition))
-}
-
-/// λ for 0 and a pair, which is all that a symmetric list of three can be (D 9.4).
-fn closed_form(roots: &Roots) -> Option<Vec<f64>> {
-    if roots.order() != 3 {
-        return None;
-    }
-    // ω² of the pair ±iω, or −k² of ±k.
-    let square = roots.upper().fold(0.0, |sum, r| sum + r.im * r.im - 0.5 * r.re * r.re);
-    let (quarter, half) = (stumpff(square / 16.0), stumpff(square / 4.0));
-    let zero = 2.0 / (quarter.c1 * quarter.c1 * half.c0);
-    Some(vec![zero, -0.5 / (half.c1 * stumpff(square).c1)])
 }
 
 /// φ on every half interval: the halves of the B-spline's pieces, weighted by λ, about the middles of the halves (D 9.3).
