@@ -281,6 +281,32 @@ fn as_many_patches_as_there_may_be_are_made_in_a_moment() {
 }
 
 #[test]
+fn a_reach_beyond_the_curve_is_all_of_it() {
+    let mut random = Random::new(10);
+    let roots = Roots::polynomials(3).expect("in range");
+    for closed in [true, false] {
+        let curve = blob(&mut random, &roots, 2, closed);
+        let all =
+            (curve.base().points().len() / 2 - usize::from(!closed)) * 4096 + if closed { 0 } else { 3 };
+        // To both sides 4e9 steps, more than 32 bits count.
+        let patched = curve.refine_at(0.5, 12, 1e6).expect("within the limits");
+        assert_eq!(patched.patch_window(0).expect("there").2, all);
+    }
+}
+
+#[test]
+fn too_many_levels_are_refused_by_their_name_before_memory_is_asked_for() {
+    let points = (0..2 * 5000).map(|i| libm::sin(f64::from(i))).collect();
+    let curve = LocalCurve::new(InterpolatingCurve::new(points, 2, true, None).expect("points"));
+    for reach in [0.01, 1e3, 1e6] {
+        assert!(matches!(
+            unboxed(curve.refine_at(0.5, 12, reach)),
+            Err(Error::LimitExceeded { argument: "levels", limit: "maxOutputPoints", .. })
+        ));
+    }
+}
+
+#[test]
 fn a_hair_before_the_start_of_a_closed_curve_is_its_start() {
     let mut random = Random::new(6);
     for roots in lists() {

@@ -211,6 +211,16 @@ test("patches make room without a change, take edits near by, and go with their 
   assert.deepEqual(local.withoutPatch(0).evaluate(at), dense);
 });
 
+test("a reach beyond the curve makes room on all of it, at every level", () => {
+  const curve = new InterpolatingCurve({ points: POINTS });
+  for (const levels of [1, 6, 12]) {
+    const [patch] = curve.refineAt(2.5, { levels, reach: 1e6 }).patches;
+    assert.equal(patch?.displacements.length, POINTS.length * 2 ** levels);
+  }
+  const long = new InterpolatingCurve({ points: Float64Array.from({ length: 10_000 }, (_, i) => Math.sin(i)) });
+  for (const reach of [0.1, 1e6]) assert.throws(() => long.refineAt(2.5, { levels: 12, reach }), { code: "E_LIMIT", arg: "levels" });
+});
+
 test("curves in space do what they can, and say what they cannot", () => {
   const helix = Array.from({ length: 9 }, (_, k): [number, number, number] => [Math.cos(k / 2), Math.sin(k / 2), k / 4]);
   const curve = new InterpolatingCurve({ points: helix, closed: false, roots: roots.union(roots.polynomials(1), [{ re: 0, im: 0.5 }, { re: 0, im: -0.5 }]) });

@@ -103,9 +103,10 @@ impl LocalCurve {
     ///
     /// # Errors
     ///
-    /// t outside the domain; `levels` not from 1 to 12; `reach` not from 0 to 1e6, or with no control point within it.
+    /// t outside the domain; `levels` not from 1 to 12, or so many that their grid has more than 4 million control points; `reach` not from
+    /// 0 to 1e6, or with no control point within it.
     pub fn refine_at(&self, t: f64, levels: usize, reach: f64) -> Result<Self> {
-        check("levels", None, levels as f64, 1.0, FINEST as f64)?;
+        self.check_level("levels", levels)?;
         check("reach", None, reach, 0.0, 1e6)?;
         let place = self.base.lattice.locate(t, None)?;
         let (cells, total) = self.grid(levels);
@@ -119,7 +120,8 @@ impl LocalCurve {
         if high < low {
             return Err(Error::degenerate("reach", None, "no control point is within it"));
         }
-        let count = ((high - low) as usize + 1).min(total);
+        // A reach beyond the curve may be more steps than a usize of 32 bits counts.
+        let count = (high - low + 1.0).min(total as f64) as usize;
         let turn = if closed { cells as f64 * (low / cells as f64).floor() } else { 0.0 };
         let first = ((low - turn) as usize).min(total - 1);
         self.add_patch((levels, first, count), &filled(0.0, count * self.base.dimension())?)
@@ -127,8 +129,19 @@ impl LocalCurve {
 
     /// Cells and control points of the grid of a level.
     fn grid(&self, level: usize) -> (usize, usize) {
-        let cells = self.base.lattice.cells << level;
-        (cells, if self.base.is_closed() { cells } else { cells + self.base.roots().order() - 1 })
+        let cells = self.base.lattice.cells.saturating_mul(1 << level);
+        let beyond = if self.base.is_closed() { 0 } else { self.base.roots().order() - 1 };
+        (cells, cells.saturating_add(beyond))
+    }
+
+    /// Refuses a level whose grid has more control points than one call may give back.
+    fn check_level(&self, argument: &'static str, level: usize) -> Result<()> {
+        check(argument, None, level as f64, 1.0, FINEST as f64)?;
+        let (_, total) = self.grid(level);
+        if total > MOST_OUTPUT_POINTS {
+            return Err(too_many(argument, "maxOutputPoints", MOST_OUTPUT_POINTS, total));
+        }
+        Ok(())
     }
 
     fn count(&self, patch: &Patch) -> usize {
@@ -214,11 +227,8 @@ impl LocalCurve {
     /// Refuses a patch that cannot be.
     fn check_window(&self, window: (usize, usize, usize), displacements: &[f64]) -> Result<()> {
         let (level, first, count) = window;
-        check("level", None, level as f64, 1.0, FINEST as f64)?;
+        self.check_level("level", level)?;
         let (_, total) = self.grid(level);
-        if total > MOST_OUTPUT_POINTS {
-            return Err(too_many("level", "maxOutputPoints", MOST_OUTPUT_POINTS, total));
-        }
         check("first", None, first as f64, 0.0, (total - 1) as f64)?;
         let most = if self.base.is_closed() { total } else { total - first };
         check("displacements", None, count as f64, 1.0, most as f64)?;
