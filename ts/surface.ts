@@ -101,7 +101,7 @@ export class TensorSurface {
     return shape("cylinder", 3, [["radius", radius], ["height", height]], segments, [8, 2]);
   }
 
-  /** Steiner's Roman surface ½r²(cos a·sin 2b, sin a·sin 2b, sin 2a·cos² b), covered twice. `segments` at least 5, by default [5, 5]. */
+  /** Steiner's Roman surface ½r²(cos a·sin 2b, sin a·sin 2b, sin 2a·cos² b), covered four times. `segments` at least 5, by default [5, 5]. */
   static romanSurface(r: number, segments?: readonly [number, number]): TensorSurface {
     return shape("romanSurface", 4, [["r", r]], segments, [5, 5]);
   }

@@ -1,8 +1,8 @@
 //! Control points on finer grids: the interpolator's points become B-spline points, and those more of their kind.
 //!
-//! Points are interleaved, of any dimension from 1 up (0 counts as 1): a row of a surface's net is a point, too. All control points here belong
-//! to B-splines that are divided by their integral, so that, where 0 is a root, a translation stays a translation on every
-//! level.
+//! Points are interleaved, of any dimension from 1 up (0 counts as 1): a row of a surface's net is a point, too. All control
+//! points here belong to B-splines that are divided by their integral, so that, where 0 is a root, a translation stays a
+//! translation on every level.
 
 use crate::error::{Error, Result};
 use crate::generator::{Interpolator, Roots, affine_refinement_filter};

@@ -211,7 +211,8 @@ impl MatrixMask {
 ///
 /// # Errors
 ///
-/// Lengths that do not match; numbers that are not finite or that no curve may have; an arity of 0; more than 24 levels; more than 4 million points.
+/// Lengths that do not match; numbers that are not finite or that no curve may have; an arity of 0; more than 24 levels; more
+/// than 4 million points.
 ///
 /// # Source
 ///

@@ -5,6 +5,7 @@ use crate::error::{Error, Result};
 use crate::generator::{Interpolator, Roots};
 use crate::limits::{MOST_SURFACE_POINTS, check, too_many};
 use crate::numerics::angle::wrapped;
+use crate::numerics::lists::steps;
 
 /// The finest level: a unit of the parameter then has 4096 points.
 pub(super) const MOST_LEVELS: u32 = 12;
@@ -95,6 +96,11 @@ impl Axis {
             if self.direction.level == 0 { 0.0 } else { 0.5 * (self.direction.roots.order() % 2) as f64 };
         let first = if self.direction.closed { 0 } else { self.start };
         ((i as i64 + first) as f64 + offset) / self.scale
+    }
+
+    /// Parameter i of `count` that lie uniformly: at i/count of a closed direction, at i/(count − 1) of an open one.
+    pub(super) fn uniform(&self, i: usize, count: usize) -> f64 {
+        self.end() * (i as f64 / steps(count, self.direction.closed) as f64)
     }
 
     /// Checks a parameter; closed directions are periodic and take any.

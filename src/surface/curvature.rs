@@ -14,7 +14,7 @@ const BESIDE: f64 = 0.125;
 /// Of a place x steps away: a sixth of x times the third difference is what the cubic may be wrong by, and 1e-16 over the square of the
 /// distance what rounding makes of the curvature there; the one over the other, but for x³.
 const UNSEEN: f64 = 1e-9;
-/// The same for other degenerate places, from which curvatures are extrapolated.
+/// At other degenerate places curvatures are extrapolated from places that are multiples of this part of the domain away.
 const FARTHER: f64 = 1.0 / 256.0;
 /// No step is longer than this part of one of the grid: four of them stay between two knots.
 const LONGEST: f64 = 0.0625;

@@ -20,6 +20,7 @@
 
 mod axis;
 mod character;
+mod combined;
 mod curvature;
 mod extent;
 mod layer;

@@ -55,8 +55,8 @@ impl TensorSurface {
     ///
     /// # Errors
     ///
-    /// `OutOfRange` for more levels than a direction has, and for a coarser `net` that is not within ±1e9; `Degenerate` and `TooFewPoints` for a net that cannot be halved so
-    /// often.
+    /// `OutOfRange` for more levels than a direction has, and for a coarser `net` that is not within ±1e9; `Degenerate` and
+    /// `TooFewPoints` for a net that cannot be halved so often.
     ///
     /// # Accuracy
     ///

@@ -101,7 +101,8 @@ impl TensorSurface {
     /// The same surface with 2^`levels_u` times the points in u and 2^`levels_v` times in v.
     ///
     /// A direction that is refined is in B-spline form: its points are control points, near the surface and ever nearer,
-    /// in the normalisation in which they move with the surface under affine maps. Detail that was added locally stays; what the finer net can hold goes into it.
+    /// in the normalisation in which they move with the surface under affine maps. Detail that was added locally stays; what the
+    /// finer net can hold goes into it.
     ///
     /// # Accuracy
     ///

@@ -90,7 +90,8 @@ impl TensorSurface {
     ///
     /// # Errors
     ///
-    /// `NotFinite` and `OutOfRange` for `radius` and `tube`: positive, together at most 1e9, of which `tube` is told what is left; `OutOfRange` for `segments`: 3 at least.
+    /// `NotFinite` and `OutOfRange` for `radius` and `tube`: positive, together at most 1e9, of which `tube` is told what is left;
+    /// `OutOfRange` for `segments`: 3 at least.
     pub fn torus(radius: f64, tube: f64, segments: [usize; 2]) -> Result<Self> {
         check_segments(segments, [3, 3])?;
         positive("radius", radius)?;
@@ -126,7 +127,7 @@ impl TensorSurface {
 
     /// Steiner's Roman surface ½r²(cos a·sin 2b, sin a·sin 2b, sin 2a·cos² b): a = 2πu/m and b = 2πv/n for `segments` m and n, closed.
     ///
-    /// It is covered several times over, and has no normal at its six pinch points. The root 0 is in both lists, so that
+    /// It is covered four times over, and has no normal at its six pinch points. The root 0 is in both lists, so that
     /// moving the net moves the surface; [SFBGU17, sec. 5.1.1] leaves it out of one.
     ///
     /// # Errors
