@@ -189,6 +189,41 @@ fn a_patch_leaves_the_surface_as_it_is_and_the_net_too() {
 }
 
 #[test]
+fn room_is_made_at_the_same_place_however_many_turns_away() {
+    let torus = TensorSurface::torus(3.0, 1.0, [8, 6]).expect("in the ranges");
+    let window = |u: f64, v: f64| {
+        let patched = torus.refine_at(u, v, 1, 1.0).expect("within the limits");
+        patched.patch_window(0).expect("there is one")
+    };
+    // From 2⁵³ on a step of the grid is less than a rounding of the parameter; powers of two are whole turns of 8 there, and of 6 with 3.
+    for power in [10, 40, 53, 60, 1000] {
+        let turns = libm::pow(2.0, f64::from(power));
+        assert_eq!(window(turns, 3.0 * turns), window(0.0, 0.0), "2^{power} away");
+        assert_eq!(window(-turns, -3.0 * turns), window(0.0, 0.0), "2^{power} away on the other side");
+    }
+}
+
+#[test]
+fn a_patch_all_the_way_round_may_begin_at_any_row() {
+    let mut random = Random::new(23);
+    let torus = TensorSurface::torus(3.0, 1.0, [8, 6]).expect("in the ranges");
+    let displacements: Vec<f64> = (0..3 * 16 * 12).map(|_| 0.3 * random.symmetric()).collect();
+    for (first_u, first_v) in [(0, 0), (5, 0), (0, 3), (5, 3), (15, 11)] {
+        let patched =
+            torus.add_patch((1, first_u, 16), (1, first_v, 12), &displacements).expect("it goes round");
+        let refined = patched.refine(1, 1).expect("within the limits");
+        assert_eq!(refined.patch_count(), 0, "the finer net holds all of it");
+        let off = distance(&patched, &refined);
+        assert!(off < 1e-13, "from {first_u} and {first_v} on {off:e}");
+        // The points of the patch are those of the refined net, from its first row on.
+        let shown = patched.patch_points(0).expect("there is one");
+        let at = 3 * (first_u * 12 + first_v);
+        let apart = (0..3).map(|k| (shown[k] - refined.net()[at + k]).abs()).fold(0.0, f64::max);
+        assert!(apart < 1e-13, "the first point is {apart:e} off");
+    }
+}
+
+#[test]
 fn a_patch_point_changes_its_surroundings_only_and_a_coarse_point_takes_it_along() {
     let surface = TensorSurface::torus(1.0, 0.4, [8, 6]).expect("in the ranges");
     let mut patched = surface.refine_at(7.9, 3.0, 2, 1.0).expect("within the limits");

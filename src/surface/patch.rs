@@ -100,6 +100,7 @@ impl TensorSurface {
             *number = layer.point(i, j)[k] + (point[k] - shown[at + k]);
             check_displacement(Some(at + k), *number)?;
         }
+        settle(&mut moved);
         self.layers[patch + 1].point_mut(i, j).copy_from_slice(&moved);
         Ok(())
     }
@@ -190,6 +191,8 @@ fn window(
 /// The rows of an axis within `reach` of a parameter.
 fn around(axis: &Axis, t: f64, reach: f64) -> Option<Window> {
     let Direction { count, closed, .. } = axis.direction;
+    // Turns away from the domain, `reach` may be less than a rounding of t.
+    let t = if closed { wrapped(t, axis.end()) } else { t };
     let first = axis.parameter(0);
     let from = ((t - reach - first) * axis.scale).ceil();
     let to = ((t + reach - first) * axis.scale).floor();

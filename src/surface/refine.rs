@@ -70,11 +70,7 @@ impl Layer {
     /// Adds the numbers of `other`, written with this layer's finer axes, to those of this one.
     pub(super) fn absorb(&mut self, other: &Self) -> Result<()> {
         let levels = [0, 1].map(|d| self.levels()[d] - other.levels()[d]);
-        let fine = if other.net.len() == 3 * other.u.direction.count * other.v.direction.count {
-            other.doubled(levels)?
-        } else {
-            other.spread()?.doubled(levels)?
-        };
+        let fine = other.spread()?.doubled(levels)?;
         for i in 0..self.rows.count {
             for j in 0..self.columns.count {
                 let place = (self.rows.row(&self.u, i), self.columns.row(&self.v, j));

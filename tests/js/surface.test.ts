@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { ExplineError, type Root, type SurfaceMesh, TensorSurface, fromJSON } from "expline";
+import { ExplineError, type Root, type SurfaceMesh, TensorSurface, type TensorSurfaceJSON, fromJSON } from "expline";
 
 interface Golden {
   name: string;
@@ -346,6 +346,13 @@ test("a mesh that is there already is filled again, and one that is not is made"
   }
   assert.deepEqual(mesh, torus.mesh(4, 5));
   assert.deepEqual(torus.mesh(4, 5, {}), torus.mesh(4, 5));
+});
+
+test("a displacement of −0 comes back from text as it is", () => {
+  const { net, u, v } = TensorSurface.torus(3, 1).toJSON();
+  const window = { level: 1, first: 0, count: 1 };
+  const surface = new TensorSurface({ net, u, v, patches: [{ u: window, v: window, displacements: [-0, 1, -0] }] });
+  assert.deepStrictEqual(fromJSON(JSON.parse(JSON.stringify(surface)) as TensorSurfaceJSON).toJSON(), surface.toJSON());
 });
 
 test("the patches of plain data make a surface, as its own patches do", () => {

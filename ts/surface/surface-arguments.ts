@@ -102,8 +102,8 @@ function patchOf(op: string, value: unknown, i: number): PatchData {
   const needed = 3 * windows.u.count * windows.v.count;
   if (given.length !== needed) throw wrongLength(op, `${arg}.displacements`, given.length, String(needed));
   // From one end of what is allowed to the other at most.
-  given.forEach((number, k) => inRange(op, `${arg}.displacements`, number, -2 * LARGEST, 2 * LARGEST, k));
-  return { ...windows, displacements: given };
+  const checked = given.map((number, k) => inRange(op, `${arg}.displacements`, number, -2 * LARGEST, 2 * LARGEST, k) + 0);
+  return { ...windows, displacements: checked };
 }
 
 /** The arrays of a surface that a caller or a file describes, checked. @internal */
