@@ -243,6 +243,83 @@ fn a_pole_stays_smooth_when_points_around_it_move() {
     }
 }
 
+/// How far apart the normals all round an end of v are.
+fn spread_of_normals(surface: &TensorSurface, v: f64) -> f64 {
+    let [round, _] = surface.domain();
+    let normal =
+        |k: u32| surface.normal(round * f64::from(k) / 24.0, v).expect("in the domain").expect("one");
+    (1..24).map(|k| (normal(k) - normal(0)).norm()).fold(0.0, f64::max)
+}
+
+#[test]
+fn poles_stay_smooth_where_the_row_of_one_is_a_row_inside_the_other() {
+    // Cubics in v, two units from pole to pole: rows −2 to 4, of which 2, the north pole, is what row −2 follows.
+    let round = 8;
+    let u =
+        Direction { roots: Roots::ellipse(round).expect("in range"), count: round, closed: true, level: 0 };
+    let v = Direction { roots: Roots::polynomials(3).expect("in range"), count: 7, closed: false, level: 0 };
+    let meridian = [(0.0, 1.0), (-1.0, 0.0), (0.0, -1.0), (1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)];
+    let net = (0..round).flat_map(|k| {
+        let angle = core::f64::consts::TAU * k as f64 / round as f64;
+        meridian.iter().flat_map(move |(r, z)| [r * libm::cos(angle), r * libm::sin(angle), *z])
+    });
+    let mut surface = TensorSurface::new(net.collect(), u, v).expect("the net fits");
+    for (row, to) in [
+        (4, Vector3::new(0.1, 0.2, 1.5)),
+        (2, Vector3::new(-0.2, 0.1, -1.2)),
+        (3, Vector3::new(1.1, 0.3, 0.2)),
+        (4, Vector3::new(0.0, 0.1, 1.1)),
+    ] {
+        assert!(surface.set_point(3, row, to).expect("in the net"), "others move along with row {row}");
+        for end in [0.0, 2.0] {
+            let apart = spread_of_normals(&surface, end);
+            assert!(apart < 1e-12, "after row {row} the normals at {end} are {apart:e} apart");
+        }
+    }
+}
+
+#[test]
+fn poles_stay_smooth_wherever_the_surface_lies() {
+    for far in [1e3, 1e6, 1e7, 1e8, 9e8] {
+        let mut away = [0.0; 16];
+        (0..4).for_each(|i| away[5 * i] = 1.0);
+        away[12..15].fill(far);
+        let sphere = TensorSurface::sphere(1.0, [8, 4]).expect("in the ranges");
+        let mut surface = sphere.transformed(&away).expect("within the limits");
+        let to = Vector3::new(far + 0.8, far + 0.1, far - 0.9);
+        assert!(surface.set_point(0, 2, to).expect("in the net"), "at {far:e} the row beyond follows");
+        // A point is a rounding of 1e-16 off there, and a tangent some of them.
+        let apart = spread_of_normals(&surface, 0.0);
+        assert!(apart < 1e-12 + 1e-14 * far, "at {far:e} the normals are {apart:e} apart");
+    }
+}
+
+#[test]
+fn a_point_far_away_makes_no_pole_smooth() {
+    let mut surface = TensorSurface::sphere(1.0, [8, 4]).expect("in the ranges");
+    surface.set_point(2, 0, Vector3::new(0.1, -0.6, -0.7)).expect("in the net");
+    surface.set_point(5, 5, Vector3::new(0.0, 0.0, 1e9)).expect("in the net");
+    let before = surface.net().to_vec();
+    surface.set_point(2, 2, Vector3::new(0.0, 0.7, -0.6)).expect("in the net");
+    let changed = before.iter().zip(surface.net()).filter(|(a, b)| a != b).count();
+    assert!(changed <= 3, "{changed} numbers changed");
+}
+
+#[test]
+fn what_is_too_small_to_be_computed_with_is_0_wherever_it_is_set() {
+    let torus = TensorSurface::torus(3.0, 1.0, [8, 6]).expect("in the ranges");
+    let (mut surface, small) = (torus.clone(), Vector3::new(1e-60, -1e-200, 2.0));
+    surface.set_point(1, 2, small).expect("in the net");
+    assert_eq!(surface.net()[3 * 8..][..3], [0.0, 0.0, 2.0], "as in a net");
+    let [u, v] = surface.directions().map(Clone::clone);
+    let flat = TensorSurface::new(vec![0.0; surface.net().len()], u, v).expect("the net fits");
+    let mut patched = flat.refine_at(1.0, 2.0, 1, 1.0).expect("within the limits");
+    patched.set_patch_point(0, 1, 1, small).expect("in the patch");
+    let displaced: Vec<f64> =
+        patched.displacements(0).expect("one").iter().copied().filter(|x| *x != 0.0).collect();
+    assert_eq!(displaced, [2.0], "as in a patch that is loaded");
+}
+
 #[test]
 fn points_beyond_a_pole_are_the_callers_once_one_was_moved() {
     let mut surface = TensorSurface::sphere(1.0, [8, 4]).expect("in the ranges");

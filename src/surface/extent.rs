@@ -12,7 +12,7 @@ const FARTHEST: f64 = 1e-8;
 impl Layer {
     /// The smallest and largest numbers of the points in so many rows and columns from a place on.
     #[inline(never)]
-    fn bounds(&self, from: [usize; 2], count: [usize; 2]) -> [Vector3; 2] {
+    pub(super) fn bounds(&self, from: [usize; 2], count: [usize; 2]) -> [Vector3; 2] {
         let (mut least, mut most) = (Vector3::repeat(f64::MAX), Vector3::repeat(f64::MIN));
         for a in 0..count[0] {
             let Some(i) = self.rows.position(&self.u, self.u.row(from[0] + a)) else { continue };

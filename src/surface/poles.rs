@@ -8,11 +8,15 @@ use core::f64::consts::TAU;
 use super::axis::Axis;
 use super::tensor::{TensorSurface, check_point};
 use crate::error::Result;
+use crate::limits::settle;
 use crate::numerics::Vector3;
 use crate::numerics::angle::sin_cos;
 
-/// A pole counts as smooth where the net keeps to the rule within this part of its size.
+/// A pole counts as smooth where the rows at it keep to the rule within this part of their size: what lies elsewhere, however far
+/// away, has no part in it.
 const KEPT: f64 = 1e-9;
+/// And within this part of their distance from the origin: the rule is a sum over a row, of numbers that are rounded there.
+const ROUNDING: f64 = 1e-14;
 
 /// One end of an open direction that closes to a point.
 #[derive(Clone, Copy, Debug)]
@@ -40,8 +44,10 @@ impl Pole {
     }
 
     /// How many rows inside a row is, if one beyond follows it.
+    #[inline]
     fn steps_inside(self, row: usize) -> Option<usize> {
-        (1..=self.beyond).find(|&r| self.inside(r) == row)
+        let steps = if self.last { self.row.wrapping_sub(row) } else { row.wrapping_sub(self.row) };
+        (1..=self.beyond).contains(&steps).then_some(steps)
     }
 
     /// Place in the net of point k of a row.
@@ -60,9 +66,10 @@ impl TensorSurface {
     ///
     /// `OutOfRange` for `i` and `j`; `NotFinite` and `OutOfRange` for `x`, `y` and `z`; `OutOfRange` for `net` where a point that
     /// follows would not be within ±1e9. The surface is as it was then.
-    pub fn set_point(&mut self, i: usize, j: usize, point: Vector3) -> Result<bool> {
+    pub fn set_point(&mut self, i: usize, j: usize, mut point: Vector3) -> Result<bool> {
         self.base().check(i, j)?;
         check_point(&point)?;
+        settle(point.as_mut_slice());
         let poles = self.smooth_poles();
         if poles.is_empty() {
             self.set(i, j, point);
@@ -78,7 +85,8 @@ impl TensorSurface {
     fn follow(&mut self, poles: &[Pole], i: usize, j: usize, point: Vector3) -> bool {
         self.set(i, j, point);
         let mut along = false;
-        for &pole in poles {
+        // Twice: where poles are near, the row of one is a row inside the other, and is whole only then.
+        for &pole in poles.iter().chain(poles) {
             let row = if pole.open_u { i } else { j };
             if row == pole.row {
                 for k in 0..pole.around {
@@ -157,8 +165,16 @@ impl TensorSurface {
         found
     }
 
+    /// How far off the rule the rows at a pole may be.
+    fn slack(&self, pole: Pole) -> f64 {
+        let (from, count) =
+            (pole.place(pole.row - pole.beyond, 0), pole.place(2 * pole.beyond + 1, pole.around));
+        let [least, most] = self.base().bounds(from.into(), count.into());
+        KEPT * (most - least).norm() + ROUNDING * (least.norm() + most.norm())
+    }
+
     fn is_smooth(&self, pole: Pole) -> bool {
-        let near = KEPT * self.extent();
+        let near = self.slack(pole);
         let point = |row: usize, k: usize| {
             let (i, j) = pole.place(row, k);
             self.get(i, j)
