@@ -4,6 +4,7 @@
 
 use super::describe::{SPACES, pairs, push_short};
 use super::kernel::{AnyCurve, run, times};
+use super::numbers::take;
 use crate::curve::HermiteOptions;
 use crate::limits::filled;
 use crate::numerics::{Point, Vector};
@@ -13,13 +14,6 @@ use wasm_bindgen::prelude::wasm_bindgen;
 /// The space that a number from JavaScript stands for.
 pub(super) fn space_of(code: u32) -> Option<Space> {
     SPACES.get(code as usize).copied()
-}
-
-/// Takes the first `count` numbers off what is left of the input.
-fn take<'a>(rest: &mut &'a [f64], count: usize) -> &'a [f64] {
-    let (head, tail) = rest.split_at(count.min(rest.len()));
-    *rest = tail;
-    head
 }
 
 /// Makes the curve whose arrays lie in the input resident.

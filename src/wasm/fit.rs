@@ -5,7 +5,8 @@
 
 use super::describe::{describe, pairs};
 use super::kernel::{Kernel, run, times};
-use super::record::{Numbers, place, section};
+use super::numbers::Numbers;
+use super::sections::{place, section};
 use crate::curve::HermiteCurve;
 use crate::fit::{Ask, Finish, Fit, FitStatus, Fitter, Norm, Options};
 use crate::{Error, Result};

@@ -139,7 +139,7 @@ thread_local! {
             fits: Vec::new(),
             #[cfg(feature = "wasm-trace")]
             traces: Vec::new(),
-                        #[cfg(any(feature = "wasm", feature = "wasm-spline"))]
+            #[cfg(any(feature = "wasm", feature = "wasm-spline"))]
             slots: Vec::new(),
             #[cfg(feature = "wasm-surface")]
             surfaces: [const { None }; SURFACES],

@@ -4,8 +4,7 @@
 
 use super::kernel::{grow, run, times};
 use crate::Result;
-use crate::curve::check_parameters;
-use crate::curve::{Pieces, in_space, measures};
+use crate::curve::{Pieces, check_parameters, in_space, measures};
 use crate::numerics::Point;
 use wasm_bindgen::prelude::wasm_bindgen;
 

@@ -9,8 +9,8 @@
 //! formats: messages are made in the face.
 //!
 //! The package has several modules, each with an instance and a memory of its own: feature `wasm` exports Hermite curves and path
-//! data, feature `wasm-spline` curves of any roots, feature `wasm-surface` surfaces, feature `wasm-fit` fitting, feature `wasm-trace` tracing. [`kernel`] is in
-//! all of them, what measures curves in the two for curves.
+//! data, feature `wasm-spline` curves of any roots, feature `wasm-surface` surfaces, feature `wasm-fit` fitting, feature
+//! `wasm-trace` tracing. [`kernel`] and [`numbers`] are in all of them, what measures curves in the two for curves.
 
 #![allow(unreachable_pub, reason = "exported functions are public to JavaScript, not to Rust")]
 
@@ -28,18 +28,19 @@ mod heap;
 mod kernel;
 #[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 mod measure;
+mod numbers;
 #[cfg(feature = "wasm-trace")]
 mod picture;
 #[cfg(feature = "wasm-spline")]
 mod prepared;
 #[cfg(feature = "wasm-trace")]
 mod profile;
-#[cfg(any(feature = "wasm-fit", feature = "wasm-trace"))]
-mod record;
 #[cfg(any(feature = "wasm-spline", feature = "wasm-surface"))]
 mod roots;
 #[cfg(any(feature = "wasm", feature = "wasm-spline"))]
 mod sample;
+#[cfg(any(feature = "wasm-fit", feature = "wasm-trace"))]
+mod sections;
 #[cfg(feature = "wasm-spline")]
 mod spline;
 #[cfg(feature = "wasm-surface")]

@@ -2,7 +2,7 @@
 
 use super::describe::{describe, pairs};
 use super::kernel::{Kernel, run, times};
-use super::record::section;
+use super::sections::section;
 use crate::Result;
 use crate::trace::{
     Chain, Cloud, End, Knots, ProfileOptions, QuasiInterpolant, directed_hausdorff, jaccard, leave_one_out,

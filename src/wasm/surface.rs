@@ -4,6 +4,7 @@
 //! patches; the roots in pairs; the net; and for every patch its two windows (level, first, count) and its displacements.
 
 use super::kernel::{Kernel, PATCH, SURFACES, grow, run, times};
+use super::numbers::Numbers;
 use super::roots::{push_roots, roots_of};
 use crate::numerics::Vector3;
 use crate::surface::{Direction, Grid, Region};
@@ -34,32 +35,23 @@ fn with(slot: u32, body: &mut dyn FnMut(&mut TensorSurface, &mut Kernel) -> Resu
 
 /// A surface from the run of numbers that describes it; `patch` counts the patches that are read.
 fn read(numbers: &[f64], patch: &mut f64) -> Result<TensorSurface> {
-    let mut rest = numbers;
-    let mut take = |count: usize| {
-        let (head, tail) = rest.split_at(count.min(rest.len()));
-        rest = tail;
-        head
+    let mut rest = Numbers(numbers);
+    let mut header = Numbers(rest.take(HEADER));
+    let mut counts = || (header.count(), header.flag(), header.count(), header.count());
+    let (of_u, of_v) = (counts(), counts());
+    let patches = header.count();
+    let mut direction = |(count, closed, level, roots): (usize, bool, usize, usize), name| {
+        let roots = roots_of(rest.take(2 * roots)).map_err(|error| error.about(name))?;
+        Ok::<_, Box<Error>>(Direction { roots, count, closed, level: level as u32 })
     };
-    let header = take(HEADER);
-    let number = |i: usize| header.get(i).map_or(0, |n| *n as usize);
-    let mut direction = |at: usize, name: &'static str| {
-        let roots = roots_of(take(2 * number(at + 3))).map_err(|error| error.about(name))?;
-        Ok::<_, Box<Error>>(Direction {
-            roots,
-            count: number(at),
-            closed: number(at + 1) != 0,
-            level: number(at + 2) as u32,
-        })
-    };
-    let (u, v) = (direction(0, "u.roots")?, direction(4, "v.roots")?);
-    let net = take(u.count.saturating_mul(v.count).saturating_mul(3));
+    let (u, v) = (direction(of_u, "u.roots")?, direction(of_v, "v.roots")?);
+    let net = rest.take(u.count.saturating_mul(v.count).saturating_mul(3));
     let mut surface = TensorSurface::new(net.to_vec(), u, v)?;
-    for _ in 0..number(8) {
+    for _ in 0..patches {
         *patch += 1.0;
-        let window = take(6);
-        let part = |i: usize| window.get(i).map_or(0, |n| *n as usize);
-        let [u, v] = [0, 3].map(|at| (part(at) as u32, part(at + 1), part(at + 2)));
-        let displacements = take(u.2.saturating_mul(v.2).saturating_mul(3));
+        let mut window = || (rest.count() as u32, rest.count(), rest.count());
+        let (u, v) = (window(), window());
+        let displacements = rest.take(u.2.saturating_mul(v.2).saturating_mul(3));
         surface.push_patch(u, v, displacements)?;
     }
     Ok(surface)

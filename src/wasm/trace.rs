@@ -5,8 +5,9 @@
 
 use super::describe::describe;
 use super::kernel::{Kernel, run};
+use super::numbers::Numbers;
 use super::picture::{Job, NOT_OPEN, State};
-use super::record::{Numbers, place, section};
+use super::sections::{place, section};
 use crate::Result;
 use crate::trace::{BlockScan, Model, Source, Stage, Tint, TraceOptions, TracedContour};
 use wasm_bindgen::prelude::wasm_bindgen;
