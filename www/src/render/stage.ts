@@ -60,24 +60,7 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
     repaint();
   }
 
-  /** Most of what may lie over a curve is seldom shown, or not before a pointer is there: it comes when it is first to be shown. */
-  const analysis = late(editor, explains, () => import("./layers/analysis.ts"), repaint);
-  const many = late(editor, ({ curve }) => isCrowded(curve), () => import("./small-points.ts"), repaint);
-  const sketch = late(editor, sketches, () => import("./layers/sketch.ts"), repaint);
-  const weights = late(editor, ({ settings }) => settings.overlays.weights, () => import("./layers/weights.ts"), repaint);
-  const framing = late(editor, ({ selection }) => selection.points.length > 1, () => import("./layers/frame.ts"), repaint);
-  const curve = (scene: Scene): void => {
-    for (const layer of below) layer(scene);
-    analysis()?.drawBelow(scene);
-    weights()?.drawWeights(scene);
-    framing()?.drawFrame(scene);
-    for (const layer of curves) layer(scene);
-    analysis()?.drawKnots(scene);
-    drawHandles(scene);
-    drawPoints(scene, many()?.createSmallPoints());
-    sketch()?.drawSketch(scene);
-  };
-  const painters = new Map<Mode, Painter>([["curve", { paint: curve }]]);
+  const painters = new Map<Mode, Painter>([["curve", curvePainter(editor, repaint)]]);
 
   function repaint(): void {
     dirty = true;
@@ -124,6 +107,27 @@ export function createStage(editor: Editor, frame: Frame, surface: HTMLElement, 
   frame.add("paint", paint);
   measure();
   return { repaint, painters };
+}
+
+/** Most of what may lie over a curve is seldom shown, or not before a pointer is there: it comes when it is first to be shown. */
+function curvePainter(editor: Editor, repaint: () => void): Painter {
+  const analysis = late(editor, explains, () => import("./layers/analysis.ts"), repaint);
+  const many = late(editor, ({ curve }) => isCrowded(curve), () => import("./small-points.ts"), repaint);
+  const sketch = late(editor, sketches, () => import("./layers/sketch.ts"), repaint);
+  const weights = late(editor, ({ settings }) => settings.overlays.weights, () => import("./layers/weights.ts"), repaint);
+  const framing = late(editor, ({ selection }) => selection.points.length > 1, () => import("./layers/frame.ts"), repaint);
+  const paint = (scene: Scene): void => {
+    for (const layer of below) layer(scene);
+    analysis()?.drawBelow(scene);
+    weights()?.drawWeights(scene);
+    framing()?.drawFrame(scene);
+    for (const layer of curves) layer(scene);
+    analysis()?.drawKnots(scene);
+    drawHandles(scene);
+    drawPoints(scene, many()?.createSmallPoints());
+    sketch()?.drawSketch(scene);
+  };
+  return { paint };
 }
 
 /** From the paper up, below and above the weights and the frame. */
